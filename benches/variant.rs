@@ -13,8 +13,8 @@ fn derivation(path: &str, alter: impl Fn(String) -> String) -> Derivation {
     parse(Source { path: path.into(), text }, "bench").expect("it can be read")
 }
 
-fn run(mut derivation: Derivation, options: &Options) -> Account {
-    check(&mut derivation, options, &|_, _| {}).expect("it can be checked")
+fn run(derivation: Derivation, options: &Options) -> Account {
+    check(&derivation, options, &|_, _| {}).expect("it can be checked")
 }
 
 const FILES: &[&str] = &["derivations/deriglazov-comment.toml", "derivations/kepler.toml"];

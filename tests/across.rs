@@ -9,9 +9,9 @@ use rederive::report;
 
 fn account() -> Account {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/across.toml");
-    let mut derivation = load(&path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let derivation = load(&path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
     let options = Options { plain: true, ..Options::default() };
-    check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"))
+    check(&derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"))
 }
 
 fn on<'a>(account: &'a Account, id: &str) -> &'a FamilyAccount {
@@ -189,13 +189,13 @@ fn what_has_no_meaning_is_refused() {
 #[test]
 fn every_report_says_what_is_compared() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/across.toml");
-    let mut derivation = load(&path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let derivation = load(&path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
     let options = Options {
         plain: true,
         claims: ["square", "grows", "farthest", "small-swings"].map(str::to_owned).to_vec(),
         ..Options::default()
     };
-    let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let account = check(&derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     for report in [report::markdown, report::page, report::tex] {
         let text = report(&derivation, &account);
         let words = text.contains("Scales as a power of") && text.contains("whose exponent is 2 to within 0.01");
@@ -221,7 +221,7 @@ fn an_extremum_outside_of_the_family_is_refused() {
         let source = Source { path: "t.toml".into(), text };
         let found = match parse(source, "t") {
             Err(found) => render(&found, false),
-            Ok(mut derivation) => match check(&mut derivation, &Options::default(), &|_, _| {}) {
+            Ok(derivation) => match check(&derivation, &Options::default(), &|_, _| {}) {
                 Err(CheckError::Problems(found)) => render(&found, false),
                 other => panic!("{new}: {other:?}"),
             },
@@ -306,9 +306,9 @@ vary = { 'a' = { values = [1, 2] } }
     let found = |family: &str, claim: &str| {
         let text = format!("{head}[[claim]]\nid = 'c'\nsays = 's'\nfamilies = ['{family}']\n{claim}\n");
         let source = Source { path: "t.toml".into(), text };
-        let mut derivation = parse(source, "t").unwrap_or_else(|found| panic!("{claim}\n{}", render(&found, false)));
+        let derivation = parse(source, "t").unwrap_or_else(|found| panic!("{claim}\n{}", render(&found, false)));
         let options = Options { plain: true, ..Options::default() };
-        let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{claim}: {e:?}"));
+        let account = check(&derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{claim}: {e:?}"));
         on(&account, "c").clone()
     };
     // Holds, fails, does not apply, undecided.

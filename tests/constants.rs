@@ -25,8 +25,8 @@ fn read(text: String) -> Result<Derivation, Vec<(String, String)>> {
 
 /// The verdict on each claim, and whether its units agree.
 fn verdicts(symbols: &str, conventions: &str, claims: &[&str]) -> Vec<(String, &'static str)> {
-    let mut derivation = read(file(symbols, conventions, claims)).unwrap_or_else(|e| panic!("{e:?}"));
-    let account = check(&mut derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let derivation = read(file(symbols, conventions, claims)).unwrap_or_else(|e| panic!("{e:?}"));
+    let account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     (0..claims.len())
         .map(|at| {
             let id = format!("c{at}");
@@ -118,8 +118,8 @@ fn upright_letters_that_are_no_units() {
     let text = file(symbols, "units = \"SI\"", &claims)
         .replace("'m' = 3", r"'m' = 3, 'A' = [[1, 2], [2, 1]], 'F_{\mathrm{N}}' = 1");
     let transposed = text.clone() + "[[claim]]\nid = \"T\"\nsays = \"it\"\nalways = ['A^{\\mathrm{T}}=A']\n";
-    let mut derivation = read(transposed).unwrap_or_else(|e| panic!("{e:?}"));
-    let account = check(&mut derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let derivation = read(transposed).unwrap_or_else(|e| panic!("{e:?}"));
+    let account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     assert!(account.claims.iter().all(|c| c.results[0].verdict.outcome().word() == "holds"), "all hold");
 }
 
@@ -128,8 +128,8 @@ fn a_constant_over_ranges_and_in_values() {
     let text = file("'c' = { role = \"constant\" }\n'v' = { role = \"parameter\", unit = \"m/s\" }", "", &["v<c"])
         .replace("'m' = 3", "'m' = 3, 'v' = '0.9c'")
         + "[[claim]]\nid = \"r\"\nsays = \"it\"\nranges = { 'v' = [0, 1000] }\nalways = ['v<c', 'vc>-1']\n";
-    let mut derivation = read(text).unwrap_or_else(|e| panic!("{e:?}"));
-    let account = check(&mut derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let derivation = read(text).unwrap_or_else(|e| panic!("{e:?}"));
+    let account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     assert_eq!(account.claims[0].results[0].verdict.outcome().word(), "holds");
     let region = account.claims[1].region.as_ref().expect("a region");
     assert_eq!(region.verdict.outcome().word(), "holds");

@@ -57,8 +57,8 @@ fn stem(path: &Path) -> String {
 }
 
 fn run(path: &Path) -> (Derivation, Account) {
-    let mut derivation = load(path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
-    let account = check(&mut derivation, &Options::default(), &|_, _| {});
+    let derivation = load(path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let account = check(&derivation, &Options::default(), &|_, _| {});
     let account = account.unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
     (derivation, account)
 }
@@ -231,9 +231,9 @@ fn meanings_reach_the_verdicts_and_strengths_that_they_state() {
     let mut tried = 0;
     for path in files_below(&root().join("tests/corpus")).iter().filter(|p| states_strengths(&stem(p))) {
         let file = stem(path);
-        let mut derivation = load(path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+        let derivation = load(path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
         let options = Options { plain: true, rigor: Rigor::Enclosed, ..Options::default() };
-        let account = match check(&mut derivation, &options, &|_, _| {}) {
+        let account = match check(&derivation, &options, &|_, _| {}) {
             Ok(account) => account,
             Err(CheckError::Defect(words)) => {
                 found.insert(format!("{file} all"), format!("a defect, {words}"));

@@ -19,11 +19,11 @@ concerns = 'c'
 ";
 
 fn account(text: &str, rigor: Rigor) -> Account {
-    let mut derivation = match parse(Source { path: "t.toml".into(), text: text.into() }, "t") {
+    let derivation = match parse(Source { path: "t.toml".into(), text: text.into() }, "t") {
         Ok(derivation) => derivation,
         Err(found) => panic!("{}\n{text}", render(&found, false)),
     };
-    check(&mut derivation, &Options { plain: true, rigor, ..Options::default() }, &|_, _| {}).expect("no defect")
+    check(&derivation, &Options { plain: true, rigor, ..Options::default() }, &|_, _| {}).expect("no defect")
 }
 
 /// The next of a fixed row of numbers below `n`.

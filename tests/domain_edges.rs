@@ -96,8 +96,8 @@ fn what_has_no_value_is_not_defined_and_says_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("edges.toml");
     std::fs::write(&path, text).expect("a file");
-    let mut derivation = load(&path).unwrap_or_else(|found| panic!("{}", rederive::diag::render(&found, false)));
-    let account = check(&mut derivation, &Options::default(), &|_, _| {}).expect("verdicts");
+    let derivation = load(&path).unwrap_or_else(|found| panic!("{}", rederive::diag::render(&found, false)));
+    let account = check(&derivation, &Options::default(), &|_, _| {}).expect("verdicts");
     let (mut wrong, mut settled) = (Vec::new(), 0);
     for (claim, (text, forbidden)) in account.claims.iter().zip(&never) {
         let verdict = &claim.results[0].verdict;

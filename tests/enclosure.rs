@@ -15,9 +15,9 @@ fn no_verdict_of_the_corpus_is_wrong() {
     let (mut decided, mut wrong) = (Vec::new(), Vec::new());
     for file in ["enclosed", "forms", "opponent", "precision", "systems", "traps"] {
         let path = format!("{}/tests/corpus/{file}.toml", env!("CARGO_MANIFEST_DIR"));
-        let mut derivation = load(Path::new(&path)).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+        let derivation = load(Path::new(&path)).unwrap_or_else(|found| panic!("{}", render(&found, false)));
         let options = Options { rigor: Rigor::Enclosed, ..Options::default() };
-        let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{file}: {e:?}"));
+        let account = check(&derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{file}: {e:?}"));
         for claim in &account.claims {
             for pair in &claim.results {
                 let outcome = pair.verdict.outcome();
@@ -54,9 +54,9 @@ fn no_verdict_of_the_corpus_is_wrong() {
 fn what_happens_between_samples_is_found() {
     let path = format!("{}/tests/enclosure_support/between.toml", env!("CARGO_MANIFEST_DIR"));
     let outcome = |rigor: Rigor| {
-        let mut derivation = load(Path::new(&path)).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+        let derivation = load(Path::new(&path)).unwrap_or_else(|found| panic!("{}", render(&found, false)));
         let options = Options { rigor, ..Options::default() };
-        let account = check(&mut derivation, &options, &|_, _| {}).expect("checked");
+        let account = check(&derivation, &options, &|_, _| {}).expect("checked");
         account.claims[0].results[0].verdict.outcome()
     };
     assert_eq!(outcome(Rigor::Sampled), Outcome::Fails(Strength::Sampled));
@@ -109,9 +109,9 @@ fn first_integrals_sharpen_what_they_contain() {
 #[test]
 fn what_is_conserved_is_enclosed_where_states_are_wide() {
     let path = format!("{}/tests/enclosure_support/conserved.toml", env!("CARGO_MANIFEST_DIR"));
-    let mut derivation = load(Path::new(&path)).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let derivation = load(Path::new(&path)).unwrap_or_else(|found| panic!("{}", render(&found, false)));
     let options = Options { rigor: Rigor::Enclosed, ..Options::default() };
-    let account = check(&mut derivation, &options, &|_, _| {}).expect("checked");
+    let account = check(&derivation, &options, &|_, _| {}).expect("checked");
     for claim in &account.claims {
         let verdict = &claim.results[0].verdict;
         let (strong, held) = match verdict.outcome() {

@@ -47,9 +47,9 @@ const LIMITS: &[(&str, Option<bool>)] = &[
 #[test]
 fn limits_are_what_they_are() {
     let path = format!("{}/tests/corpus/limits.toml", env!("CARGO_MANIFEST_DIR"));
-    let mut derivation = load(Path::new(&path)).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let derivation = load(Path::new(&path)).unwrap_or_else(|found| panic!("{}", render(&found, false)));
     let options = Options { rigor: Rigor::Enclosed, ..Options::default() };
-    let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let account = check(&derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     let mut wrong = Vec::new();
     assert_eq!(account.claims.len(), LIMITS.len());
     for claim in &account.claims {

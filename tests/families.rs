@@ -80,7 +80,7 @@ fn problems(family: &str) -> String {
     let source = Source { path: "derivations/test.toml".into(), text };
     match parse(source, "test") {
         Err(found) => render(&found, false),
-        Ok(mut derivation) => match check(&mut derivation, &plain(), &|_, _| {}) {
+        Ok(derivation) => match check(&derivation, &plain(), &|_, _| {}) {
             Err(CheckError::Problems(found)) => render(&found, false),
             other => format!("no problem: {other:?}"),
         },
@@ -107,7 +107,7 @@ fn a_member_that_is_pasted_reaches_the_same_verdict() {
                 c.expect_of_families.clear();
             }
             let options = Options { claims: vec![found.id.clone()], trajectories: vec![id], ..plain() };
-            let account = check(&mut again, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+            let account = check(&again, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
             let verdict = &claim(&account, &found.id).results[0].verdict;
             assert_eq!(verdict.outcome(), member.verdict.outcome(), "{} {}", found.id, member.toml);
             let sides = |v: &rederive::check::Verdict| v.evidence().witness.as_ref().map(|w| (w.t, w.left, w.right));
@@ -154,9 +154,9 @@ fn what_is_nearly_true_has_the_verdict_of_a_trajectory() {
     sweep(&derivation, "f", Part::WHOLE, &Limits::default(), &|_, _| {}, &mut each).unwrap();
     let (mut decided, mut failing) = (0, 0);
     for (number, verdicts) in rows {
-        let mut derivation = parsed(alone.replace("'k' = 1, 'I'", &format!("'k' = {number}, 'I'")));
+        let derivation = parsed(alone.replace("'k' = 1, 'I'", &format!("'k' = {number}, 'I'")));
         let options = Options { rigor: Rigor::Sampled, ..plain() };
-        let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+        let account = check(&derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
         for (claim, verdict) in account.claims.iter().zip(verdicts) {
             let alone = claim.results[0].verdict.outcome().truth();
             let contradicts = verdict.zip(alone).is_some_and(|(a, b)| a != b);
@@ -430,10 +430,10 @@ fn separation(vary: &str, more: &str, plain: bool) -> (FamilyAccount, String) {
     let family = format!("\n[[family]]\nid = 'f'\nof = 'a'\n{vary}\n");
     let claim = CLAIM.replace("says = 's'", "says = 's'\ntrajectories = []");
     let text = format!("{HEAD}{family}{claim}{more}");
-    let mut derivation =
+    let derivation =
         parse(Source { path: "t.toml".into(), text }, "t").unwrap_or_else(|e| panic!("{}", render(&e, false)));
     let options = Options { plain, ..Options::default() };
-    let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let account = check(&derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     let page = rederive::report::markdown(&derivation, &account);
     (on(&account, "c", "f").clone(), page)
 }
@@ -464,8 +464,8 @@ fn what_separates_is_tried_on_fresh_members() {
     let row = "vary = { 'x' = { values = [-3, -2.5, -1, 0, 1, 2.5, 3] } }";
     let claim = "\n[[claim]]\nid = 'd'\nsays = 's'\ntrajectories = []\nfamilies = ['f']\nalways = ['|x|<2']\n";
     let text = format!("{HEAD}\n[[family]]\nid = 'f'\nof = 'a'\n{row}\n{claim}");
-    let mut derivation = parse(Source { path: "t.toml".into(), text }, "t").expect("no problems");
-    let account = check(&mut derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let derivation = parse(Source { path: "t.toml".into(), text }, "t").expect("no problems");
+    let account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     let of = on(&account, "d", "f").separation.clone().expect("what separates");
     assert_eq!(formula(&of), ["x>-2.0", "x<2.0"], "{of:?}");
     // With the constraints of the family, and a condition of the file, which comes first.

@@ -32,9 +32,9 @@ equations = ['u_t=-u_x']
 
 fn tried(claim: &str) -> (Derivation, Account) {
     let text = format!("{HEAD}\n[[claim]]\nid = \"c\"\nsays = \"s\"\n{claim}\n");
-    let mut derivation =
+    let derivation =
         parse(Source { path: "t.toml".into(), text }, "t").unwrap_or_else(|found| panic!("{}", render(&found, false)));
-    let account = check(&mut derivation, &Options::default(), &|_, _| {}).expect("it is checked");
+    let account = check(&derivation, &Options::default(), &|_, _| {}).expect("it is checked");
     (derivation, account)
 }
 
@@ -230,9 +230,8 @@ fn squares_and_axes_are_where_they_belong() {
     let text = HEAD
         .replace("'x' = { role", "'x' = { unit = \"m\", role")
         .replace("'t' = { role", "'t' = { unit = \"s\", role");
-    let mut derivation =
-        parse(Source { path: "t.toml".into(), text: format!("{text}{claim}") }, "t").expect("it is read");
-    let account = check(&mut derivation, &Options::default(), &|_, _| {}).expect("it is checked");
+    let derivation = parse(Source { path: "t.toml".into(), text: format!("{text}{claim}") }, "t").expect("it is read");
+    let account = check(&derivation, &Options::default(), &|_, _| {}).expect("it is checked");
     let page = report::page(&derivation, &account);
     assert!(
         page.contains("text-anchor=middle>x in m</text>") && page.contains("<desc>x in m to the right, t in s upwards")

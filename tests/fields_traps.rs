@@ -125,9 +125,9 @@ equations = ['\nabla^2v=0']
 fn word(claim: &str) -> &'static str {
     let text = format!("{HEAD}[[claim]]\nid = 'c'\nsays = 's'\n{claim}\n");
     let source = Source { path: "t.toml".into(), text };
-    let mut derivation = parse(source, "t").unwrap_or_else(|found| panic!("{claim}\n{}", render(&found, false)));
+    let derivation = parse(source, "t").unwrap_or_else(|found| panic!("{claim}\n{}", render(&found, false)));
     let options = Options { plain: true, ..Options::default() };
-    let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{claim}: {e:?}"));
+    let account = check(&derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{claim}: {e:?}"));
     account.claims[0].region.as_ref().expect("a region").verdict.outcome().word()
 }
 

@@ -35,11 +35,11 @@ fn load(motion: &str, more: &str) -> Result<Derivation, String> {
 
 /// The problems of a file with this motion; nothing where there is none.
 fn problems(motion: &str) -> String {
-    let mut derivation = match load(motion, "") {
+    let derivation = match load(motion, "") {
         Ok(derivation) => derivation,
         Err(found) => return found,
     };
-    match check(&mut derivation, &options(), &|_, _| {}) {
+    match check(&derivation, &options(), &|_, _| {}) {
         Ok(_) => String::new(),
         Err(CheckError::Problems(found)) => render(&found, false),
         Err(other) => panic!("{other:?}"),
@@ -49,8 +49,8 @@ fn problems(motion: &str) -> String {
 /// The verdict on a claim, with its strength.
 fn verdict(motion: &str, claim: &str) -> String {
     let more = format!("[[claim]]\nid = 'd'\nsays = 's'\n{claim}\n");
-    let mut derivation = load(motion, &more).unwrap_or_else(|found| panic!("{found}"));
-    let account = check(&mut derivation, &options(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let derivation = load(motion, &more).unwrap_or_else(|found| panic!("{found}"));
+    let account = check(&derivation, &options(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     let claim = account.claims.iter().find(|c| c.id == "d").expect("the claim is there");
     let outcome = claim.results[0].verdict.outcome();
     format!("{} {}", outcome.word(), outcome.strength().unwrap_or("")).trim().to_owned()
@@ -177,8 +177,8 @@ fn members_of_a_family_are_solved_one_by_one() {
     let motion = constrained("{ near = 1.5, within = 1.4 }", "0", "'x^2=a'");
     let family = "[[family]]\nid = 'f'\nof = 'm'\nvary = { 'a' = { from = 1, to = 4, count = 4 } }\n\
                   [[claim]]\nid = 'd'\nsays = 's'\nalways = ['x(0)=\\sqrt a']\nfamilies = ['f']\n";
-    let mut derivation = load(&motion, family).unwrap_or_else(|found| panic!("{found}"));
-    let account = check(&mut derivation, &options(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let derivation = load(&motion, family).unwrap_or_else(|found| panic!("{found}"));
+    let account = check(&derivation, &options(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     let claim = account.claims.iter().find(|c| c.id == "d").expect("the claim is there");
     assert!(claim.verdicts().all(|v| v.verdict.outcome().word() == "holds"));
     assert_eq!(claim.verdicts().count(), 2);

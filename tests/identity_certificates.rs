@@ -264,11 +264,10 @@ fn both_routes_agree_on_all_derivations() {
         files.retain(|file| file.extension().is_some_and(|e| e == "toml"));
         files.sort();
         for file in files {
-            let mut derivation = rederive::derivation::load(&file).expect("a derivation");
+            let derivation = rederive::derivation::load(&file).expect("a derivation");
             // Motions take most of the time and are not needed here.
             let none = Options { trajectories: vec!["none".into()], ..Options::default() };
-            let account =
-                check(&mut derivation, &none, &|_, _| {}).unwrap_or_else(|e| panic!("{}: {e:?}", file.display()));
+            let account = check(&derivation, &none, &|_, _| {}).unwrap_or_else(|e| panic!("{}: {e:?}", file.display()));
             for claim in &account.claims {
                 let Some(identity) = &claim.identity else { continue };
                 identities += 1;

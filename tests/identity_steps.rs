@@ -6,10 +6,10 @@ use rederive::diag::render;
 use std::path::Path;
 
 fn account(path: &Path, trajectories: &[&str]) -> Account {
-    let mut derivation = load(path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let derivation = load(path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
     let trajectories = trajectories.iter().map(|&t| t.to_owned()).collect();
     let options = Options { trajectories, ..Options::default() };
-    check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"))
+    check(&derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"))
 }
 
 /// A derivation about a point on the line, with these claims.

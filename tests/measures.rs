@@ -41,9 +41,9 @@ fn derivation(text: &str) -> Result<Derivation, String> {
 }
 
 fn run(text: &str) -> (Derivation, Account) {
-    let mut derivation = derivation(text).unwrap_or_else(|e| panic!("{e}"));
+    let derivation = derivation(text).unwrap_or_else(|e| panic!("{e}"));
     let options = Options { plain: true, rigor: Rigor::Sampled, ..Options::default() };
-    let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let account = check(&derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     (derivation, account)
 }
 

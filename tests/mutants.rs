@@ -183,8 +183,8 @@ fn run(file: &str) -> (usize, Vec<String>) {
         all.push_str(&targets[&m.target()].1.written(&format!("mutant-{k}"), Some((&m.from, &to))));
     }
     let source = Source { path: format!("mutants of {file}"), text: all };
-    let mut derivation = parse(source, file).unwrap_or_else(|found| panic!("{}", render(&found, false)));
-    let account = check(&mut derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let derivation = parse(source, file).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
 
     let mut problems = Vec::new();
     for claim in &account.claims {

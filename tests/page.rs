@@ -10,8 +10,8 @@ use rederive::derivation::{Derivation, load, parse};
 use rederive::diag::{Source, render};
 use rederive::report::{json, page, tex};
 
-fn checked(mut derivation: Derivation) -> (Derivation, Account) {
-    let account = check(&mut derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+fn checked(derivation: Derivation) -> (Derivation, Account) {
+    let account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     (derivation, account)
 }
 

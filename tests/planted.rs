@@ -76,7 +76,7 @@ fn plant(
     let trajectories = chosen.iter().map(|&t| derivation.trajectories[t].id.clone()).collect();
     let options = Options { claims: vec!["planted".into()], trajectories, ..Options::default() };
     let start = Instant::now();
-    let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{name}: {e:?}"));
+    let account = check(&derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{name}: {e:?}"));
     let time = start.elapsed();
     let found = account.claims.iter().find(|c| c.id == "planted")?;
     let erratum = found.variants.as_ref().and_then(|v| v.erratum.as_ref());
@@ -104,8 +104,8 @@ fn plant_all(path: &str, each: usize) -> Vec<Outcome> {
     let text = std::fs::read_to_string(path).expect(path);
     let source = Source { path: path.into(), text: text.clone() };
     let original = parse(source, "planted").unwrap_or_else(|e| panic!("{}", render(&e, false)));
-    let mut run = original.clone();
-    let account = check(&mut run, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{path}: {e:?}"));
+    let run = original.clone();
+    let account = check(&run, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{path}: {e:?}"));
     let mut out = Vec::new();
     let mut number = 0;
     let mut seen: Vec<String> = Vec::new();

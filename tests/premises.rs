@@ -12,8 +12,8 @@ fn account() -> Account {
 
 fn account_of(file: &str) -> Account {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/corpus/{file}.toml"));
-    let mut derivation = load(&path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
-    let account = check(&mut derivation, &Options::default(), &|_, _| {});
+    let derivation = load(&path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let account = check(&derivation, &Options::default(), &|_, _| {});
     account.unwrap_or_else(|e| panic!("{e:?}"))
 }
 

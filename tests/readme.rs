@@ -37,8 +37,8 @@ fn report() -> Value {
     let committed = root.join("reports/deriglazov-comment/report.json");
     let text = std::fs::read_to_string(committed).unwrap_or_else(|_| {
         let path = root.join("derivations/deriglazov-comment.toml");
-        let mut derivation = load(&path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
-        let account = check(&mut derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+        let derivation = load(&path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+        let account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
         rederive::report::json(&derivation, &account)
     });
     serde_json::from_str(&text).expect("the report is JSON")

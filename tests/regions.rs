@@ -108,8 +108,8 @@ fn three() -> Derivation {
 
 #[test]
 fn no_report_loses_a_claim_over_ranges() {
-    let mut derivation = three();
-    let account = check(&mut derivation, &Options::default(), &|_, _| {}).expect("an account");
+    let derivation = three();
+    let account = check(&derivation, &Options::default(), &|_, _| {}).expect("an account");
     let ids: Vec<&str> = account.claims.iter().map(|c| c.id.as_str()).collect();
     assert_eq!(ids, ["c", "open", "root", "moving"], "the order of the file");
     let summary = account.summary();
@@ -151,8 +151,8 @@ fn no_report_loses_a_claim_over_ranges() {
 
 #[test]
 fn the_picture_tells_the_parts_apart_without_colour() {
-    let mut derivation = three();
-    let account = check(&mut derivation, &Options::default(), &|_, _| {}).expect("an account");
+    let derivation = three();
+    let account = check(&derivation, &Options::default(), &|_, _| {}).expect("an account");
     // Quotes that HTML can do without may be left out.
     let page = report::page(&derivation, &account).replace('"', "");
     assert_eq!(page.matches("<figure class=map>").count(), 1, "two ranges vary in one claim");

@@ -159,8 +159,8 @@ fn what_the_loader_refuses_the_schema_refuses_too() {
 
 /// The report on a derivation file.
 fn fresh(path: &Path, tex: Option<&str>) -> Value {
-    let mut derivation = load(path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
-    let account = check(&mut derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let derivation = load(path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     let text = match tex {
         None => report::json(&derivation, &account),
         Some(tex) => {

@@ -76,10 +76,10 @@ fn fails_when_pasted(text: &str, account: &SearchAccount) {
     if found.listed {
         text = text.replace("trajectories = ['small']", &format!("trajectories = ['small', '{}']", found.id));
     }
-    let mut derivation = read(&text);
+    let derivation = read(&text);
     let id = found.claim.split('/').next().unwrap_or_default().to_owned();
     let options = Options { claims: vec![id], trajectories: vec![found.id.clone()], ..Options::default() };
-    let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let account = check(&derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     let reading = found.claim.split('/').nth(1);
     let claim = account.claims.iter().find(|c| c.reading.as_deref() == reading).expect("the claim is tried");
     assert_eq!(claim.results.len(), 1, "{}", found.table);
@@ -163,9 +163,9 @@ fn a_motion_against_the_comment() {
 fn a_motion_that_tells_an_altered_formula_from_the_claim() {
     // At rest every formula for the energy would do.
     let text = PENDULUM.replace("'q' = 0.1, 'p' = 0", "'q' = 0, 'p' = 0");
-    let mut derivation = read(&text);
+    let derivation = read(&text);
     let options = Options { claims: vec!["two".into()], ..Options::default() };
-    let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let account = check(&derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     let survivors = account.claims[0].variants.as_ref().expect("variants").survivors.clone();
     assert!(!survivors.is_empty());
     let search = |claim: &str, variant| {
@@ -177,8 +177,8 @@ fn a_motion_that_tells_an_altered_formula_from_the_claim() {
         assert_eq!(found.variant.as_ref(), Some(&survivor.formula));
         let table = &found.found.as_ref().expect("a motion").table;
         // On that motion the claim holds, and is no longer taken for its altered formula.
-        let mut pasted = read(&format!("{text}\n{table}"));
-        let account = check(&mut pasted, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+        let pasted = read(&format!("{text}\n{table}"));
+        let account = check(&pasted, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
         let pair = account.claims[0].results.last().expect("the new motion");
         assert!(matches!(pair.verdict.outcome(), Outcome::Holds(_)), "{table}");
         let left = &account.claims[0].variants.as_ref().expect("variants").survivors;

@@ -49,9 +49,9 @@ span = [0, 5]
 
 fn account(more: &str) -> Account {
     let source = Source { path: "test.toml".into(), text: format!("{OSCILLATOR}{more}") };
-    let mut derivation = parse(source, "test").unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let derivation = parse(source, "test").unwrap_or_else(|found| panic!("{}", render(&found, false)));
     let claims = derivation.claims.len();
-    let account = check(&mut derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     assert_eq!((derivation.claims.len(), account.claims.len()), (claims, claims), "nothing made on the way is left");
     account
 }
@@ -182,10 +182,10 @@ fn a_claim_that_fails_where_it_applies_says_nothing_of_its_assumptions() {
 fn the_comment_leaves_unsaid() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("derivations/deriglazov-comment.toml");
     let text = std::fs::read_to_string(path).expect("the file is there");
-    let mut derivation = parse(Source { path: "comment.toml".into(), text }, "comment").expect("read");
+    let derivation = parse(Source { path: "comment.toml".into(), text }, "comment").expect("read");
     let claims = ["psi0-formula", "k-nonzero", "t8", "t8-outside"].map(str::to_owned).to_vec();
     let options = Options { claims, ..Options::default() };
-    let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let account = check(&derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     let explained = |id: &str, reading: Option<&str>| {
         let claim = account.claims.iter().find(|c| c.id == id && c.reading.as_deref() == reading).expect("there");
         let explanation = claim.conditions.separation.as_ref().and_then(|s| s.explanation.clone()).expect("explained");

@@ -12,7 +12,7 @@ fn derivation(text: &str) -> Derivation {
 fn checked(text: &str, claims: &[&str], trajectories: &[&str]) -> Account {
     let list = |l: &[&str]| l.iter().map(|s| (*s).to_owned()).collect();
     let options = Options { claims: list(claims), trajectories: list(trajectories), ..Options::default() };
-    check(&mut derivation(text), &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"))
+    check(&derivation(text), &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"))
 }
 
 fn comment() -> String {

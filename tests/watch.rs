@@ -15,11 +15,11 @@ fn read(text: &str) -> Derivation {
 /// Checks through the cache, compares with a check of the whole, and returns what was checked again.
 #[track_caller]
 fn step(cache: &mut Cache, text: &str) -> Vec<String> {
-    let mut derivation = read(text);
-    let (account, checked) = cache.check(&mut derivation).unwrap_or_else(|e| panic!("{e:?}"));
+    let derivation = read(text);
+    let (account, checked) = cache.check(&derivation).unwrap_or_else(|e| panic!("{e:?}"));
     let quick = report::json(&derivation, &account);
-    let mut derivation = read(text);
-    let whole = check(&mut derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let derivation = read(text);
+    let whole = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     let whole = report::json(&derivation, &whole);
     assert!(quick == whole, "the cache says something else than a check of the whole file");
     checked

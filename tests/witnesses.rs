@@ -222,8 +222,8 @@ fn recompute(derivation: &mut Derivation, report: &Value, counts: &mut Counts) {
 
 fn of(name: &str, options: &Options) -> (Derivation, Value) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("derivations").join(name);
-    let mut derivation = load(&path).unwrap_or_else(|d| panic!("{name}: {d:?}"));
-    let account = check(&mut derivation, options, &|_, _| {}).expect("checked");
+    let derivation = load(&path).unwrap_or_else(|d| panic!("{name}: {d:?}"));
+    let account = check(&derivation, options, &|_, _| {}).expect("checked");
     let report = serde_json::from_str(&json(&derivation, &account)).expect("JSON");
     (derivation, report)
 }

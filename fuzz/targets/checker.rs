@@ -10,9 +10,9 @@ fuzz_target!(|text: &str| {
     if text.len() > 4096 {
         return;
     }
-    let Ok(mut derivation) = parse(Source { path: "fuzz.toml".into(), text: text.into() }, "fuzz") else { return };
+    let Ok(derivation) = parse(Source { path: "fuzz.toml".into(), text: text.into() }, "fuzz") else { return };
     let options = Options { rigor: Rigor::Sampled, ..Options::default() };
-    match check(&mut derivation, &options, &|_, _| {}) {
+    match check(&derivation, &options, &|_, _| {}) {
         Ok(_) | Err(CheckError::Problems(_)) => {}
         Err(CheckError::Defect(message)) => panic!("{message}"),
     }

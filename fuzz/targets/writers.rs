@@ -35,8 +35,8 @@ always = ['x=1']
 "#;
 
 fn checked() -> (Derivation, Account) {
-    let mut derivation = parse(Source { path: "fuzz.toml".into(), text: FILE.into() }, "fuzz").expect("it loads");
-    let account = check(&mut derivation, &Options::default(), &|_, _| {}).expect("it is checked");
+    let derivation = parse(Source { path: "fuzz.toml".into(), text: FILE.into() }, "fuzz").expect("it loads");
+    let account = check(&derivation, &Options::default(), &|_, _| {}).expect("it is checked");
     (derivation, account)
 }
 
@@ -52,7 +52,7 @@ fuzz_target!(|text: &str| {
         derivation.concerns.clone_from(&text);
         derivation.remark = Some(text.clone());
         derivation.conventions = vec![(shown::in_one_line(&text), text.clone())];
-        for claim in &mut derivation.claims {
+        for claim in &derivation.claims {
             claim.says.clone_from(&text);
         }
         for claim in &mut account.claims {

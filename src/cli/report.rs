@@ -103,7 +103,7 @@ fn first_page(arguments: &ReportArguments) -> Result<Exit, Stop> {
     let found = checked(arguments)?;
     let (derivation, account) = (found.derivation(), found.account());
     say(&match arguments.format {
-        SummaryFormat::Text => report::front_page(&derivation, &account, true),
+        SummaryFormat::Text => report::front_page(derivation, account, true),
         SummaryFormat::Tex => report::tex_summary(derivation, account),
         SummaryFormat::Markdown => report::front_markdown(derivation, account),
     })?;

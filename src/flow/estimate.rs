@@ -110,7 +110,7 @@ impl<'a> Estimate<'a> {
             if farthest * multiple > FARTHEST || farthest * multiple < NEAREST || multiple == 0.0 {
                 multiple = power_of_two(AWAY) / power_of_two(exponent(farthest.max(f64::EPSILON * f64::EPSILON)));
                 // An error that is not small is none of a linear equation.
-                if !(multiple >= 4.0) {
+                if multiple.is_nan() || multiple < 4.0 {
                     return None;
                 }
                 // Constants that are known exactly are set once.

@@ -69,9 +69,9 @@ fn together(claims: &[(usize, &Claim)], found: &mut [Option<Said>]) {
     let source = Source { path: "random".to_owned(), text };
     let error = match parse(source, "random") {
         Err(problems) => Said::Refused(problems.first().map_or(String::new(), |p| p.message.clone())),
-        Ok(mut derivation) => {
+        Ok(derivation) => {
             let options = Options { plain: true, rigor: Rigor::Enclosed, ..Options::default() };
-            match caught(|| check(&mut derivation, &options, &|_, _| {})) {
+            match caught(|| check(&derivation, &options, &|_, _| {})) {
                 Ok(account) => {
                     for ((i, _), (id, _)) in claims.iter().zip(&named) {
                         let judged = account.claims.iter().find(|c| c.id == *id);

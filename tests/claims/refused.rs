@@ -66,9 +66,9 @@ const KNOWN_READ: &[&str] = &[];
 fn is_refused(file: String) -> bool {
     match parse(Source { path: "refused".to_owned(), text: file }, "refused") {
         Err(_) => true,
-        Ok(mut derivation) => {
+        Ok(derivation) => {
             let options = Options { plain: true, ..Options::default() };
-            matches!(check(&mut derivation, &options, &|_, _| {}), Err(CheckError::Problems(_)))
+            matches!(check(&derivation, &options, &|_, _| {}), Err(CheckError::Problems(_)))
         }
     }
 }

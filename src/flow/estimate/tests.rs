@@ -25,23 +25,19 @@ fn system(draws: &mut Draws, n: usize) -> Vec<String> {
         let x = number(2);
         if sign % 2 == 0 { format!("+{x}") } else { format!("-{x}") }
     };
-    let mut matrix = vec![vec![String::new(); n]; n];
-    for i in 0..n {
-        for j in 0..n {
-            matrix[i][j] = coefficient();
-        }
-    }
+    let matrix: Vec<String> = (0..n * n).map(|_| coefficient()).collect();
+    let entry = |i: usize, j: usize| matrix[i * n + j].as_str();
     let flip = |c: &str| if let Some(c) = c.strip_prefix('+') { format!("-{c}") } else { c.replace('-', "+") };
     for i in 0..n {
         let mut terms = String::new();
         for j in 0..n {
-            let c = if j > i { matrix[i][j].clone() } else { flip(&matrix[j][i]) };
+            let c = if j > i { entry(i, j).to_owned() } else { flip(entry(j, i)) };
             match kind {
                 // Rotation, with a rate that depends on the state.
                 0 if i != j => terms += &format!("{c}*x{j}*(1+x0^2)"),
                 1 if i != j => terms += &format!("{c}*x{j}"),
                 // Anything linear.
-                2 => terms += &format!("{}*x{j}", matrix[i][j]),
+                2 => terms += &format!("{}*x{j}", entry(i, j)),
                 // A chain of oscillators with cubic forces.
                 3 if i + 1 == j => terms += &format!("+x{j}-0.1*x{i}*x{j}*x{j}"),
                 3 if j + 1 == i => terms += &format!("-x{j}-0.3*x{j}^3/7"),
