@@ -52,7 +52,7 @@ fuzz_target!(|text: &str| {
         derivation.concerns.clone_from(&text);
         derivation.remark = Some(text.clone());
         derivation.conventions = vec![(shown::in_one_line(&text), text.clone())];
-        for claim in &derivation.claims {
+        for claim in &mut derivation.claims {
             claim.says.clone_from(&text);
         }
         for claim in &mut account.claims {
