@@ -1,7 +1,7 @@
 //! What was found for an earlier state of a file, by content.
 //!
 //! **In:** questions, each named by everything that its answer depends on. **Out:** the answer that is known, or one that is
-//! computed and kept.
+//! computed and kept; and [`Proofs`], the answers that do not depend on motions, to be kept longer than a process lives.
 //!
 //! A verdict of a claim on a motion depends on the symbols, systems and conditions of the file, on the claim's own table, and on
 //! the motion with those that it comes from. A proof depends on the symbols and systems, on the claim, and on the claims that it
@@ -15,12 +15,13 @@ use std::collections::{BTreeSet, HashMap};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::motions::Family;
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Graph, Leaf};
-use crate::findings::IdentityAccount;
+use crate::findings::{ClaimAccount, FamilyAccount, IdentityAccount, family::MeasureAccount};
 use crate::verdict::Verdict;
 use proved::step::Step;
 use sampled::recall::Recall;
@@ -45,13 +46,34 @@ fn key(parts: &[&[u8]]) -> Key {
 /// Answers of one kind, each with the last age in which it was asked for.
 type Answers<T> = Mutex<HashMap<Key, (u64, T)>>;
 
+/// What a claim says for all values, where it is a claim of that kind; or how the program contradicts itself.
+type Identity = Option<Result<IdentityAccount, String>>;
+
+/// What was found on all families.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct OnFamilies {
+    /// In the order of the accounts of claims.
+    pub claims: Vec<Vec<FamilyAccount>>,
+    pub measures: Vec<MeasureAccount>,
+}
+
+/// The answers that no motion of the file is asked for.
+#[derive(Debug, Default, Serialize, Deserialize)]
+pub(super) struct Proofs {
+    identities: Vec<(Key, Identity)>,
+    on_families: Vec<(Key, OnFamilies)>,
+}
+
 /// What was found, for several states of a file.
 #[derive(Debug, Default)]
 pub(super) struct Memory {
     age: u64,
+    /// Whether nothing is kept but what [`Proofs`] have.
+    proofs_alone: bool,
     verdicts: Answers<Verdict>,
     standings: Answers<Option<bool>>,
-    identities: Answers<Option<Result<IdentityAccount, String>>>,
+    identities: Answers<Identity>,
+    on_families: Answers<OnFamilies>,
     families: Answers<Arc<Mutex<Family>>>,
     wanted: Answers<BTreeSet<String>>,
     /// What the motions were asked for when they were built; nothing before that.
@@ -61,6 +83,29 @@ pub(super) struct Memory {
 }
 
 impl Memory {
+    /// What was found in another process. Motions are not kept.
+    pub fn of(proofs: Proofs) -> Memory {
+        fn answers<T>(list: Vec<(Key, T)>) -> Answers<T> {
+            Mutex::new(list.into_iter().map(|(name, answer)| (name, (0, answer))).collect())
+        }
+        let Proofs { identities, on_families } = proofs;
+        let (identities, on_families) = (answers(identities), answers(on_families));
+        Memory { age: 1, proofs_alone: true, identities, on_families, ..Memory::default() }
+    }
+
+    /// What was asked for in this state of the file.
+    pub fn proofs(self) -> Proofs {
+        let age = self.age;
+        fn answers<T>(kept: Answers<T>, now: u64) -> Vec<(Key, T)> {
+            let kept = kept.into_inner().unwrap_or_else(PoisonError::into_inner);
+            let asked = kept.into_iter().filter(|(_, (age, _))| *age == now);
+            let mut list: Vec<(Key, T)> = asked.map(|(name, (_, answer))| (name, answer)).collect();
+            list.sort_unstable_by_key(|(name, _)| *name);
+            list
+        }
+        Proofs { identities: answers(self.identities, age), on_families: answers(self.on_families, age) }
+    }
+
     /// A new state of the file begins.
     pub fn grow_older(&mut self) {
         self.age += 1;
@@ -70,6 +115,7 @@ impl Memory {
         self.families.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
         self.wanted.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
         self.identities.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
+        self.on_families.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
     }
 
     /// Whether nothing is known yet.
@@ -104,7 +150,7 @@ impl Memory {
 }
 
 /// A state of a file, by content: see [`super::cache`] for what counts as content.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Contents {
     /// Everything but claims, motions and words.
     pub base: String,
@@ -132,6 +178,11 @@ impl<'a> Known<'a> {
         Known(Some(State { memory, contents, base: key(&[contents.base.as_bytes()]) }))
     }
 
+    /// Where what motions gave is kept, too.
+    fn of_motions(&self) -> Option<State<'a>> {
+        self.0.filter(|state| !state.memory.proofs_alone)
+    }
+
     /// The verdict of a claim on a motion.
     pub fn verdict(
         &self,
@@ -140,14 +191,14 @@ impl<'a> Known<'a> {
         t: usize,
         compute: impl FnOnce() -> Verdict,
     ) -> Verdict {
-        let Some(known) = self.0 else { return compute() };
+        let Some(known) = self.of_motions() else { return compute() };
         let name = known.of_claim(derivation, claim, &claim.name(), t, b"");
         known.memory.answer(&known.memory.verdicts, name, compute)
     }
 
     /// The verdict of a claim on a motion, if it is known.
     pub fn known_verdict(&self, derivation: &Derivation, claim: &Claim, t: usize) -> Option<Verdict> {
-        let known = self.0?;
+        let known = self.of_motions()?;
         let name = known.of_claim(derivation, claim, &claim.name(), t, b"")?;
         known.memory.known(&known.memory.verdicts, name)
     }
@@ -155,7 +206,7 @@ impl<'a> Known<'a> {
     /// Notes what each of some claims, with those that are made from it, asks of motions, and compares what all claims ask with
     /// what motions were built for.
     pub fn asks(&self, derivation: &Derivation, claimed: &[usize], leaves: impl Fn(usize) -> BTreeSet<Leaf>) {
-        let Some(known) = self.0 else { return };
+        let Some(known) = self.of_motions() else { return };
         let mut all = BTreeSet::new();
         for (c, claim) in derivation.claims.iter().enumerate() {
             let content = known.claim(&claim.id).unwrap_or_default();
@@ -174,14 +225,32 @@ impl<'a> Known<'a> {
     }
 
     /// Whether a claim holds for all values.
-    pub fn identity(
-        &self,
-        derivation: &Derivation,
-        claim: &Claim,
-        compute: impl FnOnce() -> Option<Result<IdentityAccount, String>>,
-    ) -> Option<Result<IdentityAccount, String>> {
+    pub fn identity(&self, derivation: &Derivation, claim: &Claim, compute: impl FnOnce() -> Identity) -> Identity {
         let Some(known) = self.0 else { return compute() };
         known.memory.answer(&known.memory.identities, known.step(derivation, claim), compute)
+    }
+
+    /// Puts what is found on all families into the accounts of their claims; returns what is measured.
+    ///
+    /// # Errors
+    /// Those of `compute`, which does the same.
+    pub fn on_families<E>(
+        &self,
+        derivation: &Derivation,
+        claims: &mut [ClaimAccount],
+        compute: impl FnOnce(&mut [ClaimAccount]) -> Result<Vec<MeasureAccount>, E>,
+    ) -> Result<Vec<MeasureAccount>, E> {
+        let name = self.0.and_then(|known| Some((known, known.on_families(derivation, claims)?)));
+        let Some((known, name)) = name else { return compute(claims) };
+        if let Some(OnFamilies { claims: found, measures }) = known.memory.known(&known.memory.on_families, name) {
+            claims.iter_mut().zip(found).for_each(|(claim, found)| claim.families = found);
+            return Ok(measures);
+        }
+        let measures = compute(claims)?;
+        let found =
+            OnFamilies { claims: claims.iter().map(|c| c.families.clone()).collect(), measures: measures.clone() };
+        known.memory.answer(&known.memory.on_families, Some(name), || found);
+        Ok(measures)
     }
 }
 
@@ -193,11 +262,11 @@ fn named(graph: &Graph, leaf: &Leaf) -> String {
 
 impl Recall for Known<'_> {
     fn is_known(&self) -> bool {
-        self.0.is_some()
+        self.of_motions().is_some()
     }
 
     fn motions(&self, derivation: &Derivation, requests: &Requests, members: &[usize]) -> Option<Vec<(usize, Built)>> {
-        let known = self.0?;
+        let known = self.of_motions()?;
         let name = known.family(derivation, members)?;
         let kept = {
             let mut families = known.memory.families.lock().unwrap_or_else(PoisonError::into_inner);
@@ -210,7 +279,7 @@ impl Recall for Known<'_> {
     }
 
     fn keep(&self, derivation: &Derivation, members: &[usize], graph: Graph, built: &[(usize, Built)]) {
-        let Some(known) = self.0 else { return };
+        let Some(known) = self.of_motions() else { return };
         if let Some(name) = known.family(derivation, members) {
             let family = Family::new(derivation, graph, members, built);
             let kept = (known.memory.age, Arc::new(Mutex::new(family)));
@@ -219,7 +288,7 @@ impl Recall for Known<'_> {
     }
 
     fn builds_for_a_part(&self) {
-        if let Some(known) = self.0 {
+        if let Some(known) = self.of_motions() {
             known.memory.other.store(true, Ordering::Relaxed);
         }
     }
@@ -231,7 +300,7 @@ impl Recall for Known<'_> {
         t: usize,
         compute: &dyn Fn() -> Verdict,
     ) -> Verdict {
-        let Some(known) = self.0 else { return compute() };
+        let Some(known) = self.of_motions() else { return compute() };
         let name = known.of_claim(derivation, claim, whole, t, &(place as u64 + 1).to_le_bytes());
         known.memory.answer(&known.memory.verdicts, name, compute)
     }
@@ -243,7 +312,7 @@ impl Recall for Known<'_> {
         t: usize,
         compute: &dyn Fn() -> Option<bool>,
     ) -> Option<bool> {
-        let Some(known) = self.0 else { return compute() };
+        let Some(known) = self.of_motions() else { return compute() };
         let name = known.motion(derivation, t).map(|motion| {
             let says = key(&says.iter().map(|text| text.as_bytes()).collect::<Vec<_>>());
             key(&[b"condition", &known.base, &says, &motion])
@@ -286,6 +355,24 @@ impl State<'_> {
         let content = self.claim(name.split('/').next()?)?;
         let motion = self.motion(derivation, t)?;
         Some(key(&[b"claim", &self.base, content.as_bytes(), name.as_bytes(), without, &motion]))
+    }
+
+    /// All claims that name families, with what they follow from, and the motions that members begin as.
+    fn on_families(&self, derivation: &Derivation, claims: &[ClaimAccount]) -> Option<Key> {
+        let mut sum = key(&[b"families", &self.base]);
+        for t in derivation.families.iter().map(|family| family.of) {
+            sum = key(&[&sum, &self.motion(derivation, t)?]);
+        }
+        for account in claims {
+            let is_it = |c: &&Claim| c.id == account.id && c.reading == account.reading;
+            let claim = derivation.claims.iter().find(is_it)?;
+            let name = claim.name();
+            sum = match claim.families.is_empty() {
+                true => key(&[&sum, name.as_bytes()]),
+                false => key(&[&sum, name.as_bytes(), &self.step(derivation, claim)?]),
+            };
+        }
+        Some(sum)
     }
 
     /// A claim with all that it follows from.

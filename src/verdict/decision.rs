@@ -9,6 +9,7 @@
 //! part, a false conjunction as one witness, a negation as what it negates. Two rigorous findings that exclude each other are
 //! a defect of the program; the claim then has no verdict. A rigorous finding stands against a sampled one.
 
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 use super::evidence::{Evidence, Obstacle, Proof, Residuals, Witness};
@@ -16,7 +17,7 @@ use super::proposition::Proposition;
 use super::truth::{Possible, Truth};
 
 /// How strong the evidence is; ordered, weakest first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Strength {
     /// At finitely many times, residual against its error bound; what lies between was searched.
     Sampled,
@@ -32,7 +33,7 @@ impl Strength {
 }
 
 /// What was found for one claim on one trajectory.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Outcome {
     /// The claim holds, with this strength.
     Holds(Strength),
@@ -81,7 +82,7 @@ impl Outcome {
 }
 
 /// What methods found of one part of a claim: what each strength leaves possible, and the evidence for it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
     sampled: Possible,
     enclosed: Possible,
@@ -141,13 +142,39 @@ impl Finding {
 const MANY: usize = 64;
 
 /// The verdict of one claim (in one reading) on one trajectory, or over its ranges.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Kept")]
 pub struct Verdict {
     claim: Proposition,
     findings: Vec<Finding>,
     outcome: Outcome,
     evidence: Evidence,
     defect: Option<String>,
+}
+
+/// A verdict that was kept: what it was decided from, and what was decided.
+#[derive(Deserialize)]
+struct Kept {
+    claim: Proposition,
+    findings: Vec<Finding>,
+    outcome: Outcome,
+    evidence: Evidence,
+    defect: Option<String>,
+}
+
+impl TryFrom<Kept> for Verdict {
+    type Error = &'static str;
+
+    /// Decides again: what was kept must say the same.
+    fn try_from(kept: Kept) -> Result<Verdict, Self::Error> {
+        let Kept { claim, findings, outcome, evidence, defect } = kept;
+        let again = Verdict::decide(claim, findings);
+        let same = if defect.is_some() { Outcome::Undecided } else { again.outcome };
+        if same != outcome || again.defect.is_some() && defect.is_none() {
+            return Err("a verdict that does not follow from its evidence");
+        }
+        Ok(Verdict { outcome, evidence, defect, ..again })
+    }
 }
 
 impl Verdict {

@@ -1,0 +1,88 @@
+//! What a check found, kept for a later process.
+//!
+//! **In:** a derivation, what is asked of it, and where an earlier check may have left its record. **Out:** the account, and a record for
+//! later ones.
+//!
+//! Where the file says what it said, the account is the one that was kept, with the words of today. Where it says something else, it is
+//! checked; what does not depend on motions of the file ([`Proofs`](super::memory::Proofs): proofs with the assumptions that they need, and
+//! what was counted on families) is recalled by content, as [`Cache`](super::Cache) does it for one process.
+//!
+//! **Guaranteed:** the account is the one that [`check()`](super::check()) would give, but for places in the text of the file. Verdicts that are read back are decided again from
+//! their evidence. Bytes that are no record are ignored. Whether they are those that this program wrote is for whoever keeps them to know:
+//! evidence is believed.
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use super::cache::{contents, describe};
+use super::memory::{Contents, Known, Memory, Proofs};
+use super::{check, check_recalling};
+use crate::derivation::Derivation;
+use claim::error::CheckError;
+use claim::options::Options;
+use findings::Account;
+
+/// Where records are kept: a folder, a database, nothing. One that is lost, or cannot be written, costs time and nothing else.
+pub trait Store: Sync {
+    /// The record with this name, if it is there and is what was written.
+    fn read(&self, name: &str) -> Option<Vec<u8>>;
+
+    /// Keeps a record in place of what has the name.
+    fn write(&self, name: &str, record: &[u8]);
+}
+
+/// The name of the record of a file, by its id and by what is asked: of one file many may be kept.
+fn name(derivation: &Derivation, options: &Options) -> String {
+    let mut sum = Sha256::new();
+    for part in [env!("CARGO_PKG_VERSION"), &derivation.id, &format!("{:?} {}", options.rigor, options.plain)] {
+        sum.update((part.len() as u64).to_le_bytes());
+        sum.update(part);
+    }
+    sum.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// What is kept of one file.
+#[derive(Serialize, Deserialize)]
+struct Record {
+    contents: Contents,
+    account: Account,
+    proofs: Proofs,
+}
+
+/// [`check()`](super::check()), with what was kept of an earlier check of the whole file. What is found is kept, unless a limit of the run was
+/// reached.
+///
+/// # Errors
+/// Those of [`check()`](super::check()).
+pub fn check_recorded(
+    derivation: &Derivation,
+    options: &Options,
+    store: &dyn Store,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Account, CheckError> {
+    let whole = options.claims.is_empty() && options.trajectories.is_empty();
+    let Some(contents) = contents(derivation).filter(|_| whole) else {
+        return check(derivation, options, progress);
+    };
+    let name = name(derivation, options);
+    let kept: Option<Record> = store.read(&name).and_then(|bytes| postcard::from_bytes(&bytes).ok());
+    let proofs = match kept {
+        Some(Record { contents: of, mut account, .. }) if of == contents => {
+            describe(derivation, &mut account);
+            return Ok(account);
+        }
+        Some(Record { proofs, .. }) => proofs,
+        None => Proofs::default(),
+    };
+    let memory = Memory::of(proofs);
+    let mut account = check_recalling(derivation, options, Known::new(&memory, &contents), None, progress)?;
+    describe(derivation, &mut account);
+    if options.limits.reached().is_some() {
+        return Ok(account);
+    }
+    let record = Record { contents, account, proofs: memory.proofs() };
+    if let Ok(bytes) = postcard::to_allocvec(&record) {
+        store.write(&name, &bytes);
+    }
+    Ok(record.account)
+}
