@@ -1,7 +1,8 @@
 //! What was found for an earlier state of a file, by content.
 //!
 //! **In:** questions, each named by everything that its answer depends on. **Out:** the answer that is known, or one that is
-//! computed and kept; and [`Proofs`], the answers that do not depend on motions, to be kept longer than a process lives.
+//! computed and kept; and [`Found`], all answers but the motions, to be kept longer than
+//! a process lives.
 //!
 //! A verdict of a claim on a motion depends on the symbols, systems and conditions of the file, on the claim's own table, and on
 //! the motion with those that it comes from. A proof depends on the symbols and systems, on the claim, and on the claims that it
@@ -57,23 +58,28 @@ pub(super) struct OnFamilies {
     pub measures: Vec<MeasureAccount>,
 }
 
-/// The answers that no motion of the file is asked for.
+/// What was found in another process: every answer by its name. Motions are not kept.
 #[derive(Debug, Default, Serialize, Deserialize)]
-pub(super) struct Proofs {
+pub(super) struct Found {
+    verdicts: Vec<(Key, Verdict)>,
+    standings: Vec<(Key, Option<bool>)>,
     identities: Vec<(Key, Identity)>,
     on_families: Vec<(Key, OnFamilies)>,
+    strengthened: Vec<(Key, Vec<Verdict>)>,
+    asked: Option<BTreeSet<String>>,
 }
 
 /// What was found, for several states of a file.
 #[derive(Debug, Default)]
 pub(super) struct Memory {
     age: u64,
-    /// Whether nothing is kept but what [`Proofs`] have.
-    proofs_alone: bool,
+    /// Whether it serves one check: motions are not kept then.
+    once: bool,
     verdicts: Answers<Verdict>,
     standings: Answers<Option<bool>>,
     identities: Answers<Identity>,
     on_families: Answers<OnFamilies>,
+    strengthened: Answers<Vec<Verdict>>,
     families: Answers<Arc<Mutex<Family>>>,
     wanted: Answers<BTreeSet<String>>,
     /// What the motions were asked for when they were built; nothing before that.
@@ -83,27 +89,45 @@ pub(super) struct Memory {
 }
 
 impl Memory {
-    /// What was found in another process. Motions are not kept.
-    pub fn of(proofs: Proofs) -> Memory {
+    /// What was found in another process, for one check.
+    pub fn of(found: Found) -> Memory {
         fn answers<T>(list: Vec<(Key, T)>) -> Answers<T> {
             Mutex::new(list.into_iter().map(|(name, answer)| (name, (0, answer))).collect())
         }
-        let Proofs { identities, on_families } = proofs;
-        let (identities, on_families) = (answers(identities), answers(on_families));
-        Memory { age: 1, proofs_alone: true, identities, on_families, ..Memory::default() }
+        let Found { verdicts, standings, identities, on_families, strengthened, asked } = found;
+        Memory {
+            age: 1,
+            once: true,
+            verdicts: answers(verdicts),
+            standings: answers(standings),
+            identities: answers(identities),
+            on_families: answers(on_families),
+            strengthened: answers(strengthened),
+            asked: Mutex::new(asked),
+            ..Memory::default()
+        }
     }
 
     /// What was asked for in this state of the file.
-    pub fn proofs(self) -> Proofs {
-        let age = self.age;
+    pub fn found(self) -> Found {
+        fn inner<T>(of: Mutex<T>) -> T {
+            of.into_inner().unwrap_or_else(PoisonError::into_inner)
+        }
+        let now = self.age;
         fn answers<T>(kept: Answers<T>, now: u64) -> Vec<(Key, T)> {
-            let kept = kept.into_inner().unwrap_or_else(PoisonError::into_inner);
-            let asked = kept.into_iter().filter(|(_, (age, _))| *age == now);
+            let asked = inner(kept).into_iter().filter(|(_, (age, _))| *age == now);
             let mut list: Vec<(Key, T)> = asked.map(|(name, (_, answer))| (name, answer)).collect();
             list.sort_unstable_by_key(|(name, _)| *name);
             list
         }
-        Proofs { identities: answers(self.identities, age), on_families: answers(self.on_families, age) }
+        Found {
+            verdicts: answers(self.verdicts, now),
+            standings: answers(self.standings, now),
+            identities: answers(self.identities, now),
+            on_families: answers(self.on_families, now),
+            strengthened: answers(self.strengthened, now),
+            asked: inner(self.asked),
+        }
     }
 
     /// A new state of the file begins.
@@ -116,6 +140,7 @@ impl Memory {
         self.wanted.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
         self.identities.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
         self.on_families.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
+        self.strengthened.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
     }
 
     /// Whether nothing is known yet.
@@ -178,9 +203,14 @@ impl<'a> Known<'a> {
         Known(Some(State { memory, contents, base: key(&[contents.base.as_bytes()]) }))
     }
 
-    /// Where what motions gave is kept, too.
+    /// Where only answers are kept.
+    fn of_one_check(&self) -> Option<State<'a>> {
+        self.0.filter(|state| state.memory.once)
+    }
+
+    /// Where motions are kept, too.
     fn of_motions(&self) -> Option<State<'a>> {
-        self.0.filter(|state| !state.memory.proofs_alone)
+        self.0.filter(|state| !state.memory.once)
     }
 
     /// The verdict of a claim on a motion.
@@ -191,14 +221,14 @@ impl<'a> Known<'a> {
         t: usize,
         compute: impl FnOnce() -> Verdict,
     ) -> Verdict {
-        let Some(known) = self.of_motions() else { return compute() };
+        let Some(known) = self.0 else { return compute() };
         let name = known.of_claim(derivation, claim, &claim.name(), t, b"");
         known.memory.answer(&known.memory.verdicts, name, compute)
     }
 
     /// The verdict of a claim on a motion, if it is known.
     pub fn known_verdict(&self, derivation: &Derivation, claim: &Claim, t: usize) -> Option<Verdict> {
-        let known = self.of_motions()?;
+        let known = self.0?;
         let name = known.of_claim(derivation, claim, &claim.name(), t, b"")?;
         known.memory.known(&known.memory.verdicts, name)
     }
@@ -206,7 +236,7 @@ impl<'a> Known<'a> {
     /// Notes what each of some claims, with those that are made from it, asks of motions, and compares what all claims ask with
     /// what motions were built for.
     pub fn asks(&self, derivation: &Derivation, claimed: &[usize], leaves: impl Fn(usize) -> BTreeSet<Leaf>) {
-        let Some(known) = self.of_motions() else { return };
+        let Some(known) = self.0 else { return };
         let mut all = BTreeSet::new();
         for (c, claim) in derivation.claims.iter().enumerate() {
             let content = known.claim(&claim.id).unwrap_or_default();
@@ -219,15 +249,37 @@ impl<'a> Known<'a> {
             all.extend(known.memory.answer(&known.memory.wanted, Some(name), compute));
         }
         let mut asked = known.memory.asked.lock().unwrap_or_else(PoisonError::into_inner);
-        if *asked.get_or_insert_with(|| all.clone()) != all {
-            known.memory.other.store(true, Ordering::Relaxed);
+        if *asked.get_or_insert_with(|| all.clone()) == all {
+            return;
         }
+        if !known.memory.once {
+            known.memory.other.store(true, Ordering::Relaxed);
+            return;
+        }
+        // The motions are built for what is asked now; what others gave is of no use.
+        *asked = Some(all);
+        known.memory.verdicts.lock().unwrap_or_else(PoisonError::into_inner).clear();
+        known.memory.standings.lock().unwrap_or_else(PoisonError::into_inner).clear();
     }
 
     /// Whether a claim holds for all values.
     pub fn identity(&self, derivation: &Derivation, claim: &Claim, compute: impl FnOnce() -> Identity) -> Identity {
         let Some(known) = self.0 else { return compute() };
         known.memory.answer(&known.memory.identities, known.step(derivation, claim), compute)
+    }
+
+    /// The verdicts on claims on a motion, after a method of which this is the name has looked for stronger evidence. What it finds
+    /// depends on the claims, on the motions, on the verdicts before, and on what motions were built for.
+    pub fn strengthened(
+        &self,
+        method: &str,
+        derivation: &Derivation,
+        t: usize,
+        before: &[(&Claim, &Verdict)],
+        compute: &mut dyn FnMut() -> Vec<Verdict>,
+    ) -> Vec<Verdict> {
+        let Some(known) = self.of_one_check() else { return compute() };
+        known.memory.answer(&known.memory.strengthened, known.strengthened(method, derivation, t, before), compute)
     }
 
     /// Puts what is found on all families into the accounts of their claims; returns what is measured.
@@ -288,7 +340,7 @@ impl Recall for Known<'_> {
     }
 
     fn builds_for_a_part(&self) {
-        if let Some(known) = self.of_motions() {
+        if let Some(known) = self.0 {
             known.memory.other.store(true, Ordering::Relaxed);
         }
     }
@@ -300,7 +352,7 @@ impl Recall for Known<'_> {
         t: usize,
         compute: &dyn Fn() -> Verdict,
     ) -> Verdict {
-        let Some(known) = self.of_motions() else { return compute() };
+        let Some(known) = self.0 else { return compute() };
         let name = known.of_claim(derivation, claim, whole, t, &(place as u64 + 1).to_le_bytes());
         known.memory.answer(&known.memory.verdicts, name, compute)
     }
@@ -312,7 +364,7 @@ impl Recall for Known<'_> {
         t: usize,
         compute: &dyn Fn() -> Option<bool>,
     ) -> Option<bool> {
-        let Some(known) = self.of_motions() else { return compute() };
+        let Some(known) = self.0 else { return compute() };
         let name = known.motion(derivation, t).map(|motion| {
             let says = key(&says.iter().map(|text| text.as_bytes()).collect::<Vec<_>>());
             key(&[b"condition", &known.base, &says, &motion])
@@ -355,6 +407,26 @@ impl State<'_> {
         let content = self.claim(name.split('/').next()?)?;
         let motion = self.motion(derivation, t)?;
         Some(key(&[b"claim", &self.base, content.as_bytes(), name.as_bytes(), without, &motion]))
+    }
+
+    fn strengthened(
+        &self,
+        method: &str,
+        derivation: &Derivation,
+        t: usize,
+        before: &[(&Claim, &Verdict)],
+    ) -> Option<Key> {
+        let asked = postcard::to_allocvec(&*self.memory.asked.lock().ok()?).ok()?;
+        let mut sum = key(&[method.as_bytes(), &self.base, &asked, derivation.trajectories.get(t)?.id.as_bytes()]);
+        // Claims may compare motions.
+        for (id, content) in &self.contents.motions {
+            sum = key(&[&sum, id.as_bytes(), content.as_bytes()]);
+        }
+        for (claim, verdict) in before {
+            let verdict = postcard::to_allocvec(verdict).ok()?;
+            sum = key(&[&sum, self.claim(&claim.id)?.as_bytes(), claim.name().as_bytes(), &verdict]);
+        }
+        Some(sum)
     }
 
     /// All claims that name families, with what they follow from, and the motions that members begin as.

@@ -4,8 +4,8 @@
 //! later ones.
 //!
 //! Where the file says what it said, the account is the one that was kept, with the words of today. Where it says something else, it is
-//! checked; what does not depend on motions of the file ([`Proofs`](super::memory::Proofs): proofs with the assumptions that they need, and
-//! what was counted on families) is recalled by content, as [`Cache`](super::Cache) does it for one process.
+//! checked, and every answer that is known by its content is recalled ([`Found`]), as [`Cache`](super::Cache) does it within one process:
+//! proofs with the assumptions that they need, what was counted on families, verdicts on motions, what was enclosed. Motions are made again.
 //!
 //! **Guaranteed:** the account is the one that [`check()`](super::check()) would give, but for places in the text of the file. Verdicts that are read back are decided again from
 //! their evidence. Bytes that are no record are ignored. Whether they are those that this program wrote is for whoever keeps them to know:
@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::cache::{contents, describe};
-use super::memory::{Contents, Known, Memory, Proofs};
+use super::memory::{Contents, Found, Known, Memory};
 use super::{check, check_recalling};
 use crate::derivation::Derivation;
 use claim::error::CheckError;
@@ -31,10 +31,15 @@ pub trait Store: Sync {
     fn write(&self, name: &str, record: &[u8]);
 }
 
-/// The name of the record of a file, by its id and by what is asked: of one file many may be kept.
-fn name(derivation: &Derivation, options: &Options) -> String {
+/// The record that has the account of a file.
+const ACCOUNT: &str = "account";
+/// The record that has the answers to all questions.
+const ANSWERS: &str = "answers";
+
+/// The name of a record of a file, by its id and by what is asked: of one file many may be kept.
+fn name(derivation: &Derivation, options: &Options, of: &str) -> String {
     let mut sum = Sha256::new();
-    for part in [env!("CARGO_PKG_VERSION"), &derivation.id, &format!("{:?} {}", options.rigor, options.plain)] {
+    for part in [env!("CARGO_PKG_VERSION"), of, &derivation.id, &format!("{:?} {}", options.rigor, options.plain)] {
         sum.update((part.len() as u64).to_le_bytes());
         sum.update(part);
     }
@@ -46,7 +51,6 @@ fn name(derivation: &Derivation, options: &Options) -> String {
 struct Record {
     contents: Contents,
     account: Account,
-    proofs: Proofs,
 }
 
 /// [`check()`](super::check()), with what was kept of an earlier check of the whole file. What is found is kept, unless a limit of the run was
@@ -64,25 +68,25 @@ pub fn check_recorded(
     let Some(contents) = contents(derivation).filter(|_| whole) else {
         return check(derivation, options, progress);
     };
-    let name = name(derivation, options);
-    let kept: Option<Record> = store.read(&name).and_then(|bytes| postcard::from_bytes(&bytes).ok());
-    let proofs = match kept {
-        Some(Record { contents: of, mut account, .. }) if of == contents => {
-            describe(derivation, &mut account);
-            return Ok(account);
-        }
-        Some(Record { proofs, .. }) => proofs,
-        None => Proofs::default(),
-    };
-    let memory = Memory::of(proofs);
+    let name = |of: &str| name(derivation, options, of);
+    let kept = |of: &str| store.read(&name(of));
+    let record: Option<Record> = kept(ACCOUNT).and_then(|bytes| postcard::from_bytes(&bytes).ok());
+    if let Some(Record { mut account, .. }) = record.filter(|record| record.contents == contents) {
+        describe(derivation, &mut account);
+        return Ok(account);
+    }
+    let found: Option<Found> = kept(ANSWERS).and_then(|bytes| postcard::from_bytes(&bytes).ok());
+    let memory = Memory::of(found.unwrap_or_default());
     let mut account = check_recalling(derivation, options, Known::new(&memory, &contents), None, progress)?;
     describe(derivation, &mut account);
     if options.limits.reached().is_some() {
         return Ok(account);
     }
-    let record = Record { contents, account, proofs: memory.proofs() };
-    if let Ok(bytes) = postcard::to_allocvec(&record) {
-        store.write(&name, &bytes);
+    let record = Record { contents, account };
+    for (of, bytes) in [(ACCOUNT, postcard::to_allocvec(&record)), (ANSWERS, postcard::to_allocvec(&memory.found()))] {
+        if let Ok(bytes) = bytes {
+            store.write(&name(of), &bytes);
+        }
     }
     Ok(record.account)
 }

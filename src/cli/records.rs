@@ -10,11 +10,14 @@ use rederive::files::records::Records;
 /// What was found faster is not kept.
 const QUICK: Duration = Duration::from_millis(300);
 
+/// The variable that names the folder; where it is empty, nothing is kept.
+const FOLDER: &str = "REDERIVE_CACHE";
+
 #[derive(clap::Args)]
 pub struct RecordArguments {
-    /// Keep what was found in this folder, and recall from it what is the same: only what changed is checked. Without it in that of the
-    /// user for such things; what another version of the program kept is not used
-    #[arg(long, value_name = "DIR", env = "REDERIVE_CACHE", hide_env_values = true)]
+    /// Keep what is found in this folder, and recall from it what is the same: only what changed is looked for again. Else in the folder
+    /// that REDERIVE_CACHE names; else in that of the user for such things
+    #[arg(long, value_name = "DIR")]
     cache: Option<PathBuf>,
     /// Recall nothing, and keep nothing
     #[arg(long, conflicts_with = "cache")]
@@ -24,9 +27,11 @@ pub struct RecordArguments {
 impl RecordArguments {
     /// The folder; `None` where nothing is to be kept.
     pub fn store(&self) -> Option<Kept> {
-        // An empty name is none.
-        let given = self.cache.clone().or_else(|| Records::usual_folder("rederive"));
-        let folder = given.filter(|folder| !self.no_cache && !folder.as_os_str().is_empty())?;
+        let usual = || match std::env::var_os(FOLDER) {
+            Some(folder) => (!folder.is_empty()).then(|| folder.into()),
+            None => Records::usual_folder("rederive"),
+        };
+        let folder = if self.no_cache { None } else { self.cache.clone().or_else(usual) }?;
         let records = Records::new(folder, std::env::current_exe().ok()?);
         Some(Kept { records, asked: Mutex::new(Instant::now()) })
     }

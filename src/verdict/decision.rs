@@ -549,4 +549,28 @@ mod tests {
         verdict.withdraw_samples("withdrawn");
         assert_eq!(verdict.outcome(), Outcome::Holds(Strength::Enclosed));
     }
+
+    #[test]
+    fn a_verdict_that_was_kept_is_decided_again() {
+        let two = || Proposition::And(vec![Proposition::Atom(0), Proposition::Atom(1)]);
+        let mut contradicted = Verdict::of(held());
+        contradicted.contradict("two routes differ".to_owned());
+        for verdict in [
+            Verdict::of(held()),
+            Verdict::of(failed()),
+            Verdict::of(Finding::open("unknown")),
+            Verdict::decide(two(), vec![held(), failed()]),
+            contradicted,
+        ] {
+            let kept = serde_json::to_value(&verdict).expect("it is written");
+            assert_eq!(serde_json::from_value::<Verdict>(kept.clone()).expect("it is read"), verdict);
+            for other in [Outcome::Holds(Strength::Proved), Outcome::Fails(Strength::Enclosed), Outcome::Undecided] {
+                let mut forged = kept.clone();
+                forged["outcome"] = serde_json::to_value(other).expect("it is written");
+                let read = serde_json::from_value::<Verdict>(forged);
+                assert_eq!(read.is_ok(), other == verdict.outcome(), "{other:?} for {:?}", verdict.outcome());
+            }
+        }
+        assert!(serde_json::from_str::<Possible>("0").is_err() && serde_json::from_str::<Possible>("8").is_err());
+    }
 }
