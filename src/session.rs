@@ -458,7 +458,7 @@ impl Findings {
     /// Both sides of the deciding comparison along a motion, thinned; `None` where none was made at times.
     pub fn curve(&self, claim: &str, reading: Option<&str>, trajectory: &str) -> Option<&Residuals> {
         let of = self.account.claims.iter().find(|c| c.id == claim && c.reading.as_deref() == reading)?;
-        let pair = of.results.iter().find(|pair| pair.trajectory == trajectory)?;
+        let pair = of.on(trajectory)?;
         pair.verdict.evidence().series.as_deref()
     }
 

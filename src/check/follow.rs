@@ -58,7 +58,7 @@ pub(super) fn follow(
     let earlier: Vec<Option<&ClaimAccount>> = following.iter().map(claim).map(of).collect();
     let on = |account: &Option<&ClaimAccount>, t: usize| {
         let id = &derivation.trajectories[t].id;
-        account.and_then(|a| a.results.iter().find(|r| r.trajectory == *id)).map(|r| r.verdict.clone())
+        account.and_then(|a| a.on(id)).map(|r| r.verdict.clone())
     };
     let column = |&t: &usize| -> Column { earlier.iter().map(|account| on(account, t)).collect() };
     let columns: Vec<Column> = selection.tried.iter().map(column).collect();

@@ -53,7 +53,7 @@ fn known_verdict<'a>(
 ) -> Option<&'a Verdict> {
     let (claim, trajectory) = (derivation.claims.get(claim)?, derivation.trajectories.get(trajectory)?);
     let account = known.iter().find(|k| k.id == claim.id && k.reading == claim.reading)?;
-    account.results.iter().find(|r| r.trajectory == trajectory.id).map(|r| &r.verdict)
+    account.on(&trajectory.id).map(|r| &r.verdict)
 }
 
 /// Whether a trajectory was integrated from a system: then its equations hold on it.

@@ -123,6 +123,11 @@ pub fn by_trajectory(claims: &[ClaimAccount]) -> HashMap<&str, Vec<(usize, usize
 }
 
 impl ClaimAccount {
+    /// What was found on a trajectory.
+    pub fn on(&self, trajectory: &str) -> Option<&PairAccount> {
+        self.results.iter().find(|pair| pair.trajectory == trajectory)
+    }
+
     /// Every verdict on the claim: those on trajectories and families, or the one over its ranges.
     pub fn verdicts(&self) -> impl Iterator<Item = Judged<'_>> {
         let pairs = self.results.iter().map(|p| Judged {

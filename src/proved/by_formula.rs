@@ -13,7 +13,7 @@ use crate::expr::domain::Sign;
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, FastMap, Graph, Leaf, Rational, Symbol};
 use crate::findings::{ClaimAccount, by_trajectory};
-use crate::latex::{RelationKind, Role, Scope};
+use crate::latex::{RelationKind, Scope};
 use crate::number::Bounded;
 use crate::verdict::{Obstacle, Outcome, Possible, Proof, Strength, Verdict, Witness};
 use claim::comparison::{Comparison, Group, may_leap};
@@ -303,7 +303,7 @@ impl<'a> Setting<'a> {
     /// The derivative by time of a formula of states and observables.
     fn derived(&mut self, e: Expr) -> Option<Expr> {
         let scope = &self.derivation.scope;
-        let moves = |l: Leaf| matches!(scope.role(l.symbol), Some(Role::State | Role::Observable));
+        let moves = |l: Leaf| scope.moves(&l);
         let slope = self.graph.time_derivative(e, self.time, moves).ok()?;
         Some(self.graph.rate_of(e, slope, |_| true))
     }
