@@ -25,13 +25,16 @@ use proof::{Along, Apart, InTime, Memory, Refuted, along};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
+/// Finds the verdict on a claim on a motion, after this one, or recalls it.
+pub type Recall<'a> = &'a (dyn Fn(usize, (&Claim, &Verdict), &mut dyn FnMut() -> Verdict) -> Verdict + Sync);
+
 /// Settles what can be settled; `tried` are the motions of the results. What a limit of the run is reached before stays as it is.
 pub fn settle(
     derivation: &Derivation,
     claims: &mut [ClaimAccount],
-    claimed: &[usize],
-    tried: &[usize],
+    (claimed, tried): (&[usize], &[usize]),
     limits: &Limits,
+    recall: Recall,
 ) {
     let results = by_trajectory(claims);
     let column = |&t: &usize| -> Vec<(usize, usize, Verdict)> {
@@ -52,18 +55,21 @@ pub fn settle(
             if limits.reached().is_some() {
                 break;
             }
-            let mut verdict = found.clone();
             let (claim, motion) = (&derivation.claims[claimed[k]], &derivation.trajectories[t]);
-            if let Some(setting) = &mut setting {
-                setting.claim(claim, motion, &mut verdict);
-            }
-            // What no change of sign shows may be so at the start, exactly.
-            if matches!(verdict.outcome(), Outcome::Undecided)
-                && let Some(start) = start.get_or_insert_with(|| Setting::at_start(derivation, t))
-            {
-                start.at_once(claim, motion, &mut verdict);
-            }
-            out.push((k, at, verdict));
+            let mut compute = || {
+                let mut verdict = found.clone();
+                if let Some(setting) = &mut setting {
+                    setting.claim(claim, motion, &mut verdict);
+                }
+                // What no change of sign shows may be so at the start, exactly.
+                if matches!(verdict.outcome(), Outcome::Undecided)
+                    && let Some(start) = start.get_or_insert_with(|| Setting::at_start(derivation, t))
+                {
+                    start.at_once(claim, motion, &mut verdict);
+                }
+                verdict
+            };
+            out.push((k, at, recall(t, (claim, found), &mut compute)));
         }
         out
     };
