@@ -17,7 +17,7 @@ fn main() {
 }
 
 /// Lanes of one block.
-const BLOCK: usize = 256;
+const BLOCK: usize = 64;
 const INERTIA: [f64; 3] = [1.748, 1.638, 0.121];
 const M3: f64 = 0.75;
 
@@ -191,7 +191,7 @@ fn on_tape(
     worst.map(|w| w.0.iter().fold(0.0, |a, &b| f64::max(a, b)))
 }
 
-#[divan::bench(args = [1_000, 100_000])]
+#[divan::bench(args = [1_000, 100_000, 1_000_000])]
 fn residuals_on_tape(bencher: Bencher, n: usize) {
     let points = points(n);
     let columns: [Vec<f64>; 11] = std::array::from_fn(|i| points.iter().map(|p| p[i]).collect());

@@ -1,7 +1,8 @@
 //! Expressions as straight-line programs.
 //!
 //! **In:** roots of a [`Graph`]. **Out:** a [`Tape`]: inputs, constants and one instruction per shared node, in an order in
-//! which every argument comes before its use; and **the one** loop that evaluates it over any [`Number`].
+//! which every argument comes before its use, sine and cosine of one angle side by side; and **the one** loop that evaluates it over
+//! any [`Number`].
 //!
 //! **Guaranteed:** an instruction without a value poisons what depends on it and nothing else; each output says by itself
 //! whether it has a value. The same tape and the same inputs give the same bits.
@@ -11,7 +12,8 @@
 use crate::FastMap;
 use crate::{Expr, Graph, Leaf, Node};
 pub use number::Instruction;
-use number::{NoValue, Number, Rational};
+use number::{NoValue, Number, Op, Rational};
+use std::collections::hash_map::Entry;
 
 /// What fills a slot before the instructions run.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,16 +86,30 @@ impl Tape {
             }
         }
         let first = (inputs.len() + presets.len()) as u32;
+        // The cosine of an angle stands beside its sine: lanes make both at once.
+        let wave = |&e: &Expr| match *graph.node(e) {
+            Node::Unary(op @ (Op::Sin | Op::Cos), a) => Some((op, a)),
+            _ => None,
+        };
+        let waves: FastMap<(Op, Expr), Expr> = order.iter().filter_map(|e| Some((wave(e)?, *e))).collect();
         let mut instructions = Vec::new();
         for &e in &order {
-            let (op, a, b) = match *graph.node(e) {
-                Node::Unary(op, a) => (op, a, a),
-                Node::Binary(op, a, b) => (op, a, b),
-                _ => continue,
-            };
-            let out = first + instructions.len() as u32;
-            instructions.push(Instruction { op, a: slot[&a], b: slot[&b], out });
-            slot.insert(e, out);
+            let beside = wave(&e).and_then(|(op, a)| {
+                let other = if op == Op::Sin { Op::Cos } else { Op::Sin };
+                waves.get(&(other, a)).copied()
+            });
+            for e in [Some(e), beside].into_iter().flatten() {
+                let (op, a, b) = match *graph.node(e) {
+                    Node::Unary(op, a) => (op, a, a),
+                    Node::Binary(op, a, b) => (op, a, b),
+                    _ => continue,
+                };
+                if let Entry::Vacant(place) = slot.entry(e) {
+                    let out = first + instructions.len() as u32;
+                    place.insert(out);
+                    instructions.push(Instruction { op, a: slot[&a], b: slot[&b], out });
+                }
+            }
         }
         let outputs = roots.iter().map(|e| slot[e]).collect();
         Ok(Tape { inputs: inputs.to_vec(), presets, instructions, outputs })

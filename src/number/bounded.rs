@@ -8,19 +8,20 @@
 //!
 //! **Where rounding bounds come from:** + − × ÷ √ err by at most half a unit in the last place (IEEE 754), that is by
 //! u·|v| with u = 2⁻⁵³ and, where a product or quotient may underflow, by 2⁻¹⁰⁷⁵ more. Elementary functions are taken to
-//! err by at most one unit, 2u·|v|: `pxfm` states half a unit, and tests against correctly rounded values found no
-//! exception, but there is no published proof.
+//! err by one, two or three units of 2u·|v|, each by what [`units`] says of it: [`elementary`](super::elementary) says why.
 //!
 //! **Why balls and not intervals:** a residual is a difference of nearly equal values. What is asked of it is one number,
 //! how far it may be off; centre and radius are then cheaper and no wider than two ends.
 
-use super::{NoValue, Number, Rational, Scalar, real, scalar};
+use super::deviation::{turn, wave};
+use super::elementary::{alone, units};
+use super::{NoValue, Number, Op, Rational, Scalar, real, scalar};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// u, half the distance from 1 to the next number: the largest relative error of a basic operation.
 pub(super) const U: f64 = f64::EPSILON / 2.0;
-/// Largest relative error granted to an elementary function: one unit in the last place.
-const ULP: f64 = f64::EPSILON;
+/// The unit in which errors of elementary functions are counted.
+pub(super) const ULP: f64 = f64::EPSILON;
 /// More than all underflow errors of one operation and of its error bound, each at most 2⁻¹⁰⁷⁵.
 pub(super) const TINY: f64 = f64::MIN_POSITIVE;
 /// More than the product of the relative rounding errors, each at most 1 + u, that go into one error bound.
@@ -88,8 +89,8 @@ impl Bounded {
 
     /// The result of an elementary function whose values deviate by at most `deviation` over the ball.
     #[inline(always)]
-    fn elementary(&mut self, value: f64, deviation: f64) -> Result<(), NoValue> {
-        *self = Bounded { value, error: (deviation + ULP * value.abs()) * UP + TINY }.checked()?;
+    fn elementary(&mut self, op: Op, value: f64, deviation: f64) -> Result<(), NoValue> {
+        *self = Bounded { value, error: (deviation + units(op) * ULP * value.abs()) * UP + TINY }.checked()?;
         Ok(())
     }
 
@@ -257,14 +258,6 @@ fn arc_deviation(centre: f64, error: f64) -> f64 {
     by_slope.min(by_end)
 }
 
-/// At least |sin x − sin c| (or cosine) over |x − c| ≤ e, where v is the value at c: the slope √(1 − v²) at the centre plus
-/// at most e²/2, and never more than e.
-fn wave_deviation(value: f64, error: f64) -> f64 {
-    let v = value.abs().min(1.0);
-    let slope = ((1.0 - v + ULP) * (1.0 + v) * UP).sqrt();
-    (slope * error + 0.5 * error * error).min(error).min(2.0) * UP
-}
-
 impl Number for Bounded {
     type Context = ();
 
@@ -343,24 +336,24 @@ impl Number for Bounded {
             // A large error of a large negative exponent: the product of 0 and ∞ is no bound, the largest power is.
             deviation = pxfm::f_exp((a.value + a.error) + a.magnitude() * f64::EPSILON) * UP + TINY;
         }
-        self.elementary(value, deviation)
+        self.elementary(Op::Exp, value, deviation)
     }
     /// ln a − ln(a − e) = ln(1 + e/(a − e)).
     fn ln(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let low = (a.value - a.error) * DOWN;
         match centre(|x| x.ln(&(), &a.value)) {
-            Ok(value) if low > 0.0 => self.elementary(value, pxfm::f_log1p(a.error / low * UP) * UP),
+            Ok(value) if low > 0.0 => self.elementary(Op::Ln, value, pxfm::f_log1p(a.error / low * UP) * UP),
             Ok(_) => Err(NoValue::Indeterminate),
             Err(_) => Err(a.outside(a.value + a.error > 0.0)),
         }
     }
     fn sin(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let value = centre(|x| x.sin(&(), &a.value))?;
-        if self.odd_zero(a, value) { Ok(()) } else { self.elementary(value, wave_deviation(value, a.error)) }
+        if self.odd_zero(a, value) { Ok(()) } else { self.elementary(Op::Sin, value, wave(alone([value, a.error])).x) }
     }
     fn cos(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let value = centre(|x| x.cos(&(), &a.value))?;
-        self.elementary(value, wave_deviation(value, a.error))
+        self.elementary(Op::Cos, value, wave(alone([value, a.error])).x)
     }
     /// tan(a + δ) − tan a = tan δ·(1 + t²)/(1 − t·tan δ) with t = tan a; the ball holds a pole when |t|·tan e ≥ 1.
     fn tan(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
@@ -376,19 +369,23 @@ impl Number for Bounded {
         if under <= 0.0 {
             return Err(NoValue::Indeterminate);
         }
-        self.elementary(value, step * (1.0 + t * t) / under)
+        self.elementary(Op::Tan, value, step * (1.0 + t * t) / under)
     }
     fn arcsin(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let Ok(value) = centre(|x| x.arcsin(&(), &a.value)) else {
             return Err(a.outside(a.value.abs() - a.error <= 1.0));
         };
-        if self.odd_zero(a, value) { Ok(()) } else { self.elementary(value, arc_deviation(a.value, a.error)) }
+        if self.odd_zero(a, value) {
+            Ok(())
+        } else {
+            self.elementary(Op::Arcsin, value, arc_deviation(a.value, a.error))
+        }
     }
     fn arccos(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let Ok(value) = centre(|x| x.arccos(&(), &a.value)) else {
             return Err(a.outside(a.value.abs() - a.error <= 1.0));
         };
-        self.elementary(value, arc_deviation(a.value, a.error))
+        self.elementary(Op::Arccos, value, arc_deviation(a.value, a.error))
     }
     /// arctan(a + δ) − arctan a = arctan(δ/(1 + a² + aδ)) where that denominator is positive; the slope is at most 1.
     fn arctan(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
@@ -401,7 +398,7 @@ impl Number for Bounded {
         let under = (1.0 + size * low * DOWN) * DOWN;
         // An overflow here would hide the deviation: the reciprocals do not overflow.
         let deviation = if under.is_finite() { a.error / under } else { a.error / low / size * UP };
-        self.elementary(value, deviation.min(a.error))
+        self.elementary(Op::Arctan, value, deviation.min(a.error))
     }
     /// sinh(a + δ) − sinh a = 2 cosh(a + δ/2) sinh(δ/2).
     fn sinh(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
@@ -411,14 +408,14 @@ impl Number for Bounded {
         }
         let (half, middle) = (0.5 * a.error, (a.value.abs() + 0.5 * a.error) * UP);
         let deviation = if a.error == 0.0 { 0.0 } else { 2.0 * pxfm::f_cosh(middle) * pxfm::f_sinh(half) * UP + TINY };
-        self.elementary(value, deviation)
+        self.elementary(Op::Sinh, value, deviation)
     }
     /// cosh(a + δ) − cosh a = 2 sinh(a + δ/2) sinh(δ/2).
     fn cosh(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let value = centre(|x| x.cosh(&(), &a.value))?;
         let (half, middle) = (0.5 * a.error, (a.value.abs() + 0.5 * a.error) * UP);
         let deviation = if a.error == 0.0 { 0.0 } else { 2.0 * pxfm::f_sinh(middle) * pxfm::f_sinh(half) * UP + TINY };
-        self.elementary(value, deviation)
+        self.elementary(Op::Cosh, value, deviation)
     }
     /// tanh(a + δ) − tanh a = tanh δ·(1 − t²)/(1 + t·tanh δ) with t = tanh a; the slope is at most 1.
     fn tanh(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
@@ -427,9 +424,10 @@ impl Number for Bounded {
             return Ok(());
         }
         let (t, step) = (value.abs(), (pxfm::f_tanh(a.error) * UP).min(1.0));
-        let under = (1.0 - t * step) * DOWN - ULP;
-        let steep = step * (1.0 - t + ULP) * (1.0 + t) * UP / under;
-        self.elementary(value, if under > 0.0 { steep.min(a.error) } else { a.error })
+        let off = units(Op::Tanh) * ULP;
+        let under = (1.0 - t * step) * DOWN - off;
+        let steep = step * (1.0 - t + off) * (1.0 + t) * UP / under;
+        self.elementary(Op::Tanh, value, if under > 0.0 { steep.min(a.error) } else { a.error })
     }
     fn abs(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         *self = Bounded { value: a.value.abs(), error: a.error }.checked()?;
@@ -469,19 +467,18 @@ impl Number for Bounded {
             let moved = pxfm::f_log1p(a.error / low * UP) * UP;
             let exponent = (b.value.abs() * moved + log * b.error + moved * b.error) * UP;
             // A power computed as 0 may have been as large as the smallest number.
-            self.elementary(value, (value * UP + TINY) * pxfm::f_expm1(exponent) * UP)
+            self.elementary(Op::Pow, value, (value * UP + TINY) * pxfm::f_expm1(exponent) * UP)
         } else if a.is_exact_zero() && b.value - b.error > 0.0 {
             *self = Bounded::exact(value);
             Ok(())
         } else if b.value - b.error > 0.0 {
             let top = a.magnitude();
             let exponent = if top > 1.0 { b.magnitude() } else { b.mignitude() };
-            self.elementary(value, pxfm::f_pow(top, exponent).max(value) * UP)
+            self.elementary(Op::Pow, value, pxfm::f_pow(top, exponent).max(value) * UP)
         } else {
             Err(NoValue::Indeterminate)
         }
     }
-    /// The angle moves by at most arcsin(ρ/r) ≤ (π/2)·ρ/r when the point moves by ρ, r being its distance from the origin.
     /// See [`Bounded`] for the cut.
     fn arctan2(&mut self, _: &(), y: &Bounded, x: &Bounded) -> Result<(), NoValue> {
         let Ok(value) = centre(|angle| angle.arctan2(&(), &y.value, &x.value)) else {
@@ -495,15 +492,8 @@ impl Number for Bounded {
         if y.contains_zero() && x.contains_zero() {
             return Err(NoValue::Indeterminate);
         }
-        let s = scalar::scale(y.value, x.value);
-        let (sy, sx) = (y.value * s, x.value * s);
-        let radius = (sy * sy + sx * sx).sqrt() * DOWN;
-        let (ey, ex) = ((y.error * s + TINY) * UP, (x.error * s + TINY) * UP);
-        let moved = if y.error == 0.0 && x.error == 0.0 { 0.0 } else { (ey * ey + ex * ex).sqrt() * UP + TINY };
-        // Beyond the radius the error ball may go around the origin although the box does not.
-        let sine = moved / radius * UP;
-        let angle = if sine < 1.0 { pxfm::f_asin(sine) * UP } else { std::f64::consts::PI };
-        self.elementary(value, angle)
+        let angle = turn(alone([y.value, y.error]), alone([x.value, x.error])).x;
+        self.elementary(Op::Arctan2, value, angle)
     }
     /// The mean is homogeneous and grows with both arguments, so a relative change of at most r in both changes it by at
     /// most r. Each iteration rounds by at most 3u, and the last two means differ by at most 4u.
@@ -528,6 +518,6 @@ impl Number for Bounded {
             // Where a ball reaches 0 the mean may fall to 0.
             if relative < 1.0 { relative * value * (1.0 + 2.0 * rounding) } else { rise.max(value * (1.0 + rounding)) }
         };
-        self.elementary(value, deviation + rounding * value)
+        self.elementary(Op::Agm, value, deviation + rounding * value)
     }
 }

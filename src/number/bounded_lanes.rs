@@ -211,9 +211,15 @@ impl<const N: usize> Number for BoundedLanes<N> {
         self.each(|x, i| x.ln(&(), &a.lane(i)))
     }
     fn sin(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
+        if Arch::new().dispatch(Once { op: Op::Sin, out: self, a, b: a }) {
+            return Ok(());
+        }
         self.each(|x, i| x.sin(&(), &a.lane(i)))
     }
     fn cos(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
+        if Arch::new().dispatch(Once { op: Op::Cos, out: self, a, b: a }) {
+            return Ok(());
+        }
         self.each(|x, i| x.cos(&(), &a.lane(i)))
     }
     fn tan(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
@@ -262,6 +268,9 @@ impl<const N: usize> Number for BoundedLanes<N> {
         self.each(|x, i| x.pow(&(), &a.lane(i), &b.lane(i)))
     }
     fn arctan2(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        if Arch::new().dispatch(Once { op: Op::Arctan2, out: self, a, b }) {
+            return Ok(());
+        }
         self.each(|x, i| x.arctan2(&(), &a.lane(i), &b.lane(i)))
     }
     fn agm(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {

@@ -15,8 +15,10 @@
 
 mod bounded;
 mod bounded_lanes;
+mod deviation;
 mod double_double;
 mod dual;
+mod elementary;
 mod finite;
 mod growth;
 mod interval;
@@ -25,10 +27,13 @@ mod lanes;
 mod operation;
 mod random;
 mod real;
+mod register;
 mod scalar;
 mod series;
 mod slope;
 mod wide;
+mod wide_lanes;
+mod wide_series;
 
 pub use bounded::Bounded;
 pub use bounded_lanes::BoundedLanes;

@@ -22,8 +22,17 @@ pub struct Instruction {
 
 /// How one step is carried out.
 pub(super) trait Apply<N> {
+    /// Whether [`Apply::sin_cos`] is there.
+    const PAIRS: bool = false;
+
     /// `out` := `op` of `a` and `b`.
     fn apply(&self, op: Op, out: &mut N, a: &N, b: &N) -> Result<(), NoValue>;
+
+    /// `sin` and `cos` of `a` at once; `false` where each is to be made by itself.
+    #[inline(always)]
+    fn sin_cos(&self, _sin: &mut N, _cos: &mut N, _a: &N) -> bool {
+        false
+    }
 }
 
 /// As the number type does it.
@@ -48,22 +57,39 @@ fn absent(op: Op, a: Option<NoValue>, b: Option<NoValue>) -> Option<NoValue> {
 
 /// The evaluation loop: the steps in their order. An argument without a value is the reason why a result has none.
 #[inline(always)]
-pub(super) fn run_each<N>(
+pub(super) fn run_each<N, A: Apply<N>>(
     values: &mut [N],
     missing: &mut [Option<NoValue>],
-    steps: &[Instruction],
-    how: impl Apply<N>,
+    mut steps: &[Instruction],
+    how: A,
 ) {
-    for &Instruction { op, a, b, out } in steps {
+    while let [step, after @ ..] = steps {
+        let Instruction { op, a, b, out } = *step;
         let (a, b, out) = (a as usize, b as usize, out as usize);
+        // Arguments lie before the result, so the borrow can be split there.
+        if A::PAIRS
+            && let [next, after @ ..] = after
+            && matches!((op, next.op), (Op::Sin, Op::Cos) | (Op::Cos, Op::Sin))
+            && next.a as usize == a
+            && missing[a].is_none()
+        {
+            let (before, rest) = values.split_at_mut(next.out as usize);
+            let (before, first) = before.split_at_mut(out);
+            let (sin, cos) = if op == Op::Sin { (&mut first[0], &mut rest[0]) } else { (&mut rest[0], &mut first[0]) };
+            if how.sin_cos(sin, cos, &before[a]) {
+                (missing[out], missing[next.out as usize]) = (None, None);
+                steps = after;
+                continue;
+            }
+        }
         let reason = missing[a].or(missing[b]);
         missing[out] = if reason.is_some() {
             absent(op, missing[a], missing[b])
         } else {
-            // Arguments lie before the result, so the borrow can be split there.
             let (before, rest) = values.split_at_mut(out);
             how.apply(op, &mut rest[0], &before[a], &before[b]).err()
         };
+        steps = after;
     }
 }
 

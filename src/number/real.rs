@@ -1,8 +1,9 @@
 //! binary64: the plain real numbers of the machine.
 //!
-//! Basic operations and √ are those of IEEE 754; elementary functions come from `pxfm`, compiled into the program, so that
-//! every machine computes the same bits. A result that is not finite is not a value.
+//! Basic operations and √ are those of IEEE 754; elementary functions are those of [`elementary`](super::elementary), powers come
+//! from `pxfm`: every machine computes the same bits. A result that is not finite is not a value.
 
+use super::elementary::{self, one};
 use super::{NoValue, Number, Rational};
 
 /// Checks that a result is a number: anything else is an overflow, as domains are checked before.
@@ -94,50 +95,50 @@ impl Number for f64 {
         Ok(())
     }
     fn exp(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(pxfm::f_exp(*a))?;
+        *self = finite(one(elementary::Exp, [*a])[0])?;
         Ok(())
     }
     fn ln(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
         domain(*a > 0.0)?;
-        *self = finite(pxfm::f_log(*a))?;
+        *self = finite(one(elementary::Ln, [*a])[0])?;
         Ok(())
     }
     fn sin(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(pxfm::f_sin(*a))?;
+        *self = finite(one(elementary::Sin, [*a])[0])?;
         Ok(())
     }
     fn cos(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(pxfm::f_cos(*a))?;
+        *self = finite(one(elementary::Cos, [*a])[0])?;
         Ok(())
     }
     fn tan(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(pxfm::f_tan(*a))?;
+        *self = finite(one(elementary::Tan, [*a])[0])?;
         Ok(())
     }
     fn arcsin(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
         domain(a.abs() <= 1.0)?;
-        *self = finite(pxfm::f_asin(*a))?;
+        *self = finite(one(elementary::Arcsin, [*a])[0])?;
         Ok(())
     }
     fn arccos(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
         domain(a.abs() <= 1.0)?;
-        *self = finite(pxfm::f_acos(*a))?;
+        *self = finite(one(elementary::Arccos, [*a])[0])?;
         Ok(())
     }
     fn arctan(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(pxfm::f_atan(*a))?;
+        *self = finite(one(elementary::Arctan, [*a])[0])?;
         Ok(())
     }
     fn sinh(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(pxfm::f_sinh(*a))?;
+        *self = finite(one(elementary::Sinh, [*a])[0])?;
         Ok(())
     }
     fn cosh(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(pxfm::f_cosh(*a))?;
+        *self = finite(one(elementary::Cosh, [*a])[0])?;
         Ok(())
     }
     fn tanh(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(pxfm::f_tanh(*a))?;
+        *self = finite(one(elementary::Tanh, [*a])[0])?;
         Ok(())
     }
     fn abs(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
@@ -168,8 +169,7 @@ impl Number for f64 {
     }
     fn arctan2(&mut self, _: &(), y: &f64, x: &f64) -> Result<(), NoValue> {
         domain(*y != 0.0 || *x != 0.0)?;
-        // −0 is 0: never the other side of the cut.
-        *self = finite(pxfm::f_atan2(*y + 0.0, *x + 0.0))?;
+        *self = finite(one(elementary::Arctan2, [*y, *x])[0])?;
         Ok(())
     }
     fn agm(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {

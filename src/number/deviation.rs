@@ -1,0 +1,94 @@
+//! How far values of sine, cosine and arctan2 move over a ball, in as many places as a register has.
+//!
+//! **In:** centres and errors. **Out:** bounds of the deviation, rounding included, and with them the operations on
+//! [`Bounded`](super::Bounded) of one point or of lanes. **Guaranteed:** one formula for both, hence the same bits.
+
+use super::Op;
+use super::bounded::{DOWN, TINY, ULP, UP};
+use super::elementary::{Arctan2, Function, Sin, sin_cos, units};
+use super::register::Register;
+use pulp::Simd;
+use std::f64::consts::PI;
+
+/// The smaller one; neither is NaN.
+#[inline(always)]
+fn least<S: Simd>(a: Register<S>, b: Register<S>) -> Register<S> {
+    a.or(a.below(b), b)
+}
+
+/// At least |sin x − sin c| (or cosine) over |x − c| ≤ e, where v is the value at c: the slope √(1 − v²) at the centre plus
+/// at most e²/2, and never more than e.
+#[inline(always)]
+pub(super) fn wave<S: Simd>([value, error]: [Register<S>; 2]) -> Register<S> {
+    let v = least(value.abs(), value.all(1.0));
+    let slope = ((1.0 - v + ULP) * (1.0 + v) * UP).sqrt();
+    let bent = slope * error + 0.5 * error * error;
+    least(least(bent, error), error.all(2.0)) * UP
+}
+
+/// At least the change of the angle of (x, y) when both move within their errors: arcsin(ρ/r), where the point moves by ρ and r is
+/// its distance from the origin. Beyond that distance the ball of the error may go around the origin although the box does not.
+#[inline(always)]
+pub(super) fn turn<S: Simd>([y, y_error]: [Register<S>; 2], [x, x_error]: [Register<S>; 2]) -> Register<S> {
+    let s = y.scale(x);
+    let (sy, sx) = (y * s, x * s);
+    let radius = (sy * sy + sx * sx).sqrt() * DOWN;
+    let (ey, ex) = ((y_error * s + TINY) * UP, (x_error * s + TINY) * UP);
+    let still = y.simd.and_m64s(y_error.is(0.0), x_error.is(0.0));
+    let moved = y.all(0.0).or(still, (ey * ey + ex * ex).sqrt() * UP + TINY);
+    let sine = moved / radius * UP;
+    // arcsin s = s + s³·(1/6 + 3s²/40 + …), and the sum in brackets is at most its value at 1, which is π/2 − 1.
+    let angle = sine * (1.0 + 0.5708 * sine * sine) * UP;
+    angle.or(sine.below(1.0), PI)
+}
+
+/// The error of a value, and whether it is known exactly.
+#[inline(always)]
+fn error<S: Simd>(op: Op, value: Register<S>, deviation: Register<S>, exact: S::m64s) -> Register<S> {
+    value.all(0.0).or(exact, (deviation + units(op) * ULP * value.abs()) * UP + TINY)
+}
+
+/// Where 0 is exact: |value| + error is 0 only then, since no sum underflows.
+#[inline(always)]
+fn exact_zero<S: Simd>(value: Register<S>, error: Register<S>) -> S::m64s {
+    (value.abs() + error).is(0.0)
+}
+
+/// Sine and cosine of balls: value and error of both.
+#[derive(Clone, Copy)]
+pub(super) struct Waves;
+
+impl Function<2, 4> for Waves {
+    #[inline(always)]
+    fn fits<S: Simd>(self, [a, error]: [Register<S>; 2]) -> S::m64s {
+        a.simd.and_m64s(Sin.fits([a]), error.upto(f64::MAX))
+    }
+    #[inline(always)]
+    fn wide<S: Simd>(self, [a, e]: [Register<S>; 2]) -> [Register<S>; 4] {
+        let [sin, cos] = sin_cos(a);
+        let never = a.below(a);
+        let errors =
+            [error(Op::Sin, sin, wave([sin, e]), exact_zero(a, e)), error(Op::Cos, cos, wave([cos, e]), never)];
+        [sin, errors[0], cos, errors[1]]
+    }
+}
+
+/// The angle of a point in a box, where it does not contain the origin.
+#[derive(Clone, Copy)]
+pub(super) struct Turns;
+
+impl Function<4, 2> for Turns {
+    #[inline(always)]
+    fn fits<S: Simd>(self, [y, y_error, x, x_error]: [Register<S>; 4]) -> S::m64s {
+        let simd = y.simd;
+        let known = simd.and_m64s(y_error.upto(f64::MAX), x_error.upto(f64::MAX));
+        let away = simd.or_m64s(y_error.below(y.abs()), x_error.below(x.abs()));
+        simd.and_m64s(Arctan2.fits([y, x]), simd.and_m64s(known, away))
+    }
+    #[inline(always)]
+    fn wide<S: Simd>(self, [y, y_error, x, x_error]: [Register<S>; 4]) -> [Register<S>; 2] {
+        let [value] = Arctan2.wide([y, x]);
+        let exact = y.simd.and_m64s(exact_zero(y, y_error), x.all(0.0).below(x));
+        [value, error(Op::Arctan2, value, turn([y, y_error], [x, x_error]), exact)]
+    }
+}
