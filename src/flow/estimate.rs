@@ -180,7 +180,8 @@ impl<'a> Estimate<'a> {
         for lane in 0..LANES {
             let shifted = |(c, by): (&Bounded, &Lanes<LANES>)| c.value + of.multiple * by.0[lane];
             let values: Vec<f64> = of.plan.constants.iter().zip(&of.constants).map(shifted).collect();
-            let lanes = if exact { seat * LANES..(seat + 1) * LANES } else { seat * LANES + lane..seat * LANES + lane + 1 };
+            let lanes =
+                if exact { seat * LANES..(seat + 1) * LANES } else { seat * LANES + lane..seat * LANES + lane + 1 };
             self.flow.enter(&mut self.growth, lanes, &values);
             if exact {
                 break;

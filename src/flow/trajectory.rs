@@ -249,19 +249,28 @@ impl Trajectory {
     /// another time.
     pub(super) fn values<const N: usize>(&self, places: &[Place; N], state: usize) -> [f64; N] {
         let n = self.dimension;
-        let mut steps: [(&[f64], f64); N] = [(&[], f64::NAN); N];
-        for (step, place) in steps.iter_mut().zip(places) {
-            *step = self.branch(place.backward).polynomial(n, place.step, state);
-        }
         let since = places.map(|place| place.since);
-        let mut sums = [0.0; N];
-        for k in (1..=ORDER).rev() {
-            for i in 0..N {
-                sums[i] = sums[i] * since[i] + steps[i].0.get(k * n).copied().unwrap_or(f64::NAN);
+        let mut out = [f64::NAN; N];
+        let mut from = 0;
+        while let Some(&Place { backward, step, .. }) = places.get(from) {
+            // The polynomial of one step at all times, of which those count that lie in it: few blocks of times have many steps.
+            let (c, low) = self.branch(backward).polynomial(n, step, state);
+            let coefficient = |k: usize| c.get(k * n).copied().unwrap_or(f64::NAN);
+            let mut sums = [0.0; N];
+            for k in (1..=ORDER).rev() {
+                let x = coefficient(k);
+                for i in 0..N {
+                    sums[i] = sums[i] * since[i] + x;
+                }
             }
+            let first = coefficient(0);
+            let to = from + places[from..].iter().take_while(|p| (p.backward, p.step) == (backward, step)).count();
+            for i in from..to {
+                out[i] = first + (low + since[i] * sums[i]);
+            }
+            from = to;
         }
-        let first = |i: usize| steps[i].0.first().copied().unwrap_or(f64::NAN);
-        std::array::from_fn(|i| first(i) + (steps[i].1 + since[i] * sums[i]))
+        out
     }
 
     /// The polynomial of a state around another time of its step: the first coefficients.
