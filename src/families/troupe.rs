@@ -27,7 +27,7 @@ use crate::verdict::Verdict;
 use claim::error::{CANCELLED, CheckError};
 use claim::limits::Limits;
 use claim::options::Options;
-use claim::program::Program;
+use claim::program::{Part, Program, What};
 use proved::by_formula;
 use sampled::course::Trial;
 use sampled::independence::Gradients;
@@ -512,8 +512,7 @@ impl<'a> Troupe<'a> {
         let mut accounts: Vec<ClaimAccount> = Vec::new();
         for of in prepared {
             let Prepared { claim, program, gradients } = &of[0];
-            // Of inequalities it is counted how close their sides come; both sides of equations are for those who look at the member.
-            let shown = checked || program.comparisons().any(|c| c.kind != RelationKind::Equal);
+            let shown = checked || !says_equations(program);
             let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown };
             let mut verdict = trial::try_claim(derivation, &trial, gradients.as_ref());
             if let Some(contradiction) = &contradiction {
@@ -568,4 +567,11 @@ pub fn too_rare(derivation: &Derivation, members: &Members, number: u64) -> Diag
     );
     Diagnostic::at(&derivation.file, "derivation::bad-family", place, message)
         .hint("draw from narrower ranges: the constraints leave hardly anything of these")
+}
+
+/// Whether what a claim says are equations at times of one motion: of these nothing is counted that is seen in both of their sides along
+/// the motion, which only those who look at a member are shown.
+fn says_equations(program: &Program) -> bool {
+    let of_times = |part: &Part| matches!(part.what, What::Every | What::Constant | What::Value);
+    program.parts.iter().all(of_times) && program.comparisons().all(|c| c.kind == RelationKind::Equal)
 }
