@@ -14,7 +14,7 @@ use crate::check::family::{Join, Part, Row};
 use crate::check::search::{SearchAccount, SearchOptions};
 use crate::check::{
     self, Account, Cache, CheckError, ClaimAccount, IdentityAccount, Limits, Options, Outcome, Proposition, Rigor,
-    Witness,
+    Store, Witness,
 };
 use crate::derivation::{Derivation, parse};
 use crate::diag::shown::shown;
@@ -200,6 +200,29 @@ impl Session {
     /// assert!(matches!(session.check(&ask, &|_, _| {}), Err(Failure::Cancelled)));
     /// ```
     pub fn check(&self, ask: &Ask, progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Findings, Failure> {
+        self.find(ask, None, progress)
+    }
+
+    /// The same, with what earlier checks of the file left in a store, also in other processes: the findings do not depend on it. The
+    /// whole file is recorded; where only a part is asked for, nothing is read or kept.
+    ///
+    /// # Errors
+    /// As for [`check`](Session::check).
+    pub fn check_recorded(
+        &self,
+        ask: &Ask,
+        store: &dyn Store,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Findings, Failure> {
+        self.find(ask, Some(store), progress)
+    }
+
+    fn find(
+        &self,
+        ask: &Ask,
+        store: Option<&dyn Store>,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Findings, Failure> {
         let names = self.claims();
         let is_called = |id: &str, reading: Option<&String>, name: &str| match name.split_once('/') {
             None => id == name,
@@ -221,7 +244,10 @@ impl Session {
             rigor: ask.rigor,
             limits: ask.limits.clone(),
         };
-        let found = check::check(&self.derivation, &options, progress);
+        let found = match store {
+            Some(store) => check::check_recorded(&self.derivation, &options, store, progress),
+            None => check::check(&self.derivation, &options, progress),
+        };
         // Whatever it says: it was not finished.
         if ask.limits.is_cancelled() {
             return Err(Failure::Cancelled);
@@ -432,7 +458,7 @@ impl Findings {
     /// Both sides of the deciding comparison along a motion, thinned; `None` where none was made at times.
     pub fn curve(&self, claim: &str, reading: Option<&str>, trajectory: &str) -> Option<&Residuals> {
         let of = self.account.claims.iter().find(|c| c.id == claim && c.reading.as_deref() == reading)?;
-        let pair = of.results.iter().find(|pair| pair.trajectory == trajectory)?;
+        let pair = of.on(trajectory)?;
         pair.verdict.evidence().series.as_deref()
     }
 

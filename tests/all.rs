@@ -81,6 +81,7 @@ mod prove;
 mod prove_traps;
 mod reach;
 mod readme;
+mod records;
 mod regions;
 mod report_sizes;
 mod schema;

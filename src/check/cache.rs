@@ -141,7 +141,7 @@ fn changed(then: &[(String, String)], now: &[(String, String)]) -> BTreeSet<Stri
 const WORDS: [&str; 7] = ["says", "place", "label", "printed", "remark", "expect", "expect-units"];
 
 /// The content of everything but claims, that of each motion, and that of each claim, all without words.
-fn contents(derivation: &Derivation) -> Option<Contents> {
+pub(super) fn contents(derivation: &Derivation) -> Option<Contents> {
     let mut root: toml::Table = toml::from_str(&derivation.file.text).ok()?;
     let mut list = |key: &str| match root.remove(key) {
         Some(toml::Value::Array(list)) => list,
@@ -204,7 +204,7 @@ fn affected(derivation: &Derivation, changed: BTreeSet<String>) -> Vec<String> {
 }
 
 /// Brings an account into the order of the file, with its words, expectations and units.
-fn describe(derivation: &Derivation, account: &mut Account) {
+pub(super) fn describe(derivation: &Derivation, account: &mut Account) {
     let mut known: Vec<ClaimAccount> = std::mem::take(&mut account.claims);
     for claim in &derivation.claims {
         let Some(at) = known.iter().position(|c| c.id == claim.id && c.reading == claim.reading) else { continue };

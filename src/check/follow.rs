@@ -10,7 +10,7 @@
 
 use rayon::prelude::*;
 
-use super::memory::Known;
+use super::memory::Known as Recalled;
 use super::premises::{Column, counterexample, strengthen};
 use crate::derivation::{Claim, Derivation};
 use claim::limits::Limits;
@@ -36,7 +36,7 @@ pub(super) fn follow(
     following: &[usize],
     known: &[ClaimAccount],
     before: &[ClaimAccount],
-    recall: Known,
+    recall: Recalled,
 ) -> Result<Followed, String> {
     let claim = |&c: &usize| &derivation.claims[c];
     let mut rest: Vec<String> = Vec::new();
@@ -58,7 +58,7 @@ pub(super) fn follow(
     let earlier: Vec<Option<&ClaimAccount>> = following.iter().map(claim).map(of).collect();
     let on = |account: &Option<&ClaimAccount>, t: usize| {
         let id = &derivation.trajectories[t].id;
-        account.and_then(|a| a.results.iter().find(|r| r.trajectory == *id)).map(|r| r.verdict.clone())
+        account.and_then(|a| a.on(id)).map(|r| r.verdict.clone())
     };
     let column = |&t: &usize| -> Column { earlier.iter().map(|account| on(account, t)).collect() };
     let columns: Vec<Column> = selection.tried.iter().map(column).collect();
@@ -87,7 +87,7 @@ pub(super) fn strengthen_all(derivation: &Derivation, claims: &mut [ClaimAccount
     // An account without a claim would be a defect of the caller; there is nothing to be said of it then.
     let Some(claimed) = claims.iter().map(position).collect::<Option<Vec<usize>>>() else { return };
     // Who follows a file sets no limits.
-    strengthen(derivation, &everywhere(derivation, claimed), claims, known, &Limits::default());
+    strengthen(derivation, &everywhere(derivation, claimed), claims, known, (&Limits::default(), Recalled::default()));
 }
 
 /// These claims, on all trajectories.
@@ -97,7 +97,7 @@ fn everywhere(derivation: &Derivation, claims: Vec<usize>) -> Selection {
 
 /// An account with the verdicts that the motions gave, as they were before a proof stood behind them; `None` for a claim that
 /// has to be checked.
-fn unproved(derivation: &Derivation, claim: &Claim, before: &[ClaimAccount], recall: Known) -> Option<ClaimAccount> {
+fn unproved(derivation: &Derivation, claim: &Claim, before: &[ClaimAccount], recall: Recalled) -> Option<ClaimAccount> {
     let account = before.iter().find(|a| a.id == claim.id && a.reading == claim.reading)?;
     let searched = account.variants.as_ref().is_some_and(|v| v.erratum.is_some());
     if searched || account.region.is_some() || claim.region.is_some() {

@@ -22,6 +22,7 @@ mod motions;
 mod on_motions;
 mod picture;
 mod premises;
+mod record;
 mod run;
 pub mod search;
 
@@ -46,6 +47,7 @@ pub use findings::{
 };
 pub use proved::agreement::agree;
 pub use proved::proposition::{prove, with_symbols_of};
+pub use record::{Store, check_recorded};
 pub use verdict::{
     Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, ResidualPoint, Residuals, Strength,
     Verdict, Witness,
@@ -100,7 +102,9 @@ fn check_recalling(
     let families = Families::of(derivation, options)?;
     let mut account = Run { recall, progress, ..Run::new(derivation, options) }.account()?;
     if let Some(families) = families {
-        account.distributions = families.try_all(&Trajectories, options, &mut account.claims, joined, progress)?;
+        account.distributions = recall.on_families(derivation, &mut account.claims, |claims| {
+            families.try_all(&Trajectories, options, claims, joined, progress)
+        })?;
     }
     account.units = units::units(derivation);
     account.units.keep(&options.claims);

@@ -1,7 +1,8 @@
 //! What was found for an earlier state of a file, by content.
 //!
 //! **In:** questions, each named by everything that its answer depends on. **Out:** the answer that is known, or one that is
-//! computed and kept.
+//! computed and kept; and [`Found`], all answers but the motions, to be kept longer than
+//! a process lives.
 //!
 //! A verdict of a claim on a motion depends on the symbols, systems and conditions of the file, on the claim's own table, and on
 //! the motion with those that it comes from. A proof depends on the symbols and systems, on the claim, and on the claims that it
@@ -15,12 +16,13 @@ use std::collections::{BTreeSet, HashMap};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::motions::Family;
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Graph, Leaf};
-use crate::findings::IdentityAccount;
+use crate::findings::{ClaimAccount, FamilyAccount, IdentityAccount, family::MeasureAccount};
 use crate::verdict::Verdict;
 use proved::step::Step;
 use sampled::recall::Recall;
@@ -45,13 +47,39 @@ fn key(parts: &[&[u8]]) -> Key {
 /// Answers of one kind, each with the last age in which it was asked for.
 type Answers<T> = Mutex<HashMap<Key, (u64, T)>>;
 
+/// What a claim says for all values, where it is a claim of that kind; or how the program contradicts itself.
+type Identity = Option<Result<IdentityAccount, String>>;
+
+/// What was found on all families.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct OnFamilies {
+    /// In the order of the accounts of claims.
+    pub claims: Vec<Vec<FamilyAccount>>,
+    pub measures: Vec<MeasureAccount>,
+}
+
+/// What was found in another process: every answer by its name. Motions are not kept.
+#[derive(Debug, Default, Serialize, Deserialize)]
+pub(super) struct Found {
+    verdicts: Vec<(Key, Verdict)>,
+    standings: Vec<(Key, Option<bool>)>,
+    identities: Vec<(Key, Identity)>,
+    on_families: Vec<(Key, OnFamilies)>,
+    strengthened: Vec<(Key, Vec<Verdict>)>,
+    asked: Option<BTreeSet<String>>,
+}
+
 /// What was found, for several states of a file.
 #[derive(Debug, Default)]
 pub(super) struct Memory {
     age: u64,
+    /// Whether it serves one check: motions are not kept then.
+    once: bool,
     verdicts: Answers<Verdict>,
     standings: Answers<Option<bool>>,
-    identities: Answers<Option<Result<IdentityAccount, String>>>,
+    identities: Answers<Identity>,
+    on_families: Answers<OnFamilies>,
+    strengthened: Answers<Vec<Verdict>>,
     families: Answers<Arc<Mutex<Family>>>,
     wanted: Answers<BTreeSet<String>>,
     /// What the motions were asked for when they were built; nothing before that.
@@ -61,6 +89,47 @@ pub(super) struct Memory {
 }
 
 impl Memory {
+    /// What was found in another process, for one check.
+    pub fn of(found: Found) -> Memory {
+        fn answers<T>(list: Vec<(Key, T)>) -> Answers<T> {
+            Mutex::new(list.into_iter().map(|(name, answer)| (name, (0, answer))).collect())
+        }
+        let Found { verdicts, standings, identities, on_families, strengthened, asked } = found;
+        Memory {
+            age: 1,
+            once: true,
+            verdicts: answers(verdicts),
+            standings: answers(standings),
+            identities: answers(identities),
+            on_families: answers(on_families),
+            strengthened: answers(strengthened),
+            asked: Mutex::new(asked),
+            ..Memory::default()
+        }
+    }
+
+    /// What was asked for in this state of the file.
+    pub fn found(self) -> Found {
+        fn inner<T>(of: Mutex<T>) -> T {
+            of.into_inner().unwrap_or_else(PoisonError::into_inner)
+        }
+        let now = self.age;
+        fn answers<T>(kept: Answers<T>, now: u64) -> Vec<(Key, T)> {
+            let asked = inner(kept).into_iter().filter(|(_, (age, _))| *age == now);
+            let mut list: Vec<(Key, T)> = asked.map(|(name, (_, answer))| (name, answer)).collect();
+            list.sort_unstable_by_key(|(name, _)| *name);
+            list
+        }
+        Found {
+            verdicts: answers(self.verdicts, now),
+            standings: answers(self.standings, now),
+            identities: answers(self.identities, now),
+            on_families: answers(self.on_families, now),
+            strengthened: answers(self.strengthened, now),
+            asked: inner(self.asked),
+        }
+    }
+
     /// A new state of the file begins.
     pub fn grow_older(&mut self) {
         self.age += 1;
@@ -70,6 +139,8 @@ impl Memory {
         self.families.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
         self.wanted.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
         self.identities.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
+        self.on_families.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
+        self.strengthened.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
     }
 
     /// Whether nothing is known yet.
@@ -104,7 +175,7 @@ impl Memory {
 }
 
 /// A state of a file, by content: see [`super::cache`] for what counts as content.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Contents {
     /// Everything but claims, motions and words.
     pub base: String,
@@ -130,6 +201,16 @@ impl<'a> Known<'a> {
     /// What is known for a state of a file.
     pub fn new(memory: &'a Memory, contents: &'a Contents) -> Known<'a> {
         Known(Some(State { memory, contents, base: key(&[contents.base.as_bytes()]) }))
+    }
+
+    /// Where only answers are kept.
+    fn of_one_check(&self) -> Option<State<'a>> {
+        self.0.filter(|state| state.memory.once)
+    }
+
+    /// Where motions are kept, too.
+    fn of_motions(&self) -> Option<State<'a>> {
+        self.0.filter(|state| !state.memory.once)
     }
 
     /// The verdict of a claim on a motion.
@@ -168,20 +249,60 @@ impl<'a> Known<'a> {
             all.extend(known.memory.answer(&known.memory.wanted, Some(name), compute));
         }
         let mut asked = known.memory.asked.lock().unwrap_or_else(PoisonError::into_inner);
-        if *asked.get_or_insert_with(|| all.clone()) != all {
-            known.memory.other.store(true, Ordering::Relaxed);
+        if *asked.get_or_insert_with(|| all.clone()) == all {
+            return;
         }
+        if !known.memory.once {
+            known.memory.other.store(true, Ordering::Relaxed);
+            return;
+        }
+        // The motions are built for what is asked now; what others gave is of no use.
+        *asked = Some(all);
+        known.memory.verdicts.lock().unwrap_or_else(PoisonError::into_inner).clear();
+        known.memory.standings.lock().unwrap_or_else(PoisonError::into_inner).clear();
     }
 
     /// Whether a claim holds for all values.
-    pub fn identity(
-        &self,
-        derivation: &Derivation,
-        claim: &Claim,
-        compute: impl FnOnce() -> Option<Result<IdentityAccount, String>>,
-    ) -> Option<Result<IdentityAccount, String>> {
+    pub fn identity(&self, derivation: &Derivation, claim: &Claim, compute: impl FnOnce() -> Identity) -> Identity {
         let Some(known) = self.0 else { return compute() };
         known.memory.answer(&known.memory.identities, known.step(derivation, claim), compute)
+    }
+
+    /// The verdicts on claims on a motion, after a method of which this is the name has looked for stronger evidence. What it finds
+    /// depends on the claims, on the motions, on the verdicts before, and on what motions were built for.
+    pub fn strengthened(
+        &self,
+        method: &str,
+        derivation: &Derivation,
+        t: usize,
+        before: &[(&Claim, &Verdict)],
+        compute: &mut dyn FnMut() -> Vec<Verdict>,
+    ) -> Vec<Verdict> {
+        let Some(known) = self.of_one_check() else { return compute() };
+        known.memory.answer(&known.memory.strengthened, known.strengthened(method, derivation, t, before), compute)
+    }
+
+    /// Puts what is found on all families into the accounts of their claims; returns what is measured.
+    ///
+    /// # Errors
+    /// Those of `compute`, which does the same.
+    pub fn on_families<E>(
+        &self,
+        derivation: &Derivation,
+        claims: &mut [ClaimAccount],
+        compute: impl FnOnce(&mut [ClaimAccount]) -> Result<Vec<MeasureAccount>, E>,
+    ) -> Result<Vec<MeasureAccount>, E> {
+        let name = self.0.and_then(|known| Some((known, known.on_families(derivation, claims)?)));
+        let Some((known, name)) = name else { return compute(claims) };
+        if let Some(OnFamilies { claims: found, measures }) = known.memory.known(&known.memory.on_families, name) {
+            claims.iter_mut().zip(found).for_each(|(claim, found)| claim.families = found);
+            return Ok(measures);
+        }
+        let measures = compute(claims)?;
+        let found =
+            OnFamilies { claims: claims.iter().map(|c| c.families.clone()).collect(), measures: measures.clone() };
+        known.memory.answer(&known.memory.on_families, Some(name), || found);
+        Ok(measures)
     }
 }
 
@@ -193,11 +314,11 @@ fn named(graph: &Graph, leaf: &Leaf) -> String {
 
 impl Recall for Known<'_> {
     fn is_known(&self) -> bool {
-        self.0.is_some()
+        self.of_motions().is_some()
     }
 
     fn motions(&self, derivation: &Derivation, requests: &Requests, members: &[usize]) -> Option<Vec<(usize, Built)>> {
-        let known = self.0?;
+        let known = self.of_motions()?;
         let name = known.family(derivation, members)?;
         let kept = {
             let mut families = known.memory.families.lock().unwrap_or_else(PoisonError::into_inner);
@@ -210,7 +331,7 @@ impl Recall for Known<'_> {
     }
 
     fn keep(&self, derivation: &Derivation, members: &[usize], graph: Graph, built: &[(usize, Built)]) {
-        let Some(known) = self.0 else { return };
+        let Some(known) = self.of_motions() else { return };
         if let Some(name) = known.family(derivation, members) {
             let family = Family::new(derivation, graph, members, built);
             let kept = (known.memory.age, Arc::new(Mutex::new(family)));
@@ -286,6 +407,44 @@ impl State<'_> {
         let content = self.claim(name.split('/').next()?)?;
         let motion = self.motion(derivation, t)?;
         Some(key(&[b"claim", &self.base, content.as_bytes(), name.as_bytes(), without, &motion]))
+    }
+
+    fn strengthened(
+        &self,
+        method: &str,
+        derivation: &Derivation,
+        t: usize,
+        before: &[(&Claim, &Verdict)],
+    ) -> Option<Key> {
+        let asked = postcard::to_allocvec(&*self.memory.asked.lock().ok()?).ok()?;
+        let mut sum = key(&[method.as_bytes(), &self.base, &asked, derivation.trajectories.get(t)?.id.as_bytes()]);
+        // Claims may compare motions.
+        for (id, content) in &self.contents.motions {
+            sum = key(&[&sum, id.as_bytes(), content.as_bytes()]);
+        }
+        for (claim, verdict) in before {
+            let verdict = postcard::to_allocvec(verdict).ok()?;
+            sum = key(&[&sum, self.claim(&claim.id)?.as_bytes(), claim.name().as_bytes(), &verdict]);
+        }
+        Some(sum)
+    }
+
+    /// All claims that name families, with what they follow from, and the motions that members begin as.
+    fn on_families(&self, derivation: &Derivation, claims: &[ClaimAccount]) -> Option<Key> {
+        let mut sum = key(&[b"families", &self.base]);
+        for t in derivation.families.iter().map(|family| family.of) {
+            sum = key(&[&sum, &self.motion(derivation, t)?]);
+        }
+        for account in claims {
+            let is_it = |c: &&Claim| c.id == account.id && c.reading == account.reading;
+            let claim = derivation.claims.iter().find(is_it)?;
+            let name = claim.name();
+            sum = match claim.families.is_empty() {
+                true => key(&[&sum, name.as_bytes()]),
+                false => key(&[&sum, name.as_bytes(), &self.step(derivation, claim)?]),
+            };
+        }
+        Some(sum)
     }
 
     /// A claim with all that it follows from.

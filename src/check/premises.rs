@@ -7,9 +7,10 @@
 
 use std::collections::HashMap;
 
+use super::memory::Known;
 use claim::comparison;
 use claim::limits::Limits;
-use derivation::{Derivation, Premise};
+use derivation::{Claim, Derivation, Premise};
 use findings::ClaimAccount;
 use proved::step::Step;
 use sampled::selection::Selection;
@@ -52,7 +53,7 @@ fn known_verdict<'a>(
 ) -> Option<&'a Verdict> {
     let (claim, trajectory) = (derivation.claims.get(claim)?, derivation.trajectories.get(trajectory)?);
     let account = known.iter().find(|k| k.id == claim.id && k.reading == claim.reading)?;
-    account.results.iter().find(|r| r.trajectory == trajectory.id).map(|r| &r.verdict)
+    account.on(&trajectory.id).map(|r| &r.verdict)
 }
 
 /// Whether a trajectory was integrated from a system: then its equations hold on it.
@@ -87,7 +88,7 @@ pub(super) fn strengthen(
     selection: &Selection,
     claims: &mut [ClaimAccount],
     known: &[ClaimAccount],
-    limits: &Limits,
+    (limits, recall): (&Limits, Known),
 ) {
     let Selection { claims: claimed, tried, .. } = selection;
     proved::conditional::conditional(derivation, claims, known);
@@ -97,7 +98,11 @@ pub(super) fn strengthen(
             claim.region = Some(boxes::of_step(declared, region, claim.identity.as_ref()));
         }
     }
-    proved::by_formula::settle(derivation, claims, claimed, tried, limits);
+    let by_formula = |t: usize, before: (&Claim, &Verdict), find: &mut dyn FnMut() -> Verdict| {
+        let found = recall.strengthened("by formula", derivation, t, &[before], &mut || vec![find()]);
+        found.into_iter().next().unwrap_or_else(find)
+    };
+    proved::by_formula::settle(derivation, claims, (claimed, tried), limits, &by_formula);
     let motion: HashMap<&str, usize> = tried.iter().map(|&t| (derivation.trajectories[t].id.as_str(), t)).collect();
     // The motions of the results of each claim.
     let on: Vec<HashMap<usize, usize>> = claims

@@ -19,6 +19,7 @@ use sampled::selection::{Selection, is_asked};
 use sampled::stage::Stage;
 use sampled::systems::Fields;
 use sampled::witness;
+use verdict::Verdict;
 use weight::variant;
 
 /// What is to be checked.
@@ -90,7 +91,7 @@ impl<'a> Run<'a> {
         if complete {
             compiled.probes.separate(&compiled.derivation, &found.motions(&selection), &self.recall, &mut account);
         }
-        strengthen(&compiled.derivation, &selection, &mut account.claims, known, &options.limits);
+        strengthen(&compiled.derivation, &selection, &mut account.claims, known, (&options.limits, self.recall));
         self.enclose(&compiled, &selection, &stage, &mut account)?;
         if let Some(altered) = altered.as_ref().filter(|_| complete) {
             let (weighed, courses) = (&found.weighed, &found.courses);
@@ -144,7 +145,11 @@ impl<'a> Run<'a> {
         let Compiled { derivation, fields, prepared, wanted, .. } = compiled;
         let limits = &self.options.limits;
         if self.options.rigor == Rigor::Enclosed && limits.reached().is_none() {
-            let request = enclosed::Request { derivation, fields, stage, prepared, selection, limits };
+            let recall = |t: usize, before: &[(&Claim, &Verdict)], find: &mut dyn FnMut() -> Vec<Verdict>| {
+                self.recall.strengthened("enclosed", derivation, t, before, find)
+            };
+            let recall = &recall;
+            let request = enclosed::Request { derivation, fields, stage, prepared, selection, limits, recall };
             enclosed::strengthen(&request, &mut account.claims);
         }
         self.unless_cancelled()?;

@@ -377,7 +377,7 @@ impl Trial<'_> {
             let wanted = account.claims.iter().filter(|c| self.names.contains(&name(c)));
             let mut verdicts: Vec<(String, Verdict)> = wanted
                 .filter_map(|c| {
-                    let pair = c.results.iter().find(|p| p.trajectory == id(i))?;
+                    let pair = c.on(&id(i))?;
                     Some((name(c), pair.verdict.clone()))
                 })
                 .collect();

@@ -239,7 +239,7 @@ pub fn may_leap(graph: &Graph, e: Expr) -> bool {
 /// observables themselves.
 pub fn behind_rates(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
     let Some(time) = scope.time() else { return e };
-    let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+    let moves = |leaf: Leaf| scope.moves(&leaf);
     let mut form = |graph: &mut Graph, leaf: Leaf| {
         let definition = scope.definition(leaf.symbol).filter(|_| leaf.rate > 0 && leaf.instant.is_none())?;
         let mut value = definition.components.get(usize::from(leaf.component)).copied()?;
@@ -292,7 +292,7 @@ pub fn at_instant(graph: &mut Graph, scope: &Scope, e: Expr, instant: Expr) -> E
         if Some(leaf) == time {
             return Some(instant);
         }
-        let moves = matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        let moves = scope.moves(&leaf);
         (moves && leaf.instant.is_none()).then(|| graph.leaf(Leaf { instant: Some(instant), ..leaf }))
     })
 }

@@ -11,6 +11,7 @@ use rederive::{Ask, Failure, Findings, Session, report};
 use super::arguments::{LimitArguments, RigorArgument};
 use super::ending::{Exit, Stop, complain, print, say};
 use super::outputs::{Detail, Format, Found, Targets, json, summary, tex};
+use super::records::RecordArguments;
 use super::{files, progress};
 
 #[derive(clap::Args)]
@@ -37,6 +38,8 @@ pub struct CheckArguments {
     only_verdicts: bool,
     #[command(flatten)]
     pub limits: LimitArguments,
+    #[command(flatten)]
+    records: RecordArguments,
     /// Print only what differs from what is expected, and what is undecided
     #[arg(long, short)]
     quiet: bool,
@@ -115,11 +118,12 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
     write::check_outputs(&outputs, &all_inputs, &folders)?;
 
     let (limits, only_verdicts, rigor) = (arguments.limits.begun(), arguments.only_verdicts, arguments.rigor.into());
+    let store = arguments.records.store();
     let mut exit = if asked.is_empty() { Exit::Undecided } else { Exit::Good };
     let mut problems = Vec::new();
     for (i, (session, asked)) in asked.into_iter().enumerate() {
         let ask = Ask { rigor, only_verdicts, limits: limits.clone(), ..asked };
-        let findings = match progress::check(&session, &ask) {
+        let findings = match progress::check(&session, &ask, store.as_ref()) {
             Ok(findings) => findings,
             // The other files may have problems, too, or be good.
             Err(Failure::Problems(noted)) => {

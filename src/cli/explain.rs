@@ -54,7 +54,7 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Exit, Stop> {
     for (session, asked) in files::asked(sessions, &claims, &arguments.on)? {
         let with_premises = premises(session.derivation(), &claims);
         let ask = Ask { claims: with_premises, rigor: arguments.rigor.into(), ..asked };
-        let found = progress::check(&session, &ask)?;
+        let found = progress::check(&session, &ask, None)?;
         let wanted = |c: &&ClaimAccount| c.id == id_of(&arguments.claim);
         shown += found.account().claims.iter().filter(wanted).map(|c| c.verdicts().count()).sum::<usize>();
         say(&report::explain(found.derivation(), found.account(), &claims, true))?;

@@ -1,7 +1,7 @@
 //! The command line: which commands there are, and how they are run.
 //!
 //! A command has a file of its own, with its arguments, and imports no other; what they share is in `ending`, `arguments`, `files`,
-//! `progress` and `outputs`. Questions about a derivation go through [`Session`](rederive::Session).
+//! `progress`, `records` and `outputs`. Questions about a derivation go through [`Session`](rederive::Session).
 
 mod arguments;
 mod check;
@@ -17,6 +17,7 @@ mod merge;
 mod outputs;
 mod progress;
 mod prove;
+mod records;
 mod report;
 mod schema;
 mod search;

@@ -6,6 +6,8 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rederive::{Ask, Failure, Findings, Session};
 
+use super::records::Kept;
+
 /// After this time a check says what it does.
 const PATIENCE: Duration = Duration::from_millis(400);
 /// How often it shows that it goes on.
@@ -29,11 +31,11 @@ fn hidden(name: &str, template: &str) -> ProgressBar {
     bar
 }
 
-/// Checks a derivation, with a bar if it takes long.
+/// Checks a derivation, with a bar if it takes long; `store` has what earlier runs left.
 ///
 /// # Errors
 /// See [`Session::check`].
-pub fn check(session: &Session, ask: &Ask) -> Result<Findings, Failure> {
+pub fn check(session: &Session, ask: &Ask, store: Option<&Kept>) -> Result<Findings, Failure> {
     let bar = hidden(&session.derivation().id, "{spinner} {prefix}: {msg}  {wide_bar}  {pos}/{len}");
     if std::io::stderr().is_terminal() {
         bar.set_message("motions are built");
@@ -52,7 +54,10 @@ pub fn check(session: &Session, ask: &Ask) -> Result<Findings, Failure> {
         bar.set_position(done as u64);
         bar.set_message(if done < of { "claims are tried on motions" } else { "proofs, enclosures, altered formulas" });
     };
-    let found = session.check(ask, &progress);
+    let found = match store {
+        Some(store) => session.check_recorded(ask, store, &progress),
+        None => session.check(ask, &progress),
+    };
     bar.finish_and_clear();
     found
 }

@@ -19,6 +19,7 @@ use rederive::{Ask, Findings, Session, report};
 use super::arguments::RigorArgument;
 use super::ending::{Exit, Stop, complain, say};
 use super::progress;
+use super::records::RecordArguments;
 
 /// How a program makes a PDF file.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -71,6 +72,8 @@ pub struct ReportArguments {
     /// How much is asked of a verdict
     #[arg(long, value_enum, default_value = "enclosed")]
     rigor: RigorArgument,
+    #[command(flatten)]
+    records: RecordArguments,
 }
 
 /// How the first page of a report is printed.
@@ -95,7 +98,8 @@ fn checked(arguments: &ReportArguments) -> Result<Findings, Stop> {
     let path = files::named(&arguments.file)?;
     write::check_outputs(arguments.pdf.as_slice(), std::slice::from_ref(&path), &[])?;
     let session = Session::of(load(&path).map_err(Stop::Diagnostics)?);
-    Ok(progress::check(&session, &Ask { rigor: arguments.rigor.into(), ..Ask::default() })?)
+    let ask = Ask { rigor: arguments.rigor.into(), ..Ask::default() };
+    Ok(progress::check(&session, &ask, arguments.records.store().as_ref())?)
 }
 
 /// The first page, to standard output.

@@ -39,7 +39,7 @@ mod span;
 mod tests;
 mod why;
 
-use crate::derivation::Motion as Given;
+use crate::derivation::{Claim, Motion as Given};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::findings::{ClaimAccount, by_trajectory};
 use crate::flow::{Enclosure, Motion, Source};
@@ -109,39 +109,49 @@ fn one_motion(
     t: usize,
     (claims, here): (&[ClaimAccount], &[(usize, usize)]),
 ) -> Vec<Change> {
-    let trajectory = &request.derivation.trajectories[t];
     let found = |&(k, at): &(usize, usize)| (k, at, &claims[k].results[at].verdict);
     let open = here.iter().map(found).filter(|(.., verdict)| !pair::is_rigorous(verdict.outcome()));
-    let mut changes: Vec<Change> = open.map(|(k, at, verdict)| (k, at, verdict.clone())).collect();
-    if changes.is_empty() {
-        return changes;
+    let open: Vec<(usize, usize, &Verdict)> = open.collect();
+    if open.is_empty() {
+        return Vec::new();
     }
+    let claim = |k: usize| request.prepared[k][request.selection.start_of[t]].claim;
+    let before: Vec<(&Claim, &Verdict)> = open.iter().map(|&(k, _, verdict)| (claim(k), verdict)).collect();
+    let found = (request.recall)(t, &before, &mut || enclose(request, known, t, &open));
+    open.into_iter().zip(found).map(|((k, at, _), verdict)| (k, at, verdict)).collect()
+}
+
+/// The verdicts on some claims on one motion, by the positions of these claims.
+fn enclose(request: &Request, known: Known, t: usize, open: &[(usize, usize, &Verdict)]) -> Vec<Verdict> {
+    let trajectory = &request.derivation.trajectories[t];
+    let mut changes: Vec<(usize, Verdict)> = open.iter().map(|&(k, _, verdict)| (k, verdict.clone())).collect();
+    let only = |changes: Vec<(usize, Verdict)>| changes.into_iter().map(|(_, verdict)| verdict).collect();
     if let Some(reached) = request.limits.reached() {
-        changes.iter_mut().for_each(|(_, _, v)| pair::remark(v, &reached.into()));
-        return changes;
+        changes.iter_mut().for_each(|(_, v)| pair::remark(v, &reached.into()));
+        return only(changes);
     }
     let (mut graph, integrals) = (known.0.clone(), known.1);
     let (mut along, start) = match enclosure(request, integrals, &mut graph, t) {
         Ok((enclosure, start)) => (Along::new(enclosure, graph, trajectory.span), start),
         Err(reason) => {
-            changes.iter_mut().for_each(|(_, _, v)| pair::remark(v, &reason.as_str().into()));
-            return changes;
+            changes.iter_mut().for_each(|(_, v)| pair::remark(v, &reason.as_str().into()));
+            return only(changes);
         }
     };
     let program = |k: usize| &request.prepared[k][request.selection.start_of[t]];
     let other = |other: usize, graph: &mut Graph| Ok(enclosure(request, integrals, graph, other)?.0);
     let mut parts = Vec::new();
-    for (k, ..) in &changes {
+    for (k, _) in &changes {
         let Prepared { claim, program, gradients } = program(*k);
         let asked = pair::Asked { claim, program, gradients: gradients.as_ref(), start: &start, other: &other };
         parts.push(pair::prepare(&asked, &mut along));
     }
     if let Err(reason) = along.compile() {
-        changes.iter_mut().for_each(|(_, _, v)| pair::remark(v, &reason.as_str().into()));
-        return changes;
+        changes.iter_mut().for_each(|(_, v)| pair::remark(v, &reason.as_str().into()));
+        return only(changes);
     }
     let mut withdrawn = None;
-    for ((k, _, verdict), parts) in changes.iter_mut().zip(parts) {
+    for ((k, verdict), parts) in changes.iter_mut().zip(parts) {
         if let Some(reached) = request.limits.reached() {
             pair::remark(verdict, &reached.into());
             continue;
@@ -160,7 +170,7 @@ fn one_motion(
     // What is rigorous stands; the sampled motion is not what its error bounds say.
     if let Some(contradiction) = withdrawn {
         let reason = format!("the sampled motion is withdrawn: {contradiction}");
-        changes.iter_mut().for_each(|(_, _, verdict)| verdict.withdraw_samples(&reason));
+        changes.iter_mut().for_each(|(_, verdict)| verdict.withdraw_samples(&reason));
     }
-    changes
+    only(changes)
 }

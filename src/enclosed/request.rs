@@ -1,6 +1,7 @@
 //! What is needed to enclose.
 
-use crate::derivation::Derivation;
+use crate::derivation::{Claim, Derivation};
+use crate::verdict::Verdict;
 use claim::limits::Limits;
 use sampled::prepared::Prepared;
 use sampled::selection::Selection;
@@ -15,4 +16,6 @@ pub struct Request<'a> {
     pub prepared: &'a [Vec<Prepared<'a>>],
     pub selection: &'a Selection,
     pub limits: &'a Limits,
+    /// Encloses the verdicts on claims on a motion, after those that are given; or recalls them.
+    pub recall: &'a (dyn Fn(usize, &[(&Claim, &Verdict)], &mut dyn FnMut() -> Vec<Verdict>) -> Vec<Verdict> + Sync),
 }

@@ -5,11 +5,12 @@ use super::hash::{FastHasher, FastMap};
 use super::place::Place;
 use super::{Op, Part, Rational, Shape};
 use hashbrown::HashTable;
+use serde::{Deserialize, Serialize};
 use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
 /// A node of a [`Graph`]. Children have smaller numbers than their parents.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Expr(u32);
 
 impl Expr {

@@ -523,7 +523,7 @@ impl<'a> Troupe<'a> {
             accounts.push(ClaimAccount::of(claim, vec![pair]));
         }
         let claimed: Vec<usize> = (0..accounts.len()).collect();
-        by_formula::settle(derivation, &mut accounts, &claimed, &[slot], limits);
+        by_formula::settle(derivation, &mut accounts, (&claimed, &[slot]), limits, &|_, _, find| find());
         let points = witness::Points {
             derivation,
             stage,

@@ -16,6 +16,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod records;
 pub mod write;
 
 use std::ffi::OsString;

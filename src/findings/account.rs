@@ -7,14 +7,16 @@ use crate::picture::PictureAccount;
 use crate::region::RegionAccount;
 use crate::standing::{Decision, Exception, Finding, Given};
 use crate::variant::{Discrimination, VariantAccount};
+use crate::words::{self, Word};
 use derivation::Claim;
+use serde::{Deserialize, Serialize};
 use units::UnitsAccount;
 use verdict::{Outcome, Strength, Verdict};
 
 use std::collections::HashMap;
 
 /// A trajectory as it was computed.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TrajectoryAccount {
     /// Its id in the derivation file.
     pub id: String,
@@ -23,7 +25,8 @@ pub struct TrajectoryAccount {
     /// First and last time.
     pub span: (f64, f64),
     /// `integrated`, `formula` or `derived`.
-    pub source: &'static str,
+    #[serde(deserialize_with = "words::source")]
+    pub source: Word,
     /// Parameters and initial values: LaTeX name, values in order of components.
     pub given: Vec<(String, Vec<f64>)>,
     /// Steps of the integrator, 0 for closed formulas.
@@ -35,7 +38,7 @@ pub struct TrajectoryAccount {
 }
 
 /// A measured quantity on one trajectory: one entry for each time at which it was taken.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Measurement {
     /// Id of the measure.
     pub measure: String,
@@ -48,14 +51,15 @@ pub struct Measurement {
 }
 
 /// One claim on one trajectory.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PairAccount {
     /// Id of the trajectory.
     pub trajectory: String,
     /// The verdict.
     pub verdict: Verdict,
     /// The word that the derivation file expects, if it expects one.
-    pub expected: Option<&'static str>,
+    #[serde(deserialize_with = "words::expected")]
+    pub expected: Option<Word>,
     /// How many altered formulas the same evidence rejects, where the claim holds.
     pub discrimination: Option<Discrimination>,
 }
@@ -119,6 +123,11 @@ pub fn by_trajectory(claims: &[ClaimAccount]) -> HashMap<&str, Vec<(usize, usize
 }
 
 impl ClaimAccount {
+    /// What was found on a trajectory.
+    pub fn on(&self, trajectory: &str) -> Option<&PairAccount> {
+        self.results.iter().find(|pair| pair.trajectory == trajectory)
+    }
+
     /// Every verdict on the claim: those on trajectories and families, or the one over its ranges.
     pub fn verdicts(&self) -> impl Iterator<Item = Judged<'_>> {
         let pairs = self.results.iter().map(|p| Judged {
@@ -146,7 +155,7 @@ impl ClaimAccount {
 }
 
 /// Which assumptions of a claim its proof uses.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct AssumptionsUsed {
     /// Without these it fails, or leaves something out.
     pub used: Vec<String>,
@@ -155,7 +164,7 @@ pub struct AssumptionsUsed {
 }
 
 /// A claim as a step of the derivation: whether it holds for every value of every symbol, given what it follows from.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct IdentityAccount {
     /// What was decided, and of what: only `Finding::weigh` makes one.
     pub finding: Finding,
@@ -283,7 +292,7 @@ impl IdentityAccount {
 }
 
 /// One claim, or one reading of it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ClaimAccount {
     /// Id of the claim.
     pub id: String,
@@ -314,7 +323,7 @@ pub struct ClaimAccount {
 }
 
 /// Everything that was found for one derivation file.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Account {
     /// The trajectories, in the order of the file.
     pub trajectories: Vec<TrajectoryAccount>,
@@ -325,6 +334,7 @@ pub struct Account {
     /// What was measured over families, family by family.
     pub distributions: Vec<MeasureAccount>,
     /// Whether the formulas are consistent in their units.
+    #[serde(skip)]
     pub units: UnitsAccount,
     /// Pictures, in the order of the file: for each, those of the trajectories.
     pub pictures: Vec<PictureAccount>,

@@ -1,7 +1,9 @@
 //! What is said of conditions.
 
+use serde::{Deserialize, Serialize};
+
 /// A condition as a reader sees it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ConditionName {
     /// Its id in the derivation file; `None` for one that is built from the symbols.
     pub id: Option<String>,
@@ -14,7 +16,7 @@ pub struct ConditionName {
 }
 
 /// How several conditions are put together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Join {
     /// All of them.
     And,
@@ -47,7 +49,7 @@ impl Join {
 }
 
 /// One condition, or several together, met exactly where a claim holds.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Explanation {
     /// The conditions.
     pub conditions: Vec<ConditionName>,
@@ -56,7 +58,7 @@ pub struct Explanation {
 }
 
 /// Another explanation, as good on the trajectories to which the claim applies.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Rival {
     /// The explanation.
     pub explanation: Explanation,
@@ -65,7 +67,7 @@ pub struct Rival {
 }
 
 /// What separates the trajectories on which a claim holds from those on which it fails.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Separation {
     /// Where it holds.
     pub holds: Vec<String>,
@@ -90,7 +92,7 @@ pub struct Separation {
 }
 
 /// Whether a claim needs an assumption, as far as the trajectories show.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Need {
     /// Without it the claim fails on some trajectory.
     Needed,
@@ -115,7 +117,7 @@ impl Need {
 }
 
 /// One assumption of a claim.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct AssumptionAccount {
     /// As written.
     pub text: String,
@@ -126,7 +128,7 @@ pub struct AssumptionAccount {
 }
 
 /// What was found of the conditions of a claim.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ConditionsAccount {
     /// Where the claim holds on some trajectories and fails on others.
     pub separation: Option<Separation>,

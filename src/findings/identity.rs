@@ -1,9 +1,10 @@
 //! What the decision on an equation for all values rests on: random tests, certificates, a point that refutes.
 
 use proof::Certificate;
+use serde::{Deserialize, Serialize};
 
 /// What the verdict on an identity rests on.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct IdentityEvidence {
     /// The random test, where it proved.
     pub trials: Option<Trials>,
@@ -14,13 +15,13 @@ pub struct IdentityEvidence {
     /// The point that refutes, where there is one.
     pub counterexample: Option<Counterexample>,
     /// For formulas with ±: which sign it holds for.
-    pub branch: Option<&'static str>,
+    pub branch: Option<String>,
     /// What is given cannot hold together.
     pub contradiction: bool,
 }
 
 /// The random test: how much was tried, and what bounds the probability of an error.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trials {
     /// Independent trials, each with a prime and points of its own.
     pub count: usize,
@@ -37,7 +38,7 @@ pub struct Trials {
 }
 
 /// A point at which everything given holds, and an equation does not.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Counterexample {
     /// Number of the equation.
     pub equation: usize,
@@ -48,7 +49,7 @@ pub struct Counterexample {
 }
 
 /// A point at which everything given holds, and the sides of an equation there.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Place {
     /// The left side: a rational number where it is one, otherwise decimals.
     pub left: String,

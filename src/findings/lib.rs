@@ -21,6 +21,7 @@ pub mod sample;
 mod single_motion;
 pub mod standing;
 mod variant;
+mod words;
 
 pub use account::{
     Account, AssumptionsUsed, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary,

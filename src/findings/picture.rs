@@ -1,7 +1,9 @@
 //! Pictures of motions: lines in the plane of the drawing.
 
+use serde::{Deserialize, Serialize};
+
 /// What a line of a picture is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum LineKind {
     /// A quantity that is shown, by its position; for curves and spheres the motion itself.
     Shown(usize),
@@ -18,7 +20,7 @@ pub enum LineKind {
 }
 
 /// A line in the plane of the drawing.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Line {
     /// What it is.
     pub kind: LineKind,
@@ -27,7 +29,7 @@ pub struct Line {
 }
 
 /// One picture of one motion.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PictureAccount {
     /// Id of the picture.
     pub picture: String,

@@ -1,5 +1,7 @@
 //! What was found for a claim over ranges.
 
+use crate::words::{self, Word};
+use serde::{Deserialize, Serialize};
 use verdict::Verdict;
 
 /// Squares along each side of a board.
@@ -7,7 +9,7 @@ pub const SQUARES: usize = 24;
 /// Arrows along each side of a board.
 pub const ARROWS: usize = 12;
 /// What is known of a claim on a cell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Part {
     /// It holds at every point.
     Proved,
@@ -22,7 +24,7 @@ pub enum Part {
 }
 
 /// A symbol with its range or value.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RangeAccount {
     /// Name, in LaTeX.
     pub name: String,
@@ -36,7 +38,7 @@ pub struct RangeAccount {
 }
 
 /// Parts of the volume; they add up to 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Shares {
     /// The claim holds wherever it applies.
     pub proved: f64,
@@ -49,7 +51,7 @@ pub struct Shares {
 }
 
 /// A point at which a claim over ranges fails.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RegionWitness {
     /// Names and values of the ranges.
     pub values: Vec<(String, f64)>,
@@ -62,19 +64,20 @@ pub struct RegionWitness {
 }
 
 /// A solution: each unknown with what encloses it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SolutionAccount {
     /// Name, lower and upper end.
     pub values: Vec<(String, f64, f64)>,
 }
 
 /// One claim over ranges.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RegionAccount {
     /// The verdict.
     pub verdict: Verdict,
     /// The word that the derivation file expects, if it expects one.
-    pub expected: Option<&'static str>,
+    #[serde(deserialize_with = "words::expected")]
+    pub expected: Option<Word>,
     /// The ranges, in the order of the file; those that vary, then single values.
     pub ranges: Vec<RangeAccount>,
     /// How many of them vary.
@@ -119,7 +122,7 @@ impl RegionWitness {
 }
 
 /// Squares of the board that are known in the same way, as a rectangle: column and row from the lower left, width, height.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Patch {
     /// What is known.
     pub part: Part,
@@ -134,7 +137,7 @@ pub struct Patch {
 }
 
 /// The picture.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct RegionMap {
     /// Positions among the ranges that vary: across, up.
     pub axes: (usize, usize),
@@ -145,7 +148,7 @@ pub struct RegionMap {
 }
 
 /// What is drawn, row by row from below; `None` where there is no value.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Drawn {
     /// A number for each of [`SQUARES`]² squares.
     Shades(Vec<Option<f64>>),
@@ -154,7 +157,7 @@ pub enum Drawn {
 }
 
 /// One picture.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Portrait {
     /// What is drawn, in LaTeX.
     pub shows: String,

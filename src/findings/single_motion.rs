@@ -80,7 +80,7 @@ impl Account {
             of: 0,
         };
         for claim in &self.claims {
-            let Some(pair) = claim.results.iter().find(|p| p.trajectory == trajectory) else { continue };
+            let Some(pair) = claim.on(trajectory) else { continue };
             out.tried += 1;
             match pair.verdict.outcome() {
                 Outcome::NotApplicable(_) => out.not_applicable += 1,

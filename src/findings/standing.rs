@@ -14,12 +14,14 @@
 //! and `Finding::of_signs`, which take what decides. Whether all that a proof follows from is proved itself is seen in the graph of the
 //! derivation, see `conditional`.
 
+use crate::words::{self, Word};
 use expr::{Expr, Graph, Rational};
 use proof::{Condition, Identity, Reason, order};
+use serde::{Deserialize, Serialize};
 use verdict::Witness;
 
 /// What was decided of a step, taken by itself.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Decision {
     /// For all values.
     Proved,
@@ -54,7 +56,7 @@ impl Decision {
 }
 
 /// What a proof does not reach.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Exception {
     /// That this vanishes.
     Vanishes(Expr),
@@ -67,7 +69,7 @@ pub enum Exception {
 }
 
 /// Why a proof is none after all.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Void {
     /// A formula has no value under what is given.
     NoValue,
@@ -80,7 +82,7 @@ pub enum Void {
 }
 
 /// The decision on a step, and what it rests on.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
     decision: Decision,
     exceptions: Vec<Exception>,
@@ -189,12 +191,13 @@ pub fn is_empty(identity: &Identity) -> bool {
 }
 
 /// Something that a proof is given, and that is not proved itself.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Given {
     /// Name of the claim.
     pub name: String,
     /// What its own step came to; `None` where it is no question for all values, or was not asked.
-    pub standing: Option<&'static str>,
+    #[serde(deserialize_with = "words::standing")]
+    pub standing: Option<Word>,
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! What the reports are told about variants.
 
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
 use crate::account::{Account, ClaimAccount};
@@ -8,7 +9,7 @@ use crate::account::{Account, ClaimAccount};
 pub const SEED: u64 = 0x0DD5;
 
 /// Kinds of slips.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum EditClass {
     /// The sign of a term, of an argument or of a side; ± for one of its signs.
     Sign,
@@ -86,7 +87,7 @@ impl EditClass {
 }
 
 /// How many of the variants of a claim one motion rejects.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Discrimination {
     /// Variants that would not hold there: violated at some time, or without a value at every time.
     pub rejected: usize,
@@ -112,7 +113,7 @@ impl Discrimination {
 pub const WEAK: f64 = 0.75;
 
 /// What became of the edits of one class.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ClassCount {
     /// The class.
     pub class: EditClass,
@@ -131,13 +132,14 @@ pub struct ClassCount {
 }
 
 /// A variant that some motion does not tell from the claim.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Survivor {
     /// What was altered.
     pub class: EditClass,
     /// The formula as the file has it.
     pub printed: String,
-    /// Its place in the file; none for a definition that stands for a name.
+    /// Its place in the file; none for a definition that stands for a name, nor in an account that was kept: the file may have moved it.
+    #[serde(skip)]
     pub place: Option<Range<usize>>,
     /// The altered formula.
     pub formula: String,
@@ -146,7 +148,7 @@ pub struct Survivor {
 }
 
 /// A formula that holds where the printed one does not.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Correction {
     /// The formula as printed.
     pub printed: String,
@@ -163,7 +165,7 @@ pub struct Correction {
 }
 
 /// What a claim should have said, as far as one or two edits reach.
-#[derive(Clone, Debug, PartialEq, Default)]
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct Erratum {
     /// Corrections, the closest to the print first.
     pub corrections: Vec<Correction>,
@@ -174,7 +176,7 @@ pub struct Erratum {
 }
 
 /// The variants of a claim.
-#[derive(Clone, Debug, PartialEq, Default)]
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct VariantAccount {
     /// Counts, by class; classes without any edit are left out.
     pub classes: Vec<ClassCount>,

@@ -286,6 +286,11 @@ impl Scope {
         self.by_symbol(symbol).map(|e| e.role)
     }
 
+    /// Whether it is something that motions have values of: a state or an observable.
+    pub fn moves(&self, leaf: &Leaf) -> bool {
+        matches!(self.role(leaf.symbol), Some(Role::State | Role::Observable))
+    }
+
     /// The meaning of the formula that a symbol was declared with.
     pub fn definition(&self, symbol: Symbol) -> Option<&Tensor> {
         self.by_symbol(symbol).and_then(|e| e.definition.as_ref())

@@ -13,9 +13,10 @@
 
 use super::outcome::{Premises, Reason};
 use expr::{Expr, Graph};
+use serde::{Deserialize, Serialize};
 
 /// A certificate for one equation. Polynomials are written as in Python.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Certificate {
     /// Number of the equation among those tested.
     pub equation: usize,
@@ -43,7 +44,7 @@ pub struct Certificate {
 }
 
 /// A claim as a reader's program has it: texts in the notation of Python, see `written`.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Program {
     /// Names of everything that a number can be put in for.
     pub names: Vec<String>,
@@ -60,7 +61,7 @@ pub struct Program {
 }
 
 /// A relation with its cofactor.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Cofactor {
     /// Where the relation comes from, in LaTeX, and what kind of relation it is.
     pub meaning: (Origin, String),
@@ -71,7 +72,7 @@ pub struct Cofactor {
 }
 
 /// Where a relation of a certificate comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Origin {
     /// An equation that is given, definitions inserted.
     Premise,

@@ -69,7 +69,7 @@ pub fn answer(
         };
         (reach(pointwise, &evidence), evidence)
     };
-    evidence.branch = words;
+    evidence.branch = words.map(str::to_owned);
     Ok((identity, evidence))
 }
 

@@ -13,7 +13,7 @@ use crate::expr::domain::Sign;
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, FastMap, Graph, Leaf, Rational, Symbol};
 use crate::findings::{ClaimAccount, by_trajectory};
-use crate::latex::{RelationKind, Role, Scope};
+use crate::latex::{RelationKind, Scope};
 use crate::number::Bounded;
 use crate::verdict::{Obstacle, Outcome, Possible, Proof, Strength, Verdict, Witness};
 use claim::comparison::{Comparison, Group, may_leap};
@@ -25,13 +25,16 @@ use proof::{Along, Apart, InTime, Memory, Refuted, along};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
+/// Finds the verdict on a claim on a motion, after this one, or recalls it.
+pub type Recall<'a> = &'a (dyn Fn(usize, (&Claim, &Verdict), &mut dyn FnMut() -> Verdict) -> Verdict + Sync);
+
 /// Settles what can be settled; `tried` are the motions of the results. What a limit of the run is reached before stays as it is.
 pub fn settle(
     derivation: &Derivation,
     claims: &mut [ClaimAccount],
-    claimed: &[usize],
-    tried: &[usize],
+    (claimed, tried): (&[usize], &[usize]),
     limits: &Limits,
+    recall: Recall,
 ) {
     let results = by_trajectory(claims);
     let column = |&t: &usize| -> Vec<(usize, usize, Verdict)> {
@@ -52,18 +55,21 @@ pub fn settle(
             if limits.reached().is_some() {
                 break;
             }
-            let mut verdict = found.clone();
             let (claim, motion) = (&derivation.claims[claimed[k]], &derivation.trajectories[t]);
-            if let Some(setting) = &mut setting {
-                setting.claim(claim, motion, &mut verdict);
-            }
-            // What no change of sign shows may be so at the start, exactly.
-            if matches!(verdict.outcome(), Outcome::Undecided)
-                && let Some(start) = start.get_or_insert_with(|| Setting::at_start(derivation, t))
-            {
-                start.at_once(claim, motion, &mut verdict);
-            }
-            out.push((k, at, verdict));
+            let mut compute = || {
+                let mut verdict = found.clone();
+                if let Some(setting) = &mut setting {
+                    setting.claim(claim, motion, &mut verdict);
+                }
+                // What no change of sign shows may be so at the start, exactly.
+                if matches!(verdict.outcome(), Outcome::Undecided)
+                    && let Some(start) = start.get_or_insert_with(|| Setting::at_start(derivation, t))
+                {
+                    start.at_once(claim, motion, &mut verdict);
+                }
+                verdict
+            };
+            out.push((k, at, recall(t, (claim, found), &mut compute)));
         }
         out
     };
@@ -297,7 +303,7 @@ impl<'a> Setting<'a> {
     /// The derivative by time of a formula of states and observables.
     fn derived(&mut self, e: Expr) -> Option<Expr> {
         let scope = &self.derivation.scope;
-        let moves = |l: Leaf| matches!(scope.role(l.symbol), Some(Role::State | Role::Observable));
+        let moves = |l: Leaf| scope.moves(&l);
         let slope = self.graph.time_derivative(e, self.time, moves).ok()?;
         Some(self.graph.rate_of(e, slope, |_| true))
     }

@@ -421,7 +421,7 @@ impl<'a> Step<'a> {
     fn joins_times(&self, gathered: &Gathered, equations: &Pairs) -> bool {
         let sides = |p: &Pairs| p.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>();
         let scope = &self.claim.scope;
-        let moves = |l: &Leaf| matches!(scope.role(l.symbol), Some(Role::State | Role::Observable));
+        let moves = |l: &Leaf| scope.moves(l);
         let said = self.graph.leaves_within(sides(equations));
         let now = said.iter().any(|l| moves(l) && l.instant.is_none());
         let elsewhere = said.iter().any(|l| l.instant.is_some() || Some(*l) == scope.time());
@@ -438,7 +438,7 @@ impl<'a> Step<'a> {
         let sides = |p: &Pairs| p.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>();
         let leaves = self.graph.leaves_within(sides(equations).into_iter().chain(sides(&premises.equations)));
         let scope = &self.claim.scope;
-        let moves = |l: &Leaf| matches!(scope.role(l.symbol), Some(Role::State | Role::Observable));
+        let moves = |l: &Leaf| scope.moves(l);
         // Without a present value nothing is connected.
         let now = self.graph.leaves_within(sides(equations)).iter().any(|l| moves(l) && l.instant.is_none());
         let then: Vec<Leaf> = leaves.into_iter().filter(|l| moves(l) && l.instant.is_some()).collect();

@@ -17,7 +17,7 @@ pub(super) fn letters(account: &Account) -> Option<String> {
     if rows.is_empty() {
         return None;
     }
-    let cell = |claim: &ClaimAccount, id: &str| match claim.results.iter().find(|r| r.trajectory == id) {
+    let cell = |claim: &ClaimAccount, id: &str| match claim.on(id) {
         None => ' ',
         Some(pair) if pair.is_unexpected() => '!',
         Some(pair) if discrimination::is_weak(pair) => 'h',

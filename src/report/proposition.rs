@@ -33,7 +33,7 @@ pub fn proposition_text(
                 _ => format!("Holds for all values of the symbols{where_true} and both sides have a value."),
             };
             out.push_str(&paragraph(&words, 2));
-            if let Some(branch) = evidence.branch {
+            if let Some(branch) = &evidence.branch {
                 out.push_str(&paragraph(&format!("± holds {branch}."), 2));
             }
             if let Some(reason) = &account.reason {

@@ -179,7 +179,7 @@ fn matrix(account: &Account, paint: Paint) -> String {
 }
 
 fn cell(claim: &ClaimAccount, trajectory: &str, paint: Paint) -> String {
-    match claim.results.iter().find(|r| r.trajectory == trajectory) {
+    match claim.on(trajectory) {
         None => "  ".to_owned(),
         Some(pair) => {
             let outcome = pair.verdict.outcome();

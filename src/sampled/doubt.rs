@@ -12,7 +12,6 @@ use crate::events::Events;
 use crate::expr::{Expr, Leaf};
 use crate::flow::{Incomplete, Zeros};
 use crate::judged::{Judged, Tried};
-use crate::latex::Role;
 use crate::number::NoValue;
 use crate::stretches;
 use crate::stretches::BESIDE;
@@ -164,7 +163,7 @@ pub(super) fn open_events(trial: &Trial, events: &Events, counts: impl Fn(&Incom
 /// A time in the span at which a state leaps, or may, that an event names.
 fn leap_of_the_motion(trial: &Trial) -> Option<f64> {
     let Trial { graph, claim, program, course, .. } = *trial;
-    let moves = |l: &Leaf| matches!(claim.scope.role(l.symbol), Some(Role::State | Role::Observable));
+    let moves = |l: &Leaf| claim.scope.moves(l);
     if !course.motion.leaps() || !graph.leaves(program.at).iter().any(moves) {
         return None;
     }
@@ -217,8 +216,7 @@ pub(super) fn unless_unresolved(trial: &Trial, part: &Part, finding: Finding) ->
     if known(&finding) != Possible::TRUE || !gaps.iter().any(|gap| inside(&gap)) {
         return finding;
     }
-    let moves =
-        |l: &Leaf| l.instant.is_none() && matches!(claim.scope.role(l.symbol), Some(Role::State | Role::Observable));
+    let moves = |l: &Leaf| l.instant.is_none() && claim.scope.moves(l);
     let asserted = part.group.asserted
         && graph.leaves(part.group.comparisons.iter().flat_map(|c| [c.left, c.right])).iter().any(moves);
     let open = |gap: &&Incomplete| match gap {

@@ -9,6 +9,7 @@
 //! part, a false conjunction as one witness, a negation as what it negates. Two rigorous findings that exclude each other are
 //! a defect of the program; the claim then has no verdict. A rigorous finding stands against a sampled one.
 
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 use super::evidence::{Evidence, Obstacle, Proof, Residuals, Witness};
@@ -16,7 +17,7 @@ use super::proposition::Proposition;
 use super::truth::{Possible, Truth};
 
 /// How strong the evidence is; ordered, weakest first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Strength {
     /// At finitely many times, residual against its error bound; what lies between was searched.
     Sampled,
@@ -32,7 +33,7 @@ impl Strength {
 }
 
 /// What was found for one claim on one trajectory.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Outcome {
     /// The claim holds, with this strength.
     Holds(Strength),
@@ -81,7 +82,7 @@ impl Outcome {
 }
 
 /// What methods found of one part of a claim: what each strength leaves possible, and the evidence for it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
     sampled: Possible,
     enclosed: Possible,
@@ -141,13 +142,39 @@ impl Finding {
 const MANY: usize = 64;
 
 /// The verdict of one claim (in one reading) on one trajectory, or over its ranges.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Kept")]
 pub struct Verdict {
     claim: Proposition,
     findings: Vec<Finding>,
     outcome: Outcome,
     evidence: Evidence,
     defect: Option<String>,
+}
+
+/// A verdict that was kept: what it was decided from, and what was decided.
+#[derive(Deserialize)]
+struct Kept {
+    claim: Proposition,
+    findings: Vec<Finding>,
+    outcome: Outcome,
+    evidence: Evidence,
+    defect: Option<String>,
+}
+
+impl TryFrom<Kept> for Verdict {
+    type Error = &'static str;
+
+    /// Decides again: what was kept must say the same.
+    fn try_from(kept: Kept) -> Result<Verdict, Self::Error> {
+        let Kept { claim, findings, outcome, evidence, defect } = kept;
+        let again = Verdict::decide(claim, findings);
+        let same = if defect.is_some() { Outcome::Undecided } else { again.outcome };
+        if same != outcome || again.defect.is_some() && defect.is_none() {
+            return Err("a verdict that does not follow from its evidence");
+        }
+        Ok(Verdict { outcome, evidence, defect, ..again })
+    }
 }
 
 impl Verdict {
@@ -521,5 +548,29 @@ mod tests {
         verdict.enclose(0, Possible::TRUE, enclosed);
         verdict.withdraw_samples("withdrawn");
         assert_eq!(verdict.outcome(), Outcome::Holds(Strength::Enclosed));
+    }
+
+    #[test]
+    fn a_verdict_that_was_kept_is_decided_again() {
+        let two = || Proposition::And(vec![Proposition::Atom(0), Proposition::Atom(1)]);
+        let mut contradicted = Verdict::of(held());
+        contradicted.contradict("two routes differ".to_owned());
+        for verdict in [
+            Verdict::of(held()),
+            Verdict::of(failed()),
+            Verdict::of(Finding::open("unknown")),
+            Verdict::decide(two(), vec![held(), failed()]),
+            contradicted,
+        ] {
+            let kept = serde_json::to_value(&verdict).expect("it is written");
+            assert_eq!(serde_json::from_value::<Verdict>(kept.clone()).expect("it is read"), verdict);
+            for other in [Outcome::Holds(Strength::Proved), Outcome::Fails(Strength::Enclosed), Outcome::Undecided] {
+                let mut forged = kept.clone();
+                forged["outcome"] = serde_json::to_value(other).expect("it is written");
+                let read = serde_json::from_value::<Verdict>(forged);
+                assert_eq!(read.is_ok(), other == verdict.outcome(), "{other:?} for {:?}", verdict.outcome());
+            }
+        }
+        assert!(serde_json::from_str::<Possible>("0").is_err() && serde_json::from_str::<Possible>("8").is_err());
     }
 }

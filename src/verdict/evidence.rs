@@ -3,10 +3,11 @@
 //! **In:** numbers that a method computed. **Out:** [`Evidence`] with its parts. Nothing is judged here; a report makes words
 //! of it, and a reader can compute it again.
 
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// The worst point of a comparison: where |left − right| is largest in units of what it is compared with.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Residual {
     /// |left − right| at that point.
     pub max: f64,
@@ -24,7 +25,7 @@ impl Residual {
 }
 
 /// A point that a reader can check by hand.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Witness {
     /// The time.
     pub t: f64,
@@ -48,7 +49,7 @@ impl Witness {
 }
 
 /// A stretch of time that was left out, and why.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Exclusion {
     /// First excluded sample.
     pub from: f64,
@@ -59,7 +60,7 @@ pub struct Exclusion {
 }
 
 /// What an enclosure found on all stretches of a span.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Enclosed {
     /// How many stretches were looked at, or events.
     pub places: usize,
@@ -71,7 +72,7 @@ pub struct Enclosed {
 }
 
 /// Where an enclosure is too wide to decide.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Obstacle {
     /// First time; that of an event is known no better.
     pub from: f64,
@@ -82,7 +83,7 @@ pub struct Obstacle {
 }
 
 /// A proof for all values, as far as a verdict needs to know it.
-#[derive(Clone, Debug, PartialEq, Default)]
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct Proof {
     /// What it follows from.
     pub from: Vec<String>,
@@ -91,7 +92,7 @@ pub struct Proof {
 }
 
 /// One comparison at some of its sample times, increasing.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Residuals {
     /// The formula that is compared, with its component: the one in which the worst point lies.
     pub formula: String,
@@ -106,7 +107,7 @@ pub struct Residuals {
 }
 
 /// A comparison at one time.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ResidualPoint {
     /// The time.
     pub t: f64,
@@ -123,7 +124,7 @@ pub struct ResidualPoint {
 }
 
 /// By how much the logarithm of a quantity rises from one member of a family to another.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Rise {
     /// How far the logarithm of what varies runs.
     pub run: f64,
@@ -134,7 +135,7 @@ pub struct Rise {
 }
 
 /// What a verdict rests on.
-#[derive(Clone, Debug, PartialEq, Default)]
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct Evidence {
     /// Number of times at which the claim was compared.
     pub samples: usize,

@@ -8,9 +8,10 @@
 //! its parts, each of which speaks of all times that count).
 
 use super::truth::Possible;
+use serde::{Deserialize, Serialize};
 
 /// How many of the instances: every one, or some one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Quantifier {
     /// Every instance that is not void; void if all are.
     Every,
@@ -39,7 +40,7 @@ impl Quantifier {
 }
 
 /// What is said, of atoms that are known by their numbers.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Proposition {
     /// The atom with this number.
     Atom(usize),

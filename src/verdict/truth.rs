@@ -11,6 +11,7 @@
 //! change it. What is void is not counted by quantifiers: "E = … always" speaks of the times at which E means something.
 //! `given` is de Finetti's conditional: where the condition is not true, nothing was said. See `docs/semantics.md`.
 
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// What a proposition is at a point.
@@ -38,7 +39,8 @@ impl Truth {
 }
 
 /// The values that are not excluded: a set of [`Truth`]s with at least one member.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(try_from = "u8", into = "u8")]
 pub struct Possible(u8);
 
 impl Possible {
@@ -148,6 +150,20 @@ impl Possible {
     #[must_use]
     pub const fn some(self, other: Possible) -> Possible {
         self.not().every(other.not()).not()
+    }
+}
+
+impl From<Possible> for u8 {
+    fn from(set: Possible) -> u8 {
+        set.0
+    }
+}
+
+impl TryFrom<u8> for Possible {
+    type Error = &'static str;
+
+    fn try_from(bits: u8) -> Result<Possible, Self::Error> {
+        if (1..8).contains(&bits) { Ok(Possible(bits)) } else { Err("no set of truths") }
     }
 }
 

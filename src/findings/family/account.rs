@@ -6,10 +6,12 @@ use super::slope::SlopeAccount;
 use super::tally::Counts;
 use crate::account::Measurement;
 use crate::conditions::Explanation;
+use crate::words::{self, Word};
+use serde::{Deserialize, Serialize};
 use verdict::{Outcome, Verdict};
 
 /// A member that a reader wants to see.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MemberAccount {
     /// Its number, the first of which is 1.
     pub number: u64,
@@ -22,7 +24,7 @@ pub struct MemberAccount {
 }
 
 /// An upper bound for the share of members that fail.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FailingShare {
     /// At most so many of all members that could be drawn, and to which the claim applies, fail.
     pub at_most: f64,
@@ -35,7 +37,7 @@ pub struct FailingShare {
 }
 
 /// A fresh member on which a condition says something else than what is so.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Exception {
     /// What varies, in LaTeX, with its values.
     pub values: Vec<(String, f64)>,
@@ -46,7 +48,7 @@ pub struct Exception {
 }
 
 /// What separates the members on which a claim holds from those on which it fails.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FamilySeparation {
     /// The simplest condition that was found; `None` where none of those that were tried separates them.
     pub explanation: Option<Explanation>,
@@ -63,7 +65,7 @@ pub struct FamilySeparation {
 }
 
 /// One claim on one family.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FamilyAccount {
     /// Id of the family.
     pub family: String,
@@ -72,7 +74,8 @@ pub struct FamilyAccount {
     /// The verdict on all members together, at most *sampled*.
     pub verdict: Verdict,
     /// The word that the derivation file expects, if it expects one.
-    pub expected: Option<&'static str>,
+    #[serde(deserialize_with = "words::expected")]
+    pub expected: Option<Word>,
     /// How many members there are to be, before constraints.
     pub size: u64,
     /// On how many members it holds, fails, does not apply, is undecided.
@@ -110,7 +113,7 @@ impl FamilyAccount {
 }
 
 /// A member with a value of a measure.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ExtremeAccount {
     /// Its number.
     pub number: u64,
@@ -123,7 +126,7 @@ pub struct ExtremeAccount {
 }
 
 /// One measure over one family.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MeasureAccount {
     /// Id of the measure.
     pub measure: String,

@@ -11,6 +11,7 @@
 //! **Why bins of this kind** (G. Tene's HdrHistogram; Masson, Rim, Lee, DDSketch, VLDB 2019): the first bits of a binary64 number are
 //! its bin, so no logarithm is computed, and every machine has the same edges.
 
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
@@ -23,7 +24,7 @@ const LEFT_OUT: u32 = 45;
 pub const SHARES: [f64; 5] = [0.05, 0.25, 0.5, 0.75, 0.95];
 
 /// How the values of a measure are distributed over members.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Distribution {
     /// On how many members it was taken.
     pub members: u64,

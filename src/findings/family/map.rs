@@ -1,7 +1,9 @@
 //! The map of a family: where, over two of the symbols that vary, a claim holds and where it fails.
 
+use serde::{Deserialize, Serialize};
+
 /// One of the two symbols of a map.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Axis {
     /// Its name, in LaTeX.
     pub name: String,
@@ -11,7 +13,7 @@ pub struct Axis {
 }
 
 /// Two members of a map, next to one another along one axis, between which the verdict changes.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Crossing {
     /// Along which axis they lie: 0 to the right, 1 upwards.
     pub along: usize,
@@ -26,7 +28,7 @@ pub struct Crossing {
 }
 
 /// The edge of where a claim holds on a map.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Boundary {
     /// How near the two ends of a crossing shall be, to the right and upwards.
     pub widths: [Option<f64>; 2],
@@ -39,7 +41,7 @@ pub struct Boundary {
 }
 
 /// A map, with what was found.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FamilyMap {
     /// What changes to the right.
     pub across: Axis,

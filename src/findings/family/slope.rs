@@ -9,6 +9,7 @@
 //! **Why differences:** members that differ in something else as well lie on lines of one slope and of different heights. The
 //! heights cancel in differences (econometrics calls this the first-difference estimator), so none of them need be known.
 
+use serde::{Deserialize, Serialize};
 use verdict::Rise;
 
 /// Logarithms are counted in units of 2⁻³²: those of binary64 then have 42 bits, products 84, and sums of 10⁹ of these 114.
@@ -28,7 +29,7 @@ pub struct Slopes {
 }
 
 /// What is said of a scaling law over a whole family.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SlopeAccount {
     /// How many pairs of members.
     pub pairs: u64,
@@ -55,7 +56,7 @@ pub struct SlopeAccount {
 }
 
 /// Pairs of members that begin in one cell of what varies.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SlopeCell {
     /// What varies, in the middle of it.
     pub value: f64,

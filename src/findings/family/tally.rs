@@ -7,13 +7,14 @@
 //! numbers alone, of which the smallest or the largest are kept; the number of a member determines it, so that its values and
 //! its verdict are found again where they are wanted. It takes the same memory for any number of members.
 
+use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
 
 use super::slope::Slopes;
 use verdict::{Outcome, Verdict};
 
 /// A member, and by how much it tells.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ranked {
     /// Its number.
     pub number: u64,
@@ -22,7 +23,7 @@ pub struct Ranked {
 }
 
 /// How many members there are of each kind.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Counts {
     /// How many members were tried.
     pub members: u64,

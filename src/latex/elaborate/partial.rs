@@ -303,7 +303,7 @@ impl Elaborator<'_> {
         let at = self.graph.coordinate(by);
         let leaves = self.graph.leaves_within(t.components.iter().copied());
         let named = leaves.iter().any(|l| *l == by || at.is_some_and(|at| self.graph.depends(l.symbol, at)));
-        let moves = |l: &Leaf| matches!(self.scope.role(l.symbol), Some(Role::State | Role::Observable));
+        let moves = |l: &Leaf| self.scope.moves(l);
         let own = |l: &Leaf| self.graph.place(l.symbol).map(|p| p.field);
         if !named && leaves.iter().filter_map(own).any(|field| at.is_some_and(|at| self.graph.depends(field, at))) {
             let message = "is this the derivative at a place, or that of a value?";
@@ -370,7 +370,7 @@ impl Elaborator<'_> {
         let curved = space.iter().any(|(_, h)| *h != one);
         let value = self.tensor(of)?;
         for leaf in self.graph.leaves_within(value.components.iter().copied()) {
-            if matches!(self.scope.role(leaf.symbol), Some(Role::State | Role::Observable)) {
+            if self.scope.moves(&leaf) {
                 let message = format!("`{}` is no field: it does not depend on a place", self.graph.leaf_latex(leaf));
                 return refuse("latex::derivative", message, &of.span, "declare it as a field of its coordinates");
             }

@@ -227,9 +227,7 @@ impl<'a> Elaborator<'a> {
             return refuse("latex::instant", "a time with ±", span, "write the two times");
         }
         let scope = self.scope;
-        let moving = |leaf: &Leaf| {
-            leaf.instant.is_none() && matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable))
-        };
+        let moving = |leaf: &Leaf| leaf.instant.is_none() && scope.moves(leaf);
         let fixed = |graph: &mut Graph, leaf: Leaf| {
             if Some(leaf) == time {
                 return Some(instant);

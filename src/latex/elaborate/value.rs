@@ -641,7 +641,7 @@ impl Elaborator<'_> {
         self.names_no_argument(&t, span)?;
         self.is_total(&t, self.graph.coordinate(time), span)?;
         let scope = self.scope;
-        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        let moves = |leaf: Leaf| scope.moves(&leaf);
         self.derived(t, span, |this, e| this.graph.time_derivative(e, time, moves))
     }
 }

@@ -7,7 +7,6 @@ use super::gather::{Definitions, Gathered};
 use super::{Pairs, Step, has_exceptions, without_exceptions};
 use crate::derivation::Form;
 use crate::expr::{Expr, Leaf, Node, Op};
-use crate::latex::Role;
 use proof::{Condition, Identity, Options, Reason};
 
 /// Most exceptions of a proof that are looked at by themselves.
@@ -43,9 +42,7 @@ impl Step<'_> {
             if leaves.iter().any(|l| scope.role(l.symbol).is_none()) {
                 continue;
             }
-            let moves = leaves
-                .iter()
-                .any(|l| l.instant.is_none() && matches!(scope.role(l.symbol), Some(Role::State | Role::Observable)));
+            let moves = leaves.iter().any(|l| l.instant.is_none() && scope.moves(l));
             if moves && leaps {
                 continue;
             }
@@ -102,7 +99,7 @@ impl Step<'_> {
         let integral = self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_)));
         let (true, Some(time)) = (moved || integral, self.claim.scope.time()) else { return Vec::new() };
         let scope = &self.claim.scope;
-        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        let moves = |leaf: Leaf| scope.moves(&leaf);
         let mut out = self.leaps(equations);
         let (proved_at, settled) = (self.proved_at, self.settled.take());
         out.retain(|&e| {

@@ -60,7 +60,7 @@ impl Step<'_> {
     /// The rate of a first integral as an equation `… = 0`.
     fn constancy(&mut self, scope: &Scope, e: Expr) -> Option<(Expr, Expr)> {
         let time = scope.time()?;
-        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        let moves = |leaf: Leaf| scope.moves(&leaf);
         let rate = self.graph.time_derivative(e, time, moves).ok()?;
         Some((rate, self.graph.integer(0)))
     }
@@ -381,7 +381,7 @@ impl Step<'_> {
         let bare = self.tells_turns(roots, node);
         let scope = &self.claim.scope;
         let (true, Some(time)) = (bare, scope.time()) else { return Continued::No };
-        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        let moves = |leaf: Leaf| scope.moves(&leaf);
         match self.graph.time_derivative(e, time, moves) {
             Ok(rate) => Continued::Rate(self.graph.continued(e, rate)),
             Err(_) => Continued::Unknown,

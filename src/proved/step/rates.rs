@@ -7,7 +7,6 @@
 use super::gather::Gathered;
 use super::{Pairs, Step};
 use crate::expr::{Expr, Leaf, Node, Op};
-use crate::latex::Role;
 use claim::comparison::at_instant;
 use proof::Identity;
 
@@ -43,7 +42,7 @@ impl Step<'_> {
             let exponent = self.graph.reachable([l, r]).into_iter().find_map(|e| match *self.graph.node(e) {
                 Node::Unary(Op::Exp, exponent) => {
                     let leaves = self.graph.leaves([exponent]);
-                    let moves = |leaf: &Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+                    let moves = |leaf: &Leaf| scope.moves(leaf);
                     let in_time = leaves.contains(&time) && leaves.iter().all(|l| l.instant.is_some() || !moves(l));
                     in_time.then_some(exponent)
                 }
@@ -73,7 +72,7 @@ impl Step<'_> {
         let of_premises = self.graph.leaves_within(given);
         let start = leaves.iter().chain(&of_premises).find_map(|l| l.instant)?;
         let scope = &self.claim.scope;
-        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        let moves = |leaf: Leaf| scope.moves(&leaf);
         let mut all = Pairs::new();
         for &(l, r) in equations {
             let then = [l, r].map(|e| at_instant(&mut self.graph, scope, e, start));

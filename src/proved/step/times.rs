@@ -8,7 +8,6 @@
 use super::gather::Gathered;
 use super::{Definitions, Pairs, Step};
 use crate::expr::{Expr, Leaf};
-use crate::latex::Role;
 use proof::{Identity, Options, Premises, Wanted, identity_test_after};
 
 /// What is known of the fixed times.
@@ -19,10 +18,6 @@ pub(super) struct Times {
 }
 
 impl Step<'_> {
-    fn moving(&self, leaf: &Leaf) -> bool {
-        matches!(self.claim.scope.role(leaf.symbol), Some(Role::State | Role::Observable))
-    }
-
     fn instants(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
         let mut out: Vec<Expr> = self.graph.leaves_within(roots).into_iter().filter_map(|l| l.instant).collect();
         out.sort_unstable();
@@ -37,7 +32,7 @@ impl Step<'_> {
         let mut instants = self.instants(roots);
         let mut times = Times::default();
         let about_parameters =
-            |this: &Self, roots: [Expr; 2]| this.graph.leaves_within(roots).iter().all(|l| !this.moving(l));
+            |this: &Self, roots: [Expr; 2]| this.graph.leaves_within(roots).iter().all(|l| !this.claim.scope.moves(l));
         let zero = self.graph.integer(0);
         let keep = |this: &Self, list: &[Expr]| -> Vec<Expr> {
             list.iter().copied().filter(|&e| about_parameters(this, [e, zero])).collect()
@@ -110,7 +105,7 @@ impl Step<'_> {
     pub(super) fn at_present(&mut self, gathered: &mut Gathered, equations: &Pairs) -> Option<Pairs> {
         let time = self.claim.scope.time()?;
         let said: Vec<Leaf> = self.graph.leaves_within(equations.iter().flat_map(|&(l, r)| [l, r]));
-        if said.contains(&time) || said.iter().any(|l| self.moving(l) && l.instant.is_none()) {
+        if said.contains(&time) || said.iter().any(|l| self.claim.scope.moves(l) && l.instant.is_none()) {
             return None;
         }
         let instants = self.instants(equations.iter().flat_map(|&(l, r)| [l, r]));
@@ -140,7 +135,7 @@ impl Step<'_> {
     /// Whether what is given ties anything that moves: else values at different times are free.
     pub(super) fn ties(&self, gathered: &Gathered) -> bool {
         let given = gathered.premises.equations.iter().chain(&gathered.systems);
-        self.graph.leaves_within(given.flat_map(|&(l, r)| [l, r])).iter().any(|l| self.moving(l))
+        self.graph.leaves_within(given.flat_map(|&(l, r)| [l, r])).iter().any(|l| self.claim.scope.moves(l))
     }
 
     /// A refutation by a motion that stands still: all rates are 0, and values at all times are one. `None` if what is given names
@@ -155,7 +150,7 @@ impl Step<'_> {
         premises.only_now.clear();
         let zero = self.graph.integer(0);
         let claim = &self.claim.scope;
-        let moves = |leaf: Leaf| matches!(claim.role(leaf.symbol), Some(Role::State | Role::Observable));
+        let moves = |leaf: Leaf| claim.moves(&leaf);
         let mut put = |e: Expr| {
             self.graph.substitute(e, |graph, leaf| {
                 if !moves(leaf) {

@@ -63,7 +63,7 @@ impl Step<'_> {
         let Identity::Proved(proof) = identity else { return true };
         let sign = self.claim.scope.branch_sign();
         let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-        let free = self.claim.branches_throughout || evidence.branch == Some(EITHER_SIGN);
+        let free = self.claim.branches_throughout || evidence.branch.as_deref() == Some(EITHER_SIGN);
         if free || !self.graph.leaves_within(roots).contains(&sign) {
             return true;
         }

@@ -89,7 +89,7 @@ objects! {
         /// A point at which everything given holds and the claim does not.
         witness: Option<&'a str> = of.witness.as_deref(),
         /// For ±: the sign it holds for.
-        branch: Option<&'static str> = of.evidence.branch,
+        branch: Option<&'a str> = of.evidence.branch.as_deref(),
         /// The random test, where it proved.
         trials: Option<Trials<'a>> = of.evidence.trials.as_ref().map(Trials::of),
         /// The file in `certificates` that proves it exactly.

@@ -30,7 +30,7 @@ objects! {
         /// The random test, where it proved.
         trials: Option<Trials<'a>> = evidence.trials.as_ref().map(Trials::of),
         /// For ±: the sign it holds for.
-        branch: Option<&'static str> = evidence.branch,
+        branch: Option<&'a str> = evidence.branch.as_deref(),
         /// What has to hold for the formulas to have values.
         conditions: &'a [String] = &of.conditions,
         /// What the proof does not reach.

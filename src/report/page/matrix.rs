@@ -115,7 +115,7 @@ fn row(account: &Account, claim: &ClaimAccount) -> Markup {
         tr {
             th scope="row" { a href={ "#" (name(claim)) } { (name(claim)) } }
             @for t in &account.trajectories {
-                @match claim.results.iter().find(|r| r.trajectory == t.id) {
+                @match claim.on(&t.id) {
                     Some(pair) => {
                         td class=(cell(pair)) {
                             (letters(pair)) @if is_marked(pair) { "w" } @if pair.is_unexpected() { "x" }

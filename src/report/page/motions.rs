@@ -147,7 +147,7 @@ fn integrals(derivation: &Derivation, account: &Account, t: &TrajectoryAccount) 
             declared(derivation, c).is_some_and(|d| d.forms.iter().all(|f| f.kind() == FormKind::FirstIntegral))
         })
         .filter_map(|c| {
-            let pair = c.results.iter().find(|r| r.trajectory == t.id)?;
+            let pair = c.on(&t.id)?;
             Some((name(c), pair.verdict.evidence().residual.as_ref()?))
         })
         .collect();

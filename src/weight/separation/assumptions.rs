@@ -59,7 +59,7 @@ pub(super) fn without_one(derivation: &Derivation, claimed: &[usize]) -> Vec<Dro
 
 /// What the verdicts without an assumption say of it.
 pub(super) fn need(whole: &ClaimAccount, without: &[PairAccount], text: &str) -> AssumptionAccount {
-    let before = |trajectory: &str| whole.results.iter().find(|p| p.trajectory == trajectory).map(|p| &p.verdict);
+    let before = |trajectory: &str| whole.on(trajectory).map(|p| &p.verdict);
     let (mut fails, mut holds, mut open) = (Vec::new(), Vec::new(), Vec::new());
     for pair in without {
         let name = pair.trajectory.clone();

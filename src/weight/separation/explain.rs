@@ -63,7 +63,7 @@ pub(super) fn separation(
     judged: &[(&Candidate, &Truth)],
     tried: usize,
 ) -> Separation {
-    let outcome = |id: &String| claim.results.iter().find(|p| p.trajectory == *id).map(|p| p.verdict.outcome());
+    let outcome = |id: &String| claim.on(id).map(|p| p.verdict.outcome());
     let stands: Vec<Option<bool>> = ids.iter().map(|id| outcome(id)?.truth()).collect();
     let named = |want: bool| -> Vec<String> {
         ids.iter().zip(&stands).filter(|(_, s)| **s == Some(want)).map(|(id, _)| id.clone()).collect()

@@ -1,0 +1,92 @@
+//! What a check found, kept for a later process.
+//!
+//! **In:** a derivation, what is asked of it, and where an earlier check may have left its record. **Out:** the account, and a record for
+//! later ones.
+//!
+//! Where the file says what it said, the account is the one that was kept, with the words of today. Where it says something else, it is
+//! checked, and every answer that is known by its content is recalled ([`Found`]), as [`Cache`](super::Cache) does it within one process:
+//! proofs with the assumptions that they need, what was counted on families, verdicts on motions, what was enclosed. Motions are made again.
+//!
+//! **Guaranteed:** the account is the one that [`check()`](super::check()) would give, but for places in the text of the file. Verdicts that are read back are decided again from
+//! their evidence. Bytes that are no record are ignored. Whether they are those that this program wrote is for whoever keeps them to know:
+//! evidence is believed.
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use super::cache::{contents, describe};
+use super::memory::{Contents, Found, Known, Memory};
+use super::{check, check_recalling};
+use crate::derivation::Derivation;
+use claim::error::CheckError;
+use claim::options::Options;
+use findings::Account;
+
+/// Where records are kept: a folder, a database, nothing. One that is lost, or cannot be written, costs time and nothing else.
+pub trait Store: Sync {
+    /// The record with this name, if it is there and is what was written.
+    fn read(&self, name: &str) -> Option<Vec<u8>>;
+
+    /// Keeps a record in place of what has the name.
+    fn write(&self, name: &str, record: &[u8]);
+}
+
+/// The record that has the account of a file.
+const ACCOUNT: &str = "account";
+/// The record that has the answers to all questions.
+const ANSWERS: &str = "answers";
+
+/// The name of a record of a file, by its id and by what is asked: of one file many may be kept.
+fn name(derivation: &Derivation, options: &Options, of: &str) -> String {
+    let mut sum = Sha256::new();
+    for part in [env!("CARGO_PKG_VERSION"), of, &derivation.id, &format!("{:?} {}", options.rigor, options.plain)] {
+        sum.update((part.len() as u64).to_le_bytes());
+        sum.update(part);
+    }
+    sum.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// What is kept of one file.
+#[derive(Serialize, Deserialize)]
+struct Record {
+    contents: Contents,
+    account: Account,
+}
+
+/// [`check()`](super::check()), with what was kept of an earlier check of the whole file. What is found is kept, unless a limit of the run was
+/// reached.
+///
+/// # Errors
+/// Those of [`check()`](super::check()).
+pub fn check_recorded(
+    derivation: &Derivation,
+    options: &Options,
+    store: &dyn Store,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Account, CheckError> {
+    let whole = options.claims.is_empty() && options.trajectories.is_empty();
+    let Some(contents) = contents(derivation).filter(|_| whole) else {
+        return check(derivation, options, progress);
+    };
+    let name = |of: &str| name(derivation, options, of);
+    let kept = |of: &str| store.read(&name(of));
+    let record: Option<Record> = kept(ACCOUNT).and_then(|bytes| postcard::from_bytes(&bytes).ok());
+    if let Some(Record { mut account, .. }) = record.filter(|record| record.contents == contents) {
+        describe(derivation, &mut account);
+        return Ok(account);
+    }
+    let found: Option<Found> = kept(ANSWERS).and_then(|bytes| postcard::from_bytes(&bytes).ok());
+    let memory = Memory::of(found.unwrap_or_default());
+    let mut account = check_recalling(derivation, options, Known::new(&memory, &contents), None, progress)?;
+    describe(derivation, &mut account);
+    if options.limits.reached().is_some() {
+        return Ok(account);
+    }
+    let record = Record { contents, account };
+    for (of, bytes) in [(ACCOUNT, postcard::to_allocvec(&record)), (ANSWERS, postcard::to_allocvec(&memory.found()))] {
+        if let Ok(bytes) = bytes {
+            store.write(&name(of), &bytes);
+        }
+    }
+    Ok(record.account)
+}

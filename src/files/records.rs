@@ -1,0 +1,181 @@
+//! A folder in which a program keeps what it need not compute again.
+//!
+//! **In:** names and bytes. **Out:** the bytes, if they are those that this very program wrote under that name.
+//!
+//! **Guaranteed:** every record begins with the SHA-256 sum of the program, of the name and of all that follows. What another version
+//! wrote, what is damaged, half written or renamed has another sum, and is taken for nothing. A record takes its name by one rename, so
+//! that runs side by side leave one or the other. A folder that cannot be read or written is an empty one: what is kept saves time, and
+//! changes nothing else. Of many records the oldest are removed.
+
+use std::fs::{self, File, Metadata};
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+use std::time::SystemTime;
+
+use sha2::{Digest, Sha256};
+
+use super::write::write_file;
+
+/// The ending of the name of a record.
+const ENDING: &str = "record";
+/// The largest record that is read, in bytes.
+const LARGEST: u64 = 1 << 30;
+/// The records of a folder have so many bytes together.
+const MOST: u64 = 1 << 30;
+/// Length of a sum.
+const SUM: usize = 32;
+
+/// The folder, with the program whose records they are.
+#[derive(Clone, Debug)]
+pub struct Records {
+    folder: PathBuf,
+    program: PathBuf,
+    /// The sum of the program, once it was needed.
+    of_program: OnceLock<Option<[u8; SUM]>>,
+}
+
+impl Records {
+    /// A folder, which need not exist, and the file of the program.
+    pub fn new(folder: PathBuf, program: PathBuf) -> Records {
+        Records { folder, program, of_program: OnceLock::new() }
+    }
+
+    /// The folder for such things on this system, for a program with this name, by the variables of its environment: that of the
+    /// user. `None` where there is none.
+    pub fn usual_folder(program: &str) -> Option<PathBuf> {
+        let of = |name: &str| std::env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
+        let folder = if cfg!(windows) {
+            of("LOCALAPPDATA")
+        } else if cfg!(target_os = "macos") {
+            of("HOME").map(|home| home.join("Library").join("Caches"))
+        } else {
+            of("XDG_CACHE_HOME").or_else(|| of("HOME").map(|home| home.join(".cache")))
+        };
+        folder.map(|folder| folder.join(program))
+    }
+
+    /// The record with a name, of letters and digits.
+    pub fn read(&self, name: &str) -> Option<Vec<u8>> {
+        let path = self.path(name)?;
+        let mut bytes = super::read(&path, LARGEST).ok()?;
+        let rest = bytes.get(SUM..)?;
+        if bytes[..SUM] != self.sum(name, rest)? {
+            return None;
+        }
+        bytes.drain(..SUM);
+        // So that what is used is not the oldest.
+        let _ = File::options().append(true).open(&path).and_then(|file| file.set_modified(SystemTime::now()));
+        Some(bytes)
+    }
+
+    /// Keeps a record. That it cannot be kept is no error.
+    pub fn write(&self, name: &str, record: &[u8]) {
+        let (Some(path), Some(sum)) = (self.path(name), self.sum(name, record)) else { return };
+        let bytes = [&sum, record].concat();
+        if fs::create_dir_all(&self.folder).is_ok() && write_file(&path, &bytes).is_ok() {
+            self.sweep(&path);
+        }
+    }
+
+    fn path(&self, name: &str) -> Option<PathBuf> {
+        let is_plain = !name.is_empty() && name.bytes().all(|byte| byte.is_ascii_alphanumeric());
+        is_plain.then(|| self.folder.join(format!("{name}.{ENDING}")))
+    }
+
+    /// `None` where the program cannot be read.
+    fn sum(&self, name: &str, record: &[u8]) -> Option<[u8; SUM]> {
+        let of_program = || {
+            let mut sum = Sha256::new();
+            std::io::copy(&mut File::open(&self.program).ok()?, &mut sum).ok()?;
+            Some(sum.finalize().into())
+        };
+        let mut sum = Sha256::new();
+        sum.update((*self.of_program.get_or_init(of_program))?);
+        sum.update((name.len() as u64).to_le_bytes());
+        sum.update(name);
+        sum.update(record);
+        Some(sum.finalize().into())
+    }
+
+    /// Removes the oldest records but one, where all are too large together.
+    fn sweep(&self, newest: &Path) {
+        let Ok(entries) = fs::read_dir(&self.folder) else { return };
+        let record = |path: PathBuf| -> Option<(SystemTime, u64, PathBuf)> {
+            let is_record = path.extension().is_some_and(|ending| ending == ENDING);
+            let found: Metadata = fs::symlink_metadata(&path).ok().filter(|m| is_record && m.is_file())?;
+            Some((found.modified().ok()?, found.len(), path))
+        };
+        let mut all: Vec<_> = entries.filter_map(|entry| record(entry.ok()?.path())).collect();
+        all.sort();
+        let mut size: u64 = all.iter().map(|(_, size, _)| size).sum();
+        for (_, of, path) in all {
+            if size <= MOST {
+                return;
+            }
+            if path != newest && fs::remove_file(&path).is_ok() {
+                size -= of;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn program(folder: &Path, text: &str) -> PathBuf {
+        let path = folder.join("program");
+        fs::write(&path, text).expect("written");
+        path
+    }
+
+    #[test]
+    fn what_was_written_is_read() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let records = Records::new(folder.path().join("a/b"), program(folder.path(), "1"));
+        assert_eq!(records.read("x1"), None);
+        records.write("x1", b"what was found");
+        records.write("x2", b"");
+        assert_eq!(records.read("x1").as_deref(), Some(&b"what was found"[..]));
+        assert_eq!(records.read("x2").as_deref(), Some(&b""[..]));
+        assert_eq!(records.read("../b/x1"), None, "a name is no path");
+    }
+
+    #[test]
+    fn what_is_damaged_or_of_another_program_is_nothing() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let at = folder.path().join("kept");
+        let records = Records::new(at.clone(), program(folder.path(), "1"));
+        records.write("x", b"what was found");
+        let path = at.join("x.record");
+        let whole = fs::read(&path).expect("written");
+        let other = Records::new(at.clone(), program(folder.path(), "2"));
+        assert_eq!(other.read("x"), None, "of another program");
+        fs::copy(&path, at.join("y.record")).expect("copied");
+        assert_eq!(records.read("y"), None, "under another name");
+        for (at, bytes) in (0..whole.len()).map(|at| {
+            let mut bytes = whole.clone();
+            bytes[at] ^= 1;
+            (at, bytes)
+        }) {
+            fs::write(&path, &bytes).expect("written");
+            assert_eq!(records.read("x"), None, "byte {at}");
+            fs::write(&path, &whole[..at]).expect("written");
+            assert_eq!(records.read("x"), None, "only {at} bytes");
+        }
+        fs::write(&path, &whole).expect("written");
+        assert!(records.read("x").is_some());
+    }
+
+    #[test]
+    fn where_nothing_can_be_kept_nothing_is() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = program(folder.path(), "1");
+        let records = Records::new(file.join("no-folder"), file.clone());
+        records.write("x", b"found");
+        assert_eq!(records.read("x"), None);
+        let records = Records::new(folder.path().to_owned(), folder.path().join("missing"));
+        records.write("x", b"found");
+        assert_eq!(records.read("x"), None, "a program that cannot be named");
+    }
+}

@@ -1,0 +1,191 @@
+//! What a check leaves for the next process: it changes how long that takes, and nothing else.
+
+use std::collections::HashMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::Mutex;
+
+use rederive::check::{Cancel, Limits, Rigor, Store};
+use rederive::{Ask, Failure, Session};
+
+/// Records in memory, and how often one was read and written.
+#[derive(Default)]
+struct Memory {
+    records: Mutex<HashMap<String, Vec<u8>>>,
+    counts: Mutex<(usize, usize)>,
+}
+
+impl Store for Memory {
+    fn read(&self, name: &str) -> Option<Vec<u8>> {
+        let found = self.records.lock().expect("a map").get(name).cloned();
+        self.counts.lock().expect("counts").0 += usize::from(found.is_some());
+        found
+    }
+
+    fn write(&self, name: &str, record: &[u8]) {
+        self.counts.lock().expect("counts").1 += 1;
+        self.records.lock().expect("a map").insert(name.to_owned(), record.to_vec());
+    }
+}
+
+impl Memory {
+    /// How often a record was read and written since this was asked.
+    fn counted(&self) -> (usize, usize) {
+        std::mem::take(&mut self.counts.lock().expect("counts"))
+    }
+}
+
+fn derivation(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("derivations").join(name);
+    fs::read_to_string(path).expect("it is there")
+}
+
+fn open(name: &str, text: &str) -> Session {
+    Session::open(name, text).unwrap_or_else(|found| panic!("{}", rederive::diag::render(&found, false)))
+}
+
+/// Checks with the records, and compares with a check that knows nothing; how often records were read and written.
+#[track_caller]
+fn step(store: &Memory, name: &str, text: &str, ask: &Ask) -> (usize, usize) {
+    let session = open(name, text);
+    store.counted();
+    let recalled = session.check_recorded(ask, store, &|_, _| {}).expect("it is checked");
+    let whole = session.check(ask, &|_, _| {}).expect("it is checked");
+    assert!(recalled.json() == whole.json(), "report.json is another one");
+    assert!(recalled.page() == whole.page(), "the page is another one");
+    assert!(recalled.markdown() == whole.markdown(), "report.md is another one");
+    store.counted()
+}
+
+#[test]
+fn edits_of_one_file() {
+    let text = derivation("pendulum.toml");
+    let edits = [
+        // A title and a remark; a formula; an assumption; a motion; a claim that asks for what no other one does.
+        ("The plane pendulum: energy", "A pendulum: energy"),
+        (r"(\cos q-\cos\alpha)", r"(\cos q-2\cos\alpha)"),
+        (r"assuming = ['h<g\ell', '\alpha<1']", r"assuming = ['h<g\ell', '\alpha<0.5']"),
+        ("span = [0, 30]", "span = [0, 29]"),
+        ("[[claim]]", "[[claim]]\nid = \"new\"\nsays = \"New.\"\nalways = ['\\ddot q+\\sin\\ddot q<100']\n\n[[claim]]"),
+    ];
+    let store = Memory::default();
+    let ask = Ask { rigor: Rigor::Enclosed, ..Ask::default() };
+    assert_eq!(step(&store, "pendulum.toml", &text, &ask), (0, 2), "nothing is known");
+    assert_eq!(step(&store, "pendulum.toml", &text, &ask), (1, 0), "all is known");
+    assert_eq!(
+        step(&store, "pendulum.toml", &format!("# A word.\n\n{text}"), &ask),
+        (1, 0),
+        "words alone have changed"
+    );
+    for (old, new) in edits {
+        assert!(text.contains(old), "{old}");
+        step(&store, "pendulum.toml", &text.replacen(old, new, 1), &ask);
+    }
+    assert_eq!(step(&store, "pendulum.toml", &text, &ask).1, 2, "the record was of the last state");
+}
+
+#[test]
+fn what_is_asked_otherwise_is_another_record() {
+    let text = derivation("circuit.toml");
+    let store = Memory::default();
+    for ask in [
+        Ask::default(),
+        Ask { rigor: Rigor::Enclosed, ..Ask::default() },
+        Ask { only_verdicts: true, ..Ask::default() },
+    ] {
+        assert_eq!(step(&store, "circuit.toml", &text, &ask), (0, 2));
+        assert_eq!(step(&store, "circuit.toml", &text, &ask), (1, 0));
+    }
+    assert_eq!(step(&store, "other.toml", &text, &Ask::default()), (0, 2), "another file");
+    let claim = open("circuit.toml", &text).claims()[0].id.clone();
+    let part = Ask { claims: vec![claim], ..Ask::default() };
+    assert_eq!(step(&store, "circuit.toml", &text, &part), (0, 0), "a part is not recorded");
+}
+
+#[test]
+fn what_is_no_record_is_nothing() {
+    let text = derivation("circuit.toml");
+    let store = Memory::default();
+    step(&store, "circuit.toml", &text, &Ask::default());
+    let whole: Vec<(String, Vec<u8>)> = store.records.lock().expect("a map").clone().into_iter().collect();
+    for (name, bytes) in &whole {
+        for damage in [0, 1, bytes.len() / 2, bytes.len() - 1] {
+            let mut cut = bytes.clone();
+            cut.truncate(damage);
+            let mut other = bytes.clone();
+            other[damage] ^= 0x55;
+            for damaged in [cut, other] {
+                store.records.lock().expect("a map").insert(name.clone(), damaged);
+                // Whoever keeps records sees to it that they are whole; that a damaged one is no panic is seen here.
+                let _ = open("circuit.toml", &text).check_recorded(&Ask::default(), &store, &|_, _| {});
+            }
+        }
+        store.records.lock().expect("a map").insert(name.clone(), bytes.clone());
+    }
+    store.records.lock().expect("a map").values_mut().for_each(Vec::clear);
+    assert_eq!(step(&store, "circuit.toml", &text, &Ask::default()).1, 2);
+}
+
+#[test]
+fn what_was_not_finished_is_not_kept() {
+    let text = derivation("circuit.toml");
+    let store = Memory::default();
+    let flag = Cancel::default();
+    flag.raise();
+    let ask = Ask { limits: Limits { cancel: Some(flag), ..Limits::default() }, ..Ask::default() };
+    let found = open("circuit.toml", &text).check_recorded(&ask, &store, &|_, _| {});
+    assert!(matches!(found, Err(Failure::Cancelled)));
+    let late = Limits { deadline: Some(std::time::Instant::now()), ..Limits::default() };
+    let ask = Ask { limits: late, ..Ask::default() };
+    open("circuit.toml", &text).check_recorded(&ask, &store, &|_, _| {}).expect("it ends");
+    assert_eq!(store.counted(), (0, 0));
+}
+
+/// The program, which keeps what it finds in a folder; the names and bytes that are in it then.
+fn run(arguments: &[&str], folder: &Path, variable: Option<&Path>) -> (String, Vec<(PathBuf, Vec<u8>)>) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_rederive"));
+    command.current_dir(env!("CARGO_MANIFEST_DIR")).args(arguments);
+    match variable {
+        Some(path) => command.env("REDERIVE_CACHE", path),
+        None => command.env("REDERIVE_CACHE", ""),
+    };
+    let out = command.output().expect("it runs");
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    let mut records: Vec<(PathBuf, Vec<u8>)> = fs::read_dir(folder)
+        .into_iter()
+        .flatten()
+        .map(|entry| entry.expect("an entry").path())
+        .map(|path| (path.clone(), fs::read(path).expect("a file")))
+        .collect();
+    records.sort();
+    (String::from_utf8_lossy(&out.stdout).into_owned(), records)
+}
+
+#[test]
+fn the_program_keeps_records_where_it_is_told() {
+    let temporary = tempfile::tempdir().expect("a folder");
+    let folder = temporary.path().join("kept");
+    let of = folder.to_str().expect("a plain name");
+    // Long enough to be kept.
+    let check = ["check", "derivations/pendulum.toml", "--no-reports", "--rigor", "sampled", "--only-verdicts"];
+    let (said, records) = run(&check, &folder, None);
+    assert!(records.is_empty(), "an empty variable keeps nothing");
+    let with = [&check[..], &["--cache", of]].concat();
+    let (first, records) = run(&with, &folder, None);
+    assert_eq!((first == said, records.len()), (true, 2));
+    let (again, same) = run(&with, &folder, None);
+    assert!(again == said && same == records);
+    let (by_variable, same) = run(&check, &folder, Some(&folder));
+    assert!(by_variable == said && same == records);
+    // What is damaged is made again.
+    for (path, bytes) in &records {
+        fs::write(path, &bytes[..bytes.len() - 1]).expect("written");
+    }
+    let (mended, same) = run(&with, &folder, None);
+    assert!(mended == said && same == records);
+    fs::remove_dir_all(&folder).expect("it was there");
+    let without = [&check[..], &["--no-cache"]].concat();
+    let (fresh, none) = run(&without, &folder, Some(&folder));
+    assert!(fresh == said && none.is_empty() && !folder.exists());
+}
