@@ -109,7 +109,8 @@ impl<'a> Compiled<'a> {
         let beside = self.probes.asked().map(|(claim, programs)| (claim, programs.iter().collect()));
         let (claims, programs): (Vec<&Claim>, Vec<Vec<&Program>>) = own.chain(beside).unzip();
         let requests = Requests {
-            settled: false,
+            idle: &[],
+            pattern: None,
             part: !run.options.claims.is_empty(),
             wanted: &self.wanted,
             tried: &selection.tried,

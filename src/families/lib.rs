@@ -25,6 +25,7 @@ mod confidence;
 mod draw;
 mod map;
 mod member;
+mod of_file;
 mod separate;
 mod settled;
 mod sweep;
@@ -36,6 +37,6 @@ pub use crate::findings::family::{
     SlopeAccount, SlopeCell, Slopes, Swept, SweptClaim, SweptMeasure, Tally,
 };
 pub use confidence::{CONFIDENCE, failing_share};
+pub use of_file::Families;
 pub use separate::Checker;
 pub use sweep::sweep;
-pub use troupe::Families;

@@ -4,7 +4,8 @@
 //! has every number of it, or there is none: a sweep that a limit ends finds nothing. The limits of a file hold for a part.
 
 use super::budget::{Budget, MOST_MEMBERS};
-use super::troupe::{Families, Troupe, measured};
+use super::of_file::{Families, measured};
+use super::troupe::Troupe;
 use crate::derivation::{Claim, Derivation, Measure};
 use crate::diag::Diagnostic;
 use crate::findings::family::{Part, Row, Swept, SweptClaim, SweptMeasure};

@@ -1,6 +1,6 @@
-//! The families of a derivation, each with the claims that are tried on it: made once, for all members.
+//! A family with the claims that are tried on it: made once, for all members.
 //!
-//! **In:** a derivation as it was read, its families, claims and measures. **Out:** what is counted of each over a run of numbers, members
+//! **In:** a derivation as it was read, a family, its claims and measures. **Out:** what is counted over a run of numbers, members
 //! tried again, and the boundaries on the maps. **Guaranteed:** a member is the trajectory that its text says, alone with these
 //! claims: nothing that another member left behind changes it.
 
@@ -9,183 +9,35 @@ use std::ops::RangeInclusive;
 
 use rayon::prelude::*;
 
-use super::account::{Counted, Otherwise, Spreading};
+use super::account::Otherwise;
 use super::beside::{Beside, compared_with};
 use super::boundary::{self, Found, Width};
 use super::budget::{Budget, MOST_BETWEEN, TOGETHER, WAVE};
 use super::map::Scale;
 use super::member::{Law, MOST_DRAWS, Member, Members};
-use super::separate::{Checker, separations};
 use super::settled::{are_plain, is_settled};
 use crate::derivation::{Claim, Derivation, Form, Measure, NoOther, Spread, Trajectory};
 use crate::diag::Diagnostic;
-use crate::expr::{Leaf, Rational};
-use crate::findings::family::{Boundary, Distribution, Joined, MeasureAccount, Row, Slopes, Sums, Tally};
+use crate::expr::{Leaf, Rational, Symbol};
+use crate::findings::family::{Boundary, Distribution, Row, Slopes, Sums, Tally};
 use crate::findings::{ClaimAccount, Measurement, PairAccount};
 use crate::flow::{Estimation, Motion};
+use crate::latex::RelationKind;
 use crate::verdict::Verdict;
 use claim::error::{CANCELLED, CheckError};
 use claim::limits::Limits;
 use claim::options::Options;
-use claim::program::Program;
+use claim::program::{Part, Program, What};
 use proved::by_formula;
 use sampled::course::Trial;
 use sampled::independence::Gradients;
 use sampled::measure::Compiled;
+use sampled::pattern::Pattern;
 use sampled::prepared::Prepared;
+use sampled::setup::idle_angles;
 use sampled::stage::{Requests, Stage};
 use sampled::systems::Fields;
 use sampled::{measure, same_motion, trial, witness};
-
-/// Whether a claim is tried on a family in this run.
-fn is_chosen(options: &Options, claim: &Claim, id: &str) -> bool {
-    let in_list = |list: &[String], id: &str| list.is_empty() || list.iter().any(|x| x == id);
-    in_list(&options.claims, &claim.id) && in_list(&options.trajectories, id)
-}
-
-/// What is measured on the members of a family in this run. As on trajectories, nothing is where only some claims are asked for.
-pub fn measured<'d>(derivation: &'d Derivation, at: usize, options: &Options) -> Vec<&'d Measure> {
-    let of_family = derivation.measures.iter().filter(|m| m.families.contains(&at));
-    let is_asked = || {
-        let id = &derivation.families[at].id;
-        options.claims.is_empty() && (options.trajectories.is_empty() || options.trajectories.contains(id))
-    };
-    of_family.filter(|_| is_asked()).collect()
-}
-
-/// A derivation whose claims name families, as it was read: what is found of the motions of the file is not in its graph yet.
-pub struct Families {
-    pub derivation: Derivation,
-    pub(crate) members: Vec<Option<Members>>,
-}
-
-impl Families {
-    /// The families of a derivation; `None` where no claim is tried on one.
-    ///
-    /// # Errors
-    /// What is wrong with their numbers; a family without members.
-    pub fn of(derivation: &Derivation, options: &Options) -> Result<Option<Families>, CheckError> {
-        let mut problems = Vec::new();
-        let mut members = Vec::new();
-        for (at, family) in derivation.families.iter().enumerate() {
-            let asked = |c: &Claim| c.families.contains(&at) && is_chosen(options, c, &family.id);
-            if !derivation.claims.iter().any(asked) && measured(derivation, at, options).is_empty() {
-                members.push(None);
-                continue;
-            }
-            match Members::new(derivation, family) {
-                Ok(of) => {
-                    // What is drawn shows at once whether there is anything to draw.
-                    if let Member::TooRare = of.member(1) {
-                        problems.push(too_rare(derivation, &of, 1));
-                    }
-                    members.push(Some(of));
-                }
-                Err(found) => problems.extend(found),
-            }
-        }
-        if !problems.is_empty() {
-            return Err(CheckError::Problems(problems));
-        }
-        let any = members.iter().any(Option::is_some);
-        Ok(any.then(|| Families { derivation: derivation.clone(), members }))
-    }
-
-    /// Tries the claims, and puts what is found into their accounts; returns what is measured. What was counted elsewhere is not tried
-    /// here.
-    ///
-    /// # Errors
-    /// Members that cannot be built, families without members, and defects of the program.
-    pub fn try_all(
-        &self,
-        checker: &dyn Checker,
-        options: &Options,
-        claims: &mut [ClaimAccount],
-        joined: Option<&Joined>,
-        progress: &(dyn Fn(usize, usize) + Sync),
-    ) -> Result<Vec<MeasureAccount>, CheckError> {
-        let mut out = Vec::new();
-        let mut budget = Budget::default();
-        let told = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
-        let all = self.members.iter().flatten().fold(0, |sum: u64, m| sum.saturating_add(m.family.size()));
-        let mut before = 0u64;
-        for (at, members) in self.members.iter().enumerate() {
-            let Some(members) = members else { continue };
-            // Members of all families are counted as one list.
-            let so_far = told(before);
-            let progress = |done: usize, _: usize| progress(so_far.saturating_add(done), told(all));
-            before = before.saturating_add(members.family.size());
-            let derivation = &self.derivation;
-            let position = |a: &ClaimAccount| {
-                let is_it = |c: &&Claim| c.id == a.id && c.reading == a.reading;
-                derivation.claims.iter().find(is_it).filter(|c| c.families.contains(&at))
-            };
-            let of = |a: &ClaimAccount| position(a).filter(|c| is_chosen(options, c, &members.family.id));
-            let (mut asked, mut places) = (Vec::new(), Vec::new());
-            for (place, account) in claims.iter().enumerate() {
-                if let Some(claim) = of(account) {
-                    asked.push(claim);
-                    places.push(place);
-                }
-            }
-            let measures = measured(derivation, at, options);
-            if asked.is_empty() && measures.is_empty() {
-                continue;
-            }
-            let troupe = Troupe::new(derivation, members, &asked, &measures)?;
-            let fits =
-                |j: &&Joined| j.sums.tallies.len() == asked.len() && j.sums.distributions.len() == measures.len();
-            let joined = joined.filter(|j| j.family == at).filter(fits);
-            let (sums, stopped) = match joined {
-                Some(joined) => (joined.sums.clone(), None),
-                None => troupe.try_all(1..=members.family.size(), options, &mut budget, &progress, &mut |_| {})?,
-            };
-            let tallies = &sums.tallies;
-            if sums.is_empty() && stopped.is_none() {
-                return Err(CheckError::Problems(vec![troupe.empty()]));
-            }
-            let scales = members.scales();
-            let boundaries = troupe.boundaries(tallies, scales.as_ref(), options)?;
-            // What was not tried might separate them otherwise.
-            let separations = match stopped {
-                Some(_) => vec![None; asked.len()],
-                None => separations(checker, derivation, members, &asked, tallies, options)?,
-            };
-            let again = troupe.again(sums.kept())?;
-            for (place, (n, (tally, claim))) in places.into_iter().zip(tallies.iter().zip(&asked).enumerate()) {
-                let expected = claim.families.iter().position(|f| *f == at).and_then(|i| claim.expect_of_families[i]);
-                let (size, precision) = (members.family.size(), claim.precision);
-                let law = members.law(claim);
-                // A map of another size is none of this family.
-                let sizes = (scales.as_ref().map_or(0, cells), law.as_ref().map_or(0, |l| l.scale.axis.cells.len()));
-                if (tally.map.len(), tally.slopes.cells.len()) != sizes {
-                    return Err(troupe.otherwise(Otherwise(1), joined.is_some()));
-                }
-                let scales = scales.as_ref();
-                let (stopped, boundary) = (stopped.as_deref(), boundaries[n].as_ref());
-                let separation = separations[n].as_ref();
-                let law = law.as_ref().map(|law| (&law.scale, law.power, law.to));
-                let counted = Counted { size, precision, tally, scales, boundary, stopped, separation, law };
-                let member = |number: u64| {
-                    let one: &One = again.get(&number)?;
-                    Some((one.values.as_deref()?, one.verdicts.get(n)?))
-                };
-                let account = counted.account(derivation, &members.family, expected, &member);
-                claims[place].families.push(account.map_err(|other| troupe.otherwise(other, joined.is_some()))?);
-            }
-            for (n, (measure, distribution)) in measures.iter().zip(&sums.distributions).enumerate() {
-                let of = Spreading { measure, distribution, stopped: stopped.as_deref() };
-                let member = |number: u64| {
-                    let one: &One = again.get(&number)?;
-                    Some((one.values.as_deref()?, one.measured.get(n)?.values.as_slice()))
-                };
-                let account = of.account(derivation, &members.family, &member);
-                out.push(account.map_err(|other| troupe.otherwise(other, joined.is_some()))?);
-            }
-        }
-        Ok(out)
-    }
-}
 
 /// A family with the claims that are tried on it, compiled once for all members.
 pub struct Troupe<'a> {
@@ -205,6 +57,10 @@ pub struct Troupe<'a> {
     beside: Vec<(usize, Beside)>,
     /// How the errors of members are estimated at first.
     estimation: Estimation,
+    /// The angles that members need not be followed for.
+    idle: Vec<Symbol>,
+    /// What members are made after.
+    pattern: Option<Pattern>,
 }
 
 /// Of so many members one has the values along its motion computed on both routes, and so have those that are shown: what is compared
@@ -298,7 +154,8 @@ impl<'a> Troupe<'a> {
         // What is measured is shown with its error.
         let plain = measures.is_empty() && are_plain(&programs);
         let estimation = if plain { Estimation::Steps } else { Estimation::Companions };
-        Ok(Troupe {
+        let idle = idle_angles(&derivation, &[slot], &wanted);
+        let mut troupe = Troupe {
             members,
             derivation,
             fields,
@@ -310,7 +167,15 @@ impl<'a> Troupe<'a> {
             slot,
             beside,
             estimation,
-        })
+            idle,
+            pattern: None,
+        };
+        let mut graph = troupe.derivation.graph.clone();
+        troupe.pattern = troupe.asking(&Limits::default(), |requests| {
+            Pattern::of(&troupe.derivation, &troupe.fields, requests, slot, &mut graph)
+        });
+        troupe.derivation.graph = graph;
+        Ok(troupe)
     }
 
     /// The claims with what is compiled for them.
@@ -510,7 +375,6 @@ impl<'a> Troupe<'a> {
         limits: &Limits,
         shown: bool,
     ) -> Vec<Result<Option<One>, CheckError>> {
-        let slot = self.slot;
         let mut found = Vec::new();
         let mut derivations = Vec::new();
         for (number, member) in members {
@@ -523,28 +387,17 @@ impl<'a> Troupe<'a> {
                 }),
             });
         }
-        let tried: Vec<usize> = (slot..=slot + self.beside.len()).collect();
-        let claims: Vec<&Claim> = self.derivation.claims.iter().collect();
-        let programs: Vec<Vec<&Program>> = self.programs.iter().map(|of| of.iter().collect()).collect();
-        let requests = Requests {
-            settled: true,
-            part: false,
-            wanted: &self.wanted,
-            tried: &tried,
-            claims: &claims,
-            programs: &programs,
-            start_of: &self.start_of,
-            measured: &|derivation, t| measure::searched(&self.measures, derivation, t),
-            limits,
-        };
         let all: Vec<OfMember> = derivations.iter().map(|(derivation, checked)| (derivation, *checked)).collect();
-        let mut on_members = self.on_members(&all, prepared, &requests, self.estimation);
-        let is_unsettled = |one: &Result<Option<OnMember>, CheckError>| matches!(one, Ok(Some(one)) if one.unsettled);
-        let places: Vec<usize> = (0..all.len()).filter(|n| is_unsettled(&on_members[*n])).collect();
-        let again: Vec<OfMember> = places.iter().map(|n| all[*n]).collect();
-        let settled = self.on_members(&again, prepared, &requests, Estimation::Companions);
-        places.into_iter().zip(settled).for_each(|(place, settled)| on_members[place] = settled);
-        let mut on_members = on_members.into_iter();
+        let mut on_members = self.asking(limits, |requests| {
+            let mut on_members = self.on_members(&all, prepared, requests, self.estimation);
+            let unsettled = |one: &Result<Option<OnMember>, CheckError>| matches!(one, Ok(Some(one)) if one.unsettled);
+            let places: Vec<usize> = (0..all.len()).filter(|n| unsettled(&on_members[*n])).collect();
+            let again: Vec<OfMember> = places.iter().map(|n| all[*n]).collect();
+            let settled = self.on_members(&again, prepared, requests, Estimation::Companions);
+            places.into_iter().zip(settled).for_each(|(place, settled)| on_members[place] = settled);
+            on_members
+        });
+        let mut on_members = on_members.drain(..);
         let with_verdicts = |one: Result<Option<One>, CheckError>| {
             let Some(one) = one? else { return Ok(None) };
             let Some(values) = &one.values else { return Ok(Some(one)) };
@@ -553,6 +406,25 @@ impl<'a> Troupe<'a> {
             Ok(found.map(|OnMember { verdicts, measured, steps, .. }| One { verdicts, measured, steps, ..one }))
         };
         found.into_iter().map(with_verdicts).collect()
+    }
+
+    /// Says what is asked of the motions of members.
+    fn asking<T>(&self, limits: &Limits, then: impl FnOnce(&Requests) -> T) -> T {
+        let tried: Vec<usize> = (self.slot..=self.slot + self.beside.len()).collect();
+        let claims: Vec<&Claim> = self.derivation.claims.iter().collect();
+        let programs: Vec<Vec<&Program>> = self.programs.iter().map(|of| of.iter().collect()).collect();
+        then(&Requests {
+            idle: &self.idle,
+            pattern: self.pattern.as_ref(),
+            part: false,
+            wanted: &self.wanted,
+            tried: &tried,
+            claims: &claims,
+            programs: &programs,
+            start_of: &self.start_of,
+            measured: &|derivation, t| measure::searched(&self.measures, derivation, t),
+            limits,
+        })
     }
 
     /// What is found on each of several members; nothing for those that a limit of the run leaves out.
@@ -640,7 +512,8 @@ impl<'a> Troupe<'a> {
         let mut accounts: Vec<ClaimAccount> = Vec::new();
         for of in prepared {
             let Prepared { claim, program, gradients } = &of[0];
-            let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown: true };
+            let shown = checked || !says_equations(program);
+            let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown };
             let mut verdict = trial::try_claim(derivation, &trial, gradients.as_ref());
             if let Some(contradiction) = &contradiction {
                 verdict.contradict(contradiction.clone());
@@ -694,4 +567,11 @@ pub fn too_rare(derivation: &Derivation, members: &Members, number: u64) -> Diag
     );
     Diagnostic::at(&derivation.file, "derivation::bad-family", place, message)
         .hint("draw from narrower ranges: the constraints leave hardly anything of these")
+}
+
+/// Whether what a claim says are equations at times of one motion: of these nothing is counted that is seen in both of their sides along
+/// the motion, which only those who look at a member are shown.
+fn says_equations(program: &Program) -> bool {
+    let of_times = |part: &Part| matches!(part.what, What::Every | What::Constant | What::Value);
+    program.parts.iter().all(of_times) && program.comparisons().all(|c| c.kind == RelationKind::Equal)
 }

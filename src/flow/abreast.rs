@@ -158,7 +158,7 @@ impl<'a, const N: usize> Together<'a, N> {
 
     /// Gives a lane to a walker.
     fn enter(&mut self, lane: usize, walker: &Walker) {
-        self.flow.enter(&mut self.growth, lane, walker.constants());
+        self.flow.enter(&mut self.growth, lane..lane + 1, walker.constants());
     }
 
     /// Grows what all walkers ask for.

@@ -3,8 +3,10 @@
 //! **In:** a field, and what its initial values and coefficients are. **Out:** what [`Trajectory`] integrates from, and the
 //! trajectory. **Guaranteed:** what is integrated together is, bit for bit, what it is alone.
 
+use std::sync::Arc;
+
 use super::abreast::Halt;
-use super::core::{Constant, Core, Orbit};
+use super::core::{Core, Formula, Orbit, Origin};
 use super::definitions::{Definitions, Rates};
 use super::error::{FlowError, leaf_name};
 use super::estimate::Estimation;
@@ -19,23 +21,38 @@ use number::{Bounded, DoubleDouble, Interval, NoValue, Precise};
 /// An integration that is set up.
 #[derive(Debug)]
 pub(super) struct Begun {
-    states: Vec<Leaf>,
-    rates: Vec<Expr>,
-    flow: Flow,
+    field: Arc<Integrand>,
     plan: Plan,
     found: Option<Result<Trajectory, (usize, NoValue)>>,
 }
 
+/// A field in basic leaves, compiled.
+#[derive(Debug)]
+pub(super) struct Integrand {
+    /// Basic leaves of the states, and the rate of each in basic leaves.
+    pub(super) states: Vec<Leaf>,
+    pub(super) rates: Vec<Expr>,
+    /// The constants in the rates.
+    pub(super) used: Vec<Leaf>,
+    pub(super) flow: Flow,
+}
+
 impl Begun {
+    /// An integration that nothing is known of yet.
+    pub(super) fn of(field: Arc<Integrand>, plan: Plan) -> Begun {
+        Begun { field, plan, found: None }
+    }
+
     /// Carries out several integrations, those of one field side by side; `false` if `halt` stopped it.
     pub(super) fn integrate(mut left: Vec<&mut Begun>, estimation: Estimation, halt: Halt) -> bool {
         while let Some(first) = left.pop() {
-            let (mut alike, others): (Vec<_>, Vec<_>) = left.into_iter().partition(|other| other.flow == first.flow);
+            let field = Arc::clone(&first.field);
+            let is_alike = |other: &&mut Begun| Arc::ptr_eq(&other.field, &field) || other.field.flow == field.flow;
+            let (mut alike, others): (Vec<_>, Vec<_>) = left.into_iter().partition(is_alike);
             left = others;
-            let flow = first.flow.clone();
             alike.push(first);
             let plans: Vec<Plan> = alike.iter().map(|begun| begun.plan.clone()).collect();
-            let Some(found) = Trajectory::integrate(&flow, &plans, estimation, halt) else { return false };
+            let Some(found) = Trajectory::integrate(&field.flow, &plans, estimation, halt) else { return false };
             alike.into_iter().zip(found).for_each(|(begun, found)| begun.found = Some(found));
         }
         true
@@ -49,13 +66,13 @@ impl Begun {
         if self.found.is_none() {
             Begun::integrate(vec![&mut self], Estimation::Companions, &|| false);
         }
-        let Begun { states, rates, flow, plan, found } = self;
+        let Begun { field, plan, found } = self;
         // What nothing stops is found.
         let found = found.unwrap_or(Err((0, NoValue::Indeterminate)));
-        let state = |i: usize| flow.names.get(i).cloned().unwrap_or_default();
+        let state = |i: usize| field.flow.names.get(i).cloned().unwrap_or_default();
         let time = plan.initial_time;
         let trajectory = found.map_err(|(i, reason)| FlowError::Singular { state: state(i), time, reason })?;
-        Ok(Orbit { states, rates, flow, constants: plan.constants, trajectory })
+        Ok(Orbit { field, constants: plan.constants, trajectory })
     }
 }
 
@@ -71,8 +88,9 @@ impl Core {
         let Rates { states, rates, constants: found } = self.rates_of(graph, field)?;
         let time = self.time;
         for (leaf, e) in found {
-            let value = self.constant_value(graph, e);
-            self.constants.push(Constant { leaf, value });
+            let formula = Formula::new(graph, e);
+            let value = self.formula_value(&formula);
+            self.note(leaf, value, Origin::Formula(Arc::new(formula)));
         }
         let used: Vec<Leaf> =
             graph.leaves(rates.iter().copied()).into_iter().filter(|l| *l != time && !states.contains(l)).collect();
@@ -85,26 +103,35 @@ impl Core {
                 Err(reason) => return Err(self.singular(graph, field, &rates, *leaf, reason)),
             }
         }
-        let inputs: Vec<Leaf> = [time].into_iter().chain(states.iter().copied()).chain(used).collect();
+        let inputs: Vec<Leaf> = [time].into_iter().chain(states.iter().copied()).chain(used.iter().copied()).collect();
         let tape = Tape::compile(graph, &inputs, &rates)
             .map_err(|leaf| FlowError::UnknownLeaf { leaf: leaf_name(graph, leaf) })?;
         self.determine(graph, field, initial, start)?;
-        let mut values = Vec::new();
-        for &leaf in field.states() {
-            let name = || leaf_name(graph, leaf);
-            let given = initial.iter().find(|(l, _)| *l == leaf);
-            let Some(&(_, e)) = given else { return Err(FlowError::NoInitial { state: name() }) };
-            let e = start::at_start(graph, field, initial, e)?;
-            let resolved = self.resolve(graph, e)?;
-            let value = self.constant_value(graph, resolved);
-            let what = || format!("the initial value of {}", leaf_name(graph, leaf));
-            values.push(value.map_err(|reason| FlowError::Undefined { what: what(), reason })?);
-        }
+        let value = |leaf: &Leaf| self.initial_value(graph, field, initial, *leaf);
+        let values = field.states().iter().map(value).collect::<Result<Vec<Bounded>, FlowError>>()?;
         let names: Vec<String> = field.states().iter().map(|&l| leaf_name(graph, l)).collect();
         let flow = Flow::new(tape, field.states(), names);
         let (begin, most) = (self.initial_time, field.most_steps());
         let plan = Plan { constants, initial_time: begin, state: values, span: self.span, max_steps: most };
-        Ok(Begun { states, rates, flow, plan, found: None })
+        Ok(Begun::of(Arc::new(Integrand { states, rates, used, flow }), plan))
+    }
+
+    /// The value of a state at the initial time.
+    pub(super) fn initial_value(
+        &mut self,
+        graph: &mut Graph,
+        field: &VectorField,
+        initial: &[(Leaf, Expr)],
+        leaf: Leaf,
+    ) -> Result<Bounded, FlowError> {
+        let name = || leaf_name(graph, leaf);
+        let given = initial.iter().find(|(l, _)| *l == leaf);
+        let Some(&(_, e)) = given else { return Err(FlowError::NoInitial { state: name() }) };
+        let e = start::at_start(graph, field, initial, e)?;
+        let resolved = self.resolve(graph, e)?;
+        let value = self.constant_value(graph, resolved);
+        let what = || format!("the initial value of {}", leaf_name(graph, leaf));
+        value.map_err(|reason| FlowError::Undefined { what: what(), reason })
     }
 
     /// Solves for the initial values that equations determine: each becomes a constant.
@@ -126,7 +153,7 @@ impl Core {
         for (leaf, value) in start.solve(graph, value)? {
             let (centre, error) = (value.centre(), value.error());
             let error = (centre.low().abs() + error) * (1.0 + f64::EPSILON);
-            self.constants.push(Constant { leaf, value: Ok(Bounded::new(centre.high(), error)) });
+            self.note(leaf, Ok(Bounded::new(centre.high(), error)), Origin::Given);
         }
         Ok(())
     }

@@ -7,12 +7,12 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::angle::{Angle, AngleBench, AngleBenches};
+use super::begun::Integrand;
 use super::cover::BLOCK;
 use super::definitions::{Definitions, fresh};
 use super::error::{FlowError, leaf_name};
 use super::program::{Program, Turns};
 use super::resolve::Resolution;
-use super::taylor::Flow;
 use super::trajectory::Trajectory;
 use expr::tape::Tape;
 use expr::{Expr, Graph, Leaf};
@@ -23,15 +23,49 @@ use number::{Bounded, NoValue};
 pub(super) struct Constant {
     pub(super) leaf: Leaf,
     pub(super) value: Result<Bounded, NoValue>,
+    /// How it follows from those before it.
+    pub(super) origin: Origin,
+    /// How many angles there were before it.
+    pub(super) angles: usize,
+}
+
+/// How a constant follows from those before it: what another motion of the same formulas has in its place.
+#[derive(Clone, Debug)]
+pub(super) enum Origin {
+    /// It is given.
+    Given,
+    /// It is the value of a formula.
+    Formula(Arc<Formula>),
+    /// It is the value of a definition at a fixed time.
+    At(Arc<Instant>),
+}
+
+/// An expression in constants, and in the initial time.
+#[derive(Clone, Debug)]
+pub(super) struct Formula {
+    /// Nothing where it cannot be compiled: then it has no value.
+    tape: Option<Tape>,
+    leaves: Vec<Leaf>,
+}
+
+/// A definition, and the fixed time at which it is taken.
+#[derive(Debug)]
+pub(super) struct Instant {
+    time: Formula,
+    value: Program,
+}
+
+impl Formula {
+    pub(super) fn new(graph: &Graph, e: Expr) -> Formula {
+        let leaves = graph.leaves([e]);
+        Formula { tape: Tape::compile(graph, &leaves, &[e]).ok(), leaves }
+    }
 }
 
 /// An integrated motion.
 #[derive(Clone, Debug)]
 pub(super) struct Orbit {
-    /// Basic leaves of the states, and the rate of each in basic leaves.
-    pub(super) states: Vec<Leaf>,
-    pub(super) rates: Vec<Expr>,
-    pub(super) flow: Flow,
+    pub(super) field: Arc<Integrand>,
     pub(super) constants: Vec<Bounded>,
     pub(super) trajectory: Trajectory,
 }
@@ -65,7 +99,7 @@ impl Definitions for Core {
     }
 
     fn integrated(&self) -> Option<(&[Leaf], &[Expr])> {
-        self.orbit.as_deref().map(|o| (o.states.as_slice(), o.rates.as_slice()))
+        self.orbit.as_deref().map(|o| (o.field.states.as_slice(), o.field.rates.as_slice()))
     }
 
     fn is_constant(&self, leaf: Leaf) -> bool {
@@ -77,8 +111,9 @@ impl Definitions for Core {
     }
 
     fn at_instant(&mut self, graph: &mut Graph, now: Leaf, instant: Expr) -> Result<Expr, FlowError> {
-        let value = self.value_at(graph, now, instant)?;
-        Ok(self.constant(graph, value))
+        let at = self.at(graph, now, instant)?;
+        let value = self.instant_value(&at);
+        Ok(self.constant(graph, value, Origin::At(Arc::new(at))))
     }
 }
 
@@ -112,56 +147,65 @@ impl Core {
     }
 
     /// A new constant.
-    pub(super) fn constant(&mut self, graph: &mut Graph, value: Result<Bounded, NoValue>) -> Expr {
+    pub(super) fn constant(&mut self, graph: &mut Graph, value: Result<Bounded, NoValue>, origin: Origin) -> Expr {
         let leaf = fresh(graph, "constant");
-        self.constants.push(Constant { leaf, value });
+        self.note(leaf, value, origin);
         graph.leaf(leaf)
+    }
+
+    /// Takes note of a constant.
+    pub(super) fn note(&mut self, leaf: Leaf, value: Result<Bounded, NoValue>, origin: Origin) {
+        self.constants.push(Constant { leaf, value, origin, angles: self.angles.len() });
     }
 
     /// The value of an expression in constants; the time, if it occurs, is the initial time.
     pub(super) fn constant_value(&self, graph: &Graph, e: Expr) -> Result<Bounded, NoValue> {
-        let leaves = graph.leaves([e]);
-        let Ok(tape) = Tape::compile(graph, &leaves, &[e]) else { return Err(NoValue::Unsupported) };
-        let inputs: Vec<_> = leaves
-            .iter()
-            .map(|&leaf| {
-                if leaf == self.time {
-                    return Ok(Bounded::exact(self.initial_time));
-                }
-                let known = self.constants.iter().find(|c| c.leaf == leaf);
-                known.map_or(Err(NoValue::Unsupported), |c| c.value)
-            })
-            .collect();
+        self.formula_value(&Formula::new(graph, e))
+    }
+
+    /// The same of one that is compiled.
+    pub(super) fn formula_value(&self, formula: &Formula) -> Result<Bounded, NoValue> {
+        let Some(tape) = &formula.tape else { return Err(NoValue::Unsupported) };
+        let value = |&leaf: &Leaf| {
+            if leaf == self.time {
+                return Ok(Bounded::exact(self.initial_time));
+            }
+            let known = self.constants.iter().find(|c| c.leaf == leaf);
+            known.map_or(Err(NoValue::Unsupported), |c| c.value)
+        };
+        let inputs: Vec<_> = formula.leaves.iter().map(value).collect();
         let mut slots = tape.slots::<Bounded>(&());
         tape.evaluate(&(), &inputs, &mut slots).pop().unwrap_or(Err(NoValue::Unsupported))
     }
 
-    /// The value of a leaf at its fixed time.
-    fn value_at(&mut self, graph: &mut Graph, now: Leaf, instant: Expr) -> Result<Result<Bounded, NoValue>, FlowError> {
-        let instant = self.resolve(graph, instant)?;
+    /// A leaf at a fixed time.
+    fn at(&mut self, graph: &mut Graph, now: Leaf, instant: Expr) -> Result<Instant, FlowError> {
+        let time = self.resolve(graph, instant)?;
         let value = self.definition(graph, now)?;
-        let time = match self.constant_value(graph, instant) {
-            Ok(time) => time,
-            Err(reason) => return Ok(Err(reason)),
-        };
+        let time = Formula::new(graph, time);
+        Ok(Instant { time, value: self.compile(graph, &[value])? })
+    }
+
+    /// The value of a definition at its fixed time.
+    pub(super) fn instant_value(&self, Instant { time, value: program }: &Instant) -> Result<Bounded, NoValue> {
+        let time = self.formula_value(time)?;
         if self.may_leap(time.value) {
-            return Ok(Err(NoValue::Indeterminate));
+            return Err(NoValue::Indeterminate);
         }
-        let program = self.compile(graph, &[value])?;
-        let turns = self.turns(&program, time.value, &mut Vec::new());
+        let turns = self.turns(program, time.value, &mut Vec::new());
         let coefficient = |order: usize| {
             let mut bench = program.bench::<Bounded>(self, order);
             program.run(self, &mut bench, time.value, &turns);
             program.output(&bench, 0).map(|x| x.coefficient(order))
         };
         if time.error == 0.0 {
-            return Ok(coefficient(0));
+            return coefficient(0);
         }
         // The fixed time itself is rounded.
-        Ok(coefficient(0).and_then(|value| {
+        coefficient(0).and_then(|value| {
             let moved = 2.0 * time.error * coefficient(1)?.magnitude();
             Ok(Bounded { value: value.value, error: value.error + moved })
-        }))
+        })
     }
 
     /// Compiles resolved expressions.

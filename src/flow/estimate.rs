@@ -41,6 +41,9 @@ pub enum Estimation {
 
 /// Differences that are carried along beside each other.
 const LANES: usize = 4;
+/// Branches of which the differences are carried along beside each other: one step of the recurrences costs little more for all.
+const BRANCHES: usize = 4;
+const TOGETHER: usize = BRANCHES * LANES;
 /// Order of the series of neighbours.
 const SHORT: usize = 6;
 /// What the largest of the differences is multiplied with.
@@ -76,85 +79,147 @@ fn mixed(mut x: u64) -> u64 {
 /// The memory of estimates for one field.
 pub(super) struct Estimate<'a> {
     flow: &'a Flow,
-    growth: Growth<LANES>,
+    growth: Growth<TOGETHER>,
     bounded: Slots<BoundedLanes<BLOCK>>,
+    /// The sizes of the states on the step that is looked at.
+    scale: Vec<f64>,
+}
+
+/// A branch on its way: the differences carried along it, so far.
+struct Carried<'b> {
+    plan: &'b Plan,
+    branch: &'b Branch,
+    rounding: Vec<f64>,
+    differences: Vec<Lanes<LANES>>,
+    constants: Vec<Lanes<LANES>>,
+    largest: Vec<f64>,
+    /// What differences are multiplied with, and how often that was chosen.
+    multiple: f64,
+    multiples: usize,
+    /// The errors; nothing where this way does not lead to them.
+    found: Option<Vec<f64>>,
 }
 
 impl<'a> Estimate<'a> {
     /// Memory for a field; nothing where its right sides are not of the kind for which this is done.
     pub(super) fn new(flow: &'a Flow) -> Option<Estimate<'a>> {
         let growth = Growth::new(&flow.recurrences, SHORT);
-        flow.is_plain().then(|| Estimate { flow, growth, bounded: flow.tape.slots(&()) })
+        let scale = vec![0.0; flow.dimension];
+        flow.is_plain().then(|| Estimate { flow, growth, bounded: flow.tape.slots(&()), scale })
     }
 
-    /// The error of every state up to the end of every step, not yet growing.
-    pub(super) fn of(&mut self, plan: &Plan, branch: &Branch) -> Option<Vec<f64>> {
-        let n = self.flow.dimension;
-        let steps = branch.times.len() - 1;
-        let rounding = self.rounding(plan, branch)?;
-        let mut out = vec![0.0; steps * n];
+    /// The error of every state up to the end of every step, not yet growing, of several branches. Each is what it is alone, bit for
+    /// bit: what does not fit side by side comes after it.
+    pub(super) fn of(&mut self, branches: &[(&Plan, &Branch)]) -> Vec<Option<Vec<f64>>> {
+        let mut out = Vec::with_capacity(branches.len());
+        for some in branches.chunks(BRANCHES) {
+            let mut carried: Vec<Carried> = some.iter().map(|of| self.begin(*of)).collect();
+            let steps = some.iter().map(|(_, branch)| branch.times.len() - 1).max().unwrap_or(0);
+            for step in 0..steps {
+                let goes_on = |of: &Carried| of.found.is_some() && step + 1 < of.branch.times.len();
+                for (seat, of) in carried.iter_mut().enumerate().filter(|(_, of)| goes_on(of)) {
+                    self.depart(seat, of, step);
+                }
+                self.growth.grow(&self.flow.recurrences, SHORT);
+                for (seat, of) in carried.iter_mut().enumerate().filter(|(_, of)| goes_on(of)) {
+                    self.arrive(seat, of, step);
+                }
+            }
+            out.extend(carried.into_iter().map(|of| of.found));
+        }
+        out
+    }
+
+    /// The differences at the start of a branch.
+    fn begin<'b>(&mut self, (plan, branch): (&'b Plan, &'b Branch)) -> Carried<'b> {
         let each = |bounds: &[Bounded]| -> Vec<Lanes<LANES>> {
             let of = |(i, x): (usize, &Bounded)| Lanes(std::array::from_fn(|lane| sign(lane, i, 0) * x.error));
             bounds.iter().enumerate().map(of).collect()
         };
-        let (mut differences, constants) = (each(&plan.state), each(&plan.constants));
-        let mut largest: Vec<f64> = differences.iter().map(size).collect();
-        let (mut multiple, mut multiples) = (0.0, 0);
-        let mut scale = vec![0.0; n];
-        let mut sums = vec![Lanes::<LANES>::splat(0.0); n];
-        for step in 0..steps {
-            let h = branch.times[step + 1] - branch.times[step];
-            let series = &branch.coefficients[step * n * (ORDER + 1)..(step + 1) * n * (ORDER + 1)];
-            self.flow.reach(series, h, &mut scale);
-            let farthest = farthest(&differences, &scale).max(farthest_constant(plan));
-            if farthest * multiple > FARTHEST || farthest * multiple < NEAREST || multiple == 0.0 {
-                multiple = power_of_two(AWAY) / power_of_two(exponent(farthest.max(f64::EPSILON * f64::EPSILON)));
-                // An error that is not small is none of a linear equation.
-                if multiple.is_nan() || multiple < 4.0 {
-                    return None;
-                }
-                // Constants that are known exactly are set once.
-                let again = multiples == 0 || plan.constants.iter().any(|c| c.error > 0.0);
-                multiples += 1;
-                for lane in (0..LANES).filter(|_| again) {
-                    let shifted = |(c, by): (&Bounded, &Lanes<LANES>)| c.value + multiple * by.0[lane];
-                    let values: Vec<f64> = plan.constants.iter().zip(&constants).map(shifted).collect();
-                    self.flow.enter(&mut self.growth, lane, &values);
-                }
+        let (differences, constants) = (each(&plan.state), each(&plan.constants));
+        let largest = differences.iter().map(size).collect();
+        let rounding = self.rounding(plan, branch);
+        let found = rounding.is_some().then(|| Vec::with_capacity((branch.times.len() - 1) * self.flow.dimension));
+        let rounding = rounding.unwrap_or_default();
+        Carried { plan, branch, rounding, differences, constants, largest, multiple: 0.0, multiples: 0, found }
+    }
+
+    /// Lets the neighbours of a branch start a step.
+    fn depart(&mut self, seat: usize, of: &mut Carried, step: usize) {
+        let (flow, n) = (self.flow, self.flow.dimension);
+        let Carried { plan, branch, .. } = *of;
+        let h = branch.times[step + 1] - branch.times[step];
+        let series = branch.series(n, step);
+        flow.reach(series, h, &mut self.scale);
+        let farthest = farthest(&of.differences, &self.scale).max(farthest_constant(plan));
+        if farthest * of.multiple > FARTHEST || farthest * of.multiple < NEAREST || of.multiple == 0.0 {
+            of.multiple = power_of_two(AWAY) / power_of_two(exponent(farthest.max(f64::EPSILON * f64::EPSILON)));
+            // An error that is not small is none of a linear equation.
+            if of.multiple.is_nan() || of.multiple < 4.0 {
+                of.found = None;
+                return;
             }
-            *self.growth.start_mut(0) = Lanes::splat(branch.times[step]);
-            let by = Lanes::splat(multiple);
-            for (i, (&x, &difference)) in series[..n].iter().zip(&differences).enumerate() {
-                *self.growth.start_mut(1 + i) = Lanes::splat(x) + difference * by;
-            }
-            self.growth.grow(&self.flow.recurrences, SHORT);
-            sums.fill(Lanes::splat(0.0));
-            let by = Lanes::splat(h);
-            for (i, sum) in sums.iter_mut().enumerate() {
-                let neighbour = self.growth.coefficients(1 + i);
-                for k in (1..=SHORT).rev() {
-                    *sum = (*sum + neighbour[k] - Lanes::splat(series[k * n + i])) * by;
-                }
-            }
-            let by = Lanes::splat(1.0 / multiple);
-            let power = (0..ORDER).fold(1.0, |power, _| power * h);
-            for i in 0..n {
-                let last = (series[ORDER * n + i] * power).abs();
-                let sum = (4.0 * f64::EPSILON * series[n + i]).abs();
-                let rounded = rounding[step * n + i] + branch.defects[step * n + i] + sum;
-                let own = TYPICAL * h.abs() * rounded + last;
-                let signed = Lanes(std::array::from_fn(|lane| sign(lane, i, step) * own));
-                let next = differences[i] + sums[i] * by + signed;
-                differences[i] = next;
-                let found = size(&next);
-                if !found.is_finite() {
-                    return None;
-                }
-                largest[i] = largest[i].max(found);
-                out[step * n + i] = SAFETY * largest[i];
+            self.enter(seat, of);
+            of.multiples += 1;
+        }
+        let first = seat * LANES;
+        let by = Lanes::splat(of.multiple);
+        self.growth.start_mut(0).0[first..first + LANES].fill(branch.times[step]);
+        for (i, (&x, &difference)) in series[..n].iter().zip(&of.differences).enumerate() {
+            let start = Lanes::<LANES>::splat(x) + difference * by;
+            self.growth.start_mut(1 + i).0[first..first + LANES].copy_from_slice(&start.0);
+        }
+    }
+
+    /// Sets the constants of the neighbours of a branch. Those that are known exactly are set once.
+    fn enter(&mut self, seat: usize, of: &Carried) {
+        let exact = of.plan.constants.iter().all(|c| c.error == 0.0);
+        if exact && of.multiples > 0 {
+            return;
+        }
+        for lane in 0..LANES {
+            let shifted = |(c, by): (&Bounded, &Lanes<LANES>)| c.value + of.multiple * by.0[lane];
+            let values: Vec<f64> = of.plan.constants.iter().zip(&of.constants).map(shifted).collect();
+            let lanes =
+                if exact { seat * LANES..(seat + 1) * LANES } else { seat * LANES + lane..seat * LANES + lane + 1 };
+            self.flow.enter(&mut self.growth, lanes, &values);
+            if exact {
+                break;
             }
         }
-        Some(out)
+    }
+
+    /// What the differences are at the end of a step.
+    fn arrive(&mut self, seat: usize, of: &mut Carried, step: usize) {
+        let n = self.flow.dimension;
+        let Carried { branch, ref rounding, ref mut differences, ref mut largest, multiple, ref mut found, .. } = *of;
+        let Some(out) = found else { return };
+        let h = branch.times[step + 1] - branch.times[step];
+        let series = branch.series(n, step);
+        let (along, by) = (Lanes::splat(h), Lanes::splat(1.0 / multiple));
+        let power = (0..ORDER).fold(1.0, |power, _| power * h);
+        let mut finite = true;
+        for (i, (difference, largest)) in differences.iter_mut().zip(largest).enumerate() {
+            let neighbour = self.growth.coefficients(1 + i);
+            let mut moved = Lanes::<LANES>::splat(0.0);
+            for k in (1..=SHORT).rev() {
+                let of_seat = Lanes(std::array::from_fn(|lane| neighbour[k].0[seat * LANES + lane]));
+                moved = (moved + of_seat - Lanes::splat(series[k * n + i])) * along;
+            }
+            let last = (series[ORDER * n + i] * power).abs();
+            let sum = (4.0 * f64::EPSILON * series[n + i]).abs();
+            let rounded = rounding[step * n + i] + branch.defects[step * n + i] + sum;
+            let own = TYPICAL * h.abs() * rounded + last;
+            let signed = Lanes(std::array::from_fn(|lane| sign(lane, i, step) * own));
+            *difference = *difference + moved * by + signed;
+            let now = size(difference);
+            finite &= now.is_finite();
+            *largest = largest.max(now);
+            out.push(SAFETY * *largest);
+        }
+        if !finite {
+            *found = None;
+        }
     }
 
     /// Bounds of the rounding of the rates at the start of every step.

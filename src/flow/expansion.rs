@@ -59,6 +59,11 @@ impl Expansion {
         Expansion { program, degree, places, never }
     }
 
+    /// The same for a motion with other numbers.
+    pub(super) fn again(&self, core: &Core) -> Expansion {
+        Expansion { never: self.program.never_valued(core), ..self.clone() }
+    }
+
     /// The order of the time derivative of every leaf.
     pub(super) fn orders(&self) -> impl Iterator<Item = usize> {
         self.places.iter().map(|p| p.1)

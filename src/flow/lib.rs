@@ -48,6 +48,7 @@ mod resolve;
 mod search;
 mod start;
 mod taylor;
+mod template;
 mod trajectory;
 mod zeros;
 
@@ -61,4 +62,5 @@ pub use motion::{Draft, Motion, Observable, Point, Setup, Source};
 pub use points::{Points, Sample};
 pub use search::Search;
 pub use start::{Guess, Start};
+pub use template::{Given, Template};
 pub use zeros::{Minimum, Zeros};

@@ -8,7 +8,7 @@ use num_dual::Dual64;
 use super::abreast::Halt;
 use super::angle::{Angle, AngleBenches};
 use super::begun::Begun;
-use super::core::Core;
+use super::core::{Core, Origin};
 use super::definitions::{Definitions, fresh};
 use super::error::{FlowError, Problem};
 use super::estimate::Estimation;
@@ -131,6 +131,17 @@ pub struct Draft {
 }
 
 impl Draft {
+    /// What is set up.
+    pub(super) fn of(core: Core, orbit: Begun) -> Draft {
+        Draft { core, states: Vec::new(), observables: Vec::new(), orbit: Some(orbit) }
+    }
+
+    /// With its trajectory, which is integrated, if that was not done; nothing else is done.
+    pub(super) fn integrated(self) -> Result<Core, FlowError> {
+        let orbit = self.orbit.map(Begun::finish).transpose()?.map(Arc::new);
+        Ok(Core { orbit, ..self.core })
+    }
+
     /// Sets a motion up.
     ///
     /// # Errors
@@ -169,7 +180,7 @@ impl Draft {
         for &(leaf, e) in &setup.parameters {
             let resolved = core.resolve(graph, e)?;
             let value = core.constant_value(graph, resolved);
-            let constant = core.constant(graph, value);
+            let constant = core.constant(graph, value, Origin::Given);
             core.definitions.insert(leaf, constant);
         }
         let mut orbit = None;
@@ -236,6 +247,21 @@ impl Draft {
 }
 
 impl Motion {
+    /// The motion with these numbers, prepared as this one is.
+    pub(super) fn again(&self, core: Core) -> Motion {
+        let prepared = self.prepared.as_ref().map(|prepared| {
+            let with_leaves = prepared.core.again(&core);
+            let leaves = prepared.leaves.again(&with_leaves);
+            Prepared {
+                core: with_leaves,
+                leaves,
+                dual: prepared.dual.clone(),
+                dual_places: prepared.dual_places.clone(),
+            }
+        });
+        Motion { core, given: self.given.clone(), prepared, pool: Mutex::default() }
+    }
+
     /// Integrates, or sets up, a motion.
     ///
     /// A parameter without a value is no error; what depends on it has no value either. A trajectory that ends early is
@@ -380,13 +406,15 @@ impl Motion {
     pub fn sample_times(&self, density: usize) -> Vec<f64> {
         let cuts = self.core.boundaries();
         let mut times = Vec::with_capacity(cuts.len() * (density + 1));
+        let share = |k: usize| {
+            let angle = std::f64::consts::PI * (2 * k + 1) as f64 / (2 * density) as f64;
+            0.5 - 0.5 * pxfm::f_cos(angle)
+        };
+        let shares: Vec<f64> = (0..density).map(share).collect();
         for pair in cuts.windows(2) {
             let (a, b) = (pair[0], pair[1]);
             times.push(a);
-            for k in 0..density {
-                let angle = std::f64::consts::PI * (2 * k + 1) as f64 / (2 * density) as f64;
-                times.push(a + (b - a) * (0.5 - 0.5 * pxfm::f_cos(angle)));
-            }
+            times.extend(shares.iter().map(|share| a + (b - a) * share));
         }
         times.extend(cuts.last());
         times.sort_by(f64::total_cmp);
@@ -460,7 +488,7 @@ impl Motion {
     /// Integrates once more over the same span, keeping every polynomial but not estimating errors: for benchmarks.
     #[doc(hidden)]
     pub fn integrate_again(&self) -> usize {
-        self.core.orbit.as_ref().map_or(0, |o| o.trajectory.again(&o.flow, &o.constants))
+        self.core.orbit.as_ref().map_or(0, |o| o.trajectory.again(&o.field.flow, &o.constants))
     }
 
     /// The largest estimated error over the span of every integrated state variable, in the order of the field; empty for
@@ -473,7 +501,7 @@ impl Motion {
     pub fn state(&self, t: f64) -> Vec<Bounded> {
         let Some(orbit) = &self.core.orbit else { return Vec::new() };
         let place = orbit.trajectory.place(t);
-        (0..orbit.states.len()).map(|i| orbit.trajectory.bounded(place, i)).collect()
+        (0..orbit.field.states.len()).map(|i| orbit.trajectory.bounded(place, i)).collect()
     }
 
     /// Times at which an angle of this motion has no value, so that a new branch starts there; ascending.

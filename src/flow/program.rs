@@ -235,7 +235,7 @@ impl Program {
             if leaf == core.time {
                 return Ok(Input::Time);
             }
-            let state = core.orbit.as_ref().and_then(|o| o.states.iter().position(|&l| l == leaf));
+            let state = core.orbit.as_ref().and_then(|o| o.field.states.iter().position(|&l| l == leaf));
             let constant = || core.constants.iter().position(|c| c.leaf == leaf);
             let angle = || core.angles.iter().position(|a| a.turns == leaf);
             state
@@ -245,7 +245,7 @@ impl Program {
                 .ok_or(leaf)
         };
         let inputs: Vec<Input> = leaves.iter().map(input).collect::<Result<_, _>>()?;
-        let dimension = core.orbit.as_ref().map_or(0, |o| o.states.len());
+        let dimension = core.orbit.as_ref().map_or(0, |o| o.field.states.len());
         let needs: Vec<bool> = (0..dimension).map(|i| inputs.contains(&Input::State(i))).collect();
         let moving = needs.contains(&true);
         let tape = Tape::compile(graph, &leaves, roots)?;
@@ -305,9 +305,9 @@ impl Program {
         let orbit = core.orbit.as_deref().filter(|_| self.moving);
         let field = orbit.filter(|_| degree > 0 && !of_steps).map(|o| {
             let constants: Vec<B> = o.constants.iter().map(|&c| B::from_bounded(c)).collect();
-            o.flow.slots(degree, &constants)
+            o.field.flow.slots(degree, &constants)
         });
-        let n = orbit.map_or(0, |o| o.states.len());
+        let n = orbit.map_or(0, |o| o.field.states.len());
         let coefficients = vec![B::ZERO; n * (degree + 1)];
         Bench { degree, field, of_steps, slots, state: vec![B::ZERO; n], coefficients }
     }
@@ -344,7 +344,8 @@ impl Program {
             if !when.is_within(orbit.trajectory.reach()) || bench.state.iter().any(|x| x.checked().is_err()) {
                 missing = Some(NoValue::Indeterminate);
             } else if let Some(field) = &mut bench.field {
-                let grown = orbit.flow.expand(field, bench.degree, when.time(), &bench.state, &mut bench.coefficients);
+                let grown =
+                    orbit.field.flow.expand(field, bench.degree, when.time(), &bench.state, &mut bench.coefficients);
                 missing = grown.err().map(|(_, reason)| reason);
             } else if bench.of_steps {
                 for i in (0..bench.state.len()).filter(|&i| self.needs[i]) {
@@ -452,9 +453,9 @@ impl Program {
         let orbit = core.orbit.as_deref().filter(|_| self.moving);
         let field = orbit.map(|o| {
             let constants: Vec<f64> = o.constants.iter().map(|c| c.value).collect();
-            o.flow.slots(1, &constants)
+            o.field.flow.slots(1, &constants)
         });
-        let n = orbit.map_or(0, |o| o.states.len());
+        let n = orbit.map_or(0, |o| o.field.states.len());
         DualBench { field, slots, state: vec![0.0; n], coefficients: vec![0.0; 2 * n] }
     }
 
@@ -476,7 +477,7 @@ impl Program {
             if !(from <= t && t <= to) {
                 missing = Some(NoValue::Indeterminate);
             } else if let Some(field) = &mut bench.field {
-                let grown = orbit.flow.expand(field, 1, t, &bench.state, &mut bench.coefficients);
+                let grown = orbit.field.flow.expand(field, 1, t, &bench.state, &mut bench.coefficients);
                 missing = grown.err().map(|(_, reason)| reason);
             }
         }

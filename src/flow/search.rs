@@ -23,6 +23,16 @@ pub struct Search {
 }
 
 impl Search {
+    /// What it is searched with.
+    pub(super) fn core(&self) -> &Core {
+        &self.core
+    }
+
+    /// The same search along a motion with other numbers.
+    pub(super) fn again(&self, core: Arc<Core>, span: (f64, f64)) -> Search {
+        Search { core, program: self.program.clone(), span, found: OnceLock::new() }
+    }
+
     /// What is found inside the span; the search is made once.
     pub fn zeros(&self) -> &Zeros {
         self.found.get_or_init(|| zeros(&self.core, &self.program).within(self.span))

@@ -6,6 +6,8 @@
 //! ρ = min over the last two orders of (‖x₀‖/‖xₖ‖)^(1/k), the step ρ·e⁻²·exp(−0.7/(p − 1)) makes the last term about
 //! e⁻²ᵖ of the first.
 
+use std::ops::Range;
+
 use super::kinks::{Edges, Kinks, Series};
 use super::narrow::Narrow;
 use expr::Leaf;
@@ -176,10 +178,10 @@ impl Flow {
         }
     }
 
-    /// Sets the constants of a lane.
-    pub(super) fn enter<const N: usize>(&self, growth: &mut Growth<N>, lane: usize, constants: &[f64]) {
+    /// Sets the constants of lanes.
+    pub(super) fn enter<const N: usize>(&self, growth: &mut Growth<N>, lanes: Range<usize>, constants: &[f64]) {
         for (slot, x) in self.still(constants).into_iter().enumerate() {
-            growth.start_mut(slot).0[lane] = x;
+            growth.start_mut(slot).0[lanes.clone()].fill(x);
         }
     }
 

@@ -75,6 +75,14 @@ pub(super) struct Plan {
     pub(super) max_steps: usize,
 }
 
+/// A branch that was integrated, with the companions beside it; or why there is none.
+type Found<'a> = Result<(Branch, Vec<Ends<'a>>), (usize, NoValue)>;
+
+/// Whether a branch has steps.
+fn moves(found: &Found) -> bool {
+    found.as_ref().is_ok_and(|(whole, _)| whole.times.len() > 1)
+}
+
 /// The numbers without their bounds.
 fn values(of: &[Bounded]) -> Vec<f64> {
     of.iter().map(|x| x.value).collect()
@@ -118,49 +126,60 @@ impl Trajectory {
             return None;
         }
         let mut runs = runs.into_iter().peekable();
-        let mut branch = |plan: &Plan| {
-            let whole = match runs.next() {
-                Some(Run::Whole(whole)) => whole.finish(estimation),
-                Some(Run::Ends(_)) | None => Ok(Branch::default()),
+        let mut branches: Vec<Found> = Vec::new();
+        while let Some(first) = runs.next() {
+            let whole = match first {
+                Run::Whole(whole) => whole.finish(estimation),
+                Run::Ends(_) => Ok(Branch::default()),
             };
-            let checks = std::iter::from_fn(|| match runs.next_if(|run| matches!(run, Run::Ends(_))) {
-                Some(Run::Ends(ends)) => Some(ends),
-                Some(Run::Whole(_)) | None => None,
-            });
-            let mut checks: Vec<Ends> = checks.collect();
-            let mut whole = match whole {
-                Ok(whole) => whole,
-                Err(singular) => return Some(Err(singular)),
-            };
-            if let Some(estimate) = &mut estimate
-                && whole.times.len() > 1
-            {
-                if let Some(errors) = estimate.of(plan, &whole) {
-                    whole.raise(flow.dimension, &errors);
-                    whole.by_steps = true;
-                    return Some(Ok(whole));
-                }
-                let end = whole.times.last().copied().unwrap_or(plan.initial_time);
-                let again = Check::of(plan).iter().map(|check| Run::Ends(Ends::new(flow, plan, *check, end)));
-                let mut again: Vec<Run> = again.collect();
-                if !run(flow, &mut again) {
-                    return None;
-                }
-                checks.extend(again.into_iter().filter_map(|run| match run {
-                    Run::Ends(ends) => Some(ends),
-                    Run::Whole(_) => None,
-                }));
+            let mut companions = Vec::new();
+            while let Some(Run::Ends(ends)) = runs.next_if(|run| matches!(run, Run::Ends(_))) {
+                companions.push(ends);
             }
-            whole.checked(&run, flow, plan, checks).map(Ok)
+            branches.push(whole.map(|whole| (whole, companions)));
+        }
+        // The plan of every branch: that to the end comes first.
+        let of = |n: usize| &plans[n / 2];
+        if let Some(estimate) = &mut estimate {
+            let moved: Vec<usize> = (0..branches.len()).filter(|&n| moves(&branches[n])).collect();
+            let taken: Vec<(&Plan, &Branch)> =
+                moved.iter().filter_map(|&n| branches[n].as_ref().ok().map(|(whole, _)| (of(n), whole))).collect();
+            for (n, errors) in moved.iter().zip(estimate.of(&taken)) {
+                let Ok((whole, companions)) = &mut branches[*n] else { continue };
+                match errors {
+                    Some(errors) => {
+                        whole.raise(flow.dimension, &errors);
+                        whole.by_steps = true;
+                    }
+                    None => {
+                        let (plan, end) = (of(*n), whole.times.last().copied().unwrap_or(of(*n).initial_time));
+                        let again = Check::of(plan).iter().map(|check| Run::Ends(Ends::new(flow, plan, *check, end)));
+                        let mut again: Vec<Run> = again.collect();
+                        if !run(flow, &mut again) {
+                            return None;
+                        }
+                        companions.extend(again.into_iter().filter_map(|run| match run {
+                            Run::Ends(ends) => Some(ends),
+                            Run::Whole(_) => None,
+                        }));
+                    }
+                }
+            }
+        }
+        let checked = |(n, found): (usize, Found)| match found {
+            Ok((whole, _)) if whole.by_steps => Some(Ok(whole)),
+            Ok((whole, companions)) => whole.checked(&run, flow, of(n), companions).map(Ok),
+            Err(singular) => Some(Err(singular)),
         };
-        let trajectory = |plan: &Plan| {
-            let (forward, backward) = (branch(plan)?, branch(plan)?);
+        let mut branches = branches.into_iter().enumerate().map(checked);
+        let mut trajectory = |plan: &Plan| {
+            let (forward, backward) = (branches.next()??, branches.next()??);
             let initial_error = plan.state.iter().map(|x| x.error).collect();
             let (dimension, initial_time) = (flow.dimension, plan.initial_time);
             let whole = |forward, backward| Trajectory { dimension, initial_time, initial_error, forward, backward };
             Some(forward.and_then(|forward| Ok(whole(forward, backward?))))
         };
-        plans.iter().map(trajectory).collect()
+        plans.iter().map(&mut trajectory).collect()
     }
 
     /// One more integration over the forward part, without companions: number of steps.
@@ -230,19 +249,28 @@ impl Trajectory {
     /// another time.
     pub(super) fn values<const N: usize>(&self, places: &[Place; N], state: usize) -> [f64; N] {
         let n = self.dimension;
-        let mut steps: [(&[f64], f64); N] = [(&[], f64::NAN); N];
-        for (step, place) in steps.iter_mut().zip(places) {
-            *step = self.branch(place.backward).polynomial(n, place.step, state);
-        }
         let since = places.map(|place| place.since);
-        let mut sums = [0.0; N];
-        for k in (1..=ORDER).rev() {
-            for i in 0..N {
-                sums[i] = sums[i] * since[i] + steps[i].0.get(k * n).copied().unwrap_or(f64::NAN);
+        let mut out = [f64::NAN; N];
+        let mut from = 0;
+        while let Some(&Place { backward, step, .. }) = places.get(from) {
+            // The polynomial of one step at all times, of which those count that lie in it: few blocks of times have many steps.
+            let (c, low) = self.branch(backward).polynomial(n, step, state);
+            let coefficient = |k: usize| c.get(k * n).copied().unwrap_or(f64::NAN);
+            let mut sums = [0.0; N];
+            for k in (1..=ORDER).rev() {
+                let x = coefficient(k);
+                for i in 0..N {
+                    sums[i] = sums[i] * since[i] + x;
+                }
             }
+            let first = coefficient(0);
+            let to = from + places[from..].iter().take_while(|p| (p.backward, p.step) == (backward, step)).count();
+            for i in from..to {
+                out[i] = first + (low + since[i] * sums[i]);
+            }
+            from = to;
         }
-        let first = |i: usize| steps[i].0.first().copied().unwrap_or(f64::NAN);
-        std::array::from_fn(|i| first(i) + (steps[i].1 + since[i] * sums[i]))
+        out
     }
 
     /// The polynomial of a state around another time of its step: the first coefficients.
@@ -527,6 +555,11 @@ impl<'a> Runner<'a> for Run<'a> {
 }
 
 impl Branch {
+    /// The coefficients of all states on a step, order by order.
+    pub(super) fn series(&self, n: usize, step: usize) -> &[f64] {
+        &self.coefficients[step * n * (ORDER + 1)..(step + 1) * n * (ORDER + 1)]
+    }
+
     /// The polynomial of a state on a step: its coefficients, one in `n`, and what the zeroth leaves out. Nothing where there is no
     /// such step.
     fn polynomial(&self, n: usize, step: usize, state: usize) -> (&[f64], f64) {

@@ -25,6 +25,7 @@ pub mod independence;
 mod judged;
 mod limit;
 pub mod measure;
+pub mod pattern;
 mod peaks;
 pub mod prepared;
 pub mod recall;

@@ -6,8 +6,8 @@
 use std::sync::Arc;
 
 use crate::systems::{Fields, leaves_of, paired};
-use derivation::{Derivation, Motion as Given, SymbolEntry, Trajectory};
-use expr::{Expr, Graph, Leaf, Symbol};
+use derivation::{Derivation, Motion as Given, SymbolEntry, Trajectory, Written};
+use expr::{Expr, Graph, Leaf, Symbol, Tensor};
 use flow::{Guess, Motion, Observable, Setup, Source, Start};
 use latex::Role;
 
@@ -24,19 +24,12 @@ pub fn setup<'a>(
     left_out: &[Symbol],
 ) -> (Setup<'a>, Vec<Symbol>) {
     let Derivation { scope, systems, symbols, claims, .. } = derivation;
-    let mut parameters: Vec<(Leaf, Expr)> = Vec::new();
+    let parameters = parameters(graph, trajectory, exact);
     let mut known = vec![fields.time.symbol];
-    for (symbol, value) in &trajectory.parameters {
-        parameters.retain(|(l, _)| l.symbol != *symbol);
-        let mut number = |&e: &Expr| if exact { e } else { rounded(graph, e) };
-        let values: Vec<Expr> = value.value.iter().map(&mut number).collect();
-        parameters.extend(paired(graph, *symbol, 0, &values));
-        known.push(*symbol);
-    }
+    known.extend(trajectory.parameters.iter().map(|(symbol, _)| *symbol));
     let source = match (&trajectory.motion, from) {
         (Given::Integrated { system, initial, start }, _) => {
             known.extend(&systems[*system].states);
-            let values = initial.iter().flat_map(|(s, rate, w)| paired(graph, *s, *rate, &w.value)).collect();
             let start = start.as_ref().map_or_else(Start::default, |start| Start {
                 guesses: start
                     .unknowns
@@ -45,7 +38,7 @@ pub fn setup<'a>(
                     .collect(),
                 differences: start.differences.clone(),
             });
-            Source::Integrated { field: &fields.fields[*system], initial: values, start }
+            Source::Integrated { field: &fields.fields[*system], initial: initial_values(graph, initial), start }
         }
         (Given::Formula { states }, _) => {
             known.extend(states.iter().map(|(s, _)| *s));
@@ -77,8 +70,7 @@ pub fn setup<'a>(
     let mut observables = Vec::new();
     let entries: Vec<&SymbolEntry> = symbols.iter().chain(claims.iter().flat_map(|c| &c.symbols)).collect();
     for entry in entries.into_iter().filter(|e| e.role == Role::Observable) {
-        let in_claim = || claims.iter().find_map(|c| c.scope.definition(entry.symbol));
-        let Some(definition) = scope.definition(entry.symbol).or_else(in_claim) else { continue };
+        let Some(definition) = definition(derivation, entry.symbol) else { continue };
         let is_left_out = left_out.contains(&entry.symbol);
         if is_left_out || known.contains(&entry.symbol) || !all_known(graph, &known, &definition.components) {
             continue;
@@ -90,6 +82,23 @@ pub fn setup<'a>(
     }
     let (span, initial_time) = (trajectory.span, trajectory.initial_time);
     (Setup { time: fields.time, span, initial_time, parameters, source, observables }, known)
+}
+
+/// The parameters of a trajectory, component by component.
+pub(crate) fn parameters(graph: &mut Graph, trajectory: &Trajectory, exact: bool) -> Vec<(Leaf, Expr)> {
+    let mut parameters: Vec<(Leaf, Expr)> = Vec::new();
+    for (symbol, value) in &trajectory.parameters {
+        parameters.retain(|(l, _)| l.symbol != *symbol);
+        let mut number = |&e: &Expr| if exact { e } else { rounded(graph, e) };
+        let values: Vec<Expr> = value.value.iter().map(&mut number).collect();
+        parameters.extend(paired(graph, *symbol, 0, &values));
+    }
+    parameters
+}
+
+/// What is given at the initial time, component by component.
+pub(crate) fn initial_values(graph: &Graph, initial: &[(Symbol, u8, Written<Vec<Expr>>)]) -> Vec<(Leaf, Expr)> {
+    initial.iter().flat_map(|(s, rate, w)| paired(graph, *s, *rate, &w.value)).collect()
 }
 
 /// A number rounded to binary64, exactly: the motion that is tried is the one with these parameters, so that what is equal
@@ -104,7 +113,7 @@ fn rounded(graph: &mut Graph, e: Expr) -> Expr {
 
 /// The angles that motions need not be followed for: those that are neither wanted, nor part of what is wanted or of the motions.
 pub fn idle_angles(derivation: &Derivation, trajectories: &[usize], wanted: &[Leaf]) -> Vec<Symbol> {
-    let Derivation { scope, symbols, claims, graph, .. } = derivation;
+    let Derivation { symbols, claims, graph, .. } = derivation;
     let entries = symbols.iter().chain(claims.iter().flat_map(|c| &c.symbols));
     let mut idle: Vec<Symbol> = entries.filter(|e| e.angle).map(|e| e.symbol).collect();
     if idle.is_empty() {
@@ -119,8 +128,7 @@ pub fn idle_angles(derivation: &Derivation, trajectories: &[usize], wanted: &[Le
             continue;
         }
         seen.push(leaf.symbol);
-        let in_claim = || claims.iter().find_map(|c| c.scope.definition(leaf.symbol));
-        if let Some(definition) = scope.definition(leaf.symbol).or_else(in_claim) {
+        if let Some(definition) = definition(derivation, leaf.symbol) {
             left.extend(graph.leaves(definition.components.iter().copied()));
         }
     }
@@ -139,4 +147,10 @@ fn all_known(graph: &Graph, known: &[Symbol], roots: &[Expr]) -> bool {
         .leaves(roots.iter().copied())
         .iter()
         .all(|l| known.contains(&l.symbol) && l.instant.is_none_or(|e| all_known(graph, known, &[e])))
+}
+
+/// The definition of a quantity, in the file or in a claim of it.
+fn definition(derivation: &Derivation, symbol: Symbol) -> Option<&Tensor> {
+    let in_claim = || derivation.claims.iter().find_map(|c| c.scope.definition(symbol));
+    derivation.scope.definition(symbol).or_else(in_claim)
 }

@@ -15,8 +15,9 @@ use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::findings::TrajectoryAccount;
 use crate::flow::{Draft, Estimation, FlowError, Motion, Points, Search, Zeros};
 use crate::number::{Bounded, NoValue};
+use crate::pattern::Pattern;
 use crate::recall::{Nothing, Recall};
-use crate::setup::{idle_angles, is_known, setup};
+use crate::setup::{is_known, setup};
 use crate::systems::Fields;
 use claim::error::CheckError;
 use claim::limits::Limits;
@@ -41,8 +42,10 @@ pub struct Stage {
 pub struct Requests<'a> {
     /// Whether other claims of the file are not asked about.
     pub part: bool,
-    /// Whether nothing else is ever asked of the motions: angles that are not wanted need not be followed.
-    pub settled: bool,
+    /// Angles that motions need not be followed for: see [`idle_angles`](crate::setup::idle_angles).
+    pub idle: &'a [Symbol],
+    /// What the motions that are tried are made after, where they are alike.
+    pub pattern: Option<&'a Pattern>,
     /// The leaves that points have values of.
     pub wanted: &'a [Leaf],
     /// The trajectories on which claims are tried.
@@ -325,8 +328,8 @@ struct Begun<'a> {
     /// Which it is, and the symbols that it knows.
     first: usize,
     known: Vec<Symbol>,
-    /// Angles that need not be followed.
-    idle: Vec<Symbol>,
+    /// What it is made after.
+    pattern: Option<&'a Pattern>,
     draft: Draft,
 }
 
@@ -344,7 +347,7 @@ enum Progress<'a> {
 fn together<'a>(
     families: impl Iterator<Item = (&'a Derivation, &'a [usize])>,
     fields: &Fields,
-    requests: &Requests,
+    requests: &Requests<'a>,
     recall: &dyn Recall,
     estimation: Estimation,
 ) -> Vec<Result<Option<Together>, CheckError>> {
@@ -368,7 +371,7 @@ fn together<'a>(
 fn begin<'a>(
     derivation: &'a Derivation,
     fields: &Fields,
-    requests: &Requests,
+    requests: &Requests<'a>,
     members: &'a [usize],
     recall: &dyn Recall,
 ) -> Progress<'a> {
@@ -379,10 +382,16 @@ fn begin<'a>(
     let Some(&first) = members.iter().find(is_first) else { return Progress::Done(Ok(Vec::new())) };
     let mut graph = derivation.graph.clone();
     let trajectory = &derivation.trajectories[first];
-    let idle = if requests.settled { idle_angles(derivation, members, requests.wanted) } else { Vec::new() };
-    let (setup, known) = setup(derivation, fields, &mut graph, trajectory, None, false, &idle);
+    let pattern = requests.pattern.filter(|_| members.len() == 1 && requests.tried.contains(&first));
+    if let Some(draft) = pattern.and_then(|pattern| pattern.draft(derivation, fields, &mut graph, first)) {
+        let known = Vec::new();
+        return Progress::Begun(Box::new(Begun { derivation, members, graph, first, known, pattern, draft }));
+    }
+    let (setup, known) = setup(derivation, fields, &mut graph, trajectory, None, false, requests.idle);
     match Draft::new(&mut graph, setup) {
-        Ok(draft) => Progress::Begun(Box::new(Begun { derivation, members, graph, first, known, idle, draft })),
+        Ok(draft) => {
+            Progress::Begun(Box::new(Begun { derivation, members, graph, first, known, pattern: None, draft }))
+        }
         Err(error) => Progress::Done(Err(CheckError::Problems(vec![unbuilt(derivation, trajectory, &error)]))),
     }
 }
@@ -395,10 +404,14 @@ impl Begun<'_> {
         requests: &Requests,
         recall: &dyn Recall,
     ) -> Result<Vec<(usize, Built)>, CheckError> {
-        let Begun { derivation, members, mut graph, first, known, idle, draft } = self;
+        let Begun { derivation, members, mut graph, first, known, pattern, draft } = self;
         let told = |t: usize, error: &FlowError| {
             CheckError::Problems(vec![unbuilt(derivation, &derivation.trajectories[t], error)])
         };
+        if let Some(pattern) = pattern {
+            let built = pattern.finish(derivation, &graph, first, draft).map_err(|error| told(first, &error))?;
+            return Ok(vec![(first, built)]);
+        }
         let motion = draft.finish(&mut graph).map_err(|error| told(first, &error))?;
         let mut done = vec![(first, prepare(derivation, requests, &mut graph, first, motion, known)?)];
         let mut problems = Vec::new();
@@ -415,7 +428,7 @@ impl Begun<'_> {
                     continue;
                 };
                 let from = Some((Arc::clone(&source.motion), source.known.as_slice()));
-                let (setup, known) = setup(derivation, fields, &mut graph, trajectory, from, false, &idle);
+                let (setup, known) = setup(derivation, fields, &mut graph, trajectory, from, false, requests.idle);
                 match Motion::new(&mut graph, setup) {
                     Ok(motion) => done.push((t, prepare(derivation, requests, &mut graph, t, motion, known)?)),
                     Err(error) => problems.push(unbuilt(derivation, trajectory, &error)),
@@ -449,7 +462,7 @@ fn unbuilt(derivation: &Derivation, trajectory: &Trajectory, error: &FlowError) 
 }
 
 /// Compiles what points need, and finds the events.
-fn prepare(
+pub(crate) fn prepare(
     derivation: &Derivation,
     requests: &Requests,
     graph: &mut Graph,
@@ -495,7 +508,7 @@ pub fn searched(derivation: &Derivation, requests: &Requests, trajectory: usize)
 }
 
 /// The values of expressions without leaves; those before the first that has none.
-fn closed_values(graph: &Graph, exprs: &[Expr]) -> Vec<Bounded> {
+pub(crate) fn closed_values(graph: &Graph, exprs: &[Expr]) -> Vec<Bounded> {
     let Ok(tape) = expr::tape::Tape::compile(graph, &[], exprs) else { return Vec::new() };
     let mut slots = tape.slots::<Bounded>(&());
     tape.evaluate(&(), &[], &mut slots).into_iter().map_while(Result::ok).collect()

@@ -65,7 +65,7 @@ fn compiled(equations: &[String], initial: &[String]) -> Option<(Flow, Plan)> {
     let orbit = motion.core.orbit.as_ref()?;
     let state = (0..names.len()).map(|i| orbit.trajectory.bounded(orbit.trajectory.place(0.0), i)).collect();
     let plan = Plan { constants: orbit.constants.clone(), initial_time: 0.0, state, span: (0.0, 20.0), max_steps: 400 };
-    Some((orbit.flow.clone(), plan))
+    Some((orbit.field.flow.clone(), plan))
 }
 
 /// The true states at the ends of the steps of a trajectory, for start and constants somewhere in their bounds.

@@ -38,12 +38,12 @@ fn plans(states: &[&str], equations: &[&str]) -> (Flow, Vec<Plan>) {
         Plan {
             constants: orbit.constants.clone(),
             initial_time: 0.0,
-            state: (0..orbit.states.len()).map(|_| number()).collect(),
+            state: (0..orbit.field.states.len()).map(|_| number()).collect(),
             span,
             max_steps: if i % 7 == 6 { 5 } else { 300 },
         }
     };
-    (orbit.flow.clone(), (0..23).map(plan).collect())
+    (orbit.field.flow.clone(), (0..23).map(plan).collect())
 }
 
 #[test]

@@ -1,0 +1,155 @@
+//! Motions of the same formulas with other numbers: what does not depend on the numbers is made once.
+//!
+//! **In:** a motion of a system that was set up, integrated and prepared, and what was searched for along it; then the parameters and
+//! initial values of another one. **Out:** what [`Draft::new`], [`Draft::finish`], [`Motion::prepare`] and [`Motion::searches`] make of
+//! these, with the programs of the first. **Guaranteed:** the same numbers, bit for bit: constants are evaluated by the same tapes in
+//! the same order, angles are followed anew. What could come out otherwise is not made here: nothing is returned, and the long way says
+//! what it is, or why it is none.
+//!
+//! **Why it may be done so:** a parameter is a constant of its own in every formula (see `core`), whatever its value, so that no program
+//! of a motion knows a number.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::angle::Angle;
+use super::begun::Begun;
+use super::core::{Constant, Core, Origin};
+use super::definitions::Definitions;
+use super::error::FlowError;
+use super::field::VectorField;
+use super::motion::{Draft, Motion};
+use super::search::Search;
+use super::trajectory::Plan;
+use expr::{Expr, Graph, Leaf};
+use number::{Bounded, NoValue};
+
+/// A motion, as the pattern of others.
+#[derive(Debug)]
+pub struct Template {
+    motion: Motion,
+    searches: Vec<Arc<Search>>,
+    /// Its parameters: the first of its constants.
+    parameters: Vec<Leaf>,
+    /// The values of what it is given by, as far as these are numbers: most of it is the same in all motions.
+    numbers: BTreeMap<Expr, Result<Bounded, NoValue>>,
+}
+
+/// The parameters of a motion, and its initial values.
+pub type Given<'g> = (&'g [(Leaf, Expr)], &'g [(Leaf, Expr)]);
+
+impl Template {
+    /// The pattern that an integrated motion is, with what was searched for along it, all at once. The graph in which others are given
+    /// goes on from the one in which it was made.
+    ///
+    /// Nothing where equations determine initial values, or states leap.
+    pub fn of(motion: Motion, searches: Vec<Arc<Search>>, graph: &Graph, given: Given) -> Option<Template> {
+        let (parameters, initial) = given;
+        let core = &motion.core;
+        let first = |n: usize| matches!(core.constants.get(n).map(|c| &c.origin), Some(Origin::Given));
+        let later = core.constants.iter().skip(parameters.len()).all(|c| !matches!(c.origin, Origin::Given));
+        let plain = core.orbit.is_some() && core.cuts.is_empty() && later && (0..parameters.len()).all(first);
+        let closed = parameters.iter().chain(initial).map(|(_, e)| *e).filter(|e| graph.leaves([*e]).is_empty());
+        let numbers = closed.map(|e| (e, core.constant_value(graph, e))).collect();
+        let parameters = parameters.iter().map(|(leaf, _)| *leaf).collect();
+        plain.then_some(Template { motion, searches, parameters, numbers })
+    }
+
+    /// Another motion, set up; nothing where that is to be done the long way.
+    pub fn draft(&self, graph: &mut Graph, field: &VectorField, (parameters, initial): Given) -> Option<Draft> {
+        let of = &self.motion.core;
+        let same = parameters.iter().map(|(leaf, _)| leaf).eq(&self.parameters);
+        let integrand = &of.orbit.as_ref().filter(|_| same)?.field;
+        let mut core = of.without_values();
+        for ((_, e), constant) in parameters.iter().zip(&of.constants) {
+            let value = match self.numbers.get(e) {
+                Some(value) => *value,
+                None => {
+                    let resolved = core.resolve(graph, *e).ok()?;
+                    core.constant_value(graph, resolved)
+                }
+            };
+            core.constants.push(Constant { value, ..constant.clone() });
+        }
+        for constant in &of.constants[parameters.len()..] {
+            let Origin::Formula(formula) = &constant.origin else { break };
+            let value = core.formula_value(formula);
+            core.constants.push(Constant { value, ..constant.clone() });
+        }
+        let known = |leaf: &Leaf| core.constants.iter().find(|c| c.leaf == *leaf)?.value.ok();
+        let constants = integrand.used.iter().map(known).collect::<Option<Vec<Bounded>>>()?;
+        let mut state = Vec::with_capacity(field.states().len());
+        for leaf in field.states() {
+            let (_, e) = initial.iter().find(|(l, _)| l == leaf)?;
+            state.push(match self.numbers.get(e) {
+                Some(value) => (*value).ok()?,
+                None => core.initial_value(graph, field, initial, *leaf).ok()?,
+            });
+        }
+        let (initial_time, span) = (core.initial_time, core.span);
+        let plan = Plan { constants, initial_time, state, span, max_steps: field.most_steps() };
+        Some(Draft::of(core, Begun::of(Arc::clone(integrand), plan)))
+    }
+
+    /// The motion, prepared, and the searches along it, of which what lies in its span is kept as `within` says.
+    ///
+    /// # Errors
+    /// [`FlowError::Singular`].
+    pub fn finish(
+        &self,
+        draft: Draft,
+        within: impl Fn(&Motion) -> (f64, f64),
+    ) -> Result<(Motion, Vec<Arc<Search>>), FlowError> {
+        let motion = self.motion.again(self.motion.core.again(&draft.integrated()?));
+        let span = within(&motion);
+        let along = self.searches.first().map(|search| Arc::new(search.core().again(&motion.core)));
+        let one = |search: &Arc<Search>| Some(Arc::new(search.again(Arc::clone(along.as_ref()?), span)));
+        let searches = self.searches.iter().filter_map(one).collect();
+        Ok((motion, searches))
+    }
+}
+
+impl Core {
+    /// The same formulas, of which nothing has a value yet.
+    fn without_values(&self) -> Core {
+        Core {
+            time: self.time,
+            initial_time: self.initial_time,
+            span: self.span,
+            orbit: None,
+            resolution: self.resolution.clone(),
+            constants: Vec::with_capacity(self.constants.len()),
+            angles: Vec::new(),
+            continued: self.continued.clone(),
+            cuts: self.cuts.clone(),
+            definitions: self.definitions.clone(),
+        }
+    }
+
+    /// The same formulas with other numbers: `known` has the first of them, and the trajectory.
+    pub(super) fn again(&self, known: &Core) -> Core {
+        let mut core = self.without_values();
+        core.orbit.clone_from(&known.orbit);
+        core.constants.extend_from_slice(&known.constants);
+        core.angles.extend_from_slice(&known.angles);
+        for constant in &self.constants[known.constants.len()..] {
+            core.follow(&self.angles[..constant.angles]);
+            let value = match &constant.origin {
+                Origin::Given => constant.value,
+                Origin::Formula(formula) => core.formula_value(formula),
+                Origin::At(instant) => core.instant_value(instant),
+            };
+            core.constants.push(Constant { value, ..constant.clone() });
+        }
+        core.follow(&self.angles);
+        core
+    }
+
+    /// Follows the angles of another motion that are not followed yet.
+    fn follow(&mut self, angles: &[Arc<Angle>]) {
+        while let Some(angle) = angles.get(self.angles.len()) {
+            let followed = Angle::follow(self, angle.turns, angle.raw.clone());
+            self.angles.push(Arc::new(followed));
+        }
+    }
+}
