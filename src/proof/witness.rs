@@ -598,7 +598,7 @@ pub(super) fn vanishing(graph: &Graph, exprs: &[Expr], point: &Point) -> Option<
 /// The values at a point, with their rounding.
 pub(super) fn values_at(point: &Point) -> Values {
     let value = |&(leaf, ref v): &(Leaf, PointValue)| {
-        let rounding = v.decimal.abs() * 4.0 * f64::EPSILON;
+        let rounding = v.decimal.abs() * 8.0 * f64::EPSILON;
         let exact = v.exact.as_ref().and_then(rounded);
         (leaf, exact.unwrap_or(Bounded { value: v.decimal, error: rounding }))
     };

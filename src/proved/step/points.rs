@@ -53,7 +53,7 @@ impl Step<'_> {
 fn values(leaves: &[Leaf], point: &Point) -> Values {
     let value = |leaf: &Leaf| {
         let (_, found) = point.values.iter().find(|(l, _)| l == leaf).ok_or(NoValue::Indeterminate)?;
-        Ok(Bounded { value: found.decimal, error: 4.0 * f64::EPSILON * found.decimal.abs() })
+        Ok(Bounded { value: found.decimal, error: 8.0 * f64::EPSILON * found.decimal.abs() })
     };
     leaves.iter().map(value).collect()
 }
