@@ -62,11 +62,13 @@ fn step(store: &Memory, name: &str, text: &str, ask: &Ask) -> (usize, usize) {
 fn edits_of_one_file() {
     let text = derivation("pendulum.toml");
     let edits = [
-        // A title and a remark; a formula; an assumption; a motion; a claim that asks for what no other one does.
+        // A title and a remark; a formula; an assumption; a motion; a claim that asks for what no other one does; a first integral, which
+        // encloses the motions for all claims.
         ("The plane pendulum: energy", "A pendulum: energy"),
         (r"(\cos q-\cos\alpha)", r"(\cos q-2\cos\alpha)"),
         (r"assuming = ['h<g\ell', '\alpha<1']", r"assuming = ['h<g\ell', '\alpha<0.5']"),
         ("span = [0, 30]", "span = [0, 29]"),
+        ("first-integral = ['h']", "first-integral = ['\\dot h']"),
         ("[[claim]]", "[[claim]]\nid = \"new\"\nsays = \"New.\"\nalways = ['\\ddot q+\\sin\\ddot q<100']\n\n[[claim]]"),
     ];
     let store = Memory::default();

@@ -268,11 +268,12 @@ impl<'a> Known<'a> {
         known.memory.answer(&known.memory.identities, known.step(derivation, claim), compute)
     }
 
-    /// The verdicts on claims on a motion, after a method of which this is the name has looked for stronger evidence. What it finds
-    /// depends on the claims, on the motions, on the verdicts before, and on what motions were built for.
+    /// The verdicts on claims on a motion, after a method has looked for stronger evidence: its name, and what it knows of
+    /// the rest of the file. What it finds depends on that, on the claims, on the motions, on the verdicts before, and on what motions
+    /// were built for.
     pub fn strengthened(
         &self,
-        method: &str,
+        method: (&str, &str),
         derivation: &Derivation,
         t: usize,
         before: &[(&Claim, &Verdict)],
@@ -411,13 +412,19 @@ impl State<'_> {
 
     fn strengthened(
         &self,
-        method: &str,
+        method: (&str, &str),
         derivation: &Derivation,
         t: usize,
         before: &[(&Claim, &Verdict)],
     ) -> Option<Key> {
         let asked = postcard::to_allocvec(&*self.memory.asked.lock().ok()?).ok()?;
-        let mut sum = key(&[method.as_bytes(), &self.base, &asked, derivation.trajectories.get(t)?.id.as_bytes()]);
+        let mut sum = key(&[
+            method.0.as_bytes(),
+            method.1.as_bytes(),
+            &self.base,
+            &asked,
+            derivation.trajectories.get(t)?.id.as_bytes(),
+        ]);
         // Claims may compare motions.
         for (id, content) in &self.contents.motions {
             sum = key(&[&sum, id.as_bytes(), content.as_bytes()]);

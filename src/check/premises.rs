@@ -99,7 +99,7 @@ pub(super) fn strengthen(
         }
     }
     let by_formula = |t: usize, before: (&Claim, &Verdict), find: &mut dyn FnMut() -> Verdict| {
-        let found = recall.strengthened("by formula", derivation, t, &[before], &mut || vec![find()]);
+        let found = recall.strengthened(("by formula", ""), derivation, t, &[before], &mut || vec![find()]);
         found.into_iter().next().unwrap_or_else(find)
     };
     proved::by_formula::settle(derivation, claims, (claimed, tried), limits, &by_formula);

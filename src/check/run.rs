@@ -145,8 +145,8 @@ impl<'a> Run<'a> {
         let Compiled { derivation, fields, prepared, wanted, .. } = compiled;
         let limits = &self.options.limits;
         if self.options.rigor == Rigor::Enclosed && limits.reached().is_none() {
-            let recall = |t: usize, before: &[(&Claim, &Verdict)], find: &mut dyn FnMut() -> Vec<Verdict>| {
-                self.recall.strengthened("enclosed", derivation, t, before, find)
+            let recall = |t: usize, by: &str, before: &[(&Claim, &Verdict)], find: &mut dyn FnMut() -> Vec<Verdict>| {
+                self.recall.strengthened(("enclosed", by), derivation, t, before, find)
             };
             let recall = &recall;
             let request = enclosed::Request { derivation, fields, stage, prepared, selection, limits, recall };

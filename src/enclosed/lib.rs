@@ -58,14 +58,18 @@ type Change = (usize, usize, Verdict);
 pub fn strengthen(request: &Request, claims: &mut [ClaimAccount]) {
     let mut graph = request.derivation.graph.clone();
     let integrals = integral::of_systems(request, &mut graph);
-    let known = (&graph, integrals.as_slice());
+    let by: Vec<String> = integrals
+        .iter()
+        .map(|of| format!("{:?}\n", of.iter().map(|&e| graph.to_latex(e)).collect::<Vec<_>>()))
+        .collect();
+    let (known, by) = ((&graph, integrals.as_slice()), by.concat());
     // Long motions first: what is left at the end is short.
     let mut order = request.selection.tried.clone();
     order.sort_by_key(|&t| std::cmp::Reverse(request.stage.motion(t).map_or(0, Motion::steps)));
     let results = by_trajectory(claims);
     let one = |&t: &usize| {
         let here = results.get(request.derivation.trajectories[t].id.as_str());
-        one_motion(request, known, t, (claims, here.map_or(&[], Vec::as_slice)))
+        one_motion(request, (known, &by), t, (claims, here.map_or(&[], Vec::as_slice)))
     };
     let changes: Vec<Vec<Change>> = order.par_iter().with_max_len(1).map(one).collect();
     for (k, at, verdict) in changes.into_iter().flatten() {
@@ -105,7 +109,7 @@ type Known<'a> = (&'a Graph, &'a [Vec<Expr>]);
 /// `here` are the results on the motion, by the positions of the claim and of the result.
 fn one_motion(
     request: &Request,
-    known: Known,
+    (known, by): (Known, &str),
     t: usize,
     (claims, here): (&[ClaimAccount], &[(usize, usize)]),
 ) -> Vec<Change> {
@@ -117,7 +121,7 @@ fn one_motion(
     }
     let claim = |k: usize| request.prepared[k][request.selection.start_of[t]].claim;
     let before: Vec<(&Claim, &Verdict)> = open.iter().map(|&(k, _, verdict)| (claim(k), verdict)).collect();
-    let found = (request.recall)(t, &before, &mut || enclose(request, known, t, &open));
+    let found = (request.recall)(t, by, &before, &mut || enclose(request, known, t, &open));
     open.into_iter().zip(found).map(|((k, at, _), verdict)| (k, at, verdict)).collect()
 }
 

@@ -16,6 +16,11 @@ pub struct Request<'a> {
     pub prepared: &'a [Vec<Prepared<'a>>],
     pub selection: &'a Selection,
     pub limits: &'a Limits,
-    /// Encloses the verdicts on claims on a motion, after those that are given; or recalls them.
-    pub recall: &'a (dyn Fn(usize, &[(&Claim, &Verdict)], &mut dyn FnMut() -> Vec<Verdict>) -> Vec<Verdict> + Sync),
+    /// Encloses, or recalls what was enclosed.
+    pub recall: Recall<'a>,
 }
+
+/// Finds, or recalls, the verdicts on claims on a motion, by the verdicts before, and by the first integrals of all systems: any claim
+/// may name one.
+pub type Recall<'a> =
+    &'a (dyn Fn(usize, &str, &[(&Claim, &Verdict)], &mut dyn FnMut() -> Vec<Verdict>) -> Vec<Verdict> + Sync);

@@ -18,8 +18,8 @@ use super::write::write_file;
 
 /// The ending of the name of a record.
 const ENDING: &str = "record";
-/// The largest record that is read, in bytes.
-const LARGEST: u64 = 1 << 30;
+/// The largest record, in bytes.
+const LARGEST: u64 = 1 << 28;
 /// The records of a folder have so many bytes together.
 const MOST: u64 = 1 << 30;
 /// Length of a sum.
@@ -72,6 +72,9 @@ impl Records {
     pub fn write(&self, name: &str, record: &[u8]) {
         let (Some(path), Some(sum)) = (self.path(name), self.sum(name, record)) else { return };
         let bytes = [&sum, record].concat();
+        if bytes.len() as u64 > LARGEST {
+            return;
+        }
         if fs::create_dir_all(&self.folder).is_ok() && write_file(&path, &bytes).is_ok() {
             self.sweep(&path);
         }

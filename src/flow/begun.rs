@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use super::abreast::Halt;
-use super::core::{Core, Formula, Orbit, Origin};
+use super::core::{Core, Formula, Integrand, Orbit, Origin};
 use super::definitions::{Definitions, Rates};
 use super::error::{FlowError, leaf_name};
 use super::estimate::Estimation;
@@ -24,17 +24,6 @@ pub(super) struct Begun {
     field: Arc<Integrand>,
     plan: Plan,
     found: Option<Result<Trajectory, (usize, NoValue)>>,
-}
-
-/// A field in basic leaves, compiled.
-#[derive(Debug)]
-pub(super) struct Integrand {
-    /// Basic leaves of the states, and the rate of each in basic leaves.
-    pub(super) states: Vec<Leaf>,
-    pub(super) rates: Vec<Expr>,
-    /// The constants in the rates.
-    pub(super) used: Vec<Leaf>,
-    pub(super) flow: Flow,
 }
 
 impl Begun {

@@ -7,12 +7,12 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::angle::{Angle, AngleBench, AngleBenches};
-use super::begun::Integrand;
 use super::cover::BLOCK;
 use super::definitions::{Definitions, fresh};
 use super::error::{FlowError, leaf_name};
 use super::program::{Program, Turns};
 use super::resolve::Resolution;
+use super::taylor::Flow;
 use super::trajectory::Trajectory;
 use expr::tape::Tape;
 use expr::{Expr, Graph, Leaf};
@@ -60,6 +60,17 @@ impl Formula {
         let leaves = graph.leaves([e]);
         Formula { tape: Tape::compile(graph, &leaves, &[e]).ok(), leaves }
     }
+}
+
+/// A field in basic leaves, compiled.
+#[derive(Debug)]
+pub(super) struct Integrand {
+    /// Basic leaves of the states, and the rate of each in basic leaves.
+    pub(super) states: Vec<Leaf>,
+    pub(super) rates: Vec<Expr>,
+    /// The constants in the rates.
+    pub(super) used: Vec<Leaf>,
+    pub(super) flow: Flow,
 }
 
 /// An integrated motion.

@@ -37,7 +37,11 @@ pub(super) const fn units(op: Op) -> f64 {
     match op {
         Op::Tan | Op::Arctan | Op::Arctan2 | Op::Sinh | Op::Tanh => 3.0,
         Op::Arcsin | Op::Arccos | Op::Cosh => 2.0,
-        _ => 1.0,
+        Op::Sin | Op::Cos | Op::Exp | Op::Ln | Op::Pow => 1.0,
+        // These have rules of their own, by the errors of + − × ÷ √.
+        Op::Neg | Op::Sqrt | Op::Abs | Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Agm | Op::Powi(_) | Op::Restrict => {
+            1.0
+        }
     }
 }
 

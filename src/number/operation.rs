@@ -48,10 +48,10 @@ impl<N: Number> Apply<N> for Plain<'_, N::Context> {
 /// Why there is no result where an argument is missing: for the reason of the first one that is. What is restricted to where
 /// something else has a value is *unknown* where that has one: a formula for a rate may miss what its function has.
 fn absent(op: Op, a: Option<NoValue>, b: Option<NoValue>) -> Option<NoValue> {
-    match (op, a, b) {
-        (Op::Restrict, Some(_), None) => Some(NoValue::Indeterminate),
-        (Op::Restrict, _, Some(of)) => Some(of),
-        _ => a.or(b),
+    match (op == Op::Restrict, a, b) {
+        (true, Some(_), None) => Some(NoValue::Indeterminate),
+        (true, _, Some(of)) => Some(of),
+        (_, a, b) => a.or(b),
     }
 }
 
