@@ -35,7 +35,7 @@ const AGES: u64 = 8;
 pub(super) type Key = [u8; 32];
 
 /// The name of a question with several parts.
-fn key(parts: &[&[u8]]) -> Key {
+pub(super) fn key(parts: &[&[u8]]) -> Key {
     let mut sum = Sha256::new();
     for part in parts {
         sum.update((part.len() as u64).to_le_bytes());
@@ -133,14 +133,17 @@ impl Memory {
     /// A new state of the file begins.
     pub fn grow_older(&mut self) {
         self.age += 1;
-        let young = |age: &mut u64| *age + AGES >= self.age;
-        self.verdicts.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
-        self.standings.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
-        self.families.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
-        self.wanted.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
-        self.identities.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
-        self.on_families.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
-        self.strengthened.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
+        let now = self.age;
+        fn forget<T>(kept: &mut Answers<T>, now: u64) {
+            kept.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| *age + AGES >= now);
+        }
+        forget(&mut self.verdicts, now);
+        forget(&mut self.standings, now);
+        forget(&mut self.families, now);
+        forget(&mut self.wanted, now);
+        forget(&mut self.identities, now);
+        forget(&mut self.on_families, now);
+        forget(&mut self.strengthened, now);
     }
 
     /// Whether nothing is known yet.

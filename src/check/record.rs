@@ -12,10 +12,9 @@
 //! evidence is believed.
 
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 
 use super::cache::{contents, describe};
-use super::memory::{Contents, Found, Known, Memory};
+use super::memory::{Contents, Found, Known, Memory, key};
 use super::{check, check_recalling};
 use crate::derivation::Derivation;
 use claim::error::CheckError;
@@ -38,12 +37,9 @@ const ANSWERS: &str = "answers";
 
 /// The name of a record of a file, by its id and by what is asked: of one file many may be kept.
 fn name(derivation: &Derivation, options: &Options, of: &str) -> String {
-    let mut sum = Sha256::new();
-    for part in [env!("CARGO_PKG_VERSION"), of, &derivation.id, &format!("{:?} {}", options.rigor, options.plain)] {
-        sum.update((part.len() as u64).to_le_bytes());
-        sum.update(part);
-    }
-    sum.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+    let asked = format!("{:?} {}", options.rigor, options.plain);
+    let parts = [env!("CARGO_PKG_VERSION"), of, &derivation.id, &asked].map(str::as_bytes);
+    key(&parts).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// What is kept of one file.
