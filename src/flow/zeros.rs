@@ -437,8 +437,12 @@ pub(super) fn zeros(core: &Core, program: &Program) -> Zeros {
     for kink in kinks {
         let near = |t: &f64| (t - kink).abs() <= 2.0 * shortest;
         let known = out.times.iter().chain(&out.touching).any(near);
-        if !known && !is_pole(&mut explorer, (kink, kink)) && vanishes(&mut explorer, kink) {
-            out.touching.push(kink);
+        if !known && !is_pole(&mut explorer, (kink, kink)) {
+            match vanishes(&mut explorer, kink) {
+                Some(true) => out.touching.push(kink),
+                Some(false) => {}
+                None => out.incomplete.push(Incomplete::Unresolved { start: kink, end: kink }),
+            }
         }
     }
     out.touching.sort_by(f64::total_cmp);
@@ -451,15 +455,14 @@ pub(super) fn zeros(core: &Core, program: &Program) -> Zeros {
     out
 }
 
-/// The largest size of the expression a little before and after a time; `None` where it has no value.
-fn beside(explorer: &mut Explorer, t: f64) -> Option<f64> {
+/// The size of the expression a little before and a little after a time, where it has a value.
+fn beside(explorer: &mut Explorer, t: f64) -> [Option<f64>; 2] {
     let (from, to) = explorer.core.reach();
     let step = 1e-6 * (to - from);
-    let mut size = |t: f64| match explorer.values(t.clamp(from, to)).first() {
+    [t - step, t + step].map(|t| match explorer.values(t.clamp(from, to)).first() {
         Some(Ok(x)) => Some(x.value.abs()),
         _ => None,
-    };
-    Some(size(t - step)?.max(size(t + step)?))
+    })
 }
 
 /// A pole as a gap of the search.
@@ -506,12 +509,17 @@ fn is_pole(explorer: &mut Explorer, (start, end): (f64, f64)) -> bool {
     grows(start - step, start - 100.0 * step) && grows(end + step, end + 100.0 * step)
 }
 
-/// Whether the expression is so small at a kink, compared with its size beside it, that it may vanish there.
-fn vanishes(explorer: &mut Explorer, kink: f64) -> bool {
-    match (explorer.values(kink).first(), beside(explorer, kink)) {
-        (Some(Ok(x)), Some(size)) => x.value.abs() <= 1e-3 * size + x.error,
-        // A pole, or nothing that could be 0.
-        _ => false,
+/// Whether the expression is so small at a kink, compared with its size beside it, that it may vanish there; `None` where too
+/// few values are known: a root may end there, too, at an edge of its domain that is as near to a pole, or to an end of the
+/// motion, as times are resolved.
+fn vanishes(explorer: &mut Explorer, kink: f64) -> Option<bool> {
+    let here = explorer.values(kink).first().copied().and_then(Result::ok);
+    match (here, beside(explorer, kink)) {
+        (Some(x), [Some(a), Some(b)]) => Some(x.value.abs() <= 1e-3 * a.max(b) + x.error),
+        (Some(x), [Some(size), None] | [None, Some(size)]) => Some(x.value.abs() <= 1e-3 * size + x.error),
+        // A pole, or a gap at one time with values around it: nothing that could be 0.
+        (None, [Some(_), Some(_)]) => Some(false),
+        _ => None,
     }
 }
 
