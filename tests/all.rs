@@ -3,6 +3,7 @@
 //! A file of this folder is a module here; `cargo test units::` runs those of `tests/units.rs`. A new file needs a line below,
 //! and a test sees to that. Crates have their own tests beside their code.
 
+mod checked;
 mod claims;
 mod comment;
 mod enclosure_support;

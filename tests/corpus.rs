@@ -6,8 +6,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
+use crate::checked::{anew, checked};
 use rederive::check::{Account, CheckError, IdentityAccount, Options, Outcome, PairAccount, Rigor, check};
-use rederive::derivation::{Derivation, FormKind, load};
+use rederive::derivation::{FormKind, load};
 use rederive::diag::render;
 
 /// Verdicts of `tests/corpus/` that are wrong in this version: file, claim, trajectory, the wrong verdict, the reason.
@@ -54,13 +55,6 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
 
 fn stem(path: &Path) -> String {
     path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default()
-}
-
-fn run(path: &Path) -> (Derivation, Account) {
-    let derivation = load(path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
-    let account = check(&derivation, &Options::default(), &|_, _| {});
-    let account = account.unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
-    (derivation, account)
 }
 
 /// What differs between the verdicts of a file and its expectations, one line for each pair.
@@ -167,13 +161,13 @@ fn derivations_reach_the_verdicts_that_they_state() {
     assert!(files.len() >= 3, "{files:?}");
     let mut found = Vec::new();
     for path in &files {
-        let (_, account) = run(path);
+        let (_, account) = &*checked(path);
         let file = stem(path);
         // Samples decide nothing of limits.
-        assert!(decided(&account) > 0 || file == "limits", "{file}: nothing was decided");
-        found.extend(differences(&file, &account, &[]));
-        found.extend(incomplete(&file, &account));
-        found.extend(contradictions(&file, &account));
+        assert!(decided(account) > 0 || file == "limits", "{file}: nothing was decided");
+        found.extend(differences(&file, account, &[]));
+        found.extend(incomplete(&file, account));
+        found.extend(contradictions(&file, account));
     }
     assert_none(&found);
 }
@@ -185,13 +179,13 @@ fn the_corpus_reaches_the_verdicts_that_it_states() {
     let (mut forms, mut verdicts, mut sources) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
     let mut contradicted = BTreeSet::new();
     for path in files.iter().filter(|p| !states_strengths(&stem(p))) {
-        let (derivation, account) = run(path);
+        let (derivation, account) = &*checked(path);
         let file = stem(path);
         // Samples decide nothing of limits.
-        assert!(decided(&account) > 0 || file == "limits", "{file}: nothing was decided");
-        found.extend(differences(&file, &account, KNOWN_WRONG));
-        found.extend(incomplete(&file, &account));
-        contradicted.extend(contradictions(&file, &account));
+        assert!(decided(account) > 0 || file == "limits", "{file}: nothing was decided");
+        found.extend(differences(&file, account, KNOWN_WRONG));
+        found.extend(incomplete(&file, account));
+        contradicted.extend(contradictions(&file, account));
         forms.extend(derivation.claims.iter().flat_map(|c| &c.forms).map(|f| f.kind()));
         verdicts.extend(account.claims.iter().flat_map(|c| &c.results).map(|p| p.verdict.outcome().word()));
         sources.extend(account.trajectories.iter().map(|t| t.source));
@@ -284,7 +278,7 @@ fn known_wrong_verdicts_are_verdicts_of_the_corpus() {
 
 #[test]
 fn a_difference_is_noticed() {
-    let (_, mut account) = run(&root().join("tests/corpus/kinks.toml"));
+    let (_, mut account) = anew(&root().join("tests/corpus/kinks.toml"));
     assert_eq!(differences("kinks", &account, KNOWN_WRONG), Vec::<String>::new());
     let listed = [("kinks", "no-pulse", "pulse", "undecided", "a pulse")];
     assert!(!differences("kinks", &account, &listed).is_empty(), "a verdict that is right is not known to be wrong");

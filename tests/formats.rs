@@ -277,12 +277,15 @@ fn all_formats_are_the_same_bytes_on_every_run() {
 #[test]
 fn the_derivations_of_this_project_can_be_read_by_machines() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let run = |format: &str| {
-        let files = ["derivations/kepler.toml", "derivations/pendulum.toml", "--no-reports", "--format", format];
-        let run = rederive(root, &[&["check"], &files[..]].concat());
-        String::from_utf8(run.get_output().stdout.clone()).expect("this is UTF-8")
-    };
-    let [tests, failures, ..] = junit(&run("junit")).expect("valid");
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let [cases, log] = ["cases.xml", "log.sarif"].map(|name| folder.path().join(name));
+    let files = ["check", "derivations/kepler.toml", "derivations/pendulum.toml", "--no-reports"];
+    let output =
+        |format, path: &Path| ["--format", format, "--output", path.to_str().expect("UTF-8")].map(str::to_owned);
+    let formats = [output("junit", &cases), output("sarif", &log)].concat();
+    rederive(root, &files.into_iter().chain(formats.iter().map(String::as_str)).collect::<Vec<_>>());
+    let [cases, log] = [cases, log].map(|path| fs::read_to_string(path).expect("it is written"));
+    let [tests, failures, ..] = junit(&cases).expect("valid");
     assert!(tests > 50 && failures == 0, "{tests}");
-    sarif(&run("sarif")).expect("valid");
+    sarif(&log).expect("valid");
 }

@@ -260,7 +260,15 @@ fn a_flipped_sign_in_t9_is_found_by_the_program() {
     let check = |text: &str| {
         std::fs::write(&file, text).expect("a file can be written");
         let mut command = Command::new(env!("CARGO_BIN_EXE_rederive"));
-        command.current_dir(folder.path()).args(["check", "copy.toml", "--no-reports", "--claim", "t9-psi"]);
+        command.current_dir(folder.path()).args([
+            "check",
+            "copy.toml",
+            "--no-reports",
+            "--claim",
+            "t9-psi",
+            "--trajectory",
+            "racket-out",
+        ]);
         let output = command.output().expect("the program runs");
         (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned())
     };

@@ -5,24 +5,21 @@
 use std::path::Path;
 use std::process::Command;
 
+use crate::checked::{Checked, anew, checked};
 use rederive::check::{Account, Options, check};
-use rederive::derivation::{Derivation, load, parse};
+use rederive::derivation::{Derivation, parse};
 use rederive::diag::{Source, render};
 use rederive::report::{json, page, tex};
 
-fn checked(derivation: Derivation) -> (Derivation, Account) {
-    let account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
-    (derivation, account)
-}
-
-fn of_file(name: &str) -> (Derivation, Account) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("derivations").join(name);
-    checked(load(&path).unwrap_or_else(|found| panic!("{}", render(&found, false))))
+fn of_file(name: &str) -> Checked {
+    checked(Path::new("derivations").join(name))
 }
 
 fn of_text(text: &str) -> (Derivation, Account) {
     let source = Source { path: "derivations/hostile.toml".into(), text: text.into() };
-    checked(parse(source, "hostile").unwrap_or_else(|found| panic!("{}", render(&found, false))))
+    let derivation = parse(source, "hostile").unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    (derivation, account)
 }
 
 /// Everything that a person who writes a file can put into texts.
@@ -106,8 +103,8 @@ fn no_text_of_a_file_is_a_command_of_latex() {
 #[test]
 fn nothing_is_fetched() {
     for name in ["pendulum.toml", "kepler.toml"] {
-        let (derivation, account) = of_file(name);
-        let page = page(&derivation, &account);
+        let (derivation, account) = &*of_file(name);
+        let page = page(derivation, account);
         // The name of the SVG name space is no address.
         let rest = page.replace("http://www.w3.org/2000/svg", "");
         for outside in ["http:", "https:", "url(", "@import", "<link", "<img", "<iframe", " src="] {
@@ -119,8 +116,8 @@ fn nothing_is_fetched() {
 
 #[test]
 fn everything_essential_is_there_without_the_program() {
-    let (derivation, account) = of_file("pendulum.toml");
-    let page = page(&derivation, &account);
+    let (derivation, account) = &*of_file("pendulum.toml");
+    let page = page(derivation, account);
     let html = page.split("<script").next().unwrap_or_default();
     for claim in &account.claims {
         let name = claim.reading.as_ref().map_or(claim.id.clone(), |r| format!("{}/{r}", claim.id));
@@ -141,15 +138,16 @@ fn everything_essential_is_there_without_the_program() {
 
 #[test]
 fn the_same_input_gives_the_same_page() {
-    let (derivation, account) = of_file("pendulum.toml");
-    let (again, once_more) = of_file("pendulum.toml");
-    assert_eq!(page(&derivation, &account), page(&again, &once_more));
-    assert_eq!(tex(&derivation, &account), tex(&again, &once_more));
+    let (derivation, account) = &*of_file("pendulum.toml");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("derivations/pendulum.toml");
+    let (again, once_more) = anew(&path);
+    assert_eq!(page(derivation, account), page(&again, &once_more));
+    assert_eq!(tex(derivation, account), tex(&again, &once_more));
 }
 
 #[test]
 fn curves_pass_through_the_witness_and_stay_out_of_the_data_file() {
-    let (derivation, account) = of_file("pendulum.toml");
+    let (derivation, account) = &*of_file("pendulum.toml");
     let mut seen = 0;
     for pair in account.claims.iter().flat_map(|c| &c.results) {
         let evidence = pair.verdict.evidence();
@@ -166,12 +164,12 @@ fn curves_pass_through_the_witness_and_stay_out_of_the_data_file() {
         }
     }
     assert!(seen > 0);
-    assert!(!json(&derivation, &account).contains("series"));
+    assert!(!json(derivation, account).contains("series"));
 }
 
 #[test]
 fn pictures_show_what_the_file_declares() {
-    let (_, account) = of_file("pendulum.toml");
+    let (_, account) = &*of_file("pendulum.toml");
     assert!(account.pictures.iter().any(|p| p.picture == "phase-plane" && p.reason.is_none()));
     for picture in &account.pictures {
         assert!(picture.lines.iter().flat_map(|l| &l.points).all(|p| p.0.is_finite() && p.1.is_finite()));
@@ -181,8 +179,8 @@ fn pictures_show_what_the_file_declares() {
 
 #[test]
 fn the_latex_source_compiles() {
-    let (derivation, account) = of_file("pendulum.toml");
-    compiles(&tex(&derivation, &account));
+    let (derivation, account) = &*of_file("pendulum.toml");
+    compiles(&tex(derivation, account));
 }
 
 /// Compiles a source where there is a compiler; elsewhere says that it was not tried.

@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 use assert_cmd::Command;
 use predicates::prelude::*;
 
-fn pendulum() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("derivations/pendulum.toml")
+/// A derivation that is soon checked.
+fn small() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/decay.toml")
 }
 
 /// A folder with programs, each a script.
@@ -25,7 +26,7 @@ fn programs(scripts: &[(&str, &str)]) -> tempfile::TempDir {
 /// The command, with these programs only.
 fn report(path: &Path, pdf: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_rederive"));
-    command.env("PATH", path).args(["report", "--rigor", "sampled", "--pdf"]).arg(pdf).arg(pendulum());
+    command.env("PATH", path).args(["report", "--rigor", "sampled", "--pdf"]).arg(pdf).arg(small());
     command
 }
 

@@ -5,6 +5,7 @@
 
 use std::time::{Duration, Instant};
 
+use crate::checked::checked;
 use rederive::check::{AlteredFormula, Options, Sameness, VariantAccount, altered_formulas, check, says_the_same};
 use rederive::derivation::{Derivation, FormKind, parse};
 use rederive::diag::{Source, render};
@@ -104,8 +105,7 @@ fn plant_all(path: &str, each: usize) -> Vec<Outcome> {
     let text = std::fs::read_to_string(path).expect(path);
     let source = Source { path: path.into(), text: text.clone() };
     let original = parse(source, "planted").unwrap_or_else(|e| panic!("{}", render(&e, false)));
-    let run = original.clone();
-    let account = check(&run, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{path}: {e:?}"));
+    let (_, account) = &*checked(path);
     let mut out = Vec::new();
     let mut number = 0;
     let mut seen: Vec<String> = Vec::new();

@@ -4,8 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use crate::checked::checked;
 use crate::schema_support::Validator;
-use rederive::check::{Options, check};
 use rederive::derivation::{self, load};
 use rederive::diag::render;
 use rederive::{paper, report};
@@ -159,14 +159,13 @@ fn what_the_loader_refuses_the_schema_refuses_too() {
 
 /// The report on a derivation file.
 fn fresh(path: &Path, tex: Option<&str>) -> Value {
-    let derivation = load(path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
-    let account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let (derivation, account) = &*checked(path);
     let text = match tex {
-        None => report::json(&derivation, &account),
+        None => report::json(derivation, account),
         Some(tex) => {
             let source = rederive::diag::Source { path: "paper.tex".into(), text: tex.into() };
             let paper = paper::parse(source, "00".into()).unwrap_or_else(|d| panic!("{}", render(&[*d], false)));
-            report::json_with_paper(&derivation, &account, &paper::compare(&derivation, &paper))
+            report::json_with_paper(derivation, account, &paper::compare(derivation, &paper))
         }
     };
     serde_json::from_str(&text).expect("this is JSON")
