@@ -218,16 +218,9 @@ pub fn denote(graph: &mut Graph, systems: &[System], claim: &Claim, initial_time
     let sign = claim.scope.branch_sign();
     let branches = |w: &Written<Statement>| w.value.relations.iter().any(|r| r.has_branches);
     let assumed = claim.assuming.iter().any(branches);
-    let said = claim.forms.iter().any(|form| match form {
-        Form::Always(w) | Form::Never(w) | Form::Eventually(w) => branches(w),
-        Form::FirstIntegral(w) | Form::Defined(w) => {
-            graph.leaves_within(w.value.components.iter().copied()).contains(&sign)
-        }
-        Form::Solves { .. }
-        | Form::SameMotion { .. }
-        | Form::Independent { .. }
-        | Form::Exists { .. }
-        | Form::Across(_) => false,
+    let said = claim.forms.iter().any(|form| {
+        let leaves = |w: &Written<Tensor>| graph.leaves_within(w.value.components.iter().copied());
+        form.has_branches() || form.quantity().is_some_and(|w| leaves(w).contains(&sign))
     });
     let mut denotation = Denotation {
         graph,

@@ -28,15 +28,7 @@ impl Loader<'_> {
             FormKind::IndependentOf => ("independent-of", keys::INDEPENDENT_OF),
             FormKind::Extremum => ("extremum", keys::EXTREMUM),
             FormKind::Limit => ("limit", keys::LIMIT),
-            FormKind::Always
-            | FormKind::Never
-            | FormKind::Eventually
-            | FormKind::FirstIntegral
-            | FormKind::Defined
-            | FormKind::Solves
-            | FormKind::SameMotion
-            | FormKind::Independent
-            | FormKind::Exists => return,
+            _ => return,
         };
         let Some(inner) = Table::open(&mut self.problems, value, name, known) else { return };
         if !self.stands_alone(claim, table, kind, value.span()) {
@@ -269,15 +261,7 @@ impl Loader<'_> {
                 }
             }
             FormKind::IndependentOf => Some(Dependence::Independent),
-            FormKind::Always
-            | FormKind::Never
-            | FormKind::Eventually
-            | FormKind::FirstIntegral
-            | FormKind::Defined
-            | FormKind::Solves
-            | FormKind::SameMotion
-            | FormKind::Independent
-            | FormKind::Exists => None,
+            _ => None,
         }
     }
 

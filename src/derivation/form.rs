@@ -160,45 +160,56 @@ impl Form {
 
     /// The statement that is true at every, at no, or at some time.
     pub fn statement(&self) -> Option<&Written<Statement>> {
-        match self {
-            Form::Always(w) | Form::Never(w) | Form::Eventually(w) => Some(w),
-            Form::FirstIntegral(_)
-            | Form::Defined(_)
-            | Form::Solves { .. }
-            | Form::SameMotion { .. }
-            | Form::Independent { .. }
-            | Form::Exists { .. }
-            | Form::Across(_) => None,
-        }
+        let (Form::Always(w) | Form::Never(w) | Form::Eventually(w)) = self else { return None };
+        Some(w)
     }
 
     /// The quantity of which it says something at each time by itself.
     pub fn quantity(&self) -> Option<&Written<Tensor>> {
+        let (Form::FirstIntegral(w) | Form::Defined(w)) = self else { return None };
+        Some(w)
+    }
+
+    /// All formulas of which it says something, and what restricts them.
+    pub fn formulas(&self) -> Vec<FormFormula<'_>> {
         match self {
-            Form::FirstIntegral(w) | Form::Defined(w) => Some(w),
-            Form::Always(_)
-            | Form::Never(_)
-            | Form::Eventually(_)
-            | Form::Solves { .. }
-            | Form::SameMotion { .. }
-            | Form::Independent { .. }
-            | Form::Exists { .. }
-            | Form::Across(_) => None,
+            Form::Always(w) | Form::Never(w) | Form::Eventually(w) => vec![FormFormula::Statement(w)],
+            Form::FirstIntegral(w) | Form::Defined(w) => vec![FormFormula::Quantity(w)],
+            Form::Independent { functions, subject_to } => {
+                let functions = functions.iter().map(FormFormula::Quantity);
+                functions.chain(subject_to.iter().map(FormFormula::Statement)).collect()
+            }
+            Form::Exists { such_that, .. } => such_that.iter().map(FormFormula::Statement).collect(),
+            Form::Across(across) => {
+                let limit = across.value.iter().map(|value| FormFormula::Limit { of: &across.of, value });
+                std::iter::once(FormFormula::Quantity(&across.of)).chain(limit).collect()
+            }
+            // A system has its own; another motion has none.
+            Form::Solves { .. } | Form::SameMotion { .. } => Vec::new(),
         }
     }
 
     /// Its formulas, each with its place.
-    pub fn written(&self) -> Vec<(&str, Range<usize>)> {
-        fn shown<T>(w: &Written<T>) -> (&str, Range<usize>) {
-            (w.text.as_str(), w.span.clone())
-        }
-        match self {
-            Form::Always(w) | Form::Never(w) | Form::Eventually(w) => vec![shown(w)],
-            Form::FirstIntegral(w) | Form::Defined(w) => vec![shown(w)],
-            Form::Independent { functions, .. } => functions.iter().map(shown).collect(),
-            Form::Exists { such_that, .. } => such_that.iter().map(shown).collect(),
-            Form::Across(across) => std::iter::once(&across.of).chain(&across.value).map(shown).collect(),
-            Form::Solves { .. } | Form::SameMotion { .. } => Vec::new(),
-        }
+    pub fn written(&self) -> impl Iterator<Item = (&str, Range<usize>)> {
+        self.formulas().into_iter().map(|formula| match formula {
+            FormFormula::Statement(w) => (w.text.as_str(), w.span.clone()),
+            FormFormula::Quantity(w) | FormFormula::Limit { value: w, .. } => (w.text.as_str(), w.span.clone()),
+        })
     }
+}
+
+/// A formula of a form.
+#[derive(Clone, Copy, Debug)]
+pub enum FormFormula<'a> {
+    /// Relations.
+    Statement(&'a Written<Statement>),
+    /// A quantity.
+    Quantity(&'a Written<Tensor>),
+    /// What a quantity tends to.
+    Limit {
+        /// The quantity.
+        of: &'a Written<Tensor>,
+        /// The limit.
+        value: &'a Written<Tensor>,
+    },
 }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use toml::de::DeValue;
 
-use super::form::{Form, FormKind};
+use super::form::{Form, FormFormula, FormKind};
 use super::keys;
 use super::load::Loader;
 use super::model::{Claim, Domain, Formula, Region, SymbolEntry};
@@ -412,13 +412,10 @@ impl Loader<'_> {
     /// A claim about fields without ranges is tried on no motion: it follows from something, or not.
     fn of_fields(&mut self, claim: &mut Claim, tables: &[&Table<'_, '_>]) {
         let assumed = claim.assuming.iter().flat_map(|w| components(&w.value));
-        let said = claim.forms.iter().flat_map(|form| match form {
-            Form::Always(w) | Form::Never(w) | Form::Eventually(w) => components(&w.value),
-            Form::FirstIntegral(w) | Form::Defined(w) => w.value.components.clone(),
-            Form::Across(across) => across.of.value.components.clone(),
-            Form::Solves { .. } | Form::SameMotion { .. } | Form::Independent { .. } | Form::Exists { .. } => {
-                Vec::new()
-            }
+        let said = claim.forms.iter().flat_map(Form::formulas).flat_map(|formula| match formula {
+            FormFormula::Statement(w) => components(&w.value),
+            FormFormula::Quantity(w) => w.value.components.clone(),
+            FormFormula::Limit { value, .. } => value.value.components.clone(),
         });
         let roots: Vec<Expr> = assumed.chain(said).collect();
         let place = |l: &Leaf| matches!(claim.scope.role(l.symbol), Some(Role::Coordinate | Role::Field));

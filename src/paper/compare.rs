@@ -230,6 +230,25 @@ fn labels(derivation: &Derivation) -> Vec<(String, &str, Range<usize>)> {
     systems.chain(claims).filter_map(|(owner, label, span)| Some((owner, label?, span))).collect()
 }
 
+/// The derivation that a paper is compared with: the only one, or the only one that names labels.
+///
+/// # Errors
+/// None names a label, or several do; in a sentence.
+pub fn subject<'d>(derivations: impl Iterator<Item = &'d Derivation>) -> Result<&'d Derivation, String> {
+    let derivations: Vec<&Derivation> = derivations.collect();
+    let labels =
+        |d: &&Derivation| d.claims.iter().any(|c| c.label.is_some()) || d.systems.iter().any(|s| s.label.is_some());
+    let named: Vec<&Derivation> = derivations.iter().copied().filter(labels).collect();
+    match (derivations.as_slice(), named.as_slice()) {
+        ([one], _) | (_, [one]) => Ok(one),
+        (_, []) => Err("no derivation file names a label, so that none can be compared with a paper".to_owned()),
+        (_, many) => {
+            let names: Vec<&str> = many.iter().map(|d| d.id.as_str()).collect();
+            Err(format!("`--source` is the paper of one derivation file, but {} name labels", names.join(", ")))
+        }
+    }
+}
+
 /// Every formula of the file that could be in the paper.
 fn formulas(derivation: &Derivation) -> Vec<Formula<'_>> {
     let mut out = Vec::new();
@@ -241,9 +260,8 @@ fn formulas(derivation: &Derivation) -> Vec<Formula<'_>> {
     for claim in &derivation.claims {
         let owner = claim.name();
         let label = claim.label.as_deref().filter(|_| claim.printed);
-        out.extend(
-            claim.forms.iter().flat_map(Form::written).map(|(text, span)| Formula::new(&owner, label, text, span)),
-        );
+        let said = claim.forms.iter().flat_map(Form::written);
+        out.extend(said.map(|(text, span)| Formula::new(&owner, label, text, span)));
         // What a claim assumes may be printed somewhere, but not under its label.
         out.extend(claim.assuming.iter().map(|w| Formula::new(&owner, None, &w.text, w.span.clone()).unsaid()));
         out.extend(claim.symbols.iter().filter_map(definition));

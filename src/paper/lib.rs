@@ -25,7 +25,7 @@ use std::sync::Arc;
 
 use sha2::{Digest, Sha256};
 
-pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, compare};
+pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, compare, subject};
 pub use draft::{Draft, draft};
 
 use diag::shown::{in_one_line, shown};

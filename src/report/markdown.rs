@@ -1,5 +1,6 @@
 //! `report.md`: the report for people, as a forge renders it.
 
+use super::form::{Heading, heading};
 use super::graph::DerivationGraph;
 use super::letters::{LEGEND, letters};
 use super::marked::display;
@@ -224,32 +225,22 @@ pub(super) fn whose(role: ClaimRole) -> Option<&'static str> {
 
 fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> String {
     let mut out = String::new();
-    let kinds: Vec<&str> =
-        declared(derivation, claim).map(|d| d.formulas.iter().map(|f| f.kind.key()).collect()).unwrap_or_default();
-    let (mut last, mut is_open) = ("", false);
+    let declared = declared(derivation, claim);
+    let (mut last, mut is_open) = (None, false);
     for (i, formula) in claim.formulas.iter().enumerate() {
-        let kind = kinds.get(i).copied().unwrap_or("always");
-        let over = declared(derivation, claim).and_then(|d| Some((d.formulas.get(i)?.kind, claim.region.as_ref()?)));
-        let over = over.map(|(kind, region)| super::region::heading(kind, region));
-        let over = over.or_else(|| declared(derivation, claim).and_then(family::compared));
-        let over = over.map(|words| prose(&format!("{words}:")));
-        let words = match kind {
-            _ if over.is_some() => over.as_deref().unwrap_or_default(),
-            "always" => "At every time:",
-            "never" => "At no time:",
-            "eventually" => "At some time:",
-            "first-integral" => "Constant along the motion:",
-            "defined" => "Has a real value at every time:",
-            "independent" => "Independent functions:",
-            "solves" => {
+        let (kind, said) = heading(claim, declared, i);
+        let words = match said {
+            Heading::Words(words) => prose(&format!("{words}:")),
+            Heading::System => {
                 out.push_str(&format!("The motion solves the system `{formula}`.\n\n"));
                 continue;
             }
-            _ => {
+            Heading::Trajectory => {
                 out.push_str(&format!("The motion is that of the trajectory `{formula}`.\n\n"));
                 continue;
             }
         };
+        let kind = Some(kind);
         // Short formulas of a kind stand in one line.
         let short = formula.len() <= SHORT && !formula.contains('\n');
         match (kind == last, short && is_open) {

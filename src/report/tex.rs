@@ -8,12 +8,13 @@
 //! letter by letter. Letters that plain `pdflatex` does not know are replaced by commands or spelled out.
 
 use super::digest::{self, Fate, Whole};
+use super::form::{Heading, heading};
 use super::front::Front;
 use super::graph::DerivationGraph;
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, declared, groups, name, says};
 use super::wording::{self, Part};
-use crate::derivation::{Derivation, FormKind};
+use crate::derivation::Derivation;
 use crate::latex::{self, Scope, syntax};
 use findings::Account;
 
@@ -218,35 +219,19 @@ fn claims(derivation: &Derivation, account: &Account, out: &mut String) {
             out.push_str(&format!(" ({})", prose(place, scope)));
         }
         out.push_str("\n\n");
-        let kinds: Vec<FormKind> = declared.map(|d| d.formulas.iter().map(|f| f.kind).collect()).unwrap_or_default();
         for (i, text) in claim.formulas.iter().enumerate() {
-            let kind = kinds.get(i).copied().unwrap_or(FormKind::Always);
-            let over = claim.region.as_ref().map(|region| super::region::heading(kind, region));
-            let over = over.or_else(|| declared.and_then(super::family::compared));
-            let words = match kind {
-                _ if over.is_some() => over.as_deref().unwrap_or_default(),
-                FormKind::Always => "At every time",
-                FormKind::Never => "At no time",
-                FormKind::Eventually => "At some time",
-                FormKind::FirstIntegral => "Constant along the motion",
-                FormKind::Defined => "Has a real value at every time",
-                FormKind::Independent => "Independent functions",
-                FormKind::Exists => "A solution exists of",
-                FormKind::IndependentOf
-                | FormKind::ScalesAs
-                | FormKind::Monotone
-                | FormKind::Extremum
-                | FormKind::Limit => "Compared between members of a family",
-                FormKind::Solves => {
+            let words = match heading(claim, declared, i).1 {
+                Heading::Words(words) => words,
+                Heading::System => {
                     out.push_str(&format!("The motion solves the system {}.\n\n", escaped(text)));
                     continue;
                 }
-                FormKind::SameMotion => {
+                Heading::Trajectory => {
                     out.push_str(&format!("The motion is that of the trajectory {}.\n\n", escaped(text)));
                     continue;
                 }
             };
-            out.push_str(&format!("{}:\n{}\n", prose(words, scope), display(text, scope)));
+            out.push_str(&format!("{}:\n{}\n", prose(&words, scope), display(text, scope)));
         }
         if !claim.assumptions.is_empty() {
             let all: Vec<String> = claim.assumptions.iter().map(|a| inline(a, scope)).collect();

@@ -15,7 +15,7 @@ mod infer;
 
 use std::collections::HashMap;
 
-use derivation::{Claim, Derivation, Form, SymbolEntry, Unit, Written};
+use derivation::{Claim, Derivation, Form, FormFormula, SymbolEntry, Unit, Written};
 use expr::{Expr, Graph, Leaf, Tensor};
 use infer::{Fault, Inference, State};
 use latex::{LimitPoint, Role, Statement};
@@ -376,25 +376,12 @@ impl<'d> Checker<'d> {
             for written in claim.assuming.iter().chain(claim.at.iter().map(|at| &at.equation)) {
                 self.statement("claim", &name, written, expected);
             }
-            for form in &claim.forms {
-                match form {
-                    Form::Always(w) | Form::Never(w) | Form::Eventually(w) => {
-                        self.statement("claim", &name, w, expected)
-                    }
-                    Form::FirstIntegral(w) | Form::Defined(w) => self.expression("claim", &name, w, expected),
-                    Form::Independent { functions, subject_to } => {
-                        functions.iter().for_each(|w| self.expression("claim", &name, w, expected));
-                        subject_to.iter().for_each(|w| self.statement("claim", &name, w, expected));
-                    }
-                    Form::Exists { such_that, .. } => {
-                        such_that.iter().for_each(|w| self.statement("claim", &name, w, expected));
-                    }
-                    Form::Across(across) => {
-                        self.expression("claim", &name, &across.of, expected);
-                        across.value.iter().for_each(|w| self.limit(&name, (&across.of, w), expected));
-                    }
-                    // The system is looked at where it stands; two motions of one state have one unit.
-                    Form::Solves { .. } | Form::SameMotion { .. } => {}
+            // The equations of a system are looked at where they stand; two motions of one state have one unit.
+            for formula in claim.forms.iter().flat_map(Form::formulas) {
+                match formula {
+                    FormFormula::Statement(w) => self.statement("claim", &name, w, expected),
+                    FormFormula::Quantity(w) => self.expression("claim", &name, w, expected),
+                    FormFormula::Limit { of, value } => self.limit(&name, (of, value), expected),
                 }
             }
             let own = |f: &UnitAccount| f.kind == "symbol" && claim.symbols.iter().any(|s| s.name == f.of);

@@ -72,31 +72,22 @@ impl Step<'_> {
             return None;
         }
         for form in &claim.forms {
-            match form {
-                Form::Always(w) => {
-                    for relation in &w.value.relations {
-                        if relation.kind != RelationKind::Equal || relation.limit.is_some() {
-                            return None;
-                        }
-                        out.extend(pairs(relation));
+            if let Form::FirstIntegral(w) = form {
+                for &e in &w.value.components {
+                    out.push(self.constancy(&claim.scope, e)?);
+                }
+            } else if let Form::Solves { system } = form {
+                let relations = self.derivation.systems[*system].equations.iter().flat_map(|w| &w.value.relations);
+                out.extend(relations.flat_map(pairs));
+            } else if let Form::Always(w) = form {
+                for relation in &w.value.relations {
+                    if relation.kind != RelationKind::Equal || relation.limit.is_some() {
+                        return None;
                     }
+                    out.extend(pairs(relation));
                 }
-                Form::FirstIntegral(w) => {
-                    for &e in &w.value.components {
-                        out.push(self.constancy(&claim.scope, e)?);
-                    }
-                }
-                Form::Solves { system } => {
-                    let relations = self.derivation.systems[*system].equations.iter().flat_map(|w| &w.value.relations);
-                    out.extend(relations.flat_map(pairs));
-                }
-                Form::Never(_)
-                | Form::Eventually(_)
-                | Form::Defined(_)
-                | Form::SameMotion { .. }
-                | Form::Independent { .. }
-                | Form::Exists { .. }
-                | Form::Across(_) => return None,
+            } else {
+                return None;
             }
         }
         match self.sign {

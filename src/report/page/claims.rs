@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use super::super::discrimination::is_weak;
+use super::super::form::{Heading, heading};
 use super::super::graph::{DerivationGraph, ProofStanding};
 use super::super::letters::{LEGEND, letters};
 use super::super::markdown::whose;
@@ -254,38 +255,23 @@ fn sentence(identity: &IdentityAccount, proof: &ProofStanding, scope: &Scope) ->
 /// The formulas of a claim, each with what is claimed of it.
 fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> Markup {
     let scope = scope_of(derivation, claim);
-    let kinds: Vec<&str> =
-        declared(derivation, claim).map(|d| d.formulas.iter().map(|f| f.kind.key()).collect()).unwrap_or_default();
-    let over = |i: usize| {
-        let declared = declared(derivation, claim)?;
-        let kind = declared.formulas.get(i)?.kind;
-        let over = claim.region.as_ref().map(|of| super::super::region::heading(kind, of));
-        over.or_else(|| super::super::family::compared(declared))
-    };
-    let mut last = "";
+    let declared = declared(derivation, claim);
+    let mut last = None;
     html! {
         @for (i, text) in claim.formulas.iter().enumerate() {
-            @let kind = kinds.get(i).copied().unwrap_or("always");
-            @let words = match kind {
-                "always" => "At every time",
-                "never" => "At no time",
-                "eventually" => "At some time",
-                "first-integral" => "Constant along the motion",
-                "defined" => "Has a real value at every time",
-                "independent" => "Independent functions",
-                "exists" => "There is a solution of",
-                "independent-of" | "scales-as" | "monotone" | "extremum" | "limit" => "Compared between members of a family",
-                _ => "",
-            };
-            @if kind == "solves" {
-                p { "The motion solves the system " a href={ "#/system/" (text) } { (text) } "." }
-            } @else if words.is_empty() {
-                p { "The motion is that of the trajectory " a href={ "#/trajectory/" (text) } { (text) } "." }
-            } @else {
-                @if std::mem::replace(&mut last, kind) != kind {
-                    p.kind { @match over(i) { Some(text) => (prose(&text, scope)), None => (words) } }
+            @match heading(claim, declared, i) {
+                (_, Heading::System) => {
+                    p { "The motion solves the system " a href={ "#/system/" (text) } { (text) } "." }
                 }
-                (display(text, scope))
+                (_, Heading::Trajectory) => {
+                    p { "The motion is that of the trajectory " a href={ "#/trajectory/" (text) } { (text) } "." }
+                }
+                (kind, Heading::Words(words)) => {
+                    @if last.replace(kind) != Some(kind) {
+                        p.kind { (prose(&words, scope)) }
+                    }
+                    (display(text, scope))
+                }
             }
         }
     }

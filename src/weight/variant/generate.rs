@@ -13,7 +13,7 @@ use super::edit::Edit;
 use super::sites::Sites;
 use super::tree::walk;
 use super::vocabulary::Vocabulary;
-use crate::derivation::{Claim, Derivation, Form};
+use crate::derivation::{Claim, Derivation, Form, FormFormula};
 use crate::expr::{Expr, FastMap, Graph, Leaf, Rational, Tensor};
 use crate::findings::{ClassCount, EditClass, SEED};
 use crate::latex::syntax::{Chain, to_latex};
@@ -262,27 +262,19 @@ fn formulas(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> (V
                 let parts = setting.constant_parts(graph, value);
                 written.push((Manner::Constant, text, place, parts, false));
             }
-            Form::Never(w) | Form::Eventually(w) => {
-                let reason = "what happens once, or never, is not judged time by time";
-                skipped.push((w.text.clone(), reason.to_owned()));
-            }
-            Form::Defined(w) => {
-                skipped.push((w.text.clone(), "it only says that there is a value".to_owned()));
-            }
-            Form::SameMotion { .. } => {
-                skipped.push(("same-motion".to_owned(), "there is no formula".to_owned()));
-            }
-            Form::Across(across) => {
-                let reason = "it compares members of a family, and is not judged time by time";
-                skipped.push((across.of.text.clone(), reason.to_owned()));
-            }
-            Form::Independent { functions, .. } => {
-                let reason = "independence is not a relation at a time";
-                skipped.extend(functions.iter().map(|w| (w.text.clone(), reason.to_owned())));
-            }
-            Form::Exists { such_that, .. } => {
-                let reason = "that there is a solution is not a relation at a time";
-                skipped.extend(such_that.iter().map(|w| (w.text.clone(), reason.to_owned())));
+            other => {
+                let key = other.kind().key();
+                let texts = other.formulas().into_iter().filter_map(|formula| match (formula, other) {
+                    (FormFormula::Limit { .. }, _) | (FormFormula::Statement(_), Form::Independent { .. }) => None,
+                    (FormFormula::Statement(w), _) => Some(w.text.as_str()),
+                    (FormFormula::Quantity(w), _) => Some(w.text.as_str()),
+                });
+                let mut texts: Vec<&str> = texts.collect();
+                if texts.is_empty() {
+                    texts.push(key);
+                }
+                let reason = |text: &str| (text.to_owned(), format!("what `{key}` says is no relation at a time"));
+                skipped.extend(texts.into_iter().map(reason));
             }
         }
     }
