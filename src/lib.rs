@@ -109,6 +109,7 @@
 #[cfg(feature = "cli")]
 #[doc(hidden)]
 pub mod cli;
+mod run;
 mod session;
 
 // The command line is written as a user of this library.
@@ -121,6 +122,7 @@ pub use ::{
 };
 pub use check::{Outcome, Rigor, Strength, Witness};
 pub use expr::tape;
+pub use run::{Detail, Document, Format, Run};
 #[doc(hidden)]
 pub use session::SCOPE;
 pub use session::{Answer, Ask, ClaimName, Failure, Finding, Findings, Question, Session};

@@ -16,7 +16,7 @@ use crate::check::{
     self, Account, Cache, CheckError, ClaimAccount, IdentityAccount, Limits, Options, Outcome, Proposition, Rigor,
     Store, Witness,
 };
-use crate::derivation::{Derivation, parse};
+use crate::derivation::{Derivation, is_called, parse};
 use crate::diag::shown::shown;
 use crate::diag::{Diagnostic, Source};
 use crate::report;
@@ -223,12 +223,7 @@ impl Session {
         store: Option<&dyn Store>,
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Findings, Failure> {
-        let names = self.claims();
-        let is_called = |id: &str, reading: Option<&String>, name: &str| match name.split_once('/') {
-            None => id == name,
-            Some((of, own)) => id == of && reading.is_some_and(|r| r == own),
-        };
-        let is_known = |name: &&String| names.iter().any(|c| is_called(&c.id, c.reading.as_ref(), name));
+        let is_known = |name: &&String| self.derivation.claims.iter().any(|c| c.is_called(name));
         let is_tried = |id: &&String| {
             let families = self.derivation.families.iter().map(|f| &f.id);
             self.derivation.trajectories.iter().map(|t| &t.id).chain(families).any(|known| known == *id)
@@ -253,7 +248,7 @@ impl Session {
             return Err(Failure::Cancelled);
         }
         let mut account = found?;
-        let is_asked = |c: &ClaimAccount| ask.claims.iter().any(|name| is_called(&c.id, c.reading.as_ref(), name));
+        let is_asked = |c: &ClaimAccount| ask.claims.iter().any(|name| is_called(name, &c.id, c.reading.as_deref()));
         account.claims.retain(|c| ask.claims.is_empty() || is_asked(c));
         Ok(Findings { derivation: self.derivation.clone(), account })
     }

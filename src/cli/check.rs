@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use rederive::derivation::Derivation;
 use rederive::diag::Diagnostic;
 use rederive::files::{named, write};
-use rederive::paper::{self, Comparison};
-use rederive::{Ask, Failure, Findings, Session, report};
+use rederive::paper;
+use rederive::{Ask, Detail, Document, Failure, Format, Run, Session, report};
 
 use super::arguments::{LimitArguments, RigorArgument};
 use super::ending::{Exit, Stop, complain, print, say};
-use super::outputs::{Detail, Format, Found, Targets, json, summary, tex};
+use super::outputs::Targets;
 use super::records::RecordArguments;
 use super::{files, progress};
 
@@ -82,10 +82,11 @@ impl CheckArguments {
 }
 
 pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
-    let mut found = Found::default();
+    let mut run = Run::default();
     let detail = arguments.detail();
-    let told = |found: &Found, problems: Vec<Diagnostic>| {
-        found.write(&arguments.targets, detail)?;
+    let told = |mut run: Run, problems: Vec<Diagnostic>| {
+        run.add_problems(&problems);
+        arguments.targets.write(&run, detail)?;
         Err(Stop::Diagnostics(problems))
     };
     let source = arguments.source.as_ref().map(|path| named(path)).transpose()?;
@@ -95,20 +96,15 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
     write::check_outputs(&outputs, &all_inputs, &[])?;
     let sessions = match files::load_all(&inputs) {
         Ok(sessions) => sessions,
-        Err(Stop::Diagnostics(problems)) => {
-            found.problems(&problems);
-            return told(&found, problems);
-        }
+        Err(Stop::Diagnostics(problems)) => return told(run, problems),
         Err(stop) => return Err(stop),
     };
     let paper = match source.as_ref().map(|path| paper::read(path)).transpose() {
         Ok(paper) => paper,
-        Err(problem) => {
-            found.problems(&[*problem.clone()]);
-            return told(&found, vec![*problem]);
-        }
+        Err(problem) => return told(run, vec![*problem]),
     };
-    let about = paper.as_ref().map(|_| of_the_paper(&sessions)).transpose()?;
+    let subject = || paper::subject(sessions.iter().map(Session::derivation)).map(|d| d.id.clone());
+    let about = paper.as_ref().map(|_| subject()).transpose().map_err(Stop::Message)?;
     let format = arguments.targets.standard();
     let asked = files::asked(sessions, &arguments.claim, &arguments.trajectory)?;
     let filtered = !arguments.claim.is_empty() || !arguments.trajectory.is_empty();
@@ -127,25 +123,21 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
             Ok(findings) => findings,
             // The other files may have problems, too, or be good.
             Err(Failure::Problems(noted)) => {
-                found.problems(&noted);
+                run.add_problems(&noted);
                 problems.extend(noted);
                 continue;
             }
             Err(other) => return Err(other.into()),
         };
-        let (derivation, account) = (findings.derivation(), findings.account());
-        let compared = paper.as_ref().filter(|_| about.as_ref() == Some(&derivation.id));
-        let compared = compared.map(|paper| paper::compare(derivation, paper));
+        let is_of_paper = about.as_ref() == Some(&findings.derivation().id);
+        let paper = paper.as_ref().filter(|_| is_of_paper).map(|paper| paper::compare(findings.derivation(), paper));
+        let document = Document { findings, paper };
+        let (derivation, account) = (document.findings.derivation(), document.findings.account());
         let folder = folder(derivation);
         if let Some(folder) = &folder {
-            write_reports(folder, &findings, compared.as_ref())?;
+            write_reports(folder, &document)?;
         }
-        let mut text = match format {
-            Format::Json => json(&findings, compared.as_ref()),
-            Format::Tex => tex(&findings, detail),
-            Format::Text => summary(&findings, compared.as_ref(), detail, true),
-            _ => String::new(),
-        };
+        let mut text = document.text(format, detail, true);
         if format == Format::Text && !arguments.quiet {
             text.insert_str(0, if i > 0 { "\n" } else { "" });
             let written = folder.map(|f| format!("report: {}\n", f.join("report.md").display()));
@@ -156,13 +148,13 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
         } else {
             print(&text)?
         }
-        if let Some(compared) = &compared
+        if let Some(compared) = &document.paper
             && compared.differences.len() + compared.unknown.len() > 0
         {
             complain(&format!("{}: what it says is not what the paper prints\n", derivation.file.path));
             exit = exit.and(Exit::Different);
         }
-        exit = exit.and(Exit::of(&findings));
+        exit = exit.and(Exit::of(&document.findings));
         if arguments.strict {
             for alarm in report::alarms(derivation, account) {
                 complain(&format!("{}: {alarm}\n", derivation.file.path));
@@ -173,9 +165,9 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
             complain(&format!("{claim}: only {rejected} of {of} altered formulas are rejected by any motion\n"));
             exit = exit.and(Exit::Different);
         }
-        found.add(findings, compared);
+        run.add(document);
     }
-    found.write(&arguments.targets, detail)?;
+    arguments.targets.write(&run, detail)?;
     if !problems.is_empty() {
         return Err(Stop::Diagnostics(problems));
     }
@@ -185,29 +177,12 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
     Ok(exit)
 }
 
-/// The derivation that a paper is compared with: the only one, or the only one that names labels.
-fn of_the_paper(sessions: &[Session]) -> Result<String, Stop> {
-    let derivations: Vec<&Derivation> = sessions.iter().map(Session::derivation).collect();
-    let labels =
-        |d: &&&Derivation| d.claims.iter().any(|c| c.label.is_some()) || d.systems.iter().any(|s| s.label.is_some());
-    let named: Vec<&&Derivation> = derivations.iter().filter(labels).collect();
-    match (derivations.as_slice(), named.as_slice()) {
-        ([one], _) => Ok(one.id.clone()),
-        (_, [one]) => Ok(one.id.clone()),
-        (_, []) => {
-            Err(Stop::Message("no derivation file names a label, so that none can be compared with a paper".to_owned()))
-        }
-        (_, many) => {
-            let names: Vec<&str> = many.iter().map(|d| d.id.as_str()).collect();
-            let message =
-                format!("`--source` is the paper of one derivation file, but {} name labels", names.join(", "));
-            Err(Stop::Message(message))
-        }
-    }
-}
-
-fn write_reports(folder: &Path, found: &Findings, paper: Option<&Comparison>) -> Result<(), Stop> {
-    let data = || (json(found, paper), report::certificates(found.derivation(), found.account()));
+fn write_reports(folder: &Path, document: &Document) -> Result<(), Stop> {
+    let found = &document.findings;
+    let data = || {
+        let json = document.text(Format::Json, Detail::Usual, false);
+        (json, report::certificates(found.derivation(), found.account()))
+    };
     let read = || rayon::join(|| found.page(), || found.markdown());
     let ((data, certificates), (page, markdown)) = rayon::join(data, read);
     let files = [("report.json", data), ("report.md", markdown), ("index.html", page)];

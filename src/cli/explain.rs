@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use rederive::check::ClaimAccount;
-use rederive::derivation::Derivation;
 use rederive::{Ask, report};
 
 use super::arguments::RigorArgument;
@@ -13,23 +12,6 @@ use super::{files, progress};
 /// The id in `id/reading`.
 fn id_of(name: &str) -> &str {
     name.split('/').next().unwrap_or(name)
-}
-
-/// The claims, then all from which they are said to follow, through all steps: a proof is worth what these are.
-fn premises(derivation: &Derivation, claims: &[String]) -> Vec<String> {
-    let mut out = claims.to_vec();
-    let mut at = 0;
-    while let Some(name) = out.get(at).cloned() {
-        at += 1;
-        let of = derivation.claims.iter().filter(|c| c.name() == name || c.id == name);
-        for premise in of.flat_map(|c| &c.follows_from) {
-            let is_claim = derivation.claims.iter().any(|c| c.name() == *premise || c.id == *premise);
-            if is_claim && !out.contains(premise) {
-                out.push(premise.clone());
-            }
-        }
-    }
-    out
 }
 
 #[derive(clap::Args)]
@@ -52,7 +34,7 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Exit, Stop> {
     let sessions = files::load_all(&files::find(std::slice::from_ref(&arguments.path))?)?;
     let mut shown = 0;
     for (session, asked) in files::asked(sessions, &claims, &arguments.on)? {
-        let with_premises = premises(session.derivation(), &claims);
+        let with_premises = session.derivation().with_premises(&claims);
         let ask = Ask { claims: with_premises, rigor: arguments.rigor.into(), ..asked };
         let found = progress::check(&session, &ask, None)?;
         let wanted = |c: &&ClaimAccount| c.id == id_of(&arguments.claim);

@@ -30,12 +30,16 @@ pub struct Index {
 
 impl Claim {
     /// Whether a name is that of this claim: `id`, or `id/reading`.
-    fn is_called(&self, name: &str) -> bool {
-        match (name.split_once('/'), &self.reading) {
-            (None, _) => self.id == name,
-            (Some((id, reading)), Some(own)) => self.id == id && own == reading,
-            (Some(_), None) => false,
-        }
+    pub fn is_called(&self, name: &str) -> bool {
+        is_called(name, &self.id, self.reading.as_deref())
+    }
+}
+
+/// Whether a name is that of a claim with this id and reading: `id`, or `id/reading`.
+pub fn is_called(name: &str, id: &str, reading: Option<&str>) -> bool {
+    match name.split_once('/') {
+        None => id == name,
+        Some((of, own)) => id == of && reading == Some(own),
     }
 }
 
@@ -51,6 +55,23 @@ impl Derivation {
             return Premise::System(system);
         }
         self.claims.iter().position(|c| c.is_called(name)).map_or(Premise::Definition, Premise::Claim)
+    }
+
+    /// Claims by their names, then all claims from which they are said to follow, through all steps: a proof is worth what these are.
+    pub fn with_premises(&self, claims: &[String]) -> Vec<String> {
+        let mut out = claims.to_vec();
+        let mut at = 0;
+        while let Some(name) = out.get(at).cloned() {
+            at += 1;
+            // An id alone means all readings.
+            let of = self.claims.iter().filter(|c| c.is_called(&name));
+            for premise in of.flat_map(|c| &c.follows_from) {
+                if matches!(self.premise(premise), Premise::Claim(_)) && !out.contains(premise) {
+                    out.push(premise.clone());
+                }
+            }
+        }
+        out
     }
 
     /// The definition of a symbol, wherever it is declared.

@@ -16,6 +16,8 @@
 
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "pdf")]
+pub mod pdf;
 pub mod records;
 pub mod write;
 

@@ -1,0 +1,151 @@
+//! What a run over several derivation files found, and its text in every format.
+//!
+//! **In:** [`Findings`] file by file, with the comparison with a paper where there is one; problems of files. **Out:** the text of a
+//! [`Format`]: a document for each file, or one for all.
+
+use crate::diag::Diagnostic;
+use crate::paper::Comparison;
+use crate::report::{self, Checked, Finding};
+use crate::session::Findings;
+
+/// How results are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// A summary for people.
+    Text,
+    /// The report as JSON, one document for each derivation file.
+    Json,
+    /// The report as LaTeX source.
+    Tex,
+    /// JUnit XML.
+    Junit,
+    /// SARIF 2.1.0.
+    Sarif,
+    /// Annotations of a GitHub workflow.
+    Github,
+}
+
+impl Format {
+    /// All of them.
+    pub const ALL: [Format; 6] =
+        [Format::Text, Format::Json, Format::Tex, Format::Junit, Format::Sarif, Format::Github];
+
+    /// Its name, and what it is, in words.
+    pub fn words(self) -> (&'static str, &'static str) {
+        match self {
+            Format::Text => ("text", "A summary for people"),
+            Format::Json => ("json", "The report as JSON, one document for each derivation file"),
+            Format::Tex => ("tex", "The report as LaTeX source, for an appendix or a letter; pdflatex compiles it"),
+            Format::Junit => ("junit", "JUnit XML: a test case for each claim on each trajectory"),
+            Format::Sarif => ("sarif", "SARIF 2.1.0, for code scanning: what is not as expected, with its place"),
+            Format::Github => ("github", "Annotations of a GitHub workflow"),
+        }
+    }
+
+    /// The format of a name.
+    pub fn named(name: &str) -> Option<Format> {
+        Format::ALL.into_iter().find(|f| f.words().0 == name)
+    }
+
+    /// Whether it has a document for each derivation file, and not one for all.
+    pub fn is_of_one_file(self) -> bool {
+        matches!(self, Format::Text | Format::Json | Format::Tex)
+    }
+}
+
+/// How much the text for people says.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Detail {
+    /// What differs, and what is open.
+    Exceptions,
+    /// The first page alone.
+    FirstPage,
+    /// The first page, and what asks for attention.
+    #[default]
+    Usual,
+    /// The matrix, and all that was found.
+    Whole,
+}
+
+/// What was found of one derivation file.
+#[derive(Clone, Debug)]
+pub struct Document {
+    /// The findings.
+    pub findings: Findings,
+    /// How it compares with the paper.
+    pub paper: Option<Comparison>,
+}
+
+impl Document {
+    /// Its text in a format that has a document for each file; empty for others. `colour`: with escape codes.
+    pub fn text(&self, format: Format, detail: Detail, colour: bool) -> String {
+        let (derivation, account) = (self.findings.derivation(), self.findings.account());
+        match (format, detail) {
+            (Format::Text, Detail::Exceptions) => report::exceptions(derivation, account, colour),
+            (Format::Text, Detail::FirstPage) => report::front_page(derivation, account, colour),
+            (Format::Text, Detail::Usual | Detail::Whole) => {
+                let mut out = report::summary(derivation, account, colour, detail == Detail::Whole);
+                out.extend(self.paper.as_ref().map(|paper| report::paper_summary(derivation, paper)));
+                out
+            }
+            (Format::Json, _) => match &self.paper {
+                Some(paper) => report::json_with_paper(derivation, account, paper),
+                None => self.findings.json(),
+            },
+            (Format::Tex, Detail::FirstPage) => report::tex_summary(derivation, account),
+            (Format::Tex, _) => report::tex(derivation, account),
+            (Format::Junit | Format::Sarif | Format::Github, _) => String::new(),
+        }
+    }
+}
+
+/// What a run found, file by file, and what is to be told beside verdicts.
+#[derive(Clone, Debug, Default)]
+pub struct Run {
+    documents: Vec<Document>,
+    /// Everything that is to be told, verdicts included.
+    findings: Vec<Finding>,
+    /// Of these, what is not of a verdict.
+    others: Vec<Finding>,
+}
+
+impl Run {
+    /// Adds what was found of one derivation file.
+    pub fn add(&mut self, document: Document) {
+        let found = &document.findings;
+        let mut verdicts = report::findings(found.derivation(), found.account());
+        if let Some(comparison) = &document.paper {
+            report::add_paper(&mut verdicts, found.derivation(), comparison);
+            let of_paper = report::paper_findings(found.derivation(), comparison);
+            self.others.extend(of_paper.iter().cloned());
+            verdicts.extend(of_paper);
+        }
+        self.findings.extend(verdicts);
+        self.documents.push(document);
+    }
+
+    /// Adds problems of files.
+    pub fn add_problems(&mut self, found: &[Diagnostic]) {
+        let found = report::problems(found);
+        self.findings.extend(found.iter().cloned());
+        self.others.extend(found);
+    }
+
+    /// The text of a format, without colours.
+    pub fn text(&self, format: Format, detail: Detail) -> String {
+        match format {
+            Format::Text | Format::Json | Format::Tex => {
+                let between = if format == Format::Json || detail == Detail::Exceptions { "" } else { "\n" };
+                let each = self.documents.iter().map(|d| d.text(format, detail, false));
+                each.collect::<Vec<_>>().join(between)
+            }
+            Format::Junit => {
+                let findings = self.documents.iter().map(|d| &d.findings);
+                let checked = findings.map(|f| Checked { derivation: f.derivation(), account: f.account() });
+                report::junit(&checked.collect::<Vec<_>>(), &self.others)
+            }
+            Format::Sarif => report::sarif(&self.findings),
+            Format::Github => report::github(&self.findings),
+        }
+    }
+}
