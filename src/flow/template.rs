@@ -164,10 +164,13 @@ mod tests {
     /// What motions of one kind are given by, as text: parameters, and initial values in these.
     type Numbers<'n> = ([(&'n str, &'n str); 2], [(&'n str, &'n str); 2]);
 
+    /// The same, read.
+    type Pairs = Vec<(Leaf, Expr)>;
+
     const WANTED: [&str; 9] = ["x", "y'", "w", "e", "e@0", "e@1", "phi", "phi'", "phi@2"];
     const TIMES: [f64; 7] = [0.0, 0.3, 1.0, 2.0, 3.7, 4.99, 5.0];
 
-    fn of(w: &mut World, (parameters, initial): Numbers) -> (Vec<(Leaf, Expr)>, Vec<(Leaf, Expr)>) {
+    fn of(w: &mut World, (parameters, initial): Numbers) -> (Pairs, Pairs) {
         (w.pairs(&parameters), w.pairs(&initial))
     }
 
@@ -235,7 +238,7 @@ mod tests {
         let (motion, searches) = alone(&mut w, &field, first);
         let (parameters, initial) = of(&mut w, first);
         let template = Template::of(motion, searches, &w.graph, (&parameters, &initial)).unwrap();
-        let draft = |(parameters, initial): (Vec<(Leaf, Expr)>, Vec<(Leaf, Expr)>)| {
+        let draft = |(parameters, initial): (Pairs, Pairs)| {
             let mut graph = w.graph.clone();
             template.draft(&mut graph, &field, (&parameters, &initial)).is_some()
         };
