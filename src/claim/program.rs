@@ -308,6 +308,7 @@ impl Program {
         let count = self.comparisons().count();
         let mut out: Vec<Series> = (0..count).map(|_| Series::with_capacity(times)).collect();
         let mut evaluation = Evaluation::new(sides, points, sign, 0..sides.tape().output_count());
+        let has_cuts = self.cuts().next().is_some();
         let mut failed = 0;
         let mut from = 0;
         while from < times {
@@ -318,7 +319,7 @@ impl Program {
                 let all = evaluation.at_all(std::array::from_fn(|i| begin + i));
                 let clear = |slots: &&Slots<Wide>| {
                     let lane = |output: usize, i: usize| sides.tape().output(output, slots).ok().map(|b| b.lane(i));
-                    (0..BLOCK).all(|i| self.crossed(count, |output| lane(output, i)).next().is_none())
+                    !has_cuts || (0..BLOCK).all(|i| self.crossed(count, |output| lane(output, i)).next().is_none())
                 };
                 if let Some(slots) = all.filter(clear) {
                     failed = 0;

@@ -262,7 +262,7 @@ impl Family {
         type Image<'a> = &'a dyn Fn(Leaf) -> Option<Expr>;
         fn put(graph: &mut Graph, written: &Written<Vec<Expr>>, value: Image) -> Written<Vec<Expr>> {
             let value = written.value.iter().map(|e| graph.substitute(*e, |_, leaf| value(leaf))).collect();
-            Written { value, ..written.clone() }
+            Written { value, text: written.text.clone(), span: written.span.clone() }
         }
         let parameters = self.parameters.iter().map(|(symbol, w)| (*symbol, put(graph, w, &value))).collect();
         let motion = match &self.motion {
@@ -277,7 +277,9 @@ impl Family {
             Motion::Derived { .. } => return None,
         };
         let (id, title) = (self.member_id(number, |_| false), self.member_title(number));
-        Some(Trajectory { id, title, says: None, motion, parameters, ..base.clone() })
+        let (states, span, initial_time, place) =
+            (base.states.clone(), base.span, base.initial_time, base.place.clone());
+        Some(Trajectory { id, title, says: None, motion, states, parameters, span, initial_time, place })
     }
 
     /// A member as it is written in a file.

@@ -82,13 +82,37 @@ struct SymbolEntry {
     diagonal: bool,
 }
 
-/// Hash-consed expressions over the declared symbols of one derivation.
+/// Nodes of a graph, those from a position on.
 #[derive(Clone, Debug, Default)]
-pub struct Graph {
+struct Layer {
+    first: usize,
     nodes: Vec<Node>,
     /// The nodes by what they say: one number each, since copies of a graph are many.
     index: HashTable<Expr>,
-    symbols: Vec<SymbolEntry>,
+}
+
+impl Layer {
+    fn find(&self, hashed: u64, is_it: impl Fn(&Node) -> bool) -> Option<Expr> {
+        self.index.find(hashed, |e| is_it(&self.nodes[e.index() - self.first])).copied()
+    }
+
+    fn push(&mut self, hashed: u64, node: Node) -> Expr {
+        let Layer { first, nodes, index } = self;
+        let e = Expr((*first + nodes.len()) as u32);
+        nodes.push(node);
+        index.insert_unique(hashed, e, |e| hash(&nodes[e.index() - *first]));
+        e
+    }
+}
+
+/// Hash-consed expressions over the declared symbols of one derivation.
+#[derive(Clone, Debug, Default)]
+pub struct Graph {
+    /// The first nodes, in common with copies: see [`Graph::share`].
+    shared: Arc<Layer>,
+    /// The nodes after them.
+    own: Layer,
+    symbols: Arc<Vec<SymbolEntry>>,
     /// What fields may depend on, see [`field`](super::field).
     pub(super) coordinates: Vec<(Symbol, u16)>,
     /// The positions of the coordinates on which a field depends, in the order in which its name shows them.
@@ -145,7 +169,7 @@ impl Graph {
     ///
     /// With `diagonal`, `shape` is n × n and only the n diagonal components are stored.
     pub fn declare(&mut self, name: &str, shape: Shape, diagonal: bool) -> Symbol {
-        self.symbols.push(SymbolEntry { name: name.to_owned(), shape, diagonal });
+        Arc::make_mut(&mut self.symbols).push(SymbolEntry { name: name.to_owned(), shape, diagonal });
         Symbol((self.symbols.len() - 1) as u32)
     }
 
@@ -195,22 +219,33 @@ impl Graph {
 
     /// A node.
     pub fn node(&self, e: Expr) -> &Node {
-        &self.nodes[e.index()]
+        match e.index().checked_sub(self.own.first) {
+            Some(at) => &self.own.nodes[at],
+            None => &self.shared.nodes[e.index()],
+        }
+    }
+
+    /// Lets copies that are made from now on have all nodes that there are in common: to make one then costs nothing.
+    pub fn share(&mut self) {
+        let own = std::mem::take(&mut self.own);
+        let shared = Arc::make_mut(&mut self.shared);
+        own.nodes.into_iter().for_each(|node| _ = shared.push(hash(&node), node));
+        self.own.first = shared.nodes.len();
     }
 
     /// The node that is written like this, if there is one already.
     pub fn find(&self, node: &Node) -> Option<Expr> {
-        self.index.find(hash(node), |&e| self.nodes[e.index()] == *node).copied()
+        self.found(hash(node), |n| n == node)
     }
 
     /// Number of nodes.
     pub fn len(&self) -> usize {
-        self.nodes.len()
+        self.own.first + self.own.nodes.len()
     }
 
     /// Whether there is no node.
     pub fn is_empty(&self) -> bool {
-        self.nodes.is_empty()
+        self.len() == 0
     }
 
     /// The symbol at a position of the list of symbols.
@@ -223,18 +258,17 @@ impl Graph {
         self.symbols.len()
     }
 
+    fn found(&self, hashed: u64, is_it: impl Fn(&Node) -> bool) -> Option<Expr> {
+        self.own.find(hashed, &is_it).or_else(|| self.shared.find(hashed, &is_it))
+    }
+
     fn intern(&mut self, node: Node) -> Expr {
         // a + b and b + a are one node, printed in the order in which it was first written.
         let (hashed, turned) = (hash(&node), turned(&node));
-        let is_it = |&e: &Expr| self.nodes[e.index()] == node || turned.as_ref() == Some(&self.nodes[e.index()]);
-        if let Some(&e) = self.index.find(hashed, is_it) {
-            return e;
+        match self.found(hashed, |n| *n == node || turned.as_ref() == Some(n)) {
+            Some(e) => e,
+            None => self.own.push(hashed, node),
         }
-        let e = Expr(self.nodes.len() as u32);
-        self.nodes.push(node);
-        let nodes = &self.nodes;
-        self.index.insert_unique(hashed, e, |e| hash(&nodes[e.index()]));
-        e
     }
 
     /// An exact rational.
@@ -407,5 +441,38 @@ impl Graph {
             _ => None,
         };
         self.reachable(roots).into_iter().filter_map(node).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_copy_goes_on_from_what_it_shares() {
+        let mut alone = Graph::new();
+        let x = alone.declare("x", Shape::scalar(), false);
+        let x = alone.leaf(Leaf::now(x, 0));
+        let two = alone.integer(2);
+        let twice = alone.mul(two, x);
+        let mut shared = alone.clone();
+        // What there is may be shared at any time.
+        for round in 0..3 {
+            shared.share();
+            let mut copy = shared.clone();
+            let made = [&mut alone, &mut shared, &mut copy].map(|graph| {
+                let known = graph.mul(x, two);
+                let more = graph.integer(round + 7);
+                let sum = graph.add(twice, more);
+                let node = graph.node(sum).clone();
+                assert_eq!(graph.find(&node), Some(sum));
+                (known, more, sum, node, graph.len(), graph.leaves([sum]), graph.node(twice).clone())
+            });
+            assert_eq!(made[0].0, twice);
+            assert_eq!(made[1], made[0]);
+            assert_eq!(made[2], made[0]);
+            let other = copy.integer(-round);
+            assert!(other.index() + 1 == copy.len() && shared.len() < copy.len(), "a copy is by itself");
+        }
     }
 }

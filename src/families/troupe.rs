@@ -6,6 +6,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
+use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
@@ -61,6 +62,8 @@ pub struct Troupe<'a> {
     idle: Vec<Symbol>,
     /// What members are made after.
     pattern: Option<Pattern>,
+    /// Copies of the derivation in which members were, to be used again.
+    spare: Mutex<Vec<Derivation>>,
 }
 
 /// Of so many members one has the values along its motion computed on both routes, and so have those that are shown: what is compared
@@ -169,11 +172,14 @@ impl<'a> Troupe<'a> {
             estimation,
             idle,
             pattern: None,
+            spare: Mutex::default(),
         };
         let mut graph = troupe.derivation.graph.clone();
         troupe.pattern = troupe.asking(&Limits::default(), |requests| {
             Pattern::of(&troupe.derivation, &troupe.fields, requests, slot, &mut graph)
         });
+        // Each member begins with a copy of it.
+        graph.share();
         troupe.derivation.graph = graph;
         Ok(troupe)
     }
@@ -397,6 +403,8 @@ impl<'a> Troupe<'a> {
             places.into_iter().zip(settled).for_each(|(place, settled)| on_members[place] = settled);
             on_members
         });
+        let used = derivations.into_iter().map(|(derivation, _)| derivation);
+        self.spare.lock().unwrap_or_else(PoisonError::into_inner).extend(used);
         let mut on_members = on_members.drain(..);
         let with_verdicts = |one: Result<Option<One>, CheckError>| {
             let Some(one) = one? else { return Ok(None) };
@@ -460,7 +468,13 @@ impl<'a> Troupe<'a> {
     /// The derivation with a member, and with those that it is compared with: the same member again where there is none.
     fn with_member(&self, number: u64, values: &[f64]) -> Result<Derivation, CheckError> {
         let (slot, family) = (self.slot, &self.members.family);
-        let mut derivation = self.derivation.clone();
+        let spare = self.spare.lock().unwrap_or_else(PoisonError::into_inner).pop();
+        let mut derivation = spare.unwrap_or_else(|| self.derivation.clone());
+        // What a member changes of it: this, and the motions.
+        derivation.graph = self.derivation.graph.clone();
+        if !self.beside.is_empty() {
+            derivation.claims.clone_from(&self.derivation.claims);
+        }
         let made = |derivation: &mut Derivation, values: &[f64]| {
             let member = family.member(&mut derivation.graph, &self.derivation.trajectories[slot], number, values);
             let defect =

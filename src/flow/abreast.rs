@@ -12,7 +12,7 @@
 use super::kinks::{Lane, Series};
 use super::taylor::{Flow, Stop, Walker};
 use expr::tape::Slots;
-use number::{Growth, Jet, NoValue, Orders};
+use number::{Growth, Jet, NoValue, Orders, widely};
 
 /// Whether to stop, although there is more to do: asked between steps.
 pub type Halt<'h> = &'h (dyn Fn() -> bool + Sync);
@@ -144,16 +144,13 @@ struct Together<'a, const N: usize> {
     flow: &'a Flow,
     order: usize,
     growth: Growth<N>,
-    /// The series of the states that were grown last: lane by lane, order by order.
-    grown: Vec<f64>,
     /// Memory for a motion whose series have no values, once there is one.
     jets: Option<Slots<Jet<f64>>>,
 }
 
 impl<'a, const N: usize> Together<'a, N> {
     fn new(flow: &'a Flow, order: usize) -> Together<'a, N> {
-        let grown = vec![0.0; N * flow.dimension * (order + 1)];
-        Together { flow, order, growth: Growth::new(&flow.recurrences, order), grown, jets: None }
+        Together { flow, order, growth: Growth::new(&flow.recurrences, order), jets: None }
     }
 
     /// Gives a lane to a walker.
@@ -170,15 +167,6 @@ impl<'a, const N: usize> Together<'a, N> {
             state.iter().enumerate().for_each(|(i, &x)| self.growth.start_mut(1 + i).0[lane] = x);
         }
         self.growth.grow(&self.flow.recurrences, self.order);
-        // Each coefficient is read once for all lanes: they do not fit where reading is cheap.
-        let (n, rows) = (self.flow.dimension, self.order + 1);
-        for i in 0..n {
-            for (k, of_lanes) in self.growth.coefficients(1 + i)[..rows].iter().enumerate() {
-                for (lane, &c) in of_lanes.0.iter().enumerate() {
-                    self.grown[(lane * rows + k) * n + i] = c;
-                }
-            }
-        }
     }
 
     /// Tells the runner in a lane its series; whether it goes on.
@@ -195,12 +183,19 @@ impl<'a, const N: usize> Together<'a, N> {
 
     /// Gives a walker its series; `false` if some coefficient has no value.
     fn hand_over(&self, lane: usize, walker: &mut Walker) -> bool {
-        let (_, _, room) = walker.asks();
-        let first = lane * self.flow.dimension * (self.order + 1);
-        room.copy_from_slice(&self.grown[first..first + room.len()]);
+        let (n, (_, _, room)) = (self.flow.dimension, walker.asks());
+        for i in 0..n {
+            let of_state = room[i..].iter_mut().step_by(n).zip(self.growth.coefficients(1 + i));
+            of_state.for_each(|(to, from)| *to = from.0[lane]);
+        }
         // What has no value is NaN.
-        !room.iter().any(|c| c.is_nan())
+        widely(have_values, &*room)
     }
+}
+
+#[inline(always)]
+fn have_values(numbers: &[f64]) -> bool {
+    !numbers.iter().fold(false, |missing, x| missing | x.is_nan())
 }
 
 /// Grows what a walker asks for as the series of one motion.

@@ -27,7 +27,7 @@
 use super::taylor::Flow;
 use super::trajectory::{Branch, ORDER, Plan};
 use expr::tape::Slots;
-use number::{Bounded, BoundedLanes, Growth, Lanes};
+use number::{Bounded, BoundedLanes, Growth, Lanes, widely};
 
 /// How the errors of a motion are estimated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,8 +81,10 @@ pub(super) struct Estimate<'a> {
     flow: &'a Flow,
     growth: Growth<TOGETHER>,
     bounded: Slots<BoundedLanes<BLOCK>>,
-    /// The sizes of the states on the step that is looked at.
+    /// The sizes of the states of each kind on the step that is looked at.
     scale: Vec<f64>,
+    /// The signs with which the error of each state is added on that step.
+    signs: Vec<Lanes<LANES>>,
 }
 
 /// A branch on its way: the differences carried along it, so far.
@@ -93,6 +95,8 @@ struct Carried<'b> {
     differences: Vec<Lanes<LANES>>,
     constants: Vec<Lanes<LANES>>,
     largest: Vec<f64>,
+    /// How large each of the differences is now.
+    sizes: Vec<f64>,
     /// What differences are multiplied with, and how often that was chosen.
     multiple: f64,
     multiples: usize,
@@ -104,8 +108,8 @@ impl<'a> Estimate<'a> {
     /// Memory for a field; nothing where its right sides are not of the kind for which this is done.
     pub(super) fn new(flow: &'a Flow) -> Option<Estimate<'a>> {
         let growth = Growth::new(&flow.recurrences, SHORT);
-        let scale = vec![0.0; flow.dimension];
-        flow.is_plain().then(|| Estimate { flow, growth, bounded: flow.tape.slots(&()), scale })
+        let (scale, signs) = (Vec::new(), Vec::new());
+        flow.is_plain().then(|| Estimate { flow, growth, bounded: flow.tape.slots(&()), scale, signs })
     }
 
     /// The error of every state up to the end of every step, not yet growing, of several branches. Each is what it is alone, bit for
@@ -121,6 +125,9 @@ impl<'a> Estimate<'a> {
                     self.depart(seat, of, step);
                 }
                 self.growth.grow(&self.flow.recurrences, SHORT);
+                self.signs.clear();
+                let signs = |i: usize| Lanes(std::array::from_fn(|lane| sign(lane, i, step)));
+                self.signs.extend((0..self.flow.dimension).map(signs));
                 for (seat, of) in carried.iter_mut().enumerate().filter(|(_, of)| goes_on(of)) {
                     self.arrive(seat, of, step);
                 }
@@ -137,11 +144,13 @@ impl<'a> Estimate<'a> {
             bounds.iter().enumerate().map(of).collect()
         };
         let (differences, constants) = (each(&plan.state), each(&plan.constants));
-        let largest = differences.iter().map(size).collect();
+        let largest: Vec<f64> = differences.iter().map(size).collect();
+        let sizes = largest.clone();
         let rounding = self.rounding(plan, branch);
         let found = rounding.is_some().then(|| Vec::with_capacity((branch.times.len() - 1) * self.flow.dimension));
         let rounding = rounding.unwrap_or_default();
-        Carried { plan, branch, rounding, differences, constants, largest, multiple: 0.0, multiples: 0, found }
+        let (multiple, multiples) = (0.0, 0);
+        Carried { plan, branch, rounding, differences, constants, largest, sizes, multiple, multiples, found }
     }
 
     /// Lets the neighbours of a branch start a step.
@@ -151,7 +160,7 @@ impl<'a> Estimate<'a> {
         let h = branch.times[step + 1] - branch.times[step];
         let series = branch.series(n, step);
         flow.reach(series, h, &mut self.scale);
-        let farthest = farthest(&of.differences, &self.scale).max(farthest_constant(plan));
+        let farthest = farthest(&of.sizes, flow.kinds(), &self.scale).max(farthest_constant(plan));
         if farthest * of.multiple > FARTHEST || farthest * of.multiple < NEAREST || of.multiple == 0.0 {
             of.multiple = power_of_two(AWAY) / power_of_two(exponent(farthest.max(f64::EPSILON * f64::EPSILON)));
             // An error that is not small is none of a linear equation.
@@ -192,32 +201,19 @@ impl<'a> Estimate<'a> {
     /// What the differences are at the end of a step.
     fn arrive(&mut self, seat: usize, of: &mut Carried, step: usize) {
         let n = self.flow.dimension;
-        let Carried { branch, ref rounding, ref mut differences, ref mut largest, multiple, ref mut found, .. } = *of;
-        let Some(out) = found else { return };
+        let Carried { branch, ref rounding, ref mut differences, multiple, ref mut found, .. } = *of;
+        let (Some(out), sizes, largest) = (found.as_mut(), &mut of.sizes, &mut of.largest) else { return };
         let h = branch.times[step + 1] - branch.times[step];
         let series = branch.series(n, step);
-        let (along, by) = (Lanes::splat(h), Lanes::splat(1.0 / multiple));
-        let power = (0..ORDER).fold(1.0, |power, _| power * h);
-        let mut finite = true;
-        for (i, (difference, largest)) in differences.iter_mut().zip(largest).enumerate() {
-            let neighbour = self.growth.coefficients(1 + i);
-            let mut moved = Lanes::<LANES>::splat(0.0);
-            for k in (1..=SHORT).rev() {
-                let of_seat = Lanes(std::array::from_fn(|lane| neighbour[k].0[seat * LANES + lane]));
-                moved = (moved + of_seat - Lanes::splat(series[k * n + i])) * along;
-            }
-            let last = (series[ORDER * n + i] * power).abs();
-            let sum = (4.0 * f64::EPSILON * series[n + i]).abs();
-            let rounded = rounding[step * n + i] + branch.defects[step * n + i] + sum;
-            let own = TYPICAL * h.abs() * rounded + last;
-            let signed = Lanes(std::array::from_fn(|lane| sign(lane, i, step) * own));
-            *difference = *difference + moved * by + signed;
-            let now = size(difference);
-            finite &= now.is_finite();
+        let (rounding, defects) = (&rounding[step * n..(step + 1) * n], &branch.defects[step * n..(step + 1) * n]);
+        let (growth, signs) = (&self.growth, &self.signs);
+        let arrival = Arrival { growth, seat, series, h, by: 1.0 / multiple, signs, rounding, defects };
+        widely(Arrival::at_end, (arrival, &mut differences[..], &mut sizes[..]));
+        for (largest, &now) in largest.iter_mut().zip(&*sizes) {
             *largest = largest.max(now);
             out.push(SAFETY * *largest);
         }
-        if !finite {
+        if !sizes.iter().all(|now| now.is_finite()) {
             *found = None;
         }
     }
@@ -255,16 +251,55 @@ impl<'a> Estimate<'a> {
     }
 }
 
+/// The end of a step of a branch.
+struct Arrival<'s> {
+    /// The series of the neighbours, those of the branch in the lanes of its seat.
+    growth: &'s Growth<TOGETHER>,
+    seat: usize,
+    /// Those of the branch, its step, and 1 / the multiple of the differences that its neighbours were off.
+    series: &'s [f64],
+    h: f64,
+    by: f64,
+    /// Of every state.
+    signs: &'s [Lanes<LANES>],
+    rounding: &'s [f64],
+    defects: &'s [f64],
+}
+
+impl Arrival<'_> {
+    /// What the differences are here, and how large the largest of each state is.
+    #[inline(always)]
+    fn at_end((of, differences, sizes): (Arrival, &mut [Lanes<LANES>], &mut [f64])) {
+        let Arrival { growth, seat, series, h, by, signs, rounding, defects } = of;
+        let n = signs.len();
+        let power = (0..ORDER).fold(1.0, |power, _| power * h);
+        for (i, (difference, signs)) in differences.iter_mut().zip(signs).enumerate() {
+            let neighbour = &growth.coefficients(1 + i)[..=SHORT];
+            let mut moved = Lanes::<LANES>::splat(0.0);
+            for k in (1..=SHORT).rev() {
+                let of_seat = Lanes(std::array::from_fn(|lane| neighbour[k].0[seat * LANES + lane]));
+                moved = (moved + of_seat - Lanes::splat(series[k * n + i])) * Lanes::splat(h);
+            }
+            let last = (series[ORDER * n + i] * power).abs();
+            let sum = (4.0 * f64::EPSILON * series[n + i]).abs();
+            let own = TYPICAL * h.abs() * (rounding[i] + defects[i] + sum) + last;
+            *difference = *difference + moved * Lanes::splat(by) + *signs * Lanes::splat(own);
+            sizes[i] = size(difference);
+        }
+    }
+}
+
 /// The largest of the lanes by its size.
+#[inline(always)]
 fn size(x: &Lanes<LANES>) -> f64 {
     // NaN must not be lost.
     x.0.iter().fold(0.0, |most: f64, x| if x.abs() <= most { most } else { x.abs() })
 }
 
 /// The largest difference relative to the size of its state.
-fn farthest(differences: &[Lanes<LANES>], scale: &[f64]) -> f64 {
-    let each = differences.iter().zip(scale).map(|(d, &s)| (size(d), s)).filter(|(d, _)| *d > 0.0);
-    each.fold(0.0, |most: f64, (d, s)| most.max(d / s))
+fn farthest(sizes: &[f64], kinds: &[usize], scale: &[f64]) -> f64 {
+    let each = sizes.iter().zip(kinds).filter(|(d, _)| **d > 0.0);
+    each.fold(0.0, |most: f64, (d, &kind)| most.max(d / scale[kind]))
 }
 
 /// The largest error of a constant relative to it.

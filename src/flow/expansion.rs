@@ -26,6 +26,8 @@ pub(super) struct Expansion {
     places: Vec<(usize, usize)>,
     /// For every output, whether it has no value at any time.
     never: Vec<bool>,
+    /// For every output, whether it is the same at all times.
+    still: Vec<bool>,
 }
 
 /// Memory of one evaluation.
@@ -55,8 +57,8 @@ impl Expansion {
     /// `places` has the output of the program and the order of the time derivative of every leaf.
     pub(super) fn new(core: &Core, program: Program, places: Vec<(usize, usize)>) -> Expansion {
         let degree = places.iter().map(|p| p.1).max().unwrap_or(0);
-        let never = program.never_valued(core);
-        Expansion { program, degree, places, never }
+        let (never, still) = (program.never_valued(core), program.still());
+        Expansion { program, degree, places, never, still }
     }
 
     /// The same for a motion with other numbers.
@@ -80,6 +82,7 @@ impl Expansion {
             degree: leaves.iter().map(|&l| self.places[l].1).max().unwrap_or(0),
             places: leaves.iter().map(place).collect(),
             never: outputs.iter().map(|&o| self.never[o]).collect(),
+            still: outputs.iter().map(|&o| self.still[o]).collect(),
         }
     }
 
@@ -161,6 +164,10 @@ impl Expansion {
         }
         let mut single = Vec::new();
         for (leaf, &(output, order)) in self.places.iter().enumerate() {
+            // A column that says of its first times what it says of all.
+            if self.still[output] && !out.is_empty() {
+                continue;
+            }
             match self.program.output(bench, output).and_then(|series| derivative(series, order)) {
                 Err(_) if !self.never[output] => single.push(leaf),
                 lanes => out.push_lanes(leaf, lanes),

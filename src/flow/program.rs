@@ -438,6 +438,16 @@ impl Program {
         self.tape.depends(&self.inputs.iter().map(constant).collect::<Vec<bool>>())
     }
 
+    /// For each output, whether it depends on constants alone.
+    pub(super) fn still(&self) -> Vec<bool> {
+        let moves = |input: &Input| matches!(input, Input::Time | Input::State(_) | Input::Turns(_));
+        self.tape
+            .depends(&self.inputs.iter().map(moves).collect::<Vec<bool>>())
+            .into_iter()
+            .map(|moves| !moves)
+            .collect()
+    }
+
     /// An output after [`Program::run`].
     pub(super) fn output<'b, B: Base>(&self, bench: &'b Bench<B>, output: usize) -> Result<&'b Jet<B>, NoValue> {
         self.tape.output(output, &bench.slots)

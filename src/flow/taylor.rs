@@ -12,7 +12,7 @@ use super::kinks::{Edges, Kinks, Series};
 use super::narrow::Narrow;
 use expr::Leaf;
 use expr::tape::{Slots, Tape};
-use number::{Bounded, Growth, Instruction, Interval, Jet, NoValue, Orders, Recurrences, Scalar};
+use number::{Bounded, Growth, Instruction, Interval, Jet, NoValue, Orders, Recurrences, Scalar, widely};
 
 /// A field compiled for numbers: inputs are the time, the states, and the constants.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,6 +56,8 @@ const NEAR: f64 = 1e-6;
 const BEFORE: f64 = 1.0 - 1e-9;
 /// Most kinks that a motion may cross: one that slides along a kink crosses it without end.
 const MOST_KINKS: usize = 4_000;
+/// Components that are summed side by side.
+const ABREAST: usize = 4;
 /// Slopes that differ by so many rounding errors of a rate are one.
 const ROUNDING: f64 = 4.0;
 
@@ -165,17 +167,20 @@ impl Flow {
         self.polynomial && !self.driven && self.edges.is_empty()
     }
 
-    /// The size of every state on a step of length h, from its series, order by order: what states of one kind have in common.
-    pub(super) fn reach(&self, series: &[f64], h: f64, out: &mut [f64]) {
-        let n = self.dimension;
-        let mut most = vec![0.0_f64; self.group_count];
-        for (i, &g) in self.groups.iter().enumerate() {
-            let of = series[i].abs().max((series[n + i] * h).abs()).max((series[2 * n + i] * h * h).abs());
-            most[g] = most[g].max(of);
+    /// The size of the states of each kind on a step of length h, from their series, order by order.
+    pub(super) fn reach(&self, series: &[f64], h: f64, out: &mut Vec<f64>) {
+        out.clear();
+        out.resize(self.group_count, 0.0);
+        let (first, rest) = series.split_at(self.dimension);
+        let (second, third) = rest.split_at(self.dimension);
+        for (((&g, &x), &y), &z) in self.groups.iter().zip(first).zip(second).zip(third) {
+            out[g] = out[g].max(x.abs()).max((y * h).abs()).max((z * h * h).abs());
         }
-        for (out, &g) in out.iter_mut().zip(&self.groups) {
-            *out = most[g];
-        }
+    }
+
+    /// The kind of every state.
+    pub(super) fn kinds(&self) -> &[usize] {
+        &self.groups
     }
 
     /// Sets the constants of lanes.
@@ -394,7 +399,7 @@ impl<'a> Walker<'a> {
         let target = if size >= remaining { self.end } else { self.time + direction * size };
         let h = target - self.time;
         let n = self.flow.dimension;
-        sums(&self.now, h, &mut self.sums, &mut self.slopes);
+        widely(sums, (&self.now[..], h, &mut self.sums[..], &mut self.slopes[..]));
         for (i, &x) in self.now[..n].iter().enumerate() {
             let y = self.low[i] + h * self.sums[i];
             let s = x + y;
@@ -536,12 +541,7 @@ impl<'a> Walker<'a> {
         let mut guess = if self.last_step > 0.0 { self.last_step } else { self.length };
         // The scale of a state near 0 is what it becomes within the step, so the guess is improved once or twice.
         for _ in 0..if self.last_step > 0.0 { 1 } else { 3 } {
-            self.scale.fill(0.0);
-            for (i, &g) in self.flow.groups.iter().enumerate() {
-                let c = [self.now[i], self.now[n + i], self.now[2 * n + i]];
-                let reach = c[0].abs().max((c[1] * guess).abs()).max((c[2] * guess * guess).abs());
-                self.scale[g] = self.scale[g].max(reach);
-            }
+            self.flow.reach(&self.now, guess, &mut self.scale);
             let mut radius = f64::INFINITY;
             let mut seen = 0;
             for k in (p / 2..=p).rev() {
@@ -577,17 +577,34 @@ pub(super) fn horner(c: &[f64], h: f64) -> f64 {
 }
 
 /// c₁ + c₂h + … of each component, and c₁ + 2c₂h + …, from the coefficients order by order.
-fn sums(orders: &[f64], h: f64, sums: &mut [f64], slopes: &mut [f64]) {
+#[inline(always)]
+fn sums((orders, h, sums, slopes): (&[f64], f64, &mut [f64], &mut [f64])) {
     let n = sums.len();
-    sums.fill(0.0);
-    slopes.fill(0.0);
-    for (k, c) in orders.chunks_exact(n.max(1)).enumerate().skip(1).rev() {
-        let k = k as f64;
-        for ((sum, slope), &c) in sums.iter_mut().zip(&mut *slopes).zip(c) {
-            *sum = *sum * h + c;
-            *slope = *slope * h + c * k;
+    // Some components at a time, whose sums stay in registers.
+    let mut some = 0;
+    while some + ABREAST <= n {
+        sums_of::<ABREAST>(orders, (n, some), h, &mut sums[some..], &mut slopes[some..]);
+        some += ABREAST;
+    }
+    while some < n {
+        sums_of::<1>(orders, (n, some), h, &mut sums[some..], &mut slopes[some..]);
+        some += 1;
+    }
+}
+
+/// The same of `N` components of `n`, the first of which is `from`.
+#[inline(always)]
+fn sums_of<const N: usize>(orders: &[f64], (n, from): (usize, usize), h: f64, sums: &mut [f64], slopes: &mut [f64]) {
+    let (mut sum, mut slope) = ([0.0; N], [0.0; N]);
+    for (k, c) in orders.chunks_exact(n).enumerate().skip(1).rev() {
+        let (c, k) = (&c[from..from + N], k as f64);
+        for i in 0..N {
+            sum[i] = sum[i] * h + c[i];
+            slope[i] = slope[i] * h + c[i] * k;
         }
     }
+    sums[..N].copy_from_slice(&sum);
+    slopes[..N].copy_from_slice(&slope);
 }
 
 /// Base-2 logarithm of a positive normal number, to 0.09: enough for a 20th root, and the same bits everywhere.

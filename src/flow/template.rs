@@ -153,3 +153,102 @@ impl Core {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::estimate::Estimation;
+    use super::super::motion::{Setup, Source};
+    use super::*;
+    use crate::flow_support::World;
+
+    /// What motions of one kind are given by, as text: parameters, and initial values in these.
+    type Numbers<'n> = ([(&'n str, &'n str); 2], [(&'n str, &'n str); 2]);
+
+    /// The same, read.
+    type Pairs = Vec<(Leaf, Expr)>;
+
+    const WANTED: [&str; 9] = ["x", "y'", "w", "e", "e@0", "e@1", "phi", "phi'", "phi@2"];
+    const TIMES: [f64; 7] = [0.0, 0.3, 1.0, 2.0, 3.7, 4.99, 5.0];
+
+    fn of(w: &mut World, (parameters, initial): Numbers) -> (Pairs, Pairs) {
+        (w.pairs(&parameters), w.pairs(&initial))
+    }
+
+    /// The motion and the searches along it, made the long way.
+    fn alone(w: &mut World, field: &VectorField, numbers: Numbers) -> (Motion, Vec<Arc<Search>>) {
+        let (parameters, initial) = of(w, numbers);
+        let setup = Setup {
+            time: w.leaf("t"),
+            span: (0.0, 5.0),
+            initial_time: 0.0,
+            parameters,
+            source: Source::Integrated { field, initial, start: Default::default() },
+            observables: w.observables(&[("e", "x^2+y^2+k*x^4/2"), ("phi~", "atan2(y,x)")]),
+        };
+        let mut motion = Motion::new(&mut w.graph, setup).unwrap();
+        w.prepare(&mut motion, &WANTED);
+        let sought = ["x", "e-e@0+x*y", "phi-3"].map(|e| w.e(e));
+        let searches = motion.searches(&mut w.graph, &sought, (0.0, 5.0));
+        (motion, searches.into_iter().map(|search| Arc::new(search.unwrap())).collect())
+    }
+
+    /// All that is seen of a motion, to the last bit.
+    fn seen((motion, searches): &(Motion, Vec<Arc<Search>>)) -> String {
+        let at = TIMES.map(|t| motion.at(t));
+        let along: Vec<_> = (0..TIMES.len()).map(|i| motion.along(&TIMES).row(i)).collect();
+        let zeros: Vec<_> = searches.iter().map(|search| search.zeros()).collect();
+        let duals = TIMES.map(|t| motion.dual_at(t));
+        format!("{at:?} {along:?} {zeros:?} {duals:?} {:?} {:?} {}", motion.error(), motion.span(), motion.steps())
+    }
+
+    #[test]
+    fn what_is_made_after_a_pattern_is_what_it_is_alone() {
+        let mut w = World::default();
+        let field = w.field(&["x", "y"], &["x' = w*y", "y' = 0-w*x*(1+k*x^2)"]).unwrap();
+        let numbers = |w, k, x, y| ([("w", w), ("k", k)], [("x", x), ("y", y)]);
+        let first = numbers("1", "0.5", "1", "w/2");
+        let (motion, searches) = alone(&mut w, &field, first);
+        let (parameters, initial) = of(&mut w, first);
+        let template = Template::of(motion, searches, &w.graph, (&parameters, &initial)).unwrap();
+        let mut all = Vec::new();
+        for (one, two, x, y) in [
+            ("1", "0.5", "1", "w/2"),
+            ("1.7", "0.5", "1", "w/2"),
+            ("1", "0.1", "0.3", "w/2+k"),
+            ("0.2", "3", "0-2/3", "sqrt(w)"),
+        ] {
+            let numbers = numbers(one, two, x, y);
+            let (parameters, initial) = of(&mut w, numbers);
+            let mut graph = w.graph.clone();
+            let mut draft = template.draft(&mut graph, &field, (&parameters, &initial)).unwrap();
+            assert!(Draft::integrate([&mut draft], Estimation::Companions, &|| false));
+            let made = seen(&template.finish(draft, |_| (0.0, 5.0)).unwrap());
+            assert_eq!(made, seen(&alone(&mut w, &field, numbers)));
+            all.push(made);
+        }
+        all.dedup();
+        assert_eq!(all.len(), 4, "each motion is another one");
+    }
+
+    #[test]
+    fn what_may_come_out_otherwise_is_not_made() {
+        let mut w = World::default();
+        let field = w.field(&["x", "y"], &["x' = w*y", "y' = 0-w*x*(1+k*x^2)"]).unwrap();
+        let first = ([("w", "1"), ("k", "0.5")], [("x", "1"), ("y", "1/k")]);
+        let (motion, searches) = alone(&mut w, &field, first);
+        let (parameters, initial) = of(&mut w, first);
+        let template = Template::of(motion, searches, &w.graph, (&parameters, &initial)).unwrap();
+        let draft = |(parameters, initial): (Pairs, Pairs)| {
+            let mut graph = w.graph.clone();
+            template.draft(&mut graph, &field, (&parameters, &initial)).is_some()
+        };
+        assert!(draft((parameters.clone(), initial.clone())));
+        let (swapped, fewer) = ([parameters[1], parameters[0]].to_vec(), parameters[..1].to_vec());
+        assert!(!draft((swapped, initial.clone())), "the constants have another order");
+        assert!(!draft((fewer, initial.clone())), "a parameter has no value");
+        assert!(!draft((parameters.clone(), initial[..1].to_vec())), "a state has no value");
+        let none = of(&mut w, ([("w", "1"), ("k", "0")], [("x", "1"), ("y", "1/k")]));
+        let mut graph = w.graph.clone();
+        assert!(template.draft(&mut graph, &field, (&none.0, &none.1)).is_none(), "1/0");
+    }
+}

@@ -12,7 +12,7 @@ use super::abreast::{self, Event, Halt, Runner};
 use super::error::Problem;
 use super::estimate::{Estimate, Estimation};
 use super::taylor::{Control, Flow, Step, Stop, Walker};
-use number::{Bounded, NoValue};
+use number::{Bounded, NoValue, widely};
 
 /// What the differences between independent integrations are multiplied with.
 const SAFETY: f64 = 8.0;
@@ -117,8 +117,11 @@ impl Trajectory {
         };
         let mut runs: Vec<Run> = Vec::new();
         for (plan, end) in plans.iter().flat_map(|plan| ends(plan).map(|end| (plan, end))) {
+            if end == plan.initial_time {
+                continue;
+            }
             runs.push(Run::Whole(Whole::new(flow, plan, end)));
-            if end != plan.initial_time && estimate.is_none() {
+            if estimate.is_none() {
                 runs.extend(Check::of(plan).iter().map(|check| Run::Ends(Ends::new(flow, plan, *check, end))));
             }
         }
@@ -127,10 +130,11 @@ impl Trajectory {
         }
         let mut runs = runs.into_iter().peekable();
         let mut branches: Vec<Found> = Vec::new();
-        while let Some(first) = runs.next() {
-            let whole = match first {
-                Run::Whole(whole) => whole.finish(estimation),
-                Run::Ends(_) => Ok(Branch::default()),
+        for (plan, end) in plans.iter().flat_map(|plan| ends(plan).map(|end| (plan, end))) {
+            // What has nowhere to go is where it starts.
+            let whole = match runs.next_if(|_| end != plan.initial_time) {
+                Some(Run::Whole(whole)) => whole.finish(estimation),
+                Some(Run::Ends(_)) | None => Ok(Branch { times: vec![plan.initial_time], ..Branch::default() }),
             };
             let mut companions = Vec::new();
             while let Some(Run::Ends(ends)) = runs.next_if(|run| matches!(run, Run::Ends(_))) {
@@ -248,22 +252,25 @@ impl Trajectory {
     /// The values of a state at several times at once: the same operations, time by time, none of which waits for those of
     /// another time.
     pub(super) fn values<const N: usize>(&self, places: &[Place; N], state: usize) -> [f64; N] {
-        let n = self.dimension;
+        widely(Self::sums, (self, places, state))
+    }
+
+    #[inline(always)]
+    fn sums<const N: usize>((of, places, state): (&Trajectory, &[Place; N], usize)) -> [f64; N] {
+        let n = of.dimension;
         let since = places.map(|place| place.since);
         let mut out = [f64::NAN; N];
         let mut from = 0;
         while let Some(&Place { backward, step, .. }) = places.get(from) {
             // The polynomial of one step at all times, of which those count that lie in it: few blocks of times have many steps.
-            let (c, low) = self.branch(backward).polynomial(n, step, state);
-            let coefficient = |k: usize| c.get(k * n).copied().unwrap_or(f64::NAN);
+            let (c, low) = of.branch(backward).polynomial(n, step, state);
             let mut sums = [0.0; N];
-            for k in (1..=ORDER).rev() {
-                let x = coefficient(k);
+            for &x in c.iter().step_by(n.max(1)).skip(1).rev() {
                 for i in 0..N {
                     sums[i] = sums[i] * since[i] + x;
                 }
             }
-            let first = coefficient(0);
+            let first = c.first().copied().unwrap_or(f64::NAN);
             let to = from + places[from..].iter().take_while(|p| (p.backward, p.step) == (backward, step)).count();
             for i in from..to {
                 out[i] = first + (low + since[i] * sums[i]);

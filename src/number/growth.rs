@@ -50,8 +50,8 @@ pub struct Recurrences {
     rates: Vec<usize>,
 }
 
-/// Most products in one loop: as many sums as fill the registers, two for each product.
-const TOGETHER: usize = 6;
+/// Most products in one loop: their sums in all lanes fill the registers, four for each product at most.
+const TOGETHER: usize = 3;
 
 /// How a step is carried out where its arguments move or do not.
 fn kind(step: &Instruction, moves: &[bool]) -> Kind {
@@ -242,24 +242,31 @@ fn part<S: Simd, const N: usize>(x: &Lanes<N>, register: usize) -> S::f64s {
     S::as_simd_f64s(&x.0).0[register]
 }
 
-/// Writes a register of a result, where what is not finite is NaN.
+/// Writes a result, of which there is a function of the register; what is not finite is NaN.
 #[inline(always)]
-fn put<S: Simd, const N: usize>(simd: S, out: &mut Lanes<N>, register: usize, x: S::f64s) {
-    // x − x is 0, or NaN where x is not finite.
-    S::as_mut_simd_f64s(&mut out.0).0[register] = simd.add_f64s(x, simd.sub_f64s(x, x));
+fn put<S: Simd, const N: usize>(simd: S, out: &mut Lanes<N>, of: impl Fn(usize) -> S::f64s) {
+    for (register, out) in S::as_mut_simd_f64s(&mut out.0).0.iter_mut().enumerate() {
+        let x = of(register);
+        // x − x is 0, or NaN where x is not finite.
+        *out = simd.add_f64s(x, simd.sub_f64s(x, x));
+    }
 }
 
-/// Σⱼ bⱼ·aₖ₋ⱼ for one a and several b of one length: a register of each. A macro, so that each slice has a name of its own, whose
-/// length is looked at once.
+/// Σⱼ bⱼ·aₖ₋ⱼ for one a and several b of one length, register by register; there are no more registers than lanes. A macro, so that
+/// each slice has a name of its own, whose length is looked at once.
 macro_rules! products {
-    ($simd:ident, $register:ident, $a:expr, $($b:ident $sum:ident),+) => {{
+    ($simd:ident, $a:expr, $($b:ident $sum:ident),+) => {{
         let n = $a.len();
         let a = &$a[..n];
         $(let $b = &$b[..n];)+
-        $(let mut $sum = $simd.splat_f64s(0.0);)+
+        $(let mut $sum = [$simd.splat_f64s(0.0); N];)+
         for j in 0..n {
-            let x = part::<S, N>(&a[n - 1 - j], $register);
-            $($sum = $simd.add_f64s($sum, $simd.mul_f64s(part::<S, N>(&$b[j], $register), x));)+
+            let a = &a[n - 1 - j];
+            $(let $b = &$b[j];)+
+            for register in 0..N / S::F64_LANES {
+                let x = part::<S, N>(a, register);
+                $($sum[register] = $simd.add_f64s($sum[register], $simd.mul_f64s(part::<S, N>($b, register), x));)+
+            }
         }
         [$($sum),+]
     }};
@@ -275,22 +282,17 @@ fn product_row<S: Simd, const N: usize>(
 ) {
     let Some(&[common, ..]) = steps.first() else { return };
     macro_rules! row {
-        ($($step:ident $b:ident $sum:ident),+) => {
-            for register in 0..N / S::F64_LANES {
-                let a = &values[common * room..][..k + 1];
-                $(let $b = &values[$step[1] * room..][..k + 1];)+
-                let [$($sum),+] = products!(simd, register, a, $($b $sum),+);
-                $(put::<S, N>(simd, &mut values[$step[2] * room + k], register, $sum);)+
-            }
-        };
+        ($($step:ident $b:ident $sum:ident),+) => {{
+            let a = &values[common * room..][..k + 1];
+            $(let $b = &values[$step[1] * room..][..k + 1];)+
+            let [$($sum),+] = products!(simd, a, $($b $sum),+);
+            $(put::<S, N>(simd, &mut values[$step[2] * room + k], |register| $sum[register]);)+
+        }};
     }
     match steps {
         [s1] => row!(s1 b1 x1),
         [s1, s2] => row!(s1 b1 x1, s2 b2 x2),
         [s1, s2, s3] => row!(s1 b1 x1, s2 b2 x2, s3 b3 x3),
-        [s1, s2, s3, s4] => row!(s1 b1 x1, s2 b2 x2, s3 b3 x3, s4 b4 x4),
-        [s1, s2, s3, s4, s5] => row!(s1 b1 x1, s2 b2 x2, s3 b3 x3, s4 b4 x4, s5 b5 x5),
-        [s1, s2, s3, s4, s5, s6] => row!(s1 b1 x1, s2 b2 x2, s3 b3 x3, s4 b4 x4, s5 b5 x5, s6 b6 x6),
         // No row is longer.
         _ => {}
     }
@@ -309,10 +311,9 @@ fn grow<S: Simd, const N: usize>(simd: S, of: &Recurrences, order: usize, growth
         }
         let share = simd.splat_f64s(growth.shares[k + 1]);
         for (state, &rate) in of.rates.iter().enumerate() {
-            for register in 0..N / S::F64_LANES {
-                let x = simd.mul_f64s(part::<S, N>(&values[rate * room + k], register), share);
-                put::<S, N>(simd, &mut values[(1 + state) * room + k + 1], register, x);
-            }
+            let x = values[rate * room + k];
+            let of = |register| simd.mul_f64s(part::<S, N>(&x, register), share);
+            put::<S, N>(simd, &mut values[(1 + state) * room + k + 1], of);
         }
     }
 }
@@ -344,55 +345,58 @@ fn grow_row<S: Simd, const N: usize>(
     of: &Recurrences,
     others: &mut [OnJets<N>],
 ) {
-    let registers = N / S::F64_LANES;
+    // For each step two coefficients in, one out.
     macro_rules! each {
-        (|$a:ident, $b:ident, $register:ident| $value:expr) => {
-            for &[$a, $b, out] in &row.steps {
-                for $register in 0..registers {
-                    let value = $value;
-                    put::<S, N>(simd, &mut values[out * room + k], $register, value);
-                }
+        (|[$first:expr, $second:expr]: [$a:ident, $b:ident]| $value:expr) => {
+            for &[first, second, out] in &row.steps {
+                let ($a, $b) = (values[first * room + $first], values[second * room + $second]);
+                put::<S, N>(simd, &mut values[out * room + k], |register| {
+                    let ($a, $b) = (part::<S, N>(&$a, register), part::<S, N>(&$b, register));
+                    $value
+                });
+            }
+        };
+        (|$a:ident| $value:expr) => {
+            for &[first, _, out] in &row.steps {
+                let $a = values[first * room + k];
+                put::<S, N>(simd, &mut values[out * room + k], |register| {
+                    let $a = part::<S, N>(&$a, register);
+                    $value
+                });
             }
         };
     }
-    macro_rules! coefficient {
-        ($slot:expr, $order:expr, $register:ident) => {
-            part::<S, N>(&values[$slot * room + $order], $register)
-        };
-    }
     match row.kind {
-        Kind::Multiple => each!(|a, b, r| simd.mul_f64s(coefficient!(a, 0, r), coefficient!(b, k, r))),
-        Kind::Share => each!(|a, b, r| simd.div_f64s(coefficient!(a, k, r), coefficient!(b, 0, r))),
-        Kind::Negative => each!(|a, _b, r| simd.neg_f64s(coefficient!(a, k, r))),
-        Kind::Sum => each!(|a, b, r| simd.add_f64s(coefficient!(a, k, r), coefficient!(b, k, r))),
-        Kind::Difference => each!(|a, b, r| simd.sub_f64s(coefficient!(a, k, r), coefficient!(b, k, r))),
+        Kind::Multiple => each!(|[0, k]: [a, b]| simd.mul_f64s(a, b)),
+        Kind::Share => each!(|[k, 0]: [a, b]| simd.div_f64s(a, b)),
+        Kind::Negative => each!(|a| simd.neg_f64s(a)),
+        Kind::Sum => each!(|[k, k]: [a, b]| simd.add_f64s(a, b)),
+        Kind::Difference => each!(|[k, k]: [a, b]| simd.sub_f64s(a, b)),
         Kind::Product => product_row(simd, values, (room, k), &row.steps),
         // x·b = a.
         Kind::Quotient => {
             for &[a, b, out] in &row.steps {
-                for r in 0..registers {
-                    let (x, b) = (&values[out * room..out * room + k], &values[b * room..b * room + k + 1]);
-                    let b1 = &b[1..];
-                    let [known] = products!(simd, r, x, b1 sum);
-                    let rest = simd.sub_f64s(coefficient!(a, k, r), known);
-                    let value = simd.div_f64s(rest, part::<S, N>(&b[0], r));
-                    put::<S, N>(simd, &mut values[out * room + k], r, value);
-                }
+                let (x, b) = (&values[out * room..out * room + k], &values[b * room..b * room + k + 1]);
+                let (a, b0, b1) = (values[a * room + k], b[0], &b[1..]);
+                let [known] = products!(simd, x, b1 sum);
+                put::<S, N>(simd, &mut values[out * room + k], |register| {
+                    let rest = simd.sub_f64s(part::<S, N>(&a, register), known[register]);
+                    simd.div_f64s(rest, part::<S, N>(&b0, register))
+                });
             }
         }
-        Kind::Root if k == 0 => each!(|a, _b, r| simd.sqrt_f64s(coefficient!(a, 0, r))),
+        Kind::Root if k == 0 => each!(|a| simd.sqrt_f64s(a)),
         // x·x = a.
         Kind::Root => {
             for &[a, _, out] in &row.steps {
-                for r in 0..registers {
-                    let x = &values[out * room..out * room + k];
-                    let x1 = &x[1..];
-                    let [known] = products!(simd, r, x1, x1 sum);
-                    let rest = simd.sub_f64s(coefficient!(a, k, r), known);
-                    let first = part::<S, N>(&x[0], r);
-                    let value = simd.div_f64s(rest, simd.add_f64s(first, first));
-                    put::<S, N>(simd, &mut values[out * room + k], r, value);
-                }
+                let x = &values[out * room..out * room + k];
+                let (a, x0, x1) = (values[a * room + k], x[0], &x[1..]);
+                let [known] = products!(simd, x1, x1 sum);
+                put::<S, N>(simd, &mut values[out * room + k], |register| {
+                    let rest = simd.sub_f64s(part::<S, N>(&a, register), known[register]);
+                    let first = part::<S, N>(&x0, register);
+                    simd.div_f64s(rest, simd.add_f64s(first, first))
+                });
             }
         }
         Kind::Other => {

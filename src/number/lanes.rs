@@ -13,7 +13,7 @@ use super::wide::Convolution;
 use super::wide_lanes::{One, Steps};
 use super::wide_series::SeriesSteps;
 use super::{Instruction, Jet, NoValue, Number, Op, Orders, Rational, Scalar, scalar};
-use pulp::Arch;
+use pulp::{Arch, Simd, WithSimd};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `N` points. On the boundaries of registers of four: loads that cross a cache line take twice the time. Wider ones would leave
@@ -43,6 +43,24 @@ fn finite(x: f64) -> f64 {
 #[inline(always)]
 fn only(inside: bool, x: f64) -> f64 {
     if inside { x } else { f64::NAN }
+}
+
+/// Calls a function with the widest registers of this processor. It must be one that is always inlined, which a closure is not. Its
+/// operations are those of IEEE 754 in the order in which they are written, none of them fused, whatever the registers.
+#[inline]
+pub fn widely<A, T>(work: impl FnOnce(A) -> T, arguments: A) -> T {
+    Arch::new().dispatch(Widely(work, arguments))
+}
+
+/// A call.
+struct Widely<F, A>(F, A);
+
+impl<A, T, F: FnOnce(A) -> T> WithSimd for Widely<F, A> {
+    type Output = T;
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> T {
+        (self.0)(self.1)
+    }
 }
 
 impl<const N: usize> Lanes<N> {

@@ -38,6 +38,8 @@ pub(super) struct Judged<'a, 'g> {
     equations: bool,
     /// `[s][i]`: what is known of the whole group at time i for the sign s.
     pub whole: Vec<Vec<Possible>>,
+    /// What is known at each time, of all signs together.
+    together: Vec<Possible>,
 }
 
 impl<'a, 'g> Judged<'a, 'g> {
@@ -45,8 +47,11 @@ impl<'a, 'g> Judged<'a, 'g> {
     pub fn new(measured: &'a MeasuredGroup<'g>, precision: f64) -> Judged<'a, 'g> {
         let equations = measured.group.comparisons.iter().all(|c| c.kind == RelationKind::Equal);
         let equations = equations && !measured.group.asserted && measured.group.formula.is_none();
-        let whole = (0..measured.signs.len()).map(|s| measured.stand(s, precision)).collect();
-        Judged { measured, precision, equations, whole }
+        let whole: Vec<Vec<Possible>> = (0..measured.signs.len()).map(|s| measured.stand(s, precision)).collect();
+        let times = whole.iter().map(Vec::len).min().unwrap_or(0);
+        let at = |time: usize| measured.group.over_signs(whole.iter().map(|s| s[time]));
+        let together = (0..times).map(at).collect();
+        Judged { measured, precision, equations, whole, together }
     }
 
     /// The comparison that decides the standing at a time, for one sign: the one that is furthest off, against the size of its
@@ -110,6 +115,9 @@ impl<'a, 'g> Judged<'a, 'g> {
 
     /// The sign that decides at a time: the one that does best where one is asked for, the one that does worst where both are.
     pub fn sign(&self, time: usize) -> usize {
+        if self.whole.len() == 1 {
+            return 0;
+        }
         let signs = self.whole.iter().map(|s| s[time]).enumerate();
         let rank = |known: Possible| match (known.decided(), self.measured.group.signs) {
             (Some(Truth::True), Quantifier::Some) | (Some(Truth::False), Quantifier::Every) => 0,
@@ -148,7 +156,7 @@ impl<'a, 'g> Judged<'a, 'g> {
 
     /// What is known at a time, of all signs together.
     pub fn at(&self, time: usize) -> Possible {
-        self.measured.group.over_signs(self.whole.iter().map(|s| s[time]))
+        self.together.get(time).copied().unwrap_or(Possible::ANY)
     }
 }
 

@@ -10,6 +10,7 @@ use std::sync::Arc;
 use crate::derivation::{Derivation, Motion as Given};
 use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::flow::{Draft, FlowError, Motion, Template};
+use crate::number::Bounded;
 use crate::setup::{initial_values, parameters, setup};
 use crate::stage::{Built, Requests, closed_values, prepare};
 use crate::systems::Fields;
@@ -23,6 +24,8 @@ pub struct Pattern {
     places: Vec<Option<usize>>,
     /// What is searched for, in the order of the searches.
     searched: Vec<Expr>,
+    /// The values of parameters that other motions have, too.
+    given: BTreeMap<Vec<Expr>, Vec<Bounded>>,
 }
 
 impl Pattern {
@@ -39,12 +42,14 @@ impl Pattern {
         let (setup, known) = setup(derivation, fields, graph, of, None, false, requests.idle);
         let motion = Motion::new(graph, setup).ok()?;
         let built = prepare(derivation, requests, graph, trajectory, motion, known).ok()?;
-        let Built { motion, known, asked, places, searches, .. } = built;
+        let Built { motion, known, asked, places, searches, given, .. } = built;
+        let written = of.parameters.iter().map(|(_, w)| w.value.clone());
+        let given = written.zip(given).map(|(written, (_, values))| (written, values)).collect();
         let motion = Arc::into_inner(motion)?;
         let (searched, searches): (Vec<Expr>, Vec<_>) = searches.into_iter().unzip();
         let (parameters, initial) = (parameters(graph, of, false), initial_values(graph, initial));
         let template = Template::of(motion, searches, graph, (&parameters, &initial))?;
-        Some(Pattern { template, system: *system, known, asked, places, searched })
+        Some(Pattern { template, system: *system, known, asked, places, searched, given })
     }
 
     /// A motion after the pattern, set up; nothing where that is to be done the long way.
@@ -76,6 +81,7 @@ impl Pattern {
             (reached.0.max(of.span.0), reached.1.min(of.span.1))
         };
         let (motion, searches) = self.template.finish(draft, within)?;
+        let given = |e: &Vec<Expr>| self.given.get(e).cloned().unwrap_or_else(|| closed_values(graph, e));
         let searches: BTreeMap<_, _> = self.searched.iter().copied().zip(searches).collect();
         Ok(Built {
             span: within(&motion),
@@ -84,7 +90,7 @@ impl Pattern {
             asked: self.asked.clone(),
             places: self.places.clone(),
             initial_time: of.initial_time,
-            given: of.parameters.iter().map(|(s, w)| (*s, closed_values(graph, &w.value))).collect(),
+            given: of.parameters.iter().map(|(s, w)| (*s, given(&w.value))).collect(),
             searches,
             samples: Arc::default(),
         })

@@ -6,6 +6,7 @@
 //! left the part is void. One false point refutes. Points whose bound is too large to tell, and points at which it is false
 //! and not known whether they are selected, are named too; more than two in a hundred of them, and nothing is known.
 
+use crate::between::is_weak;
 use crate::describe::{Left, Setting};
 use crate::judged::{Judged, ratio, witness};
 use crate::latex::RelationKind;
@@ -119,8 +120,7 @@ fn clearest(group: &MeasuredGroup, failures: &[Failure]) -> Option<Failure> {
 
 /// The largest error bound within which the sides of a weak inequality agree at a time.
 fn agreement(group: &MeasuredGroup, sign: usize, time: usize) -> Option<f64> {
-    let weak = |kind| matches!(kind, RelationKind::LessEqual | RelationKind::GreaterEqual);
-    let each = group.group.comparisons.iter().zip(&group.signs[sign]).filter(|(c, _)| weak(c.kind));
+    let each = group.group.comparisons.iter().zip(&group.signs[sign]).filter(|(c, _)| is_weak(c.kind));
     let agree = |d: &Bounded| d.error > 0.0 && d.contains_zero();
     each.filter_map(|(_, series)| series.difference(time).ok().filter(agree)).map(|d| d.error).reduce(f64::max)
 }
@@ -140,6 +140,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
     let fault = |c: usize, i: usize, reason| setting.describer.fault(&group.group.comparisons[c], i, reason);
     // What must differ is worth seeing where it comes closest.
     let apart = group.group.comparisons.iter().all(|c| c.kind == RelationKind::NotEqual);
+    let any_weak = group.group.comparisons.iter().any(|c| is_weak(c.kind));
 
     // First where nothing is said: such points are left out.
     for (i, left) in setting.left.iter_mut().enumerate() {
@@ -215,8 +216,10 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
                 if truth == Truth::True {
                     evidence.within = evidence.within.max(judged.within(best, i));
                 }
-                let slack = agreement(group, best, i);
-                evidence.slack = evidence.slack.into_iter().chain(slack).reduce(f64::max);
+                if any_weak {
+                    let slack = agreement(group, best, i);
+                    evidence.slack = evidence.slack.into_iter().chain(slack).reduce(f64::max);
+                }
             }
             None => {
                 inconclusive_count += 1;
