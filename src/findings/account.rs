@@ -9,6 +9,7 @@ use crate::standing::{Decision, Exception, Finding, Given};
 use crate::variant::{Discrimination, VariantAccount};
 use crate::words::{self, Word};
 use derivation::Claim;
+use reason::Reason;
 use serde::{Deserialize, Serialize};
 use units::UnitsAccount;
 use verdict::{Outcome, Strength, Verdict};
@@ -47,7 +48,7 @@ pub struct Measurement {
     /// (time, value, error bound).
     pub values: Vec<(f64, f64, f64)>,
     /// Why there is none, or not all.
-    pub reason: Option<String>,
+    pub reason: Option<Reason>,
 }
 
 /// One claim on one trajectory.
@@ -359,7 +360,7 @@ pub struct Summary {
 
 impl Account {
     /// The claims that have no verdict because the program contradicts itself: name, what it was tried on, why.
-    pub fn defects(&self) -> impl Iterator<Item = (String, String, &str)> {
+    pub fn defects(&self) -> impl Iterator<Item = (String, String, &Reason)> {
         self.claims.iter().flat_map(|claim| {
             let name = claim.reading.as_ref().map_or(claim.id.clone(), |r| format!("{}/{r}", claim.id));
             claim.verdicts().filter_map(move |j| Some((name.clone(), j.on().to_owned(), j.verdict.defect()?)))

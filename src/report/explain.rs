@@ -129,7 +129,7 @@ fn about_pair(account: &Account, pair: &PairAccount, paint: Paint) -> String {
         }
     }
     if let Some(reason) = &evidence.reason {
-        out.push_str(&paragraph(reason, 4));
+        out.push_str(&paragraph(&reason.to_string(), 4));
     }
     if evidence.samples > 0 {
         out.push_str(&format!("    compared at {}\n", count(evidence.samples, "time")));
