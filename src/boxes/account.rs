@@ -29,7 +29,7 @@ pub fn of_step(claim: &Claim, region: &Region, step: Option<&IdentityAccount>) -
                 let (given, assumed) = (!step.from.is_empty(), !claim.assuming.is_empty());
                 (Possible::TRUE, Ranges::AllFields { given, assumed }.into())
             }
-            (Decision::Refuted, Some(point)) => (Possible::FALSE, Ranges::Contradicted(marked(point).into()).into()),
+            (Decision::Refuted, Some(point)) => (Possible::FALSE, Ranges::Contradicted(point.clone()).into()),
             _ => (Possible::ANY, Reason::quoted(step.sentence())),
         },
     };
@@ -189,19 +189,6 @@ fn why(account: &RegionAccount, known: Possible, division: &Division) -> Reason 
     }
     let shares = reason::Shares { proved, refuted, not_applicable, undecided };
     Ranges::Divided { what: Arc::new(what), shares, cells: account.cells }.into()
-}
-
-/// A point in words, with its names between dollars: `left 1, right 0 at u = 1; v = 2 — and left 2, right 0 at u = 2`.
-fn marked(point: &str) -> String {
-    let one = |part: &str| match part.split_once(" = ") {
-        None => part.to_owned(),
-        Some((head, value)) => {
-            let (before, name) = head.split_at(head.rfind(" at ").map_or(0, |at| at + " at ".len()));
-            format!("{before}${name}$ = {value}")
-        }
-    };
-    let half = |half: &str| half.split("; ").map(one).collect::<Vec<_>>().join("; ");
-    point.split(" — and ").map(half).collect::<Vec<_>>().join(" — and ")
 }
 
 /// A formula that fails: its sides differ as they must not, or it has no value.

@@ -9,7 +9,7 @@ use crate::standing::{Decision, Exception, Finding, Given};
 use crate::variant::{Discrimination, VariantAccount};
 use crate::words::{self, Word};
 use derivation::Claim;
-use reason::Reason;
+use reason::{Reason, Refuting};
 use serde::{Deserialize, Serialize};
 use units::UnitsAccount;
 use verdict::{Outcome, Strength, Verdict};
@@ -191,9 +191,9 @@ pub struct IdentityAccount {
     /// Whether what is given has values at fewer times than what is claimed: it says nothing of the others.
     pub narrower: bool,
     /// Why undecided; a remark on a proof.
-    pub reason: Option<String>,
+    pub reason: Option<Reason>,
     /// A point at which everything given holds and the claim does not.
-    pub witness: Option<String>,
+    pub witness: Option<Refuting>,
     /// What the verdict rests on: trials, certificates, numbers.
     pub evidence: IdentityEvidence,
 }
@@ -261,7 +261,7 @@ impl IdentityAccount {
         } else {
             format!("the definitions, the assumptions and {}", self.from.join(", "))
         };
-        let reason = self.reason.as_deref().unwrap_or("no reason is known");
+        let reason = self.reason.as_ref().map_or_else(|| "no reason is known".to_owned(), ToString::to_string);
         let open = self.conditional_in_words();
         let decision = self.finding.decision();
         match (decision, self.log2_error) {

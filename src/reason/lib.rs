@@ -22,7 +22,7 @@ mod shape;
 
 pub use enclosed::{Compared, Enclosing, Refutation};
 pub use plain::Plain;
-pub use proved::Proving;
+pub use proved::{Coordinate, Point, Proving, Refuting};
 pub use ranges::{Ranges, Shares};
 pub use sampled::{Fate, Sampling, Search};
 pub use shape::{Gap, Instant, Place, Sides, short};

@@ -100,6 +100,15 @@ sentences! {
     NoGradientAnywhere: "the gradients have no value at any sample",
     MeasureUnknown: "the measure depends on something that motions do not have",
     NothingToShow: "what it shows has no value on this motion",
+    // Proofs.
+    EqualNowhere: "both sides are equal wherever they have values, but no real point was found that satisfies what is given and at which they have some",
+    OnlySpecialCases: "it was proved outside of special cases only, and no real point was found outside of them",
+    GivenHasNoValue: "what is given makes a formula have no value",
+    RefutedWithoutAll: "refuted without something given that could not be used",
+    SignsUndecided: "the signs of the coefficients do not decide in every order of the parameters",
+    TooLargeForProof: "work limit: its formulas, with all that they follow from, are too large for a proof",
+    OnlyRates: "it compares values at different times, which what is given connects only through rates: that would need the solution of a differential equation",
+    Unconnected: "what is given names values at fixed times; it was not settled which present values a motion reaches from them",
     // Ranges of values.
     AtTheOnePoint: "at the one point that is asked for",
     AtEveryPoint: "at every point of the ranges",

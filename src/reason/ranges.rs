@@ -1,6 +1,6 @@
 //! What is known of a claim over ranges of values. Formulas stand between dollars.
 
-use super::Reason;
+use super::{Reason, Refuting};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use thiserror::Error;
@@ -32,8 +32,8 @@ pub enum Ranges {
     // Of fields, whatever they are.
     #[error("what it follows from assumes {}, and it does not say so itself", .0.iter().map(|text| format!("${text}$")).collect::<Vec<_>>().join(", "))]
     Presupposes(Vec<String>),
-    #[error("a solution near a point contradicts it: {0}")]
-    Contradicted(Arc<str>),
+    #[error("a solution near a point contradicts it: {}", .0.marked())]
+    Contradicted(Refuting),
     #[error("for all fields{}", fields(.given, .assumed))]
     AllFields { given: bool, assumed: bool },
 }

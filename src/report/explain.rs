@@ -77,7 +77,7 @@ fn about_claim(derivation: &Derivation, claim: &ClaimAccount, graph: &Derivation
         for (title, lines) in identity.terms() {
             out.push_str(&list(title, &lines));
         }
-        out.push_str(&list("Refuting point", identity.witness.as_slice()));
+        out.push_str(&list("Refuting point", &identity.witness.iter().map(ToString::to_string).collect::<Vec<_>>()));
     }
     out.push('\n');
     out

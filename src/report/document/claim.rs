@@ -85,9 +85,9 @@ objects! {
         /// Whether the proof leaves out special cases of what is given.
         generic: bool = of.generic,
         /// Why undecided; a remark on a proof.
-        reason: Option<&'a str> = of.reason.as_deref(),
+        reason: Option<String> = of.reason.as_ref().map(ToString::to_string),
         /// A point at which everything given holds and the claim does not.
-        witness: Option<&'a str> = of.witness.as_deref(),
+        witness: Option<String> = of.witness.as_ref().map(ToString::to_string),
         /// For ±: the sign it holds for.
         branch: Option<&'a str> = of.evidence.branch.as_deref(),
         /// The random test, where it proved.
