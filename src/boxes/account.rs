@@ -29,7 +29,7 @@ pub fn of_step(claim: &Claim, region: &Region, step: Option<&IdentityAccount>) -
                 let (given, assumed) = (!step.from.is_empty(), !claim.assuming.is_empty());
                 (Possible::TRUE, Ranges::AllFields { given, assumed }.into())
             }
-            (Decision::Refuted, Some(point)) => (Possible::FALSE, Ranges::Contradicted(point.clone()).into()),
+            (Decision::Refuted, Some(point)) => (Possible::FALSE, Ranges::Contradicted(Arc::new(point.clone())).into()),
             _ => (Possible::ANY, Reason::quoted(step.sentence())),
         },
     };

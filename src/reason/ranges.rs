@@ -33,7 +33,7 @@ pub enum Ranges {
     #[error("what it follows from assumes {}, and it does not say so itself", .0.iter().map(|text| format!("${text}$")).collect::<Vec<_>>().join(", "))]
     Presupposes(Vec<String>),
     #[error("a solution near a point contradicts it: {}", .0.marked())]
-    Contradicted(Refuting),
+    Contradicted(Arc<Refuting>),
     #[error("for all fields{}", fields(.given, .assumed))]
     AllFields { given: bool, assumed: bool },
 }

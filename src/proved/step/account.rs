@@ -68,7 +68,7 @@ impl Step<'_> {
         };
         let side = |s: &Side| s.exact.as_ref().map_or_else(|| s.decimal.to_string(), ToString::to_string);
         let [named, beyond] = refutation.parted(point);
-        let more = (!beyond.is_empty()).then(|| Coordinate::Beyond(beyond.len()));
+        let more = (!beyond.is_empty()).then_some(Coordinate::Beyond(beyond.len()));
         Point { left: side(left), right: side(right), at: named.into_iter().map(value).chain(more).collect() }
     }
 
