@@ -88,9 +88,10 @@
 //! | [`flow`] | vector fields, trajectories, observables, events | expr, number |
 //! | [`proof`] | identities for all values: proved, refuted, undecided | expr, number |
 //! | [`units`] | whether formulas are consistent in their units | derivation, expr, latex |
-//! | [`verdict`] | the kernel: what is true, what is known, what is said; alone makes verdicts | – |
-//! | [`findings`] | what was found, as plain data | derivation, expr, proof, units, verdict |
-//! | [`claim`] | a claim, compiled to comparisons | derivation, diag, expr, flow, latex, number, verdict |
+//! | [`reason`] | why a verdict is as it is, as data; the only place where reasons become words | number |
+//! | [`verdict`] | the kernel: what is true, what is known, what is said; alone makes verdicts | reason |
+//! | [`findings`] | what was found, as plain data | derivation, expr, proof, reason, units, verdict |
+//! | [`claim`] | a claim, compiled to comparisons | derivation, diag, expr, flow, latex, number, reason, verdict |
 //! | [`proved`] | claims for all values | claim, findings, proof, units, and what these use |
 //! | [`boxes`] | claims over ranges of values | claim, findings, proof, proved, and what these use |
 //! | [`sampled`] | claims along motions, from samples | claim, findings, flow, and what these use |
@@ -99,7 +100,7 @@
 //! | [`weight`] | what the evidence is worth | boxes, claim, findings, proved, sampled, and what these use |
 //! | [`check`] | the methods in their order, and what is known from before | all above |
 //! | [`paper`] | the paper's LaTeX source beside the derivation file | diag, derivation, files, latex |
-//! | [`report`] | verdicts → text, JSON, Markdown, HTML, LaTeX; no arithmetic | diag, expr, latex, derivation, findings, paper |
+//! | [`report`] | verdicts → text, JSON, Markdown, HTML, LaTeX; no arithmetic | diag, expr, latex, derivation, findings, paper, reason |
 //!
 //! `ARCHITECTURE.md` has the map in full; `tests/layering.rs` keeps these rules.
 
@@ -118,7 +119,7 @@ extern crate self as rederive;
 
 pub use ::{
     boxes, check, claim, derivation, diag, enclosed, expr, families, files, findings, flow, latex, number, paper,
-    proof, proved, report, sampled, units, verdict, weight,
+    proof, proved, reason, report, sampled, units, verdict, weight,
 };
 pub use check::{Outcome, Rigor, Strength, Witness};
 pub use expr::tape;

@@ -437,7 +437,7 @@ impl Findings {
                 outcome: judged.verdict.outcome(),
                 expected: judged.expected.map(str::to_owned),
                 is_expected: !judged.unexpected,
-                reason: judged.verdict.evidence().reason.clone(),
+                reason: judged.verdict.evidence().reason.as_ref().map(ToString::to_string),
                 witness: judged.verdict.evidence().witness.clone(),
             };
             c.verdicts().map(one).collect()

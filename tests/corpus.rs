@@ -102,7 +102,7 @@ fn incomplete(file: &str, account: &Account) -> Vec<String> {
                 Outcome::Holds(_) => evidence.samples > 0 && evidence.witness.is_none(),
                 Outcome::Fails(_) => evidence.witness.is_some(),
                 Outcome::NotApplicable(_) | Outcome::Undecided => {
-                    evidence.reason.as_ref().is_some_and(|r| !r.is_empty()) && evidence.witness.is_none()
+                    evidence.reason.as_ref().is_some_and(|r| !r.to_string().is_empty()) && evidence.witness.is_none()
                 }
             };
             if !complete {

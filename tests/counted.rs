@@ -171,7 +171,7 @@ fn a_measure_is_taken_at_the_time_that_is_counted() {
     let account = account(&text, Rigor::Sampled);
     let found = |id: &str, on: &str| {
         let m = account.measurements.iter().find(|m| m.measure == id && m.trajectory == on).expect("the measurement");
-        (m.values.iter().map(|v| v.1).collect::<Vec<f64>>(), m.reason.clone())
+        (m.values.iter().map(|v| v.1).collect::<Vec<f64>>(), m.reason.as_ref().map(ToString::to_string))
     };
     let close = |found: Vec<f64>, expected: &[f64]| {
         assert_eq!(found.len(), expected.len(), "{found:?}");

@@ -26,7 +26,8 @@ fn no_verdict_of_the_corpus_is_wrong() {
                     Outcome::Holds(Strength::Enclosed) => enclosed += 1,
                     Outcome::Fails(Strength::Enclosed) => certified += 1,
                     Outcome::Holds(Strength::Sampled) | Outcome::Fails(Strength::Sampled) => {
-                        let reason = pair.verdict.evidence().reason.as_deref().unwrap_or_default();
+                        let reason =
+                            pair.verdict.evidence().reason.as_ref().map(ToString::to_string).unwrap_or_default();
                         assert!(reason.contains("not enclosed: "), "{}", at());
                         continue;
                     }

@@ -141,11 +141,11 @@ follows-from = ["swing"]
     assert!(used.unused.is_empty() && !used.used.is_empty(), "{used:?}");
     let contradiction = identity(&found, "contradiction");
     assert_eq!(contradiction.verdict(), "undecided");
-    assert!(contradiction.reason.as_deref().is_some_and(|r| r.contains("contradict")), "{contradiction:?}");
+    assert!(contradiction.reason.as_ref().is_some_and(|r| r.to_string().contains("contradict")), "{contradiction:?}");
     let open = identity(&found, "open");
     assert_eq!(open.verdict(), "refuted", "{open:?}");
     let between = identity(&found, "between-times");
-    assert!(between.reason.as_deref().is_some_and(|r| r.contains("different times")), "{between:?}");
+    assert!(between.reason.as_ref().is_some_and(|r| r.to_string().contains("different times")), "{between:?}");
     assert_ne!(verdict(&found, "by-rate-alone"), "proved");
 }
 

@@ -99,7 +99,7 @@ fn changes_and_means_between_events() {
 fn what_is_not_known_has_no_value() {
     let none = |lines: &str, words: &str| {
         for of in measured(lines) {
-            let reason = of.reason.clone().unwrap_or_default();
+            let reason = of.reason.as_ref().map(ToString::to_string).unwrap_or_default();
             assert!(of.values.is_empty() && reason.contains(words), "{lines}: {of:?}");
         }
     };

@@ -13,34 +13,24 @@ use crate::findings::{ClaimAccount, IdentityAccount};
 use crate::number::Interval;
 use crate::verdict::{Finding, Possible, Strength, Truth, Verdict};
 use proof::Proof;
-
-/// A part of the volume, in words.
-fn percent(share: f64, whole: bool) -> String {
-    match 100.0 * share {
-        p if share > 0.0 && p < 0.1 => "less than 0.1 %".to_owned(),
-        p if !whole && p > 99.9 => "more than 99.9 %".to_owned(),
-        p => format!("{} %", (10.0 * p).round() / 10.0),
-    }
-}
+use reason::{Plain, Ranges, Reason};
+use std::sync::Arc;
 
 /// The account of a claim about fields, by what was decided of it as a step: over all of them, not over ranges.
 pub fn of_step(claim: &Claim, region: &Region, step: Option<&IdentityAccount>) -> RegionAccount {
-    let (known, reason) = match step {
-        None => (Possible::ANY, "it is no equation that could follow from others".to_owned()),
+    let (known, reason): (Possible, Reason) = match step {
+        None => (Possible::ANY, Plain::NoEquation.into()),
         Some(step) => match (step.finding.decision(), &step.witness) {
             // What is given may assume more than this does, or say less.
             (Decision::Proved, _) if !step.presupposed.is_empty() => {
-                let assumed: Vec<String> = step.presupposed.iter().map(|text| format!("${text}$")).collect();
-                let assumed = assumed.join(", ");
-                (Possible::ANY, format!("what it follows from assumes {assumed}, and it does not say so itself"))
+                (Possible::ANY, Ranges::Presupposes(step.presupposed.clone()).into())
             }
             (Decision::Proved, _) if step.is_proved() && step.lends_strength() => {
-                (Possible::TRUE, for_all(claim, step))
+                let (given, assumed) = (!step.from.is_empty(), !claim.assuming.is_empty());
+                (Possible::TRUE, Ranges::AllFields { given, assumed }.into())
             }
-            (Decision::Refuted, Some(point)) => {
-                (Possible::FALSE, format!("a solution near a point contradicts it: {}", marked(point)))
-            }
-            _ => (Possible::ANY, step.sentence()),
+            (Decision::Refuted, Some(point)) => (Possible::FALSE, Ranges::Contradicted(Arc::new(point.clone())).into()),
+            _ => (Possible::ANY, Reason::quoted(step.sentence())),
         },
     };
     let strength = if known == Possible::TRUE { Strength::Proved } else { Strength::Enclosed };
@@ -112,7 +102,7 @@ pub fn measure(account: &mut RegionAccount, division: &Division) {
     }
     account.cells = division.judged;
     if division.exhausted {
-        account.remarks.push("work limit: the ranges were not taken apart any further".to_owned());
+        account.remarks.push(Plain::RangesWorkLimit.into());
     }
     account.map = draw(division);
 }
@@ -133,35 +123,26 @@ pub fn identities(account: &mut RegionAccount, question: &Question) {
     // Of a formula with components that are no identities nothing is said of those that are.
     let whole = |text: &String| !question.equations.contains(text);
     for (text, bound, given) in question.identities.iter().filter(|(text, ..)| whole(text)) {
+        let formula = || text.as_str().into();
         if *given {
             account.identities.push((text.clone(), *bound));
-            account.remarks.push(format!(
-                "${text}$ follows from what is assumed and from the signs of the ranges, by random evaluation with an error \
-                 probability of at most 2^{}",
-                bound.ceil()
-            ));
+            account.remarks.push(Ranges::Identity { formula: formula(), given: true, bound: bound.ceil() }.into());
             continue;
         }
         if *bound <= Proof::CERTAIN {
-            account.remarks.push(format!("${text}$ is an identity between algebraic numbers, compared exactly"));
+            account.remarks.push(Ranges::Algebraic(formula()).into());
             continue;
         }
         // Of several components the weakest bound.
         let same = question.identities.iter().filter(|(other, ..)| other == text).map(|(_, bound, _)| *bound);
         let bound = same.fold(*bound, f64::max);
         account.identities.push((text.clone(), bound));
-        account.remarks.push(format!(
-            "${text}$ is an identity, by random evaluation with an error probability of at most 2^{}",
-            bound.ceil()
-        ));
+        account.remarks.push(Ranges::Identity { formula: formula(), given: false, bound: bound.ceil() }.into());
     }
     // Where a point refutes the claim, nobody asks whether it is an identity.
     let open = account.shares.undecided > 0.0 && account.witness.is_none();
     for text in question.equations.iter().filter(|_| open) {
-        account.remarks.push(format!(
-            "${text}$ was not shown to be an identity; intervals refute an equation, but prove it only where both sides \
-             are one number"
-        ));
+        account.remarks.push(Ranges::NoIdentity(text.as_str().into()).into());
     }
     account.identities.dedup();
     account.remarks.dedup();
@@ -181,72 +162,33 @@ pub fn conclude(account: &mut RegionAccount, division: &Division, strength: Stre
         Possible::ANY
     };
     let strength = if known == Possible::TRUE { strength } else { Strength::Enclosed };
-    let reason = sentence(account, known, division);
+    let reason = why(account, known, division);
     let point = account.witness.as_ref().map(|w| w.values.as_slice());
     account.verdict = Verdict::over_ranges(known, strength, division.judged, point, reason);
 }
 
-fn sentence(account: &RegionAccount, known: Possible, division: &Division) -> String {
-    let mut out = match known.decided() {
-        Some(Truth::True) if account.varying == 0 => "at the one point that is asked for".to_owned(),
-        Some(Truth::True)
-            if account.shares.not_applicable > 0.0 || division.pieces.iter().any(|p| p.part == Part::Border) =>
-        {
-            "at every point at which it applies".to_owned()
-        }
-        Some(Truth::True) => "at every point of the ranges".to_owned(),
-        Some(Truth::Void) => {
-            "at no point of the ranges do its assumptions hold and its formulas have values".to_owned()
-        }
-        Some(Truth::False) => match &account.witness {
-            Some(w) => w.sentence(),
-            None => "a part of the ranges is refuted".to_owned(),
+/// Why a claim over ranges has its verdict.
+fn why(account: &RegionAccount, known: Possible, division: &Division) -> Reason {
+    let Shares { proved, refuted, not_applicable, undecided } = account.shares;
+    let what: Reason = match known.decided() {
+        Some(Truth::False) => match account.witness.clone() {
+            Some(w) => Ranges::Point { values: w.values, says: Arc::new(w.says) }.into(),
+            None => Plain::PartRefuted.into(),
         },
-        None if account.shares.undecided == 0.0 && !division.met => {
-            "no point was found at which its assumptions certainly hold".to_owned()
+        Some(Truth::Void) => Plain::AtNoPoint.into(),
+        None if undecided == 0.0 && !division.met => Plain::NoPointForCertain.into(),
+        Some(Truth::True) | None if account.varying == 0 => Plain::AtTheOnePoint.into(),
+        Some(Truth::True) if not_applicable > 0.0 || division.pieces.iter().any(|p| p.part == Part::Border) => {
+            Plain::WhereverItApplies.into()
         }
-        None if account.varying == 0 => "at the one point that is asked for".to_owned(),
-        None => "it is not decided everywhere".to_owned(),
+        Some(Truth::True) => Plain::AtEveryPoint.into(),
+        None => Plain::NotEverywhere.into(),
     };
-    if account.varying > 0 {
-        let Shares { proved, refuted, not_applicable, undecided } = account.shares;
-        let parts = [
-            (proved, "proved"),
-            (refuted, "refuted"),
-            (not_applicable, "outside of what it applies to"),
-            (undecided, "undecided"),
-        ];
-        let there = parts.iter().filter(|(share, _)| *share > 0.0);
-        let whole = there.clone().count() == 1;
-        let said: Vec<String> = there.map(|(share, word)| format!("{} {word}", percent(*share, whole))).collect();
-        let cells = if account.cells == 1 { "1 cell".to_owned() } else { format!("{} cells", account.cells) };
-        out = format!("{out}: {}, by {cells}", said.join(", "));
+    if account.varying == 0 {
+        return what;
     }
-    out
-}
-
-/// A point in words, with its names between dollars: `left 1, right 0 at u = 1; v = 2 — and left 2, right 0 at u = 2`.
-fn marked(point: &str) -> String {
-    let one = |part: &str| match part.split_once(" = ") {
-        None => part.to_owned(),
-        Some((head, value)) => {
-            let (before, name) = head.split_at(head.rfind(" at ").map_or(0, |at| at + " at ".len()));
-            format!("{before}${name}$ = {value}")
-        }
-    };
-    let half = |half: &str| half.split("; ").map(one).collect::<Vec<_>>().join("; ");
-    point.split(" — and ").map(half).collect::<Vec<_>>().join(" — and ")
-}
-
-/// For which fields something is proved.
-fn for_all(claim: &Claim, step: &IdentityAccount) -> String {
-    let given = (!step.from.is_empty()).then_some("what it follows from");
-    let assumed = (!claim.assuming.is_empty()).then_some("what it assumes");
-    let both: Vec<&str> = given.into_iter().chain(assumed).collect();
-    match both.is_empty() {
-        true => "for all fields".to_owned(),
-        false => format!("for all fields that satisfy {}", both.join(" and ")),
-    }
+    let shares = reason::Shares { proved, refuted, not_applicable, undecided };
+    Ranges::Divided { what: Arc::new(what), shares, cells: account.cells }.into()
 }
 
 /// A formula that fails: its sides differ as they must not, or it has no value.
@@ -256,11 +198,12 @@ pub fn of_formula(
     sides: Option<((f64, f64), (f64, f64))>,
 ) -> RegionWitness {
     let middle = |(lo, hi): (f64, f64)| if lo == hi { lo } else { 0.5 * lo + 0.5 * hi };
+    let name = formula.as_str().into();
     let says = match sides {
-        Some((left, right)) => format!("${formula}$ has the sides {} and {}", middle(left), middle(right)),
-        None => format!("${formula}$ has no value"),
+        Some((left, right)) => Ranges::Sides { formula: name, left: middle(left), right: middle(right) },
+        None => Ranges::NoValue(name),
     };
-    RegionWitness { values, formula: Some(formula), sides, says }
+    RegionWitness { values, formula: Some(formula), sides, says: says.into() }
 }
 
 /// The account of a claim over ranges.

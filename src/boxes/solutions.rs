@@ -22,6 +22,7 @@
 //! [Moore, Kearfott & Cloud 2009, Theorem 8.2]: https://doi.org/10.1137/1.9780898717716
 //! [Neumaier 1990, Theorem 5.1.8]: https://doi.org/10.1017/CBO9780511526473
 
+use reason::{Plain, Ranges};
 use std::cell::OnceCell;
 use std::collections::VecDeque;
 
@@ -513,25 +514,19 @@ impl Solver {
             account.solutions = sure.map(of).collect();
             account.solutions.sort_by(|a, b| order(a).total_cmp(&order(b)));
             if whole.part == Part::Undecided {
-                account.remarks.push(format!(
-                    "{} parts of the box are left, in which there may be solutions",
-                    found.left.len() + found.zeros.iter().filter(|z| z.counts == Truth::Open).count()
-                ));
+                let open = found.zeros.iter().filter(|z| z.counts == Truth::Open).count();
+                account.remarks.push(Ranges::PartsLeft(found.left.len() + open).into());
             }
         }
         let Some(cell) = &division.refuted_at else { return };
         let found = self.search(&cell.sides, self.most(), &mut scratch);
         let solutions: Vec<SolutionAccount> = found.zeros.iter().filter(|z| z.counts == Truth::True).map(of).collect();
         let says = match solutions.len() {
-            0 => "there is no solution".to_owned(),
-            n => {
-                let each = |s: &SolutionAccount| {
-                    let values: Vec<String> =
-                        s.values.iter().map(|(name, lo, hi)| format!("${name}={}$", 0.5 * lo + 0.5 * hi)).collect();
-                    values.join(", ")
-                };
-                let first: Vec<String> = solutions.iter().take(2).map(each).collect();
-                format!("there are at least {n} solutions, at {}", first.join(" and at "))
+            0 => Plain::NoSolution.into(),
+            count => {
+                let middle = |(name, lo, hi): &(String, f64, f64)| (name.clone(), 0.5 * lo + 0.5 * hi);
+                let first = solutions.iter().take(2).map(|s| s.values.iter().map(middle).collect()).collect();
+                Ranges::Solutions { count, first }.into()
             }
         };
         account.witness =

@@ -6,6 +6,7 @@
 //! Level sets are found on a grid of the visible disc, by the signs at its corners and linear interpolation between them;
 //! a saddle is a point of a grid on the whole sphere around which the function changes sides four times or more.
 
+use reason::{Plain, Reason, Sampling};
 use std::collections::BTreeMap;
 
 use crate::derivation::{Derivation, Picture, PictureKind, Written};
@@ -48,7 +49,7 @@ pub(super) fn draw(derivation: &Derivation, course: &Course) -> Vec<PictureAccou
         };
         let (lines, reason) = match lines {
             Ok(lines) if lines.iter().any(|l| l.points.len() > 1) => (lines, None),
-            Ok(_) => (Vec::new(), Some("what it shows has no value on this motion".to_owned())),
+            Ok(_) => (Vec::new(), Some(Plain::NothingToShow.into())),
             Err(reason) => (Vec::new(), Some(reason)),
         };
         let trajectory = derivation.trajectories[course.trajectory].id.clone();
@@ -60,9 +61,9 @@ pub(super) fn draw(derivation: &Derivation, course: &Course) -> Vec<PictureAccou
 type Row = Vec<Result<f64, NoValue>>;
 
 /// Times and values of formulas, thinned.
-fn table(derivation: &Derivation, course: &Course, formulas: &[Written<Expr>]) -> Result<Vec<(f64, Row)>, String> {
+fn table(derivation: &Derivation, course: &Course, formulas: &[Written<Expr>]) -> Result<Vec<(f64, Row)>, Reason> {
     let roots: Vec<Expr> = formulas.iter().map(|w| w.value).collect();
-    let unknown = |leaf: Leaf| format!("{} is not known on this motion", derivation.graph.leaf_latex(leaf));
+    let unknown = |leaf: Leaf| Sampling::NotKnown(derivation.graph.leaf_latex(leaf).into());
     let tape = Tape::compile(&derivation.graph, course.leaves, &roots).map_err(unknown)?;
     let mut slots = tape.slots::<Bounded>(&());
     // A motion that is at rest for long is drawn with few points there: samples are dense where it moves.
@@ -90,14 +91,14 @@ fn parts(kind: LineKind, points: impl Iterator<Item = Option<(f64, f64)>>) -> Ve
     out
 }
 
-fn against_time(derivation: &Derivation, picture: &Picture, course: &Course) -> Result<Vec<Line>, String> {
+fn against_time(derivation: &Derivation, picture: &Picture, course: &Course) -> Result<Vec<Line>, Reason> {
     let rows = table(derivation, course, &picture.show)?;
     let value = |row: &Row, k: usize| row.get(k).and_then(|v| v.as_ref().ok()).copied();
     let of = |k: usize| parts(LineKind::Shown(k), rows.iter().map(move |(t, row)| Some((*t, value(row, k)?))));
     Ok((0..picture.show.len()).flat_map(of).collect())
 }
 
-fn curve(derivation: &Derivation, picture: &Picture, course: &Course) -> Result<Vec<Line>, String> {
+fn curve(derivation: &Derivation, picture: &Picture, course: &Course) -> Result<Vec<Line>, Reason> {
     let formulas: Vec<Written<Expr>> = picture.show.iter().chain(&picture.slopes).cloned().collect();
     let rows = table(derivation, course, &formulas)?;
     let value = |row: &Row, k: usize| row.get(k).and_then(|v| v.as_ref().ok()).copied();
@@ -146,7 +147,7 @@ fn view(points: &[Vector]) -> [Vector; 3] {
     [right, up, towards]
 }
 
-fn sphere(derivation: &Derivation, picture: &Picture, course: &Course) -> Result<Vec<Line>, String> {
+fn sphere(derivation: &Derivation, picture: &Picture, course: &Course) -> Result<Vec<Line>, Reason> {
     let rows = table(derivation, course, &picture.show)?;
     let vector = |row: &Row| -> Option<Vector> {
         let mut out = [0.0; 3];
@@ -162,7 +163,7 @@ fn sphere(derivation: &Derivation, picture: &Picture, course: &Course) -> Result
         return Ok(Vec::new());
     }
     if long - short > ROUND * long {
-        return Err(format!("their length is not constant: it goes from {short:.4} to {long:.4}"));
+        return Err(Sampling::LengthVaries(short, long).into());
     }
     let [right, up, towards] = view(&points);
     let mut lines = Vec::new();

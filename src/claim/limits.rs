@@ -6,6 +6,7 @@
 //! These depend on the machine, so that two runs that reach them may differ. The limits of each piece of work are not these:
 //! they count operations, are always there, and give the same on every machine (see `docs/limits.md`).
 
+use reason::Plain;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -46,16 +47,16 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// The limit that is reached, in words.
-    pub fn reached(&self) -> Option<&'static str> {
+    /// The limit that is reached.
+    pub fn reached(&self) -> Option<Plain> {
         if self.is_cancelled() {
-            return Some("the run was cancelled before this was begun");
+            return Some(Plain::Cancelled);
         }
         if self.is_over() {
-            return Some("work limit: the time of the run was over before this was begun");
+            return Some(Plain::TimeOver);
         }
         if self.memory.is_some_and(|most| resident().is_some_and(|now| now > most)) {
-            return Some("work limit: the memory of the run was used up before this was begun");
+            return Some(Plain::MemoryUsedUp);
         }
         None
     }
@@ -86,7 +87,7 @@ mod tests {
     fn a_limit_is_reached_when_it_is() {
         assert_eq!(Limits::default().reached(), None);
         let past = Limits { deadline: Some(Instant::now()), ..Limits::default() };
-        assert!(past.reached().is_some_and(|words| words.contains("time")));
+        assert!(past.reached() == Some(Plain::TimeOver));
         let in_an_hour = Instant::now().checked_add(std::time::Duration::from_secs(3600));
         let later = Limits { deadline: in_an_hour, ..Limits::default() };
         assert_eq!(later.reached(), None);
@@ -94,7 +95,7 @@ mod tests {
         let ended = Limits { cancel: Some(flag.clone()), ..Limits::default() };
         assert!(!ended.is_cancelled() && ended.reached().is_none());
         flag.raise();
-        assert!(ended.is_cancelled() && ended.reached().is_some_and(|words| words.contains("cancelled")));
+        assert!(ended.is_cancelled() && ended.reached() == Some(Plain::Cancelled));
         assert_ne!(flag, Cancel::default());
         if cfg!(target_os = "linux") {
             assert!(resident().is_some_and(|bytes| bytes > 1 << 20));

@@ -5,10 +5,10 @@ use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 use super::ready::Shown;
-use super::why::Why;
 use crate::expr::{Expr, Graph};
 use crate::flow::{Compiled, Enclosure, Reach, Reaches, Sharp, Stretch};
 use crate::number::{Interval, NoValue};
+use reason::{Enclosing, Place, Plain, Reason};
 
 /// Stretches are halved down to this part of the span.
 const SHORTEST: f64 = 1e-6;
@@ -98,9 +98,9 @@ pub(super) enum Judgement {
     /// Enough.
     Settled,
     /// Not enough, and why.
-    Open(Why),
+    Open(Reason),
     /// What makes the rest superfluous.
-    Stop(Why),
+    Stop(Reason),
 }
 
 /// The ranges of all roots over one stretch.
@@ -130,8 +130,8 @@ impl Along {
     ///
     /// # Errors
     /// Why the motion does not know it.
-    pub fn difference(&mut self, e: Expr) -> Result<usize, String> {
-        let resolved = self.enclosure.resolved(&mut self.graph, e).map_err(|e| e.to_string())?;
+    pub fn difference(&mut self, e: Expr) -> Result<usize, Reason> {
+        let resolved = self.enclosure.resolved(&mut self.graph, e).map_err(Reason::quoted)?;
         Ok(self.differences.add(resolved))
     }
 
@@ -139,8 +139,8 @@ impl Along {
     ///
     /// # Errors
     /// Why the motion does not know it.
-    pub fn side(&mut self, e: Expr) -> Result<usize, String> {
-        let resolved = self.enclosure.resolved(&mut self.graph, e).map_err(|e| e.to_string())?;
+    pub fn side(&mut self, e: Expr) -> Result<usize, Reason> {
+        let resolved = self.enclosure.resolved(&mut self.graph, e).map_err(Reason::quoted)?;
         Ok(self.sides.add(resolved))
     }
 
@@ -153,10 +153,10 @@ impl Along {
     ///
     /// # Errors
     /// What the motion does not know.
-    pub fn compile(&mut self) -> Result<(), String> {
+    pub fn compile(&mut self) -> Result<(), Reason> {
         for sheet in [&mut self.differences, &mut self.sides] {
             let compiled = self.enclosure.compile_resolved(&self.graph, &sheet.roots);
-            sheet.compiled = Some(compiled.map_err(|e| e.to_string())?);
+            sheet.compiled = Some(compiled.map_err(Reason::quoted)?);
         }
         Ok(())
     }
@@ -179,14 +179,14 @@ impl Along {
     }
 
     /// Why the span is not enclosed as a whole.
-    pub fn incomplete(&self) -> Option<String> {
+    pub fn incomplete(&self) -> Option<Reason> {
         let (from, to) = self.enclosure.reach();
         if from <= self.span.0 && self.span.1 <= to {
             return None;
         }
         Some(match self.enclosure.stop() {
-            Some(stop) => stop.to_string(),
-            None => "the enclosure does not reach as far as the span".to_owned(),
+            Some(stop) => Reason::quoted(stop),
+            None => Plain::DoesNotReachSpan.into(),
         })
     }
 
@@ -286,19 +286,17 @@ impl Along {
         selection: &Selection,
         mut judge: impl FnMut(Interval, &Ranges) -> Judgement,
         hopeless: impl Fn(&Ranges) -> bool,
-    ) -> Result<usize, Why> {
+    ) -> Result<usize, Reason> {
         let shortest = SHORTEST * (self.span.1 - self.span.0);
         let mut todo = self.pieces.clone();
         todo.reverse();
         let mut looked = 0;
         while let Some(time) = todo.pop() {
             if self.left == 0 {
-                let reached = format!("the work limit of {MOST} operations was reached at t = {:.6}", time.lo());
-                return Err(reached.into());
+                return Err(Enclosing::WorkLimit { operations: MOST, at: Some(time.lo()) }.into());
             }
             if self.left_of_all == 0 {
-                let most = MOST_OF_ALL;
-                return Err(format!("the work limit of {most} operations for the motion was reached").into());
+                return Err(Enclosing::WorkLimit { operations: MOST_OF_ALL, at: None }.into());
             }
             looked += 1;
             let ranges = self.over(selection, time);
@@ -323,13 +321,13 @@ impl Along {
                 let now = Interval::point(middle);
                 let ranges = self.over(selection, now);
                 if hopeless(&ranges) && self.sharper(selection, now, &ranges).is_none_or(|ranges| hopeless(&ranges)) {
-                    return Err(why.at(middle));
+                    return Err(why.placed(Place::Time(middle)));
                 }
             }
             let (first, second) = (Interval::new(time.lo(), middle), Interval::new(middle, time.hi()));
             let short = time.hi() - time.lo() < shortest || middle <= time.lo() || middle >= time.hi();
             let (false, Ok(first), Ok(second)) = (short, first, second) else {
-                return Err(why.on(time));
+                return Err(why.placed(Place::Stretch(time.lo(), time.hi())));
             };
             todo.extend([second, first]);
         }

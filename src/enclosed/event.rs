@@ -8,13 +8,13 @@
 
 use super::cover::{Along, Judgement, Ranges};
 use super::ready::{Ready, Shown, certain, changes_sign};
-use super::why::Why;
 use crate::derivation::{Direction, Occasion};
 use crate::flow::Reach;
 use crate::latex::RelationKind;
 use crate::number::{Interval, Scalar};
 use crate::verdict::{Enclosed, Possible, Quantifier, Truth, Witness};
 use claim::program::What;
+use reason::{Enclosing, Place, Plain, Reason, Refutation};
 
 /// Most steps of Newton's method for one event.
 const STEPS: usize = 40;
@@ -23,7 +23,7 @@ const STEPS: usize = 40;
 ///
 /// # Errors
 /// The stretch on which there may be another one.
-pub(super) fn events(ready: &Ready, (place, rate): (usize, usize), along: &mut Along) -> Result<Vec<Interval>, Why> {
+pub(super) fn events(ready: &Ready, (place, rate): (usize, usize), along: &mut Along) -> Result<Vec<Interval>, Reason> {
     let (mut found, mut ending) = (Vec::new(), Vec::new());
     // Events are counted, whether the assumptions are met at them or not.
     let all = !ready.occasion.is_any();
@@ -32,7 +32,7 @@ pub(super) fn events(ready: &Ready, (place, rate): (usize, usize), along: &mut A
             return Judgement::Settled;
         }
         let Ok(reach) = &ranges[place] else {
-            return Judgement::Open("whether there is an event cannot be told".into());
+            return Judgement::Open(Plain::EventOpen.into());
         };
         if certain(RelationKind::Equal, reach.range()) == Some(false) {
             return Judgement::Settled;
@@ -53,7 +53,7 @@ pub(super) fn events(ready: &Ready, (place, rate): (usize, usize), along: &mut A
             }
             (true, true) | (false, _) => {}
         }
-        Judgement::Open("whether there is an event, and one only, cannot be told".into())
+        Judgement::Open(Plain::OneEventOpen.into())
     };
     along.cover(&ready.roots, judge, |_| false)?;
     for time in ending {
@@ -70,11 +70,7 @@ pub(super) fn events(ready: &Ready, (place, rate): (usize, usize), along: &mut A
         match (sign(wider.lo()), sign(wider.hi())) {
             (Some(before), Some(after)) if monotone && before != after => found.push(wider),
             (Some(_), Some(_)) if monotone => {}
-            _ => {
-                let (from, to) = (time.lo(), time.hi());
-                let words = format!("whether there is an event at an end of [{from:.6}, {to:.6}] cannot be told");
-                return Err(words.into());
-            }
+            _ => return Err(Enclosing::EventAtEnd(time.lo(), time.hi()).into()),
         }
     }
     let found = meant(ready, rate, along, united(found))?;
@@ -95,7 +91,7 @@ fn starts(ready: &Ready, (place, rate): (usize, usize), along: &mut Along, time:
 ///
 /// # Errors
 /// Which way an event is passed is not certain.
-fn meant(ready: &Ready, rate: usize, along: &mut Along, found: Vec<Interval>) -> Result<Vec<Interval>, Why> {
+fn meant(ready: &Ready, rate: usize, along: &mut Along, found: Vec<Interval>) -> Result<Vec<Interval>, Reason> {
     let Occasion { direction, count } = ready.occasion;
     let mut out = Vec::new();
     for time in found {
@@ -103,7 +99,7 @@ fn meant(ready: &Ready, rate: usize, along: &mut Along, found: Vec<Interval>) ->
             let ranges = along.over(&ready.roots, time);
             let slope = ranges[rate].as_ref().map(|r| r.range()).ok().filter(|r| !r.contains(0.0));
             let Some(slope) = slope else {
-                return Err(format!("which way the event at t = {:.6} is passed is not certain", time.mid()).into());
+                return Err(Enclosing::DirectionOpen(time.mid()).into());
             };
             let way = if slope.lo() > 0.0 { Direction::Up } else { Direction::Down };
             if way != wanted {
@@ -160,7 +156,7 @@ pub(super) fn always(ready: &Ready, event: (usize, usize), along: &mut Along) ->
     match ready.part.what {
         What::Every | What::Denied | What::Defined => {}
         What::Constant | What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent | What::Across => {
-            return Shown::Nothing("a claim of this form at events is not enclosed".into());
+            return Shown::Nothing(Plain::FormAtEvents.into());
         }
     }
     let events = match events(ready, event, along) {
@@ -173,11 +169,7 @@ pub(super) fn always(ready: &Ready, event: (usize, usize), along: &mut Along) ->
         match ready.selected(&ranges) {
             Some(false) => continue,
             Some(true) => {}
-            None => {
-                return Shown::Nothing(
-                    format!("whether the event at t = {:.6} counts is not certain", time.mid()).into(),
-                );
-            }
+            None => return Shown::Nothing(Enclosing::EventCounts(time.mid()).into()),
         }
         let known = ready.value(&ranges);
         if known == Possible::VOID {
@@ -187,17 +179,18 @@ pub(super) fn always(ready: &Ready, event: (usize, usize), along: &mut Along) ->
         if known == Possible::FALSE
             && let Some(witness) = ready.shown(along, &ranges, time.mid())
         {
-            let reason = format!("certified, at the event at t = {}", witness.t);
+            let reason = Refutation::AtEvent(witness.t).into();
             return Shown::Fails(witness, reason);
         }
-        let each: Vec<Result<f64, Why>> = (0..ready.signs).map(|s| ready.within(&ranges, s)).collect();
+        let each: Vec<Result<f64, Reason>> = (0..ready.signs).map(|s| ready.within(&ranges, s)).collect();
         let enough = match ready.group.signs {
             Quantifier::Some => each.iter().any(Result::is_ok),
             Quantifier::Every => each.iter().all(Result::is_ok),
         };
         if !enough || known.may_be(Truth::Void) {
-            let why = each.iter().find_map(|e| e.as_ref().err().cloned()).unwrap_or_default();
-            return Shown::Nothing(why.at_event(time));
+            let why = each.iter().find_map(|e| e.as_ref().err().cloned()).unwrap_or(Plain::ValueOpen.into());
+            let place = Place::Event { middle: time.mid(), from: time.lo(), to: time.hi() };
+            return Shown::Nothing(why.placed(place));
         }
         gap = each.iter().flatten().copied().fold(f64::INFINITY, f64::min).max(gap);
         serves.iter_mut().zip(each).for_each(|(s, e)| *s &= e.is_ok());
@@ -205,17 +198,17 @@ pub(super) fn always(ready: &Ready, event: (usize, usize), along: &mut Along) ->
     }
     if counted == 0 {
         return Shown::Void(match void {
-            0 => "there is no event in the span that counts".to_owned(),
-            n => format!("at none of the {n} events in the span does it have a value"),
+            0 => Plain::NoEventCounts.into(),
+            n => Enclosing::NoEventHasValue(n).into(),
         });
     }
     if ready.group.throughout && !serves.contains(&true) {
-        return Shown::Nothing("no single sign of ± is shown to serve".into());
+        return Shown::Nothing(Plain::NoSingleSignShown.into());
     }
     let reason = match counted {
-        1 if ready.occasion.count.is_some() => "at the event that is counted".to_owned(),
-        1 => "at the only event in the span".to_owned(),
-        n => format!("at all {n} events in the span"),
+        1 if ready.occasion.count.is_some() => Plain::CountedEvent.into(),
+        1 => Plain::OnlyEvent.into(),
+        n => Enclosing::AllEvents(n).into(),
     };
     Shown::Holds(Enclosed { places: counted, gap, scale: ready.scale }, reason)
 }
@@ -229,9 +222,9 @@ pub(super) fn refuted(
     (place, rate): (usize, usize),
     along: &mut Along,
     near: f64,
-) -> Result<Witness, String> {
+) -> Result<Witness, Reason> {
     if !ready.occasion.is_any() {
-        return Err("whether it is one of the events that are meant is seen from all of them".to_owned());
+        return Err(Plain::MeantFromAll.into());
     }
     // Around the event of the witness there need be no other: a change of sign is enough.
     let (from, to) = along.span;
@@ -257,7 +250,7 @@ pub(super) fn refuted(
             return Ok(witness);
         }
     }
-    Err(format!("at the event at t = {near} the enclosure does not exclude it"))
+    Err(Enclosing::NotExcludedAtEvent(near).into())
 }
 
 /// What is shown of the middle of an event.

@@ -37,7 +37,6 @@ mod same;
 mod span;
 #[cfg(test)]
 mod tests;
-mod why;
 
 use crate::derivation::{Claim, Motion as Given};
 use crate::expr::{Expr, Graph, Leaf};
@@ -47,6 +46,7 @@ use crate::verdict::Verdict;
 use claim::comparison::Comparison;
 use cover::Along;
 use rayon::prelude::*;
+use reason::{Enclosing, Reason};
 pub use request::Request;
 use sampled::prepared::Prepared;
 use sampled::setup::setup;
@@ -83,7 +83,7 @@ fn enclosure(
     integrals: &[Vec<Expr>],
     graph: &mut Graph,
     t: usize,
-) -> Result<(Enclosure, Vec<(Leaf, Expr)>), String> {
+) -> Result<(Enclosure, Vec<(Leaf, Expr)>), Reason> {
     let trajectory = &request.derivation.trajectories[t];
     let (from, source) = match trajectory.motion {
         Given::Derived { from, .. } => {
@@ -96,7 +96,7 @@ fn enclosure(
     if let Source::Integrated { initial, .. } = &setup.source {
         start.extend(initial);
     }
-    let mut enclosed = Enclosure::new(graph, &setup, from.as_ref()).map_err(|e| e.to_string())?;
+    let mut enclosed = Enclosure::new(graph, &setup, from.as_ref()).map_err(Reason::quoted)?;
     if let Given::Integrated { system, .. } = trajectory.motion {
         enclosed.conserve(graph, &integrals[system]);
     }
@@ -138,7 +138,7 @@ fn enclose(request: &Request, known: Known, t: usize, open: &[(usize, usize, &Ve
     let (mut along, start) = match enclosure(request, integrals, &mut graph, t) {
         Ok((enclosure, start)) => (Along::new(enclosure, graph, trajectory.span), start),
         Err(reason) => {
-            changes.iter_mut().for_each(|(_, v)| pair::remark(v, &reason.as_str().into()));
+            changes.iter_mut().for_each(|(_, v)| pair::remark(v, &reason));
             return only(changes);
         }
     };
@@ -151,7 +151,7 @@ fn enclose(request: &Request, known: Known, t: usize, open: &[(usize, usize, &Ve
         parts.push(pair::prepare(&asked, &mut along));
     }
     if let Err(reason) = along.compile() {
-        changes.iter_mut().for_each(|(_, v)| pair::remark(v, &reason.as_str().into()));
+        changes.iter_mut().for_each(|(_, v)| pair::remark(v, &reason));
         return only(changes);
     }
     let mut withdrawn = None;
@@ -173,7 +173,7 @@ fn enclose(request: &Request, known: Known, t: usize, open: &[(usize, usize, &Ve
     }
     // What is rigorous stands; the sampled motion is not what its error bounds say.
     if let Some(contradiction) = withdrawn {
-        let reason = format!("the sampled motion is withdrawn: {contradiction}");
+        let reason = Enclosing::Withdrawn(std::sync::Arc::new(contradiction)).into();
         changes.iter_mut().for_each(|(_, verdict)| verdict.withdraw_samples(&reason));
     }
     only(changes)

@@ -15,6 +15,7 @@ use crate::latex::{LimitPoint, RelationKind};
 use crate::number::{Interval, Limit, NoValue, Number, Rational, Scalar, Tail};
 use crate::verdict::Witness;
 use claim::comparison::Comparison;
+use reason::{Compared, Enclosing, Instant, Plain, Reason, Refutation};
 
 /// How often a quotient is replaced by that of the rates.
 const DEPTH: usize = 3;
@@ -25,25 +26,25 @@ const AROUND: f64 = 1e-9;
 
 pub(super) fn limit(ready: &Ready, point: &LimitPoint, along: &mut Along) -> Shown {
     let ([comparison], 1) = (ready.group.comparisons.as_slice(), ready.signs) else {
-        return Shown::Nothing("a limit of this kind is not enclosed".into());
+        return Shown::Nothing(Plain::LimitNotEnclosed.into());
     };
     let shown = match point {
         LimitPoint::Finite(at) => at_time(ready, comparison, *at, along),
         LimitPoint::PlusInfinity => at_infinity(ready, comparison, true, along),
         LimitPoint::MinusInfinity => at_infinity(ready, comparison, false, along),
     };
-    shown.unwrap_or_else(|reason| Shown::Nothing(reason.into()))
+    shown.unwrap_or_else(Shown::Nothing)
 }
 
 /// A limit at a time of the span.
-fn at_time(ready: &Ready, comparison: &Comparison, at: Expr, along: &mut Along) -> Result<Shown, String> {
+fn at_time(ready: &Ready, comparison: &Comparison, at: Expr, along: &mut Along) -> Result<Shown, Reason> {
     let mut time = Interval::ZERO;
     let exact = along.graph.as_constant(at).cloned().filter(|r| time.rational(&(), r).is_ok());
     let (from, to) = along.span;
     let around = time.widened(0.0, AROUND * (to - from));
     let span = Interval::new(from, to).ok().filter(|s| s.contains_interval(time));
     let (Some(exact), Some(around)) = (exact, span.and_then(|s| around.intersection(s))) else {
-        return Err("a limit of this kind is not enclosed".to_owned());
+        return Err(Plain::LimitNotEnclosed.into());
     };
     let t = time.mid();
     // Before and after: an angle may be represented in two ways.
@@ -58,7 +59,7 @@ fn at_time(ready: &Ready, comparison: &Comparison, at: Expr, along: &mut Along) 
             Some(true) => {}
             // The limit is one through the times that count.
             Some(false) => continue,
-            None => return Err(format!("that the assumptions hold near t = {t} is not certain")),
+            None => return Err(Enclosing::AssumedNear(t).into()),
         }
         match &ranges[place] {
             Ok(reach) => near = Some(near.map_or(reach.range(), |n| n.hull(reach.range()))),
@@ -66,7 +67,7 @@ fn at_time(ready: &Ready, comparison: &Comparison, at: Expr, along: &mut Along) 
         }
     }
     if missing.is_none() && near.is_none() {
-        return Ok(Shown::Void(format!("no time near t = {t} counts")));
+        return Ok(Shown::Void(Enclosing::NoTimeNear(t).into()));
     }
     let there = match (missing, near) {
         (None, Some(near)) if time.is_point() => {
@@ -76,8 +77,7 @@ fn at_time(ready: &Ready, comparison: &Comparison, at: Expr, along: &mut Along) 
         (None, Some(near)) => near,
         (missing, _) => {
             let replaced = removable(along, comparison, &exact, time, &sides);
-            replaced
-                .ok_or_else(|| format!("near t = {t} the quantity is {}", missing.unwrap_or(NoValue::Indeterminate)))?
+            replaced.ok_or(Enclosing::NoLimit(t, missing.unwrap_or(NoValue::Indeterminate)))?
         }
     };
     if certain(comparison.kind, there) == Some(false) {
@@ -86,16 +86,15 @@ fn at_time(ready: &Ready, comparison: &Comparison, at: Expr, along: &mut Along) 
         let (left, right) = sides.unwrap_or((there.mid(), 0.0));
         let witness =
             Witness { t, formula: comparison.label.clone(), left, right, bound: there.width(), values: Vec::new() };
-        return Ok(Shown::Fails(witness, format!("at t = {t} the limit is another one")));
+        return Ok(Shown::Fails(witness, Enclosing::AnotherLimit(t).into()));
     }
     if comparison.kind == RelationKind::Equal && there.magnitude() <= ready.precision * ready.scale {
-        let apart = there.magnitude();
-        return Ok(Shown::at_one_place(format!("at t = {t} the limits of the sides are at most {apart:.1e} apart")));
+        return Ok(Shown::at_one_place(Enclosing::LimitsAgree(t, there.magnitude())));
     }
     if comparison.kind != RelationKind::Equal && certain(comparison.kind, there) == Some(true) {
-        return Ok(Shown::at_one_place(format!("certain of the limit at t = {t}")));
+        return Ok(Shown::at_one_place(Enclosing::LimitCertain(t)));
     }
-    Err(format!("at t = {t} the sides differ by something in [{:.2e}, {:.2e}]", there.lo(), there.hi()))
+    Err(Enclosing::DifferBy(Instant::Time(t), Compared::Sides, there.lo(), there.hi()).into())
 }
 
 /// What the difference of the sides tends to, with quotients of the form 0/0 replaced by what they can be, and are in the limit.
@@ -220,41 +219,39 @@ fn replaced(graph: &mut Graph, e: Expr, part: Expr, by: Expr) -> Option<Expr> {
 }
 
 /// A limit as the time goes to +∞, or to −∞.
-fn at_infinity(ready: &Ready, c: &Comparison, onwards: bool, along: &mut Along) -> Result<Shown, String> {
-    const INTEGRATED: &str =
-        "an integrated motion is not known for all times; limits at infinity are found for motions given by formulas";
+fn at_infinity(ready: &Ready, c: &Comparison, onwards: bool, along: &mut Along) -> Result<Shown, Reason> {
     // Also of what does not depend on the motion: a limit goes through the times that are known.
     if !along.enclosure.is_known_for_all_times() {
-        return Err(INTEGRATED.to_owned());
+        return Err(Plain::IntegratedTail.into());
     }
     let tail = |along: &mut Along, e: Expr| {
-        let resolved = along.enclosure.resolved(&mut along.graph, e).map_err(|e| e.to_string())?;
+        let resolved = along.enclosure.resolved(&mut along.graph, e).map_err(Reason::quoted)?;
         along.enclosure.tail(&mut along.graph, resolved, onwards).map_err(|reason| match reason {
-            NoValue::Unsupported => INTEGRATED.to_owned(),
-            other => format!("after some time the quantity is {other}"),
+            NoValue::Unsupported => Plain::IntegratedTail.into(),
+            other => Reason::from(Enclosing::NoTail(other)),
         })
     };
     // The claim is about times at which its assumptions hold.
-    let assumed = ready.assumed().ok_or("assumptions of this form are not followed to all later times")?;
+    let assumed = ready.assumed().ok_or(Plain::AssumptionsNotFollowed)?;
     for (place, kind) in assumed {
         let difference = along.difference_at(place);
         if !always(kind, &tail(along, difference)?) {
-            return Err("whether the assumptions hold at all later times is not certain".to_owned());
+            return Err(Plain::AssumedLaterOpen.into());
         }
     }
     let difference = along.graph.sub(c.left, c.right);
     let [left, right, difference] = [tail(along, c.left)?, tail(along, c.right)?, tail(along, difference)?];
     let size = tail(along, c.magnitude).map_or(Limit::Unknown, |size| size.limit());
-    let where_to = if onwards { "∞" } else { "−∞" };
+    let at = if onwards { Instant::Infinity } else { Instant::MinusInfinity };
     // A witness is a time of the span, with what both sides are then.
     let t = if onwards { along.span.1 } else { along.span.0 };
-    let fails = |along: &Along, shown: (f64, f64), bound: f64, reason: String| {
+    let fails = |along: &Along, shown: (f64, f64), bound: f64, reason: Refutation| {
         let (left, right) = match shown {
             (l, r) if l.is_finite() && r.is_finite() => shown,
             _ => ready.sides_at(along, t, ready.place(0, 0)).map_or((0.0, 0.0), |(l, r)| (l.mid(), r.mid())),
         };
         let formula = format!("{}, in the limit", c.label);
-        Shown::Fails(Witness { t, formula, left, right, bound, values: Vec::new() }, reason)
+        Shown::Fails(Witness { t, formula, left, right, bound, values: Vec::new() }, reason.into())
     };
     let middle = |limit: Limit| match limit {
         Limit::Finite(i) => i.mid(),
@@ -262,7 +259,7 @@ fn at_infinity(ready: &Ready, c: &Comparison, onwards: bool, along: &mut Along) 
     };
     let sides = (middle(left.limit()), middle(right.limit()));
     match difference.limit() {
-        Limit::Unknown => Err(format!("whether there is a limit at {where_to} is not seen from the formula")),
+        Limit::Unknown => Err(Enclosing::LimitUnknown(at).into()),
         Limit::Finite(i) => {
             let room = match size {
                 Limit::Finite(size) => ready.precision * size.lo().max(0.0),
@@ -277,27 +274,21 @@ fn at_infinity(ready: &Ready, c: &Comparison, onwards: bool, along: &mut Along) 
             let exact = i.lo() == 0.0 && i.hi() == 0.0;
             match c.kind {
                 _ if certain(c.kind, i) == Some(false) => {
-                    let reason =
-                        format!("certified by the laws of limits: at {where_to} the sides differ by {:.6e}", i.mid());
-                    Ok(fails(along, sides, i.width(), reason))
+                    Ok(fails(along, sides, i.width(), Refutation::LimitsDiffer(at, i.mid())))
                 }
-                RelationKind::Equal if exact || i.magnitude() <= room.min(telling) => Ok(Shown::at_one_place(format!(
-                    "by the laws of limits at {where_to}: the limits of the sides are at most {:.1e} apart",
-                    i.magnitude()
-                ))),
+                RelationKind::Equal if exact || i.magnitude() <= room.min(telling) => {
+                    Ok(Shown::at_one_place(Enclosing::LawsOfLimits(at, Some(i.magnitude()))))
+                }
                 kind if kind != RelationKind::Equal && certain(kind, i) == Some(true) => {
-                    Ok(Shown::at_one_place(format!("by the laws of limits at {where_to}")))
+                    Ok(Shown::at_one_place(Enclosing::LawsOfLimits(at, None)))
                 }
-                _ => Err(format!("at {where_to} the limits differ by something in [{:.2e}, {:.2e}]", i.lo(), i.hi())),
+                _ => Err(Enclosing::DifferBy(at, Compared::Limits, i.lo(), i.hi()).into()),
             }
         }
         beyond => {
             // A relation between numbers: a limit is finite.
-            let up = if beyond == Limit::PlusInfinity { "" } else { "−" };
-            let reason = format!(
-                "certified by the laws of limits: at {where_to} the difference goes to {up}∞, beyond all bounds"
-            );
-            Ok(fails(along, (f64::INFINITY, 0.0), 0.0, reason))
+            let up = beyond == Limit::PlusInfinity;
+            Ok(fails(along, (f64::INFINITY, 0.0), 0.0, Refutation::Unbounded { at, up }))
         }
     }
 }

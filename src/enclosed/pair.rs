@@ -3,11 +3,12 @@
 //! **In:** the verdict that samples gave, and the enclosed motion. **Out:** the same verdict, with what the enclosure leaves
 //! possible of each part and each hypothesis ([`Verdict::enclose`]). Nothing is combined here.
 
+use std::sync::Arc;
+
 use super::cover::Along;
 use super::rank::Rank;
 use super::ready::{Ready, Shown};
 use super::same::Same;
-use super::why::Why;
 use super::{event, limit, span};
 use crate::derivation::Claim;
 use crate::expr::{Expr, Graph, Leaf};
@@ -16,6 +17,7 @@ use crate::number::Bounded;
 use crate::verdict::{Enclosed, Outcome, Possible, Strength, Verdict, Witness};
 use claim::comparison::{Comparison, Group};
 use claim::program::{Part, Program, What};
+use reason::{Enclosing, Plain, Reason, Refutation};
 use sampled::independence::Gradients;
 
 /// How far two routes to the same residual may be apart, in units of the error bound of the sampled one.
@@ -25,18 +27,18 @@ const DISAGREEMENT: f64 = 100.0;
 pub(super) type Sampled<'a> = &'a dyn Fn(&Comparison, f64) -> Option<Bounded>;
 
 /// Adds to a verdict that is not rigorous why it is not.
-pub(super) fn remark(verdict: &mut Verdict, reason: &Why) {
+pub(super) fn remark(verdict: &mut Verdict, reason: &Reason) {
     if !is_rigorous(verdict.outcome()) {
         // What was enclosed of one part is no remark on the whole.
-        let said = verdict.evidence().reason.as_ref().filter(|_| verdict.evidence().enclosed.is_none());
-        let before = said.map_or(String::new(), |r| format!("{r}; "));
-        verdict.remark(format!("{before}not enclosed: {}", reason.words), reason.obstacle());
+        let said = verdict.evidence().reason.clone().filter(|_| verdict.evidence().enclosed.is_none());
+        let (before, why) = (said.map(Arc::new), Arc::new(reason.clone()));
+        verdict.remark(Enclosing::NotEnclosed { before, why }.into());
     }
 }
 
 /// What a part shows that is looked at where samples find it false.
-fn refuted(found: Result<(Witness, String), String>) -> Shown {
-    found.map_or_else(|reason| Shown::Nothing(reason.into()), |(witness, reason)| Shown::Fails(witness, reason))
+fn refuted(found: Result<(Witness, Refutation), Reason>) -> Shown {
+    found.map_or_else(Shown::Nothing, |(witness, refutation)| Shown::Fails(witness, refutation.into()))
 }
 
 /// Whether a verdict holds for every time, or for all values.
@@ -51,9 +53,9 @@ pub(super) fn is_rigorous(outcome: Outcome) -> bool {
 
 /// A part of a claim, ready to be looked at along a motion; or why it is not.
 pub(super) enum Prepared<'a> {
-    Compared(Result<Ready<'a>, String>),
-    Rank(Result<Rank<'a>, String>),
-    Same(Result<Box<Same>, String>),
+    Compared(Result<Ready<'a>, Reason>),
+    Rank(Result<Rank<'a>, Reason>),
+    Same(Result<Box<Same>, Reason>),
     /// Nothing is said of it by itself.
     Silent,
 }
@@ -62,11 +64,11 @@ pub(super) enum Prepared<'a> {
 pub(super) struct Asked<'a, 'r> {
     pub claim: &'a Claim,
     pub program: &'a Program,
-    pub gradients: Option<&'a Result<Gradients, String>>,
+    pub gradients: Option<&'a Result<Gradients, Reason>>,
     /// Parameters and initial states, as they are given.
     pub start: &'r [(Leaf, Expr)],
     /// Another motion, enclosed.
-    pub other: &'r dyn Fn(usize, &mut Graph) -> Result<Enclosure, String>,
+    pub other: &'r dyn Fn(usize, &mut Graph) -> Result<Enclosure, Reason>,
 }
 
 /// Tells a motion what a claim will ask for: its parts, then its hypotheses.
@@ -77,7 +79,7 @@ pub(super) fn prepare<'a>(asked: &Asked<'a, '_>, along: &mut Along) -> Vec<Prepa
         What::Independent => Prepared::Rank(match gradients {
             Some(Ok(gradients)) => Rank::new(asked, part, gradients, along),
             Some(Err(reason)) => Err(reason.clone()),
-            None => Err("no gradients were computed".to_owned()),
+            None => Err(Plain::NoGradients.into()),
         }),
         What::Every | What::Denied | What::Defined | What::Constant | What::Value | What::Limit(_) | What::Across => {
             Prepared::Compared(Ready::new(program, part, along, claim))
@@ -120,7 +122,7 @@ pub(super) fn strengthen(
     along: &mut Along,
     sampled: Sampled,
     verdict: &mut Verdict,
-) -> Result<(), String> {
+) -> Result<(), Reason> {
     along.refill();
     let beyond = program.parts.len();
     let mut reasons = Vec::new();
@@ -168,7 +170,7 @@ pub(super) fn strengthen(
                 None => same.always(along),
             },
             Prepared::Compared(Err(reason)) | Prepared::Rank(Err(reason)) | Prepared::Same(Err(reason)) => {
-                Shown::Nothing(reason.into())
+                Shown::Nothing(reason)
             }
             Prepared::Silent => continue,
         };
@@ -181,36 +183,29 @@ pub(super) fn strengthen(
             let (gap, size) = ((seen.value - (left - right)).abs(), left.abs() + right.abs());
             if gap > DISAGREEMENT * (seen.error + bound + f64::EPSILON * size) {
                 learn(verdict, position, shown, (part, beyond));
-                return Err(format!(
-                    "at t = {t} the sides differ by {} ± {:.1e} on the sampled motion, and by {} ± {bound:.1e} on \
-                     the enclosed one",
-                    seen.value,
-                    seen.error,
-                    left - right
-                ));
+                let (sampled, enclosed) = ((seen.value, seen.error), (left - right, bound));
+                return Err(Enclosing::Contradiction { t, sampled, enclosed }.into());
             }
         }
         let shown = match (shown, near.and_then(|w| apart(group, w))) {
             (Shown::Holds(enclosed, _), Some((difference, why))) if difference <= enclosed.gap => {
-                Shown::Nothing(why.into())
+                Shown::Nothing(why(false).into())
             }
             (shown @ (Shown::Holds(..) | Shown::Excluded(..)), Some((_, why))) => {
                 learn(verdict, position, shown, (part, beyond));
-                return Err(format!("{why}, and the enclosed one excludes it"));
+                return Err(why(true).into());
             }
             (shown, _) => shown,
         };
         match &shown {
             Shown::Nothing(reason) | Shown::Isolated(reason) if part.is_definedness() => {
                 // That there is a value everywhere is what was asked, and somewhere it is open.
-                let words = format!("whether there is a value everywhere is open: {}", reason.words);
-                verdict.doubt(position, words, reason.obstacle());
+                verdict.doubt(position, Enclosing::ValueOpen(Arc::new(reason.clone())).into());
                 reasons.push(reason.clone());
             }
             // Samples do not tell of times at which something else is possible, all around being settled.
             Shown::Isolated(reason) if before == Some(Possible::VOID) || part.needs_a_complete_search() => {
-                let words = format!("samples do not decide it, and the enclosure does not: {}", reason.words);
-                verdict.doubt(position, words, reason.obstacle());
+                verdict.doubt(position, Enclosing::Undecided(Arc::new(reason.clone())).into());
                 if verdict.outcome() != Outcome::Undecided {
                     reasons.push(reason.clone());
                 }
@@ -227,18 +222,18 @@ pub(super) fn strengthen(
     Ok(())
 }
 
-/// How far apart samples found the sides of an equation or inequality that they take for false, at least, and in words: `None`
+/// How far apart samples found the sides of an equation or inequality that they take for false, at least, and as a reason: `None`
 /// where the sides differ by less than errors explain. Where an enclosure allows more, it does not tell them apart.
-fn apart(group: &Group, seen: &Witness) -> Option<(f64, String)> {
+fn apart(group: &Group, seen: &Witness) -> Option<(f64, impl Fn(bool) -> Enclosing + use<>)> {
     // Where several comparisons are combined, or one has no value, another may have decided.
     if group.branching || group.asserted || group.formula.is_some() {
         return None;
     }
-    let Witness { t, left, right, bound, .. } = seen;
+    let &Witness { t, left, right, bound, .. } = seen;
     let difference = left - right;
     let beyond = difference.abs() - DISAGREEMENT * (bound + f64::EPSILON * (left.abs() + right.abs()));
-    let why = || format!("at t = {t} the sides differ by {difference:e} ± {bound:.1e} on the sampled motion");
-    (beyond > 0.0).then(|| (beyond, why()))
+    let why = move |excluded| Enclosing::SampledApart { t, difference, bound, excluded };
+    (beyond > 0.0).then_some((beyond, why))
 }
 
 /// What was shown, as what is left possible of a part.
@@ -255,11 +250,11 @@ fn learn(verdict: &mut Verdict, position: usize, shown: Shown, (part, beyond): (
             e.enclosed = Some(enclosed);
             e.samples = e.samples.max(1);
             e.witness = Some(witness);
-            e.reason = Some(format!("excluded {reason}"));
+            e.reason = Some(Enclosing::Excluded(Arc::new(reason)).into());
         }),
         Shown::Unless(enclosed, reason) => verdict.enclose(position, Possible::TRUE_OR_VOID, |e| {
             e.enclosed = Some(enclosed);
-            e.reason = Some(format!("{reason}, wherever it says something"));
+            e.reason = Some(Enclosing::WhereverItSays(Arc::new(reason)).into());
         }),
         Shown::Void(reason) => verdict.enclose(position, Possible::VOID, |e| e.reason = Some(reason)),
         Shown::Fails(mut witness, reason) => verdict.enclose(position, Possible::FALSE, |e| {
@@ -270,10 +265,12 @@ fn learn(verdict: &mut Verdict, position: usize, shown: Shown, (part, beyond): (
             }
             e.reason = match (hypothesis, e.reason.take()) {
                 // What is not met is said in the words of the assumption.
-                (true, Some(before)) if e.witness.is_some() => Some(format!("{before}; certified")),
-                (true, _) => Some(format!("an assumption is not met: {reason}")),
-                (false, _) if denied => Some(reason.replacen("certified", "certain", 1)),
-                (false, _) => Some(reason),
+                (true, Some(before)) if e.witness.is_some() => Some(Enclosing::AlsoCertified(Arc::new(before)).into()),
+                (true, _) => Some(Enclosing::Unmet(Arc::new(reason)).into()),
+                (false, _) => Some(match reason {
+                    Reason::Enclosing(Enclosing::Certified(how)) if denied => Enclosing::Certain(how).into(),
+                    reason => reason,
+                }),
             };
             if hypothesis {
                 e.unmet.get_or_insert_with(|| witness.clone());
@@ -293,25 +290,25 @@ fn shown(ready: &mut Ready, near: Option<&Witness>, along: &mut Along) -> Shown 
         };
         if let Ok(found) = found {
             let reason = match ready.part.is_definedness() {
-                true => format!("certified at t = {}: no value exists there", found.t),
-                false => format!("certified, the enclosures of the two sides lie apart: at t = {}", found.t),
+                true => Refutation::NoValue(found.t),
+                false => Refutation::Apart { motions: false, t: found.t },
             };
-            return Shown::Fails(found, reason);
+            return Shown::Fails(found, reason.into());
         }
     }
     if let (Some(reason), false) = (along.incomplete(), matches!(ready.part.what, What::Limit(_))) {
-        return Shown::Nothing(reason.into());
+        return Shown::Nothing(reason);
     }
     ready.weigh(along);
     let shown = match (&ready.part.what, ready.event) {
         // Where no time counts, nothing is said of a limit, either.
         (What::Limit(point), event) => match span::counts(ready, event, along) {
             Some(true) => limit::limit(ready, point, along),
-            Some(false) => Shown::Void("no time of the span counts".to_owned()),
-            None => Shown::Nothing("whether any time counts is not certain".into()),
+            Some(false) => Shown::Void(Plain::NoTimeOfSpanCounts.into()),
+            None => Shown::Nothing(Plain::WhetherTimesCountUncertain.into()),
         },
         (_, Some(event)) => event::always(ready, event, along),
-        (What::Across, None) => Shown::Nothing("members of a family are not enclosed".into()),
+        (What::Across, None) => Shown::Nothing(Plain::FamilyNotEnclosed.into()),
         (What::Value, None) => span::constant(ready, along),
         (
             What::Every | What::Denied | What::Defined | What::Constant | What::SameMotion(..) | What::Independent,
@@ -322,7 +319,7 @@ fn shown(ready: &mut Ready, near: Option<&Witness>, along: &mut Along) -> Shown 
         // Never, though it should: a reader sees a time at which it is not so.
         (What::Denied, Shown::Holds(enclosed, reason)) => match span::some_time(ready, along) {
             Some(witness) => Shown::Excluded(Enclosed { gap: 0.0, ..enclosed }, reason, witness),
-            None => Shown::Nothing("it does not happen, but there is no time to show that counts".into()),
+            None => Shown::Nothing(Plain::NoTimeToShow.into()),
         },
         (_, shown) => shown,
     }
@@ -340,12 +337,12 @@ mod tests {
     fn samples_and_enclosures_that_contradict_each_other_do_not_pass_in_silence() {
         let single = Group::default();
         let far = apart(&single, &seen(1.5, 1e-6));
-        assert!(far.is_some_and(|(by, why)| (0.499..0.5).contains(&by) && why.contains("t = 1 ")));
+        assert!(far.is_some_and(|(by, why)| (0.499..0.5).contains(&by) && why(false).to_string().contains("t = 1 ")));
         // Of x < 1 samples say that it is false where both sides are the same as far as they see: that is no contradiction.
-        assert_eq!(apart(&single, &seen(1.0, 1e-6)), None);
-        assert_eq!(apart(&single, &seen(1.0 + 2e-5, 1e-6)), None);
+        assert!(apart(&single, &seen(1.0, 1e-6)).is_none());
+        assert!(apart(&single, &seen(1.0 + 2e-5, 1e-6)).is_none());
         // What has no value is not apart, nor decides one of several comparisons.
-        assert_eq!(apart(&Group { asserted: true, ..Group::default() }, &seen(1.5, 1e-6)), None);
-        assert_eq!(apart(&Group { branching: true, ..Group::default() }, &seen(1.5, 1e-6)), None);
+        assert!(apart(&Group { asserted: true, ..Group::default() }, &seen(1.5, 1e-6)).is_none());
+        assert!(apart(&Group { branching: true, ..Group::default() }, &seen(1.5, 1e-6)).is_none());
     }
 }

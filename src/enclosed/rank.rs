@@ -18,6 +18,7 @@ use crate::number::{Interval, NODES, NoValue, Number, Rational, TaylorModel};
 use crate::verdict::{Enclosed, Witness};
 use claim::program::Part;
 use nalgebra::DMatrix;
+use reason::{Enclosing, Plain, Reason, Refutation};
 use sampled::independence::Gradients;
 
 /// The gradients along a motion.
@@ -27,7 +28,7 @@ pub(super) struct Rank<'a> {
     /// Rows of places, `None` for an entry that is 0.
     rows: Vec<Vec<Option<usize>>>,
     /// Which functions are dependent at the start, if that is exact: rank beside the constraints, and how many there are.
-    dependent: Result<(usize, usize), String>,
+    dependent: Result<(usize, usize), Reason>,
 }
 
 impl<'a> Rank<'a> {
@@ -38,7 +39,7 @@ impl<'a> Rank<'a> {
         part: &'a Part,
         gradients: &'a Gradients,
         along: &mut Along,
-    ) -> Result<Rank<'a>, String> {
+    ) -> Result<Rank<'a>, Reason> {
         let mut ready = Ready::new(asked.program, part, along, asked.claim)?;
         let (constraints, all) = gradients.rows();
         let mut distinct: Vec<&[Expr]> = Vec::new();
@@ -66,7 +67,7 @@ impl<'a> Rank<'a> {
     /// At every time.
     pub fn always(&self, along: &mut Along) -> Shown {
         if self.ready.event.is_some() {
-            return Shown::Nothing("independence at events is not enclosed".into());
+            return Shown::Nothing(Plain::IndependentAtEvents.into());
         }
         let (mut may_say, mut says) = (false, false);
         let judge = |_: Interval, ranges: &Ranges| {
@@ -80,14 +81,14 @@ impl<'a> Rank<'a> {
                     says |= selected == Some(true);
                     Judgement::Settled
                 }
-                false => Judgement::Open("the gradients may be dependent".into()),
+                false => Judgement::Open(Plain::MayBeDependent.into()),
             }
         };
         match along.cover(&self.ready.roots, judge, |_| false) {
-            Ok(_) if !may_say => Shown::Void("no time of the span counts".to_owned()),
+            Ok(_) if !may_say => Shown::Void(Plain::NoTimeOfSpanCounts.into()),
             Ok(looked) => {
                 let enclosed = Enclosed { places: looked, gap: 0.0, scale: 1.0 };
-                let reason = format!("for every t of the span: in {looked} stretches");
+                let reason = Enclosing::EveryTime { stretches: looked, within: None }.into();
                 if says { Shown::Holds(enclosed, reason) } else { Shown::Unless(enclosed, reason) }
             }
             Err(reason) => super::span::alone(along, &self.ready.roots, reason, |ranges| {
@@ -110,18 +111,15 @@ impl<'a> Rank<'a> {
     ///
     /// # Errors
     /// Why that is not certain.
-    pub fn refuted(&self, along: &mut Along, sampled: &Witness) -> Result<(Witness, String), String> {
-        let (found, of) = self.dependent.clone()?;
+    pub fn refuted(&self, along: &mut Along, sampled: &Witness) -> Result<(Witness, Refutation), Reason> {
+        let (rank, of) = self.dependent.clone()?;
         let t = along.enclosure.initial_time();
         let ranges = along.over(&self.ready.roots, Interval::point(t));
         if self.ready.selected(&ranges) != Some(true) {
-            return Err(format!("whether the assumptions hold at t = {t} is not certain"));
+            return Err(Enclosing::AssumedAt(t).into());
         }
-        let witness = Witness { t, left: found as f64, right: of as f64, ..sampled.clone() };
-        Ok((
-            witness,
-            format!("certified in exact arithmetic: at t = {t} only {found} of the {of} functions are independent"),
-        ))
+        let witness = Witness { t, left: rank as f64, right: of as f64, ..sampled.clone() };
+        Ok((witness, Refutation::Dependent { t, rank, of }))
     }
 }
 
@@ -171,16 +169,16 @@ fn independent(rows: &[Vec<TaylorModel>]) -> Result<bool, NoValue> {
 ///
 /// # Errors
 /// Why that is not known.
-fn exactly(asked: &Asked, along: &mut Along, constraints: usize, all: &[&[Expr]]) -> Result<(usize, usize), String> {
-    let t = Rational::try_from(along.enclosure.initial_time()).map_err(|_| "the start is not a number".to_owned())?;
+fn exactly(asked: &Asked, along: &mut Along, constraints: usize, all: &[&[Expr]]) -> Result<(usize, usize), Reason> {
+    let t = Rational::try_from(along.enclosure.initial_time()).map_err(|_| Plain::StartIsNoNumber)?;
     let (graph, time) = (&mut along.graph, along.enclosure.time());
     if asked.claim.at.as_ref().is_some_and(|at| !at.occasion.is_any()) {
-        return Err("the start is none of the times that are counted".to_owned());
+        return Err(Plain::StartNotCounted.into());
     }
     if let Some(at) = asked.program.at {
         let there = at_start(graph, at, asked.start, time, &t);
         if !graph.is_zero(there) {
-            return Err("that the start is an event is not exact".to_owned());
+            return Err(Plain::StartNoExactEvent.into());
         }
     }
     let mut value = |&e: &Expr| {
@@ -188,14 +186,10 @@ fn exactly(asked: &Asked, along: &mut Along, constraints: usize, all: &[&[Expr]]
         graph.as_constant(there).cloned()
     };
     let rows: Option<Vec<Vec<Rational>>> = all.iter().map(|row| row.iter().map(&mut value).collect()).collect();
-    let rows = rows.ok_or("dependence is shown only where parameters and initial states are rational numbers")?;
+    let rows = rows.ok_or(Plain::StartNotRational)?;
     let functions = rows.len() - constraints;
     let found = exact_rank(rows.clone()) - exact_rank(rows[..constraints].to_vec());
-    if found < functions {
-        Ok((found, functions))
-    } else {
-        Err("the functions are independent at the start".to_owned())
-    }
+    if found < functions { Ok((found, functions)) } else { Err(Plain::IndependentAtStart.into()) }
 }
 
 /// An expression at the start, with everything put in that is given.

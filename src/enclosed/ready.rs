@@ -8,7 +8,6 @@
 //! [`Group::allows`] it, and is asked for by its own name, [`Ready::within`].
 
 use super::cover::{Along, Ranges, Selection};
-use super::why::Why;
 use crate::derivation::{Claim, Occasion};
 use crate::flow::Reach;
 use crate::latex::RelationKind;
@@ -16,6 +15,7 @@ use crate::number::{Interval, NoValue};
 use crate::verdict::{Enclosed, Possible, Truth, Witness};
 use claim::comparison::Group;
 use claim::program::{Part, Program, What};
+use reason::{Enclosing, Plain, Reason};
 use std::rc::Rc;
 
 /// The residual of an equation must be below this part of its sides, where these do not vanish.
@@ -25,25 +25,25 @@ pub(super) const TELLING: f64 = 1e-3;
 #[derive(Clone, Debug)]
 pub(super) enum Shown {
     /// It is true, for the reason given.
-    Holds(Enclosed, String),
+    Holds(Enclosed, Reason),
     /// It is true that something never happens that should: with a time that counts.
-    Excluded(Enclosed, String, Witness),
+    Excluded(Enclosed, Reason, Witness),
     /// It is false, and where that can be seen.
-    Fails(Witness, String),
+    Fails(Witness, Reason),
     /// It says nothing, for the reason given.
-    Void(String),
+    Void(Reason),
     /// It is true if it says anything.
-    Unless(Enclosed, String),
+    Unless(Enclosed, Reason),
     /// It tells of nearly all times, and not of a stretch between: anything may be so there, alone.
-    Isolated(Why),
+    Isolated(Reason),
     /// It does not tell.
-    Nothing(Why),
+    Nothing(Reason),
 }
 
 impl Shown {
     /// What holds at one place, without a gap.
-    pub fn at_one_place(reason: String) -> Shown {
-        Shown::Holds(Enclosed { places: 1, gap: 0.0, scale: 1.0 }, reason)
+    pub fn at_one_place(reason: impl Into<Reason>) -> Shown {
+        Shown::Holds(Enclosed { places: 1, gap: 0.0, scale: 1.0 }, reason.into())
     }
 }
 
@@ -150,11 +150,11 @@ impl Placed<'_> {
 }
 
 impl<'a> Ready<'a> {
-    pub fn new(program: &'a Program, part: &'a Part, along: &mut Along, claim: &Claim) -> Result<Ready<'a>, String> {
+    pub fn new(program: &'a Program, part: &'a Part, along: &mut Along, claim: &Claim) -> Result<Ready<'a>, Reason> {
         let (mut roots, mut sides): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
         let sign = claim.scope.branch_sign();
         let values = [along.graph.integer(1), along.graph.integer(-1)];
-        let mut place = |group: &'a Group, along: &mut Along| -> Result<Placed<'a>, String> {
+        let mut place = |group: &'a Group, along: &mut Along| -> Result<Placed<'a>, Reason> {
             let (first, signs) = (roots.len(), if group.branching { 2 } else { 1 });
             for &with in values.iter().take(signs) {
                 for c in &group.comparisons {
@@ -178,7 +178,7 @@ impl<'a> Ready<'a> {
         let said = place(&part.group, along)?;
         let event = match program.at {
             Some(e) => {
-                let rate = along.enclosure.rate(&mut along.graph, e).map_err(|e| e.to_string())?;
+                let rate = along.enclosure.rate(&mut along.graph, e).map_err(Reason::quoted)?;
                 roots.extend([along.difference(e)?, along.difference(rate)?]);
                 Some((roots.len() - 2, roots.len() - 1))
             }
@@ -294,7 +294,7 @@ impl<'a> Ready<'a> {
     ///
     /// # Errors
     /// Why it is not known to be true, or true where it has a value.
-    pub fn within(&self, ranges: &Ranges, sign: usize) -> Result<f64, Why> {
+    pub fn within(&self, ranges: &Ranges, sign: usize) -> Result<f64, Reason> {
         let (room, allows) = (self.room(), self.allows());
         let mut largest = 0.0_f64;
         let one = |c: usize| {
@@ -330,18 +330,13 @@ impl<'a> Ready<'a> {
         }
         let wrong = (0..self.group.comparisons.len()).find(|&c| one(c).may_be(Truth::False) || one(c) == Possible::ANY);
         let c = wrong.unwrap_or(0);
-        let Some(comparison) = self.group.comparisons.get(c) else { return Err("nothing is compared".into()) };
-        Err(match &ranges[self.place(sign, c)] {
-            Err(reason) => format!("`{}` has no value: {reason}", comparison.label).into(),
-            Ok(reach) => {
-                let (lo, hi) = (reach.range().lo(), reach.range().hi());
-                let words = format!(
-                    "the sides of `{}` cannot be told apart: their difference lies in [{lo:.2e}, {hi:.2e}]",
-                    comparison.label
-                );
-                Why::from(words).apart(reach.range())
-            }
-        })
+        let Some(comparison) = self.group.comparisons.get(c) else { return Err(Plain::NothingCompared.into()) };
+        let label = comparison.label.as_str().into();
+        let why = match &ranges[self.place(sign, c)] {
+            Err(reason) => Enclosing::NoValue(label, *reason),
+            Ok(reach) => Enclosing::NotApart { label, from: reach.range().lo(), to: reach.range().hi() },
+        };
+        Err(why.into())
     }
 
     /// Whether the bound of an equation is too wide, and does not refute it either: asked at a single time.

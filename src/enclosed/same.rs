@@ -6,12 +6,12 @@
 use super::cover::Along;
 use super::pair::Asked;
 use super::ready::{POINTS, Ready, Shown, median};
-use super::why::Why;
 use crate::expr::{Leaf, Symbol};
 use crate::flow::{Compiled, Enclosure};
 use crate::number::{Interval, NoValue};
 use crate::verdict::{Enclosed, Witness};
 use claim::program::Part;
+use reason::{Enclosing, Place, Plain, Reason, Refutation};
 
 /// Stretches are halved down to this part of the common span.
 const SHORTEST: f64 = 1e-6;
@@ -31,10 +31,10 @@ pub(super) struct Same {
 impl Same {
     /// # Errors
     /// What one of the motions does not know, or why one is not enclosed.
-    pub fn new(asked: &Asked, part: &Part, other: usize, of: &[Symbol], along: &mut Along) -> Result<Same, String> {
+    pub fn new(asked: &Asked, part: &Part, other: usize, of: &[Symbol], along: &mut Along) -> Result<Same, Reason> {
         let ready = Ready::new(asked.program, part, along, asked.claim)?;
         if ready.is_restricted() {
-            return Err("under assumptions or events that select times, two motions are not compared".to_owned());
+            return Err(Plain::MotionsUnderAssumptions.into());
         }
         let mut enclosure = (asked.other)(other, &mut along.graph)?;
         let (mut exprs, mut names) = (Vec::new(), Vec::new());
@@ -45,15 +45,15 @@ impl Same {
                 names.push(format!("{} of both motions", along.graph.leaf_latex(leaf)));
             }
         }
-        let theirs = enclosure.compile(&mut along.graph, &exprs).map_err(|e| e.to_string())?;
-        let ours = along.enclosure.compile(&mut along.graph, &exprs).map_err(|e| e.to_string())?;
+        let theirs = enclosure.compile(&mut along.graph, &exprs).map_err(Reason::quoted)?;
+        let ours = along.enclosure.compile(&mut along.graph, &exprs).map_err(Reason::quoted)?;
         if let Some(stop) = enclosure.stop() {
-            return Err(stop.to_string());
+            return Err(Reason::quoted(stop));
         }
         let (a, b) = enclosure.reach();
         let span = (along.span.0.max(a), along.span.1.min(b));
         if span.0 >= span.1 {
-            return Err("the motions have no time in common".to_owned());
+            return Err(Plain::NoTimeInCommon.into());
         }
         Ok(Same { names, theirs: (enclosure, theirs), ours, span, precision: asked.claim.precision })
     }
@@ -115,15 +115,15 @@ impl Same {
                         if !d.contains(0.0)
                             && let Some(witness) = self.apart(along, time.mid())
                         {
-                            let reason = lie_apart(&witness);
+                            let reason = lie_apart(&witness).into();
                             return Shown::Fails(witness, reason);
                         }
-                        let words = format!("{name}: the difference lies in [{:.2e}, {:.2e}]", d.lo(), d.hi());
-                        open = Some(Why::from(words).apart(d));
+                        let name = name.as_str().into();
+                        open = Some(Enclosing::StateNotApart { name, from: d.lo(), to: d.hi() });
                         break;
                     }
                     Err(reason) => {
-                        open = Some(format!("{name}: {reason}").into());
+                        open = Some(Enclosing::StateHasNoValue(name.as_str().into(), reason));
                         break;
                     }
                 }
@@ -133,30 +133,30 @@ impl Same {
             let (first, second) = (Interval::new(time.lo(), middle), Interval::new(middle, time.hi()));
             let short = time.width() < SHORTEST * (self.span.1 - self.span.0);
             let (false, true, Ok(first), Ok(second)) = (short, looked < MOST, first, second) else {
-                return Shown::Nothing(why.on(time));
+                return Shown::Nothing(Reason::from(why).placed(Place::Stretch(time.lo(), time.hi())));
             };
             todo.extend([second, first]);
         }
         let scale = if self.precision > 0.0 { room / self.precision } else { room };
-        let reason = format!("for every t of both spans: in {looked} stretches, within {largest:.1e}");
-        Shown::Holds(Enclosed { places: looked, gap: largest, scale }, reason)
+        let reason = Enclosing::EveryCommonTime { stretches: looked, gap: largest };
+        Shown::Holds(Enclosed { places: looked, gap: largest, scale }, reason.into())
     }
 
     /// A time at which they differ for certain.
     ///
     /// # Errors
     /// That none was found.
-    pub fn refuted(&self, along: &mut Along, sampled: &Witness) -> Result<(Witness, String), String> {
+    pub fn refuted(&self, along: &mut Along, sampled: &Witness) -> Result<(Witness, Refutation), Reason> {
         let near = self.apart(along, sampled.t).map(|w| Witness { values: sampled.values.clone(), ..w });
         let pieces = self.pieces(along);
         let every = pieces.len().div_ceil(POINTS).max(1);
         let found = near.or_else(|| pieces.iter().step_by(every).find_map(|time| self.apart(along, time.mid())));
-        let found = found.ok_or_else(|| format!("at t = {} the enclosures of the two motions overlap", sampled.t))?;
+        let found = found.ok_or(Enclosing::MotionsOverlap(sampled.t))?;
         let reason = lie_apart(&found);
         Ok((found, reason))
     }
 }
 
-fn lie_apart(witness: &Witness) -> String {
-    format!("certified, the enclosures of the two motions lie apart: at t = {}", witness.t)
+fn lie_apart(witness: &Witness) -> Refutation {
+    Refutation::Apart { motions: true, t: witness.t }
 }

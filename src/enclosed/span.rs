@@ -4,12 +4,14 @@
 //! settled: its times do not count; or false is excluded on it; or it is false for certain at a time of it. A place at which it is
 //! false for certain stands against every allowance, however small the difference is.
 
+use std::sync::Arc;
+
 use super::cover::{Along, Judgement, Ranges, Selection};
 use super::ready::{POINTS, Ready, Shown, median};
-use super::why::Why;
 use crate::latex::RelationKind;
 use crate::number::{Interval, NoValue};
 use crate::verdict::{Enclosed, Possible, Quantifier, Truth, Witness};
+use reason::{Enclosing, Plain, Reason, Refutation};
 
 /// So many times are looked at to see whether an open stretch stands alone.
 const LOOKS: usize = 16;
@@ -42,9 +44,9 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
         }
         if selected == Some(true) && (known == Possible::FALSE || ready.crosses(ranges, time)) {
             found.apart = Some(time);
-            return Judgement::Stop("it is false for certain".into());
+            return Judgement::Stop(Plain::FalseForCertain.into());
         }
-        let each: Vec<Result<f64, Why>> = (0..ready.signs).map(|s| ready.within(ranges, s)).collect();
+        let each: Vec<Result<f64, Reason>> = (0..ready.signs).map(|s| ready.within(ranges, s)).collect();
         let now: Vec<bool> = each.iter().map(Result::is_ok).collect();
         let enough = match ready.group.signs {
             Quantifier::Some => now.contains(&true),
@@ -52,7 +54,7 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
         };
         if !enough {
             found.open = Some(time);
-            return Judgement::Open(each.into_iter().find_map(Result::err).unwrap_or_default());
+            return Judgement::Open(each.into_iter().find_map(Result::err).unwrap_or(Plain::ValueOpen.into()));
         }
         // What a whole stretch leaves open its parts may settle.
         found.may_say = true;
@@ -67,10 +69,10 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
     if let Some(time) = found.apart {
         return match false_on(ready, along, time) {
             Some(witness) => {
-                let reason = format!("certified at t = {}", witness.t);
+                let reason = Refutation::At(witness.t).into();
                 Shown::Fails(witness, reason)
             }
-            None => Shown::Nothing(format!("near t = {:.6} the sides differ", time.mid()).into()),
+            None => Shown::Nothing(Enclosing::DifferNear(time.mid()).into()),
         };
     }
     let looked = match covered {
@@ -81,7 +83,7 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
             let times: Vec<f64> = open.chain(exact_times(along)).collect();
             return match times.into_iter().find_map(|t| ready.witness(along, t)) {
                 Some(witness) => {
-                    let reason = format!("certified at t = {}", witness.t);
+                    let reason = Refutation::At(witness.t).into();
                     Shown::Fails(witness, reason)
                 }
                 None => alone(along, &ready.roots, reason, |ranges| {
@@ -92,21 +94,18 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
     };
     if ready.group.throughout && ready.signs > 1 && !found.serves.contains(&true) {
         return match against_each_sign(ready, along, &[]) {
-            Some(witness) => Shown::Fails(witness, "no single sign of ± serves the whole motion".to_owned()),
-            None => Shown::Nothing("no single sign of ± is shown to serve".into()),
+            Some(witness) => Shown::Fails(witness, Plain::NoSingleSign.into()),
+            None => Shown::Nothing(Plain::NoSingleSignShown.into()),
         };
     }
     if !found.may_say {
-        return Shown::Void("at no time of the span that counts does it have a value".to_owned());
+        return Shown::Void(Plain::NeverHasValue.into());
     }
     let enclosed = Enclosed { places: looked, gap: found.gap, scale: ready.scale };
     let equation = ready.group.comparisons.iter().any(|c| c.kind == RelationKind::Equal);
     let within = found.gap > 0.0 || equation && !ready.part.is_definedness() && ready.group.allows();
-    let apart = match within {
-        true => format!(", within {:.1e} where terms are {:.1e}", found.gap, ready.scale),
-        false => String::new(),
-    };
-    let reason = format!("for every t of the span: in {looked} stretches{apart}");
+    let within = within.then_some((found.gap, ready.scale));
+    let reason = Enclosing::EveryTime { stretches: looked, within }.into();
     match found.says || says_at_a_time(ready, along) {
         true => Shown::Holds(enclosed, reason),
         false => Shown::Unless(enclosed, reason),
@@ -119,7 +118,12 @@ fn is_silent(ready: &Ready, ranges: &Ranges) -> bool {
 }
 
 /// What is shown where one stretch stays open: whether nearly all single times are settled.
-pub(super) fn alone(along: &mut Along, roots: &Selection, reason: Why, is_settled: impl Fn(&Ranges) -> bool) -> Shown {
+pub(super) fn alone(
+    along: &mut Along,
+    roots: &Selection,
+    reason: Reason,
+    is_settled: impl Fn(&Ranges) -> bool,
+) -> Shown {
     let every = along.pieces().len().div_ceil(LOOKS).max(1);
     let times: Vec<f64> = along.pieces().iter().step_by(every).map(|time| 0.3 * time.lo() + 0.7 * time.hi()).collect();
     let settled = times.iter().filter(|&&t| is_settled(&along.over(roots, Interval::point(t)))).count();
@@ -130,10 +134,10 @@ pub(super) fn alone(along: &mut Along, roots: &Selection, reason: Why, is_settle
 pub(super) fn silent(ready: &Ready, along: &mut Along, shown: Shown) -> Shown {
     let judge = |_: Interval, ranges: &Ranges| match is_silent(ready, ranges) {
         true => Judgement::Settled,
-        false => Judgement::Open("whether any time counts is open".into()),
+        false => Judgement::Open(Plain::WhetherTimesCountOpen.into()),
     };
     match along.cover(&ready.roots, judge, |_| false) {
-        Ok(_) => Shown::Void("at no time of the span that counts does it have a value".to_owned()),
+        Ok(_) => Shown::Void(Plain::NeverHasValue.into()),
         Err(reason) => match alone(along, &ready.roots, reason, |ranges| is_silent(ready, ranges)) {
             Shown::Isolated(reason) => Shown::Isolated(reason),
             _ => shown,
@@ -227,7 +231,7 @@ fn against_each_sign(ready: &Ready, along: &mut Along, near: &[f64]) -> Option<W
 }
 
 /// A time at which the part is false for certain: near those that samples point to, or elsewhere.
-pub(super) fn refuted(ready: &Ready, along: &mut Along, near: f64) -> Result<Witness, String> {
+pub(super) fn refuted(ready: &Ready, along: &mut Along, near: f64) -> Result<Witness, Reason> {
     if let Some(found) = ready.witness(along, near) {
         return Ok(found);
     }
@@ -256,10 +260,7 @@ pub(super) fn refuted(ready: &Ready, along: &mut Along, near: f64) -> Result<Wit
     {
         return Ok(found);
     }
-    Err(match along.incomplete() {
-        Some(reason) => format!("at t = {near} the enclosure does not exclude it: {reason}"),
-        None => format!("at t = {near} the enclosure does not exclude it"),
-    })
+    Err(Enclosing::NotExcluded(near, along.incomplete().map(Arc::new)).into())
 }
 
 /// A time that counts, with both sides: for what never happens though it should.
@@ -292,9 +293,7 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
     let scale = (0..count).map(size).fold(0.0, f64::max);
     let room = ready.precision * if scale > 0.0 { scale } else { 1.0 };
     if ready.signs > 1 {
-        return Shown::Nothing(
-            "what is the same for one sign of ± is not enclosed where the start does not count".into(),
-        );
+        return Shown::Nothing(Plain::ConstantOfOneSign.into());
     }
     // For each quantity the hull over all stretches that may count, and what it is for certain at times that do.
     let mut hulls: Vec<Option<Interval>> = vec![None; count];
@@ -309,9 +308,7 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
         for c in 0..count {
             match &ranges[ready.place(0, c)] {
                 Err(NoValue::OutOfDomain) => {}
-                Err(reason) => {
-                    return Judgement::Open(format!("whether there is a value cannot be told: {reason}").into());
-                }
+                Err(reason) => return Judgement::Open(Enclosing::ValueUnknown(*reason).into()),
                 Ok(reach) => {
                     void = false;
                     let range = reach.range();
@@ -326,12 +323,11 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
                         if let (Some((l, _)), Some((h, _))) = (*low, *high)
                             && h > l
                         {
-                            return Judgement::Stop("it takes two values for certain".into());
+                            return Judgement::Stop(Plain::TwoValuesForCertain.into());
                         }
                     }
                     if range.width() > room {
-                        let wide = range.width();
-                        return Judgement::Open(format!("its values are known only to within {wide:.1e}").into());
+                        return Judgement::Open(Enclosing::KnownWithin(range.width()).into());
                     }
                     hulls[c] = Some(hulls[c].map_or(range, |h| h.hull(range)));
                 }
@@ -353,10 +349,7 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
             if let (Some(right), Some(left)) = (value(first), value(last)) {
                 let formula = format!("{}, compared with t = {first}", ready.group.comparisons[c].label);
                 let witness = Witness { t: last, formula, left, right, bound: 0.0, values: Vec::new() };
-                return Shown::Fails(
-                    witness,
-                    format!("certified: it takes different values at t = {first} and t = {last}"),
-                );
+                return Shown::Fails(witness, Refutation::TwoValues(first, last).into());
             }
         }
     }
@@ -367,13 +360,12 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
     let gap = hulls.iter().flatten().map(Interval::width).fold(0.0, f64::max);
     // A component without a value leaves the others without a say.
     if hulls.iter().any(Option::is_none) {
-        return Shown::Void("at no time of the span that counts does it have a value".to_owned());
+        return Shown::Void(Plain::NeverHasValue.into());
     }
     if gap > room {
-        return Shown::Nothing(format!("its values are known only to within {gap:.1e}").into());
+        return Shown::Nothing(Enclosing::KnownWithin(gap).into());
     }
-    let reason =
-        format!("for every t of the span: in {looked} stretches, within {gap:.1e} where terms are {scale:.1e}");
+    let reason = Enclosing::EveryTime { stretches: looked, within: Some((gap, scale)) }.into();
     let enclosed = Enclosed { places: looked, gap, scale };
     if says { Shown::Holds(enclosed, reason) } else { Shown::Unless(enclosed, reason) }
 }

@@ -61,16 +61,16 @@ fn an_endless_search_reaches_the_limit_of_work() {
         false => Judgement::Settled,
     };
     let first = along.cover(&energy, never, |_| false).expect_err("too much");
-    assert!(first.words.contains("work limit of 400000 operations") && first.words.contains("t = "), "{first:?}");
+    assert!(first.to_string().contains("work limit of 400000 operations was reached at t = "), "{first:?}");
     // Without a new allowance the next search ends at once; with one it comes as far as the first.
-    assert!(along.cover(&energy, never, |_| false).expect_err("nothing left").words.contains("work limit"));
+    assert!(along.cover(&energy, never, |_| false).expect_err("nothing left").to_string().contains("work limit"));
     along.refill();
     assert_eq!(along.cover(&energy, never, |_| false), Err(first));
     // All claims of a motion together have a limit too.
     let mut last = String::new();
     for _ in 0..40 {
         along.refill();
-        last = along.cover(&energy, never, |_| false).expect_err("too much").words;
+        last = along.cover(&energy, never, |_| false).expect_err("too much").to_string();
     }
     assert!(last.contains("for the motion"), "{last}");
 }
@@ -91,9 +91,9 @@ fn what_no_shorter_stretch_could_help_is_given_up_at_once() {
         true
     };
     let why = along.cover(&q, judge, hopeless).expect_err("hopeless");
-    assert!(why.words.contains("too wide"), "{why:?}");
-    let place = why.obstacle().expect("a place");
-    assert_eq!(place.from, place.to, "at one time");
+    assert!(why.to_string().contains("too wide"), "{why:?}");
+    let (from, to) = why.obstacle().expect("a place").0.ends();
+    assert_eq!(from, to, "at one time");
     assert_eq!((judged.get(), asked.get()), (1, 1));
 }
 
@@ -109,7 +109,7 @@ fn presuppositions_are_shared_by_precision_only() {
             answer
         })
     };
-    let yes = || Shown::at_one_place(String::new());
+    let yes = || Shown::at_one_place("");
     let no = || Shown::Nothing("too fine".into());
     assert!(matches!(ask(1e-3, yes()), Shown::Holds(..)));
     assert!(matches!(ask(1e-3, no()), Shown::Holds(..)));

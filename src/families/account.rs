@@ -12,6 +12,8 @@ use crate::findings::family::{
     MemberAccount, Ranked, Tally, deviation, gap,
 };
 use crate::verdict::{Evidence, Finding, Outcome, Possible, Verdict};
+use reason::{Fate, Plain, Sampling};
+use std::sync::Arc;
 
 /// A value that was measured: its time, the value, its error bound.
 type Taken = (f64, f64, f64);
@@ -91,31 +93,32 @@ impl Counted<'_> {
     fn verdict(&self, again: Again) -> Verdict {
         let tally = self.tally;
         if let Some(number) = tally.first_defect {
-            let defect = again(number).and_then(|(_, verdict)| verdict.defect()).unwrap_or("it has no verdict");
-            let defect = format!("member {number}: {defect}");
-            let mut verdict = Verdict::of(Finding::open(defect.clone()));
-            verdict.contradict(defect);
+            let what = again(number).and_then(|(_, verdict)| verdict.defect().cloned());
+            let what = Arc::new(what.unwrap_or(Plain::NoVerdict.into()));
+            let mut verdict = Verdict::of(Finding::open(Plain::NoVerdict));
+            verdict.contradict(Sampling::OnMember { number, what }.into());
             return verdict;
         }
         let samples = usize::try_from(tally.counts.members).unwrap_or(usize::MAX);
-        let open = |reason: String| Evidence { samples, ..Evidence::because(reason) };
+        let open = |reason: Sampling| Evidence { samples, ..Evidence::because(reason) };
         let of = tally.counts.members;
         let finding = match (tally.counts.fails, tally.counts.undecided, self.stopped, tally.counts.holds) {
             (1.., ..) => {
                 let clearest = tally.clearest_failing.and_then(|c| again(c.number));
                 let witness = clearest.and_then(|(_, verdict)| verdict.evidence().witness.clone());
-                let reason = format!("it fails on {} of {of} members", tally.counts.fails);
+                let reason = Sampling::OnMembers(Fate::Fails, tally.counts.fails, of);
                 Finding::sampled(Possible::FALSE, Evidence { witness, ..open(reason) })
             }
             (0, _, Some(stopped), _) => {
-                Finding::sampled(Possible::ANY, open(format!("{of} of {} members were tried: {stopped}", self.size)))
+                let why = Arc::new(stopped.into());
+                Finding::sampled(Possible::ANY, open(Sampling::NotAllTried { tried: of, of: self.size, why }))
             }
             (0, 1.., None, _) => {
-                let reason = format!("it is undecided on {} of {of} members", tally.counts.undecided);
+                let reason = Sampling::OnMembers(Fate::Undecided, tally.counts.undecided, of);
                 Finding::sampled(Possible::ANY, open(reason))
             }
             (0, 0, None, 1..) => Finding::sampled(Possible::TRUE, Evidence { samples, ..Evidence::default() }),
-            (0, 0, None, 0) => Finding::sampled(Possible::VOID, open(format!("it applies to none of {of} members"))),
+            (0, 0, None, 0) => Finding::sampled(Possible::VOID, open(Sampling::OnNoMember(of))),
         };
         Verdict::of(finding)
     }

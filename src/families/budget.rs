@@ -2,6 +2,8 @@
 //!
 //! **Guaranteed:** no limit depends on the machine, so that what is counted before one is reached is the same everywhere.
 
+use reason::Plain;
+
 /// So many numbers are looked at between two looks at the limits. It does not depend on the machine.
 pub(super) const WAVE: u64 = 256;
 /// So many members are integrated together.
@@ -30,11 +32,11 @@ impl Default for Budget {
 
 impl Budget {
     /// Why no more is begun.
-    pub fn reached(&self) -> Option<&'static str> {
+    pub fn reached(&self) -> Option<Plain> {
         match (self.members, self.numbers, self.steps) {
-            (0, ..) => Some("work limit: the families of a file try a million members"),
-            (_, 0, _) => Some("work limit: the families of a file reject 100 million members"),
-            (.., 0) => Some("work limit: the members of a file's families take 300 million steps"),
+            (0, ..) => Some(Plain::MembersTried),
+            (_, 0, _) => Some(Plain::MembersRejected),
+            (.., 0) => Some(Plain::StepsTaken),
             _ => None,
         }
     }

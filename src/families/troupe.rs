@@ -30,6 +30,7 @@ use claim::limits::Limits;
 use claim::options::Options;
 use claim::program::{Part, Program, What};
 use proved::by_formula;
+use reason::{Plain, Reason};
 use sampled::course::Trial;
 use sampled::independence::Gradients;
 use sampled::measure::Compiled;
@@ -49,7 +50,7 @@ pub struct Troupe<'a> {
     programs: Vec<Vec<Program>>,
     /// What is measured on each member.
     measures: Vec<Compiled>,
-    gradients: Vec<Option<Result<Gradients, String>>>,
+    gradients: Vec<Option<Result<Gradients, Reason>>>,
     wanted: Vec<Leaf>,
     start_of: Vec<usize>,
     /// The position of the member among the trajectories.
@@ -224,7 +225,7 @@ impl<'a> Troupe<'a> {
                 return Err(CheckError::Defect(CANCELLED.to_owned()));
             }
             if let Some(reason) = stopped {
-                return Ok((sums, Some(reason.to_owned())));
+                return Ok((sums, Some(reason.to_string())));
             }
             let end = (next + WAVE.min(budget.members)).min(last + 1);
             let numbers: Vec<u64> = (next..end).collect();
@@ -301,10 +302,9 @@ impl<'a> Troupe<'a> {
                     if options.limits.is_cancelled() {
                         return Err(CheckError::Defect(CANCELLED.to_owned()));
                     }
-                    let stopped = (left.members == 0 || left.steps == 0)
-                        .then_some("work limit: as many motions were tried to find it as may be");
+                    let stopped = (left.members == 0 || left.steps == 0).then_some(Plain::MotionsTried);
                     if let Some(reason) = options.limits.reached().or(stopped) {
-                        return Ok(Err(reason.to_owned()));
+                        return Ok(Err(reason.to_string()));
                     }
                     let members: Vec<Member> = wave.iter().map(|point| self.members.at(*point)).collect();
                     let some = members.par_chunks(TOGETHER).with_max_len(1);
@@ -314,8 +314,8 @@ impl<'a> Troupe<'a> {
                     });
                     for one in some.collect::<Vec<_>>() {
                         let Some(One { steps, verdicts, .. }) = one? else {
-                            let reason = options.limits.reached().unwrap_or("the run was ended");
-                            return Ok(Err(reason.to_owned()));
+                            let reason = options.limits.reached().unwrap_or(Plain::Ended);
+                            return Ok(Err(reason.to_string()));
                         };
                         left.steps = left.steps.saturating_sub(steps);
                         let found = verdicts.get(n).filter(|v| v.defect().is_none());

@@ -9,6 +9,7 @@ use crate::standing::{Decision, Exception, Finding, Given};
 use crate::variant::{Discrimination, VariantAccount};
 use crate::words::{self, Word};
 use derivation::Claim;
+use reason::{Reason, Refuting};
 use serde::{Deserialize, Serialize};
 use units::UnitsAccount;
 use verdict::{Outcome, Strength, Verdict};
@@ -47,7 +48,7 @@ pub struct Measurement {
     /// (time, value, error bound).
     pub values: Vec<(f64, f64, f64)>,
     /// Why there is none, or not all.
-    pub reason: Option<String>,
+    pub reason: Option<Reason>,
 }
 
 /// One claim on one trajectory.
@@ -190,9 +191,9 @@ pub struct IdentityAccount {
     /// Whether what is given has values at fewer times than what is claimed: it says nothing of the others.
     pub narrower: bool,
     /// Why undecided; a remark on a proof.
-    pub reason: Option<String>,
+    pub reason: Option<Reason>,
     /// A point at which everything given holds and the claim does not.
-    pub witness: Option<String>,
+    pub witness: Option<Refuting>,
     /// What the verdict rests on: trials, certificates, numbers.
     pub evidence: IdentityEvidence,
 }
@@ -260,7 +261,7 @@ impl IdentityAccount {
         } else {
             format!("the definitions, the assumptions and {}", self.from.join(", "))
         };
-        let reason = self.reason.as_deref().unwrap_or("no reason is known");
+        let reason = self.reason.as_ref().map_or_else(|| "no reason is known".to_owned(), ToString::to_string);
         let open = self.conditional_in_words();
         let decision = self.finding.decision();
         match (decision, self.log2_error) {
@@ -359,7 +360,7 @@ pub struct Summary {
 
 impl Account {
     /// The claims that have no verdict because the program contradicts itself: name, what it was tried on, why.
-    pub fn defects(&self) -> impl Iterator<Item = (String, String, &str)> {
+    pub fn defects(&self) -> impl Iterator<Item = (String, String, &Reason)> {
         self.claims.iter().flat_map(|claim| {
             let name = claim.reading.as_ref().map_or(claim.id.clone(), |r| format!("{}/{r}", claim.id));
             claim.verdicts().filter_map(move |j| Some((name.clone(), j.on().to_owned(), j.verdict.defect()?)))

@@ -38,5 +38,5 @@ pub struct PictureAccount {
     /// Its lines, those in front last; none where there is nothing to draw.
     pub lines: Vec<Line>,
     /// Why there is nothing to draw.
-    pub reason: Option<String>,
+    pub reason: Option<reason::Reason>,
 }

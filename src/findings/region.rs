@@ -1,6 +1,7 @@
 //! What was found for a claim over ranges.
 
 use crate::words::{self, Word};
+use reason::Reason;
 use serde::{Deserialize, Serialize};
 use verdict::Verdict;
 
@@ -59,8 +60,8 @@ pub struct RegionWitness {
     pub formula: Option<String>,
     /// What encloses its left and its right side there; `None` for a formula without a value.
     pub sides: Option<((f64, f64), (f64, f64))>,
-    /// What is wrong there; formulas between dollars.
-    pub says: String,
+    /// What is wrong there.
+    pub says: Reason,
 }
 
 /// A solution: each unknown with what encloses it.
@@ -98,8 +99,8 @@ pub struct RegionAccount {
     pub solutions: Vec<SolutionAccount>,
     /// Formulas that are identities by random evaluation: each with log₂ of the bound for the probability of an error.
     pub identities: Vec<(String, f64)>,
-    /// What else is to be known, in words.
-    pub remarks: Vec<String>,
+    /// What else is to be known.
+    pub remarks: Vec<Reason>,
     /// The picture of the first two ranges.
     pub map: Option<RegionMap>,
     /// Pictures of its fields over them.
@@ -110,14 +111,6 @@ impl RegionAccount {
     /// Whether this is about fields, whatever they are.
     pub fn is_of_fields(&self) -> bool {
         self.ranges.is_empty() && self.unknowns.is_empty()
-    }
-}
-
-impl RegionWitness {
-    /// The point and what is wrong there, in a sentence; formulas between dollars.
-    pub fn sentence(&self) -> String {
-        let at: Vec<String> = self.values.iter().map(|(name, x)| format!("${name}={x}$")).collect();
-        if at.is_empty() { self.says.clone() } else { format!("at {}: {}", at.join(", "), self.says) }
     }
 }
 

@@ -162,7 +162,8 @@ fn claim(id: &str, reading: Option<&str>, says: &str, formula: &str, results: Ve
 pub fn account() -> Account {
     let sampled = Outcome::Holds(Strength::Sampled);
     let refuted = Outcome::Fails(Strength::Sampled);
-    let gap = Exclusion { from: 1.0, to: 1.5, reason: "the denominator x is too close to 0".into() };
+    let gap =
+        Exclusion { from: 1.0, to: 1.5, reason: std::sync::Arc::new("the denominator x is too close to 0".into()) };
     Account {
         distributions: Vec::new(),
         trajectories: vec![trajectory("pulled", "Pulled and let go"), trajectory("pushed", "pushed")],

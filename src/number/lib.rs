@@ -51,7 +51,7 @@ pub use random::Draws;
 pub use scalar::Scalar;
 
 /// Why an operation has no value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
 pub enum NoValue {
     /// The arguments lie outside the real domain of the function: √(−1), 1/0, arccos 2.
     OutOfDomain,

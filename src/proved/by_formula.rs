@@ -15,7 +15,7 @@ use crate::expr::{Expr, FastMap, Graph, Leaf, Rational, Symbol};
 use crate::findings::{ClaimAccount, by_trajectory};
 use crate::latex::{RelationKind, Scope};
 use crate::number::Bounded;
-use crate::verdict::{Obstacle, Outcome, Possible, Proof, Strength, Verdict, Witness};
+use crate::verdict::{Outcome, Possible, Proof, Strength, Verdict, Witness};
 use claim::comparison::{Comparison, Group, may_leap};
 use claim::denote::denote;
 use claim::limits::Limits;
@@ -23,6 +23,7 @@ use claim::program::{Assumption, Part, What};
 use claim::system;
 use proof::{Along, Apart, InTime, Memory, Refuted, along};
 use rayon::prelude::*;
+use reason::Proving;
 use std::cmp::Ordering;
 
 /// Finds the verdict on a claim on a motion, after this one, or recalls it.
@@ -361,15 +362,11 @@ impl<'a> Setting<'a> {
                     (e.witness, e.reason, e.proof) = (None, None, Some(Proof::default()));
                 }),
                 Some(Err((witness, reason))) => verdict.prove(position, Possible::FALSE, |e| {
-                    (e.witness, e.reason) = (Some(witness), Some(reason));
+                    (e.witness, e.reason) = (Some(witness), Some(reason.into()));
                 }),
                 None if part.is_definedness() => {
                     if let Some(t) = self.may_lack_a_rate(claim, &guards, part) {
-                        verdict.doubt(
-                            position,
-                            format!("whether there is a value near t = {t} is open: a rate may have none"),
-                            Some(Obstacle { from: t, to: t, difference: None }),
-                        );
+                        verdict.doubt(position, Proving::RateOpen(t).into());
                     }
                 }
                 None => {}
@@ -403,7 +400,7 @@ impl<'a> Setting<'a> {
                 verdict.prove(position, Possible::FALSE, |e| {
                     e.samples = e.samples.max(1);
                     (e.witness, e.residual) = (Some(witness), None);
-                    e.reason = Some(format!("by the initial values, at t = {} exactly", motion.initial_time));
+                    e.reason = Some(Proving::ByStart(motion.initial_time).into());
                 });
             }
         }
@@ -449,7 +446,7 @@ impl<'a> Setting<'a> {
         guards: &InTime,
         presupposed: &[Expr],
         part: &Part,
-    ) -> Option<Result<(), (Witness, String)>> {
+    ) -> Option<Result<(), (Witness, Proving)>> {
         let group = &part.group;
         if part.is_definedness() {
             let sides: Vec<Expr> = group.comparisons.iter().flat_map(|c| [c.left, c.right]).collect();
@@ -460,14 +457,10 @@ impl<'a> Setting<'a> {
             let plain = |e: &Expr| self.graph.leaves([*e]).iter().all(|l| l.rate == 0);
             let asked: Vec<Expr> = sides.into_iter().filter(plain).chain(own).collect();
             let all: Vec<Expr> = asked.into_iter().filter_map(|e| self.put(&claim.scope, e)).collect();
-            if let (Some((t, what)), Some(first)) = (self.missing(guards, presupposed, all), group.comparisons.first())
-            {
+            if let (Some(t), Some(first)) = (self.missing(guards, presupposed, all), group.comparisons.first()) {
                 let formula = first.label.clone();
                 let witness = Witness { t, formula, left: 0.0, right: 0.0, bound: 0.0, values: Vec::new() };
-                return Some(Err((
-                    witness,
-                    format!("with the formulas of the motion put in, {what} at t = {t} exactly"),
-                )));
+                return Some(Err((witness, Proving::DividesByZero(t))));
             }
         }
         if group.formula.is_some() || group.branching || group.comparisons.is_empty() {
@@ -521,13 +514,8 @@ impl<'a> Setting<'a> {
                 Along::Agree { seen: Some(_), .. } => {}
                 Along::Differ(Apart { time, left, right, bound }) => {
                     let witness = Witness { t: time, formula: c.label.clone(), left, right, bound, values: Vec::new() };
-                    let what = if refuted == Refuted::Apart { "an equation" } else { "an inequality" };
-                    let size = if left == right { ", by less than binary64 shows" } else { "" };
-                    let reason = format!(
-                        "with the formulas of the motion put in it is {what} in time alone, whose sides differ for \
-                         certain at t = {time}{size}"
-                    );
-                    return Some(Err((witness, reason)));
+                    let (equation, unseen) = (refuted == Refuted::Apart, left == right);
+                    return Some(Err((witness, Proving::Differ { equation, t: time, unseen })));
                 }
                 Along::Agree { .. } | Along::Open => holds = false,
             }
@@ -552,7 +540,7 @@ impl<'a> Setting<'a> {
     }
 
     /// A time that counts at which one of these formulas has no value, shown in exact arithmetic; and why.
-    fn missing(&mut self, guards: &InTime, presupposed: &[Expr], formulas: Vec<Expr>) -> Option<(f64, &'static str)> {
+    fn missing(&mut self, guards: &InTime, presupposed: &[Expr], formulas: Vec<Expr>) -> Option<f64> {
         let needs = self.graph.needs_below(formulas);
         for need in needs.into_iter().filter(|n| n.certain && n.sign == Sign::NotZero) {
             for time in self.rational_zeros(need.value) {
@@ -567,7 +555,7 @@ impl<'a> Setting<'a> {
                 // What has no value for another reason does not count.
                 let valued = presupposed.iter().all(|&e| exactly(e).is_some());
                 if vanishes && selected && valued {
-                    return Some((time.to_f64().value(), "it divides by 0"));
+                    return Some(time.to_f64().value());
                 }
             }
         }

@@ -23,13 +23,15 @@
 //!
 //! Premises hold at all times. They are used at the present time and at the fixed times that the formulas name.
 
+mod account;
 mod exceptions;
 mod gather;
+mod orders;
 mod points;
 mod rates;
+mod reach;
 mod signs;
 mod times;
-mod wording;
 
 use crate::agreement::{Signs, answer, evidence, evidence_of, reach};
 use crate::derivation::{Claim, Derivation, Form, Motion};
@@ -43,6 +45,7 @@ use proof::{
     Branches, Condition, Identity, Memory, Options, Premises, Proof, Reason, Wanted, branches_test_after,
     identity_test_after, order,
 };
+use reason::{Plain, Proving, Refuting};
 use std::cell::RefCell;
 
 /// A claim that is decided for all values.
@@ -85,15 +88,6 @@ struct Settled {
 
 /// The largest step that is tried, in nodes of its formulas, with what they are given and defined by.
 const MOST_NODES: usize = 6_000;
-/// Why a larger one is not.
-const TOO_LARGE: &str = "work limit: its formulas, with all that they follow from, are too large for a proof";
-/// Why a step between several times is open.
-const ONLY_RATES: &str = "it compares values at different times, which what is given connects only through rates: that \
-                          would need the solution of a differential equation";
-
-/// Why a step from values at a fixed time is open.
-const UNCONNECTED: &str = "what is given names values at fixed times; it was not settled which present values a motion \
-                           reaches from them";
 
 type Pairs = Vec<(Expr, Expr)>;
 
@@ -233,10 +227,12 @@ impl<'a> Step<'a> {
             finding: Finding::of_motion(witness),
             from: Step::given(self.derivation, self.claim),
             conditions,
-            witness: Some(format!(
-                "left {}, right {} on the trajectory {trajectory} at t = {}",
-                witness.left, witness.right, witness.t
-            )),
+            witness: Some(Refuting::OnMotion {
+                left: witness.left,
+                right: witness.right,
+                trajectory: trajectory.into(),
+                t: witness.t,
+            }),
             ..IdentityAccount::default()
         }
     }
@@ -269,7 +265,7 @@ impl<'a> Step<'a> {
             return None;
         }
         if self.is_too_large(&gathered, &equations) {
-            return Some(Ok(self.open(&gathered, TOO_LARGE)));
+            return Some(Ok(self.open(&gathered, Plain::TooLargeForProof)));
         }
         let times = self.unite_times(&mut gathered, &mut equations);
         let several =
@@ -314,14 +310,14 @@ impl<'a> Step<'a> {
         let weighed =
             matches!(identity, Identity::Proved(_) | Identity::Undecided(Reason::Contradiction | Reason::Defect(_)));
         if !weighed && self.joins_times(&gathered, &equations) {
-            return Some(Ok(self.open(&gathered, ONLY_RATES)));
+            return Some(Ok(self.open(&gathered, Plain::OnlyRates)));
         }
         if matches!(identity, Identity::Refuted(_)) && (times.unclear || self.ties(&gathered)) {
             match self.at_fixed_time(&gathered, &equations) {
-                None if times.unclear => return Some(Ok(self.open(&gathered, UNCONNECTED))),
+                None if times.unclear => return Some(Ok(self.open(&gathered, Plain::Unconnected))),
                 None => {}
                 Some(refuted @ Identity::Refuted(_)) => identity = refuted,
-                Some(_) => return Some(Ok(self.open(&gathered, UNCONNECTED))),
+                Some(_) => return Some(Ok(self.open(&gathered, Plain::Unconnected))),
             }
         }
         let evidence = match self.evidence(&identity) {
@@ -332,12 +328,8 @@ impl<'a> Step<'a> {
         let proved = matches!(identity, Identity::Proved(_));
         let leaping = if proved { self.leaping(&gathered, &equations, moved) } else { Vec::new() };
         if let (true, Some(&one)) = (moved, leaping.first()) {
-            let reason = format!(
-                "both sides agree at one time and have the same rates, but `{}` may leap to another of its values between",
-                self.shown(one)
-            );
-            let account = self.open(&gathered, ONLY_RATES);
-            return Some(Ok(IdentityAccount { reason: Some(reason), evidence, ..account }));
+            let account = self.open(&gathered, Proving::MayLeap(self.shown(one).into()));
+            return Some(Ok(IdentityAccount { evidence, ..account }));
         }
         let mut along = if proved { self.continuation(&equations, moved, &leaping) } else { Vec::new() };
         if proved && !self.has_values_together(&equations, &identity, &evidence) {
@@ -364,10 +356,10 @@ impl<'a> Step<'a> {
     }
 
     /// The account of a step that stays open, for a reason.
-    fn open(&mut self, gathered: &Gathered, reason: &str) -> IdentityAccount {
+    fn open(&mut self, gathered: &Gathered, reason: impl Into<reason::Reason>) -> IdentityAccount {
         let open = Identity::Undecided(Reason::NoDerivative);
         let account = self.account(open, gathered.from.clone(), gathered.complete);
-        IdentityAccount { reason: Some(reason.to_owned()), ..account }
+        IdentityAccount { reason: Some(reason.into()), ..account }
     }
 
     /// What the second route says of the question that was settled.

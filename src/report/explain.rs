@@ -77,7 +77,7 @@ fn about_claim(derivation: &Derivation, claim: &ClaimAccount, graph: &Derivation
         for (title, lines) in identity.terms() {
             out.push_str(&list(title, &lines));
         }
-        out.push_str(&list("Refuting point", identity.witness.as_slice()));
+        out.push_str(&list("Refuting point", &identity.witness.iter().map(ToString::to_string).collect::<Vec<_>>()));
     }
     out.push('\n');
     out
@@ -129,7 +129,7 @@ fn about_pair(account: &Account, pair: &PairAccount, paint: Paint) -> String {
         }
     }
     if let Some(reason) = &evidence.reason {
-        out.push_str(&paragraph(reason, 4));
+        out.push_str(&paragraph(&reason.to_string(), 4));
     }
     if evidence.samples > 0 {
         out.push_str(&format!("    compared at {}\n", count(evidence.samples, "time")));

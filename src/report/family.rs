@@ -292,7 +292,7 @@ fn point(of: &MemberAccount) -> Option<String> {
             value(w.right),
             size(w.bound)
         )),
-        (None, reason) => reason.clone(),
+        (None, reason) => reason.as_ref().map(ToString::to_string),
     }
 }
 

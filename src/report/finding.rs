@@ -262,7 +262,7 @@ fn region(derivation: &Derivation, claim: &ClaimAccount) -> Option<Finding> {
 /// How the verdict over ranges came about, in a sentence.
 pub(super) fn over_ranges(claim: &ClaimAccount) -> Option<String> {
     let reason = claim.region.as_ref()?.verdict.evidence().reason.as_ref()?;
-    Some(format!("Over its ranges: {}", sentence(&reason.replace('$', ""))))
+    Some(format!("Over its ranges: {}", sentence(&reason.to_string().replace('$', ""))))
 }
 
 /// `fails`, `does not apply`.
@@ -294,7 +294,7 @@ pub(super) fn told(pair: &PairAccount) -> Option<String> {
             size(w.bound),
         ));
     }
-    evidence.reason.as_ref().map(|r| format!("On {}: {}", pair.trajectory, sentence(r)))
+    evidence.reason.as_ref().map(|r| format!("On {}: {}", pair.trajectory, sentence(&r.to_string())))
 }
 
 /// Where a verdict belongs: the formula of the witness, the only formula, or the id of the claim.

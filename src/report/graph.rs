@@ -105,7 +105,7 @@ pub(super) fn brief(identity: &IdentityAccount, proof: &ProofStanding) -> String
     let random = identity.log2_error.filter(|_| identity.evidence.trials.is_some());
     let error = random.map(|e| format!(", error below 2^{}", e.ceil())).unwrap_or_default();
     let from = if identity.from.is_empty() { String::new() } else { format!(", from {}", identity.from.join(", ")) };
-    let (verdict, reason) = (identity.verdict(), identity.reason.as_deref().unwrap_or_default());
+    let (verdict, reason) = (identity.verdict(), identity.reason.as_ref().map(ToString::to_string).unwrap_or_default());
     match proof {
         ProofStanding::Proved => format!("proved{from}{error}."),
         ProofStanding::Except => format!("proved{from}, special cases of what is given apart{error}."),

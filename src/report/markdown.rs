@@ -316,7 +316,7 @@ fn told(pair: &PairAccount, holds: bool) -> String {
         out.push_str(&format!(" {slack}."));
     }
     if let Some(reason) = evidence.reason.as_ref().filter(|_| !holds) {
-        out.push_str(&format!(" On `{}`: {}.", pair.trajectory, prose(reason)));
+        out.push_str(&format!(" On `{}`: {}.", pair.trajectory, prose(&reason.to_string())));
     }
     if let Some(e) = evidence.excluded.first() {
         out.push_str(&format!(
@@ -324,7 +324,7 @@ fn told(pair: &PairAccount, holds: bool) -> String {
             pair.trajectory,
             time(e.from),
             time(e.to),
-            prose(&e.reason)
+            prose(&e.reason.to_string())
         ));
         out.push_str(if evidence.excluded.len() > 1 { ", and more." } else { "." });
     }

@@ -46,10 +46,10 @@ pub fn proposition_text(
         }
         Decision::Refuted => match &evidence.counterexample {
             Some(found) => out.push_str(&counterexample(found, !proposition.given.is_empty())),
-            None => out.push_str(&lines(account.witness.as_slice(), 2)),
+            None => out.push_str(&lines(&account.witness.iter().map(ToString::to_string).collect::<Vec<_>>(), 2)),
         },
         Decision::Undecided => {
-            let reason = account.reason.as_deref().unwrap_or("no reason is known");
+            let reason = account.reason.as_ref().map_or_else(|| "no reason is known".to_owned(), ToString::to_string);
             out.push_str(&paragraph(&format!("Neither proved nor refuted: {reason}."), 2));
         }
     }

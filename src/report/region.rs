@@ -52,7 +52,7 @@ pub(super) fn verdict(region: &RegionAccount) -> String {
         _ => "Does not apply",
     };
     let strength = outcome.strength().map(|s| format!(" ({s})")).unwrap_or_default();
-    let reason = region.verdict.evidence().reason.as_deref().unwrap_or_default();
+    let reason = region.verdict.evidence().reason.as_ref().map(ToString::to_string).unwrap_or_default();
     format!("{word}{strength}: {reason}")
 }
 
@@ -78,7 +78,7 @@ pub(super) fn notes(region: &RegionAccount) -> Vec<String> {
         let number = if region.solutions.len() > 1 { format!(" {}", i + 1) } else { String::new() };
         out.push(format!("solution{number}: {}", solution(of)));
     }
-    out.extend(region.remarks.iter().cloned());
+    out.extend(region.remarks.iter().map(ToString::to_string));
     out
 }
 
@@ -99,7 +99,7 @@ fn terminal_one(derivation: &Derivation, claim: &ClaimAccount, region: &RegionAc
         out.push_str(&paragraph(&bare(&ranges), 4));
     }
     if let Some(reason) = &region.verdict.evidence().reason {
-        out.push_str(&paragraph(&bare(reason), 4));
+        out.push_str(&paragraph(&bare(&reason.to_string()), 4));
     }
     for note in notes(region) {
         out.push_str(&paragraph(&bare(&note), 4));
@@ -169,7 +169,7 @@ pub(super) fn section(claim: &ClaimAccount) -> String {
         out.push_str(&table(&["solution", "not below", "not above"], rows));
     }
     for remark in &region.remarks {
-        out.push_str(&format!("{}.\n\n", prose(remark)));
+        out.push_str(&format!("{}.\n\n", prose(&remark.to_string())));
     }
     if region.map.is_some() {
         out.push_str("`index.html` has a picture of the first two ranges.\n\n");

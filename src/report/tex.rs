@@ -310,7 +310,7 @@ fn verdicts(group: &Group<'_>, scope: &Scope, out: &mut String) {
                 out.push_str(&format!(
                     "For instance on {}: {}.\n\n",
                     escaped(&telling.trajectory),
-                    prose(reason, scope)
+                    prose(&reason.to_string(), scope)
                 ));
             }
         }

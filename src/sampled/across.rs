@@ -18,7 +18,7 @@ use std::sync::Arc;
 use crate::between::may_lie_beyond;
 use crate::course::{Course, Trial};
 use crate::derivation::{Across, Dependence, Derivation, End, Form, NoOther};
-use crate::describe::{Describer, Left, incomplete, short};
+use crate::describe::{Describer, Left, incomplete};
 use crate::doubt::{known, open_events};
 use crate::expr::Expr;
 use crate::expr::tape::Tape;
@@ -32,6 +32,7 @@ use crate::{events, extrapolate};
 use claim::comparison::{Comparison, Group};
 use claim::measured::{Measured, MeasuredGroup, Series, Sizes};
 use claim::program::Values;
+use reason::{Plain, Reason, Sampling};
 
 /// What is compared, as the file of the member has it: the claim that is tried knows no member.
 fn across_of<'d>(derivation: &'d Derivation, trial: &Trial) -> Option<&'d Across> {
@@ -59,7 +60,7 @@ fn taken(trial: &Trial, course: &Course) -> Result<Taken, Box<Finding>> {
         Incomplete::Vanishing { .. } | Incomplete::Unresolved { .. } => true,
     };
     if let Some(gap) = course.motion.unresolved().iter().find(open) {
-        return Err(Finding::open(incomplete(gap)).into());
+        return Err(Finding::open(Sampling::Gap(incomplete(gap))).into());
     }
     let Some(event) = trial.program.at else {
         let t = course.stage.initial_time(course.trajectory);
@@ -67,7 +68,7 @@ fn taken(trial: &Trial, course: &Course) -> Result<Taken, Box<Finding>> {
     };
     let found = trial.claim.at.as_ref().and_then(|at| events::of_event(trial.graph, at, event, course));
     let Some(found) = found else {
-        return Err(Finding::open("the event has no meaning on this motion").into());
+        return Err(Finding::open(Plain::EventHasNoMeaning).into());
     };
     let counts = |i: &Incomplete| !matches!(i, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. });
     let trial = Trial { course, ..*trial };
@@ -75,47 +76,46 @@ fn taken(trial: &Trial, course: &Course) -> Result<Taken, Box<Finding>> {
         return Err(Finding::open(reason).into());
     }
     let (Some(&t), Some(&slack)) = (found.zeros.times.first(), found.zeros.slack.first()) else {
-        let reason = "the event does not happen on the member that it is compared with";
-        return Err(Finding::sampled(Possible::VOID, Evidence::because(reason)).into());
+        return Err(void(Plain::NoEventOnOther).into());
     };
     if may_lie_beyond(course.stage.span(course.trajectory), t, slack) {
-        return Err(
-            Finding::open(format!("whether the event near t = {} lies in the span cannot be told", short(t))).into()
-        );
+        return Err(Finding::open(Sampling::EventInSpan(t)).into());
     }
     Ok(Taken { t, values: course.values_at_event(t, slack) })
 }
 
+/// It says nothing, for a reason.
+fn void(reason: impl Into<Reason>) -> Finding {
+    Finding::sampled(Possible::VOID, Evidence::because(reason))
+}
+
 /// Compares a member with those that the family gives beside it.
 pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, position: usize) -> Finding {
-    let Some(across) = across_of(derivation, trial) else { return Finding::open("it is not known what is compared") };
-    let void = |reason: String| Finding::sampled(Possible::VOID, Evidence::because(reason));
+    let Some(across) = across_of(derivation, trial) else { return Finding::open(Plain::ComparedUnknown) };
+    let name = || across.name.as_str().into();
     let values = match &across.values {
         Ok(values) => values,
         Err(NoOther::Last) => {
-            return void(format!(
-                "no other member comes after it along ${}$, or it is the one that others are compared with",
-                across.name
-            ));
+            return void(Sampling::LastMember(name()));
         }
-        Err(NoOther::TooRare) => return Finding::open("work limit: no member beside it satisfies the constraints"),
+        Err(NoOther::TooRare) => return Finding::open(Plain::NoMemberBeside),
         Err(NoOther::Rejected) => {
-            return void("a motion that it would be compared with does not satisfy the constraints".to_owned());
+            return void(Plain::OtherRejected);
         }
-        Err(NoOther::Near) => return void("it lies nearer to the extremum than what is said of it".to_owned()),
-        Err(NoOther::Beyond) => return void(format!("it lies where ${}$ tends to, or beyond", across.name)),
-        Err(NoOther::NoMember) => return Finding::open("it compares the members of a family"),
+        Err(NoOther::Near) => return void(Plain::TooNearExtremum),
+        Err(NoOther::Beyond) => return void(Sampling::BeyondLimit(name())),
+        Err(NoOther::NoMember) => return Finding::open(Plain::ComparesMembers),
     };
     let course = trial.course;
     if let Some(Left::Open(reason) | Left::Out(reason)) = tried.left.first() {
-        return Finding::open(reason.to_string());
+        return Finding::open(Reason::clone(reason));
     }
     let group = &trial.program.parts[position].group.comparisons;
     let Some((quantity, limit)) = group.first().map(|c| (c.left, c.right)) else {
-        return Finding::open("there is no quantity");
+        return Finding::open(Plain::NoQuantity);
     };
     let (Some(value), Some(limit)) = (evaluator(trial, quantity), evaluator(trial, limit)) else {
-        return Finding::open("the quantity is not known");
+        return Finding::open(Plain::QuantityUnknown);
     };
     let mut members = Vec::new();
     for (n, &x) in values.iter().enumerate() {
@@ -124,7 +124,7 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, posi
             None => course,
             Some(position) => {
                 let built = position.and_then(|position| Some((*position, course.stage.motion(*position)?)));
-                let Some((trajectory, motion)) = built else { return Finding::open("the other member was not built") };
+                let Some((trajectory, motion)) = built else { return Finding::open(Plain::OtherNotBuilt) };
                 // Its samples are not asked for.
                 let (times, points) = (Vec::new(), Arc::new(Points::default()));
                 other = Course { stage: course.stage, trajectory, motion, leaves: course.leaves, times, points };
@@ -138,22 +138,22 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, posi
         match value(&at.values) {
             Ok(of) => members.push(Taking { x, at, of }),
             Err(NoValue::OutOfDomain) => {
-                return void(format!("`{}` has no value on one of the members that are compared", across.of.text));
+                return void(Sampling::NoValueOnMember(across.of.text.as_str().into()));
             }
-            Err(reason) => return Finding::open(reason.to_string()),
+            Err(reason) => return Finding::open(reason),
         }
     }
     if let Dependence::Limit { end, to } = across.dependence {
         return tends(trial, across, &members, (end, to), &limit, quantity);
     }
-    let [own, other, more @ ..] = &members[..] else { return Finding::open("there is nothing to compare it with") };
+    let [own, other, more @ ..] = &members[..] else { return Finding::open(Plain::NothingToCompare) };
     let two = |own: &Taking, other: &Taking| compare(trial, across, own, other, quantity);
     let Dependence::Extremum { to, .. } = across.dependence else { return two(own, other) };
     // The member itself, if it is far enough from the extremum, and the motion beside the extremum.
     let far = Some(own).filter(|own| (own.x - other.x).abs() >= to);
     let findings = far.into_iter().chain(more).map(|one| two(one, other));
     let all = findings.reduce(|a, b| if rank(&b) >= rank(&a) { b } else { a });
-    all.unwrap_or_else(|| void("it lies nearer to the extremum than what is said of it".to_owned()))
+    all.unwrap_or_else(|| void(Plain::TooNearExtremum))
 }
 
 /// A member, or a motion beside it: the value of what varies, when the quantity is taken, and what it is.
@@ -192,7 +192,7 @@ fn compare(trial: &Trial, across: &Across, ours: &Taking, theirs: &Taking, quant
             }
             Err(finding) => return *finding,
         },
-        Dependence::Limit { .. } => return Finding::open("a limit is not told by two members"),
+        Dependence::Limit { .. } => return Finding::open(Plain::LimitNotOfTwo),
     };
     let values = vec![
         (across.name.clone(), own.0),
@@ -219,30 +219,28 @@ fn tends(
 ) -> Finding {
     let (sequence, beyond) = members.split_at(members.len().min(extrapolate::STEPS));
     let (Some(own), Some(last)) = (sequence.first(), sequence.last()) else {
-        return Finding::open("there is no sequence");
+        return Finding::open(Plain::NoSequence);
     };
     let (claimed, again) = match (limit(&own.at.values), limit(&last.at.values)) {
         (Ok(here), Ok(there)) => (here, there),
         (Err(NoValue::OutOfDomain), _) | (_, Err(NoValue::OutOfDomain)) => {
-            let reason = "what it is said to tend to has no value";
-            return Finding::sampled(Possible::VOID, Evidence::because(reason));
+            return void(Plain::LimitHasNoValue);
         }
-        (Err(reason), _) | (_, Err(reason)) => return Finding::open(reason.to_string()),
+        (Err(reason), _) | (_, Err(reason)) => return Finding::open(reason),
     };
     if !(claimed - again).contains_zero() {
-        return Finding::open("what it is said to tend to is not the same along the sequence");
+        return Finding::open(Plain::LimitChanges);
     }
     let sequence: Vec<Bounded> = sequence.iter().map(|m| m.of).collect();
     let found = match extrapolate::limit(&sequence) {
         Ok(found) => found,
         Err(reason) => {
-            let from = short(own.x);
-            return Finding::open(format!("from ${}$ = {from} on, {reason}", across.name));
+            let (name, why) = (across.name.as_str().into(), Arc::new(reason.into()));
+            return Finding::open(Sampling::FromOn { name, from: own.x, why });
         }
     };
     if let Some(beyond) = beyond.iter().find(|beyond| !extrapolate::goes_on(&found, &last.of, &beyond.of)) {
-        let (name, x) = (&across.name, short(beyond.x));
-        return Finding::open(format!("the motion with ${name}$ = {x} is not where the sequence before it tends to"));
+        return Finding::open(Sampling::OffSequence { name: across.name.as_str().into(), at: beyond.x });
     }
     let (text, name) = (&across.of.text, &across.name);
     let tends_to = match (end, &across.point) {
@@ -274,11 +272,8 @@ fn told(trial: &Trial, at: &Taken, compared: Compared, quantity: Expr, values: V
     // Agreement within the error is no order.
     let (_, kind, measured, _) = &compared;
     if *kind != RelationKind::Equal && measured.difference.error > 0.0 && measured.difference.contains_zero() {
-        let bound = measured.difference.error;
-        return Finding::open(format!(
-            "{} and {}, up to {bound:.1e}, cannot be told apart",
-            measured.left, measured.right
-        ));
+        let Measured { left, right, difference } = *measured;
+        return Finding::open(Sampling::NotApart { left, right, bound: difference.error });
     }
     let finding = weighed(trial, at, compared, quantity);
     let mut evidence = finding.evidence().clone();
@@ -305,12 +300,11 @@ fn ordered((own, other): (f64, f64), smaller: RelationKind, larger: RelationKind
 /// The slope of ln|q| against ln|x| between two members, with its error.
 fn slope((q, r): (Bounded, Bounded), (own, other): (f64, f64)) -> Result<(Bounded, Rise), Box<Finding>> {
     if own * other <= 0.0 {
-        let reason = "what varies changes its sign, or vanishes: there is no slope of logarithms";
-        return Err(Finding::sampled(Possible::VOID, Evidence::because(reason)).into());
+        return Err(void(Plain::NoSlope).into());
     }
     let sizes = [(q.value.abs(), q.error), (r.value.abs(), r.error)];
     if sizes.iter().any(|(size, error)| *error > 0.25 * size) {
-        return Err(Finding::open("the quantity is too near 0, against its error, to have a logarithm").into());
+        return Err(Finding::open(Plain::NoLogarithm).into());
     }
     let log = |x: f64| {
         let mut out = Bounded::exact(0.0);
@@ -321,10 +315,10 @@ fn slope((q, r): (Bounded, Bounded), (own, other): (f64, f64)) -> Result<(Bounde
         log(size).map(|l| Bounded { value: l.value, error: l.error + 4.0 / 3.0 * (error / size) * (1.0 + 1e-10) })
     };
     let all = (of(sizes[0]), of(sizes[1]), log(own.abs()), log(other.abs()));
-    let (Ok(a), Ok(b), Ok(x), Ok(y)) = all else { return Err(Finding::open("a logarithm is too large").into()) };
+    let (Ok(a), Ok(b), Ok(x), Ok(y)) = all else { return Err(Finding::open(Plain::LogarithmTooLarge).into()) };
     let (rise, run) = (b - a, y - x);
     if run.value.abs() <= 4.0 * run.error {
-        return Err(Finding::open("the values of what varies are too near one another").into());
+        return Err(Finding::open(Plain::TooNearOneAnother).into());
     }
     let value = rise.value / run.value;
     // |rise/run − exact| ≤ (δrise + |value| δrun)/(|run| − δrun), and rounding.

@@ -10,7 +10,7 @@
 use std::sync::Arc;
 
 use crate::course::Trial;
-use crate::describe::{Describer, Left, incomplete, short};
+use crate::describe::{Describer, Left, incomplete};
 use crate::flow::{Incomplete, Points};
 use crate::judged::{Judged, selected};
 use crate::latex::RelationKind;
@@ -19,6 +19,7 @@ use crate::verdict::{Evidence, Finding, Possible, Strength, Truth};
 use crate::weigh::weigh;
 use claim::measured::{Measurements, measure};
 use claim::program::What;
+use reason::{Plain, Reason, Sampling, Search};
 
 /// Up to this share of the span a gap in the search is one point for relations that admit equality: what is true on both
 /// sides of a point, and continuous, is true at it.
@@ -42,8 +43,8 @@ struct Between<'a> {
     /// The values at these times.
     points: Arc<Points>,
     roles: Vec<Role>,
-    /// What the search leaves open, in words.
-    open: Vec<String>,
+    /// What the search leaves open.
+    open: Vec<Reason>,
     measured: Measurements<'a>,
     position: usize,
 }
@@ -65,10 +66,10 @@ impl<'a> Between<'a> {
         let Trial { program, course, .. } = *trial;
         let (from, to) = course.stage.span(course.trajectory);
         let mut found: Vec<(f64, Role)> = Vec::new();
-        let mut open: Vec<String> = Vec::new();
+        let mut open: Vec<Reason> = Vec::new();
         for (comparison, kind, e) in program.parts[position].boundaries(void) {
             let Some(zeros) = course.zeros(e) else {
-                open.push("what lies between the samples cannot be searched".to_owned());
+                open.push(Plain::NotSearched.into());
                 let role = Role::Probe { reason: open.len() - 1, comparison };
                 found.extend([from, to].map(|t| (t, role)));
                 continue;
@@ -77,7 +78,7 @@ impl<'a> Between<'a> {
                 let role = match may_lie_beyond((from, to), t, slack) {
                     false => Role::Crossing { comparison, slack },
                     true => {
-                        open.push(format!("whether the sides meet in the span, near t = {}, cannot be told", short(t)));
+                        open.push(Sampling::MeetInSpan(t).into());
                         Role::Probe { reason: open.len() - 1, comparison }
                     }
                 };
@@ -86,8 +87,7 @@ impl<'a> Between<'a> {
             found.extend(zeros.peaks.iter().map(|&t| (t, Role::Peak)));
             // What is true beside a point and continuous is true at it, unless one side alone is seen.
             for &t in if is_weak(kind) { &zeros.cut_off } else { &zeros.touching } {
-                let text = format!("the sides touch near t = {}: whether they meet there cannot be told", short(t));
-                open.push(text);
+                open.push(Sampling::Touches(t).into());
                 found.push((t, Role::Probe { reason: open.len() - 1, comparison }));
             }
             for gap in &zeros.incomplete {
@@ -101,7 +101,7 @@ impl<'a> Between<'a> {
                 if excused {
                     continue;
                 }
-                open.push(format!("the search between the samples is incomplete: {}", incomplete(gap)));
+                open.push(Sampling::Incomplete { search: Search::Between, gap: incomplete(gap) }.into());
                 let role = Role::Probe { reason: open.len() - 1, comparison };
                 let probes = [start.max(from), start + 0.5 * (end - start), end.min(to)];
                 found.extend(probes.into_iter().filter(|t| (from..=to).contains(t)).map(|t| (t, role)));
@@ -128,7 +128,7 @@ impl<'a> Between<'a> {
     }
 
     /// What the search leaves open at times that may count.
-    fn still_open(&self, left: &[Left], judged: &Judged, precision: f64) -> Option<&String> {
+    fn still_open(&self, left: &[Left], judged: &Judged, precision: f64) -> Option<&Reason> {
         let group = &self.measured.parts[self.position];
         let reason = |(i, role): (usize, &Role)| {
             let Role::Probe { reason, comparison } = *role else { return None };
@@ -146,13 +146,13 @@ impl<'a> Between<'a> {
     }
 
     /// Why a part that has no value at any sample may have one at a time between them.
-    fn valued(&self, trial: &Trial) -> Option<String> {
+    fn valued(&self, trial: &Trial) -> Option<Reason> {
         let describer = Describer::new(trial, &self.times, &self.points);
         let left = selected(trial, &self.measured, &describer);
         let judged = Judged::new(&self.measured.parts[self.position], trial.claim.precision);
         let valued = |i: &usize| !matches!(left[*i], Left::Out(_)) && judged.at(*i) != Possible::VOID;
         let i = (0..self.times.len()).find(valued)?;
-        Some(format!("at t = {}, between two samples, it may be true or false", short(self.times[i])))
+        Some(Sampling::ValueBetween(self.times[i]).into())
     }
 
     /// What is known of a part that is true at all samples; `None` where there is nothing to add.
@@ -168,11 +168,11 @@ impl<'a> Between<'a> {
         let judged = Judged::new(group, precision);
         // Whether a time at which the sides touch refutes cannot be told: such times are not weighed.
         let weighed = |(left, role): (&Left, &Role)| match role {
-            Role::Probe { .. } => Left::Out(Arc::from("")),
+            Role::Probe { .. } => Left::Out(Arc::new(Plain::NotLookedAt.into())),
             Role::Crossing { .. } | Role::Peak => left.clone(),
         };
         let counting: Vec<Left> = left.iter().zip(&self.roles).map(weighed).collect();
-        let undecided = |reason: String, samples: usize| {
+        let undecided = |reason: Reason, samples: usize| {
             Some(Finding::sampled(Possible::OPEN, Evidence { samples, ..Evidence::because(reason) }))
         };
         let counted = counting.iter().filter(|l| **l == Left::In).count();
@@ -191,11 +191,7 @@ impl<'a> Between<'a> {
             Left::Out(_) => false,
         };
         if let Some(i) = (0..self.times.len()).find(unclear) {
-            let t = short(self.times[i]);
-            return undecided(
-                format!("near t = {t}, between two samples, the error bound is too large to tell"),
-                counted,
-            );
+            return undecided(Sampling::TooLargeBetween(self.times[i]).into(), counted);
         }
         self.still_open(&left, &judged, precision).and_then(|reason| undecided(reason.clone(), counted))
     }

@@ -13,6 +13,7 @@ use crate::flow::{Motion, Points, Zeros};
 use crate::number::{Bounded, NoValue};
 use crate::stage::{DENSITY, Stage, thinned};
 use claim::program::{Program, Values};
+use reason::{Reason, Sampling};
 
 /// Every how many samples dual numbers are compared with the bounds.
 const CROSS_CHECK: usize = 8;
@@ -138,7 +139,7 @@ impl Stage {
         graph: &Graph,
         trajectory: usize,
         leaves: &'a [Leaf],
-    ) -> Result<(Course<'a>, Option<String>), String> {
+    ) -> Result<(Course<'a>, Option<Reason>), String> {
         let known = self.built(trajectory).is_some_and(|built| built.samples.get().is_some());
         let course = self.sampled(trajectory, leaves)?;
         let contradiction = if known { None } else { self.contradiction(graph, &course) };
@@ -176,7 +177,7 @@ impl Stage {
     }
 
     /// Compares the two routes to the values along a motion: a value for which dual numbers and propagated bounds disagree.
-    pub fn contradiction(&self, graph: &Graph, course: &Course) -> Option<String> {
+    pub fn contradiction(&self, graph: &Graph, course: &Course) -> Option<Reason> {
         let built = self.built(course.trajectory)?;
         let Course { motion, leaves, times, points, .. } = course;
         let mut contradiction = None;
@@ -190,13 +191,8 @@ impl Stage {
                 let room = 2.0 * bounded.error + 1e-12 * bounded.value.abs() + f64::MIN_POSITIVE;
                 if gap > room.max(1e-14) && gap > 1e3 * bounded.error {
                     contradiction.get_or_insert_with(|| {
-                        format!(
-                            "{} at t = {t}: {} by dual numbers, {} ± {:e} by series",
-                            graph.leaf_latex(leaves[k]),
-                            dual.re,
-                            bounded.value,
-                            bounded.error
-                        )
+                        let (name, series) = (graph.leaf_latex(leaves[k]).into(), (bounded.value, bounded.error));
+                        Sampling::TwoRoutesDiffer { name, t, dual: dual.re, series }.into()
                     });
                 }
             }

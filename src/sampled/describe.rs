@@ -11,6 +11,7 @@ use crate::flow::{Incomplete, Points};
 use crate::number::{Bounded, NoValue};
 use claim::comparison::Comparison;
 use claim::program::{Program, SIDES};
+use reason::{Gap, Reason, Sampling};
 
 /// Why a point does not count.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,9 +19,9 @@ pub(super) enum Left {
     /// It counts.
     In,
     /// It is left out, for this reason.
-    Out(Arc<str>),
+    Out(Arc<Reason>),
     /// Whether it counts is not known, for this reason.
-    Open(Arc<str>),
+    Open(Arc<Reason>),
 }
 
 /// What is known of each time before the claim itself is looked at, and how to describe a point.
@@ -54,13 +55,8 @@ pub(super) struct Describer<'a> {
     said: RefCell<Said>,
 }
 
-/// Reasons in words, by the position of an input and why it has no value.
-type Said = Vec<((usize, NoValue), Arc<str>)>;
-
-/// A number with as many digits as a reader wants.
-pub(super) fn short(x: f64) -> String {
-    if x == 0.0 || (1e-3..1e5).contains(&x.abs()) { format!("{x:.6}") } else { format!("{x:.4e}") }
-}
+/// Reasons, by the position of an input and why it has no value.
+type Said = Vec<((usize, NoValue), Arc<Reason>)>;
 
 impl<'a> Describer<'a> {
     /// A describer of these points.
@@ -101,49 +97,42 @@ impl<'a> Describer<'a> {
     }
 
     /// Why a comparison has no value.
-    pub fn fault(&self, comparison: &Comparison, time: usize, reason: NoValue) -> Arc<str> {
+    pub fn fault(&self, comparison: &Comparison, time: usize, reason: NoValue) -> Arc<Reason> {
         let mut slots = self.slots.borrow_mut();
-        let bare = || reason.to_string().into();
+        let bare = || Arc::new(reason.into());
         let Some((tape, slots)) = self.program.evaluated(self.points.sample(time), &mut slots) else { return bare() };
         let position = self.program.position(comparison);
         let fault = position.and_then(|k| (0..2).find_map(|side| tape.fault(SIDES * k + side, slots)));
         match fault {
             Some(Fault::Input(i)) => {
                 let mut said = self.said.borrow_mut();
-                if let Some((_, text)) = said.iter().find(|(of, _)| *of == (i, reason)) {
-                    return Arc::clone(text);
+                if let Some((_, why)) = said.iter().find(|(of, _)| *of == (i, reason)) {
+                    return Arc::clone(why);
                 }
-                let text = match self.program.input(i).and_then(|at| self.leaves.get(at)) {
-                    Some(&leaf) => format!("{} has no value ({reason})", self.graph.leaf_latex(leaf)).into(),
+                let why = match self.program.input(i).and_then(|at| self.leaves.get(at)) {
+                    Some(&leaf) => Arc::new(Sampling::NoValue(self.graph.leaf_latex(leaf).into(), reason).into()),
                     None => bare(),
                 };
-                said.push(((i, reason), Arc::clone(&text)));
-                text
+                said.push(((i, reason), Arc::clone(&why)));
+                why
             }
             Some(Fault::Instruction(step)) => {
-                let a = slots.value(step.a as usize).value;
-                let b = slots.value(step.b as usize).value;
-                match step.op.arity() {
-                    1 => format!("`{}` has no value at {} ({reason})", step.op.spelling(), short(a)).into(),
-                    _ => format!("`{}` has no value at ({}, {}) ({reason})", step.op.spelling(), short(a), short(b))
-                        .into(),
-                }
+                let value = |slot: u32| slots.value(slot as usize).value;
+                let (operation, first) = (step.op.spelling().into(), value(step.a));
+                let second = (step.op.arity() != 1).then(|| value(step.b));
+                Arc::new(Sampling::OperationHasNoValue { operation, first, second, why: reason }.into())
             }
             Some(Fault::Constant) | None => bare(),
         }
     }
 }
 
-/// Why a search for events is incomplete, in words.
-pub(super) fn incomplete(problem: &Incomplete) -> String {
-    match problem {
-        Incomplete::NoValue { start, end, reason } => {
-            format!("on [{}, {}] there is no value ({reason})", short(*start), short(*end))
-        }
-        Incomplete::Vanishing { start, end } => {
-            format!("on [{}, {}] it stays within its error of 0", short(*start), short(*end))
-        }
-        Incomplete::Unresolved { start, end } => format!("[{}, {}] could not be resolved", short(*start), short(*end)),
+/// Why a search for events is incomplete.
+pub(super) fn incomplete(problem: &Incomplete) -> Gap {
+    match *problem {
+        Incomplete::NoValue { start, end, reason } => Gap::NoValue { from: start, to: end, why: reason },
+        Incomplete::Vanishing { start, end } => Gap::Vanishing(start, end),
+        Incomplete::Unresolved { start, end } => Gap::Unresolved(start, end),
     }
 }
 

@@ -1,13 +1,13 @@
 //! What samples leave open: why a finding at some times is not yet one of the motion.
 //!
 //! **In:** what was found at the times at which a claim was tried, and what the searches for zeros say of the times between them.
-//! **Out:** the same finding, or one that leaves more possible, with the reason in words.
+//! **Out:** the same finding, or one that leaves more possible, with the reason.
 //!
 //! **Guaranteed.** Nothing here decides: what was open stays open.
 
 use crate::between::may_lie_beyond;
 use crate::course::Trial;
-use crate::describe::{Left, incomplete, short};
+use crate::describe::{Left, incomplete};
 use crate::events::Events;
 use crate::expr::{Expr, Leaf};
 use crate::flow::{Incomplete, Zeros};
@@ -19,6 +19,8 @@ use crate::verdict::{Evidence, Exclusion, Finding, Possible, Strength, Truth};
 use claim::comparison::Group;
 use claim::measured::{MeasuredGroup, Measurements, measure};
 use claim::program::{Part, What};
+use reason::{Plain, Reason, Sampling, Search};
+use std::sync::Arc;
 
 /// Times that are closer than this share of the span are one.
 const SINGLE: f64 = 1e-9;
@@ -29,9 +31,9 @@ pub(super) fn known(finding: &Finding) -> Possible {
 }
 
 /// The same finding, of which some values are not excluded after all.
-pub(super) fn reopened(finding: Finding, possible: Possible, reason: String) -> Finding {
+pub(super) fn reopened(finding: Finding, possible: Possible, reason: impl Into<Reason>) -> Finding {
     let known = known(&finding).or_else(possible);
-    Finding::sampled(known, Evidence { reason: Some(reason), ..finding.evidence().clone() })
+    Finding::sampled(known, Evidence { reason: Some(reason.into()), ..finding.evidence().clone() })
 }
 
 /// What is known of a part whose selectors may be met at other times than those at which it was tried.
@@ -94,10 +96,7 @@ pub(super) fn unless_valued_between(
     let alone = |t: &&f64| !at_end(t) && ![-BESIDE, BESIDE].iter().any(|share| lives(**t + share * (to - from)));
     let crossing = || zeros().flat_map(|z| &z.times).filter(counts).find(alone);
     match touching.into_iter().filter(counts).find(single).or_else(crossing) {
-        Some(&t) => {
-            let reason = format!("near t = {} it may have a value at a single time", short(t));
-            reopened(finding, Possible::ANY, reason)
-        }
+        Some(&t) => reopened(finding, Possible::ANY, Sampling::SingleValue(t)),
         None => finding,
     }
 }
@@ -121,43 +120,29 @@ pub(super) fn unless_one_sided(trial: &Trial, group: &Group, finding: Finding) -
     let parts = group.chooses() && group.comparisons.len() > 1;
     let inside = absent.filter(|&(start, end)| parts && start <= to && end >= from).map(|(start, _)| start.max(from));
     match group.one_sided.iter().find_map(single).or(inside.min_by(f64::total_cmp)) {
-        Some(t) => {
-            let reason = format!(
-                "near t = {} some of it may have no value with one sign of ±, and be false with the other",
-                short(t)
-            );
-            reopened(finding, Possible::OPEN, reason)
-        }
+        Some(t) => reopened(finding, Possible::OPEN, Sampling::OneSided(t)),
         None => finding,
     }
 }
 
 /// Why there may be more events than those that were found; of gaps in the search those count that `counts` says.
-pub(super) fn open_events(trial: &Trial, events: &Events, counts: impl Fn(&Incomplete) -> bool) -> Option<String> {
-    let text = trial.claim.at.as_ref().map_or("", |at| at.equation.text.as_str());
+pub(super) fn open_events(trial: &Trial, events: &Events, counts: impl Fn(&Incomplete) -> bool) -> Option<Reason> {
+    let event: Arc<str> = trial.claim.at.as_ref().map_or("", |at| at.equation.text.as_str()).into();
     let zeros = &events.zeros;
     if trial.program.leaps_at {
-        return Some(format!(
-            "an angle or a whole part in `{text}` leaps, and whether the sides meet there cannot be told"
-        ));
+        return Some(Sampling::EventLeaps(event).into());
     }
     if let Some(doubt) = &events.doubt {
         return Some(doubt.clone());
     }
     if let Some(t) = leap_of_the_motion(trial) {
-        return Some(format!(
-            "near t = {} the motion may leap, and whether `{text}` happens there cannot be told",
-            short(t)
-        ));
+        return Some(Sampling::MotionLeaps { t, event }.into());
     }
     if let Some(&t) = zeros.touching.first() {
-        return Some(format!(
-            "the sides of `{text}` touch near t = {} without crossing: whether they meet there cannot be told",
-            short(t)
-        ));
+        return Some(Sampling::EventTouches { t, event }.into());
     }
-    let open = zeros.incomplete.iter().find(|i| counts(i));
-    open.map(|problem| format!("the search for `{text}` is incomplete: {}", incomplete(problem)))
+    let gap = incomplete(zeros.incomplete.iter().find(|i| counts(i))?);
+    Some(Sampling::Incomplete { search: Search::Event(event), gap }.into())
 }
 
 /// A time in the span at which a state leaps, or may, that an event names.
@@ -178,8 +163,7 @@ pub(super) fn beyond_the_span(trial: &Trial, zeros: &Zeros, left: &mut [Left]) {
     let span = trial.course.stage.span(trial.course.trajectory);
     for ((&t, &slack), left) in zeros.times.iter().zip(&zeros.slack).zip(left) {
         if *left == Left::In && may_lie_beyond(span, t, slack) {
-            *left =
-                Left::Open(format!("whether the event near t = {} lies in the span cannot be told", short(t)).into());
+            *left = Left::Open(Arc::new(Sampling::EventInSpan(t).into()));
         }
     }
 }
@@ -192,7 +176,7 @@ pub(super) fn only_at_events(trial: &Trial, events: &Events, finding: Finding) -
     let refutes = trial.program.leaps_at || events.all;
     match (known(&finding).decided(), open_events(trial, events, counts)) {
         (Some(truth), Some(reason)) if refutes || truth != Truth::False => {
-            let reason = format!("it was tried at {} events, but {reason}", events.zeros.times.len());
+            let reason = Sampling::TriedAtEvents(events.zeros.times.len(), Arc::new(reason));
             reopened(finding, Possible::ANY, reason)
         }
         _ => finding,
@@ -208,7 +192,7 @@ pub(super) fn unless_unresolved(trial: &Trial, part: &Part, finding: Finding) ->
     }
     // What was not reached was not tried.
     if let Some(problem) = course.motion.problem() {
-        return reopened(finding, Possible::ANY, problem.to_string());
+        return reopened(finding, Possible::ANY, Reason::quoted(problem));
     }
     let gaps = course.motion.unresolved();
     let (from, to) = course.stage.span(course.trajectory);
@@ -225,16 +209,10 @@ pub(super) fn unless_unresolved(trial: &Trial, part: &Part, finding: Finding) ->
         Incomplete::Vanishing { .. } | Incomplete::Unresolved { .. } => true,
     };
     if let Some(gap) = gaps.iter().filter(inside).find(open) {
-        let (start, end) = gap.stretch();
-        let near = match short(start) == short(end) {
-            true => format!("near t = {}", short(start)),
-            false => format!("between t = {} and t = {}", short(start), short(end)),
-        };
-        let reason = match gap {
-            Incomplete::NoValue { reason, .. } => format!("{near} the formulas of the motion have no value ({reason})"),
-            _ => format!(
-                "{near} the formulas of the motion do more than samples can show; a part of the span by itself may decide"
-            ),
+        let (from, to) = gap.stretch();
+        let reason = match *gap {
+            Incomplete::NoValue { reason, .. } => Sampling::MotionHasNoValue { from, to, why: reason },
+            _ => Sampling::MotionUnresolved { from, to },
         };
         return reopened(finding, Possible::OPEN, reason);
     }
@@ -242,7 +220,7 @@ pub(super) fn unless_unresolved(trial: &Trial, part: &Part, finding: Finding) ->
     for gap in gaps.iter().filter(inside) {
         let (start, end) = (gap.stretch().0.max(from), gap.stretch().1.min(to));
         if !evidence.excluded.iter().any(|e| e.from <= end && start <= e.to) {
-            let reason = "the formulas of the motion have no value there".to_owned();
+            let reason = Arc::new(Plain::MotionHasNoValueThere.into());
             evidence.excluded.push(Exclusion { from: start, to: end, reason });
         }
     }

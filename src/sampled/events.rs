@@ -12,12 +12,13 @@ use std::borrow::Cow;
 
 use crate::course::Course;
 use crate::derivation::{Direction, Event, Occasion};
-use crate::describe::{incomplete, short};
+use crate::describe::incomplete;
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph};
 use crate::flow::{Incomplete, Zeros};
 use crate::number::{Bounded, NoValue};
 use claim::program::Program;
+use reason::{Reason, Sampling, Search};
 
 /// How far beside a zero left − right is followed: until it is this share of its largest size on that side.
 const FAR: f64 = 1e-8;
@@ -37,7 +38,7 @@ pub struct Events<'a> {
     /// These times, and what the search leaves open of them.
     pub zeros: Cow<'a, Zeros>,
     /// Why others may be meant as well, or instead, where the search itself leaves nothing open.
-    pub doubt: Option<String>,
+    pub doubt: Option<Reason>,
     /// Whether the times themselves are in doubt, and not only whether there are others.
     pub all: bool,
 }
@@ -58,7 +59,7 @@ pub fn of_event<'a>(graph: &Graph, event: &Event, e: Expr, course: &'a Course) -
         return Some(Events { zeros: Cow::Borrowed(zeros), doubt: None, all: false });
     }
     let Some(sides) = Sides::new(graph, e, course, zeros) else {
-        let doubt = Some(format!("which way the sides of `{}` pass is not known", event.equation.text));
+        let doubt = Some(Sampling::DirectionUnknown(event.equation.text.as_str().into()).into());
         return Some(Events { zeros: Cow::Owned(Zeros::default()), doubt, all: true });
     };
     Some(meant(&sides, event.occasion))
@@ -73,7 +74,7 @@ enum Zero {
     /// It is none of those that are meant.
     Other,
     /// It cannot be told.
-    Open(String),
+    Open(Sampling),
 }
 
 /// Takes those that are meant from all zeros.
@@ -87,7 +88,7 @@ fn meant<'a>(sides: &Sides<'a>, Occasion { direction, count }: Occasion) -> Even
             (Zero::Passes(_) | Zero::AtEnd, None) => true,
             (Zero::AtEnd, Some(_)) | (Zero::Other, _) => false,
             (Zero::Open(reason), _) => {
-                doubt.get_or_insert(reason);
+                doubt.get_or_insert(reason.into());
                 if count.is_some() {
                     break;
                 }
@@ -162,7 +163,7 @@ impl<'a> Sides<'a> {
         let at_end = t + 2.0 * slack >= to;
         let exactly = || matches!(self.at(&[t]).first(), Some(Ok(x)) if x.value == 0.0 && x.error == 0.0);
         if (at_start || at_end) && !((t == from || t == to) && exactly()) {
-            return Zero::Open(format!("whether the event near t = {} lies inside the span cannot be told", short(t)));
+            return Zero::Open(Sampling::EventInsideSpan(t));
         }
         let sides = [(!at_start).then(|| self.side(t, slack, -1.0)), (!at_end).then(|| self.side(t, slack, 1.0))];
         match sides {
@@ -171,9 +172,7 @@ impl<'a> Sides<'a> {
             }
             [None, Some(Some(_))] => Zero::Other,
             [Some(Some(_)), None] => Zero::AtEnd,
-            _ => {
-                Zero::Open(format!("whether the sides pass each other near t = {}, and once, cannot be told", short(t)))
-            }
+            _ => Zero::Open(Sampling::PassOnce(t)),
         }
     }
 
@@ -215,9 +214,9 @@ impl<'a> Sides<'a> {
     }
 
     /// Why there may be other zeros up to a time.
-    fn open_before(&self, until: f64) -> Option<String> {
+    fn open_before(&self, until: f64) -> Option<Reason> {
         if let Some(&t) = self.zeros.touching.iter().find(|t| **t <= until) {
-            return Some(format!("the sides may meet near t = {}, and which time is meant cannot be told", short(t)));
+            return Some(Sampling::MayMeet(t).into());
         }
         // Where there is no value, the sides do not meet.
         let open = |gap: &&Incomplete| match gap {
@@ -227,6 +226,6 @@ impl<'a> Sides<'a> {
             }
         };
         let gap = self.zeros.incomplete.iter().find(open)?;
-        Some(format!("the search is incomplete before it: {}", incomplete(gap)))
+        Some(Sampling::Incomplete { search: Search::Before, gap: incomplete(gap) }.into())
     }
 }

@@ -15,6 +15,7 @@
 //! there is a motion far beyond the sequence, it must lie where the estimate says ([`goes_on`]): tanh(10⁴x) is 1 at all that are near.
 
 use crate::number::Bounded;
+use reason::Plain;
 
 /// How many members are looked at.
 pub const STEPS: usize = 6;
@@ -68,34 +69,34 @@ pub fn goes_on(limit: &Bounded, last: &Bounded, beyond: &Bounded) -> bool {
 ///
 /// # Errors
 /// What speaks against a limit, or against estimating it from these members.
-pub fn limit(of: &[Bounded]) -> Result<Bounded, &'static str> {
+pub fn limit(of: &[Bounded]) -> Result<Bounded, Plain> {
     if of.len() != STEPS || !of.iter().all(is_known) {
-        return Err("the quantity is not known at every member of the sequence");
+        return Err(Plain::SequenceUnknown);
     }
     let steps: Vec<Bounded> = of.windows(2).map(|w| w[1] - w[0]).collect();
     let is_still = |step: &Bounded| step.contains_zero();
     let (Some(&last), [.., before, end]) = (of.last(), &steps[..]) else {
-        return Err("the quantity is not known at every member of the sequence");
+        return Err(Plain::SequenceUnknown);
     };
     // Once a step is below the errors, all that follow must be, and nothing is left to extrapolate.
     if let Some(n) = steps.iter().position(is_still) {
         if !steps[n..].iter().all(is_still) {
-            return Err("the steps of the sequence do not shrink");
+            return Err(Plain::StepsDoNotShrink);
         }
         let shrinks = |w: &[Bounded]| w[1].value.abs() <= SHRINKS * w[0].value.abs();
         if !steps[..n].windows(2).all(shrinks) {
-            return Err("the steps of the sequence do not shrink");
+            return Err(Plain::StepsDoNotShrink);
         }
         return Ok(Bounded { value: last.value, error: last.error + before.magnitude() + end.magnitude() });
     }
     let ratios: Vec<Bounded> = steps.windows(2).map(|w| w[1] / w[0]).collect();
-    let [zeroth, a, b, c] = ratios[..] else { return Err("the quantity is not known at every member of the sequence") };
+    let [zeroth, a, b, c] = ratios[..] else { return Err(Plain::SequenceUnknown) };
     if [b, c].iter().any(|r| r.magnitude() > SHRINKS) {
-        return Err("the steps of the sequence do not shrink");
+        return Err(Plain::StepsDoNotShrink);
     }
     let (earlier, later) = ((b - a).magnitude(), (c - b).mignitude());
     if later > STEADY.max(SETTLES * earlier) {
-        return Err("the steps of the sequence shrink by ratios that do not settle");
+        return Err(Plain::RatiosDoNotSettle);
     }
     let coarse = last.error + before.magnitude();
     let first = estimates(of);
@@ -127,7 +128,7 @@ pub fn limit(of: &[Bounded]) -> Result<Bounded, &'static str> {
 mod tests {
     use super::*;
 
-    fn of(f: impl Fn(f64) -> f64, error: f64) -> Result<Bounded, &'static str> {
+    fn of(f: impl Fn(f64) -> f64, error: f64) -> Result<Bounded, Plain> {
         let mut x = 1.0;
         let next = |_| {
             let value = f(x);

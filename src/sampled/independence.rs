@@ -18,6 +18,7 @@ use crate::number::{Bounded, NoValue};
 use crate::systems::Fields;
 use crate::verdict::{Evidence, Finding, Possible, Witness};
 use claim::comparison::{GUARD, traced_now};
+use reason::{Plain, Reason, Sampling};
 
 /// Singular values below this share of the largest count as zero.
 const ZERO: f64 = 5e-15;
@@ -53,7 +54,7 @@ impl Gradients {
         trajectories: &[Trajectory],
         claim: &Claim,
         fields: &Fields,
-    ) -> Option<Result<Gradients, String>> {
+    ) -> Option<Result<Gradients, Reason>> {
         let (functions, subject_to) = claim.forms.iter().find_map(|form| match form {
             Form::Independent { functions, subject_to } => Some((functions, subject_to)),
             _ => None,
@@ -74,9 +75,7 @@ impl Gradients {
                 Err(reason) => return Some(Err(reason)),
             };
             if found.as_ref().is_some_and(|f| (&f.variables, &f.entries) != (&one.variables, &one.entries)) {
-                let reason =
-                    "the rates in the functions are others for each of the systems: ask for one system at a time";
-                return Some(Err(reason.to_owned()));
+                return Some(Err(Plain::RatesOfSystemsDiffer.into()));
             }
             found = Some(one);
         }
@@ -91,7 +90,7 @@ impl Gradients {
         states: &[Leaf],
         functions: &[Written<Tensor>],
         subject_to: &[Written<Statement>],
-    ) -> Result<Gradients, String> {
+    ) -> Result<Gradients, Reason> {
         let mut rows: Vec<Expr> = Vec::new();
         for relation in subject_to.iter().flat_map(|w| &w.value.relations) {
             for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
@@ -114,12 +113,12 @@ impl Gradients {
             variables.dedup();
         }
         if let Some(leaf) = graph.leaves(rows.iter().copied()).iter().find(|l| moves(l) && !variables.contains(l)) {
-            return Err(format!("a function names a rate of order {} that the system does not give", leaf.rate));
+            return Err(Sampling::NoRate(leaf.rate.into()).into());
         }
         let mut entries = Vec::new();
         for &row in &rows {
             for &variable in &variables {
-                let slope = graph.partial_derivative(row, variable).map_err(|e: NoDerivative| e.to_string())?;
+                let slope = graph.partial_derivative(row, variable).map_err(|e: NoDerivative| Reason::quoted(e))?;
                 // Where a function has no value, it has no gradient.
                 entries.push(graph.rate_of(row, slope, |_| false));
             }
@@ -154,7 +153,7 @@ fn with_rates(graph: &mut Graph, field: &VectorField, e: Expr) -> Expr {
 pub(super) fn try_on(of: &Gradients, trial: &Trial, tried: &Tried) -> Finding {
     let Trial { graph, course, .. } = *trial;
     let Ok(tape) = Tape::compile(graph, course.leaves, &of.entries) else {
-        return Finding::open("the functions depend on something that this motion does not have");
+        return Finding::open(Plain::FunctionsUnknown);
     };
     let mut slots = tape.slots::<Bounded>(&());
     let mut evidence = Evidence::default();
@@ -190,9 +189,8 @@ pub(super) fn try_on(of: &Gradients, trial: &Trial, tried: &Tried) -> Finding {
                     bound: 0.0,
                     values: vec![],
                 });
-                evidence
-                    .reason
-                    .get_or_insert(format!("only {found} of the {} functions are independent there", of.functions));
+                let why = Sampling::Dependent { rank: found, of: of.functions };
+                evidence.reason.get_or_insert(why.into());
             }
             _ => unclear = Some((t, full_gap.min(base_gap))),
         }
@@ -200,46 +198,43 @@ pub(super) fn try_on(of: &Gradients, trial: &Trial, tried: &Tried) -> Finding {
     if dependent > 0 && dependent == evidence.samples {
         // The time of an event is a number of binary64: the rank that falls there alone may be whole at the event itself.
         if trial.program.at.is_some() && !dependent_beside(of, trial, &tape, evidence.witness.as_ref()) {
-            return Finding::open("the rank falls at the event alone, whose time is not known exactly");
+            return Finding::open(Plain::RankFallsAtEvent);
         }
         return Finding::sampled(Possible::FALSE, evidence);
     }
     if dependent > 0 {
-        return Finding::open(format!(
-            "dependent at {dependent} of {} samples only: independence is generic at best",
-            evidence.samples
-        ));
+        return Finding::open(Sampling::SometimesDependent { count: dependent, of: evidence.samples });
     }
     if let Some((t, gap)) = unclear {
-        return Finding::open(format!("the rank is unclear at t = {t}: a singular value of {gap:.1e}"));
+        return Finding::open(Sampling::RankUnclear { t, size: gap });
     }
     if evidence.samples == 0 {
         let out = |l: &Left| match l {
-            Left::Out(reason) | Left::Open(reason) => Some(reason.to_string()),
+            Left::Out(reason) | Left::Open(reason) => Some(Reason::clone(reason)),
             Left::In => None,
         };
         let open = tried.left.iter().any(|l| matches!(l, Left::Open(_)));
         return match (selected, open) {
             (0, false) => {
                 let reason = tried.left.iter().find_map(out);
-                let reason = reason.unwrap_or_else(|| "there is no time at which it could be tried".to_owned());
+                let reason = reason.unwrap_or(Plain::NoTimeToTryIndependence.into());
                 Finding::sampled(Possible::VOID, Evidence::because(reason))
             }
-            (0, true) => Finding::open("there is no time of which it is known that it counts"),
-            _ => Finding::open("the gradients have no value at any sample"),
+            (0, true) => Finding::open(Plain::NoTimeKnownToCountThere),
+            _ => Finding::open(Plain::NoGradientAnywhere),
         };
     }
     let open = |l: &Left| match l {
-        Left::Open(reason) => Some(reason.to_string()),
+        Left::Open(reason) => Some(Reason::clone(reason)),
         Left::In | Left::Out(_) => None,
     };
     if let Some(reason) = tried.left.iter().find_map(open) {
         return Finding::open(reason);
     }
     if let Some((t, gap)) = lost_between(of, trial, tried, &tape) {
-        return Finding::open(format!("near t = {t}, between two samples, a singular value falls to {gap:.1e}"));
+        return Finding::open(Sampling::RankFalls { t, size: gap });
     }
-    evidence.reason = Some(format!("smallest singular value that counts as nonzero: {smallest:.2e}"));
+    evidence.reason = Some(Sampling::SmallestSingularValue(smallest).into());
     Finding::sampled(Possible::TRUE, evidence)
 }
 

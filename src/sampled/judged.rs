@@ -14,6 +14,7 @@ use crate::verdict::{Possible, Quantifier, Truth, Witness};
 use claim::comparison::Comparison;
 use claim::measured::{Measured, MeasuredGroup, Measurements};
 use claim::program::Assumption;
+use reason::Sampling;
 
 /// The times at which a claim is tried, with the values there, and which of them count.
 pub(super) struct Tried<'a> {
@@ -182,8 +183,9 @@ pub(super) fn selected(trial: &Trial, measured: &Measurements, describer: &Descr
     let mut left = vec![Left::In; describer.times.len()];
     for (Assumption { text, part }, group) in trial.program.selectors.iter().zip(&measured.selectors) {
         let judged = Judged::new(group, trial.claim.precision);
-        let not_met: Arc<str> = format!("the assumption `{text}` is not met").into();
-        let open: Arc<str> = format!("the assumption `{text}` cannot be decided").into();
+        let text: Arc<str> = text.as_str().into();
+        let not_met = Arc::new(Sampling::NotMet { text: Arc::clone(&text), sides: None }.into());
+        let open = Arc::new(Sampling::AssumptionOpen { text, why: None }.into());
         for (i, left) in left.iter_mut().enumerate() {
             let now = match judged.at(i).decided() {
                 Some(Truth::True) => continue,

@@ -7,12 +7,13 @@
 use std::sync::Arc;
 
 use crate::course::Trial;
-use crate::describe::{Describer, Left, short};
+use crate::describe::{Describer, Left};
 use crate::latex::LimitPoint;
-use crate::number::Bounded;
+use crate::number::{Bounded, NoValue};
 use crate::verdict::{Finding, Possible, Strength};
 use crate::weigh::weigh;
 use claim::measured::{MeasuredGroup, Measurements, measure};
+use reason::{Plain, Sampling};
 
 /// Values at neighbouring times that differ by more than this share leap between them.
 const LEAP: f64 = 1e-6;
@@ -39,17 +40,15 @@ pub(super) fn limit(
 ) -> Finding {
     let Trial { graph, program, course, .. } = *trial;
     let LimitPoint::Finite(e) = point else {
-        return Finding::open(
-            "a motion of finite length does not tell a limit at infinity; a bound for all later times would",
-        );
+        return Finding::open(Plain::LimitAtInfinity);
     };
     let Some(t0) = course.stage.constant(graph, course.trajectory, *e) else {
-        return Finding::open("the point of the limit has no value on this motion");
+        return Finding::open(Plain::NoPointOfLimit);
     };
     let (from, to) = course.stage.span(course.trajectory);
     let (t0, exact) = (t0.value, t0.error == 0.0);
     if t0 < from || t0 > to {
-        return Finding::open(format!("t = {} lies outside the span [{from}, {to}]", short(t0)));
+        return Finding::open(Sampling::OutsideSpan { t: t0, from, to });
     }
     // A time that is no number of binary64 lies between two of them: a quotient that is 0/0 there has other values beside it.
     // What leaps at it shows that farther away only, and an angle at its cut has the value of one side at an exact time, too.
@@ -77,15 +76,11 @@ pub(super) fn limit(
     };
     let together = found.iter().enumerate().all(|(i, a)| found[..i].iter().all(|b| agree(a, b)));
     let Some((_, finding, _)) = found.first().cloned().filter(|_| together) else {
-        let known = if exact { ":" } else { " is known to rounding only, and" };
-        return Finding::open(format!("t = {}{known} beside it other values are taken", short(t0)));
+        return Finding::open(Sampling::OtherBeside { t: t0, exact });
     };
     if finding.known(Strength::Sampled) == Some(Possible::VOID) {
-        let why = finding.evidence().reason.clone().unwrap_or_default();
-        return Finding::open(format!(
-            "there is no value at t = {} itself ({why}), and points nearby do not decide",
-            short(t0)
-        ));
+        let why = finding.evidence().reason.clone().unwrap_or(NoValue::OutOfDomain.into());
+        return Finding::open(Sampling::NoValueItself { t: t0, why: Arc::new(why) });
     }
     finding
 }

@@ -16,6 +16,7 @@ use crate::findings::Measurement;
 use crate::number::{Bounded, NoValue};
 use claim::denote::at_event;
 use claim::program::Values;
+use reason::{Plain, Reason, Sampling, Search};
 
 /// Most values that are kept of one measure on one motion.
 const MOST: usize = 200;
@@ -78,14 +79,14 @@ impl Compiled {
             reason: None,
         };
         let Some(tape) = &self.tape else {
-            out.reason = Some("the measure depends on something that motions do not have".to_owned());
+            out.reason = Some(Plain::MeasureUnknown.into());
             return Some(out);
         };
         let Some((at, second_event)) = measure.at.as_ref().zip(self.at) else {
             self.at_time(derivation.trajectories[trajectory].initial_time, course, tape, &mut out);
             return Some(out);
         };
-        let none = |event: &Event| format!("`{}` has no meaning on this motion", event.equation.text);
+        let none = |event: &Event| Sampling::NoMeaning(event.equation.text.as_str().into()).into();
         let Some(found) = events::of_event(&derivation.graph, at, second_event, course) else {
             out.reason = Some(none(at));
             return Some(out);
@@ -109,7 +110,7 @@ impl Compiled {
             },
         }
         if !left_out.is_empty() {
-            out.reason = Some(format!("{} further events are not listed", left_out.len()));
+            out.reason = Some(Sampling::MoreEvents(left_out.len()).into());
         }
         Some(out)
     }
@@ -157,28 +158,28 @@ struct Known {
 }
 
 /// Why an event may have other times than those that were found, or has none.
-fn missing(event: &Event, found: &Events) -> Option<String> {
-    let (zeros, text) = (&found.zeros, &event.equation.text);
+fn missing(event: &Event, found: &Events) -> Option<Reason> {
+    let (zeros, text) = (&found.zeros, || event.equation.text.as_str().into());
     if found.doubt.is_some() {
         return found.doubt.clone();
     }
     if let (true, Some(t)) = (zeros.times.is_empty(), zeros.touching.first()) {
-        return Some(format!("the sides of `{text}` only touch, near t = {t:.6}"));
+        return Some(Sampling::OnlyTouches { event: text(), t: *t }.into());
     }
     if let Some(partial) = zeros.incomplete.first() {
-        return Some(format!("the search for `{text}` is incomplete: {}", incomplete(partial)));
+        return Some(Sampling::Incomplete { search: Search::Event(text()), gap: incomplete(partial) }.into());
     }
-    zeros.times.is_empty().then(|| format!("{} does not happen on this motion", event.says()))
+    zeros.times.is_empty().then(|| Sampling::NeverHappens(event.says().into()).into())
 }
 
 /// The last time of an event before another event.
-fn before(second: Known, since: &Event, found: &Events, is_same: bool) -> Result<Known, String> {
+fn before(second: Known, since: &Event, found: &Events, is_same: bool) -> Result<Known, Reason> {
     let zeros = &found.zeros;
     let mut all = zeros.times.iter().zip(&zeros.slack).map(|(t, slack)| Known { t: *t, slack: *slack });
     let is_near = |of: &Known| (of.t - second.t).abs() <= of.slack + second.slack;
     // Where both sides are one, the second event is among those of the first.
     if let Some(near) = all.clone().find(|of| is_near(of) && !(is_same && of.t == second.t)) {
-        return Err(format!("which event comes first near t = {:.6} cannot be told", near.t));
+        return Err(Sampling::WhichFirst(near.t).into());
     }
     let earlier = all.rfind(|of| of.t < second.t && !is_near(of));
     // Without an earlier one, everything before counts.
@@ -189,8 +190,8 @@ fn before(second: Known, since: &Event, found: &Events, is_same: bool) -> Result
         || zeros.cut_off.iter().any(|t| gap((*t, *t)));
     match (&found.doubt, earlier) {
         (Some(doubt), _) => Err(doubt.clone()),
-        (None, _) if open => Err(format!("{} may happen at another time before t = {:.6}", since.says(), second.t)),
-        (None, None) => Err(format!("{} does not happen before t = {:.6}", since.says(), second.t)),
+        (None, _) if open => Err(Sampling::MayHappenBefore { event: since.says().into(), t: second.t }.into()),
+        (None, None) => Err(Sampling::NotBefore { event: since.says().into(), t: second.t }.into()),
         (None, Some(first)) => Ok(first),
     }
 }
@@ -204,7 +205,7 @@ fn value(tape: &Tape, values: &Values) -> Result<Bounded, NoValue> {
 fn note(t: f64, found: Result<Bounded, NoValue>, out: &mut Measurement) {
     match found {
         Ok(x) => out.values.push((t, x.value, x.error)),
-        Err(reason) => out.reason = Some(format!("no value at t = {t:.6}: {reason}")),
+        Err(why) => out.reason = Some(Sampling::NoValueAt { t, why }.into()),
     }
 }
 

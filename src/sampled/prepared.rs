@@ -9,7 +9,7 @@ use claim::program::Program;
 pub struct Prepared<'a> {
     pub claim: &'a Claim,
     pub program: Program,
-    pub gradients: Option<Result<Gradients, String>>,
+    pub gradients: Option<Result<Gradients, reason::Reason>>,
 }
 
 impl Prepared<'_> {

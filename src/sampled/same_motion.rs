@@ -16,6 +16,7 @@ use crate::weigh::weigh;
 use claim::comparison::{Comparison, Group};
 use claim::measured::{Measured, MeasuredGroup, Series, Sizes};
 use claim::program::What;
+use reason::Plain;
 
 /// The leaves that the comparisons of motions need.
 pub fn leaves(derivation: &Derivation) -> Vec<Leaf> {
@@ -85,13 +86,13 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, othe
         series.push(of);
     }
     if comparisons.is_empty() {
-        return Finding::open("the motions have no state in common that could be compared");
+        return Finding::open(Plain::NoStateInCommon);
     }
     // Both are known on a stretch of which no sample counts: an end of it may, as a single time.
     let both = |i: usize| tried.left[i] == Left::In && theirs[i].is_some();
     let (own_from, own_to) = course.stage.span(course.trajectory);
     if tried.left.contains(&Left::In) && !(0..theirs.len()).any(both) && from <= own_to && own_from <= to {
-        return Finding::open("no sample at which both motions are known counts; an end of their common span may");
+        return Finding::open(Plain::NoCommonSample);
     }
     let group = Group { comparisons, ..Group::default() };
     let measured = MeasuredGroup::new(&group, vec![series], (vec![Sizes::Known(sizes.into())], 0));

@@ -11,13 +11,14 @@ use std::sync::Arc;
 
 use crate::between::is_weak;
 use crate::course::Trial;
-use crate::describe::{incomplete, short};
+use crate::describe::incomplete;
 use crate::flow::{Incomplete, Points};
 use crate::judged::Judged;
 use crate::number::NoValue;
 use crate::verdict::Possible;
 use claim::measured::measure;
 use claim::program::{Values, What};
+use reason::{Sampling, Search as Searched};
 
 /// Samples that a stretch between two changes must have; as many are added where there are fewer.
 const FEW: usize = 8;
@@ -40,9 +41,9 @@ pub(super) struct Search {
     /// More times; none where the samples do.
     pub more: Option<Met>,
     /// Why the assumptions may be met at other times, too.
-    pub open: Option<String>,
+    pub open: Option<Sampling>,
     /// A time at which an assumption may be met at that time alone.
-    pub touches: Option<String>,
+    pub touches: Option<Sampling>,
 }
 
 /// Looks for stretches on which the assumptions are met.
@@ -54,18 +55,15 @@ pub(super) fn look(trial: &Trial) -> Search {
     let mut any = false;
     for (assumption, kind, e) in program.met() {
         any = true;
-        let text = &assumption.text;
+        let text = || assumption.text.as_str().into();
         let Some(zeros) = course.zeros(e) else { continue };
         cuts.extend(&zeros.times);
         if let (true, Some(&t)) = (is_weak(kind), zeros.touching.first()) {
-            found.touches = Some(format!(
-                "the assumption `{text}` is met at most near single times such as t = {}: whether it is cannot be told",
-                short(t)
-            ));
+            found.touches = Some(Sampling::MetAtMostNear { text: text(), t });
         }
         // Where several meet, each may be met at that time alone.
         if let (true, Some(&t)) = (is_weak(kind), zeros.times.iter().find(|&&t| is_met_alone(trial, t))) {
-            found.touches.get_or_insert(format!("the assumptions may be met at t = {} alone", short(t)));
+            found.touches.get_or_insert(Sampling::MetAlone(t));
         }
         for gap in &zeros.incomplete {
             let (start, end) = gap.stretch();
@@ -74,7 +72,8 @@ pub(super) fn look(trial: &Trial) -> Search {
             if let Incomplete::Unresolved { .. } | Incomplete::NoValue { reason: NoValue::Indeterminate, .. } = gap
                 && end - start > 1e-9 * (to - from)
             {
-                found.open = Some(format!("when `{text}` is met is not known: {}", incomplete(gap)));
+                let search = Searched::Assumption(text());
+                found.open = Some(Sampling::Incomplete { search, gap: incomplete(gap) });
             }
         }
     }
@@ -108,7 +107,7 @@ pub(super) fn look(trial: &Trial) -> Search {
             continue;
         }
         if times.len() >= MOST * FEW {
-            found.open = Some(format!("the assumptions are met on more than {MOST} short stretches"));
+            found.open = Some(Sampling::MetTooOften(MOST));
             break;
         }
         times.extend((0..FEW).map(|k| start + (end - start) * (k as f64 + 0.5) / FEW as f64));

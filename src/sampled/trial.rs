@@ -8,7 +8,7 @@ use std::sync::Arc;
 use crate::between::between_samples;
 use crate::course::Trial;
 use crate::derivation::{Derivation, Event};
-use crate::describe::{Describer, Left, short};
+use crate::describe::{Describer, Left};
 use crate::doubt::{
     beyond_the_span, known, only_at_events, open_events, reopened, unless_met_elsewhere, unless_one_sided,
     unless_unresolved, unless_valued_between,
@@ -18,18 +18,19 @@ use crate::flow::Points;
 use crate::independence::Gradients;
 use crate::judged::{Judged, Tried, selected};
 use crate::limit::limit;
-use crate::verdict::{Evidence, Finding, Possible, Truth, Verdict};
+use crate::verdict::{Evidence, Finding, Possible, Truth, Verdict, Witness};
 use crate::weigh::weigh;
 use crate::{across, events, independence, peaks, same_motion, stretches};
 use claim::measured::{MeasuredGroup, Measurements, measure, measure_first};
 use claim::mute::silence;
 use claim::program::{Assumption, What};
+use reason::{Plain, Reason, Sampling, Sides};
 
 /// The most parts of a claim that are looked at closer, each by itself.
 const MANY: usize = 64;
 
 /// Tries a claim on a motion. `gradients` are those of a claim of independence.
-pub fn try_claim(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gradients, String>>) -> Verdict {
+pub fn try_claim(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gradients, Reason>>) -> Verdict {
     let Trial { program, course, .. } = *trial;
     let decide = |parts: Vec<Finding>, hypotheses: Vec<Finding>| {
         Verdict::decide(program.claim.clone(), parts.into_iter().chain(hypotheses).collect())
@@ -42,7 +43,7 @@ pub fn try_claim(derivation: &Derivation, trial: &Trial, gradients: Option<&Resu
     // Other motions and gradients need more values than the comparisons of the claim.
     let special = |p: &claim::program::Part| matches!(p.what, What::SameMotion(..) | What::Independent | What::Across);
     if program.parts.iter().any(special) && met.more.take().is_some() {
-        met.open.get_or_insert("the assumptions are met on stretches between the samples".to_owned());
+        met.open.get_or_insert(Sampling::MetBetween);
     }
     let shared = same_motion::times_of_both(trial);
     let (times, points) = match (&met.more, &shared) {
@@ -118,7 +119,7 @@ fn unmet_at_once(trial: &Trial) -> Option<Vec<Finding>> {
         let none = stretches::Search::default();
         let each = |h: usize| match false_here(h) {
             true => met_on(trial, &describer, &measured, (h, &along), &none),
-            false => Finding::open("it was not looked at"),
+            false => Finding::open(Plain::NotLookedAt),
         };
         (0..count).map(each).collect()
     })
@@ -137,23 +138,18 @@ fn met_on(
         What::Limit(point) => limit_where(trial, along, &|m| &m.hypotheses[position], point),
         _ => weigh(describer.setting(along.left.clone()), &measured.hypotheses[position]),
     };
-    let sides = |what: &str| match &finding.evidence().witness {
-        Some(w) => format!(
-            "the assumption `{text}` {what}: at t = {} its sides are {} and {} (error bound {:.1e})",
-            short(w.t),
-            short(w.left),
-            short(w.right),
-            w.bound
-        ),
-        None => format!("the assumption `{text}` {what}"),
-    };
+    let text = || text.as_str().into();
+    let sides = |w: &Witness| Sides { t: w.t, left: w.left, right: w.right, bound: w.bound };
     let reason = match known(&finding).decided() {
         Some(Truth::True) => None,
-        Some(Truth::False) => Some(sides("is not met")),
+        Some(Truth::False) => {
+            let sides = finding.evidence().witness.as_ref().map(sides);
+            Some(Sampling::NotMet { text: text(), sides }.into())
+        }
         Some(Truth::Void) => finding.evidence().reason.clone(),
         None => {
-            let why = finding.evidence().reason.clone().unwrap_or_default();
-            Some(format!("the assumption `{text}` cannot be decided: {why}"))
+            let why = finding.evidence().reason.clone().map(Arc::new);
+            Some(Sampling::AssumptionOpen { text: text(), why }.into())
         }
     };
     // What is left out where a hypothesis has no value is no matter of the claim.
@@ -172,7 +168,7 @@ fn part(
     (measured, describer): (&Measurements, &Describer),
     tried: &Tried,
     position: usize,
-    gradients: Option<&Result<Gradients, String>>,
+    gradients: Option<&Result<Gradients, Reason>>,
 ) -> Finding {
     let program = trial.program;
     let part = &program.parts[position];
@@ -197,14 +193,14 @@ fn part(
             denied(trial, between(weigh(setting, &measured.parts[position])))
         }
         What::Constant => constant(trial, (measured, describer), tried, position, closer),
-        What::Value => Finding::open("nothing is said of it by itself"),
+        What::Value => Finding::open(Plain::NothingByItself),
         What::Limit(point) => limit_where(trial, tried, &|m| &m.parts[position], point),
         What::SameMotion(other, of) => same_motion::try_on(derivation, trial, tried, *other, of),
         What::Across => across::try_on(derivation, trial, tried, position),
         What::Independent => match gradients {
             Some(Ok(gradients)) => independence::try_on(gradients, trial, tried),
             Some(Err(reason)) => Finding::open(reason.clone()),
-            None => Finding::open("no gradients were computed"),
+            None => Finding::open(Plain::NoGradients),
         },
     };
     let finding = match program.at {
@@ -222,20 +218,20 @@ fn limit_where(
     point: &latex::LimitPoint,
 ) -> Finding {
     let out = |l: &Left| match l {
-        Left::Out(reason) => Some(reason.to_string()),
+        Left::Out(reason) => Some(Reason::clone(reason)),
         Left::In | Left::Open(_) => None,
     };
-    let reason = || tried.left.iter().find_map(out).unwrap_or_else(|| "no time counts".to_owned());
+    let reason = || tried.left.iter().find_map(out).unwrap_or(Plain::NoTimeCounts.into());
     if tried.left.contains(&Left::In) {
         // Selectors may cut off the point itself: enclosures look on each side of it.
         return match trial.program.selectors.is_empty() {
             true => limit(trial, group, point),
-            false => Finding::open("a limit through the times that assumptions leave is not seen from samples"),
+            false => Finding::open(Plain::LimitThroughAssumed),
         };
     }
     match tried.left.iter().all(|l| matches!(l, Left::Out(_))) {
         true => Finding::sampled(Possible::VOID, Evidence::because(reason())),
-        false => Finding::open("whether any time counts cannot be told"),
+        false => Finding::open(Plain::WhetherTimesCountUntold),
     }
 }
 
@@ -247,25 +243,22 @@ fn denied(trial: &Trial, finding: Finding) -> Finding {
         (Some(Truth::False), Some(w)) => {
             let found = evidence.residual.as_ref().is_some_and(|r| r.at == w.t);
             let reason = match trial.course.times.binary_search_by(|t| t.total_cmp(&w.t)) {
-                Ok(_) => format!("first seen at the sample t = {}", short(w.t)),
-                Err(_) => format!("happens first at t = {:.12}", w.t),
+                Ok(_) => Sampling::FirstSeen(w.t),
+                Err(_) => Sampling::HappensFirst(w.t),
             };
-            evidence.reason = Some(reason);
+            evidence.reason = Some(reason.into());
             if !found {
                 evidence.residual = None;
             }
             evidence.samples = evidence.samples.max(1);
         }
         (Some(Truth::True), _) => {
-            evidence.reason = Some(format!("not seen between t = {from} and t = {to}, the span of the motion"));
+            evidence.reason = Some(Sampling::NotSeen { samples: None, from, to, why: None }.into());
         }
         (Some(Truth::Void), _) => {}
         (None, _) | (Some(Truth::False), None) => {
-            let why = evidence.reason.as_ref().map_or(String::new(), |r| format!(": {r}"));
-            evidence.reason = Some(format!(
-                "not seen at {} samples between t = {from} and t = {to}, the span of the motion{why}",
-                evidence.samples
-            ));
+            let (samples, why) = (Some(evidence.samples), evidence.reason.take().map(Arc::new));
+            evidence.reason = Some(Sampling::NotSeen { samples, from, to, why }.into());
         }
     }
     Finding::sampled(known(&finding), evidence)
@@ -294,7 +287,7 @@ fn constant(
     }
     let all = measure(program, tried.points, None);
     let Some(mut values) = all.parts.into_iter().nth(position + 1) else {
-        return Finding::open("its values were not measured");
+        return Finding::open(Plain::NotMeasured);
     };
     values.relative_to_the_first(tried.times.len(), counts);
     weigh(describer.setting(tried.left.clone()), &values)
@@ -349,8 +342,7 @@ fn at_peaks(trial: &Trial, along: &Measurements, position: usize, finding: Findi
         if !holds {
             return finding;
         }
-        let reason = "an exponential in it has too many peaks that samples may miss".to_owned();
-        return reopened(finding, Possible::OPEN, reason);
+        return reopened(finding, Possible::OPEN, Plain::TooManyPeaks);
     };
     if times.is_empty() {
         return finding;
@@ -376,12 +368,9 @@ fn no_event(trial: &Trial, events: Option<&Events>) -> Finding {
         return Finding::open(reason);
     }
     if let Some(problem) = course.motion.problem() {
-        return Finding::open(problem.to_string());
+        return Finding::open(Reason::quoted(problem));
     }
     let event = trial.claim.at.as_ref().map(Event::says).unwrap_or_default();
     let (from, to) = course.stage.span(course.trajectory);
-    Finding::sampled(
-        Possible::VOID,
-        Evidence::because(format!("{event} does not happen between t = {from} and t = {to}")),
-    )
+    Finding::sampled(Possible::VOID, Evidence::because(Sampling::NoEvent(event.into(), from, to)))
 }

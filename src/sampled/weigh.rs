@@ -13,6 +13,8 @@ use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
 use crate::verdict::{Evidence, Exclusion, Finding, Possible, Residual, Truth};
 use claim::measured::{Measured, MeasuredGroup};
+use reason::{Plain, Reason, Sampling};
+use std::sync::Arc;
 
 /// Share of points whose bound may be too large, for a claim that holds at all others.
 pub(super) const TOLERATED_INCONCLUSIVE: f64 = 0.02;
@@ -23,14 +25,14 @@ const MOST_EXCLUSIONS: usize = 12;
 /// Joins neighbouring excluded points with the same reason.
 fn exclusions(times: &[f64], left: &[Left]) -> Vec<Exclusion> {
     let mut out: Vec<Exclusion> = Vec::new();
-    let mut open: Option<&str> = None;
+    let mut open: Option<&Arc<Reason>> = None;
     for (&t, l) in times.iter().zip(left) {
         match l {
             Left::In => open = None,
             Left::Out(reason) | Left::Open(reason) => {
                 match (open, out.last_mut()) {
-                    (Some(r), Some(last)) if r == &**reason => last.to = t,
-                    _ => out.push(Exclusion { from: t, to: t, reason: reason.to_string() }),
+                    (Some(r), Some(last)) if r == reason => last.to = t,
+                    _ => out.push(Exclusion { from: t, to: t, reason: Arc::clone(reason) }),
                 }
                 open = Some(reason);
             }
@@ -39,8 +41,8 @@ fn exclusions(times: &[f64], left: &[Left]) -> Vec<Exclusion> {
     if out.len() > MOST_EXCLUSIONS {
         let rest = out.split_off(MOST_EXCLUSIONS - 1);
         if let (Some(first), Some(last)) = (rest.first(), rest.last()) {
-            let reason = format!("{} more stretches, the first because {}", rest.len(), first.reason);
-            out.push(Exclusion { from: first.from, to: last.to, reason });
+            let why = Sampling::MoreStretches { count: rest.len(), first: Arc::clone(&first.reason) };
+            out.push(Exclusion { from: first.from, to: last.to, reason: Arc::new(why.into()) });
         }
     }
     out
@@ -129,7 +131,7 @@ fn agreement(group: &MeasuredGroup, sign: usize, time: usize) -> Option<f64> {
 pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
     let count = setting.times.len();
     let mut evidence = Evidence::default();
-    let mut inconclusive: Option<String> = None;
+    let mut inconclusive: Option<Reason> = None;
     let mut inconclusive_count = 0;
     let mut leaps = false;
     let mut failures: Vec<Failure> = Vec::new();
@@ -157,25 +159,25 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
     evidence.excluded = exclusions(setting.times, &setting.left);
     evidence.samples = counted.len();
     if let (true, Some(&i)) = (counted.is_empty(), doubtful.first()) {
-        let Left::Open(reason) = &setting.left[i] else { return Finding::open("no time is known to count") };
-        evidence.reason = Some(reason.to_string());
+        let Left::Open(reason) = &setting.left[i] else { return Finding::open(Plain::NoTimeKnownToCount) };
+        evidence.reason = Some(Reason::clone(reason));
         return Finding::sampled(Possible::ANY, evidence);
     }
     // Times that may count, and at which it would be true.
     if let (true, Some(Left::Open(reason))) =
         (counted.is_empty(), setting.left.iter().find(|l| matches!(l, Left::Open(_))))
     {
-        evidence.reason = Some(reason.to_string());
+        evidence.reason = Some(Reason::clone(reason));
         // What is asked of what lies between the samples, too, may be otherwise there.
         let between = setting.first || group.group.comparisons.iter().any(|c| c.kind != RelationKind::Equal);
         return Finding::sampled(if between { Possible::ANY } else { Possible::TRUE_OR_VOID }, evidence);
     }
     if counted.is_empty() {
         let reason = setting.left.iter().find_map(|l| match l {
-            Left::Out(reason) | Left::Open(reason) => Some(reason.to_string()),
+            Left::Out(reason) | Left::Open(reason) => Some(Reason::clone(reason)),
             Left::In => None,
         });
-        evidence.reason = Some(reason.unwrap_or_else(|| "no time at which it could be tried".to_owned()));
+        evidence.reason = Some(reason.unwrap_or(Plain::NoTimeToTry.into()));
         return Finding::sampled(Possible::VOID, evidence);
     }
 
@@ -188,14 +190,14 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
         let Ok(difference) = group.signs[best][c].difference(i) else {
             if known == Possible::FALSE {
                 // A claim of definedness: there is no value to show, the reason is.
-                evidence.reason.get_or_insert_with(|| fault(c, i, NoValue::OutOfDomain).to_string());
+                evidence.reason.get_or_insert_with(|| Reason::clone(&fault(c, i, NoValue::OutOfDomain)));
                 failures.push(Failure { size: 0.0, sign: best, comparison: c, time: i });
             } else if known.decided().is_none() {
                 inconclusive_count += 1;
                 leaps |= group.group.leaps();
                 inconclusive.get_or_insert_with(|| {
                     let why = fault(c, i, group.signs[best][c].difference(i).err().unwrap_or(NoValue::Indeterminate));
-                    format!("at t = {:.6}, {why}", setting.times[i])
+                    Sampling::At(setting.times[i], why).into()
                 });
             }
             continue;
@@ -224,11 +226,8 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
             None => {
                 inconclusive_count += 1;
                 inconclusive.get_or_insert_with(|| {
-                    let unseen = if group.mute[best][c] { ", below which a term of the formula is lost" } else { "" };
-                    format!(
-                        "at t = {:.6} the two sides differ by {:.2e}, with an error bound of {:.2e}{unseen}",
-                        setting.times[i], difference.value, bound
-                    )
+                    let (t, lost) = (setting.times[i], group.mute[best][c]);
+                    Sampling::Differ { t, difference: difference.value, bound, lost }.into()
                 });
             }
             Some(Truth::False) => {
@@ -241,7 +240,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
     for &i in &doubtful {
         inconclusive_count += 1;
         let Left::Open(reason) = &setting.left[i] else { continue };
-        inconclusive.get_or_insert_with(|| format!("at t = {:.6} it does not hold, and {reason}", setting.times[i]));
+        inconclusive.get_or_insert_with(|| Sampling::FalseAt(setting.times[i], Arc::clone(reason)).into());
     }
     if let (true, Some((plus, minus))) = (group.group.throughout, sign.change) {
         // + alone serves at one time, − alone at another: refute with the later of the two, where the other fails.
@@ -249,7 +248,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
         let c = judged.deciding(wrong, i);
         if let Ok(difference) = group.signs[wrong][c].difference(i) {
             failures.push(Failure { size: difference.value.abs(), sign: wrong, comparison: c, time: i });
-            evidence.reason = Some("no single sign of ± serves the whole motion".to_owned());
+            evidence.reason = Some(Plain::NoSingleSign.into());
         }
     }
 
@@ -276,15 +275,10 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
     // is compared may leap: its value there is none of those around it.
     let asserted = (group.group.asserted || leaps) && inconclusive_count > 0;
     if asserted || inconclusive_count as f64 > TOLERATED_INCONCLUSIVE * counted.len() as f64 {
-        let example = inconclusive.unwrap_or_else(|| "no value could be determined".to_owned());
-        let would = match group.mute.iter().flatten().any(|&mute| mute) {
-            true => "a formula whose large terms do not cancel",
-            false => "a more accurate trajectory or a lower precision",
-        };
-        evidence.reason = Some(format!(
-            "the error bound is too large to tell at {inconclusive_count} of {} times: {example}; {would} would decide",
-            counted.len()
-        ));
+        let example = Arc::new(inconclusive.unwrap_or(Plain::NoValueDetermined.into()));
+        let lost = group.mute.iter().flatten().any(|&mute| mute);
+        let (count, of) = (inconclusive_count, counted.len());
+        evidence.reason = Some(Sampling::TooLarge { count, of, example, lost }.into());
         // One time at which it says something excludes that it says nothing.
         let says = counted.iter().any(|&i| !judged.at(i).may_be(Truth::Void));
         return Finding::sampled(if says { Possible::OPEN } else { Possible::ANY }, evidence);
@@ -292,7 +286,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
     evidence.samples = counted.len() - inconclusive_count.min(counted.len() - 1);
     if inconclusive_count > 0 {
         evidence.within = f64::INFINITY;
-        evidence.reason = Some(format!("at {inconclusive_count} further times the error bound is too large to tell"));
+        evidence.reason = Some(Sampling::TooLargeElsewhere(inconclusive_count).into());
     }
     Finding::sampled(Possible::TRUE, evidence)
 }

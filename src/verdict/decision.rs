@@ -9,6 +9,7 @@
 //! part, a false conjunction as one witness, a negation as what it negates. Two rigorous findings that exclude each other are
 //! a defect of the program; the claim then has no verdict. A rigorous finding stands against a sampled one.
 
+use reason::{Plain, Reason};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -101,16 +102,13 @@ impl Finding {
         };
         let (known, evidence) = match complete {
             true => (known, evidence),
-            false => {
-                let reason = "a part of the claim was judged without its evidence".to_owned();
-                (Possible::ANY, Evidence { reason: Some(reason), ..evidence })
-            }
+            false => (Possible::ANY, Evidence { reason: Some(Plain::WithoutEvidence.into()), ..evidence }),
         };
         Finding { sampled: known, enclosed: Possible::ANY, proved: Possible::ANY, evidence }
     }
 
     /// Nothing is known, for this reason.
-    pub fn open(reason: impl Into<String>) -> Finding {
+    pub fn open(reason: impl Into<Reason>) -> Finding {
         Finding::sampled(Possible::ANY, Evidence::because(reason))
     }
 
@@ -149,7 +147,7 @@ pub struct Verdict {
     findings: Vec<Finding>,
     outcome: Outcome,
     evidence: Evidence,
-    defect: Option<String>,
+    defect: Option<Reason>,
 }
 
 /// A verdict that was kept: what it was decided from, and what was decided.
@@ -159,7 +157,7 @@ struct Kept {
     findings: Vec<Finding>,
     outcome: Outcome,
     evidence: Evidence,
-    defect: Option<String>,
+    defect: Option<Reason>,
 }
 
 impl TryFrom<Kept> for Verdict {
@@ -197,7 +195,7 @@ impl Verdict {
         strength: Strength,
         cells: usize,
         point: Option<&[(String, f64)]>,
-        reason: String,
+        reason: Reason,
     ) -> Verdict {
         let complete = cells > 0 && (known != Possible::FALSE || point.is_some());
         let known = if complete { known } else { Possible::ANY };
@@ -269,30 +267,31 @@ impl Verdict {
     }
 
     /// Gives up what samples say, of all parts: the sampled motion is not what its bounds say.
-    pub fn withdraw_samples(&mut self, reason: &str) {
+    pub fn withdraw_samples(&mut self, reason: &Reason) {
         for finding in &mut self.findings {
             finding.sampled = Possible::ANY;
             if finding.known(Strength::Enclosed).and_then(Possible::decided).is_none() {
-                finding.evidence.reason = Some(reason.to_owned());
+                finding.evidence.reason = Some(reason.clone());
             }
         }
         self.fold();
     }
 
     /// Gives up that samples say that a part is true, or void: what is asked of every time is seen to be open at one.
-    pub fn doubt(&mut self, part: usize, reason: String, obstacle: Option<Obstacle>) {
+    pub fn doubt(&mut self, part: usize, reason: Reason) {
         let of_all_times = |f: &&mut Finding| matches!(f.sampled, Possible::TRUE | Possible::VOID);
         if let Some(finding) = self.findings.get_mut(part).filter(of_all_times) {
             finding.sampled = if finding.sampled == Possible::TRUE { Possible::OPEN } else { Possible::ANY };
-            (finding.evidence.reason, finding.evidence.obstacle) = (Some(reason), obstacle);
+            finding.evidence.obstacle = Obstacle::of(&reason);
+            finding.evidence.reason = Some(reason);
             self.fold();
         }
     }
 
     /// Adds to what is said of a verdict, without changing it.
-    pub fn remark(&mut self, reason: String, obstacle: Option<Obstacle>) {
+    pub fn remark(&mut self, reason: Reason) {
+        self.evidence.obstacle = Obstacle::of(&reason);
         self.evidence.reason = Some(reason);
-        self.evidence.obstacle = obstacle;
     }
 
     /// Completes the witness that is shown, and gives another curve where there is one: what is shown, not what it means.
@@ -317,9 +316,7 @@ impl Verdict {
         for strength in Strength::STRONGEST_FIRST {
             match level(strength) {
                 None => {
-                    let reason = "two ways to decide it for certain contradict each other".to_owned();
-                    self.defect = Some(reason.clone());
-                    (self.outcome, self.evidence) = (Outcome::Undecided, Evidence::because(reason));
+                    self.contradict(Plain::CertainBothWays.into());
                     return;
                 }
                 Some(value) => decided = decided.or(value.decided().map(|truth| (truth, strength))),
@@ -391,7 +388,7 @@ impl Verdict {
         let worst = tells.into_iter().reduce(|a, b| if ratio(&b) > ratio(&a) { b } else { a });
         match worst {
             Some(n) => self.findings[n].evidence.clone(),
-            None => Evidence::because("the claim says nothing that could be tried"),
+            None => Evidence::because(Plain::NothingToTry),
         }
     }
 
@@ -410,7 +407,7 @@ impl Verdict {
         };
         match parts.iter().find(tells) {
             Some(&n) => self.findings[n].evidence.clone(),
-            None => Evidence::because("no part of it decides alone"),
+            None => Evidence::because(Plain::NoPartDecides),
         }
     }
 
@@ -439,12 +436,12 @@ impl Verdict {
     }
 
     /// Why the claim has no verdict: the program contradicts itself.
-    pub fn defect(&self) -> Option<&str> {
-        self.defect.as_deref()
+    pub fn defect(&self) -> Option<&Reason> {
+        self.defect.as_ref()
     }
 
     /// Two ways to the same number contradict each other.
-    pub fn contradict(&mut self, reason: String) {
+    pub fn contradict(&mut self, reason: Reason) {
         self.outcome = Outcome::Undecided;
         self.evidence = Evidence::because(reason.clone());
         self.defect = Some(reason);
@@ -541,12 +538,12 @@ mod tests {
     #[test]
     fn a_withdrawn_motion_decides_nothing_that_it_alone_decided() {
         let mut verdict = Verdict::of(held());
-        verdict.withdraw_samples("withdrawn");
+        verdict.withdraw_samples(&"withdrawn".into());
         assert_eq!(verdict.outcome(), Outcome::Undecided);
-        assert_eq!(verdict.evidence().reason.as_deref(), Some("withdrawn"));
+        assert_eq!(verdict.evidence().reason, Some("withdrawn".into()));
         let mut verdict = Verdict::of(held());
         verdict.enclose(0, Possible::TRUE, enclosed);
-        verdict.withdraw_samples("withdrawn");
+        verdict.withdraw_samples(&"withdrawn".into());
         assert_eq!(verdict.outcome(), Outcome::Holds(Strength::Enclosed));
     }
 
@@ -554,7 +551,7 @@ mod tests {
     fn a_verdict_that_was_kept_is_decided_again() {
         let two = || Proposition::And(vec![Proposition::Atom(0), Proposition::Atom(1)]);
         let mut contradicted = Verdict::of(held());
-        contradicted.contradict("two routes differ".to_owned());
+        contradicted.contradict("two routes differ".into());
         for verdict in [
             Verdict::of(held()),
             Verdict::of(failed()),

@@ -1,8 +1,9 @@
 //! Evidence: what methods hand over, as plain data.
 //!
 //! **In:** numbers that a method computed. **Out:** [`Evidence`] with its parts. Nothing is judged here; a report makes words
-//! of it, and a reader can compute it again.
+//! of it, and a reader can compute it again. Nothing that decides looks into a [`Reason`].
 
+use reason::Reason;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -55,8 +56,8 @@ pub struct Exclusion {
     pub from: f64,
     /// Last excluded sample.
     pub to: f64,
-    /// Why, in words.
-    pub reason: String,
+    /// Why.
+    pub reason: Arc<Reason>,
 }
 
 /// What an enclosure found on all stretches of a span.
@@ -80,6 +81,15 @@ pub struct Obstacle {
     pub to: f64,
     /// What encloses the difference of the two sides there, where both have a value.
     pub difference: Option<(f64, f64)>,
+}
+
+impl Obstacle {
+    /// That of a reason which says where something stays open.
+    pub fn of(reason: &Reason) -> Option<Obstacle> {
+        let (place, difference) = reason.obstacle()?;
+        let (from, to) = place.ends();
+        Some(Obstacle { from, to, difference })
+    }
 }
 
 /// A proof for all values, as far as a verdict needs to know it.
@@ -146,7 +156,7 @@ pub struct Evidence {
     /// The refuting point of a `fails`, the found point of an `eventually`.
     pub witness: Option<Witness>,
     /// Why not applicable or undecided; a remark on a `holds`.
-    pub reason: Option<String>,
+    pub reason: Option<Reason>,
     /// Times left out.
     pub excluded: Vec<Exclusion>,
     /// For a claim with ±: which sign, `+`, `-`, or `either`, and where it changes.
@@ -170,7 +180,7 @@ pub struct Evidence {
 
 impl Evidence {
     /// Nothing but a reason.
-    pub fn because(reason: impl Into<String>) -> Evidence {
+    pub fn because(reason: impl Into<Reason>) -> Evidence {
         Evidence { reason: Some(reason.into()), ..Evidence::default() }
     }
 }

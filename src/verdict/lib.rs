@@ -5,7 +5,8 @@
 //! data; knows no form of claim. **Verdict** ([`Verdict::decide`]): one function of the two.
 //!
 //! **In:** propositions and findings. **Out:** verdicts. **Guaranteed:** `holds` is said only where `false` and `void` are
-//! excluded, `fails` only where the others are; of a strength only with evidence of that strength. The crate imports nothing.
+//! excluded, `fails` only where the others are; of a strength only with evidence of that strength. The crate imports
+//! [`reason`](reason::Reason) alone, which it passes on and does not read.
 //! `docs/semantics.md` teaches what is written here.
 
 #![forbid(unsafe_code)]

@@ -77,7 +77,8 @@ fn together(claims: &[(usize, &Claim)], found: &mut [Option<Said>]) {
                         let judged = account.claims.iter().find(|c| c.id == *id);
                         let verdict = judged.and_then(|c| c.verdicts().next()).map(|j| {
                             let outcome = j.verdict.outcome();
-                            let reason = j.verdict.evidence().reason.clone().unwrap_or_default();
+                            let reason =
+                                j.verdict.evidence().reason.as_ref().map(ToString::to_string).unwrap_or_default();
                             Said::Verdict(
                                 outcome.word().to_owned(),
                                 outcome.strength().unwrap_or("").to_owned(),

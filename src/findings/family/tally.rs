@@ -225,7 +225,7 @@ mod tests {
             3 => Verdict::of(Finding::open("?")),
             _ => {
                 let mut verdict = sampled(Possible::TRUE);
-                verdict.contradict("on purpose".to_owned());
+                verdict.contradict("on purpose".into());
                 verdict
             }
         }

@@ -85,9 +85,9 @@ objects! {
         /// Whether the proof leaves out special cases of what is given.
         generic: bool = of.generic,
         /// Why undecided; a remark on a proof.
-        reason: Option<&'a str> = of.reason.as_deref(),
+        reason: Option<String> = of.reason.as_ref().map(ToString::to_string),
         /// A point at which everything given holds and the claim does not.
-        witness: Option<&'a str> = of.witness.as_deref(),
+        witness: Option<String> = of.witness.as_ref().map(ToString::to_string),
         /// For ±: the sign it holds for.
         branch: Option<&'a str> = of.evidence.branch.as_deref(),
         /// The random test, where it proved.
@@ -151,11 +151,11 @@ objects! {
         /// Times at which the claim was compared.
         samples: usize = evidence.samples,
         /// Why not applicable or undecided; a remark otherwise.
-        reason: Option<&'a str> = evidence.reason.as_deref(),
+        reason: Option<String> = evidence.reason.as_ref().map(ToString::to_string),
         /// For ±: which sign.
         branch: Option<&'a str> = evidence.branch.as_deref(),
         /// Stretches of time that were left out.
-        excluded: Vec<Exclusion<'a>> = evidence.excluded.iter().map(Exclusion::of).collect(),
+        excluded: Vec<Exclusion> = evidence.excluded.iter().map(Exclusion::of).collect(),
         /// How many altered formulas the same evidence rejects, where the claim holds.
         discrimination: Option<Discrimination> = of.discrimination.as_ref().map(Discrimination::of),
         /// A point that can be checked by hand, for a claim that fails.
@@ -206,13 +206,13 @@ objects! {
     }
 
     /// A stretch of time that was left out.
-    Exclusion<'a> of (of: &'a findings::Exclusion) {
+    Exclusion of (of: &findings::Exclusion) {
         /// First time left out.
         from: f64 = of.from,
         /// Last time left out.
         to: f64 = of.to,
         /// Why.
-        reason: &'a str = &of.reason,
+        reason: String = of.reason.to_string(),
     }
 
     /// A point that can be checked by hand.

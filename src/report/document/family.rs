@@ -24,7 +24,7 @@ objects! {
         /// Whether the verdict is not as expected.
         unexpected: bool = of.is_unexpected(),
         /// How it came about.
-        reason: Option<&'a str> = of.verdict.evidence().reason.as_deref(),
+        reason: Option<String> = of.verdict.evidence().reason.as_ref().map(ToString::to_string),
         /// Members before constraints.
         size: u64 = of.size,
         /// Members that were tried.
@@ -91,7 +91,7 @@ objects! {
         /// How strong the evidence is.
         strength: Option<Strength> = outcome.strength().map(Strength),
         /// Why it is undecided.
-        reason: Option<&'a str> = evidence.reason.as_deref(),
+        reason: Option<String> = evidence.reason.as_ref().map(ToString::to_string),
         /// A point that can be checked by hand, where it fails.
         witness: Option<Witness<'a>> = evidence.witness.as_ref().map(Witness::of),
         /// The member as a [[trajectory]] of a derivation file.

@@ -125,7 +125,7 @@ objects! {
         /// One entry for each time at which it was taken.
         values: Vec<Measured> = of.values.iter().map(Measured::of).collect(),
         /// Why there is none, or not all.
-        reason: Option<&'a str> = of.reason.as_deref(),
+        reason: Option<String> = of.reason.as_ref().map(ToString::to_string),
     }
 
     /// A value at a time.

@@ -44,7 +44,7 @@ objects! {
         /// Whether the proof leaves out special cases.
         generic: bool = of.generic,
         /// Why undecided; a remark on a proof.
-        reason: Option<&'a str> = of.reason.as_deref(),
+        reason: Option<String> = of.reason.as_ref().map(ToString::to_string),
         /// Whether the premises cannot hold together.
         contradiction: bool = evidence.contradiction,
         /// A point that refutes.

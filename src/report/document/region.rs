@@ -15,7 +15,7 @@ objects! {
         /// Whether the verdict is not as expected.
         unexpected: bool = of.is_unexpected(),
         /// How it came about.
-        reason: Option<&'a str> = of.verdict.evidence().reason.as_deref(),
+        reason: Option<String> = of.verdict.evidence().reason.as_ref().map(ToString::to_string),
         /// The ranges, and values that do not vary.
         ranges: Vec<Range<'a>> = of.ranges.iter().map(Range::of).collect(),
         /// How many of the ranges vary; they come first.
@@ -36,7 +36,7 @@ objects! {
         solutions: Vec<Named<'a, [f64; 2]>> = of.solutions.iter()
             .map(|s| Named(s.values.iter().map(|(name, low, high)| (name.as_str(), [*low, *high])).collect())).collect(),
         /// What else is to be known.
-        remarks: &'a [String] = &of.remarks,
+        remarks: Vec<String> = of.remarks.iter().map(ToString::to_string).collect(),
         /// The picture of two of the ranges.
         map: Option<Board> = of.map.as_ref().map(Board::of),
         /// Formulas that are identities by random evaluation.
@@ -89,7 +89,7 @@ objects! {
         /// What encloses its right side.
         right: Option<[f64; 2]> = of.sides.map(|(_, right)| right.into()),
         /// What is wrong there.
-        says: &'a str = &of.says,
+        says: String = of.says.to_string(),
     }
 
     /// A picture over two of the ranges.

@@ -317,16 +317,16 @@ fn verdicts(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &
 fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Scope) -> Markup {
     let compared = group.pairs.iter().any(|p| p.verdict.evidence().residual.is_some());
     // A reason that many pairs share is given once, above them.
-    let mut parts: Vec<(String, Vec<(&PairAccount, Told<'_>)>)> = Vec::new();
+    let mut parts: Vec<(String, Vec<(&PairAccount, Told)>)> = Vec::new();
     for &pair in &group.pairs {
-        let told = told(pair.verdict.evidence().reason.as_deref().unwrap_or_default());
+        let told = pair.verdict.evidence().reason.as_ref().map(told).unwrap_or_default();
         let sentence = told.sentence();
         match parts.iter_mut().find(|(s, _)| *s == sentence) {
             Some((_, pairs)) => pairs.push((pair, told)),
             None => parts.push((sentence, vec![(pair, told)])),
         }
     }
-    let any = |some: &dyn Fn(&Told<'_>) -> bool| parts.iter().any(|(_, pairs)| pairs.iter().any(|(_, t)| some(t)));
+    let any = |some: &dyn Fn(&Told) -> bool| parts.iter().any(|(_, pairs)| pairs.iter().any(|(_, t)| some(t)));
     let tried = group.pairs.iter().any(|p| rejects(p).is_some());
     let (cut, apart) = (any(&|t| t.stretches.is_some()), any(&|t| t.apart.is_some()));
     // Where most reasons are of one motion each, they stand beside it.
@@ -370,10 +370,10 @@ fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Sco
                                 @let weak = is_weak(pair);
                                 td { @if let Some(text) = rejects(pair) { (text) @if weak { ", weak" } } }
                             }
-                            @if cut { td { (told.stretches.unwrap_or_default()) } }
+                            @if cut { td { @if let Some(stretches) = told.stretches { (stretches) } } }
                             @if apart {
-                                @match told.apart {
-                                    Some((width, terms)) => { td { (number(width)) } td { (number(terms)) } },
+                                @match &told.apart {
+                                    Some((width, terms)) => { td { (width) } td { (terms) } },
                                     None => { td {} td {} },
                                 }
                             }
@@ -385,12 +385,6 @@ fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Sco
         }
     }
 }
-
-/// A number of a reason, as the other sizes are written.
-fn number(text: &str) -> String {
-    text.parse().map_or_else(|_| text.to_owned(), size)
-}
-
 /// How many altered formulas a pair rejects.
 fn rejects(pair: &PairAccount) -> Option<String> {
     let d = pair.discrimination.as_ref().filter(|d| d.of > 0)?;
@@ -400,15 +394,16 @@ fn rejects(pair: &PairAccount) -> Option<String> {
 /// Reason, sign, and times left out. Of a reason that others share, `own` is what it says of this motion alone.
 fn notes(pair: &PairAccount, own: Option<&str>, scope: &Scope) -> Markup {
     let evidence = pair.verdict.evidence();
-    let words = own.or(evidence.reason.as_deref()).unwrap_or_default();
+    let words =
+        own.map_or_else(|| evidence.reason.as_ref().map(ToString::to_string).unwrap_or_default(), str::to_owned);
     html! {
-        @if !words.is_empty() { (reason(words, scope)) ". " }
+        @if !words.is_empty() { (reason(&words, scope)) ". " }
         @if let Some(slack) = slack_sentence(pair) { (slack) ". " }
         @if let Some(branch) = &evidence.branch { "Sign: " (branch) ". " }
         @for (i, e) in evidence.excluded.iter().enumerate() {
             @if i == 0 { "Left out: " } @else { "; " }
             @if e.from == e.to { "t = " (time(e.from)) } @else { "t from " (time(e.from)) " to " (time(e.to)) }
-            " (" (reason(&e.reason, scope)) ")"
+            " (" (reason(&e.reason.to_string(), scope)) ")"
         }
     }
 }

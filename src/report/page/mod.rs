@@ -265,7 +265,7 @@ fn measures(derivation: &Derivation, account: &Account) -> Markup {
                                             @if m.values.len() > VALUES_SHOWN {
                                                 "; " (m.values.len() - VALUES_SHOWN) " more in report.json"
                                             }
-                                            @if let Some(r) = &m.reason { " " (text::reason(r, &derivation.scope)) }
+                                            @if let Some(r) = &m.reason { " " (text::reason(&r.to_string(), &derivation.scope)) }
                                         }
                                     }
                                 }

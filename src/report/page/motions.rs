@@ -230,7 +230,7 @@ fn figure(derivation: &Derivation, picture: &Picture, account: &PictureAccount) 
                     }
                 }
             },
-            (Some(reason), _) => { p.quiet { (prose(&picture.says, scope)) ": no picture, " (text::reason(reason, scope)) "." } },
+            (Some(reason), _) => { p.quiet { (prose(&picture.says, scope)) ": no picture, " (text::reason(&reason.to_string(), scope)) "." } },
             (None, None) => {},
         }
     }

@@ -107,7 +107,7 @@ fn terms(identity: &IdentityAccount, scope: &Scope) -> Markup {
         }
         @if let Some(witness) = &identity.witness {
             p { b { "Refuting point:" } }
-            pre tabindex="0" { (assignments(witness)) }
+            pre tabindex="0" { (assignments(&witness.to_string())) }
         }
     }
 }

@@ -1,0 +1,155 @@
+//! The account of an answer: what was found about a step, with formulas as they are shown.
+//!
+//! **In:** the answer of a proof. **Out:** an [`IdentityAccount`]: what refutes it and why it is open as data, conditions and
+//! exceptions as relations.
+
+use super::Step;
+use crate::expr::{Expr, Leaf};
+use crate::findings::standing::{Exception, Finding, Void};
+use crate::findings::{IdentityAccount, IdentityEvidence};
+use proof::{Condition, Identity, PointValue, Reason, Refutation, Side};
+use reason::{Coordinate, Plain, Point, Proving, Refuting};
+
+/// Most characters of a formula that is shown whole.
+const LONGEST: usize = 160;
+/// Most names that are listed for one that is not.
+const MOST_NAMES: usize = 6;
+
+impl Step<'_> {
+    /// What lies beyond something.
+    fn unreached(&self, exceptions: &[Exception]) -> Vec<String> {
+        let mut out: Vec<String> = Vec::new();
+        for exception in exceptions {
+            let line = match *exception {
+                Exception::Leaps(e) => format!("beyond a time at which {} leaps", self.shown(e)),
+                Exception::Divides(e) => {
+                    format!("beyond a time at which {} = 0, unless the motion is analytic there", self.shown(e))
+                }
+                Exception::OneSign => "where some of it has no value: the other sign counts there".to_owned(),
+                Exception::Vanishes(_) => continue,
+            };
+            if !out.contains(&line) {
+                out.push(line);
+            }
+        }
+        out
+    }
+
+    pub(super) fn shown(&self, e: Expr) -> String {
+        let text = self.graph.to_latex(e);
+        // Names of auxiliary numbers begin with an invisible character.
+        let auxiliary = text.contains('\u{2063}');
+        if text.len() <= LONGEST && !auxiliary {
+            text
+        } else {
+            let mut names: Vec<String> =
+                self.graph.leaves_within([e]).iter().map(|&l| self.graph.leaf_latex(l)).collect();
+            names.retain(|n| !n.contains('\u{2063}'));
+            names.dedup();
+            if names.is_empty() {
+                names.push("auxiliary numbers".to_owned());
+            }
+            let more = names.len().saturating_sub(MOST_NAMES);
+            names.truncate(MOST_NAMES);
+            let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
+            format!("(an expression in {}{rest}, too long to print)", names.join(", "))
+        }
+    }
+
+    /// Both sides at a point.
+    fn point(&self, refutation: &Refutation, (point, left, right): (&proof::Point, &Side, &Side)) -> Point {
+        let value = |(leaf, value): &(Leaf, PointValue)| {
+            let name = self.graph.leaf_latex(*leaf);
+            match (&value.exact, &value.circle) {
+                (Some(r), _) => Coordinate::Value(name, r.to_string()),
+                (None, Some((c, s))) => Coordinate::Circle(name, c.to_string(), s.to_string()),
+                (None, None) => Coordinate::Value(name, value.decimal.to_string()),
+            }
+        };
+        let side = |s: &Side| s.exact.as_ref().map_or_else(|| s.decimal.to_string(), ToString::to_string);
+        let [named, beyond] = refutation.parted(point);
+        let more = (!beyond.is_empty()).then_some(Coordinate::Beyond(beyond.len()));
+        Point { left: side(left), right: side(right), at: named.into_iter().map(value).chain(more).collect() }
+    }
+
+    /// What an answer says of the claim, nothing being given.
+    pub fn of_identity(&mut self, identity: Identity, evidence: IdentityEvidence) -> IdentityAccount {
+        IdentityAccount { evidence, ..self.account(identity, Vec::new(), true) }
+    }
+
+    /// The account of an answer, in the words of the finding.
+    pub(super) fn account(&mut self, identity: Identity, from: Vec<String>, complete: bool) -> IdentityAccount {
+        self.account_along(identity, from, complete, Vec::new())
+    }
+
+    /// The same; `along` is what a proof along motions does not reach.
+    pub(super) fn account_along(
+        &mut self,
+        identity: Identity,
+        from: Vec<String>,
+        complete: bool,
+        along: Vec<Exception>,
+    ) -> IdentityAccount {
+        let finding = Finding::weigh(&self.graph, &identity, complete, along);
+        let mut out = IdentityAccount { finding, from, ..IdentityAccount::default() };
+        match identity {
+            Identity::Proved(proof) => {
+                for condition in &proof.conditions {
+                    let (list, line) = match condition {
+                        Condition::Denominator(e) => (&mut out.conditions, format!("{} ≠ 0", self.shown(*e))),
+                        Condition::Pivot(e) => (&mut out.exceptions, format!("{} = 0", self.shown(*e))),
+                        Condition::Radicand(e) => (&mut out.conditions, format!("{} ≥ 0", self.shown(*e))),
+                        Condition::Discriminant(e) => (&mut out.given_only_where, format!("{} ≥ 0", self.shown(*e))),
+                        Condition::Unit(e) => (&mut out.conditions, format!("|{}| ≤ 1", self.shown(*e))),
+                        Condition::Positive(e) => (&mut out.conditions, format!("{} > 0", self.shown(*e))),
+                    };
+                    if !list.contains(&line) {
+                        list.push(line);
+                    }
+                }
+                // The short ones first; not in the order of the graph, which depends on what was written before.
+                for list in [&mut out.conditions, &mut out.exceptions, &mut out.given_only_where] {
+                    list.sort_by(|a, b| (a.chars().count(), a).cmp(&(b.chars().count(), b)));
+                }
+                let discriminant = |c: &Condition| matches!(c, Condition::Discriminant(_));
+                if let Some(words) = self.orders_of(&proof.conditions) {
+                    // What only the premises ask for does not restrict the claim.
+                    let list = match proof.conditions.iter().any(discriminant) {
+                        true => &mut out.given_only_where,
+                        false => &mut out.conditions,
+                    };
+                    list.push(words);
+                }
+                let lines = self.unreached(out.finding.exceptions());
+                out.exceptions.extend(lines);
+                out.generic = !out.finding.exceptions().is_empty();
+                out.log2_error = out.finding.is_proved_in_part().then_some(proof.log2_error);
+                out.reason = match out.finding.void() {
+                    Some(Void::NoValue) => Some(Plain::GivenHasNoValue.into()),
+                    Some(Void::OnlySpecial) => Some(Plain::OnlySpecialCases.into()),
+                    Some(Void::Unseen) => Some(Plain::EqualNowhere.into()),
+                    Some(Void::Incomplete) | None => out.reason,
+                };
+            }
+            Identity::Refuted(refutation) if complete => {
+                let at =
+                    |point: &proof::Point, left: &Side, right: &Side| self.point(&refutation, (point, left, right));
+                let first = at(&refutation.point, &refutation.left, &refutation.right);
+                let second = refutation.second.as_ref().map(|(point, left, right)| at(point, left, right));
+                out.witness = Some(Refuting::Point { first, second });
+            }
+            Identity::Refuted(_) => {
+                out.reason = Some(Plain::RefutedWithoutAll.into());
+            }
+            Identity::Undecided(open) => {
+                out.reason = Some(match open {
+                    Reason::OnlyWhere(e) => Proving::OnlyWhere { formula: self.shown(e).into(), base: false }.into(),
+                    Reason::Boundary(e) => Proving::OnlyWhere { formula: self.shown(e).into(), base: true }.into(),
+                    Reason::Unsolved(e) => Proving::Unsolved(self.shown(e).into()).into(),
+                    other => reason::Reason::quoted(other),
+                });
+            }
+        }
+        out
+    }
+}

@@ -1,0 +1,243 @@
+//! How far a proof reaches that goes along a motion: where something has no value, or leaps, the motion is another one beyond.
+//!
+//! **In:** what was proved, and the formulas of the claim and of what it is given. **Out:** what a proof does not reach, and
+//! whether what is given has values at fewer times than what is claimed.
+
+use super::{Pairs, Step, pairs};
+use crate::agreement::EITHER_SIGN;
+use crate::derivation::{Form, Premise};
+use crate::expr::domain::{Change, EdgeOf};
+use crate::expr::{Expr, Graph, Leaf, Node, Op, Symbol};
+use crate::findings::IdentityEvidence;
+use crate::findings::standing::Exception;
+use crate::latex::Role;
+use proof::{Condition, Identity, domains};
+
+impl Step<'_> {
+    /// What a proof that goes along a motion does not reach.
+    pub(super) fn continuation(&mut self, equations: &Pairs, moved: bool, leaping: &[Expr]) -> Vec<Exception> {
+        let integral = self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_)));
+        if !(moved || integral) {
+            return Vec::new();
+        }
+        let mut out: Vec<Exception> = leaping.iter().map(|&e| Exception::Leaps(e)).collect();
+        let divided = self.divided_by_systems();
+        let mut roots = self.along(equations);
+        self.add_definitions(&mut roots);
+        for under in self.poles(roots) {
+            let mut base = under;
+            while let Node::Unary(Op::Powi(_) | Op::Sqrt | Op::Abs, a) = *self.graph.node(base) {
+                base = a;
+            }
+            if divided.contains(&under) || divided.contains(&base) || !self.moves(base) {
+                continue;
+            }
+            let one = Exception::Divides(base);
+            if !out.contains(&one) {
+                out.push(one);
+            }
+        }
+        out
+    }
+
+    /// Whether equations with ±, of which one sign is proved, have values at the same points with either sign, all together. Where
+    /// some has none and another is false with the other sign, the claim is false: a sign for which it has no value does not
+    /// count.
+    pub(super) fn has_values_together(
+        &mut self,
+        equations: &Pairs,
+        identity: &Identity,
+        evidence: &IdentityEvidence,
+    ) -> bool {
+        let Identity::Proved(proof) = identity else { return true };
+        let sign = self.claim.scope.branch_sign();
+        let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let free = self.claim.branches_throughout || evidence.branch.as_deref() == Some(EITHER_SIGN);
+        if free || !self.graph.leaves_within(roots).contains(&sign) {
+            return true;
+        }
+        // Sides that are one expression are no equation, and have no value where it has none.
+        let relations = self.claim.forms.iter().flat_map(|form| {
+            let Form::Always(w) = form else { return &[][..] };
+            &w.value.relations
+        });
+        let same: Pairs = relations.flat_map(pairs).filter(|(l, r)| l == r).collect();
+        let depends = |graph: &mut Graph, e: Expr| {
+            graph.needs_below([e]).iter().any(|n| !graph.leaves_within([n.value]).is_empty())
+        };
+        if proof.conditions.is_empty() && !same.iter().any(|&(l, _)| depends(&mut self.graph, l)) {
+            return true;
+        }
+        let mut both = [1, -1].map(|value| self.branch(equations, value));
+        both[0].extend(same);
+        let mut needs = both.iter().flatten().map(|&(l, r)| {
+            let mut needs: Vec<_> = self.graph.needs_below([l, r]).iter().map(|n| (n.value, n.sign)).collect();
+            needs.sort_unstable();
+            needs.dedup();
+            needs
+        });
+        let first = needs.next();
+        needs.all(|n| Some(n) == first)
+    }
+
+    /// Whether a proof holds where something that moves is not negative, or lies in [−1, 1], for which neither the claim asks nor a
+    /// system: what is given has no value beyond, and says nothing there. At single times, as those at which a denominator is 0,
+    /// the sides are what they tend to.
+    pub(super) fn is_narrower(&mut self, identity: &Identity, equations: &Pairs) -> bool {
+        let Identity::Proved(proof) = identity else { return false };
+        let beyond = |c: &Condition| match *c {
+            Condition::Radicand(e) | Condition::Unit(e) | Condition::Positive(e) => Some(e),
+            Condition::Denominator(_) | Condition::Pivot(_) | Condition::Discriminant(_) => None,
+        };
+        let asked: Vec<Condition> =
+            proof.conditions.iter().filter(|c| beyond(c).is_some_and(|e| self.moves(e))).copied().collect();
+        if asked.is_empty() {
+            return false;
+        }
+        let mut roots = self.along(equations);
+        roots.extend(self.sides_of_systems());
+        self.add_definitions(&mut roots);
+        let own = domains(&mut self.graph, &roots);
+        asked.iter().any(|c| !own.contains(c))
+    }
+
+    /// What is claimed along a motion.
+    fn along(&self, equations: &Pairs) -> Vec<Expr> {
+        let integrals = self.claim.forms.iter().filter_map(|form| match form {
+            Form::FirstIntegral(w) => Some(w.value.components.clone()),
+            _ => None,
+        });
+        integrals.flatten().chain(equations.iter().flat_map(|&(l, r)| [l, r])).collect()
+    }
+
+    /// The functions with several branches in what is claimed along a motion.
+    pub(super) fn leaps(&mut self, equations: &Pairs) -> Vec<Expr> {
+        let mut roots = self.along(equations);
+        self.add_definitions(&mut roots);
+        let divided = self.divided_by_systems();
+        let mut out = self.graph.reachable(roots);
+        out.retain(|&e| {
+            // A motion of a system that divides by a root does not pass its zero.
+            let root = matches!(self.graph.node(e), Node::Unary(Op::Sqrt, _)) && divided.contains(&e);
+            !root && self.is_branching(e)
+        });
+        out
+    }
+
+    /// Whether an operation passes from one of its branches to another, if its arguments move so: at an edge that is no pole.
+    fn is_branching(&mut self, e: Expr) -> bool {
+        let arguments: Vec<Expr> = self.graph.node(e).children().collect();
+        self.graph.edges(e).into_iter().any(|edge| match edge.change {
+            // Both sides of a pole belong to the same function; a pole with one side comes with the base of a power.
+            Change::Pole(..) => false,
+            Change::Log | Change::Jump(_) | Change::Kink | Change::Steep => match edge.vanishing {
+                Some(_) => arguments.iter().any(|&a| self.moves(a)),
+                None => arguments.iter().any(|&a| self.has_poles(a)),
+            },
+        })
+    }
+
+    /// What vanishes where something below is infinite.
+    fn poles(&mut self, roots: Vec<Expr>) -> Vec<Expr> {
+        let mut out = Vec::new();
+        for e in self.graph.reachable(roots) {
+            let poles = self.graph.edges(e).into_iter().filter(EdgeOf::is_pole);
+            out.extend(poles.filter_map(|edge| edge.vanishing));
+        }
+        out
+    }
+
+    /// The sides of the equations of the systems among the premises.
+    fn sides_of_systems(&self) -> Vec<Expr> {
+        let given = Step::given(self.derivation, self.claim);
+        let systems = given.iter().filter_map(|name| match self.derivation.premise(name) {
+            Premise::System(system) => Some(&self.derivation.systems[system]),
+            Premise::Claim(_) | Premise::Definition => None,
+        });
+        let relations = systems.flat_map(|s| &s.equations).flat_map(|w| &w.value.relations);
+        relations.flat_map(pairs).flat_map(|(l, r)| [l, r]).collect()
+    }
+
+    /// Everything that the systems among the premises divide by, as it stands and by its definition.
+    fn divided_by_systems(&mut self) -> Vec<Expr> {
+        let mut roots = self.sides_of_systems();
+        self.add_definitions(&mut roots);
+        let mut open = self.poles(roots);
+        let mut out = Vec::new();
+        while let Some(e) = open.pop() {
+            if out.contains(&e) {
+                continue;
+            }
+            out.push(e);
+            match *self.graph.node(e) {
+                Node::Unary(Op::Powi(_), a) => open.push(a),
+                Node::Binary(Op::Mul, a, b) => open.extend([a, b]),
+                Node::Leaf(leaf) if leaf.rate == 0 && leaf.instant.is_none() => {
+                    let definition = self.claim.scope.definition(leaf.symbol);
+                    open.extend(definition.and_then(|d| d.components.get(usize::from(leaf.component)).copied()));
+                }
+                _ => {}
+            }
+        }
+        out
+    }
+
+    /// Adds the definitions of the observables that occur; of angles, which are continued along the motion, without the
+    /// leaps by whole turns that the continuation heals.
+    pub(super) fn add_definitions(&self, roots: &mut Vec<Expr>) {
+        let mut seen: Vec<Symbol> = Vec::new();
+        let mut open = roots.clone();
+        while !open.is_empty() {
+            let mut found: Vec<Expr> = Vec::new();
+            for leaf in self.graph.leaves_within(open) {
+                if seen.contains(&leaf.symbol) {
+                    continue;
+                }
+                seen.push(leaf.symbol);
+                let definition = self.claim.scope.definition(leaf.symbol);
+                for &e in definition.into_iter().flat_map(|d| &d.components) {
+                    match self.derivation.is_angle(leaf.symbol) {
+                        true => self.healed(e, &mut found),
+                        false => found.push(e),
+                    }
+                }
+            }
+            roots.extend(&found);
+            open = found;
+        }
+    }
+
+    /// What an angle is made of, but arguments in place of atan2 that stands in it with a whole factor: its leaps by 2π are
+    /// healed.
+    fn healed(&self, e: Expr, out: &mut Vec<Expr>) {
+        let whole = |e: Expr| self.graph.as_constant(e).is_some_and(|r| r.denominator().is_one());
+        match *self.graph.node(e) {
+            Node::Binary(Op::Arctan2, y, x) => out.extend([y, x]),
+            Node::Unary(Op::Neg, a) => self.healed(a, out),
+            Node::Binary(Op::Add | Op::Sub, a, b) => {
+                self.healed(a, out);
+                self.healed(b, out);
+            }
+            Node::Binary(Op::Mul, a, b) if whole(a) => self.healed(b, out),
+            Node::Binary(Op::Mul, a, b) if whole(b) => self.healed(a, out),
+            _ => out.push(e),
+        }
+    }
+
+    /// Whether something changes along a motion.
+    fn moves(&self, e: Expr) -> bool {
+        let scope = &self.claim.scope;
+        let moves = |l: &Leaf| {
+            let role = scope.role(l.symbol);
+            l.instant.is_none() && matches!(role, Some(Role::State | Role::Observable)) || Some(*l) == scope.time()
+        };
+        self.graph.leaves_within([e]).iter().any(moves)
+    }
+
+    /// Whether something may be infinite at some time.
+    fn has_poles(&mut self, e: Expr) -> bool {
+        let mut roots = vec![e];
+        self.add_definitions(&mut roots);
+        self.poles(roots).into_iter().any(|under| self.moves(under))
+    }
+}

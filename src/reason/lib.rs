@@ -1,0 +1,83 @@
+//! Why a verdict is as it is: reasons as plain data, and their words.
+//!
+//! **In:** what an engine found: names, formulas as they are printed, times, bounds, counts. **Out:** a [`Reason`], which is kept
+//! beside a verdict, compared, written into records, and taken to columns by a report; and its words, by [`Display`].
+//!
+//! **Guaranteed.** Every number of a sentence is a field of its reason. The words of all engines are made here and nowhere else,
+//! when somebody reads them: of the million members of a family nobody does.
+//!
+//! **Why beside each variant:** a sentence that stands next to the data that it says is changed together with them
+//! (`thiserror`, as errors have it). Sentences without data are a table, [`Plain`].
+//!
+//! [`Display`]: std::fmt::Display
+
+#![forbid(unsafe_code)]
+
+mod enclosed;
+mod plain;
+mod proved;
+mod ranges;
+mod sampled;
+mod shape;
+
+pub use enclosed::{Compared, Enclosing, Refutation};
+pub use plain::Plain;
+pub use proved::{Coordinate, Point, Proving, Refuting};
+pub use ranges::{Ranges, Shares};
+pub use sampled::{Fate, Sampling, Search};
+pub use shape::{Gap, Instant, Place, Sides, short};
+
+use number::NoValue;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+use thiserror::Error;
+
+/// Why a verdict is as it is: not applicable, undecided, or, as a remark, something else.
+#[derive(Clone, Debug, PartialEq, Error, Serialize, Deserialize)]
+pub enum Reason {
+    #[error("{0}")]
+    Plain(Plain),
+    /// What a floor below the engines says of itself: a motion that ends, a formula that cannot be derived.
+    #[error("{0}")]
+    Quoted(Arc<str>),
+    #[error("{0}")]
+    NoValue(NoValue),
+    #[error("{0}")]
+    Sampling(Sampling),
+    #[error("{0}")]
+    Enclosing(Enclosing),
+    #[error("{0}")]
+    Proving(Proving),
+    #[error("{0}")]
+    Ranges(Ranges),
+}
+
+impl Reason {
+    /// In the words of a lower floor.
+    pub fn quoted(said: impl std::fmt::Display) -> Reason {
+        Reason::Quoted(said.to_string().into())
+    }
+}
+
+macro_rules! of {
+    ($($part:ident($from:ty)),*) => {
+        $(impl From<$from> for Reason {
+            fn from(of: $from) -> Reason {
+                Reason::$part(of)
+            }
+        })*
+    };
+}
+of!(Plain(Plain), NoValue(NoValue), Sampling(Sampling), Enclosing(Enclosing), Proving(Proving), Ranges(Ranges));
+
+impl From<String> for Reason {
+    fn from(said: String) -> Reason {
+        Reason::Quoted(said.into())
+    }
+}
+
+impl From<&str> for Reason {
+    fn from(said: &str) -> Reason {
+        Reason::Quoted(said.into())
+    }
+}

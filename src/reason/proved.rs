@@ -1,0 +1,95 @@
+//! What a proof shows, on a motion and for all values, and why there is none. Formulas are as they are shown.
+
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+use thiserror::Error;
+
+/// What is proved of a claim, and why it is not.
+#[derive(Clone, Debug, PartialEq, Error, Serialize, Deserialize)]
+pub enum Proving {
+    #[error("whether there is a value near t = {0} is open: a rate may have none")]
+    RateOpen(f64),
+    #[error("by the initial values, at t = {0} exactly")]
+    ByStart(f64),
+    #[error("with the formulas of the motion put in, it divides by 0 at t = {0} exactly")]
+    DividesByZero(f64),
+    /// Both sides, which differ by less than numbers of binary64 show where that is said.
+    #[error("with the formulas of the motion put in it is an {} in time alone, whose sides differ for certain at t = {t}{}", if *.equation { "equation" } else { "inequality" }, if *.unseen { ", by less than binary64 shows" } else { "" })]
+    Differ { equation: bool, t: f64, unseen: bool },
+    #[error("what is given holds at most where {formula} = 0,{} which was not decided", if *.base { " the base of a power," } else { "" })]
+    OnlyWhere { formula: Arc<str>, base: bool },
+    #[error("a premise could not be solved for any of its unknowns: {0} = 0")]
+    Unsolved(Arc<str>),
+    #[error(
+        "both sides agree at one time and have the same rates, but `{0}` may leap to another of its values between"
+    )]
+    MayLeap(Arc<str>),
+}
+
+/// What refutes a step.
+#[derive(Clone, Debug, PartialEq, Error, Serialize, Deserialize)]
+pub enum Refuting {
+    /// A point; or two, of which each alone leaves the difference open.
+    #[error("{first}{}", .second.as_ref().map_or_else(String::new, |second| format!(" — and {second}: what is given leaves the difference open")))]
+    Point { first: Point, second: Option<Point> },
+    #[error("left {left}, right {right} on the trajectory {trajectory} at t = {t}")]
+    OnMotion { left: f64, right: f64, trajectory: Arc<str>, t: f64 },
+    #[error("it does not hold for {}", joined(.0, false))]
+    Sizes(Vec<Coordinate>),
+}
+
+/// Both sides at a point; numbers as they are shown.
+#[derive(Clone, Debug, PartialEq, Error, Serialize, Deserialize)]
+#[error("{}", self.shown(false))]
+pub struct Point {
+    pub left: String,
+    pub right: String,
+    pub at: Vec<Coordinate>,
+}
+
+/// What is put in.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Coordinate {
+    Value(String, String),
+    /// An angle, by its cosine and sine.
+    Circle(String, String, String),
+    /// So many more, by which what is given holds.
+    Beyond(usize),
+}
+
+impl Coordinate {
+    fn shown(&self, marked: bool) -> String {
+        let mark = if marked { "$" } else { "" };
+        match self {
+            Coordinate::Value(name, value) => format!("{mark}{name}{mark} = {value}"),
+            Coordinate::Circle(name, cos, sin) => format!("{mark}cos {name}{mark} = {cos}, sin {name} = {sin}"),
+            Coordinate::Beyond(n) => format!("{n} more values, by which what is given holds"),
+        }
+    }
+}
+
+fn joined(coordinates: &[Coordinate], marked: bool) -> String {
+    coordinates.iter().map(|c| c.shown(marked)).collect::<Vec<_>>().join("; ")
+}
+
+impl Point {
+    /// In words, with names between dollars where that is asked for.
+    fn shown(&self, marked: bool) -> String {
+        format!("left {}, right {} at {}", self.left, self.right, joined(&self.at, marked))
+    }
+}
+
+impl Refuting {
+    /// In words, with the names of a point between dollars.
+    pub fn marked(&self) -> String {
+        match self {
+            Refuting::Point { first, second } => {
+                let second = second
+                    .as_ref()
+                    .map(|p| format!(" — and {}: what is given leaves the difference open", p.shown(true)));
+                format!("{}{}", first.shown(true), second.unwrap_or_default())
+            }
+            Refuting::OnMotion { .. } | Refuting::Sizes(_) => self.to_string(),
+        }
+    }
+}
