@@ -302,6 +302,7 @@ fn the_table_has_every_writer() {
     found.dedup();
     let in_the_table = [
         "certificate_text",
+        "contents",
         "certificates",
         "lean_text",
         "diff",
