@@ -204,7 +204,8 @@ mod tests {
     #[test]
     fn what_is_made_after_a_pattern_is_what_it_is_alone() {
         let mut w = World::default();
-        let field = w.field(&["x", "y"], &["x' = w*y", "y' = 0-w*x*(1+k*x^2)"]).unwrap();
+        // What the parameters make up by themselves is a constant, too.
+        let field = w.field(&["x", "y"], &["x' = w*y", "y' = 0-sqrt(w^2+k)*x*(1+k*x^2)"]).unwrap();
         let numbers = |w, k, x, y| ([("w", w), ("k", k)], [("x", x), ("y", y)]);
         let first = numbers("1", "0.5", "1", "w/2");
         let (motion, searches) = alone(&mut w, &field, first);
@@ -223,7 +224,7 @@ mod tests {
             let mut draft = template.draft(&mut graph, &field, (&parameters, &initial)).unwrap();
             assert!(Draft::integrate([&mut draft], Estimation::Companions, &|| false));
             let made = seen(&template.finish(draft, |_| (0.0, 5.0)).unwrap());
-            assert_eq!(made, seen(&alone(&mut w, &field, numbers)));
+            assert!(made == seen(&alone(&mut w, &field, numbers)), "{one} {two} {x} {y}");
             all.push(made);
         }
         all.dedup();
