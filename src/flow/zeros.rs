@@ -514,12 +514,14 @@ fn is_pole(explorer: &mut Explorer, (start, end): (f64, f64)) -> bool {
 /// motion, as times are resolved.
 fn vanishes(explorer: &mut Explorer, kink: f64) -> Option<bool> {
     let here = explorer.values(kink).first().copied().and_then(Result::ok);
-    match (here, beside(explorer, kink)) {
-        (Some(x), [Some(a), Some(b)]) => Some(x.value.abs() <= 1e-3 * a.max(b) + x.error),
-        (Some(x), [Some(size), None] | [None, Some(size)]) => Some(x.value.abs() <= 1e-3 * size + x.error),
+    let around = beside(explorer, kink);
+    match here {
+        Some(x) => {
+            let largest = around.into_iter().flatten().reduce(f64::max)?;
+            Some(x.value.abs() <= 1e-3 * largest + x.error)
+        }
         // A pole, or a gap at one time with values around it: nothing that could be 0.
-        (None, [Some(_), Some(_)]) => Some(false),
-        _ => None,
+        None => around.iter().all(Option::is_some).then_some(false),
     }
 }
 
