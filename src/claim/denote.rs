@@ -10,7 +10,8 @@
 use crate::comparison::{Comparison, Group, at_instant, boundaries, cuts, presupposed, traced};
 use crate::derivation::{Claim, Form, System, Written};
 use crate::expr::domain::Sign;
-use crate::expr::{Expr, Graph, Leaf, Node, Op, Part as ComplexPart, Rational, Shape, Tensor};
+use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Part as ComplexPart, Rational, Shape, Tensor};
+use crate::flow::may_hide;
 use crate::latex::{Relation, RelationKind, Role, Scope, Statement};
 use crate::program::{Assumption, Denoted, Part, Program, What};
 use crate::verdict::{Proposition, Quantifier};
@@ -112,36 +113,27 @@ fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> (
     (out, edges)
 }
 
-/// Powers from this one on are taken for exponentials.
-const HIGH: i32 = 16;
-
-/// The exponents in what a comparison compares, observables traced back.
-fn exponents(graph: &mut Graph, scope: &Scope, comparisons: &[&Comparison]) -> Vec<Expr> {
-    let sides: Vec<Expr> = comparisons.iter().flat_map(|c| [c.left, c.right]).collect();
-    let roots: Vec<Expr> = sides.into_iter().map(|e| traced(graph, scope, e)).collect();
-    let mut out = Vec::new();
-    for node in graph.reachable(roots) {
-        let (base, exponent) = match *graph.node(node) {
-            Node::Unary(Op::Exp, a) => (None, a),
-            Node::Unary(Op::Powi(n), a) if n.unsigned_abs() >= HIGH.unsigned_abs() => {
-                (Some(a), graph.integer(i64::from(n)))
-            }
-            Node::Binary(Op::Pow, a, b) => (Some(a), b),
-            _ => continue,
-        };
-        let moves = |l: &Leaf| l.instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter);
-        if !graph.leaves_within(base.into_iter().chain([exponent])).iter().any(moves) {
-            continue;
+/// The sides of comparisons in which something that moves is in an exponential, a power or a quotient: they may vary more rapidly
+/// than a motion is sampled. For each sign of ±; observables traced back.
+fn rapid(graph: &mut Graph, scope: &Scope, compared: &[&Comparison]) -> Vec<Expr> {
+    let moves = |l: &Leaf| l.instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter);
+    let sides: Vec<Expr> = compared.iter().flat_map(|c| [c.left, c.right]).collect();
+    let mut sides: Vec<Expr> = sides.into_iter().map(|e| traced(graph, scope, e)).collect();
+    let (mut moving, mut hiding): (FastSet<Expr>, FastSet<Expr>) = Default::default();
+    for e in graph.reachable(sides.iter().copied()) {
+        let node = graph.node(e);
+        let of = |set: &FastSet<Expr>| node.children().any(|child| set.contains(&child));
+        let (moved, mut hides) = (of(&moving) || matches!(node, Node::Leaf(leaf) if moves(leaf)), of(&hiding));
+        if let Node::Unary(op, _) | Node::Binary(op, ..) = node {
+            hides |= node.children().zip(may_hide(*op)).any(|(child, may)| may && moving.contains(&child));
         }
-        out.push(match base {
-            None => exponent,
-            Some(base) => {
-                let size = graph.unary(Op::Abs, base);
-                let log = graph.unary(Op::Ln, size);
-                graph.mul(exponent, log)
-            }
-        });
+        moving.extend(moved.then_some(e));
+        hiding.extend(hides.then_some(e));
     }
+    sides.retain(|e| hiding.contains(e));
+    let sign = scope.branch_sign();
+    let signed = |e: Expr| [1, -1].map(|n| graph.substitute(e, |g, l| (l == sign).then(|| g.integer(n))));
+    let mut out: Vec<Expr> = sides.into_iter().flat_map(signed).collect();
     out.sort_unstable();
     out.dedup();
     out
@@ -254,11 +246,11 @@ pub fn denote(graph: &mut Graph, systems: &[System], claim: &Claim, initial_time
     let at = claim.at.as_ref().and_then(|at| at_event(graph, &at.equation.value));
     let compared: Vec<&Comparison> =
         parts.iter().filter(|p| p.is_compared()).flat_map(|p| &p.group.comparisons).collect();
-    let steep = exponents(graph, &claim.scope, &compared);
+    let rapid = rapid(graph, &claim.scope, &compared);
     let assumed = selectors.iter().chain(&hypotheses).map(|a| &a.part);
     let compared = assumed.chain(&parts).flat_map(|p| &p.group.comparisons);
     let edges = edges(graph, &claim.scope, compared);
-    Denoted { selectors, hypotheses, parts, claim: whole, at, steep, edges, sign }
+    Denoted { selectors, hypotheses, parts, claim: whole, at, rapid, edges, sign }
 }
 
 /// A claim while it is read.

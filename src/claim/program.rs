@@ -116,8 +116,8 @@ pub struct Program {
     pub claim: Proposition,
     /// A scalar that vanishes at the times at which the claim is to be tried.
     pub at: Option<Expr>,
-    /// Exponents in what it says of every time: see `steep`.
-    pub steep: Vec<Expr>,
+    /// Sides in what it says of every time that may vary more rapidly than a motion is sampled.
+    pub rapid: Vec<Expr>,
     /// What keeps its sign where something has a value, and whether it may be 0 there.
     pub edges: Vec<(Expr, bool)>,
     /// Whether an angle leaps in what says when the claim is to be tried: there it may meet the other side, or pass it, unseen.
@@ -140,14 +140,14 @@ pub struct Denoted {
     pub parts: Vec<Part>,
     pub claim: Proposition,
     pub at: Option<Expr>,
-    pub steep: Vec<Expr>,
+    pub rapid: Vec<Expr>,
     pub edges: Vec<(Expr, bool)>,
     pub sign: Leaf,
 }
 
 impl From<Denoted> for Program {
     fn from(of: Denoted) -> Program {
-        let Denoted { selectors, hypotheses, parts, claim, at, steep, edges, sign } = of;
+        let Denoted { selectors, hypotheses, parts, claim, at, rapid, edges, sign } = of;
         let (sides, sizes, inputs) = (None, None, Vec::new());
         let (leaps_at, tells_apart) = (false, false);
         Program {
@@ -156,7 +156,7 @@ impl From<Denoted> for Program {
             parts,
             claim,
             at,
-            steep,
+            rapid,
             edges,
             leaps_at,
             tells_apart,
@@ -192,7 +192,8 @@ impl Program {
             None => {
                 let parts = parts.flat_map(|p| p.boundaries(true)).map(|(_, _, e)| e);
                 let one_sided = self.groups().flat_map(|g| &g.one_sided);
-                parts.chain(met()).chain(one_sided.copied()).chain(self.edges()).collect()
+                let rapid = self.rapid.iter().copied();
+                parts.chain(met()).chain(one_sided.copied()).chain(self.edges()).chain(rapid).collect()
             }
             Some(e) => {
                 let hypotheses = self.hypotheses.iter().map(|a| &a.part);
@@ -247,7 +248,7 @@ impl Program {
     pub fn leaves(&self, graph: &Graph) -> Vec<Leaf> {
         let roots = self.comparisons().flat_map(|c| [c.left, c.right, c.magnitude]);
         let one_sided = self.groups().flat_map(|g| &g.one_sided);
-        let searched = self.steep.iter().chain(one_sided).copied().chain(self.edges());
+        let searched = one_sided.copied().chain(self.edges());
         let cuts = self.cuts().flat_map(|(_, of)| of);
         let roots = roots.chain(self.at).chain(searched).chain(cuts).collect::<Vec<_>>();
         graph.leaves(roots).into_iter().filter(|&l| l != self.sign).collect()

@@ -37,6 +37,8 @@ pub(super) struct Piece {
     pub(super) outputs: Vec<Vec<f64>>,
     /// Value of every output at the centre, with error.
     pub(super) values: Vec<Bounded>,
+    /// Whether no argument of an exponential, a power, or a quotient moves so far that the polynomials may not know of it.
+    pub(super) moderate: bool,
 }
 
 impl Piece {
@@ -122,7 +124,8 @@ impl<'a> Explorer<'a> {
             let known = outputs.iter().flatten().all(|c| c.is_finite());
             let (start, end) = stretches[i];
             let values = values.iter().map(|x| x.lane(i)).collect();
-            known.then(|| Piece { start, end, centre: centres[i], outputs, values })
+            let moderate = self.program.is_moderate(&self.wide_series, 0.5 * (end - start), |c| c.0[i]);
+            known.then(|| Piece { start, end, centre: centres[i], outputs, values, moderate })
         })
     }
 
@@ -131,6 +134,20 @@ impl<'a> Explorer<'a> {
         let turns = self.core.turns(self.program, t, &mut self.angles);
         self.program.run(self.core, &mut self.plain, t, &turns);
         self.program.output(&self.plain, 0).ok().map(|x| x.coefficient(0))
+    }
+
+    /// The numbers in some slots, without their errors.
+    pub(super) fn plain_values(&mut self, t: f64, slots: &[usize]) -> Vec<Option<f64>> {
+        let turns = self.core.turns(self.program, t, &mut self.angles);
+        self.program.run(self.core, &mut self.plain, t, &turns);
+        slots.iter().map(|&slot| self.program.number(&self.plain, slot)).collect()
+    }
+
+    /// Whether all arguments of exponentials, powers and quotients move moderately up to a distance from a time.
+    pub(super) fn is_moderate(&mut self, t: f64, radius: f64) -> bool {
+        let turns = self.core.turns(self.program, t, &mut self.angles);
+        self.program.run(self.core, &mut self.series, t, &turns);
+        self.program.is_moderate(&self.series, radius, |c| *c)
     }
 
     /// The polynomials around the middle of a stretch.
@@ -144,18 +161,21 @@ impl<'a> Explorer<'a> {
             .map(|i| self.program.output(&self.series, i).map(|x| x.coefficients().to_vec()))
             .collect::<Result<Vec<_>, _>>()
             .map_err(|_| NoValue::Indeterminate)?;
-        Ok(Piece { start, end, centre, outputs, values })
+        let moderate = self.program.is_moderate(&self.series, 0.5 * (end - start), |c| *c);
+        Ok(Piece { start, end, centre, outputs, values, moderate })
     }
 
-    /// Cuts the motion at `times`, and then in halves until `accept` takes every piece.
+    /// Cuts the motion at `times`, and then in halves until every piece is moderate and `accept` takes it.
     ///
     /// Stretches without any value are given up at once, others when they are shorter than time can be resolved, or when
     /// the work exceeds a limit that is proportional to the number of times.
-    pub(super) fn cover(&mut self, times: &[f64], accept: impl FnMut(&mut Self, &Piece) -> bool) -> Vec<Stretch> {
-        self.cover_unless(times, accept, |explorer, start, end| !explorer.somewhere(start, end))
+    pub(super) fn cover(&mut self, times: &[f64], mut accept: impl FnMut(&mut Self, &Piece) -> bool) -> Vec<Stretch> {
+        let moderate = |explorer: &mut Self, piece: &Piece| piece.moderate && accept(explorer, piece);
+        self.cover_unless(times, moderate, |explorer, start, end| !explorer.somewhere(start, end))
     }
 
-    /// The same, where `hopeless` says of a stretch whose middle has no value whether it has none anywhere.
+    /// The same, where `accept` alone decides, and `hopeless` says of a stretch whose middle has no value whether it has none
+    /// anywhere.
     pub(super) fn cover_unless(
         &mut self,
         times: &[f64],

@@ -3,6 +3,7 @@
 use num_dual::Dual;
 
 use super::core::Core;
+use super::rapid::Arguments;
 use super::trajectory::{ORDER, Place, Trajectory};
 use expr::domain::{Change, Place as At, Term, row};
 use expr::tape::{Slots, Tape};
@@ -21,6 +22,16 @@ enum Input {
     Unused,
 }
 
+impl Input {
+    /// Whether it moves.
+    fn moves(&self) -> bool {
+        match self {
+            Input::Time | Input::State(_) => true,
+            Input::Constant(_) | Input::Turns(_) | Input::Unused => false,
+        }
+    }
+}
+
 /// Expressions in the basic leaves of a motion, as one tape.
 #[derive(Clone, Debug)]
 pub(super) struct Program {
@@ -31,6 +42,8 @@ pub(super) struct Program {
     needs: Vec<bool>,
     /// Branch points: see [`branches`].
     branches: Vec<(Term, usize)>,
+    /// What hides what is small elsewhere.
+    arguments: Arguments,
 }
 
 /// Numbers in which states and turns are available.
@@ -249,8 +262,9 @@ impl Program {
         let needs: Vec<bool> = (0..dimension).map(|i| inputs.contains(&Input::State(i))).collect();
         let moving = needs.contains(&true);
         let tape = Tape::compile(graph, &leaves, roots)?;
-        let branches = branches(&tape);
-        Ok(Program { tape, inputs, moving, needs, branches })
+        let (branches, arguments) =
+            (branches(&tape), Arguments::of(&tape, &inputs.iter().map(Input::moves).collect::<Vec<_>>()));
+        Ok(Program { tape, inputs, moving, needs, branches, arguments })
     }
 
     /// The same for some of the outputs, in the order of `outputs`.
@@ -263,7 +277,8 @@ impl Program {
         let inputs: Vec<Input> = self.inputs.iter().zip(&used).map(kept).collect();
         let needs: Vec<bool> = (0..self.needs.len()).map(|i| inputs.contains(&Input::State(i))).collect();
         let (moving, branches) = (needs.contains(&true), branches(&tape));
-        Program { tape, inputs, moving, needs, branches }
+        let arguments = Arguments::of(&tape, &inputs.iter().map(Input::moves).collect::<Vec<_>>());
+        Program { tape, inputs, moving, needs, branches, arguments }
     }
 
     pub(super) fn output_count(&self) -> usize {
@@ -415,6 +430,31 @@ impl Program {
             let argument = bench.slots.value(slot);
             let branch = term.vanishes(argument.coefficient(0));
             bench.slots.missing(slot).is_none() && argument.is_constant() && branch
+        })
+    }
+
+    /// What hides what is small elsewhere.
+    pub(super) fn arguments(&self) -> &Arguments {
+        &self.arguments
+    }
+
+    /// The number in a slot, without its series, after [`Program::run`].
+    pub(super) fn number<B: Base>(&self, bench: &Bench<B>, slot: usize) -> Option<B> {
+        bench.slots.missing(slot).is_none().then(|| bench.slots.value(slot).coefficient(0))
+    }
+
+    /// Whether all arguments move moderately up to a radius; `of` is one of the numbers in a coefficient.
+    pub(super) fn is_moderate<B: Base>(&self, bench: &Bench<B>, radius: f64, of: impl Fn(&B) -> f64) -> bool {
+        self.arguments.are_moderate(|slot| {
+            bench.slots.missing(slot).is_none().then(|| {
+                let mut coefficients = bench.slots.value(slot).coefficients().iter().map(&of);
+                let (value, mut power) = (coefficients.next().unwrap_or(0.0), 1.0);
+                let term = |c: f64| {
+                    power *= radius;
+                    c.abs() * power
+                };
+                (value, coefficients.map(term).sum())
+            })
         })
     }
 

@@ -10,6 +10,7 @@ use super::definitions::Definitions;
 use super::error::FlowError;
 use super::motion::Motion;
 use super::program::Program;
+use super::rapid::{Rapid, rapid};
 use super::zeros::{Zeros, zeros};
 use expr::{Expr, Graph};
 
@@ -20,6 +21,7 @@ pub struct Search {
     program: Program,
     span: (f64, f64),
     found: OnceLock<Zeros>,
+    rapid: OnceLock<Rapid>,
 }
 
 impl Search {
@@ -30,12 +32,17 @@ impl Search {
 
     /// The same search along a motion with other numbers.
     pub(super) fn again(&self, core: Arc<Core>, span: (f64, f64)) -> Search {
-        Search { core, program: self.program.clone(), span, found: OnceLock::new() }
+        Search { core, program: self.program.clone(), span, found: OnceLock::new(), rapid: OnceLock::new() }
     }
 
     /// What is found inside the span; the search is made once.
     pub fn zeros(&self) -> &Zeros {
         self.found.get_or_init(|| zeros(&self.core, &self.program).within(self.span))
+    }
+
+    /// Where the expression varies more rapidly than the samples of the motion tell; they are looked at once.
+    pub fn rapid(&self, samples: &[f64]) -> &Rapid {
+        self.rapid.get_or_init(|| rapid(&self.core, &self.program, samples))
     }
 }
 
@@ -54,7 +61,8 @@ impl Motion {
             })
             .collect();
         let core = Arc::new(core);
-        let search = |program| Search { core: Arc::clone(&core), program, span, found: OnceLock::new() };
+        let search =
+            |program| Search { core: Arc::clone(&core), program, span, found: OnceLock::new(), rapid: OnceLock::new() };
         programs.into_iter().map(|p| p.map(search)).collect()
     }
 }

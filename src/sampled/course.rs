@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use crate::derivation::Claim;
 use crate::expr::{Expr, Graph, Leaf};
-use crate::flow::{Motion, Points, Zeros};
+use crate::flow::{Motion, Points, Rapid, Zeros};
 use crate::number::{Bounded, NoValue};
 use crate::stage::{DENSITY, Stage, thinned};
 use claim::program::{Program, Values};
@@ -69,6 +69,12 @@ impl Course<'_> {
     /// The zeros of an expression that the claims ask for; `None` where it has no meaning on the motion.
     pub fn zeros(&self, e: Expr) -> Option<&Zeros> {
         self.stage.zeros(self.trajectory, e)
+    }
+
+    /// Where an expression that the claims ask for varies more rapidly than the motion is sampled; `None` where it has no meaning on
+    /// the motion.
+    pub fn rapid(&self, e: Expr) -> Option<&Rapid> {
+        self.stage.rapid(self.trajectory, e, &self.times)
     }
 
     /// What a claim needs at other times.

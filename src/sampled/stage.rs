@@ -13,7 +13,7 @@ use crate::derivation::{Claim, Derivation, Form, Motion as Given, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::findings::TrajectoryAccount;
-use crate::flow::{Draft, Estimation, FlowError, Motion, Points, Search, Zeros};
+use crate::flow::{Draft, Estimation, FlowError, Motion, Points, Rapid, Search, Zeros};
 use crate::number::{Bounded, NoValue};
 use crate::pattern::Pattern;
 use crate::recall::{Nothing, Recall};
@@ -257,6 +257,11 @@ impl Stage {
     /// The zeros along a motion of an expression that was asked for; `None` where it has no meaning.
     pub fn zeros(&self, trajectory: usize, e: Expr) -> Option<&Zeros> {
         self.built(trajectory)?.searches.get(&e).map(|search| search.zeros())
+    }
+
+    /// Where an expression that was asked for varies more rapidly than a motion is sampled; `None` where it has no meaning.
+    pub fn rapid(&self, trajectory: usize, e: Expr, samples: &[f64]) -> Option<&Rapid> {
+        self.built(trajectory)?.searches.get(&e).map(|search| search.rapid(samples))
     }
 
     /// The value of an expression in parameters on a motion.

@@ -14,7 +14,7 @@ use crate::doubt::{
     unless_unresolved, unless_valued_between,
 };
 use crate::events::Events;
-use crate::flow::Points;
+use crate::flow::{Points, Rapid};
 use crate::independence::Gradients;
 use crate::judged::{Judged, Tried, selected};
 use crate::limit::limit;
@@ -330,7 +330,7 @@ fn at_further_times(
     left.contains(&Left::In).then(|| weigh(describer.setting(left), &measured.parts[position]))
 }
 
-/// Tries a part at further times, where exponentials in it may have peaks between the samples.
+/// Tries a part at further times, where it may vary rapidly between the samples.
 fn at_peaks(trial: &Trial, along: &Measurements, position: usize, finding: Finding) -> Finding {
     let Trial { program, course, .. } = *trial;
     let holds = match known(&finding).decided() {
@@ -338,17 +338,16 @@ fn at_peaks(trial: &Trial, along: &Measurements, position: usize, finding: Findi
         None => false,
         Some(Truth::False | Truth::Void) => return finding,
     };
-    let Some(times) = peaks::times(trial) else {
-        if !holds {
-            return finding;
-        }
+    let Rapid { times, singular, unresolved } = peaks::times(trial);
+    if let (true, Some(_)) = (holds, unresolved) {
         return reopened(finding, Possible::OPEN, Plain::TooManyPeaks);
-    };
-    if times.is_empty() {
-        return finding;
     }
-    let points = course.points_at(program, &times);
-    let Some(closer) = at_further_times(trial, along, position, &times, &points) else { return finding };
+    let at = |times: &[f64]| at_further_times(trial, along, position, times, &course.points_at(program, times));
+    // Near what is divided by 0, errors may be larger than what is asked for: what is false there for certain counts.
+    if let Some(closer) = at(&singular).filter(|closer| known(closer) == Possible::FALSE) {
+        return closer;
+    }
+    let Some(closer) = at(&times) else { return finding };
     match known(&closer).decided() {
         Some(Truth::False) => closer,
         None if holds => closer,
