@@ -53,6 +53,18 @@ impl Part {
     }
 }
 
+impl std::str::FromStr for Part {
+    type Err = String;
+
+    /// Reads `K/N`.
+    fn from_str(text: &str) -> Result<Part, String> {
+        let numbers = text.split_once('/').and_then(|(k, n)| Some((k.trim().parse().ok()?, n.trim().parse().ok()?)));
+        let Some((number, of)) = numbers else { return Err("a part is written K/N, for instance 3/20".to_owned()) };
+        let none = || format!("parts are numbered from 1/{of} to {of}/{of}, at most {MOST_PARTS}");
+        Part::new(number, of).ok_or_else(none)
+    }
+}
+
 impl fmt::Display for Part {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}/{}", self.number, self.of)
