@@ -54,6 +54,6 @@ pub use model::{
 };
 pub use premise::{Premise, is_called};
 pub use role::ClaimRole;
-pub use schema::{schema, undescribed};
+pub use schema::schema;
 pub use unit::Unit;
 pub use written::{Ranged, Values, Written};
