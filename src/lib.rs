@@ -106,10 +106,12 @@
 
 #![forbid(unsafe_code)]
 
+mod ask;
 /// The command line, for programs that bring it along: one function, which takes the words of a command and gives its exit code.
 #[cfg(feature = "cli")]
 #[doc(hidden)]
 pub mod cli;
+mod conclusion;
 mod run;
 mod session;
 
@@ -121,9 +123,9 @@ pub use ::{
     boxes, check, claim, derivation, diag, enclosed, expr, families, files, findings, flow, latex, number, paper,
     proof, proved, reason, report, sampled, units, verdict, weight,
 };
+pub use ask::{Ask, Unknown};
 pub use check::{Outcome, Rigor, Strength, Witness};
+pub use conclusion::{Conclusion, Demand, Ending};
 pub use expr::tape;
 pub use run::{Detail, Document, Format, Run};
-#[doc(hidden)]
-pub use session::SCOPE;
-pub use session::{Answer, Ask, ClaimName, Failure, Finding, Findings, Question, Session};
+pub use session::{Answer, ClaimName, Failure, Finding, Findings, Question, STACK, Session};

@@ -3,6 +3,7 @@
 //! **In:** [`Findings`] file by file, with the comparison with a paper where there is one; problems of files. **Out:** the text of a
 //! [`Format`]: a document for each file, or one for all.
 
+use crate::conclusion::{Conclusion, Demand};
 use crate::diag::Diagnostic;
 use crate::paper::Comparison;
 use crate::report::{self, Checked, Finding};
@@ -17,6 +18,8 @@ pub enum Format {
     Json,
     /// The report as LaTeX source.
     Tex,
+    /// The report in Markdown.
+    Markdown,
     /// JUnit XML.
     Junit,
     /// SARIF 2.1.0.
@@ -27,8 +30,8 @@ pub enum Format {
 
 impl Format {
     /// All of them.
-    pub const ALL: [Format; 6] =
-        [Format::Text, Format::Json, Format::Tex, Format::Junit, Format::Sarif, Format::Github];
+    pub const ALL: [Format; 7] =
+        [Format::Text, Format::Json, Format::Tex, Format::Markdown, Format::Junit, Format::Sarif, Format::Github];
 
     /// Its name, and what it is, in words.
     pub fn words(self) -> (&'static str, &'static str) {
@@ -36,20 +39,16 @@ impl Format {
             Format::Text => ("text", "A summary for people"),
             Format::Json => ("json", "The report as JSON, one document for each derivation file"),
             Format::Tex => ("tex", "The report as LaTeX source, for an appendix or a letter; pdflatex compiles it"),
+            Format::Markdown => ("markdown", "The report in Markdown, for a forge"),
             Format::Junit => ("junit", "JUnit XML: a test case for each claim on each trajectory"),
             Format::Sarif => ("sarif", "SARIF 2.1.0, for code scanning: what is not as expected, with its place"),
             Format::Github => ("github", "Annotations of a GitHub workflow"),
         }
     }
 
-    /// The format of a name.
-    pub fn named(name: &str) -> Option<Format> {
-        Format::ALL.into_iter().find(|f| f.words().0 == name)
-    }
-
     /// Whether it has a document for each derivation file, and not one for all.
     pub fn is_of_one_file(self) -> bool {
-        matches!(self, Format::Text | Format::Json | Format::Tex)
+        matches!(self, Format::Text | Format::Json | Format::Tex | Format::Markdown)
     }
 }
 
@@ -77,6 +76,13 @@ pub struct Document {
 }
 
 impl Document {
+    fn json(&self) -> String {
+        match &self.paper {
+            Some(paper) => report::json_with_paper(self.findings.derivation(), self.findings.account(), paper),
+            None => self.findings.json(),
+        }
+    }
+
     /// Its text in a format that has a document for each file; empty for others. `colour`: with escape codes.
     pub fn text(&self, format: Format, detail: Detail, colour: bool) -> String {
         let (derivation, account) = (self.findings.derivation(), self.findings.account());
@@ -88,14 +94,30 @@ impl Document {
                 out.extend(self.paper.as_ref().map(|paper| report::paper_summary(derivation, paper)));
                 out
             }
-            (Format::Json, _) => match &self.paper {
-                Some(paper) => report::json_with_paper(derivation, account, paper),
-                None => self.findings.json(),
-            },
+            (Format::Json, _) => self.json(),
             (Format::Tex, Detail::FirstPage) => report::tex_summary(derivation, account),
             (Format::Tex, _) => report::tex(derivation, account),
+            (Format::Markdown, Detail::FirstPage) => report::front_markdown(derivation, account),
+            (Format::Markdown, _) => report::markdown(derivation, account),
             (Format::Junit | Format::Sarif | Format::Github, _) => String::new(),
         }
+    }
+}
+
+impl Document {
+    /// How this ends a run.
+    pub fn conclusion(&self, demand: &Demand) -> Conclusion {
+        Conclusion::of(self, demand)
+    }
+
+    /// The files of the folder of its report, by name.
+    pub fn files(&self) -> Vec<(String, String)> {
+        let found = &self.findings;
+        let data = || (self.json(), report::certificates(found.derivation(), found.account()));
+        let ((json, certificates), (page, markdown)) =
+            rayon::join(data, || rayon::join(|| found.page(), || found.markdown()));
+        let files = [("report.json", json), ("report.md", markdown), ("index.html", page)];
+        files.into_iter().map(|(name, text)| (name.to_owned(), text)).chain(certificates).collect()
     }
 }
 
@@ -134,7 +156,7 @@ impl Run {
     /// The text of a format, without colours.
     pub fn text(&self, format: Format, detail: Detail) -> String {
         match format {
-            Format::Text | Format::Json | Format::Tex => {
+            Format::Text | Format::Json | Format::Tex | Format::Markdown => {
                 let between = if format == Format::Json || detail == Detail::Exceptions { "" } else { "\n" };
                 let each = self.documents.iter().map(|d| d.text(format, detail, false));
                 each.collect::<Vec<_>>().join(between)

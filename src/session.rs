@@ -10,20 +10,25 @@
 //! **Why this way:** a command line, an editor and a notebook want the same things in another order. What they share is here;
 //! what is left to them is where the text comes from and how findings are shown.
 
+use crate::ask::{Ask, Unknown};
 use crate::check::family::{Join, Part, Row};
-use crate::check::search::{SearchAccount, SearchOptions};
+use crate::check::search::SearchOptions;
 use crate::check::{
-    self, Account, Cache, CheckError, ClaimAccount, IdentityAccount, Limits, Options, Outcome, Proposition, Rigor,
-    Store, Witness,
+    self, Account, Cache, CheckError, ClaimAccount, IdentityAccount, Limits, Options, Outcome, Proposition, Store,
+    Witness,
 };
 use crate::derivation::{Derivation, is_called, parse};
 use crate::diag::shown::shown;
 use crate::diag::{Diagnostic, Source};
+use crate::findings::search::SearchAccount;
 use crate::report;
 use crate::verdict::Residuals;
 
 /// Where diagnostics place a problem with the scope of a [`Question`].
-pub const SCOPE: &str = "the scope";
+const SCOPE: &str = "scope";
+
+/// Memory that a thread needs for the calls of a session: formulas, tables and proofs may be nested as deep as their readers allow.
+pub const STACK: usize = 64 << 20;
 
 /// A derivation that was read, and what is known of it.
 #[derive(Debug)]
@@ -31,21 +36,6 @@ pub struct Session {
     name: String,
     derivation: Derivation,
     cache: Cache,
-}
-
-/// What is to be found.
-#[derive(Clone, Debug, Default)]
-pub struct Ask {
-    /// Only claims with these names, `id` or `id/reading`; all when empty.
-    pub claims: Vec<String>,
-    /// Only trajectories and families with these ids; all when empty.
-    pub trajectories: Vec<String>,
-    /// How much is asked of a verdict.
-    pub rigor: Rigor,
-    /// The verdicts alone: no altered formulas, nothing that separates motions.
-    pub only_verdicts: bool,
-    /// When the run must end, how much memory it may take, and the flag that ends it.
-    pub limits: Limits,
 }
 
 /// An equation that is to be decided for all values.
@@ -72,7 +62,7 @@ pub enum Failure {
     /// The text has problems, each with its place.
     Problems(Vec<Diagnostic>),
     /// The question names a claim or a trajectory that is not there.
-    Unknown(String),
+    Unknown(Unknown),
     /// Parts of a family that cannot be joined: which, and why, in a sentence.
     Parts(String),
     /// The flag of [`Limits`] was raised.
@@ -85,7 +75,7 @@ impl std::fmt::Display for Failure {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Failure::Problems(found) => f.write_str(&crate::diag::render(found, false)),
-            Failure::Unknown(name) => write!(f, "there is no claim or trajectory `{name}`"),
+            Failure::Unknown(name) => name.fmt(f),
             Failure::Parts(why) => f.write_str(why),
             Failure::Cancelled => f.write_str("the run was cancelled"),
             Failure::Defect(what) => write!(f, "a defect of this program: {what}"),
@@ -94,6 +84,24 @@ impl std::fmt::Display for Failure {
 }
 
 impl std::error::Error for Failure {}
+
+impl From<Unknown> for Failure {
+    fn from(unknown: Unknown) -> Failure {
+        Failure::Unknown(unknown)
+    }
+}
+
+impl Failure {
+    /// The same, where symbols are declared otherwise than in a file: `hint` says how.
+    pub fn where_symbols_are_declared(mut self, hint: &str) -> Failure {
+        let Failure::Problems(found) = &mut self else { return self };
+        for problem in found.iter_mut().filter(|d| d.code == "latex::unknown-symbol") {
+            let other = problem.hint.take().filter(|h| !h.contains("[symbols]"));
+            problem.hint = Some(other.unwrap_or_else(|| hint.to_owned()));
+        }
+        self
+    }
+}
 
 impl From<CheckError> for Failure {
     fn from(error: CheckError) -> Failure {
@@ -223,15 +231,7 @@ impl Session {
         store: Option<&dyn Store>,
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Findings, Failure> {
-        let is_known = |name: &&String| self.derivation.claims.iter().any(|c| c.is_called(name));
-        let is_tried = |id: &&String| {
-            let families = self.derivation.families.iter().map(|f| &f.id);
-            self.derivation.trajectories.iter().map(|t| &t.id).chain(families).any(|known| known == *id)
-        };
-        let unknown = ask.claims.iter().find(|n| !is_known(n)).or(ask.trajectories.iter().find(|id| !is_tried(id)));
-        if let Some(name) = unknown {
-            return Err(Failure::Unknown(name.clone()));
-        }
+        ask.check_names(std::iter::once(&self.derivation))?;
         let options = Options {
             claims: ask.claims.iter().map(|name| name.split('/').next().unwrap_or(name).to_owned()).collect(),
             trajectories: ask.trajectories.clone(),
@@ -288,6 +288,17 @@ impl Session {
             return Err(Failure::Cancelled);
         }
         Ok(report::part_text(&self.derivation, &found?))
+    }
+
+    /// Whether a text is that of a part, whole, of this file, counted by this version.
+    pub fn has_part(&self, text: &str, family: &str, part: Part) -> bool {
+        let mut found = Vec::new();
+        let taken = report::read_parts(text, |swept| {
+            let same = swept.version == env!("CARGO_PKG_VERSION") && swept.sha256 == self.derivation.sha256;
+            found.push(same && swept.family == family && swept.part == part);
+            Ok::<(), ()>(())
+        });
+        taken == Ok(Ok(())) && found == [true]
     }
 
     /// Joins the parts of a family, in any order: names of files for messages, and their texts, one in memory at a time; or why one

@@ -81,3 +81,54 @@ fn short_names_are_commands() {
         assert!(page.contains(&format!("cargo {name}")), "CONTRIBUTING.md does not name `cargo {name}`");
     }
 }
+
+/// Most files of `src` that each recipe with a toy takes.
+const MOST_FILES: &[(&str, usize)] = &[("a-form-of-claim", 4)];
+
+/// The files of a patch, each with its hunks: the lines before it, and those after.
+fn patched(patch: &str) -> Vec<(String, Vec<[String; 2]>)> {
+    let mut out: Vec<(String, Vec<[String; 2]>)> = Vec::new();
+    for line in patch.lines().filter(|line| !line.starts_with("--- ")) {
+        if let Some(file) = line.strip_prefix("+++ b/") {
+            out.push((file.to_owned(), Vec::new()));
+            continue;
+        }
+        let hunks = &mut out.last_mut().expect("a file").1;
+        if line.starts_with("@@ ") {
+            hunks.push([String::new(), String::new()]);
+            continue;
+        }
+        let [before, after] = hunks.last_mut().expect("a hunk");
+        let (mark, text) = line.split_at(1);
+        for (side, other) in [(before, "+"), (after, "-")] {
+            if mark != other {
+                *side += &format!("{text}\n");
+            }
+        }
+    }
+    out
+}
+
+/// `tests/recipes/run` does them; here it is counted what they take, and seen that they still fit.
+#[test]
+fn recipes_take_as_many_files_as_they_say() {
+    let page = read("CONTRIBUTING.md");
+    for (name, most) in MOST_FILES {
+        let found = patched(&read(&format!("tests/recipes/{name}.patch")));
+        let files: BTreeSet<&str> = found.iter().map(|(file, _)| file.as_str()).collect();
+        assert!(!files.is_empty() && files.len() <= *most, "{name}: {files:?}");
+        let title = name.replace('-', " ");
+        let section = page.split("\n### ").find(|s| s.to_lowercase().starts_with(&title)).expect("a section");
+        let named = links(section);
+        for (file, hunks) in &found {
+            assert!(named.contains(file), "CONTRIBUTING.md, {title}: {file} is not named");
+            let text = read(file);
+            for [before, _] in hunks {
+                assert_eq!(text.matches(before).count(), 1, "{name}: {file} has not, or more than once,\n{before}");
+            }
+        }
+        // What the recipe says that it takes: no other file of the sources.
+        let sources: BTreeSet<&str> = named.iter().map(String::as_str).filter(|n| n.starts_with("src/")).collect();
+        assert_eq!(sources, files, "CONTRIBUTING.md, {title}");
+    }
+}

@@ -3,6 +3,7 @@
 use rederive::check::{Account, IdentityAccount, Options, check};
 use rederive::derivation::load;
 use rederive::diag::render;
+use rederive::reason::{Bounded, Proviso};
 use std::path::Path;
 
 fn account(path: &Path, trajectories: &[&str]) -> Account {
@@ -73,7 +74,7 @@ always = ['\sqrt{x^2}=x']
     );
     assert_eq!(
         (verdict(&found, "size"), &identity(&found, "size").conditions[..]),
-        ("proved", &["x ≥ 0".to_owned()][..])
+        ("proved", &[Proviso::Where { formula: "x".into(), is: Bounded::NotNegative }][..])
     );
     let on = |id: &str| found.claims.iter().find(|c| c.id == id).map(|c| c.results[0].verdict.outcome().word());
     assert_eq!((on("root"), on("size")), (Some("holds"), Some("fails")));
@@ -219,7 +220,7 @@ always = ['a^2>ab']
     assert_eq!(verdict(&found, "order"), "proved");
     let not = identity(&found, "no-order");
     assert_eq!(not.verdict(), "refuted", "{not:?}");
-    assert!(not.conditions.join(" ").contains("exactly when b < a"), "{not:?}");
+    assert!(not.conditions[0].to_string().contains("exactly when b < a"), "{not:?}");
 }
 
 /// Values at a fixed time that premises name: present values must belong to the same motion.
@@ -428,6 +429,6 @@ fn the_comment() {
         assert!(!proved.iter().any(|p| p == wrong), "{wrong} is proved");
     }
     let real = found.claims.iter().find(|c| c.reading.as_deref() == Some("real")).and_then(|c| c.identity.as_ref());
-    let conditions = real.map(|i| i.conditions.join(" ")).unwrap_or_default();
+    let conditions = real.map(|i| format!("{:?}", i.conditions)).unwrap_or_default();
     assert!(conditions.contains("I_3 lies between I_1 and I_2 or is equal to one of them"), "{conditions}");
 }

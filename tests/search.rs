@@ -4,10 +4,11 @@ use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;
 use predicates::prelude::PredicateBooleanExt;
-use rederive::check::search::{SearchAccount, SearchOptions, search};
+use rederive::check::search::{SearchOptions, search};
 use rederive::check::{Options, Outcome, check};
 use rederive::derivation::{Derivation, parse};
 use rederive::diag::{Source, render};
+use rederive::findings::search::SearchAccount;
 
 const PENDULUM: &str = r"
 [derivation]
@@ -99,8 +100,8 @@ fn a_wrong_claim_is_refuted_and_the_table_can_be_pasted() {
 fn a_true_claim_is_not_refuted() {
     let account = run(PENDULUM, "energy", 1, 96);
     assert!(account.found.is_none());
-    assert_eq!((account.tally.fails, account.known.len()), (0, 0));
-    assert!(account.tally.holds > 50, "{:?}", account.tally);
+    assert_eq!((account.tries.fails, account.known.len()), (0, 0));
+    assert!(account.tries.holds > 50, "{:?}", account.tries);
     assert!(run(PENDULUM, "two/true", 1, 48).found.is_none());
 }
 
@@ -140,7 +141,7 @@ fn the_seed_decides_and_the_threads_do_not() {
 #[test]
 fn tries_are_bounded() {
     let account = run(PENDULUM, "energy", 1, 7);
-    let t = account.tally;
+    let t = account.tries;
     assert_eq!(t.holds + t.fails + t.not_applicable + t.undecided + t.impossible, 7);
     assert!(run(PENDULUM, "never-round", 1, 0).found.is_none());
 }
@@ -156,7 +157,7 @@ fn a_motion_against_the_comment() {
     // What is right is not refuted, with its assumptions met on many of the tries.
     let account = run(&text, "t10", 1, 24);
     assert!(account.found.is_none(), "{:?}", account.found);
-    assert!(account.tally.holds > 5, "{:?}", account.tally);
+    assert!(account.tries.holds > 5, "{:?}", account.tries);
 }
 
 #[test]

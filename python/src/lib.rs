@@ -18,12 +18,10 @@ use std::time::{Duration, Instant};
 use pyo3::prelude::*;
 use rederive::check::{Cancel, Limits, Proposition};
 use rederive::diag::{Diagnostic, render, sort};
-use rederive::{Ask, Failure, Question, Rigor};
+use rederive::{Ask, Failure, Question, Rigor, STACK};
 
 /// How often a call looks for signals, and says how far it is.
 const TICK: Duration = Duration::from_millis(20);
-/// Memory for the calls of one thread, as in the program: formulas may be nested as deep as their readers allow.
-const STACK: usize = 64 << 20;
 
 type Pool = Arc<rayon::ThreadPool>;
 /// The threads that compute, and the process that they belong to: a fork has none of them.
@@ -79,7 +77,7 @@ fn problems(py: Python<'_>, mut found: Vec<Diagnostic>) -> PyErr {
 fn failure(py: Python<'_>, failure: Failure) -> PyErr {
     match failure {
         Failure::Problems(found) => problems(py, found),
-        Failure::Unknown(name) => raised(class(py, "UnknownName").and_then(|c| c.call1((name,)))),
+        Failure::Unknown(unknown) => raised(class(py, "UnknownName").and_then(|c| c.call1((unknown.name,)))),
         Failure::Parts(why) => raised(class(py, "PartError").and_then(|c| c.call1((why,)))),
         Failure::Cancelled => raised(class(py, "Cancelled").and_then(|c| c.call0())),
         Failure::Defect(what) => defect(py, &what),
@@ -199,18 +197,10 @@ impl Session {
         let question = Question { proposition: Proposition { formula, given, throughout }, symbols, scope };
         let (session, until) = (Arc::clone(&self.0), after(deadline));
         let answer = Wait { until, ..Wait::default() }.compute(py, move || session.prove(&question))?;
-        answer.map(|a| (a.json(), a.text())).map_err(|e| failure(py, as_declared_here(e)))
+        answer
+            .map(|a| (a.json(), a.text()))
+            .map_err(|e| failure(py, e.where_symbols_are_declared("declare it in `symbols=`")))
     }
-}
-
-/// A symbol that is not known is declared otherwise than in a file.
-fn as_declared_here(failure: Failure) -> Failure {
-    let Failure::Problems(mut found) = failure else { return failure };
-    for problem in found.iter_mut().filter(|d| d.code == "latex::unknown-symbol") {
-        problem.hint = problem.hint.take().filter(|h| !h.contains("[symbols]"));
-        problem.hint.get_or_insert_with(|| "declare it in `symbols=`".to_owned());
-    }
-    Failure::Problems(found)
 }
 
 #[pyclass(frozen)]

@@ -39,7 +39,7 @@ pub fn of_step(claim: &Claim, region: &Region, step: Option<&IdentityAccount>) -
 
 fn empty(region: &Region) -> RegionAccount {
     RegionAccount {
-        verdict: Verdict::of(Finding::open("it was not looked at")),
+        verdict: Verdict::of(Finding::open(Plain::NotLookedAt)),
         expected: region.expect,
         varying: 0,
         unknowns: Vec::new(),

@@ -34,6 +34,7 @@ pub use claim::limits::{Cancel, Limits};
 pub use claim::options::{Options, Rigor};
 pub use families as family;
 use families::{Checker, Families, Joined};
+pub use files::records::Store;
 use findings::conditions::ConditionName;
 #[cfg(debug_assertions)]
 #[doc(hidden)]
@@ -47,7 +48,7 @@ pub use findings::{
 };
 pub use proved::agreement::agree;
 pub use proved::proposition::{prove, with_symbols_of};
-pub use record::{Store, check_recorded};
+pub use record::check_recorded;
 pub use verdict::{
     Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, ResidualPoint, Residuals, Strength,
     Verdict, Witness,

@@ -19,16 +19,8 @@ use super::{check, check_recalling};
 use crate::derivation::Derivation;
 use claim::error::CheckError;
 use claim::options::Options;
+use files::records::Store;
 use findings::Account;
-
-/// Where records are kept: a folder, a database, nothing. One that is lost, or cannot be written, costs time and nothing else.
-pub trait Store: Sync {
-    /// The record with this name, if it is there and is what was written.
-    fn read(&self, name: &str) -> Option<Vec<u8>>;
-
-    /// Keeps a record in place of what has the name.
-    fn write(&self, name: &str, record: &[u8]);
-}
 
 /// The record that has the account of a file.
 const ACCOUNT: &str = "account";

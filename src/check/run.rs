@@ -16,7 +16,6 @@ use findings::{Account, ClaimAccount, IdentityAccount};
 use proved::step::Step;
 use rayon::prelude::*;
 use sampled::selection::{Selection, is_asked};
-use sampled::stage::Stage;
 use sampled::systems::Fields;
 use sampled::witness;
 use verdict::Verdict;
@@ -53,7 +52,7 @@ impl<'a> Run<'a> {
     /// # Errors
     /// See [`check()`](super::check()).
     pub fn account(&self) -> Result<Account, CheckError> {
-        let &Run { file, options, known, .. } = self;
+        let &Run { file, options, .. } = self;
         let motionless = file.trajectories.is_empty() && file.systems.is_empty();
         if file.scope.time().is_none() && motionless && !file.claims.iter().any(Claim::is_of_fields) {
             let claims = self.regions(file)?.into_iter().map(|(_, c)| c).collect();
@@ -74,8 +73,6 @@ impl<'a> Run<'a> {
         self.unless_cancelled()?;
         let stage = compiled.build(self, &selection)?;
         self.unless_cancelled()?;
-        // What is said of all motions together is not said where some are missing.
-        let complete = selection.tried.iter().all(|&t| stage.motion(t).is_some());
         let claims = OnMotions {
             run: self,
             selection: &selection,
@@ -83,20 +80,14 @@ impl<'a> Run<'a> {
             altered: altered.as_ref(),
             stage: &stage,
         };
-        let mut found = claims.all()?;
-        self.unless_cancelled()?;
-        let mut account = found.account(&compiled.derivation, &selection, &stage);
-        self.prove(&compiled, &selection, &found, &mut account)?;
-        self.unless_cancelled()?;
-        if complete {
-            compiled.probes.separate(&compiled.derivation, &found.motions(&selection), &self.recall, &mut account);
+        let mut work = Work { claims, found: Found::default(), account: Account::default() };
+        for method in PLAN {
+            if method.needs.iter().all(|need| work.has(*need)) {
+                (method.find)(&mut work)?;
+            }
+            self.unless_cancelled()?;
         }
-        strengthen(&compiled.derivation, &selection, &mut account.claims, known, (&options.limits, self.recall));
-        self.enclose(&compiled, &selection, &stage, &mut account)?;
-        if let Some(altered) = altered.as_ref().filter(|_| complete) {
-            let (weighed, courses) = (&found.weighed, &found.courses);
-            altered.conclude(&compiled.derivation, &selection, &mut account.claims, weighed, courses)?;
-        }
+        let Work { mut found, mut account, .. } = work;
         // They are large.
         rayon::join(|| drop(altered), || found.courses.clear());
         // Back to the order of the file.
@@ -105,58 +96,6 @@ impl<'a> Run<'a> {
             account.claims.insert(before + earlier, of);
         }
         Ok(self.with_still_variants(&compiled.derivation, account))
-    }
-
-    /// Adds what the claims say for all values.
-    fn prove(
-        &self,
-        compiled: &Compiled,
-        selection: &Selection,
-        found: &Found,
-        account: &mut Account,
-    ) -> Result<(), CheckError> {
-        let (derivation, options) = (&compiled.derivation, self.options);
-        let identity = |(k, &c): (usize, &usize)| -> Option<Result<IdentityAccount, String>> {
-            let claim = &derivation.claims[c];
-            if options.limits.reached().is_some() {
-                return None;
-            }
-            let step = Step::of(derivation, claim)?.with(options.plain);
-            match counterexample(derivation, selection, k, self.known, &found.columns) {
-                Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
-                None => self.recall.identity(derivation, claim, || step.decide()),
-            }
-        };
-        let identities: Vec<_> = selection.claims.par_iter().enumerate().with_max_len(1).map(identity).collect();
-        for (claim, identity) in account.claims.iter_mut().zip(identities) {
-            claim.identity = identity.transpose().map_err(CheckError::Defect)?;
-        }
-        Ok(())
-    }
-
-    /// Encloses the verdicts, where that is asked for, and gives every witness its values.
-    fn enclose(
-        &self,
-        compiled: &Compiled,
-        selection: &Selection,
-        stage: &Stage,
-        account: &mut Account,
-    ) -> Result<(), CheckError> {
-        let Compiled { derivation, fields, prepared, wanted, .. } = compiled;
-        let limits = &self.options.limits;
-        if self.options.rigor == Rigor::Enclosed && limits.reached().is_none() {
-            let recall = |t: usize, by: &str, before: &[(&Claim, &Verdict)], find: &mut dyn FnMut() -> Vec<Verdict>| {
-                self.recall.strengthened(("enclosed", by), derivation, t, before, find)
-            };
-            let recall = &recall;
-            let request = enclosed::Request { derivation, fields, stage, prepared, selection, limits, recall };
-            enclosed::strengthen(&request, &mut account.claims);
-        }
-        self.unless_cancelled()?;
-        let Selection { tried, start_of, .. } = selection;
-        let points = witness::Points { derivation, stage, prepared, start_of, tried, wanted };
-        witness::complete(&points, &mut account.claims);
-        self.unless_cancelled()
     }
 
     /// What is about ranges: it needs no motion.
@@ -177,5 +116,128 @@ impl<'a> Run<'a> {
             true => Err(CheckError::Defect(CANCELLED.to_owned())),
             false => Ok(()),
         }
+    }
+}
+
+/// A check under way: what each method reads and completes.
+struct Work<'w, 'r> {
+    claims: OnMotions<'w, 'r>,
+    found: Found<'w>,
+    account: Account,
+}
+
+/// What must be there for a method to be of use.
+#[derive(Clone, Copy)]
+enum Need {
+    /// Every motion that is asked for: what is said of all together is not said where some are missing.
+    EveryMotion,
+    /// That more is asked than samples.
+    Rigor,
+    /// That the run may still begin something.
+    Time,
+}
+
+/// A way to find evidence, or to weigh it, with what it needs.
+struct Method {
+    needs: &'static [Need],
+    find: fn(&mut Work) -> Result<(), CheckError>,
+}
+
+/// The methods in their order: each sees what those before it have found, and none calls another.
+const PLAN: &[Method] = &[
+    Method { needs: &[], find: |work| work.sample() },
+    Method { needs: &[], find: |work| work.prove() },
+    Method { needs: &[Need::EveryMotion], find: |work| work.separate() },
+    Method { needs: &[], find: |work| work.lend() },
+    Method { needs: &[Need::Rigor, Need::Time], find: |work| work.enclose() },
+    Method { needs: &[], find: |work| work.point() },
+    Method { needs: &[Need::EveryMotion], find: |work| work.weigh() },
+];
+
+impl Work<'_, '_> {
+    fn has(&self, need: Need) -> bool {
+        let OnMotions { run, selection, stage, .. } = &self.claims;
+        match need {
+            Need::EveryMotion => selection.tried.iter().all(|&t| stage.motion(t).is_some()),
+            Need::Rigor => run.options.rigor == Rigor::Enclosed,
+            Need::Time => run.options.limits.reached().is_none(),
+        }
+    }
+
+    /// Tries the claims on the motions, at samples.
+    fn sample(&mut self) -> Result<(), CheckError> {
+        let OnMotions { selection, compiled, stage, .. } = self.claims;
+        self.found = self.claims.all()?;
+        self.account = self.found.account(&compiled.derivation, selection, stage);
+        Ok(())
+    }
+
+    /// Adds what the claims say for all values.
+    fn prove(&mut self) -> Result<(), CheckError> {
+        let OnMotions { run, selection, compiled, .. } = self.claims;
+        let (derivation, options, columns) = (&compiled.derivation, run.options, &self.found.columns);
+        let identity = |(k, &c): (usize, &usize)| -> Option<Result<IdentityAccount, String>> {
+            let claim = &derivation.claims[c];
+            if options.limits.reached().is_some() {
+                return None;
+            }
+            let step = Step::of(derivation, claim)?.with(options.plain);
+            match counterexample(derivation, selection, k, run.known, columns) {
+                Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
+                None => run.recall.identity(derivation, claim, || step.decide()),
+            }
+        };
+        let identities: Vec<_> = selection.claims.par_iter().enumerate().with_max_len(1).map(identity).collect();
+        for (claim, identity) in self.account.claims.iter_mut().zip(identities) {
+            claim.identity = identity.transpose().map_err(CheckError::Defect)?;
+        }
+        Ok(())
+    }
+
+    /// Adds what separates the motions.
+    fn separate(&mut self) -> Result<(), CheckError> {
+        let OnMotions { run, selection, compiled, .. } = self.claims;
+        let motions = self.found.motions(selection);
+        compiled.probes.separate(&compiled.derivation, &motions, &run.recall, &mut self.account);
+        Ok(())
+    }
+
+    /// Lends the strength of proofs to verdicts on motions.
+    fn lend(&mut self) -> Result<(), CheckError> {
+        let OnMotions { run, selection, compiled, .. } = self.claims;
+        let limits = (&run.options.limits, run.recall);
+        strengthen(&compiled.derivation, selection, &mut self.account.claims, run.known, limits);
+        Ok(())
+    }
+
+    /// Encloses the verdicts.
+    fn enclose(&mut self) -> Result<(), CheckError> {
+        let OnMotions { run, selection, compiled, stage, .. } = self.claims;
+        let Compiled { derivation, fields, prepared, .. } = compiled;
+        let recall = |t: usize, by: &str, before: &[(&Claim, &Verdict)], find: &mut dyn FnMut() -> Vec<Verdict>| {
+            run.recall.strengthened(("enclosed", by), derivation, t, before, find)
+        };
+        let (limits, recall) = (&run.options.limits, &recall);
+        let request = enclosed::Request { derivation, fields, stage, prepared, selection, limits, recall };
+        enclosed::strengthen(&request, &mut self.account.claims);
+        Ok(())
+    }
+
+    /// Gives every witness its values.
+    fn point(&mut self) -> Result<(), CheckError> {
+        let OnMotions { selection, compiled, stage, .. } = self.claims;
+        let Compiled { derivation, prepared, wanted, .. } = compiled;
+        let Selection { tried, start_of, .. } = selection;
+        let points = witness::Points { derivation, stage, prepared, start_of, tried, wanted };
+        witness::complete(&points, &mut self.account.claims);
+        Ok(())
+    }
+
+    /// Weighs the evidence by what altered formulas would do, where that is asked.
+    fn weigh(&mut self) -> Result<(), CheckError> {
+        let OnMotions { selection, compiled, altered, .. } = self.claims;
+        let Some(altered) = altered else { return Ok(()) };
+        let Found { weighed, courses, .. } = &self.found;
+        altered.conclude(&compiled.derivation, selection, &mut self.account.claims, weighed, courses)
     }
 }

@@ -20,6 +20,8 @@ use crate::number::Draws;
 use crate::verdict::{Finding, Outcome, Verdict};
 use claim::error::CheckError;
 use claim::options::Options;
+use findings::search::{FailingMotion, SearchAccount, Tries};
+use reason::Plain;
 
 /// Tries that are checked together. Part of what a seed means: it must not depend on the machine.
 const BATCH: usize = 24;
@@ -40,53 +42,6 @@ pub struct SearchOptions {
     /// Not the claim shall fail but one of its altered formulas, while the claim holds: its number among those that some motion
     /// does not reject, as reports list them.
     pub variant: Option<usize>,
-}
-
-/// How the tries ended.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Tally {
-    /// The claim holds.
-    pub holds: usize,
-    /// The claim fails.
-    pub fails: usize,
-    /// An assumption is not met.
-    pub not_applicable: usize,
-    /// The evidence does not settle it.
-    pub undecided: usize,
-    /// There is no such motion: its values are refused, or it cannot be integrated.
-    pub impossible: usize,
-}
-
-/// A motion on which the claim fails.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Found {
-    /// The number of the try, from 0.
-    pub number: usize,
-    /// The claim, `id` or `id/reading`.
-    pub claim: String,
-    /// The trajectory of the file that it was made from.
-    pub from: String,
-    /// Its id.
-    pub id: String,
-    /// The table `[[trajectory]]`, ready to be put into the file.
-    pub table: String,
-    /// The verdict on it.
-    pub verdict: Verdict,
-    /// Whether the claim names its trajectories: the id must then be added there.
-    pub listed: bool,
-}
-
-/// What a search has found.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SearchAccount {
-    /// The motion, if there is one.
-    pub found: Option<Found>,
-    /// How the tries ended, up to the one that was taken.
-    pub tally: Tally,
-    /// Trajectories of the file on which the claim, or its altered formula, fails already.
-    pub known: Vec<String>,
-    /// The altered formula that is meant.
-    pub variant: Option<String>,
 }
 
 /// A value of a trajectory.
@@ -317,7 +272,7 @@ impl Trial<'_> {
             match own {
                 Some((_, verdict)) if matches!(verdict.outcome(), Outcome::Holds(_)) => {}
                 Some((name, verdict)) if matches!(verdict.outcome(), Outcome::Fails(_)) => {
-                    out[i] = Some((name, Verdict::of(Finding::open("the claim itself fails"))));
+                    out[i] = Some((name, Verdict::of(Finding::open(Plain::ClaimItselfFails))));
                 }
                 other => out[i] = other,
             }
@@ -524,10 +479,12 @@ fn search_in(
     let trial = of(derivation, printed.map(|p| Box::new(of(p, None))));
     let families: Vec<Draft> = derivation.trajectories.iter().filter_map(|t| Draft::of(derivation, t)).collect();
     let mut out = SearchAccount {
-        found: None,
-        tally: Tally::default(),
-        known: known(derivation, printed, options)?,
+        claim: options.claim.clone(),
         variant: None,
+        seed: options.seed,
+        found: None,
+        tries: Tries::default(),
+        known: known(derivation, printed, options)?,
     };
     let mut next = 0;
     while next < options.tries && !families.is_empty() && !names.is_empty() {
@@ -539,15 +496,15 @@ fn search_in(
         for (&number, draft) in numbers.iter().zip(&drawn) {
             let verdict = draft.as_ref().and_then(|_| verdicts.next()).flatten();
             let (Some(draft), Some((_, verdict))) = (draft, verdict) else {
-                out.tally.impossible += 1;
+                out.tries.impossible += 1;
                 continue;
             };
             match verdict.outcome() {
-                Outcome::Holds(_) => out.tally.holds += 1,
-                Outcome::NotApplicable(_) => out.tally.not_applicable += 1,
-                Outcome::Undecided => out.tally.undecided += 1,
+                Outcome::Holds(_) => out.tries.holds += 1,
+                Outcome::NotApplicable(_) => out.tries.not_applicable += 1,
+                Outcome::Undecided => out.tries.undecided += 1,
                 Outcome::Fails(_) => {
-                    out.tally.fails += 1;
+                    out.tries.fails += 1;
                     let family = families.iter().find(|f| f.from == draft.from).unwrap_or(draft);
                     let simple = trial.simpler(draft.clone(), family)?;
                     let Some((claim, verdict)) = trial.fails(&simple)? else {
@@ -556,7 +513,8 @@ fn search_in(
                     let declared = derivation.claims.iter().find(|c| c.name() == claim);
                     let listed = declared.is_some_and(|c| c.names_trajectories);
                     let from = simple.from.clone();
-                    out.found = Some(Found { number, claim, from, table: simple.table(&id), id, verdict, listed });
+                    let table = simple.table(&id);
+                    out.found = Some(FailingMotion { number, claim, from, table, id, verdict, listed });
                     return Ok(out);
                 }
             }

@@ -1,26 +1,58 @@
 //! Arguments that several commands have.
 
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use clap::ValueEnum;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use rederive::Format;
 use rederive::check::{Limits, Rigor};
 
-/// How much is asked of a verdict.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum RigorArgument {
-    /// At finitely many times
-    Sampled,
-    /// At every time of the span where it is possible, with rounding accounted for
-    Enclosed,
+/// One of some values, each with its name and with what it is.
+pub fn one_of<T: Clone + Send + Sync + 'static>(
+    all: impl IntoIterator<Item = (&'static str, &'static str, T)>,
+) -> impl TypedValueParser<Value = T> {
+    let all: Vec<_> = all.into_iter().collect();
+    let names: Vec<_> = all.iter().map(|(name, says, _)| PossibleValue::new(name).help(says)).collect();
+    PossibleValuesParser::new(names).try_map(move |name| {
+        let found = all.iter().find(|(of, ..)| *of == name).map(|(.., value)| value.clone());
+        found.ok_or("it is none of these")
+    })
 }
 
-impl From<RigorArgument> for Rigor {
-    fn from(argument: RigorArgument) -> Rigor {
-        match argument {
-            RigorArgument::Sampled => Rigor::Sampled,
-            RigorArgument::Enclosed => Rigor::Enclosed,
-        }
-    }
+/// A format in which one answer is printed.
+pub fn printed_as(formats: &'static [Format]) -> impl TypedValueParser<Value = Format> {
+    let all = [
+        ("text", "For people", Format::Text),
+        ("json", "As JSON", Format::Json),
+        ("tex", "As LaTeX source", Format::Tex),
+        ("markdown", "As Markdown", Format::Markdown),
+    ];
+    one_of(all.into_iter().filter(|(.., format)| formats.contains(format)))
+}
+
+/// The derivation files that a command is about.
+#[derive(clap::Args)]
+pub struct FileArguments {
+    /// Derivation file, or a folder that contains them
+    #[arg(value_name = "FILE", default_value = "derivations")]
+    pub path: PathBuf,
+}
+
+#[derive(clap::Args)]
+pub struct RigorArgument {
+    /// How much is asked of a verdict
+    #[arg(long, value_parser = one_of([
+        ("sampled", "At finitely many times", Rigor::Sampled),
+        ("enclosed", "At every time of the span where it is possible, with rounding accounted for", Rigor::Enclosed),
+    ]), default_value = "enclosed")]
+    pub rigor: Rigor,
+}
+
+#[derive(clap::Args)]
+pub struct ThreadArguments {
+    /// Use so many threads; as many as there are processors, unless given
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub jobs: Option<u16>,
 }
 
 /// What a run may take.
@@ -32,9 +64,8 @@ pub struct LimitArguments {
     /// Begin nothing while so many megabytes are in use: what is left is undecided (on Linux)
     #[arg(long, value_name = "MEGABYTES")]
     memory: Option<u64>,
-    /// Use so many threads; as many as there are processors, unless given
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub jobs: Option<u16>,
+    #[command(flatten)]
+    pub threads: ThreadArguments,
 }
 
 impl LimitArguments {
@@ -47,7 +78,7 @@ impl LimitArguments {
 }
 
 /// A number of seconds that is not negative.
-pub fn seconds(text: &str) -> Result<Duration, String> {
+fn seconds(text: &str) -> Result<Duration, String> {
     let number = text.parse::<f64>().ok().and_then(|x| Duration::try_from_secs_f64(x).ok());
     number.ok_or_else(|| "a number of seconds is expected".to_owned())
 }

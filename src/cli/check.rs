@@ -1,15 +1,14 @@
 //! `rederive check`.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use rederive::derivation::Derivation;
-use rederive::diag::Diagnostic;
 use rederive::files::{named, write};
 use rederive::paper;
-use rederive::{Ask, Detail, Document, Failure, Format, Run, Session, report};
+use rederive::{Ask, Demand, Detail, Document, Ending, Failure, Format, Run, Session, report};
 
 use super::arguments::{LimitArguments, RigorArgument};
-use super::ending::{Exit, Stop, complain, print, say};
+use super::ending::{Stop, complain, concluded, print, say};
 use super::outputs::Targets;
 use super::records::RecordArguments;
 use super::{files, progress};
@@ -30,8 +29,7 @@ pub struct CheckArguments {
     /// The LaTeX source of the paper: formulas that name a label are compared with what is printed under it
     #[arg(long, value_name = "PAPER.TEX")]
     source: Option<PathBuf>,
-    /// How much is asked of a verdict
-    #[arg(long, value_enum, default_value = "enclosed")]
+    #[command(flatten)]
     rigor: RigorArgument,
     /// Find the verdicts alone: no altered formulas, no corrections, nothing that separates the trajectories, no pictures
     #[arg(long, conflicts_with = "min_discrimination")]
@@ -79,114 +77,98 @@ impl CheckArguments {
             _ => Detail::Usual,
         }
     }
+
+    /// What is asked of all files together.
+    fn ask(&self) -> Ask {
+        Ask {
+            claims: self.claim.clone(),
+            trajectories: self.trajectory.clone(),
+            rigor: self.rigor.rigor,
+            only_verdicts: self.only_verdicts,
+            limits: self.limits.begun(),
+        }
+    }
+
+    /// Whether only a part is asked for.
+    fn is_partial(&self) -> bool {
+        !self.claim.is_empty() || !self.trajectory.is_empty()
+    }
+
+    /// The folder of a report; `None` where none is written.
+    fn folder(&self, of: &Derivation) -> Option<PathBuf> {
+        (!self.is_partial() && !self.no_reports).then(|| self.reports.join(&of.id))
+    }
 }
 
-pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
+pub fn check(arguments: &CheckArguments) -> Result<Ending, Stop> {
     let mut run = Run::default();
-    let detail = arguments.detail();
-    let told = |mut run: Run, problems: Vec<Diagnostic>| {
-        run.add_problems(&problems);
-        arguments.targets.write(&run, detail)?;
-        Err(Stop::Diagnostics(problems))
-    };
+    let ended = each_file(arguments, &mut run);
+    match &ended {
+        Ok(_) => {}
+        Err(Stop::Failed(Failure::Problems(problems))) => run.add_problems(problems),
+        Err(_) => return ended,
+    }
+    arguments.targets.write(&run, arguments.detail())?;
+    if ended.is_ok() && arguments.is_partial() && !arguments.no_reports && !arguments.quiet {
+        complain("no report was written: only a part was checked\n");
+    }
+    ended
+}
+
+/// Checks file by file, prints and writes what was found, and adds it to the run. Where one has problems, the others are checked all the
+/// same.
+fn each_file(arguments: &CheckArguments, run: &mut Run) -> Result<Ending, Stop> {
     let source = arguments.source.as_ref().map(|path| named(path)).transpose()?;
-    let inputs: Vec<PathBuf> = files::find(&arguments.paths)?;
+    let derivations = files::find(&arguments.paths)?;
+    let inputs: Vec<PathBuf> = derivations.iter().chain(&source).cloned().collect();
     let outputs = arguments.targets.files();
-    let all_inputs: Vec<PathBuf> = inputs.iter().chain(&source).cloned().collect();
-    write::check_outputs(&outputs, &all_inputs, &[])?;
-    let sessions = match files::load_all(&inputs) {
-        Ok(sessions) => sessions,
-        Err(Stop::Diagnostics(problems)) => return told(run, problems),
-        Err(stop) => return Err(stop),
-    };
-    let paper = match source.as_ref().map(|path| paper::read(path)).transpose() {
-        Ok(paper) => paper,
-        Err(problem) => return told(run, vec![*problem]),
-    };
+    write::check_outputs(&outputs, &inputs, &[])?;
+    let sessions = files::sessions(&derivations)?;
+    let paper = source.as_ref().map(|path| paper::read(path)).transpose().map_err(|problem| vec![*problem])?;
     let subject = || paper::subject(sessions.iter().map(Session::derivation)).map(|d| d.id.clone());
     let about = paper.as_ref().map(|_| subject()).transpose().map_err(Stop::Message)?;
-    let format = arguments.targets.standard();
-    let asked = files::asked(sessions, &arguments.claim, &arguments.trajectory)?;
-    let filtered = !arguments.claim.is_empty() || !arguments.trajectory.is_empty();
+    let asked = arguments.ask().of_each(sessions)?;
+    let reports: Vec<PathBuf> =
+        asked.iter().filter_map(|(session, _)| arguments.folder(session.derivation())).collect();
+    write::check_outputs(&outputs, &inputs, &reports)?;
 
-    let folder = |d: &Derivation| (!filtered && !arguments.no_reports).then(|| arguments.reports.join(&d.id));
-    let folders: Vec<PathBuf> = asked.iter().filter_map(|(session, _)| folder(session.derivation())).collect();
-    write::check_outputs(&outputs, &all_inputs, &folders)?;
-
-    let (limits, only_verdicts, rigor) = (arguments.limits.begun(), arguments.only_verdicts, arguments.rigor.into());
+    let demand = Demand { strict: arguments.strict, discrimination: arguments.min_discrimination.unwrap_or(0.0) };
     let store = arguments.records.store();
-    let mut exit = if asked.is_empty() { Exit::Undecided } else { Exit::Good };
+    let mut ending = if asked.is_empty() { Ending::Undecided } else { Ending::Good };
     let mut problems = Vec::new();
-    for (i, (session, asked)) in asked.into_iter().enumerate() {
-        let ask = Ask { rigor, only_verdicts, limits: limits.clone(), ..asked };
+    for (i, (session, ask)) in asked.into_iter().enumerate() {
         let findings = match progress::check(&session, &ask, store.as_ref()) {
             Ok(findings) => findings,
-            // The other files may have problems, too, or be good.
-            Err(Failure::Problems(noted)) => {
-                run.add_problems(&noted);
-                problems.extend(noted);
+            Err(Failure::Problems(found)) => {
+                problems.extend(found);
                 continue;
             }
             Err(other) => return Err(other.into()),
         };
-        let is_of_paper = about.as_ref() == Some(&findings.derivation().id);
-        let paper = paper.as_ref().filter(|_| is_of_paper).map(|paper| paper::compare(findings.derivation(), paper));
+        let paper = paper.as_ref().filter(|_| about.as_ref() == Some(&findings.derivation().id));
+        let paper = paper.map(|paper| paper::compare(findings.derivation(), paper));
         let document = Document { findings, paper };
-        let (derivation, account) = (document.findings.derivation(), document.findings.account());
-        let folder = folder(derivation);
-        if let Some(folder) = &folder {
-            write_reports(folder, &document)?;
-        }
-        let mut text = document.text(format, detail, true);
-        if format == Format::Text && !arguments.quiet {
-            text.insert_str(0, if i > 0 { "\n" } else { "" });
-            let written = folder.map(|f| format!("report: {}\n", f.join("report.md").display()));
-            text.push_str(&written.unwrap_or_default());
-        }
-        if format == Format::Text {
-            say(&text)?
-        } else {
-            print(&text)?
-        }
-        if let Some(compared) = &document.paper
-            && compared.differences.len() + compared.unknown.len() > 0
-        {
-            complain(&format!("{}: what it says is not what the paper prints\n", derivation.file.path));
-            exit = exit.and(Exit::Different);
-        }
-        exit = exit.and(Exit::of(&document.findings));
-        if arguments.strict {
-            for alarm in report::alarms(derivation, account) {
-                complain(&format!("{}: {alarm}\n", derivation.file.path));
-                exit = exit.and(Exit::Different);
-            }
-        }
-        for (claim, rejected, of) in account.discriminating_less_than(arguments.min_discrimination.unwrap_or(0.0)) {
-            complain(&format!("{claim}: only {rejected} of {of} altered formulas are rejected by any motion\n"));
-            exit = exit.and(Exit::Different);
-        }
+        show(arguments, &document, i == 0)?;
+        ending = ending.max(concluded(&document, &demand));
         run.add(document);
     }
-    arguments.targets.write(&run, detail)?;
-    if !problems.is_empty() {
-        return Err(Stop::Diagnostics(problems));
-    }
-    if filtered && !arguments.no_reports && !arguments.quiet {
-        complain("no report was written: only a part was checked\n");
-    }
-    Ok(exit)
+    if problems.is_empty() { Ok(ending) } else { Err(problems.into()) }
 }
 
-fn write_reports(folder: &Path, document: &Document) -> Result<(), Stop> {
-    let found = &document.findings;
-    let data = || {
-        let json = document.text(Format::Json, Detail::Usual, false);
-        (json, report::certificates(found.derivation(), found.account()))
-    };
-    let read = || rayon::join(|| found.page(), || found.markdown());
-    let ((data, certificates), (page, markdown)) = rayon::join(data, read);
-    let files = [("report.json", data), ("report.md", markdown), ("index.html", page)];
-    let certificates = certificates.iter().map(|(name, text)| (name.as_str(), text.clone()));
-    let files: Vec<(&str, String)> = files.into_iter().chain(certificates).collect();
-    Ok(write::write_report(folder, &files, &[report::CERTIFICATES])?)
+/// Writes the report of a file, and prints what is printed file by file.
+fn show(arguments: &CheckArguments, document: &Document, is_first: bool) -> Result<(), Stop> {
+    let folder = arguments.folder(document.findings.derivation());
+    if let Some(folder) = &folder {
+        write::write_report(folder, &document.files(), &[report::CERTIFICATES])?;
+    }
+    let format = arguments.targets.standard();
+    let text = document.text(format, arguments.detail(), true);
+    match (format, arguments.quiet) {
+        (Format::Text, true) => say(&text),
+        (Format::Text, false) => {
+            let written = folder.map(|f| format!("report: {}\n", f.join("report.md").display()));
+            say(&format!("{}{text}{}", if is_first { "" } else { "\n" }, written.unwrap_or_default()))
+        }
+        _ => print(&text),
+    }
 }

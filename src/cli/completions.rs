@@ -1,6 +1,8 @@
 //! `rederive completions`.
 
-use super::ending::{Exit, Stop, print};
+use rederive::Ending;
+
+use super::ending::{Stop, print};
 
 #[derive(clap::Args)]
 pub struct CompletionsArguments {
@@ -9,9 +11,9 @@ pub struct CompletionsArguments {
     shell: clap_complete::Shell,
 }
 
-pub fn completions(arguments: &CompletionsArguments, mut command: clap::Command) -> Result<Exit, Stop> {
+pub fn completions(arguments: &CompletionsArguments, mut command: clap::Command) -> Result<Ending, Stop> {
     let mut out = Vec::new();
     clap_complete::generate(arguments.shell, &mut command, env!("CARGO_PKG_NAME"), &mut out);
     print(&String::from_utf8_lossy(&out))?;
-    Ok(Exit::Good)
+    Ok(Ending::Good)
 }

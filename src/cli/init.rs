@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use rederive::files::{self, write};
-use rederive::paper;
+use rederive::{Ending, paper};
 
-use super::ending::{Exit, Stop, complain, print};
+use super::ending::{Stop, complain, print};
 
 #[derive(clap::Args)]
 pub struct InitArguments {
@@ -17,9 +17,9 @@ pub struct InitArguments {
     output: Option<PathBuf>,
 }
 
-pub fn init(arguments: &InitArguments) -> Result<Exit, Stop> {
+pub fn init(arguments: &InitArguments) -> Result<Ending, Stop> {
     let path = files::named(&arguments.paper)?;
-    let paper = paper::read(&path).map_err(|problem| Stop::Diagnostics(vec![*problem]))?;
+    let paper = paper::read(&path).map_err(|problem| vec![*problem])?;
     let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     if paper.equations.is_empty() {
         return Err(Stop::Message(format!("`{}` displays no equation", path.display())));
@@ -31,7 +31,7 @@ pub fn init(arguments: &InitArguments) -> Result<Exit, Stop> {
     });
     if output.as_os_str() == "-" {
         print(&draft.text)?;
-        return Ok(Exit::Good);
+        return Ok(Ending::Good);
     }
     // A link that leads nowhere is something, too.
     if output.symlink_metadata().is_ok() {
@@ -47,5 +47,5 @@ pub fn init(arguments: &InitArguments) -> Result<Exit, Stop> {
         draft.refused,
         draft.symbols,
     ));
-    Ok(Exit::Good)
+    Ok(Ending::Good)
 }

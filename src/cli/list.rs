@@ -1,22 +1,19 @@
 //! `rederive list`.
 
-use std::path::PathBuf;
+use rederive::{Ending, report};
 
-use rederive::report;
-
-use super::ending::{Exit, Stop, say};
-use super::files;
+use super::arguments::FileArguments;
+use super::ending::{Stop, say};
 
 #[derive(clap::Args)]
 pub struct ListArguments {
-    /// Derivation file, or a folder that contains them
-    #[arg(value_name = "FILE", default_value = "derivations")]
-    path: PathBuf,
+    #[command(flatten)]
+    files: FileArguments,
 }
 
-pub fn list(arguments: &ListArguments) -> Result<Exit, Stop> {
-    for session in files::load_all(&files::find(std::slice::from_ref(&arguments.path))?)? {
+pub fn list(arguments: &ListArguments) -> Result<Ending, Stop> {
+    for session in arguments.files.sessions()? {
         say(&report::contents(session.derivation()))?;
     }
-    Ok(Exit::Good)
+    Ok(Ending::Good)
 }

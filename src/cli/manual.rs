@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use clap::Command;
 use rederive::files::write;
+use rederive::{Ending, Failure};
 
-use super::ending::{Exit, Stop, print};
+use super::ending::{Stop, print};
 
 #[derive(clap::Args)]
 pub struct ManualArguments {
@@ -14,17 +15,14 @@ pub struct ManualArguments {
     output: Option<PathBuf>,
 }
 
-pub fn manual(arguments: &ManualArguments, mut command: Command) -> Result<Exit, Stop> {
+pub fn manual(arguments: &ManualArguments, mut command: Command) -> Result<Ending, Stop> {
     command.build();
     let pages = pages(&command, None)?;
     match &arguments.output {
-        Some(folder) => {
-            let files: Vec<(&str, String)> = pages.iter().map(|(n, t)| (n.as_str(), t.clone())).collect();
-            write::write_files(folder, &files)?;
-        }
+        Some(folder) => write::write_files(folder, &pages)?,
         None => print(pages.first().map_or("", |(_, text)| text))?,
     }
-    Ok(Exit::Good)
+    Ok(Ending::Good)
 }
 
 /// The page of a command, then those of its subcommands, each with the name of its file.
@@ -35,7 +33,7 @@ fn pages(command: &Command, parent: Option<&str>) -> Result<Vec<(String, String)
     };
     let mut text = Vec::new();
     let page = clap_mangen::Man::new(command.clone()).title(name.to_uppercase());
-    page.render(&mut text).map_err(|e| Stop::Defect(format!("a page of the manual cannot be written: {e}")))?;
+    page.render(&mut text).map_err(|e| Failure::Defect(format!("a page of the manual cannot be written: {e}")))?;
     let mut out = vec![(format!("{name}.1"), String::from_utf8_lossy(&text).into_owned())];
     for inner in command.get_subcommands().filter(|c| c.get_name() != "help" && !c.is_hide_set()) {
         out.extend(pages(inner, Some(&name))?);

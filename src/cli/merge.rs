@@ -2,14 +2,13 @@
 
 use std::path::PathBuf;
 
-use clap::ValueEnum;
 use rederive::check::Limits;
-use rederive::derivation::load;
-use rederive::files::{named, read, search, write};
-use rederive::{Session, report};
+use rederive::files::{self, Kind, write};
+use rederive::{Demand, Detail, Document, Ending, Format};
 
-use super::ending::{Exit, Stop, print, say};
-use super::files::LARGEST_PARTS;
+use super::arguments::printed_as;
+use super::ending::{Stop, concluded, print, say};
+use super::files::{LARGEST_PARTS, session};
 
 #[derive(clap::Args)]
 pub struct MergeArguments {
@@ -19,52 +18,31 @@ pub struct MergeArguments {
     #[arg(value_name = "PART|FOLDER", required = true)]
     parts: Vec<PathBuf>,
     /// What is printed: the same bytes as `rederive check FILE --trajectory FAMILY --only-verdicts`
-    #[arg(long, value_enum, default_value = "text")]
-    format: MergeFormat,
+    #[arg(long, value_parser = printed_as(&[Format::Text, Format::Json]), default_value = "text")]
+    format: Format,
     /// Write it to a file
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
 }
 
-/// How what was joined is printed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum MergeFormat {
-    /// A summary for people
-    Text,
-    /// The report as JSON
-    Json,
-}
-
-pub fn merge(arguments: &MergeArguments) -> Result<Exit, Stop> {
-    let file = named(&arguments.file)?;
-    let mut parts = Vec::new();
-    for path in &arguments.parts {
-        let path = named(path)?;
-        match path.is_dir() {
-            true => parts.extend(search(&path, &|p| p.extension().is_some_and(|e| e == "jsonl"))?.found),
-            false => parts.push(path),
-        }
-    }
-    let outputs: Vec<PathBuf> = arguments.output.iter().cloned().collect();
-    let inputs: Vec<PathBuf> = parts.iter().chain([&file]).cloned().collect();
-    write::check_outputs(&outputs, &inputs, &[])?;
-    let session = Session::of(load(&file).map_err(Stop::Diagnostics)?);
+pub fn merge(arguments: &MergeArguments) -> Result<Ending, Stop> {
+    let part = Kind { what: "part (*.jsonl)", is_one: |path| path.extension().is_some_and(|e| e == "jsonl") };
+    let parts = files::meant(&arguments.parts, part)?.found;
+    let inputs: Vec<PathBuf> = parts.iter().chain([&arguments.file]).cloned().collect();
+    write::check_outputs(arguments.output.as_slice(), &inputs, &[])?;
     let texts = parts.iter().map(|path| {
         let name = path.display().to_string();
-        let bytes = read(path, LARGEST_PARTS).map_err(|error| error.to_string())?;
+        let bytes = files::read(path, LARGEST_PARTS).map_err(|error| error.to_string())?;
         let text = String::from_utf8(bytes).map_err(|_| format!("`{name}`: it is no text"))?;
         Ok((name, text))
     });
-    let found = session.join(texts, &Limits::default(), &|_, _| {})?;
-    let (derivation, account) = (found.derivation(), found.account());
-    let text = |colour| match arguments.format {
-        MergeFormat::Text => report::summary(derivation, account, colour, false),
-        MergeFormat::Json => found.json(),
-    };
+    let findings = session(&arguments.file)?.join(texts, &Limits::default(), &|_, _| {})?;
+    let document = Document { findings, paper: None };
+    let text = |colour| document.text(arguments.format, Detail::Usual, colour);
     match (&arguments.output, arguments.format) {
         (Some(output), _) => write::write_file(output, text(false).as_bytes())?,
-        (None, MergeFormat::Text) => say(&text(true))?,
-        (None, MergeFormat::Json) => print(&text(false))?,
+        (None, Format::Text) => say(&text(true))?,
+        (None, _) => print(&text(false))?,
     }
-    Ok(Exit::of(&found))
+    Ok(concluded(&document, &Demand::default()))
 }

@@ -25,7 +25,8 @@ mod sweep;
 mod watch;
 
 use clap::{CommandFactory, Parser, Subcommand};
-use ending::{EXIT_CODES, Exit, Stop, complain, defect, guarded};
+use ending::{EXIT_CODES, Stop, complain, defect, guarded};
+use rederive::{Ending, STACK};
 
 /// Checks derivations: which claims of a paper hold along which motions, and how strongly.
 #[derive(Parser)]
@@ -79,20 +80,17 @@ pub fn run(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
         Err(error) => {
             // Help and version come here too, with exit code 0. If they cannot be printed, nobody reads them.
             let _ = error.print();
-            return if error.use_stderr() { Exit::BadInput.code() } else { Exit::Good.code() };
+            return if error.use_stderr() { Ending::BadInput.code() } else { Ending::Good.code() };
         }
     };
     with_threads(&arguments, || guarded(|| command(&arguments))).code()
 }
 
-/// Memory for the calls of one thread: formulas, tables and proofs may be nested as deep as their readers allow.
-const STACK: usize = 64 << 20;
-
 /// Runs something on threads with enough memory for their calls, and as many of them as were asked for.
-fn with_threads(arguments: &Arguments, run: impl FnOnce() -> Exit + Send) -> Exit {
+fn with_threads(arguments: &Arguments, run: impl FnOnce() -> Ending + Send) -> Ending {
     let jobs = match &arguments.command {
-        Command::Check(check) => check.limits.jobs,
-        Command::Sweep(sweep) => sweep.jobs,
+        Command::Check(check) => check.limits.threads.jobs,
+        Command::Sweep(sweep) => sweep.threads.jobs,
         _ => None,
     };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs.map_or(0, usize::from)).stack_size(STACK);
@@ -106,14 +104,14 @@ fn with_threads(arguments: &Arguments, run: impl FnOnce() -> Exit + Send) -> Exi
             Ok(Err(_)) => defect("it has stopped in the middle of its work"),
             Err(error) => {
                 complain(&format!("error: no thread can be started: {error}\n"));
-                Exit::BadInput
+                Ending::BadInput
             }
         }
     })
 }
 
 /// Runs a command.
-fn command(arguments: &Arguments) -> Result<Exit, Stop> {
+fn command(arguments: &Arguments) -> Result<Ending, Stop> {
     match &arguments.command {
         Command::Check(a) => check::check(a),
         Command::Explain(a) => explain::explain(a),

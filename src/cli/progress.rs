@@ -4,9 +4,8 @@ use std::io::IsTerminal;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use rederive::files::records::Records;
 use rederive::{Ask, Failure, Findings, Session};
-
-use super::records::Kept;
 
 /// After this time a check says what it does.
 const PATIENCE: Duration = Duration::from_millis(400);
@@ -35,7 +34,7 @@ fn hidden(name: &str, template: &str) -> ProgressBar {
 ///
 /// # Errors
 /// See [`Session::check`].
-pub fn check(session: &Session, ask: &Ask, store: Option<&Kept>) -> Result<Findings, Failure> {
+pub fn check(session: &Session, ask: &Ask, store: Option<&Records>) -> Result<Findings, Failure> {
     let bar = hidden(&session.derivation().id, "{spinner} {prefix}: {msg}  {wide_bar}  {pos}/{len}");
     if std::io::stderr().is_terminal() {
         bar.set_message("motions are built");

@@ -1,17 +1,15 @@
 //! `rederive prove`.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
-use clap::ValueEnum;
+use clap::ArgAction;
 use rederive::check::Proposition;
 use rederive::check::standing::Decision;
-use rederive::derivation::load;
-use rederive::diag::{Diagnostic, Source};
-use rederive::files::named;
-use rederive::{Failure, Question, SCOPE, Session, report};
+use rederive::{Ending, Format, Question, Session, report};
 
-use super::ending::{Exit, Stop, print, say};
+use super::arguments::{one_of, printed_as};
+use super::ending::{Stop, print, say};
+use super::files::session;
 
 pub const AFTER_HELP: &str = r"Symbols: NAMES, NAMES: WORDS, NAME = FORMULA or NAME: WORDS = FORMULA. Words
 are those of [symbols] in a derivation file: a role (parameter, which is so
@@ -34,15 +32,6 @@ Exit codes:
       in cases that are named
   70  a defect of rederive itself";
 
-/// For which points a sign of ± must serve.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Signs {
-    /// At each point one sign or the other
-    Pointwise,
-    /// One sign for all points
-    Throughout,
-}
-
 #[derive(clap::Args)]
 pub struct ProveArguments {
     /// The equation, in LaTeX; several are separated by commas, and all must hold
@@ -61,63 +50,39 @@ pub struct ProveArguments {
     #[arg(long, value_name = "CLAIM", requires = "file")]
     scope: Option<String>,
     /// What ± means
-    #[arg(long, value_enum, default_value = "pointwise")]
-    branches: Signs,
+    #[arg(long = "branches", action = ArgAction::Set, value_parser = one_of([
+        ("pointwise", "At each point one sign or the other", false),
+        ("throughout", "One sign for all points", true),
+    ]), default_value = "pointwise")]
+    throughout: bool,
     /// Print the exact certificate, as a program for SymPy
     #[arg(long)]
     certificate: bool,
     /// What is printed
-    #[arg(long, value_enum, default_value = "text")]
-    format: Output,
+    #[arg(long, value_parser = printed_as(&[Format::Text, Format::Json]), default_value = "text")]
+    format: Format,
 }
 
-/// How an answer is printed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Output {
-    /// For people
-    Text,
-    /// As JSON
-    Json,
-}
-
-pub fn prove(arguments: &ProveArguments) -> Result<Exit, Stop> {
-    let session = match &arguments.file {
-        Some(path) => Session::of(load(&named(path)?).map_err(Stop::Diagnostics)?),
-        None => Session::blank(),
-    };
+pub fn prove(arguments: &ProveArguments) -> Result<Ending, Stop> {
+    let session = arguments.file.as_ref().map_or_else(|| Ok(Session::blank()), |path| session(path))?;
     let proposition = Proposition {
         formula: arguments.formula.clone(),
         given: arguments.given.clone(),
-        throughout: arguments.branches == Signs::Throughout,
+        throughout: arguments.throughout,
     };
     let (symbols, scope) = (arguments.symbol.clone(), arguments.scope.clone());
-    let answer = session.prove(&Question { proposition, symbols, scope }).map_err(|failure| match failure {
-        Failure::Problems(found) => Stop::Diagnostics(found.into_iter().map(of_this_command).collect()),
-        other => other.into(),
-    })?;
-    let text = match arguments.format {
-        Output::Json => answer.json(),
-        Output::Text => report::proposition_text(answer.proposition(), answer.account(), arguments.certificate, true),
-    };
-    match arguments.format {
-        Output::Json => print(&text)?,
-        Output::Text => say(&text)?,
+    let answer = session
+        .prove(&Question { proposition, symbols, scope })
+        .map_err(|f| f.where_symbols_are_declared("declare it with --symbol, or give a file that does with --in"))?;
+    if arguments.format == Format::Json {
+        print(&answer.json())?;
+    } else {
+        let (proposition, account) = (answer.proposition(), answer.account());
+        say(&report::proposition_text(proposition, account, arguments.certificate, true))?;
     }
     Ok(match answer.account().finding.decision() {
-        Decision::Proved => Exit::Good,
-        Decision::Refuted => Exit::Different,
-        Decision::ProvedExcept | Decision::Undecided => Exit::Undecided,
+        Decision::Proved => Ending::Good,
+        Decision::Refuted => Ending::Different,
+        Decision::ProvedExcept | Decision::Undecided => Ending::Undecided,
     })
-}
-
-/// On a command line a scope is an option, and symbols are declared otherwise than in a file.
-fn of_this_command(mut diagnostic: Diagnostic) -> Diagnostic {
-    if diagnostic.source.path == SCOPE {
-        diagnostic.source = Arc::new(Source { path: "--scope".to_owned(), text: diagnostic.source.text.clone() });
-    }
-    if diagnostic.code != "latex::unknown-symbol" {
-        return diagnostic;
-    }
-    let known = diagnostic.hint.clone().filter(|h| !h.contains("[symbols]"));
-    diagnostic.hint(known.unwrap_or_else(|| "declare it with --symbol, or give a file that does with --in".to_owned()))
 }

@@ -2,13 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::ValueEnum;
-use rederive::derivation::load;
 use rederive::files::{self, pdf, write};
-use rederive::{Ask, Findings, Session, report};
+use rederive::{Ask, Detail, Document, Ending, Format, report};
 
-use super::arguments::RigorArgument;
-use super::ending::{Exit, Stop, complain, say};
+use super::arguments::{RigorArgument, printed_as};
+use super::ending::{Stop, complain, say};
+use super::files::session;
 use super::progress;
 use super::records::RecordArguments;
 
@@ -23,69 +22,47 @@ pub struct ReportArguments {
     #[arg(long)]
     summary: bool,
     /// How the first page is printed
-    #[arg(long, value_enum, default_value = "text", requires = "summary", conflicts_with = "pdf")]
-    format: SummaryFormat,
-    /// How much is asked of a verdict
-    #[arg(long, value_enum, default_value = "enclosed")]
+    #[arg(long, value_parser = printed_as(&[Format::Text, Format::Tex, Format::Markdown]), default_value = "text",
+        requires = "summary", conflicts_with = "pdf")]
+    format: Format,
+    #[command(flatten)]
     rigor: RigorArgument,
     #[command(flatten)]
     records: RecordArguments,
 }
 
-/// How the first page of a report is printed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum SummaryFormat {
-    /// For a terminal
-    Text,
-    /// As LaTeX source, for a letter
-    Tex,
-    /// As Markdown
-    Markdown,
-}
-
-pub fn report(arguments: &ReportArguments) -> Result<Exit, Stop> {
+pub fn report(arguments: &ReportArguments) -> Result<Ending, Stop> {
     match &arguments.pdf {
-        Some(pdf) => printed(arguments, pdf),
-        None => first_page(arguments),
+        Some(pdf) => printed(arguments, pdf)?,
+        None => say(&checked(arguments)?.text(arguments.format, Detail::FirstPage, true))?,
     }
+    Ok(Ending::Good)
 }
 
-fn checked(arguments: &ReportArguments) -> Result<Findings, Stop> {
-    let path = files::named(&arguments.file)?;
-    write::check_outputs(arguments.pdf.as_slice(), std::slice::from_ref(&path), &[])?;
-    let session = Session::of(load(&path).map_err(Stop::Diagnostics)?);
-    let ask = Ask { rigor: arguments.rigor.into(), ..Ask::default() };
-    Ok(progress::check(&session, &ask, arguments.records.store().as_ref())?)
+fn checked(arguments: &ReportArguments) -> Result<Document, Stop> {
+    write::check_outputs(arguments.pdf.as_slice(), &[files::named(&arguments.file)?], &[])?;
+    let ask = Ask { rigor: arguments.rigor.rigor, ..Ask::default() };
+    let findings = progress::check(&session(&arguments.file)?, &ask, arguments.records.store().as_ref())?;
+    Ok(Document { findings, paper: None })
 }
 
-/// The first page, to standard output.
-fn first_page(arguments: &ReportArguments) -> Result<Exit, Stop> {
-    let found = checked(arguments)?;
-    let (derivation, account) = (found.derivation(), found.account());
-    say(&match arguments.format {
-        SummaryFormat::Text => report::front_page(derivation, account, true),
-        SummaryFormat::Tex => report::tex_summary(derivation, account),
-        SummaryFormat::Markdown => report::front_markdown(derivation, account),
-    })?;
-    Ok(Exit::Good)
-}
-
-fn printed(arguments: &ReportArguments, target: &Path) -> Result<Exit, Stop> {
+fn printed(arguments: &ReportArguments, target: &Path) -> Result<(), Stop> {
     let makers = pdf::Makers::find().map_err(|none| {
         Stop::Message(format!(
             "{none}; without them, `rederive check FILE --format tex` prints the LaTeX source, and a browser prints the page of the \
              report"
         ))
     })?;
-    let found = checked(arguments)?;
-    let (derivation, account) = (found.derivation(), found.account());
-    let (tex, page) = match arguments.summary {
-        true => (report::tex_summary(derivation, account), report::first_page(derivation, account)),
-        false => (report::tex(derivation, account), report::printed_page(derivation, account)),
+    let document = checked(arguments)?;
+    let (derivation, account) = (document.findings.derivation(), document.findings.account());
+    let (detail, page) = match arguments.summary {
+        true => (Detail::FirstPage, report::first_page(derivation, account)),
+        false => (Detail::Usual, report::printed_page(derivation, account)),
     };
+    let tex = document.text(Format::Tex, detail, false);
     let made = makers.make(tex, page, &|note| complain(&format!("{note}\n")));
     let (pdf, maker) = made.map_err(|failure| Stop::Message(failure.to_string()))?;
     write::write_file(target, &pdf)?;
     complain(&format!("{}: {}: written by {maker}\n", derivation.id, target.display()));
-    Ok(Exit::Good)
+    Ok(())
 }

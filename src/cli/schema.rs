@@ -1,33 +1,23 @@
 //! `rederive schema`.
 
-use clap::ValueEnum;
-use rederive::{derivation, report};
+use rederive::{Ending, Failure, derivation, report};
+use serde_json::Value;
 
-use super::ending::{Exit, Stop, print};
+use super::arguments::one_of;
+use super::ending::{Stop, print};
 
 #[derive(clap::Args)]
 pub struct SchemaArguments {
     /// Of what
-    #[arg(value_enum)]
-    of: Schema,
+    #[arg(value_parser = one_of([
+        ("derivation", "Derivation files", derivation::schema as fn() -> Value),
+        ("report", "report.json", report::schema),
+    ]))]
+    of: fn() -> Value,
 }
 
-/// What has a schema.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Schema {
-    /// Derivation files
-    Derivation,
-    /// report.json
-    Report,
-}
-
-pub fn schema(arguments: &SchemaArguments) -> Result<Exit, Stop> {
-    let schema = match arguments.of {
-        Schema::Derivation => derivation::schema(),
-        Schema::Report => report::schema(),
-    };
-    let mut text = serde_json::to_string_pretty(&schema).map_err(|e| Stop::Defect(e.to_string()))?;
-    text.push('\n');
-    print(&text)?;
-    Ok(Exit::Good)
+pub fn schema(arguments: &SchemaArguments) -> Result<Ending, Stop> {
+    let text = serde_json::to_string_pretty(&(arguments.of)()).map_err(|e| Failure::Defect(e.to_string()))?;
+    print(&format!("{text}\n"))?;
+    Ok(Ending::Good)
 }

@@ -7,10 +7,9 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use rederive::derivation::{LARGEST_FILE, load};
-use rederive::diag::{Diagnostic, render, sort};
-use rederive::{Failure, Session, files, report};
+use rederive::{Ending, Failure, Session, files, report};
 
-use super::ending::{Exit, Stop, complain, say};
+use super::ending::{Stop, say, say_problems};
 
 /// Between two looks at the file.
 const PAUSE: Duration = Duration::from_millis(25);
@@ -24,7 +23,7 @@ pub struct WatchArguments {
     checks: Option<usize>,
 }
 
-pub fn watch(arguments: &WatchArguments) -> Result<Exit, Stop> {
+pub fn watch(arguments: &WatchArguments) -> Result<Ending, Stop> {
     let path = files::named(&arguments.file)?;
     let mut session = Session::blank();
     let mut last = None;
@@ -37,7 +36,7 @@ pub fn watch(arguments: &WatchArguments) -> Result<Exit, Stop> {
             check(&path, &mut session)?;
             checks += 1;
             if arguments.checks.is_some_and(|n| checks >= n) {
-                return Ok(Exit::Good);
+                return Ok(Ending::Good);
             }
         }
         std::thread::sleep(PAUSE);
@@ -47,20 +46,17 @@ pub fn watch(arguments: &WatchArguments) -> Result<Exit, Stop> {
 /// Checks the file as it is now, and prints what is not as expected.
 fn check(path: &Path, session: &mut Session) -> Result<(), Stop> {
     let started = Instant::now();
-    match load(path) {
-        Ok(derivation) => session.replace(derivation),
-        Err(found) => {
-            problems(found);
-            return Ok(());
-        }
-    }
-    let (found, checked) = match session.check_again() {
+    let checked = load(path).map_err(Failure::Problems).and_then(|derivation| {
+        session.replace(derivation);
+        session.check_again()
+    });
+    let (found, checked) = match checked {
         Ok(found) => found,
         Err(Failure::Problems(found)) => {
-            problems(found);
+            say_problems(found);
             return Ok(());
         }
-        Err(defect) => return Err(defect.into()),
+        Err(other) => return Err(other.into()),
     };
     let (derivation, account) = (found.derivation(), found.account());
     let took = started.elapsed().as_millis();
@@ -71,9 +67,4 @@ fn check(path: &Path, session: &mut Session) -> Result<(), Stop> {
         derivation.id, checked.len(), summary.holds, summary.fails, summary.not_applicable, summary.undecided, summary.unexpected,
     ));
     say(&text)
-}
-
-fn problems(mut found: Vec<Diagnostic>) {
-    sort(&mut found);
-    complain(&render(&found, true));
 }

@@ -137,7 +137,7 @@ impl Loader<'_> {
             false
         };
         let several = claim.forms.iter().any(|f| !matches!(f, Form::Across(_) if f.kind() == kind));
-        let others = super::claims::FORMS.iter().any(|f| *f != kind && table.get(f.key()).is_some());
+        let others = FormKind::ALL.iter().any(|f| *f != kind && table.get(f.key()).is_some());
         if several || others {
             return refuse(format!("`{key}` stands beside another form"), "say it in a claim of its own");
         }

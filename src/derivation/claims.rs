@@ -18,26 +18,8 @@ use latex::Statement;
 /// The precision that is asked for where a claim does not say.
 pub const DEFAULT_PRECISION: f64 = 1e-9;
 
-/// The keys of which a claim needs at least one.
-pub(super) const FORMS: &[FormKind] = &[
-    FormKind::Always,
-    FormKind::Never,
-    FormKind::Eventually,
-    FormKind::FirstIntegral,
-    FormKind::Defined,
-    FormKind::Solves,
-    FormKind::SameMotion,
-    FormKind::Independent,
-    FormKind::Exists,
-    FormKind::IndependentOf,
-    FormKind::ScalesAs,
-    FormKind::Monotone,
-    FormKind::Extremum,
-    FormKind::Limit,
-];
-
 fn has_forms(table: &Table<'_, '_>) -> bool {
-    FORMS.iter().any(|f| table.get(f.key()).is_some())
+    FormKind::ALL.iter().any(|f| table.get(f.key()).is_some())
 }
 
 /// The names of a claim: its id, and `id/reading` for each of its readings.
@@ -160,7 +142,7 @@ impl Loader<'_> {
     }
 
     fn note_empty(&mut self, span: &Range<usize>, what: &str) {
-        let keys: Vec<&str> = FORMS.iter().map(|f| f.key()).collect();
+        let keys: Vec<&str> = FormKind::ALL.iter().map(|f| f.key()).collect();
         self.problems
             .note("derivation::empty-claim", span.clone(), format!("{what} says nothing that could be checked"))
             .hint(format!("give at least one of {}", keys.join(", ")));
@@ -307,7 +289,7 @@ impl Loader<'_> {
 
     /// Everything that the claim says of a motion.
     fn forms(&mut self, claim: &mut Claim, table: &Table<'_, '_>) {
-        for &kind in FORMS.iter().filter(|k| table.get(k.key()).is_some()) {
+        for &kind in FormKind::ALL.iter().filter(|k| table.get(k.key()).is_some()) {
             let before = self.problems.found.len();
             match kind {
                 FormKind::Always | FormKind::Never | FormKind::Eventually => self.relations(claim, table, kind),

@@ -9,59 +9,64 @@ use super::written::{Ranged, Written};
 use expr::{Expr, Leaf, Symbol, Tensor};
 use latex::Statement;
 
-/// What a formula of a claim is there for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum FormKind {
-    /// The relation holds at every time.
-    Always,
-    /// The relation holds at no time.
-    Never,
-    /// The relation holds at some time.
-    Eventually,
-    /// The expression is constant along the motion.
-    FirstIntegral,
-    /// The expression has a real value at every time.
-    Defined,
-    /// The motion solves a system.
-    Solves,
-    /// Two motions are the same.
-    SameMotion,
-    /// Functions are independent.
-    Independent,
-    /// Equations have a solution.
-    Exists,
-    /// A quantity has the same value for members of a family that differ in a symbol.
-    IndependentOf,
-    /// It is a power of the symbol.
-    ScalesAs,
-    /// It grows with the symbol, or falls.
-    Monotone,
-    /// It is largest, or smallest, at a value of the symbol.
-    Extremum,
-    /// It tends to a value as the symbol does.
-    Limit,
+macro_rules! forms {
+    ($($(#[$doc:meta])* $kind:ident = $key:literal, $heading:literal;)*) => {
+        /// What a formula of a claim is there for.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum FormKind {
+            $($(#[$doc])* $kind,)*
+        }
+
+        impl FormKind {
+            /// All of them: a claim has at least one.
+            pub const ALL: &[FormKind] = &[$(FormKind::$kind),*];
+
+            /// The key of the derivation file.
+            pub fn key(self) -> &'static str {
+                match self {
+                    $(FormKind::$kind => $key,)*
+                }
+            }
+
+            /// What is said of its formulas along a motion, as a heading without an end.
+            pub fn heading(self) -> &'static str {
+                match self {
+                    $(FormKind::$kind => $heading,)*
+                }
+            }
+        }
+    };
 }
 
-impl FormKind {
-    /// The key of the derivation file.
-    pub fn key(self) -> &'static str {
-        match self {
-            FormKind::Always => "always",
-            FormKind::Never => "never",
-            FormKind::Eventually => "eventually",
-            FormKind::FirstIntegral => "first-integral",
-            FormKind::Defined => "defined",
-            FormKind::Solves => "solves",
-            FormKind::SameMotion => "same-motion",
-            FormKind::Independent => "independent",
-            FormKind::Exists => "exists",
-            FormKind::IndependentOf => "independent-of",
-            FormKind::ScalesAs => "scales-as",
-            FormKind::Monotone => "monotone",
-            FormKind::Extremum => "extremum",
-            FormKind::Limit => "limit",
-        }
-    }
+forms! {
+    /// The relation holds at every time.
+    Always = "always", "At every time";
+    /// The relation holds at no time.
+    Never = "never", "At no time";
+    /// The relation holds at some time.
+    Eventually = "eventually", "At some time";
+    /// The expression is constant along the motion.
+    FirstIntegral = "first-integral", "Constant along the motion";
+    /// The expression has a real value at every time.
+    Defined = "defined", "Has a real value at every time";
+    /// The motion solves a system.
+    Solves = "solves", "The motion solves";
+    /// Two motions are the same.
+    SameMotion = "same-motion", "The motion is that of";
+    /// Functions are independent.
+    Independent = "independent", "Independent functions";
+    /// Equations have a solution.
+    Exists = "exists", "There is a solution of";
+    /// A quantity has the same value for members of a family that differ in a symbol.
+    IndependentOf = "independent-of", "Compared between members of a family";
+    /// It is a power of the symbol.
+    ScalesAs = "scales-as", "Compared between members of a family";
+    /// It grows with the symbol, or falls.
+    Monotone = "monotone", "Compared between members of a family";
+    /// It is largest, or smallest, at a value of the symbol.
+    Extremum = "extremum", "Compared between members of a family";
+    /// It tends to a value as the symbol does.
+    Limit = "limit", "Compared between members of a family";
 }
 
 /// One thing that a claim says of a motion.

@@ -47,13 +47,13 @@ pub use dependence::{Dependence, End, NoOther};
 pub use event::{Direction, Event, Occasion, Since};
 pub use family::{Constraint, Drawing, Family, LARGEST_FAMILY, Spread, Varied, WIDEST_ROW};
 pub use form::{Across, Form, FormFormula, FormKind};
-pub use load::{LARGEST_FILE, load, parse};
+pub use load::{LARGEST_FILE, load, load_all, parse};
 pub use model::{
     Claim, Condition, Derivation, Domain, Formula, GivenValue, Measure, Motion, Picture, PictureKind, Region, Start,
     SymbolEntry, System, Trajectory, Unknown,
 };
 pub use premise::{Premise, is_called};
 pub use role::ClaimRole;
-pub use schema::{schema, undescribed};
+pub use schema::schema;
 pub use unit::Unit;
 pub use written::{Ranged, Values, Written};

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use sha2::{Digest, Sha256};
@@ -48,6 +48,29 @@ pub fn load(path: &Path) -> Result<Derivation, Vec<Diagnostic>> {
     })?;
     let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
     parse(Source { path: shown, text }, &stem)
+}
+
+/// Reads several derivation files.
+///
+/// # Errors
+/// Every problem of every file; ids that two of them have.
+pub fn load_all(paths: &[PathBuf]) -> Result<Vec<Derivation>, Vec<Diagnostic>> {
+    let mut derivations: Vec<Derivation> = Vec::new();
+    let mut problems = Vec::new();
+    for read in paths.iter().map(|path| load(path)) {
+        match read {
+            Ok(derivation) => {
+                if let Some(first) = derivations.iter().find(|d| d.id == derivation.id) {
+                    let message = format!("`{}` has the same id, `{}`", first.file.path, derivation.id);
+                    let d = Diagnostic::of_file(&derivation.file.path, "derivation::duplicate-id", message);
+                    problems.push(d.hint("give one of them another id, in its table [derivation]"));
+                }
+                derivations.push(derivation);
+            }
+            Err(found) => problems.extend(found),
+        }
+    }
+    if problems.is_empty() { Ok(derivations) } else { Err(problems) }
 }
 
 /// Reads the text of a derivation file; `stem` is its id unless it gives another.

@@ -5,6 +5,7 @@ use super::ready::Shown;
 use crate::expr::{Graph, Leaf, Shape};
 use crate::flow::{Enclosure, Setup, Source, VectorField};
 use crate::number::Interval;
+use reason::Reason;
 use std::cell::Cell;
 
 /// q = cos t, with q² + p² − 1 and q as what is looked at.
@@ -46,7 +47,7 @@ fn what_is_true_is_settled_by_the_first_stretches() {
     let (mut along, energy, _) = oscillator();
     let small = |_: Interval, ranges: &Ranges| match &ranges[0] {
         Ok(reach) if reach.range().magnitude() < 1e-10 => Judgement::Settled,
-        other => Judgement::Open(format!("{other:?}").into()),
+        other => Judgement::Open(Reason::quoted(format!("{other:?}"))),
     };
     let looked = along.cover(&energy, small, |_| true);
     assert_eq!(looked, Ok(along.pieces().len()));
@@ -57,7 +58,7 @@ fn what_is_true_is_settled_by_the_first_stretches() {
 fn an_endless_search_reaches_the_limit_of_work() {
     let (mut along, energy, _) = oscillator();
     let never = |time: Interval, _: &Ranges| match time.width() > 2.5e-5 {
-        true => Judgement::Open("too long".into()),
+        true => Judgement::Open(Reason::quoted("too long")),
         false => Judgement::Settled,
     };
     let first = along.cover(&energy, never, |_| false).expect_err("too much");
@@ -82,7 +83,7 @@ fn what_no_shorter_stretch_could_help_is_given_up_at_once() {
     let (judged, asked) = (Cell::new(0), Cell::new(0));
     let judge = |_: Interval, _: &Ranges| {
         judged.set(judged.get() + 1);
-        Judgement::Open("open".into())
+        Judgement::Open(Reason::quoted("open"))
     };
     let hopeless = |ranges: &Ranges| {
         asked.set(asked.get() + 1);
@@ -109,8 +110,8 @@ fn presuppositions_are_shared_by_precision_only() {
             answer
         })
     };
-    let yes = || Shown::at_one_place("");
-    let no = || Shown::Nothing("too fine".into());
+    let yes = || Shown::at_one_place(Reason::quoted(""));
+    let no = || Shown::Nothing(Reason::quoted("too fine"));
     assert!(matches!(ask(1e-3, yes()), Shown::Holds(..)));
     assert!(matches!(ask(1e-3, no()), Shown::Holds(..)));
     assert!(matches!(ask(1e-12, no()), Shown::Nothing(_)));

@@ -23,7 +23,7 @@ pub(super) struct Spreading<'a> {
     pub measure: &'a Measure,
     pub distribution: &'a Distribution,
     /// Why the members that are left were not tried.
-    pub stopped: Option<&'a str>,
+    pub stopped: Option<Plain>,
 }
 
 impl Spreading<'_> {
@@ -53,7 +53,7 @@ impl Spreading<'_> {
             distribution: self.distribution.clone(),
             least: self.distribution.least.map(told).transpose()?,
             greatest: self.distribution.greatest.map(told).transpose()?,
-            stopped: self.stopped.map(str::to_owned),
+            stopped: self.stopped,
         })
     }
 }
@@ -75,7 +75,7 @@ pub(super) struct Counted<'a> {
     /// The boundary on it.
     pub boundary: Option<&'a Boundary>,
     /// Why the members that are left were not tried.
-    pub stopped: Option<&'a str>,
+    pub stopped: Option<Plain>,
     /// What separates them.
     pub separation: Option<&'a FamilySeparation>,
     /// The scale of what a scaling law is along, the power, and how far it may be off.
@@ -170,7 +170,7 @@ impl Counted<'_> {
             closest_call: tally.closest_call.map(closest).transpose()?,
             first_undecided: tally.first_undecided.map(|n| told(n, &open)).transpose()?,
             failing_share: is_sample.then(share),
-            stopped: self.stopped.map(str::to_owned),
+            stopped: self.stopped,
             map: self.scales.map(|[across, up]| FamilyMap {
                 across: across.axis.clone(),
                 up: up.axis.clone(),

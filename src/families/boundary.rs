@@ -9,6 +9,7 @@
 //! was counted.
 
 use crate::findings::family::{Axis, Boundary, Crossing};
+use reason::Plain;
 
 /// How finely is looked along an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +21,7 @@ pub(super) struct Width {
 }
 
 /// What is found at some points of the map: whether it holds, nothing where that is not known; or why no more are tried.
-pub(super) type Found = Result<Vec<Option<bool>>, String>;
+pub(super) type Found = Result<Vec<Option<bool>>, Plain>;
 
 /// Tries members at points of the map.
 type Tried<'a, E> = &'a mut dyn FnMut(&[[f64; 2]]) -> Result<Found, E>;
@@ -159,7 +160,7 @@ mod tests {
         let circle = |x: f64, y: f64| Some(x * x + y * y < 1.7);
         let (boundary, _) = found([&GRID, &GRID], [linear(1e-3), linear(1e-6)], &circle);
         // Rows −1, 0, 1 and columns −1, 0, 1 leave the circle at both of their ends.
-        assert_eq!((boundary.crossings.len(), boundary.stopped.as_deref()), (12, None));
+        assert_eq!((boundary.crossings.len(), boundary.stopped), (12, None));
         assert_eq!(boundary.widths, [Some(1e-3), Some(1e-6)]);
         for c in &boundary.crossings {
             let (ends, other, width) = if c.along == 0 { (c.across, c.up, 1e-3) } else { (c.up, c.across, 1e-6) };
@@ -216,10 +217,10 @@ mod tests {
         let mut left = 3;
         let mut tried = |points: &[[f64; 2]]| -> Result<Found, ()> {
             left -= 1;
-            Ok(if left == 0 { Err("work limit".to_owned()) } else { Ok(vec![Some(true); points.len()]) })
+            Ok(if left == 0 { Err(Plain::MotionsTried) } else { Ok(vec![Some(true); points.len()]) })
         };
         let boundary = find(&cells, [&axes[0], &axes[1]], [linear(1e-9), None], &mut tried).expect("no error");
-        assert_eq!((boundary.stopped.as_deref(), boundary.members), (Some("work limit"), 2));
+        assert_eq!((boundary.stopped, boundary.members), (Some(Plain::MotionsTried), 2));
         assert!(boundary.crossings[0].across == (0.75, 1.0) && !boundary.crossings[0].is_narrow);
         let mut wrong = |_: &[[f64; 2]]| -> Result<Found, &str> { Err("defect") };
         assert_eq!(find(&cells, [&axes[0], &axes[1]], [linear(1e-9), None], &mut wrong), Err("defect"));

@@ -140,8 +140,7 @@ impl Families {
                     return Err(troupe.otherwise(Otherwise(1), joined.is_some()));
                 }
                 let scales = scales.as_ref();
-                let (stopped, boundary) = (stopped.as_deref(), boundaries[n].as_ref());
-                let separation = separations[n].as_ref();
+                let (boundary, separation) = (boundaries[n].as_ref(), separations[n].as_ref());
                 let law = law.as_ref().map(|law| (&law.scale, law.power, law.to));
                 let counted = Counted { size, precision, tally, scales, boundary, stopped, separation, law };
                 let member = |number: u64| {
@@ -152,7 +151,7 @@ impl Families {
                 claims[place].families.push(account.map_err(|other| troupe.otherwise(other, joined.is_some()))?);
             }
             for (n, (measure, distribution)) in measures.iter().zip(&sums.distributions).enumerate() {
-                let of = Spreading { measure, distribution, stopped: stopped.as_deref() };
+                let of = Spreading { measure, distribution, stopped };
                 let member = |number: u64| {
                     let one: &One = again.get(&number)?;
                     Some((one.values.as_deref()?, one.measured.get(n)?.values.as_slice()))

@@ -42,6 +42,7 @@ pub(super) fn is_settled(verdict: &Verdict, programs: &[Program]) -> bool {
 mod tests {
     use super::*;
     use crate::verdict::{Evidence, Witness};
+    use reason::Plain;
 
     fn verdict(known: Possible, evidence: Evidence) -> Verdict {
         Verdict::of(Finding::sampled(known, evidence))
@@ -59,7 +60,7 @@ mod tests {
             is_settled(&verdict(Possible::FALSE, Evidence { witness: Some(witness), ..Evidence::default() }), &[])
         };
         assert!(fails(2.0) && !fails(1.125) && !fails(1.25));
-        assert!(!is_settled(&verdict(Possible::OPEN, Evidence::because("it is open")), &[]));
-        assert!(!is_settled(&verdict(Possible::VOID, Evidence::because("it says nothing")), &[]));
+        assert!(!is_settled(&verdict(Possible::OPEN, Evidence::because(Plain::ValueOpen)), &[]));
+        assert!(!is_settled(&verdict(Possible::VOID, Evidence::because(Plain::NoTimeCounts)), &[]));
     }
 }

@@ -204,7 +204,7 @@ impl<'a> Troupe<'a> {
         budget: &mut Budget,
         progress: &(dyn Fn(usize, usize) + Sync),
         each: &mut dyn FnMut(&Row),
-    ) -> Result<(Sums, Option<String>), CheckError> {
+    ) -> Result<(Sums, Option<Plain>), CheckError> {
         let prepared = self.prepared();
         let claims = &self.derivation.claims;
         let scales = self.members.scales();
@@ -224,8 +224,8 @@ impl<'a> Troupe<'a> {
             if options.limits.is_cancelled() {
                 return Err(CheckError::Defect(CANCELLED.to_owned()));
             }
-            if let Some(reason) = stopped {
-                return Ok((sums, Some(reason.to_string())));
+            if stopped.is_some() {
+                return Ok((sums, stopped));
             }
             let end = (next + WAVE.min(budget.members)).min(last + 1);
             let numbers: Vec<u64> = (next..end).collect();
@@ -304,7 +304,7 @@ impl<'a> Troupe<'a> {
                     }
                     let stopped = (left.members == 0 || left.steps == 0).then_some(Plain::MotionsTried);
                     if let Some(reason) = options.limits.reached().or(stopped) {
-                        return Ok(Err(reason.to_string()));
+                        return Ok(Err(reason));
                     }
                     let members: Vec<Member> = wave.iter().map(|point| self.members.at(*point)).collect();
                     let some = members.par_chunks(TOGETHER).with_max_len(1);
@@ -315,7 +315,7 @@ impl<'a> Troupe<'a> {
                     for one in some.collect::<Vec<_>>() {
                         let Some(One { steps, verdicts, .. }) = one? else {
                             let reason = options.limits.reached().unwrap_or(Plain::Ended);
-                            return Ok(Err(reason.to_string()));
+                            return Ok(Err(reason));
                         };
                         left.steps = left.steps.saturating_sub(steps);
                         let found = verdicts.get(n).filter(|v| v.defect().is_none());

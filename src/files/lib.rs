@@ -16,7 +16,9 @@
 
 #![forbid(unsafe_code)]
 
-#[cfg(feature = "pdf")]
+#[cfg(feature = "temporary")]
+pub mod lines;
+#[cfg(feature = "temporary")]
 pub mod pdf;
 pub mod records;
 pub mod write;
@@ -50,6 +52,9 @@ pub enum Why {
     /// The operating system says so.
     #[error("cannot be written: {0}")]
     Unwritable(io::Error),
+    /// What is to be written cannot be kept until it is finished.
+    #[error("cannot be written: its lines cannot be kept in the folder for temporary files: {0}")]
+    Waiting(io::Error),
     /// A folder, a device, a pipe, a socket.
     #[error("is {0}, not a file")]
     NotAFile(&'static str),
@@ -65,6 +70,9 @@ pub enum Why {
     /// On the way to an output.
     #[error("is a link, and nothing is written through a link")]
     Link,
+    /// Two outputs.
+    #[error("is the output of two formats or options")]
+    Twice,
     /// An output that was read.
     #[error("is read in this run, and is not replaced by its output")]
     IsInput,
@@ -74,6 +82,9 @@ pub enum Why {
     /// No name of a file.
     #[error("is not the name of a file")]
     NoName,
+    /// A folder without what is looked for.
+    #[error("has no {0} in it")]
+    Lacks(&'static str),
     /// A search that does not end.
     #[error("has more than {0} entries below it: name the files, or a smaller folder")]
     TooMany(usize),
@@ -174,6 +185,37 @@ fn plain(path: &Path) -> PathBuf {
         }
     }
     out
+}
+
+/// A kind of file, as a search knows it.
+#[derive(Clone, Copy)]
+pub struct Kind {
+    /// What it is called.
+    pub what: &'static str,
+    /// Whether a path has the name of one.
+    pub is_one: fn(&Path) -> bool,
+}
+
+/// The files that paths mean, as they are [`named`]: a file is itself, a folder all those of a kind below it.
+///
+/// # Errors
+/// A folder that has none, or cannot be searched; a link that leads out of the current folder.
+pub fn meant(paths: &[PathBuf], kind: Kind) -> Result<Search, FileError> {
+    let mut out = Search::default();
+    for path in paths {
+        let path = named(path)?;
+        if !path.is_dir() {
+            out.found.push(path);
+            continue;
+        }
+        let inside = search(&path, &kind.is_one)?;
+        if inside.found.is_empty() {
+            return Err(FileError::new(&path, Why::Lacks(kind.what)));
+        }
+        out.found.extend(inside.found);
+        out.links.extend(inside.links);
+    }
+    Ok(out)
 }
 
 /// What a search found.

@@ -5,12 +5,12 @@
 //! **Guaranteed:** every record begins with the SHA-256 sum of the program, of the name and of all that follows. What another version
 //! wrote, what is damaged, half written or renamed has another sum, and is taken for nothing. A record takes its name by one rename, so
 //! that runs side by side leave one or the other. A folder that cannot be read or written is an empty one: what is kept saves time, and
-//! changes nothing else. Of many records the oldest are removed.
+//! changes nothing else. Of many records the oldest are removed. What is found again in a moment is not kept: see [`QUICK`].
 
 use std::fs::{self, File, Metadata};
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
-use std::time::SystemTime;
+use std::sync::{Mutex, OnceLock};
+use std::time::{Duration, Instant, SystemTime};
 
 use sha2::{Digest, Sha256};
 
@@ -25,11 +25,26 @@ const MOST: u64 = 1 << 30;
 /// Length of a sum.
 const SUM: usize = 32;
 
+/// What was found faster than this, after a record was asked for in vain, is not kept.
+pub const QUICK: Duration = Duration::from_millis(300);
+
+/// Where records are kept: a folder, a database, nothing. One that is lost, or cannot be written, costs time and nothing else.
+pub trait Store: Sync {
+    /// The record with this name, if it is there and is what was written.
+    fn read(&self, name: &str) -> Option<Vec<u8>>;
+
+    /// Keeps a record in place of what has the name.
+    fn write(&self, name: &str, record: &[u8]);
+}
+
 /// The folder, with the program whose records they are.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Records {
     folder: PathBuf,
     program: PathBuf,
+    /// When a record was asked for last, and what is too quick to be kept.
+    asked: Mutex<Instant>,
+    quick: Duration,
     /// The sum of the program, once it was needed.
     of_program: OnceLock<Option<[u8; SUM]>>,
 }
@@ -37,7 +52,7 @@ pub struct Records {
 impl Records {
     /// A folder, which need not exist, and the file of the program.
     pub fn new(folder: PathBuf, program: PathBuf) -> Records {
-        Records { folder, program, of_program: OnceLock::new() }
+        Records { folder, program, asked: Mutex::new(Instant::now()), quick: QUICK, of_program: OnceLock::new() }
     }
 
     /// The folder for such things on this system, for a program with this name, by the variables of its environment: that of the
@@ -52,32 +67,6 @@ impl Records {
             of("XDG_CACHE_HOME").or_else(|| of("HOME").map(|home| home.join(".cache")))
         };
         folder.map(|folder| folder.join(program))
-    }
-
-    /// The record with a name, of letters and digits.
-    pub fn read(&self, name: &str) -> Option<Vec<u8>> {
-        let path = self.path(name)?;
-        let mut bytes = super::read(&path, LARGEST).ok()?;
-        let rest = bytes.get(SUM..)?;
-        if bytes[..SUM] != self.sum(name, rest)? {
-            return None;
-        }
-        bytes.drain(..SUM);
-        // So that what is used is not the oldest.
-        let _ = File::options().append(true).open(&path).and_then(|file| file.set_modified(SystemTime::now()));
-        Some(bytes)
-    }
-
-    /// Keeps a record. That it cannot be kept is no error.
-    pub fn write(&self, name: &str, record: &[u8]) {
-        let (Some(path), Some(sum)) = (self.path(name), self.sum(name, record)) else { return };
-        let bytes = [&sum, record].concat();
-        if bytes.len() as u64 > LARGEST {
-            return;
-        }
-        if fs::create_dir_all(&self.folder).is_ok() && write_file(&path, &bytes).is_ok() {
-            self.sweep(&path);
-        }
     }
 
     fn path(&self, name: &str) -> Option<PathBuf> {
@@ -122,9 +111,58 @@ impl Records {
     }
 }
 
+impl Store for Records {
+    /// The record with a name, of letters and digits.
+    fn read(&self, name: &str) -> Option<Vec<u8>> {
+        *self.asked.lock().ok()? = Instant::now();
+        let path = self.path(name)?;
+        let mut bytes = super::read(&path, LARGEST).ok()?;
+        let rest = bytes.get(SUM..)?;
+        if bytes[..SUM] != self.sum(name, rest)? {
+            return None;
+        }
+        bytes.drain(..SUM);
+        // So that what is used is not the oldest.
+        let _ = File::options().append(true).open(&path).and_then(|file| file.set_modified(SystemTime::now()));
+        Some(bytes)
+    }
+
+    /// Keeps a record. That it cannot be kept is no error.
+    fn write(&self, name: &str, record: &[u8]) {
+        if self.asked.lock().map_or(true, |asked| asked.elapsed() < self.quick) {
+            return;
+        }
+        let (Some(path), Some(sum)) = (self.path(name), self.sum(name, record)) else { return };
+        let bytes = [&sum, record].concat();
+        if bytes.len() as u64 > LARGEST {
+            return;
+        }
+        if fs::create_dir_all(&self.folder).is_ok() && write_file(&path, &bytes).is_ok() {
+            self.sweep(&path);
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn keeping(folder: PathBuf, program: PathBuf) -> Records {
+        Records { quick: Duration::ZERO, ..Records::new(folder, program) }
+    }
+
+    #[test]
+    fn what_is_found_in_a_moment_is_not_kept() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let records = Records::new(folder.path().join("kept"), program(folder.path(), "1"));
+        let write = |of: &Records| {
+            assert_eq!(of.read("x"), None);
+            of.write("x", b"found");
+            of.read("x").is_some()
+        };
+        assert!(!write(&records));
+        assert!(write(&Records { quick: Duration::ZERO, ..records }));
+    }
 
     fn program(folder: &Path, text: &str) -> PathBuf {
         let path = folder.join("program");
@@ -135,7 +173,7 @@ mod tests {
     #[test]
     fn what_was_written_is_read() {
         let folder = tempfile::tempdir().expect("a folder");
-        let records = Records::new(folder.path().join("a/b"), program(folder.path(), "1"));
+        let records = keeping(folder.path().join("a/b"), program(folder.path(), "1"));
         assert_eq!(records.read("x1"), None);
         records.write("x1", b"what was found");
         records.write("x2", b"");
@@ -148,11 +186,11 @@ mod tests {
     fn what_is_damaged_or_of_another_program_is_nothing() {
         let folder = tempfile::tempdir().expect("a folder");
         let at = folder.path().join("kept");
-        let records = Records::new(at.clone(), program(folder.path(), "1"));
+        let records = keeping(at.clone(), program(folder.path(), "1"));
         records.write("x", b"what was found");
         let path = at.join("x.record");
         let whole = fs::read(&path).expect("written");
-        let other = Records::new(at.clone(), program(folder.path(), "2"));
+        let other = keeping(at.clone(), program(folder.path(), "2"));
         assert_eq!(other.read("x"), None, "of another program");
         fs::copy(&path, at.join("y.record")).expect("copied");
         assert_eq!(records.read("y"), None, "under another name");
@@ -174,10 +212,10 @@ mod tests {
     fn where_nothing_can_be_kept_nothing_is() {
         let folder = tempfile::tempdir().expect("a folder");
         let file = program(folder.path(), "1");
-        let records = Records::new(file.join("no-folder"), file.clone());
+        let records = keeping(file.join("no-folder"), file.clone());
         records.write("x", b"found");
         assert_eq!(records.read("x"), None);
-        let records = Records::new(folder.path().to_owned(), folder.path().join("missing"));
+        let records = keeping(folder.path().to_owned(), folder.path().join("missing"));
         records.write("x", b"found");
         assert_eq!(records.read("x"), None, "a program that cannot be named");
     }

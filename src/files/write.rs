@@ -35,9 +35,12 @@ const DEEPEST: usize = 16;
 /// # Errors
 /// The first output that is refused.
 pub fn check_outputs(outputs: &[PathBuf], inputs: &[PathBuf], reports: &[PathBuf]) -> Result<(), FileError> {
-    for output in outputs {
+    for (at, output) in outputs.iter().enumerate() {
         let refuse = |why| Err(FileError::new(output, why));
         may_be_replaced(output)?;
+        if outputs[..at].iter().any(|other| same(other, output)) {
+            return refuse(Why::Twice);
+        }
         if inputs.iter().any(|input| same(input, output)) {
             return refuse(Why::IsInput);
         }
@@ -55,11 +58,6 @@ pub fn check_outputs(outputs: &[PathBuf], inputs: &[PathBuf], reports: &[PathBuf
         }
     }
     Ok(())
-}
-
-/// Whether two outputs are the same place.
-pub fn same_place(a: &Path, b: &Path) -> bool {
-    same(a, b)
 }
 
 /// Refuses a place that has no name, lies behind a link, or is taken by something that is no regular file.
@@ -116,7 +114,7 @@ pub fn write_from(path: &Path, from: &mut dyn io::Read) -> Result<(), FileError>
 ///
 /// # Errors
 /// See [`write_file`]; those before it have been written then.
-pub fn write_files(folder: &Path, files: &[(&str, String)]) -> Result<(), FileError> {
+pub fn write_files(folder: &Path, files: &[(impl AsRef<Path>, String)]) -> Result<(), FileError> {
     files.iter().try_for_each(|(name, text)| write_file(&folder.join(name), text.as_bytes()))
 }
 
@@ -125,7 +123,7 @@ pub fn write_files(folder: &Path, files: &[(&str, String)]) -> Result<(), FileEr
 ///
 /// # Errors
 /// The place is refused, or the operating system refuses; then what was there is there still.
-pub fn write_report(folder: &Path, files: &[(&str, String)], owned: &[(&str, &[&str])]) -> Result<(), FileError> {
+pub fn write_report(folder: &Path, files: &[(String, String)], owned: &[(&str, &[&str])]) -> Result<(), FileError> {
     let name = folder.file_name().ok_or_else(|| FileError::new(folder, Why::NoName))?;
     no_link_on(folder)?;
     let above = folder.parent().filter(|f| !f.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -146,7 +144,7 @@ pub fn write_report(folder: &Path, files: &[(&str, String)], owned: &[(&str, &[&
     let mut found = Vec::new();
     survey(folder, Path::new(""), 0, &mut found)?;
     let ours = found.iter().filter(|path| is_ours(path)).count();
-    let is_there = |(name, text): &(&str, String)| fs::read(folder.join(name)).is_ok_and(|b| b == text.as_bytes());
+    let is_there = |(name, text): &(String, String)| fs::read(folder.join(name)).is_ok_and(|b| b == text.as_bytes());
     if ours == files.len() && files.iter().all(is_there) {
         return Ok(());
     }
@@ -197,7 +195,7 @@ fn survey(folder: &Path, inner: &Path, depth: usize, out: &mut Vec<PathBuf>) -> 
 fn build<'a>(
     new: &Path,
     old: &Path,
-    files: &[(&str, String)],
+    files: &[(String, String)],
     foreign: impl Iterator<Item = &'a PathBuf>,
 ) -> io::Result<()> {
     disk::create_folder(new)?;
@@ -437,8 +435,8 @@ mod tests {
         names
     }
 
-    fn file(name: &'static str, text: &str) -> (&'static str, String) {
-        (name, text.to_owned())
+    fn file(name: &str, text: &str) -> (String, String) {
+        (name.to_owned(), text.to_owned())
     }
 
     const OWNED: &[(&str, &[&str])] = &[("c", &["py"])];

@@ -9,7 +9,7 @@ use crate::standing::{Decision, Exception, Finding, Given};
 use crate::variant::{Discrimination, VariantAccount};
 use crate::words::{self, Word};
 use derivation::Claim;
-use reason::{Reason, Refuting};
+use reason::{Proviso, Reason, Refuting};
 use serde::{Deserialize, Serialize};
 use units::UnitsAccount;
 use verdict::{Outcome, Strength, Verdict};
@@ -177,11 +177,11 @@ pub struct IdentityAccount {
     /// What was given beside definitions and assumptions: ids of claims and systems.
     pub from: Vec<String>,
     /// What has to hold for the formulas to have values.
-    pub conditions: Vec<String>,
+    pub conditions: Vec<Proviso>,
     /// What the proof does not reach: special cases, and what it takes for granted of motions.
-    pub exceptions: Vec<String>,
+    pub exceptions: Vec<Proviso>,
     /// Where alone what is given can hold, special cases aside.
-    pub given_only_where: Vec<String>,
+    pub given_only_where: Vec<Proviso>,
     /// Of the claim's assumptions, those that the proof uses; `None` where that was not looked at.
     pub assumptions: Option<AssumptionsUsed>,
     /// Assumptions of what is given, which this claim does not make itself.
@@ -230,16 +230,17 @@ impl IdentityAccount {
     }
 
     /// What a proof needs and leaves out: a heading for each list that is not empty.
-    pub fn terms(&self) -> Vec<(&'static str, Vec<String>)> {
+    pub fn terms(&self) -> Vec<(&'static str, Vec<Proviso>)> {
+        let written = |all: &[String]| all.iter().map(|text| Proviso::Written(text.as_str().into())).collect();
         let mut out = vec![
             ("It holds where", self.conditions.clone()),
             ("The proof does not reach", self.exceptions.clone()),
             ("What is given holds, special cases aside, only where", self.given_only_where.clone()),
-            ("What is given assumes", self.presupposed.clone()),
+            ("What is given assumes", written(&self.presupposed)),
         ];
         if let Some(AssumptionsUsed { used, unused }) = &self.assumptions {
-            out.push(("Of the assumptions it uses", used.clone()));
-            out.push(("Of the assumptions it does not use", unused.clone()));
+            out.push(("Of the assumptions it uses", written(used)));
+            out.push(("Of the assumptions it does not use", written(unused)));
         }
         out.retain(|(_, lines)| !lines.is_empty());
         out

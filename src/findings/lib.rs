@@ -18,6 +18,7 @@ pub mod region;
 #[cfg(debug_assertions)]
 #[doc(hidden)]
 pub mod sample;
+pub mod search;
 mod single_motion;
 pub mod standing;
 mod variant;

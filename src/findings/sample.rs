@@ -5,6 +5,7 @@ use super::conditions::{
     AssumptionAccount, ConditionName, ConditionsAccount, Explanation, Join, Need, Rival, Separation,
 };
 use super::{Account, ClaimAccount, Measurement, PairAccount, TrajectoryAccount};
+use reason::Reason;
 use units::{Term, UnitAccount, UnitVerdict, UnitsAccount};
 use verdict::{Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, Strength, Verdict, Witness};
 
@@ -124,7 +125,7 @@ fn fails(max: f64) -> Evidence {
 }
 
 fn reason(text: &str) -> Evidence {
-    Evidence { reason: Some(text.into()), ..Evidence::default() }
+    Evidence { reason: Some(Reason::quoted(text)), ..Evidence::default() }
 }
 
 fn trajectory(id: &str, title: &str) -> TrajectoryAccount {
@@ -162,8 +163,11 @@ fn claim(id: &str, reading: Option<&str>, says: &str, formula: &str, results: Ve
 pub fn account() -> Account {
     let sampled = Outcome::Holds(Strength::Sampled);
     let refuted = Outcome::Fails(Strength::Sampled);
-    let gap =
-        Exclusion { from: 1.0, to: 1.5, reason: std::sync::Arc::new("the denominator x is too close to 0".into()) };
+    let gap = Exclusion {
+        from: 1.0,
+        to: 1.5,
+        reason: std::sync::Arc::new(Reason::quoted("the denominator x is too close to 0")),
+    };
     Account {
         distributions: Vec::new(),
         trajectories: vec![trajectory("pulled", "Pulled and let go"), trajectory("pushed", "pushed")],
@@ -231,7 +235,7 @@ pub fn account() -> Account {
                 measure: "reach".into(),
                 trajectory: "pushed".into(),
                 values: Vec::new(),
-                reason: Some("v=0 does not happen".into()),
+                reason: Some(Reason::quoted("v=0 does not happen")),
             },
         ],
         units: UnitsAccount {

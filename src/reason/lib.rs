@@ -22,7 +22,7 @@ mod shape;
 
 pub use enclosed::{Compared, Enclosing, Refutation};
 pub use plain::Plain;
-pub use proved::{Coordinate, Point, Proving, Refuting};
+pub use proved::{Bounded, Coordinate, Point, Proving, Proviso, Refuting};
 pub use ranges::{Ranges, Shares};
 pub use sampled::{Fate, Sampling, Search};
 pub use shape::{Gap, Instant, Place, Sides, short};
@@ -69,15 +69,3 @@ macro_rules! of {
     };
 }
 of!(Plain(Plain), NoValue(NoValue), Sampling(Sampling), Enclosing(Enclosing), Proving(Proving), Ranges(Ranges));
-
-impl From<String> for Reason {
-    fn from(said: String) -> Reason {
-        Reason::Quoted(said.into())
-    }
-}
-
-impl From<&str> for Reason {
-    fn from(said: &str) -> Reason {
-        Reason::Quoted(said.into())
-    }
-}

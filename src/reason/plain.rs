@@ -43,6 +43,7 @@ sentences! {
     StepsTaken: "work limit: the members of a file's families take 300 million steps",
     MotionsTried: "work limit: as many motions were tried to find it as may be",
     NoVerdict: "it has no verdict",
+    ClaimItselfFails: "the claim itself fails",
     // Enclosures.
     NothingCompared: "nothing is compared",
     NoSingleSign: "no single sign of ± serves the whole motion",
@@ -84,6 +85,7 @@ sentences! {
     NoTimeToTry: "no time at which it could be tried",
     NoValueDetermined: "no value could be determined",
     NotLookedAt: "it was not looked at",
+    NotTriedWhereUnmet: "it was not tried, since an assumption is not met",
     NotSearched: "what lies between the samples cannot be searched",
     NothingByItself: "nothing is said of it by itself",
     LimitThroughAssumed: "a limit through the times that assumptions leave is not seen from samples",

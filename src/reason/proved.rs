@@ -1,6 +1,7 @@
 //! What a proof shows, on a motion and for all values, and why there is none. Formulas are as they are shown.
 
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -24,6 +25,54 @@ pub enum Proving {
         "both sides agree at one time and have the same rates, but `{0}` may leap to another of its values between"
     )]
     MayLeap(Arc<str>),
+}
+
+/// What a proof needs, or leaves out. Formulas are as they are shown.
+#[derive(Clone, Debug, PartialEq, Eq, Error, Serialize, Deserialize)]
+pub enum Proviso {
+    #[error("{}", .is.of(.formula))]
+    Where { formula: Arc<str>, is: Bounded },
+    /// For which orders of the sizes of parameters what is needed is so.
+    #[error("{0}")]
+    Orders(Arc<str>),
+    #[error("beyond a time at which {0} leaps")]
+    Leap(Arc<str>),
+    #[error("beyond a time at which {0} = 0, unless the motion is analytic there")]
+    Pole(Arc<str>),
+    #[error("where some of it has no value: the other sign counts there")]
+    OtherSign,
+    /// A relation of the file.
+    #[error("{0}")]
+    Written(Arc<str>),
+}
+
+/// How a formula is bounded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Bounded {
+    NotZero,
+    Zero,
+    NotNegative,
+    Positive,
+    /// Its absolute value is at most 1.
+    ByOne,
+}
+
+impl Bounded {
+    /// What is bounded, of a formula, and what follows it.
+    pub fn parts(self, formula: &str) -> (Cow<'_, str>, &'static str) {
+        match self {
+            Bounded::NotZero => (formula.into(), " ≠ 0"),
+            Bounded::Zero => (formula.into(), " = 0"),
+            Bounded::NotNegative => (formula.into(), " ≥ 0"),
+            Bounded::Positive => (formula.into(), " > 0"),
+            Bounded::ByOne => (format!("|{formula}|").into(), " ≤ 1"),
+        }
+    }
+
+    fn of(self, formula: &str) -> String {
+        let (left, rest) = self.parts(formula);
+        format!("{left}{rest}")
+    }
 }
 
 /// What refutes a step.
@@ -58,7 +107,8 @@ pub enum Coordinate {
 }
 
 impl Coordinate {
-    fn shown(&self, marked: bool) -> String {
+    /// In words; with the name between dollars where that is asked for.
+    pub fn shown(&self, marked: bool) -> String {
         let mark = if marked { "$" } else { "" };
         match self {
             Coordinate::Value(name, value) => format!("{mark}{name}{mark} = {value}"),

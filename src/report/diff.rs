@@ -89,6 +89,35 @@ impl Standing {
 /// Where a verdict belongs: derivation, claim, trajectory.
 type Key = (String, String, Option<String>);
 
+/// The two ids of derivations that are compared although they differ.
+pub type OtherId = (String, String);
+
+/// Compares two sets of files `report.json`, each with its name and its bytes. Two single files are meant to be compared, whatever
+/// their derivations are called: that they are called otherwise is told.
+///
+/// # Errors
+/// The first file that is no report, by its name.
+pub fn diff_files(
+    old: &[(String, Vec<u8>)],
+    new: &[(String, Vec<u8>)],
+) -> Result<(Vec<Change>, Option<OtherId>), String> {
+    let read = |(name, bytes): &(String, Vec<u8>)| {
+        let value: Value = serde_json::from_slice(bytes).map_err(|e| format!("`{name}` is not JSON: {e}"))?;
+        // One at a time, so that the message names the file.
+        standings(std::slice::from_ref(&value)).map_err(|e| format!("`{name}` cannot be compared: {e}"))?;
+        Ok(value)
+    };
+    let all = |files: &[(String, Vec<u8>)]| files.iter().map(read).collect::<Result<Vec<Value>, String>>();
+    let (mut old, new) = (all(old)?, all(new)?);
+    let mut other = None;
+    if let ([before], [after]) = (old.as_mut_slice(), new.as_slice()) {
+        let id = |report: &Value| report["derivation"]["id"].as_str().unwrap_or_default().to_owned();
+        other = Some((id(before), id(after))).filter(|(a, b)| a != b);
+        before["derivation"]["id"] = after["derivation"]["id"].clone();
+    }
+    Ok((diff(&old, &new)?, other))
+}
+
 /// Compares two sets of reports, each the parsed `report.json` of a derivation. Changes are in the order of the reports.
 ///
 /// # Errors

@@ -25,19 +25,10 @@ pub(super) fn heading(claim: &ClaimAccount, declared: Option<&Claim>, formula: u
     if let Some(words) = over.or_else(|| declared.and_then(super::family::compared)) {
         return (kind, Heading::Words(words));
     }
-    let words = match kind {
-        FormKind::Solves => return (kind, Heading::System),
-        FormKind::SameMotion => return (kind, Heading::Trajectory),
-        FormKind::Always => "At every time",
-        FormKind::Never => "At no time",
-        FormKind::Eventually => "At some time",
-        FormKind::FirstIntegral => "Constant along the motion",
-        FormKind::Defined => "Has a real value at every time",
-        FormKind::Independent => "Independent functions",
-        FormKind::Exists => "There is a solution of",
-        FormKind::IndependentOf | FormKind::ScalesAs | FormKind::Monotone | FormKind::Extremum | FormKind::Limit => {
-            "Compared between members of a family"
-        }
+    let heading = match kind {
+        FormKind::Solves => Heading::System,
+        FormKind::SameMotion => Heading::Trajectory,
+        kind => Heading::Words(kind.heading().to_owned()),
     };
-    (kind, Heading::Words(words.to_owned()))
+    (kind, heading)
 }

@@ -45,6 +45,7 @@ mod proposition;
 mod region;
 mod sarif;
 mod schema;
+mod search;
 mod summary;
 mod tally;
 mod tex;
@@ -57,7 +58,7 @@ const PROGRAM: &str = "rederive";
 
 pub use certificates::{CERTIFICATES, certificate_text, certificates, lean_text};
 pub use contents::contents;
-pub use diff::{Change, Direction, diff, diff_text, is_worse};
+pub use diff::{Change, Direction, OtherId, diff, diff_files, diff_text, is_worse};
 pub use explain::explain;
 pub use finding::{Finding, Level, Place, Region, findings, problems, rule_says};
 pub use front::{alarms, front_markdown, front_page};
@@ -72,6 +73,7 @@ pub use part::{part_text, read_parts};
 pub use proposition::{proposition_json, proposition_text};
 pub use sarif::sarif;
 pub use schema::schema;
+pub use search::{search_notes, search_table};
 pub use summary::{exceptions, summary};
 pub use tex::{tex, tex_summary};
 

@@ -7,88 +7,64 @@
 //! A part is a few hundred bytes for each claim, however many members it has: counts, and numbers of members. No verdict and no
 //! sentence of a part reaches a report: the members that are shown are tried again by the program that joins the parts.
 
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use derivation::Derivation;
-use findings::family::{Counts, Distribution, Part, Ranked, Slopes, Swept, SweptClaim, SweptMeasure, Tally};
+use findings::family::{Part, Swept, SweptClaim, SweptMeasure};
 
-/// A hash in hexadecimal digits.
-fn digits(hash: Sha256) -> String {
-    hash.finalize().iter().map(|b| format!("{b:02x}")).collect()
+/// The first line of a part.
+#[derive(Serialize, Deserialize)]
+struct Head {
+    /// The version of the program.
+    rederive: String,
+    derivation: String,
+    sha256: String,
+    family: String,
+    part: u64,
+    of: u64,
 }
 
-/// A number as text, from which the same number is read: JSON has no infinity.
-fn ranked(of: Option<Ranked>) -> Value {
-    of.map_or(Value::Null, |r| json!({ "number": r.number, "measure": format!("{:?}", r.measure) }))
+/// The last one.
+#[derive(Serialize, Deserialize)]
+struct End {
+    /// The hash of those before it, in hexadecimal digits.
+    end: String,
 }
 
-/// Whole numbers that are too long for JSON are texts, as numbers are that need all their bits.
-fn slopes(of: &Slopes) -> Value {
-    let whole = |sums: &[i128]| sums.iter().map(i128::to_string).collect::<Vec<_>>();
-    let cell =
-        |cell: &Option<(f64, f64)>| cell.map(|(least, greatest)| [format!("{least:?}"), format!("{greatest:?}")]);
-    json!({
-        "pairs": of.pairs,
-        "sums": whole(&of.sums),
-        "errors": whole(&of.errors),
-        "cells": of.cells.iter().map(cell).collect::<Vec<_>>(),
-    })
+/// A line of a part.
+#[derive(Serialize, Deserialize)]
+#[serde(untagged)]
+enum Line {
+    Head(Head),
+    Claim(SweptClaim),
+    Measure(SweptMeasure),
+    End(End),
+}
+
+impl End {
+    fn of(hash: Sha256) -> End {
+        End { end: hash.finalize().iter().map(|b| format!("{b:02x}")).collect() }
+    }
 }
 
 /// The file of a part: a head, a line for each claim, and a last line that closes it.
 pub fn part_text(derivation: &Derivation, swept: &Swept) -> String {
-    let head = json!({
-        "rederive": swept.version,
-        "derivation": derivation.id,
-        "sha256": swept.sha256,
-        "family": swept.family,
-        "part": swept.part.number(),
-        "of": swept.part.of(),
-    });
-    let claim = |c: &SweptClaim| {
-        let mut line = json!({
-            "claim": c.id,
-            "reading": c.reading,
-            "members": c.tally.counts.members,
-            "rejected": c.tally.counts.rejected,
-            "holds": c.tally.counts.holds,
-            "fails": c.tally.counts.fails,
-            "not_applicable": c.tally.counts.not_applicable,
-            "undecided": c.tally.counts.undecided,
-            "first_failing": c.tally.first_failing,
-            "clearest_failing": ranked(c.tally.clearest_failing),
-            "closest_call": ranked(c.tally.closest_call),
-            "first_undecided": c.tally.first_undecided,
-            "first_defect": c.tally.first_defect,
-        });
-        if !c.tally.map.is_empty() {
-            line["map"] = json!(c.tally.map);
-        }
-        if c.tally.slopes != Slopes::default() {
-            line["slopes"] = slopes(&c.tally.slopes);
-        }
-        line
+    let head = Head {
+        rederive: swept.version.clone(),
+        derivation: derivation.id.clone(),
+        sha256: swept.sha256.clone(),
+        family: swept.family.clone(),
+        part: swept.part.number(),
+        of: swept.part.of(),
     };
-    let measure = |m: &SweptMeasure| {
-        let of = &m.distribution;
-        json!({
-            "measure": m.id,
-            "members": of.members,
-            "rejected": of.rejected,
-            "without": of.without,
-            "partial": of.partial,
-            "least": ranked(of.least),
-            "greatest": ranked(of.greatest),
-            "bound": format!("{:?}", of.bound),
-            "bins": of.bins.iter().collect::<Vec<_>>(),
-        })
-    };
-    let lines = std::iter::once(head).chain(swept.claims.iter().map(claim)).chain(swept.measures.iter().map(measure));
-    let mut out: String = lines.map(|line| format!("{line}\n")).collect();
-    let end = json!({ "end": digits(Sha256::new_with_prefix(&out)) });
-    out.push_str(&format!("{end}\n"));
-    out
+    let claims = swept.claims.iter().cloned().map(Line::Claim);
+    let lines = std::iter::once(Line::Head(head)).chain(claims);
+    let lines = lines.chain(swept.measures.iter().cloned().map(Line::Measure));
+    let text = |line: &Line| serde_json::to_string(line).unwrap_or_default() + "\n";
+    let out: String = lines.map(|line| text(&line)).collect();
+    let end = text(&Line::End(End::of(Sha256::new_with_prefix(&out))));
+    out + &end
 }
 
 /// Lines, as they are put together to parts.
@@ -97,118 +73,25 @@ struct Reader {
     hash: Sha256,
 }
 
-fn text(of: &Value, key: &str) -> Option<String> {
-    of.get(key)?.as_str().map(str::to_owned)
-}
-
-fn count(of: &Value, key: &str) -> Option<u64> {
-    of.get(key)?.as_u64()
-}
-
-/// A value that may be `null`; `None` where it is neither.
-fn or_null<T>(of: &Value, key: &str, read: impl Fn(&Value) -> Option<T>) -> Option<Option<T>> {
-    match of.get(key)? {
-        Value::Null => Some(None),
-        value => read(value).map(Some),
-    }
-}
-
-fn head(of: &Value) -> Option<Swept> {
-    Some(Swept {
-        version: text(of, "rederive")?,
-        sha256: text(of, "sha256")?,
-        family: text(of, "family")?,
-        part: Part::new(count(of, "part")?, count(of, "of")?)?,
-        claims: Vec::new(),
-        measures: Vec::new(),
-    })
-}
-
-fn cells(of: &Value) -> Option<Vec<[u64; 4]>> {
-    let counts =
-        |cell: &Value| cell.as_array()?.iter().map(Value::as_u64).collect::<Option<Vec<u64>>>()?.try_into().ok();
-    of.as_array()?.iter().map(counts).collect()
-}
-
-fn read_slopes(of: &Value) -> Option<Slopes> {
-    let texts = |of: &Value| of.as_array()?.iter().map(|t| t.as_str().map(str::to_owned)).collect::<Option<Vec<_>>>();
-    let whole = |key: &str| -> Option<Vec<i128>> { texts(of.get(key)?)?.iter().map(|t| t.parse().ok()).collect() };
-    let cell = |cell: &Value| match cell {
-        Value::Null => Some(None),
-        pair => match texts(pair)?.as_slice() {
-            [least, greatest] => Some(Some((least.parse().ok()?, greatest.parse().ok()?))),
-            _ => None,
-        },
-    };
-    Some(Slopes {
-        pairs: count(of, "pairs")?,
-        sums: whole("sums")?.try_into().ok()?,
-        errors: whole("errors")?.try_into().ok()?,
-        cells: of.get("cells")?.as_array()?.iter().map(cell).collect::<Option<_>>()?,
-    })
-}
-
-fn rank(of: &Value) -> Option<Ranked> {
-    Some(Ranked { number: count(of, "number")?, measure: text(of, "measure")?.parse().ok()? })
-}
-
-fn measure(of: &Value) -> Option<SweptMeasure> {
-    let bin = |pair: &Value| match pair.as_array().map(Vec::as_slice) {
-        Some([bin, count]) => Some((bin.as_i64()?, count.as_u64()?)),
-        _ => None,
-    };
-    let bins = of.get("bins")?.as_array()?;
-    let distribution = Distribution {
-        members: count(of, "members")?,
-        rejected: count(of, "rejected")?,
-        without: count(of, "without")?,
-        partial: count(of, "partial")?,
-        least: or_null(of, "least", rank)?,
-        greatest: or_null(of, "greatest", rank)?,
-        bound: text(of, "bound")?.parse().ok()?,
-        bins: bins.iter().map(bin).collect::<Option<_>>()?,
-    };
-    // A bin that comes twice is one too few.
-    (distribution.bins.len() == bins.len()).then_some(SweptMeasure { id: text(of, "measure")?, distribution })
-}
-
-fn claim(of: &Value) -> Option<SweptClaim> {
-    let tally = Tally {
-        counts: Counts {
-            members: count(of, "members")?,
-            rejected: count(of, "rejected")?,
-            holds: count(of, "holds")?,
-            fails: count(of, "fails")?,
-            not_applicable: count(of, "not_applicable")?,
-            undecided: count(of, "undecided")?,
-        },
-        first_failing: or_null(of, "first_failing", Value::as_u64)?,
-        clearest_failing: or_null(of, "clearest_failing", rank)?,
-        closest_call: or_null(of, "closest_call", rank)?,
-        first_undecided: or_null(of, "first_undecided", Value::as_u64)?,
-        first_defect: or_null(of, "first_defect", Value::as_u64)?,
-        map: of.get("map").map_or(Some(Vec::new()), cells)?,
-        slopes: of.get("slopes").map_or(Some(Slopes::default()), read_slopes)?,
-    };
-    let reading = or_null(of, "reading", |v| v.as_str().map(str::to_owned))?;
-    Some(SweptClaim { id: text(of, "claim")?, reading, tally })
-}
-
 impl Reader {
     /// Takes a line; a part, once its last line has come.
-    fn line(&mut self, line: &str) -> Option<Option<Swept>> {
-        let value: Value = serde_json::from_str(line).ok()?;
-        if let Some(end) = value.get("end") {
-            let hash = digits(std::mem::take(&mut self.hash));
-            let part = self.head.take().filter(|_| end.as_str() == Some(&hash))?;
-            return Some(Some(part));
+    fn line(&mut self, text: &str) -> Option<Option<Swept>> {
+        match (serde_json::from_str(text).ok()?, &mut self.head) {
+            (Line::End(End { end }), _) => {
+                let hash = End::of(std::mem::take(&mut self.hash)).end;
+                return Some(Some(self.head.take().filter(|_| end == hash)?));
+            }
+            (Line::Head(of), head @ None) => {
+                let part = Part::new(of.part, of.of)?;
+                let (claims, measures) = (Vec::new(), Vec::new());
+                let Head { rederive: version, sha256, family, .. } = of;
+                *head = Some(Swept { version, sha256, family, part, claims, measures });
+            }
+            (Line::Claim(claim), Some(part)) => part.claims.push(claim),
+            (Line::Measure(measure), Some(part)) => part.measures.push(measure),
+            _ => return None,
         }
-        match &mut self.head {
-            None => self.head = Some(head(&value)?),
-            Some(part) if value.get("claim").is_some() => part.claims.push(claim(&value)?),
-            Some(part) => part.measures.push(measure(&value)?),
-        }
-        self.hash.update(line);
+        self.hash.update(text);
         self.hash.update("\n");
         Some(None)
     }
@@ -241,6 +124,7 @@ pub fn read_parts<E>(text: &str, mut take: impl FnMut(&Swept) -> Result<(), E>) 
 mod tests {
     use super::*;
     use crate::tests::derivation;
+    use findings::family::{Counts, Distribution, Ranked, Slopes, Tally};
 
     fn swept() -> Swept {
         let tally = Tally {

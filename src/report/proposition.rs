@@ -60,9 +60,9 @@ pub fn proposition_text(
     out
 }
 
-fn lines<S: AsRef<str>>(texts: &[S], indent: usize) -> String {
+fn lines<S: ToString>(texts: &[S], indent: usize) -> String {
     let one = |text: &S| {
-        let line = text.as_ref().split_whitespace().collect::<Vec<_>>().join(" ");
+        let line = text.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
         format!("{}{line}\n", " ".repeat(indent))
     };
     texts.iter().map(one).collect()

@@ -52,7 +52,7 @@ struct Taken {
 /// The first time at which the quantity is taken on a motion.
 fn taken(trial: &Trial, course: &Course) -> Result<Taken, Box<Finding>> {
     if let Some(problem) = course.motion.problem() {
-        return Err(Finding::open(problem.to_string()).into());
+        return Err(Finding::open(Reason::quoted(problem)).into());
     }
     // What an angle adds up along a motion is not known beyond such a place.
     let open = |gap: &&Incomplete| match gap {

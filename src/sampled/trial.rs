@@ -36,7 +36,7 @@ pub fn try_claim(derivation: &Derivation, trial: &Trial, gradients: Option<&Resu
         Verdict::decide(program.claim.clone(), parts.into_iter().chain(hypotheses).collect())
     };
     if let Some(unmet) = unmet_at_once(trial) {
-        let parts = program.parts.iter().map(|_| Finding::open("it was not tried, since an assumption is not met"));
+        let parts = program.parts.iter().map(|_| Finding::open(Plain::NotTriedWhereUnmet));
         return decide(parts.collect(), unmet);
     }
     let mut met = stretches::look(trial);

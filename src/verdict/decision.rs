@@ -500,7 +500,8 @@ mod tests {
         assert_eq!(verdict.outcome(), Outcome::Holds(Strength::Enclosed));
         verdict.prove(0, Possible::TRUE_OR_VOID, |e| e.proof = Some(Proof::default()));
         assert_eq!(verdict.outcome(), Outcome::Holds(Strength::Proved));
-        let mut verdict = Verdict::decide(And(vec![Atom(0), Atom(1)]), vec![Finding::open("?"), failed()]);
+        let mut verdict =
+            Verdict::decide(And(vec![Atom(0), Atom(1)]), vec![Finding::open(Plain::NotLookedAt), failed()]);
         assert_eq!(verdict.outcome(), Outcome::Fails(Strength::Sampled));
         verdict.enclose(1, Possible::FALSE, |_| {});
         assert_eq!(verdict.outcome(), Outcome::Fails(Strength::Enclosed));
@@ -508,7 +509,7 @@ mod tests {
 
     #[test]
     fn what_is_void_and_what_is_proved_wherever_it_has_a_value() {
-        let void = Finding::sampled(Possible::VOID, Evidence::because("no value"));
+        let void = Finding::sampled(Possible::VOID, Evidence::because(Plain::NoValueDetermined));
         let mut verdict = Verdict::of(void);
         assert_eq!(verdict.outcome(), Outcome::NotApplicable(Strength::Sampled));
         // A proof says nothing of whether there is a value.
@@ -538,12 +539,12 @@ mod tests {
     #[test]
     fn a_withdrawn_motion_decides_nothing_that_it_alone_decided() {
         let mut verdict = Verdict::of(held());
-        verdict.withdraw_samples(&"withdrawn".into());
+        verdict.withdraw_samples(&Plain::Ended.into());
         assert_eq!(verdict.outcome(), Outcome::Undecided);
-        assert_eq!(verdict.evidence().reason, Some("withdrawn".into()));
+        assert_eq!(verdict.evidence().reason, Some(Plain::Ended.into()));
         let mut verdict = Verdict::of(held());
         verdict.enclose(0, Possible::TRUE, enclosed);
-        verdict.withdraw_samples(&"withdrawn".into());
+        verdict.withdraw_samples(&Plain::Ended.into());
         assert_eq!(verdict.outcome(), Outcome::Holds(Strength::Enclosed));
     }
 
@@ -551,11 +552,11 @@ mod tests {
     fn a_verdict_that_was_kept_is_decided_again() {
         let two = || Proposition::And(vec![Proposition::Atom(0), Proposition::Atom(1)]);
         let mut contradicted = Verdict::of(held());
-        contradicted.contradict("two routes differ".into());
+        contradicted.contradict(Reason::quoted("two routes differ"));
         for verdict in [
             Verdict::of(held()),
             Verdict::of(failed()),
-            Verdict::of(Finding::open("unknown")),
+            Verdict::of(Finding::open(Plain::NotLookedAt)),
             Verdict::decide(two(), vec![held(), failed()]),
             contradicted,
         ] {

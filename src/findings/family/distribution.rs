@@ -39,8 +39,10 @@ pub struct Distribution {
     /// The greatest value, and the first member that has it.
     pub greatest: Option<Ranked>,
     /// The largest error bound of a value.
+    #[serde(with = "super::exact")]
     pub bound: f64,
     /// How many values lie in each bin that has any.
+    #[serde(with = "super::exact")]
     pub bins: BTreeMap<i64, u64>,
 }
 

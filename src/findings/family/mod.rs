@@ -2,6 +2,7 @@
 
 mod account;
 mod distribution;
+mod exact;
 mod map;
 mod parts;
 mod slope;

@@ -13,6 +13,7 @@ use super::distribution::Distribution;
 use super::sums::Sums;
 use super::tally::Tally;
 use derivation::{Claim, Derivation};
+use serde::{Deserialize, Serialize};
 
 /// The most parts of a family: more would be smaller than what a machine does in a moment.
 pub const MOST_PARTS: u64 = 1_000_000;
@@ -53,6 +54,18 @@ impl Part {
     }
 }
 
+impl std::str::FromStr for Part {
+    type Err = String;
+
+    /// Reads `K/N`.
+    fn from_str(text: &str) -> Result<Part, String> {
+        let numbers = text.split_once('/').and_then(|(k, n)| Some((k.trim().parse().ok()?, n.trim().parse().ok()?)));
+        let Some((number, of)) = numbers else { return Err("a part is written K/N, for instance 3/20".to_owned()) };
+        let none = || format!("parts are numbered from 1/{of} to {of}/{of}, at most {MOST_PARTS}");
+        Part::new(number, of).ok_or_else(none)
+    }
+}
+
 impl fmt::Display for Part {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}/{}", self.number, self.of)
@@ -60,22 +73,26 @@ impl fmt::Display for Part {
 }
 
 /// What was counted of one claim.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SweptClaim {
     /// Its id.
+    #[serde(rename = "claim")]
     pub id: String,
     /// Its reading, where it has several.
     pub reading: Option<String>,
     /// The counts.
+    #[serde(flatten)]
     pub tally: Tally,
 }
 
 /// What was counted of one measure.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SweptMeasure {
     /// Its id.
+    #[serde(rename = "measure")]
     pub id: String,
     /// How its values are distributed.
+    #[serde(flatten)]
     pub distribution: Distribution,
 }
 

@@ -16,15 +16,18 @@ use verdict::Rise;
 const UNIT: f64 = 1.0 / 4_294_967_296.0;
 
 /// Sums over pairs of members.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Slopes {
     /// How many pairs.
     pub pairs: u64,
     /// Σ run², Σ run·rise, Σ rise², in units of 2⁻⁶⁴.
+    #[serde(with = "super::exact")]
     pub sums: [i128; 3],
     /// Σ |run|·error of the rise, and Σ |run|, each rounded up, in units of 2⁻⁶⁴ and 2⁻³².
+    #[serde(with = "super::exact")]
     pub errors: [i128; 2],
     /// The least and the greatest slope of the pairs that begin in each cell of what varies.
+    #[serde(with = "super::exact")]
     pub cells: Vec<Option<(f64, f64)>>,
 }
 
@@ -78,6 +81,11 @@ fn product(a: u128, b: u128) -> (u128, u128) {
 }
 
 impl Slopes {
+    /// Whether there is nothing.
+    pub(super) fn is_none(&self) -> bool {
+        *self == Slopes::default()
+    }
+
     /// None yet, in so many cells.
     pub fn empty(cells: usize) -> Slopes {
         Slopes { cells: vec![None; cells], ..Slopes::default() }

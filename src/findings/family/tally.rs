@@ -19,6 +19,7 @@ pub struct Ranked {
     /// Its number.
     pub number: u64,
     /// The measure: of failing members how far the sides are apart, of those that hold how close they come.
+    #[serde(with = "super::exact")]
     pub measure: f64,
 }
 
@@ -56,9 +57,10 @@ impl Counts {
 }
 
 /// What is counted of one claim.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Tally {
     /// The counts.
+    #[serde(flatten)]
     pub counts: Counts,
     /// The failing member with the smallest number.
     pub first_failing: Option<u64>,
@@ -71,8 +73,10 @@ pub struct Tally {
     /// The member with the smallest number on which the program contradicts itself.
     pub first_defect: Option<u64>,
     /// On how many members of each cell of the family's map it holds, fails, does not apply, is undecided; nothing without a map.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub map: Vec<[u64; 4]>,
     /// The slopes of a scaling law; nothing of other claims.
+    #[serde(default, skip_serializing_if = "Slopes::is_none")]
     pub slopes: Slopes,
 }
 
@@ -201,6 +205,7 @@ impl Tally {
 mod tests {
     use super::*;
     use number::Draws;
+    use reason::Plain;
     use std::sync::Arc;
     use verdict::{Evidence, Finding, Possible, ResidualPoint, Residuals, Witness};
 
@@ -221,11 +226,11 @@ mod tests {
         match kind {
             0 => sampled(Possible::TRUE),
             1 => sampled(Possible::FALSE),
-            2 => Verdict::of(Finding::sampled(Possible::VOID, Evidence::because("no value"))),
-            3 => Verdict::of(Finding::open("?")),
+            2 => Verdict::of(Finding::sampled(Possible::VOID, Evidence::because(Plain::NoValueDetermined))),
+            3 => Verdict::of(Finding::open(Plain::NotLookedAt)),
             _ => {
                 let mut verdict = sampled(Possible::TRUE);
-                verdict.contradict("on purpose".into());
+                verdict.contradict(reason::Reason::quoted("on purpose"));
                 verdict
             }
         }

@@ -8,7 +8,7 @@ use crate::expr::{Expr, Leaf};
 use crate::findings::standing::{Exception, Finding, Void};
 use crate::findings::{IdentityAccount, IdentityEvidence};
 use proof::{Condition, Identity, PointValue, Reason, Refutation, Side};
-use reason::{Coordinate, Plain, Point, Proving, Refuting};
+use reason::{Bounded, Coordinate, Plain, Point, Proving, Proviso, Refuting};
 
 /// Most characters of a formula that is shown whole.
 const LONGEST: usize = 160;
@@ -17,19 +17,17 @@ const MOST_NAMES: usize = 6;
 
 impl Step<'_> {
     /// What lies beyond something.
-    fn unreached(&self, exceptions: &[Exception]) -> Vec<String> {
-        let mut out: Vec<String> = Vec::new();
+    fn unreached(&self, exceptions: &[Exception]) -> Vec<Proviso> {
+        let mut out: Vec<Proviso> = Vec::new();
         for exception in exceptions {
-            let line = match *exception {
-                Exception::Leaps(e) => format!("beyond a time at which {} leaps", self.shown(e)),
-                Exception::Divides(e) => {
-                    format!("beyond a time at which {} = 0, unless the motion is analytic there", self.shown(e))
-                }
-                Exception::OneSign => "where some of it has no value: the other sign counts there".to_owned(),
+            let one = match *exception {
+                Exception::Leaps(e) => Proviso::Leap(self.shown(e).into()),
+                Exception::Divides(e) => Proviso::Pole(self.shown(e).into()),
+                Exception::OneSign => Proviso::OtherSign,
                 Exception::Vanishes(_) => continue,
             };
-            if !out.contains(&line) {
-                out.push(line);
+            if !out.contains(&one) {
+                out.push(one);
             }
         }
         out
@@ -95,30 +93,31 @@ impl Step<'_> {
         match identity {
             Identity::Proved(proof) => {
                 for condition in &proof.conditions {
-                    let (list, line) = match condition {
-                        Condition::Denominator(e) => (&mut out.conditions, format!("{} ≠ 0", self.shown(*e))),
-                        Condition::Pivot(e) => (&mut out.exceptions, format!("{} = 0", self.shown(*e))),
-                        Condition::Radicand(e) => (&mut out.conditions, format!("{} ≥ 0", self.shown(*e))),
-                        Condition::Discriminant(e) => (&mut out.given_only_where, format!("{} ≥ 0", self.shown(*e))),
-                        Condition::Unit(e) => (&mut out.conditions, format!("|{}| ≤ 1", self.shown(*e))),
-                        Condition::Positive(e) => (&mut out.conditions, format!("{} > 0", self.shown(*e))),
+                    let (list, e, is) = match *condition {
+                        Condition::Denominator(e) => (&mut out.conditions, e, Bounded::NotZero),
+                        Condition::Pivot(e) => (&mut out.exceptions, e, Bounded::Zero),
+                        Condition::Radicand(e) => (&mut out.conditions, e, Bounded::NotNegative),
+                        Condition::Discriminant(e) => (&mut out.given_only_where, e, Bounded::NotNegative),
+                        Condition::Unit(e) => (&mut out.conditions, e, Bounded::ByOne),
+                        Condition::Positive(e) => (&mut out.conditions, e, Bounded::Positive),
                     };
-                    if !list.contains(&line) {
-                        list.push(line);
+                    let one = Proviso::Where { formula: self.shown(e).into(), is };
+                    if !list.contains(&one) {
+                        list.push(one);
                     }
                 }
                 // The short ones first; not in the order of the graph, which depends on what was written before.
                 for list in [&mut out.conditions, &mut out.exceptions, &mut out.given_only_where] {
-                    list.sort_by(|a, b| (a.chars().count(), a).cmp(&(b.chars().count(), b)));
+                    list.sort_by_cached_key(|one| (one.to_string().chars().count(), one.to_string()));
                 }
                 let discriminant = |c: &Condition| matches!(c, Condition::Discriminant(_));
-                if let Some(words) = self.orders_of(&proof.conditions) {
+                if let Some(orders) = self.orders_of(&proof.conditions) {
                     // What only the premises ask for does not restrict the claim.
                     let list = match proof.conditions.iter().any(discriminant) {
                         true => &mut out.given_only_where,
                         false => &mut out.conditions,
                     };
-                    list.push(words);
+                    list.push(orders);
                 }
                 let lines = self.unreached(out.finding.exceptions());
                 out.exceptions.extend(lines);

@@ -11,14 +11,14 @@ use crate::findings::standing::Finding;
 use crate::latex::RelationKind;
 use order::{Question, Requirement};
 use proof::{Condition, order};
-use reason::{Coordinate, Plain, Refuting};
+use reason::{Coordinate, Plain, Proviso, Refuting};
 
 /// Most parameters whose orders of size are listed: four have 75.
 const MOST_ORDERED: usize = 3;
 
 impl Step<'_> {
     /// For which orders of positive parameters conditions about them hold; nothing where there are none.
-    pub(super) fn orders_of(&mut self, conditions: &[Condition]) -> Option<String> {
+    pub(super) fn orders_of(&mut self, conditions: &[Condition]) -> Option<Proviso> {
         let restricting: Vec<Condition> =
             conditions.iter().filter(|c| !matches!(c, Condition::Pivot(_))).copied().collect();
         let roots = restricting.iter().map(|c| match *c {
@@ -89,7 +89,7 @@ impl Step<'_> {
     }
 
     /// For which orders of the parameters the claim holds, as conditions.
-    pub(super) fn where_real(mut self) -> Vec<String> {
+    pub(super) fn where_real(mut self) -> Vec<Proviso> {
         let question = self.order_question();
         let found = self.order_of(&question).filter(order::Orders::tells);
         found.map(|found| words_of(&self.graph, &question, &found, MEETING)).into_iter().collect()
@@ -120,7 +120,7 @@ impl Step<'_> {
 const MEETING: &str = " that meet the assumptions it holds";
 
 /// In which orders of the sizes of its parameters something is so.
-fn words_of(graph: &Graph, question: &Question, found: &order::Orders, that: &str) -> String {
+fn words_of(graph: &Graph, question: &Question, found: &order::Orders, that: &str) -> Proviso {
     let names: Vec<String> = question.parameters.iter().map(|&l| graph.leaf_latex(l)).collect();
-    format!("for positive {}{that} {}", names.join(", "), found.words(&names))
+    Proviso::Orders(format!("for positive {}{that} {}", names.join(", "), found.words(&names)).into())
 }

@@ -27,7 +27,7 @@ fn both_signs(upper: IdentityAccount, lower: IdentityAccount) -> IdentityAccount
             (&mut first.given_only_where, second.given_only_where),
         ];
         for (list, more) in lists {
-            let new: Vec<String> = more.into_iter().filter(|line| !list.contains(line)).collect();
+            let new: Vec<_> = more.into_iter().filter(|line| !list.contains(line)).collect();
             list.extend(new);
         }
         first.narrower |= second.narrower;

@@ -73,11 +73,11 @@ objects! {
         /// What was given: ids of claims and systems.
         from: &'a [String] = &of.from,
         /// What has to hold for the formulas to have values.
-        conditions: &'a [String] = &of.conditions,
+        conditions: Vec<String> = of.conditions.iter().map(ToString::to_string).collect(),
         /// What the proof does not reach.
-        exceptions: &'a [String] = &of.exceptions,
+        exceptions: Vec<String> = of.exceptions.iter().map(ToString::to_string).collect(),
         /// Where alone what is given can hold, special cases aside.
-        given_only_where: &'a [String] = &of.given_only_where,
+        given_only_where: Vec<String> = of.given_only_where.iter().map(ToString::to_string).collect(),
         /// Which of the claim's assumptions the proof needs, where that was looked at.
         assumptions: Option<AssumptionsUsed<'a>> = of.assumptions.as_ref().map(AssumptionsUsed::of),
         /// Assumptions of what is given that the claim does not make itself.

@@ -5,6 +5,7 @@ use super::conditions::Explanation;
 use super::value::{Decided, FamilyStrength, Finite, Named, Strength, Verdict, objects};
 use findings::FamilyAccount;
 use findings::family::{self, SHARES};
+use reason::Plain;
 
 /// What is counted in each cell of a map.
 const COUNTS: [&str; 4] = ["holds", "fails", "not_applicable", "undecided"];
@@ -40,7 +41,7 @@ objects! {
         /// Members on which it is undecided.
         undecided: u64 = of.counts.undecided,
         /// Why not all members were tried.
-        stopped: Option<&'a str> = of.stopped.as_deref(),
+        stopped: Option<&'static str> = of.stopped.map(Plain::words),
         /// What the counts say of members that were not drawn; null where members are no sample.
         failing_share: Option<FailingShare> = of.failing_share.as_ref().map(FailingShare::of),
         /// The failing member with the smallest number.
@@ -112,7 +113,7 @@ objects! {
         /// The edge of where it holds, where it was looked for.
         #[serde(skip_serializing_if = "Option::is_none")]
         #[schemars(with = "Boundary")]
-        boundary: Option<Boundary<'a>> = of.boundary.as_ref().map(Boundary::of),
+        boundary: Option<Boundary> = of.boundary.as_ref().map(Boundary::of),
     }
 
     /// An axis of a map.
@@ -124,7 +125,7 @@ objects! {
     }
 
     /// The edge of where a claim holds on a map: at the ends of each crossing are motions that were tried.
-    Boundary<'a> of (of: &'a family::Boundary) {
+    Boundary of (of: &family::Boundary) {
         /// How near the two ends of a crossing shall be.
         widths: Widths = Widths::of(of.widths),
         /// Where the verdict changes.
@@ -132,7 +133,7 @@ objects! {
         /// Motions that were tried to find it, which are no members of the family.
         members: u64 = of.members,
         /// Why no more were tried.
-        stopped: Option<&'a str> = of.stopped.as_deref(),
+        stopped: Option<&'static str> = of.stopped.map(Plain::words),
     }
 
     /// Widths along the axes of a map.
@@ -239,7 +240,7 @@ objects! {
         quantiles: Vec<Quantile> =
             SHARES.into_iter().filter_map(|share| Some(Quantile::of(share, found.quantile(share)?))).collect(),
         /// Why not all members were tried.
-        stopped: Option<&'a str> = of.stopped.as_deref(),
+        stopped: Option<&'static str> = of.stopped.map(Plain::words),
     }
 
     /// A member with a value of a measure.

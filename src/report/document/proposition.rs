@@ -32,11 +32,11 @@ objects! {
         /// For ±: the sign it holds for.
         branch: Option<&'a str> = evidence.branch.as_deref(),
         /// What has to hold for the formulas to have values.
-        conditions: &'a [String] = &of.conditions,
+        conditions: Vec<String> = of.conditions.iter().map(ToString::to_string).collect(),
         /// What the proof does not reach.
-        exceptions: &'a [String] = &of.exceptions,
+        exceptions: Vec<String> = of.exceptions.iter().map(ToString::to_string).collect(),
         /// Where alone the premises can hold, special cases aside.
-        given_only_where: &'a [String] = &of.given_only_where,
+        given_only_where: Vec<String> = of.given_only_where.iter().map(ToString::to_string).collect(),
         /// Which premises the proof needs, where that was looked at.
         assumptions: Option<AssumptionsUsed<'a>> = of.assumptions.as_ref().map(AssumptionsUsed::of),
         /// Assumptions of the premises.

@@ -70,13 +70,11 @@ fn enclosing(of: &Enclosing, reason: &Reason) -> Told {
             let told = told(why);
             Told { head: format!("excluded {}", told.head), meaning: OF_NO_TIME, ..told }
         }
-        Enclosing::WhereverItSays(why) => match (&**why, told(why)) {
-            (Reason::Enclosing(Enclosing::EveryTime { within: Some((_, scale)), .. }), told) => {
-                let terms = format!("{scale:.1e}, wherever it says something");
-                Told { apart: told.apart.map(|(gap, _)| (gap, terms)), ..told }
-            }
-            _ => split(reason, ": "),
-        },
+        Enclosing::WhereverItSays(why) if told(why).stretches.is_some() => {
+            let told = told(why);
+            Told { head: format!("wherever it says something, {}", told.head), ..told }
+        }
+        Enclosing::WhereverItSays(_) => split(reason, ": "),
         Enclosing::EveryCommonTime { .. }
         | Enclosing::Certified(Refutation::Apart { .. } | Refutation::Dependent { .. })
         | Enclosing::Certain(Refutation::Apart { .. }) => split(reason, ": "),
@@ -183,6 +181,10 @@ mod tests {
             sentence.starts_with("for every t of the span, by enclosures of both sides on each of the stretches"),
             "{sentence}"
         );
+        // A column of numbers has numbers alone: words stand in the sentence.
+        let open = told(&Enclosing::WhereverItSays(Arc::new(every(Some((6.8e-10, 11.0))).into())).into());
+        assert_eq!((open.stretches, open.apart.clone()), (found.stretches, found.apart.clone()));
+        assert!(open.sentence().starts_with("wherever it says something, for every t of the span, by enclosures"));
         let excluded = told(&Enclosing::Excluded(Arc::new(every(None).into())).into());
         assert_eq!((excluded.stretches, excluded.apart.clone()), (Some(293), None));
         assert!(
@@ -213,7 +215,7 @@ mod tests {
     #[test]
     fn nothing_is_lost_of_other_reasons() {
         for words in ["", "not seen", "for every t of the span: in many stretches", "x is not met: at t = 3"] {
-            let found = told(&words.into());
+            let found = told(&Reason::quoted(words));
             assert_eq!((found.sentence().as_str(), found.own.as_str()), (words, ""));
         }
     }

@@ -11,11 +11,12 @@ use super::super::discrimination::{sentence, smallest, standing, tried_where};
 use super::super::graph::{DerivationGraph, unproved};
 use super::super::numbers::count;
 use super::super::tally::name;
-use super::text::{bare, condition, formula, identifier, plain, prose, unit};
+use super::text::{bare, formula, identifier, plain, prose, proviso, unit};
 use crate::latex::Scope;
 use ::units::{UnitAccount, UnitVerdict};
 use findings::conditions::Need;
 use findings::{Account, ClaimAccount, Correction, Erratum, IdentityAccount};
+use reason::{Coordinate, Point, Refuting};
 
 /// Most altered formulas that are typeset for a claim.
 const SHOWN: usize = 1;
@@ -103,22 +104,40 @@ fn terms(identity: &IdentityAccount, scope: &Scope) -> Markup {
     html! {
         @for (title, lines) in identity.terms() {
             p { b { (title) ":" } }
-            ul { @for c in &lines { li { (condition(c, scope)) } } }
+            ul { @for c in &lines { li { (proviso(c, scope)) } } }
         }
         @if let Some(witness) = &identity.witness {
             p { b { "Refuting point:" } }
-            pre tabindex="0" { (assignments(&witness.to_string())) }
+            (refuting(witness))
         }
     }
 }
 
-/// `NAME = VALUE; …` as lines that can be pasted.
-fn assignments(point: &str) -> String {
-    let line = |part: &str| match part.split_once(" = ") {
-        Some((name, value)) => format!("{} = {}\n", identifier(name), bare(value)),
-        None => format!("{}\n", bare(part)),
+/// What refutes a step: the values of everything, as lines that can be pasted.
+fn refuting(found: &Refuting) -> Markup {
+    let point = |of: &Point| format!("left = {}\nright = {}\n{}", bare(&of.left), bare(&of.right), assignments(&of.at));
+    html! {
+        @match found {
+            Refuting::Point { first, second } => {
+                pre tabindex="0" { (point(first)) }
+                @if let Some(second) = second {
+                    p { "What is given leaves the difference open, as another point shows:" }
+                    pre tabindex="0" { (point(second)) }
+                }
+            },
+            Refuting::OnMotion { .. } => p { (plain(&found.to_string())) "." },
+            Refuting::Sizes(sizes) => pre tabindex="0" { (assignments(sizes)) },
+        }
+    }
+}
+
+fn assignments(at: &[Coordinate]) -> String {
+    let line = |coordinate: &Coordinate| match coordinate {
+        Coordinate::Value(name, value) => format!("{} = {}\n", identifier(name), bare(value)),
+        Coordinate::Circle(name, cos, sin) => format!("{} = atan2({}, {})\n", identifier(name), bare(sin), bare(cos)),
+        Coordinate::Beyond(_) => format!("# {}\n", coordinate.shown(false)),
     };
-    point.split("; ").map(line).collect()
+    at.iter().map(line).collect()
 }
 
 /// What else would separate the motions, and which assumptions the claim needs.
@@ -328,6 +347,22 @@ mod tests {
         assert_eq!(pieces("[-]"), [Same("[-]")]);
         assert_eq!(pieces(r"\sqrt[n]{x}"), [Same(r"\sqrt[n]{x}")]);
         assert!(pieces("").is_empty());
+    }
+
+    #[test]
+    fn a_point_that_refutes_can_be_pasted() {
+        let value = |name: &str, value: &str| Coordinate::Value(name.to_owned(), value.to_owned());
+        let circle = Coordinate::Circle(r"\theta".to_owned(), "5/13".to_owned(), "-12/13".to_owned());
+        let at = vec![value(r"\dot x", "-1/2"), value("u(x,t)", "3"), circle, Coordinate::Beyond(4)];
+        let first = Point { left: "-6".to_owned(), right: "0".to_owned(), at };
+        let second = Some(Point { at: vec![value("x", "2")], ..first.clone() });
+        let lines = "left = -6\nright = 0\nx_dot = -1/2\nu_at_xt = 3\ntheta = atan2(-12/13, 5/13)\n\
+                     # 4 more values, by which what is given holds\n";
+        let page = refuting(&Refuting::Point { first, second }).into_string();
+        assert!(page.starts_with(&format!("<pre tabindex=\"0\">{lines}</pre>")), "{page}");
+        assert!(page.ends_with("left = -6\nright = 0\nx = 2\n</pre>"), "{page}");
+        let motion = Refuting::OnMotion { left: 1.0, right: -2.5, trajectory: "slow".into(), t: 0.5 };
+        assert_eq!(refuting(&motion).into_string(), "<p>left 1, right -2.5 on the trajectory slow at t = 0.5.</p>");
     }
 
     #[test]

@@ -6,6 +6,7 @@ use super::super::mathml;
 pub(super) use super::super::wording::unit;
 use super::super::wording::{self, Part};
 use crate::latex::Scope;
+use reason::Proviso;
 
 /// Longest formula, in bytes of LaTeX, that fits on a narrow screen.
 const LONG: usize = 40;
@@ -154,13 +155,19 @@ fn raised(c: char) -> Option<char> {
     "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾".chars().nth("0123456789+-=()".chars().position(|p| p == c)?)
 }
 
-/// A condition of a proof: an expression, its relation to zero, and perhaps words.
-pub(super) fn condition(text: &str, scope: &Scope) -> Markup {
-    let split = [" ≠ ", " ≥ ", " > ", " ≤ ", " < ", " = "].iter().find_map(|r| Some((*r, text.split_once(r)?)));
-    match split {
-        Some((relation, (expression, rest))) => html! { (formula(expression, scope)) (relation) (rest) },
-        None if text.contains('\\') => html! { code { (plain(text)) } },
-        None => prose(text, scope),
+/// What a proof needs or leaves out, with its formulas.
+pub(super) fn proviso(of: &Proviso, scope: &Scope) -> Markup {
+    match of {
+        Proviso::Where { formula: of, is } => {
+            let (left, rest) = is.parts(of);
+            html! { (formula(&left, scope)) (rest) }
+        }
+        Proviso::Leap(of) => html! { "beyond a time at which " (formula(of, scope)) " leaps" },
+        Proviso::Pole(of) => {
+            html! { "beyond a time at which " (formula(of, scope)) " = 0, unless the motion is analytic there" }
+        }
+        Proviso::Written(of) => formula(of, scope),
+        Proviso::Orders(_) | Proviso::OtherSign => html! { (plain(&of.to_string())) },
     }
 }
 

@@ -1,0 +1,61 @@
+//! What a search for a motion on which a claim fails came to.
+
+use verdict::Verdict;
+
+/// How the tries ended.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tries {
+    /// The claim holds.
+    pub holds: usize,
+    /// The claim fails.
+    pub fails: usize,
+    /// An assumption is not met.
+    pub not_applicable: usize,
+    /// The evidence does not settle it.
+    pub undecided: usize,
+    /// There is no such motion: its values are refused, or it cannot be integrated.
+    pub impossible: usize,
+}
+
+impl Tries {
+    /// How many there were.
+    pub fn all(self) -> usize {
+        self.holds + self.fails + self.not_applicable + self.undecided + self.impossible
+    }
+}
+
+/// A motion on which the claim fails.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FailingMotion {
+    /// The number of the try, from 0.
+    pub number: usize,
+    /// The claim, `id` or `id/reading`.
+    pub claim: String,
+    /// The trajectory of the file that it was made from.
+    pub from: String,
+    /// Its id.
+    pub id: String,
+    /// The table `[[trajectory]]`, ready to be put into the file.
+    pub table: String,
+    /// The verdict on it.
+    pub verdict: Verdict,
+    /// Whether the claim names its trajectories: the id must then be added there.
+    pub listed: bool,
+}
+
+/// What a search has found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SearchAccount {
+    /// The claim that was meant, for any of its readings or `id/reading`.
+    pub claim: String,
+    /// The altered formula that was meant in its place.
+    pub variant: Option<String>,
+    /// The seed of all draws.
+    pub seed: u64,
+    /// The motion, if there is one.
+    pub found: Option<FailingMotion>,
+    /// How the tries ended, up to the one that was taken.
+    pub tries: Tries,
+    /// Trajectories of the file on which the claim, or its altered formula, fails already.
+    pub known: Vec<String>,
+}
