@@ -86,12 +86,6 @@ impl Edges {
         out
     }
 
-    /// The slots whose series are looked at.
-    pub(super) fn read(&self) -> Vec<usize> {
-        let steep = self.steep.iter().map(|(_, slot)| *slot);
-        self.slots.iter().copied().chain(self.jumps.iter().flatten().copied()).chain(steep).collect()
-    }
-
     /// Whether there are none.
     pub(super) fn is_empty(&self) -> bool {
         self.slots.is_empty() && self.steep.is_empty()

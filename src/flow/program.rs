@@ -9,9 +9,6 @@ use expr::tape::{Slots, Tape};
 use expr::{Expr, Graph, Leaf};
 use number::{Bounded, BoundedLanes, Interval, Jet, Lanes, NoValue, Number, Orders, Scalar};
 
-/// States that are found side by side.
-pub(super) const ABREAST: usize = 4;
-
 /// Where an input of a program comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Input {
@@ -31,7 +28,7 @@ pub(super) struct Program {
     pub(super) inputs: Vec<Input>,
     moving: bool,
     /// The states among the inputs, increasing.
-    needs: Vec<usize>,
+    pub(super) needs: Vec<usize>,
     /// Branch points: see [`branches`].
     branches: Vec<(Term, usize)>,
 }
@@ -206,15 +203,9 @@ impl<const N: usize, B: Wide<N>> When<B> for Instants<'_, N> {
         self.times.iter().all(|&t| from <= t && t <= to)
     }
     fn states(&self, trajectory: &Trajectory, states: &[usize], out: &mut [B]) {
-        for some in states.chunks(ABREAST) {
-            let Some(places) = &self.places else {
-                some.iter().for_each(|&i| out[i] = B::INVALID);
-                continue;
-            };
-            // What is left at the end is its first state again.
-            let whole = std::array::from_fn::<usize, ABREAST, _>(|m| some.get(m).copied().unwrap_or(some[0]));
-            let found = trajectory.bounded_values(places, whole);
-            some.iter().zip(found).for_each(|(&i, x)| out[i] = B::of(x));
+        match &self.places {
+            Some(places) => trajectory.bounded_values(places, states, |i, x| out[i] = B::of(x)),
+            None => states.iter().for_each(|&i| out[i] = B::INVALID),
         }
     }
     fn polynomial(&self, trajectory: &Trajectory, i: usize, out: &mut [B]) {

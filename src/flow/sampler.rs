@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use super::cover::BLOCK;
 use super::motion::Motion;
-use super::program::{ABREAST, Input, Program};
+use super::program::{Input, Program};
 use expr::tape::Slots;
 use number::{Bounded, BoundedLanes, Instruction, Scalar};
 
@@ -60,23 +60,12 @@ impl Sampler {
         let (from, to) = trajectory.reach();
         let places = trajectory.places(times);
         let mut known = times.iter().all(|t| (from..=to).contains(t));
-        let mut states = program.inputs.iter().enumerate().filter_map(|(at, input)| match input {
-            Input::State(state) => Some((at, *state)),
-            Input::Time | Input::Constant(_) | Input::Turns(_) | Input::Unused => None,
+        trajectory.bounded_values(&places, &program.needs, |state, x| {
+            let x = BoundedLanes::of(x);
+            known &= x.checked().is_ok();
+            let at = program.inputs.iter().position(|input| *input == Input::State(state));
+            at.into_iter().for_each(|at| slots.set(at, Ok(x)));
         });
-        while let Some(first) = states.next() {
-            // What is left at the end is its first state again.
-            let (mut some, mut count) = ([first; ABREAST], 1);
-            for (place, state) in some[1..].iter_mut().zip(&mut states) {
-                (*place, count) = (state, count + 1);
-            }
-            let found = trajectory.bounded_values(&places, some.map(|(_, state)| state));
-            for ((at, _), x) in some.into_iter().zip(found).take(count) {
-                let x = BoundedLanes::of(x);
-                known &= x.checked().is_ok();
-                slots.set(at, Ok(x));
-            }
-        }
         for (at, _) in program.inputs.iter().enumerate().filter(|(_, input)| **input == Input::Time) {
             slots.set(at, Ok(BoundedLanes::of(times.map(Bounded::exact))));
         }

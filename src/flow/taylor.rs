@@ -178,11 +178,10 @@ impl Flow {
         let moves = flow.moving(true);
         let steps = flow.tape.instructions();
         let rates = (0..dimension).map(|i| flow.tape.output_slot(i)).collect();
-        let edges = Edges::of(&flow);
-        let recurrences = Recurrences::new(steps, &moves, rates, &edges.read());
+        let recurrences = Recurrences::new(steps, &moves, rates);
         let still = steps.iter().copied().filter(|step| !moves[step.out as usize]).collect();
         let polynomial = Narrow::hides_nothing(&flow.tape, &moves);
-        Flow { edges, recurrences, still, polynomial, ..flow }
+        Flow { edges: Edges::of(&flow), recurrences, still, polynomial, ..flow }
     }
 
     /// Whether the right sides are polynomials, by nothing but the states: a motion has nothing between the ends of a step that

@@ -24,7 +24,7 @@ const FLOOR: f64 = 4.0 * f64::EPSILON;
 pub(super) const ORDER: usize = 20;
 
 /// For so many steps there is room at first.
-const FEW_STEPS: usize = 48;
+const FEW_STEPS: usize = 64;
 
 /// Polynomials and errors from the initial time in one direction.
 #[derive(Clone, Debug, Default)]
@@ -358,15 +358,30 @@ impl Trajectory {
         Bounded { value: self.value(place, state), error: self.error(place, state) }
     }
 
-    /// The same of some states at several times at once.
-    pub(super) fn bounded_values<const N: usize, const M: usize>(
+    /// The same of some states at several times at once, each handed to `put`.
+    pub(super) fn bounded_values<const N: usize>(
         &self,
         places: &[Place; N],
-        states: [usize; M],
-    ) -> [[Bounded; N]; M] {
-        let values = self.values(places, states);
-        let of = |m: usize, i: usize| Bounded { value: values[m][i], error: self.error(places[i], states[m]) };
-        std::array::from_fn(|m| std::array::from_fn(|i| of(m, i)))
+        states: &[usize],
+        mut put: impl FnMut(usize, [Bounded; N]),
+    ) {
+        let mut hand_over = |some: &[usize], values: &[[f64; N]]| {
+            for (&state, values) in some.iter().zip(values) {
+                let of = |i: usize| Bounded { value: values[i], error: self.error(places[i], state) };
+                put(state, std::array::from_fn(of));
+            }
+        };
+        // So many that their sums fill the registers.
+        for some in states.chunks(4) {
+            match *some {
+                [a, b, c, d] => hand_over(some, &self.values(places, [a, b, c, d])),
+                [a, b, c] => hand_over(some, &self.values(places, [a, b, c])),
+                [a, b] => hand_over(some, &self.values(places, [a, b])),
+                [a] => hand_over(some, &self.values(places, [a])),
+                // No chunk is longer.
+                _ => {}
+            }
+        }
     }
 
     fn error(&self, place: Place, state: usize) -> f64 {

@@ -8,9 +8,7 @@
 //! **Why this way:** nearly all work is sums of products, Σ aⱼ·bₖ₋ⱼ, one for each product of two series and each order. Products
 //! with a factor in common are summed in one loop, which reads that factor once, and whose sums do not wait for each other.
 //! What kind of step comes next is asked once for all steps of a kind and an order, and all orders are one call into the code
-//! for the registers of this processor. Operations without a loop of their own are carried out on [`Jet`]s. Most slots hold what is
-//! needed at one order alone: they have room for one coefficient, so that the series that are summed again and again stay in the
-//! first cache.
+//! for the registers of this processor. Operations without a loop of their own are carried out on [`Jet`]s.
 
 use super::{Instruction, Jet, Lanes, Op, Orders, Scalar};
 use pulp::{Arch, Simd, WithSimd};
@@ -44,13 +42,12 @@ struct Row {
 /// How the series of a system are grown. The inputs are the time, the states, and what does not move.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Recurrences {
+    slots: usize,
     rows: Vec<Row>,
     /// The steps that are carried out on jets.
     others: Vec<Instruction>,
     /// The slots of the rates of the states.
     rates: Vec<usize>,
-    /// Of every slot whether its whole series is kept, or the last of its coefficients alone.
-    kept: Vec<bool>,
 }
 
 /// Most products in one loop: their sums in all lanes fill the registers, four for each product at most.
@@ -91,9 +88,8 @@ fn kind(step: &Instruction, moves: &[bool]) -> Kind {
 
 impl Recurrences {
     /// For a program whose slot 0 is the time, followed by as many states as there are `rates`, the slots of their rates.
-    /// `moves` says of every slot whether it depends on time or state. Whose series are read afterwards must be among `read`, the
-    /// time, the states and what does not move apart.
-    pub fn new(steps: &[Instruction], moves: &[bool], rates: Vec<usize>, read: &[usize]) -> Recurrences {
+    /// `moves` says of every slot whether it depends on time or state.
+    pub fn new(steps: &[Instruction], moves: &[bool], rates: Vec<usize>) -> Recurrences {
         let mut depth = vec![0_usize; moves.len()];
         let mut others = Vec::new();
         let mut ordered: Vec<(usize, Kind, [usize; 3])> = Vec::new();
@@ -119,18 +115,6 @@ impl Recurrences {
             }
             ordered.push((depth[out], kind, [a, b, out]));
         }
-        let mut kept = vec![true; moves.len()];
-        ordered.iter().for_each(|(_, _, [.., out])| kept[*out] = false);
-        for &(_, kind, [a, b, out]) in &ordered {
-            let summed: &[usize] = match kind {
-                Kind::Product => &[a, b],
-                Kind::Quotient => &[b, out],
-                Kind::Root => &[out],
-                Kind::Multiple | Kind::Share | Kind::Negative | Kind::Sum | Kind::Difference | Kind::Other => &[],
-            };
-            summed.iter().for_each(|slot| kept[*slot] = true);
-        }
-        read.iter().for_each(|slot| kept[*slot] = true);
         ordered.sort_by_key(|(depth, kind, _)| (*depth, *kind));
         let mut rows = Vec::new();
         for level in ordered.chunk_by(|x, y| (x.0, x.1) == (y.0, y.1)) {
@@ -141,7 +125,7 @@ impl Recurrences {
                 _ => rows.push(Row { kind, steps }),
             }
         }
-        Recurrences { rows, others, rates, kept }
+        Recurrences { slots: moves.len(), rows, others, rates }
     }
 }
 
@@ -170,29 +154,13 @@ struct OnJets<const N: usize> {
     out: Jet<Lanes<N>>,
 }
 
-/// Where the coefficients of a slot are: the first, and how far it is from one to the next, 0 where one is kept.
-#[derive(Clone, Copy, Debug)]
-struct Place {
-    first: usize,
-    step: usize,
-}
-
-impl Place {
-    #[inline(always)]
-    fn of(self, k: usize) -> usize {
-        self.first + k * self.step
-    }
-}
-
 /// The series of the slots of a program in several lanes.
 #[derive(Clone, Debug)]
 pub struct Growth<const N: usize> {
-    /// Room for so many coefficients of a series that is kept.
+    /// Room for so many coefficients.
     room: usize,
     /// The coefficients of a slot, then those of the next.
     values: Vec<Lanes<N>>,
-    /// Where these are, slot by slot.
-    places: Vec<Place>,
     others: Vec<OnJets<N>>,
     /// 1/k.
     shares: Vec<f64>,
@@ -206,34 +174,25 @@ impl<const N: usize> Growth<N> {
         let blank = || Jet::constant(Lanes::ZERO, &orders);
         let others = of.others.iter().map(|_| OnJets { a: blank(), b: blank(), out: blank() }).collect();
         let shares = (0..=order).map(|k| 1.0 / k as f64).collect();
-        let mut count = 0;
-        let place = |&kept: &bool| {
-            let first = count;
-            count += if kept { room } else { 1 };
-            Place { first, step: usize::from(kept) }
-        };
-        let places = of.kept.iter().map(place).collect();
-        Growth { room, values: vec![Lanes::ZERO; count], places, others, shares }
+        Growth { room, values: vec![Lanes::ZERO; of.slots * room], others, shares }
     }
 
     /// What is in a slot at order 0: to be set for everything that is not computed.
     #[inline]
     pub fn start_mut(&mut self, slot: usize) -> &mut Lanes<N> {
-        &mut self.values[self.places[slot].first]
+        &mut self.values[slot * self.room]
     }
 
-    /// Coefficient `k` of a slot that is read.
+    /// Coefficient `k` of a slot.
     #[inline]
     pub fn coefficient(&self, slot: usize, k: usize) -> &Lanes<N> {
-        &self.coefficients(slot)[k]
+        &self.values[slot * self.room + k]
     }
 
-    /// The first coefficients of a slot that is read.
+    /// The first coefficients of a slot.
     #[inline]
     pub fn coefficients(&self, slot: usize) -> &[Lanes<N>] {
-        let Place { first, step } = self.places[slot];
-        debug_assert!(step == 1, "slot {slot} is not among those that are read");
-        &self.values[first..first + self.room]
+        &self.values[slot * self.room..(slot + 1) * self.room]
     }
 
     /// Grows the series of the states up to an order for which there is room, those of other slots to one less, from the time,
@@ -318,16 +277,16 @@ macro_rules! products {
 fn product_row<S: Simd, const N: usize>(
     simd: S,
     values: &mut [Lanes<N>],
-    (places, k): (&[Place], usize),
+    (room, k): (usize, usize),
     steps: &[[usize; 3]],
 ) {
     let Some(&[common, ..]) = steps.first() else { return };
     macro_rules! row {
         ($($step:ident $b:ident $sum:ident),+) => {{
-            let a = &values[places[common].first..][..k + 1];
-            $(let $b = &values[places[$step[1]].first..][..k + 1];)+
+            let a = &values[common * room..][..k + 1];
+            $(let $b = &values[$step[1] * room..][..k + 1];)+
             let [$($sum),+] = products!(simd, a, $($b $sum),+);
-            $(put::<S, N>(simd, &mut values[places[$step[2]].of(k)], |register| $sum[register]);)+
+            $(put::<S, N>(simd, &mut values[$step[2] * room + k], |register| $sum[register]);)+
         }};
     }
     match steps {
@@ -341,20 +300,20 @@ fn product_row<S: Simd, const N: usize>(
 
 #[inline(always)]
 fn grow<S: Simd, const N: usize>(simd: S, of: &Recurrences, order: usize, growth: &mut Growth<N>) {
-    let Growth { places, values, others, shares, .. } = growth;
-    let (places, values) = (&places[..], &mut values[..]);
+    let room = growth.room;
+    let values = &mut growth.values[..of.slots * room];
     if order > 0 {
-        values[places[0].of(1)] = Lanes::splat(1.0);
+        values[1] = Lanes::splat(1.0);
     }
     for k in 0..order {
         for row in &of.rows {
-            grow_row(simd, row, values, (places, k), of, others);
+            grow_row(simd, row, values, (room, k), of, &mut growth.others);
         }
-        let share = simd.splat_f64s(shares[k + 1]);
+        let share = simd.splat_f64s(growth.shares[k + 1]);
         for (state, &rate) in of.rates.iter().enumerate() {
-            let x = values[places[rate].of(k)];
+            let x = values[rate * room + k];
             let of = |register| simd.mul_f64s(part::<S, N>(&x, register), share);
-            put::<S, N>(simd, &mut values[places[1 + state].of(k + 1)], of);
+            put::<S, N>(simd, &mut values[(1 + state) * room + k + 1], of);
         }
     }
 }
@@ -365,16 +324,15 @@ fn other<const N: usize>(
     of: &Recurrences,
     at: usize,
     values: &mut [Lanes<N>],
-    (places, k): (&[Place], usize),
+    (room, k): (usize, usize),
     others: &mut [OnJets<N>],
 ) {
     let (step, OnJets { a, b, out }) = (&of.others[at], &mut others[at]);
-    let place = |slot: u32| places[slot as usize].of(k);
-    a.set_coefficient(k, values[place(step.a)]);
-    b.set_coefficient(k, values[place(step.b)]);
+    a.set_coefficient(k, values[step.a as usize * room + k]);
+    b.set_coefficient(k, values[step.b as usize * room + k]);
     // No operation on lanes fails as a whole; what the type does not know has no value.
-    let found = step.op.apply(&Orders::only(k, out.series.len() - 1), out, a, b);
-    values[place(step.out)] = if found.is_ok() { out.coefficient(k) } else { Lanes::INVALID };
+    let found = step.op.apply(&Orders::only(k, room - 1), out, a, b);
+    values[step.out as usize * room + k] = if found.is_ok() { out.coefficient(k) } else { Lanes::INVALID };
 }
 
 /// Coefficient `k` of the results of a row.
@@ -383,7 +341,7 @@ fn grow_row<S: Simd, const N: usize>(
     simd: S,
     row: &Row,
     values: &mut [Lanes<N>],
-    (places, k): (&[Place], usize),
+    (room, k): (usize, usize),
     of: &Recurrences,
     others: &mut [OnJets<N>],
 ) {
@@ -391,8 +349,8 @@ fn grow_row<S: Simd, const N: usize>(
     macro_rules! each {
         (|[$first:expr, $second:expr]: [$a:ident, $b:ident]| $value:expr) => {
             for &[first, second, out] in &row.steps {
-                let ($a, $b) = (values[places[first].of($first)], values[places[second].of($second)]);
-                put::<S, N>(simd, &mut values[places[out].of(k)], |register| {
+                let ($a, $b) = (values[first * room + $first], values[second * room + $second]);
+                put::<S, N>(simd, &mut values[out * room + k], |register| {
                     let ($a, $b) = (part::<S, N>(&$a, register), part::<S, N>(&$b, register));
                     $value
                 });
@@ -400,8 +358,8 @@ fn grow_row<S: Simd, const N: usize>(
         };
         (|$a:ident| $value:expr) => {
             for &[first, _, out] in &row.steps {
-                let $a = values[places[first].of(k)];
-                put::<S, N>(simd, &mut values[places[out].of(k)], |register| {
+                let $a = values[first * room + k];
+                put::<S, N>(simd, &mut values[out * room + k], |register| {
                     let $a = part::<S, N>(&$a, register);
                     $value
                 });
@@ -414,14 +372,14 @@ fn grow_row<S: Simd, const N: usize>(
         Kind::Negative => each!(|a| simd.neg_f64s(a)),
         Kind::Sum => each!(|[k, k]: [a, b]| simd.add_f64s(a, b)),
         Kind::Difference => each!(|[k, k]: [a, b]| simd.sub_f64s(a, b)),
-        Kind::Product => product_row(simd, values, (places, k), &row.steps),
+        Kind::Product => product_row(simd, values, (room, k), &row.steps),
         // x·b = a.
         Kind::Quotient => {
             for &[a, b, out] in &row.steps {
-                let (x, b) = (&values[places[out].first..][..k], &values[places[b].first..][..k + 1]);
-                let (a, b0, b1) = (values[places[a].of(k)], b[0], &b[1..]);
+                let (x, b) = (&values[out * room..out * room + k], &values[b * room..b * room + k + 1]);
+                let (a, b0, b1) = (values[a * room + k], b[0], &b[1..]);
                 let [known] = products!(simd, x, b1 sum);
-                put::<S, N>(simd, &mut values[places[out].of(k)], |register| {
+                put::<S, N>(simd, &mut values[out * room + k], |register| {
                     let rest = simd.sub_f64s(part::<S, N>(&a, register), known[register]);
                     simd.div_f64s(rest, part::<S, N>(&b0, register))
                 });
@@ -431,10 +389,10 @@ fn grow_row<S: Simd, const N: usize>(
         // x·x = a.
         Kind::Root => {
             for &[a, _, out] in &row.steps {
-                let x = &values[places[out].first..][..k];
-                let (a, x0, x1) = (values[places[a].of(k)], x[0], &x[1..]);
+                let x = &values[out * room..out * room + k];
+                let (a, x0, x1) = (values[a * room + k], x[0], &x[1..]);
                 let [known] = products!(simd, x1, x1 sum);
-                put::<S, N>(simd, &mut values[places[out].of(k)], |register| {
+                put::<S, N>(simd, &mut values[out * room + k], |register| {
                     let rest = simd.sub_f64s(part::<S, N>(&a, register), known[register]);
                     let first = part::<S, N>(&x0, register);
                     simd.div_f64s(rest, simd.add_f64s(first, first))
@@ -443,7 +401,7 @@ fn grow_row<S: Simd, const N: usize>(
         }
         Kind::Other => {
             for &[at, _, _] in &row.steps {
-                other(of, at, values, (places, k), others);
+                other(of, at, values, (room, k), others);
             }
         }
     }
@@ -538,10 +496,8 @@ mod tests {
         for _ in 0..400 {
             let (steps, moves) = program(&mut draws);
             let count = moves.len() as u64;
-            let rates: Vec<usize> = (0..STATES).map(|_| draws.below(count) as usize).collect();
-            let all: Vec<usize> = (0..moves.len()).collect();
-            let bare = Recurrences::new(&steps, &moves, Vec::clone(&rates), &[]);
-            let of = Recurrences::new(&steps, &moves, rates, &all);
+            let rates = (0..STATES).map(|_| draws.below(count) as usize).collect();
+            let of = Recurrences::new(&steps, &moves, rates);
             // Away from 0, where quotients would cancel.
             let mut number =
                 || (0.5 + draws.below(1 << 20) as f64 / 524_288.0) * if draws.below(2) == 0 { 1.0 } else { -1.0 };
@@ -549,13 +505,6 @@ mod tests {
             let wide = grown(&of, &steps, &moves, inputs);
             let some: [[f64; 6]; 3] = std::array::from_fn(|i| inputs[i]);
             let half: [[f64; 6]; 4] = std::array::from_fn(|i| inputs[i]);
-            // What only the states are read of keeps less.
-            let kept = grown(&bare, &steps, &moves, inputs);
-            for (slot, k) in (1..=STATES).flat_map(|slot| (0..=DEGREE).map(move |k| (slot, k))) {
-                let (x, y) = (wide.coefficient(slot, k), kept.coefficient(slot, k));
-                assert!(x.0.iter().zip(y.0).all(|(x, y)| x.to_bits() == y.to_bits() || x.is_nan() && y.is_nan()));
-            }
-            assert!(kept.values.len() <= wide.values.len());
             let (three, four) = (grown(&of, &steps, &moves, some), grown(&of, &steps, &moves, half));
             for (lane, input) in inputs.iter().enumerate() {
                 let one = grown(&of, &steps, &moves, [*input]);
@@ -589,7 +538,7 @@ mod tests {
     fn products_with_a_factor_in_common_are_one_row() {
         let step = |op, a, b, out| Instruction { op, a, b, out };
         let steps = [step(Op::Mul, 1, 2, 4), step(Op::Mul, 3, 1, 5), step(Op::Mul, 2, 2, 6), step(Op::Sub, 4, 5, 7)];
-        let of = Recurrences::new(&steps, &[true; 8], vec![7, 6, 4], &[]);
+        let of = Recurrences::new(&steps, &[true; 8], vec![7, 6, 4]);
         let rows: Vec<(Kind, usize)> = of.rows.iter().map(|row| (row.kind, row.steps.len())).collect();
         assert_eq!(rows, [(Kind::Product, 2), (Kind::Product, 1), (Kind::Difference, 1)]);
     }
