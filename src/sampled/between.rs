@@ -4,15 +4,16 @@
 //! zeros and at the peaks of what lies between two of them; and what the search left open.
 //!
 //! An inequality keeps its truth as long as left − right keeps its sign. So it is enough to look where the sign changes, and
-//! once between two changes. Where the sides only touch, or where the search is incomplete, the comparison may be anything:
+//! once between two changes: of this comparison, of another one beside it, of what is assumed, or of where there are values. Where the sides only touch, or where the search is incomplete, the comparison may be anything:
 //! if the part may be false then, it is not known to be true.
 
 use std::sync::Arc;
 
 use crate::course::Trial;
 use crate::describe::{Describer, Left, incomplete};
+use crate::expr::Expr;
 use crate::flow::{Incomplete, Points};
-use crate::judged::{Judged, selected};
+use crate::judged::{Judged, Tried, selected};
 use crate::latex::RelationKind;
 use crate::number::NoValue;
 use crate::verdict::{Evidence, Finding, Possible, Strength, Truth};
@@ -30,8 +31,9 @@ const POINT: f64 = 1e-9;
 enum Role {
     /// left − right of a comparison changes its sign there; how well the time is known.
     Crossing { comparison: usize, slack: f64 },
-    /// It is farthest from 0 there, between two changes of sign.
-    Peak,
+    /// Nothing that the part depends on changes there: one of the comparisons is farthest from 0 between two changes of its sign,
+    /// or the time lies between two changes.
+    Inside,
     /// Whether the part may be false there, whatever the comparison is, decides whether a reason stays open.
     Probe { reason: usize, comparison: usize },
 }
@@ -49,6 +51,37 @@ struct Between<'a> {
     position: usize,
 }
 
+/// A time inside each stretch between two changes of what a part depends on, where it was not `seen` what is there.
+///
+/// A comparison by itself is looked at between two changes of its own sign, where it is farthest from 0: there it may not count,
+/// or another comparison decide. Changes that are closer to one another than their times are known are one.
+fn unseen(trial: &Trial, position: usize, void: bool, seen: impl Fn(f64, f64) -> bool) -> Vec<f64> {
+    let Trial { program, course, .. } = *trial;
+    let compared = program.parts[position].boundaries(void).map(|(_, _, e)| e);
+    let assumed = program.met().map(|(_, _, e)| e);
+    let mut each: Vec<Expr> = compared.chain(assumed).chain(program.edges()).collect();
+    each.sort_unstable();
+    each.dedup();
+    if each.len() < 2 {
+        return Vec::new();
+    }
+    let (from, to) = course.stage.span(course.trajectory);
+    let mut changes = vec![(from, 0.0), (to, 0.0)];
+    for zeros in each.into_iter().filter_map(|e| course.zeros(e)) {
+        changes.extend(zeros.times.iter().copied().zip(zeros.slack.iter().copied()));
+        let ends = zeros.incomplete.iter().map(Incomplete::stretch).flat_map(|(start, end)| [start, end]);
+        changes.extend(zeros.touching.iter().copied().chain(ends).map(|t| (t, 0.0)));
+    }
+    changes.retain(|(t, _)| (from..=to).contains(t));
+    changes.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let apart = |pair: &[(f64, f64)]| {
+        let ((a, before), (b, after)) = (pair[0], pair[1]);
+        let middle = a + 0.5 * (b - a);
+        (b - a > before + after && a < middle && middle < b && !seen(a, b)).then_some(middle)
+    };
+    changes.windows(2).filter_map(apart).collect()
+}
+
 /// Whether a zero lies beyond an end of the span, up to the error of its time.
 pub(super) fn may_lie_beyond((from, to): (f64, f64), t: f64, slack: f64) -> bool {
     let exact = slack <= 4.5 * f64::EPSILON * t.abs().max(f64::MIN_POSITIVE);
@@ -61,8 +94,8 @@ pub(super) fn is_weak(kind: RelationKind) -> bool {
 }
 
 impl<'a> Between<'a> {
-    /// Looks for the changes of a part of the program.
-    fn look(trial: &Trial<'a>, along: &Measurements, position: usize, void: bool) -> Between<'a> {
+    /// Looks for the changes of a part of the program, which was measured `along` the times that were `tried`.
+    fn look(trial: &Trial<'a>, (along, tried): (&Measurements, &Tried), position: usize, void: bool) -> Between<'a> {
         let Trial { program, course, .. } = *trial;
         let (from, to) = course.stage.span(course.trajectory);
         let mut found: Vec<(f64, Role)> = Vec::new();
@@ -84,7 +117,7 @@ impl<'a> Between<'a> {
                 };
                 found.push((t, role));
             }
-            found.extend(zeros.peaks.iter().map(|&t| (t, Role::Peak)));
+            found.extend(zeros.peaks.iter().map(|&t| (t, Role::Inside)));
             // What is true beside a point and continuous is true at it, unless one side alone is seen.
             for &t in if is_weak(kind) { &zeros.cut_off } else { &zeros.touching } {
                 open.push(Sampling::Touches(t).into());
@@ -107,10 +140,17 @@ impl<'a> Between<'a> {
                 found.extend(probes.into_iter().filter(|t| (from..=to).contains(t)).map(|t| (t, role)));
             }
         }
+        let judged = Judged::new(&along.parts[position], trial.claim.precision);
+        let clear = |i: usize| matches!(tried.left[i], Left::Out(_)) || judged.at(i).decided().is_some();
+        let unseen = unseen(trial, position, void, |from, to| {
+            let inside = tried.times.partition_point(|&t| t <= from)..tried.times.partition_point(|&t| t < to);
+            inside.into_iter().any(clear)
+        });
+        found.extend(unseen.into_iter().map(|t| (t, Role::Inside)));
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
         let event = |&(t, role): &(f64, Role)| match role {
             Role::Crossing { slack, .. } => (t, Some(slack)),
-            Role::Peak | Role::Probe { .. } => (t, None),
+            Role::Inside | Role::Probe { .. } => (t, None),
         };
         let points = course.points_at_events(program, &found.iter().map(event).collect::<Vec<_>>());
         let mut measured = measure(program, &points, Some(along));
@@ -121,7 +161,7 @@ impl<'a> Between<'a> {
         // Where its sign changes, the sides of a comparison are equal; what else is 0 within its error there may not be.
         let crosses = |role: &Role| match role {
             Role::Crossing { comparison, .. } => Some(*comparison),
-            Role::Peak | Role::Probe { .. } => None,
+            Role::Inside | Role::Probe { .. } => None,
         };
         measured.parts[position].crossing = roles.iter().map(crosses).collect();
         Between { times, points, roles, open, measured, position }
@@ -169,7 +209,7 @@ impl<'a> Between<'a> {
         // Whether a time at which the sides touch refutes cannot be told: such times are not weighed.
         let weighed = |(left, role): (&Left, &Role)| match role {
             Role::Probe { .. } => Left::Out(Arc::new(Plain::NotLookedAt.into())),
-            Role::Crossing { .. } | Role::Peak => left.clone(),
+            Role::Crossing { .. } | Role::Inside => left.clone(),
         };
         let counting: Vec<Left> = left.iter().zip(&self.roles).map(weighed).collect();
         let undecided = |reason: Reason, samples: usize| {
@@ -198,7 +238,12 @@ impl<'a> Between<'a> {
 }
 
 /// What is known of a part that is true, or has no value, at all samples, with what lies between them.
-pub(super) fn between_samples(trial: &Trial, along: &Measurements, position: usize, finding: Finding) -> Finding {
+pub(super) fn between_samples(
+    trial: &Trial,
+    along: (&Measurements, &Tried),
+    position: usize,
+    finding: Finding,
+) -> Finding {
     let known = finding.known(Strength::Sampled);
     let void = known == Some(Possible::VOID);
     if trial.program.parts[position].boundaries(void).next().is_none() {

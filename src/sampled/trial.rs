@@ -183,7 +183,7 @@ fn part(
     };
     let between = |finding: Finding| match program.at {
         Some(_) => finding,
-        None => between_samples(trial, measured, position, finding),
+        None => between_samples(trial, (measured, tried), position, finding),
     };
     let finding = match &part.what {
         What::Every | What::Defined => between(closer(weighed())),
