@@ -60,7 +60,8 @@ struct Filled {
 
 impl Filled {
     fn of(tapes: &Tapes, places: &[Option<usize>]) -> Option<Filled> {
-        let leaves = tapes.inputs().iter().map(|at| places.get(*at).copied().flatten()).collect::<Option<Vec<usize>>>()?;
+        let leaves =
+            tapes.inputs().iter().map(|at| places.get(*at).copied().flatten()).collect::<Option<Vec<usize>>>()?;
         let mut slots = tapes.tape().slots::<Block>(&());
         // The sign of ±, which does not occur.
         slots.set(leaves.len(), Ok(Block::splat(Bounded::exact(1.0))));

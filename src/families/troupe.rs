@@ -410,7 +410,10 @@ impl<'a> Troupe<'a> {
             let unsettled = |one: &Result<Option<OnMember>, CheckError>| matches!(one, Ok(Some(one)) if one.unsettled);
             let places: Vec<usize> = (0..all.len()).filter(|n| unsettled(&on_members[*n])).collect();
             let again: Vec<OfMember> = places.iter().map(|n| all[*n]).collect();
-            let settled = self.on_members(&again, prepared, requests, Estimation::Companions);
+            let settled = match again.is_empty() {
+                true => Vec::new(),
+                false => self.on_members(&again, prepared, requests, Estimation::Companions),
+            };
             places.into_iter().zip(settled).for_each(|(place, settled)| on_members[place] = settled);
             on_members
         });
@@ -462,6 +465,11 @@ impl<'a> Troupe<'a> {
             let screens = screens.as_mut().filter(|_| !member.1);
             if let Some(verdicts) = screens.and_then(|screens| screens.verdicts(&stage, self.slot)) {
                 let steps = stage.motion(self.slot).map_or(0, Motion::steps) as u64;
+                // By the long way it is the same.
+                debug_assert!(self.verdicts(*member, &stage, prepared, requests.limits).is_ok_and(|(weighed, _)| {
+                    let mut both = weighed.iter().zip(&verdicts).zip(&self.programs);
+                    both.all(|((long, short), of)| long.outcome() == short.outcome() && is_settled(long, of))
+                }));
                 return Ok(Some(OnMember { verdicts, measured: Vec::new(), steps, unsettled: false }));
             }
             let (verdicts, measured) = self.verdicts(*member, &stage, prepared, requests.limits)?;

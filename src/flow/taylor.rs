@@ -198,9 +198,7 @@ impl Flow {
         let (second, third) = rest.split_at(self.dimension);
         for (group, states) in &self.stretches {
             let [first, second, third] = [first, second, third].map(|of| &of[states.clone()]);
-            let size = |i: usize| {
-                larger(larger(first[i].abs(), (second[i] * h).abs()), (third[i] * h * h).abs())
-            };
+            let size = |i: usize| larger(larger(first[i].abs(), (second[i] * h).abs()), (third[i] * h * h).abs());
             out[*group] = larger(out[*group], largest(first.len(), size));
         }
     }

@@ -282,7 +282,11 @@ impl Trajectory {
 
     /// The values of some states at several times at once: the same operations, state by state and time by time, none of which
     /// waits for those of another one.
-    pub(super) fn values<const N: usize, const M: usize>(&self, places: &[Place; N], states: [usize; M]) -> [[f64; N]; M] {
+    pub(super) fn values<const N: usize, const M: usize>(
+        &self,
+        places: &[Place; N],
+        states: [usize; M],
+    ) -> [[f64; N]; M] {
         widely(Self::sums, (self, places, states))
     }
 
@@ -296,7 +300,8 @@ impl Trajectory {
         for (first, run) in runs(places) {
             // The polynomials of one step at all times, of which those count that lie in it: few blocks of times have many steps.
             let branch = of.branch(first.backward);
-            let Some(series) = branch.coefficients.get(first.step * n * (ORDER + 1)..(first.step + 1) * n * (ORDER + 1))
+            let Some(series) =
+                branch.coefficients.get(first.step * n * (ORDER + 1)..(first.step + 1) * n * (ORDER + 1))
             else {
                 continue;
             };

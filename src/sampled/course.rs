@@ -99,8 +99,7 @@ impl Course<'_> {
 /// Times around one of several: a few between it and its neighbours, increasing.
 pub(crate) fn near(times: &[f64], at: usize) -> Vec<f64> {
     let (centre, neighbours) = (times[at], [at.checked_sub(1), Some(at + 1)]);
-    let between =
-        |other: f64| (1..=CLOSER).map(move |k| centre + (other - centre) * k as f64 / (CLOSER + 1) as f64);
+    let between = |other: f64| (1..=CLOSER).map(move |k| centre + (other - centre) * k as f64 / (CLOSER + 1) as f64);
     let neighbours = neighbours.into_iter().flatten().filter_map(|i| times.get(i).copied());
     let mut times: Vec<f64> = neighbours.flat_map(between).collect();
     times.sort_by(f64::total_cmp);
