@@ -163,7 +163,7 @@ fn equations_by_themselves_have_the_verdict_of_a_trajectory() {
     }
     assert_eq!(one(&[r"(x+10^{20})-10^{20}=2x"]).0, 0, "its terms hide what it says");
     assert_eq!(one(&[r"(x+10^{6})-10^{6}=x"]), (30, 0));
-    assert_eq!(one(&[r"(x+10^{9})^2-10^{18}=x^2+2\cdot10^{9}x", r"\dot x^2+kx^2=k"]), (60, 0));
+    assert_eq!(one(&[r"(x+10^{12})-10^{12}=x", r"\dot x^2+kx^2=k"]), (60, 0));
     assert_eq!(one(&[r"\frac{x}{x}=1"]).1, 0, "it has no value where x vanishes");
 }
 
@@ -171,7 +171,7 @@ fn equations_by_themselves_have_the_verdict_of_a_trajectory() {
 /// fail. No two verdicts contradict each other.
 fn as_members_and_alone(claims: &str) -> (usize, usize) {
     let family = "\n[[family]]\nid = 'f'\nof = 'a'\nvary = { 'k' = { from = 1, to = 30, count = 30 } }\n";
-    let text = format!("{HEAD}{family}{}", claims).replace("span = [0, 1]", "span = [0, 10]");
+    let text = format!("{HEAD}{family}{claims}").replace("span = [0, 1]", "span = [0, 10]");
     let alone = text.replace(family, "").replace("families = ['f']\n", "");
     let parsed = |text: String| {
         let source = Source { path: "derivations/nearly.toml".into(), text };
