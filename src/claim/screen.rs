@@ -257,7 +257,7 @@ impl Screen {
             let size = sizes.typical(part.clone());
             let around = near(along.worst);
             let Some(&end) = around.last() else { return false };
-            if !(size > 0.0) || !along.is_clear(size, &self.margins) || around.len() > BLOCK {
+            if size <= 0.0 || !along.is_clear(size, &self.margins) || around.len() > BLOCK {
                 return false;
             }
             let block = std::array::from_fn(|i| around.get(i).copied().unwrap_or(end));
