@@ -19,4 +19,5 @@ pub mod measured;
 pub mod mute;
 pub mod options;
 pub mod program;
+pub mod screen;
 pub mod system;

@@ -164,7 +164,7 @@ pub struct Asked<'a> {
 }
 
 /// Which of so many points are looked at for what is typical.
-fn samples(count: usize) -> Vec<usize> {
+pub(crate) fn samples(count: usize) -> Vec<usize> {
     if count <= TYPICAL {
         (0..count).collect()
     } else {
@@ -250,7 +250,7 @@ impl Sizes<'_> {
 }
 
 /// The middle one of some sizes; 0 where there is none.
-fn median(mut sizes: Vec<f64>) -> f64 {
+pub(crate) fn median(mut sizes: Vec<f64>) -> f64 {
     if sizes.is_empty() {
         return 0.0;
     }

@@ -28,7 +28,7 @@ const CANCELLED: f64 = 1e-12;
 
 /// The terms of left − right, with their signs.
 #[derive(Clone, Debug)]
-struct Terms {
+pub(crate) struct Terms {
     negative: Vec<bool>,
     tape: Tape,
 }
@@ -40,6 +40,12 @@ pub struct Told(OnceLock<Option<Arc<Terms>>>);
 impl Told {
     fn terms(&self, graph: &Graph, comparison: &Comparison) -> Option<&Terms> {
         self.0.get_or_init(|| Terms::new(graph, comparison).map(Arc::new)).as_deref()
+    }
+
+    /// The terms, to be kept; nothing where no comparison of this kind is mute.
+    pub(crate) fn shared(&self, graph: &Graph, comparison: &Comparison) -> Option<Arc<Terms>> {
+        self.terms(graph, comparison)?;
+        self.0.get().cloned().flatten()
     }
 }
 
@@ -96,6 +102,27 @@ impl Terms {
         let signed =
             |(i, &negative): (usize, &bool)| self.tape.output(i, slots).ok().map(|&x| if negative { -x } else { x });
         self.negative.iter().enumerate().map(signed).collect()
+    }
+
+    /// What the values of the terms depend on.
+    pub(crate) fn inputs(&self) -> &[Leaf] {
+        self.tape.inputs()
+    }
+
+    /// Memory for their values.
+    pub(crate) fn slots(&self) -> Slots<Bounded> {
+        self.tape.slots(&())
+    }
+
+    /// Whether every term is larger than the error of their sum at a point: then the comparison is not mute.
+    pub(crate) fn are_seen(
+        &self,
+        inputs: impl Iterator<Item = Result<Bounded, NoValue>>,
+        slots: &mut Slots<Bounded>,
+    ) -> bool {
+        let Some(values) = self.values(inputs, slots) else { return false };
+        let sum = values.iter().fold(Bounded::exact(0.0), |sum, &x| sum + x);
+        values.iter().all(|x| x.value.abs() > sum.error)
     }
 
     /// Whether the terms that `seen` marks add up to 0 for all values of the symbols: at two points of no special meaning.

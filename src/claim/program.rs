@@ -298,6 +298,11 @@ impl Program {
         Some((sides.tape(), sides.run(values, 1.0, slots)))
     }
 
+    /// Both sides of all comparisons, once compiled.
+    pub(crate) fn sides(&self) -> Option<&Block> {
+        self.sides.as_ref()
+    }
+
     /// The sizes of the terms of all comparisons, once compiled.
     pub(crate) fn sizes(&self) -> Option<&Block> {
         self.sizes.as_ref()

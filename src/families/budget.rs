@@ -7,7 +7,7 @@ use reason::Plain;
 /// So many numbers are looked at between two looks at the limits. It does not depend on the machine.
 pub(super) const WAVE: u64 = 256;
 /// So many members are integrated together.
-pub(super) const TOGETHER: usize = 16;
+pub(super) const TOGETHER: usize = 8;
 /// The most members of the families of a file that are tried.
 pub(super) const MOST_MEMBERS: u64 = 1_000_000;
 /// The most numbers of members that are looked at, rejected ones counted.

@@ -9,7 +9,7 @@ use claim::program::{Part, Program, What};
 
 /// What sides may be apart that are one within their error bound, as a share of it. A bound that refutes what is true by this one is
 /// narrower by more than 80 times: a refutation takes ten of its bounds, see [`claim::comparison::GUARD`].
-const WELL_WITHIN: f64 = 0.125;
+pub(super) const WELL_WITHIN: f64 = 0.125;
 
 /// Whether what decides claims are comparisons at the times of one motion. Only of these is it said how much rests on error bounds.
 pub(super) fn are_plain(programs: &[Vec<Program>]) -> bool {

@@ -16,7 +16,7 @@ use super::boundary::{self, Found, Width};
 use super::budget::{Budget, MOST_BETWEEN, TOGETHER, WAVE};
 use super::map::Scale;
 use super::member::{Law, MOST_DRAWS, Member, Members};
-use super::settled::{are_plain, is_settled};
+use super::settled::{WELL_WITHIN, are_plain, is_settled};
 use crate::derivation::{Claim, Derivation, Form, Measure, NoOther, Spread, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Leaf, Rational, Symbol};
@@ -36,6 +36,7 @@ use sampled::independence::Gradients;
 use sampled::measure::Compiled;
 use sampled::pattern::Pattern;
 use sampled::prepared::Prepared;
+use sampled::screen::Screens;
 use sampled::setup::idle_angles;
 use sampled::stage::{Requests, Stage};
 use sampled::systems::Fields;
@@ -63,6 +64,8 @@ pub struct Troupe<'a> {
     idle: Vec<Symbol>,
     /// What members are made after.
     pattern: Option<Pattern>,
+    /// The claims, as members are tried that nobody is shown.
+    screens: Option<Screens>,
     /// Copies of the derivation in which members were, to be used again.
     spare: Mutex<Vec<Derivation>>,
 }
@@ -173,11 +176,19 @@ impl<'a> Troupe<'a> {
             estimation,
             idle,
             pattern: None,
+            screens: None,
             spare: Mutex::default(),
         };
         let mut graph = troupe.derivation.graph.clone();
         troupe.pattern = troupe.asking(&Limits::default(), |requests| {
             Pattern::of(&troupe.derivation, &troupe.fields, requests, slot, &mut graph)
+        });
+        // What is told of a verdict that is not sampled alone, or measured, is not seen by such a look.
+        let alone = troupe.beside.is_empty() && troupe.estimation == Estimation::Steps;
+        troupe.screens = troupe.pattern.as_ref().filter(|_| alone).and_then(|pattern| {
+            let Troupe { derivation, programs, wanted, .. } = &troupe;
+            let claims = derivation.claims.iter().zip(programs.iter().map(Vec::as_slice));
+            Screens::of(&graph, pattern, claims, wanted, WELL_WITHIN)
         });
         // Each member begins with a copy of it.
         graph.share();
@@ -399,7 +410,10 @@ impl<'a> Troupe<'a> {
             let unsettled = |one: &Result<Option<OnMember>, CheckError>| matches!(one, Ok(Some(one)) if one.unsettled);
             let places: Vec<usize> = (0..all.len()).filter(|n| unsettled(&on_members[*n])).collect();
             let again: Vec<OfMember> = places.iter().map(|n| all[*n]).collect();
-            let settled = self.on_members(&again, prepared, requests, Estimation::Companions);
+            let settled = match again.is_empty() {
+                true => Vec::new(),
+                false => self.on_members(&again, prepared, requests, Estimation::Companions),
+            };
             places.into_iter().zip(settled).for_each(|(place, settled)| on_members[place] = settled);
             on_members
         });
@@ -445,8 +459,19 @@ impl<'a> Troupe<'a> {
     ) -> Vec<Result<Option<OnMember>, CheckError>> {
         let derivations: Vec<&Derivation> = members.iter().map(|(derivation, _)| *derivation).collect();
         let stages = Stage::build_each(&derivations, &self.fields, requests, estimation);
+        let mut screens = self.screens.clone();
         let one = |(member, stage): (&OfMember, Result<Option<Stage>, CheckError>)| {
             let Some(stage) = stage? else { return Ok(None) };
+            let screens = screens.as_mut().filter(|_| !member.1);
+            if let Some(verdicts) = screens.and_then(|screens| screens.verdicts(&stage, self.slot)) {
+                let steps = stage.motion(self.slot).map_or(0, Motion::steps) as u64;
+                // By the long way it is the same.
+                debug_assert!(self.verdicts(*member, &stage, prepared, requests.limits).is_ok_and(|(weighed, _)| {
+                    let mut both = weighed.iter().zip(&verdicts).zip(&self.programs);
+                    both.all(|((long, short), of)| long.outcome() == short.outcome() && is_settled(long, of))
+                }));
+                return Ok(Some(OnMember { verdicts, measured: Vec::new(), steps, unsettled: false }));
+            }
             let (verdicts, measured) = self.verdicts(*member, &stage, prepared, requests.limits)?;
             let motions = || requests.tried.iter().filter_map(|t| stage.motion(*t));
             let steps = motions().map(Motion::steps).sum::<usize>() as u64;

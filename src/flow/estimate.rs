@@ -277,7 +277,7 @@ impl Arrival<'_> {
             let neighbour = &growth.coefficients(1 + i)[..=SHORT];
             let mut moved = Lanes::<LANES>::splat(0.0);
             for k in (1..=SHORT).rev() {
-                let of_seat = Lanes(std::array::from_fn(|lane| neighbour[k].0[seat * LANES + lane]));
+                let of_seat = Lanes(neighbour[k].0.as_chunks().0[seat]);
                 moved = (moved + of_seat - Lanes::splat(series[k * n + i])) * Lanes::splat(h);
             }
             let last = (series[ORDER * n + i] * power).abs();

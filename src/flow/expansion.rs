@@ -6,6 +6,8 @@
 //! **Guaranteed:** blocks and single times give the same values, bit for bit; error bounds of blocks may be larger by a few
 //! units in their last place.
 
+use std::sync::Arc;
+
 use super::angle::AngleBenches;
 use super::core::Core;
 use super::cover::BLOCK;
@@ -20,14 +22,14 @@ const PATIENCE: usize = 3;
 /// A program for leaves.
 #[derive(Clone, Debug)]
 pub(super) struct Expansion {
-    program: Program,
+    program: Arc<Program>,
     degree: usize,
     /// Output and order of the time derivative of every leaf.
-    places: Vec<(usize, usize)>,
+    places: Arc<[(usize, usize)]>,
     /// For every output, whether it has no value at any time.
     never: Vec<bool>,
     /// For every output, whether it is the same at all times.
-    still: Vec<bool>,
+    still: Arc<[bool]>,
 }
 
 /// Memory of one evaluation.
@@ -57,13 +59,25 @@ impl Expansion {
     /// `places` has the output of the program and the order of the time derivative of every leaf.
     pub(super) fn new(core: &Core, program: Program, places: Vec<(usize, usize)>) -> Expansion {
         let degree = places.iter().map(|p| p.1).max().unwrap_or(0);
-        let (never, still) = (program.never_valued(core), program.still());
-        Expansion { program, degree, places, never, still }
+        let (never, still) = (program.never_valued(core), program.still().into());
+        Expansion { program: Arc::new(program), degree, places: places.into(), never, still }
     }
 
     /// The same for a motion with other numbers.
     pub(super) fn again(&self, core: &Core) -> Expansion {
-        Expansion { never: self.program.never_valued(core), ..self.clone() }
+        let Expansion { program, degree, places, still, .. } = self;
+        let (program, places, still) = (Arc::clone(program), Arc::clone(places), Arc::clone(still));
+        Expansion { never: program.never_valued(core), program, degree: *degree, places, still }
+    }
+
+    /// The program, where leaves are the values of its outputs and nothing else is to be known.
+    pub(super) fn direct(&self) -> Option<&Arc<Program>> {
+        (self.degree == 0 && !self.program.needs_turns()).then_some(&self.program)
+    }
+
+    /// The output of every leaf.
+    pub(super) fn outputs(&self) -> impl Iterator<Item = usize> {
+        self.places.iter().map(|p| p.0)
     }
 
     /// The order of the time derivative of every leaf.
@@ -78,7 +92,7 @@ impl Expansion {
         outputs.dedup();
         let place = |&l: &usize| (outputs.partition_point(|&o| o < self.places[l].0), self.places[l].1);
         Expansion {
-            program: self.program.part(&outputs),
+            program: Arc::new(self.program.part(&outputs)),
             degree: leaves.iter().map(|&l| self.places[l].1).max().unwrap_or(0),
             places: leaves.iter().map(place).collect(),
             never: outputs.iter().map(|&o| self.never[o]).collect(),
@@ -105,13 +119,13 @@ impl Expansion {
                 let helps = |(x, place): (&Result<Bounded, NoValue>, &(usize, usize))| {
                     branch || (place.1 == order && order < self.degree && x.is_err() && !self.never[place.0])
                 };
-                if !point.iter().zip(&self.places).any(helps) {
+                if !point.iter().zip(&*self.places).any(helps) {
                     continue;
                 }
                 let degree = if branch { 2 * order } else { order };
                 let bench = memory.others[degree].get_or_insert_with(|| self.program.bench(core, degree));
                 self.program.run(core, bench, t, &turns);
-                for (x, place) in point.iter_mut().zip(&self.places) {
+                for (x, place) in point.iter_mut().zip(&*self.places) {
                     if place.1 == order {
                         *x = read(bench, place.0, order);
                     }

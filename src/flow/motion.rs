@@ -19,6 +19,7 @@ use super::points::Points;
 use super::program::{DualBench, Program};
 use super::resolve::{Resolution, resolve};
 use super::start::Start;
+use super::trajectory::Trajectory;
 use super::zeros::{self, Minimum, Zeros};
 use expr::{Expr, Graph, Leaf};
 use number::{Bounded, NoValue};
@@ -85,9 +86,9 @@ pub struct Setup<'a> {
 struct Prepared {
     core: Core,
     leaves: Expansion,
-    dual: Program,
+    dual: Arc<Program>,
     /// Output for the value (with whether it is in the tangent) and for the rate of every leaf.
-    dual_places: Vec<(usize, Option<usize>)>,
+    dual_places: Arc<[(usize, Option<usize>)]>,
 }
 
 /// Memory of one evaluation.
@@ -105,7 +106,7 @@ struct Scratch {
 pub struct Motion {
     pub(super) core: Core,
     /// Leaves with a definition that was given, not derived.
-    given: Vec<Leaf>,
+    given: Arc<[Leaf]>,
     prepared: Option<Prepared>,
     pool: Mutex<Vec<Scratch>>,
 }
@@ -255,11 +256,11 @@ impl Motion {
             Prepared {
                 core: with_leaves,
                 leaves,
-                dual: prepared.dual.clone(),
-                dual_places: prepared.dual_places.clone(),
+                dual: Arc::clone(&prepared.dual),
+                dual_places: Arc::clone(&prepared.dual_places),
             }
         });
-        Motion { core, given: self.given.clone(), prepared, pool: Mutex::default() }
+        Motion { core, given: Arc::clone(&self.given), prepared, pool: Mutex::default() }
     }
 
     /// Integrates, or sets up, a motion.
@@ -313,6 +314,7 @@ impl Motion {
         let program = core.compile(graph, &roots)?;
         let dual = core.compile(graph, &dual_roots)?;
         let leaves = Expansion::new(&core, program, places);
+        let (dual, dual_places) = (Arc::new(dual), dual_places.into());
         self.prepared = Some(Prepared { core, leaves, dual, dual_places });
         self.pool = Mutex::default();
         Ok(())
@@ -343,6 +345,27 @@ impl Motion {
             return prepared.leaves.orders().map(|_| Err(NoValue::Indeterminate)).collect();
         }
         self.with_scratch(|scratch| prepared.leaves.at(&prepared.core, &mut scratch.leaves, t).0)
+    }
+
+    /// The program of the prepared leaves, where they follow from its inputs alone.
+    pub(super) fn direct(&self) -> Option<&Arc<Program>> {
+        self.prepared.as_ref().filter(|_| self.core.cuts.is_empty())?.leaves.direct()
+    }
+
+    /// The output of every prepared leaf.
+    pub(super) fn outputs(&self) -> impl Iterator<Item = usize> {
+        self.prepared.iter().flat_map(|prepared| prepared.leaves.outputs())
+    }
+
+    /// A constant of the prepared leaves.
+    pub(super) fn constant(&self, at: usize) -> Result<Bounded, NoValue> {
+        let constant = self.prepared.as_ref().and_then(|prepared| prepared.core.constants.get(at));
+        constant.map_or(Err(NoValue::Unsupported), |constant| constant.value)
+    }
+
+    /// What was integrated.
+    pub(super) fn trajectory(&self) -> Option<&Trajectory> {
+        self.core.orbit.as_ref().map(|orbit| &orbit.trajectory)
     }
 
     /// The prepared leaves at many times; no times before [`Motion::prepare`].

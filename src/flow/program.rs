@@ -12,7 +12,7 @@ use number::{Bounded, BoundedLanes, Interval, Jet, Lanes, NoValue, Number, Order
 
 /// Where an input of a program comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Input {
+pub(super) enum Input {
     Time,
     State(usize),
     Constant(usize),
@@ -35,11 +35,11 @@ impl Input {
 /// Expressions in the basic leaves of a motion, as one tape.
 #[derive(Clone, Debug)]
 pub(super) struct Program {
-    tape: Tape,
-    inputs: Vec<Input>,
+    pub(super) tape: Tape,
+    pub(super) inputs: Vec<Input>,
     moving: bool,
-    /// Which states are among the inputs.
-    needs: Vec<bool>,
+    /// The states among the inputs, increasing.
+    pub(super) needs: Vec<usize>,
     /// Branch points: see [`branches`].
     branches: Vec<(Term, usize)>,
     /// What hides what is small elsewhere.
@@ -89,6 +89,8 @@ pub(super) struct Bench<B> {
     /// Whether states are the polynomials of the steps, not grown anew.
     of_steps: bool,
     slots: Slots<Jet<B>>,
+    /// The states that are needed, and the values of all.
+    states: Vec<usize>,
     state: Vec<B>,
     coefficients: Vec<B>,
 }
@@ -136,8 +138,8 @@ trait When<B> {
     fn time(&self) -> B;
     /// Whether it lies between two times.
     fn is_within(&self, reach: (f64, f64)) -> bool;
-    /// A state.
-    fn state(&self, trajectory: &Trajectory, i: usize) -> B;
+    /// Some states, put in their places; nothing else is changed there.
+    fn states(&self, trajectory: &Trajectory, states: &[usize], out: &mut [B]);
     /// The polynomial of the step in which the time lies, around it.
     fn polynomial(&self, trajectory: &Trajectory, i: usize, out: &mut [B]);
     /// 2π times the number of turns of an angle.
@@ -162,8 +164,9 @@ impl<B: Base> When<B> for Instant<'_> {
     fn is_within(&self, (from, to): (f64, f64)) -> bool {
         from <= self.t && self.t <= to
     }
-    fn state(&self, trajectory: &Trajectory, i: usize) -> B {
-        self.place.map_or(B::INVALID, |place| B::from_bounded(trajectory.bounded(place, i)))
+    fn states(&self, trajectory: &Trajectory, states: &[usize], out: &mut [B]) {
+        let state = |i| self.place.map_or(B::INVALID, |place| B::from_bounded(trajectory.bounded(place, i)));
+        states.iter().for_each(|&i| out[i] = state(i));
     }
     fn polynomial(&self, trajectory: &Trajectory, i: usize, out: &mut [B]) {
         let mut polynomial = [0.0; ORDER + 1];
@@ -212,10 +215,10 @@ impl<const N: usize, B: Wide<N>> When<B> for Instants<'_, N> {
     fn is_within(&self, (from, to): (f64, f64)) -> bool {
         self.times.iter().all(|&t| from <= t && t <= to)
     }
-    fn state(&self, trajectory: &Trajectory, i: usize) -> B {
+    fn states(&self, trajectory: &Trajectory, states: &[usize], out: &mut [B]) {
         match &self.places {
-            Some(places) => B::of(trajectory.bounded_values(places, i)),
-            None => B::INVALID,
+            Some(places) => trajectory.bounded_values(places, states, |i, x| out[i] = B::of(x)),
+            None => states.iter().for_each(|&i| out[i] = B::INVALID),
         }
     }
     fn polynomial(&self, trajectory: &Trajectory, i: usize, out: &mut [B]) {
@@ -259,8 +262,8 @@ impl Program {
         };
         let inputs: Vec<Input> = leaves.iter().map(input).collect::<Result<_, _>>()?;
         let dimension = core.orbit.as_ref().map_or(0, |o| o.field.states.len());
-        let needs: Vec<bool> = (0..dimension).map(|i| inputs.contains(&Input::State(i))).collect();
-        let moving = needs.contains(&true);
+        let needs: Vec<usize> = (0..dimension).filter(|i| inputs.contains(&Input::State(*i))).collect();
+        let moving = !needs.is_empty();
         let tape = Tape::compile(graph, &leaves, roots)?;
         let (branches, arguments) =
             (branches(&tape), Arguments::of(&tape, &inputs.iter().map(Input::moves).collect::<Vec<_>>()));
@@ -275,8 +278,8 @@ impl Program {
         (0..outputs.len()).for_each(|i| used[tape.output_slot(i)] = true);
         let kept = |(&input, used): (&Input, &bool)| if *used { input } else { Input::Unused };
         let inputs: Vec<Input> = self.inputs.iter().zip(&used).map(kept).collect();
-        let needs: Vec<bool> = (0..self.needs.len()).map(|i| inputs.contains(&Input::State(i))).collect();
-        let (moving, branches) = (needs.contains(&true), branches(&tape));
+        let needs: Vec<usize> = self.needs.iter().copied().filter(|i| inputs.contains(&Input::State(*i))).collect();
+        let (moving, branches) = (!needs.is_empty(), branches(&tape));
         let arguments = Arguments::of(&tape, &inputs.iter().map(Input::moves).collect::<Vec<_>>());
         Program { tape, inputs, moving, needs, branches, arguments }
     }
@@ -324,7 +327,8 @@ impl Program {
         });
         let n = orbit.map_or(0, |o| o.field.states.len());
         let coefficients = vec![B::ZERO; n * (degree + 1)];
-        Bench { degree, field, of_steps, slots, state: vec![B::ZERO; n], coefficients }
+        let states = if field.is_some() { (0..n).collect() } else { self.needs.clone() };
+        Bench { degree, field, of_steps, slots, states, state: vec![B::ZERO; n], coefficients }
     }
 
     /// Expands all outputs around the time `t`; they are then read with [`Program::output`].
@@ -341,7 +345,7 @@ impl Program {
         times: &[f64; N],
         of: &[Turns; N],
     ) {
-        let places = core.orbit.as_deref().filter(|_| self.moving).map(|o| times.map(|t| o.trajectory.place(t)));
+        let places = core.orbit.as_deref().filter(|_| self.moving).map(|o| o.trajectory.places(times));
         self.expand(core, bench, &Instants { times, places, turns: of });
     }
 
@@ -350,12 +354,8 @@ impl Program {
         let row = bench.degree + 1;
         let mut missing = None;
         if let Some(orbit) = core.orbit.as_deref().filter(|_| self.moving) {
-            for (i, (x, &needed)) in bench.state.iter_mut().zip(&self.needs).enumerate() {
-                // The field needs all states, the value of the outputs only their own.
-                if needed || bench.field.is_some() {
-                    *x = when.state(&orbit.trajectory, i);
-                }
-            }
+            // The field needs all states, the value of the outputs only their own.
+            when.states(&orbit.trajectory, &bench.states, &mut bench.state);
             if !when.is_within(orbit.trajectory.reach()) || bench.state.iter().any(|x| x.checked().is_err()) {
                 missing = Some(NoValue::Indeterminate);
             } else if let Some(field) = &mut bench.field {
@@ -363,7 +363,7 @@ impl Program {
                     orbit.field.flow.expand(field, bench.degree, when.time(), &bench.state, &mut bench.coefficients);
                 missing = grown.err().map(|(_, reason)| reason);
             } else if bench.of_steps {
-                for i in (0..bench.state.len()).filter(|&i| self.needs[i]) {
+                for &i in &self.needs {
                     when.polynomial(&orbit.trajectory, i, &mut bench.coefficients[i * row..(i + 1) * row]);
                 }
             } else {

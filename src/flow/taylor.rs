@@ -23,6 +23,8 @@ pub(super) struct Flow {
     /// States of one symbol and one rate share a scale: group number of every state, and their count.
     groups: Vec<usize>,
     group_count: usize,
+    /// The same as stretches of states: the group of each, and its states.
+    stretches: Vec<(usize, Range<usize>)>,
     /// Where the right sides are not smooth.
     pub(super) edges: Edges,
     /// Whether the right sides name the time.
@@ -99,6 +101,8 @@ pub(super) struct Walker<'a> {
     defects: Vec<f64>,
     scale: Vec<f64>,
     top: Vec<f64>,
+    /// The step as a part of the radius that is seen in a series.
+    factor: f64,
     last_step: f64,
     kinks: Kinks,
     narrow: Option<Narrow>,
@@ -138,7 +142,7 @@ pub(super) struct Step<'w> {
 impl Flow {
     pub(super) fn new(tape: Tape, states: &[Leaf], names: Vec<String>) -> Flow {
         let mut kinds: Vec<(usize, u8)> = Vec::new();
-        let groups = states
+        let groups: Vec<usize> = states
             .iter()
             .map(|l| {
                 let kind = (l.symbol.index(), l.rate);
@@ -148,10 +152,29 @@ impl Flow {
                 })
             })
             .collect();
+        let mut stretches: Vec<(usize, Range<usize>)> = Vec::new();
+        for (i, &group) in groups.iter().enumerate() {
+            match stretches.last_mut() {
+                Some((last, states)) if *last == group => states.end = i + 1,
+                _ => stretches.push((group, i..i + 1)),
+            }
+        }
         let driven = tape.instructions().iter().any(|i| i.a == 0 || i.b == 0);
         let (dimension, group_count, edges) = (states.len(), kinds.len(), Edges::default());
         let (recurrences, still, polynomial) = (Recurrences::default(), Vec::new(), false);
-        let flow = Flow { tape, dimension, names, groups, group_count, edges, driven, recurrences, still, polynomial };
+        let flow = Flow {
+            tape,
+            dimension,
+            names,
+            groups,
+            group_count,
+            stretches,
+            edges,
+            driven,
+            recurrences,
+            still,
+            polynomial,
+        };
         let moves = flow.moving(true);
         let steps = flow.tape.instructions();
         let rates = (0..dimension).map(|i| flow.tape.output_slot(i)).collect();
@@ -173,8 +196,10 @@ impl Flow {
         out.resize(self.group_count, 0.0);
         let (first, rest) = series.split_at(self.dimension);
         let (second, third) = rest.split_at(self.dimension);
-        for (((&g, &x), &y), &z) in self.groups.iter().zip(first).zip(second).zip(third) {
-            out[g] = out[g].max(x.abs()).max((y * h).abs()).max((z * h * h).abs());
+        for (group, states) in &self.stretches {
+            let [first, second, third] = [first, second, third].map(|of| &of[states.clone()]);
+            let size = |i: usize| larger(larger(first[i].abs(), (second[i] * h).abs()), (third[i] * h * h).abs());
+            out[*group] = larger(out[*group], largest(first.len(), size));
         }
     }
 
@@ -290,6 +315,7 @@ impl<'a> Walker<'a> {
             defects: vec![0.0; n],
             scale: vec![0.0; flow.group_count],
             top: vec![0.0; flow.group_count],
+            factor: control.caution * pxfm::f_exp(-2.0 - 0.7 / (control.order as f64 - 1.0)),
             last_step: 0.0,
             kinks: Kinks::default(),
             narrow: Narrow::new(flow.polynomial, flow.dimension, |order| {
@@ -537,7 +563,7 @@ impl<'a> Walker<'a> {
     fn step_size(&mut self) -> f64 {
         let p = self.control.order;
         let n = self.flow.dimension;
-        let factor = self.control.caution * pxfm::f_exp(-2.0 - 0.7 / (p as f64 - 1.0));
+        let factor = self.factor;
         let mut guess = if self.last_step > 0.0 { self.last_step } else { self.length };
         // The scale of a state near 0 is what it becomes within the step, so the guess is improved once or twice.
         for _ in 0..if self.last_step > 0.0 { 1 } else { 3 } {
@@ -546,8 +572,10 @@ impl<'a> Walker<'a> {
             let mut seen = 0;
             for k in (p / 2..=p).rev() {
                 self.top.fill(0.0);
-                for (&c, &g) in self.now[k * n..].iter().zip(&self.flow.groups) {
-                    self.top[g] = self.top[g].max(c.abs());
+                let row = &self.now[k * n..(k + 1) * n];
+                for (group, states) in &self.flow.stretches {
+                    let row = &row[states.clone()];
+                    self.top[*group] = larger(self.top[*group], largest(row.len(), |i| row[i].abs()));
                 }
                 let mut any = false;
                 for (&top, &scale) in self.top.iter().zip(&self.scale) {
@@ -568,6 +596,26 @@ impl<'a> Walker<'a> {
         }
         guess
     }
+}
+
+/// The larger of two numbers, the first of which is no NaN; a NaN is not larger than anything.
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
+}
+
+/// The largest of some sizes; 0 for none. Several are compared side by side.
+#[inline(always)]
+fn largest(count: usize, size: impl Fn(usize) -> f64) -> f64 {
+    let mut most = [0.0; ABREAST];
+    let whole = count / ABREAST * ABREAST;
+    for from in (0..whole).step_by(ABREAST) {
+        for (i, most) in most.iter_mut().enumerate() {
+            *most = larger(*most, size(from + i));
+        }
+    }
+    let rest = (whole..count).fold(0.0, |most, i| larger(most, size(i)));
+    most.into_iter().fold(rest, larger)
 }
 
 /// c₀ + c₁h + … (coefficients ascending).

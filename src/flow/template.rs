@@ -19,6 +19,7 @@ use super::definitions::Definitions;
 use super::error::FlowError;
 use super::field::VectorField;
 use super::motion::{Draft, Motion};
+use super::sampler::Sampler;
 use super::search::Search;
 use super::trajectory::Plan;
 use expr::{Expr, Graph, Leaf};
@@ -53,6 +54,11 @@ impl Template {
         let numbers = closed.map(|e| (e, core.constant_value(graph, e))).collect();
         let parameters = parameters.iter().map(|(leaf, _)| *leaf).collect();
         plain.then_some(Template { motion, searches, parameters, numbers })
+    }
+
+    /// What finds the leaves of such motions, where that takes their formulas alone.
+    pub fn sampler(&self) -> Option<Sampler> {
+        Sampler::of(&self.motion)
     }
 
     /// Another motion, set up; nothing where that is to be done the long way.

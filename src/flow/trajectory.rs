@@ -8,6 +8,8 @@
 //! it ([`Estimation::Steps`]) has another one, wider and for less work: differences that are carried along the steps that were
 //! made, see the module `estimate`. Values are the same.
 
+use std::ops::Range;
+
 use super::abreast::{self, Event, Halt, Runner};
 use super::error::Problem;
 use super::estimate::{Estimate, Estimation};
@@ -22,7 +24,7 @@ const FLOOR: f64 = 4.0 * f64::EPSILON;
 pub(super) const ORDER: usize = 20;
 
 /// For so many steps there is room at first.
-const FEW_STEPS: usize = 48;
+const FEW_STEPS: usize = 64;
 
 /// Polynomials and errors from the initial time in one direction.
 #[derive(Clone, Debug, Default)]
@@ -58,6 +60,18 @@ pub(super) struct Place {
     backward: bool,
     step: usize,
     since: f64,
+}
+
+/// The stretches of places that lie in one step, each with its first.
+fn runs<const N: usize>(places: &[Place; N]) -> impl Iterator<Item = (Place, Range<usize>)> {
+    let mut from = 0;
+    std::iter::from_fn(move || {
+        let first = *places.get(from)?;
+        let is_there = |place: &&Place| (place.backward, place.step) == (first.backward, first.step);
+        let run = from..from + places[from..].iter().take_while(is_there).count();
+        from = run.end;
+        Some((first, run))
+    })
 }
 
 /// What a trajectory is made from.
@@ -233,6 +247,23 @@ impl Trajectory {
         Place { backward, step, since: t - branch.times.get(step).copied().unwrap_or(t) }
     }
 
+    /// The places of several times, of which neighbours are often in one step.
+    pub(super) fn places<const N: usize>(&self, times: &[f64; N]) -> [Place; N] {
+        let mut last: Option<Place> = None;
+        times.map(|t| {
+            let within = |place: &Place| {
+                let ends = self.forward.times.get(place.step).zip(self.forward.times.get(place.step + 1));
+                !place.backward && ends.is_some_and(|(start, end)| *start <= t && t < *end)
+            };
+            let place = match last.filter(within) {
+                Some(place) => Place { since: t - self.forward.times[place.step], ..place },
+                None => self.place(t),
+            };
+            last = Some(place);
+            place
+        })
+    }
+
     /// The place of a time at the end of a step of the forward part.
     #[cfg(test)]
     pub(super) fn place_before(&self, t: f64, step: usize) -> Place {
@@ -245,37 +276,50 @@ impl Trajectory {
 
     /// The value of a state.
     pub(super) fn value(&self, place: Place, state: usize) -> f64 {
-        let [value] = self.values(&[place], state);
+        let [[value]] = self.values(&[place], [state]);
         value
     }
 
-    /// The values of a state at several times at once: the same operations, time by time, none of which waits for those of
-    /// another time.
-    pub(super) fn values<const N: usize>(&self, places: &[Place; N], state: usize) -> [f64; N] {
-        widely(Self::sums, (self, places, state))
+    /// The values of some states at several times at once: the same operations, state by state and time by time, none of which
+    /// waits for those of another one.
+    pub(super) fn values<const N: usize, const M: usize>(
+        &self,
+        places: &[Place; N],
+        states: [usize; M],
+    ) -> [[f64; N]; M] {
+        widely(Self::sums, (self, places, states))
     }
 
     #[inline(always)]
-    fn sums<const N: usize>((of, places, state): (&Trajectory, &[Place; N], usize)) -> [f64; N] {
+    fn sums<const N: usize, const M: usize>(
+        (of, places, states): (&Trajectory, &[Place; N], [usize; M]),
+    ) -> [[f64; N]; M] {
         let n = of.dimension;
         let since = places.map(|place| place.since);
-        let mut out = [f64::NAN; N];
-        let mut from = 0;
-        while let Some(&Place { backward, step, .. }) = places.get(from) {
-            // The polynomial of one step at all times, of which those count that lie in it: few blocks of times have many steps.
-            let (c, low) = of.branch(backward).polynomial(n, step, state);
-            let mut sums = [0.0; N];
-            for &x in c.iter().step_by(n.max(1)).skip(1).rev() {
-                for i in 0..N {
-                    sums[i] = sums[i] * since[i] + x;
+        let mut out = [[f64::NAN; N]; M];
+        for (first, run) in runs(places) {
+            // The polynomials of one step at all times, of which those count that lie in it: few blocks of times have many steps.
+            let branch = of.branch(first.backward);
+            let Some(series) =
+                branch.coefficients.get(first.step * n * (ORDER + 1)..(first.step + 1) * n * (ORDER + 1))
+            else {
+                continue;
+            };
+            let mut sums = [[0.0; N]; M];
+            for row in series.chunks_exact(n.max(1)).skip(1).rev() {
+                for (sums, &state) in sums.iter_mut().zip(&states) {
+                    let x = row[state];
+                    for i in 0..N {
+                        sums[i] = sums[i] * since[i] + x;
+                    }
                 }
             }
-            let first = c.first().copied().unwrap_or(f64::NAN);
-            let to = from + places[from..].iter().take_while(|p| (p.backward, p.step) == (backward, step)).count();
-            for i in from..to {
-                out[i] = first + (low + since[i] * sums[i]);
+            for ((out, sums), &state) in out.iter_mut().zip(&sums).zip(&states) {
+                let low = branch.low.get(first.step * n + state).copied().unwrap_or(f64::NAN);
+                for i in run.clone() {
+                    out[i] = series[state] + (low + since[i] * sums[i]);
+                }
             }
-            from = to;
         }
         out
     }
@@ -308,7 +352,7 @@ impl Trajectory {
                 }
             }
         }
-        c[0] = self.values(places, state);
+        [c[0]] = self.values(places, [state]);
         for (to, from) in out.iter_mut().zip(c) {
             *to = from;
         }
@@ -319,10 +363,30 @@ impl Trajectory {
         Bounded { value: self.value(place, state), error: self.error(place, state) }
     }
 
-    /// The same at several times at once.
-    pub(super) fn bounded_values<const N: usize>(&self, places: &[Place; N], state: usize) -> [Bounded; N] {
-        let values = self.values(places, state);
-        std::array::from_fn(|i| Bounded { value: values[i], error: self.error(places[i], state) })
+    /// The same of some states at several times at once, each handed to `put`.
+    pub(super) fn bounded_values<const N: usize>(
+        &self,
+        places: &[Place; N],
+        states: &[usize],
+        mut put: impl FnMut(usize, [Bounded; N]),
+    ) {
+        let mut hand_over = |some: &[usize], values: &[[f64; N]]| {
+            for (&state, values) in some.iter().zip(values) {
+                let of = |i: usize| Bounded { value: values[i], error: self.error(places[i], state) };
+                put(state, std::array::from_fn(of));
+            }
+        };
+        // So many that their sums fill the registers.
+        for some in states.chunks(4) {
+            match *some {
+                [a, b, c, d] => hand_over(some, &self.values(places, [a, b, c, d])),
+                [a, b, c] => hand_over(some, &self.values(places, [a, b, c])),
+                [a, b] => hand_over(some, &self.values(places, [a, b])),
+                [a] => hand_over(some, &self.values(places, [a])),
+                // No chunk is longer.
+                _ => {}
+            }
+        }
     }
 
     fn error(&self, place: Place, state: usize) -> f64 {

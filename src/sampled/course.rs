@@ -11,7 +11,7 @@ use crate::derivation::Claim;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::{Motion, Points, Rapid, Zeros};
 use crate::number::{Bounded, NoValue};
-use crate::stage::{DENSITY, Stage, thinned};
+use crate::stage::{Built, DENSITY, Stage, thinned};
 use claim::program::{Program, Values};
 use reason::{Reason, Sampling};
 
@@ -57,13 +57,7 @@ impl Course<'_> {
 
     /// Times around a sample: a few between it and its neighbours, increasing.
     pub fn near(&self, at: usize) -> Vec<f64> {
-        let (centre, neighbours) = (self.times[at], [at.checked_sub(1), Some(at + 1)]);
-        let between =
-            |other: f64| (1..=CLOSER).map(move |k| centre + (other - centre) * k as f64 / (CLOSER + 1) as f64);
-        let neighbours = neighbours.into_iter().flatten().filter_map(|i| self.times.get(i).copied());
-        let mut times: Vec<f64> = neighbours.flat_map(between).collect();
-        times.sort_by(f64::total_cmp);
-        times
+        near(&self.times, at)
     }
 
     /// The zeros of an expression that the claims ask for; `None` where it has no meaning on the motion.
@@ -108,6 +102,16 @@ impl Course<'_> {
     }
 }
 
+/// Times around one of several: a few between it and its neighbours, increasing.
+pub(crate) fn near(times: &[f64], at: usize) -> Vec<f64> {
+    let (centre, neighbours) = (times[at], [at.checked_sub(1), Some(at + 1)]);
+    let between = |other: f64| (1..=CLOSER).map(move |k| centre + (other - centre) * k as f64 / (CLOSER + 1) as f64);
+    let neighbours = neighbours.into_iter().flatten().filter_map(|i| times.get(i).copied());
+    let mut times: Vec<f64> = neighbours.flat_map(between).collect();
+    times.sort_by(f64::total_cmp);
+    times
+}
+
 /// Values at an event, with how far they move until just before and just after it.
 fn widened(here: Values, before: Values, after: Values) -> Values {
     let widened = |((here, a), b): ((Result<Bounded, NoValue>, _), _)| {
@@ -132,6 +136,22 @@ pub struct Trial<'a> {
     pub course: &'a Course<'a>,
     /// Whether a reader is shown both sides along the motion.
     pub shown: bool,
+}
+
+impl Built {
+    /// The times at which it is sampled.
+    pub(crate) fn sample_times(&self) -> Vec<f64> {
+        let mut times = self.motion.sample_times(DENSITY);
+        // A derived motion may be tried on a part of the span of its source.
+        let (from, to) = self.span;
+        times.retain(|t| (from..=to).contains(t));
+        for end in [from, to] {
+            if let Err(at) = times.binary_search_by(|t| t.total_cmp(&end)) {
+                times.insert(at, end);
+            }
+        }
+        thinned(times)
+    }
 }
 
 impl Stage {
@@ -163,16 +183,7 @@ impl Stage {
             let points = points.arranged(&built.places);
             return Ok(Course { stage: self, trajectory, motion, leaves, times, points: points.into() });
         }
-        let mut times = motion.sample_times(DENSITY);
-        // A derived motion may be tried on a part of the span of its source.
-        let (from, to) = built.span;
-        times.retain(|t| (from..=to).contains(t));
-        for end in [from, to] {
-            if let Err(at) = times.binary_search_by(|t| t.total_cmp(&end)) {
-                times.insert(at, end);
-            }
-        }
-        let times = thinned(times);
+        let times = built.sample_times();
         let points = motion.along(&times);
         if self.keeping {
             // Another thread can only have found the same.

@@ -28,7 +28,7 @@ pub(super) struct Tried<'a> {
 
 /// What rounding explains, as a part of the size of the terms: four times as much is in the bound of every state, and ten times that
 /// refutes.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A measured group, judged.
 pub(super) struct Judged<'a, 'g> {

@@ -30,6 +30,7 @@ mod peaks;
 pub mod prepared;
 pub mod recall;
 pub mod same_motion;
+pub mod screen;
 pub mod selection;
 mod series;
 pub mod setup;

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use crate::derivation::{Derivation, Motion as Given};
 use crate::expr::{Expr, Graph, Leaf, Symbol};
-use crate::flow::{Draft, FlowError, Motion, Template};
+use crate::flow::{Draft, FlowError, Motion, Sampler, Template};
 use crate::number::Bounded;
 use crate::setup::{initial_values, parameters, setup};
 use crate::stage::{Built, Requests, closed_values, prepare};
@@ -50,6 +50,16 @@ impl Pattern {
         let (parameters, initial) = (parameters(graph, of, false), initial_values(graph, initial));
         let template = Template::of(motion, searches, graph, (&parameters, &initial))?;
         Some(Pattern { template, system: *system, known, asked, places, searched, given })
+    }
+
+    /// The position of every wanted leaf in a point of such a motion.
+    pub(crate) fn places(&self) -> &[Option<usize>] {
+        &self.places
+    }
+
+    /// What finds the leaves of such motions.
+    pub(crate) fn sampler(&self) -> Option<Sampler> {
+        self.template.sampler()
     }
 
     /// A motion after the pattern, set up; nothing where that is to be done the long way.
