@@ -17,7 +17,7 @@ use super::lowered::lower;
 use super::memory::Memory;
 use super::outcome::{Identity, Options, Premises, Wanted};
 use super::prove::identity_test_after;
-use super::witness::decimals;
+use super::witness::{Decimals, Values};
 use expr::domain::Sign;
 use expr::{Expr, FastMap, Graph, Leaf, Rational};
 use number::Bounded;
@@ -108,20 +108,22 @@ pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along
     };
     // The sides at a time at which, for certain, everything has a value: a ball that reaches out of a domain has values only
     // where it does not.
-    let sides_for_certain = |graph: &Graph, t: f64| {
-        let sides = sides_at(graph, question, time, t)?;
-        are_met(graph, &domain, time, t).then_some(sides)
+    let mut sides_at = SidesAt::of(graph, question, time, (left, right));
+    let mut domain = Asked::of(graph, &domain);
+    let mut sides_for_certain = |sides_at: &mut SidesAt, t: f64| {
+        let sides = sides_at.at(t)?;
+        domain.are_met(&values_at(time, t)).then_some(sides)
     };
-    let differ = |graph: &Graph| {
+    let mut differ = || {
         (0..FIRST_TIMES).map(place).any(|t| {
-            let sides = sides_for_certain(graph, t);
+            let sides = sides_for_certain(&mut sides_at, t);
             sides.is_some_and(|(l, r)| lie_apart(l.value - r.value, l.error + r.error))
         })
     };
     let options = Options { attempts: 1, wanted: Wanted::Proof, ..Options::default() };
     let agrees = match left == right {
         _ if question.refuted != Refuted::Apart => None,
-        false if differ(graph) => None,
+        false if differ() => None,
         true => Some(Vec::new()),
         false => match identity_test_after(memory, graph, &[(left, right)], &Premises::default(), &options) {
             Identity::Proved(proof) => Some(proof.conditions),
@@ -130,7 +132,7 @@ pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along
     };
     if let Some(conditions) = agrees {
         let seen = (0..TIMES).map(place).find_map(|t| {
-            let (l, r) = sides_at(graph, question, time, t)?;
+            let (l, r) = sides_at.at(t)?;
             Some((t, if l.error < r.error { l } else { r }))
         });
         let everywhere = conditions.is_empty() && super::domains(graph, &formulas).is_empty();
@@ -153,8 +155,9 @@ pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along
         return Along::Differ(exact);
     }
     let expanded = expanded(graph, left, right);
+    let mut expanded = expanded.map(|(e, unit)| (Decimals::of(graph, &[e]), unit));
     let apart = (0..TIMES).map(place).find_map(|t| {
-        let (l, r) = sides_for_certain(graph, t)?;
+        let (l, r) = sides_for_certain(&mut sides_at, t)?;
         let refutes = |difference: f64, error: f64| {
             lie_apart(difference, error)
                 && match question.refuted {
@@ -168,11 +171,10 @@ pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along
             return Some(Apart { time: t, left: l.value, right: r.value, bound: error });
         }
         // What is left when everything that cancels is gone.
-        let values = FastMap::from_iter([(time, Bounded::exact(t))]);
-        let (expanded, unit) = expanded.as_ref()?;
-        let rest = decimals(graph, &[*expanded], &values)[0]?;
-        let left = r.value + rest.value * unit;
-        refutes(rest.value, rest.error).then_some(Apart { time: t, left, right: r.value, bound: rest.error * unit })
+        let (expanded, unit) = expanded.as_mut()?;
+        let rest = expanded.at(&values_at(time, t))[0]?;
+        let left = r.value + rest.value * *unit;
+        refutes(rest.value, rest.error).then_some(Apart { time: t, left, right: r.value, bound: rest.error * *unit })
     });
     apart.map_or(Along::Open, Along::Differ)
 }
@@ -182,22 +184,51 @@ fn lie_apart(difference: f64, error: f64) -> bool {
     difference.is_finite() && error.is_finite() && difference.abs() > 2.0 * error
 }
 
-/// Both sides at a time that counts, at which everything has a value; `None` otherwise.
-fn sides_at(graph: &Graph, question: &InTime, time: Leaf, at: f64) -> Option<(Bounded, Bounded)> {
-    let (left, right) = question.sides?;
-    let values = FastMap::from_iter([(time, Bounded::exact(at))]);
-    let counts = decimals(graph, &question.needs, &values).iter().all(Option::is_some)
-        && are_met(graph, &question.guards, time, at);
-    let sides = decimals(graph, &[left, right], &values);
-    counts.then_some(sides[0]?).zip(sides[1])
+/// A time, as the value of its leaf.
+fn values_at(time: Leaf, at: f64) -> Values {
+    FastMap::from_iter([(time, Bounded::exact(at))])
 }
 
-/// Whether terms are, at a time, what is asked of them, for certain.
-fn are_met(graph: &Graph, asked: &[(Expr, Sign)], time: Leaf, at: f64) -> bool {
-    let values = FastMap::from_iter([(time, Bounded::exact(at))]);
-    let terms: Vec<Expr> = asked.iter().map(|&(e, _)| e).collect();
-    let found = decimals(graph, &terms, &values).into_iter().zip(asked);
-    found.into_iter().all(|(v, (_, sign))| v.is_some_and(|v| sign.is_certain_of(v)))
+/// Terms with what is asked of them.
+struct Asked<'a> {
+    terms: Decimals,
+    asked: &'a [(Expr, Sign)],
+}
+
+impl<'a> Asked<'a> {
+    fn of(graph: &Graph, asked: &'a [(Expr, Sign)]) -> Asked<'a> {
+        let terms: Vec<Expr> = asked.iter().map(|&(e, _)| e).collect();
+        Asked { terms: Decimals::of(graph, &terms), asked }
+    }
+
+    /// Whether they are, at a time, what is asked of them, for certain.
+    fn are_met(&mut self, values: &Values) -> bool {
+        let found = self.terms.at(values).into_iter().zip(self.asked);
+        found.into_iter().all(|(v, (_, sign))| v.is_some_and(|v| sign.is_certain_of(v)))
+    }
+}
+
+/// Both sides, with what must have a value and what selects the times, compiled for many times.
+struct SidesAt<'a> {
+    time: Leaf,
+    needs: Decimals,
+    guards: Asked<'a>,
+    sides: Decimals,
+}
+
+impl<'a> SidesAt<'a> {
+    fn of(graph: &Graph, question: &'a InTime, time: Leaf, (left, right): (Expr, Expr)) -> SidesAt<'a> {
+        let [needs, sides] = [question.needs.as_slice(), &[left, right]].map(|of| Decimals::of(graph, of));
+        SidesAt { time, needs, guards: Asked::of(graph, &question.guards), sides }
+    }
+
+    /// The sides at a time that counts, at which everything has a value; `None` otherwise.
+    fn at(&mut self, t: f64) -> Option<(Bounded, Bounded)> {
+        let values = values_at(self.time, t);
+        let counts = self.needs.at(&values).iter().all(Option::is_some) && self.guards.are_met(&values);
+        let sides = if counts { self.sides.at(&values) } else { return None };
+        sides[0].zip(sides[1])
+    }
 }
 
 /// Both sides at a time that counts, at which everything is a rational number; `None` otherwise.

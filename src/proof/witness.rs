@@ -101,32 +101,40 @@ fn ratio((n, d): (i64, i64)) -> Rational {
     Rational::from(n) / Rational::from(d)
 }
 
-/// Values of several expressions.
-fn evaluate<N: Number<Context = ()>>(
-    graph: &Graph,
-    exprs: &[Expr],
-    value: impl Fn(Leaf) -> Option<N>,
-) -> (Tape, Slots<N>) {
-    let leaves = graph.leaves(exprs.iter().copied());
-    // Every leaf is an input, so the program exists.
-    let tape = Tape::compile(graph, &leaves, exprs).unwrap_or_default();
-    let mut slots: Slots<N> = tape.slots(&());
-    for (i, &leaf) in leaves.iter().enumerate() {
-        slots.set(i, value(leaf).ok_or(NoValue::Unsupported));
-    }
-    tape.run(&(), &mut slots);
-    (tape, slots)
-}
-
 /// Values of expressions with bounds of their errors.
 ///
 /// An angle atan2(y, x) that the bounds place on both sides of the negative half-axis has no value here: [`Bounded`] would
 /// yield one of two representatives.
 pub(super) fn decimals(graph: &Graph, exprs: &[Expr], values: &Values) -> Vec<Option<Bounded>> {
-    let (tape, slots) = evaluate::<Bounded>(graph, exprs, |l| values.get(&l).copied());
-    let (a, b) = (|i: &Instruction| slots.value(i.a as usize), |i: &Instruction| slots.value(i.b as usize));
-    let torn = tape.instructions().iter().any(|i| i.op == Op::Arctan2 && a(i).straddles_cut(b(i)));
-    (0..exprs.len()).map(|i| tape.output(i, &slots).ok().copied().filter(|_| !torn)).collect()
+    Decimals::of(graph, exprs).at(values)
+}
+
+/// The same at one point after another: the expressions are compiled once.
+pub(super) struct Decimals {
+    leaves: Vec<Leaf>,
+    tape: Tape,
+    slots: Slots<Bounded>,
+}
+
+impl Decimals {
+    pub(super) fn of(graph: &Graph, exprs: &[Expr]) -> Decimals {
+        let leaves = graph.leaves(exprs.iter().copied());
+        // Every leaf is an input, so the program exists.
+        let tape = Tape::compile(graph, &leaves, exprs).unwrap_or_default();
+        let slots = tape.slots(&());
+        Decimals { leaves, tape, slots }
+    }
+
+    pub(super) fn at(&mut self, values: &Values) -> Vec<Option<Bounded>> {
+        let Decimals { leaves, tape, slots } = self;
+        for (i, leaf) in leaves.iter().enumerate() {
+            slots.set(i, values.get(leaf).copied().ok_or(NoValue::Unsupported));
+        }
+        tape.run(&(), slots);
+        let (a, b) = (|i: &Instruction| slots.value(i.a as usize), |i: &Instruction| slots.value(i.b as usize));
+        let torn = tape.instructions().iter().any(|i| i.op == Op::Arctan2 && a(i).straddles_cut(b(i)));
+        (0..tape.output_count()).map(|i| tape.output(i, slots).ok().copied().filter(|_| !torn)).collect()
+    }
 }
 
 /// The value of a rational, with its rounding.
