@@ -119,7 +119,8 @@ fn drawn(
         times.push((witness.t, limit));
     }
     times.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let values: crate::flow::Points = times.iter().map(|(time, _)| points.stage.values(t, *time)).collect();
+    let at_times: Vec<f64> = times.iter().map(|(time, _)| *time).collect();
+    let values = points.stage.points(t, &at_times, prepared.program.inputs());
     let series = prepared.program.measure((&values, times.len()), 1.0);
     let measured = times.iter().enumerate().filter_map(|(i, &(t, limit))| {
         let m = series.get(at)?.get(i).ok()?;
