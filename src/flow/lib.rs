@@ -28,6 +28,7 @@ mod flow_support;
 
 mod abreast;
 mod angle;
+mod arguments;
 mod begun;
 mod core;
 mod cover;
@@ -55,6 +56,7 @@ mod trajectory;
 mod zeros;
 
 pub use abreast::Halt;
+pub use arguments::may_hide;
 pub use enclosure::{Compiled, Enclosure, Reach, Reaches, Sharp, Stop, Stretch};
 pub use error::{FlowError, Problem};
 pub use estimate::Estimation;
@@ -62,7 +64,7 @@ pub use field::VectorField;
 pub use incomplete::Incomplete;
 pub use motion::{Draft, Motion, Observable, Point, Setup, Source};
 pub use points::{Points, Sample};
-pub use rapid::{Rapid, may_hide};
+pub use rapid::Rapid;
 pub use sampler::Sampler;
 pub use search::Search;
 pub use start::{Guess, Start};

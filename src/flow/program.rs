@@ -2,8 +2,8 @@
 
 use num_dual::Dual;
 
+use super::arguments::Arguments;
 use super::core::Core;
-use super::rapid::Arguments;
 use super::trajectory::{ORDER, Place, Trajectory};
 use expr::domain::{Change, Place as At, Term, row};
 use expr::tape::{Slots, Tape};
