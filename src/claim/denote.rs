@@ -244,8 +244,8 @@ pub fn denote(graph: &mut Graph, systems: &[System], claim: &Claim, initial_time
         _ => Proposition::Each(Quantifier::Every, readings),
     };
     let at = claim.at.as_ref().and_then(|at| at_event(graph, &at.equation.value));
-    let compared: Vec<&Comparison> =
-        parts.iter().filter(|p| p.is_compared()).flat_map(|p| &p.group.comparisons).collect();
+    let said = parts.iter().filter(|p| p.is_compared() && at.is_none()).chain(hypotheses.iter().map(|a| &a.part));
+    let compared: Vec<&Comparison> = said.flat_map(|p| &p.group.comparisons).collect();
     let rapid = rapid(graph, &claim.scope, &compared);
     let assumed = selectors.iter().chain(&hypotheses).map(|a| &a.part);
     let compared = assumed.chain(&parts).flat_map(|p| &p.group.comparisons);

@@ -116,7 +116,7 @@ pub struct Program {
     pub claim: Proposition,
     /// A scalar that vanishes at the times at which the claim is to be tried.
     pub at: Option<Expr>,
-    /// Sides in what it says of every time that may vary more rapidly than a motion is sampled.
+    /// Sides in what it says of every time, and in what it assumes so, that may vary more rapidly than a motion is sampled.
     pub rapid: Vec<Expr>,
     /// What keeps its sign where something has a value, and whether it may be 0 there.
     pub edges: Vec<(Expr, bool)>,
@@ -201,6 +201,7 @@ impl Program {
                 [e].into_iter()
                     .chain(hypotheses.flat_map(|p| p.boundaries(true)).map(|(_, _, e)| e))
                     .chain(one_sided)
+                    .chain(self.rapid.iter().copied())
                     .collect()
             }
         }

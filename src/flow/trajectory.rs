@@ -8,13 +8,13 @@
 //! it ([`Estimation::Steps`]) has another one, wider and for less work: differences that are carried along the steps that were
 //! made, see the module `estimate`. Values are the same.
 
-use std::ops::Range;
+pub(super) use place::Place;
 
 use super::abreast::{self, Event, Halt, Runner};
 use super::error::Problem;
 use super::estimate::{Estimate, Estimation};
 use super::taylor::{Control, Flow, Step, Stop, Walker};
-use number::{Bounded, NoValue, widely};
+use number::{Bounded, NoValue};
 
 /// What the differences between independent integrations are multiplied with.
 const SAFETY: f64 = 8.0;
@@ -52,26 +52,6 @@ pub(super) struct Trajectory {
     initial_error: Vec<f64>,
     forward: Branch,
     backward: Branch,
-}
-
-/// A place on a trajectory: a step and the time since its start.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    backward: bool,
-    step: usize,
-    since: f64,
-}
-
-/// The stretches of places that lie in one step, each with its first.
-fn runs<const N: usize>(places: &[Place; N]) -> impl Iterator<Item = (Place, Range<usize>)> {
-    let mut from = 0;
-    std::iter::from_fn(move || {
-        let first = *places.get(from)?;
-        let is_there = |place: &&Place| (place.backward, place.step) == (first.backward, first.step);
-        let run = from..from + places[from..].iter().take_while(is_there).count();
-        from = run.end;
-        Some((first, run))
-    })
 }
 
 /// What a trajectory is made from.
@@ -237,165 +217,8 @@ impl Trajectory {
         times
     }
 
-    /// The step that contains a time; the nearest one for a time outside.
-    pub(super) fn place(&self, t: f64) -> Place {
-        let backward = t < self.initial_time && self.backward.times.len() > 1 || self.forward.times.len() < 2;
-        let branch = self.branch(backward);
-        let before =
-            if backward { branch.times.partition_point(|&s| s > t) } else { branch.times.partition_point(|&s| s <= t) };
-        let step = before.saturating_sub(1).min(branch.times.len().saturating_sub(2));
-        Place { backward, step, since: t - branch.times.get(step).copied().unwrap_or(t) }
-    }
-
-    /// The places of several times, of which neighbours are often in one step.
-    pub(super) fn places<const N: usize>(&self, times: &[f64; N]) -> [Place; N] {
-        let mut last: Option<Place> = None;
-        times.map(|t| {
-            let within = |place: &Place| {
-                let ends = self.forward.times.get(place.step).zip(self.forward.times.get(place.step + 1));
-                !place.backward && ends.is_some_and(|(start, end)| *start <= t && t < *end)
-            };
-            let place = match last.filter(within) {
-                Some(place) => Place { since: t - self.forward.times[place.step], ..place },
-                None => self.place(t),
-            };
-            last = Some(place);
-            place
-        })
-    }
-
-    /// The place of a time at the end of a step of the forward part.
-    #[cfg(test)]
-    pub(super) fn place_before(&self, t: f64, step: usize) -> Place {
-        Place { backward: false, step, since: t - self.forward.times[step] }
-    }
-
     fn branch(&self, backward: bool) -> &Branch {
         if backward { &self.backward } else { &self.forward }
-    }
-
-    /// The value of a state.
-    pub(super) fn value(&self, place: Place, state: usize) -> f64 {
-        let [[value]] = self.values(&[place], [state]);
-        value
-    }
-
-    /// The values of some states at several times at once: the same operations, state by state and time by time, none of which
-    /// waits for those of another one.
-    pub(super) fn values<const N: usize, const M: usize>(
-        &self,
-        places: &[Place; N],
-        states: [usize; M],
-    ) -> [[f64; N]; M] {
-        widely(Self::sums, (self, places, states))
-    }
-
-    #[inline(always)]
-    fn sums<const N: usize, const M: usize>(
-        (of, places, states): (&Trajectory, &[Place; N], [usize; M]),
-    ) -> [[f64; N]; M] {
-        let n = of.dimension;
-        let since = places.map(|place| place.since);
-        let mut out = [[f64::NAN; N]; M];
-        for (first, run) in runs(places) {
-            // The polynomials of one step at all times, of which those count that lie in it: few blocks of times have many steps.
-            let branch = of.branch(first.backward);
-            let Some(series) =
-                branch.coefficients.get(first.step * n * (ORDER + 1)..(first.step + 1) * n * (ORDER + 1))
-            else {
-                continue;
-            };
-            let mut sums = [[0.0; N]; M];
-            for row in series.chunks_exact(n.max(1)).skip(1).rev() {
-                for (sums, &state) in sums.iter_mut().zip(&states) {
-                    let x = row[state];
-                    for i in 0..N {
-                        sums[i] = sums[i] * since[i] + x;
-                    }
-                }
-            }
-            for ((out, sums), &state) in out.iter_mut().zip(&sums).zip(&states) {
-                let low = branch.low.get(first.step * n + state).copied().unwrap_or(f64::NAN);
-                for i in run.clone() {
-                    out[i] = series[state] + (low + since[i] * sums[i]);
-                }
-            }
-        }
-        out
-    }
-
-    /// The polynomial of a state around another time of its step: the first coefficients.
-    ///
-    /// This is the polynomial of the step, written anew; a series that is grown at that time is the same up to the error of
-    /// the trajectory, and takes ten times as long.
-    pub(super) fn around(&self, place: Place, state: usize, out: &mut [f64]) {
-        let mut found = [[f64::NAN]; ORDER + 1];
-        self.around_lanes(&[place], state, &mut found);
-        for (to, [from]) in out.iter_mut().zip(found) {
-            *to = from;
-        }
-    }
-
-    /// The same around several times at once: the same operations, time by time.
-    pub(super) fn around_lanes<const N: usize>(&self, places: &[Place; N], state: usize, out: &mut [[f64; N]]) {
-        let n = self.dimension;
-        let mut c = [[f64::NAN; N]; ORDER + 1];
-        for (i, place) in places.iter().enumerate() {
-            let (stored, _) = self.branch(place.backward).polynomial(n, place.step, state);
-            c.iter_mut().zip(stored.iter().step_by(n)).for_each(|(c, &x)| c[i] = x);
-        }
-        let since = places.map(|place| place.since);
-        for lowest in 0..ORDER.min(out.len()) {
-            for k in (lowest..ORDER).rev() {
-                for i in 0..N {
-                    c[k][i] += since[i] * c[k + 1][i];
-                }
-            }
-        }
-        [c[0]] = self.values(places, [state]);
-        for (to, from) in out.iter_mut().zip(c) {
-            *to = from;
-        }
-    }
-
-    /// The value of a state with its error.
-    pub(super) fn bounded(&self, place: Place, state: usize) -> Bounded {
-        Bounded { value: self.value(place, state), error: self.error(place, state) }
-    }
-
-    /// The same of some states at several times at once, each handed to `put`.
-    pub(super) fn bounded_values<const N: usize>(
-        &self,
-        places: &[Place; N],
-        states: &[usize],
-        mut put: impl FnMut(usize, [Bounded; N]),
-    ) {
-        let mut hand_over = |some: &[usize], values: &[[f64; N]]| {
-            for (&state, values) in some.iter().zip(values) {
-                let of = |i: usize| Bounded { value: values[i], error: self.error(places[i], state) };
-                put(state, std::array::from_fn(of));
-            }
-        };
-        // So many that their sums fill the registers.
-        for some in states.chunks(4) {
-            match *some {
-                [a, b, c, d] => hand_over(some, &self.values(places, [a, b, c, d])),
-                [a, b, c] => hand_over(some, &self.values(places, [a, b, c])),
-                [a, b] => hand_over(some, &self.values(places, [a, b])),
-                [a] => hand_over(some, &self.values(places, [a])),
-                // No chunk is longer.
-                _ => {}
-            }
-        }
-    }
-
-    fn error(&self, place: Place, state: usize) -> f64 {
-        if place.since == 0.0 && place.step == 0 {
-            self.initial_error[state]
-        } else {
-            let errors = &self.branch(place.backward).error;
-            errors.get(place.step * self.dimension + state).copied().unwrap_or(f64::INFINITY)
-        }
     }
 
     /// The largest error of every state over the whole trajectory.
@@ -738,5 +561,6 @@ impl Branch {
     }
 }
 
+mod place;
 #[cfg(test)]
 mod tests;

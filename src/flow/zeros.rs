@@ -5,6 +5,10 @@
 //! provably monotone). Between neighbouring turning points the expression is monotone, so that signs there tell all
 //! zeros: none is missed between two that lie close together.
 
+mod beside;
+
+use beside::{edge, is_pole, pole, vanishes, vanishes_towards};
+
 use super::core::Core;
 use super::cover::{Explorer, Piece, Stretch, tail};
 use super::incomplete::Incomplete;
@@ -453,76 +457,6 @@ pub(super) fn zeros(core: &Core, program: &Program) -> Zeros {
         a == b || *a == pole(a.stretch().0) && *b == pole(b.stretch().0) && is_one(a.stretch().0, b.stretch().0)
     });
     out
-}
-
-/// The size of the expression a little before and a little after a time, where it has a value.
-fn beside(explorer: &mut Explorer, t: f64) -> [Option<f64>; 2] {
-    let (from, to) = explorer.core.reach();
-    let step = 1e-6 * (to - from);
-    [t - step, t + step].map(|t| match explorer.values(t.clamp(from, to)).first() {
-        Some(Ok(x)) => Some(x.value.abs()),
-        _ => None,
-    })
-}
-
-/// A pole as a gap of the search.
-fn pole(time: f64) -> Incomplete {
-    Incomplete::NoValue { start: time, end: time, reason: NoValue::OutOfDomain }
-}
-
-/// A stretch outside of the domain.
-fn edge(gap: &Incomplete) -> Option<(f64, f64)> {
-    matches!(gap, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. }).then(|| gap.stretch())
-}
-
-/// Whether the expression falls to 0 towards an edge of its domain, from the side on which it has values; if it does, whether
-/// in proportion to the distance.
-fn vanishes_towards(explorer: &mut Explorer, at: f64, onwards: bool) -> Option<bool> {
-    let (from, to) = explorer.core.reach();
-    let length = (to - from) * if onwards { 1.0 } else { -1.0 };
-    // A power of the distance falls by the same factor at each step, whatever its size; a sum with a number does not.
-    let mut sizes: Vec<f64> = Vec::new();
-    for share in [1e-4, 1e-7, 1e-10, 1e-13] {
-        let t = at + share * length;
-        let value = (from..=to).contains(&t).then(|| explorer.values(t).first().copied());
-        let Some(Some(Ok(x))) = value else { return None };
-        if sizes.last().is_some_and(|last| x.value.abs() > 0.7 * last + x.error) {
-            return None;
-        }
-        sizes.push(x.value.abs());
-    }
-    let ratio = sizes[2] / sizes[1];
-    Some((0.3e-3..3e-3).contains(&ratio))
-}
-
-/// Whether the expression grows towards a point from both sides: it has no value there, and no zero near.
-fn is_pole(explorer: &mut Explorer, (start, end): (f64, f64)) -> bool {
-    let (from, to) = explorer.core.reach();
-    let step = 1e-6 * (to - from);
-    if end - start > 1e-6 * step {
-        return false;
-    }
-    let mut grows = |near: f64, far: f64| match (explorer.values(near).first(), explorer.values(far).first()) {
-        (Some(Ok(a)), Some(Ok(b))) => a.value.abs() > 10.0 * b.value.abs() + 10.0 * a.error,
-        _ => false,
-    };
-    grows(start - step, start - 100.0 * step) && grows(end + step, end + 100.0 * step)
-}
-
-/// Whether the expression is so small at a kink, compared with its size beside it, that it may vanish there; `None` where too
-/// few values are known: a root may end there, too, at an edge of its domain that is as near to a pole, or to an end of the
-/// motion, as times are resolved.
-fn vanishes(explorer: &mut Explorer, kink: f64) -> Option<bool> {
-    let here = explorer.values(kink).first().copied().and_then(Result::ok);
-    let around = beside(explorer, kink);
-    match here {
-        Some(x) => {
-            let largest = around.into_iter().flatten().reduce(f64::max)?;
-            Some(x.value.abs() <= 1e-3 * largest + x.error)
-        }
-        // A pole, or a gap at one time with values around it: nothing that could be 0.
-        None => around.iter().all(Option::is_some).then_some(false),
-    }
 }
 
 impl Zeros {

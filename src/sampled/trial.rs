@@ -29,6 +29,9 @@ use reason::{Plain, Reason, Sampling, Sides};
 /// The most parts of a claim that are looked at closer, each by itself.
 const MANY: usize = 64;
 
+/// Which of the measured groups is meant.
+type Of<'a> = &'a dyn for<'m, 'p> Fn(&'m Measurements<'p>) -> &'m MeasuredGroup<'p>;
+
 /// Tries a claim on a motion. `gradients` are those of a claim of independence.
 pub fn try_claim(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gradients, Reason>>) -> Verdict {
     let Trial { program, course, .. } = *trial;
@@ -136,7 +139,10 @@ fn met_on(
     let Assumption { text, part } = &trial.program.hypotheses[position];
     let finding = match &part.what {
         What::Limit(point) => limit_where(trial, along, &|m| &m.hypotheses[position], point),
-        _ => weigh(describer.setting(along.left.clone()), &measured.hypotheses[position]),
+        _ => {
+            let finding = weigh(describer.setting(along.left.clone()), &measured.hypotheses[position]);
+            at_peaks(trial, measured, &|m| &m.hypotheses[position], finding)
+        }
     };
     let text = || text.as_str().into();
     let sides = |w: &Witness| Sides { t: w.t, left: w.left, right: w.right, bound: w.bound };
@@ -179,7 +185,7 @@ fn part(
     let closer = |finding: Finding| match program.at {
         _ if program.parts.len() > MANY => finding,
         Some(_) => finding,
-        None => at_peaks(trial, measured, position, look_closer(trial, measured, position, finding)),
+        None => at_peaks(trial, measured, &|m| &m.parts[position], look_closer(trial, measured, position, finding)),
     };
     let between = |finding: Finding| match program.at {
         Some(_) => finding,
@@ -211,12 +217,7 @@ fn part(
 }
 
 /// A limit, where some time counts: without one, nothing is said of it.
-fn limit_where(
-    trial: &Trial,
-    tried: &Tried,
-    group: &dyn for<'m, 'p> Fn(&'m Measurements<'p>) -> &'m MeasuredGroup<'p>,
-    point: &latex::LimitPoint,
-) -> Finding {
+fn limit_where(trial: &Trial, tried: &Tried, group: Of, point: &latex::LimitPoint) -> Finding {
     let out = |l: &Left| match l {
         Left::Out(reason) => Some(Reason::clone(reason)),
         Left::In | Left::Open(_) => None,
@@ -300,7 +301,8 @@ fn look_closer(trial: &Trial, along: &Measurements, position: usize, finding: Fi
     let Some(at) = course.times.iter().position(|&t| t == worst.at) else { return finding };
     let near = course.near(at);
     let points = course.points_at(trial.program, &near);
-    let Some(closer) = at_further_times(trial, along, position, &near, &points) else { return finding };
+    let of: Of = &|m| &m.parts[position];
+    let Some(closer) = at_further_times(trial, along, of, &near, &points) else { return finding };
     match (known(&closer), &closer.evidence().residual) {
         (Possible::FALSE, _) => closer,
         (Possible::TRUE, Some(r)) if r.max * worst.bound > worst.max * r.bound => {
@@ -320,18 +322,18 @@ fn look_closer(trial: &Trial, along: &Measurements, position: usize, finding: Fi
 fn at_further_times(
     trial: &Trial,
     along: &Measurements,
-    position: usize,
+    of: Of,
     times: &[f64],
     points: &Arc<Points>,
 ) -> Option<Finding> {
     let describer = Describer::new(trial, times, points);
     let measured = measure(trial.program, points, Some(along));
     let left = selected(trial, &measured, &describer);
-    left.contains(&Left::In).then(|| weigh(describer.setting(left), &measured.parts[position]))
+    left.contains(&Left::In).then(|| weigh(describer.setting(left), of(&measured)))
 }
 
 /// Tries a part at further times, where it may vary rapidly between the samples.
-fn at_peaks(trial: &Trial, along: &Measurements, position: usize, finding: Finding) -> Finding {
+fn at_peaks(trial: &Trial, along: &Measurements, of: Of, finding: Finding) -> Finding {
     let Trial { program, course, .. } = *trial;
     let holds = match known(&finding).decided() {
         Some(Truth::True) => true,
@@ -342,7 +344,7 @@ fn at_peaks(trial: &Trial, along: &Measurements, position: usize, finding: Findi
     if let (true, Some(_)) = (holds, unresolved) {
         return reopened(finding, Possible::OPEN, Plain::TooManyPeaks);
     }
-    let at = |times: &[f64]| at_further_times(trial, along, position, times, &course.points_at(program, times));
+    let at = |times: &[f64]| at_further_times(trial, along, of, times, &course.points_at(program, times));
     // Near what is divided by 0, errors may be larger than what is asked for: what is false there for certain counts.
     if let Some(closer) = at(&singular).filter(|closer| known(closer) == Possible::FALSE) {
         return closer;
