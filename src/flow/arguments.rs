@@ -21,6 +21,7 @@ const HIGH: i32 = 16;
 const NOTHING: f64 = -746.0;
 /// Beyond this argument tanh is ±1.
 const SATURATED: f64 = 20.0;
+
 /// An argument that may hide something, by the slots of a tape.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Argument {
@@ -88,7 +89,7 @@ impl Argument {
                 (None, _) | (_, None) => true,
             },
             Argument::Plane(y, x) => match (of(y), of(x)) {
-                (Some((y, up)), Some((x, along))) => up + along <= MODERATE * y.hypot(x),
+                (Some((y, up)), Some((x, along))) => up + along <= MODERATE * at(Op::Sqrt, y * y + x * x),
                 (None, _) | (_, None) => true,
             },
         }

@@ -4,8 +4,9 @@
 //! zeros and at the peaks of what lies between two of them; and what the search left open.
 //!
 //! An inequality keeps its truth as long as left − right keeps its sign. So it is enough to look where the sign changes, and
-//! once between two changes: of this comparison, of another one beside it, of what is assumed, or of where there are values. Where the sides only touch, or where the search is incomplete, the comparison may be anything:
-//! if the part may be false then, it is not known to be true.
+//! once between two changes: of this comparison, of another one beside it, of what is assumed, or of where there are values.
+//! Where the sides only touch, or where the search is incomplete, the comparison may be anything: if the part may be false
+//! then, it is not known to be true.
 
 use std::sync::Arc;
 
