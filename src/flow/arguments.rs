@@ -11,6 +11,7 @@
 
 use std::collections::BTreeMap;
 
+use super::zeros::shift;
 use expr::tape::Tape;
 use expr::{Expr, FastSet, Graph, Leaf, Node};
 use number::Op;
@@ -23,6 +24,8 @@ const MODERATE: f64 = 0.75;
 const HIGH: i32 = 16;
 /// Exponentials below this power of e are 0.
 const NOTHING: f64 = -746.0;
+/// The shortest part of a stretch that is looked at for a change of sign.
+const SHORTEST: f64 = 1e-12;
 /// What is below its error times this may be 0.
 const NOISE: f64 = 4.0;
 /// Beyond this argument tanh is ±1.
@@ -79,6 +82,32 @@ pub(super) fn moves(mut coefficients: impl Iterator<Item = f64>, radius: f64, er
     Moves { value, by: coefficients.map(term).sum(), error }
 }
 
+/// Whether a polynomial changes its sign up to a radius, by more than NOISE times an error.
+pub(super) fn changes_sign(coefficients: &[f64], radius: f64, error: f64) -> bool {
+    let mut scaled = Vec::new();
+    shift(coefficients, 0.0, radius, &mut scaled);
+    let (mut stack, mut local) = (vec![(0.0, 1.0)], Vec::with_capacity(scaled.len()));
+    let mut seen = [false; 2];
+    while let Some((middle, half)) = stack.pop() {
+        shift(&scaled, middle, half, &mut local);
+        let Moves { value, by, .. } = moves(local.iter().copied(), 1.0, error);
+        if value.abs() + by <= NOISE * error || half < SHORTEST {
+            continue;
+        }
+        if by < value.abs() {
+            seen[usize::from(value > 0.0)] = true;
+        } else if value.is_finite() && by.is_finite() {
+            stack.extend([(middle - 0.5 * half, 0.5 * half), (middle + 0.5 * half, 0.5 * half)]);
+        } else {
+            return true;
+        }
+        if seen == [true, true] {
+            return true;
+        }
+    }
+    false
+}
+
 /// An operation of one number, the same on every machine; NaN where there is no value.
 fn at(op: Op, x: f64) -> f64 {
     let mut out = 0.0;
@@ -96,8 +125,9 @@ impl Argument {
         [first].into_iter().chain(second)
     }
 
-    /// What varies by much with it; nothing where it moves moderately. `of` says how the number in a slot moves, if it has a value.
-    pub(super) fn varies(&self, of: impl Fn(usize) -> Option<Moves>) -> Option<Kind> {
+    /// What varies by much with it; nothing where it moves moderately. `of` says how the number in a slot moves, if it has a value;
+    /// `turns`, whether it may change its sign, by more than its error.
+    pub(super) fn varies(&self, of: impl Fn(usize) -> Option<Moves>, turns: impl Fn(usize) -> bool) -> Option<Kind> {
         let unless = |moderate: bool, kind: Kind| (!moderate).then_some(kind);
         match *self {
             Argument::Exponent(u, low, high) => {
@@ -112,10 +142,10 @@ impl Argument {
                 let Moves { value: u, by, .. } = of(u)?;
                 unless(by <= MODERATE * u.abs(), Kind::Singular)
             }
-            Argument::Kink(u) => {
-                let Moves { value: u, by, error } = of(u)?;
-                // What is 0 within its error all along has no kink that could be seen.
-                unless(by <= u.abs() || u.abs() + by <= NOISE * error, Kind::Singular)
+            Argument::Kink(slot) => {
+                let Moves { value: u, by, error } = of(slot)?;
+                // What is 0 within its error all along has no kink that could be seen, nor has what only touches 0.
+                unless(by <= u.abs() || u.abs() + by <= NOISE * error || !turns(slot), Kind::Singular)
             }
             Argument::Cosine(u) => {
                 let Moves { value: u, by, .. } = of(u)?;
@@ -246,8 +276,8 @@ impl Arguments {
         Arguments(out)
     }
 
-    /// Whether all move moderately; `of` says how the number in a slot moves, if it has a value.
-    pub(super) fn are_moderate(&self, of: impl Fn(usize) -> Option<Moves>) -> bool {
-        self.0.iter().all(|argument| argument.varies(&of).is_none())
+    /// Whether all move moderately; `of` and `turns` as for [`Argument::varies`].
+    pub(super) fn are_moderate(&self, of: impl Fn(usize) -> Option<Moves>, turns: impl Fn(usize) -> bool) -> bool {
+        self.0.iter().all(|argument| argument.varies(&of, &turns).is_none())
     }
 }

@@ -2,7 +2,7 @@
 
 use num_dual::Dual;
 
-use super::arguments::{Arguments, moves};
+use super::arguments::{Arguments, changes_sign, moves};
 use super::core::Core;
 use super::trajectory::{ORDER, Place, Trajectory};
 use expr::domain::{Change, Place as At, Term, row};
@@ -440,13 +440,14 @@ impl Program {
         (values, error): (&Bench<V>, impl Fn(&V) -> f64),
         radius: f64,
     ) -> bool {
-        self.arguments.are_moderate(|slot| {
+        let coefficients = |slot: usize| series.slots.value(slot).coefficients().iter().map(&of);
+        let error = |slot: usize| error(&values.slots.value(slot).coefficient(0));
+        let how = |slot: usize| {
             let known = series.slots.missing(slot).is_none() && values.slots.missing(slot).is_none();
-            known.then(|| {
-                let coefficients = series.slots.value(slot).coefficients().iter().map(&of);
-                moves(coefficients, radius, error(&values.slots.value(slot).coefficient(0)))
-            })
-        })
+            known.then(|| moves(coefficients(slot), radius, error(slot)))
+        };
+        self.arguments
+            .are_moderate(how, |slot| changes_sign(&coefficients(slot).collect::<Vec<f64>>(), radius, error(slot)))
     }
 
     /// Whether there are operations with a branch point.

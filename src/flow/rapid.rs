@@ -6,7 +6,7 @@
 use std::rc::Rc;
 use std::sync::{Arc, OnceLock};
 
-use super::arguments::{Argument, Kind, Moves, Within, moves};
+use super::arguments::{Argument, Kind, Moves, Within, changes_sign, moves};
 use super::core::Core;
 use super::cover::{BLOCK, Explorer, tail};
 use super::error::FlowError;
@@ -169,7 +169,7 @@ impl RapidSearch {
                 let Bounded { value, error } = value(slot, k)?;
                 Some(Moves { value, by: by(slot), error })
             };
-            let kinds = [from, from + 1].map(|k| argument.varies(|slot| moves(slot, k)));
+            let kinds = [from, from + 1].map(|k| argument.varies(|slot| moves(slot, k), |_| true));
             let kind = if kinds.contains(&Some(Kind::Singular)) { Some(Kind::Singular) } else { kinds[0].or(kinds[1]) };
             let error = |slot: usize, k: usize| value(slot, k).map_or(0.0, |x| x.error);
             let errors = || argument.slots().map(|slot| error(slot, from).max(error(slot, from + 1))).collect();
@@ -267,7 +267,17 @@ impl Local<'_> {
             (of(&new).unwrap_or_default(), Rc::new(new))
         });
         let position = |slot: usize| slots.iter().position(|&s| s == slot);
-        (argument.varies(|slot| found.get(position(slot)?).copied().flatten()).is_none(), known)
+        let how = |slot: usize| found.get(position(slot)?).copied().flatten();
+        let turn = |slot: usize| {
+            let at = position(slot).and_then(|i| Some((known.slots.get(i)?.as_ref()?, errors[i])));
+            at.is_none_or(|(c, error)| {
+                let mut here = Vec::new();
+                shift(c, t - known.centre, 1.0, &mut here);
+                changes_sign(&here, radius, error)
+            })
+        };
+        let moderate = argument.varies(how, turn).is_none();
+        (moderate, known)
     }
 }
 

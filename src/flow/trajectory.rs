@@ -20,7 +20,7 @@ use number::{Bounded, NoValue};
 /// What the differences between independent integrations are multiplied with.
 const SAFETY: f64 = 8.0;
 /// How far beside the start of a motion its companion starts, in units of the states.
-const SLIP: f64 = 2.0 * f64::EPSILON;
+const SLIP: f64 = f64::EPSILON;
 /// Rounding floor in units of the largest value of a state so far.
 const FLOOR: f64 = 4.0 * f64::EPSILON;
 /// Order of the trajectory: −ln(2⁻⁵²)/2 + 1, rounded up.
