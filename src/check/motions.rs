@@ -109,16 +109,19 @@ impl Member {
             self.built.asked = asked;
             self.built.samples = Arc::default();
         }
-        let wanted: Vec<Expr> = searched(derivation, requests, t);
+        let (wanted, watched) = searched(derivation, requests, t);
         let there: Vec<Expr> = wanted.iter().map(|&e| translation.expr(graph, e)).collect::<Option<_>>()?;
         let new: Vec<Expr> = there.iter().copied().filter(|e| !self.searches.contains_key(e)).collect();
-        if !new.is_empty() {
-            let found = self.built.motion.searches(graph, &new, self.built.span);
-            self.searches.extend(new.into_iter().zip(found.into_iter().map(|s| s.ok().map(Arc::new))));
+        let rapid: Vec<Expr> = watched.iter().map(|&e| translation.expr(graph, e)).collect::<Option<_>>()?;
+        if !new.is_empty() || rapid != self.built.rapid.0 {
+            let found = self.built.motion.searches(graph, (&new, &rapid), self.built.span).ok()?;
+            self.searches.extend(new.into_iter().zip(found.zeros.into_iter().map(Result::ok)));
+            self.built.rapid = (rapid, found.rapid);
         }
+        let rapid = (watched, Arc::clone(&self.built.rapid.1));
         let known = |(e, there): (Expr, Expr)| Some((e, Arc::clone(self.searches.get(&there)?.as_ref()?)));
         let searches = wanted.into_iter().zip(there).filter_map(known).collect();
-        Some((t, Built { places, searches, ..self.built.clone() }))
+        Some((t, Built { places, searches, rapid, ..self.built.clone() }))
     }
 }
 

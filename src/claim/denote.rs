@@ -124,8 +124,10 @@ fn rapid(graph: &mut Graph, scope: &Scope, compared: &[&Comparison]) -> Vec<Expr
         let node = graph.node(e);
         let of = |set: &FastSet<Expr>| node.children().any(|child| set.contains(&child));
         let (moved, mut hides) = (of(&moving) || matches!(node, Node::Leaf(leaf) if moves(leaf)), of(&hiding));
-        if let Node::Unary(op, _) | Node::Binary(op, ..) = node {
-            hides |= node.children().zip(may_hide(*op)).any(|(child, may)| may && moving.contains(&child));
+        match node {
+            Node::Unary(op, a) => hides |= may_hide(*op, [moving.contains(a), false]),
+            Node::Binary(op, a, b) => hides |= may_hide(*op, [a, b].map(|e| moving.contains(e))),
+            Node::Constant(_) | Node::Pi | Node::Leaf(_) => {}
         }
         moving.extend(moved.then_some(e));
         hiding.extend(hides.then_some(e));

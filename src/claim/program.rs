@@ -192,8 +192,7 @@ impl Program {
             None => {
                 let parts = parts.flat_map(|p| p.boundaries(true)).map(|(_, _, e)| e);
                 let one_sided = self.groups().flat_map(|g| &g.one_sided);
-                let rapid = self.rapid.iter().copied();
-                parts.chain(met()).chain(one_sided.copied()).chain(self.edges()).chain(rapid).collect()
+                parts.chain(met()).chain(one_sided.copied()).chain(self.edges()).collect()
             }
             Some(e) => {
                 let hypotheses = self.hypotheses.iter().map(|a| &a.part);
@@ -201,7 +200,6 @@ impl Program {
                 [e].into_iter()
                     .chain(hypotheses.flat_map(|p| p.boundaries(true)).map(|(_, _, e)| e))
                     .chain(one_sided)
-                    .chain(self.rapid.iter().copied())
                     .collect()
             }
         }

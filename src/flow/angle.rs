@@ -54,7 +54,7 @@ impl Angle {
     /// Follows the angle that `raw` defines along the whole motion.
     pub(super) fn follow(core: &Core, turns: Leaf, raw: Program) -> Angle {
         let mut explorer = Explorer::new(core, &raw, DEGREE);
-        let stretches = explorer.cover(&core.boundaries(), |explorer, piece| {
+        let follows = |explorer: &mut Explorer, piece: &Piece| {
             let Some(c) = piece.outputs.first() else { return false };
             // Convergence is judged by the decay of the terms, not by their size: far from a passage at distance d every
             // term is of the order of d, even where the series diverges.
@@ -72,6 +72,9 @@ impl Angle {
                     (off - TAU * around(off)).abs() < 0.1
                 })
             })
+        };
+        let stretches = explorer.cover(&core.boundaries(), |explorer, pieces| {
+            pieces.iter().map(|piece| follows(explorer, piece)).collect()
         });
         let initial = explorer.values(core.initial_time).first().copied().unwrap_or(Err(NoValue::Unsupported));
         let initial = initial.ok().map(|x| x.value);

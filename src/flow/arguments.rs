@@ -8,7 +8,10 @@
 //! **In:** the tape of an expression, and its series around a time. **Out:** whether all such arguments move moderately up to a
 //! distance. **Guaranteed:** nothing that decides is made here, only more places to look at.
 
+use std::collections::BTreeMap;
+
 use expr::tape::Tape;
+use expr::{Expr, FastSet, Graph, Leaf, Node};
 use number::Op;
 
 /// An exponent that changes by less than this hides nothing.
@@ -42,7 +45,17 @@ pub(super) enum Argument {
 }
 
 /// A number, and how far it moves on a stretch at most.
-type Moves = (f64, f64);
+pub(super) type Moves = (f64, f64);
+
+/// How far what has a series moves up to a radius.
+pub(super) fn moves(mut coefficients: impl Iterator<Item = f64>, radius: f64) -> Moves {
+    let (value, mut power) = (coefficients.next().unwrap_or(0.0), 1.0);
+    let term = |c: f64| {
+        power *= radius;
+        c.abs() * power
+    };
+    (value, coefficients.map(term).sum())
+}
 
 /// An operation of one number, the same on every machine; NaN where there is no value.
 fn at(op: Op, x: f64) -> f64 {
@@ -96,23 +109,88 @@ impl Argument {
     }
 }
 
-/// For each argument of an operation, whether what is below rounding for one value of it may be seen for another: where the
-/// operation grows without bound, or comes to rest.
-pub fn may_hide(op: Op) -> [bool; 2] {
-    match op {
-        Op::Exp | Op::Sinh | Op::Cosh | Op::Tanh | Op::Sqrt | Op::Ln | Op::Tan | Op::Arcsin | Op::Arccos => {
-            [true, false]
+/// The arguments of an operation that may hide something: what is below rounding for one value of them may be seen for another, where
+/// the operation grows without bound, or comes to rest. `a` and `b` are their slots, `moving` says which of them move.
+fn hiding(op: Op, (a, b): (usize, usize), moving: [bool; 2]) -> impl Iterator<Item = Argument> {
+    let [first, second] = moving;
+    let endless = f64::INFINITY;
+    let one = |argument: Argument| [first.then_some(argument), None];
+    let found = match op {
+        Op::Exp => one(Argument::Exponent(a, NOTHING, endless)),
+        Op::Sinh | Op::Cosh => one(Argument::Exponent(a, -endless, endless)),
+        Op::Tanh => one(Argument::Exponent(a, -SATURATED, SATURATED)),
+        Op::Powi(n) => {
+            let high = n.saturating_abs() >= HIGH;
+            let power = Argument::Base(a, f64::from(n.saturating_abs()));
+            [(first && high).then_some(power), (first && n < 0).then_some(Argument::Singular(a))]
         }
-        Op::Powi(n) => [!(0..HIGH).contains(&n), false],
-        Op::Div => [false, true],
-        Op::Pow | Op::Arctan2 | Op::Agm => [true, true],
-        Op::Neg | Op::Add | Op::Sub | Op::Mul | Op::Sin | Op::Cos | Op::Arctan | Op::Abs | Op::Restrict => {
-            [false, false]
+        Op::Sqrt | Op::Ln => one(Argument::Singular(a)),
+        Op::Tan => one(Argument::Cosine(a)),
+        Op::Arcsin | Op::Arccos => one(Argument::Unit(a)),
+        Op::Div => [second.then_some(Argument::Singular(b)), None],
+        Op::Pow => [(first || second).then_some(Argument::Power(a, b)), None],
+        Op::Arctan2 => [(first || second).then_some(Argument::Plane(a, b)), None],
+        Op::Agm => [first.then_some(Argument::Singular(a)), second.then_some(Argument::Singular(b))],
+        Op::Neg | Op::Add | Op::Sub | Op::Mul | Op::Sin | Op::Cos | Op::Arctan | Op::Abs | Op::Restrict => [None, None],
+    };
+    found.into_iter().flatten()
+}
+
+/// Whether an operation has arguments that may hide something, if those move that `moving` says.
+pub fn may_hide(op: Op, moving: [bool; 2]) -> bool {
+    hiding(op, (0, 1), moving).next().is_some()
+}
+
+/// The arguments in some expressions that may hide something: each of its expressions once, and for each expression given the
+/// arguments in it, by the positions of theirs. `moves` says which leaves do.
+pub(super) struct Within {
+    /// What the slots of the arguments stand for.
+    pub(super) slots: Vec<Expr>,
+    /// The arguments of all, each once.
+    pub(super) arguments: Vec<Argument>,
+    /// For each of the expressions, its arguments.
+    pub(super) of: Vec<Vec<usize>>,
+}
+
+impl Within {
+    /// Those of some expressions.
+    pub(super) fn new(graph: &Graph, roots: &[Expr], moves: impl Fn(&Leaf) -> bool) -> Within {
+        let mut out = Within { slots: Vec::new(), arguments: Vec::new(), of: Vec::new() };
+        let mut moving: FastSet<Expr> = FastSet::default();
+        let mut slots: BTreeMap<Expr, usize> = BTreeMap::new();
+        let mut at: BTreeMap<Expr, Vec<usize>> = BTreeMap::new();
+        for e in graph.reachable(roots.iter().copied()) {
+            let node = graph.node(e);
+            let moved =
+                node.children().any(|child| moving.contains(&child)) || matches!(node, Node::Leaf(leaf) if moves(leaf));
+            moving.extend(moved.then_some(e));
+            let (op, a, b) = match *node {
+                Node::Unary(op, a) => (op, a, a),
+                Node::Binary(op, a, b) => (op, a, b),
+                Node::Constant(_) | Node::Pi | Node::Leaf(_) => continue,
+            };
+            let mut slot = |e: Expr| {
+                *slots.entry(e).or_insert_with(|| {
+                    out.slots.push(e);
+                    out.slots.len() - 1
+                })
+            };
+            let does = [a, b].map(|e| moving.contains(&e));
+            if may_hide(op, does) {
+                let places = (slot(a), slot(b));
+                for argument in hiding(op, places, does) {
+                    at.entry(e).or_default().push(out.arguments.len());
+                    out.arguments.push(argument);
+                }
+            }
         }
+        let of = |&root: &Expr| graph.reachable([root]).iter().filter_map(|e| at.get(e)).flatten().copied().collect();
+        out.of = roots.iter().map(of).collect();
+        out
     }
 }
 
-/// The arguments in an expression that may hide something.
+/// The arguments in a tape that may hide something.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Arguments(Vec<Argument>);
 
@@ -124,50 +202,11 @@ impl Arguments {
         let mut out = Vec::new();
         for step in tape.instructions() {
             let (a, b) = (step.a as usize, step.b as usize);
-            let second = step.op.arity() == 2;
-            moving[step.out as usize] = moving[a] || second && moving[b];
-            if !matches!(may_hide(step.op), [first, second] if first && moving[a] || second && moving[b]) {
-                continue;
-            }
-            let endless = f64::INFINITY;
-            match step.op {
-                Op::Exp => out.push(Argument::Exponent(a, NOTHING, endless)),
-                Op::Sinh | Op::Cosh => out.push(Argument::Exponent(a, -endless, endless)),
-                Op::Tanh => out.push(Argument::Exponent(a, -SATURATED, SATURATED)),
-                Op::Powi(n) => {
-                    let high = Argument::Base(a, f64::from(n.saturating_abs()));
-                    out.extend((n.saturating_abs() >= HIGH).then_some(high));
-                    out.extend((n < 0).then_some(Argument::Singular(a)));
-                }
-                Op::Sqrt | Op::Ln => out.push(Argument::Singular(a)),
-                Op::Tan => out.push(Argument::Cosine(a)),
-                Op::Arcsin | Op::Arccos => out.push(Argument::Unit(a)),
-                Op::Div => out.push(Argument::Singular(b)),
-                Op::Pow => out.push(Argument::Power(a, b)),
-                Op::Arctan2 => out.push(Argument::Plane(a, b)),
-                Op::Agm => out.extend([a, b].into_iter().filter(|&s| moving[s]).map(Argument::Singular)),
-                Op::Neg | Op::Add | Op::Sub | Op::Mul | Op::Sin | Op::Cos | Op::Arctan | Op::Abs | Op::Restrict => {}
-            }
+            let does = [moving[a], step.op.arity() == 2 && moving[b]];
+            moving[step.out as usize] = does.contains(&true);
+            out.extend(hiding(step.op, (a, b), does));
         }
         Arguments(out)
-    }
-
-    /// Each.
-    pub(super) fn iter(&self) -> impl Iterator<Item = &Argument> {
-        self.0.iter()
-    }
-
-    /// Whether there are any.
-    pub(super) fn is_empty(&self) -> bool {
-        self.0.is_empty()
-    }
-
-    /// The slots that they are in, increasing.
-    pub(super) fn slots(&self) -> Vec<usize> {
-        let mut out: Vec<usize> = self.0.iter().flat_map(|argument| argument.slots()).collect();
-        out.sort_unstable();
-        out.dedup();
-        out
     }
 
     /// Whether all move moderately; `of` says how the number in a slot moves, if it has a value.

@@ -8,6 +8,9 @@ use number::{Bounded, BoundedLanes, Jet, Lanes, NoValue};
 /// How many stretches, or times, are looked at together.
 pub(super) const BLOCK: usize = 8;
 
+/// Fewer than these are looked at one by one.
+const FEW: usize = 3;
+
 /// Stretches are halved at most so often in one cover: a piece has some 300 bytes.
 const MOST_HALVINGS: usize = 100_000;
 
@@ -25,6 +28,16 @@ pub(super) enum Stretch {
         /// Why; `None` where there are values, but no convergence.
         reason: Option<NoValue>,
     },
+}
+
+impl Stretch {
+    /// Where it begins.
+    fn start(&self) -> f64 {
+        match self {
+            Stretch::Piece(piece) => piece.start,
+            Stretch::Gap { start, .. } => *start,
+        }
+    }
 }
 
 /// Polynomials over a stretch.
@@ -87,13 +100,13 @@ impl<'a> Explorer<'a> {
     pub(super) fn all_values(&mut self, times: &[f64]) -> Vec<Result<Bounded, NoValue>> {
         let mut out = Vec::with_capacity(times.len());
         for block in times.chunks(BLOCK) {
-            let lanes = block.try_into().ok().and_then(|times: &[f64; BLOCK]| {
-                let turns = self.turns(times);
-                self.program.run_lanes(self.core, &mut self.wide_values, times, &turns);
+            let lanes = padded(block).and_then(|times| {
+                let turns = self.turns(&times);
+                self.program.run_lanes(self.core, &mut self.wide_values, &times, &turns);
                 self.program.output(&self.wide_values, 0).ok().map(|x| x.coefficient(0))
             });
             match lanes {
-                Some(lanes) => out.extend((0..BLOCK).map(|i| Ok(lanes.lane(i)))),
+                Some(lanes) => out.extend((0..block.len()).map(|i| Ok(lanes.lane(i)))),
                 None => out.extend(
                     block.iter().map(|&t| self.values(t).first().copied().unwrap_or(Err(NoValue::Unsupported))),
                 ),
@@ -136,31 +149,27 @@ impl<'a> Explorer<'a> {
         self.program.output(&self.plain, 0).ok().map(|x| x.coefficient(0))
     }
 
-    /// The numbers in some slots, without their errors.
-    pub(super) fn plain_values(&mut self, t: f64, slots: &[usize]) -> Vec<Option<f64>> {
-        let turns = self.core.turns(self.program, t, &mut self.angles);
-        self.program.run(self.core, &mut self.plain, t, &turns);
-        slots.iter().map(|&slot| self.program.number(&self.plain, slot)).collect()
-    }
-
-    /// Whether all arguments of exponentials, powers and quotients move moderately up to a distance from a time.
-    pub(super) fn is_moderate(&mut self, t: f64, radius: f64) -> bool {
+    /// Expands all outputs around a time; [`Explorer::expanded`] tells them.
+    pub(super) fn expand(&mut self, t: f64) {
         let turns = self.core.turns(self.program, t, &mut self.angles);
         self.program.run(self.core, &mut self.series, t, &turns);
-        self.program.is_moderate(&self.series, radius, |c| *c)
+    }
+
+    /// The coefficients of an output; `None` if it has none.
+    pub(super) fn expanded(&self, output: usize) -> Option<&[f64]> {
+        self.program.output(&self.series, output).ok().map(Jet::coefficients)
     }
 
     /// The polynomials around the middle of a stretch.
     fn piece(&mut self, start: f64, end: f64) -> Result<Piece, NoValue> {
         let centre = start + 0.5 * (end - start);
         let values = self.values(centre).into_iter().collect::<Result<Vec<_>, _>>()?;
-        let turns = self.core.turns(self.program, centre, &mut self.angles);
-        self.program.run(self.core, &mut self.series, centre, &turns);
+        self.expand(centre);
         // Without its error a value may be out of a domain that it is in, as for all that is known: √0.
         let outputs = (0..self.program.output_count())
-            .map(|i| self.program.output(&self.series, i).map(|x| x.coefficients().to_vec()))
-            .collect::<Result<Vec<_>, _>>()
-            .map_err(|_| NoValue::Indeterminate)?;
+            .map(|i| self.expanded(i).map(<[f64]>::to_vec))
+            .collect::<Option<Vec<_>>>()
+            .ok_or(NoValue::Indeterminate)?;
         let moderate = self.program.is_moderate(&self.series, 0.5 * (end - start), |c| *c);
         Ok(Piece { start, end, centre, outputs, values, moderate })
     }
@@ -169,58 +178,83 @@ impl<'a> Explorer<'a> {
     ///
     /// Stretches without any value are given up at once, others when they are shorter than time can be resolved, or when
     /// the work exceeds a limit that is proportional to the number of times.
-    pub(super) fn cover(&mut self, times: &[f64], mut accept: impl FnMut(&mut Self, &Piece) -> bool) -> Vec<Stretch> {
-        let moderate = |explorer: &mut Self, piece: &Piece| piece.moderate && accept(explorer, piece);
+    pub(super) fn cover(
+        &mut self,
+        times: &[f64],
+        mut accept: impl FnMut(&mut Self, &[&Piece]) -> Vec<bool>,
+    ) -> Vec<Stretch> {
+        let moderate = |explorer: &mut Self, pieces: &[&Piece]| {
+            let moderate: Vec<&Piece> = pieces.iter().copied().filter(|piece| piece.moderate).collect();
+            let mut accepted = accept(explorer, &moderate).into_iter();
+            pieces.iter().map(|piece| piece.moderate && accepted.next() == Some(true)).collect()
+        };
         self.cover_unless(times, moderate, |explorer, start, end| !explorer.somewhere(start, end))
     }
 
     /// The same, where `accept` alone decides, and `hopeless` says of a stretch whose middle has no value whether it has none
     /// anywhere.
+    ///
+    /// All stretches are looked at before any half, and all halves before a quarter: `accept` is asked of many at once.
     pub(super) fn cover_unless(
         &mut self,
         times: &[f64],
-        mut accept: impl FnMut(&mut Self, &Piece) -> bool,
+        mut accept: impl FnMut(&mut Self, &[&Piece]) -> Vec<bool>,
         mut hopeless: impl FnMut(&mut Self, f64, f64) -> bool,
     ) -> Vec<Stretch> {
-        let mut out: Vec<Stretch> = Vec::new();
         let length = times.last().zip(times.first()).map_or(0.0, |(b, a)| b - a);
         let mut budget = (4000 + 200 * times.len()).min(MOST_HALVINGS);
-        let stretches: Vec<(f64, f64)> = times.windows(2).map(|pair| (pair[0], pair[1])).collect();
-        let mut together: std::vec::IntoIter<Option<Piece>> = Vec::new().into_iter();
-        for (i, &stretch) in stretches.iter().enumerate() {
-            if let Some(block) = stretches.get(i..i + BLOCK).filter(|_| i.is_multiple_of(BLOCK))
-                && let Ok(block) = block.try_into()
-            {
-                together = Vec::from(self.pieces(block)).into_iter();
-            }
-            let mut whole = together.next().flatten();
-            let mut stack = vec![stretch];
-            while let Some((start, end)) = stack.pop() {
-                let found = whole.take().map_or_else(|| self.piece(start, end), Ok);
-                let reason = found.as_ref().err().copied();
-                if let Ok(piece) = found
-                    && accept(self, &piece)
-                {
-                    out.push(Stretch::Piece(piece));
-                    continue;
-                }
+        let mut level: Vec<(f64, f64)> = times.windows(2).map(|pair| (pair[0], pair[1])).collect();
+        let mut done: Vec<Stretch> = Vec::with_capacity(level.len());
+        while !level.is_empty() {
+            let found = self.all_pieces(&level);
+            let pieces: Vec<&Piece> = found.iter().filter_map(|piece| piece.as_ref().ok()).collect();
+            let mut accepted = accept(self, &pieces).into_iter();
+            let mut halves = Vec::new();
+            for (found, (start, end)) in found.into_iter().zip(level) {
+                let reason = match found {
+                    Ok(piece) if accepted.next() == Some(true) => {
+                        done.push(Stretch::Piece(piece));
+                        continue;
+                    }
+                    found => found.err(),
+                };
                 budget = budget.saturating_sub(1);
                 let smallest = 1e-15 * length + 2.0 * f64::EPSILON * start.abs().max(end.abs());
                 let middle = start + 0.5 * (end - start);
                 let given_up = reason.is_some() && hopeless(self, start, end);
                 if budget == 0 || given_up || end - start <= smallest || !(start < middle && middle < end) {
-                    match out.last_mut() {
-                        Some(Stretch::Gap { end: last, reason: why, .. }) if *last == start => {
-                            *last = end;
-                            *why = why.or(reason);
-                        }
-                        _ => out.push(Stretch::Gap { start, end, reason }),
-                    }
+                    done.push(Stretch::Gap { start, end, reason });
                 } else {
-                    stack.push((middle, end));
-                    stack.push((start, middle));
+                    halves.extend([(start, middle), (middle, end)]);
                 }
             }
+            level = halves;
+        }
+        done.sort_by(|a, b| a.start().total_cmp(&b.start()));
+        // Gaps side by side are one.
+        let mut out: Vec<Stretch> = Vec::with_capacity(done.len());
+        for stretch in done {
+            match (out.last_mut(), &stretch) {
+                (Some(Stretch::Gap { end: last, reason: why, .. }), Stretch::Gap { end, reason, .. }) => {
+                    *last = *end;
+                    *why = why.or(*reason);
+                }
+                _ => out.push(stretch),
+            }
+        }
+        out
+    }
+
+    /// The polynomials around the middles of stretches.
+    fn all_pieces(&mut self, stretches: &[(f64, f64)]) -> Vec<Result<Piece, NoValue>> {
+        let mut out = Vec::with_capacity(stretches.len());
+        for block in stretches.chunks(BLOCK) {
+            let together = match padded(block) {
+                Some(block) => self.pieces(&block),
+                None => [const { None }; BLOCK],
+            };
+            let each = block.iter().zip(together);
+            out.extend(each.map(|(&(start, end), found)| found.map_or_else(|| self.piece(start, end), Ok)));
         }
         out
     }
@@ -231,6 +265,12 @@ impl<'a> Explorer<'a> {
             .iter()
             .any(|x| self.values(start + x * (end - start)).iter().all(Result::is_ok))
     }
+}
+
+/// A full block, with the last as often as it takes; `None` where one by one is faster.
+fn padded<T: Copy>(block: &[T]) -> Option<[T; BLOCK]> {
+    let last = block.len().checked_sub(1).filter(|_| block.len() >= FEW)?;
+    Some(std::array::from_fn(|i| block[i.min(last)]))
 }
 
 /// The sum of the last three terms of a polynomial of full degree, at a distance: what a truncation may leave out.

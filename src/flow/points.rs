@@ -234,6 +234,21 @@ impl Points {
         }
     }
 
+    /// Some of the times, in their order, at which only the given leaves keep values.
+    pub fn some(&self, times: &[usize], leaves: &[usize]) -> Points {
+        let mut out = Points::of(self.columns.len());
+        out.count = times.len();
+        for &leaf in leaves.iter().filter(|l| **l < self.columns.len()) {
+            let column = &self.columns[leaf];
+            out.columns[leaf] = match column {
+                Column::Same(x) => Column::Same(*x),
+                Column::Known(all) => Column::Known(times.iter().map(|&at| all[at]).collect()),
+                Column::Partial(all) => Column::Partial(times.iter().map(|&at| all[at]).collect()),
+            };
+        }
+        out
+    }
+
     /// The same times with the leaves in another order: for each its position here, where no two are the same; one that is
     /// not here has no value.
     pub fn arranged(mut self, places: &[Option<usize>]) -> Points {

@@ -2,7 +2,7 @@
 
 use num_dual::Dual;
 
-use super::arguments::Arguments;
+use super::arguments::{Arguments, moves};
 use super::core::Core;
 use super::trajectory::{ORDER, Place, Trajectory};
 use expr::domain::{Change, Place as At, Term, row};
@@ -433,28 +433,11 @@ impl Program {
         })
     }
 
-    /// What hides what is small elsewhere.
-    pub(super) fn arguments(&self) -> &Arguments {
-        &self.arguments
-    }
-
-    /// The number in a slot, without its series, after [`Program::run`].
-    pub(super) fn number<B: Base>(&self, bench: &Bench<B>, slot: usize) -> Option<B> {
-        bench.slots.missing(slot).is_none().then(|| bench.slots.value(slot).coefficient(0))
-    }
-
     /// Whether all arguments move moderately up to a radius; `of` is one of the numbers in a coefficient.
     pub(super) fn is_moderate<B: Base>(&self, bench: &Bench<B>, radius: f64, of: impl Fn(&B) -> f64) -> bool {
         self.arguments.are_moderate(|slot| {
-            bench.slots.missing(slot).is_none().then(|| {
-                let mut coefficients = bench.slots.value(slot).coefficients().iter().map(&of);
-                let (value, mut power) = (coefficients.next().unwrap_or(0.0), 1.0);
-                let term = |c: f64| {
-                    power *= radius;
-                    c.abs() * power
-                };
-                (value, coefficients.map(term).sum())
-            })
+            let known = bench.slots.missing(slot).is_none();
+            known.then(|| moves(bench.slots.value(slot).coefficients().iter().map(&of), radius))
         })
     }
 

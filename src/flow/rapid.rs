@@ -1,17 +1,29 @@
-//! Where an expression varies more rapidly than the samples of a motion, or a series around one time, tell.
+//! Where expressions vary more rapidly than the samples of a motion, or a series around one time, tell.
 //!
-//! **In:** an expression along a motion, and the samples. **Out:** the times between them at which it is to be looked at, see
-//! [`arguments`](super::arguments) for why.
+//! **In:** expressions along a motion, and the samples. **Out:** the times between them at which each is to be looked at, see
+//! [`arguments`](super::arguments) for why. All arguments of all expressions are on one tape: many formulas have the same.
 
-use super::arguments::Argument;
+use std::rc::Rc;
+use std::sync::{Arc, OnceLock};
+
+use super::arguments::{Argument, Moves, Within, moves};
 use super::core::Core;
-use super::cover::Explorer;
-use super::program::Program;
+use super::cover::{BLOCK, Explorer, tail};
+use super::error::FlowError;
+use super::program::{Bench, Program};
+use super::zeros::shift;
+use expr::{Expr, Graph};
+use number::Lanes;
 
 /// Degree of the polynomials of arguments.
 const DEGREE: usize = 12;
-/// Most times that are added.
+/// Most times that are added for one argument between two samples.
 const MOST: usize = 20_000;
+
+/// A polynomial is used for what it is of if its last terms are below this share of all.
+const FINE: f64 = 1e-13;
+/// It tells how a part of its stretch moves that is above this share of all: what is below is not known well from afar.
+const COARSE: f64 = 1e-9;
 
 /// Times between samples at which an expression is to be looked at.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,64 +36,213 @@ pub struct Rapid {
     pub unresolved: Option<(f64, f64)>,
 }
 
-/// Cuts a stretch in halves until all arguments move moderately on each, or it is as short as times can be told: whether that took
-/// no more times than can be looked at. The expression itself need not have a value.
-fn resolve(explorer: &mut Explorer, whole: (f64, f64), times: &mut Vec<f64>) -> bool {
-    let mut stack = vec![whole];
-    while let Some((start, end)) = stack.pop() {
-        let middle = start + 0.5 * (end - start);
-        let smallest = 1e-12 * (whole.1 - whole.0) + 2.0 * f64::EPSILON * start.abs().max(end.abs());
-        if explorer.is_moderate(middle, 0.5 * (end - start)) || end - start <= smallest {
-            times.extend([start, middle]);
-        } else {
-            stack.extend([(middle, end), (start, middle)]);
-        }
-        if times.len() + stack.len() > MOST {
-            return false;
-        }
-    }
-    true
+/// An argument, and where it moves by much.
+#[derive(Clone, Debug)]
+struct Watched {
+    argument: Argument,
+    found: OnceLock<Rapid>,
 }
 
-/// Looks between the samples of a motion at which an expression varies rapidly.
-pub(super) fn rapid(core: &Core, program: &Program, samples: &[f64]) -> Rapid {
-    let mut out = Rapid::default();
-    let arguments = program.arguments();
-    if arguments.is_empty() {
-        return out;
+/// A search for where expressions vary rapidly, compiled when a motion is made ready and carried out when it is first asked for.
+#[derive(Clone, Debug)]
+pub struct RapidSearch {
+    core: Arc<Core>,
+    /// What the slots of the arguments stand for.
+    program: Arc<Program>,
+    watched: Vec<Watched>,
+    /// For each expression, its arguments; none where it has no meaning on the motion.
+    of: Arc<[Vec<usize>]>,
+    /// For each argument, the samples between which and the next it moves by much.
+    gaps: OnceLock<Vec<Vec<usize>>>,
+}
+
+impl RapidSearch {
+    /// The same search along a motion with other numbers.
+    pub(super) fn again(&self, core: Arc<Core>) -> RapidSearch {
+        let watched = |w: &Watched| Watched { argument: w.argument, found: OnceLock::new() };
+        RapidSearch {
+            core,
+            program: Arc::clone(&self.program),
+            watched: self.watched.iter().map(watched).collect(),
+            of: Arc::clone(&self.of),
+            gaps: OnceLock::new(),
+        }
     }
-    let mut explorer = Explorer::new(core, program, DEGREE);
-    let slots = arguments.slots();
-    let here: Vec<Vec<Option<f64>>> = samples.iter().map(|&t| explorer.plain_values(t, &slots)).collect();
-    let value = |k: usize, slot: usize| here[k][slots.binary_search(&slot).ok()?];
-    // From sample to sample, and from those beside them: a peak between two that are alike shows in its neighbours.
-    let moved = |argument: &Argument, i: usize| {
-        let beside = i.saturating_sub(1)..(i + 2).min(samples.len() - 1);
-        let step = |k: usize, slot: usize| Some((value(k + 1, slot)? - value(k, slot)?).abs());
-        let by = |slot: usize| beside.clone().filter_map(|k| step(k, slot)).fold(0.0, f64::max);
-        !(i..i + 2).all(|k| argument.is_moderate(|slot| value(k, slot).map(|u| (u, by(slot)))))
-    };
-    for i in 0..samples.len().saturating_sub(1) {
-        let (mut exponential, mut singular) = (false, false);
-        for argument in arguments.iter().filter(|a| moved(a, i)) {
-            match argument.is_exponential() {
-                true => exponential = true,
-                false => singular = true,
+
+    /// What it is searched with.
+    pub(super) fn core(&self) -> &Core {
+        &self.core
+    }
+
+    /// Where one of some expressions, by their positions, varies more rapidly than the samples of the motion tell, which are the same
+    /// each time that this is asked.
+    pub fn rapid(&self, expressions: impl IntoIterator<Item = usize>, samples: &[f64]) -> Rapid {
+        let mut arguments: Vec<usize> =
+            expressions.into_iter().filter_map(|e| self.of.get(e)).flatten().copied().collect();
+        arguments.sort_unstable();
+        arguments.dedup();
+        let mut out = Rapid::default();
+        for at in arguments {
+            let found = self.watched[at].found.get_or_init(|| self.resolve(at, samples));
+            out.times.extend(&found.times);
+            out.singular.extend(&found.singular);
+            out.unresolved = out.unresolved.or(found.unresolved);
+        }
+        for times in [&mut out.times, &mut out.singular] {
+            times.sort_by(f64::total_cmp);
+            times.dedup();
+        }
+        out
+    }
+
+    /// Where an argument moves by much, in steps that are moderate.
+    fn resolve(&self, at: usize, samples: &[f64]) -> Rapid {
+        let mut out = Rapid::default();
+        let gaps = &self.gaps.get_or_init(|| self.moved(samples))[at];
+        if gaps.is_empty() {
+            return out;
+        }
+        let argument = self.watched[at].argument;
+        let slots: Vec<usize> = argument.slots().collect();
+        let program = self.program.part(&slots);
+        let mut local = Local { explorer: Explorer::new(&self.core, &program, DEGREE), argument, slots };
+        for &i in gaps {
+            let into = if argument.is_exponential() { &mut out.times } else { &mut out.singular };
+            let resolved = local.halve((samples[i], samples[i + 1]), into);
+            if argument.is_exponential() && !resolved {
+                out.unresolved.get_or_insert((samples[i], samples[i + 1]));
             }
         }
-        if !exponential && !singular {
-            continue;
+        for times in [&mut out.times, &mut out.singular] {
+            times.retain(|t| samples.binary_search_by(|x| x.total_cmp(t)).is_err());
         }
-        let into = if exponential { &mut out.times } else { &mut out.singular };
-        let resolved = resolve(&mut explorer, (samples[i], samples[i + 1]), into);
-        if exponential && !resolved {
-            out.unresolved.get_or_insert((samples[i], samples[i + 1]));
+        out
+    }
+
+    /// For each argument, the samples between which and the next it moves by much.
+    fn moved(&self, samples: &[f64]) -> Vec<Vec<usize>> {
+        // The number in each slot, one slot after the other.
+        let mut values = vec![f64::NAN; samples.len() * self.program.output_count()];
+        let mut bench: Bench<Lanes<BLOCK>> = self.program.bench(&self.core, 0);
+        let mut angles = Vec::new();
+        for (at, block) in samples.chunks(BLOCK).enumerate() {
+            let times: [f64; BLOCK] = std::array::from_fn(|i| block[i.min(block.len() - 1)]);
+            let turns = self.core.turns_of_block(&self.program, &times, &mut angles);
+            self.program.run_lanes(&self.core, &mut bench, &times, &turns);
+            for slot in 0..self.program.output_count() {
+                let Ok(found) = self.program.output(&bench, slot) else { continue };
+                let first = slot * samples.len() + at * BLOCK;
+                values[first..first + block.len()].copy_from_slice(&found.coefficient(0).0[..block.len()]);
+            }
         }
+        let value = |slot: usize, k: usize| Some(values[slot * samples.len() + k]).filter(|x| x.is_finite());
+        let step = |slot: usize, k: usize| Some((value(slot, k + 1)? - value(slot, k)?).abs());
+        let last = samples.len().saturating_sub(1);
+        // From sample to sample, and from those beside them: a peak between two that are alike shows in its neighbours.
+        let moved = |argument: &Argument, i: usize| {
+            let by = |slot: usize| {
+                (i.saturating_sub(1)..(i + 2).min(last)).filter_map(|k| step(slot, k)).fold(0.0, f64::max)
+            };
+            !(i..i + 2).all(|k| argument.is_moderate(|slot| value(slot, k).map(|u| (u, by(slot)))))
+        };
+        self.watched.iter().map(|w| (0..last).filter(|&i| moved(&w.argument, i)).collect()).collect()
     }
-    for times in [&mut out.times, &mut out.singular] {
-        times.sort_by(f64::total_cmp);
-        times.dedup();
-        times.retain(|t| samples.binary_search_by(|x| x.total_cmp(t)).is_err());
+}
+
+/// The polynomials of what is in the slots of an argument, around a time, up to a radius.
+struct Expanded {
+    centre: f64,
+    radius: f64,
+    slots: Vec<Option<Vec<f64>>>,
+}
+
+impl Expanded {
+    /// How far what is in a slot moves up to a distance from a time; nothing if the polynomial does not tell, since it does not
+    /// converge, or rounds what is left.
+    fn moves(&self, slot: usize, (t, radius): (f64, f64), out: &mut Vec<f64>) -> Option<Option<Moves>> {
+        let Some(Some(c)) = self.slots.get(slot) else { return Some(None) };
+        shift(c, t - self.centre, radius, out);
+        let here = moves(out.iter().copied(), 1.0);
+        if t == self.centre && radius == self.radius {
+            return Some(Some(here));
+        }
+        let (value, by) = moves(c.iter().copied(), self.radius);
+        let all = value.abs() + by;
+        (tail(c, DEGREE, self.radius) <= FINE * all && here.0.abs() + here.1 >= COARSE * all).then_some(Some(here))
     }
-    out
+}
+
+/// An argument along a motion.
+struct Local<'a> {
+    explorer: Explorer<'a>,
+    argument: Argument,
+    slots: Vec<usize>,
+}
+
+impl Local<'_> {
+    /// Cuts a stretch in halves until the argument moves moderately on each, or it is as short as times can be told: whether that took no
+    /// more times than can be looked at.
+    fn halve(&mut self, whole: (f64, f64), times: &mut Vec<f64>) -> bool {
+        let before = times.len();
+        let mut shifted = Vec::new();
+        let mut stack = vec![(whole, None)];
+        while let Some(((start, end), known)) = stack.pop() {
+            let middle = start + 0.5 * (end - start);
+            let radius = 0.5 * (end - start);
+            let smallest = 1e-12 * (whole.1 - whole.0) + 2.0 * f64::EPSILON * start.abs().max(end.abs());
+            let (moderate, known) = self.is_moderate(middle, radius, known, &mut shifted);
+            if moderate || end - start <= smallest {
+                times.extend([start, middle]);
+            } else {
+                stack.extend([((middle, end), Some(Rc::clone(&known))), ((start, middle), Some(known))]);
+            }
+            if times.len() - before + stack.len() > MOST {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Whether the argument moves moderately up to a distance from a time, and the polynomials that say so: those that are known, if
+    /// they tell.
+    fn is_moderate(
+        &mut self,
+        t: f64,
+        radius: f64,
+        known: Option<Rc<Expanded>>,
+        out: &mut Vec<f64>,
+    ) -> (bool, Rc<Expanded>) {
+        let Local { explorer, argument, slots } = self;
+        let mut of = |expanded: &Expanded| -> Option<Vec<Option<Moves>>> {
+            (0..slots.len()).map(|i| expanded.moves(i, (t, radius), out)).collect()
+        };
+        let told = known.and_then(|known| Some((of(&known)?, known)));
+        let (found, known) = told.unwrap_or_else(|| {
+            explorer.expand(t);
+            let slots = (0..slots.len()).map(|i| explorer.expanded(i).map(<[f64]>::to_vec)).collect();
+            let new = Expanded { centre: t, radius, slots };
+            (of(&new).unwrap_or_default(), Rc::new(new))
+        });
+        let position = |slot: usize| slots.iter().position(|&s| s == slot);
+        (argument.is_moderate(|slot| found.get(position(slot)?).copied().flatten()), known)
+    }
+}
+
+impl Core {
+    /// Compiles a search for where some resolved expressions vary rapidly; those that are not known do so nowhere.
+    pub(super) fn rapid_search(
+        self: &Arc<Core>,
+        graph: &Graph,
+        resolved: &[Option<Expr>],
+    ) -> Result<RapidSearch, FlowError> {
+        let known: Vec<Expr> = resolved.iter().flatten().copied().collect();
+        let states = self.orbit.as_ref().map_or(&[][..], |orbit| &orbit.field.states);
+        let within = Within::new(graph, &known, |leaf| *leaf == self.time || states.contains(leaf));
+        let mut of = within.of.into_iter();
+        let of = resolved.iter().map(|e| e.and_then(|_| of.next()).unwrap_or_default()).collect();
+        let program = Arc::new(self.compile(graph, &within.slots)?);
+        let watched = |argument| Watched { argument, found: OnceLock::new() };
+        let watched = within.arguments.into_iter().map(watched).collect();
+        Ok(RapidSearch { core: Arc::clone(self), program, watched, of, gaps: OnceLock::new() })
+    }
 }

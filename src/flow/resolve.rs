@@ -114,7 +114,7 @@ pub(super) fn resolve(core: &Core, program: &Program) -> Resolution {
     }));
     let mut explorer = Explorer::new(core, program, DEGREE);
     let mut sizes = vec![0.0_f64; program.output_count()];
-    let accept = |_: &mut Explorer, piece: &Piece| {
+    let mut one = |piece: &Piece| {
         let fine = |(c, x): (&Vec<f64>, &Bounded)| {
             let size = x.value.abs().max(c.get(1).map_or(0.0, |c| c.abs() * piece.radius()));
             tail(c, DEGREE, piece.radius()) <= 1e-12 * size + 16.0 * x.error
@@ -128,6 +128,7 @@ pub(super) fn resolve(core: &Core, program: &Program) -> Resolution {
         }
         accepted
     };
+    let accept = |_: &mut Explorer, pieces: &[&Piece]| pieces.iter().map(|piece| one(piece)).collect();
     let stretches = explorer.cover_unless(&times, accept, |explorer, start, end| match prober.borrow_mut().as_mut() {
         Some(prober) => prober.nowhere(start, end),
         None => !explorer.somewhere(start, end),

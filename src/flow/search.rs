@@ -1,4 +1,4 @@
-//! Searches for zeros, compiled when a motion is made ready and carried out when they are first asked for.
+//! Searches along a motion, compiled when a motion is made ready and carried out when they are first asked for.
 //!
 //! Compiling needs the graph of the motion, and costs little; the search itself may run later, on any thread, and only if
 //! something depends on it.
@@ -10,7 +10,7 @@ use super::definitions::Definitions;
 use super::error::FlowError;
 use super::motion::Motion;
 use super::program::Program;
-use super::rapid::{Rapid, rapid};
+use super::rapid::RapidSearch;
 use super::zeros::{Zeros, zeros};
 use expr::{Expr, Graph};
 
@@ -18,51 +18,57 @@ use expr::{Expr, Graph};
 #[derive(Debug)]
 pub struct Search {
     core: Arc<Core>,
-    program: Program,
+    program: Arc<Program>,
     span: (f64, f64),
     found: OnceLock<Zeros>,
-    rapid: OnceLock<Rapid>,
 }
 
 impl Search {
-    /// What it is searched with.
-    pub(super) fn core(&self) -> &Core {
-        &self.core
-    }
-
     /// The same search along a motion with other numbers.
     pub(super) fn again(&self, core: Arc<Core>, span: (f64, f64)) -> Search {
-        Search { core, program: self.program.clone(), span, found: OnceLock::new(), rapid: OnceLock::new() }
+        Search { core, program: Arc::clone(&self.program), span, found: OnceLock::new() }
     }
 
     /// What is found inside the span; the search is made once.
     pub fn zeros(&self) -> &Zeros {
         self.found.get_or_init(|| zeros(&self.core, &self.program).within(self.span))
     }
+}
 
-    /// Where the expression varies more rapidly than the samples of the motion tell; they are looked at once.
-    pub fn rapid(&self, samples: &[f64]) -> &Rapid {
-        self.rapid.get_or_init(|| rapid(&self.core, &self.program, samples))
-    }
+/// Searches along one motion.
+#[derive(Clone, Debug)]
+pub struct Searches {
+    /// For the zeros of expressions, in their order: for each, [`FlowError::UnknownLeaf`] or [`FlowError::NoDerivative`] if it has no
+    /// meaning on the motion.
+    pub zeros: Vec<Result<Arc<Search>, FlowError>>,
+    /// For where expressions vary rapidly, by their positions; those without a meaning on the motion do so nowhere.
+    pub rapid: Arc<RapidSearch>,
 }
 
 impl Motion {
-    /// Compiles searches for the zeros of expressions in leaves; of what they find, only what lies in `span` is kept.
+    /// Compiles searches for the zeros of expressions in leaves, and for where expressions vary rapidly; of the zeros, only those that
+    /// lie in `span` are kept.
     ///
     /// # Errors
-    /// For each expression, [`FlowError::UnknownLeaf`] or [`FlowError::NoDerivative`].
-    pub fn searches(&self, graph: &mut Graph, exprs: &[Expr], span: (f64, f64)) -> Vec<Result<Search, FlowError>> {
+    /// None that the expressions may cause: see [`Searches`].
+    pub fn searches(
+        &self,
+        graph: &mut Graph,
+        (zeros, rapid): (&[Expr], &[Expr]),
+        span: (f64, f64),
+    ) -> Result<Searches, FlowError> {
         let mut core = self.core.clone();
-        let programs: Vec<Result<Program, FlowError>> = exprs
-            .iter()
-            .map(|&e| {
-                let resolved = core.resolve(graph, e)?;
-                core.compile(graph, &[resolved])
-            })
-            .collect();
+        let mut program = |&e: &Expr| {
+            let resolved = core.resolve(graph, e)?;
+            core.compile(graph, &[resolved])
+        };
+        let programs: Vec<Result<Program, FlowError>> = zeros.iter().map(&mut program).collect();
+        let rapid: Vec<Option<Expr>> = rapid.iter().map(|&e| core.resolve(graph, e).ok()).collect();
         let core = Arc::new(core);
-        let search =
-            |program| Search { core: Arc::clone(&core), program, span, found: OnceLock::new(), rapid: OnceLock::new() };
-        programs.into_iter().map(|p| p.map(search)).collect()
+        let search = |program| {
+            Arc::new(Search { core: Arc::clone(&core), program: Arc::new(program), span, found: OnceLock::new() })
+        };
+        let zeros = programs.into_iter().map(|program| program.map(search)).collect();
+        Ok(Searches { zeros, rapid: Arc::new(core.rapid_search(graph, &rapid)?) })
     }
 }

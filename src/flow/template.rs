@@ -19,6 +19,7 @@ use super::definitions::Definitions;
 use super::error::FlowError;
 use super::field::VectorField;
 use super::motion::{Draft, Motion};
+use super::rapid::RapidSearch;
 use super::sampler::Sampler;
 use super::search::Search;
 use super::trajectory::Plan;
@@ -30,6 +31,7 @@ use number::{Bounded, NoValue};
 pub struct Template {
     motion: Motion,
     searches: Vec<Arc<Search>>,
+    rapid: Arc<RapidSearch>,
     /// Its parameters: the first of its constants.
     parameters: Vec<Leaf>,
     /// The values of what it is given by, as far as these are numbers: most of it is the same in all motions.
@@ -44,7 +46,12 @@ impl Template {
     /// goes on from the one in which it was made.
     ///
     /// Nothing where equations determine initial values, or states leap.
-    pub fn of(motion: Motion, searches: Vec<Arc<Search>>, graph: &Graph, given: Given) -> Option<Template> {
+    pub fn of(
+        motion: Motion,
+        (searches, rapid): (Vec<Arc<Search>>, Arc<RapidSearch>),
+        graph: &Graph,
+        given: Given,
+    ) -> Option<Template> {
         let (parameters, initial) = given;
         let core = &motion.core;
         let first = |n: usize| matches!(core.constants.get(n).map(|c| &c.origin), Some(Origin::Given));
@@ -53,7 +60,7 @@ impl Template {
         let closed = parameters.iter().chain(initial).map(|(_, e)| *e).filter(|e| graph.leaves([*e]).is_empty());
         let numbers = closed.map(|e| (e, core.constant_value(graph, e))).collect();
         let parameters = parameters.iter().map(|(leaf, _)| *leaf).collect();
-        plain.then_some(Template { motion, searches, parameters, numbers })
+        plain.then_some(Template { motion, searches, rapid, parameters, numbers })
     }
 
     /// What finds the leaves of such motions, where that takes their formulas alone.
@@ -105,13 +112,12 @@ impl Template {
         &self,
         draft: Draft,
         within: impl Fn(&Motion) -> (f64, f64),
-    ) -> Result<(Motion, Vec<Arc<Search>>), FlowError> {
+    ) -> Result<(Motion, Vec<Arc<Search>>, Arc<RapidSearch>), FlowError> {
         let motion = self.motion.again(self.motion.core.again(&draft.integrated()?));
         let span = within(&motion);
-        let along = self.searches.first().map(|search| Arc::new(search.core().again(&motion.core)));
-        let one = |search: &Arc<Search>| Some(Arc::new(search.again(Arc::clone(along.as_ref()?), span)));
-        let searches = self.searches.iter().filter_map(one).collect();
-        Ok((motion, searches))
+        let along = Arc::new(self.rapid.core().again(&motion.core));
+        let searches = self.searches.iter().map(|s| Arc::new(s.again(Arc::clone(&along), span))).collect();
+        Ok((motion, searches, Arc::new(self.rapid.again(along))))
     }
 }
 
@@ -181,7 +187,7 @@ mod tests {
     }
 
     /// The motion and the searches along it, made the long way.
-    fn alone(w: &mut World, field: &VectorField, numbers: Numbers) -> (Motion, Vec<Arc<Search>>) {
+    fn alone(w: &mut World, field: &VectorField, numbers: Numbers) -> (Motion, Vec<Arc<Search>>, Arc<RapidSearch>) {
         let (parameters, initial) = of(w, numbers);
         let setup = Setup {
             time: w.leaf("t"),
@@ -194,17 +200,24 @@ mod tests {
         let mut motion = Motion::new(&mut w.graph, setup).unwrap();
         w.prepare(&mut motion, &WANTED);
         let sought = ["x", "e-e@0+x*y", "phi-3"].map(|e| w.e(e));
-        let searches = motion.searches(&mut w.graph, &sought, (0.0, 5.0));
-        (motion, searches.into_iter().map(|search| Arc::new(search.unwrap())).collect())
+        let rapid = ["exp(9*x*y)", "y/(x-2)"].map(|e| w.e(e));
+        let searches = motion.searches(&mut w.graph, (&sought, &rapid), (0.0, 5.0)).unwrap();
+        (motion, searches.zeros.into_iter().map(Result::unwrap).collect(), searches.rapid)
     }
 
     /// All that is seen of a motion, to the last bit.
-    fn seen((motion, searches): &(Motion, Vec<Arc<Search>>)) -> String {
+    fn seen((motion, searches, rapid): &(Motion, Vec<Arc<Search>>, Arc<RapidSearch>)) -> String {
         let at = TIMES.map(|t| motion.at(t));
         let along: Vec<_> = (0..TIMES.len()).map(|i| motion.along(&TIMES).row(i)).collect();
         let zeros: Vec<_> = searches.iter().map(|search| search.zeros()).collect();
         let duals = TIMES.map(|t| motion.dual_at(t));
-        format!("{at:?} {along:?} {zeros:?} {duals:?} {:?} {:?} {}", motion.error(), motion.span(), motion.steps())
+        let rapid = rapid.rapid([0, 1], &TIMES);
+        format!(
+            "{at:?} {along:?} {zeros:?} {rapid:?} {duals:?} {:?} {:?} {}",
+            motion.error(),
+            motion.span(),
+            motion.steps()
+        )
     }
 
     #[test]
@@ -214,9 +227,9 @@ mod tests {
         let field = w.field(&["x", "y"], &["x' = w*y", "y' = 0-sqrt(w^2+k)*x*(1+k*x^2)"]).unwrap();
         let numbers = |w, k, x, y| ([("w", w), ("k", k)], [("x", x), ("y", y)]);
         let first = numbers("1", "0.5", "1", "w/2");
-        let (motion, searches) = alone(&mut w, &field, first);
+        let (motion, searches, rapid) = alone(&mut w, &field, first);
         let (parameters, initial) = of(&mut w, first);
-        let template = Template::of(motion, searches, &w.graph, (&parameters, &initial)).unwrap();
+        let template = Template::of(motion, (searches, rapid), &w.graph, (&parameters, &initial)).unwrap();
         let mut all = Vec::new();
         for (one, two, x, y) in [
             ("1", "0.5", "1", "w/2"),
@@ -242,9 +255,9 @@ mod tests {
         let mut w = World::default();
         let field = w.field(&["x", "y"], &["x' = w*y", "y' = 0-w*x*(1+k*x^2)"]).unwrap();
         let first = ([("w", "1"), ("k", "0.5")], [("x", "1"), ("y", "1/k")]);
-        let (motion, searches) = alone(&mut w, &field, first);
+        let (motion, searches, rapid) = alone(&mut w, &field, first);
         let (parameters, initial) = of(&mut w, first);
-        let template = Template::of(motion, searches, &w.graph, (&parameters, &initial)).unwrap();
+        let template = Template::of(motion, (searches, rapid), &w.graph, (&parameters, &initial)).unwrap();
         let draft = |(parameters, initial): (Pairs, Pairs)| {
             let mut graph = w.graph.clone();
             template.draft(&mut graph, &field, (&parameters, &initial)).is_some()

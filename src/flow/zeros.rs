@@ -14,6 +14,7 @@ use super::cover::{Explorer, Piece, Stretch, tail};
 use super::incomplete::Incomplete;
 use super::program::Program;
 use super::taylor::horner;
+use expr::FastMap;
 use number::{Bounded, NoValue};
 
 /// Degree of the polynomials.
@@ -100,50 +101,60 @@ fn note(incomplete: &mut Vec<Incomplete>, what: Incomplete) {
     incomplete.push(what);
 }
 
-/// Values at times that are known beforehand, and at others.
-struct Known<'t> {
-    times: &'t [f64],
-    values: Vec<Result<Bounded, NoValue>>,
-    /// The time that was asked for last: neighbouring pieces share an end.
-    last: Option<(f64, Option<Bounded>)>,
+/// Values at times, each found once.
+#[derive(Default)]
+struct Known(FastMap<u64, Option<Bounded>>);
+
+impl Known {
+    /// Finds the values at times, many at once.
+    fn find(&mut self, explorer: &mut Explorer, times: impl IntoIterator<Item = f64>) {
+        let mut new: Vec<f64> = times.into_iter().filter(|t| !self.0.contains_key(&t.to_bits())).collect();
+        new.sort_by(f64::total_cmp);
+        new.dedup();
+        let values = explorer.all_values(&new);
+        self.0.extend(new.iter().map(|t| t.to_bits()).zip(values.into_iter().map(Result::ok)));
+    }
+
+    /// The value at a time, if it is known, and has one.
+    fn get(&self, t: f64) -> Option<Bounded> {
+        self.0.get(&t.to_bits()).copied().flatten()
+    }
 }
 
-impl Known<'_> {
-    fn get(&mut self, explorer: &mut Explorer, t: f64) -> Option<Bounded> {
-        if let Ok(at) = self.times.binary_search_by(|x| x.total_cmp(&t)) {
-            return self.values[at].ok();
+/// Whether a polynomial is what it is of, up to errors.
+fn converges(piece: &Piece) -> bool {
+    let (Some(c), Some(x)) = (piece.outputs.first(), piece.values.first()) else { return false };
+    tail(c, DEGREE, piece.radius()) <= 0.25 * x.error + 4.0 * f64::EPSILON * size(c, *x, piece)
+}
+
+/// How large the first output of a piece is.
+fn size(c: &[f64], x: Bounded, piece: &Piece) -> f64 {
+    x.value.abs() + c.get(1).map_or(0.0, |c| c.abs() * piece.radius())
+}
+
+/// Whether the expression follows the polynomial up to the ends: behind a kink or a jump the polynomial goes on, and the expression
+/// does not.
+fn follows(piece: &Piece, ends: &Known) -> bool {
+    let (Some(c), Some(x)) = (piece.outputs.first(), piece.values.first()) else { return false };
+    [piece.start, piece.end].into_iter().all(|t| match ends.get(t) {
+        Some(y) => {
+            let gap = (y.value - horner(c, t - piece.centre)).abs();
+            gap <= 4.0 * (x.error + y.error) + 64.0 * f64::EPSILON * (size(c, *x, piece) + y.value.abs())
         }
-        match self.last {
-            Some((last, value)) if last == t => value,
-            _ => {
-                let value = explorer.values(t).first().copied().and_then(Result::ok);
-                self.last = Some((t, value));
-                value
-            }
-        }
-    }
+        // A piece may end where there is no value.
+        None => true,
+    })
 }
 
 /// Covers the motion.
 fn look(explorer: &mut Explorer) -> Seen {
     let times = explorer.core.boundaries();
-    let mut ends = Known { times: &times, values: explorer.all_values(&times), last: None };
-    let stretches = explorer.cover(&times, |explorer, piece| {
-        let (Some(c), Some(x)) = (piece.outputs.first(), piece.values.first()) else { return false };
-        let size: f64 = x.value.abs() + c.get(1).map_or(0.0, |c| c.abs() * piece.radius());
-        if tail(c, DEGREE, piece.radius()) > 0.25 * x.error + 4.0 * f64::EPSILON * size {
-            return false;
-        }
-        // Behind a kink or a jump the polynomial goes on, and the expression does not follow it.
-        let mut follows = |t: f64| match ends.get(&mut *explorer, t) {
-            Some(y) => {
-                let gap = (y.value - horner(c, t - piece.centre)).abs();
-                gap <= 4.0 * (x.error + y.error) + 64.0 * f64::EPSILON * (size + y.value.abs())
-            }
-            // A piece may end where there is no value.
-            None => true,
-        };
-        follows(piece.start) && follows(piece.end)
+    let mut known = Known::default();
+    let stretches = explorer.cover(&times, |explorer, pieces| {
+        let converge: Vec<bool> = pieces.iter().map(|piece| converges(piece)).collect();
+        let ends = pieces.iter().zip(&converge).filter(|(_, converges)| **converges);
+        known.find(explorer, ends.flat_map(|(piece, _)| [piece.start, piece.end]));
+        pieces.iter().zip(converge).map(|(piece, converges)| converges && follows(piece, &known)).collect()
     });
     // The times at which each piece is looked at, and whether it stays within its error of 0.
     let inner = |stretch: &Stretch| match stretch {
@@ -156,11 +167,7 @@ fn look(explorer: &mut Explorer) -> Seen {
         }
     };
     let inner: Vec<(Vec<f64>, bool)> = stretches.iter().map(inner).collect();
-    let mut further: Vec<f64> = inner.iter().flat_map(|(times, _)| times.iter().copied()).collect();
-    further.sort_by(f64::total_cmp);
-    further.dedup();
-    further.retain(|t| times.binary_search_by(|x| x.total_cmp(t)).is_err());
-    let mut further = Known { values: explorer.all_values(&further), times: &further, last: None };
+    known.find(explorer, inner.iter().flat_map(|(times, _)| times.iter().copied()));
     let (mut incomplete, mut kinks) = (Vec::new(), Vec::new());
     let mut runs: Vec<Run> = vec![Vec::new()];
     let length = times.last().zip(times.first()).map_or(0.0, |(b, a)| b - a);
@@ -194,9 +201,7 @@ fn look(explorer: &mut Explorer) -> Seen {
                         last.room = last.room.max(room);
                         continue;
                     }
-                    let known =
-                        if times.binary_search_by(|x| x.total_cmp(&time)).is_ok() { &mut ends } else { &mut further };
-                    if let Some(value) = known.get(explorer, time) {
+                    if let Some(value) = known.get(time) {
                         run.push(Node { time, value, room });
                         continue;
                     }
@@ -228,8 +233,7 @@ fn tends_to(piece: &Piece, time: f64) -> Option<Bounded> {
 /// How far the first output of a piece may be from its polynomial: by the errors of its values, and by rounding.
 fn room(piece: &Piece) -> Option<f64> {
     let (c, x) = (piece.outputs.first()?, piece.values.first()?);
-    let size: f64 = x.value.abs() + c.get(1).map_or(0.0, |c| c.abs() * piece.radius());
-    Some(4.0 * x.error + 64.0 * f64::EPSILON * size)
+    Some(4.0 * x.error + 64.0 * f64::EPSILON * size(c, *x, piece))
 }
 
 /// Appends the turning points of the first output in ascending order; true if it stays within its error of 0 throughout.
@@ -288,7 +292,7 @@ fn weighed(c: &[f64], from: usize, weight: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// Coefficients of p(middle + half·x).
-fn shift(p: &[f64], middle: f64, half: f64, c: &mut Vec<f64>) {
+pub(super) fn shift(p: &[f64], middle: f64, half: f64, c: &mut Vec<f64>) {
     c.clear();
     c.extend_from_slice(p);
     let n = c.len();

@@ -13,7 +13,7 @@
 //! as others are, and needs no memory for the members. For an extremum the other is the motion at its place, whether it is a member or
 //! not; a limit is looked for from each member anew, along motions of which only the first is one.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use crate::between::may_lie_beyond;
 use crate::course::{Course, Trial};
@@ -127,7 +127,9 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, posi
                 let Some((trajectory, motion)) = built else { return Finding::open(Plain::OtherNotBuilt) };
                 // Its samples are not asked for.
                 let (times, points) = (Vec::new(), Arc::new(Points::default()));
-                other = Course { stage: course.stage, trajectory, motion, leaves: course.leaves, times, points };
+                let between = OnceLock::new();
+                other =
+                    Course { stage: course.stage, trajectory, motion, leaves: course.leaves, times, points, between };
                 &other
             }
         };

@@ -8,6 +8,7 @@
 //! Where the sides only touch, or where the search is incomplete, the comparison may be anything: if the part may be false
 //! then, it is not known to be true.
 
+use std::cell::LazyCell;
 use std::sync::Arc;
 
 use crate::course::Trial;
@@ -141,7 +142,7 @@ impl<'a> Between<'a> {
                 found.extend(probes.into_iter().filter(|t| (from..=to).contains(t)).map(|t| (t, role)));
             }
         }
-        let judged = Judged::new(&along.parts[position], trial.claim.precision);
+        let judged = LazyCell::new(|| Judged::new(&along.parts[position], trial.claim.precision));
         let clear = |i: usize| matches!(tried.left[i], Left::Out(_)) || judged.at(i).decided().is_some();
         let unseen = unseen(trial, position, void, |from, to| {
             let inside = tried.times.partition_point(|&t| t <= from)..tried.times.partition_point(|&t| t < to);

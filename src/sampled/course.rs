@@ -5,7 +5,7 @@
 //!
 //! **Guaranteed:** values that dual numbers contradict are told with the course.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use crate::derivation::Claim;
 use crate::expr::{Expr, Graph, Leaf};
@@ -35,6 +35,8 @@ pub struct Course<'a> {
     pub times: Vec<f64>,
     /// The values at the sample times.
     pub points: Arc<Points>,
+    /// Times between the samples at which claims are tried that may vary rapidly, and the values there.
+    pub(crate) between: OnceLock<(Vec<f64>, Points)>,
 }
 
 impl Course<'_> {
@@ -46,12 +48,13 @@ impl Course<'_> {
     /// The same motion at the same times, with the values of other leaves, by their positions.
     pub fn again(&self, leaves: Vec<usize>) -> Course<'_> {
         let points = Arc::new(self.stage.points(self.trajectory, &self.times, &leaves));
-        Course { points, times: self.times.clone(), ..*self }
+        Course { points, times: self.times.clone(), between: OnceLock::new(), ..*self }
     }
 
     /// Forgets the values of all leaves but these, by their positions, and what helped to find them.
     pub fn keep(&mut self, leaves: &[usize]) {
         Arc::make_mut(&mut self.points).keep(leaves);
+        self.between.take();
         self.motion.rest();
     }
 
@@ -65,10 +68,25 @@ impl Course<'_> {
         self.stage.zeros(self.trajectory, e)
     }
 
-    /// Where an expression that the claims ask for varies more rapidly than the motion is sampled; `None` where it has no meaning on
-    /// the motion.
-    pub fn rapid(&self, e: Expr) -> Option<&Rapid> {
-        self.stage.rapid(self.trajectory, e, &self.times)
+    /// Where expressions that the claims ask for vary more rapidly than the motion is sampled.
+    pub fn rapid(&self, expressions: &[Expr]) -> Rapid {
+        self.stage.rapid(self.trajectory, expressions, &self.times)
+    }
+
+    /// What a claim needs at times at which expressions vary more rapidly than the motion is sampled: many claims are tried at the same.
+    pub(crate) fn points_between(&self, program: &Program, times: &[f64]) -> Arc<Points> {
+        let (known, points) = self.between.get_or_init(|| {
+            let times = self.stage.all_rapid(self.trajectory, &self.times);
+            let leaves: Vec<usize> = (0..self.leaves.len()).collect();
+            let points = self.stage.points(self.trajectory, &times, &leaves);
+            (times, points)
+        });
+        let places: Option<Vec<usize>> =
+            times.iter().map(|t| known.binary_search_by(|x| x.total_cmp(t)).ok()).collect();
+        match places {
+            Some(places) => Arc::new(points.some(&places, program.inputs())),
+            None => self.points_at(program, times),
+        }
     }
 
     /// What a claim needs at other times.
@@ -181,7 +199,15 @@ impl Stage {
         let motion = built.motion.as_ref();
         if let Some((times, points)) = built.samples.get().cloned() {
             let points = points.arranged(&built.places);
-            return Ok(Course { stage: self, trajectory, motion, leaves, times, points: points.into() });
+            return Ok(Course {
+                stage: self,
+                trajectory,
+                motion,
+                leaves,
+                times,
+                points: points.into(),
+                between: OnceLock::new(),
+            });
         }
         let times = built.sample_times();
         let points = motion.along(&times);
@@ -190,7 +216,7 @@ impl Stage {
             let _ = built.samples.set((times.clone(), points.clone()));
         }
         let points = points.arranged(&built.places);
-        Ok(Course { stage: self, trajectory, motion, leaves, times, points: points.into() })
+        Ok(Course { stage: self, trajectory, motion, leaves, times, points: points.into(), between: OnceLock::new() })
     }
 
     /// Compares the two routes to the values along a motion: a value for which dual numbers and propagated bounds disagree.

@@ -24,6 +24,8 @@ pub struct Pattern {
     places: Vec<Option<usize>>,
     /// What is searched for, in the order of the searches.
     searched: Vec<Expr>,
+    /// What may vary rapidly, in the order of that search.
+    rapid: Vec<Expr>,
     /// The values of parameters that other motions have, too.
     given: BTreeMap<Vec<Expr>, Vec<Bounded>>,
 }
@@ -42,14 +44,14 @@ impl Pattern {
         let (setup, known) = setup(derivation, fields, graph, of, None, false, requests.idle);
         let motion = Motion::new(graph, setup).ok()?;
         let built = prepare(derivation, requests, graph, trajectory, motion, known).ok()?;
-        let Built { motion, known, asked, places, searches, given, .. } = built;
+        let Built { motion, known, asked, places, searches, rapid, given, .. } = built;
         let written = of.parameters.iter().map(|(_, w)| w.value.clone());
         let given = written.zip(given).map(|(written, (_, values))| (written, values)).collect();
         let motion = Arc::into_inner(motion)?;
         let (searched, searches): (Vec<Expr>, Vec<_>) = searches.into_iter().unzip();
         let (parameters, initial) = (parameters(graph, of, false), initial_values(graph, initial));
-        let template = Template::of(motion, searches, graph, (&parameters, &initial))?;
-        Some(Pattern { template, system: *system, known, asked, places, searched, given })
+        let template = Template::of(motion, (searches, rapid.1), graph, (&parameters, &initial))?;
+        Some(Pattern { template, system: *system, known, asked, places, searched, rapid: rapid.0, given })
     }
 
     /// The position of every wanted leaf in a point of such a motion.
@@ -90,7 +92,7 @@ impl Pattern {
             let reached = motion.span();
             (reached.0.max(of.span.0), reached.1.min(of.span.1))
         };
-        let (motion, searches) = self.template.finish(draft, within)?;
+        let (motion, searches, rapid) = self.template.finish(draft, within)?;
         let given = |e: &Vec<Expr>| self.given.get(e).cloned().unwrap_or_else(|| closed_values(graph, e));
         let searches: BTreeMap<_, _> = self.searched.iter().copied().zip(searches).collect();
         Ok(Built {
@@ -102,6 +104,7 @@ impl Pattern {
             initial_time: of.initial_time,
             given: of.parameters.iter().map(|(s, w)| (*s, given(&w.value))).collect(),
             searches,
+            rapid: (self.rapid.clone(), rapid),
             samples: Arc::default(),
         })
     }

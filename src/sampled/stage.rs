@@ -13,7 +13,7 @@ use crate::derivation::{Claim, Derivation, Form, Motion as Given, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::findings::TrajectoryAccount;
-use crate::flow::{Draft, Estimation, FlowError, Motion, Points, Rapid, Search, Zeros};
+use crate::flow::{Draft, Estimation, FlowError, Motion, Points, Rapid, RapidSearch, Search, Zeros};
 use crate::number::{Bounded, NoValue};
 use crate::pattern::Pattern;
 use crate::recall::{Nothing, Recall};
@@ -62,6 +62,9 @@ pub struct Requests<'a> {
     pub limits: &'a Limits,
 }
 
+/// Most times between samples at which the values of a motion are kept.
+const MOST_KEPT: usize = 20_000;
+
 /// A motion with everything that was asked of it.
 #[derive(Clone, Debug)]
 pub struct Built {
@@ -79,6 +82,8 @@ pub struct Built {
     pub given: Vec<(Symbol, Vec<Bounded>)>,
     /// Searches for the zeros of expressions that claims and measures ask for.
     pub searches: BTreeMap<Expr, Arc<Search>>,
+    /// Expressions that may vary more rapidly than the motion is sampled, and the search for where they do, in their order.
+    pub rapid: (Vec<Expr>, Arc<RapidSearch>),
     /// Sample times, and the leaves there, where motions are kept from one state of a file to the next.
     pub samples: Arc<OnceLock<(Vec<f64>, Points)>>,
 }
@@ -259,9 +264,21 @@ impl Stage {
         self.built(trajectory)?.searches.get(&e).map(|search| search.zeros())
     }
 
-    /// Where an expression that was asked for varies more rapidly than a motion is sampled; `None` where it has no meaning.
-    pub fn rapid(&self, trajectory: usize, e: Expr, samples: &[f64]) -> Option<&Rapid> {
-        self.built(trajectory)?.searches.get(&e).map(|search| search.rapid(samples))
+    /// Where expressions that were asked for vary more rapidly than a motion is sampled.
+    pub fn rapid(&self, trajectory: usize, expressions: &[Expr], samples: &[f64]) -> Rapid {
+        let Some(Built { rapid: (known, search), .. }) = self.built(trajectory) else { return Rapid::default() };
+        search.rapid(expressions.iter().filter_map(|e| known.binary_search(e).ok()), samples)
+    }
+
+    /// All times at which some expression that was asked for varies more rapidly than a motion is sampled; none if they are too many
+    /// to be kept.
+    pub(crate) fn all_rapid(&self, trajectory: usize, samples: &[f64]) -> Vec<f64> {
+        let Some(Built { rapid: (known, search), .. }) = self.built(trajectory) else { return Vec::new() };
+        let Rapid { mut times, singular, .. } = search.rapid(0..known.len(), samples);
+        times.extend(singular);
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        if times.len() > MOST_KEPT { Vec::new() } else { times }
     }
 
     /// The value of an expression in parameters on a motion.
@@ -487,29 +504,33 @@ pub(crate) fn prepare(
     motion.prepare(graph, &asked).map_err(|e| CheckError::Defect(e.to_string()))?;
     let (reached, asked_for) = (motion.span(), derivation.trajectories[trajectory].span);
     let span = (reached.0.max(asked_for.0), reached.1.min(asked_for.1));
-    let searched = searched(derivation, requests, trajectory);
+    let (searched, rapid) = searched(derivation, requests, trajectory);
+    let searches = motion.searches(graph, (&searched, &rapid), span).map_err(|e| CheckError::Defect(e.to_string()))?;
+    let rapid = (rapid, searches.rapid);
     // What a motion does not know is not searched for.
-    let searches = motion.searches(graph, &searched, span);
-    let searches = searched.into_iter().zip(searches).filter_map(|(e, s)| Some((e, Arc::new(s.ok()?)))).collect();
+    let searches = searched.into_iter().zip(searches.zeros).filter_map(|(e, s)| Some((e, s.ok()?))).collect();
     let of = &derivation.trajectories[trajectory].parameters;
     let given = of.iter().map(|(s, w)| (*s, closed_values(graph, &w.value))).collect();
     let initial_time = derivation.trajectories[trajectory].initial_time;
     let (motion, samples) = (Arc::new(motion), Arc::default());
-    Ok(Built { motion, known, asked, places, span, initial_time, given, searches, samples })
+    Ok(Built { motion, known, asked, places, span, initial_time, given, searches, rapid, samples })
 }
 
-/// What is searched for on a motion, each once: claims and measures ask for the same zeros again and again.
-pub fn searched(derivation: &Derivation, requests: &Requests, trajectory: usize) -> Vec<Expr> {
-    let mut searched: BTreeSet<Expr> = BTreeSet::new();
+/// What zeros are searched for of on a motion, each once, since claims and measures ask for the same again and again; and what may
+/// vary more rapidly than it is sampled.
+pub fn searched(derivation: &Derivation, requests: &Requests, trajectory: usize) -> (Vec<Expr>, Vec<Expr>) {
+    let (mut searched, mut rapid): (BTreeSet<Expr>, BTreeSet<Expr>) = Default::default();
     if requests.tried.contains(&trajectory) {
         for (claim, programs) in requests.claims.iter().zip(requests.programs) {
             if claim.trajectories.contains(&trajectory) {
-                searched.extend(programs[requests.start_of[trajectory]].searched());
+                let program = &programs[requests.start_of[trajectory]];
+                searched.extend(program.searched());
+                rapid.extend(&program.rapid);
             }
         }
         searched.extend((requests.measured)(derivation, trajectory));
     }
-    searched.into_iter().collect()
+    (searched.into_iter().collect(), rapid.into_iter().collect())
 }
 
 /// The values of expressions without leaves; those before the first that has none.

@@ -10,17 +10,17 @@ use crate::course::Trial;
 use crate::derivation::{Derivation, Event};
 use crate::describe::{Describer, Left};
 use crate::doubt::{
-    beyond_the_span, known, only_at_events, open_events, reopened, unless_met_elsewhere, unless_one_sided,
-    unless_unresolved, unless_valued_between,
+    beyond_the_span, known, only_at_events, open_events, unless_met_elsewhere, unless_one_sided, unless_unresolved,
+    unless_valued_between,
 };
 use crate::events::Events;
-use crate::flow::{Points, Rapid};
 use crate::independence::Gradients;
 use crate::judged::{Judged, Tried, selected};
 use crate::limit::limit;
+use crate::peaks::{Further, Of, Peaks};
 use crate::verdict::{Evidence, Finding, Possible, Truth, Verdict, Witness};
 use crate::weigh::weigh;
-use crate::{across, events, independence, peaks, same_motion, stretches};
+use crate::{across, events, independence, same_motion, stretches};
 use claim::measured::{MeasuredGroup, Measurements, measure, measure_first};
 use claim::mute::silence;
 use claim::program::{Assumption, What};
@@ -28,9 +28,6 @@ use reason::{Plain, Reason, Sampling, Sides};
 
 /// The most parts of a claim that are looked at closer, each by itself.
 const MANY: usize = 64;
-
-/// Which of the measured groups is meant.
-type Of<'a> = &'a dyn for<'m, 'p> Fn(&'m Measurements<'p>) -> &'m MeasuredGroup<'p>;
 
 /// Tries a claim on a motion. `gradients` are those of a claim of independence.
 pub fn try_claim(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gradients, Reason>>) -> Verdict {
@@ -59,14 +56,15 @@ pub fn try_claim(derivation: &Derivation, trial: &Trial, gradients: Option<&Resu
     silence(trial.graph, program, course.leaves, points, &mut measured);
     let left = selected(trial, &measured, &describer);
     let along = Tried { times, points, left };
+    let peaks = Peaks::new(trial, &measured);
     let hypotheses: Vec<Finding> =
-        (0..program.hypotheses.len()).map(|h| met_on(trial, &describer, &measured, (h, &along), &met)).collect();
+        (0..program.hypotheses.len()).map(|h| met_on(trial, &describer, &peaks, (h, &along), &met)).collect();
     // Parts at events, or at all of these times.
     let events = events::of_claim(trial.graph, (trial.claim, program), course);
     let parts = match (&program.at, &events) {
         (None, _) => {
             let each = |position| {
-                let finding = part(derivation, trial, (&measured, &describer), &along, position, gradients);
+                let finding = part(derivation, trial, (&peaks, &describer), &along, position, gradients);
                 let finding = unless_met_elsewhere(&met, finding);
                 unless_valued_between(trial, &measured, &|m| &m.parts[position], &along, finding)
             };
@@ -83,15 +81,16 @@ pub fn try_claim(derivation: &Derivation, trial: &Trial, gradients: Option<&Resu
                 false => course.points_at_events(program, &events),
             };
             let describer = Describer::new(trial, &zeros.times, &points);
-            let along = measured;
+            let along = peaks.along;
             let mut measured = measure(program, &points, None);
-            measured.at_events(trial.graph, *event, &along);
+            measured.at_events(trial.graph, *event, along);
             silence(trial.graph, program, course.leaves, &points, &mut measured);
+            let peaks = Peaks::new(trial, &measured);
             let mut left = selected(trial, &measured, &describer);
             beyond_the_span(trial, zeros, &mut left);
             let tried = Tried { times: &zeros.times, points: &points, left };
             let each = |position| {
-                let finding = part(derivation, trial, (&measured, &describer), &tried, position, gradients);
+                let finding = part(derivation, trial, (&peaks, &describer), &tried, position, gradients);
                 only_at_events(trial, found, finding)
             };
             (0..program.parts.len()).map(each).collect()
@@ -121,7 +120,7 @@ fn unmet_at_once(trial: &Trial) -> Option<Vec<Finding>> {
     (0..count).any(false_here).then(|| {
         let none = stretches::Search::default();
         let each = |h: usize| match false_here(h) {
-            true => met_on(trial, &describer, &measured, (h, &along), &none),
+            true => met_on(trial, &describer, &Peaks::new(trial, &measured), (h, &along), &none),
             false => Finding::open(Plain::NotLookedAt),
         };
         (0..count).map(each).collect()
@@ -132,16 +131,17 @@ fn unmet_at_once(trial: &Trial) -> Option<Vec<Finding>> {
 fn met_on(
     trial: &Trial,
     describer: &Describer,
-    measured: &Measurements,
+    peaks: &Peaks,
     (position, along): (usize, &Tried),
     met: &stretches::Search,
 ) -> Finding {
+    let measured = peaks.along;
     let Assumption { text, part } = &trial.program.hypotheses[position];
     let finding = match &part.what {
         What::Limit(point) => limit_where(trial, along, &|m| &m.hypotheses[position], point),
         _ => {
             let finding = weigh(describer.setting(along.left.clone()), &measured.hypotheses[position]);
-            at_peaks(trial, measured, &|m| &m.hypotheses[position], finding)
+            peaks.look(&|m| &m.hypotheses[position], finding)
         }
     };
     let text = || text.as_str().into();
@@ -171,11 +171,12 @@ fn met_on(
 fn part(
     derivation: &Derivation,
     trial: &Trial,
-    (measured, describer): (&Measurements, &Describer),
+    (peaks, describer): (&Peaks, &Describer),
     tried: &Tried,
     position: usize,
     gradients: Option<&Result<Gradients, Reason>>,
 ) -> Finding {
+    let measured = peaks.along;
     let program = trial.program;
     let part = &program.parts[position];
     let setting = || describer.setting(tried.left.clone());
@@ -185,7 +186,7 @@ fn part(
     let closer = |finding: Finding| match program.at {
         _ if program.parts.len() > MANY => finding,
         Some(_) => finding,
-        None => at_peaks(trial, measured, &|m| &m.parts[position], look_closer(trial, measured, position, finding)),
+        None => peaks.look(&|m| &m.parts[position], look_closer(trial, measured, position, finding)),
     };
     let between = |finding: Finding| match program.at {
         Some(_) => finding,
@@ -301,8 +302,8 @@ fn look_closer(trial: &Trial, along: &Measurements, position: usize, finding: Fi
     let Some(at) = course.times.iter().position(|&t| t == worst.at) else { return finding };
     let near = course.near(at);
     let points = course.points_at(trial.program, &near);
-    let of: Of = &|m| &m.parts[position];
-    let Some(closer) = at_further_times(trial, along, of, &near, &points) else { return finding };
+    let Some(closer) = Further::new(trial, along, near, points) else { return finding };
+    let closer = closer.weigh(trial, &|m| &m.parts[position]);
     match (known(&closer), &closer.evidence().residual) {
         (Possible::FALSE, _) => closer,
         (Possible::TRUE, Some(r)) if r.max * worst.bound > worst.max * r.bound => {
@@ -315,50 +316,6 @@ fn look_closer(trial: &Trial, along: &Measurements, position: usize, finding: Fi
             let within = finding.evidence().within.max(closer);
             Finding::sampled(Possible::TRUE, Evidence { within, ..finding.evidence().clone() })
         }
-    }
-}
-
-/// What is known of a part at further times; `None` where none of them counts.
-fn at_further_times(
-    trial: &Trial,
-    along: &Measurements,
-    of: Of,
-    times: &[f64],
-    points: &Arc<Points>,
-) -> Option<Finding> {
-    let describer = Describer::new(trial, times, points);
-    let measured = measure(trial.program, points, Some(along));
-    let left = selected(trial, &measured, &describer);
-    left.contains(&Left::In).then(|| weigh(describer.setting(left), of(&measured)))
-}
-
-/// Tries a part at further times, where it may vary rapidly between the samples.
-fn at_peaks(trial: &Trial, along: &Measurements, of: Of, finding: Finding) -> Finding {
-    let Trial { program, course, .. } = *trial;
-    let holds = match known(&finding).decided() {
-        Some(Truth::True) => true,
-        None => false,
-        Some(Truth::False | Truth::Void) => return finding,
-    };
-    let Rapid { times, singular, unresolved } = peaks::times(trial);
-    if let (true, Some(_)) = (holds, unresolved) {
-        return reopened(finding, Possible::OPEN, Plain::TooManyPeaks);
-    }
-    let at = |times: &[f64]| at_further_times(trial, along, of, times, &course.points_at(program, times));
-    // Near what is divided by 0, errors may be larger than what is asked for: what is false there for certain counts.
-    if let Some(closer) = at(&singular).filter(|closer| known(closer) == Possible::FALSE) {
-        return closer;
-    }
-    let Some(closer) = at(&times) else { return finding };
-    match known(&closer).decided() {
-        Some(Truth::False) => closer,
-        None if holds => closer,
-        Some(Truth::True) if holds => {
-            let samples = finding.evidence().samples + closer.evidence().samples;
-            let within = finding.evidence().within.max(closer.evidence().within);
-            Finding::sampled(Possible::TRUE, Evidence { samples, within, ..finding.evidence().clone() })
-        }
-        _ => finding,
     }
 }
 
