@@ -113,11 +113,10 @@ fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> (
     (out, edges)
 }
 
-/// The sides of comparisons in which something that moves is in an exponential, a power or a quotient: they may vary more rapidly
+/// The sides in which something that moves is in an exponential, a power or a quotient: they may vary more rapidly
 /// than a motion is sampled. For each sign of ±; observables traced back.
-fn rapid(graph: &mut Graph, scope: &Scope, compared: &[&Comparison]) -> Vec<Expr> {
+fn rapid(graph: &mut Graph, scope: &Scope, sides: Vec<Expr>) -> Vec<Expr> {
     let moves = |l: &Leaf| l.instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter);
-    let sides: Vec<Expr> = compared.iter().flat_map(|c| [c.left, c.right]).collect();
     let mut sides: Vec<Expr> = sides.into_iter().map(|e| traced(graph, scope, e)).collect();
     let (mut moving, mut hiding): (FastSet<Expr>, FastSet<Expr>) = Default::default();
     for e in graph.reachable(sides.iter().copied()) {
@@ -248,7 +247,14 @@ pub fn denote(graph: &mut Graph, systems: &[System], claim: &Claim, initial_time
     let at = claim.at.as_ref().and_then(|at| at_event(graph, &at.equation.value));
     let said = parts.iter().filter(|p| p.is_compared() && at.is_none()).chain(hypotheses.iter().map(|a| &a.part));
     let compared: Vec<&Comparison> = said.flat_map(|p| &p.group.comparisons).collect();
-    let rapid = rapid(graph, &claim.scope, &compared);
+    let mut sides: Vec<Expr> = compared.iter().flat_map(|c| [c.left, c.right]).collect();
+    // Gradients vary as rapidly as their functions.
+    for form in &claim.forms {
+        if let Form::Independent { functions, .. } = form {
+            sides.extend(functions.iter().flat_map(|w| &w.value.components));
+        }
+    }
+    let rapid = rapid(graph, &claim.scope, sides);
     let assumed = selectors.iter().chain(&hypotheses).map(|a| &a.part);
     let compared = assumed.chain(&parts).flat_map(|p| &p.group.comparisons);
     let edges = edges(graph, &claim.scope, compared);

@@ -297,6 +297,15 @@ impl Program {
         Some((sides.tape(), sides.run(values, 1.0, slots)))
     }
 
+    /// The values at a point of y and x of every atan2(y, x) in a comparison, in the order of [`Program::cuts`]; none before it is
+    /// compiled.
+    pub fn angles(&self, values: Sample) -> Vec<[Option<Bounded>; 2]> {
+        let (mut slots, first) = (None, SIDES * self.comparisons().count());
+        let Some((tape, slots)) = self.evaluated(values, &mut slots) else { return Vec::new() };
+        let output = |n: usize| tape.output(n, slots).ok().copied();
+        self.cuts().enumerate().map(|(at, _)| [0, 1].map(|n| output(first + 2 * at + n))).collect()
+    }
+
     /// Both sides of all comparisons, once compiled.
     pub(crate) fn sides(&self) -> Option<&Block> {
         self.sides.as_ref()

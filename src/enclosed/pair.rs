@@ -142,9 +142,10 @@ pub(super) fn strengthen(
         let near = seen.as_ref().filter(|_| before == Some(Possible::FALSE));
         let shown = match one {
             Prepared::Compared(Ok(mut ready)) => {
+                ready.agreed = before == Some(Possible::TRUE);
                 let found = match (position.checked_sub(beyond), near) {
                     (Some(hypothesis), None) => {
-                        let text = format!("{:?}", program.hypotheses[hypothesis].text);
+                        let text = format!("{:?} {}", program.hypotheses[hypothesis].text, ready.agreed);
                         let key = (ready.roots.roots().to_vec(), text, ready.precision.to_bits());
                         along.presuppose(key, |along| shown(&mut ready, None, along))
                     }

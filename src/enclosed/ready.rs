@@ -72,6 +72,8 @@ pub(super) struct Ready<'a> {
     /// Which of these events are meant.
     pub occasion: Occasion,
     pub scale: f64,
+    /// Whether samples found the part to be true.
+    pub agreed: bool,
     /// The median size that the sides have for certain; 0 where they may vanish.
     pub known: f64,
     pub precision: f64,
@@ -97,9 +99,6 @@ pub(super) fn median(mut sizes: Vec<f64>) -> f64 {
     sizes.sort_by(f64::total_cmp);
     sizes.get(sizes.len() / 2).copied().filter(|x| *x > 0.0).unwrap_or(0.0)
 }
-
-/// Terms below this size are lost among the last numbers before 0.
-const LOST: f64 = 1e-280;
 
 /// Most points at which sizes are taken.
 pub(super) const POINTS: usize = 40;
@@ -187,7 +186,22 @@ impl<'a> Ready<'a> {
         let (roots, group, signs) = (Selection::new(roots), &part.group, said.signs);
         let (scale, known, precision) = (1.0, 0.0, claim.precision);
         let occasion = claim.at.as_ref().map(|at| at.occasion).unwrap_or_default();
-        Ok(Ready { part, group, roots, sides, selectors, said, signs, event, occasion, scale, known, precision })
+        let agreed = false;
+        Ok(Ready {
+            part,
+            group,
+            roots,
+            sides,
+            selectors,
+            said,
+            signs,
+            event,
+            occasion,
+            scale,
+            agreed,
+            known,
+            precision,
+        })
     }
 
     /// Looks at more than the comparisons: where the first of the further expressions stands.
@@ -211,10 +225,9 @@ impl<'a> Ready<'a> {
         let typical = places().map(|at| of(at, 2, Interval::lo)).fold(0.0, f64::max);
         let size = Interval::mignitude;
         self.known = places().map(|at| of(at, 0, size).max(of(at, 1, size))).fold(0.0, f64::max);
-        // Terms that are there, but smaller than numbers can tell apart from 0, have no size that anything is small against.
-        let largest = places().map(|at| of(at, 2, Interval::magnitude)).fold(0.0, f64::max);
-        let lost = largest > 0.0 && largest < LOST;
-        self.scale = if typical > 0.0 || lost { typical } else { 1.0 };
+        // Terms that may all be 0 have no size. Where samples see that the sides agree in units of the terms, these are 0, and numbers as
+        // they are written are the unit; where samples cannot tell, the terms may be too small for anything to be small against.
+        self.scale = if typical > 0.0 || !self.agreed { typical } else { 1.0 };
     }
 
     /// Where the difference of a comparison stands.

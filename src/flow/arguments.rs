@@ -3,7 +3,8 @@
 //! A series at one time knows nothing of what is smaller than the last digit there: of the peak of e^{−u²} far from it, of a step of
 //! tanh u, of 10⁻²⁴/u near a zero of u. All its coefficients may be below rounding, and it would be accepted on a stretch on which it
 //! is wrong. What hides must pass through an exponential, a power, or a quotient, and there the *argument* is seen: on a stretch on
-//! which e^u changes by a moderate factor, nothing that is below rounding in the middle is far above it at the ends.
+//! which e^u changes by a moderate factor, nothing that is below rounding in the middle is far above it at the ends. Nor does a series
+//! know of what lies behind a kink of |u|.
 //!
 //! **In:** the tape of an expression, and its series around a time. **Out:** whether all such arguments move moderately up to a
 //! distance. **Guaranteed:** nothing that decides is made here, only more places to look at.
@@ -22,6 +23,8 @@ const MODERATE: f64 = 0.75;
 const HIGH: i32 = 16;
 /// Exponentials below this power of e are 0.
 const NOTHING: f64 = -746.0;
+/// What is below its error times this may be 0.
+const NOISE: f64 = 4.0;
 /// Beyond this argument tanh is ±1.
 const SATURATED: f64 = 20.0;
 
@@ -42,19 +45,38 @@ pub(super) enum Argument {
     Unit(usize),
     /// y and x in atan2(y, x).
     Plane(usize, usize),
+    /// u in |u|.
+    Kink(usize),
 }
 
-/// A number, and how far it moves on a stretch at most.
-pub(super) type Moves = (f64, f64);
+/// A number on a stretch.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Moves {
+    /// In the middle.
+    pub(super) value: f64,
+    /// How far it moves at most.
+    pub(super) by: f64,
+    /// How well it is known.
+    pub(super) error: f64,
+}
 
-/// How far what has a series moves up to a radius.
-pub(super) fn moves(mut coefficients: impl Iterator<Item = f64>, radius: f64) -> Moves {
+/// What varies with an argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// An exponential, or a high power: errors are no larger where it varies.
+    Exponential,
+    /// What is singular, or has a kink, where the argument vanishes.
+    Singular,
+}
+
+/// How what has a series moves up to a radius.
+pub(super) fn moves(mut coefficients: impl Iterator<Item = f64>, radius: f64, error: f64) -> Moves {
     let (value, mut power) = (coefficients.next().unwrap_or(0.0), 1.0);
     let term = |c: f64| {
         power *= radius;
         c.abs() * power
     };
-    (value, coefficients.map(term).sum())
+    Moves { value, by: coefficients.map(term).sum(), error }
 }
 
 /// An operation of one number, the same on every machine; NaN where there is no value.
@@ -64,47 +86,61 @@ fn at(op: Op, x: f64) -> f64 {
 }
 
 impl Argument {
-    /// Whether it is one of an exponential: the others are singular somewhere.
-    pub(super) fn is_exponential(&self) -> bool {
-        match self {
-            Argument::Exponent(..) | Argument::Base(..) => true,
-            Argument::Power(..) | Argument::Singular(_) | Argument::Cosine(_) | Argument::Unit(_) => false,
-            Argument::Plane(..) => false,
-        }
-    }
-
     /// The slots that it is in.
     pub(super) fn slots(&self) -> impl Iterator<Item = usize> + use<> {
         let (first, second) = match *self {
             Argument::Exponent(u, ..) | Argument::Base(u, _) => (u, None),
-            Argument::Singular(u) | Argument::Cosine(u) | Argument::Unit(u) => (u, None),
+            Argument::Singular(u) | Argument::Cosine(u) | Argument::Unit(u) | Argument::Kink(u) => (u, None),
             Argument::Power(u, v) | Argument::Plane(u, v) => (u, Some(v)),
         };
         [first].into_iter().chain(second)
     }
 
-    /// Whether it moves moderately; `of` says how the number in a slot moves, if it has a value.
-    pub(super) fn is_moderate(&self, of: impl Fn(usize) -> Option<Moves>) -> bool {
-        let single = |slot: usize, moderate: &dyn Fn(f64, f64) -> bool| of(slot).is_none_or(|(u, by)| moderate(u, by));
+    /// What varies by much with it; nothing where it moves moderately. `of` says how the number in a slot moves, if it has a value.
+    pub(super) fn varies(&self, of: impl Fn(usize) -> Option<Moves>) -> Option<Kind> {
+        let unless = |moderate: bool, kind: Kind| (!moderate).then_some(kind);
         match *self {
-            Argument::Exponent(u, low, high) => single(u, &|u, by| u + by < low || u - by > high || by <= STEEP),
-            Argument::Base(u, n) => {
-                single(u, &|u, by| n * at(Op::Ln, u.abs() + by) < NOTHING || n * by <= STEEP * u.abs())
+            Argument::Exponent(u, low, high) => {
+                let Moves { value: u, by, .. } = of(u)?;
+                unless(u + by < low || u - by > high || by <= STEEP, Kind::Exponential)
             }
-            Argument::Singular(u) => single(u, &|u, by| by <= MODERATE * u.abs()),
-            Argument::Cosine(u) => single(u, &|u, by| by <= MODERATE * at(Op::Cos, u).abs()),
-            Argument::Unit(u) => single(u, &|u, by| by <= MODERATE * (1.0 - u.abs()).abs()),
-            Argument::Power(u, v) => match (of(u), of(v)) {
-                (Some((u, by)), Some((v, along))) => {
-                    let u = u.abs();
-                    by <= MODERATE * u && by * v.abs() <= STEEP * u && along * at(Op::Ln, u).abs() <= STEEP
+            Argument::Base(u, n) => {
+                let Moves { value: u, by, .. } = of(u)?;
+                unless(n * at(Op::Ln, u.abs() + by) < NOTHING || n * by <= STEEP * u.abs(), Kind::Exponential)
+            }
+            Argument::Singular(u) => {
+                let Moves { value: u, by, .. } = of(u)?;
+                unless(by <= MODERATE * u.abs(), Kind::Singular)
+            }
+            Argument::Kink(u) => {
+                let Moves { value: u, by, error } = of(u)?;
+                // What is 0 within its error all along has no kink that could be seen.
+                unless(by <= u.abs() || u.abs() + by <= NOISE * error, Kind::Singular)
+            }
+            Argument::Cosine(u) => {
+                let Moves { value: u, by, .. } = of(u)?;
+                unless(by <= MODERATE * at(Op::Cos, u).abs(), Kind::Singular)
+            }
+            Argument::Unit(u) => {
+                let Moves { value: u, by, .. } = of(u)?;
+                unless(by <= MODERATE * (1.0 - u.abs()).abs(), Kind::Singular)
+            }
+            Argument::Power(u, v) => {
+                let (Moves { value: u, by, .. }, Moves { value: v, by: along, .. }) = (of(u)?, of(v)?);
+                let u = u.abs();
+                let vanishes = v > along && (v - along) * at(Op::Ln, u + by) < NOTHING
+                    || v < -along && u > by && (v + along) * at(Op::Ln, u - by) < NOTHING;
+                if vanishes {
+                    return None;
                 }
-                (None, _) | (_, None) => true,
-            },
-            Argument::Plane(y, x) => match (of(y), of(x)) {
-                (Some((y, up)), Some((x, along))) => up + along <= MODERATE * at(Op::Sqrt, y * y + x * x),
-                (None, _) | (_, None) => true,
-            },
+                let turns_slowly = along == 0.0 || along * at(Op::Ln, u).abs() <= STEEP;
+                let slow = by * v.abs() <= STEEP * u && turns_slowly;
+                unless(by <= MODERATE * u, Kind::Singular).or(unless(slow, Kind::Exponential))
+            }
+            Argument::Plane(y, x) => {
+                let (Moves { value: y, by: up, .. }, Moves { value: x, by: along, .. }) = (of(y)?, of(x)?);
+                unless(up + along <= MODERATE * at(Op::Sqrt, y * y + x * x), Kind::Singular)
+            }
         }
     }
 }
@@ -131,7 +167,8 @@ fn hiding(op: Op, (a, b): (usize, usize), moving: [bool; 2]) -> impl Iterator<It
         Op::Pow => [(first || second).then_some(Argument::Power(a, b)), None],
         Op::Arctan2 => [(first || second).then_some(Argument::Plane(a, b)), None],
         Op::Agm => [first.then_some(Argument::Singular(a)), second.then_some(Argument::Singular(b))],
-        Op::Neg | Op::Add | Op::Sub | Op::Mul | Op::Sin | Op::Cos | Op::Arctan | Op::Abs | Op::Restrict => [None, None],
+        Op::Abs => one(Argument::Kink(a)),
+        Op::Neg | Op::Add | Op::Sub | Op::Mul | Op::Sin | Op::Cos | Op::Arctan | Op::Restrict => [None, None],
     };
     found.into_iter().flatten()
 }
@@ -211,6 +248,6 @@ impl Arguments {
 
     /// Whether all move moderately; `of` says how the number in a slot moves, if it has a value.
     pub(super) fn are_moderate(&self, of: impl Fn(usize) -> Option<Moves>) -> bool {
-        self.0.iter().all(|argument| argument.is_moderate(&of))
+        self.0.iter().all(|argument| argument.varies(&of).is_none())
     }
 }

@@ -137,7 +137,11 @@ impl<'a> Explorer<'a> {
             let known = outputs.iter().flatten().all(|c| c.is_finite());
             let (start, end) = stretches[i];
             let values = values.iter().map(|x| x.lane(i)).collect();
-            let moderate = self.program.is_moderate(&self.wide_series, 0.5 * (end - start), |c| c.0[i]);
+            let moderate = self.program.is_moderate(
+                (&self.wide_series, |c| c.0[i]),
+                (&self.wide_values, |x| x.lane(i).error),
+                0.5 * (end - start),
+            );
             known.then(|| Piece { start, end, centre: centres[i], outputs, values, moderate })
         })
     }
@@ -170,7 +174,8 @@ impl<'a> Explorer<'a> {
             .map(|i| self.expanded(i).map(<[f64]>::to_vec))
             .collect::<Option<Vec<_>>>()
             .ok_or(NoValue::Indeterminate)?;
-        let moderate = self.program.is_moderate(&self.series, 0.5 * (end - start), |c| *c);
+        let moderate =
+            self.program.is_moderate((&self.series, |c| *c), (&self.values, |x| x.error), 0.5 * (end - start));
         Ok(Piece { start, end, centre, outputs, values, moderate })
     }
 

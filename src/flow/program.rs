@@ -433,11 +433,19 @@ impl Program {
         })
     }
 
-    /// Whether all arguments move moderately up to a radius; `of` is one of the numbers in a coefficient.
-    pub(super) fn is_moderate<B: Base>(&self, bench: &Bench<B>, radius: f64, of: impl Fn(&B) -> f64) -> bool {
+    /// Whether all arguments move moderately up to a radius: `of` is one of the numbers in a coefficient, `error` that of a value.
+    pub(super) fn is_moderate<B: Base, V: Base>(
+        &self,
+        (series, of): (&Bench<B>, impl Fn(&B) -> f64),
+        (values, error): (&Bench<V>, impl Fn(&V) -> f64),
+        radius: f64,
+    ) -> bool {
         self.arguments.are_moderate(|slot| {
-            let known = bench.slots.missing(slot).is_none();
-            known.then(|| moves(bench.slots.value(slot).coefficients().iter().map(&of), radius))
+            let known = series.slots.missing(slot).is_none() && values.slots.missing(slot).is_none();
+            known.then(|| {
+                let coefficients = series.slots.value(slot).coefficients().iter().map(&of);
+                moves(coefficients, radius, error(&values.slots.value(slot).coefficient(0)))
+            })
         })
     }
 

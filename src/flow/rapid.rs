@@ -6,14 +6,14 @@
 use std::rc::Rc;
 use std::sync::{Arc, OnceLock};
 
-use super::arguments::{Argument, Moves, Within, moves};
+use super::arguments::{Argument, Kind, Moves, Within, moves};
 use super::core::Core;
 use super::cover::{BLOCK, Explorer, tail};
 use super::error::FlowError;
 use super::program::{Bench, Program};
 use super::zeros::shift;
 use expr::{Expr, Graph};
-use number::Lanes;
+use number::{Bounded, BoundedLanes};
 
 /// Degree of the polynomials of arguments.
 const DEGREE: usize = 12;
@@ -30,7 +30,7 @@ const COARSE: f64 = 1e-9;
 pub struct Rapid {
     /// Where an exponential, or a high power, changes by a large factor from one sample to the next.
     pub times: Vec<f64>,
-    /// Where only what is divided by, or has a root, does: there errors may be larger than anything that is to be seen.
+    /// Where only what is divided by, or has a root or a kink, does: there errors may be larger than anything that is to be seen.
     pub singular: Vec<f64>,
     /// A stretch on which an exponential has more such times than can be looked at.
     pub unresolved: Option<(f64, f64)>,
@@ -52,8 +52,8 @@ pub struct RapidSearch {
     watched: Vec<Watched>,
     /// For each expression, its arguments; none where it has no meaning on the motion.
     of: Arc<[Vec<usize>]>,
-    /// For each argument, the samples between which and the next it moves by much.
-    gaps: OnceLock<Vec<Vec<usize>>>,
+    /// For each argument, where it moves by much.
+    gaps: OnceLock<Vec<Vec<Moved>>>,
 }
 
 impl RapidSearch {
@@ -105,12 +105,20 @@ impl RapidSearch {
         let argument = self.watched[at].argument;
         let slots: Vec<usize> = argument.slots().collect();
         let program = self.program.part(&slots);
-        let mut local = Local { explorer: Explorer::new(&self.core, &program, DEGREE), argument, slots };
-        for &i in gaps {
-            let into = if argument.is_exponential() { &mut out.times } else { &mut out.singular };
-            let resolved = local.halve((samples[i], samples[i + 1]), into);
-            if argument.is_exponential() && !resolved {
-                out.unresolved.get_or_insert((samples[i], samples[i + 1]));
+        let explorer = Explorer::new(&self.core, &program, DEGREE);
+        let mut local = Local { explorer, argument, errors: vec![0.0; slots.len()], slots };
+        for gap in gaps {
+            let whole = (samples[gap.from], samples[gap.from + 1]);
+            local.errors.clone_from(&gap.errors);
+            match gap.kind {
+                Kind::Singular => {
+                    local.halve(whole, &mut out.singular);
+                }
+                Kind::Exponential => {
+                    if !local.halve(whole, &mut out.times) {
+                        out.unresolved.get_or_insert(whole);
+                    }
+                }
             }
         }
         for times in [&mut out.times, &mut out.singular] {
@@ -119,34 +127,66 @@ impl RapidSearch {
         out
     }
 
-    /// For each argument, the samples between which and the next it moves by much.
-    fn moved(&self, samples: &[f64]) -> Vec<Vec<usize>> {
+    /// For each argument, where it moves by much.
+    fn moved(&self, samples: &[f64]) -> Vec<Vec<Moved>> {
         // The number in each slot, one slot after the other.
-        let mut values = vec![f64::NAN; samples.len() * self.program.output_count()];
-        let mut bench: Bench<Lanes<BLOCK>> = self.program.bench(&self.core, 0);
+        let count = samples.len();
+        let mut values: Vec<Option<Bounded>> = vec![None; count * self.program.output_count()];
+        let mut wide: Bench<BoundedLanes<BLOCK>> = self.program.bench(&self.core, 0);
+        let mut narrow: Bench<Bounded> = self.program.bench(&self.core, 0);
         let mut angles = Vec::new();
         for (at, block) in samples.chunks(BLOCK).enumerate() {
             let times: [f64; BLOCK] = std::array::from_fn(|i| block[i.min(block.len() - 1)]);
             let turns = self.core.turns_of_block(&self.program, &times, &mut angles);
-            self.program.run_lanes(&self.core, &mut bench, &times, &turns);
+            self.program.run_lanes(&self.core, &mut wide, &times, &turns);
+            let mut missing = Vec::new();
             for slot in 0..self.program.output_count() {
-                let Ok(found) = self.program.output(&bench, slot) else { continue };
-                let first = slot * samples.len() + at * BLOCK;
-                values[first..first + block.len()].copy_from_slice(&found.coefficient(0).0[..block.len()]);
+                match self.program.output(&wide, slot) {
+                    Ok(found) => {
+                        let (first, found) = (slot * count + at * BLOCK, found.coefficient(0));
+                        (0..block.len()).for_each(|i| values[first + i] = Some(found.lane(i)));
+                    }
+                    Err(_) => missing.push(slot),
+                }
+            }
+            // What has no value at one of the times may have one at the others.
+            for (i, &t) in block.iter().enumerate().filter(|_| !missing.is_empty()) {
+                self.program.run(&self.core, &mut narrow, t, &turns[i]);
+                for &slot in &missing {
+                    let found = self.program.output(&narrow, slot).ok();
+                    values[slot * count + at * BLOCK + i] = found.map(|x| x.coefficient(0));
+                }
             }
         }
-        let value = |slot: usize, k: usize| Some(values[slot * samples.len() + k]).filter(|x| x.is_finite());
-        let step = |slot: usize, k: usize| Some((value(slot, k + 1)? - value(slot, k)?).abs());
-        let last = samples.len().saturating_sub(1);
-        // From sample to sample, and from those beside them: a peak between two that are alike shows in its neighbours.
-        let moved = |argument: &Argument, i: usize| {
-            let by = |slot: usize| {
-                (i.saturating_sub(1)..(i + 2).min(last)).filter_map(|k| step(slot, k)).fold(0.0, f64::max)
+        let value = |slot: usize, k: usize| values[slot * count + k];
+        let step = |slot: usize, k: usize| Some((value(slot, k + 1)?.value - value(slot, k)?.value).abs());
+        let last = count.saturating_sub(1);
+        let moved = |argument: &Argument, from: usize| {
+            // From sample to sample, and from those beside them: a peak between two that are alike shows in its neighbours.
+            let beside = from.saturating_sub(1)..(from + 2).min(last);
+            let by = |slot: usize| beside.clone().filter_map(|k| step(slot, k)).fold(0.0, f64::max);
+            let moves = |slot: usize, k: usize| {
+                let Bounded { value, error } = value(slot, k)?;
+                Some(Moves { value, by: by(slot), error })
             };
-            !(i..i + 2).all(|k| argument.is_moderate(|slot| value(slot, k).map(|u| (u, by(slot)))))
+            let kinds = [from, from + 1].map(|k| argument.varies(|slot| moves(slot, k)));
+            let kind = if kinds.contains(&Some(Kind::Singular)) { Some(Kind::Singular) } else { kinds[0].or(kinds[1]) };
+            let error = |slot: usize, k: usize| value(slot, k).map_or(0.0, |x| x.error);
+            let errors = || argument.slots().map(|slot| error(slot, from).max(error(slot, from + 1))).collect();
+            kind.map(|kind| Moved { from, kind, errors: errors() })
         };
-        self.watched.iter().map(|w| (0..last).filter(|&i| moved(&w.argument, i)).collect()).collect()
+        self.watched.iter().map(|w| (0..last).filter_map(|i| moved(&w.argument, i)).collect()).collect()
     }
+}
+
+/// A stretch between two samples on which an argument moves by much.
+#[derive(Clone, Debug)]
+struct Moved {
+    /// The first of the samples.
+    from: usize,
+    kind: Kind,
+    /// How well what is in each of its slots is known there.
+    errors: Vec<f64>,
 }
 
 /// The polynomials of what is in the slots of an argument, around a time, up to a radius.
@@ -159,16 +199,17 @@ struct Expanded {
 impl Expanded {
     /// How far what is in a slot moves up to a distance from a time; nothing if the polynomial does not tell, since it does not
     /// converge, or rounds what is left.
-    fn moves(&self, slot: usize, (t, radius): (f64, f64), out: &mut Vec<f64>) -> Option<Option<Moves>> {
+    fn moves(&self, slot: usize, error: f64, (t, radius): (f64, f64), out: &mut Vec<f64>) -> Option<Option<Moves>> {
         let Some(Some(c)) = self.slots.get(slot) else { return Some(None) };
         shift(c, t - self.centre, radius, out);
-        let here = moves(out.iter().copied(), 1.0);
+        let here = moves(out.iter().copied(), 1.0, error);
         if t == self.centre && radius == self.radius {
             return Some(Some(here));
         }
-        let (value, by) = moves(c.iter().copied(), self.radius);
-        let all = value.abs() + by;
-        (tail(c, DEGREE, self.radius) <= FINE * all && here.0.abs() + here.1 >= COARSE * all).then_some(Some(here))
+        let whole = moves(c.iter().copied(), self.radius, error);
+        let all = whole.value.abs() + whole.by;
+        let seen = here.value.abs() + here.by >= COARSE * all;
+        (tail(c, DEGREE, self.radius) <= FINE * all && seen).then_some(Some(here))
     }
 }
 
@@ -177,6 +218,8 @@ struct Local<'a> {
     explorer: Explorer<'a>,
     argument: Argument,
     slots: Vec<usize>,
+    /// How well what is in each slot is known.
+    errors: Vec<f64>,
 }
 
 impl Local<'_> {
@@ -212,9 +255,9 @@ impl Local<'_> {
         known: Option<Rc<Expanded>>,
         out: &mut Vec<f64>,
     ) -> (bool, Rc<Expanded>) {
-        let Local { explorer, argument, slots } = self;
+        let Local { explorer, argument, slots, errors } = self;
         let mut of = |expanded: &Expanded| -> Option<Vec<Option<Moves>>> {
-            (0..slots.len()).map(|i| expanded.moves(i, (t, radius), out)).collect()
+            (0..slots.len()).map(|i| expanded.moves(i, errors[i], (t, radius), out)).collect()
         };
         let told = known.and_then(|known| Some((of(&known)?, known)));
         let (found, known) = told.unwrap_or_else(|| {
@@ -224,7 +267,7 @@ impl Local<'_> {
             (of(&new).unwrap_or_default(), Rc::new(new))
         });
         let position = |slot: usize| slots.iter().position(|&s| s == slot);
-        (argument.is_moderate(|slot| found.get(position(slot)?).copied().flatten()), known)
+        (argument.varies(|slot| found.get(position(slot)?).copied().flatten()).is_none(), known)
     }
 }
 

@@ -1,7 +1,8 @@
 //! A trajectory: the Taylor polynomials of all steps, and how far they may be from the truth.
 //!
 //! **Error estimate.** The motion is integrated again, with another order and another sequence of steps; and where initial
-//! values or constants are only known within a bound, twice more from opposite ends of it. At every step end of these
+//! values or constants are only known within a bound, twice more from opposite ends of it. It starts a little beside, as rounding on
+//! the first step may put it. At every step end of these
 //! companions the difference is compared; the largest so far, times a safety factor, plus a floor for rounding, is the
 //! error. The companions go side by side with the motion (see the module `abreast`). It is an estimate, no enclosure: it
 //! sees truncation, rounding and the growth of both, because rounding takes another course in every companion. Who asks for
@@ -18,6 +19,8 @@ use number::{Bounded, NoValue};
 
 /// What the differences between independent integrations are multiplied with.
 const SAFETY: f64 = 8.0;
+/// How far beside the start of a motion its companion starts, in units of the states.
+const SLIP: f64 = 2.0 * f64::EPSILON;
 /// Rounding floor in units of the largest value of a state so far.
 const FLOOR: f64 = 4.0 * f64::EPSILON;
 /// Order of the trajectory: −ln(2⁻⁵²)/2 + 1, rounded up.
@@ -359,19 +362,46 @@ impl Check {
 
     /// The numbers with which it is integrated.
     fn shifted(self, of: &[Bounded]) -> Vec<f64> {
-        let sign = |i: usize| match self {
+        match self {
+            Check::Method => values(of),
+            Check::Corner | Check::Alternating => {
+                of.iter().enumerate().map(|(i, x)| x.value + self.sign(i) * x.error).collect()
+            }
+        }
+    }
+
+    /// In which direction a number is shifted.
+    fn sign(self, i: usize) -> f64 {
+        match self {
             Check::Method => 0.0,
             Check::Corner => 1.0,
             Check::Alternating if (i * i + i / 2).is_multiple_of(3) => 1.0,
             Check::Alternating => -1.0,
-        };
-        match self {
-            Check::Method => values(of),
-            Check::Corner | Check::Alternating => {
-                of.iter().enumerate().map(|(i, x)| x.value + sign(i) * x.error).collect()
-            }
         }
     }
+}
+
+/// A start beside that of a motion, as far away as rounding on the first step may put it, if its rates have values there.
+///
+/// All series at the start are the same, and so is what is rounded in them: a motion and its companion from the very same start may
+/// leave an unstable solution side by side. A state that stays 0 is exact, and stays 0.
+fn beside(flow: &Flow, constants: &[f64], (from, to): (f64, f64), state: Vec<f64>) -> Vec<f64> {
+    let mut slots = flow.slots(2, constants);
+    let mut series = vec![0.0; 3 * state.len()];
+    if flow.expand(&mut slots, 2, from, &state, &mut series).is_err() {
+        return state;
+    }
+    let rows = || series.chunks_exact(3);
+    // How long states take to become others, as far as two coefficients tell.
+    let times = rows().filter(|c| c[0] != 0.0 && c[1] != 0.0).map(|c| (c[0] / c[1]).abs());
+    let time = times.fold((to - from).abs() / 64.0, f64::min);
+    let moved = |sign: f64| -> Vec<f64> {
+        let size = |c: &[f64]| if c[0] == 0.0 { (c[1].abs() * time).max(c[2].abs() * time * time) } else { c[0].abs() };
+        let by = |i: usize, c: &[f64]| sign * Check::Alternating.sign(i) * SLIP * size(c);
+        rows().enumerate().map(|(i, c)| c[0] + by(i, c)).collect()
+    };
+    let mut known = |at: &Vec<f64>| flow.expand(&mut slots, 1, from, at, &mut vec![0.0; 2 * at.len()]).is_ok();
+    [1.0, -1.0].map(moved).into_iter().find(|at| known(at)).unwrap_or(state)
 }
 
 /// An integration of which the states at the ends of steps are kept.
@@ -388,7 +418,10 @@ struct Ends<'a> {
 
 impl<'a> Ends<'a> {
     fn new(flow: &'a Flow, plan: &Plan, check: Check, end: f64) -> Ends<'a> {
-        let (constants, state) = (check.shifted(&plan.constants), check.shifted(&plan.state));
+        let (constants, mut state) = (check.shifted(&plan.constants), check.shifted(&plan.state));
+        if check == Check::Method {
+            state = beside(flow, &constants, (plan.initial_time, end), state);
+        }
         Ends {
             walker: Walker::new(flow, check.control(), &constants, (plan.initial_time, end), &state),
             check,

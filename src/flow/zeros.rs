@@ -7,7 +7,7 @@
 
 mod beside;
 
-use beside::{edge, is_pole, pole, vanishes, vanishes_towards};
+use beside::{edge, is_pole, pole, turns_towards, vanishes, vanishes_towards};
 
 use super::core::Core;
 use super::cover::{Explorer, Piece, Stretch, tail};
@@ -441,6 +441,11 @@ pub(super) fn zeros(core: &Core, program: &Program) -> Zeros {
                 out.cut_off.extend(in_proportion.then_some(at));
             }
         }
+    }
+    let ends: Vec<[f64; 2]> = out.incomplete.iter().filter_map(edge).map(|(start, end)| [start, end]).collect();
+    for [start, end] in ends.into_iter().chain(kinks.iter().map(|&kink| [kink, kink])) {
+        let turns = [(start, false), (end, true)].map(|(at, onwards)| turns_towards(&mut explorer, at, onwards));
+        out.incomplete.extend(turns.into_iter().flatten());
     }
     for kink in kinks {
         let near = |t: &f64| (t - kink).abs() <= 2.0 * shortest;

@@ -11,10 +11,11 @@ use crate::derivation::{Claim, Form, Motion, Trajectory, Written};
 use crate::describe::Left;
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf, NoDerivative, Tensor};
-use crate::flow::VectorField;
+use crate::flow::{Rapid, VectorField};
 use crate::judged::Tried;
 use crate::latex::{Role, Scope, Statement};
 use crate::number::{Bounded, NoValue};
+use crate::stretches::is_met;
 use crate::systems::Fields;
 use crate::verdict::{Evidence, Finding, Possible, Witness};
 use claim::comparison::{GUARD, traced_now};
@@ -231,7 +232,11 @@ pub(super) fn try_on(of: &Gradients, trial: &Trial, tried: &Tried) -> Finding {
     if let Some(reason) = tried.left.iter().find_map(open) {
         return Finding::open(reason);
     }
-    if let Some((t, gap)) = lost_between(of, trial, tried, &tape) {
+    let rapid = trial.course.rapid(&trial.program.rapid);
+    if rapid.unresolved.is_some() {
+        return Finding::open(Plain::TooManyPeaks);
+    }
+    if let Some((t, gap)) = lost_between(of, trial, tried, &tape, &rapid) {
         return Finding::open(Sampling::RankFalls { t, size: gap });
     }
     evidence.reason = Some(Sampling::SmallestSingularValue(smallest).into());
@@ -255,8 +260,8 @@ fn dependent_beside(of: &Gradients, trial: &Trial, tape: &Tape, witness: Option<
 }
 
 /// A time between samples near which the rank may fall, with the smallest singular value in units of the largest: where it is
-/// smallest among samples, it is followed by the golden section.
-fn lost_between(of: &Gradients, trial: &Trial, tried: &Tried, tape: &Tape) -> Option<(f64, f64)> {
+/// smallest among samples, it is followed by the golden section; where something varies rapidly, it is looked at.
+fn lost_between(of: &Gradients, trial: &Trial, tried: &Tried, tape: &Tape, rapid: &Rapid) -> Option<(f64, f64)> {
     if trial.program.at.is_some() {
         return None;
     }
@@ -284,21 +289,27 @@ fn lost_between(of: &Gradients, trial: &Trial, tried: &Tried, tape: &Tape) -> Op
         let wanted = base + of.functions;
         Some(if wanted > all.len() { 0.0 } else { shrunk * all[wanted - 1] / all[0].max(f64::MIN_POSITIVE) })
     };
-    let along: Vec<Option<f64>> = (0..tried.times.len()).map(|i| smallest(&tried.points.row(i))).collect();
-    let mut lowest: Vec<usize> = (1..tried.times.len().saturating_sub(1))
-        .filter(|&i| match (along[i - 1], along[i], along[i + 1]) {
-            (Some(a), Some(b), Some(c)) => b <= a && b <= c && tried.left[i] == Left::In,
+    // The samples, and the times between them.
+    let sampled =
+        (0..tried.times.len()).map(|i| (tried.times[i], smallest(&tried.points.row(i)), tried.left[i] == Left::In));
+    let mut along: Vec<(f64, Option<f64>, bool)> = sampled.collect();
+    let between = rapid.times.iter().chain(&rapid.singular);
+    along.extend(between.map(|&t| (t, smallest(&trial.course.values(t)), is_met(trial, t))));
+    along.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut lowest: Vec<usize> = (1..along.len().saturating_sub(1))
+        .filter(|&i| match (along[i - 1].1, along[i].1, along[i + 1].1) {
+            (Some(a), Some(b), Some(c)) => b <= a && b <= c && along[i].2,
             _ => false,
         })
         .collect();
-    lowest.sort_by(|a, b| along[*a].unwrap_or(1.0).total_cmp(&along[*b].unwrap_or(1.0)));
+    lowest.sort_by(|a, b| along[*a].1.unwrap_or(1.0).total_cmp(&along[*b].1.unwrap_or(1.0)));
     for &i in lowest.iter().take(MINIMA) {
-        let (mut a, mut b) = (tried.times[i - 1], tried.times[i + 1]);
+        let (mut a, mut b) = (along[i - 1].0, along[i + 1].0);
         // Where a selector may change, the loss is at a time that does not count.
         if changes(trial, (a, b)) {
             continue;
         }
-        let mut least = (tried.times[i], along[i]?);
+        let mut least = (along[i].0, along[i].1?);
         for _ in 0..60 {
             let (x, y) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
             let (Some(u), Some(v)) = (smallest(&trial.course.values(x)), smallest(&trial.course.values(y))) else {

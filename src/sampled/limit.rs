@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use crate::course::Trial;
 use crate::describe::{Describer, Left};
+use crate::flow::Points;
 use crate::latex::LimitPoint;
 use crate::number::{Bounded, NoValue};
 use crate::verdict::{Finding, Possible, Strength};
@@ -30,6 +31,27 @@ fn are_close(a: Option<Bounded>, b: Option<Bounded>) -> bool {
         (None, None) => true,
         _ => false,
     }
+}
+
+/// Whether an angle may be on both sides of its cut at times close to one another: what is compared may be large against the leap.
+fn leaps(trial: &Trial, times: &[f64]) -> bool {
+    let points: Points = times.iter().map(|&t| trial.course.values(t)).collect();
+    let at: Vec<Vec<[Option<Bounded>; 2]>> = points.samples().map(|point| trial.program.angles(point)).collect();
+    let count = at.first().map_or(0, Vec::len);
+    (0..count).any(|cut| {
+        let each = || {
+            at.iter().filter_map(|angles| {
+                let [y, x] = angles[cut];
+                y.zip(x)
+            })
+        };
+        let behind = each().any(|(_, x)| x.value - x.error <= 0.0);
+        let side = |y: Bounded| if y.contains_zero() { 0.0 } else { y.value.signum() };
+        let mut sides: Vec<f64> = each().map(|(y, _)| side(y)).collect();
+        sides.dedup();
+        let still = each().all(|(y, _)| y == Bounded::exact(0.0));
+        behind && sides.len() > 1 || behind && sides.contains(&0.0) && !still
+    })
 }
 
 /// What is known of a limit: of the group that `group` finds among what is measured.
@@ -74,6 +96,10 @@ pub(super) fn limit(
         let near = [a, b].iter().all(|f| (f.0 - t0).abs() < far);
         (!near || decided(&a.1) == decided(&b.1)) && a.2.iter().zip(&b.2).all(|(a, b)| are_close(*a, *b))
     };
+    let times: Vec<f64> = beside.iter().copied().filter(|t| (from..=to).contains(t)).collect();
+    if !alone && leaps(trial, &times) {
+        return Finding::open(Sampling::OtherBeside { t: t0, exact });
+    }
     let together = found.iter().enumerate().all(|(i, a)| found[..i].iter().all(|b| agree(a, b)));
     let Some((_, finding, _)) = found.first().cloned().filter(|_| together) else {
         return Finding::open(Sampling::OtherBeside { t: t0, exact });

@@ -102,9 +102,9 @@ pub(crate) fn initial_values(graph: &Graph, initial: &[(Symbol, u8, Written<Vec<
 }
 
 /// A number rounded to binary64, exactly: the motion that is tried is the one with these parameters, so that what is equal
-/// in the file is equal without an error.
+/// in the file is equal without an error. What is too small for that would become another number, or 0.
 fn rounded(graph: &mut Graph, e: Expr) -> Expr {
-    let nearest = graph.as_constant(e).map(|r| r.to_f64().value());
+    let nearest = graph.as_constant(e).map(|r| r.to_f64().value()).filter(|x| x.abs() >= f64::MIN_POSITIVE);
     match nearest.and_then(|x| expr::Rational::try_from(x).ok()) {
         Some(r) => graph.constant(r),
         None => e,

@@ -138,7 +138,7 @@ fn is_met_alone(trial: &Trial, t: f64) -> bool {
 }
 
 /// Whether the inequalities among the assumptions are not violated at a time.
-fn is_met(trial: &Trial, t: f64) -> bool {
+pub(super) fn is_met(trial: &Trial, t: f64) -> bool {
     let point = trial.course.points_at(trial.program, &[t]);
     let measured = measure(trial.program, &point, None);
     let precision = trial.claim.precision;

@@ -5,7 +5,10 @@
 
 use super::super::cover::Explorer;
 use super::super::incomplete::Incomplete;
-use number::NoValue;
+use number::{Bounded, NoValue};
+
+/// The stretch beside a time, as a share of the span, of which nothing is known where an expression turns.
+const NEAR: f64 = 1e-8;
 
 /// The size of the expression a little before and a little after a time, where it has a value.
 fn beside(explorer: &mut Explorer, t: f64) -> [Option<f64>; 2] {
@@ -45,6 +48,27 @@ pub(super) fn vanishes_towards(explorer: &mut Explorer, at: f64, onwards: bool) 
     }
     let ratio = sizes[2] / sizes[1];
     Some((0.3e-3..3e-3).contains(&ratio))
+}
+
+/// Where the expression goes on towards the other sign, nearer to a time than times are resolved: as a logarithm does, or a pole that
+/// is subtracted from a large number. Towards something continuous it would go less and less.
+pub(super) fn turns_towards(explorer: &mut Explorer, at: f64, onwards: bool) -> Option<Incomplete> {
+    let (from, to) = explorer.core.reach();
+    let length = (to - from) * if onwards { 1.0 } else { -1.0 };
+    let mut values: Vec<Bounded> = Vec::new();
+    for share in [1e-6, 1e-8, 1e-10, 1e-12, 1e-14] {
+        let t = at + share * length;
+        let value = (from..=to).contains(&t).then(|| explorer.values(t).first().copied())??;
+        values.push(value.ok()?);
+    }
+    let moves: Vec<f64> = values.windows(2).map(|pair| pair[1].value - pair[0].value).collect();
+    let clear = values.windows(2).zip(&moves).all(|(pair, by)| by.abs() > 4.0 * (pair[0].error + pair[1].error));
+    let goes_on = moves.windows(2).all(|pair| pair[1] / pair[0] >= 0.25);
+    let last = values.last().copied()?;
+    let turns = last.contains_zero() || last.value * moves[0] < 0.0;
+    // More than a point: what is so on both sides of it says nothing.
+    let end = at + NEAR * length;
+    (clear && goes_on && turns).then(|| Incomplete::Unresolved { start: at.min(end), end: at.max(end) })
 }
 
 /// Whether the expression grows towards a point from both sides: it has no value there, and no zero near.
