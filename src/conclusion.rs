@@ -3,8 +3,10 @@
 //! **In:** what was found of a derivation file, and how much is demanded of it. **Out:** an [`Ending`], which has an exit code, and what is
 //! to be said of it that is not to be seen in the verdicts.
 
+use crate::check::standing::Decision;
 use crate::report;
 use crate::run::Document;
+use crate::session::Answer;
 
 /// How a run ended; what is more serious is greater.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -30,6 +32,17 @@ impl Ending {
             Ending::BadInput => 2,
             Ending::Undecided => 3,
             Ending::Defect => 70,
+        }
+    }
+}
+
+impl Answer {
+    /// How it ends a run: a case that is left out, and what is open, are undecided.
+    pub fn ending(&self) -> Ending {
+        match self.account().finding.decision() {
+            Decision::Proved => Ending::Good,
+            Decision::Refuted => Ending::Different,
+            Decision::ProvedExcept | Decision::Undecided => Ending::Undecided,
         }
     }
 }

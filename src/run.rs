@@ -110,6 +110,15 @@ impl Document {
         Conclusion::of(self, demand)
     }
 
+    /// What is printed on paper, for whichever program is there: LaTeX source, and a page for a browser. `summary`: the first page alone.
+    pub fn printed(&self, summary: bool) -> (String, String) {
+        let (derivation, account) = (self.findings.derivation(), self.findings.account());
+        match summary {
+            true => (report::tex_summary(derivation, account), report::first_page(derivation, account)),
+            false => (report::tex(derivation, account), report::printed_page(derivation, account)),
+        }
+    }
+
     /// The files of the folder of its report, by name.
     pub fn files(&self) -> Vec<(String, String)> {
         let found = &self.findings;

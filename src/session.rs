@@ -413,9 +413,9 @@ impl Answer {
         &self.account
     }
 
-    /// The answer for a person.
-    pub fn text(&self) -> String {
-        report::proposition_text(&self.proposition, &self.account, false, false)
+    /// The answer for a person; with `certificate`, followed by the exact proof as a program. `colour`: with escape codes.
+    pub fn text(&self, certificate: bool, colour: bool) -> String {
+        report::proposition_text(&self.proposition, &self.account, certificate, colour)
     }
 
     /// The answer as JSON.
@@ -454,6 +454,14 @@ impl Findings {
             c.verdicts().map(one).collect()
         };
         self.account.claims.iter().flat_map(of).collect()
+    }
+
+    /// How the verdicts on a claim, `id` or `id/reading`, came about; `None` where there are none. What its proof rests on is told as far
+    /// as it was asked for: see [`Ask::explaining`]. `colour`: with escape codes.
+    pub fn explanation(&self, claim: &str, colour: bool) -> Option<String> {
+        let mut of = self.account.claims.iter().filter(|c| is_called(claim, &c.id, c.reading.as_deref()));
+        of.any(|c| c.verdicts().next().is_some())
+            .then(|| report::explain(&self.derivation, &self.account, &[claim.to_owned()], colour))
     }
 
     /// Whether every verdict is as the file expects.

@@ -218,9 +218,13 @@ fn every_hostile_text_in_every_format() {
             plain_in(format, &out);
             written += 1;
         }
-        for arguments in
-            [&["list"][..], &["explain", "wrong"], &["explain", "right"], &["search", "wrong", "--tries", "2"]]
-        {
+        for arguments in [
+            &["list"][..],
+            &["explain", "wrong"],
+            &["explain", "right"],
+            &["search", "wrong", "--tries", "2"],
+            &["watch", "derivations/h.toml", "--checks", "1"],
+        ] {
             let output = run(project.path(), arguments, false);
             let out = String::from_utf8_lossy(&output.stdout).into_owned();
             inert(arguments[0], &out);
@@ -242,7 +246,7 @@ fn every_hostile_text_in_every_format() {
             written += 1;
         }
     }
-    assert_eq!(written, HOSTILE.len() * 17);
+    assert_eq!(written, HOSTILE.len() * 18);
 }
 
 /// Problems quote the file as it is, and are shown.
@@ -308,6 +312,7 @@ fn the_table_has_every_writer() {
         "diff",
         "diff_files",
         "diff_text",
+        "checked_again",
         "exceptions",
         "explain",
         "finding",

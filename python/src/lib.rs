@@ -198,7 +198,7 @@ impl Session {
         let (session, until) = (Arc::clone(&self.0), after(deadline));
         let answer = Wait { until, ..Wait::default() }.compute(py, move || session.prove(&question))?;
         answer
-            .map(|a| (a.json(), a.text()))
+            .map(|a| (a.json(), a.text(false, false)))
             .map_err(|e| failure(py, e.where_symbols_are_declared("declare it in `symbols=`")))
     }
 }

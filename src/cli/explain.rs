@@ -1,11 +1,10 @@
 //! `rederive explain`.
 
-use rederive::report;
+use rederive::{Ask, Ending};
 
 use super::arguments::{FileArguments, RigorArgument};
 use super::ending::{Stop, say};
 use super::progress;
-use rederive::{Ask, Ending};
 
 #[derive(clap::Args)]
 pub struct ExplainArguments {
@@ -21,19 +20,14 @@ pub struct ExplainArguments {
 }
 
 pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Stop> {
-    let claims = [arguments.claim.clone()];
-    let mut shown = 0;
-    for (session, asked) in arguments.files.sessions_with(&arguments.claim, &arguments.on)? {
-        let with_premises = session.derivation().with_premises(&claims);
-        let ask = Ask { claims: with_premises, rigor: arguments.rigor.rigor, ..asked };
-        let found = progress::check(&session, &ask, None)?;
-        let id = arguments.claim.split('/').next();
-        let wanted = found.account().claims.iter().filter(|c| Some(c.id.as_str()) == id);
-        shown += wanted.map(|c| c.verdicts().count()).sum::<usize>();
-        say(&report::explain(found.derivation(), found.account(), &claims, true))?;
+    let ExplainArguments { claim, on, files, rigor } = arguments;
+    let mut shown = false;
+    for (session, asked) in files.sessions_with(claim, on)? {
+        let ask = Ask { rigor: rigor.rigor, ..asked }.explaining(session.derivation());
+        if let Some(text) = progress::check(&session, &ask, None)?.explanation(claim, true) {
+            say(&text)?;
+            shown = true;
+        }
     }
-    if shown == 0 {
-        return Err(Stop::Message(format!("`{}` is not tried on this trajectory", arguments.claim)));
-    }
-    Ok(Ending::Good)
+    if shown { Ok(Ending::Good) } else { Err(Stop::Message(format!("`{claim}` is not tried on this trajectory"))) }
 }

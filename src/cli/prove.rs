@@ -4,8 +4,7 @@ use std::path::PathBuf;
 
 use clap::ArgAction;
 use rederive::check::Proposition;
-use rederive::check::standing::Decision;
-use rederive::{Ending, Format, Question, Session, report};
+use rederive::{Ending, Format, Question, Session};
 
 use super::arguments::{one_of, printed_as};
 use super::ending::{Stop, print, say};
@@ -74,15 +73,9 @@ pub fn prove(arguments: &ProveArguments) -> Result<Ending, Stop> {
     let answer = session
         .prove(&Question { proposition, symbols, scope })
         .map_err(|f| f.where_symbols_are_declared("declare it with --symbol, or give a file that does with --in"))?;
-    if arguments.format == Format::Json {
-        print(&answer.json())?;
-    } else {
-        let (proposition, account) = (answer.proposition(), answer.account());
-        say(&report::proposition_text(proposition, account, arguments.certificate, true))?;
+    match arguments.format {
+        Format::Json => print(&answer.json())?,
+        _ => say(&answer.text(arguments.certificate, true))?,
     }
-    Ok(match answer.account().finding.decision() {
-        Decision::Proved => Ending::Good,
-        Decision::Refuted => Ending::Different,
-        Decision::ProvedExcept | Decision::Undecided => Ending::Undecided,
-    })
+    Ok(answer.ending())
 }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use rederive::files::{self, pdf, write};
-use rederive::{Ask, Detail, Document, Ending, Format, report};
+use rederive::{Ask, Detail, Document, Ending, Format};
 
 use super::arguments::{RigorArgument, printed_as};
 use super::ending::{Stop, complain, say};
@@ -54,15 +54,10 @@ fn printed(arguments: &ReportArguments, target: &Path) -> Result<(), Stop> {
         ))
     })?;
     let document = checked(arguments)?;
-    let (derivation, account) = (document.findings.derivation(), document.findings.account());
-    let (detail, page) = match arguments.summary {
-        true => (Detail::FirstPage, report::first_page(derivation, account)),
-        false => (Detail::Usual, report::printed_page(derivation, account)),
-    };
-    let tex = document.text(Format::Tex, detail, false);
+    let (tex, page) = document.printed(arguments.summary);
     let made = makers.make(tex, page, &|note| complain(&format!("{note}\n")));
     let (pdf, maker) = made.map_err(|failure| Stop::Message(failure.to_string()))?;
     write::write_file(target, &pdf)?;
-    complain(&format!("{}: {}: written by {maker}\n", derivation.id, target.display()));
+    complain(&format!("{}: {}: written by {maker}\n", document.findings.derivation().id, target.display()));
     Ok(())
 }

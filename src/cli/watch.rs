@@ -59,12 +59,5 @@ fn check(path: &Path, session: &mut Session) -> Result<(), Stop> {
         Err(other) => return Err(other.into()),
     };
     let (derivation, account) = (found.derivation(), found.account());
-    let took = started.elapsed().as_millis();
-    let summary = account.summary();
-    let mut text = report::exceptions(derivation, account, true);
-    text.push_str(&format!(
-        "{}: {} claims checked again in {took} ms; {} hold, {} fail, {} do not apply, {} undecided, {} not as expected\n",
-        derivation.id, checked.len(), summary.holds, summary.fails, summary.not_applicable, summary.undecided, summary.unexpected,
-    ));
-    say(&text)
+    say(&report::checked_again(derivation, account, checked.len(), started.elapsed(), true))
 }

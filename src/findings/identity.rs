@@ -15,7 +15,7 @@ pub struct IdentityEvidence {
     /// The point that refutes, where there is one.
     pub counterexample: Option<Counterexample>,
     /// For formulas with ±: which sign it holds for.
-    pub branch: Option<String>,
+    pub branch: Option<reason::SignsProved>,
     /// What is given cannot hold together.
     pub contradiction: bool,
 }

@@ -5,7 +5,7 @@ use super::conditions::{
     AssumptionAccount, ConditionName, ConditionsAccount, Explanation, Join, Need, Rival, Separation,
 };
 use super::{Account, ClaimAccount, Measurement, PairAccount, TrajectoryAccount};
-use reason::Reason;
+use reason::{Reason, Sign, SignsAlong};
 use units::{Term, UnitAccount, UnitVerdict, UnitsAccount};
 use verdict::{Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, Strength, Verdict, Witness};
 
@@ -182,7 +182,11 @@ pub fn account() -> Account {
                     pair(
                         "pushed",
                         sampled,
-                        Evidence { excluded: vec![gap], branch: Some("+".into()), ..holds(0.0) },
+                        Evidence {
+                            excluded: vec![gap],
+                            branch: Some(SignsAlong::Throughout(Sign::Plus)),
+                            ..holds(0.0)
+                        },
                         Some("holds"),
                     ),
                 ],

@@ -13,6 +13,7 @@ use proof::{
     Branches, Certificate, Condition, Effort, Identity, NoCertificate, Options, Point, PointValue, Premises, Proof,
     Reason, Refutation, Side, branches_test, by_domain, certify, identity_test,
 };
+use reason::SignsProved;
 
 /// A formula with ±: the leaf that stands for the sign, and what is claimed of it.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +47,7 @@ pub fn answer(
     };
     let branches = [with(graph, 1), with(graph, -1)];
     let Branches { throughout, pointwise } = branches_test(graph, &branches, premises, &options);
-    let words = branch_words(&throughout, &pointwise);
+    let signs_proved = signs_proved(&throughout, &pointwise);
     let mut evidence_of = |list: &[(Expr, Expr)], identity: &Identity| evidence(graph, list, premises, identity);
     let (identity, mut evidence) = if signs.throughout {
         let mut each: Vec<(Identity, IdentityEvidence)> = Vec::new();
@@ -69,7 +70,7 @@ pub fn answer(
         };
         (reach(pointwise, &evidence), evidence)
     };
-    evidence.branch = words.map(str::to_owned);
+    evidence.branch = signs_proved;
     Ok((identity, evidence))
 }
 
@@ -86,18 +87,13 @@ pub fn reach(mut identity: Identity, evidence: &IdentityEvidence) -> Identity {
     identity
 }
 
-/// What is said of a claim that holds with both signs.
-pub const EITHER_SIGN: &str = "with either sign";
-
-fn branch_words(throughout: &[Identity], pointwise: &Identity) -> Option<&'static str> {
+fn signs_proved(throughout: &[Identity], pointwise: &Identity) -> Option<SignsProved> {
     let proved = |i: Option<&Identity>| matches!(i, Some(Identity::Proved(_)));
     match (proved(throughout.first()), proved(throughout.get(1))) {
-        (true, true) => Some(EITHER_SIGN),
-        (true, false) => Some("with the upper sign"),
-        (false, true) => Some("with the lower sign"),
-        (false, false) if proved(Some(pointwise)) => {
-            Some("with one sign or the other at each point; neither was proved for all points")
-        }
+        (true, true) => Some(SignsProved::Either),
+        (true, false) => Some(SignsProved::Upper),
+        (false, true) => Some(SignsProved::Lower),
+        (false, false) if proved(Some(pointwise)) => Some(SignsProved::PointByPoint),
         (false, false) => None,
     }
 }

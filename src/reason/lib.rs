@@ -19,6 +19,7 @@ mod proved;
 mod ranges;
 mod sampled;
 mod shape;
+mod signs;
 
 pub use enclosed::{Compared, Enclosing, Refutation};
 pub use plain::Plain;
@@ -26,6 +27,7 @@ pub use proved::{Bounded, Coordinate, Point, Proving, Proviso, Refuting};
 pub use ranges::{Ranges, Shares};
 pub use sampled::{Fate, Sampling, Search};
 pub use shape::{Gap, Instant, Place, Sides, short};
+pub use signs::{Sign, SignRun, SignsAlong, SignsProved};
 
 use number::NoValue;
 use serde::{Deserialize, Serialize};

@@ -74,7 +74,7 @@ pub use proposition::{proposition_json, proposition_text};
 pub use sarif::sarif;
 pub use schema::schema;
 pub use search::{search_notes, search_table};
-pub use summary::{exceptions, summary};
+pub use summary::{checked_again, exceptions, summary};
 pub use tex::{tex, tex_summary};
 
 /// The path as the project sees it; nothing outside the project is named.

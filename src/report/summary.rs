@@ -5,7 +5,8 @@ use super::tally::{Group, glyph, groups, name, says};
 use super::text::{Paint, WIDTH, fitted, paragraph, wrapped};
 use super::{discrimination, family, region};
 use crate::derivation::Derivation;
-use findings::{Account, ClaimAccount, FamilyAccount, PairAccount, Witness};
+use findings::{Account, ClaimAccount, FamilyAccount, PairAccount, Summary, Witness};
+use std::time::Duration;
 
 /// Widest name of a claim in the matrix.
 const NAME_WIDTH: usize = 60;
@@ -339,6 +340,27 @@ fn problems(account: &Account, paint: Paint) -> String {
     if out.is_empty() { out } else { out + "\n" }
 }
 
+/// What is printed when a file was checked again, of which `checked` claims had to be: what differs or is open, and the counts.
+pub fn checked_again(
+    derivation: &Derivation,
+    account: &Account,
+    checked: usize,
+    took: Duration,
+    colour: bool,
+) -> String {
+    let (out, s) = (exceptions(derivation, account, colour), account.summary());
+    let (id, took) = (&derivation.id, took.as_millis());
+    format!(
+        "{out}{id}: {checked} claims checked again in {took} ms; {}, {} not as expected\n",
+        verdicts(&s),
+        s.unexpected
+    )
+}
+
+fn verdicts(s: &Summary) -> String {
+    format!("{} hold, {} fail, {} do not apply, {} undecided", s.holds, s.fails, s.not_applicable, s.undecided)
+}
+
 /// The last lines: how many pairs have which verdict.
 fn counts(account: &Account, paint: Paint) -> String {
     let s = account.summary();
@@ -350,8 +372,7 @@ fn counts(account: &Account, paint: Paint) -> String {
     if !families.is_empty() {
         trajectories.push_str(&format!(" and {}", count(families.len(), "family")));
     }
-    let verdicts =
-        format!("{} hold, {} fail, {} do not apply, {} undecided", s.holds, s.fails, s.not_applicable, s.undecided);
+    let verdicts = verdicts(&s);
     let unexpected = match s.unexpected {
         0 => "as expected".to_owned(),
         n => paint.alarm(&format!("{n} not as expected")),

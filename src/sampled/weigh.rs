@@ -13,7 +13,7 @@ use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
 use crate::verdict::{Evidence, Exclusion, Finding, Possible, Residual, Truth};
 use claim::measured::{Measured, MeasuredGroup};
-use reason::{Plain, Reason, Sampling};
+use reason::{Plain, Reason, Sampling, Sign, SignRun, SignsAlong};
 use std::sync::Arc;
 
 /// Share of points whose bound may be too large, for a claim that holds at all others.
@@ -48,18 +48,18 @@ fn exclusions(times: &[f64], left: &[Left]) -> Vec<Exclusion> {
     out
 }
 
-/// The signs of ± along the motion, in words, and a time at which one sign alone does not do.
+/// The signs of ± along the motion, and a time at which one sign alone does not do.
 struct Signs {
-    words: Option<String>,
+    along: Option<SignsAlong>,
     change: Option<(usize, usize)>,
 }
 
 /// Which sign of ± serves where. `standing[s][i]` with s = 0 for + and 1 for −.
 fn signs(times: &[f64], left: &[Left], standing: &[Vec<Possible>]) -> Signs {
     if standing.len() < 2 {
-        return Signs { words: None, change: None };
+        return Signs { along: None, change: None };
     }
-    let mut runs: Vec<(usize, f64, f64)> = Vec::new();
+    let mut runs: Vec<SignRun> = Vec::new();
     let mut first: [Option<usize>; 2] = [None, None];
     for i in 0..times.len() {
         if left[i] != Left::In {
@@ -71,23 +71,13 @@ fn signs(times: &[f64], left: &[Left], standing: &[Vec<Possible>]) -> Signs {
             _ => continue,
         };
         first[only].get_or_insert(i);
+        let (sign, t) = ([Sign::Plus, Sign::Minus][only], times[i]);
         match runs.last_mut() {
-            Some((sign, _, to)) if *sign == only => *to = times[i],
-            _ => runs.push((only, times[i], times[i])),
+            Some(run) if run.sign == sign => run.to = t,
+            _ => runs.push(SignRun { sign, from: t, to: t }),
         }
     }
-    let name = ["+", "−"];
-    let words = match runs.as_slice() {
-        [] => "either sign".to_owned(),
-        [(sign, ..)] => format!("{} throughout", name[*sign]),
-        _ => {
-            let listed: Vec<String> =
-                runs.iter().take(6).map(|(s, a, b)| format!("{} on [{a:.4}, {b:.4}]", name[*s])).collect();
-            let more = if runs.len() > 6 { format!(" and {} more changes", runs.len() - 6) } else { String::new() };
-            format!("{}{more}", listed.join(", "))
-        }
-    };
-    Signs { words: Some(words), change: first[0].zip(first[1]) }
+    Signs { along: Some(SignsAlong::of(runs)), change: first[0].zip(first[1]) }
 }
 
 /// A violated comparison: where it is, and how far off; in units of the size of its terms once that is known.
@@ -182,7 +172,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
     }
 
     let sign = signs(setting.times, &setting.left, standing);
-    evidence.branch = sign.words;
+    evidence.branch = sign.along;
     for &i in &counted {
         let best = judged.sign(i);
         let c = judged.largest(best, i);

@@ -3,7 +3,7 @@
 //! **In:** numbers that a method computed. **Out:** [`Evidence`] with its parts. Nothing is judged here; a report makes words
 //! of it, and a reader can compute it again. Nothing that decides looks into a [`Reason`].
 
-use reason::Reason;
+use reason::{Reason, SignsAlong};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -159,8 +159,8 @@ pub struct Evidence {
     pub reason: Option<Reason>,
     /// Times left out.
     pub excluded: Vec<Exclusion>,
-    /// For a claim with ±: which sign, `+`, `-`, or `either`, and where it changes.
-    pub branch: Option<String>,
+    /// For a claim with ±: which sign, and where it changes.
+    pub branch: Option<SignsAlong>,
     /// The deciding comparison along the motion, thinned for drawing.
     pub series: Option<Arc<Residuals>>,
     /// What an enclosure found.

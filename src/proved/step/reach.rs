@@ -4,7 +4,6 @@
 //! whether what is given has values at fewer times than what is claimed.
 
 use super::{Pairs, Step, pairs};
-use crate::agreement::EITHER_SIGN;
 use crate::derivation::{Form, Premise};
 use crate::expr::domain::{Change, EdgeOf};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Symbol};
@@ -52,7 +51,7 @@ impl Step<'_> {
         let Identity::Proved(proof) = identity else { return true };
         let sign = self.claim.scope.branch_sign();
         let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-        let free = self.claim.branches_throughout || evidence.branch.as_deref() == Some(EITHER_SIGN);
+        let free = self.claim.branches_throughout || evidence.branch == Some(reason::SignsProved::Either);
         if free || !self.graph.leaves_within(roots).contains(&sign) {
             return true;
         }

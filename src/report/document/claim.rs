@@ -89,7 +89,7 @@ objects! {
         /// A point at which everything given holds and the claim does not.
         witness: Option<String> = of.witness.as_ref().map(ToString::to_string),
         /// For ±: the sign it holds for.
-        branch: Option<&'a str> = of.evidence.branch.as_deref(),
+        branch: Option<String> = of.evidence.branch.as_ref().map(ToString::to_string),
         /// The random test, where it proved.
         trials: Option<Trials<'a>> = of.evidence.trials.as_ref().map(Trials::of),
         /// The file in `certificates` that proves it exactly.
@@ -153,7 +153,7 @@ objects! {
         /// Why not applicable or undecided; a remark otherwise.
         reason: Option<String> = evidence.reason.as_ref().map(ToString::to_string),
         /// For ±: which sign.
-        branch: Option<&'a str> = evidence.branch.as_deref(),
+        branch: Option<String> = evidence.branch.as_ref().map(ToString::to_string),
         /// Stretches of time that were left out.
         excluded: Vec<Exclusion> = evidence.excluded.iter().map(Exclusion::of).collect(),
         /// How many altered formulas the same evidence rejects, where the claim holds.

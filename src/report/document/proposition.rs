@@ -30,7 +30,7 @@ objects! {
         /// The random test, where it proved.
         trials: Option<Trials<'a>> = evidence.trials.as_ref().map(Trials::of),
         /// For ±: the sign it holds for.
-        branch: Option<&'a str> = evidence.branch.as_deref(),
+        branch: Option<String> = evidence.branch.as_ref().map(ToString::to_string),
         /// What has to hold for the formulas to have values.
         conditions: Vec<String> = of.conditions.iter().map(ToString::to_string).collect(),
         /// What the proof does not reach.

@@ -399,7 +399,7 @@ fn notes(pair: &PairAccount, own: Option<&str>, scope: &Scope) -> Markup {
     html! {
         @if !words.is_empty() { (reason(&words, scope)) ". " }
         @if let Some(slack) = slack_sentence(pair) { (slack) ". " }
-        @if let Some(branch) = &evidence.branch { "Sign: " (branch) ". " }
+        @if let Some(branch) = &evidence.branch { "Sign: " (branch.to_string()) ". " }
         @for (i, e) in evidence.excluded.iter().enumerate() {
             @if i == 0 { "Left out: " } @else { "; " }
             @if e.from == e.to { "t = " (time(e.from)) } @else { "t from " (time(e.from)) " to " (time(e.to)) }
