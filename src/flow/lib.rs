@@ -68,5 +68,5 @@ pub use rapid::{Rapid, RapidSearch};
 pub use sampler::Sampler;
 pub use search::{Search, Searches};
 pub use start::{Guess, Start};
-pub use template::{Given, Template};
+pub use template::{Given, Sought, Template};
 pub use zeros::{Minimum, Zeros};

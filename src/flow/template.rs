@@ -38,6 +38,9 @@ pub struct Template {
     numbers: BTreeMap<Expr, Result<Bounded, NoValue>>,
 }
 
+/// The searches along a motion: for zeros, and for what varies rapidly.
+pub type Sought = (Vec<Arc<Search>>, Arc<RapidSearch>);
+
 /// The parameters of a motion, and its initial values.
 pub type Given<'g> = (&'g [(Leaf, Expr)], &'g [(Leaf, Expr)]);
 
@@ -46,12 +49,7 @@ impl Template {
     /// goes on from the one in which it was made.
     ///
     /// Nothing where equations determine initial values, or states leap.
-    pub fn of(
-        motion: Motion,
-        (searches, rapid): (Vec<Arc<Search>>, Arc<RapidSearch>),
-        graph: &Graph,
-        given: Given,
-    ) -> Option<Template> {
+    pub fn of(motion: Motion, (searches, rapid): Sought, graph: &Graph, given: Given) -> Option<Template> {
         let (parameters, initial) = given;
         let core = &motion.core;
         let first = |n: usize| matches!(core.constants.get(n).map(|c| &c.origin), Some(Origin::Given));
@@ -108,16 +106,12 @@ impl Template {
     ///
     /// # Errors
     /// [`FlowError::Singular`].
-    pub fn finish(
-        &self,
-        draft: Draft,
-        within: impl Fn(&Motion) -> (f64, f64),
-    ) -> Result<(Motion, Vec<Arc<Search>>, Arc<RapidSearch>), FlowError> {
+    pub fn finish(&self, draft: Draft, within: impl Fn(&Motion) -> (f64, f64)) -> Result<(Motion, Sought), FlowError> {
         let motion = self.motion.again(self.motion.core.again(&draft.integrated()?));
         let span = within(&motion);
         let along = Arc::new(self.rapid.core().again(&motion.core));
         let searches = self.searches.iter().map(|s| Arc::new(s.again(Arc::clone(&along), span))).collect();
-        Ok((motion, searches, Arc::new(self.rapid.again(along))))
+        Ok((motion, (searches, Arc::new(self.rapid.again(along)))))
     }
 }
 
@@ -187,7 +181,7 @@ mod tests {
     }
 
     /// The motion and the searches along it, made the long way.
-    fn alone(w: &mut World, field: &VectorField, numbers: Numbers) -> (Motion, Vec<Arc<Search>>, Arc<RapidSearch>) {
+    fn alone(w: &mut World, field: &VectorField, numbers: Numbers) -> (Motion, Sought) {
         let (parameters, initial) = of(w, numbers);
         let setup = Setup {
             time: w.leaf("t"),
@@ -202,11 +196,11 @@ mod tests {
         let sought = ["x", "e-e@0+x*y", "phi-3"].map(|e| w.e(e));
         let rapid = ["exp(9*x*y)", "y/(x-2)"].map(|e| w.e(e));
         let searches = motion.searches(&mut w.graph, (&sought, &rapid), (0.0, 5.0)).unwrap();
-        (motion, searches.zeros.into_iter().map(Result::unwrap).collect(), searches.rapid)
+        (motion, (searches.zeros.into_iter().map(Result::unwrap).collect(), searches.rapid))
     }
 
     /// All that is seen of a motion, to the last bit.
-    fn seen((motion, searches, rapid): &(Motion, Vec<Arc<Search>>, Arc<RapidSearch>)) -> String {
+    fn seen((motion, (searches, rapid)): &(Motion, Sought)) -> String {
         let at = TIMES.map(|t| motion.at(t));
         let along: Vec<_> = (0..TIMES.len()).map(|i| motion.along(&TIMES).row(i)).collect();
         let zeros: Vec<_> = searches.iter().map(|search| search.zeros()).collect();
@@ -227,9 +221,9 @@ mod tests {
         let field = w.field(&["x", "y"], &["x' = w*y", "y' = 0-sqrt(w^2+k)*x*(1+k*x^2)"]).unwrap();
         let numbers = |w, k, x, y| ([("w", w), ("k", k)], [("x", x), ("y", y)]);
         let first = numbers("1", "0.5", "1", "w/2");
-        let (motion, searches, rapid) = alone(&mut w, &field, first);
+        let (motion, sought) = alone(&mut w, &field, first);
         let (parameters, initial) = of(&mut w, first);
-        let template = Template::of(motion, (searches, rapid), &w.graph, (&parameters, &initial)).unwrap();
+        let template = Template::of(motion, sought, &w.graph, (&parameters, &initial)).unwrap();
         let mut all = Vec::new();
         for (one, two, x, y) in [
             ("1", "0.5", "1", "w/2"),
@@ -255,9 +249,9 @@ mod tests {
         let mut w = World::default();
         let field = w.field(&["x", "y"], &["x' = w*y", "y' = 0-w*x*(1+k*x^2)"]).unwrap();
         let first = ([("w", "1"), ("k", "0.5")], [("x", "1"), ("y", "1/k")]);
-        let (motion, searches, rapid) = alone(&mut w, &field, first);
+        let (motion, sought) = alone(&mut w, &field, first);
         let (parameters, initial) = of(&mut w, first);
-        let template = Template::of(motion, (searches, rapid), &w.graph, (&parameters, &initial)).unwrap();
+        let template = Template::of(motion, sought, &w.graph, (&parameters, &initial)).unwrap();
         let draft = |(parameters, initial): (Pairs, Pairs)| {
             let mut graph = w.graph.clone();
             template.draft(&mut graph, &field, (&parameters, &initial)).is_some()

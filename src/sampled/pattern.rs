@@ -92,7 +92,7 @@ impl Pattern {
             let reached = motion.span();
             (reached.0.max(of.span.0), reached.1.min(of.span.1))
         };
-        let (motion, searches, rapid) = self.template.finish(draft, within)?;
+        let (motion, (searches, rapid)) = self.template.finish(draft, within)?;
         let given = |e: &Vec<Expr>| self.given.get(e).cloned().unwrap_or_else(|| closed_values(graph, e));
         let searches: BTreeMap<_, _> = self.searched.iter().copied().zip(searches).collect();
         Ok(Built {
