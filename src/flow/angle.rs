@@ -9,9 +9,9 @@
 use std::f64::consts::TAU;
 
 use super::core::Core;
-use super::cover::{BLOCK, Explorer, Piece, Stretch, tail};
+use super::cover::{BLOCK, Explorer, Piece, Stretch};
+use super::polynomial::{horner, tail};
 use super::program::{Bench, Program, Turns};
-use super::taylor::horner;
 use expr::Leaf;
 use number::{Lanes, NoValue};
 

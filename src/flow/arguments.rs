@@ -11,7 +11,7 @@
 
 use std::collections::BTreeMap;
 
-use super::zeros::shift;
+use super::polynomial::shift;
 use expr::tape::Tape;
 use expr::{Expr, FastSet, Graph, Leaf, Node};
 use number::Op;

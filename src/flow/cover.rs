@@ -277,16 +277,3 @@ fn padded<T: Copy>(block: &[T]) -> Option<[T; BLOCK]> {
     let last = block.len().checked_sub(1).filter(|_| block.len() >= FEW)?;
     Some(std::array::from_fn(|i| block[i.min(last)]))
 }
-
-/// The sum of the last three terms of a polynomial of full degree, at a distance: what a truncation may leave out.
-pub(super) fn tail(coefficients: &[f64], degree: usize, radius: f64) -> f64 {
-    let mut power = 1.0;
-    let mut sum = 0.0;
-    for (k, c) in coefficients.iter().enumerate() {
-        if k + 3 > degree {
-            sum += c.abs() * power;
-        }
-        power *= radius;
-    }
-    sum
-}

@@ -4,7 +4,8 @@
 //! and whether the motion is not determined here. A series does not go on behind a kink, so that a step ends there; which places
 //! are kinks is read from the table of domains.
 
-use super::taylor::{Flow, horner};
+use super::polynomial::horner;
+use super::taylor::Flow;
 use expr::domain::{Change, Place, Term, row};
 use expr::tape::Slots;
 use number::{Growth, Jet};

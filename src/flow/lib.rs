@@ -44,6 +44,7 @@ mod kinks;
 mod motion;
 mod narrow;
 mod points;
+mod polynomial;
 mod program;
 mod rapid;
 mod resolve;

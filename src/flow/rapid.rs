@@ -8,10 +8,10 @@ use std::sync::{Arc, OnceLock};
 
 use super::arguments::{Argument, Kind, Moves, Within, changes_sign, moves};
 use super::core::Core;
-use super::cover::{BLOCK, Explorer, tail};
+use super::cover::{BLOCK, Explorer};
 use super::error::FlowError;
+use super::polynomial::{shift, tail};
 use super::program::{Bench, Program};
-use super::zeros::shift;
 use expr::{Expr, Graph};
 use number::{Bounded, BoundedLanes};
 

@@ -11,8 +11,9 @@
 use std::cell::RefCell;
 
 use super::core::Core;
-use super::cover::{Explorer, Piece, Stretch, tail};
+use super::cover::{Explorer, Piece, Stretch};
 use super::incomplete::Incomplete;
+use super::polynomial::tail;
 use super::program::{Bench, Program};
 use number::{Bounded, Interval, NoValue, Scalar};
 

@@ -618,12 +618,6 @@ fn largest(count: usize, size: impl Fn(usize) -> f64) -> f64 {
     most.into_iter().fold(rest, larger)
 }
 
-/// c₀ + c₁h + … (coefficients ascending).
-#[inline]
-pub(super) fn horner(c: &[f64], h: f64) -> f64 {
-    c.iter().rev().fold(0.0, |sum, &x| sum * h + x)
-}
-
 /// c₁ + c₂h + … of each component, and c₁ + 2c₂h + …, from the coefficients order by order.
 #[inline(always)]
 fn sums((orders, h, sums, slopes): (&[f64], f64, &mut [f64], &mut [f64])) {

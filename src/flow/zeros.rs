@@ -10,10 +10,10 @@ mod beside;
 use beside::{edge, is_pole, pole, turns_towards, vanishes, vanishes_towards};
 
 use super::core::Core;
-use super::cover::{Explorer, Piece, Stretch, tail};
+use super::cover::{Explorer, Piece, Stretch};
 use super::incomplete::Incomplete;
+use super::polynomial::{horner, shift, tail};
 use super::program::Program;
-use super::taylor::horner;
 use expr::FastMap;
 use number::{Bounded, NoValue};
 
@@ -289,23 +289,6 @@ fn turning_points(piece: &Piece, out: &mut Vec<f64>) -> bool {
 #[inline]
 fn weighed(c: &[f64], from: usize, weight: impl Fn(f64) -> f64) -> f64 {
     c.iter().enumerate().skip(from).map(|(k, c)| weight(k as f64) * c.abs()).sum()
-}
-
-/// Coefficients of p(middle + half·x).
-pub(super) fn shift(p: &[f64], middle: f64, half: f64, c: &mut Vec<f64>) {
-    c.clear();
-    c.extend_from_slice(p);
-    let n = c.len();
-    for i in 0..n {
-        for k in (i..n.saturating_sub(1)).rev() {
-            c[k] += middle * c[k + 1];
-        }
-    }
-    let mut power = 1.0;
-    for x in c {
-        *x *= power;
-        power *= half;
-    }
 }
 
 /// A zero of f between two points at which its signs differ: false position with the weight of the staying end halved
