@@ -42,6 +42,7 @@ use crate::derivation::{Claim, Motion as Given};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::findings::{ClaimAccount, by_trajectory};
 use crate::flow::{Enclosure, Motion, Source};
+use crate::number::Interval;
 use crate::verdict::Verdict;
 use claim::comparison::Comparison;
 use cover::Along;
@@ -125,6 +126,41 @@ fn one_motion(
     open.into_iter().zip(found).map(|((k, at, _), verdict)| (k, at, verdict)).collect()
 }
 
+/// The states of an integrated motion that claims ask for: where each stands among its leaves, and among the sides of its enclosure.
+fn states(request: &Request, t: usize, along: &mut Along) -> Vec<(usize, usize)> {
+    let (Given::Integrated { initial, .. }, Some(built)) =
+        (&request.derivation.trajectories[t].motion, request.stage.built(t))
+    else {
+        return Vec::new();
+    };
+    let is_state =
+        |leaf: &Leaf| leaf.rate == 0 && leaf.instant.is_none() && initial.iter().any(|(s, ..)| *s == leaf.symbol);
+    let each = built.asked.iter().enumerate().filter(|(_, leaf)| is_state(leaf));
+    each.filter_map(|(at, leaf)| {
+        let e = along.graph.leaf(*leaf);
+        Some((at, along.side(e).ok()?))
+    })
+    .collect()
+}
+
+/// A time at which a state that was computed lies outside of its enclosure, by more than its error bound explains.
+fn disagreement(request: &Request, t: usize, along: &mut Along, states: &[(usize, usize)]) -> Option<Reason> {
+    let motion = request.stage.motion(t)?;
+    let every = along.pieces().len().div_ceil(ready::POINTS).max(1);
+    let pieces: Vec<Interval> = along.pieces().iter().copied().step_by(every).collect();
+    pieces.into_iter().filter(|_| !states.is_empty()).find_map(|piece| {
+        let (time, enclosed) = (piece.mid(), along.at_middle(piece));
+        let sampled = motion.at(time);
+        states.iter().find_map(|&(at, side)| {
+            let (Ok(seen), Ok(range)) = (sampled.get(at)?, enclosed.get(side)?) else { return None };
+            let gap = (seen.value - range.hi()).max(range.lo() - seen.value);
+            let explained = pair::DISAGREEMENT * (seen.error + f64::EPSILON * seen.value.abs());
+            let (sampled, enclosed) = ((seen.value, seen.error), (range.mid(), range.width()));
+            (gap > explained).then(|| Enclosing::StateApart { t: time, sampled, enclosed }.into())
+        })
+    })
+}
+
 /// The verdicts on some claims on one motion, by the positions of these claims.
 fn enclose(request: &Request, known: Known, t: usize, open: &[(usize, usize, &Verdict)]) -> Vec<Verdict> {
     let trajectory = &request.derivation.trajectories[t];
@@ -150,11 +186,12 @@ fn enclose(request: &Request, known: Known, t: usize, open: &[(usize, usize, &Ve
         let asked = pair::Asked { claim, program, gradients: gradients.as_ref(), start: &start, other: &other };
         parts.push(pair::prepare(&asked, &mut along));
     }
+    let states = states(request, t, &mut along);
     if let Err(reason) = along.compile() {
         changes.iter_mut().for_each(|(_, v)| pair::remark(v, &reason));
         return only(changes);
     }
-    let mut withdrawn = None;
+    let mut withdrawn = disagreement(request, t, &mut along, &states);
     for ((k, verdict), parts) in changes.iter_mut().zip(parts) {
         if let Some(reached) = request.limits.reached() {
             pair::remark(verdict, &reached.into());

@@ -21,7 +21,7 @@ use reason::{Enclosing, Plain, Reason, Refutation};
 use sampled::independence::Gradients;
 
 /// How far two routes to the same residual may be apart, in units of the error bound of the sampled one.
-const DISAGREEMENT: f64 = 100.0;
+pub(super) const DISAGREEMENT: f64 = 100.0;
 
 /// The residuals of a comparison at a time, as samples see them: `None` without a value.
 pub(super) type Sampled<'a> = &'a dyn Fn(&Comparison, f64) -> Option<Bounded>;

@@ -96,6 +96,9 @@ pub enum Enclosing {
     /// How far the sides are apart on the motion that samples see, with the error bound; and on the enclosed one.
     #[error("at t = {t} the sides differ by {} ± {:.1e} on the sampled motion, and by {} ± {:.1e} on the enclosed one", .sampled.0, .sampled.1, .enclosed.0, .enclosed.1)]
     Contradiction { t: f64, sampled: (f64, f64), enclosed: (f64, f64) },
+    /// A state of the motion that samples see, with its error bound; and of the enclosed one, with its width.
+    #[error("at t = {t} a state is {} ± {:.1e} on the sampled motion, and {}, known up to {:.1e}, on the enclosed one", .sampled.0, .sampled.1, .enclosed.0, .enclosed.1)]
+    StateApart { t: f64, sampled: (f64, f64), enclosed: (f64, f64) },
     #[error("at t = {t} the sides differ by {difference:e} ± {bound:.1e} on the sampled motion{}", if *.excluded { ", and the enclosed one excludes it" } else { "" })]
     SampledApart { t: f64, difference: f64, bound: f64, excluded: bool },
 }
