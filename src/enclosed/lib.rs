@@ -42,7 +42,6 @@ use crate::derivation::{Claim, Motion as Given};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::findings::{ClaimAccount, by_trajectory};
 use crate::flow::{Enclosure, Motion, Source};
-use crate::number::Interval;
 use crate::verdict::Verdict;
 use claim::comparison::Comparison;
 use cover::Along;
@@ -146,9 +145,7 @@ fn states(request: &Request, t: usize, along: &mut Along) -> Vec<(usize, usize)>
 /// A time at which a state that was computed lies outside of its enclosure, by more than its error bound explains.
 fn disagreement(request: &Request, t: usize, along: &mut Along, states: &[(usize, usize)]) -> Option<Reason> {
     let motion = request.stage.motion(t)?;
-    let every = along.pieces().len().div_ceil(ready::POINTS).max(1);
-    let pieces: Vec<Interval> = along.pieces().iter().copied().step_by(every).collect();
-    pieces.into_iter().filter(|_| !states.is_empty()).find_map(|piece| {
+    ready::spread(along).into_iter().filter(|_| !states.is_empty()).find_map(|piece| {
         let (time, enclosed) = (piece.mid(), along.at_middle(piece));
         let sampled = motion.at(time);
         states.iter().find_map(|&(at, side)| {

@@ -103,11 +103,15 @@ pub(super) fn median(mut sizes: Vec<f64>) -> f64 {
 /// Most points at which sizes are taken.
 pub(super) const POINTS: usize = 40;
 
+/// Steps that are spread over the span.
+pub(super) fn spread(along: &Along) -> Vec<Interval> {
+    let every = along.pieces().len().div_ceil(POINTS).max(1);
+    along.pieces().iter().copied().step_by(every).collect()
+}
+
 /// All sides at the middle of steps that are spread over the span.
 pub(super) fn at_middles(along: &mut Along) -> Vec<Rc<Vec<Result<Interval, NoValue>>>> {
-    let every = along.pieces().len().div_ceil(POINTS).max(1);
-    let times: Vec<Interval> = along.pieces().iter().copied().step_by(every).collect();
-    times.into_iter().map(|time| along.at_middle(time)).collect()
+    spread(along).into_iter().map(|time| along.at_middle(time)).collect()
 }
 
 impl Placed<'_> {

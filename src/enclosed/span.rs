@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use super::cover::{Along, Judgement, Ranges, Selection};
-use super::ready::{POINTS, Ready, Shown, median};
+use super::ready::{Ready, Shown, median, spread};
 use crate::latex::RelationKind;
 use crate::number::{Interval, NoValue};
 use crate::verdict::{Enclosed, Possible, Quantifier, Truth, Witness};
@@ -183,8 +183,7 @@ pub(super) fn counts(ready: &Ready, event: Option<(usize, usize)>, along: &mut A
 
 /// Whether the part has a value at some time that counts.
 fn says_at_a_time(ready: &Ready, along: &mut Along) -> bool {
-    let every = along.pieces().len().div_ceil(POINTS).max(1);
-    let mut times: Vec<f64> = along.pieces().iter().step_by(every).map(Interval::mid).collect();
+    let mut times: Vec<f64> = spread(along).iter().map(Interval::mid).collect();
     times.extend(exact_times(along));
     times.into_iter().any(|t| {
         let ranges = along.over(&ready.roots, Interval::point(t));
@@ -222,9 +221,8 @@ fn false_on(ready: &Ready, along: &mut Along, time: Interval) -> Option<Witness>
 
 /// Times at which each sign of ± fails: the last of them.
 fn against_each_sign(ready: &Ready, along: &mut Along, near: &[f64]) -> Option<Witness> {
-    let every = along.pieces().len().div_ceil(POINTS).max(1);
     let mut times: Vec<f64> = near.to_vec();
-    times.extend(along.pieces().iter().step_by(every).map(Interval::mid));
+    times.extend(spread(along).iter().map(Interval::mid));
     let against: Option<Vec<Witness>> =
         (0..ready.signs).map(|s| times.iter().find_map(|&t| ready.witness_against(s, along, t))).collect();
     against?.into_iter().max_by(|a, b| a.t.total_cmp(&b.t))
@@ -248,9 +246,8 @@ pub(super) fn refuted(ready: &Ready, along: &mut Along, near: f64) -> Result<Wit
             return Ok(found);
         }
     }
-    let every = along.pieces().len().div_ceil(POINTS).max(1);
     let mut times = exact_times(along);
-    times.extend(along.pieces().iter().step_by(every).map(Interval::mid));
+    times.extend(spread(along).iter().map(Interval::mid));
     if let Some(found) = times.iter().find_map(|&t| ready.witness(along, t)) {
         return Ok(found);
     }

@@ -50,7 +50,7 @@ fn leaps(trial: &Trial, times: &[f64]) -> bool {
         let mut sides: Vec<f64> = each().map(|(y, _)| side(y)).collect();
         sides.dedup();
         let still = each().all(|(y, _)| y == Bounded::exact(0.0));
-        behind && sides.len() > 1 || behind && sides.contains(&0.0) && !still
+        behind && (sides.len() > 1 || sides.contains(&0.0) && !still)
     })
 }
 
@@ -78,9 +78,12 @@ pub(super) fn limit(
     let beside = [t0, t0.next_down(), t0.next_up(), t0 - far, t0 + far];
     let alone = exact && program.cuts().next().is_none();
     let beside = if alone { &beside[..1] } else { &beside[..] };
-    let found: Vec<Found> = beside
+    let times: Vec<f64> = beside.iter().copied().filter(|t| (from..=to).contains(t)).collect();
+    if !alone && leaps(trial, &times) {
+        return Finding::open(Sampling::OtherBeside { t: t0, exact });
+    }
+    let found: Vec<Found> = times
         .iter()
-        .filter(|&&t| (from..=to).contains(&t))
         .map(|&t| {
             let (times, points) = ([t], Arc::new([course.values(t)].into_iter().collect()));
             let measured = measure(program, &points, None);
@@ -96,10 +99,6 @@ pub(super) fn limit(
         let near = [a, b].iter().all(|f| (f.0 - t0).abs() < far);
         (!near || decided(&a.1) == decided(&b.1)) && a.2.iter().zip(&b.2).all(|(a, b)| are_close(*a, *b))
     };
-    let times: Vec<f64> = beside.iter().copied().filter(|t| (from..=to).contains(t)).collect();
-    if !alone && leaps(trial, &times) {
-        return Finding::open(Sampling::OtherBeside { t: t0, exact });
-    }
     let together = found.iter().enumerate().all(|(i, a)| found[..i].iter().all(|b| agree(a, b)));
     let Some((_, finding, _)) = found.first().cloned().filter(|_| together) else {
         return Finding::open(Sampling::OtherBeside { t: t0, exact });

@@ -139,6 +139,9 @@ fn is_met_alone(trial: &Trial, t: f64) -> bool {
 
 /// Whether the inequalities among the assumptions are not violated at a time.
 pub(super) fn is_met(trial: &Trial, t: f64) -> bool {
+    if trial.program.selectors.is_empty() {
+        return true;
+    }
     let point = trial.course.points_at(trial.program, &[t]);
     let measured = measure(trial.program, &point, None);
     let precision = trial.claim.precision;
