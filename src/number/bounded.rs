@@ -8,13 +8,13 @@
 //!
 //! **Where rounding bounds come from:** + − × ÷ √ err by at most half a unit in the last place (IEEE 754), that is by
 //! u·|v| with u = 2⁻⁵³ and, where a product or quotient may underflow, by 2⁻¹⁰⁷⁵ more. Elementary functions are taken to
-//! err by one, two or three units of 2u·|v|, each by what [`units`] says of it: [`elementary`](super::elementary) says why.
+//! err by one, two or three units of 2u·|v|, each by what [`Op::units`] says of it: [`elementary`](super::elementary) says why.
 //!
 //! **Why balls and not intervals:** a residual is a difference of nearly equal values. What is asked of it is one number,
 //! how far it may be off; centre and radius are then cheaper and no wider than two ends.
 
 use super::deviation::{turn, wave};
-use super::elementary::{alone, units};
+use super::elementary::alone;
 use super::{NoValue, Number, Op, Rational, Scalar, real, scalar};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -90,7 +90,7 @@ impl Bounded {
     /// The result of an elementary function whose values deviate by at most `deviation` over the ball.
     #[inline(always)]
     fn elementary(&mut self, op: Op, value: f64, deviation: f64) -> Result<(), NoValue> {
-        *self = Bounded { value, error: (deviation + units(op) * ULP * value.abs()) * UP + TINY }.checked()?;
+        *self = Bounded { value, error: (deviation + op.units() * ULP * value.abs()) * UP + TINY }.checked()?;
         Ok(())
     }
 
@@ -424,7 +424,7 @@ impl Number for Bounded {
             return Ok(());
         }
         let (t, step) = (value.abs(), (pxfm::f_tanh(a.error) * UP).min(1.0));
-        let off = units(Op::Tanh) * ULP;
+        let off = Op::Tanh.units() * ULP;
         let under = (1.0 - t * step) * DOWN - off;
         let steep = step * (1.0 - t + off) * (1.0 + t) * UP / under;
         self.elementary(Op::Tanh, value, if under > 0.0 { steep.min(a.error) } else { a.error })

@@ -71,17 +71,6 @@ impl<const N: usize> BoundedLanes<N> {
         }
         if finite { Ok(()) } else { Err(NoValue::Indeterminate) }
     }
-
-    /// An operation that may have no result.
-    #[inline(always)]
-    fn each(&mut self, f: impl Fn(&mut Bounded, usize) -> Result<(), NoValue>) -> Result<(), NoValue> {
-        let mut x = Bounded::ZERO;
-        for i in 0..N {
-            f(&mut x, i)?;
-            self.set_lane(i, x);
-        }
-        Ok(())
-    }
 }
 
 /// An operator, lane by lane.
@@ -171,11 +160,21 @@ impl<const N: usize> Scalar for BoundedLanes<N> {
     }
 }
 
-impl<const N: usize> Number for BoundedLanes<N> {
+impl<const N: usize> super::Uniform for BoundedLanes<N> {
     type Context = ();
 
     fn blank(_: &()) -> Self {
         Self::splat(Bounded::ZERO)
+    }
+    /// Lane by lane.
+    #[inline(always)]
+    fn rule(&mut self, _: &(), op: Op, a: &Self, b: &Self) -> Result<(), NoValue> {
+        let mut x = Bounded::ZERO;
+        for i in 0..N {
+            op.apply(&(), &mut x, &a.lane(i), &b.lane(i))?;
+            self.set_lane(i, x);
+        }
+        Ok(())
     }
     fn rational(&mut self, _: &(), r: &Rational) -> Result<(), NoValue> {
         let mut x = Bounded::ZERO;
@@ -195,56 +194,23 @@ impl<const N: usize> Number for BoundedLanes<N> {
     fn powi(&mut self, _: &(), a: &Self, n: i32) -> Result<(), NoValue> {
         match n {
             2 => self.total(|i| a.lane(i) * a.lane(i)),
-            _ => self.each(|x, i| x.powi(&(), &a.lane(i), n)),
+            _ => super::Uniform::rule(self, &(), Op::Powi(n), a, a),
         }
     }
     fn neg(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
         self.total(|i| -a.lane(i))
     }
-    fn sqrt(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
-        self.each(|x, i| x.sqrt(&(), &a.lane(i)))
-    }
-    fn exp(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
-        self.each(|x, i| x.exp(&(), &a.lane(i)))
-    }
-    fn ln(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
-        self.each(|x, i| x.ln(&(), &a.lane(i)))
-    }
     fn sin(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
         if Arch::new().dispatch(Once { op: Op::Sin, out: self, a, b: a }) {
             return Ok(());
         }
-        self.each(|x, i| x.sin(&(), &a.lane(i)))
+        super::Uniform::rule(self, &(), Op::Sin, a, a)
     }
     fn cos(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
         if Arch::new().dispatch(Once { op: Op::Cos, out: self, a, b: a }) {
             return Ok(());
         }
-        self.each(|x, i| x.cos(&(), &a.lane(i)))
-    }
-    fn tan(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
-        self.each(|x, i| x.tan(&(), &a.lane(i)))
-    }
-    fn arcsin(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
-        self.each(|x, i| x.arcsin(&(), &a.lane(i)))
-    }
-    fn arccos(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
-        self.each(|x, i| x.arccos(&(), &a.lane(i)))
-    }
-    fn arctan(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
-        self.each(|x, i| x.arctan(&(), &a.lane(i)))
-    }
-    fn sinh(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
-        self.each(|x, i| x.sinh(&(), &a.lane(i)))
-    }
-    fn cosh(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
-        self.each(|x, i| x.cosh(&(), &a.lane(i)))
-    }
-    fn tanh(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
-        self.each(|x, i| x.tanh(&(), &a.lane(i)))
-    }
-    fn abs(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
-        self.each(|x, i| x.abs(&(), &a.lane(i)))
+        super::Uniform::rule(self, &(), Op::Cos, a, a)
     }
     fn add(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
         self.total(|i| a.lane(i) + b.lane(i))
@@ -264,17 +230,11 @@ impl<const N: usize> Number for BoundedLanes<N> {
         }
         self.total(|i| a.lane(i) / b.lane(i))
     }
-    fn pow(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
-        self.each(|x, i| x.pow(&(), &a.lane(i), &b.lane(i)))
-    }
     fn arctan2(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
         if Arch::new().dispatch(Once { op: Op::Arctan2, out: self, a, b }) {
             return Ok(());
         }
-        self.each(|x, i| x.arctan2(&(), &a.lane(i), &b.lane(i)))
-    }
-    fn agm(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
-        self.each(|x, i| x.agm(&(), &a.lane(i), &b.lane(i)))
+        super::Uniform::rule(self, &(), Op::Arctan2, a, b)
     }
     fn run(_: &(), values: &mut [Self], missing: &mut [Option<NoValue>], steps: &[Instruction]) {
         Arch::new().dispatch(Steps { values, missing, steps });

@@ -5,7 +5,7 @@
 
 use super::Op;
 use super::bounded::{DOWN, TINY, ULP, UP};
-use super::elementary::{Arctan2, Function, Sin, sin_cos, units};
+use super::elementary::{Arctan2, Function, Sin, sin_cos};
 use super::register::Register;
 use pulp::Simd;
 use std::f64::consts::PI;
@@ -45,7 +45,7 @@ pub(super) fn turn<S: Simd>([y, y_error]: [Register<S>; 2], [x, x_error]: [Regis
 /// The error of a value, and whether it is known exactly.
 #[inline(always)]
 fn error<S: Simd>(op: Op, value: Register<S>, deviation: Register<S>, exact: S::m64s) -> Register<S> {
-    value.all(0.0).or(exact, (deviation + units(op) * ULP * value.abs()) * UP + TINY)
+    value.all(0.0).or(exact, (deviation + op.units() * ULP * value.abs()) * UP + TINY)
 }
 
 /// Where 0 is exact: |value| + error is 0 only then, since no sum underflows.

@@ -68,14 +68,6 @@ impl DoubleDouble {
         *self = out.value().centre();
         Ok(())
     }
-
-    /// A function of binary64, at the number rounded to it.
-    fn rounded(&mut self, f: impl FnOnce(&mut f64) -> Result<(), NoValue>) -> Result<(), NoValue> {
-        let mut value = 0.0;
-        f(&mut value)?;
-        *self = DoubleDouble::point(value);
-        Ok(())
-    }
 }
 
 impl Add for DoubleDouble {
@@ -180,11 +172,18 @@ impl Scalar for DoubleDouble {
     }
 }
 
-impl Number for DoubleDouble {
+impl super::Uniform for DoubleDouble {
     type Context = ();
 
     fn blank(_: &()) -> DoubleDouble {
         DoubleDouble::ZERO
+    }
+    /// What binary64 has, at the numbers rounded to it.
+    fn rule(&mut self, cx: &(), op: Op, a: &DoubleDouble, b: &DoubleDouble) -> Result<(), NoValue> {
+        let mut value = 0.0;
+        op.apply(cx, &mut value, &a.high, &b.high)?;
+        *self = DoubleDouble::point(value);
+        Ok(())
     }
     fn rational(&mut self, _: &(), r: &Rational) -> Result<(), NoValue> {
         let high = r.to_f64().value();
@@ -235,9 +234,6 @@ impl Number for DoubleDouble {
     fn exp(&mut self, _: &(), a: &DoubleDouble) -> Result<(), NoValue> {
         self.middle(Op::Exp, a)
     }
-    fn ln(&mut self, cx: &(), a: &DoubleDouble) -> Result<(), NoValue> {
-        self.rounded(|x| x.ln(cx, &a.high))
-    }
     fn sin(&mut self, _: &(), a: &DoubleDouble) -> Result<(), NoValue> {
         self.middle(Op::Sin, a)
     }
@@ -247,23 +243,11 @@ impl Number for DoubleDouble {
     fn tan(&mut self, _: &(), a: &DoubleDouble) -> Result<(), NoValue> {
         self.middle(Op::Tan, a)
     }
-    fn arcsin(&mut self, cx: &(), a: &DoubleDouble) -> Result<(), NoValue> {
-        self.rounded(|x| x.arcsin(cx, &a.high))
-    }
-    fn arccos(&mut self, cx: &(), a: &DoubleDouble) -> Result<(), NoValue> {
-        self.rounded(|x| x.arccos(cx, &a.high))
-    }
-    fn arctan(&mut self, cx: &(), a: &DoubleDouble) -> Result<(), NoValue> {
-        self.rounded(|x| x.arctan(cx, &a.high))
-    }
     fn sinh(&mut self, _: &(), a: &DoubleDouble) -> Result<(), NoValue> {
         self.middle(Op::Sinh, a)
     }
     fn cosh(&mut self, _: &(), a: &DoubleDouble) -> Result<(), NoValue> {
         self.middle(Op::Cosh, a)
-    }
-    fn tanh(&mut self, cx: &(), a: &DoubleDouble) -> Result<(), NoValue> {
-        self.rounded(|x| x.tanh(cx, &a.high))
     }
     fn abs(&mut self, _: &(), a: &DoubleDouble) -> Result<(), NoValue> {
         *self = if a.high < 0.0 { -*a } else { *a };
@@ -293,16 +277,10 @@ impl Number for DoubleDouble {
         let halves = 2.0 * b.high;
         if b.low == 0.0 && halves.abs() <= 64.0 && halves == halves.round() && a.high > 0.0 {
             let mut root = DoubleDouble::ZERO;
-            root.sqrt(cx, a)?;
-            return self.powi(cx, &root, halves as i32);
+            Number::sqrt(&mut root, cx, a)?;
+            return Number::powi(self, cx, &root, halves as i32);
         }
-        self.rounded(|x| x.pow(cx, &a.high, &b.high))
-    }
-    fn arctan2(&mut self, cx: &(), a: &DoubleDouble, b: &DoubleDouble) -> Result<(), NoValue> {
-        self.rounded(|x| x.arctan2(cx, &a.high, &b.high))
-    }
-    fn agm(&mut self, cx: &(), a: &DoubleDouble, b: &DoubleDouble) -> Result<(), NoValue> {
-        self.rounded(|x| x.agm(cx, &a.high, &b.high))
+        super::Uniform::rule(self, cx, Op::Pow, a, b)
     }
 }
 

@@ -14,16 +14,6 @@ use super::slope::{curvature, power, slope};
 use super::{NoValue, Number, Op, Rational, Scalar, scalar::value};
 use num_dual::{Dual, Dual2};
 
-/// The operations of one argument, by the chain rule.
-macro_rules! chain_rule {
-    ($( $op:ident $method:ident )*) => {
-        $( #[inline]
-        fn $method(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
-            chain(self, Op::$op, a, |x| x.$method(&(), &a.re))
-        } )*
-    };
-}
-
 /// The operations that both kinds of dual number write alike.
 macro_rules! common {
     ($($zero:ident)*) => {
@@ -33,24 +23,23 @@ macro_rules! common {
             Self::new(B::ZERO $(, B::$zero)*)
         }
         fn rational(&mut self, _: &(), r: &Rational) -> Result<(), NoValue> {
-            *self = Self::blank(&());
+            *self = Number::blank(&());
             self.re.rational(&(), r)
         }
         fn pi(&mut self, _: &()) -> Result<(), NoValue> {
-            *self = Self::blank(&());
+            *self = Number::blank(&());
             self.re.pi(&())
         }
         fn restrict(&mut self, _: &(), a: &Self, _: &Self) -> Result<(), NoValue> {
             self.clone_from(a);
             Ok(())
         }
-        #[inline]
-        fn powi(&mut self, _: &(), a: &Self, n: i32) -> Result<(), NoValue> {
-            chain(self, Op::Powi(n), a, |x| x.powi(&(), &a.re, n))
-        }
-        chain_rule! {
-            Neg neg Sqrt sqrt Exp exp Ln ln Sin sin Cos cos Tan tan Arcsin arcsin Arccos arccos Arctan arctan
-            Sinh sinh Cosh cosh Tanh tanh Abs abs
+        /// The chain rule; of two arguments no derivatives are known, unless both are constant.
+        #[inline(always)]
+        fn rule(&mut self, _: &(), op: Op, a: &Self, b: &Self) -> Result<(), NoValue> {
+            let mut v = B::ZERO;
+            op.apply(&(), &mut v, &a.re, &b.re)?;
+            self.assign(if op.arity() == 1 { Self::compose(op, a, v) } else { Self::unknown(a, b, v) })
         }
     };
 }
@@ -61,19 +50,8 @@ trait Parts<B>: Sized {
     fn assign(&mut self, parts: Self) -> Result<(), NoValue>;
     /// Value v = f(a) with derivatives.
     fn compose(op: Op, a: &Self, v: B) -> Self;
-}
-
-/// f(a) by the chain rule.
-#[inline(always)]
-fn chain<B: Scalar, D: Parts<B>>(
-    out: &mut D,
-    op: Op,
-    a: &D,
-    base: impl FnOnce(&mut B) -> Result<(), NoValue>,
-) -> Result<(), NoValue> {
-    let mut v = B::ZERO;
-    base(&mut v)?;
-    out.assign(D::compose(op, a, v))
+    /// Value v, with the derivatives of constants if a and b are, and else with invalid ones.
+    fn unknown(a: &Self, b: &Self, v: B) -> Self;
 }
 
 /// The value part of an operation of two arguments.
@@ -107,9 +85,12 @@ impl<B: Scalar> Parts<B> for Dual<B> {
         }
         Dual::new(v, slope(op, a.re, v).times(a.eps))
     }
+    fn unknown(a: &Self, b: &Self, v: B) -> Self {
+        Dual::new(v, B::INVALID.times(a.eps) + B::INVALID.times(b.eps))
+    }
 }
 
-impl<B: Scalar> Number for Dual<B> {
+impl<B: Scalar> super::Uniform for Dual<B> {
     common! { ZERO }
 
     #[inline]
@@ -151,11 +132,6 @@ impl<B: Scalar> Number for Dual<B> {
         let (sy, sx, s, square) = polar(y.re, x.re);
         self.assign(Dual::new(v, (sx * y.eps - sy * x.eps) / square * s))
     }
-    /// Without a derivative, unless both arguments are constant.
-    fn agm(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
-        let v = centre(|x: &mut B| x.agm(&(), &a.re, &b.re))?;
-        self.assign(Dual::new(v, B::INVALID.times(a.eps) + B::INVALID.times(b.eps)))
-    }
 }
 
 impl<B: Scalar> Parts<B> for Dual2<B> {
@@ -174,9 +150,13 @@ impl<B: Scalar> Parts<B> for Dual2<B> {
         let c = curvature(op, a.re, v, s);
         Dual2::new(v, s.times(a.v1), s.times(a.v2) + c.times(a.v1).times(a.v1))
     }
+    fn unknown(a: &Self, b: &Self, v: B) -> Self {
+        let [v1, v2] = [(a.v1, b.v1), (a.v2, b.v2)].map(|(a, b)| B::INVALID.times(a) + B::INVALID.times(b));
+        Dual2::new(v, v1, v2)
+    }
 }
 
-impl<B: Scalar> Number for Dual2<B> {
+impl<B: Scalar> super::Uniform for Dual2<B> {
     common! { ZERO ZERO }
 
     #[inline]
@@ -231,12 +211,6 @@ impl<B: Scalar> Number for Dual2<B> {
         let v1 = (sx * y.v1 - sy * x.v1) / square * s;
         let outward = v1 * (sx * x.v1 + sy * y.v1);
         let v2 = (sx * y.v2 - sy * x.v2 - (outward + outward)) / square * s;
-        self.assign(Dual2::new(v, v1, v2))
-    }
-    /// Without derivatives, unless both arguments are constant.
-    fn agm(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
-        let v = centre(|x: &mut B| x.agm(&(), &a.re, &b.re))?;
-        let [v1, v2] = [(a.v1, b.v1), (a.v2, b.v2)].map(|(a, b)| B::INVALID.times(a) + B::INVALID.times(b));
         self.assign(Dual2::new(v, v1, v2))
     }
 }

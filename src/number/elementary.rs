@@ -1,7 +1,7 @@
 //! Elementary functions of binary64, many at once.
 //!
-//! **In:** one number, or an array of them. **Out:** the values of a function, each within the bound of its [`Op`](super::Op) in
-//! [`units`]. **Guaranteed:** the same bits for a number alone, and in whatever place of an array, on every processor: + − × ÷ √
+//! **In:** one number, or an array of them. **Out:** the values of a function, each within the bound of its
+//! operation, [`Op::units`](super::Op::units). **Guaranteed:** the same bits for a number alone, and in whatever place of an array, on every processor: + − × ÷ √
 //! and operations on bits, in one order, none fused. What is no number, and what is outside the domain, has no number as value.
 //!
 //! **How:** reduction to a small interval (by multiples of π/2 in four parts, of ln 2 in two, by eighths of a turn, by the binary
@@ -27,23 +27,9 @@
 //!
 //! Seen at 10⁷ arguments each, usual ones and hard ones, beside functions with 64 bits. Sine loses the sign of −0, which is 0 here.
 
-use super::Op;
 use super::register::{Register, down, up};
 use pulp::Simd;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_4, LOG2_E};
-
-/// Largest relative error granted to an elementary function, in units of 2⁻⁵².
-pub(super) const fn units(op: Op) -> f64 {
-    match op {
-        Op::Tan | Op::Arctan | Op::Arctan2 | Op::Sinh | Op::Tanh => 3.0,
-        Op::Arcsin | Op::Arccos | Op::Cosh => 2.0,
-        Op::Sin | Op::Cos | Op::Exp | Op::Ln | Op::Pow => 1.0,
-        // These have rules of their own, by the errors of + − × ÷ √.
-        Op::Neg | Op::Sqrt | Op::Abs | Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Agm | Op::Powi(_) | Op::Restrict => {
-            1.0
-        }
-    }
-}
 
 /// A function of `A` numbers with `B` results, in each place of registers.
 pub(super) trait Function<const A: usize, const B: usize>: Copy {
@@ -445,6 +431,7 @@ impl Function<2, 1> for Arctan2 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Op;
     use crate::{Draws, Lanes};
 
     /// A number of some size, 2^`from` … 2^`to`, with a sign.
@@ -519,7 +506,7 @@ mod tests {
                 let found = op.apply(&(), &mut y, &x, &x).is_ok();
                 let off = distance(if found { y } else { f64::NAN }, exact(x));
                 // The value of the oracle is half a unit off itself.
-                assert!(off as f64 <= units(op), "{op:?} of {x:e} is {y:e}, {off} units off");
+                assert!(off as f64 <= op.units(), "{op:?} of {x:e} is {y:e}, {off} units off");
                 values += usize::from(found);
                 farthest = farthest.max(off);
             }
@@ -532,7 +519,7 @@ mod tests {
             let [angle] = one(Arctan2, [y, x]);
             let exact = if y == 0.0 && x == 0.0 { f64::NAN } else { pxfm::f_atan2(y + 0.0, x + 0.0) };
             let off = distance(angle, exact);
-            assert!(off as f64 <= units(Op::Arctan2), "atan2({y:e}, {x:e}) is {angle:e}, {off} units off");
+            assert!(off as f64 <= Op::Arctan2.units(), "atan2({y:e}, {x:e}) is {angle:e}, {off} units off");
             farthest = farthest.max(off);
         }
         assert!(farthest > 0);
@@ -553,7 +540,7 @@ mod tests {
                 let mut out = Lanes::splat(0.0);
                 assert!(op.apply(&(), &mut out, &a, &b).is_ok());
                 let mut narrow = Lanes::splat(0.0);
-                super::super::wide_lanes::apply(pulp::Scalar::new(), op, &mut narrow, &a, &b);
+                super::super::real::apply(pulp::Scalar::new(), op, &mut narrow, &a, &b);
                 for i in 0..N {
                     let mut x = 0.0;
                     let found = op.apply(&(), &mut x, &a.0[i], &b.0[i]);

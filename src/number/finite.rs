@@ -14,7 +14,7 @@
 //!
 //! [Montgomery 1985]: https://doi.org/10.1090/S0025-5718-1985-0777282-X
 
-use super::{Draws, NoValue, Number, Rational};
+use super::{Draws, NoValue, Op, Rational};
 
 /// A prime field GF(p) and its extension by i: the context of [`Finite`].
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -316,11 +316,15 @@ impl FiniteField {
     }
 }
 
-impl Number for Finite {
+impl super::Uniform for Finite {
     type Context = FiniteField;
 
     fn blank(_: &FiniteField) -> Finite {
         Finite::default()
+    }
+    /// A field has the operations that are written out, and no other.
+    fn rule(&mut self, _: &FiniteField, _: Op, _: &Finite, _: &Finite) -> Result<(), NoValue> {
+        Err(NoValue::Unsupported)
     }
     fn rational(&mut self, f: &FiniteField, r: &Rational) -> Result<(), NoValue> {
         // A denominator divisible by p: another prime may do.
@@ -356,42 +360,6 @@ impl Number for Finite {
         *self = f.square_root(*a).ok_or(NoValue::Indeterminate)?;
         Ok(())
     }
-    fn exp(&mut self, _: &FiniteField, _: &Finite) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn ln(&mut self, _: &FiniteField, _: &Finite) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn sin(&mut self, _: &FiniteField, _: &Finite) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn cos(&mut self, _: &FiniteField, _: &Finite) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn tan(&mut self, _: &FiniteField, _: &Finite) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn arcsin(&mut self, _: &FiniteField, _: &Finite) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn arccos(&mut self, _: &FiniteField, _: &Finite) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn arctan(&mut self, _: &FiniteField, _: &Finite) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn sinh(&mut self, _: &FiniteField, _: &Finite) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn cosh(&mut self, _: &FiniteField, _: &Finite) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn tanh(&mut self, _: &FiniteField, _: &Finite) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn abs(&mut self, _: &FiniteField, _: &Finite) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
     fn add(&mut self, f: &FiniteField, a: &Finite, b: &Finite) -> Result<(), NoValue> {
         *self = f.sum(*a, *b);
         Ok(())
@@ -407,15 +375,6 @@ impl Number for Finite {
     fn div(&mut self, f: &FiniteField, a: &Finite, b: &Finite) -> Result<(), NoValue> {
         *self = f.product(*a, f.inverse(*b).ok_or(NoValue::OutOfDomain)?);
         Ok(())
-    }
-    fn pow(&mut self, _: &FiniteField, _: &Finite, _: &Finite) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn arctan2(&mut self, _: &FiniteField, _: &Finite, _: &Finite) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn agm(&mut self, _: &FiniteField, _: &Finite, _: &Finite) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
     }
 }
 

@@ -70,35 +70,20 @@ impl<const N: usize> Lanes<N> {
     }
 }
 
-/// The operations, all of one form.
+/// The operations in the widest registers.
 macro_rules! together {
-    ($($op:ident $method:ident)*; $($binary:ident $name:ident)*) => {
-        $(fn $method(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
-            Arch::new().dispatch(One { op: Op::$op, out: self, a, b: a });
-            Ok(())
-        })*
-        $(fn $name(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
-            Arch::new().dispatch(One { op: Op::$binary, out: self, a, b });
-            Ok(())
-        })*
-        fn powi(&mut self, _: &(), a: &Self, n: i32) -> Result<(), NoValue> {
-            Arch::new().dispatch(One { op: Op::Powi(n), out: self, a, b: a });
+    () => {
+        fn rule(&mut self, _: &(), op: Op, a: &Self, b: &Self) -> Result<(), NoValue> {
+            Arch::new().dispatch(One { op, out: self, a, b });
             Ok(())
         }
         fn run(_: &(), values: &mut [Self], missing: &mut [Option<NoValue>], steps: &[Instruction]) {
             Arch::new().dispatch(Steps { values, missing, steps });
         }
     };
-    () => {
-        together! {
-            Neg neg Sqrt sqrt Exp exp Ln ln Sin sin Cos cos Tan tan Arcsin arcsin Arccos arccos Arctan arctan Sinh sinh
-            Cosh cosh Tanh tanh Abs abs;
-            Add add Sub sub Mul mul Div div Pow pow Arctan2 arctan2 Agm agm Restrict restrict
-        }
-    };
 }
 
-impl<const N: usize> Number for Lanes<N> {
+impl<const N: usize> super::Uniform for Lanes<N> {
     type Context = ();
 
     fn blank(_: &()) -> Self {
@@ -212,7 +197,7 @@ impl<const N: usize> DualLanes<N> {
     }
 }
 
-impl<const N: usize> Number for DualLanes<N> {
+impl<const N: usize> super::Uniform for DualLanes<N> {
     type Context = ();
 
     fn blank(_: &()) -> Self {
@@ -220,7 +205,7 @@ impl<const N: usize> Number for DualLanes<N> {
     }
     fn rational(&mut self, _: &(), r: &Rational) -> Result<(), NoValue> {
         self.tangent = Lanes::ZERO;
-        self.value.rational(&(), r)
+        Number::rational(&mut self.value, &(), r)
     }
     fn pi(&mut self, _: &()) -> Result<(), NoValue> {
         *self = DualLanes::constant(std::f64::consts::PI);

@@ -46,7 +46,7 @@ pub use interval::faults as interval_faults;
 pub use interval::{Continuity, Decorated, Interval, Limit, NODES, Precise, PreciseModel, Tail, TaylorModel};
 pub use jet::{Jet, Orders};
 pub use lanes::{DualLanes, Lanes, widely};
-pub use operation::{Instruction, Number, Op};
+pub use operation::{Instruction, Number, Op, Uniform};
 pub use random::Draws;
 pub use scalar::Scalar;
 

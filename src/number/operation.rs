@@ -1,9 +1,9 @@
 //! The table of operations: the one place where an operation is declared.
 //!
-//! From each row follow a variant of [`Op`], a method that every [`Number`] must have, the arm of the evaluation loop,
-//! the spelling in formulas and the row of the grammar page. To add an operation: add a row here, then implement the
-//! method where the compiler asks for it (one per number type, plus its derivative and its row in the table of domains, which
-//! says where it has a value, in `expr`).
+//! From each row follow a variant of [`Op`], a method of every [`Number`], the arm of the evaluation loop, how the operation is read
+//! and written in formulas, and the row of the grammar page. To add an operation: add a row here, then say what the compiler asks
+//! for: its values where a number type cannot have them from another one, its derivatives, and in `expr` its row in the table of
+//! domains.
 
 use super::{NoValue, Rational};
 
@@ -95,8 +95,8 @@ pub(super) fn run_each<N, A: Apply<N>>(
 
 macro_rules! operations {
     (
-        unary { $( $U:ident $u:ident $uspell:literal; )* }
-        binary { $( $B:ident $b:ident $bspell:literal; )* }
+        unary { $( $U:ident $u:ident $uspell:literal $uunits:literal; )* }
+        binary { $( $B:ident $b:ident $bspell:literal $bunits:literal; )* }
     ) => {
         /// An operation of the table. `Powi` carries its integer exponent and is unary.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -124,6 +124,12 @@ macro_rules! operations {
                 match self { $( Op::$U => $uspell, )* $( Op::$B => $bspell, )* Op::Powi(_) => "^", Op::Restrict => r"\restriction" }
             }
 
+            /// Largest relative error granted to its values in binary64, in units of 2⁻⁵²: see `elementary`. Where the errors of
+            /// + − × ÷ √ are the rule, nothing is to be read here.
+            pub(super) const fn units(self) -> f64 {
+                match self { $( Op::$U => $uunits, )* $( Op::$B => $bunits, )* Op::Powi(_) | Op::Restrict => 1.0 }
+            }
+
             /// `out` := this operation of `args`; `args.len()` is [`Op::arity`].
             ///
             /// # Errors
@@ -142,7 +148,7 @@ macro_rules! operations {
         /// An arithmetic in which formulas can be evaluated.
         ///
         /// Every method overwrites `self` with the result. No operation has a default: a new number type decides each
-        /// operation, and a new operation is decided by each number type.
+        /// operation, and a new operation is decided by each number type, or by the rule of one that is [`Uniform`].
         pub trait Number: Clone {
             /// What the arithmetic needs to know beside its arguments (the orders of a series, the prime of a field).
             type Context;
@@ -170,33 +176,99 @@ macro_rules! operations {
                 run_each(values, missing, steps, Plain(cx));
             }
         }
+
+        /// An arithmetic that carries out all operations by one rule, but for those that it knows better: these are written out.
+        ///
+        /// The rule is right for whatever operation the table may get. It has the result from another number type, or it says
+        /// that there is none.
+        pub trait Uniform: Clone {
+            /// See [`Number::Context`].
+            type Context;
+
+            /// The rule: `self` := `op` of `a` and `b`, with b = a for operations of one argument.
+            fn rule(&mut self, cx: &Self::Context, op: Op, a: &Self, b: &Self) -> Result<(), NoValue>;
+            /// See [`Number::blank`].
+            fn blank(cx: &Self::Context) -> Self;
+            /// See [`Number::rational`].
+            fn rational(&mut self, cx: &Self::Context, r: &Rational) -> Result<(), NoValue>;
+            /// See [`Number::pi`].
+            fn pi(&mut self, cx: &Self::Context) -> Result<(), NoValue>;
+            /// See [`Number::restrict`].
+            #[inline(always)]
+            fn restrict(&mut self, cx: &Self::Context, a: &Self, b: &Self) -> Result<(), NoValue> {
+                self.rule(cx, Op::Restrict, a, b)
+            }
+            /// See [`Number::powi`].
+            #[inline(always)]
+            fn powi(&mut self, cx: &Self::Context, a: &Self, n: i32) -> Result<(), NoValue> {
+                self.rule(cx, Op::Powi(n), a, a)
+            }
+            $( #[doc = concat!("See [`Number::", stringify!($u), "`].")]
+               #[inline(always)]
+               fn $u(&mut self, cx: &Self::Context, a: &Self) -> Result<(), NoValue> { self.rule(cx, Op::$U, a, a) } )*
+            $( #[doc = concat!("See [`Number::", stringify!($b), "`].")]
+               #[inline(always)]
+               fn $b(&mut self, cx: &Self::Context, a: &Self, b: &Self) -> Result<(), NoValue> { self.rule(cx, Op::$B, a, b) } )*
+            /// See [`Number::run`].
+            #[inline(never)]
+            fn run(cx: &Self::Context, values: &mut [Self], missing: &mut [Option<NoValue>], steps: &[Instruction]) {
+                run_each(values, missing, steps, Plain(cx));
+            }
+        }
+
+        /// Each operation as the type knows it, or by its rule.
+        impl<T: Uniform> Number for T {
+            type Context = <T as Uniform>::Context;
+
+            #[inline(always)]
+            fn blank(cx: &Self::Context) -> Self { <T as Uniform>::blank(cx) }
+            #[inline(always)]
+            fn rational(&mut self, cx: &Self::Context, r: &Rational) -> Result<(), NoValue> { Uniform::rational(self, cx, r) }
+            #[inline(always)]
+            fn pi(&mut self, cx: &Self::Context) -> Result<(), NoValue> { Uniform::pi(self, cx) }
+            #[inline(always)]
+            fn restrict(&mut self, cx: &Self::Context, a: &Self, b: &Self) -> Result<(), NoValue> {
+                Uniform::restrict(self, cx, a, b)
+            }
+            #[inline(always)]
+            fn powi(&mut self, cx: &Self::Context, a: &Self, n: i32) -> Result<(), NoValue> { Uniform::powi(self, cx, a, n) }
+            $( #[inline(always)]
+               fn $u(&mut self, cx: &Self::Context, a: &Self) -> Result<(), NoValue> { Uniform::$u(self, cx, a) } )*
+            $( #[inline(always)]
+               fn $b(&mut self, cx: &Self::Context, a: &Self, b: &Self) -> Result<(), NoValue> { Uniform::$b(self, cx, a, b) } )*
+            #[inline(always)]
+            fn run(cx: &Self::Context, values: &mut [Self], missing: &mut [Option<NoValue>], steps: &[Instruction]) {
+                <T as Uniform>::run(cx, values, missing, steps);
+            }
+        }
     };
 }
 
+// Name, method, spelling, and the error of values in binary64.
 operations! {
     unary {
-        Neg neg "-";
-        Sqrt sqrt r"\sqrt";
-        Exp exp r"\exp";
-        Ln ln r"\ln";
-        Sin sin r"\sin";
-        Cos cos r"\cos";
-        Tan tan r"\tan";
-        Arcsin arcsin r"\arcsin";
-        Arccos arccos r"\arccos";
-        Arctan arctan r"\arctan";
-        Sinh sinh r"\sinh";
-        Cosh cosh r"\cosh";
-        Tanh tanh r"\tanh";
-        Abs abs r"|\cdot|";
+        Neg neg "-" 1.0;
+        Sqrt sqrt r"\sqrt" 1.0;
+        Exp exp r"\exp" 1.0;
+        Ln ln r"\ln" 1.0;
+        Sin sin r"\sin" 1.0;
+        Cos cos r"\cos" 1.0;
+        Tan tan r"\tan" 3.0;
+        Arcsin arcsin r"\arcsin" 2.0;
+        Arccos arccos r"\arccos" 2.0;
+        Arctan arctan r"\arctan" 3.0;
+        Sinh sinh r"\sinh" 3.0;
+        Cosh cosh r"\cosh" 2.0;
+        Tanh tanh r"\tanh" 3.0;
+        Abs abs r"|\cdot|" 1.0;
     }
     binary {
-        Add add "+";
-        Sub sub "-";
-        Mul mul r"\cdot";
-        Div div r"\frac";
-        Pow pow "^";
-        Arctan2 arctan2 r"\operatorname{atan2}";
-        Agm agm r"\operatorname{agm}";
+        Add add "+" 1.0;
+        Sub sub "-" 1.0;
+        Mul mul r"\cdot" 1.0;
+        Div div r"\frac" 1.0;
+        Pow pow "^" 1.0;
+        Arctan2 arctan2 r"\operatorname{atan2}" 3.0;
+        Agm agm r"\operatorname{agm}" 1.0;
     }
 }

@@ -2,9 +2,15 @@
 //!
 //! Basic operations and √ are those of IEEE 754; elementary functions are those of [`elementary`](super::elementary), powers come
 //! from `pxfm`: every machine computes the same bits. A result that is not finite is not a value.
+//!
+//! One table has them for a number alone and for many in registers, so that both are the same function.
 
-use super::elementary::{self, one};
-use super::{NoValue, Number, Rational};
+use super::elementary::{
+    Arccos, Arcsin, Arctan, Arctan2, Cos, Cosh, Exp, Function, Ln, Sin, Sinh, Tan, Tanh, each, one,
+};
+use super::register::Register;
+use super::{Lanes, NoValue, Number, Op, Rational};
+use pulp::Simd;
 
 /// Checks that a result is a number: anything else is an overflow, as domains are checked before.
 #[inline]
@@ -62,119 +68,150 @@ pub(super) fn agm(a: f64, b: f64) -> f64 {
     0.5 * a + 0.5 * b
 }
 
-impl Number for f64 {
-    type Context = ();
+/// Operations that fit any numbers.
+macro_rules! basic {
+    ($($Name:ident |$($x:ident),*| $value:expr;)*) => {$(
+        #[derive(Clone, Copy)]
+        struct $Name;
 
-    fn blank(_: &()) -> f64 {
-        0.0
+        impl Function<{ [$(stringify!($x)),*].len() }, 1> for $Name {
+            #[inline(always)]
+            fn wide<S: Simd>(self, [$($x),*]: [Register<S>; [$(stringify!($x)),*].len()]) -> [Register<S>; 1] {
+                [$value.finite()]
+            }
+        }
+    )*};
+}
+
+basic! {
+    Neg |a| -a;
+    Sqrt |a| a.sqrt();
+    Abs |a| a.abs();
+    Add |a, b| a + b;
+    Sub |a, b| a - b;
+    Mul |a, b| a * b;
+    Div |a, b| a / b;
+    Restrict |a, b| a.or(b.is(b), f64::NAN);
+}
+
+/// aⁿ by repeated squaring, in the order of [`powi`]; a point without a value has no zeroth power either.
+#[derive(Clone, Copy)]
+struct Power(i32);
+
+impl Function<1, 1> for Power {
+    #[inline(always)]
+    fn wide<S: Simd>(self, [a]: [Register<S>; 1]) -> [Register<S>; 1] {
+        let (mut base, mut e, mut acc) = (a, self.0.unsigned_abs(), a.all(1.0));
+        while e > 0 {
+            if e & 1 == 1 {
+                acc = acc * base;
+            }
+            base = base * base;
+            e >>= 1;
+        }
+        // The reciprocal of an overflow is not 0 but unknown.
+        let power = if self.0 >= 0 { acc } else { 1.0 / acc.finite() };
+        [power.or(a.is(a), f64::NAN).finite()]
     }
-    fn rational(&mut self, _: &(), r: &Rational) -> Result<(), NoValue> {
-        *self = finite(r.to_f64().value())?;
-        Ok(())
+}
+
+/// The operations but those that have no method of their own kind: with what arguments they have a value, and the function, in
+/// registers or of one number alone. Where arguments have no value of the operation, that of the function is NaN.
+macro_rules! table {
+    (
+        unary { $( $Op:ident $op:ident |$x:ident| $inside:expr, $function:expr; )* }
+        binary { $( $Two:ident $two:ident |$y:ident, $z:ident| $both_inside:expr, $of_both:expr; )* }
+        alone { $( $Slow:ident $slow:ident |$p:ident, $q:ident| $slow_inside:expr, $slow_function:expr; )* }
+    ) => {
+        impl Number for f64 {
+            type Context = ();
+
+            fn blank(_: &()) -> f64 {
+                0.0
+            }
+            fn rational(&mut self, _: &(), r: &Rational) -> Result<(), NoValue> {
+                *self = finite(r.to_f64().value())?;
+                Ok(())
+            }
+            fn pi(&mut self, _: &()) -> Result<(), NoValue> {
+                *self = std::f64::consts::PI;
+                Ok(())
+            }
+            fn restrict(&mut self, _: &(), a: &f64, _: &f64) -> Result<(), NoValue> {
+                self.clone_from(a);
+                Ok(())
+            }
+            fn powi(&mut self, _: &(), a: &f64, n: i32) -> Result<(), NoValue> {
+                domain((n >= 0 || *a != 0.0) && !a.is_nan())?;
+                *self = finite(powi(*a, n))?;
+                Ok(())
+            }
+            $( fn $op(&mut self, _: &(), &$x: &f64) -> Result<(), NoValue> {
+                domain($inside)?;
+                *self = finite(one($function, [$x])[0])?;
+                Ok(())
+            } )*
+            $( fn $two(&mut self, _: &(), &$y: &f64, &$z: &f64) -> Result<(), NoValue> {
+                domain($both_inside)?;
+                *self = finite(one($of_both, [$y, $z])[0])?;
+                Ok(())
+            } )*
+            $( fn $slow(&mut self, _: &(), &$p: &f64, &$q: &f64) -> Result<(), NoValue> {
+                domain($slow_inside)?;
+                *self = finite($slow_function($p, $q))?;
+                Ok(())
+            } )*
+        }
+
+        /// An operation in all lanes: bit for bit what it is for each alone, and NaN where that is none.
+        #[inline(always)]
+        pub(super) fn apply<S: Simd, const N: usize>(simd: S, op: Op, out: &mut Lanes<N>, a: &Lanes<N>, b: &Lanes<N>) {
+            match op {
+                $( Op::$Op => each(simd, $function, [&mut out.0], [&a.0]), )*
+                $( Op::$Two => each(simd, $of_both, [&mut out.0], [&a.0, &b.0]), )*
+                Op::Powi(n) => each(simd, Power(n), [&mut out.0], [&a.0]),
+                Op::Restrict => each(simd, Restrict, [&mut out.0], [&a.0, &b.0]),
+                $( Op::$Slow )|* => by_points(op, out, a, b),
+            }
+        }
+    };
+}
+
+table! {
+    unary {
+        Neg neg |a| true, Neg;
+        Sqrt sqrt |a| a >= 0.0, Sqrt;
+        Exp exp |a| true, Exp;
+        Ln ln |a| a > 0.0, Ln;
+        Sin sin |a| true, Sin;
+        Cos cos |a| true, Cos;
+        Tan tan |a| true, Tan;
+        Arcsin arcsin |a| a.abs() <= 1.0, Arcsin;
+        Arccos arccos |a| a.abs() <= 1.0, Arccos;
+        Arctan arctan |a| true, Arctan;
+        Sinh sinh |a| true, Sinh;
+        Cosh cosh |a| true, Cosh;
+        Tanh tanh |a| true, Tanh;
+        Abs abs |a| true, Abs;
     }
-    fn pi(&mut self, _: &()) -> Result<(), NoValue> {
-        *self = std::f64::consts::PI;
-        Ok(())
+    binary {
+        Add add |a, b| true, Add;
+        Sub sub |a, b| true, Sub;
+        Mul mul |a, b| true, Mul;
+        Div div |a, b| b != 0.0, Div;
+        Arctan2 arctan2 |y, x| y != 0.0 || x != 0.0, Arctan2;
     }
-    fn restrict(&mut self, _: &(), a: &f64, _: &f64) -> Result<(), NoValue> {
-        self.clone_from(a);
-        Ok(())
+    alone {
+        Pow pow |a, b| (a > 0.0 || (a == 0.0 && b > 0.0)) && !b.is_nan(), pxfm::f_pow;
+        Agm agm |a, b| a >= 0.0 && b >= 0.0, agm;
     }
-    fn powi(&mut self, _: &(), a: &f64, n: i32) -> Result<(), NoValue> {
-        domain((n >= 0 || *a != 0.0) && !a.is_nan())?;
-        *self = finite(powi(*a, n))?;
-        Ok(())
-    }
-    fn neg(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(-*a)?;
-        Ok(())
-    }
-    fn sqrt(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        domain(*a >= 0.0)?;
-        *self = finite(a.sqrt())?;
-        Ok(())
-    }
-    fn exp(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(one(elementary::Exp, [*a])[0])?;
-        Ok(())
-    }
-    fn ln(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        domain(*a > 0.0)?;
-        *self = finite(one(elementary::Ln, [*a])[0])?;
-        Ok(())
-    }
-    fn sin(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(one(elementary::Sin, [*a])[0])?;
-        Ok(())
-    }
-    fn cos(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(one(elementary::Cos, [*a])[0])?;
-        Ok(())
-    }
-    fn tan(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(one(elementary::Tan, [*a])[0])?;
-        Ok(())
-    }
-    fn arcsin(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        domain(a.abs() <= 1.0)?;
-        *self = finite(one(elementary::Arcsin, [*a])[0])?;
-        Ok(())
-    }
-    fn arccos(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        domain(a.abs() <= 1.0)?;
-        *self = finite(one(elementary::Arccos, [*a])[0])?;
-        Ok(())
-    }
-    fn arctan(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(one(elementary::Arctan, [*a])[0])?;
-        Ok(())
-    }
-    fn sinh(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(one(elementary::Sinh, [*a])[0])?;
-        Ok(())
-    }
-    fn cosh(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(one(elementary::Cosh, [*a])[0])?;
-        Ok(())
-    }
-    fn tanh(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(one(elementary::Tanh, [*a])[0])?;
-        Ok(())
-    }
-    fn abs(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = finite(a.abs())?;
-        Ok(())
-    }
-    fn add(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {
-        *self = finite(a + b)?;
-        Ok(())
-    }
-    fn sub(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {
-        *self = finite(a - b)?;
-        Ok(())
-    }
-    fn mul(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {
-        *self = finite(a * b)?;
-        Ok(())
-    }
-    fn div(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {
-        domain(*b != 0.0)?;
-        *self = finite(a / b)?;
-        Ok(())
-    }
-    fn pow(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {
-        domain((*a > 0.0 || (*a == 0.0 && *b > 0.0)) && !b.is_nan())?;
-        *self = finite(pxfm::f_pow(*a, *b))?;
-        Ok(())
-    }
-    fn arctan2(&mut self, _: &(), y: &f64, x: &f64) -> Result<(), NoValue> {
-        domain(*y != 0.0 || *x != 0.0)?;
-        *self = finite(one(elementary::Arctan2, [*y, *x])[0])?;
-        Ok(())
-    }
-    fn agm(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {
-        domain(*a >= 0.0 && *b >= 0.0)?;
-        *self = finite(agm(*a, *b))?;
-        Ok(())
+}
+
+/// Lane by lane.
+#[inline(never)]
+fn by_points<const N: usize>(op: Op, out: &mut Lanes<N>, a: &Lanes<N>, b: &Lanes<N>) {
+    for i in 0..N {
+        let mut x = 0.0;
+        out.0[i] = if op.apply(&(), &mut x, &a.0[i], &b.0[i]).is_ok() { x } else { f64::NAN };
     }
 }

@@ -7,62 +7,14 @@
 //! operation and nothing is asked of the processor twice. Sine and cosine of one angle, next to each other on a tape, are one
 //! evaluation.
 
-use super::elementary::{
-    Arccos, Arcsin, Arctan, Arctan2, Cos, Cosh, Exp, Function, Ln, Sin, SinCos, Sinh, Tan, Tanh, each,
-};
+use super::elementary::{Arctan2, Function, SinCos, each};
 use super::operation::{Apply, run_each};
+use super::real::apply;
 use super::register::Register;
 use super::slope::slope;
 use super::{DualLanes, Instruction, Lanes, NoValue, Op, Scalar};
 use num_dual::Dual64;
 use pulp::{Simd, WithSimd};
-
-/// Operations that fit any numbers.
-macro_rules! operations {
-    ($($Name:ident |$($x:ident),*| $value:expr;)*) => {$(
-        #[derive(Clone, Copy)]
-        struct $Name;
-
-        impl Function<{ [$(stringify!($x)),*].len() }, 1> for $Name {
-            #[inline(always)]
-            fn wide<S: Simd>(self, [$($x),*]: [Register<S>; [$(stringify!($x)),*].len()]) -> [Register<S>; 1] {
-                [$value.finite()]
-            }
-        }
-    )*};
-}
-
-operations! {
-    Neg |a| -a;
-    Sqrt |a| a.sqrt();
-    Abs |a| a.abs();
-    Add |a, b| a + b;
-    Sub |a, b| a - b;
-    Mul |a, b| a * b;
-    Div |a, b| a / b;
-    Restrict |a, b| a.or(b.is(b), f64::NAN);
-}
-
-/// aⁿ by repeated squaring, in the order of [`powi`](super::real::powi); a point without a value has no zeroth power either.
-#[derive(Clone, Copy)]
-struct Power(i32);
-
-impl Function<1, 1> for Power {
-    #[inline(always)]
-    fn wide<S: Simd>(self, [a]: [Register<S>; 1]) -> [Register<S>; 1] {
-        let (mut base, mut e, mut acc) = (a, self.0.unsigned_abs(), a.all(1.0));
-        while e > 0 {
-            if e & 1 == 1 {
-                acc = acc * base;
-            }
-            base = base * base;
-            e >>= 1;
-        }
-        // The reciprocal of an overflow is not 0 but unknown.
-        let power = if self.0 >= 0 { acc } else { 1.0 / acc.finite() };
-        [power.or(a.is(a), f64::NAN).finite()]
-    }
-}
 
 /// Operations of two numbers with derivatives: (a, a′, b, b′) in, value and derivative out.
 macro_rules! dual_operations {
@@ -139,47 +91,6 @@ impl Function<3, 2> for Chain {
     }
 }
 
-/// An operation in all lanes.
-#[inline(always)]
-pub(super) fn apply<S: Simd, const N: usize>(simd: S, op: Op, out: &mut Lanes<N>, a: &Lanes<N>, b: &Lanes<N>) {
-    macro_rules! with {
-        ($f:expr, $($x:ident),*) => { each(simd, $f, [&mut out.0], [$(&$x.0),*]) };
-    }
-    match op {
-        Op::Neg => with!(Neg, a),
-        Op::Sqrt => with!(Sqrt, a),
-        Op::Exp => with!(Exp, a),
-        Op::Ln => with!(Ln, a),
-        Op::Sin => with!(Sin, a),
-        Op::Cos => with!(Cos, a),
-        Op::Tan => with!(Tan, a),
-        Op::Arcsin => with!(Arcsin, a),
-        Op::Arccos => with!(Arccos, a),
-        Op::Arctan => with!(Arctan, a),
-        Op::Sinh => with!(Sinh, a),
-        Op::Cosh => with!(Cosh, a),
-        Op::Tanh => with!(Tanh, a),
-        Op::Abs => with!(Abs, a),
-        Op::Powi(n) => with!(Power(n), a),
-        Op::Add => with!(Add, a, b),
-        Op::Sub => with!(Sub, a, b),
-        Op::Mul => with!(Mul, a, b),
-        Op::Div => with!(Div, a, b),
-        Op::Arctan2 => with!(Arctan2, a, b),
-        Op::Restrict => with!(Restrict, a, b),
-        Op::Pow | Op::Agm => by_points(op, out, a, b),
-    }
-}
-
-/// Powers and means, lane by lane.
-#[inline(never)]
-fn by_points<const N: usize>(op: Op, out: &mut Lanes<N>, a: &Lanes<N>, b: &Lanes<N>) {
-    for i in 0..N {
-        let mut x = 0.0;
-        out.0[i] = if op.apply(&(), &mut x, &a.0[i], &b.0[i]).is_ok() { x } else { f64::NAN };
-    }
-}
-
 /// An operation in all lanes, with derivatives.
 #[inline(always)]
 pub(super) fn apply_dual<S: Simd, const N: usize>(
@@ -202,22 +113,22 @@ pub(super) fn apply_dual<S: Simd, const N: usize>(
         Op::Div => with!(DualDiv),
         Op::Arctan2 => with!(DualArctan2),
         Op::Restrict => with!(DualRestrict),
-        Op::Pow | Op::Agm => {
-            for i in 0..N {
-                let [x, y] = [a, b].map(|x| [x.value.0[i], x.tangent.0[i]]);
-                [out.value.0[i], out.tangent.0[i]] = point(op, x, y);
-            }
-        }
         Op::Sin | Op::Cos => {
             let (mut sin, mut cos) = (Lanes::ZERO, Lanes::ZERO);
             each(simd, SinCos, [&mut sin.0, &mut cos.0], [&a.value.0]);
             let (value, slope) = if op == Op::Sin { (&sin, cos) } else { (&cos, -sin) };
             chain(simd, out, value, &slope, a);
         }
-        _ => {
+        _ if op.arity() == 1 => {
             let mut value = Lanes::ZERO;
             apply(simd, op, &mut value, &a.value, &a.value);
             chain(simd, out, &value, &slope(op, a.value, value), a);
+        }
+        _ => {
+            for i in 0..N {
+                let [x, y] = [a, b].map(|x| [x.value.0[i], x.tangent.0[i]]);
+                [out.value.0[i], out.tangent.0[i]] = point(op, x, y);
+            }
         }
     }
 }

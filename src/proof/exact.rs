@@ -1,7 +1,7 @@
 //! Exact rationals as a number type, for witnesses that can be checked by hand.
 
 use dashu_int::ops::{BitTest, SquareRootRem};
-use number::{NoValue, Number, Rational};
+use number::{NoValue, Op, Rational};
 
 /// A rational number; a root exists only of squares of rationals, transcendental functions never.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,20 +26,15 @@ pub(super) fn rational_root(r: &Rational) -> Option<Rational> {
     (rest_a == dashu_int::UBig::ZERO && rest_b == dashu_int::UBig::ZERO).then(|| Rational::from(a) / Rational::from(b))
 }
 
-macro_rules! unsupported {
-    ($($name:ident($($arg:ident),*);)*) => {
-        $( fn $name(&mut self, _: &(), $($arg: &Exact),*) -> Result<(), NoValue> {
-            $( let _ = $arg; )*
-            Err(NoValue::Unsupported)
-        } )*
-    };
-}
-
-impl Number for Exact {
+impl number::Uniform for Exact {
     type Context = ();
 
     fn blank(_: &()) -> Exact {
         Exact(Rational::ZERO)
+    }
+    /// Rationals have the operations that are written out, and no other.
+    fn rule(&mut self, _: &(), _: Op, _: &Exact, _: &Exact) -> Result<(), NoValue> {
+        Err(NoValue::Unsupported)
     }
     fn rational(&mut self, _: &(), r: &Rational) -> Result<(), NoValue> {
         *self = short(r.clone())?;
@@ -96,9 +91,5 @@ impl Number for Exact {
         }
         *self = short(&a.0 / &b.0)?;
         Ok(())
-    }
-    unsupported! {
-        exp(a); ln(a); sin(a); cos(a); tan(a); arcsin(a); arccos(a); arctan(a); sinh(a); cosh(a); tanh(a);
-        pow(a, b); arctan2(a, b); agm(a, b);
     }
 }

@@ -12,7 +12,7 @@
 //! evaluated. √(n/d) is treated as √(n·d)/d, whose numerator is integral over ℤ\[x\].
 
 use dashu_int::ops::BitTest;
-use number::{NoValue, Number, Rational};
+use number::{NoValue, Op, Rational};
 
 /// Bounds for a fraction N/D, see the module. Degrees and bits are `f64`: rounding is covered by [`MARGIN`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -40,11 +40,15 @@ fn sum_bits(a: f64, b: f64) -> f64 {
     high + (1.45 / (1u64 << whole) as f64).min(1.0)
 }
 
-impl Number for Growth {
+impl number::Uniform for Growth {
     type Context = ();
 
     fn blank(_: &()) -> Growth {
         Growth::default()
+    }
+    /// Fractions have the operations that are written out, and no other.
+    fn rule(&mut self, _: &(), _: Op, _: &Growth, _: &Growth) -> Result<(), NoValue> {
+        Err(NoValue::Unsupported)
     }
     fn rational(&mut self, _: &(), r: &Rational) -> Result<(), NoValue> {
         let bits = |n: usize| n as f64;
@@ -86,42 +90,6 @@ impl Number for Growth {
         };
         Ok(())
     }
-    fn exp(&mut self, _: &(), _: &Growth) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn ln(&mut self, _: &(), _: &Growth) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn sin(&mut self, _: &(), _: &Growth) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn cos(&mut self, _: &(), _: &Growth) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn tan(&mut self, _: &(), _: &Growth) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn arcsin(&mut self, _: &(), _: &Growth) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn arccos(&mut self, _: &(), _: &Growth) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn arctan(&mut self, _: &(), _: &Growth) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn sinh(&mut self, _: &(), _: &Growth) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn cosh(&mut self, _: &(), _: &Growth) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn tanh(&mut self, _: &(), _: &Growth) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn abs(&mut self, _: &(), _: &Growth) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
     fn add(&mut self, _: &(), a: &Growth, b: &Growth) -> Result<(), NoValue> {
         *self = Growth {
             top_degree: (a.top_degree + b.under_degree).max(b.top_degree + a.under_degree),
@@ -151,14 +119,5 @@ impl Number for Growth {
             under_bits: a.under_bits + b.top_bits,
         };
         Ok(())
-    }
-    fn pow(&mut self, _: &(), _: &Growth, _: &Growth) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn arctan2(&mut self, _: &(), _: &Growth, _: &Growth) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
-    }
-    fn agm(&mut self, _: &(), _: &Growth, _: &Growth) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
     }
 }

@@ -15,7 +15,7 @@
 //! Ends may be infinite here: 1/x on [0, 1] is [1, ∞).
 
 use super::{Interval, NoValue, elementary, round};
-use crate::{Continuity, Number, Rational, Scalar};
+use crate::{Continuity, Number, Op, Rational, Scalar};
 
 /// See the module.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,11 +113,21 @@ fn quotient(a: Interval, b: Interval) -> Interval {
     }
 }
 
-impl Number for Decorated {
+impl crate::Uniform for Decorated {
     type Context = ();
 
     fn blank(_: &()) -> Decorated {
         Decorated::all_of(Interval::ZERO)
+    }
+    /// What is an interval has values everywhere, and is continuous. Of anything else nothing is known.
+    fn rule(&mut self, cx: &(), op: Op, a: &Decorated, b: &Decorated) -> Result<(), NoValue> {
+        let (mut range, known) = (Interval::ZERO, a.is_finite() && b.is_finite());
+        match op.apply(cx, &mut range, &a.range, &b.range) {
+            Ok(()) if known => self.set(range, &[a, b]),
+            Err(NoValue::OutOfDomain) if known => return Err(NoValue::OutOfDomain),
+            Ok(()) | Err(_) => *self = Decorated::UNKNOWN,
+        }
+        Ok(())
     }
     fn rational(&mut self, cx: &(), r: &Rational) -> Result<(), NoValue> {
         let mut value = Interval::ZERO;
@@ -189,16 +199,6 @@ impl Number for Decorated {
     fn cos(&mut self, _: &(), a: &Decorated) -> Result<(), NoValue> {
         let all = Interval { lo: -1.0, hi: 1.0 };
         self.set(if a.is_finite() { elementary::cos(a.range) } else { all }, &[a]);
-        Ok(())
-    }
-    fn tan(&mut self, _: &(), a: &Decorated) -> Result<(), NoValue> {
-        match elementary::tan(a.range).ok().filter(|_| a.is_finite()) {
-            Some(range) => self.set(range, &[a]),
-            None => {
-                self.set(EVERYTHING, &[a]);
-                self.partly();
-            }
-        }
         Ok(())
     }
     fn arcsin(&mut self, _: &(), a: &Decorated) -> Result<(), NoValue> {

@@ -17,6 +17,7 @@
 use super::elementary;
 use super::round::{add_down, add_up, div_down, div_up, mul_down, mul_up};
 use super::{Interval, NoValue, Number, Rational, Scalar};
+use crate::Op;
 
 /// What a quantity tends to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -320,11 +321,22 @@ impl Tail {
     }
 }
 
-impl Number for Tail {
+impl crate::Uniform for Tail {
     type Context = ();
 
     fn blank(_: &()) -> Tail {
         Tail { lo: 0.0, hi: 0.0, limit: ZERO, positive: None }
+    }
+    /// Of one argument that stays bounded.
+    fn rule(&mut self, cx: &(), op: Op, a: &Tail, _: &Tail) -> Result<(), NoValue> {
+        if op.arity() != 1 {
+            return Err(NoValue::Unsupported);
+        }
+        *self = a.on_bounded(|i| {
+            let mut out = Interval::ZERO;
+            op.apply(cx, &mut out, &i, &i).map(|()| out)
+        })?;
+        Ok(())
     }
     fn rational(&mut self, _: &(), r: &Rational) -> Result<(), NoValue> {
         let mut value = Interval::ZERO;
@@ -379,24 +391,6 @@ impl Number for Tail {
         *self = a.wave(elementary::cos)?;
         Ok(())
     }
-    fn tan(&mut self, _: &(), a: &Tail) -> Result<(), NoValue> {
-        *self = a.on_bounded(elementary::tan)?;
-        Ok(())
-    }
-    fn arcsin(&mut self, _: &(), a: &Tail) -> Result<(), NoValue> {
-        *self = a.on_bounded(|i| {
-            let mut out = Interval::ZERO;
-            out.arcsin(&(), &i).map(|()| out)
-        })?;
-        Ok(())
-    }
-    fn arccos(&mut self, _: &(), a: &Tail) -> Result<(), NoValue> {
-        *self = a.on_bounded(|i| {
-            let mut out = Interval::ZERO;
-            out.arccos(&(), &i).map(|()| out)
-        })?;
-        Ok(())
-    }
     fn arctan(&mut self, _: &(), a: &Tail) -> Result<(), NoValue> {
         *self = a.arctangent()?;
         Ok(())
@@ -446,9 +440,6 @@ impl Number for Tail {
     fn arctan2(&mut self, _: &(), y: &Tail, x: &Tail) -> Result<(), NoValue> {
         *self = Tail::angle(y, x)?;
         Ok(())
-    }
-    fn agm(&mut self, _: &(), _: &Tail, _: &Tail) -> Result<(), NoValue> {
-        Err(NoValue::Unsupported)
     }
 }
 

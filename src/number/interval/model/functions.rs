@@ -149,11 +149,26 @@ impl TaylorModel {
     }
 }
 
-impl Number for TaylorModel {
+impl crate::Uniform for TaylorModel {
     type Context = ();
 
     fn blank(_: &()) -> TaylorModel {
         TaylorModel::ZERO
+    }
+    /// By the remainder of Taylor's theorem; of two arguments that both move, bounds alone.
+    fn rule(&mut self, _: &(), op: Op, a: &TaylorModel, b: &TaylorModel) -> Result<(), NoValue> {
+        if op.arity() == 1 {
+            return self.function(op, a, None);
+        }
+        if b.is_point() {
+            return self.function(op, a, Some((b.coefficients[0], false)));
+        }
+        if a.is_point() {
+            return self.function(op, b, Some((a.coefficients[0], true)));
+        }
+        let mut range = Interval::ZERO;
+        op.apply(&(), &mut range, &a.range(), &b.range())?;
+        self.plain(Ok(range))
     }
     fn rational(&mut self, _: &(), r: &Rational) -> Result<(), NoValue> {
         let mut value = Interval::ZERO;
@@ -205,39 +220,6 @@ impl Number for TaylorModel {
     fn sqrt(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
         self.root(a)
     }
-    fn exp(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
-        self.function(Op::Exp, a, None)
-    }
-    fn ln(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
-        self.function(Op::Ln, a, None)
-    }
-    fn sin(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
-        self.function(Op::Sin, a, None)
-    }
-    fn cos(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
-        self.function(Op::Cos, a, None)
-    }
-    fn tan(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
-        self.function(Op::Tan, a, None)
-    }
-    fn arcsin(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
-        self.function(Op::Arcsin, a, None)
-    }
-    fn arccos(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
-        self.function(Op::Arccos, a, None)
-    }
-    fn arctan(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
-        self.function(Op::Arctan, a, None)
-    }
-    fn sinh(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
-        self.function(Op::Sinh, a, None)
-    }
-    fn cosh(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
-        self.function(Op::Cosh, a, None)
-    }
-    fn tanh(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
-        self.function(Op::Tanh, a, None)
-    }
     fn abs(&mut self, cx: &(), a: &TaylorModel) -> Result<(), NoValue> {
         let over = a.range();
         if over.lo >= 0.0 {
@@ -245,7 +227,7 @@ impl Number for TaylorModel {
             return Ok(());
         }
         if over.hi <= 0.0 {
-            return self.neg(cx, a);
+            return Number::neg(self, cx, a);
         }
         let mut range = Interval::ZERO;
         range.abs(&(), &over)?;
@@ -263,7 +245,7 @@ impl Number for TaylorModel {
     fn div(&mut self, _: &(), a: &TaylorModel, b: &TaylorModel) -> Result<(), NoValue> {
         self.quotient(a, b)
     }
-    fn pow(&mut self, cx: &(), a: &TaylorModel, b: &TaylorModel) -> Result<(), NoValue> {
+    fn pow(&mut self, _: &(), a: &TaylorModel, b: &TaylorModel) -> Result<(), NoValue> {
         if b.is_point() {
             return self.function(Op::Pow, a, Some((b.coefficients[0], false)));
         }
@@ -276,11 +258,11 @@ impl Number for TaylorModel {
             return self.plain(Ok(range));
         }
         let (mut logarithm, mut exponent, mut power) = (TaylorModel::ZERO, TaylorModel::ZERO, TaylorModel::ZERO);
-        let found = logarithm.ln(cx, a).and_then(|()| exponent.product(b, &logarithm));
-        let found = found.and_then(|()| power.exp(cx, &exponent)).ok().map(|()| power);
+        let found = logarithm.function(Op::Ln, a, None).and_then(|()| exponent.product(b, &logarithm));
+        let found = found.and_then(|()| power.function(Op::Exp, &exponent, None)).ok().map(|()| power);
         self.or_plain(found, range)
     }
-    fn arctan2(&mut self, cx: &(), y: &TaylorModel, x: &TaylorModel) -> Result<(), NoValue> {
+    fn arctan2(&mut self, _: &(), y: &TaylorModel, x: &TaylorModel) -> Result<(), NoValue> {
         let range = match Interval::principal_angle(y.range(), x.range())? {
             (angle, Continuity::Everywhere) => angle,
             (_, Continuity::Broken) => return Err(NoValue::Indeterminate),
@@ -295,31 +277,20 @@ impl Number for TaylorModel {
                 term.scaled(number, model)?;
             }
             let (mut along, mut across) = (TaylorModel::ZERO, TaylorModel::ZERO);
-            along.add(cx, &terms[0], &terms[1])?;
-            across.sub(cx, &terms[2], &terms[3])?;
+            along.combine(&terms[0], &terms[1], |x, y| x + y)?;
+            across.combine(&terms[2], &terms[3], |x, y| x - y)?;
             if along.range().lo <= 0.0 {
                 return Err(NoValue::Indeterminate);
             }
             let (mut ratio, mut angle, mut sum) = (TaylorModel::ZERO, TaylorModel::ZERO, TaylorModel::ZERO);
             ratio.quotient(&across, &along)?;
-            angle.arctan(cx, &ratio)?;
+            angle.function(Op::Arctan, &ratio, None)?;
             // The first coefficients are values at s = 0 of contained quantities, so that the cut is not met there either.
             let mut first = Interval::ZERO;
             first.arctan2(&(), &Interval::point(y0), &Interval::point(x0))?;
-            sum.add(cx, &angle, &TaylorModel::constant(first))?;
+            sum.combine(&angle, &TaylorModel::constant(first), |x, y| x + y)?;
             Ok(sum)
         };
         self.or_plain(turned().ok(), range)
-    }
-    fn agm(&mut self, _: &(), a: &TaylorModel, b: &TaylorModel) -> Result<(), NoValue> {
-        if b.is_point() {
-            return self.function(Op::Agm, a, Some((b.coefficients[0], false)));
-        }
-        if a.is_point() {
-            return self.function(Op::Agm, b, Some((a.coefficients[0], true)));
-        }
-        let mut range = Interval::ZERO;
-        range.agm(&(), &a.range(), &b.range())?;
-        self.plain(Ok(range))
     }
 }

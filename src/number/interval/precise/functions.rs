@@ -131,11 +131,15 @@ impl PreciseModel {
     }
 }
 
-impl Number for PreciseModel {
+impl crate::Uniform for PreciseModel {
     type Context = ();
 
     fn blank(_: &()) -> PreciseModel {
         PreciseModel::ZERO
+    }
+    /// As the less precise models have it.
+    fn rule(&mut self, _: &(), op: Op, a: &PreciseModel, b: &PreciseModel) -> Result<(), NoValue> {
+        self.through(op, a, b)
     }
     fn rational(&mut self, _: &(), r: &Rational) -> Result<(), NoValue> {
         let exact = |x: f64| Rational::try_from(x).map_err(|_| NoValue::Indeterminate);
@@ -188,9 +192,6 @@ impl Number for PreciseModel {
     fn exp(&mut self, _: &(), a: &PreciseModel) -> Result<(), NoValue> {
         self.or_through(a.power_of_e(), Op::Exp, a)
     }
-    fn ln(&mut self, _: &(), a: &PreciseModel) -> Result<(), NoValue> {
-        self.through(Op::Ln, a, a)
-    }
     fn sin(&mut self, _: &(), a: &PreciseModel) -> Result<(), NoValue> {
         self.or_through(a.waves().map(|w| w.0), Op::Sin, a)
     }
@@ -204,23 +205,11 @@ impl Number for PreciseModel {
         });
         self.or_through(found, Op::Tan, a)
     }
-    fn arcsin(&mut self, _: &(), a: &PreciseModel) -> Result<(), NoValue> {
-        self.through(Op::Arcsin, a, a)
-    }
-    fn arccos(&mut self, _: &(), a: &PreciseModel) -> Result<(), NoValue> {
-        self.through(Op::Arccos, a, a)
-    }
-    fn arctan(&mut self, _: &(), a: &PreciseModel) -> Result<(), NoValue> {
-        self.through(Op::Arctan, a, a)
-    }
     fn sinh(&mut self, _: &(), a: &PreciseModel) -> Result<(), NoValue> {
         self.or_through(a.half_sum_of_powers(-1.0), Op::Sinh, a)
     }
     fn cosh(&mut self, _: &(), a: &PreciseModel) -> Result<(), NoValue> {
         self.or_through(a.half_sum_of_powers(1.0), Op::Cosh, a)
-    }
-    fn tanh(&mut self, _: &(), a: &PreciseModel) -> Result<(), NoValue> {
-        self.through(Op::Tanh, a, a)
     }
     fn abs(&mut self, cx: &(), a: &PreciseModel) -> Result<(), NoValue> {
         let over = a.rounded().range();
@@ -229,7 +218,7 @@ impl Number for PreciseModel {
             return Ok(());
         }
         if over.hi() <= 0.0 {
-            return self.neg(cx, a);
+            return Number::neg(self, cx, a);
         }
         self.through(Op::Abs, a, a)
     }
@@ -252,17 +241,11 @@ impl Number for PreciseModel {
         let known = b.length == 1 && b.rest == 0.0 && b.low[0] == 0.0;
         if known && halves.abs() <= 64.0 && halves == halves.round() {
             let (mut root, mut power) = (PreciseModel::ZERO, PreciseModel::ZERO);
-            let found = root.root(a).and_then(|()| power.powi(cx, &root, halves as i32));
+            let found = root.root(a).and_then(|()| Number::powi(&mut power, cx, &root, halves as i32));
             if found.is_ok() && power.rest < self.rest {
                 *self = power;
             }
         }
         Ok(())
-    }
-    fn arctan2(&mut self, _: &(), y: &PreciseModel, x: &PreciseModel) -> Result<(), NoValue> {
-        self.through(Op::Arctan2, y, x)
-    }
-    fn agm(&mut self, _: &(), a: &PreciseModel, b: &PreciseModel) -> Result<(), NoValue> {
-        self.through(Op::Agm, a, b)
     }
 }
