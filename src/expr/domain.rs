@@ -13,6 +13,10 @@
 //! A new operation does not compile without its row. (Values at complex arguments, cuts and the side that they belong to, get
 //! a column of their own here.)
 
+mod words;
+
+pub use words::line;
+
 use number::{Bounded, Scalar};
 
 use super::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Rational, Symbol};
@@ -162,8 +166,33 @@ pub enum Slope {
     Against(Term),
 }
 
+/// How an operation goes with the sign of its argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Parity {
+    /// The same.
+    Even,
+    /// Its sign changes, too.
+    Odd,
+    /// In no such way.
+    Neither,
+}
+
+/// What kind of function an operation is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Nature {
+    /// An algebraic one, and its degree in each argument, where it is a polynomial in that; 0 in one that it has not.
+    Algebraic([Option<u32>; 2]),
+    /// Another one.
+    Transcendental {
+        /// Of an operation of one argument.
+        parity: Parity,
+        /// Where it grows, or comes to rest, like an exponential: between which arguments it varies, as far as binary64 can tell.
+        exponential: Option<[f64; 2]>,
+    },
+}
+
 /// What is said of one operation.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// It has a value where all of these hold.
     pub needs: Vec<(Term, Sign)>,
@@ -173,6 +202,8 @@ pub struct Row {
     pub range: Range,
     /// By the first argument and, if there is one, by the second.
     pub slopes: [Slope; 2],
+    /// What kind of function it is.
+    pub nature: Nature,
 }
 
 /// A need of a node.
@@ -216,69 +247,101 @@ const fn edge(term: Term, change: Change) -> Edge {
 
 /// The table.
 pub fn row(op: Op) -> Row {
+    use Parity::{Even, Neither, Odd};
     use Slope::{Against, Falling, Flat, Of, Rising};
     use Term::{Cosine, Excess, First, Opposite, Second, Sine, Squares, Support, Unit};
-    let smooth = |range: Range, a: Slope, b: Slope| Row { needs: vec![], edges: vec![], range, slopes: [a, b] };
+    let smooth =
+        |range: Range, slopes: [Slope; 2], nature: Nature| Row { needs: vec![], edges: vec![], range, slopes, nature };
+    // In the one argument that there is.
+    let degree = |degree: Option<u32>| Nature::Algebraic([degree, Some(0)]);
+    let not_algebraic = |parity: Parity| Nature::Transcendental { parity, exponential: None };
+    let exponential =
+        |parity: Parity, low: f64, high: f64| Nature::Transcendental { parity, exponential: Some([low, high]) };
+    let (linear, endless) = (Nature::Algebraic([Some(1); 2]), f64::INFINITY);
     let from_zero = Range { low: end(0, 0, true), high: None };
     let pole = |order: u32| {
         Change::Pole(Order::Whole(order), if order.is_multiple_of(2) { Sides::Alike } else { Sides::Opposite })
     };
     match op {
-        Op::Neg => smooth(REAL, Falling, Flat),
+        Op::Neg => smooth(REAL, [Falling, Flat], degree(Some(1))),
         Op::Sqrt => Row {
             needs: vec![(First, Sign::NotNegative)],
             edges: vec![edge(First, Change::Steep)],
             range: from_zero,
             slopes: [Rising, Flat],
+            nature: degree(None),
         },
-        Op::Exp => smooth(Range { low: end(0, 0, false), high: None }, Rising, Flat),
+        Op::Exp => {
+            smooth(Range { low: end(0, 0, false), high: None }, [Rising, Flat], exponential(Neither, -746.0, endless))
+        }
         Op::Ln => Row {
             needs: vec![(First, Sign::Positive)],
             edges: vec![edge(First, Change::Log)],
             range: REAL,
             slopes: [Rising, Flat],
+            nature: not_algebraic(Neither),
         },
-        Op::Sin => smooth(Range { low: end(-1, 0, true), high: end(1, 0, true) }, Of(Cosine), Flat),
-        Op::Cos => smooth(Range { low: end(-1, 0, true), high: end(1, 0, true) }, Against(Sine), Flat),
+        Op::Sin => {
+            smooth(Range { low: end(-1, 0, true), high: end(1, 0, true) }, [Of(Cosine), Flat], not_algebraic(Odd))
+        }
+        Op::Cos => {
+            smooth(Range { low: end(-1, 0, true), high: end(1, 0, true) }, [Against(Sine), Flat], not_algebraic(Even))
+        }
         Op::Tan => Row {
             needs: vec![(Cosine, Sign::NotZero)],
             edges: vec![edge(Cosine, pole(1))],
             range: REAL,
             slopes: [Rising, Flat],
+            nature: not_algebraic(Odd),
         },
         Op::Arcsin => Row {
             needs: vec![(Unit, Sign::NotNegative)],
             edges: vec![edge(Unit, Change::Steep)],
             range: Range { low: end(0, -1, true), high: end(0, 1, true) },
             slopes: [Rising, Flat],
+            nature: not_algebraic(Odd),
         },
         Op::Arccos => Row {
             needs: vec![(Unit, Sign::NotNegative)],
             edges: vec![edge(Unit, Change::Steep)],
             range: Range { low: end(0, 0, true), high: end(0, 2, true) },
             slopes: [Falling, Flat],
+            nature: not_algebraic(Neither),
         },
         Op::Arctan => Row {
             needs: vec![],
             edges: vec![Edge { place: Place::Infinity, change: Change::Jump(1) }],
             range: Range { low: end(0, -1, false), high: end(0, 1, false) },
             slopes: [Rising, Flat],
+            nature: not_algebraic(Odd),
         },
-        Op::Sinh => smooth(REAL, Rising, Flat),
-        Op::Cosh => smooth(Range { low: end(1, 0, true), high: None }, Of(First), Flat),
-        // The limits at the two infinities differ, too; but its formula goes on as one and the same function of exponentials.
-        Op::Tanh => smooth(Range { low: end(-1, 0, false), high: end(1, 0, false) }, Rising, Flat),
-        Op::Abs => {
-            Row { needs: vec![], edges: vec![edge(First, Change::Kink)], range: from_zero, slopes: [Of(First), Flat] }
+        Op::Sinh => smooth(REAL, [Rising, Flat], exponential(Odd, -endless, endless)),
+        Op::Cosh => {
+            smooth(Range { low: end(1, 0, true), high: None }, [Of(First), Flat], exponential(Even, -endless, endless))
         }
-        Op::Add => smooth(REAL, Rising, Rising),
-        Op::Sub => smooth(REAL, Rising, Falling),
-        Op::Mul => smooth(REAL, Of(Second), Of(First)),
+        // The limits at the two infinities differ, too; but its formula goes on as one and the same function of exponentials.
+        Op::Tanh => smooth(
+            Range { low: end(-1, 0, false), high: end(1, 0, false) },
+            [Rising, Flat],
+            exponential(Odd, -20.0, 20.0),
+        ),
+        Op::Cube => smooth(REAL, [Rising, Flat], degree(Some(3))),
+        Op::Abs => Row {
+            needs: vec![],
+            edges: vec![edge(First, Change::Kink)],
+            range: from_zero,
+            slopes: [Of(First), Flat],
+            nature: degree(None),
+        },
+        Op::Add => smooth(REAL, [Rising, Rising], linear),
+        Op::Sub => smooth(REAL, [Rising, Falling], linear),
+        Op::Mul => smooth(REAL, [Of(Second), Of(First)], linear),
         Op::Div => Row {
             needs: vec![(Second, Sign::NotZero)],
             edges: vec![edge(Second, pole(1))],
             range: REAL,
             slopes: [Of(Second), Against(First)],
+            nature: Nature::Algebraic([Some(1), None]),
         },
         Op::Pow => Row {
             needs: vec![(First, Sign::NotNegative), (Support, Sign::Positive)],
@@ -288,21 +351,24 @@ pub fn row(op: Op) -> Row {
             ],
             range: from_zero,
             slopes: [Of(Second), Of(Excess)],
+            nature: not_algebraic(Neither),
         },
         Op::Arctan2 => Row {
             needs: vec![(Squares, Sign::NotZero)],
             edges: vec![Edge { place: Place::ZeroWhile(First, Opposite), change: Change::Jump(2) }],
             range: Range { low: end(0, -2, false), high: end(0, 2, true) },
             slopes: [Of(Second), Against(First)],
+            nature: not_algebraic(Neither),
         },
         Op::Agm => Row {
             needs: vec![(First, Sign::NotNegative), (Second, Sign::NotNegative)],
             edges: vec![edge(First, Change::Steep), edge(Second, Change::Steep)],
             range: from_zero,
             slopes: [Rising, Rising],
+            nature: not_algebraic(Neither),
         },
         // Its own domain is that of its arguments.
-        Op::Restrict => smooth(REAL, Rising, Flat),
+        Op::Restrict => smooth(REAL, [Rising, Flat], degree(Some(1))),
         Op::Powi(n) => {
             let (even, falls) = (n % 2 == 0, n < 0);
             Row {
@@ -320,6 +386,7 @@ pub fn row(op: Op) -> Row {
                     (_, false, false) => [Rising, Flat],
                     (_, false, true) => [Falling, Flat],
                 },
+                nature: degree(u32::try_from(n).ok()),
             }
         }
     }
@@ -550,109 +617,4 @@ impl Graph {
         };
         row(op).edges.into_iter().map(edge).collect()
     }
-}
-
-// ---- The same in words, for the page on the grammar.
-
-impl Term {
-    fn words(self) -> &'static str {
-        match self {
-            Term::First => "a",
-            Term::Second => "b",
-            Term::Opposite => "−b",
-            Term::Cosine => "cos a",
-            Term::Sine => "sin a",
-            Term::Unit => "1 − a²",
-            Term::Excess => "a − 1",
-            Term::Squares => "a² + b²",
-            Term::Support => "a + b + \\|b\\|",
-        }
-    }
-}
-
-fn need_words((term, sign): (Term, Sign)) -> String {
-    match (term, sign) {
-        (Term::Support, _) => "a > 0 or b > 0".to_owned(),
-        (_, Sign::Positive) => format!("{} > 0", term.words()),
-        (_, Sign::NotNegative) => format!("{} ≥ 0", term.words()),
-        (_, Sign::NotZero) => format!("{} ≠ 0", term.words()),
-    }
-}
-
-fn edge_words(edge: Edge) -> String {
-    let place = match edge.place {
-        Place::Zero(term) => format!("{} = 0", term.words()),
-        Place::ZeroWhile(term, Term::Opposite) => format!("{} = 0, b < 0", term.words()),
-        Place::ZeroWhile(term, other) => format!("{} = 0, {} > 0", term.words(), other.words()),
-        Place::Infinity => "through ∞".to_owned(),
-    };
-    let sides = |sides: Sides| match sides {
-        Sides::Opposite => ", sides opposite",
-        Sides::Alike => ", sides alike",
-        Sides::One => ", one side",
-    };
-    match edge.change {
-        Change::Pole(Order::Whole(n), s) => format!("{place}: pole of order {n}{}", sides(s)),
-        Change::Pole(Order::Exponent, s) => format!("{place}: pole of order −b{}", sides(s)),
-        Change::Log => format!("{place}: logarithmic pole"),
-        Change::Jump(1) => format!("{place}: jump of π"),
-        Change::Jump(n) => format!("{place}: jump of {n}π"),
-        Change::Kink => format!("{place}: kink"),
-        Change::Steep => format!("{place}: steep"),
-    }
-}
-
-fn bound_words(bound: Option<Bound>, low: bool) -> String {
-    let Some(Bound { whole, quarter_turns, attained }) = bound else {
-        return if low { "(−∞".to_owned() } else { "∞)".to_owned() };
-    };
-    let minus = |n: i8| if n < 0 { "−" } else { "" };
-    let value = match quarter_turns.unsigned_abs() {
-        0 => format!("{}{}", minus(whole), whole.unsigned_abs()),
-        1 => format!("{}π/2", minus(quarter_turns)),
-        2 => format!("{}π", minus(quarter_turns)),
-        n => format!("{}{n}π/2", minus(quarter_turns)),
-    };
-    match (low, attained) {
-        (true, true) => format!("[{value}"),
-        (true, false) => format!("({value}"),
-        (false, true) => format!("{value}]"),
-        (false, false) => format!("{value})"),
-    }
-}
-
-fn slope_words(op: Op, row: &Row) -> String {
-    let one = |slope: Slope| match slope {
-        Slope::Flat => "–".to_owned(),
-        Slope::Rising => "↑".to_owned(),
-        Slope::Falling => "↓".to_owned(),
-        Slope::Of(term) => format!("as {}", term.words()),
-        Slope::Against(term) => format!("against {}", term.words()),
-    };
-    match op.arity() {
-        2 => format!("{}; {}", one(row.slopes[0]), one(row.slopes[1])),
-        _ => one(row.slopes[0]),
-    }
-}
-
-/// A list in words; a dash where there is nothing.
-fn listed(all: Vec<String>) -> String {
-    if all.is_empty() { "–".to_owned() } else { all.join("; ") }
-}
-
-/// The row of an operation as a line of a Markdown table: spelling, needs, edges, range, slopes.
-pub fn line(op: Op) -> String {
-    let row = row(op);
-    let spelling = match op {
-        Op::Powi(n) => format!("a^{{{n}}}"),
-        op => op.spelling().replace('|', r"\|"),
-    };
-    let needs = listed(row.needs.iter().copied().map(need_words).collect());
-    let edges = listed(row.edges.iter().copied().map(edge_words).collect());
-    let range = match (row.range.low, row.range.high) {
-        (None, None) => "ℝ".to_owned(),
-        (Some(low), Some(high)) if low == high => format!("{{{}}}", low.whole),
-        (low, high) => format!("{}, {}", bound_words(low, true), bound_words(high, false)),
-    };
-    format!("| `{spelling}` | {needs} | {edges} | {range} | {} |", slope_words(op, &row))
 }

@@ -12,6 +12,7 @@
 use std::collections::BTreeMap;
 
 use super::polynomial::shift;
+use expr::domain::{Change, Edge, Nature, Place, Row, Term, row};
 use expr::tape::Tape;
 use expr::{Expr, FastSet, Graph, Leaf, Node};
 use number::Op;
@@ -28,8 +29,6 @@ const NOTHING: f64 = -746.0;
 const SHORTEST: f64 = 1e-12;
 /// What is below its error times this may be 0.
 const NOISE: f64 = 4.0;
-/// Beyond this argument tanh is ±1.
-const SATURATED: f64 = 20.0;
 
 /// An argument that may hide something, by the slots of a tape.
 #[derive(Clone, Copy, Debug)]
@@ -179,28 +178,40 @@ impl Argument {
 /// the operation grows without bound, or comes to rest. `a` and `b` are their slots, `moving` says which of them move.
 fn hiding(op: Op, (a, b): (usize, usize), moving: [bool; 2]) -> impl Iterator<Item = Argument> {
     let [first, second] = moving;
-    let endless = f64::INFINITY;
-    let one = |argument: Argument| [first.then_some(argument), None];
-    let found = match op {
-        Op::Exp => one(Argument::Exponent(a, NOTHING, endless)),
-        Op::Sinh | Op::Cosh => one(Argument::Exponent(a, -endless, endless)),
-        Op::Tanh => one(Argument::Exponent(a, -SATURATED, SATURATED)),
-        Op::Powi(n) => {
-            let high = n.saturating_abs() >= HIGH;
-            let power = Argument::Base(a, f64::from(n.saturating_abs()));
-            [(first && high).then_some(power), (first && n < 0).then_some(Argument::Singular(a))]
-        }
-        Op::Sqrt | Op::Ln => one(Argument::Singular(a)),
-        Op::Tan => one(Argument::Cosine(a)),
-        Op::Arcsin | Op::Arccos => one(Argument::Unit(a)),
-        Op::Div => [second.then_some(Argument::Singular(b)), None],
-        Op::Pow => [(first || second).then_some(Argument::Power(a, b)), None],
-        Op::Arctan2 => [(first || second).then_some(Argument::Plane(a, b)), None],
-        Op::Agm => [first.then_some(Argument::Singular(a)), second.then_some(Argument::Singular(b))],
-        Op::Abs => one(Argument::Kink(a)),
-        Op::Neg | Op::Add | Op::Sub | Op::Mul | Op::Sin | Op::Cos | Op::Arctan | Op::Restrict => [None, None],
-    };
-    found.into_iter().flatten()
+    let mut found = Vec::new();
+    if op == Op::Pow {
+        found.extend((first || second).then_some(Argument::Power(a, b)));
+        return found.into_iter();
+    }
+    let Row { needs, edges, nature, .. } = row(op);
+    if let Op::Powi(n) = op
+        && n.saturating_abs() >= HIGH
+    {
+        found.extend(first.then_some(Argument::Base(a, f64::from(n.saturating_abs()))));
+    }
+    if let Nature::Transcendental { exponential: Some([low, high]), .. } = nature {
+        found.extend(first.then_some(Argument::Exponent(a, low, high)));
+    }
+    let vanishing = edges.iter().filter_map(|edge| match edge.place {
+        Place::Zero(term) => Some(term),
+        // Where it jumps, it is seen to.
+        Place::ZeroWhile(..) | Place::Infinity => None,
+    });
+    let mut terms: Vec<Term> = needs.iter().map(|(term, _)| *term).collect();
+    terms.extend(vanishing.filter(|term| !needs.iter().any(|(other, _)| other == term)));
+    for term in terms {
+        let bends = edges.contains(&Edge { place: Place::Zero(term), change: Change::Kink });
+        let (moves, argument) = match term {
+            Term::First if bends => (first, Argument::Kink(a)),
+            Term::First | Term::Excess | Term::Sine => (first, Argument::Singular(a)),
+            Term::Second | Term::Opposite => (second, Argument::Singular(b)),
+            Term::Cosine => (first, Argument::Cosine(a)),
+            Term::Unit => (first, Argument::Unit(a)),
+            Term::Squares | Term::Support => (first || second, Argument::Plane(a, b)),
+        };
+        found.extend(moves.then_some(argument));
+    }
+    found.into_iter()
 }
 
 /// Whether an operation has arguments that may hide something, if those move that `moving` says.
@@ -279,5 +290,22 @@ impl Arguments {
     /// Whether all move moderately; `of` and `turns` as for [`Argument::varies`].
     pub(super) fn are_moderate(&self, of: impl Fn(usize) -> Option<Moves>, turns: impl Fn(usize) -> bool) -> bool {
         self.0.iter().all(|argument| argument.varies(&of, &turns).is_none())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where an argument is looked at for what vanishes at another place, nothing would be seen.
+    #[test]
+    fn what_vanishes_where_an_operation_is_singular_is_looked_at() {
+        for &op in Op::ALL.iter().filter(|op| **op != Op::Pow) {
+            let Row { needs, edges, .. } = row(op);
+            let of = |term: Term| {
+                needs.iter().any(|(t, _)| *t == term) || edges.iter().any(|e| e.place == Place::Zero(term))
+            };
+            assert!(![Term::Excess, Term::Sine, Term::Support].into_iter().any(of), "{op:?}");
+        }
     }
 }

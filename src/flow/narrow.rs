@@ -9,6 +9,7 @@
 //! **In:** a step, as polynomials of the states. **Out:** whether the rates are polynomials on it, up to a small part of the
 //! size of the states. Right sides that are polynomials themselves have nothing to hide.
 
+use expr::domain::{Nature, row};
 use expr::tape::{Slots, Tape};
 use number::{Interval, Jet, Op, Orders};
 
@@ -68,26 +69,14 @@ fn most(scale: f64) -> f64 {
     FINE * scale + FLOOR
 }
 
-/// Whether an operation is a polynomial in what moves.
+/// Whether an operation is a polynomial in what moves, of a degree that a step resolves.
 fn is_polynomial(op: Op, first: bool, second: bool) -> bool {
-    match op {
-        Op::Neg | Op::Add | Op::Sub | Op::Mul | Op::Restrict => true,
-        Op::Powi(n) => (0..=4).contains(&n) || !first,
-        Op::Div => !second,
-        Op::Sqrt
-        | Op::Exp
-        | Op::Ln
-        | Op::Sin
-        | Op::Cos
-        | Op::Tan
-        | Op::Arcsin
-        | Op::Arccos
-        | Op::Arctan
-        | Op::Sinh
-        | Op::Cosh
-        | Op::Tanh
-        | Op::Abs => !first,
-        Op::Pow | Op::Arctan2 | Op::Agm => !first && !second,
+    match row(op).nature {
+        Nature::Algebraic(degrees) => {
+            let low = |(moves, degree): (bool, Option<u32>)| !moves || degree.is_some_and(|degree| degree <= 4);
+            [first, second].into_iter().zip(degrees).all(low)
+        }
+        Nature::Transcendental { .. } => !first && !second,
     }
 }
 

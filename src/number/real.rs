@@ -193,6 +193,7 @@ table! {
         Cosh cosh |a| true, Cosh;
         Tanh tanh |a| true, Tanh;
         Abs abs |a| true, Abs;
+        Cube cube |a| true, Power(3);
     }
     binary {
         Add add |a, b| true, Add;

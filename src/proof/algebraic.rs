@@ -297,7 +297,6 @@ impl Numbers {
 
 fn step(graph: &Graph, e: Expr, values: &FastMap<Expr, Value>, pi: &Ball) -> Option<Value> {
     let digits = pi.digits;
-    let at = |e: Expr| values.get(&e);
     let bits = |n: usize| n as f64;
     Some(match *graph.node(e) {
         Node::Constant(ref r) => Value {
@@ -306,72 +305,66 @@ fn step(graph: &Graph, e: Expr, values: &FastMap<Expr, Value>, pi: &Ball) -> Opt
             under: if r.is_int() { 0.0 } else { bits(r.denominator().bit_len()) },
         },
         Node::Pi | Node::Leaf(_) => return None,
-        Node::Unary(op, a) => match op {
-            Op::Neg => {
-                let a = at(a)?;
-                Value { ball: a.ball.neg(), ..a.clone() }
-            }
-            Op::Abs => {
-                let a = at(a)?;
-                match a.ball.sign()? {
-                    Ordering::Less => Value { ball: a.ball.neg(), ..a.clone() },
-                    Ordering::Equal | Ordering::Greater => a.clone(),
-                }
-            }
-            Op::Sqrt => root(at(a)?, 2)?,
-            Op::Powi(n) => power(at(a)?, n)?,
-            Op::Sin | Op::Cos | Op::Tan => {
-                let q = multiple_of_pi(graph, a)?;
-                // Between −1 and 1.
-                let turns = (&q / Rational::from(2)).round();
-                let q = q - Rational::from(turns) * Rational::from(2);
-                // Half of the angle, so that the series converge from the start; then cos and sin of twice that.
-                let (c, s) = circle(&Ball::rational(&(q / Rational::from(2)), digits).mul(pi));
-                let one = Ball::rational(&Rational::ONE, digits);
-                let (cc, sc) = (c.mul(&c), s.mul(&c));
-                let (c, s) = (cc.add(&cc).add(&one.neg()), sc.add(&sc));
-                let value = |ball: Ball| Value { ball, top: 1.0, under: 1.0 };
-                match op {
-                    Op::Cos => value(c),
-                    Op::Sin => value(s),
-                    _ => product(&value(s), &inverse(&value(c))?),
-                }
-            }
-            Op::Exp | Op::Ln | Op::Arcsin | Op::Arccos | Op::Arctan | Op::Sinh | Op::Cosh | Op::Tanh => return None,
-            Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Pow | Op::Arctan2 | Op::Agm | Op::Restrict => return None,
-        },
-        Node::Binary(op, a, b) => match op {
-            Op::Add => sum(at(a)?, at(b)?),
-            Op::Sub => {
-                let b = at(b)?;
-                sum(at(a)?, &Value { ball: b.ball.neg(), ..b.clone() })
-            }
-            Op::Mul => product(at(a)?, at(b)?),
-            Op::Div => product(at(a)?, &inverse(at(b)?)?),
-            Op::Restrict => at(b).and(at(a))?.clone(),
-            Op::Pow => {
-                let exponent = graph.as_constant(b)?;
-                let (top, order) = small(exponent)?;
-                let root = root(at(a)?, order)?;
-                let top = i32::try_from(top).ok()?;
-                power(&root, if *exponent < Rational::ZERO { -top } else { top })?
-            }
-            Op::Arctan2 | Op::Agm | Op::Powi(_) => return None,
-            Op::Neg
-            | Op::Sqrt
-            | Op::Exp
-            | Op::Ln
-            | Op::Sin
-            | Op::Cos
-            | Op::Tan
-            | Op::Arcsin
-            | Op::Arccos
-            | Op::Arctan => {
-                return None;
-            }
-            Op::Sinh | Op::Cosh | Op::Tanh | Op::Abs => return None,
-        },
+        Node::Unary(op, a) => of_operation(graph, op, (a, a), values, pi)?,
+        Node::Binary(op, a, b) => of_operation(graph, op, (a, b), values, pi)?,
     })
+}
+
+/// Of an operation that yields algebraic numbers, the second argument being the first where there is one only; `None` for any other.
+fn of_operation(
+    graph: &Graph,
+    op: Op,
+    (a, b): (Expr, Expr),
+    values: &FastMap<Expr, Value>,
+    pi: &Ball,
+) -> Option<Value> {
+    let digits = pi.digits;
+    let at = |e: Expr| values.get(&e);
+    Some(match op {
+        Op::Neg => negative(at(a)?),
+        Op::Abs => match at(a)?.ball.sign()? {
+            Ordering::Less => negative(at(a)?),
+            Ordering::Equal | Ordering::Greater => at(a)?.clone(),
+        },
+        Op::Sqrt => root(at(a)?, 2)?,
+        Op::Powi(n) => power(at(a)?, n)?,
+        Op::Sin | Op::Cos | Op::Tan => {
+            let q = multiple_of_pi(graph, a)?;
+            // Between −1 and 1.
+            let turns = (&q / Rational::from(2)).round();
+            let q = q - Rational::from(turns) * Rational::from(2);
+            // Half of the angle, so that the series converge from the start; then cos and sin of twice that.
+            let (c, s) = circle(&Ball::rational(&(q / Rational::from(2)), digits).mul(pi));
+            let one = Ball::rational(&Rational::ONE, digits);
+            let (cc, sc) = (c.mul(&c), s.mul(&c));
+            let value = |ball: Ball| Value { ball, top: 1.0, under: 1.0 };
+            let (c, s) = (value(cc.add(&cc).add(&one.neg())), value(sc.add(&sc)));
+            if op == Op::Cos {
+                c
+            } else if op == Op::Sin {
+                s
+            } else {
+                product(&s, &inverse(&c)?)
+            }
+        }
+        Op::Add => sum(at(a)?, at(b)?),
+        Op::Sub => sum(at(a)?, &negative(at(b)?)),
+        Op::Mul => product(at(a)?, at(b)?),
+        Op::Div => product(at(a)?, &inverse(at(b)?)?),
+        Op::Restrict => at(b).and(at(a))?.clone(),
+        Op::Pow => {
+            let exponent = graph.as_constant(b)?;
+            let (top, order) = small(exponent)?;
+            let root = root(at(a)?, order)?;
+            let top = i32::try_from(top).ok()?;
+            power(&root, if *exponent < Rational::ZERO { -top } else { top })?
+        }
+        _ => return None,
+    })
+}
+
+fn negative(a: &Value) -> Value {
+    Value { ball: a.ball.neg(), ..a.clone() }
 }
 
 fn sum(a: &Value, b: &Value) -> Value {

@@ -6,6 +6,7 @@
 
 use super::outcome::Premises;
 use super::witness::{Values, decimals};
+use expr::domain::{Range, row};
 use expr::{Expr, Graph, Node, Op, Rational};
 use number::Bounded;
 
@@ -71,13 +72,22 @@ fn is_positive(graph: &Graph, w: Expr) -> Option<bool> {
     (!value.contains_zero()).then_some(value.value > 0.0)
 }
 
-/// Whether a number lies between −π/2 and π/2; unknown at the ends.
-fn is_within_a_quarter_turn(graph: &mut Graph, w: Expr) -> Option<bool> {
-    let (half, size) = (graph.constant(Rational::ONE / Rational::from(2)), graph.unary(Op::Abs, w));
-    let pi = graph.pi();
-    let quarter = graph.mul(half, pi);
-    let room = graph.sub(quarter, size);
-    is_positive(graph, room).filter(|_| !graph.is_zero(room))
+/// Whether a number is one of a range.
+fn is_in(graph: &mut Graph, w: Expr, range: Range) -> Option<bool> {
+    let mut inside = Some(true);
+    for (bound, is_low) in [(range.low, true), (range.high, false)] {
+        let Some(bound) = bound else { continue };
+        let (half, pi) = (graph.constant(Rational::from(bound.quarter_turns) / Rational::from(2)), graph.pi());
+        let (whole, turns) = (graph.integer(bound.whole.into()), graph.mul_structural(half, pi));
+        let end = graph.add(whole, turns);
+        let room = if is_low { graph.sub(w, end) } else { graph.sub(end, w) };
+        match if graph.is_zero(room) { Some(bound.attained) } else { is_positive(graph, room) } {
+            Some(true) => {}
+            Some(false) => return Some(false),
+            None => inside = None,
+        }
+    }
+    inside
 }
 
 /// Whether a number is certainly not 0.
@@ -85,41 +95,21 @@ fn is_not_zero(graph: &Graph, w: Expr) -> bool {
     bounds(graph, w).is_some_and(|value| !value.contains_zero())
 }
 
+/// Functions that are one to one, and their inverse where they have values.
+const INVERSES: [(Op, Op); 7] = [
+    (Op::Neg, Op::Neg),
+    (Op::Sqrt, Op::Powi(2)),
+    (Op::Exp, Op::Ln),
+    (Op::Ln, Op::Exp),
+    (Op::Arcsin, Op::Sin),
+    (Op::Arccos, Op::Cos),
+    (Op::Arctan, Op::Tan),
+];
+
 /// u of f(u) = w for a function that is one to one, and whether there is one; `None` for other functions.
 fn inverse(graph: &mut Graph, op: Op, w: Expr) -> Option<(Option<bool>, Expr)> {
-    Some(match op {
-        Op::Neg => (Some(true), graph.neg(w)),
-        Op::Sqrt => {
-            let attained = if graph.is_zero(w) { Some(true) } else { is_positive(graph, w) };
-            (attained, graph.powi(w, 2))
-        }
-        Op::Exp => (is_positive(graph, w), graph.unary(Op::Ln, w)),
-        Op::Ln => (Some(true), graph.unary(Op::Exp, w)),
-        Op::Arcsin => (is_within_a_quarter_turn(graph, w), graph.unary(Op::Sin, w)),
-        Op::Arctan => (is_within_a_quarter_turn(graph, w), graph.unary(Op::Tan, w)),
-        Op::Arccos => {
-            let (half, pi) = (graph.constant(Rational::ONE / Rational::from(2)), graph.pi());
-            let quarter = graph.mul(half, pi);
-            let off = graph.sub(w, quarter);
-            (is_within_a_quarter_turn(graph, off), graph.unary(Op::Cos, w))
-        }
-        Op::Sin
-        | Op::Cos
-        | Op::Tan
-        | Op::Sinh
-        | Op::Cosh
-        | Op::Tanh
-        | Op::Abs
-        | Op::Powi(_)
-        | Op::Add
-        | Op::Sub
-        | Op::Mul
-        | Op::Div
-        | Op::Pow
-        | Op::Arctan2
-        | Op::Agm
-        | Op::Restrict => return None,
-    })
+    let (_, inverse) = INVERSES.into_iter().find(|(function, _)| *function == op)?;
+    Some((is_in(graph, w, row(op).range), graph.unary(inverse, w)))
 }
 
 /// u of u ∘ n = w, for a number n.

@@ -235,6 +235,10 @@ impl<'g> Lowering<'g> {
                     let a = self.image[&a];
                     self.graph.unary(op, a)
                 }
+                Op::Cube => {
+                    let a = self.image[&a];
+                    self.graph.powi(a, 3)
+                }
                 Op::Sin => self.circle(a)?.1,
                 Op::Cos => self.circle(a)?.0,
                 Op::Tan => {
@@ -248,11 +252,9 @@ impl<'g> Lowering<'g> {
                     let two = self.graph.integer(2);
                     let inverse = self.graph.div(one, e);
                     let (sum, difference) = (self.graph.add(e, inverse), self.graph.sub(e, inverse));
-                    match op {
-                        Op::Sinh => self.graph.div(difference, two),
-                        Op::Cosh => self.graph.div(sum, two),
-                        _ => self.graph.div(difference, sum),
-                    }
+                    let (above, below) =
+                        (if op == Op::Cosh { sum } else { difference }, if op == Op::Tanh { sum } else { two });
+                    self.graph.div(above, below)
                 }
                 Op::Ln => {
                     if let Node::Unary(Op::Exp, x) = *self.graph.node(a) {

@@ -5,6 +5,7 @@
 
 use super::linear::{Combinations, Monomial, expression};
 use super::outcome::Premises;
+use expr::domain::{Bound, Range, row};
 use expr::{Expr, FastMap, Graph, Leaf, Node, Op, Rational};
 use number::{Decorated, Interval, Number};
 
@@ -29,20 +30,19 @@ fn apply(op: Op, a: &Decorated, b: &Decorated) -> Decorated {
 
 /// All values of an operation.
 fn anywhere(op: Op) -> Decorated {
-    let range = match op {
-        Op::Exp | Op::Sqrt | Op::Abs | Op::Cosh => return upwards(),
-        Op::Sin | Op::Cos | Op::Tanh => Interval::new(-1.0, 1.0),
-        // A little more than π/2 and π.
-        Op::Arctan | Op::Arcsin => Interval::new(-1.58, 1.58),
-        Op::Arccos => Interval::new(0.0, 3.15),
-        Op::Arctan2 => Interval::new(-3.15, 3.15),
-        Op::Powi(n) if n % 2 == 0 => return upwards(),
-        Op::Neg | Op::Ln | Op::Tan | Op::Sinh | Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Pow => {
-            return Decorated::UNKNOWN;
-        }
-        Op::Agm | Op::Powi(_) | Op::Restrict => return Decorated::UNKNOWN,
+    // A little more than π/2, and a little less.
+    let end = |bound: Bound, [positive, negative]: [f64; 2]| {
+        let turns = f64::from(bound.quarter_turns);
+        f64::from(bound.whole) + turns * if turns > 0.0 { positive } else { negative }
     };
-    range.map_or(Decorated::UNKNOWN, |range| Decorated::UNKNOWN.narrowed(range))
+    match row(op).range {
+        Range { low: Some(low), high: Some(high) } => {
+            let all = Interval::new(end(low, [1.57, 1.58]), end(high, [1.58, 1.57]));
+            all.map_or(Decorated::UNKNOWN, |all| Decorated::UNKNOWN.narrowed(all))
+        }
+        Range { low: Some(low), high: None } if low.whole >= 0 && low.quarter_turns >= 0 => upwards(),
+        Range { .. } => Decorated::UNKNOWN,
+    }
 }
 
 /// [0, ∞).

@@ -25,6 +25,7 @@ use super::prove::identity_at;
 use super::range::Ranges;
 use super::simpler::simpler;
 use super::witness::{decimals, values_at};
+use expr::domain::{Nature, Parity, row};
 use expr::{Expr, FastMap, FastSet, Graph, Node, Op, Rational};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -221,22 +222,12 @@ fn certain() -> Proof {
     }
 }
 
-/// How a function goes with the sign of its argument.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Parity {
-    Even,
-    Odd,
-    Neither,
-}
-
+/// Of a function whose arguments are compared; what is algebraic is computed with.
 fn parity(op: Op) -> Option<Parity> {
-    Some(match op {
-        Op::Cos | Op::Cosh => Parity::Even,
-        Op::Sin | Op::Tan | Op::Arcsin | Op::Arctan | Op::Sinh | Op::Tanh => Parity::Odd,
-        Op::Exp | Op::Ln | Op::Arccos => Parity::Neither,
-        Op::Neg | Op::Sqrt | Op::Abs | Op::Powi(_) | Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Pow => return None,
-        Op::Arctan2 | Op::Agm | Op::Restrict => return None,
-    })
+    match row(op).nature {
+        Nature::Transcendental { parity, .. } => Some(parity),
+        Nature::Algebraic(_) => None,
+    }
 }
 
 /// What a factor of a term is.

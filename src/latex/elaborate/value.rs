@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::super::parse::operation;
 use super::super::scope::{Logarithm, Role};
 use super::super::syntax::{Name, Node, NodeKind, Sign};
 use super::super::tensor;
@@ -473,21 +474,8 @@ impl Elaborator<'_> {
             return Ok(Tensor::scalar(e));
         }
         let g = &mut *self.graph;
-        let op = match function {
-            "sin" => Op::Sin,
-            "cos" => Op::Cos,
-            "tan" => Op::Tan,
-            "arcsin" => Op::Arcsin,
-            "arccos" => Op::Arccos,
-            "arctan" => Op::Arctan,
-            "sinh" => Op::Sinh,
-            "cosh" => Op::Cosh,
-            "tanh" => Op::Tanh,
-            "exp" => Op::Exp,
-            "ln" => Op::Ln,
-            "atan2" => Op::Arctan2,
-            "agm" => Op::Agm,
-            _ => return refuse("latex::unknown-function", format!("`{function}` is not known"), span, ""),
+        let Some(op) = operation(function) else {
+            return refuse("latex::unknown-function", format!("`{function}` is not known"), span, "");
         };
         let e = match *values.as_slice() {
             [x] if op.arity() == 1 => g.unary(op, x),

@@ -3,7 +3,7 @@
 use super::super::lexer::Kind;
 use super::super::name::{self, NAMES};
 use super::super::syntax::{Bracket, Nabla, Node, NodeKind};
-use super::function::{self, FUNCTIONS, OPERATORS, WORDS};
+use super::function::{self, FUNCTIONS, WORDS, operators};
 use super::{Open, Parsed, Parser, decimal, refuse};
 use expr::Rational;
 
@@ -250,7 +250,7 @@ impl Parser<'_> {
             let message = format!("`{f}` without a backslash is a product of letters");
             return refuse("latex::ambiguous", message, span, format!(r"write `\{f}`, or spaces between the letters"));
         }
-        let operator = OPERATORS.iter().map(|(name, _)| *name).find(|name| *name == word);
+        let operator = operators().map(|(name, _)| name).find(|name| *name == word);
         match operator {
             Some(name) if WORDS.contains(&name) && !known && self.tokens[i].kind == Kind::Sign('(') => {
                 self.at = i;
@@ -407,7 +407,7 @@ impl Parser<'_> {
             self.bump();
         }
         let function = function::named(&word).is_some() && !self.scope.declares(&format!("rm:{word}"));
-        if self.is('}') && (function || OPERATORS.iter().any(|(name, _)| *name == word)) {
+        if self.is('}') && (function || operators().any(|(name, _)| name == word)) {
             self.bump();
             return Some(word);
         }
@@ -526,7 +526,7 @@ impl Parser<'_> {
             word = Some(c.to_string());
         }
         if let Some(word) = word {
-            if OPERATORS.iter().any(|(name, _)| *name == word) {
+            if operators().any(|(name, _)| name == word) {
                 return self.operator(word, start).map(Some);
             }
             if word == "e" && !self.is('_') && !self.scope.declares("rm:e") {

@@ -4,6 +4,7 @@ use super::super::lexer::Kind;
 use super::super::printed;
 use super::super::syntax::{Node, NodeKind};
 use super::{Open, Parsed, Parser, refuse, side_by_side};
+use expr::Op;
 
 /// Functions of one argument that need no parentheses.
 pub(super) const FUNCTIONS: &[&str] = &[
@@ -36,7 +37,10 @@ pub(super) fn named(word: &str) -> Option<&'static str> {
 }
 
 /// Functions written with `\operatorname` or `\rm`, and their number of arguments; 0 for any.
-pub(super) const OPERATORS: &[(&str, usize)] = &[("atan2", 2), ("agm", 2), ("tr", 1), ("diag", 0), ("diagonal", 0)];
+pub(super) fn operators() -> impl Iterator<Item = (&'static str, usize)> {
+    let name = |op: &Op| Some((op.spelling().strip_prefix(r"\operatorname{")?.strip_suffix('}')?, op.arity()));
+    Op::ALL.iter().filter_map(name).chain([("tr", 1), ("diag", 0), ("diagonal", 0)])
+}
 
 /// Operators that papers also write as plain words.
 pub(super) const WORDS: &[&str] = &["diag", "diagonal"];
@@ -48,6 +52,12 @@ pub fn whole_part(function: &str) -> Option<[&'static str; 2]> {
         "ceil" => Some(["⌈", "⌉"]),
         _ => None,
     }
+}
+
+/// The operation of that name.
+pub(crate) fn operation(name: &str) -> Option<Op> {
+    let spelling = spelled(name);
+    Op::ALL.iter().copied().find(|op| op.spelling() == spelling)
 }
 
 /// A function as a formula writes it.
@@ -83,7 +93,7 @@ impl Parser<'_> {
 
     /// After an operator's name: its arguments in parentheses.
     pub(super) fn operator(&mut self, word: String, start: usize) -> Parsed<Node> {
-        let arity = OPERATORS.iter().find(|(name, _)| *name == word).map_or(0, |(_, n)| *n);
+        let arity = operators().find(|(name, _)| *name == word).map_or(0, |(_, n)| n);
         if self.is('^') || self.is('_') {
             let message = format!("a script behind `{word}`");
             return refuse("latex::unexpected", message, self.span(), "put parentheses around the function");

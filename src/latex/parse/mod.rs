@@ -28,7 +28,7 @@ use diag::Problem;
 use expr::Rational;
 
 pub use function::whole_part;
-pub(super) use function::{spelled, takes_bare_argument};
+pub(super) use function::{operation, spelled, takes_bare_argument};
 pub(super) use names::{WrittenName, read_name};
 
 /// What was read last, if its end cannot be seen in print.
