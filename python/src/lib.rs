@@ -18,7 +18,7 @@ use std::time::{Duration, Instant};
 use pyo3::prelude::*;
 use rederive::check::{Cancel, Limits, Proposition};
 use rederive::diag::{Diagnostic, render, sort};
-use rederive::{Ask, Failure, Question, Rigor, STACK};
+use rederive::{Ask, Failure, Question, Rigor};
 
 /// How often a call looks for signals, and says how far it is.
 const TICK: Duration = Duration::from_millis(20);
@@ -43,7 +43,7 @@ fn pool(py: Python<'_>) -> PyResult<Pool> {
         return Ok(pool);
     }
     // A panic is printed, and its caller sees that no result comes.
-    let pool = rayon::ThreadPoolBuilder::new().stack_size(STACK).panic_handler(|_| {}).build();
+    let pool = rederive::threads().panic_handler(|_| {}).build();
     let pool = Arc::new(pool.map_err(|e| defect(py, &format!("no threads can be started: {e}")))?);
     exchange(Some((process, Arc::clone(&pool))));
     Ok(pool)
@@ -123,11 +123,6 @@ impl Wait<'_> {
     }
 }
 
-/// When a number of seconds from now is over; never, where that is beyond the clock.
-fn after(seconds: Option<f64>) -> Option<Instant> {
-    seconds.and_then(|s| Duration::try_from_secs_f64(s).ok()).and_then(|d| Instant::now().checked_add(d))
-}
-
 #[pyclass(frozen)]
 struct Session(Arc<rederive::Session>);
 
@@ -173,7 +168,7 @@ impl Session {
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Findings> {
         let wait = Wait { progress, ..Wait::default() };
-        let limits = Limits { deadline: after(deadline), memory, cancel: Some(wait.cancel.clone()) };
+        let limits = Limits { deadline: Limits::after(deadline), memory, cancel: Some(wait.cancel.clone()) };
         let rigor = if sampled { Rigor::Sampled } else { Rigor::Enclosed };
         let ask = Ask { claims, trajectories, rigor, only_verdicts, limits };
         let (session, tell) = (Arc::clone(&self.0), wait.teller());
@@ -195,7 +190,7 @@ impl Session {
         deadline: Option<f64>,
     ) -> PyResult<(String, String)> {
         let question = Question { proposition: Proposition { formula, given, throughout }, symbols, scope };
-        let (session, until) = (Arc::clone(&self.0), after(deadline));
+        let (session, until) = (Arc::clone(&self.0), Limits::after(deadline));
         let answer = Wait { until, ..Wait::default() }.compute(py, move || session.prove(&question))?;
         answer
             .map(|a| (a.json(), a.text(false, false)))
