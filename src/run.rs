@@ -96,9 +96,9 @@ impl Document {
             }
             (Format::Json, _) => self.json(),
             (Format::Tex, Detail::FirstPage) => report::tex_summary(derivation, account),
-            (Format::Tex, _) => report::tex(derivation, account),
+            (Format::Tex, _) => self.findings.latex(),
             (Format::Markdown, Detail::FirstPage) => report::front_markdown(derivation, account),
-            (Format::Markdown, _) => report::markdown(derivation, account),
+            (Format::Markdown, _) => self.findings.markdown(),
             (Format::Junit | Format::Sarif | Format::Github, _) => String::new(),
         }
     }
@@ -115,7 +115,7 @@ impl Document {
         let (derivation, account) = (self.findings.derivation(), self.findings.account());
         match summary {
             true => (report::tex_summary(derivation, account), report::first_page(derivation, account)),
-            false => (report::tex(derivation, account), report::printed_page(derivation, account)),
+            false => (self.findings.latex(), report::printed_page(derivation, account)),
         }
     }
 

@@ -518,4 +518,9 @@ impl Findings {
     pub fn markdown(&self) -> String {
         report::markdown(&self.derivation, &self.account)
     }
+
+    /// The report as LaTeX source.
+    pub fn latex(&self) -> String {
+        report::tex(&self.derivation, &self.account)
+    }
 }

@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
 use rederive::check::{Cancel, Limits, Proposition};
-use rederive::diag::{Diagnostic, render, sort};
+use rederive::diag::{Diagnostic, sort};
 use rederive::{Ask, Failure, Question, Rigor};
 
 /// How often a call looks for signals, and says how far it is.
@@ -66,9 +66,7 @@ fn problems(py: Python<'_>, mut found: Vec<Diagnostic>) -> PyErr {
     sort(&mut found);
     let one = |d: &Diagnostic| {
         let (line, column) = d.line_and_column().unzip();
-        let text = render(std::slice::from_ref(d), false);
-        let text = text.trim_end_matches("1 problem found\n").trim_end().to_owned();
-        (d.code, d.message.clone(), d.source.path.clone(), line, column, d.hint.clone(), text)
+        (d.code, d.message.clone(), d.source.path.clone(), line, column, d.hint.clone(), d.to_string())
     };
     let all: Vec<_> = found.iter().map(one).collect();
     raised(class(py, "DerivationError").and_then(|c| c.call_method1("of", (all,))))
@@ -203,15 +201,22 @@ struct Findings(Arc<rederive::Findings>);
 
 #[pymethods]
 impl Findings {
-    /// The document of `report.json`, the page for a browser, or the report in Markdown.
+    /// The document of `report.json`, the page for a browser, or the report in Markdown or LaTeX.
     fn document(&self, py: Python<'_>, format: &str) -> PyResult<String> {
         let found = Arc::clone(&self.0);
         let write = match format {
             "page" => rederive::Findings::page,
             "markdown" => rederive::Findings::markdown,
+            "latex" => rederive::Findings::latex,
             _ => rederive::Findings::json,
         };
         Wait::default().compute(py, move || write(&found))
+    }
+
+    /// How the verdicts on a claim came about, for a person.
+    fn explanation(&self, py: Python<'_>, claim: String) -> PyResult<Option<String>> {
+        let found = Arc::clone(&self.0);
+        Wait::default().compute(py, move || found.explanation(&claim, false))
     }
 
     /// The formula that is compared, and (t, left, right, residual, bound, limit) at each time that is kept.
