@@ -19,15 +19,9 @@ pub fn one_of<T: Clone + Send + Sync + 'static>(
     })
 }
 
-/// A format in which one answer is printed.
-pub fn printed_as(formats: &'static [Format]) -> impl TypedValueParser<Value = Format> {
-    let all = [
-        ("text", "For people", Format::Text),
-        ("json", "As JSON", Format::Json),
-        ("tex", "As LaTeX source", Format::Tex),
-        ("markdown", "As Markdown", Format::Markdown),
-    ];
-    one_of(all.into_iter().filter(|(.., format)| formats.contains(format)))
+/// One of some formats.
+pub fn printed_as(formats: &[Format]) -> impl TypedValueParser<Value = Format> {
+    one_of(formats.iter().map(|format| (format.words().0, format.words().1, *format)))
 }
 
 /// The derivation files that a command is about.

@@ -7,14 +7,15 @@ use clap::{ArgMatches, Args, FromArgMatches};
 use rederive::files::write;
 use rederive::{Detail, Format, Run};
 
-use super::arguments::one_of;
+use super::arguments::printed_as;
 use super::ending::{Stop, print};
 
 /// The formats and files of a command line.
 #[derive(Args)]
 struct Given {
-    /// What is printed; may be repeated, each with an --output. The summary, unless another format is printed
-    #[arg(long, value_parser = one_of(Format::ALL.map(|f| (f.words().0, f.words().1, f))))]
+    /// What is printed; may be repeated, each with an --output. The summary for people, unless another format is printed; of JSON there is
+    /// a document for each derivation file
+    #[arg(long, value_parser = printed_as(&Format::ALL))]
     format: Vec<Format>,
     /// The file for the --format before it
     #[arg(long, value_name = "FILE")]
