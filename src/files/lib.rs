@@ -374,6 +374,39 @@ mod tests {
     }
 
     #[test]
+    fn a_text_is_utf8_and_replaces_nothing() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("a");
+        write::write_new(&file, "é".as_bytes()).expect("written");
+        assert_eq!(read_text(&file, 2).expect("read"), "é");
+        assert!(matches!(write::write_new(&file, b"b").expect_err("it is there").why, Why::Exists));
+        fs::write(&file, b"\xff").expect("written");
+        assert!(matches!(read_text(&file, 2).expect_err("no text").why, Why::NoText));
+    }
+
+    #[test]
+    fn a_file_is_told_at_once_and_when_it_is_another() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("a");
+        let mut changes = changes(&file, 5);
+        assert!(changes.next().is_some(), "it is missing, and is told once");
+        for text in ["1", "2"] {
+            fs::write(&file, text).expect("written");
+            assert!(changes.next().is_some(), "{text}");
+        }
+        // That it is gone for a moment is no change.
+        std::thread::scope(|scope| {
+            scope.spawn(|| {
+                fs::remove_file(&file).expect("removed");
+                std::thread::sleep(3 * PAUSE);
+                write::write_file(&file, b"3").expect("written");
+            });
+            changes.next();
+            assert_eq!(read(&file, 5).expect("read"), b"3");
+        });
+    }
+
+    #[test]
     fn what_is_no_file_is_not_read() {
         let folder = tempfile::tempdir().expect("a folder");
         let file = folder.path().join("a");
