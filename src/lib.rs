@@ -128,4 +128,4 @@ pub use check::{Outcome, Rigor, Strength, Witness};
 pub use conclusion::{Conclusion, Demand, Ending};
 pub use expr::tape;
 pub use run::{Detail, Document, Format, Run};
-pub use session::{Answer, ClaimName, Failure, Finding, Findings, Question, STACK, Session};
+pub use session::{Answer, ClaimName, Failure, Finding, Findings, Question, Session, threads};

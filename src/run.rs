@@ -36,13 +36,13 @@ impl Format {
     /// Its name, and what it is, in words.
     pub fn words(self) -> (&'static str, &'static str) {
         match self {
-            Format::Text => ("text", "A summary for people"),
-            Format::Json => ("json", "The report as JSON, one document for each derivation file"),
-            Format::Tex => ("tex", "The report as LaTeX source, for an appendix or a letter; pdflatex compiles it"),
-            Format::Markdown => ("markdown", "The report in Markdown, for a forge"),
-            Format::Junit => ("junit", "JUnit XML: a test case for each claim on each trajectory"),
-            Format::Sarif => ("sarif", "SARIF 2.1.0, for code scanning: what is not as expected, with its place"),
-            Format::Github => ("github", "Annotations of a GitHub workflow"),
+            Format::Text => ("text", "For people"),
+            Format::Json => ("json", "As JSON"),
+            Format::Tex => ("tex", "As LaTeX source, for an appendix or a letter; pdflatex compiles it"),
+            Format::Markdown => ("markdown", "As Markdown, for a forge"),
+            Format::Junit => ("junit", "As JUnit XML: a test case for each claim on each trajectory"),
+            Format::Sarif => ("sarif", "As SARIF 2.1.0, for code scanning: what is not as expected, with its place"),
+            Format::Github => ("github", "As annotations of a GitHub workflow"),
         }
     }
 
@@ -96,9 +96,9 @@ impl Document {
             }
             (Format::Json, _) => self.json(),
             (Format::Tex, Detail::FirstPage) => report::tex_summary(derivation, account),
-            (Format::Tex, _) => report::tex(derivation, account),
+            (Format::Tex, _) => self.findings.latex(),
             (Format::Markdown, Detail::FirstPage) => report::front_markdown(derivation, account),
-            (Format::Markdown, _) => report::markdown(derivation, account),
+            (Format::Markdown, _) => self.findings.markdown(),
             (Format::Junit | Format::Sarif | Format::Github, _) => String::new(),
         }
     }
@@ -115,7 +115,7 @@ impl Document {
         let (derivation, account) = (self.findings.derivation(), self.findings.account());
         match summary {
             true => (report::tex_summary(derivation, account), report::first_page(derivation, account)),
-            false => (report::tex(derivation, account), report::printed_page(derivation, account)),
+            false => (self.findings.latex(), report::printed_page(derivation, account)),
         }
     }
 

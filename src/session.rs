@@ -28,7 +28,19 @@ use crate::verdict::Residuals;
 const SCOPE: &str = "scope";
 
 /// Memory that a thread needs for the calls of a session: formulas, tables and proofs may be nested as deep as their readers allow.
-pub const STACK: usize = 64 << 20;
+const STACK: usize = 64 << 20;
+
+/// Threads on which a session can be asked: each has the memory that its calls need. There are as many as processors, unless a number is
+/// set.
+///
+/// ```
+/// let threads = rederive::threads().num_threads(2).build().expect("two threads");
+/// let opened = threads.install(|| rederive::Session::open("empty.toml", ""));
+/// assert!(opened.is_err());
+/// ```
+pub fn threads() -> rayon::ThreadPoolBuilder {
+    rayon::ThreadPoolBuilder::new().stack_size(STACK)
+}
 
 /// A derivation that was read, and what is known of it.
 #[derive(Debug)]
@@ -100,6 +112,12 @@ impl Failure {
             problem.hint = Some(other.unwrap_or_else(|| hint.to_owned()));
         }
         self
+    }
+}
+
+impl From<Vec<Diagnostic>> for Failure {
+    fn from(found: Vec<Diagnostic>) -> Failure {
+        Failure::Problems(found)
     }
 }
 
@@ -348,7 +366,7 @@ impl Session {
         let numbered = question.symbols.iter().enumerate();
         let typed: Vec<_> =
             numbered.map(|(at, text)| (format!("symbol {}", at + 1), shown(text).into_owned())).collect();
-        derivation.declare_typed(&typed).map_err(Failure::Problems)?;
+        derivation.declare_typed(&typed)?;
         let asked = &question.proposition;
         let proposition = Proposition {
             formula: shown(&asked.formula).into_owned(),
@@ -499,5 +517,10 @@ impl Findings {
     /// The report in Markdown.
     pub fn markdown(&self) -> String {
         report::markdown(&self.derivation, &self.account)
+    }
+
+    /// The report as LaTeX source.
+    pub fn latex(&self) -> String {
+        report::tex(&self.derivation, &self.account)
     }
 }

@@ -218,6 +218,24 @@ fn large_numbers_are_no_large_work() {
     assert!(matches!(ran.code, Some(0 | 3)), "{}{}", ran.out, ran.err);
 }
 
+/// What varies too rapidly to be followed is undecided after a bounded number of looks, for all of a motion and not for each sample of it.
+#[test]
+fn what_varies_rapidly_is_looked_at_for_a_while() {
+    let system = SYSTEM.replace("-kx", "k");
+    let motion = MOTION.replace("span = [0, 1]", "span = [0, 100]").replace("'x' = 1", "'x' = 0");
+    let formulas = [
+        r"\frac{1}{(\sin(10^5x))^2}>0.5",
+        r"\frac{1}{(\sin(10^5x))^2+10^{-9}}>0.5",
+        r"e^{-1000(\sin(10^5x))^2}>-0.5",
+        r"|\sin(10^9x)|+\arccos\sin(10^9x)>-1",
+        r"\ln|\sin(10^{15}x)|+\frac{1}{(\cos(10^6x))^{40}}>0",
+    ];
+    for formula in formulas {
+        let text = [HEAD, &system, &motion, &claim(0, formula, "")].concat();
+        answers(&text, 3, 150);
+    }
+}
+
 #[test]
 fn a_search_for_solutions_ends() {
     let names = ["c", "d", "f", "g", "h", "l"];

@@ -55,6 +55,7 @@ pub const CRATES: &[(&str, &[&str])] = &[
             "flow",
             "latex",
             "number",
+            "proof",
             "proved",
             "reason",
             "sampled",

@@ -95,6 +95,29 @@ fn changes_and_means_between_events() {
     }
 }
 
+/// What is narrower than the samples are dense is part of a mean; a kink is no place at which two rules differ by more than they are off.
+#[test]
+fn means_over_what_varies_rapidly() {
+    let mean = |formula: &str, from: &str, to: &str| {
+        format!("formula = '{formula}'\nsince = 't={from}'\nat = 't={to}'\ntake = 'mean'")
+    };
+    let needle = 0.5 * std::f64::consts::PI.sqrt();
+    has(&mean("10^6e^{-(10^6(t-2.49))^2}", "1", "3"), &[needle]);
+    // A hat of height 1 and width 2 · 10⁻⁵, of area 10⁻⁵.
+    let hat = r"\frac12(|10^5(t-2.49)+1|+|10^5(t-2.49)-1|-2|10^5(t-2.49)|)";
+    has(&mean(hat, "1", "3"), &[5e-6]);
+    for (from, to, at) in [(0.45, 3.71, 2.85), (0.1, 3.3, 0.7), (1.23, 9.1, 3.21), (0.31, 2.87, 1.6180339)] {
+        let area: f64 = 0.5 * ((at - from) * (at - from) + (to - at) * (to - at));
+        has(&mean(&format!("|t-{at}|"), &from.to_string(), &to.to_string()), &[area / (to - from)]);
+    }
+    // It has an integral, of which nothing tells how well it is known.
+    let root = 2.0 * (0.58_f64.sqrt() + 1.87_f64.sqrt()) / 2.45;
+    for of in measured(&mean(r"\frac{1}{\sqrt{|t-0.81|}}", "0.23", "2.68")) {
+        let (known, within) = (of.values.first(), |(_, x, bound): &(f64, f64, f64)| (x - root).abs() <= *bound);
+        assert!(known.is_none_or(within), "{of:?} {root}");
+    }
+}
+
 #[test]
 fn what_is_not_known_has_no_value() {
     let none = |lines: &str, words: &str| {
@@ -118,6 +141,12 @@ fn what_is_not_known_has_no_value() {
         &format!("formula = '\\sqrt{{x}}'\nsince = {first}\nat = {{ when = 'x=0', count = 2 }}\ntake = 'mean'"),
         "no value at",
     );
+    // A whole part at a whole number is one of two, and so is an angle on its cut.
+    for leaps in [r"\lfloor3t\rfloor", r"\operatorname{atan2}(t-2,-1)"] {
+        none(&format!("formula = '{leaps}'\nat = 'e^{{t-2}}-1=0'"), "not determined");
+        let change = "since = 't=1.7'\nat = 'e^{t-2}-1=0'\ntake = 'change'";
+        none(&format!("formula = '{leaps}'\n{change}"), "not determined");
+    }
 }
 
 #[test]

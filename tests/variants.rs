@@ -258,7 +258,7 @@ fn what_one_motion_alone_could_have_decided() {
     let account = thrown(r"\dot z=w", "['up', 'still']");
     let poorest = account.poor().into_iter().next().expect("a motion");
     assert_eq!((poorest.trajectory.as_str(), poorest.rejected), ("still", 2));
-    assert!(poorest.sentence().contains("would have held as well"), "{}", poorest.sentence());
+    assert!(poorest.to_string().contains("would have held as well"), "{poorest}");
 }
 
 /// The first correction that the program offers on the command line for a copy of the Comment's file with one formula altered.

@@ -17,8 +17,8 @@ use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
 use rederive::check::{Cancel, Limits, Proposition};
-use rederive::diag::{Diagnostic, render, sort};
-use rederive::{Ask, Failure, Question, Rigor, STACK};
+use rederive::diag::{Diagnostic, sort};
+use rederive::{Ask, Failure, Question, Rigor};
 
 /// How often a call looks for signals, and says how far it is.
 const TICK: Duration = Duration::from_millis(20);
@@ -43,7 +43,7 @@ fn pool(py: Python<'_>) -> PyResult<Pool> {
         return Ok(pool);
     }
     // A panic is printed, and its caller sees that no result comes.
-    let pool = rayon::ThreadPoolBuilder::new().stack_size(STACK).panic_handler(|_| {}).build();
+    let pool = rederive::threads().panic_handler(|_| {}).build();
     let pool = Arc::new(pool.map_err(|e| defect(py, &format!("no threads can be started: {e}")))?);
     exchange(Some((process, Arc::clone(&pool))));
     Ok(pool)
@@ -66,9 +66,7 @@ fn problems(py: Python<'_>, mut found: Vec<Diagnostic>) -> PyErr {
     sort(&mut found);
     let one = |d: &Diagnostic| {
         let (line, column) = d.line_and_column().unzip();
-        let text = render(std::slice::from_ref(d), false);
-        let text = text.trim_end_matches("1 problem found\n").trim_end().to_owned();
-        (d.code, d.message.clone(), d.source.path.clone(), line, column, d.hint.clone(), text)
+        (d.code, d.message.clone(), d.source.path.clone(), line, column, d.hint.clone(), d.to_string())
     };
     let all: Vec<_> = found.iter().map(one).collect();
     raised(class(py, "DerivationError").and_then(|c| c.call_method1("of", (all,))))
@@ -123,11 +121,6 @@ impl Wait<'_> {
     }
 }
 
-/// When a number of seconds from now is over; never, where that is beyond the clock.
-fn after(seconds: Option<f64>) -> Option<Instant> {
-    seconds.and_then(|s| Duration::try_from_secs_f64(s).ok()).and_then(|d| Instant::now().checked_add(d))
-}
-
 #[pyclass(frozen)]
 struct Session(Arc<rederive::Session>);
 
@@ -173,7 +166,7 @@ impl Session {
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Findings> {
         let wait = Wait { progress, ..Wait::default() };
-        let limits = Limits { deadline: after(deadline), memory, cancel: Some(wait.cancel.clone()) };
+        let limits = Limits { deadline: Limits::after(deadline), memory, cancel: Some(wait.cancel.clone()) };
         let rigor = if sampled { Rigor::Sampled } else { Rigor::Enclosed };
         let ask = Ask { claims, trajectories, rigor, only_verdicts, limits };
         let (session, tell) = (Arc::clone(&self.0), wait.teller());
@@ -195,7 +188,7 @@ impl Session {
         deadline: Option<f64>,
     ) -> PyResult<(String, String)> {
         let question = Question { proposition: Proposition { formula, given, throughout }, symbols, scope };
-        let (session, until) = (Arc::clone(&self.0), after(deadline));
+        let (session, until) = (Arc::clone(&self.0), Limits::after(deadline));
         let answer = Wait { until, ..Wait::default() }.compute(py, move || session.prove(&question))?;
         answer
             .map(|a| (a.json(), a.text(false, false)))
@@ -208,15 +201,22 @@ struct Findings(Arc<rederive::Findings>);
 
 #[pymethods]
 impl Findings {
-    /// The document of `report.json`, the page for a browser, or the report in Markdown.
+    /// The document of `report.json`, the page for a browser, or the report in Markdown or LaTeX.
     fn document(&self, py: Python<'_>, format: &str) -> PyResult<String> {
         let found = Arc::clone(&self.0);
         let write = match format {
             "page" => rederive::Findings::page,
             "markdown" => rederive::Findings::markdown,
+            "latex" => rederive::Findings::latex,
             _ => rederive::Findings::json,
         };
         Wait::default().compute(py, move || write(&found))
+    }
+
+    /// How the verdicts on a claim came about, for a person.
+    fn explanation(&self, py: Python<'_>, claim: String) -> PyResult<Option<String>> {
+        let found = Arc::clone(&self.0);
+        Wait::default().compute(py, move || found.explanation(&claim, false))
     }
 
     /// The formula that is compared, and (t, left, right, residual, bound, limit) at each time that is kept.

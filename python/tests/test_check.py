@@ -80,7 +80,17 @@ def test_the_document_is_that_of_the_program(report: rederive.Report) -> None:
     data = json.loads(report.json())
     assert data == report.data and data["schema"] == 1
     assert report.markdown().startswith("# A spring")
+    assert report.latex().startswith("\\documentclass") and "\\end{document}" in report.latex()
     assert "<!doctype html>" in report.page()[:100].lower()
+
+
+def test_verdicts_are_explained(report: rederive.Report) -> None:
+    told = report.explain("rest")
+    assert "rest/at-once" in told and "rest/begin" in told and "\x1b" not in told
+    one = report.explain("rest/begin")
+    assert "rest/begin" in one and "rest/at-once" not in one
+    with pytest.raises(rederive.UnknownName, match="no verdict on a claim `nothing`"):
+        report.explain("nothing")
 
 
 def test_curves_are_arrays(report: rederive.Report) -> None:

@@ -51,7 +51,7 @@ impl<'a> Compiled<'a> {
         }
         let probes = if run.separating { Probes::new(file, graph, selection) } else { Probes::default() };
         let whole = run.options.claims.is_empty();
-        let measures = if whole { measure::compile(graph, &file.measures) } else { Vec::new() };
+        let measures = if whole { measure::compile(graph, file) } else { Vec::new() };
         let pictures = if whole && !run.options.plain { picture::leaves(file) } else { Vec::new() };
         Compiled { derivation, fields, prepared, probes, measures, pictures, wanted: Vec::new() }
     }
@@ -94,7 +94,7 @@ impl<'a> Compiled<'a> {
         if let Some(altered) = altered {
             altered.compile(starts, sign, &wanted);
         }
-        self.measures = std::mem::take(&mut self.measures).into_iter().map(|m| m.tape(graph, &wanted)).collect();
+        self.measures = std::mem::take(&mut self.measures).into_iter().map(|m| m.on(graph, &wanted)).collect();
         self.wanted = wanted;
         Ok(())
     }

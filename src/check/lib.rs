@@ -40,8 +40,8 @@ use findings::conditions::ConditionName;
 #[doc(hidden)]
 pub use findings::sample;
 pub use findings::{
-    Account, Alone, Certificate, ClaimAccount, ClassCount, Cofactor, Correction, Counterexample, Discrimination,
-    EditClass, Erratum, IdentityAccount, IdentityEvidence, Judged, Line, LineKind, Measurement, Origin, PairAccount,
+    Account, Certificate, ClaimAccount, ClassCount, Cofactor, Correction, Counterexample, Discrimination, EditClass,
+    Erratum, IdentityAccount, IdentityEvidence, Judged, Line, LineKind, Measurement, Origin, PairAccount,
     PictureAccount, Place, Proposition, SEED, Summary, Survivor, TrajectoryAccount, Trials, VariantAccount, WEAK,
     family::{FailingShare, FamilyAccount, MemberAccount},
     standing,

@@ -115,7 +115,7 @@ fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> (
 
 /// The sides in which something that moves is in an exponential, a power or a quotient: they may vary more rapidly
 /// than a motion is sampled. For each sign of ±; observables traced back.
-fn rapid(graph: &mut Graph, scope: &Scope, sides: Vec<Expr>) -> Vec<Expr> {
+pub fn rapid(graph: &mut Graph, scope: &Scope, sides: Vec<Expr>) -> Vec<Expr> {
     let moves = |l: &Leaf| l.instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter);
     let mut sides: Vec<Expr> = sides.into_iter().map(|e| traced(graph, scope, e)).collect();
     let (mut moving, mut hiding): (FastSet<Expr>, FastSet<Expr>) = Default::default();

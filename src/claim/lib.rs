@@ -19,5 +19,6 @@ pub mod measured;
 pub mod mute;
 pub mod options;
 pub mod program;
+pub mod quantity;
 pub mod screen;
 pub mod system;

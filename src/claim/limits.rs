@@ -9,7 +9,7 @@
 use reason::Plain;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Ends a run from another thread: raised once, it stays raised. Copies are the same flag.
 #[derive(Clone, Debug, Default)]
@@ -47,6 +47,11 @@ pub struct Limits {
 }
 
 impl Limits {
+    /// The deadline so long from now; none, where that is beyond the clock.
+    pub fn after(seconds: Option<f64>) -> Option<Instant> {
+        seconds.and_then(|s| Duration::try_from_secs_f64(s).ok()).and_then(|d| Instant::now().checked_add(d))
+    }
+
     /// The limit that is reached.
     pub fn reached(&self) -> Option<Plain> {
         if self.is_cancelled() {
@@ -88,9 +93,9 @@ mod tests {
         assert_eq!(Limits::default().reached(), None);
         let past = Limits { deadline: Some(Instant::now()), ..Limits::default() };
         assert!(past.reached() == Some(Plain::TimeOver));
-        let in_an_hour = Instant::now().checked_add(std::time::Duration::from_secs(3600));
-        let later = Limits { deadline: in_an_hour, ..Limits::default() };
-        assert_eq!(later.reached(), None);
+        let later = Limits { deadline: Limits::after(Some(3600.0)), ..Limits::default() };
+        assert!(later.deadline.is_some() && later.reached().is_none());
+        assert_eq!([None, Some(-1.0), Some(f64::NAN), Some(f64::MAX)].map(Limits::after), [None; 4]);
         let flag = Cancel::default();
         let ended = Limits { cancel: Some(flag.clone()), ..Limits::default() };
         assert!(!ended.is_cancelled() && ended.reached().is_none());

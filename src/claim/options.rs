@@ -26,3 +26,18 @@ pub enum Rigor {
     /// At every time, where it is possible.
     Enclosed,
 }
+
+impl Rigor {
+    /// All of them.
+    pub const ALL: [Rigor; 2] = [Rigor::Sampled, Rigor::Enclosed];
+
+    /// Its name, and what it is, in words.
+    pub fn words(self) -> (&'static str, &'static str) {
+        match self {
+            Rigor::Sampled => ("sampled", "At finitely many times"),
+            Rigor::Enclosed => {
+                ("enclosed", "At every time of the span where it is possible, with rounding accounted for")
+            }
+        }
+    }
+}

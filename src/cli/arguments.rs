@@ -1,7 +1,7 @@
 //! Arguments that several commands have.
 
 use std::path::PathBuf;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use rederive::Format;
@@ -19,15 +19,9 @@ pub fn one_of<T: Clone + Send + Sync + 'static>(
     })
 }
 
-/// A format in which one answer is printed.
-pub fn printed_as(formats: &'static [Format]) -> impl TypedValueParser<Value = Format> {
-    let all = [
-        ("text", "For people", Format::Text),
-        ("json", "As JSON", Format::Json),
-        ("tex", "As LaTeX source", Format::Tex),
-        ("markdown", "As Markdown", Format::Markdown),
-    ];
-    one_of(all.into_iter().filter(|(.., format)| formats.contains(format)))
+/// One of some formats.
+pub fn printed_as(formats: &[Format]) -> impl TypedValueParser<Value = Format> {
+    one_of(formats.iter().map(|format| (format.words().0, format.words().1, *format)))
 }
 
 /// The derivation files that a command is about.
@@ -41,10 +35,7 @@ pub struct FileArguments {
 #[derive(clap::Args)]
 pub struct RigorArgument {
     /// How much is asked of a verdict
-    #[arg(long, value_parser = one_of([
-        ("sampled", "At finitely many times", Rigor::Sampled),
-        ("enclosed", "At every time of the span where it is possible, with rounding accounted for", Rigor::Enclosed),
-    ]), default_value = "enclosed")]
+    #[arg(long, value_parser = one_of(Rigor::ALL.map(|r| (r.words().0, r.words().1, r))), default_value = "enclosed")]
     pub rigor: Rigor,
 }
 
@@ -60,7 +51,7 @@ pub struct ThreadArguments {
 pub struct LimitArguments {
     /// Begin nothing after so many seconds: what is left is undecided. Results may then differ from run to run
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
-    deadline: Option<Duration>,
+    deadline: Option<f64>,
     /// Begin nothing while so many megabytes are in use: what is left is undecided (on Linux)
     #[arg(long, value_name = "MEGABYTES")]
     memory: Option<u64>,
@@ -71,14 +62,13 @@ pub struct LimitArguments {
 impl LimitArguments {
     /// The limits, counted from now.
     pub fn begun(&self) -> Limits {
-        let deadline = self.deadline.and_then(|after| Instant::now().checked_add(after));
         let memory = self.memory.map(|megabytes| megabytes.saturating_mul(1_000_000));
-        Limits { deadline, memory, cancel: None }
+        Limits { deadline: Limits::after(self.deadline), memory, cancel: None }
     }
 }
 
 /// A number of seconds that is not negative.
-fn seconds(text: &str) -> Result<Duration, String> {
-    let number = text.parse::<f64>().ok().and_then(|x| Duration::try_from_secs_f64(x).ok());
+fn seconds(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|x| Duration::try_from_secs_f64(*x).is_ok());
     number.ok_or_else(|| "a number of seconds is expected".to_owned())
 }

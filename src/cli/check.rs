@@ -8,7 +8,7 @@ use rederive::paper;
 use rederive::{Ask, Demand, Detail, Document, Ending, Failure, Format, Run, Session, report};
 
 use super::arguments::{LimitArguments, RigorArgument};
-use super::ending::{Stop, complain, concluded, print, say};
+use super::ending::{Stop, answer, complain, concluded};
 use super::outputs::Targets;
 use super::records::RecordArguments;
 use super::{files, progress};
@@ -103,14 +103,15 @@ impl CheckArguments {
 pub fn check(arguments: &CheckArguments) -> Result<Ending, Stop> {
     let mut run = Run::default();
     let ended = each_file(arguments, &mut run);
-    match &ended {
-        Ok(_) => {}
-        Err(Stop::Failed(Failure::Problems(problems))) => run.add_problems(problems),
-        Err(_) => return ended,
+    if let Err(stop) = &ended {
+        match stop.downcast_ref() {
+            Some(Failure::Problems(problems)) => run.add_problems(problems),
+            _ => return ended,
+        }
     }
     arguments.targets.write(&run, arguments.detail())?;
     if ended.is_ok() && arguments.is_partial() && !arguments.no_reports && !arguments.quiet {
-        complain("no report was written: only a part was checked\n");
+        complain("no report was written: only a part was checked");
     }
     ended
 }
@@ -124,9 +125,10 @@ fn each_file(arguments: &CheckArguments, run: &mut Run) -> Result<Ending, Stop> 
     let outputs = arguments.targets.files();
     write::check_outputs(&outputs, &inputs, &[])?;
     let sessions = files::sessions(&derivations)?;
-    let paper = source.as_ref().map(|path| paper::read(path)).transpose().map_err(|problem| vec![*problem])?;
+    let paper = source.as_ref().map(|path| paper::read(path)).transpose();
+    let paper = paper.map_err(|problem| Failure::from(vec![*problem]))?;
     let subject = || paper::subject(sessions.iter().map(Session::derivation)).map(|d| d.id.clone());
-    let about = paper.as_ref().map(|_| subject()).transpose().map_err(Stop::Message)?;
+    let about = paper.as_ref().map(|_| subject()).transpose()?;
     let asked = arguments.ask().of_each(sessions)?;
     let reports: Vec<PathBuf> =
         asked.iter().filter_map(|(session, _)| arguments.folder(session.derivation())).collect();
@@ -152,7 +154,7 @@ fn each_file(arguments: &CheckArguments, run: &mut Run) -> Result<Ending, Stop> 
         ending = ending.max(concluded(&document, &demand));
         run.add(document);
     }
-    if problems.is_empty() { Ok(ending) } else { Err(problems.into()) }
+    if problems.is_empty() { Ok(ending) } else { Err(Failure::from(problems).into()) }
 }
 
 /// Writes the report of a file, and prints what is printed file by file.
@@ -162,13 +164,10 @@ fn show(arguments: &CheckArguments, document: &Document, is_first: bool) -> Resu
         write::write_report(folder, &document.files(), &[report::CERTIFICATES])?;
     }
     let format = arguments.targets.standard();
-    let text = document.text(format, arguments.detail(), true);
-    match (format, arguments.quiet) {
-        (Format::Text, true) => say(&text),
-        (Format::Text, false) => {
-            let written = folder.map(|f| format!("report: {}\n", f.join("report.md").display()));
-            say(&format!("{}{text}{}", if is_first { "" } else { "\n" }, written.unwrap_or_default()))
-        }
-        _ => print(&text),
+    let mut text = document.text(format, arguments.detail(), true);
+    if format == Format::Text && !arguments.quiet {
+        let written = folder.map(|f| format!("report: {}\n", f.join("report.md").display()));
+        text = format!("{}{text}{}", if is_first { "" } else { "\n" }, written.unwrap_or_default());
     }
+    answer(format, &text)
 }

@@ -23,10 +23,9 @@ pub struct DiffArguments {
 }
 
 pub fn diff(arguments: &DiffArguments) -> Result<Ending, Stop> {
-    let found = report::diff_files(&reports(&arguments.old)?, &reports(&arguments.new)?);
-    let (changes, other) = found.map_err(Stop::Message)?;
+    let (changes, other) = report::diff_files(&reports(&arguments.old)?, &reports(&arguments.new)?)?;
     if let Some((a, b)) = other {
-        complain(&format!("`{a}` is compared with `{b}`: the derivations have different ids\n"));
+        complain(&format!("`{a}` is compared with `{b}`: the derivations have different ids"));
     }
     say(&report::diff_text(&changes, arguments.format == Format::Markdown))?;
     Ok(if report::is_worse(&changes) { Ending::Different } else { Ending::Good })

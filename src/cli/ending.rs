@@ -2,13 +2,13 @@
 //!
 //! **In:** what a command found, or why it stopped. **Out:** an exit code, and what people or programs read.
 
+use std::error::Error;
 use std::io::Write;
 use std::panic::AssertUnwindSafe;
 
 use rederive::diag::shown::{in_one_line, spoken};
 use rederive::diag::{Diagnostic, render, sort};
-use rederive::files::FileError;
-use rederive::{Conclusion, Demand, Document, Ending, Failure};
+use rederive::{Conclusion, Demand, Document, Ending, Failure, Format};
 
 pub const EXIT_CODES: &str = "\
 Exit codes:
@@ -22,61 +22,36 @@ Exit codes:
       expect to be
   70  a defect of rederive itself";
 
-/// Why a command stops before its end.
-pub enum Stop {
-    /// Nothing was found.
-    Failed(Failure),
-    /// Anything else that the user can change, in a sentence.
-    Message(String),
-}
-
-impl From<Failure> for Stop {
-    fn from(failure: Failure) -> Stop {
-        Stop::Failed(failure)
-    }
-}
-
-impl From<Vec<Diagnostic>> for Stop {
-    fn from(found: Vec<Diagnostic>) -> Stop {
-        Stop::Failed(Failure::Problems(found))
-    }
-}
-
-impl From<FileError> for Stop {
-    fn from(error: FileError) -> Stop {
-        Stop::Message(error.to_string())
-    }
-}
+/// Why a command stops before its end: a [`Failure`], or anything else that the user can change, in a sentence.
+pub type Stop = Box<dyn Error>;
 
 /// Runs a command; problems are printed, and a panic is a defect of the program.
 pub fn guarded(command: impl FnOnce() -> Result<Ending, Stop>) -> Ending {
-    let message = match std::panic::catch_unwind(AssertUnwindSafe(command)) {
-        Ok(Ok(ending)) => return ending,
-        Ok(Err(Stop::Failed(Failure::Problems(found)))) => {
-            say_problems(found);
-            return Ending::BadInput;
-        }
-        Ok(Err(Stop::Failed(Failure::Defect(message)))) => return defect(&message),
-        Ok(Err(Stop::Failed(failure))) => failure.to_string(),
-        Ok(Err(Stop::Message(message))) => message,
+    let Ok(ended) = std::panic::catch_unwind(AssertUnwindSafe(command)) else {
         // The panic itself has been printed.
-        Err(_) => return defect("it has stopped in the middle of its work"),
+        return defect("it has stopped in the middle of its work");
     };
-    complain(&format!("error: {}\n", in_one_line(&message)));
-    Ending::BadInput
+    ended.unwrap_or_else(|stop| {
+        match stop.downcast_ref() {
+            Some(Failure::Problems(found)) => say_problems(found.clone()),
+            Some(Failure::Defect(message)) => return defect(message),
+            _ => complain(&format!("error: {}", in_one_line(&stop.to_string()))),
+        }
+        Ending::BadInput
+    })
 }
 
 /// How what was found ends a run; what is not to be seen in the verdicts is said.
 pub fn concluded(document: &Document, demand: &Demand) -> Ending {
     let Conclusion { ending, notes, defect: message } = document.conclusion(demand);
-    notes.iter().for_each(|note| complain(&format!("{note}\n")));
+    notes.iter().for_each(|note| complain(note));
     message.map_or(ending, |message| defect(&message))
 }
 
 /// Writes problems of files to standard error.
 pub fn say_problems(mut found: Vec<Diagnostic>) {
     sort(&mut found);
-    complain(&render(&found, true));
+    complain(render(&found, true).trim_end());
 }
 
 /// Asks for a report of a defect.
@@ -84,20 +59,25 @@ pub fn defect(message: &str) -> Ending {
     let version = env!("CARGO_PKG_VERSION");
     complain(&format!(
         "\nThis is a defect of rederive {version}, not of your file: {message}.\n\
-         Please report it, with the file and what is printed above.\n"
+         Please report it, with the file and what is printed above."
     ));
     Ending::Defect
 }
 
-/// Writes to standard error what people read, see [`spoken`]; colours are removed where they are not wanted.
+/// Writes a line, or several, to standard error for people, see [`spoken`]; colours are removed where they are not wanted.
 pub fn complain(text: &str) {
     // If standard error is closed, there is no place left to say so.
-    let _ = anstream::stderr().write_all(spoken(text).as_bytes());
+    let _ = anstream::stderr().write_all(spoken(&format!("{text}\n")).as_bytes());
 }
 
 /// Writes to standard output what people read, see [`spoken`].
 pub fn say(text: &str) -> Result<(), Stop> {
     print(&spoken(text))
+}
+
+/// Writes to standard output what is in a format: one is for people.
+pub fn answer(format: Format, text: &str) -> Result<(), Stop> {
+    if format == Format::Text { say(text) } else { print(text) }
 }
 
 /// Writes to standard output what programs read, as it is; colours are removed where they are not wanted.
@@ -107,7 +87,7 @@ pub fn print(text: &str) -> Result<(), Stop> {
     let mut out = anstream::stdout();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => {
-            Err(Stop::Message(format!("standard output cannot be written: {e}")))
+            Err(format!("standard output cannot be written: {e}").into())
         }
         _ => Ok(()),
     }
@@ -121,7 +101,7 @@ mod tests {
     fn a_panic_is_a_defect() {
         assert_eq!(guarded(|| panic!("on purpose")), Ending::Defect);
         assert_eq!(guarded(|| Err(Failure::Defect("1 = 2".into()).into())), Ending::Defect);
-        assert_eq!(guarded(|| Err(Stop::Message("wrong".into()))), Ending::BadInput);
+        assert_eq!(guarded(|| Err("wrong".into())), Ending::BadInput);
         assert_eq!(guarded(|| Ok(Ending::Different)), Ending::Different);
     }
 }

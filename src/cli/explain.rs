@@ -29,5 +29,5 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Stop> {
             shown = true;
         }
     }
-    if shown { Ok(Ending::Good) } else { Err(Stop::Message(format!("`{claim}` is not tried on this trajectory"))) }
+    if shown { Ok(Ending::Good) } else { Err(format!("`{claim}` is not tried on this trajectory").into()) }
 }

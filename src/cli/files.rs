@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use rederive::derivation::{load, load_all};
 use rederive::files::{self, Kind};
-use rederive::{Ask, Session};
+use rederive::{Ask, Failure, Session};
 
 use super::arguments::FileArguments;
 use super::ending::{Stop, complain};
@@ -18,32 +18,32 @@ pub fn find(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Stop> {
     if paths.iter().any(|path| path == Path::new("derivations") && !path.exists()) {
         let message = "there is no folder `derivations` here: name a derivation file or a folder with some, or draft one with \
                        `rederive init PAPER.tex`";
-        return Err(Stop::Message(message.to_owned()));
+        return Err(message.into());
     }
     let toml = Kind { what: "derivation file (*.toml)", is_one: |path| path.extension().is_some_and(|e| e == "toml") };
     let mut meant = files::meant(paths, toml)?;
     let mut seen = BTreeSet::new();
     meant.found.retain(|path| seen.insert(path.clone()));
     for link in &meant.links {
-        complain(&format!("`{}` is a link, and a search follows none: name it to check it\n", link.display()));
+        complain(&format!("`{}` is a link, and a search follows none: name it to check it", link.display()));
     }
     Ok(meant.found)
 }
 
 /// The derivation in a file.
 pub fn session(path: &Path) -> Result<Session, Stop> {
-    Ok(Session::of(load(&files::named(path)?)?))
+    Ok(Session::of(load(&files::named(path)?).map_err(Failure::from)?))
 }
 
 /// The derivations in several files.
-pub fn sessions(paths: &[PathBuf]) -> Result<Vec<Session>, Stop> {
+pub fn sessions(paths: &[PathBuf]) -> Result<Vec<Session>, Failure> {
     Ok(load_all(paths)?.into_iter().map(Session::of).collect())
 }
 
 impl FileArguments {
     /// The derivations that are meant.
     pub fn sessions(&self) -> Result<Vec<Session>, Stop> {
-        sessions(&find(std::slice::from_ref(&self.path))?)
+        Ok(sessions(&find(std::slice::from_ref(&self.path))?)?)
     }
 
     /// Those that have a claim, each with what is asked of it.

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Command;
+use rederive::Ending;
 use rederive::files::write;
-use rederive::{Ending, Failure};
 
 use super::ending::{Stop, print};
 
@@ -17,26 +17,22 @@ pub struct ManualArguments {
 
 pub fn manual(arguments: &ManualArguments, mut command: Command) -> Result<Ending, Stop> {
     command.build();
-    let pages = pages(&command, None)?;
     match &arguments.output {
-        Some(folder) => write::write_files(folder, &pages)?,
-        None => print(pages.first().map_or("", |(_, text)| text))?,
+        None => print(&page(&command)?.1)?,
+        Some(folder) => {
+            let inner = command.get_subcommands().filter(|c| c.get_name() != "help" && !c.is_hide_set());
+            let pages = std::iter::once(&command).chain(inner).map(page).collect::<Result<Vec<_>, Stop>>()?;
+            write::write_files(folder, &pages)?;
+        }
     }
     Ok(Ending::Good)
 }
 
-/// The page of a command, then those of its subcommands, each with the name of its file.
-fn pages(command: &Command, parent: Option<&str>) -> Result<Vec<(String, String)>, Stop> {
-    let name = match parent {
-        Some(parent) => format!("{parent}-{}", command.get_name()),
-        None => command.get_name().to_owned(),
-    };
+/// The page of a command, with the name of its file.
+fn page(command: &Command) -> Result<(String, String), Stop> {
+    let page = clap_mangen::Man::new(command.clone());
+    let (file, title) = (page.get_filename(), command.get_display_name().unwrap_or_else(|| command.get_name()));
     let mut text = Vec::new();
-    let page = clap_mangen::Man::new(command.clone()).title(name.to_uppercase());
-    page.render(&mut text).map_err(|e| Failure::Defect(format!("a page of the manual cannot be written: {e}")))?;
-    let mut out = vec![(format!("{name}.1"), String::from_utf8_lossy(&text).into_owned())];
-    for inner in command.get_subcommands().filter(|c| c.get_name() != "help" && !c.is_hide_set()) {
-        out.extend(pages(inner, Some(&name))?);
-    }
-    Ok(out)
+    page.title(title.to_uppercase()).render(&mut text)?;
+    Ok((file, String::from_utf8_lossy(&text).into_owned()))
 }

@@ -7,7 +7,7 @@ use rederive::files::{self, Kind, write};
 use rederive::{Demand, Detail, Document, Ending, Format};
 
 use super::arguments::printed_as;
-use super::ending::{Stop, concluded, print, say};
+use super::ending::{Stop, answer, concluded};
 use super::files::{LARGEST_PARTS, session};
 
 #[derive(clap::Args)]
@@ -31,18 +31,15 @@ pub fn merge(arguments: &MergeArguments) -> Result<Ending, Stop> {
     let inputs: Vec<PathBuf> = parts.iter().chain([&arguments.file]).cloned().collect();
     write::check_outputs(arguments.output.as_slice(), &inputs, &[])?;
     let texts = parts.iter().map(|path| {
-        let name = path.display().to_string();
-        let bytes = files::read(path, LARGEST_PARTS).map_err(|error| error.to_string())?;
-        let text = String::from_utf8(bytes).map_err(|_| format!("`{name}`: it is no text"))?;
-        Ok((name, text))
+        let text = files::read_text(path, LARGEST_PARTS).map_err(|error| error.to_string())?;
+        Ok((path.display().to_string(), text))
     });
     let findings = session(&arguments.file)?.join(texts, &Limits::default(), &|_, _| {})?;
     let document = Document { findings, paper: None };
     let text = |colour| document.text(arguments.format, Detail::Usual, colour);
-    match (&arguments.output, arguments.format) {
-        (Some(output), _) => write::write_file(output, text(false).as_bytes())?,
-        (None, Format::Text) => say(&text(true))?,
-        (None, _) => print(&text(false))?,
+    match &arguments.output {
+        Some(output) => write::write_file(output, text(false).as_bytes())?,
+        None => answer(arguments.format, &text(true))?,
     }
     Ok(concluded(&document, &Demand::default()))
 }

@@ -25,8 +25,8 @@ mod sweep;
 mod watch;
 
 use clap::{CommandFactory, Parser, Subcommand};
-use ending::{EXIT_CODES, Stop, complain, defect, guarded};
-use rederive::{Ending, STACK};
+use ending::{EXIT_CODES, Stop, complain, guarded};
+use rederive::Ending;
 
 /// Checks derivations: which claims of a paper hold along which motions, and how strongly.
 #[derive(Parser)]
@@ -86,28 +86,20 @@ pub fn run(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
     with_threads(&arguments, || guarded(|| command(&arguments))).code()
 }
 
-/// Runs something on threads with enough memory for their calls, and as many of them as were asked for.
+/// Runs something on as many threads as were asked for.
 fn with_threads(arguments: &Arguments, run: impl FnOnce() -> Ending + Send) -> Ending {
     let jobs = match &arguments.command {
         Command::Check(check) => check.limits.threads.jobs,
         Command::Sweep(sweep) => sweep.threads.jobs,
         _ => None,
     };
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs.map_or(0, usize::from)).stack_size(STACK);
-    if let Err(error) = pool.build_global() {
-        return defect(&format!("its threads cannot be started: {error}"));
-    }
-    std::thread::scope(|scope| {
-        let thread = std::thread::Builder::new().stack_size(STACK).spawn_scoped(scope, run);
-        match thread.map(std::thread::ScopedJoinHandle::join) {
-            Ok(Ok(exit)) => exit,
-            Ok(Err(_)) => defect("it has stopped in the middle of its work"),
-            Err(error) => {
-                complain(&format!("error: no thread can be started: {error}\n"));
-                Ending::BadInput
-            }
+    match rederive::threads().num_threads(jobs.map_or(0, usize::from)).build() {
+        Ok(threads) => threads.install(run),
+        Err(error) => {
+            complain(&format!("error: no thread can be started: {error}"));
+            Ending::BadInput
         }
-    })
+    }
 }
 
 /// Runs a command.

@@ -7,14 +7,15 @@ use clap::{ArgMatches, Args, FromArgMatches};
 use rederive::files::write;
 use rederive::{Detail, Format, Run};
 
-use super::arguments::one_of;
+use super::arguments::printed_as;
 use super::ending::{Stop, print};
 
 /// The formats and files of a command line.
 #[derive(Args)]
 struct Given {
-    /// What is printed; may be repeated, each with an --output. The summary, unless another format is printed
-    #[arg(long, value_parser = one_of(Format::ALL.map(|f| (f.words().0, f.words().1, f))))]
+    /// What is printed; may be repeated, each with an --output. The summary for people, unless another format is printed; of JSON there is
+    /// a document for each derivation file
+    #[arg(long, value_parser = printed_as(&Format::ALL))]
     format: Vec<Format>,
     /// The file for the --format before it
     #[arg(long, value_name = "FILE")]
@@ -30,18 +31,20 @@ impl FromArgMatches for Targets {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Targets, clap::Error> {
         let Given { format, output } = Given::from_arg_matches(matches)?;
         let places = |id: &str| matches.indices_of(id).into_iter().flatten();
-        let mut files: Vec<(usize, PathBuf)> = places("output").zip(output).collect();
-        let mut targets: Vec<(Format, Option<PathBuf>)> = Vec::new();
-        let mut formats: Vec<(usize, Format)> = places("format").zip(format).collect();
-        formats.sort_by_key(|(place, _)| *place);
-        for (i, (place, format)) in formats.iter().enumerate() {
-            let next = formats.get(i + 1).map_or(usize::MAX, |(place, _)| *place);
-            let file = files.iter().position(|(at, _)| (*place..next).contains(at));
-            targets.push((*format, file.map(|at| files.remove(at).1)));
-        }
+        let formats = places("format").zip(format.into_iter().map(Ok));
+        let mut words: Vec<_> = formats.chain(places("output").zip(output.into_iter().map(Err))).collect();
+        words.sort_by_key(|(place, _)| *place);
         let refused = |message: String| Err(clap::Error::raw(ErrorKind::ArgumentConflict, message));
-        if let Some((_, file)) = files.first() {
-            return refused(format!("`--output {}` needs a `--format` of its own before it", file.display()));
+        let mut targets: Vec<(Format, Option<PathBuf>)> = Vec::new();
+        for (_, word) in words {
+            match (word, targets.last_mut()) {
+                (Ok(format), _) => targets.push((format, None)),
+                (Err(file), Some((_, place @ None))) => *place = Some(file),
+                (Err(file), _) => {
+                    let file = file.display();
+                    return refused(format!("`--output {file}` needs a `--format` of its own before it"));
+                }
+            }
         }
         if targets.iter().filter(|(_, file)| file.is_none()).count() > 1 {
             return refused("only one format can go to standard output: give the others an `--output`".to_owned());

@@ -1,6 +1,5 @@
 //! How far a run is: a bar to who watches, on standard error.
 
-use std::io::IsTerminal;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -12,22 +11,10 @@ const PATIENCE: Duration = Duration::from_millis(400);
 /// How often it shows that it goes on.
 const TICK: Duration = Duration::from_millis(200);
 
-/// A bar with a name, drawn at once; where nobody watches, it is never drawn.
+/// A bar with a name; where nobody watches, it is never drawn.
 pub fn bar(name: &str, template: &str) -> ProgressBar {
-    let bar = hidden(name, template);
-    if std::io::stderr().is_terminal() {
-        bar.set_draw_target(ProgressDrawTarget::stderr());
-    }
-    bar
-}
-
-fn hidden(name: &str, template: &str) -> ProgressBar {
-    let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
-    if let Ok(style) = ProgressStyle::with_template(template) {
-        bar.set_style(style);
-    }
-    bar.set_prefix(name.to_owned());
-    bar
+    let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::new(0).with_style(style).with_prefix(name.to_owned())
 }
 
 /// Checks a derivation, with a bar if it takes long; `store` has what earlier runs left.
@@ -35,8 +22,9 @@ fn hidden(name: &str, template: &str) -> ProgressBar {
 /// # Errors
 /// See [`Session::check`].
 pub fn check(session: &Session, ask: &Ask, store: Option<&Records>) -> Result<Findings, Failure> {
-    let bar = hidden(&session.derivation().id, "{spinner} {prefix}: {msg}  {wide_bar}  {pos}/{len}");
-    if std::io::stderr().is_terminal() {
+    let bar = bar(&session.derivation().id, "{spinner} {prefix}: {msg}  {wide_bar}  {pos}/{len}");
+    if !bar.is_hidden() {
+        bar.set_draw_target(ProgressDrawTarget::hidden());
         bar.set_message("motions are built");
         // What takes long says so by itself, also while nothing is done yet.
         let bar = bar.clone();

@@ -4,9 +4,6 @@ use std::path::PathBuf;
 
 use rederive::files::records::Records;
 
-/// The variable that names the folder; where it is empty, nothing is kept.
-const FOLDER: &str = "REDERIVE_CACHE";
-
 #[derive(clap::Args)]
 pub struct RecordArguments {
     /// Keep what is found in this folder, and recall from it what is the same: only what changed is looked for again. Else in the folder
@@ -21,11 +18,6 @@ pub struct RecordArguments {
 impl RecordArguments {
     /// The records of earlier runs; `None` where nothing is to be kept.
     pub fn store(&self) -> Option<Records> {
-        let usual = || match std::env::var_os(FOLDER) {
-            Some(folder) => (!folder.is_empty()).then(|| folder.into()),
-            None => Records::usual_folder("rederive"),
-        };
-        let folder = if self.no_cache { None } else { self.cache.clone().or_else(usual) }?;
-        Some(Records::new(folder, std::env::current_exe().ok()?))
+        if self.no_cache { None } else { Records::of_user(self.cache.clone(), "REDERIVE_CACHE", "rederive") }
     }
 }

@@ -48,16 +48,15 @@ fn checked(arguments: &ReportArguments) -> Result<Document, Stop> {
 
 fn printed(arguments: &ReportArguments, target: &Path) -> Result<(), Stop> {
     let makers = pdf::Makers::find().map_err(|none| {
-        Stop::Message(format!(
+        format!(
             "{none}; without them, `rederive check FILE --format tex` prints the LaTeX source, and a browser prints the page of the \
              report"
-        ))
+        )
     })?;
     let document = checked(arguments)?;
     let (tex, page) = document.printed(arguments.summary);
-    let made = makers.make(tex, page, &|note| complain(&format!("{note}\n")));
-    let (pdf, maker) = made.map_err(|failure| Stop::Message(failure.to_string()))?;
+    let (pdf, maker) = makers.make(tex, page, &complain)?;
     write::write_file(target, &pdf)?;
-    complain(&format!("{}: {}: written by {maker}\n", document.findings.derivation().id, target.display()));
+    complain(&format!("{}: {}: written by {maker}", document.findings.derivation().id, target.display()));
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! `rederive schema`.
 
-use rederive::{Ending, Failure, derivation, report};
+use rederive::{Ending, derivation, report};
 use serde_json::Value;
 
 use super::arguments::one_of;
@@ -17,7 +17,6 @@ pub struct SchemaArguments {
 }
 
 pub fn schema(arguments: &SchemaArguments) -> Result<Ending, Stop> {
-    let text = serde_json::to_string_pretty(&(arguments.of)()).map_err(|e| Failure::Defect(e.to_string()))?;
-    print(&format!("{text}\n"))?;
+    print(&format!("{:#}\n", (arguments.of)()))?;
     Ok(Ending::Good)
 }

@@ -48,7 +48,7 @@ pub fn search(arguments: &SearchArguments) -> Result<Ending, Stop> {
             say(&table)?;
             ending = Ending::Good;
         }
-        report::search_notes(id, &account).iter().for_each(|note| complain(&format!("{note}\n")));
+        report::search_notes(id, &account).iter().for_each(|note| complain(note));
     }
     Ok(ending)
 }

@@ -9,7 +9,7 @@ use rederive::Ending;
 use rederive::check::Limits;
 use rederive::check::family::Part;
 use rederive::files::lines::Lines;
-use rederive::files::{named, read, write};
+use rederive::files::{named, read_text, write};
 
 use super::arguments::ThreadArguments;
 use super::ending::{Stop, complain};
@@ -56,9 +56,8 @@ pub fn sweep(arguments: &SweepArguments) -> Result<Ending, Stop> {
     let outputs: Vec<PathBuf> = std::iter::once(output).chain(&arguments.members).cloned().collect();
     write::check_outputs(&outputs, &[named(&arguments.file)?], &[])?;
     let session = session(&arguments.file)?;
-    let earlier = || String::from_utf8(read(output, LARGEST_PARTS).ok()?).ok();
-    if arguments.resume && earlier().is_some_and(|text| session.has_part(&text, family, *part)) {
-        complain(&format!("`{}` is part {part} of `{family}` already\n", output.display()));
+    if arguments.resume && read_text(output, LARGEST_PARTS).is_ok_and(|text| session.has_part(&text, family, *part)) {
+        complain(&format!("`{}` is part {part} of `{family}` already", output.display()));
         return Ok(Ending::Good);
     }
     let mut table = arguments.members.as_deref().map(Lines::of).transpose()?;
@@ -68,7 +67,7 @@ pub fn sweep(arguments: &SweepArguments) -> Result<Ending, Stop> {
     })?;
     table.map_or(Ok(()), Lines::write)?;
     write::write_file(output, text.as_bytes())?;
-    complain(&format!("part {part} of `{family}` is in `{}`\n", output.display()));
+    complain(&format!("part {part} of `{family}` is in `{}`", output.display()));
     Ok(Ending::Good)
 }
 
@@ -83,7 +82,7 @@ fn watched<T>(what: &str, sweep: impl FnOnce(&(dyn Fn(usize, usize) + Sync)) -> 
         if told.elapsed() >= NOTE && done > 0 && done < of && !std::io::stderr().is_terminal() {
             *told = Instant::now();
             let left = begun.elapsed().as_secs_f64() * (of - done) as f64 / done as f64;
-            complain(&format!("{what}: {done} of {of} members, about {left:.0} s left\n"));
+            complain(&format!("{what}: {done} of {of} members, about {left:.0} s left"));
         }
     });
     bar.finish_and_clear();

@@ -1,18 +1,12 @@
 //! `rederive watch`.
-//!
-//! The file is looked at forty times a second. This needs no service of the operating system, and works on every file system
-//! and with editors that replace a file instead of writing to it.
 
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use rederive::derivation::{LARGEST_FILE, load};
 use rederive::{Ending, Failure, Session, files, report};
 
 use super::ending::{Stop, say, say_problems};
-
-/// Between two looks at the file.
-const PAUSE: Duration = Duration::from_millis(25);
 
 #[derive(clap::Args)]
 pub struct WatchArguments {
@@ -26,21 +20,10 @@ pub struct WatchArguments {
 pub fn watch(arguments: &WatchArguments) -> Result<Ending, Stop> {
     let path = files::named(&arguments.file)?;
     let mut session = Session::blank();
-    let mut last = None;
-    let mut checks = 0;
-    loop {
-        // A file that is being replaced may be missing for a moment; if it stays away, that is told once.
-        let now = files::read(&path, LARGEST_FILE).ok();
-        if now.is_some() && now != last || last.is_none() && checks == 0 {
-            last = now;
-            check(&path, &mut session)?;
-            checks += 1;
-            if arguments.checks.is_some_and(|n| checks >= n) {
-                return Ok(Ending::Good);
-            }
-        }
-        std::thread::sleep(PAUSE);
-    }
+    // At least one.
+    let checks = arguments.checks.map_or(usize::MAX, |n| n.max(1));
+    files::changes(&path, LARGEST_FILE).take(checks).try_for_each(|()| check(&path, &mut session))?;
+    Ok(Ending::Good)
 }
 
 /// Checks the file as it is now, and prints what is not as expected.
@@ -50,14 +33,15 @@ fn check(path: &Path, session: &mut Session) -> Result<(), Stop> {
         session.replace(derivation);
         session.check_again()
     });
-    let (found, checked) = match checked {
-        Ok(found) => found,
+    match checked {
+        Ok((found, checked)) => {
+            let (derivation, account) = (found.derivation(), found.account());
+            say(&report::checked_again(derivation, account, checked.len(), started.elapsed(), true))
+        }
         Err(Failure::Problems(found)) => {
             say_problems(found);
-            return Ok(());
+            Ok(())
         }
-        Err(other) => return Err(other.into()),
-    };
-    let (derivation, account) = (found.derivation(), found.account());
-    say(&report::checked_again(derivation, account, checked.len(), started.elapsed(), true))
+        Err(other) => Err(other.into()),
+    }
 }

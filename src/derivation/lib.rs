@@ -42,6 +42,7 @@ mod unit;
 mod values;
 mod written;
 
+pub use self::number::exact;
 pub use claims::DEFAULT_PRECISION;
 pub use dependence::{Dependence, End, NoOther};
 pub use event::{Direction, Event, Occasion, Since};

@@ -9,8 +9,8 @@ use toml::de::DeValue;
 /// Largest power of ten: binary64 ends near 10^308, and larger powers would only fill the memory.
 const LARGEST_EXPONENT: i64 = 400;
 
-/// The value of a decimal number, without rounding.
-pub(super) fn exact(text: &str) -> Option<Rational> {
+/// The value of a decimal number, without rounding; nothing where it is none that can be computed with.
+pub fn exact(text: &str) -> Option<Rational> {
     let text = text.replace('_', "");
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {
         Some((m, e)) => (m, e.parse::<i64>().ok()?),

@@ -115,6 +115,13 @@ impl Diagnostic {
     }
 }
 
+/// As a person reads it, with the line and a caret.
+impl std::fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&render_one(self, &renderer(false)))
+    }
+}
+
 /// Sorts by file and place, and drops what is said twice.
 pub fn sort(diagnostics: &mut Vec<Diagnostic>) {
     diagnostics.sort_by(|a, b| a.key().cmp(&b.key()));
@@ -126,8 +133,7 @@ pub const SHOWN: usize = 50;
 
 /// The text that a person reads: each diagnostic, then how many there are. With `colour`, escape codes are used.
 pub fn render(diagnostics: &[Diagnostic], colour: bool) -> String {
-    let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
-    let renderer = renderer.decor_style(DecorStyle::Ascii).term_width(120);
+    let renderer = renderer(colour);
     let mut out = String::new();
     for diagnostic in diagnostics.iter().take(SHOWN) {
         out.push_str(&render_one(diagnostic, &renderer));
@@ -141,6 +147,11 @@ pub fn render(diagnostics: &[Diagnostic], colour: bool) -> String {
         n => format!("{n} problems found\n"),
     });
     out
+}
+
+fn renderer(colour: bool) -> Renderer {
+    let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
+    renderer.decor_style(DecorStyle::Ascii).term_width(120)
 }
 
 fn render_one(diagnostic: &Diagnostic, renderer: &Renderer) -> String {

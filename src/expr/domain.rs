@@ -237,6 +237,9 @@ pub struct EdgeOf {
 
 const REAL: Range = Range { low: None, high: None };
 
+/// In binary64, exponentials of less than −FAR are 0, and of more than FAR have no value.
+const FAR: f64 = 746.0;
+
 const fn end(whole: i8, quarter_turns: i8, attained: bool) -> Option<Bound> {
     Some(Bound { whole, quarter_turns, attained })
 }
@@ -257,7 +260,7 @@ pub fn row(op: Op) -> Row {
     let not_algebraic = |parity: Parity| Nature::Transcendental { parity, exponential: None };
     let exponential =
         |parity: Parity, low: f64, high: f64| Nature::Transcendental { parity, exponential: Some([low, high]) };
-    let (linear, endless) = (Nature::Algebraic([Some(1); 2]), f64::INFINITY);
+    let linear = Nature::Algebraic([Some(1); 2]);
     let from_zero = Range { low: end(0, 0, true), high: None };
     let pole = |order: u32| {
         Change::Pole(Order::Whole(order), if order.is_multiple_of(2) { Sides::Alike } else { Sides::Opposite })
@@ -271,9 +274,7 @@ pub fn row(op: Op) -> Row {
             slopes: [Rising, Flat],
             nature: degree(None),
         },
-        Op::Exp => {
-            smooth(Range { low: end(0, 0, false), high: None }, [Rising, Flat], exponential(Neither, -746.0, endless))
-        }
+        Op::Exp => smooth(Range { low: end(0, 0, false), high: None }, [Rising, Flat], exponential(Neither, -FAR, FAR)),
         Op::Ln => Row {
             needs: vec![(First, Sign::Positive)],
             edges: vec![edge(First, Change::Log)],
@@ -315,10 +316,8 @@ pub fn row(op: Op) -> Row {
             slopes: [Rising, Flat],
             nature: not_algebraic(Odd),
         },
-        Op::Sinh => smooth(REAL, [Rising, Flat], exponential(Odd, -endless, endless)),
-        Op::Cosh => {
-            smooth(Range { low: end(1, 0, true), high: None }, [Of(First), Flat], exponential(Even, -endless, endless))
-        }
+        Op::Sinh => smooth(REAL, [Rising, Flat], exponential(Odd, -FAR, FAR)),
+        Op::Cosh => smooth(Range { low: end(1, 0, true), high: None }, [Of(First), Flat], exponential(Even, -FAR, FAR)),
         // The limits at the two infinities differ, too; but its formula goes on as one and the same function of exponentials.
         Op::Tanh => smooth(
             Range { low: end(-1, 0, false), high: end(1, 0, false) },

@@ -12,7 +12,7 @@
 use crate::FastMap;
 use crate::{Expr, Graph, Leaf, Node};
 pub use number::Instruction;
-use number::{NoValue, Number, Op, Rational};
+use number::{Bounded, NoValue, Number, Op, Rational};
 use std::collections::hash_map::Entry;
 
 /// What fills a slot before the instructions run.
@@ -274,6 +274,15 @@ impl Tape {
                 (None, None) => return Some(Fault::Instruction(step)),
             }
         }
+    }
+
+    /// Whether, in the last run, an angle may have been on either side of its cut: the error of a value near π or −π says nothing of
+    /// the other.
+    pub fn straddles_cut(&self, slots: &Slots<Bounded>) -> bool {
+        let value = |slot: u32| slots.missing(slot as usize).is_none().then(|| slots.value(slot as usize));
+        let sides = |i: &Instruction| value(i.a).zip(value(i.b));
+        let mut angles = self.instructions.iter().filter(|i| i.op == Op::Arctan2);
+        angles.any(|i| sides(i).is_some_and(|(y, x)| y.straddles_cut(x)))
     }
 
     /// Sets the inputs, runs, and copies the outputs.

@@ -6,15 +6,19 @@
 //! **Guaranteed:** the number, the family and its seed determine the member, on every machine: `draw` says how. What is computed has
 //! at most 15 digits, so that its text in a file is short, and is the same number.
 
+use std::cell::OnceCell;
+use std::cmp::Ordering;
+
 use super::draw::{Random, Sequence, exp, ln, normal_at, polar_at, random_normal};
 use super::map::Scale;
 use diag::Diagnostic;
 use expr::tape::Tape;
+use proof::exact::Exact;
 
-use crate::derivation::{Claim, Dependence, Derivation, Drawing, Family, Form, Spread, Varied};
-use crate::expr::{Expr, Leaf};
+use crate::derivation::{Claim, Dependence, Derivation, Drawing, Family, Form, Spread, Varied, exact};
+use crate::expr::{Expr, Leaf, Rational};
 use crate::latex::RelationKind;
-use crate::number::Bounded;
+use crate::number::{Bounded, NoValue, Number};
 
 /// The most draws for one member: with a constraint that leaves one in a thousand, one member in 20,000 would need more.
 pub(super) const MOST_DRAWS: u64 = 10_000;
@@ -257,22 +261,52 @@ impl Members {
             return false;
         }
         let Some(tape) = &self.tape else { return true };
-        let inputs: Vec<_> = values.iter().map(|x| Ok(Bounded::exact(*x))).collect();
-        let found = tape.evaluate(&(), &inputs, &mut tape.slots::<Bounded>(&()));
-        let (sides, rest) = found.split_at((2 * self.kinds.len()).min(found.len()));
-        let satisfied = |(kind, pair): (&RelationKind, &[Result<Bounded, _>])| match pair {
-            [Ok(left), Ok(right)] => match kind {
-                RelationKind::Equal => left.value == right.value,
-                RelationKind::NotEqual => left.value != right.value,
-                RelationKind::Less => left.value < right.value,
-                RelationKind::LessEqual => left.value <= right.value,
-                RelationKind::Greater => left.value > right.value,
-                RelationKind::GreaterEqual => left.value >= right.value,
-            },
-            _ => false,
+        // A value is what its decimal digits say.
+        let decimal: Vec<Option<Rational>> = values.iter().map(|x| exact(&format!("{x:e}"))).collect();
+        let rounded = |x: &Option<Rational>| {
+            let mut out = Bounded::exact(0.0);
+            Number::rational(&mut out, &(), x.as_ref().ok_or(NoValue::Unsupported)?).map(|()| out)
         };
-        self.kinds.iter().zip(sides.chunks(2)).all(satisfied)
-            && rest.iter().all(|x| x.as_ref().is_ok_and(|x| x.value > 0.0))
+        let inputs: Vec<_> = decimal.iter().map(rounded).collect();
+        let mut slots = tape.slots::<Bounded>(&());
+        let found = tape.evaluate(&(), &inputs, &mut slots);
+        if tape.straddles_cut(&slots) {
+            return false;
+        }
+        let rational = OnceCell::new();
+        let rational = |side: usize| {
+            let all = rational.get_or_init(|| {
+                let inputs: Vec<_> = decimal.iter().map(|x| x.clone().map(Exact).ok_or(NoValue::Unsupported)).collect();
+                tape.evaluate(&(), &inputs, &mut tape.slots::<Exact>(&()))
+            });
+            all.get(side)?.as_ref().ok()
+        };
+        let order = |side: usize| {
+            let (Ok(left), Ok(right)) = (found.get(side)?, found.get(side + 1)?) else { return None };
+            let difference = *left - *right;
+            // What rational arithmetic cannot tell, and errors neither, is the same.
+            Some(match difference.contains_zero() {
+                true => rational(side).zip(rational(side + 1)).map_or(Ordering::Equal, |(l, r)| l.0.cmp(&r.0)),
+                false => difference.value.total_cmp(&0.0),
+            })
+        };
+        let satisfied = |(n, kind): (usize, &RelationKind)| {
+            order(2 * n).is_some_and(|order| match kind {
+                RelationKind::Equal => order.is_eq(),
+                RelationKind::NotEqual => order.is_ne(),
+                RelationKind::Less => order.is_lt(),
+                RelationKind::LessEqual => order.is_le(),
+                RelationKind::Greater => order.is_gt(),
+                RelationKind::GreaterEqual => order.is_ge(),
+            })
+        };
+        let positive = |side: usize| match found[side] {
+            Ok(x) if x.contains_zero() => rational(side).is_some_and(|x| x.0 > Rational::ZERO),
+            Ok(x) => x.value > 0.0,
+            Err(_) => false,
+        };
+        let sides = (2 * self.kinds.len()).min(found.len());
+        self.kinds.iter().enumerate().all(satisfied) && (sides..found.len()).all(positive)
     }
 }
 

@@ -141,7 +141,7 @@ impl<'a> Troupe<'a> {
             claims.iter().map(|c| vec![Program::new(&mut graph, systems, c, &start)]).collect();
         let gradients: Vec<_> =
             claims.iter().map(|c| Gradients::of_claim(&mut graph, trajectories, c, &fields)).collect();
-        let measures = measure::compile(&mut graph, &derivation.measures);
+        let measures = measure::compile(&mut graph, &derivation);
         derivation.graph = graph;
         let graph = &derivation.graph;
         let mut wanted: Vec<Leaf> = programs.iter().flatten().flat_map(|p| p.leaves(graph)).collect();
@@ -156,7 +156,7 @@ impl<'a> Troupe<'a> {
                 return Err(CheckError::Defect(format!("{name} is needed by a claim, but was not asked for")));
             }
         }
-        let measures: Vec<Compiled> = measures.into_iter().map(|m| m.tape(&mut derivation.graph, &wanted)).collect();
+        let measures: Vec<Compiled> = measures.into_iter().map(|m| m.on(&derivation.graph, &wanted)).collect();
         let start_of = vec![0; derivation.trajectories.len()];
         // What is measured is shown with its error.
         let plain = measures.is_empty() && are_plain(&programs);

@@ -27,6 +27,7 @@ use std::ffi::OsString;
 use std::fs::{self, File, FileType};
 use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
+use std::time::Duration;
 
 /// Most entries of folders that one search looks at.
 const MOST_ENTRIES: usize = 100_000;
@@ -61,6 +62,9 @@ pub enum Why {
     /// What is to be replaced is no regular file.
     #[error("cannot be written: there is {0} of this name, and only a file is replaced")]
     InTheWay(&'static str),
+    /// Its bytes are not UTF-8.
+    #[error("is no text")]
+    NoText,
     /// More bytes than are read, in MiB.
     #[error("is larger than {0} MiB")]
     TooLarge(u64),
@@ -70,6 +74,9 @@ pub enum Why {
     /// On the way to an output.
     #[error("is a link, and nothing is written through a link")]
     Link,
+    /// Something that is not to be replaced.
+    #[error("is there already, and is not replaced")]
+    Exists,
     /// Two outputs.
     #[error("is the output of two formats or options")]
     Twice,
@@ -143,6 +150,34 @@ pub fn read(path: &Path, largest: u64) -> Result<Vec<u8>, FileError> {
     file.take(largest + 1).read_to_end(&mut bytes).map_err(unreadable)?;
     // What is said to have no bytes may have some (/proc), so they are counted.
     if bytes.len() as u64 > largest { Err(failed(Why::TooLarge(largest >> 20))) } else { Ok(bytes) }
+}
+
+/// The text of a regular file, at most `largest` bytes of UTF-8.
+///
+/// # Errors
+/// As for [`read`]; it is no text.
+pub fn read_text(path: &Path, largest: u64) -> Result<String, FileError> {
+    String::from_utf8(read(path, largest)?).map_err(|_| FileError::new(path, Why::NoText))
+}
+
+/// Between two looks at a file for its [`changes`].
+const PAUSE: Duration = Duration::from_millis(25);
+
+/// Waits for changes of a file that others write: an item at once, then one whenever it is there and is not what it was. It is looked at
+/// forty times a second. This needs no service of the operating system, and works on every file system and with editors that replace a
+/// file instead of writing to it: one that is being replaced may be missing for a moment.
+pub fn changes(path: &Path, largest: u64) -> impl Iterator<Item = ()> {
+    let mut last = None;
+    std::iter::from_fn(move || {
+        loop {
+            let now = read(path, largest).ok();
+            if last.as_ref().is_none_or(|last| now.is_some() && now != *last) {
+                last = Some(now);
+                return Some(());
+            }
+            std::thread::sleep(PAUSE);
+        }
+    })
 }
 
 /// The one name of what the path leads to: from the current folder where it lies in it, with links resolved.
@@ -336,6 +371,39 @@ mod tests {
         for good in ["conic", "com", "com10", "lpt", "auxiliary", "a.b", "t8", "nullcline"] {
             assert!(is_portable(good), "{good}");
         }
+    }
+
+    #[test]
+    fn a_text_is_utf8_and_replaces_nothing() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("a");
+        write::write_new(&file, "é".as_bytes()).expect("written");
+        assert_eq!(read_text(&file, 2).expect("read"), "é");
+        assert!(matches!(write::write_new(&file, b"b").expect_err("it is there").why, Why::Exists));
+        fs::write(&file, b"\xff").expect("written");
+        assert!(matches!(read_text(&file, 2).expect_err("no text").why, Why::NoText));
+    }
+
+    #[test]
+    fn a_file_is_told_at_once_and_when_it_is_another() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("a");
+        let mut changes = changes(&file, 5);
+        assert!(changes.next().is_some(), "it is missing, and is told once");
+        for text in ["1", "2"] {
+            fs::write(&file, text).expect("written");
+            assert!(changes.next().is_some(), "{text}");
+        }
+        // That it is gone for a moment is no change.
+        std::thread::scope(|scope| {
+            scope.spawn(|| {
+                fs::remove_file(&file).expect("removed");
+                std::thread::sleep(3 * PAUSE);
+                write::write_file(&file, b"3").expect("written");
+            });
+            changes.next();
+            assert_eq!(read(&file, 5).expect("read"), b"3");
+        });
     }
 
     #[test]

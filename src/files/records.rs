@@ -55,9 +55,19 @@ impl Records {
         Records { folder, program, asked: Mutex::new(Instant::now()), quick: QUICK, of_program: OnceLock::new() }
     }
 
+    /// Those of the program that runs, in a folder that is named; else in the one that a variable of its environment names, none where it
+    /// is empty; else in that of the user for such things, where a folder has the `name`. `None` where nothing is kept.
+    pub fn of_user(named: Option<PathBuf>, variable: &str, name: &str) -> Option<Records> {
+        let usual = || match std::env::var_os(variable) {
+            Some(folder) => (!folder.is_empty()).then(|| folder.into()),
+            None => Records::usual_folder(name),
+        };
+        Some(Records::new(named.or_else(usual)?, std::env::current_exe().ok()?))
+    }
+
     /// The folder for such things on this system, for a program with this name, by the variables of its environment: that of the
     /// user. `None` where there is none.
-    pub fn usual_folder(program: &str) -> Option<PathBuf> {
+    fn usual_folder(program: &str) -> Option<PathBuf> {
         let of = |name: &str| std::env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
         let folder = if cfg!(windows) {
             of("LOCALAPPDATA")

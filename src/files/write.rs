@@ -92,6 +92,18 @@ pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     Ok(())
 }
 
+/// The same, where nothing is yet.
+///
+/// # Errors
+/// Something is there; else see [`write_file`].
+pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
+    // A link that leads nowhere is something, too.
+    match path.symlink_metadata() {
+        Ok(_) => Err(FileError::new(path, Why::Exists)),
+        Err(_) => write_file(path, bytes),
+    }
+}
+
 /// Writes one file with all that can be read from somewhere, which need not fit into memory; else as [`write_file`].
 ///
 /// # Errors

@@ -9,7 +9,7 @@ use crate::standing::{Decision, Exception, Finding, Given};
 use crate::variant::{Discrimination, VariantAccount};
 use crate::words::{self, Word};
 use derivation::Claim;
-use reason::{Proviso, Reason, Refuting};
+use reason::{Decided, Premises, Proviso, Reason, Refuting, Term, Unproved, Way};
 use serde::{Deserialize, Serialize};
 use units::UnitsAccount;
 use verdict::{Outcome, Strength, Verdict};
@@ -229,66 +229,41 @@ impl IdentityAccount {
         }
     }
 
-    /// What a proof needs and leaves out: a heading for each list that is not empty.
-    pub fn terms(&self) -> Vec<(&'static str, Vec<Proviso>)> {
+    /// What a proof needs and leaves out: each list that is not empty.
+    pub fn terms(&self) -> Vec<(Term, Vec<Proviso>)> {
         let written = |all: &[String]| all.iter().map(|text| Proviso::Written(text.as_str().into())).collect();
         let mut out = vec![
-            ("It holds where", self.conditions.clone()),
-            ("The proof does not reach", self.exceptions.clone()),
-            ("What is given holds, special cases aside, only where", self.given_only_where.clone()),
-            ("What is given assumes", written(&self.presupposed)),
+            (Term::Condition, self.conditions.clone()),
+            (Term::Exception, self.exceptions.clone()),
+            (Term::GivenOnlyWhere, self.given_only_where.clone()),
+            (Term::Presupposed, written(&self.presupposed)),
         ];
         if let Some(AssumptionsUsed { used, unused }) = &self.assumptions {
-            out.push(("Of the assumptions it uses", written(used)));
-            out.push(("Of the assumptions it does not use", written(unused)));
+            out.push((Term::Used, written(used)));
+            out.push((Term::Unused, written(unused)));
         }
         out.retain(|(_, lines)| !lines.is_empty());
         out
     }
 
-    /// What it is proved given, in words; empty where nothing is open.
-    pub fn conditional_in_words(&self) -> String {
-        let one = |g: &Given| match g.standing {
-            None => format!("`{}`, which is not decided for all values", g.name),
-            Some(word) => format!("`{}`, which is {word}", g.name),
+    /// The verdict with what it rests on; its words are one sentence.
+    pub fn decided(&self) -> Decided<'_> {
+        let given = Premises(&self.from);
+        let open = self.conditional_on.iter().map(|g| match g.standing {
+            None => Unproved::NotAsked(&g.name),
+            Some(word) => Unproved::Standing(&g.name, word),
+        });
+        let way = match self.log2_error {
+            Some(_) if self.evidence.trials.is_none() => Way::Algebraic,
+            Some(bound) => Way::Random(bound),
+            None => Way::Signs,
         };
-        self.conditional_on.iter().map(one).collect::<Vec<_>>().join(", ")
-    }
-
-    /// The verdict in one sentence.
-    pub fn sentence(&self) -> String {
-        let given = if self.from.is_empty() {
-            "the definitions and assumptions".to_owned()
-        } else {
-            format!("the definitions, the assumptions and {}", self.from.join(", "))
-        };
-        let reason = self.reason.as_ref().map_or_else(|| "no reason is known".to_owned(), ToString::to_string);
-        let open = self.conditional_in_words();
-        let decision = self.finding.decision();
-        match (decision, self.log2_error) {
-            (Decision::Proved | Decision::ProvedExcept, bound) => {
-                let how = match bound {
-                    Some(_) if self.evidence.trials.is_none() => {
-                        "both sides are algebraic numbers, compared exactly".to_owned()
-                    }
-                    Some(bound) => {
-                        format!("proved by random evaluation, with an error probability of at most 2^{}", bound.ceil())
-                    }
-                    None => "proved by signs, for every order of the sizes".to_owned(),
-                };
-                let head = match (decision, open.is_empty(), bound) {
-                    (Decision::ProvedExcept, true, _) => format!("Proved except in special cases, given {given}"),
-                    (Decision::ProvedExcept, false, _) => {
-                        format!("Proved except in special cases, and only given {open}, from {given}")
-                    }
-                    (_, false, _) => format!("Proved only given {open}, from {given}"),
-                    (_, true, Some(_)) => format!("An identity, given {given}"),
-                    (_, true, None) => format!("True for all values, given {given}"),
-                };
-                format!("{head}: {how}.")
+        match self.finding.decision() {
+            decision @ (Decision::Proved | Decision::ProvedExcept) => {
+                Decided::Proved { except: decision == Decision::ProvedExcept, open: open.collect(), way, given }
             }
-            (Decision::Refuted, _) => format!("Not an identity, given {given}: a point refutes it."),
-            (Decision::Undecided, _) => format!("Whether it is an identity, given {given}, is undecided: {reason}."),
+            Decision::Refuted => Decided::Refuted(given),
+            Decision::Undecided => Decided::Undecided { given, reason: self.reason.as_ref() },
         }
     }
 }

@@ -32,7 +32,6 @@ pub use family::{FailingShare, FamilyAccount, MemberAccount};
 pub use identity::{Counterexample, IdentityEvidence, Place, Proposition, Trials};
 pub use picture::{Line, LineKind, PictureAccount};
 pub use proof::{Certificate, Cofactor, Origin};
-pub use single_motion::Alone;
 pub use units;
 pub use variant::{ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Survivor, VariantAccount, WEAK};
 pub use verdict::{

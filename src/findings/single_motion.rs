@@ -5,52 +5,8 @@
 //! hold would hold as well.
 
 use crate::{Account, ClaimAccount, PairAccount, WEAK};
+use reason::Alone;
 use verdict::Outcome;
-
-/// What one motion alone could have decided.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Alone {
-    /// Its id.
-    pub trajectory: String,
-    /// Claims that were tried on it.
-    pub tried: usize,
-    /// Claims that do not apply to it.
-    pub not_applicable: usize,
-    /// Claims that hold on it.
-    pub holds: usize,
-    /// Claims that hold on it and fail on others: names.
-    pub misleading: Vec<String>,
-    /// Claims that hold on it, but weakly.
-    pub weak: usize,
-    /// Altered formulas of the claims that hold on it which it rejects.
-    pub rejected: usize,
-    /// Altered formulas of the claims that hold on it.
-    pub of: usize,
-}
-
-impl Alone {
-    /// The share of the altered formulas that is rejected; 1 where there are none.
-    pub fn share(&self) -> f64 {
-        if self.of == 0 { 1.0 } else { self.rejected as f64 / self.of as f64 }
-    }
-
-    /// In one sentence.
-    pub fn sentence(&self) -> String {
-        let Alone { trajectory, tried, not_applicable, holds, misleading, weak, rejected, of } = self;
-        let claims = |n: usize| if n == 1 { "one claim".to_owned() } else { format!("{n} claims") };
-        let fail = match misleading.len() {
-            0 => "none of them fails elsewhere".to_owned(),
-            1 => format!("one of them fails elsewhere (`{}`)", misleading[0]),
-            n => format!("{n} of them fail elsewhere"),
-        };
-        format!(
-            "`{trajectory}` alone: of {}, {not_applicable} do not apply to it, and {holds} hold; {fail}, and {weak} hold \
-             weakly. Of {of} altered formulas of these claims, {} would have held as well.",
-            claims(*tried),
-            of - rejected
-        )
-    }
-}
 
 fn name(claim: &ClaimAccount) -> String {
     match &claim.reading {
@@ -69,16 +25,7 @@ impl Account {
     }
 
     fn of_one(&self, trajectory: &str) -> Alone {
-        let mut out = Alone {
-            trajectory: trajectory.to_owned(),
-            tried: 0,
-            not_applicable: 0,
-            holds: 0,
-            misleading: Vec::new(),
-            weak: 0,
-            rejected: 0,
-            of: 0,
-        };
+        let mut out = Alone { trajectory: trajectory.to_owned(), ..Alone::default() };
         for claim in &self.claims {
             let Some(pair) = claim.on(trajectory) else { continue };
             out.tried += 1;

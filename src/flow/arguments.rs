@@ -23,17 +23,19 @@ const STEEP: f64 = 8.0;
 const MODERATE: f64 = 0.75;
 /// Powers from this one on are taken for exponentials.
 const HIGH: i32 = 16;
-/// Exponentials below this power of e are 0.
+/// Exponentials below this power of e are 0, and none above its negative has a value.
 const NOTHING: f64 = -746.0;
 /// The shortest part of a stretch that is looked at for a change of sign.
 const SHORTEST: f64 = 1e-12;
+/// Most parts that are looked at: a polynomial that takes more is none of the stretch.
+const MOST_PARTS: usize = 256;
 /// What is below its error times this may be 0.
 const NOISE: f64 = 4.0;
 
 /// An argument that may hide something, by the slots of a tape.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Argument {
-    /// u in e^u, sinh u, cosh u, tanh u; below the one number, and above the other, nothing varies.
+    /// u in e^u, sinh u, cosh u, tanh u; below the one number, and above the other, nothing varies, or nothing has a value.
     Exponent(usize, f64, f64),
     /// u in uⁿ.
     Base(usize, f64),
@@ -81,13 +83,17 @@ pub(super) fn moves(mut coefficients: impl Iterator<Item = f64>, radius: f64, er
     Moves { value, by: coefficients.map(term).sum(), error }
 }
 
-/// Whether a polynomial changes its sign up to a radius, by more than NOISE times an error.
+/// Whether a polynomial may change its sign up to a radius, by more than NOISE times an error.
 pub(super) fn changes_sign(coefficients: &[f64], radius: f64, error: f64) -> bool {
     let mut scaled = Vec::new();
     shift(coefficients, 0.0, radius, &mut scaled);
     let (mut stack, mut local) = (vec![(0.0, 1.0)], Vec::with_capacity(scaled.len()));
-    let mut seen = [false; 2];
+    let (mut seen, mut parts) = ([false; 2], 0);
     while let Some((middle, half)) = stack.pop() {
+        parts += 1;
+        if parts > MOST_PARTS {
+            return true;
+        }
         shift(&scaled, middle, half, &mut local);
         let Moves { value, by, .. } = moves(local.iter().copied(), 1.0, error);
         if value.abs() + by <= NOISE * error || half < SHORTEST {
@@ -135,7 +141,9 @@ impl Argument {
             }
             Argument::Base(u, n) => {
                 let Moves { value: u, by, .. } = of(u)?;
-                unless(n * at(Op::Ln, u.abs() + by) < NOTHING || n * by <= STEEP * u.abs(), Kind::Exponential)
+                let u = u.abs();
+                let vanishes = n * at(Op::Ln, u + by) < NOTHING || u > by && n * at(Op::Ln, u - by) > -NOTHING;
+                unless(vanishes || n * by <= STEEP * u, Kind::Exponential)
             }
             Argument::Singular(u) => {
                 let Moves { value: u, by, .. } = of(u)?;
@@ -170,6 +178,21 @@ impl Argument {
                 let (Moves { value: y, by: up, .. }, Moves { value: x, by: along, .. }) = (of(y)?, of(x)?);
                 unless(up + along <= MODERATE * at(Op::Sqrt, y * y + x * x), Kind::Singular)
             }
+        }
+    }
+
+    /// Whether what is singular with it is so all along a stretch, within how well the argument is known: no value of it is known
+    /// anywhere there.
+    pub(super) fn is_lost(&self, of: impl Fn(usize) -> Option<Moves>) -> bool {
+        let within = |u: usize, from: &dyn Fn(f64) -> f64| {
+            of(u).is_some_and(|Moves { value, by, error }| from(value).abs() + by <= error)
+        };
+        match *self {
+            Argument::Singular(u) | Argument::Kink(u) => within(u, &|u| u),
+            Argument::Cosine(u) => within(u, &|u| at(Op::Cos, u)),
+            Argument::Unit(u) => within(u, &|u| 1.0 - u.abs()),
+            Argument::Plane(y, x) => within(y, &|y| y) && within(x, &|x| x),
+            Argument::Exponent(..) | Argument::Base(..) | Argument::Power(..) => false,
         }
     }
 }

@@ -53,6 +53,8 @@ pub(super) struct Formula {
 pub(super) struct Instant {
     time: Formula,
     value: Program,
+    /// y and x of the angles in the value that are not followed.
+    cuts: Option<Program>,
 }
 
 impl Formula {
@@ -131,29 +133,40 @@ impl Definitions for Core {
 impl Core {
     /// What the formulas of some states, in basic leaves, have of angles with cuts.
     pub(super) fn note_cuts(&mut self, graph: &Graph, formulas: &[Expr]) -> Result<(), FlowError> {
+        let cuts = self.cuts_of(graph, formulas)?;
+        self.cuts.extend(cuts.map(Arc::new));
+        Ok(())
+    }
+
+    /// y and x of the angles in some formulas; nothing where there are none but those that are followed.
+    fn cuts_of(&self, graph: &Graph, formulas: &[Expr]) -> Result<Option<Program>, FlowError> {
         let followed = graph.arctan2s(self.continued.iter().map(|(angle, _)| *angle));
         let mut of = graph.arctan2s(formulas.iter().copied());
         of.retain(|sides| !followed.contains(sides));
         let of: Vec<Expr> = of.into_iter().flatten().collect();
-        if !of.is_empty() {
-            let program = self.compile(graph, &of)?;
-            self.cuts.push(Arc::new(program));
-        }
-        Ok(())
+        if of.is_empty() { Ok(None) } else { self.compile(graph, &of).map(Some) }
     }
 
     /// Whether a state may leap at a time: an angle in its formula is on its cut, as far as errors tell, and what it is there is
     /// the value of one side.
     pub(super) fn may_leap(&self, t: f64) -> bool {
-        self.cuts.iter().any(|cuts| {
-            let turns = self.turns(cuts, t, &mut Vec::new());
-            let mut bench = cuts.bench::<Bounded>(self, 0);
-            cuts.run(self, &mut bench, t, &turns);
-            let value = |i: usize| cuts.output(&bench, i).map(|x| x.coefficient(0));
-            (0..cuts.output_count() / 2).any(|i| match (value(2 * i), value(2 * i + 1)) {
-                (Ok(y), Ok(x)) => y.straddles_cut(&x),
-                (Err(_), _) | (_, Err(_)) => false,
-            })
+        self.cuts.iter().any(|cuts| self.straddles(cuts, Bounded::exact(t)))
+    }
+
+    /// Whether one of some angles, given by y and x, may be on either side of its cut at a time, as far as that is known.
+    fn straddles(&self, cuts: &Program, Bounded { value: t, error: slack }: Bounded) -> bool {
+        let turns = self.turns(cuts, t, &mut Vec::new());
+        let mut bench = cuts.bench::<Bounded>(self, usize::from(slack > 0.0));
+        cuts.run(self, &mut bench, t, &turns);
+        let value = |i: usize| {
+            let x = cuts.output(&bench, i)?;
+            let moved = if slack > 0.0 { 2.0 * slack * x.coefficient(1).magnitude() } else { 0.0 };
+            let Bounded { value, error } = x.coefficient(0);
+            Ok::<_, NoValue>(Bounded { value, error: error + moved })
+        };
+        (0..cuts.output_count() / 2).any(|i| match (value(2 * i), value(2 * i + 1)) {
+            (Ok(y), Ok(x)) => y.straddles_cut(&x),
+            (Err(_), _) | (_, Err(_)) => false,
         })
     }
 
@@ -186,7 +199,8 @@ impl Core {
         };
         let inputs: Vec<_> = formula.leaves.iter().map(value).collect();
         let mut slots = tape.slots::<Bounded>(&());
-        tape.evaluate(&(), &inputs, &mut slots).pop().unwrap_or(Err(NoValue::Unsupported))
+        let value = tape.evaluate(&(), &inputs, &mut slots).pop().unwrap_or(Err(NoValue::Unsupported))?;
+        if tape.straddles_cut(&slots) { Err(NoValue::Indeterminate) } else { Ok(value) }
     }
 
     /// A leaf at a fixed time.
@@ -194,13 +208,14 @@ impl Core {
         let time = self.resolve(graph, instant)?;
         let value = self.definition(graph, now)?;
         let time = Formula::new(graph, time);
-        Ok(Instant { time, value: self.compile(graph, &[value])? })
+        Ok(Instant { time, cuts: self.cuts_of(graph, &[value])?, value: self.compile(graph, &[value])? })
     }
 
     /// The value of a definition at its fixed time.
-    pub(super) fn instant_value(&self, Instant { time, value: program }: &Instant) -> Result<Bounded, NoValue> {
+    pub(super) fn instant_value(&self, instant: &Instant) -> Result<Bounded, NoValue> {
+        let Instant { time, value: program, cuts } = instant;
         let time = self.formula_value(time)?;
-        if self.may_leap(time.value) {
+        if self.cuts.iter().map(Arc::as_ref).chain(cuts).any(|cuts| self.straddles(cuts, time)) {
             return Err(NoValue::Indeterminate);
         }
         let turns = self.turns(program, time.value, &mut Vec::new());

@@ -3,6 +3,7 @@
 //! **In:** expressions along a motion, and the samples. **Out:** the times between them at which each is to be looked at, see
 //! [`arguments`](super::arguments) for why. All arguments of all expressions are on one tape: many formulas have the same.
 
+use std::collections::VecDeque;
 use std::rc::Rc;
 use std::sync::{Arc, OnceLock};
 
@@ -17,13 +18,16 @@ use number::{Bounded, BoundedLanes};
 
 /// Degree of the polynomials of arguments.
 const DEGREE: usize = 12;
-/// Most times that are added for one argument between two samples.
+/// Most times that are added for one argument, and for one claim.
 const MOST: usize = 20_000;
 
 /// A polynomial is used for what it is of if its last terms are below this share of all.
 const FINE: f64 = 1e-13;
 /// It tells how a part of its stretch moves that is above this share of all: what is below is not known well from afar.
 const COARSE: f64 = 1e-9;
+
+/// What stays below this share of its error is not known at any time of a stretch, though the error varies on it.
+const CERTAIN: f64 = 0.25;
 
 /// Times between samples at which an expression is to be looked at.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -32,7 +36,7 @@ pub struct Rapid {
     pub times: Vec<f64>,
     /// Where only what is divided by, or has a root or a kink, does: there errors may be larger than anything that is to be seen.
     pub singular: Vec<f64>,
-    /// A stretch on which an exponential has more such times than can be looked at.
+    /// A stretch on which an exponential has more such times than can be looked at: these are some of them.
     pub unresolved: Option<(f64, f64)>,
 }
 
@@ -92,6 +96,14 @@ impl RapidSearch {
             times.sort_by(f64::total_cmp);
             times.dedup();
         }
+        if out.times.len() > MOST {
+            out.unresolved = out.unresolved.or(out.times.first().copied().zip(out.times.last().copied()));
+        }
+        for times in [&mut out.times, &mut out.singular] {
+            if times.len() > MOST {
+                *times = (0..MOST).map(|i| times[i * times.len() / MOST]).collect();
+            }
+        }
         out
     }
 
@@ -107,18 +119,20 @@ impl RapidSearch {
         let program = self.program.part(&slots);
         let explorer = Explorer::new(&self.core, &program, DEGREE);
         let mut local = Local { explorer, argument, errors: vec![0.0; slots.len()], slots };
+        let count = |kind: Kind| gaps.iter().filter(|gap| gap.kind == kind).count();
+        let mut left = (count(Kind::Exponential), count(Kind::Singular));
         for gap in gaps {
             let whole = (samples[gap.from], samples[gap.from + 1]);
             local.errors.clone_from(&gap.errors);
-            match gap.kind {
-                Kind::Singular => {
-                    local.halve(whole, &mut out.singular);
-                }
-                Kind::Exponential => {
-                    if !local.halve(whole, &mut out.times) {
-                        out.unresolved.get_or_insert(whole);
-                    }
-                }
+            let (times, left) = match gap.kind {
+                Kind::Exponential => (&mut out.times, &mut left.0),
+                Kind::Singular => (&mut out.singular, &mut left.1),
+            };
+            // Each has its share of what is left.
+            let most = (MOST - times.len().min(MOST)) / *left;
+            *left -= 1;
+            if !local.halve((whole, gap.kind), most, times) && gap.kind == Kind::Exponential {
+                out.unresolved.get_or_insert(whole);
             }
         }
         for times in [&mut out.times, &mut out.singular] {
@@ -213,6 +227,14 @@ impl Expanded {
     }
 }
 
+/// How an argument moves on a stretch.
+enum Found {
+    Moderate,
+    /// It is singular on all of it, as far as it is known.
+    Nothing,
+    Much,
+}
+
 /// An argument along a motion.
 struct Local<'a> {
     explorer: Explorer<'a>,
@@ -223,38 +245,38 @@ struct Local<'a> {
 }
 
 impl Local<'_> {
-    /// Cuts a stretch in halves until the argument moves moderately on each, or it is as short as times can be told: whether that took no
-    /// more times than can be looked at.
-    fn halve(&mut self, whole: (f64, f64), times: &mut Vec<f64>) -> bool {
+    /// Cuts a stretch in halves until the argument moves moderately on each, or it is as short as times can be told, all of them by one
+    /// level after the other: whether that took no more times than are allowed. If it would take more, some are added all over the
+    /// stretch.
+    fn halve(&mut self, (whole, kind): ((f64, f64), Kind), most: usize, times: &mut Vec<f64>) -> bool {
         let before = times.len();
         let mut shifted = Vec::new();
-        let mut stack = vec![(whole, None)];
-        while let Some(((start, end), known)) = stack.pop() {
+        let mut left = VecDeque::from([(whole, None)]);
+        let mut resolved = true;
+        while let Some(((start, end), known)) = left.pop_front() {
             let middle = start + 0.5 * (end - start);
             let radius = 0.5 * (end - start);
             let smallest = 1e-12 * (whole.1 - whole.0) + 2.0 * f64::EPSILON * start.abs().max(end.abs());
-            let (moderate, known) = self.is_moderate(middle, radius, known, &mut shifted);
-            if moderate || end - start <= smallest {
-                times.extend([start, middle]);
-            } else {
-                stack.extend([((middle, end), Some(Rc::clone(&known))), ((start, middle), Some(known))]);
+            let (moves, known) = self.look(middle, radius, known, &mut shifted);
+            match moves {
+                // Whatever is singular there has no value that is known.
+                Found::Nothing if kind == Kind::Singular => continue,
+                Found::Moderate => {}
+                _ if end - start <= smallest => {}
+                // Halves would be more than may be added.
+                _ if times.len() - before + 2 * (left.len() + 2) > most => resolved = false,
+                _ => {
+                    left.extend([((start, middle), Some(Rc::clone(&known))), ((middle, end), Some(known))]);
+                    continue;
+                }
             }
-            if times.len() - before + stack.len() > MOST {
-                return false;
-            }
+            times.extend([start, middle]);
         }
-        true
+        resolved
     }
 
-    /// Whether the argument moves moderately up to a distance from a time, and the polynomials that say so: those that are known, if
-    /// they tell.
-    fn is_moderate(
-        &mut self,
-        t: f64,
-        radius: f64,
-        known: Option<Rc<Expanded>>,
-        out: &mut Vec<f64>,
-    ) -> (bool, Rc<Expanded>) {
+    /// How the argument moves up to a distance from a time, and the polynomials that say so: those that are known, if they tell.
+    fn look(&mut self, t: f64, radius: f64, known: Option<Rc<Expanded>>, out: &mut Vec<f64>) -> (Found, Rc<Expanded>) {
         let Local { explorer, argument, slots, errors } = self;
         let mut of = |expanded: &Expanded| -> Option<Vec<Option<Moves>>> {
             (0..slots.len()).map(|i| expanded.moves(i, errors[i], (t, radius), out)).collect()
@@ -276,8 +298,20 @@ impl Local<'_> {
                 changes_sign(&here, radius, error)
             })
         };
-        let moderate = argument.varies(how, turn).is_none();
-        (moderate, known)
+        let moves = match argument.varies(how, turn) {
+            None => Found::Moderate,
+            Some(_) if argument.is_lost(how) => {
+                // Between the samples it may be known better than there: u² is, where u = 0.
+                let here = explorer.values(t);
+                let known = |slot: usize| {
+                    let error = here.get(position(slot)?)?.as_ref().map_or(f64::INFINITY, |x| x.error);
+                    how(slot).map(|moves| Moves { error: CERTAIN * error, ..moves })
+                };
+                if argument.is_lost(known) { Found::Nothing } else { Found::Much }
+            }
+            Some(_) => Found::Much,
+        };
+        (moves, known)
     }
 }
 

@@ -19,12 +19,25 @@ use diag::{Diagnostic, Source};
 pub struct Draft {
     /// Its text.
     pub text: String,
+    /// How many equations the paper displays.
+    pub equations: usize,
     /// How many formulas it has.
     pub formulas: usize,
     /// How many more stand in comments, because they cannot be read.
     pub refused: usize,
     /// How many symbols were guessed.
     pub symbols: usize,
+}
+
+impl Draft {
+    /// How much was found, and what is to be done with it.
+    pub fn summary(&self) -> String {
+        let Draft { equations, formulas, refused, symbols, .. } = self;
+        format!(
+            "{equations} equations, {formulas} formulas, {refused} more that cannot be read yet, {symbols} symbols guessed\n\
+             Look for `confirm` in it; then add a system and a motion."
+        )
+    }
 }
 
 /// The most rounds of loading: each declares a symbol or puts a formula into a comment.
@@ -82,6 +95,7 @@ pub fn draft(paper: &Paper, name: &str) -> Draft {
     let formulas = || claims.iter().flat_map(|c| &c.formulas);
     Draft {
         text,
+        equations: paper.equations.len(),
         formulas: formulas().filter(|f| f.refused.is_none()).count(),
         refused: formulas().filter(|f| f.refused.is_some()).count(),
         symbols: symbols.len(),

@@ -5,7 +5,7 @@ use number::{NoValue, Op, Rational};
 
 /// A rational number; a root exists only of squares of rationals, transcendental functions never.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Exact(pub(super) Rational);
+pub struct Exact(pub Rational);
 
 /// Witnesses longer than this are no use to a reader.
 const LONGEST: usize = 2048;

@@ -112,7 +112,7 @@ mod budget;
 mod certificate;
 mod closing;
 mod conditions;
-mod exact;
+pub mod exact;
 mod field;
 mod growth;
 mod insertion;

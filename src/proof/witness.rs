@@ -9,7 +9,7 @@ use super::exact::Exact;
 use super::linear::Combinations;
 use super::lower::{Generator, Generators};
 use super::outcome::{Point, PointValue, Refutation, Side};
-use expr::tape::{Instruction, Slots, Tape};
+use expr::tape::{Slots, Tape};
 use expr::{Expr, Graph, Leaf, Node, Op, Rational};
 use expr::{FastMap, FastSet};
 use number::{Bounded, Draws, NoValue, Number};
@@ -131,8 +131,7 @@ impl Decimals {
             slots.set(i, values.get(leaf).copied().ok_or(NoValue::Unsupported));
         }
         tape.run(&(), slots);
-        let (a, b) = (|i: &Instruction| slots.value(i.a as usize), |i: &Instruction| slots.value(i.b as usize));
-        let torn = tape.instructions().iter().any(|i| i.op == Op::Arctan2 && a(i).straddles_cut(b(i)));
+        let torn = tape.straddles_cut(slots);
         (0..tape.output_count()).map(|i| tape.output(i, slots).ok().copied().filter(|_| !torn)).collect()
     }
 }

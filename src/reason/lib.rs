@@ -13,6 +13,8 @@
 
 #![forbid(unsafe_code)]
 
+mod alone;
+mod decided;
 mod enclosed;
 mod plain;
 mod proved;
@@ -21,6 +23,8 @@ mod sampled;
 mod shape;
 mod signs;
 
+pub use alone::Alone;
+pub use decided::{Decided, Premises, Term, Unproved, Way};
 pub use enclosed::{Compared, Enclosing, Refutation};
 pub use plain::Plain;
 pub use proved::{Bounded, Coordinate, Point, Proving, Proviso, Refuting};

@@ -7,6 +7,7 @@ use super::tally::name;
 use crate::derivation::Derivation;
 use diag::shown::in_one_line;
 use findings::{Account, Certificate, ClaimAccount, IdentityAccount, Origin};
+use reason::Premises;
 
 /// The folder of the certificates in that of a report, and the endings of their names.
 pub const CERTIFICATES: (&str, &[&str]) = ("certificates", &["py", "lean"]);
@@ -77,11 +78,7 @@ pub fn certificate_text(title: &str, given: &[String], certificates: &[Certifica
 
 /// What is proved, and from what.
 fn head(out: &mut String, mark: &str, title: &str, given: &[String]) {
-    let beside = match given {
-        [] => "the definitions and assumptions".to_owned(),
-        given => format!("the definitions, the assumptions and {}", given.join(", ")),
-    };
-    for line in [title.to_owned(), String::new(), format!("Given: {beside}.")] {
+    for line in [title.to_owned(), String::new(), format!("Given: {}.", Premises(given))] {
         let line = in_one_line(&line);
         out.push_str(format!("{mark} {line}").trim_end());
         out.push('\n');

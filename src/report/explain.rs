@@ -75,7 +75,7 @@ fn about_claim(derivation: &Derivation, claim: &ClaimAccount, graph: &Derivation
             out.push_str(&format!("  Exact, too: the certificate {file} of the report\n"));
         }
         for (title, lines) in identity.terms() {
-            out.push_str(&list(title, &lines.iter().map(ToString::to_string).collect::<Vec<_>>()));
+            out.push_str(&list(&title.to_string(), &lines.iter().map(ToString::to_string).collect::<Vec<_>>()));
         }
         out.push_str(&list("Refuting point", &identity.witness.iter().map(ToString::to_string).collect::<Vec<_>>()));
     }

@@ -88,7 +88,7 @@ impl ProofStanding {
 
 /// What is known of a step for all values, in one sentence: `proved` alone is said of what rests on nothing unproved.
 pub(super) fn sentence(identity: &IdentityAccount, proof: &ProofStanding) -> String {
-    let sentence = identity.sentence();
+    let sentence = identity.decided().to_string();
     match proof {
         ProofStanding::Proved | ProofStanding::None => sentence,
         ProofStanding::Except => format!("Special cases of what is given apart. {sentence}"),

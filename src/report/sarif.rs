@@ -9,11 +9,136 @@
 
 use std::collections::BTreeMap;
 
-use serde_json::{Map, Value, json};
+use serde::Serialize;
 
 use diag::shown::in_json;
 
 use super::finding::{Finding, Level, Place, rule_says};
+
+/// What is said, as the standard has every text.
+#[derive(Serialize)]
+struct Message {
+    text: String,
+}
+
+impl Message {
+    fn new(text: impl Into<String>) -> Message {
+        Message { text: text.into() }
+    }
+}
+
+#[derive(Serialize)]
+struct Log {
+    #[serde(rename = "$schema")]
+    schema: &'static str,
+    version: &'static str,
+    runs: [Run; 1],
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Run {
+    tool: Tool,
+    column_kind: &'static str,
+    results: Vec<Outcome>,
+}
+
+#[derive(Serialize)]
+struct Tool {
+    driver: Driver,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Driver {
+    name: &'static str,
+    semantic_version: &'static str,
+    rules: Vec<Rule>,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Rule {
+    id: &'static str,
+    name: String,
+    short_description: Message,
+    full_description: Message,
+    help: Message,
+    default_configuration: Configuration,
+}
+
+#[derive(Serialize)]
+struct Configuration {
+    level: &'static str,
+}
+
+/// A `result` of the standard.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Outcome {
+    rule_id: &'static str,
+    rule_index: Option<usize>,
+    level: &'static str,
+    message: Message,
+    locations: [Location; 1],
+    partial_fingerprints: Fingerprints,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    related_locations: Vec<Location>,
+}
+
+#[derive(Serialize)]
+struct Fingerprints {
+    #[serde(rename = "primaryLocationLineHash")]
+    line: String,
+    #[serde(rename = "rederive/v1")]
+    own: String,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Location {
+    physical_location: PhysicalLocation,
+    /// Of a related one: the message names it by its number, and says what is there.
+    #[serde(flatten)]
+    related: Option<Related>,
+}
+
+#[derive(Serialize)]
+struct Related {
+    id: usize,
+    message: Message,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct PhysicalLocation {
+    artifact_location: ArtifactLocation,
+    region: Region,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct ArtifactLocation {
+    uri: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    uri_base_id: Option<&'static str>,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Region {
+    start_line: usize,
+    #[serde(flatten)]
+    columns: Option<Columns>,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Columns {
+    start_column: usize,
+    end_line: usize,
+    end_column: usize,
+}
 
 /// A log with one run, as text.
 pub fn sarif(findings: &[Finding]) -> String {
@@ -21,49 +146,44 @@ pub fn sarif(findings: &[Finding]) -> String {
     rules.sort_unstable();
     rules.dedup();
     let mut seen: BTreeMap<String, usize> = BTreeMap::new();
-    let results: Vec<Value> = findings
-        .iter()
-        .map(|f| {
-            let fingerprint = f.fingerprint();
-            let nth = seen.entry(fingerprint.clone()).or_insert(0);
-            *nth += 1;
-            result(f, &rules, &fingerprint, *nth)
-        })
-        .collect();
-    let log = json!({
-        "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
-        "version": "2.1.0",
-        "runs": [{
-            "tool": { "driver": {
-                "name": crate::PROGRAM,
-                "semanticVersion": env!("CARGO_PKG_VERSION"),
-                "rules": rules.iter().map(|rule| descriptor(rule)).collect::<Vec<_>>(),
-            }},
-            "columnKind": "utf16CodeUnits",
-            "results": results,
-        }],
+    let results = findings.iter().map(|f| {
+        let fingerprint = f.fingerprint();
+        let nth = seen.entry(fingerprint.clone()).or_insert(0);
+        *nth += 1;
+        outcome(f, &rules, &format!("{fingerprint}:{nth}"))
     });
+    let results = results.collect();
+    let driver = Driver {
+        name: crate::PROGRAM,
+        semantic_version: env!("CARGO_PKG_VERSION"),
+        rules: rules.into_iter().map(rule).collect(),
+    };
+    let log = Log {
+        schema: "https://json.schemastore.org/sarif-2.1.0.json",
+        version: "2.1.0",
+        runs: [Run { tool: Tool { driver }, column_kind: "utf16CodeUnits", results }],
+    };
     let mut text = serde_json::to_string_pretty(&log).unwrap_or_default();
     text.push('\n');
     in_json(&text)
 }
 
-fn descriptor(rule: &str) -> Value {
-    let level = match rule {
+fn rule(id: &'static str) -> Rule {
+    let level = match id {
         "verdict::undecided" | "verdict::nothing-decided" => Level::Warning,
         "paper::not-covered" => Level::Note,
         _ => Level::Error,
     };
-    // The name of a rule is written without colons and hyphens.
-    let name: String = rule.split([':', '-']).map(capitalized).collect();
-    json!({
-        "id": rule,
-        "name": name,
-        "shortDescription": { "text": rule_says(rule) },
-        "fullDescription": { "text": rule_says(rule) },
-        "help": { "text": format!("{} The page on continuous integration lists every rule.", rule_says(rule)) },
-        "defaultConfiguration": { "level": level.word() },
-    })
+    let says = rule_says(id);
+    Rule {
+        id,
+        // The name of a rule is written without colons and hyphens.
+        name: id.split([':', '-']).map(capitalized).collect(),
+        short_description: Message::new(says),
+        full_description: Message::new(says),
+        help: Message::new(format!("{says} The page on continuous integration lists every rule.")),
+        default_configuration: Configuration { level: level.word() },
+    }
 }
 
 fn capitalized(word: &str) -> String {
@@ -71,31 +191,23 @@ fn capitalized(word: &str) -> String {
     chars.next().map(|c| c.to_ascii_uppercase()).into_iter().chain(chars).collect()
 }
 
-fn result(finding: &Finding, rules: &[&str], fingerprint: &str, nth: usize) -> Value {
+fn outcome(finding: &Finding, rules: &[&str], fingerprint: &str) -> Outcome {
     let mut related = Vec::new();
     let mut message = escaped(&finding.message);
-    for (i, (place, words)) in finding.related.iter().enumerate() {
-        let mut location = location(place);
-        location.insert("id".to_owned(), json!(i + 1));
-        location.insert("message".to_owned(), json!({ "text": escaped(words) }));
-        related.push(Value::Object(location));
-        message.push_str(&format!(" [{}]({}).", escaped(words), i + 1));
+    for (id, (place, words)) in (1..).zip(&finding.related) {
+        let words = escaped(words);
+        message.push_str(&format!(" [{words}]({id})."));
+        related.push(location(place, Some(Related { id, message: Message::new(words) })));
     }
-    let mut out = json!({
-        "ruleId": finding.rule,
-        "ruleIndex": rules.iter().position(|r| *r == finding.rule),
-        "level": finding.level.word(),
-        "message": { "text": message },
-        "locations": [Value::Object(location(&finding.place))],
-        "partialFingerprints": {
-            "primaryLocationLineHash": format!("{fingerprint}:{nth}"),
-            "rederive/v1": format!("{fingerprint}:{nth}"),
-        },
-    });
-    if !related.is_empty() {
-        out["relatedLocations"] = Value::Array(related);
+    Outcome {
+        rule_id: finding.rule,
+        rule_index: rules.iter().position(|r| *r == finding.rule),
+        level: finding.level.word(),
+        message: Message::new(message),
+        locations: [location(&finding.place, None)],
+        partial_fingerprints: Fingerprints { line: fingerprint.to_owned(), own: fingerprint.to_owned() },
+        related_locations: related,
     }
-    out
 }
 
 /// Plain text in a message: brackets would begin a link, and braces a placeholder.
@@ -115,29 +227,16 @@ fn escaped(text: &str) -> String {
     out
 }
 
-fn location(place: &Place) -> Map<String, Value> {
+fn location(place: &Place, related: Option<Related>) -> Location {
     let path = &place.source.path;
     let inside = !path.starts_with('/') && !path.starts_with("..");
-    let mut artifact = Map::new();
-    artifact.insert("uri".to_owned(), Value::String(uri(path)));
-    if inside {
-        artifact.insert("uriBaseId".to_owned(), Value::String("%SRCROOT%".to_owned()));
-    }
-    let mut physical = Map::new();
-    physical.insert("artifactLocation".to_owned(), Value::Object(artifact));
+    let artifact_location = ArtifactLocation { uri: uri(path), uri_base_id: inside.then_some("%SRCROOT%") };
+    let region = place.region();
+    let columns =
+        region.as_ref().map(|r| Columns { start_column: r.column, end_line: r.end_line, end_column: r.end_column });
     // Code scanning needs a line: that of a file as a whole is the first.
-    physical.insert(
-        "region".to_owned(),
-        match place.region() {
-            Some(r) => json!({
-                "startLine": r.line, "startColumn": r.column, "endLine": r.end_line, "endColumn": r.end_column,
-            }),
-            None => json!({ "startLine": 1 }),
-        },
-    );
-    let mut out = Map::new();
-    out.insert("physicalLocation".to_owned(), Value::Object(physical));
-    out
+    let region = Region { start_line: region.map_or(1, |r| r.line), columns };
+    Location { physical_location: PhysicalLocation { artifact_location, region }, related }
 }
 
 /// A path as a URI reference: a relative one stays relative.

@@ -21,7 +21,6 @@ use crate::derivation::{Across, Dependence, Derivation, End, Form, NoOther};
 use crate::describe::{Describer, Left, incomplete};
 use crate::doubt::{known, open_events};
 use crate::expr::Expr;
-use crate::expr::tape::Tape;
 use crate::flow::{Incomplete, Points};
 use crate::judged::Tried;
 use crate::latex::RelationKind;
@@ -32,6 +31,7 @@ use crate::{events, extrapolate};
 use claim::comparison::{Comparison, Group};
 use claim::measured::{Measured, MeasuredGroup, Series, Sizes};
 use claim::program::Values;
+use claim::quantity::Quantity;
 use reason::{Plain, Reason, Sampling};
 
 /// What is compared, as the file of the member has it: the claim that is tried knows no member.
@@ -111,10 +111,11 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, posi
         return Finding::open(Reason::clone(reason));
     }
     let group = &trial.program.parts[position].group.comparisons;
-    let Some((quantity, limit)) = group.first().map(|c| (c.left, c.right)) else {
+    let Some((quantity, limit, cuts)) = group.first().map(|c| (c.left, c.right, &c.cuts)) else {
         return Finding::open(Plain::NoQuantity);
     };
-    let (Some(value), Some(limit)) = (evaluator(trial, quantity), evaluator(trial, limit)) else {
+    let evaluator = |e: Expr| Quantity::new(trial.graph, course.leaves, e, cuts);
+    let (Some(value), Some(limit)) = (evaluator(quantity), evaluator(limit)) else {
         return Finding::open(Plain::QuantityUnknown);
     };
     let mut members = Vec::new();
@@ -133,14 +134,19 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, posi
                 &other
             }
         };
+        // Where it is only compared with its neighbour, nothing is known of the two of which that one is between.
+        let missing = |finding: Finding| match n > 0 && links_all(across.dependence) {
+            true => Finding::open(finding.evidence().reason.clone().unwrap_or(Plain::NothingToCompare.into())),
+            false => finding,
+        };
         let at = match taken(trial, of) {
             Ok(at) => at,
-            Err(finding) => return *finding,
+            Err(finding) => return missing(*finding),
         };
-        match value(&at.values) {
+        match value.value(&at.values) {
             Ok(of) => members.push(Taking { x, at, of }),
             Err(NoValue::OutOfDomain) => {
-                return void(Sampling::NoValueOnMember(across.of.text.as_str().into()));
+                return missing(void(Sampling::NoValueOnMember(across.of.text.as_str().into())));
             }
             Err(reason) => return Finding::open(reason),
         }
@@ -156,6 +162,14 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, posi
     let findings = far.into_iter().chain(more).map(|one| two(one, other));
     let all = findings.reduce(|a, b| if rank(&b) >= rank(&a) { b } else { a });
     all.unwrap_or_else(|| void(Plain::TooNearExtremum))
+}
+
+/// Whether a claim of all members is one of each and one other, through which it is compared with all.
+fn links_all(dependence: Dependence) -> bool {
+    match dependence {
+        Dependence::Independent | Dependence::Increasing | Dependence::Decreasing | Dependence::Power { .. } => true,
+        Dependence::Extremum { .. } | Dependence::Limit { .. } => false,
+    }
 }
 
 /// A member, or a motion beside it: the value of what varies, when the quantity is taken, and what it is.
@@ -216,14 +230,14 @@ fn tends(
     across: &Across,
     members: &[Taking],
     (end, to): (End, f64),
-    limit: &impl Fn(&Values) -> Result<Bounded, NoValue>,
+    limit: &Quantity,
     quantity: Expr,
 ) -> Finding {
     let (sequence, beyond) = members.split_at(members.len().min(extrapolate::STEPS));
     let (Some(own), Some(last)) = (sequence.first(), sequence.last()) else {
         return Finding::open(Plain::NoSequence);
     };
-    let (claimed, again) = match (limit(&own.at.values), limit(&last.at.values)) {
+    let (claimed, again) = match (limit.value(&own.at.values), limit.value(&last.at.values)) {
         (Ok(here), Ok(there)) => (here, there),
         (Err(NoValue::OutOfDomain), _) | (_, Err(NoValue::OutOfDomain)) => {
             return void(Plain::LimitHasNoValue);
@@ -327,15 +341,6 @@ fn slope((q, r): (Bounded, Bounded), (own, other): (f64, f64)) -> Result<(Bounde
     let error = (rise.error + value.abs() * run.error) / (run.value.abs() - run.error);
     let slope = Bounded { value, error: error * (1.0 + 1e-10) + f64::EPSILON * value.abs() };
     Ok((slope, Rise { run: run.value, rise: rise.value, error: rise.error + value.abs() * run.error }))
-}
-
-/// The value of the quantity from the values of all leaves.
-fn evaluator<'t>(trial: &'t Trial, quantity: Expr) -> Option<impl Fn(&Values) -> Result<Bounded, NoValue> + 't> {
-    let tape = Tape::compile(trial.graph, trial.course.leaves, &[quantity]).ok()?;
-    Some(move |values: &Values| {
-        let mut slots = tape.slots::<Bounded>(&());
-        tape.evaluate(&(), values, &mut slots).pop().unwrap_or(Err(NoValue::OutOfDomain))
-    })
 }
 
 /// Weighs one comparison, at the time at which the quantity is taken.

@@ -21,6 +21,9 @@ const CROSS_CHECK: usize = 8;
 /// Points between neighbouring samples at which a claim that holds is tried again, on each side of its worst sample.
 const CLOSER: usize = 4;
 
+/// Most values between the samples of a motion that are kept for all claims on it.
+const SHARED: usize = 1_000_000;
+
 /// A motion, sampled.
 pub struct Course<'a> {
     /// Where the motion is from.
@@ -36,7 +39,7 @@ pub struct Course<'a> {
     /// The values at the sample times.
     pub points: Arc<Points>,
     /// Times between the samples at which claims are tried that may vary rapidly, and the values there.
-    pub(crate) between: OnceLock<(Vec<f64>, Points)>,
+    pub(crate) between: OnceLock<Option<(Vec<f64>, Points)>>,
 }
 
 impl Course<'_> {
@@ -75,18 +78,21 @@ impl Course<'_> {
 
     /// What a claim needs at times at which expressions vary more rapidly than the motion is sampled: many claims are tried at the same.
     pub(crate) fn points_between(&self, program: &Program, times: &[f64]) -> Arc<Points> {
-        let (known, points) = self.between.get_or_init(|| {
+        let known = self.between.get_or_init(|| {
             let times = self.stage.all_rapid(self.trajectory, &self.times);
             let leaves: Vec<usize> = (0..self.leaves.len()).collect();
-            let points = self.stage.points(self.trajectory, &times, &leaves);
-            (times, points)
+            let shared = times.len() <= SHARED / leaves.len().max(1);
+            shared.then(|| {
+                let points = self.stage.points(self.trajectory, &times, &leaves);
+                (times, points)
+            })
         });
-        let places: Option<Vec<usize>> =
-            times.iter().map(|t| known.binary_search_by(|x| x.total_cmp(t)).ok()).collect();
-        match places {
-            Some(places) => Arc::new(points.some(&places, program.inputs())),
-            None => self.points_at(program, times),
-        }
+        let shared = known.as_ref().and_then(|(known, points)| {
+            let place = |t: &f64| known.binary_search_by(|x| x.total_cmp(t)).ok();
+            let places: Option<Vec<usize>> = times.iter().map(place).collect();
+            Some(Arc::new(points.some(&places?, program.inputs())))
+        });
+        shared.unwrap_or_else(|| self.points_at(program, times))
     }
 
     /// What a claim needs at other times.

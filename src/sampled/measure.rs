@@ -10,12 +10,13 @@ use crate::derivation::{Derivation, Event, Since};
 use crate::describe::incomplete;
 use crate::events;
 use crate::events::Events;
-use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::findings::Measurement;
+use crate::flow::Rapid;
 use crate::number::{Bounded, NoValue};
-use claim::denote::at_event;
-use claim::program::Values;
+use claim::comparison::cuts;
+use claim::denote::{at_event, rapid};
+use claim::quantity::Quantity;
 use reason::{Plain, Reason, Sampling, Search};
 
 /// Most values that are kept of one measure on one motion.
@@ -29,24 +30,33 @@ pub struct Compiled {
     at: Option<Expr>,
     /// What vanishes at those from which on it is taken.
     since: Option<Expr>,
-    tape: Option<Tape>,
+    /// Where angles in it have their cuts.
+    cuts: Vec<[Expr; 2]>,
+    /// What of it may vary more rapidly than a motion is sampled.
+    rapid: Vec<Expr>,
+    quantity: Option<Quantity>,
 }
 
 /// Compiles the measures of a file.
-pub fn compile(graph: &mut Graph, measures: &[derivation::Measure]) -> Vec<Compiled> {
+pub fn compile(graph: &mut Graph, derivation: &Derivation) -> Vec<Compiled> {
     let one = |(index, m): (usize, &derivation::Measure)| {
         let formula = m.formula.value.as_scalar()?;
         let at = m.at.as_ref().and_then(|at| at_event(graph, &at.equation.value));
         let since = m.since.as_ref().and_then(|(since, _)| at_event(graph, &since.equation.value));
-        Some(Compiled { index, formula, at, since, tape: None })
+        let cuts = cuts(graph, &derivation.scope, [formula]);
+        // Only a mean depends on what is between events.
+        let meant = m.since.as_ref().is_some_and(|(_, take)| *take == Since::Mean);
+        let rapid = if meant { rapid(graph, &derivation.scope, vec![formula]) } else { Vec::new() };
+        Some(Compiled { index, formula, at, since, cuts, rapid, quantity: None })
     };
-    measures.iter().enumerate().filter_map(one).collect()
+    derivation.measures.iter().enumerate().filter_map(one).collect()
 }
 
 impl Compiled {
     /// The leaves that must be known.
     pub fn leaves(&self, graph: &Graph) -> Vec<Leaf> {
-        graph.leaves([self.formula].into_iter().chain(self.events()))
+        let cuts = self.cuts.iter().flatten().copied();
+        graph.leaves([self.formula].into_iter().chain(self.events()).chain(cuts))
     }
 
     /// What vanishes at its events.
@@ -59,9 +69,9 @@ impl Compiled {
         derivation.measures.get(self.index).is_some_and(|m| m.trajectories.contains(&trajectory))
     }
 
-    /// Makes the tape.
-    pub fn tape(mut self, graph: &mut Graph, known: &[Leaf]) -> Compiled {
-        self.tape = Tape::compile(graph, known, &[self.formula]).ok();
+    /// Makes ready for points with the values of these leaves.
+    pub fn on(mut self, graph: &Graph, known: &[Leaf]) -> Compiled {
+        self.quantity = Quantity::new(graph, known, self.formula, &self.cuts);
         self
     }
 
@@ -78,12 +88,12 @@ impl Compiled {
             values: Vec::new(),
             reason: None,
         };
-        let Some(tape) = &self.tape else {
+        let Some(quantity) = &self.quantity else {
             out.reason = Some(Plain::MeasureUnknown.into());
             return Some(out);
         };
         let Some((at, second_event)) = measure.at.as_ref().zip(self.at) else {
-            self.at_time(derivation.trajectories[trajectory].initial_time, course, tape, &mut out);
+            self.at_time(derivation.trajectories[trajectory].initial_time, course, quantity, &mut out);
             return Some(out);
         };
         let none = |event: &Event| Sampling::NoMeaning(event.equation.text.as_str().into()).into();
@@ -96,13 +106,13 @@ impl Compiled {
         let events: Vec<Known> = times.map(|(t, slack)| Known { t, slack }).collect();
         let (shown, left_out) = events.split_at(events.len().min(MOST));
         match measure.since.as_ref().zip(self.since) {
-            None => shown.iter().for_each(|event| self.at_event(*event, course, tape, &mut out)),
+            None => shown.iter().for_each(|event| self.at_event(*event, course, quantity, &mut out)),
             Some(((since, take), e)) => match events::of_event(&derivation.graph, since, e, course) {
                 None => out.reason = Some(none(since)),
                 Some(first) => {
                     for &second in shown {
                         match before(second, since, &first, e == second_event) {
-                            Ok(first) => self.between(first, second, *take, (course, tape), &mut out),
+                            Ok(first) => self.between(first, second, *take, (course, quantity), &mut out),
                             Err(reason) => out.reason = Some(reason),
                         }
                     }
@@ -116,13 +126,13 @@ impl Compiled {
     }
 
     /// Takes the quantity at a time.
-    fn at_time(&self, t: f64, course: &Course, tape: &Tape, out: &mut Measurement) {
-        note(t, value(tape, &course.values(t)), out);
+    fn at_time(&self, t: f64, course: &Course, quantity: &Quantity, out: &mut Measurement) {
+        note(t, quantity.value(&course.values(t)), out);
     }
 
     /// Takes the quantity at an event.
-    fn at_event(&self, Known { t, slack }: Known, course: &Course, tape: &Tape, out: &mut Measurement) {
-        note(t, value(tape, &course.values_at_event(t, slack)), out);
+    fn at_event(&self, Known { t, slack }: Known, course: &Course, quantity: &Quantity, out: &mut Measurement) {
+        note(t, quantity.value(&course.values_at_event(t, slack)), out);
     }
 
     /// Takes what is asked for between two events.
@@ -131,23 +141,35 @@ impl Compiled {
         first: Known,
         second: Known,
         take: Since,
-        (course, tape): (&Course, &Tape),
+        (course, quantity): (&Course, &Quantity),
         out: &mut Measurement,
     ) {
-        let at = |of: Known| value(tape, &course.values_at_event(of.t, of.slack));
+        let at = |of: Known| quantity.value(&course.values_at_event(of.t, of.slack));
         let ends = at(first).and_then(|a| Ok((a, at(second)?)));
         let found = ends.and_then(|(a, b)| match take {
             Since::Change => Ok(b - a),
-            Since::Mean => mean(course, tape, (first, a), (second, b)),
+            Since::Mean => mean(course, (quantity, &self.rapid), (first, a), (second, b)),
         });
         note(second.t, found, out);
     }
 }
 
+/// What is searched for along a motion, by what vanishes, or varies.
+#[derive(Default)]
+pub struct Searched {
+    /// For the zeros of these.
+    pub zeros: Vec<Expr>,
+    /// For where these vary rapidly.
+    pub rapid: Vec<Expr>,
+}
+
 /// What is searched for on a motion on which some of these are taken.
-pub fn searched(measures: &[Compiled], derivation: &Derivation, trajectory: usize) -> Vec<Expr> {
-    let taken = measures.iter().filter(|m| m.is_taken_on(derivation, trajectory));
-    taken.flat_map(Compiled::events).collect()
+pub fn searched(measures: &[Compiled], derivation: &Derivation, trajectory: usize) -> Searched {
+    let taken = || measures.iter().filter(|m| m.is_taken_on(derivation, trajectory));
+    Searched {
+        zeros: taken().flat_map(Compiled::events).collect(),
+        rapid: taken().flat_map(|m| &m.rapid).copied().collect(),
+    }
 }
 
 /// An event of a motion, and how far its time may be off.
@@ -196,11 +218,6 @@ fn before(second: Known, since: &Event, found: &Events, is_same: bool) -> Result
     }
 }
 
-/// The value of the quantity from those of all leaves.
-fn value(tape: &Tape, values: &Values) -> Result<Bounded, NoValue> {
-    tape.evaluate(&(), values, &mut tape.slots(&())).pop().unwrap_or(Err(NoValue::OutOfDomain))
-}
-
 /// Writes down a value, or why there is none.
 fn note(t: f64, found: Result<Bounded, NoValue>, out: &mut Measurement) {
     match found {
@@ -224,6 +241,9 @@ const NODES: [(f64, f64, f64); 8] = [
 
 /// Stretches are halved until the two rules differ by less than this share of the integral of the size of the quantity.
 const AGREED: f64 = 1e-12;
+
+/// The better rule is off by at most so many times what the two differ by, at a kink, too.
+const OFF: f64 = 16.0;
 
 /// A larger share of it that the errors of values leave open is too much.
 const TOLD: f64 = 1e-6;
@@ -249,7 +269,7 @@ struct Stretch {
 }
 
 /// Quadrature over some stretches of time, none with a value missing.
-fn quadrature(course: &Course, tape: &Tape, ends: &[((f64, f64), u32)]) -> Result<Vec<Stretch>, NoValue> {
+fn quadrature(course: &Course, quantity: &Quantity, ends: &[((f64, f64), u32)]) -> Result<Vec<Stretch>, NoValue> {
     let sides = [-1.0, 1.0];
     let nodes = || NODES.iter().flat_map(|node| sides.iter().map(move |side| (side * node.0, node))).skip(1);
     let leaves: Vec<usize> = (0..course.leaves.len()).collect();
@@ -264,7 +284,7 @@ fn quadrature(course: &Course, tape: &Tape, ends: &[((f64, f64), u32)]) -> Resul
             let mut of = Stretch { ends, halvings, integral: 0.0, apart: 0.0, off: 0.0, size: 0.0 };
             let mut coarse = 0.0;
             for (_, (_, weight, of_gauss)) in nodes() {
-                let x = value(tape, &points.row(at))?;
+                let x = quantity.beside_leaps(&points.row(at))?;
                 at += 1;
                 of.integral += half * weight * x.value;
                 coarse += half * of_gauss * x.value;
@@ -279,17 +299,24 @@ fn quadrature(course: &Course, tape: &Tape, ends: &[((f64, f64), u32)]) -> Resul
 }
 
 /// The mean of the quantity between two events, at which it has these values: quadrature over the stretches between the samples of
-/// the motion, which are halved where the quantity bends or leaps. The two rules differ by far more than the better one is off.
+/// the motion, and the times at which the quantity may vary more rapidly than these tell; they are halved where it bends or leaps. Where
+/// it is smooth the two rules differ by far more than the better one is off; where it is not, by no less than a part of it.
 fn mean(
     course: &Course,
-    tape: &Tape,
+    (quantity, rapid): (&Quantity, &[Expr]),
     (first, at_first): (Known, Bounded),
     (second, at_second): (Known, Bounded),
 ) -> Result<Bounded, NoValue> {
-    let inner = course.times.iter().copied().filter(|t| first.t < *t && *t < second.t);
-    let ends: Vec<f64> = std::iter::once(first.t).chain(inner).chain([second.t]).collect();
+    let Rapid { times, singular, unresolved } = course.rapid(rapid);
+    if unresolved.is_some_and(|(from, to)| to >= first.t && from <= second.t) {
+        return Err(NoValue::Indeterminate);
+    }
+    let inner = course.times.iter().copied().chain(times).chain(singular).filter(|t| first.t < *t && *t < second.t);
+    let mut ends: Vec<f64> = [first.t, second.t].into_iter().chain(inner).collect();
+    ends.sort_by(f64::total_cmp);
+    ends.dedup();
     let whole: Vec<_> = ends.windows(2).map(|w| ((w[0], w[1]), 0)).collect();
-    let mut found = quadrature(course, tape, &whole)?;
+    let mut found = quadrature(course, quantity, &whole)?;
     let size: f64 = found.iter().map(|s| s.size).sum();
     let (mut sum, mut error, mut open, mut looked) = (0.0, 0.0, 0.0, found.len());
     loop {
@@ -303,7 +330,7 @@ fn mean(
             }
             if narrow || s.apart <= s.off.max(AGREED * size) {
                 sum += s.integral;
-                error += s.apart + s.off + if narrow { s.size } else { 0.0 };
+                error += OFF * s.apart + s.off + if narrow { s.size } else { 0.0 };
                 // What values do not tell may hide a pole.
                 open += if s.apart > AGREED * size { s.apart } else { 0.0 };
                 continue;
@@ -321,7 +348,7 @@ fn mean(
         if looked > STRETCHES {
             return Err(NoValue::Indeterminate);
         }
-        found = quadrature(course, tape, &halves)?;
+        found = quadrature(course, quantity, &halves)?;
     }
     if open > TOLD * size {
         return Err(NoValue::Indeterminate);

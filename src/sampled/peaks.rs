@@ -92,16 +92,18 @@ impl<'a, 't> Peaks<'a, 't> {
             Some(Truth::False | Truth::Void) => return finding,
         };
         let found = self.found();
-        if holds && found.unresolved {
-            return reopened(finding, Possible::OPEN, Plain::TooManyPeaks);
-        }
         let at = |further: &Option<Further>| further.as_ref().map(|further| further.weigh(self.trial, of));
         // Near what is divided by 0, errors may be larger than what is asked for: what is false there for certain counts.
         if let Some(closer) = at(&found.singular).filter(|closer| known(closer) == Possible::FALSE) {
             return closer;
         }
-        let Some(closer) = at(&found.times) else { return finding };
-        match known(&closer).decided() {
+        let closer = at(&found.times);
+        let seen = closer.as_ref().and_then(|closer| known(closer).decided());
+        if holds && found.unresolved && seen != Some(Truth::False) {
+            return reopened(finding, Possible::OPEN, Plain::TooManyPeaks);
+        }
+        let Some(closer) = closer else { return finding };
+        match seen {
             Some(Truth::False) => closer,
             None if holds => closer,
             Some(Truth::True) if holds => {

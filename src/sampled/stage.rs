@@ -14,6 +14,7 @@ use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::findings::TrajectoryAccount;
 use crate::flow::{Draft, Estimation, FlowError, Motion, Points, Rapid, RapidSearch, Search, Zeros};
+use crate::measure::Searched;
 use crate::number::{Bounded, NoValue};
 use crate::pattern::Pattern;
 use crate::recall::{Nothing, Recall};
@@ -57,13 +58,10 @@ pub struct Requests<'a> {
     /// Which program belongs to a trajectory.
     pub start_of: &'a [usize],
     /// What is searched for on a motion beside what claims need.
-    pub measured: &'a (dyn Fn(&Derivation, usize) -> Vec<Expr> + Sync),
+    pub measured: &'a (dyn Fn(&Derivation, usize) -> Searched + Sync),
     /// When the run must end: looked at between steps of integration.
     pub limits: &'a Limits,
 }
-
-/// Most times between samples at which the values of a motion are kept.
-const MOST_KEPT: usize = 20_000;
 
 /// A motion with everything that was asked of it.
 #[derive(Clone, Debug)]
@@ -278,7 +276,7 @@ impl Stage {
         times.extend(singular);
         times.sort_by(f64::total_cmp);
         times.dedup();
-        if times.len() > MOST_KEPT { Vec::new() } else { times }
+        times
     }
 
     /// The value of an expression in parameters on a motion.
@@ -287,7 +285,8 @@ impl Stage {
         let tape = expr::tape::Tape::compile(graph, &leaves, &[e]).ok()?;
         let mut slots = tape.slots::<Bounded>(&());
         let values: Vec<_> = leaves.iter().map(|&l| self.parameter(trajectory, l)).collect();
-        tape.evaluate(&(), &values, &mut slots).pop()?.ok()
+        let value = tape.evaluate(&(), &values, &mut slots).pop()?.ok()?;
+        (!tape.straddles_cut(&slots)).then_some(value)
     }
 
     fn parameter(&self, trajectory: usize, leaf: Leaf) -> Result<Bounded, NoValue> {
@@ -528,7 +527,9 @@ pub fn searched(derivation: &Derivation, requests: &Requests, trajectory: usize)
                 rapid.extend(&program.rapid);
             }
         }
-        searched.extend((requests.measured)(derivation, trajectory));
+        let measured = (requests.measured)(derivation, trajectory);
+        searched.extend(measured.zeros);
+        rapid.extend(measured.rapid);
     }
     (searched.into_iter().collect(), rapid.into_iter().collect())
 }
@@ -537,5 +538,6 @@ pub fn searched(derivation: &Derivation, requests: &Requests, trajectory: usize)
 pub(crate) fn closed_values(graph: &Graph, exprs: &[Expr]) -> Vec<Bounded> {
     let Ok(tape) = expr::tape::Tape::compile(graph, &[], exprs) else { return Vec::new() };
     let mut slots = tape.slots::<Bounded>(&());
-    tape.evaluate(&(), &[], &mut slots).into_iter().map_while(Result::ok).collect()
+    let values = tape.evaluate(&(), &[], &mut slots);
+    if tape.straddles_cut(&slots) { Vec::new() } else { values.into_iter().map_while(Result::ok).collect() }
 }

@@ -252,6 +252,20 @@ class Report:
     def markdown(self) -> str:
         return self._findings().document("markdown")
 
+    def latex(self) -> str:
+        """The report as LaTeX source, for an appendix or a letter."""
+        return self._findings().document("latex")
+
+    def explain(self, claim: str) -> str:
+        """How the verdicts on a claim came about, as ``rederive explain`` prints it: ``id``, for all its readings, or ``id/reading``.
+
+        Raises :class:`UnknownName` where there is no verdict on such a claim.
+        """
+        told = self._findings().explanation(claim)
+        if told is None:
+            raise UnknownName(claim, f"there is no verdict on a claim `{claim}`")
+        return told
+
     def curve(self, claim: str, trajectory: str) -> Curve:
         """Both sides of the deciding comparison along a motion, as NumPy arrays.
 

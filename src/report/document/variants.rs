@@ -123,7 +123,7 @@ objects! {
     }
 
     /// What one motion alone could have decided.
-    Alone of (of: findings::Alone) let sentence = of.sentence(); {
+    Alone of (of: reason::Alone) let sentence = of.to_string(); {
         /// Its id.
         trajectory: String = of.trajectory,
         /// Claims that were tried on it.

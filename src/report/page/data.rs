@@ -8,7 +8,8 @@
 use std::collections::HashMap;
 
 use rayon::prelude::*;
-use serde_json::{Value, json};
+use serde::ser::SerializeSeq;
+use serde::{Serialize, Serializer};
 
 use super::super::tally::{declared, name};
 use super::claims::assigned;
@@ -37,6 +38,179 @@ struct Grain {
 /// Shortest text that is worth a place of its own among the strings.
 const WORTH: usize = 5;
 
+/// Data by names, in the order in which they came.
+#[derive(Debug)]
+struct Map<T>(Vec<(String, T)>);
+
+impl<T: Serialize> Serialize for Map<T> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+    }
+}
+
+/// A text or a packed column: itself, or its position in `strings`, where it occurs several times.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+enum Text {
+    Whole(String),
+    Place(usize),
+}
+
+impl From<String> for Text {
+    fn from(text: String) -> Text {
+        Text::Whole(text)
+    }
+}
+
+/// What has texts, for [`share`].
+trait Texts {
+    /// Every text, in order.
+    fn texts(&mut self) -> Vec<&mut Text>;
+}
+
+impl Texts for Text {
+    fn texts(&mut self) -> Vec<&mut Text> {
+        vec![self]
+    }
+}
+
+impl<T: Texts> Texts for Map<T> {
+    fn texts(&mut self) -> Vec<&mut Text> {
+        self.0.iter_mut().flat_map(|(_, value)| value.texts()).collect()
+    }
+}
+
+/// A number, a whole one without its `.0`; what JSON has no number for is null.
+struct Exact(f64);
+
+impl Serialize for Exact {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let Exact(x) = *self;
+        if x.fract() == 0.0 && x.abs() < 1e6 { to.serialize_i64(x as i64) } else { to.serialize_f64(x) }
+    }
+}
+
+/// A number with four digits.
+fn short(x: f64) -> Exact {
+    Exact(format!("{x:.3e}").parse().unwrap_or(x))
+}
+
+/// A number; what JSON has no number for is a text.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Number {
+    Finite(f64),
+    Other(String),
+}
+
+/// A label of a claim's formula as it is shown, part by part.
+type Label = Vec<Text>;
+
+/// Both sides along a motion, and how they compare.
+struct Curves {
+    formula: Label,
+    samples: usize,
+    /// Least and largest value of a side.
+    range: [Exact; 2],
+    /// First and last time.
+    span: [Exact; 2],
+    /// Of residuals and bounds.
+    decades: [Exact; 2],
+    t: Text,
+    left: Text,
+    /// `None` is the same as the left.
+    right: Option<Text>,
+    residual: Text,
+    bound: Text,
+    /// 0 where the relation is looked for at some time, `None` where it is no equation.
+    limit: Option<Exact>,
+}
+
+impl Serialize for Curves {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let Curves { formula, samples, range, span, decades, t, left, right, residual, bound, limit } = self;
+        (formula, samples, range, span, decades, t, left, right, residual, bound, limit).serialize(to)
+    }
+}
+
+/// A point that can be checked by hand.
+struct Witness {
+    formula: Label,
+    t: f64,
+    left: f64,
+    right: f64,
+    bound: Exact,
+    /// What the sides depend on, a name in each line, ...
+    names: Text,
+    /// ... and their values.
+    values: Vec<Number>,
+}
+
+impl Serialize for Witness {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let Witness { formula, t, left, right, bound, names, values } = self;
+        let mut list = to.serialize_seq(Some(6 + values.len()))?;
+        list.serialize_element(formula)?;
+        for number in [t, left, right] {
+            list.serialize_element(number)?;
+        }
+        list.serialize_element(bound)?;
+        list.serialize_element(names)?;
+        for value in values {
+            list.serialize_element(value)?;
+        }
+        list.end()
+    }
+}
+
+/// What is drawn and told of a claim on a motion.
+struct Pair {
+    curves: Option<Curves>,
+    /// When the residual is worst, it, and its bound.
+    worst: Option<[Exact; 3]>,
+    witness: Option<Witness>,
+    /// First and last time of what was left out.
+    excluded: Vec<[Exact; 2]>,
+}
+
+impl Serialize for Pair {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let Pair { curves, worst, witness, excluded } = self;
+        match (witness, excluded.is_empty()) {
+            (None, true) => (curves, worst).serialize(to),
+            (Some(witness), true) => (curves, worst, witness).serialize(to),
+            (witness, false) => (curves, worst, witness, excluded).serialize(to),
+        }
+    }
+}
+
+impl Texts for Pair {
+    fn texts(&mut self) -> Vec<&mut Text> {
+        let mut out = Vec::new();
+        if let Some(Curves { formula, t, left, right, residual, bound, .. }) = &mut self.curves {
+            out.extend(formula);
+            out.extend([t, left]);
+            out.extend(right);
+            out.extend([residual, bound]);
+        }
+        if let Some(Witness { formula, names, .. }) = &mut self.witness {
+            out.extend(formula);
+            out.push(names);
+        }
+        out
+    }
+}
+
+/// What the script is handed.
+#[derive(Serialize)]
+struct Data<'a> {
+    unit: Option<&'a str>,
+    strings: Vec<String>,
+    events: Map<Text>,
+    pairs: Map<Map<Pair>>,
+    folds: &'a [String],
+}
+
 /// The data as JSON.
 ///
 /// `pairs` is by claim, then by the position of the trajectory. A pair is `[curves, worst, witness, excluded]`, each null
@@ -51,82 +225,70 @@ const WORTH: usize = 5;
 /// one after the other.
 pub(super) fn json(derivation: &Derivation, account: &Account, folds: &[String]) -> String {
     let of_claim = |claim: &ClaimAccount| {
-        let mut pairs = serde_json::Map::new();
         let declared = declared(derivation, claim);
-        let mut texts = Texts { scope: declared.map_or(&derivation.scope, |d| &d.scope), known: HashMap::new() };
-        for pair in &claim.results {
-            let trajectory = account.trajectories.iter().position(|t| t.id == pair.trajectory);
-            if let (Some(t), Some(packed)) = (trajectory, packed(account, declared, pair, &mut texts)) {
-                pairs.insert(t.to_string(), packed);
-            }
-        }
+        let mut labels = Labels { scope: declared.map_or(&derivation.scope, |d| &d.scope), known: HashMap::new() };
+        let pairs = claim.results.iter().filter_map(|pair| {
+            let at = account.trajectories.iter().position(|t| t.id == pair.trajectory)?;
+            Some((at.to_string(), packed(account, declared, pair, &mut labels)?))
+        });
+        let pairs: Vec<_> = pairs.collect();
         let event = declared.and_then(|d| Some((d, d.at.as_ref()?)));
         let shown =
             |at: &Event, scope| format!("{}{}", formula(&at.equation.text, scope).into_string(), at.occasion.words());
         (pairs, event.map(|(d, at)| tight(&shown(at, &d.scope))))
     };
     let each: Vec<_> = account.claims.par_iter().map(of_claim).collect();
-    let (mut claims, mut events) = (serde_json::Map::new(), serde_json::Map::new());
-    for (claim, (pairs, event)) in account.claims.iter().zip(each) {
-        if let Some(event) = event {
-            events.insert(name(claim), event.into());
-        }
-        if !pairs.is_empty() {
-            claims.insert(name(claim), Value::Object(pairs));
+    let (mut pairs, mut events) = (Map(Vec::new()), Map(Vec::new()));
+    for (claim, (of_claim, event)) in account.claims.iter().zip(each) {
+        events.0.extend(event.map(|event| (name(claim), Text::from(event))));
+        if !of_claim.is_empty() {
+            pairs.0.push((name(claim), Map(of_claim)));
         }
     }
-    let strings = share([&mut events, &mut claims]);
+    let strings = share(events.texts().into_iter().chain(pairs.texts()).collect());
     let time = derivation.scope.time().map(|l| l.symbol);
-    let unit = derivation.symbols.iter().find(|s| Some(s.symbol) == time).and_then(|s| s.unit.clone());
-    json!({ "unit": unit, "strings": strings, "events": events, "pairs": claims, "folds": folds }).to_string()
+    let unit = derivation.symbols.iter().find(|s| Some(s.symbol) == time).and_then(|s| s.unit.as_deref());
+    // Writing to a string does not fail.
+    serde_json::to_string(&Data { unit, strings, events, pairs, folds }).unwrap_or_default()
 }
 
-/// Takes the texts that occur several times out of the maps; what is left in their place is their position in what is returned,
-/// the most frequent first: they have the shortest numbers.
-fn share(maps: [&mut serde_json::Map<String, Value>; 2]) -> Vec<String> {
-    let [events, pairs] = maps;
+/// Exchanges the texts that occur several times for their positions in what is returned, the most frequent first: they have the
+/// shortest numbers.
+fn share(texts: Vec<&mut Text>) -> Vec<String> {
     let mut found: HashMap<String, (usize, usize)> = HashMap::new();
-    let mut count = |text: &mut Value| {
-        if let Value::String(text) = text {
+    for text in &texts {
+        if let Text::Whole(text) = text {
             let order = found.len();
-            found.entry(text.clone()).or_insert((0, order)).0 += 1;
+            match found.get_mut(text) {
+                Some((times, _)) => *times += 1,
+                None => drop(found.insert(text.clone(), (1, order))),
+            }
         }
-    };
-    events.values_mut().chain(pairs.values_mut()).for_each(|v| each_text(v, &mut count));
+    }
     let mut several: Vec<(String, (usize, usize))> =
         found.into_iter().filter(|(text, (times, _))| *times > 1 && text.len() >= WORTH).collect();
     several.sort_by_key(|(_, (times, order))| (std::cmp::Reverse(*times), *order));
     let strings: Vec<String> = several.into_iter().map(|(text, _)| text).collect();
     let places: HashMap<&str, usize> = strings.iter().enumerate().map(|(at, text)| (text.as_str(), at)).collect();
-    let mut place = |value: &mut Value| {
-        if let Some(&at) = value.as_str().and_then(|text| places.get(text)) {
-            *value = at.into();
+    for text in texts {
+        let place = if let Text::Whole(text) = &*text { places.get(text.as_str()) } else { None };
+        if let Some(place) = place {
+            *text = Text::Place(*place);
         }
-    };
-    events.values_mut().chain(pairs.values_mut()).for_each(|v| each_text(v, &mut place));
+    }
     strings
 }
 
-/// Every text of a value.
-fn each_text(value: &mut Value, work: &mut impl FnMut(&mut Value)) {
-    match value {
-        Value::String(_) => work(value),
-        Value::Array(list) => list.iter_mut().for_each(|v| each_text(v, work)),
-        Value::Object(map) => map.values_mut().for_each(|v| each_text(v, work)),
-        Value::Null | Value::Bool(_) | Value::Number(_) => {}
-    }
-}
-
 /// The labels of a claim's formulas as they are shown: the same on many motions.
-struct Texts<'a> {
+struct Labels<'a> {
     scope: &'a Scope,
-    known: HashMap<&'a str, Value>,
+    known: HashMap<&'a str, Label>,
 }
 
-impl<'a> Texts<'a> {
-    fn of(&mut self, label: &'a str) -> Value {
+impl<'a> Labels<'a> {
+    fn of(&mut self, label: &'a str) -> Label {
         let scope = self.scope;
-        let made = || label_parts(label, scope).iter().map(|part| tight(&part.0)).collect();
+        let made = || label_parts(label, scope).iter().map(|part| tight(&part.0).into()).collect();
         self.known.entry(label).or_insert_with(made).clone()
     }
 }
@@ -135,8 +297,8 @@ fn packed<'a>(
     account: &Account,
     declared: Option<&Claim>,
     pair: &'a PairAccount,
-    texts: &mut Texts<'a>,
-) -> Option<Value> {
+    labels: &mut Labels<'a>,
+) -> Option<Pair> {
     let evidence = pair.verdict.evidence();
     // Events are few: they are shown on the whole span of the motion, and one is enough.
     let at_events = declared.is_some_and(|d| d.at.is_some());
@@ -145,46 +307,29 @@ fn packed<'a>(
     // What holds is the same line twice: fewer samples say it.
     let holds = matches!(pair.verdict.outcome(), findings::Outcome::Holds(_));
     let thin = if holds && !at_events { THIN } else { 1 };
-    let curves = drawn.map(|s| curves(s, span, texts.of(&s.formula), thin));
-    let worst = evidence.residual.as_ref().map(|r| json!([short(r.at), short(r.max), short(r.bound)]));
+    let curves = drawn.map(|s| curves(s, span, labels.of(&s.formula), thin));
+    let worst = evidence.residual.as_ref().map(|r| [r.at, r.max, r.bound].map(short));
     let witness = evidence.witness.as_ref().map(|w| {
         let (names, values): (Vec<String>, Vec<f64>) = assigned(w).into_iter().unzip();
-        let mut out = vec![texts.of(&w.formula), json!(w.t), json!(w.left), json!(w.right), short(w.bound)];
-        out.push(names.join("\n").into());
-        // What JSON has no number for is a text.
-        let number = |v: f64| if v.is_finite() { json!(v) } else { format!("{v:?}").into() };
-        out.extend(values.into_iter().map(number));
-        Value::Array(out)
+        let number = |v: f64| if v.is_finite() { Number::Finite(v) } else { Number::Other(format!("{v:?}")) };
+        Witness {
+            formula: labels.of(&w.formula),
+            t: w.t,
+            left: w.left,
+            right: w.right,
+            bound: short(w.bound),
+            names: names.join("\n").into(),
+            values: values.into_iter().map(number).collect(),
+        }
     });
     if curves.is_none() && witness.is_none() {
         return None;
     }
-    let mut out = vec![json!(curves), json!(worst), json!(witness)];
-    if !evidence.excluded.is_empty() {
-        out.push(evidence.excluded.iter().map(|e| json!([short(e.from), short(e.to)])).collect());
-    } else if witness.is_none() {
-        out.truncate(2);
-    }
-    Some(Value::Array(out))
+    let excluded = evidence.excluded.iter().map(|e| [e.from, e.to].map(short)).collect();
+    Some(Pair { curves, worst, witness, excluded })
 }
 
-/// A number, a whole one without its `.0`.
-fn exact(x: f64) -> Value {
-    if x.fract() == 0.0 && x.abs() < 1e6 { (x as i64).into() } else { json!(x) }
-}
-
-/// A number with four digits.
-fn short(x: f64) -> Value {
-    let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x);
-    let whole = rounded.fract() == 0.0 && rounded.abs() < 1e6;
-    if whole {
-        (rounded as i64).into()
-    } else {
-        serde_json::Number::from_f64(rounded).map_or(Value::Null, Value::Number)
-    }
-}
-
-fn curves(series: &Residuals, span: Option<(f64, f64)>, formula: Value, thin: usize) -> Value {
+fn curves(series: &Residuals, span: Option<(f64, f64)>, formula: Label, thin: usize) -> Curves {
     let last = series.points.len().saturating_sub(1);
     let worst = |p: &ResidualPoint| if p.bound > 0.0 { p.residual / p.bound } else { 0.0 };
     let most = series.points.iter().map(worst).fold(0.0, f64::max);
@@ -198,26 +343,25 @@ fn curves(series: &Residuals, span: Option<(f64, f64)>, formula: Value, thin: us
     let (low, high) = extent(residual.iter().chain(&bound).copied());
     let decades = (low.floor(), high.ceil());
     let side = |values: &[f64]| column(values, range, GRAIN.side);
-    let (l, r) = (side(&left), side(&right));
-    let r = (r != l).then_some(r);
+    let (left, right) = (side(&left), side(&right));
     let limit = points.iter().map(|p| p.limit).fold(f64::INFINITY, f64::min);
-    json!([
+    Curves {
         formula,
-        series.of,
-        [short(range.0), short(range.1)],
-        [exact(span.0), exact(span.1)],
-        [short(decades.0), short(decades.1)],
-        column(&t, span, GRAIN.time),
-        l,
-        r,
-        column(&residual, decades, GRAIN.logarithm),
-        column(&bound, decades, GRAIN.logarithm),
-        match (series.sought, series.equation) {
-            (true, _) => 0.into(),
-            (false, true) => short(limit),
-            (false, false) => Value::Null,
+        samples: series.of,
+        range: [range.0, range.1].map(short),
+        span: [span.0, span.1].map(Exact),
+        decades: [decades.0, decades.1].map(short),
+        t: column(&t, span, GRAIN.time).into(),
+        right: (right != left).then(|| right.into()),
+        left: left.into(),
+        residual: column(&residual, decades, GRAIN.logarithm).into(),
+        bound: column(&bound, decades, GRAIN.logarithm).into(),
+        limit: match (series.sought, series.equation) {
+            (true, _) => Some(Exact(0.0)),
+            (false, true) => Some(short(limit)),
+            (false, false) => None,
         },
-    ])
+    }
 }
 
 /// Least and largest of the finite values.
@@ -248,17 +392,30 @@ mod tests {
 
     #[test]
     fn texts_that_occur_several_times_are_stored_once() {
-        let map = |value: Value| value.as_object().cloned().unwrap_or_default();
-        let mut events = map(json!({ "c": "seldom seen" }));
-        let mut pairs =
-            map(json!({ "c": { "0": [["often", "seldom seen", 1.5, ["often", "once only"]], null, ["ab", "ab"]] },
-            "d": ["often"] }));
-        assert_eq!(share([&mut events, &mut pairs]), ["often", "seldom seen"]);
-        assert_eq!(Value::Object(events), json!({ "c": 1 }));
+        let all = ["seldom seen", "often", "seldom seen", "often", "once only", "ab", "ab", "often"];
+        let mut texts: Vec<Text> = all.map(|text| text.to_owned().into()).into();
+        assert_eq!(share(texts.iter_mut().collect()), ["often", "seldom seen"]);
+        let written = serde_json::to_string(&texts).expect("JSON");
+        assert_eq!(written, r#"[1,0,1,0,"once only","ab","ab",0]"#);
+    }
+
+    #[test]
+    fn numbers_are_as_short_as_they_can_be() {
+        let numbers =
+            [Exact(2.0), Exact(-0.0), Exact(0.1), Exact(1e6), Exact(f64::NAN), short(1.23456), short(999999.0)];
+        assert_eq!(serde_json::to_string(&numbers).expect("JSON"), "[2,0,0.1,1000000.0,null,1.235,1000000.0]");
+        let pair = |witness, excluded| Pair { curves: None, worst: None, witness, excluded };
+        assert_eq!(serde_json::to_string(&pair(None, Vec::new())).expect("JSON"), "[null,null]");
         assert_eq!(
-            Value::Object(pairs),
-            json!({ "c": { "0": [[0, 1, 1.5, [0, "once only"]], null, ["ab", "ab"]] }, "d": [0] })
+            serde_json::to_string(&pair(None, vec![[Exact(0.0), Exact(1.5)]])).expect("JSON"),
+            "[null,null,null,[[0,1.5]]]"
         );
+        let values = vec![Number::Finite(1.0), Number::Other("inf".into())];
+        let names = "a\nb".to_owned().into();
+        let witness =
+            Witness { formula: vec![Text::Place(3)], t: 0.0, left: 1.0, right: 2.5, bound: short(0.0), names, values };
+        let written = serde_json::to_string(&pair(Some(witness), Vec::new())).expect("JSON");
+        assert_eq!(written, r#"[null,null,[[3],0.0,1.0,2.5,0,"a\nb",1.0,"inf"]]"#);
     }
 
     #[test]

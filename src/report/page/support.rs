@@ -103,7 +103,7 @@ pub(super) fn behind_in_print(graph: &DerivationGraph, claim: &ClaimAccount, sco
 fn terms(identity: &IdentityAccount, scope: &Scope) -> Markup {
     html! {
         @for (title, lines) in identity.terms() {
-            p { b { (title) ":" } }
+            p { b { (title.to_string()) ":" } }
             ul { @for c in &lines { li { (proviso(c, scope)) } } }
         }
         @if let Some(witness) = &identity.witness {

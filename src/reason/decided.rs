@@ -1,0 +1,75 @@
+//! What was decided of an equation for all values, with what it rests on.
+
+use super::Reason;
+use thiserror::Error;
+
+/// What is given beside definitions and assumptions, by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("{}", if .0.is_empty() { "the definitions and assumptions".to_owned() } else { format!("the definitions, the assumptions and {}", .0.join(", ")) })]
+pub struct Premises<'a>(pub &'a [String]);
+
+/// Something that a proof is given, and that is not proved itself: its name, and how it stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum Unproved<'a> {
+    #[error("`{0}`, which is not decided for all values")]
+    NotAsked(&'a str),
+    #[error("`{0}`, which is {1}")]
+    Standing(&'a str, &'static str),
+}
+
+/// How something is proved for all values.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum Way {
+    #[error("both sides are algebraic numbers, compared exactly")]
+    Algebraic,
+    /// log₂ of the bound for the probability of an error.
+    #[error("proved by random evaluation, with an error probability of at most 2^{}", .0.ceil())]
+    Random(f64),
+    #[error("proved by signs, for every order of the sizes")]
+    Signs,
+}
+
+/// The decision on an equation.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum Decided<'a> {
+    #[error("{}: {way}.", head(*.except, .open, *.way, *.given))]
+    Proved {
+        /// Special cases are left out.
+        except: bool,
+        open: Vec<Unproved<'a>>,
+        way: Way,
+        given: Premises<'a>,
+    },
+    #[error("Not an identity, given {0}: a point refutes it.")]
+    Refuted(Premises<'a>),
+    #[error("Whether it is an identity, given {given}, is undecided: {}.", .reason.map_or_else(|| "no reason is known".to_owned(), ToString::to_string))]
+    Undecided { given: Premises<'a>, reason: Option<&'a Reason> },
+}
+
+fn head(except: bool, open: &[Unproved<'_>], way: Way, given: Premises<'_>) -> String {
+    let named = open.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+    match (except, open.is_empty(), way) {
+        (true, true, _) => format!("Proved except in special cases, given {given}"),
+        (true, false, _) => format!("Proved except in special cases, and only given {named}, from {given}"),
+        (false, false, _) => format!("Proved only given {named}, from {given}"),
+        (false, true, Way::Algebraic | Way::Random(_)) => format!("An identity, given {given}"),
+        (false, true, Way::Signs) => format!("True for all values, given {given}"),
+    }
+}
+
+/// What a list of what a proof needs or leaves out is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum Term {
+    #[error("It holds where")]
+    Condition,
+    #[error("The proof does not reach")]
+    Exception,
+    #[error("What is given holds, special cases aside, only where")]
+    GivenOnlyWhere,
+    #[error("What is given assumes")]
+    Presupposed,
+    #[error("Of the assumptions it uses")]
+    Used,
+    #[error("Of the assumptions it does not use")]
+    Unused,
+}
