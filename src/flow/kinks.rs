@@ -4,7 +4,8 @@
 //! and whether the motion is not determined here. A series does not go on behind a kink, so that a step ends there; which places
 //! are kinks is read from the table of domains.
 
-use super::polynomial::horner;
+use super::arguments::{Moves, moves};
+use super::polynomial::{horner, shift};
 use super::taylor::Flow;
 use expr::domain::{Change, Place, Term, row};
 use expr::tape::Slots;
@@ -57,8 +58,10 @@ pub(super) struct Kinks {
     pub(super) crossed: usize,
 }
 
-/// Times within a step at which the argument of |·| is looked at.
-const LOOKS: usize = 8;
+/// Parts of a step that are looked at for a change of the sign of one argument.
+const MOST_PARTS: usize = 1000;
+/// The shortest of them, as a share of the step.
+const SHORTEST: f64 = 1e-13;
 
 impl Edges {
     pub(super) fn of(flow: &Flow) -> Edges {
@@ -129,18 +132,43 @@ impl Kinks {
 
     /// How far the first change of a sign is, within `size` in the direction; with the argument that changes.
     pub(super) fn first(&self, order: usize, size: f64, direction: f64) -> Option<(f64, usize)> {
-        let changes = |(at, c): (usize, &[f64])| {
-            let now = c[0] > 0.0;
-            let changed = |x: f64| (horner(c, direction * x) > 0.0) != now;
-            let hit = (1..=LOOKS).find(|&j| changed(size * j as f64 / LOOKS as f64))?;
-            let (mut low, mut high) = (size * (hit - 1) as f64 / LOOKS as f64, size * hit as f64 / LOOKS as f64);
+        let changes = |(at, c): (usize, &[f64])| Some((first_change(c, size, direction)?, at));
+        // An argument without a change is a constant as far as this step goes.
+        self.series.chunks(order + 1).enumerate().filter_map(changes).min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+}
+
+/// Where a polynomial first has another sign than at 0, within `size` in the direction. The step is halved until the polynomial has no
+/// zero on a part, or is monotone there: two changes that lie close together are not passed over.
+fn first_change(c: &[f64], size: f64, direction: f64) -> Option<f64> {
+    let now = c[0] > 0.0;
+    let changed = |x: f64| (horner(c, direction * x) > 0.0) != now;
+    let mut local = Vec::with_capacity(c.len());
+    let mut stack = vec![(0.0, size)];
+    let mut parts = 0;
+    while let Some((low, high)) = stack.pop() {
+        parts += 1;
+        let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+        shift(c, direction * middle, half, &mut local);
+        let Moves { value, by, .. } = moves(local.iter().copied(), 1.0, 0.0);
+        let constant = value.abs() > by || by == 0.0;
+        if constant && (value > 0.0) == now {
+            continue;
+        }
+        let bends: f64 = local.iter().enumerate().skip(2).map(|(k, c)| k as f64 * c.abs()).sum();
+        let monotone = local.get(1).is_some_and(|slope| slope.abs() > bends);
+        if constant || monotone || half <= SHORTEST * size || parts > MOST_PARTS {
+            if !changed(high) {
+                continue;
+            }
+            let (mut low, mut high) = (low, high);
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
                 if changed(middle) { high = middle } else { low = middle }
             }
-            Some((high, at))
-        };
-        // An argument without a change is a constant as far as this step goes.
-        self.series.chunks(order + 1).enumerate().filter_map(changes).min_by(|a, b| a.0.total_cmp(&b.0))
+            return Some(high);
+        }
+        stack.extend([(middle, high), (low, middle)]);
     }
+    None
 }

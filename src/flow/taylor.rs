@@ -60,6 +60,9 @@ const BEFORE: f64 = 1.0 - 1e-9;
 const MOST_KINKS: usize = 4_000;
 /// Components that are summed side by side.
 const ABREAST: usize = 4;
+/// A rate that grows from a kink on is as far from what it is there as twice its coefficient of the next order tells, times some room
+/// for where the kink is.
+const GROWTH: f64 = 8.0;
 /// Slopes that differ by so many rounding errors of a rate are one.
 const ROUNDING: f64 = 4.0;
 
@@ -459,7 +462,7 @@ impl<'a> Walker<'a> {
                 }
                 return self.aim().map(|()| false);
             }
-            if self.jumps_over() || self.flow.edges.is_near_steep(series, NEAR * self.length) {
+            if self.jumps_over((size - at).abs() + smallest) || self.flow.edges.is_near_steep(series, NEAR * self.length) {
                 if at <= 16.0 * smallest {
                     return Err(Stop::Undetermined);
                 }
@@ -490,15 +493,16 @@ impl<'a> Walker<'a> {
         self.aim().map(|()| false)
     }
 
-    /// Whether a rate is another one behind a kink than before it.
-    fn jumps_over(&self) -> bool {
+    /// Whether a rate is another one, at a time behind a kink, than before it, and not only on its way from what it is at the kink.
+    fn jumps_over(&self, late: f64) -> bool {
         let n = self.flow.dimension;
         (0..n).any(|i| {
             let before = self.slopes[i];
             let behind = self.next[n + i];
             // A rate that vanishes at the kink is compared with what moves the state as far as its size.
             let usual = self.scale[self.flow.groups[i]].max(self.next_state[i].abs()) / self.length;
-            (before - behind).abs() > JUMP * before.abs().max(behind.abs()).max(self.now[n + i].abs()).max(usual)
+            let moved = GROWTH * self.next[2 * n + i].abs() * late;
+            (before - behind).abs() > moved + JUMP * before.abs().max(behind.abs()).max(self.now[n + i].abs()).max(usual)
         })
     }
 
