@@ -314,7 +314,9 @@ impl Members {
 pub(super) fn evaluated(derivation: &Derivation, exprs: &[Expr]) -> Vec<Option<f64>> {
     let Ok(tape) = Tape::compile(&derivation.graph, &[], exprs) else { return vec![None; exprs.len()] };
     let mut slots = tape.slots::<Bounded>(&());
-    tape.evaluate(&(), &[], &mut slots).into_iter().map(|x| x.ok().map(|x| x.value)).collect()
+    let found = tape.evaluate(&(), &[], &mut slots);
+    let known = !tape.straddles_cut(&slots);
+    found.into_iter().map(|x| x.ok().filter(|_| known).map(|x| x.value)).collect()
 }
 
 /// A value of a grid; its ends are those that are given.

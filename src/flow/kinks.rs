@@ -1,12 +1,13 @@
-//! Where the right sides of a system are not smooth: kinks, jumps, and places where a slope is infinite.
+//! Where the right sides of a system are not smooth: kinks, jumps, places where a slope is infinite, and ends of their domains.
 //!
 //! **In:** the tape of a field, and the series of its slots at the present time. **Out:** how far the next kink is within a step,
 //! and whether the motion is not determined here. A series does not go on behind a kink, so that a step ends there; which places
 //! are kinks is read from the table of domains.
 
-use super::polynomial::horner;
+use super::arguments::{Moves, moves};
+use super::polynomial::{horner, shift};
 use super::taylor::Flow;
-use expr::domain::{Change, Place, Term, row};
+use expr::domain::{Change, Place, Sign, Term, row};
 use expr::tape::Slots;
 use number::{Growth, Jet};
 
@@ -46,26 +47,72 @@ pub(super) struct Edges {
     jumps: Vec<Option<usize>>,
     /// What vanishes where a right side is steep in a state: a term of the value in a slot.
     steep: Vec<(Term, usize)>,
+    /// What must keep its sign for right sides to have values.
+    needs: Vec<Need>,
 }
 
-/// The kinks that one motion may meet: the series of their arguments around the present time.
+/// A term of the value in a slot that must keep its sign.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Need {
+    term: Term,
+    sign: Sign,
+    slot: usize,
+    /// The first state whose rate has no value without it.
+    rate: usize,
+}
+
+/// An end of the domain of a right side within a step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct End {
+    /// How far away.
+    pub(super) at: f64,
+    /// The state whose rate has no value there.
+    pub(super) rate: usize,
+    /// Whether there is none at the end itself, and not only beyond it.
+    pub(super) divides: bool,
+}
+
+/// The kinks and ends that one motion may meet: the series of their arguments around the present time.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Kinks {
     /// `order + 1` coefficients for each argument.
     pub(super) series: Vec<f64>,
+    /// The same for what must keep its sign.
+    needs: Vec<f64>,
     /// How many were crossed.
     pub(super) crossed: usize,
 }
 
-/// Times within a step at which the argument of |·| is looked at.
-const LOOKS: usize = 8;
+/// Parts of a step that are looked at for a change of the sign of one argument.
+const MOST_PARTS: usize = 1000;
+/// The shortest of them, as a share of the step.
+const SHORTEST: f64 = 1e-13;
+/// What is below this share of the terms of a polynomial may be their rounding.
+const NOISE: f64 = 1e-13;
 
 impl Edges {
     pub(super) fn of(flow: &Flow) -> Edges {
-        let moving = flow.moving(false);
+        let (moving, varying) = (flow.moving(false), flow.moving(true));
         let mut out = Edges::default();
         for step in flow.tape.instructions() {
             let (a, b) = (step.a as usize, step.b as usize);
+            for (term, sign) in row(step.op).needs {
+                let slot = match term {
+                    Term::First | Term::Unit | Term::Cosine => a,
+                    Term::Second => b,
+                    // What is 0 there does not change its sign.
+                    Term::Opposite | Term::Sine | Term::Excess | Term::Squares | Term::Support => continue,
+                };
+                let mut depends = vec![false; flow.tape.slot_count()];
+                for later in flow.tape.instructions() {
+                    let through = depends[later.a as usize] || depends[later.b as usize];
+                    depends[later.out as usize] = later.out == step.out || through;
+                }
+                let rate = (0..flow.dimension).find(|&i| depends[flow.tape.output_slot(i)]);
+                if let (true, Some(rate)) = (varying[slot], rate) {
+                    out.needs.push(Need { term, sign, slot, rate });
+                }
+            }
             for edge in row(step.op).edges {
                 match (edge.change, edge.place) {
                     (Change::Kink, Place::Zero(Term::First)) => {
@@ -118,29 +165,91 @@ impl Edges {
 impl Kinks {
     /// Keeps the series of the arguments around the present time, up to an order.
     pub(super) fn keep(&mut self, flow: &Flow, now: &impl Series, order: usize) {
-        self.series.clear();
-        for &slot in &flow.edges.slots {
+        let keep = |out: &mut Vec<f64>, slot: usize| {
             // Of what is not a state, the last coefficient is not grown; beside a walker of higher order it may be there.
             let known = if slot <= flow.dimension { order } else { order - 1 };
             let coefficient = |k: usize| if k <= known { now.coefficient(slot, k) } else { 0.0 };
-            self.series.extend((0..=order).map(coefficient));
+            out.extend((0..=order).map(coefficient));
+        };
+        self.series.clear();
+        self.needs.clear();
+        flow.edges.slots.iter().for_each(|&slot| keep(&mut self.series, slot));
+        flow.edges.needs.iter().for_each(|need| keep(&mut self.needs, need.slot));
+    }
+
+    /// The first end of the domain of a right side within `size` in the direction. A series may go on smoothly where what it is of has no
+    /// value: behind a root of high order, or with a small factor.
+    pub(super) fn end(&self, edges: &Edges, order: usize, size: f64, direction: f64) -> Option<End> {
+        if edges.needs.is_empty() {
+            return None;
         }
+        let mut ends = Vec::new();
+        let mut turned = Vec::with_capacity(order + 1);
+        for (&Need { term, sign, rate, .. }, c) in edges.needs.iter().zip(self.needs.chunks(order + 1)) {
+            // Where offset + factor · value comes to 0.
+            let pi = std::f64::consts::PI;
+            let turn = (c[0] / pi).round();
+            let sides = match (term, sign) {
+                (Term::Unit, _) => [(1.0, 1.0), (1.0, -1.0)],
+                (Term::Cosine, _) => [((0.5 - turn) * pi, 1.0), ((0.5 + turn) * pi, -1.0)],
+                (_, Sign::NotZero) if c[0] < 0.0 => [(0.0, -1.0); 2],
+                _ => [(0.0, 1.0); 2],
+            };
+            let terms = |c: &[f64]| c.iter().rev().fold(0.0, |sum, c| sum * size + c.abs());
+            let (first, rest) = (c[0], terms(&c[1..]) * size);
+            for (n, (offset, factor)) in sides.into_iter().enumerate() {
+                if n == 1 && sides[0] == sides[1] || offset + factor * first > rest {
+                    continue;
+                }
+                turned.clear();
+                turned.extend(c.iter().map(|c| -factor * c));
+                turned[0] -= offset + NOISE * (offset.abs() + first.abs() + rest);
+                let at = if turned[0] < 0.0 { first_change(&turned, size, direction) } else { None };
+                ends.extend(at.map(|at| End { at, rate, divides: sign == Sign::NotZero }));
+            }
+        }
+        ends.into_iter().min_by(|a, b| a.at.total_cmp(&b.at))
     }
 
     /// How far the first change of a sign is, within `size` in the direction; with the argument that changes.
     pub(super) fn first(&self, order: usize, size: f64, direction: f64) -> Option<(f64, usize)> {
-        let changes = |(at, c): (usize, &[f64])| {
-            let now = c[0] > 0.0;
-            let changed = |x: f64| (horner(c, direction * x) > 0.0) != now;
-            let hit = (1..=LOOKS).find(|&j| changed(size * j as f64 / LOOKS as f64))?;
-            let (mut low, mut high) = (size * (hit - 1) as f64 / LOOKS as f64, size * hit as f64 / LOOKS as f64);
+        let changes = |(at, c): (usize, &[f64])| Some((first_change(c, size, direction)?, at));
+        // An argument without a change is a constant as far as this step goes.
+        self.series.chunks(order + 1).enumerate().filter_map(changes).min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+}
+
+/// Where a polynomial first has another sign than at 0, within `size` in the direction. The step is halved until the polynomial has no
+/// zero on a part, or is monotone there: two changes that lie close together are not passed over.
+fn first_change(c: &[f64], size: f64, direction: f64) -> Option<f64> {
+    let now = c[0] > 0.0;
+    let changed = |x: f64| (horner(c, direction * x) > 0.0) != now;
+    let mut local = Vec::with_capacity(c.len());
+    let mut stack = vec![(0.0, size)];
+    let mut parts = 0;
+    while let Some((low, high)) = stack.pop() {
+        parts += 1;
+        let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+        shift(c, direction * middle, half, &mut local);
+        let Moves { value, by, .. } = moves(local.iter().copied(), 1.0, 0.0);
+        let constant = value.abs() > by || by == 0.0;
+        if constant && (value > 0.0) == now {
+            continue;
+        }
+        let bends: f64 = local.iter().enumerate().skip(2).map(|(k, c)| k as f64 * c.abs()).sum();
+        let monotone = local.get(1).is_some_and(|slope| slope.abs() > bends);
+        if constant || monotone || half <= SHORTEST * size || parts > MOST_PARTS {
+            if !changed(high) {
+                continue;
+            }
+            let (mut low, mut high) = (low, high);
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
                 if changed(middle) { high = middle } else { low = middle }
             }
-            Some((high, at))
-        };
-        // An argument without a change is a constant as far as this step goes.
-        self.series.chunks(order + 1).enumerate().filter_map(changes).min_by(|a, b| a.0.total_cmp(&b.0))
+            return Some(high);
+        }
+        stack.extend([(middle, high), (low, middle)]);
     }
+    None
 }

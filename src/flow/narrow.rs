@@ -16,7 +16,7 @@ use number::{Interval, Jet, Op, Orders};
 /// Order of the series over intervals.
 const ORDER: usize = 6;
 /// What may be left out, relative to the size of the state. What is narrow is smaller than that by a power of how narrow it is.
-const FINE: f64 = 1e-3;
+pub(super) const FINE: f64 = 1e-3;
 /// Below this size nothing counts.
 const FLOOR: f64 = 1e-100;
 /// The coefficients of a series over a step, found side by side: one more than there are, which fills the registers.

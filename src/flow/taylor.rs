@@ -9,7 +9,7 @@
 use std::ops::Range;
 
 use super::kinks::{Edges, Kinks, Series};
-use super::narrow::Narrow;
+use super::narrow::{FINE, Narrow};
 use expr::Leaf;
 use expr::tape::{Slots, Tape};
 use number::{Bounded, Growth, Instruction, Interval, Jet, NoValue, Orders, Recurrences, Scalar, widely};
@@ -54,12 +54,17 @@ const LONGEST_DRIVEN: f64 = 1.0 / 2048.0;
 const JUMP: f64 = 1e-6;
 /// An edge that is nearer than this share of the span is met at a kink.
 const NEAR: f64 = 1e-6;
+/// Two times within a step that are apart by less than this share of the way may be one.
+const SAME: f64 = 1e-6;
 /// A step that is to end before a jump ends at this share of the way.
 const BEFORE: f64 = 1.0 - 1e-9;
 /// Most kinks that a motion may cross: one that slides along a kink crosses it without end.
 const MOST_KINKS: usize = 4_000;
 /// Components that are summed side by side.
 const ABREAST: usize = 4;
+/// A rate that grows from a kink on is as far from what it is there as twice its coefficient of the next order tells, times some room
+/// for where the kink is.
+const GROWTH: f64 = 8.0;
 /// Slopes that differ by so many rounding errors of a rate are one.
 const ROUNDING: f64 = 4.0;
 
@@ -393,9 +398,22 @@ impl<'a> Walker<'a> {
         }
         // A step that meets a kink ends behind it, as closely as time can tell.
         let mut kink = self.kinks.first(self.control.order, size, direction).filter(|&(at, _)| at < size);
+        let end = self.kinks.end(edges, self.control.order, size, direction).filter(|end| end.at < size);
         let behind = smallest;
+        let mut divides = false;
+        if let Some(end) = end {
+            let (before, behind) = (1.0 - SAME, 1.0 + SAME);
+            match kink {
+                // What is said of the time behind a kink is another function.
+                Some((at, _)) if end.at > at * behind => {}
+                Some((at, _)) if end.at >= at * before => divides = end.divides,
+                // A step up to the end; then no more.
+                _ if end.at <= 16.0 * smallest => return Err(Stop::NoRate(end.rate, NoValue::OutOfDomain)),
+                _ => (kink, size) = (None, end.at * BEFORE),
+            }
+        }
         if let Some((at, argument)) = kink
-            && edges.jumps(series, argument)
+            && (divides || edges.jumps(series, argument))
         {
             // A step up to the jump; then no more.
             if at <= 16.0 * smallest {
@@ -459,7 +477,9 @@ impl<'a> Walker<'a> {
                 }
                 return self.aim().map(|()| false);
             }
-            if self.jumps_over() || self.flow.edges.is_near_steep(series, NEAR * self.length) {
+            if self.jumps_over((size - at).abs() + smallest)
+                || self.flow.edges.is_near_steep(series, NEAR * self.length)
+            {
                 if at <= 16.0 * smallest {
                     return Err(Stop::Undetermined);
                 }
@@ -470,7 +490,7 @@ impl<'a> Walker<'a> {
         match grown {
             Err((i, reason)) => self.trial.why = Stop::NoRate(i, reason),
             // Halved until nothing can hide between its ends.
-            Ok(()) if kink.is_none() && self.hides(h) => {}
+            Ok(()) if kink.is_none() && self.hides((target, h)) => {}
             // Behind a kink the slope may be another one.
             Ok(()) if kink.is_some() || self.continues(target, h) => {
                 if let Some((at, _)) = kink {
@@ -490,32 +510,42 @@ impl<'a> Walker<'a> {
         self.aim().map(|()| false)
     }
 
-    /// Whether a rate is another one behind a kink than before it.
-    fn jumps_over(&self) -> bool {
+    /// Whether a rate is another one, at a time behind a kink, than before it, and not only on its way from what it is at the kink.
+    fn jumps_over(&self, late: f64) -> bool {
         let n = self.flow.dimension;
         (0..n).any(|i| {
             let before = self.slopes[i];
             let behind = self.next[n + i];
             // A rate that vanishes at the kink is compared with what moves the state as far as its size.
             let usual = self.scale[self.flow.groups[i]].max(self.next_state[i].abs()) / self.length;
-            (before - behind).abs() > JUMP * before.abs().max(behind.abs()).max(self.now[n + i].abs()).max(usual)
+            let moved = GROWTH * self.next[2 * n + i].abs() * late;
+            (before - behind).abs()
+                > moved + JUMP * before.abs().max(behind.abs()).max(self.now[n + i].abs()).max(usual)
         })
     }
 
     /// Whether a rate may do within a step what its ends do not show.
-    fn hides(&mut self, h: f64) -> bool {
+    fn hides(&mut self, (target, h): (f64, f64)) -> bool {
         let row = self.control.order + 1;
-        let Some(narrow) = &mut self.narrow else { return false };
+        let Some(mut narrow) = self.narrow.take() else { return false };
         // Beside a kink the series over all times of the step has no sign to go by; the step ends at the kink.
         let near = |c: &[f64]| {
             let rest = c[1..].iter().rev().fold(0.0, |sum, x| (sum + x.abs()) * h.abs());
             c[0].abs() <= rest
         };
-        if self.kinks.series.chunks(row).any(near) {
-            return false;
+        let mut resolved = self.kinks.series.chunks(row).any(near);
+        if !resolved {
+            let scale = |i: usize| self.scale[self.flow.groups[i]].max(self.next_state[i].abs());
+            let mut resolves =
+                |scale: &dyn Fn(usize) -> f64| narrow.resolves(&self.flow.tape, (self.time, h), &self.now, scale);
+            resolved = resolves(&scale) || {
+                // A state that rests moves by the rounding of its rate alone, which no step is short enough to resolve.
+                let rounding = self.rounding(target);
+                resolves(&|i| scale(i) + ROUNDING * rounding[i] * h.abs() / FINE)
+            };
         }
-        let scale = |i: usize| self.scale[self.flow.groups[i]].max(self.next_state[i].abs());
-        !narrow.resolves(&self.flow.tape, (self.time, h), &self.now, scale)
+        self.narrow = Some(narrow);
+        !resolved
     }
 
     /// The step went on for a time behind a kink, at the rates before it.

@@ -162,23 +162,20 @@ impl Stands {
         necessary || sufficient
     }
 
-    /// What has to be judged next to know whether a condition explains something of a claim; nothing when that is known.
-    pub fn asked(&self, k: usize, sides: &Sides) -> Vec<(usize, usize)> {
+    /// What has to be judged next to know whether a condition explains something of a claim; nothing when that is known. One motion
+    /// after the other: most conditions are settled by the first few.
+    pub fn asked(&self, k: usize, sides: &Sides) -> Option<(usize, usize)> {
         if !self.may_explain(k, sides) {
-            return Vec::new();
+            return None;
         }
         let unmet = Stand::Judged(Some(false));
         let necessary = sides.holds.iter().all(|c| self.at(k, *c) != unmet);
         let tells = sides.fails.iter().any(|c| self.at(k, *c) == unmet);
-        let in_fails: Vec<_> = self.open(k, sides.fails.iter()).collect();
-        if necessary && tells {
-            return self.open(k, sides.holds.iter().chain(&sides.fails)).collect();
-        }
-        // One motion on which it is met though the claim fails settles it, or all must be unmet.
-        match (necessary, in_fails.first()) {
-            (false, Some(first)) => vec![*first],
-            (true, Some(_)) => in_fails,
-            (_, None) => self.open(k, sides.holds.iter()).collect(),
+        // What is necessary must be met wherever the claim holds, once it is known to tell something; what is sufficient, unmet
+        // wherever it fails.
+        match necessary && tells {
+            true => self.open(k, sides.holds.iter().chain(&sides.fails)).next(),
+            false => self.open(k, sides.fails.iter().chain(&sides.holds)).next(),
         }
     }
 
@@ -210,17 +207,18 @@ mod tests {
         let asked = |stands: [Stand; 4]| Stands { all: vec![stands.to_vec()] }.asked(0, &sides);
         let open = Stand::Open;
         // Unmet where the claim holds and met where it fails: nothing that the others say matters.
-        assert!(asked([UNMET, open, MET, open]).is_empty());
-        // Met wherever it holds so far, unmet on one that fails: all must be known.
-        assert_eq!(asked([open, MET, UNMET, open]), [(0, 0), (0, 3)]);
+        assert_eq!(asked([UNMET, open, MET, open]), None);
+        // Met wherever it holds so far, unmet on one that fails: all must be known, those on which it holds first.
+        assert_eq!(asked([open, MET, UNMET, open]), Some((0, 0)));
+        assert_eq!(asked([MET, MET, UNMET, open]), Some((0, 3)));
         // Unmet on one that holds: only what fails matters, one after the other.
-        assert_eq!(asked([UNMET, open, open, open]), [(0, 2)]);
-        assert_eq!(asked([UNMET, open, UNMET, UNMET]), [(0, 1)]);
+        assert_eq!(asked([UNMET, open, open, open]), Some((0, 2)));
+        assert_eq!(asked([UNMET, open, UNMET, UNMET]), Some((0, 1)));
         // It may be met everywhere: then it tells nothing.
-        assert_eq!(asked([open, open, open, MET]), [(0, 2)]);
-        assert!(asked([open, open, MET, MET]).is_empty());
+        assert_eq!(asked([open, open, open, MET]), Some((0, 2)));
+        assert_eq!(asked([open, open, MET, MET]), None);
         // Undecided may be anything.
         let undecided = Stand::Judged(None);
-        assert_eq!(asked([undecided, MET, UNMET, open]), [(0, 3)]);
+        assert_eq!(asked([undecided, MET, UNMET, open]), Some((0, 3)));
     }
 }
