@@ -194,11 +194,6 @@ impl Graph {
                 let factor = self.sub(one, square);
                 self.mul(factor, da)
             }
-            Op::Cube => {
-                let (square, three) = (self.powi(a, 2), self.integer(3));
-                let slope = self.mul(three, square);
-                self.mul(slope, da)
-            }
             Op::Abs => {
                 // |a|′ = a/|a| · a′, without a value at a = 0.
                 let sign = self.div(a, node);

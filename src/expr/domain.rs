@@ -324,7 +324,6 @@ pub fn row(op: Op) -> Row {
             [Rising, Flat],
             exponential(Odd, -20.0, 20.0),
         ),
-        Op::Cube => smooth(REAL, [Rising, Flat], degree(Some(3))),
         Op::Abs => Row {
             needs: vec![],
             edges: vec![edge(First, Change::Kink)],

@@ -417,9 +417,6 @@ impl Number for Bounded {
         let deviation = if a.error == 0.0 { 0.0 } else { 2.0 * pxfm::f_sinh(middle) * pxfm::f_sinh(half) * UP + TINY };
         self.elementary(Op::Cosh, value, deviation)
     }
-    fn cube(&mut self, cx: &(), a: &Bounded) -> Result<(), NoValue> {
-        self.powi(cx, a, 3)
-    }
     /// tanh(a + δ) − tanh a = tanh δ·(1 − t²)/(1 + t·tanh δ) with t = tanh a; the slope is at most 1.
     fn tanh(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let value = centre(|x| x.tanh(&(), &a.value))?;

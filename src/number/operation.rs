@@ -261,7 +261,6 @@ operations! {
         Cosh cosh r"\cosh" 2.0;
         Tanh tanh r"\tanh" 3.0;
         Abs abs r"|\cdot|" 1.0;
-        Cube cube r"\operatorname{cube}" 1.0;
     }
     binary {
         Add add "+" 1.0;

@@ -193,7 +193,6 @@ table! {
         Cosh cosh |a| true, Cosh;
         Tanh tanh |a| true, Tanh;
         Abs abs |a| true, Abs;
-        Cube cube |a| true, Power(3);
     }
     binary {
         Add add |a, b| true, Add;

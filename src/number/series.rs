@@ -386,9 +386,6 @@ impl<B: Scalar> Number for Jet<B> {
         let partner = if cx.from() == 0 { value(B::sinh, a.series[0]) } else { B::ZERO };
         self.paired(cx, a, partner, false, false)
     }
-    fn cube(&mut self, cx: &Orders, a: &Jet<B>) -> Result<(), NoValue> {
-        self.powi(cx, a, 3)
-    }
     /// dx = (1 − x²)·da.
     fn tanh(&mut self, cx: &Orders, a: &Jet<B>) -> Result<(), NoValue> {
         self.start(cx, |x| x.tanh(&(), &a.series[0]))?;

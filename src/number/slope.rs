@@ -29,7 +29,6 @@ pub(super) fn slope<B: Scalar>(op: Op, a: B, v: B) -> B {
         Op::Cosh => value(B::sinh, a),
         Op::Tanh => one_minus_square(v),
         Op::Abs => a.sign(),
-        Op::Cube => B::integer(3) * a * a,
         Op::Powi(0) => B::ZERO,
         Op::Powi(n) if n < 0 => B::integer(n) * v / a,
         Op::Powi(n) => B::integer(n) * value(|out: &mut B, cx, a| out.powi(cx, a, n - 1), a),
@@ -52,7 +51,6 @@ pub(super) fn curvature<B: Scalar>(op: Op, a: B, v: B, s: B) -> B {
         Op::Tanh => -(v + v) * s,
         // 0 where there is a slope at all.
         Op::Abs => s + -s,
-        Op::Cube => B::integer(6) * a,
         Op::Powi(n) if n < 0 => (B::integer(n) - B::integer(1)) * s / a,
         Op::Powi(n) => {
             let factor = B::integer(n) * B::integer(n - 1);

@@ -235,10 +235,6 @@ impl<'g> Lowering<'g> {
                     let a = self.image[&a];
                     self.graph.unary(op, a)
                 }
-                Op::Cube => {
-                    let a = self.image[&a];
-                    self.graph.powi(a, 3)
-                }
                 Op::Sin => self.circle(a)?.1,
                 Op::Cos => self.circle(a)?.0,
                 Op::Tan => {

@@ -461,9 +461,6 @@ impl Number for Interval {
         *self = elementary::cosh(a.checked()?).checked()?;
         Ok(())
     }
-    fn cube(&mut self, cx: &(), a: &Interval) -> Result<(), NoValue> {
-        self.powi(cx, a, 3)
-    }
     fn tanh(&mut self, _: &(), a: &Interval) -> Result<(), NoValue> {
         *self = elementary::tanh(a.checked()?);
         Ok(())
