@@ -401,6 +401,8 @@ impl<'a> Walker<'a> {
         let end = self.kinks.end(edges, self.control.order, size, direction).filter(|end| end.at < size);
         let behind = smallest;
         let mut divides = false;
+        // Short enough of it for rounding not to come out on the other side.
+        let short_of = |at: f64| (at * BEFORE).min(at - 8.0 * smallest);
         if let Some(end) = end {
             let (before, behind) = (1.0 - SAME, 1.0 + SAME);
             match kink {
@@ -409,7 +411,7 @@ impl<'a> Walker<'a> {
                 Some((at, _)) if end.at >= at * before => divides = end.divides,
                 // A step up to the end; then no more.
                 _ if end.at <= 16.0 * smallest => return Err(Stop::NoRate(end.rate, NoValue::OutOfDomain)),
-                _ => (kink, size) = (None, end.at * BEFORE),
+                _ => (kink, size) = (None, short_of(end.at)),
             }
         }
         if let Some((at, argument)) = kink
@@ -419,7 +421,7 @@ impl<'a> Walker<'a> {
             if at <= 16.0 * smallest {
                 return Err(Stop::Undetermined);
             }
-            (kink, size) = (None, at * BEFORE);
+            (kink, size) = (None, short_of(at));
         }
         if let Some((at, _)) = kink {
             self.kinks.crossed += 1;
