@@ -103,9 +103,9 @@ fn means_over_what_varies_rapidly() {
     };
     let needle = 0.5 * std::f64::consts::PI.sqrt();
     has(&mean("10^6e^{-(10^6(t-2.49))^2}", "1", "3"), &[needle]);
-    // A hat of height 1 and width 2 · 10⁻⁵, of area 10⁻⁵.
-    let hat = r"\frac12(|10^5(t-2.49)+1|+|10^5(t-2.49)-1|-2|10^5(t-2.49)|)";
-    has(&mean(hat, "1", "3"), &[5e-6]);
+    // A hat of height 1 and width 2 · 10⁻³, of area 10⁻³.
+    let hat = r"\frac12(|10^3(t-2.49)+1|+|10^3(t-2.49)-1|-2|10^3(t-2.49)|)";
+    has(&mean(hat, "1", "3"), &[5e-4]);
     for (from, to, at) in [(0.45, 3.71, 2.85), (0.1, 3.3, 0.7), (1.23, 9.1, 3.21), (0.31, 2.87, 1.6180339)] {
         let area: f64 = 0.5 * ((at - from) * (at - from) + (to - at) * (to - at));
         has(&mean(&format!("|t-{at}|"), &from.to_string(), &to.to_string()), &[area / (to - from)]);

@@ -203,7 +203,9 @@ impl Kinks {
                 }
                 turned.clear();
                 turned.extend(c.iter().map(|c| -factor * c));
-                turned[0] -= offset + NOISE * (offset.abs() + first.abs() + rest);
+                // What only touches 0 has values on both sides of it; what is divided by passes it.
+                let room = if sign == Sign::NotZero { 0.0 } else { NOISE * (offset.abs() + first.abs() + rest) };
+                turned[0] -= offset + room;
                 let at = if turned[0] < 0.0 { first_change(&turned, size, direction) } else { None };
                 ends.extend(at.map(|at| End { at, rate, divides: sign == Sign::NotZero }));
             }

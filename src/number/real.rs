@@ -9,7 +9,7 @@ use super::elementary::{
     Arccos, Arcsin, Arctan, Arctan2, Cos, Cosh, Exp, Function, Ln, Sin, Sinh, Tan, Tanh, each, one,
 };
 use super::register::Register;
-use super::{Lanes, NoValue, Number, Op, Rational};
+use super::{NoValue, Number, Op, Rational};
 use pulp::Simd;
 
 /// Checks that a result is a number: anything else is an overflow, as domains are checked before.
@@ -165,12 +165,12 @@ macro_rules! table {
 
         /// An operation in all lanes: bit for bit what it is for each alone, and NaN where that is none.
         #[inline(always)]
-        pub(super) fn apply<S: Simd, const N: usize>(simd: S, op: Op, out: &mut Lanes<N>, a: &Lanes<N>, b: &Lanes<N>) {
+        pub(super) fn apply<S: Simd, const N: usize>(simd: S, op: Op, out: &mut [f64; N], a: &[f64; N], b: &[f64; N]) {
             match op {
-                $( Op::$Op => each(simd, $function, [&mut out.0], [&a.0]), )*
-                $( Op::$Two => each(simd, $of_both, [&mut out.0], [&a.0, &b.0]), )*
-                Op::Powi(n) => each(simd, Power(n), [&mut out.0], [&a.0]),
-                Op::Restrict => each(simd, Restrict, [&mut out.0], [&a.0, &b.0]),
+                $( Op::$Op => each(simd, $function, [out], [a]), )*
+                $( Op::$Two => each(simd, $of_both, [out], [a, b]), )*
+                Op::Powi(n) => each(simd, Power(n), [out], [a]),
+                Op::Restrict => each(simd, Restrict, [out], [a, b]),
                 $( Op::$Slow )|* => by_points(op, out, a, b),
             }
         }
@@ -209,9 +209,9 @@ table! {
 
 /// Lane by lane.
 #[inline(never)]
-fn by_points<const N: usize>(op: Op, out: &mut Lanes<N>, a: &Lanes<N>, b: &Lanes<N>) {
+fn by_points<const N: usize>(op: Op, out: &mut [f64; N], a: &[f64; N], b: &[f64; N]) {
     for i in 0..N {
         let mut x = 0.0;
-        out.0[i] = if op.apply(&(), &mut x, &a.0[i], &b.0[i]).is_ok() { x } else { f64::NAN };
+        out[i] = if op.apply(&(), &mut x, &a[i], &b[i]).is_ok() { x } else { f64::NAN };
     }
 }

@@ -9,10 +9,9 @@
 
 use super::elementary::{Arctan2, Function, SinCos, each};
 use super::operation::{Apply, run_each};
-use super::real::apply;
 use super::register::Register;
 use super::slope::slope;
-use super::{DualLanes, Instruction, Lanes, NoValue, Op, Scalar};
+use super::{DualLanes, Instruction, Lanes, NoValue, Op, Scalar, real};
 use num_dual::Dual64;
 use pulp::{Simd, WithSimd};
 
@@ -121,7 +120,7 @@ pub(super) fn apply_dual<S: Simd, const N: usize>(
         }
         _ if op.arity() == 1 => {
             let mut value = Lanes::ZERO;
-            apply(simd, op, &mut value, &a.value, &a.value);
+            real::apply(simd, op, &mut value.0, &a.value.0, &a.value.0);
             chain(simd, out, &value, &slope(op, a.value, value), a);
         }
         _ => {
@@ -158,6 +157,12 @@ pub(super) struct Steps<'s, L> {
     pub(super) values: &'s mut [L],
     pub(super) missing: &'s mut [Option<NoValue>],
     pub(super) steps: &'s [Instruction],
+}
+
+/// An operation in all lanes.
+#[inline(always)]
+fn apply<S: Simd, const N: usize>(simd: S, op: Op, out: &mut Lanes<N>, a: &Lanes<N>, b: &Lanes<N>) {
+    real::apply(simd, op, &mut out.0, &a.0, &b.0);
 }
 
 /// All lanes together.

@@ -14,6 +14,7 @@ use crate::expr::{Expr, Graph, Leaf};
 use crate::findings::Measurement;
 use crate::flow::Rapid;
 use crate::number::{Bounded, NoValue};
+use crate::stage::Searched;
 use claim::comparison::cuts;
 use claim::denote::{at_event, rapid};
 use claim::quantity::Quantity;
@@ -154,15 +155,6 @@ impl Compiled {
     }
 }
 
-/// What is searched for along a motion, by what vanishes, or varies.
-#[derive(Default)]
-pub struct Searched {
-    /// For the zeros of these.
-    pub zeros: Vec<Expr>,
-    /// For where these vary rapidly.
-    pub rapid: Vec<Expr>,
-}
-
 /// What is searched for on a motion on which some of these are taken.
 pub fn searched(measures: &[Compiled], derivation: &Derivation, trajectory: usize) -> Searched {
     let taken = || measures.iter().filter(|m| m.is_taken_on(derivation, trajectory));
@@ -242,6 +234,9 @@ const NODES: [(f64, f64, f64); 8] = [
 /// Stretches are halved until the two rules differ by less than this share of the integral of the size of the quantity.
 const AGREED: f64 = 1e-12;
 
+/// Stretches beside kinks and leaps are not cut shorter than this share of all.
+const CLOSEST: f64 = 1e-9;
+
 /// The better rule is off by at most so many times what the two differ by, at a kink, too.
 const OFF: f64 = 16.0;
 
@@ -311,6 +306,15 @@ fn mean(
     if unresolved.is_some_and(|(from, to)| to >= first.t && from <= second.t) {
         return Err(NoValue::Indeterminate);
     }
+    // Closer to a kink or a leap than this, a stretch adds nothing that is seen; and values are not known there.
+    let closest = CLOSEST * (second.t - first.t);
+    let mut last = f64::NEG_INFINITY;
+    let apart = |t: &f64| {
+        let is_apart = *t - last >= closest;
+        last = if is_apart { *t } else { last };
+        is_apart
+    };
+    let singular: Vec<f64> = singular.into_iter().filter(apart).collect();
     let inner = course.times.iter().copied().chain(times).chain(singular).filter(|t| first.t < *t && *t < second.t);
     let mut ends: Vec<f64> = [first.t, second.t].into_iter().chain(inner).collect();
     ends.sort_by(f64::total_cmp);

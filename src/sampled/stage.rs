@@ -14,7 +14,6 @@ use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::findings::TrajectoryAccount;
 use crate::flow::{Draft, Estimation, FlowError, Motion, Points, Rapid, RapidSearch, Search, Zeros};
-use crate::measure::Searched;
 use crate::number::{Bounded, NoValue};
 use crate::pattern::Pattern;
 use crate::recall::{Nothing, Recall};
@@ -61,6 +60,15 @@ pub struct Requests<'a> {
     pub measured: &'a (dyn Fn(&Derivation, usize) -> Searched + Sync),
     /// When the run must end: looked at between steps of integration.
     pub limits: &'a Limits,
+}
+
+/// What is searched for along a motion, by what vanishes, or varies.
+#[derive(Default)]
+pub struct Searched {
+    /// For the zeros of these.
+    pub zeros: Vec<Expr>,
+    /// For where these vary rapidly.
+    pub rapid: Vec<Expr>,
 }
 
 /// A motion with everything that was asked of it.
