@@ -227,7 +227,7 @@ fn what_varies_rapidly_is_looked_at_for_a_while() {
         r"\frac{1}{(\sin(10^5x))^2}>0.5",
         r"\frac{1}{(\sin(10^5x))^2+10^{-9}}>0.5",
         r"e^{-1000(\sin(10^5x))^2}>-0.5",
-        r"|\sin(10^9x)|+\arccos\sin(10^9x)>-1",
+        r"|\sin(10^9x)|+\arccos(\sin(10^9x))>-1",
         r"\ln|\sin(10^{15}x)|+\frac{1}{(\cos(10^6x))^{40}}>0",
     ];
     for formula in formulas {
