@@ -238,7 +238,7 @@ const AGREED: f64 = 1e-12;
 const CLOSEST: f64 = 1e-9;
 
 /// The better rule is off by at most so many times what the two differ by, at a kink, too.
-const OFF: f64 = 128.0;
+const OFF: f64 = 16.0;
 
 /// A larger share of it that the errors of values leave open is too much.
 const TOLD: f64 = 1e-6;
