@@ -285,6 +285,16 @@ impl Tape {
         angles.any(|i| sides(i).is_some_and(|(y, x)| y.straddles_cut(x)))
     }
 
+    /// The outputs; none has a value where an angle may be on either side of its cut.
+    pub fn determined(&self, inputs: &[Result<Bounded, NoValue>]) -> Vec<Result<Bounded, NoValue>> {
+        let mut slots = self.slots(&());
+        let mut outputs = self.evaluate(&(), inputs, &mut slots);
+        if self.straddles_cut(&slots) {
+            outputs.iter_mut().filter(|x| x.is_ok()).for_each(|x| *x = Err(NoValue::Indeterminate));
+        }
+        outputs
+    }
+
     /// Sets the inputs, runs, and copies the outputs.
     pub fn evaluate<N: Number>(
         &self,

@@ -268,11 +268,7 @@ impl Members {
             Number::rational(&mut out, &(), x.as_ref().ok_or(NoValue::Unsupported)?).map(|()| out)
         };
         let inputs: Vec<_> = decimal.iter().map(rounded).collect();
-        let mut slots = tape.slots::<Bounded>(&());
-        let found = tape.evaluate(&(), &inputs, &mut slots);
-        if tape.straddles_cut(&slots) {
-            return false;
-        }
+        let found = tape.determined(&inputs);
         let rational = OnceCell::new();
         let rational = |side: usize| {
             let all = rational.get_or_init(|| {
@@ -290,16 +286,7 @@ impl Members {
                 false => difference.value.total_cmp(&0.0),
             })
         };
-        let satisfied = |(n, kind): (usize, &RelationKind)| {
-            order(2 * n).is_some_and(|order| match kind {
-                RelationKind::Equal => order.is_eq(),
-                RelationKind::NotEqual => order.is_ne(),
-                RelationKind::Less => order.is_lt(),
-                RelationKind::LessEqual => order.is_le(),
-                RelationKind::Greater => order.is_gt(),
-                RelationKind::GreaterEqual => order.is_ge(),
-            })
-        };
+        let satisfied = |(n, kind): (usize, &RelationKind)| order(2 * n).is_some_and(|order| kind.holds(order));
         let positive = |side: usize| match found[side] {
             Ok(x) if x.contains_zero() => rational(side).is_some_and(|x| x.0 > Rational::ZERO),
             Ok(x) => x.value > 0.0,
@@ -313,10 +300,7 @@ impl Members {
 /// The values of expressions without leaves.
 pub(super) fn evaluated(derivation: &Derivation, exprs: &[Expr]) -> Vec<Option<f64>> {
     let Ok(tape) = Tape::compile(&derivation.graph, &[], exprs) else { return vec![None; exprs.len()] };
-    let mut slots = tape.slots::<Bounded>(&());
-    let found = tape.evaluate(&(), &[], &mut slots);
-    let known = !tape.straddles_cut(&slots);
-    found.into_iter().map(|x| x.ok().filter(|_| known).map(|x| x.value)).collect()
+    tape.determined(&[]).into_iter().map(|x| x.ok().map(|x| x.value)).collect()
 }
 
 /// A value of a grid; its ends are those that are given.

@@ -198,9 +198,7 @@ impl Core {
             known.map_or(Err(NoValue::Unsupported), |c| c.value)
         };
         let inputs: Vec<_> = formula.leaves.iter().map(value).collect();
-        let mut slots = tape.slots::<Bounded>(&());
-        let value = tape.evaluate(&(), &inputs, &mut slots).pop().unwrap_or(Err(NoValue::Unsupported))?;
-        if tape.straddles_cut(&slots) { Err(NoValue::Indeterminate) } else { Ok(value) }
+        tape.determined(&inputs).pop().unwrap_or(Err(NoValue::Unsupported))
     }
 
     /// A leaf at a fixed time.

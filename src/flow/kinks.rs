@@ -94,8 +94,16 @@ impl Edges {
     pub(super) fn of(flow: &Flow) -> Edges {
         let (moving, varying) = (flow.moving(false), flow.moving(true));
         let mut out = Edges::default();
+        // For every slot, the first state whose rate depends on it.
+        let mut rates = vec![usize::MAX; flow.tape.slot_count()];
+        (0..flow.dimension).rev().for_each(|i| rates[flow.tape.output_slot(i)] = i);
+        for step in flow.tape.instructions().iter().rev() {
+            let rate = rates[step.out as usize];
+            [step.a, step.b].into_iter().for_each(|slot| rates[slot as usize] = rates[slot as usize].min(rate));
+        }
         for step in flow.tape.instructions() {
             let (a, b) = (step.a as usize, step.b as usize);
+            let rate = rates[step.out as usize];
             for (term, sign) in row(step.op).needs {
                 let slot = match term {
                     Term::First | Term::Unit | Term::Cosine => a,
@@ -103,13 +111,7 @@ impl Edges {
                     // What is 0 there does not change its sign.
                     Term::Opposite | Term::Sine | Term::Excess | Term::Squares | Term::Support => continue,
                 };
-                let mut depends = vec![false; flow.tape.slot_count()];
-                for later in flow.tape.instructions() {
-                    let through = depends[later.a as usize] || depends[later.b as usize];
-                    depends[later.out as usize] = later.out == step.out || through;
-                }
-                let rate = (0..flow.dimension).find(|&i| depends[flow.tape.output_slot(i)]);
-                if let (true, Some(rate)) = (varying[slot], rate) {
+                if varying[slot] && rate < flow.dimension {
                     out.needs.push(Need { term, sign, slot, rate });
                 }
             }

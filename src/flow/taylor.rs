@@ -6,13 +6,15 @@
 //! ρ = min over the last two orders of (‖x₀‖/‖xₖ‖)^(1/k), the step ρ·e⁻²·exp(−0.7/(p − 1)) makes the last term about
 //! e⁻²ᵖ of the first.
 
+mod arrival;
+
 use std::ops::Range;
 
 use super::kinks::{Edges, Kinks, Series};
-use super::narrow::{FINE, Narrow};
+use super::narrow::Narrow;
 use expr::Leaf;
 use expr::tape::{Slots, Tape};
-use number::{Bounded, Growth, Instruction, Interval, Jet, NoValue, Orders, Recurrences, Scalar, widely};
+use number::{Growth, Instruction, Interval, Jet, NoValue, Orders, Recurrences, Scalar, widely};
 
 /// A field compiled for numbers: inputs are the time, the states, and the constants.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,8 +52,6 @@ const LONGEST: f64 = 0.125;
 /// Longest step where the time enters the right sides, as a part of the span.
 const LONGEST_DRIVEN: f64 = 1.0 / 2048.0;
 
-/// A rate that changes by more than this share of itself at a kink jumps there.
-const JUMP: f64 = 1e-6;
 /// An edge that is nearer than this share of the span is met at a kink.
 const NEAR: f64 = 1e-6;
 /// Two times within a step that are apart by less than this share of the way may be one.
@@ -62,11 +62,6 @@ const BEFORE: f64 = 1.0 - 1e-9;
 const MOST_KINKS: usize = 4_000;
 /// Components that are summed side by side.
 const ABREAST: usize = 4;
-/// A rate that grows from a kink on is as far from what it is there as twice its coefficient of the next order tells, times some room
-/// for where the kink is.
-const GROWTH: f64 = 8.0;
-/// Slopes that differ by so many rounding errors of a rate are one.
-const ROUNDING: f64 = 4.0;
 
 /// Why a step cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -510,85 +505,6 @@ impl<'a> Walker<'a> {
         }
         self.trial.size *= 0.5;
         self.aim().map(|()| false)
-    }
-
-    /// Whether a rate is another one, at a time behind a kink, than before it, and not only on its way from what it is at the kink.
-    fn jumps_over(&self, late: f64) -> bool {
-        let n = self.flow.dimension;
-        (0..n).any(|i| {
-            let before = self.slopes[i];
-            let behind = self.next[n + i];
-            // A rate that vanishes at the kink is compared with what moves the state as far as its size.
-            let usual = self.scale[self.flow.groups[i]].max(self.next_state[i].abs()) / self.length;
-            let moved = GROWTH * self.next[2 * n + i].abs() * late;
-            (before - behind).abs()
-                > moved + JUMP * before.abs().max(behind.abs()).max(self.now[n + i].abs()).max(usual)
-        })
-    }
-
-    /// Whether a rate may do within a step what its ends do not show.
-    fn hides(&mut self, (target, h): (f64, f64)) -> bool {
-        let row = self.control.order + 1;
-        let Some(mut narrow) = self.narrow.take() else { return false };
-        // Beside a kink the series over all times of the step has no sign to go by; the step ends at the kink.
-        let near = |c: &[f64]| {
-            let rest = c[1..].iter().rev().fold(0.0, |sum, x| (sum + x.abs()) * h.abs());
-            c[0].abs() <= rest
-        };
-        let mut resolved = self.kinks.series.chunks(row).any(near);
-        if !resolved {
-            let scale = |i: usize| self.scale[self.flow.groups[i]].max(self.next_state[i].abs());
-            let mut resolves =
-                |scale: &dyn Fn(usize) -> f64| narrow.resolves(&self.flow.tape, (self.time, h), &self.now, scale);
-            resolved = resolves(&scale) || {
-                // A state that rests moves by the rounding of its rate alone, which no step is short enough to resolve.
-                let rounding = self.rounding(target);
-                resolves(&|i| scale(i) + ROUNDING * rounding[i] * h.abs() / FINE)
-            };
-        }
-        self.narrow = Some(narrow);
-        !resolved
-    }
-
-    /// The step went on for a time behind a kink, at the rates before it.
-    fn add_late(&mut self, behind: f64) {
-        let n = self.flow.dimension;
-        for (i, late) in self.late.iter_mut().enumerate() {
-            *late += (self.slopes[i] - self.next[n + i]).abs() * behind;
-        }
-    }
-
-    /// Whether the polynomial of this step arrives with the slope that the field has there: a guard against series whose
-    /// last terms are small by accident. What the rounding of the states and of the rates explains is no difference: a state
-    /// that rests moves by that alone, and no step is short enough to follow it.
-    fn continues(&mut self, target: f64, h: f64) -> bool {
-        let n = self.flow.dimension;
-        let mut rounding: Option<Vec<f64>> = None;
-        for (defect, (slope, found)) in self.defects.iter_mut().zip(self.slopes.iter().zip(&self.next[n..])) {
-            *defect = (slope - found).abs();
-        }
-        (0..n).all(|i| {
-            let found = self.next[n + i];
-            let scale = self.scale[self.flow.groups[i]].max(self.next_state[i].abs());
-            let off = self.defects[i];
-            off * h.abs() <= 1e-11 * scale + 1e-12 * found.abs() * h.abs() + f64::MIN_POSITIVE
-                || off <= ROUNDING * rounding.get_or_insert_with(|| self.rounding(target))[i]
-        })
-    }
-
-    /// How far the rates at the next state may be off by its rounding and their own; 0 where it is not known.
-    fn rounding(&self, time: f64) -> Vec<f64> {
-        let n = self.flow.dimension;
-        let constants: Vec<Bounded> = self.constants.iter().map(|&c| Bounded::exact(c)).collect();
-        // Where states nearly cancel, as masses between springs at rest do, their rounding is all that a rate shows.
-        let rounded = |&x: &f64| Bounded { value: x, error: 0.5 * f64::EPSILON * x.abs() };
-        let state: Vec<Bounded> = self.next_state.iter().map(rounded).collect();
-        let mut rates = vec![Bounded::exact(0.0); 2 * n];
-        let mut slots = self.flow.slots(1, &constants);
-        match self.flow.expand(&mut slots, 1, Bounded::exact(time), &state, &mut rates) {
-            Ok(()) => rates.chunks(2).map(|c| c[1].error).collect(),
-            Err(_) => vec![0.0; n],
-        }
     }
 
     /// The step that Jorba & Zou propose, infinite when the series ends.

@@ -1,5 +1,6 @@
 //! The syntax tree of a formula: what was written, before it means anything.
 
+use std::cmp::Ordering;
 use std::ops::Range;
 
 use expr::Rational;
@@ -275,6 +276,20 @@ pub enum RelationKind {
     Greater,
     /// `\ge`.
     GreaterEqual,
+}
+
+impl RelationKind {
+    /// Whether it is so of two sides in this order.
+    pub fn holds(self, order: Ordering) -> bool {
+        match self {
+            RelationKind::Equal => order.is_eq(),
+            RelationKind::NotEqual => order.is_ne(),
+            RelationKind::Less => order.is_lt(),
+            RelationKind::LessEqual => order.is_le(),
+            RelationKind::Greater => order.is_gt(),
+            RelationKind::GreaterEqual => order.is_ge(),
+        }
+    }
 }
 
 /// A chain of relations: one more side than relations.

@@ -422,14 +422,7 @@ impl<'a> Setting<'a> {
                 }
                 Along::Differ(_) | Along::Agree { .. } | Along::Open => return None,
             };
-            let holds = match c.kind {
-                RelationKind::Equal => order.is_eq(),
-                RelationKind::NotEqual => order.is_ne(),
-                RelationKind::Less => order.is_lt(),
-                RelationKind::LessEqual => order.is_le(),
-                RelationKind::Greater => order.is_gt(),
-                RelationKind::GreaterEqual => order.is_ge(),
-            };
+            let holds = c.kind.holds(order);
             if !holds {
                 let (t, formula) = (self.span.0, c.label.clone());
                 witness.get_or_insert(Witness { t, formula, left, right, bound, values: Vec::new() });

@@ -276,8 +276,7 @@ impl Stage {
         search.rapid(expressions.iter().filter_map(|e| known.binary_search(e).ok()), samples)
     }
 
-    /// All times at which some expression that was asked for varies more rapidly than a motion is sampled; none if they are too many
-    /// to be kept.
+    /// All times at which some expression that was asked for varies more rapidly than a motion is sampled.
     pub(crate) fn all_rapid(&self, trajectory: usize, samples: &[f64]) -> Vec<f64> {
         let Some(Built { rapid: (known, search), .. }) = self.built(trajectory) else { return Vec::new() };
         let Rapid { mut times, singular, .. } = search.rapid(0..known.len(), samples);
@@ -291,10 +290,8 @@ impl Stage {
     pub fn constant(&self, graph: &Graph, trajectory: usize, e: Expr) -> Option<Bounded> {
         let leaves = graph.leaves([e]);
         let tape = expr::tape::Tape::compile(graph, &leaves, &[e]).ok()?;
-        let mut slots = tape.slots::<Bounded>(&());
         let values: Vec<_> = leaves.iter().map(|&l| self.parameter(trajectory, l)).collect();
-        let value = tape.evaluate(&(), &values, &mut slots).pop()?.ok()?;
-        (!tape.straddles_cut(&slots)).then_some(value)
+        tape.determined(&values).pop()?.ok()
     }
 
     fn parameter(&self, trajectory: usize, leaf: Leaf) -> Result<Bounded, NoValue> {
@@ -545,7 +542,5 @@ pub fn searched(derivation: &Derivation, requests: &Requests, trajectory: usize)
 /// The values of expressions without leaves; those before the first that has none.
 pub(crate) fn closed_values(graph: &Graph, exprs: &[Expr]) -> Vec<Bounded> {
     let Ok(tape) = expr::tape::Tape::compile(graph, &[], exprs) else { return Vec::new() };
-    let mut slots = tape.slots::<Bounded>(&());
-    let values = tape.evaluate(&(), &[], &mut slots);
-    if tape.straddles_cut(&slots) { Vec::new() } else { values.into_iter().map_while(Result::ok).collect() }
+    tape.determined(&[]).into_iter().map_while(Result::ok).collect()
 }
