@@ -144,16 +144,13 @@ struct Together<'a, const N: usize> {
     flow: &'a Flow,
     order: usize,
     growth: Growth<N>,
-    /// The series of every lane, order by order, one lane after the other: each coefficient is read once for all lanes.
-    columns: Vec<f64>,
     /// Memory for a motion whose series have no values, once there is one.
     jets: Option<Slots<Jet<f64>>>,
 }
 
 impl<'a, const N: usize> Together<'a, N> {
     fn new(flow: &'a Flow, order: usize) -> Together<'a, N> {
-        let columns = vec![0.0; N * flow.dimension * (order + 1)];
-        Together { flow, order, growth: Growth::new(&flow.recurrences, order), columns, jets: None }
+        Together { flow, order, growth: Growth::new(&flow.recurrences, order), jets: None }
     }
 
     /// Gives a lane to a walker.
@@ -170,14 +167,6 @@ impl<'a, const N: usize> Together<'a, N> {
             state.iter().enumerate().for_each(|(i, &x)| self.growth.start_mut(1 + i).0[lane] = x);
         }
         self.growth.grow(&self.flow.recurrences, self.order);
-        let n = self.flow.dimension;
-        let length = n * (self.order + 1);
-        for i in 0..n {
-            for (k, from) in self.growth.coefficients(1 + i).iter().enumerate() {
-                let to = self.columns[k * n + i..].iter_mut().step_by(length);
-                to.zip(from.0).for_each(|(to, from)| *to = from);
-            }
-        }
     }
 
     /// Tells the runner in a lane its series; whether it goes on.
@@ -194,10 +183,11 @@ impl<'a, const N: usize> Together<'a, N> {
 
     /// Gives a walker its series; `false` if some coefficient has no value.
     fn hand_over(&self, lane: usize, walker: &mut Walker) -> bool {
-        let (_, _, room) = walker.asks();
-        let first = lane * self.flow.dimension * (self.order + 1);
-        let length = room.len();
-        room.copy_from_slice(&self.columns[first..first + length]);
+        let (n, (_, _, room)) = (self.flow.dimension, walker.asks());
+        for i in 0..n {
+            let of_state = room[i..].iter_mut().step_by(n).zip(self.growth.coefficients(1 + i));
+            of_state.for_each(|(to, from)| *to = from.0[lane]);
+        }
         // What has no value is NaN.
         widely(have_values, &*room)
     }
