@@ -170,6 +170,62 @@ fn assumptions_are_weighed() {
     // An inequality that leaves out only some times.
     assert_eq!(words(needs("'x>0'", r"\left|x\right|=x")), ["needed"]);
     assert_eq!(words(needs("'x>0'", r"\dot x=v")), ["not-needed"]);
+    // One that holds throughout, exactly, hides nothing of the other.
+    assert_eq!(words(needs("'x>0', 'b>0'", r"\left|x\right|=x")), ["needed", "untested"]);
+}
+
+#[test]
+fn a_condition_is_met_where_every_part_has_a_value() {
+    // On the second motion the root has no value before t = 1.
+    let text = r"
+[derivation]
+title = 't'
+concerns = 't'
+[symbols]
+'t' = { role = 'time' }
+'x' = { role = 'state' }
+'k' = { role = 'parameter' }
+[[trajectory]]
+id = 'up'
+parameters = { 'k' = 1 }
+formula = { 'x' = '1+\frac{t}{2}' }
+span = [0, 2]
+[[trajectory]]
+id = 'through'
+parameters = { 'k' = 2 }
+formula = { 'x' = 't-1' }
+span = [0, 2]
+[[trajectory]]
+id = 'down'
+parameters = { 'k' = -1 }
+formula = { 'x' = '1+t' }
+span = [0, 2]
+[[condition]]
+id = 'two'
+says = 'two'
+holds = ['\sqrt{x}>-1', 'k>0']
+[[claim]]
+id = 'c'
+says = 'c'
+always = ['k^3>-\frac12']
+";
+    let source = Source { path: "test.toml".into(), text: text.to_owned() };
+    let derivation = parse(source, "test").unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let separation = account.claims[0].conditions.separation.as_ref().expect("split");
+    let named = separation.explanation.iter().chain(separation.rivals.iter().map(|r| &r.explanation));
+    assert!(named.flat_map(|e| &e.conditions).all(|c| c.id.as_deref() != Some("two")), "{separation:?}");
+}
+
+#[test]
+fn what_is_shown_of_a_claim_that_holds_is_of_what_it_says() {
+    let more = "[[claim]]\nid = 'c'\nsays = 'c'\nassuming = ['x>0', 'b>0']\nalways = ['\\sqrt{x^2}=x']\n\
+                trajectories = ['free']\n";
+    let account = account(more);
+    let evidence = account.claims[0].results[0].verdict.evidence();
+    // That b is 1 and not 0 is no residual of the claim, and does not hide where x > 0 is not so.
+    assert!(evidence.residual.as_ref().expect("there").max < 1e-9, "{evidence:?}");
+    assert!(!evidence.excluded.is_empty(), "{evidence:?}");
 }
 
 #[test]

@@ -54,7 +54,7 @@ impl<'a> Run<'a> {
     pub fn account(&self) -> Result<Account, CheckError> {
         let &Run { file, options, .. } = self;
         let motionless = file.trajectories.is_empty() && file.systems.is_empty();
-        if file.scope.time().is_none() && motionless && !file.claims.iter().any(Claim::is_of_fields) {
+        if file.scope.time().is_none() && motionless && file.claims.iter().all(Claim::is_over_ranges) {
             let claims = self.regions(file)?.into_iter().map(|(_, c)| c).collect();
             return Ok(self.with_still_variants(file, Account { claims, ..Account::default() }));
         }

@@ -483,6 +483,18 @@ impl<'a> MeasuredGroup<'a> {
         }
     }
 
+    /// Whether the sides of a comparison, which lie within their error bound of one another at a time, cannot be taken for equal: only of
+    /// what is said of every time, and where the bound is small enough.
+    pub fn is_unequal(&self, sign: usize, comparison: usize, time: usize, precision: f64) -> bool {
+        let allowed = !(self.group.denied || self.group.asserted || self.group.formula.is_some());
+        match self.signs[sign][comparison].difference(time) {
+            // What has no value is no matter of equality.
+            Err(_) => false,
+            Ok(d) if d.value == 0.0 && d.error == 0.0 => false,
+            Ok(_) => !allowed || self.standing(sign, comparison, time, precision) != Possible::TRUE,
+        }
+    }
+
     /// The values of the left sides, each compared with what it is at the first of the times that count at which it has one, in
     /// place of what they were compared with. What never has one stays as it is: without a value.
     pub fn relative_to_the_first(&mut self, times: usize, counts: impl Fn(usize) -> bool) {

@@ -102,7 +102,7 @@ tables! {
             "\"3\" for a vector, \"3x3\" for a matrix, \"diagonal 3\" for a diagonal matrix; nothing for a scalar";
         "unit": Text, "Its unit";
         "positive": Flag, "Every component is positive";
-        "angle": Flag, "Its values along a motion are continued without jumps by 2π";
+        "angle": Flag, "Its values along a motion are continued without jumps by 2π: of an observable";
         "complex": Flag, "Its values are complex numbers";
         "formula": Formula, "The definition of an observable or abbreviation";
         "scale": Formula, "The scale factor of a coordinate that is not Cartesian";

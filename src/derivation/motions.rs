@@ -67,6 +67,12 @@ impl Loader<'_> {
         for formula in &formulas {
             for equation in self.statements(formula, &scope) {
                 if equation.value.relations.iter().all(is_equation) {
+                    let sides = equation
+                        .value
+                        .relations
+                        .iter()
+                        .flat_map(|r| r.left.components.iter().chain(&r.right.components));
+                    self.refuse_continued(sides.copied().collect(), &scope, equation.span.clone());
                     equations.push(equation);
                 } else {
                     let message = "a system consists of plain equations";
@@ -83,6 +89,26 @@ impl Loader<'_> {
             equations,
             span,
         })
+    }
+
+    /// Refuses an angle that is continued in what makes a motion: it is continued along a motion that is there already.
+    fn refuse_continued(&mut self, formulas: Vec<Expr>, scope: &Scope, span: Range<usize>) {
+        let mut open: Vec<Symbol> = self.out.graph.leaves_within(formulas).into_iter().map(|l| l.symbol).collect();
+        let mut seen = Vec::new();
+        while let Some(symbol) = open.pop() {
+            let Some(definition) = scope.definition(symbol).filter(|_| !seen.contains(&symbol)) else { continue };
+            if scope.is_angle(symbol) {
+                let message =
+                    format!("`{}` is continued along a motion, and cannot make one", self.out.graph.name(symbol));
+                let hint = "write its formula here, which leaps, or make it a state with a rate";
+                self.problems.note("derivation::bad-role", span, message).hint(hint);
+                return;
+            }
+            seen.push(symbol);
+            open.extend(
+                self.out.graph.leaves_within(definition.components.iter().copied()).into_iter().map(|l| l.symbol),
+            );
+        }
     }
 
     /// An array of states.
@@ -430,6 +456,9 @@ impl Loader<'_> {
                 continue;
             }
             let Some(mut written) = self.components(value, symbol, scope) else { continue };
+            if scope.time().is_some_and(|time| free(scope, time)) {
+                self.refuse_continued(written.value.clone(), scope, written.span.clone());
+            }
             let shown = self.name_guesses(symbol, rate, &written);
             self.keep(symbol, rate, &shown);
             if self.resolve_all(&mut written, &known, scope, free, hint) {

@@ -15,12 +15,16 @@ use reason::{Enclosing, Plain, Reason, Refutation};
 
 /// So many times are looked at to see whether an open stretch stands alone.
 const LOOKS: usize = 16;
+/// So often the time is narrowed at which an inequality is farthest from what it says.
+const HALVINGS: usize = 40;
 
 /// What a cover of the span found.
 #[derive(Default)]
 struct Covered {
     /// The largest |left − right| that is not excluded.
     gap: f64,
+    /// The stretch on which that is.
+    widest: Option<Interval>,
     /// Whether it says something on a stretch: it is true there, and all times count.
     says: bool,
     /// Whether anything but void is possible on a stretch that may count.
@@ -59,7 +63,10 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
         // What a whole stretch leaves open its parts may settle.
         found.may_say = true;
         found.says |= selected == Some(true) && !known.may_be(Truth::Void);
-        found.gap = each.into_iter().flatten().fold(f64::INFINITY, f64::min).max(found.gap);
+        let gap = each.into_iter().flatten().fold(f64::INFINITY, f64::min);
+        if gap > found.gap {
+            (found.gap, found.widest) = (gap, Some(time));
+        }
         found.serves.iter_mut().zip(now).for_each(|(s, n)| *s &= n);
         Judgement::Settled
     };
@@ -101,6 +108,11 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
     if !found.may_say {
         return Shown::Void(Plain::NeverHasValue.into());
     }
+    // An inequality may be false for certain by less than is allowed.
+    if let Some(witness) = found.widest.and_then(|time| beyond(ready, along, time)) {
+        let reason = Refutation::At(witness.t).into();
+        return Shown::Fails(witness, reason);
+    }
     let enclosed = Enclosed { places: looked, gap: found.gap, scale: ready.scale };
     let equation = ready.group.comparisons.iter().any(|c| c.kind == RelationKind::Equal);
     let within = found.gap > 0.0 || equation && !ready.part.is_definedness() && ready.group.allows();
@@ -110,6 +122,34 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
         true => Shown::Holds(enclosed, reason),
         false => Shown::Unless(enclosed, reason),
     }
+}
+
+/// A time of a stretch at which an inequality is false for certain: where its sides go farthest beyond one another.
+fn beyond(ready: &Ready, along: &mut Along, stretch: Interval) -> Option<Witness> {
+    let comparisons = ready.group.comparisons.iter().enumerate();
+    let weak: Vec<(usize, f64)> = comparisons
+        .filter_map(|(c, comparison)| match comparison.kind {
+            RelationKind::LessEqual => Some((c, 1.0)),
+            RelationKind::GreaterEqual => Some((c, -1.0)),
+            RelationKind::Equal | RelationKind::NotEqual | RelationKind::Less | RelationKind::Greater => None,
+        })
+        .collect();
+    let places = (0..ready.signs).flat_map(|s| weak.iter().map(move |&(c, sign)| (ready.place(s, c), sign)));
+    places.collect::<Vec<_>>().into_iter().find_map(|(place, sign)| {
+        let mut over = |t: f64| {
+            let ranges = along.over(&ready.roots, Interval::point(t));
+            ranges[place].as_ref().map_or(f64::NEG_INFINITY, |reach| sign * reach.range().mid())
+        };
+        // The farthest of a few times, then between its neighbours.
+        let at = |k: usize| stretch.lo() + stretch.width() * k as f64 / LOOKS as f64;
+        let most = (0..=LOOKS).max_by(|&a, &b| over(at(a)).total_cmp(&over(at(b))))?;
+        let (mut low, mut high) = (at(most.saturating_sub(1)), at((most + 1).min(LOOKS)));
+        for _ in 0..HALVINGS {
+            let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+            if over(a) < over(b) { low = a } else { high = b }
+        }
+        [at(most), 0.5 * (low + high)].into_iter().find_map(|t| ready.witness(along, t))
+    })
 }
 
 /// Whether a part says nothing at the times of these ranges: they do not count, or it has no value.

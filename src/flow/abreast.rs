@@ -35,13 +35,6 @@ pub(super) trait Runner<'a> {
     fn note(&mut self, event: Event) -> bool;
 }
 
-/// A runner in a lane, and whether it has its first series.
-#[derive(Clone, Copy)]
-struct Seat {
-    runner: usize,
-    started: bool,
-}
-
 /// Lets all of them run until none goes on; `false` if they were stopped before.
 pub(super) fn run<'a, R: Runner<'a>>(flow: &'a Flow, runners: &mut [R], halt: Halt) -> bool {
     match runners.len() {
@@ -59,7 +52,8 @@ const PATIENCE: usize = 64;
 fn run_in<'a, const N: usize, R: Runner<'a>>(flow: &'a Flow, runners: &mut [R], halt: Halt) -> bool {
     let order = runners.iter_mut().map(|r| r.walker().order()).max().unwrap_or(0);
     let mut together = Together::<N>::new(flow, order);
-    let mut seats: [Option<Seat>; N] = [None; N];
+    // The runner in each lane.
+    let mut seats: [Option<usize>; N] = [None; N];
     let mut waiting = 0..runners.len();
     let mut grown = 0_usize;
     let mut stopped = || {
@@ -73,7 +67,7 @@ fn run_in<'a, const N: usize, R: Runner<'a>>(flow: &'a Flow, runners: &mut [R], 
         for (lane, seat) in seats.iter_mut().enumerate().filter(|(_, seat)| seat.is_none()) {
             if let Some(runner) = waiting.next() {
                 together.enter(lane, runners[runner].walker());
-                *seat = Some(Seat { runner, started: false });
+                *seat = Some(runner);
             }
         }
         match seats.iter().flatten().count() {
@@ -81,15 +75,13 @@ fn run_in<'a, const N: usize, R: Runner<'a>>(flow: &'a Flow, runners: &mut [R], 
             // The last one need not pay for the lanes that are empty.
             1 if N > 1 => {
                 let mut alone = Together::<1>::new(flow, order);
-                for Seat { runner, mut started } in seats.iter_mut().filter_map(Option::take) {
+                for runner in seats.iter_mut().filter_map(Option::take) {
                     alone.enter(0, runners[runner].walker());
-                    let mut seat = [Some(Seat { runner, started })];
                     loop {
-                        alone.grow(&seat, runners);
-                        if !alone.told(0, &mut runners[runner], started) {
+                        alone.grow(&[Some(runner)], runners);
+                        if !alone.told(0, &mut runners[runner]) {
                             break;
                         }
-                        (started, seat) = (true, [Some(Seat { runner, started: true })]);
                         if stopped() {
                             return false;
                         }
@@ -99,9 +91,7 @@ fn run_in<'a, const N: usize, R: Runner<'a>>(flow: &'a Flow, runners: &mut [R], 
             _ => {
                 together.grow(&seats, runners);
                 for (lane, seat) in seats.iter_mut().enumerate() {
-                    let Some(Seat { runner, started }) = *seat else { continue };
-                    let goes_on = together.told(lane, &mut runners[runner], started);
-                    *seat = goes_on.then_some(Seat { runner, started: true });
+                    *seat = seat.filter(|&runner| together.told(lane, &mut runners[runner]));
                 }
             }
         }
@@ -109,14 +99,9 @@ fn run_in<'a, const N: usize, R: Runner<'a>>(flow: &'a Flow, runners: &mut [R], 
 }
 
 /// Tells a runner the series that its walker asked for; whether it goes on.
-fn tell<'a, R: Runner<'a>>(
-    runner: &mut R,
-    series: &impl Series,
-    grown: Result<(), (usize, NoValue)>,
-    started: bool,
-) -> bool {
+fn tell<'a, R: Runner<'a>>(runner: &mut R, series: &impl Series, grown: Result<(), (usize, NoValue)>) -> bool {
     let walker = runner.walker();
-    let event = if started {
+    let event = if walker.has_begun() {
         match walker.judge(series, grown) {
             // Another try.
             Ok(false) => return true,
@@ -124,7 +109,11 @@ fn tell<'a, R: Runner<'a>>(
             Err(stop) => Event::Stopped(stop),
         }
     } else {
-        walker.begin(series, grown).map_or_else(Event::Stopped, |()| Event::Started)
+        match walker.begin(series, grown) {
+            Ok(false) => return true,
+            Ok(true) => Event::Started,
+            Err(stop) => Event::Stopped(stop),
+        }
     };
     let stopped = matches!(event, Event::Stopped(_));
     if !runner.note(event) || stopped {
@@ -159,10 +148,10 @@ impl<'a, const N: usize> Together<'a, N> {
     }
 
     /// Grows what all walkers ask for.
-    fn grow<'w, R: Runner<'w>>(&mut self, seats: &[Option<Seat>; N], runners: &mut [R]) {
+    fn grow<'w, R: Runner<'w>>(&mut self, seats: &[Option<usize>; N], runners: &mut [R]) {
         for (lane, seat) in seats.iter().enumerate() {
-            let Some(seat) = seat else { continue };
-            let (time, state, _) = runners[seat.runner].walker().asks();
+            let Some(runner) = *seat else { continue };
+            let (time, state, _) = runners[runner].walker().asks();
             self.growth.start_mut(0).0[lane] = time;
             state.iter().enumerate().for_each(|(i, &x)| self.growth.start_mut(1 + i).0[lane] = x);
         }
@@ -170,15 +159,15 @@ impl<'a, const N: usize> Together<'a, N> {
     }
 
     /// Tells the runner in a lane its series; whether it goes on.
-    fn told<'w, R: Runner<'w>>(&mut self, lane: usize, runner: &mut R, started: bool) -> bool {
+    fn told<'w, R: Runner<'w>>(&mut self, lane: usize, runner: &mut R) -> bool {
         if self.hand_over(lane, runner.walker()) {
-            return tell(runner, &Lane { growth: &self.growth, lane }, Ok(()), started);
+            return tell(runner, &Lane { growth: &self.growth, lane }, Ok(()));
         }
         // Why there is no value is known of the series of one motion; it may also be that there is one after all.
         let Together { flow, order, ref mut jets, .. } = *self;
         let slots = jets.get_or_insert_with(|| flow.slots(order, &[]));
         let grown = by_jets(flow, slots, runner.walker());
-        tell(runner, slots, grown, started)
+        tell(runner, slots, grown)
     }
 
     /// Gives a walker its series; `false` if some coefficient has no value.

@@ -111,7 +111,8 @@ pub(super) trait Definitions {
     fn rates_of(&mut self, graph: &mut Graph, field: &VectorField) -> Result<Rates, FlowError> {
         let mut states = Vec::new();
         for &leaf in field.states() {
-            let basic = fresh(graph, "state");
+            let name = graph.leaf_latex(leaf);
+            let basic = fresh(graph, &name);
             let e = graph.leaf(basic);
             self.known().insert(leaf, e);
             states.push(basic);

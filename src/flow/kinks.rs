@@ -43,7 +43,7 @@ impl<const N: usize> Series for Lane<'_, N> {
 pub(super) struct Edges {
     /// The slots of what vanishes at kinks and jumps.
     pub(super) slots: Vec<usize>,
-    /// For each of these, what must be negative for a jump; nothing for a kink.
+    /// For each of these, what is positive where there is no jump; nothing for a kink.
     jumps: Vec<Option<usize>>,
     /// What vanishes where a right side is steep in a state: a term of the value in a slot.
     steep: Vec<(Term, usize)>,
@@ -51,12 +51,12 @@ pub(super) struct Edges {
     needs: Vec<Need>,
 }
 
-/// A term of the value in a slot that must keep its sign.
+/// A term of the values in two slots that must keep its sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Need {
     term: Term,
     sign: Sign,
-    slot: usize,
+    slots: [usize; 2],
     /// The first state whose rate has no value without it.
     rate: usize,
 }
@@ -69,7 +69,7 @@ pub(super) struct End {
     /// The state whose rate has no value there.
     pub(super) rate: usize,
     /// Whether there is none at the end itself, and not only beyond it.
-    pub(super) divides: bool,
+    pub(super) is_hole: bool,
 }
 
 /// The kinks and ends that one motion may meet: the series of their arguments around the present time.
@@ -77,6 +77,8 @@ pub(super) struct End {
 pub(super) struct Kinks {
     /// `order + 1` coefficients for each argument.
     pub(super) series: Vec<f64>,
+    /// The same for what is positive where there is no jump, one after the other.
+    whilst: Vec<f64>,
     /// The same for what must keep its sign.
     needs: Vec<f64>,
     /// How many were crossed.
@@ -105,14 +107,15 @@ impl Edges {
             let (a, b) = (step.a as usize, step.b as usize);
             let rate = rates[step.out as usize];
             for (term, sign) in row(step.op).needs {
-                let slot = match term {
-                    Term::First | Term::Unit | Term::Cosine => a,
-                    Term::Second => b,
-                    // What is 0 there does not change its sign.
-                    Term::Opposite | Term::Sine | Term::Excess | Term::Squares | Term::Support => continue,
+                let slots = match term {
+                    Term::First | Term::Unit | Term::Cosine => [a; 2],
+                    Term::Second => [b; 2],
+                    Term::Squares | Term::Support => [a, b],
+                    // Nothing asks for the sign of these.
+                    Term::Opposite | Term::Sine | Term::Excess => continue,
                 };
-                if varying[slot] && rate < flow.dimension {
-                    out.needs.push(Need { term, sign, slot, rate });
+                if slots.into_iter().any(|slot| varying[slot]) && rate < flow.dimension {
+                    out.needs.push(Need { term, sign, slots, rate });
                 }
             }
             for edge in row(step.op).edges {
@@ -121,7 +124,7 @@ impl Edges {
                         out.slots.push(a);
                         out.jumps.push(None);
                     }
-                    (Change::Jump(_), Place::ZeroWhile(Term::First, Term::Opposite)) if moving[a] || moving[b] => {
+                    (Change::Jump(_), Place::ZeroWhile(Term::First, Term::Opposite)) if varying[a] || varying[b] => {
                         out.slots.push(a);
                         out.jumps.push(Some(b));
                     }
@@ -158,9 +161,9 @@ impl Edges {
         })
     }
 
-    /// Whether a right side jumps where an argument, by its position, vanishes.
-    pub(super) fn jumps(&self, now: &impl Series, argument: usize) -> bool {
-        self.jumps[argument].is_some_and(|b| now.coefficient(b, 0) < 0.0)
+    /// Whether a right side jumps at a change that [`Kinks::first`] found, of an argument by its position.
+    pub(super) fn jumps(&self, argument: usize) -> bool {
+        self.jumps[argument].is_some()
     }
 }
 
@@ -174,20 +177,37 @@ impl Kinks {
             out.extend((0..=order).map(coefficient));
         };
         self.series.clear();
+        self.whilst.clear();
         self.needs.clear();
         flow.edges.slots.iter().for_each(|&slot| keep(&mut self.series, slot));
-        flow.edges.needs.iter().for_each(|need| keep(&mut self.needs, need.slot));
+        flow.edges.jumps.iter().flatten().for_each(|&slot| keep(&mut self.whilst, slot));
+        for need in &flow.edges.needs {
+            let [a, b] = need.slots;
+            keep(&mut self.needs, a);
+            if need.term == Term::Squares {
+                let begun = self.needs.len() - (order + 1);
+                keep(&mut self.needs, b);
+                squares(&mut self.needs[begun..], order);
+                self.needs.truncate(begun + order + 1);
+            }
+        }
     }
 
     /// The first end of the domain of a right side within `size` in the direction. A series may go on smoothly where what it is of has no
     /// value: behind a root of high order, or with a small factor.
-    pub(super) fn end(&self, edges: &Edges, order: usize, size: f64, direction: f64) -> Option<End> {
+    pub(super) fn end(
+        &self,
+        (edges, now): (&Edges, &impl Series),
+        order: usize,
+        size: f64,
+        direction: f64,
+    ) -> Option<End> {
         if edges.needs.is_empty() {
             return None;
         }
         let mut ends = Vec::new();
         let mut turned = Vec::with_capacity(order + 1);
-        for (&Need { term, sign, rate, .. }, c) in edges.needs.iter().zip(self.needs.chunks(order + 1)) {
+        for (&Need { term, sign, rate, slots }, c) in edges.needs.iter().zip(self.needs.chunks(order + 1)) {
             // Where offset + factor · value comes to 0.
             let pi = std::f64::consts::PI;
             let turn = (c[0] / pi).round();
@@ -199,27 +219,68 @@ impl Kinks {
             };
             let terms = |c: &[f64]| c.iter().rev().fold(0.0, |sum, c| sum * size + c.abs());
             let (first, rest) = (c[0], terms(&c[1..]) * size);
+            // What may be 0 and only touches it has values on both sides; what may not is a hole there.
+            let is_hole = sign != Sign::NotNegative;
             for (n, (offset, factor)) in sides.into_iter().enumerate() {
-                if n == 1 && sides[0] == sides[1] || offset + factor * first > rest {
+                let noise = NOISE * (offset.abs() + first.abs() + rest);
+                if n == 1 && sides[0] == sides[1] || offset + factor * first > rest + noise {
                     continue;
                 }
                 turned.clear();
                 turned.extend(c.iter().map(|c| -factor * c));
-                // What only touches 0 has values on both sides of it; what is divided by passes it.
-                let room = if sign == Sign::NotZero { 0.0 } else { NOISE * (offset.abs() + first.abs() + rest) };
-                turned[0] -= offset + room;
-                let at = if turned[0] < 0.0 { first_change(&turned, size, direction) } else { None };
-                ends.extend(at.map(|at| End { at, rate, divides: sign == Sign::NotZero }));
+                turned[0] -= if is_hole { offset - noise } else { offset + noise };
+                let at = if turned[0] < 0.0 { first_change(&turned, size, direction) } else { is_hole.then_some(0.0) };
+                // Where the exponent is positive, a power of 0 has a value.
+                let is_met = |at: f64| {
+                    let exponent = |k: usize| now.coefficient(slots[1], k);
+                    term == Term::Support
+                        && (0..=order).rev().fold(0.0, |sum, k| sum * direction * at + exponent(k)) > 0.0
+                };
+                ends.extend(at.filter(|&at| !is_met(at)).map(|at| End { at, rate, is_hole }));
             }
         }
         ends.into_iter().min_by(|a, b| a.at.total_cmp(&b.at))
     }
 
-    /// How far the first change of a sign is, within `size` in the direction; with the argument that changes.
-    pub(super) fn first(&self, order: usize, size: f64, direction: f64) -> Option<(f64, usize)> {
-        let changes = |(at, c): (usize, &[f64])| Some((first_change(c, size, direction)?, at));
+    /// Whether the argument of a kink or jump may vanish within a step: then the series over all its times has no sign to go by.
+    pub(super) fn are_near(&self, edges: &Edges, order: usize, h: f64) -> bool {
+        let over = |c: &[f64]| c[1..].iter().rev().fold(0.0, |sum, x| (sum + x.abs()) * h.abs());
+        let mut whilst = self.whilst.chunks(order + 1);
+        self.series.chunks(order + 1).zip(&edges.jumps).any(|(c, jump)| {
+            let passes = jump.and_then(|_| whilst.next()).is_some_and(|b| b[0] > over(b));
+            !passes && c[0].abs() <= over(c)
+        })
+    }
+
+    /// How far the first change of a sign is at which there is a kink or a jump, within `size` in the direction; with the argument that
+    /// changes.
+    pub(super) fn first(&self, edges: &Edges, order: usize, size: f64, direction: f64) -> Option<(f64, usize)> {
+        let mut whilst = self.whilst.chunks(order + 1);
+        let changes = |(argument, c): (usize, &[f64])| {
+            let Some(whilst) = edges.jumps[argument].and_then(|_| whilst.next()) else {
+                return Some((first_change(c, size, direction)?, argument));
+            };
+            let (mut at, mut local) = (0.0, c.to_vec());
+            // Where the other argument is positive, the angle passes 0, and not its cut.
+            for _ in 0..MOST_PARTS {
+                at += first_change(&local, size - at, direction)?;
+                if horner(whilst, direction * at) <= 0.0 {
+                    return Some((at, argument));
+                }
+                shift(c, direction * at, 1.0, &mut local);
+            }
+            Some((at, argument))
+        };
         // An argument without a change is a constant as far as this step goes.
         self.series.chunks(order + 1).enumerate().filter_map(changes).min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+}
+
+/// Puts the sum of the squares of two polynomials in the place of the first.
+fn squares(both: &mut [f64], order: usize) {
+    let (a, b) = both.split_at_mut(order + 1);
+    for k in (0..=order).rev() {
+        a[k] = (0..=k).map(|i| a[i] * a[k - i] + b[i] * b[k - i]).sum();
     }
 }
 

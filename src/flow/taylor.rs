@@ -86,6 +86,7 @@ pub(super) struct Walker<'a> {
     pub(super) time: f64,
     pub(super) end: f64,
     length: f64,
+    begun: bool,
     /// State and the part of it that binary64 cannot hold.
     pub(super) state: Vec<f64>,
     low: Vec<f64>,
@@ -304,6 +305,7 @@ impl<'a> Walker<'a> {
             time,
             end,
             length: (end - time).abs(),
+            begun: false,
             state: state.to_vec(),
             low: vec![0.0; n],
             now: vec![0.0; n * row],
@@ -360,15 +362,47 @@ impl<'a> Walker<'a> {
         Step { coefficients: &self.next, low: &self.next_low, defects: &self.defects }
     }
 
-    /// Takes the series at the initial time.
+    /// Whether it has the series at its initial time.
+    pub(super) fn has_begun(&self) -> bool {
+        self.begun
+    }
+
+    /// Takes the series at the initial time: whether the motion begins. If not, another series is asked for.
     ///
     /// # Errors
     /// Why no motion begins here.
-    pub(super) fn begin(&mut self, series: &impl Series, grown: Result<(), (usize, NoValue)>) -> Result<(), Stop> {
-        grown.map_err(|(i, reason)| Stop::NoRate(i, reason))?;
+    pub(super) fn begin(&mut self, series: &impl Series, grown: Result<(), (usize, NoValue)>) -> Result<bool, Stop> {
+        if let Err((i, reason)) = grown {
+            return if self.leaves_a_kink() { Ok(false) } else { Err(Stop::NoRate(i, reason)) };
+        }
+        self.begun = true;
         std::mem::swap(&mut self.now, &mut self.next);
+        // What is given at the start is what it is there.
+        self.now[..self.flow.dimension].copy_from_slice(&self.state);
         self.kinks.keep(self.flow, series, self.control.order);
-        if self.flow.edges.is_steep(series) { Err(Stop::Undetermined) } else { Ok(()) }
+        if self.flow.edges.is_steep(series) { Err(Stop::Undetermined) } else { Ok(true) }
+    }
+
+    /// At a kink a motion has rates, but no series. It begins behind it, as closely as time can tell, with the rates that it has there;
+    /// `false` where it has none, or was moved already.
+    fn leaves_a_kink(&mut self) -> bool {
+        if self.flow.edges.slots.is_empty() || self.trial.target != self.time {
+            return false;
+        }
+        let n = self.flow.dimension;
+        let mut rates = vec![0.0; 2 * n];
+        let mut slots = self.flow.slots(1, &self.constants);
+        if self.flow.expand(&mut slots, 1, self.time, &self.state, &mut rates).is_err() {
+            return false;
+        }
+        let direction = if self.end > self.time { 1.0 } else { -1.0 };
+        let moment = (4.0 * f64::EPSILON * self.time.abs()).max(1e-18 * self.length);
+        self.trial.target = self.time + direction * moment;
+        for (i, rate) in rates.chunks(2).map(|c| c[1]).enumerate() {
+            self.next_state[i] = self.state[i] + direction * moment * rate;
+            self.late[i] += moment * rate.abs();
+        }
+        true
     }
 
     /// Chooses the next step, not beyond the end; `series` is that at the present time.
@@ -392,10 +426,10 @@ impl<'a> Walker<'a> {
             return Err(Stop::Undetermined);
         }
         // A step that meets a kink ends behind it, as closely as time can tell.
-        let mut kink = self.kinks.first(self.control.order, size, direction).filter(|&(at, _)| at < size);
-        let end = self.kinks.end(edges, self.control.order, size, direction).filter(|end| end.at < size);
+        let mut kink = self.kinks.first(edges, self.control.order, size, direction).filter(|&(at, _)| at < size);
+        let end = self.kinks.end((edges, series), self.control.order, size, direction).filter(|end| end.at < size);
         let behind = smallest;
-        let mut divides = false;
+        let mut is_hole = false;
         // Short enough of it for rounding not to come out on the other side.
         let short_of = |at: f64| (at * BEFORE).min(at - 8.0 * smallest);
         if let Some(end) = end {
@@ -403,14 +437,14 @@ impl<'a> Walker<'a> {
             match kink {
                 // What is said of the time behind a kink is another function.
                 Some((at, _)) if end.at > at * behind => {}
-                Some((at, _)) if end.at >= at * before => divides = end.divides,
+                Some((at, _)) if end.at >= at * before => is_hole = end.is_hole,
                 // A step up to the end; then no more.
                 _ if end.at <= 16.0 * smallest => return Err(Stop::NoRate(end.rate, NoValue::OutOfDomain)),
                 _ => (kink, size) = (None, short_of(end.at)),
             }
         }
         if let Some((at, argument)) = kink
-            && (divides || edges.jumps(series, argument))
+            && (is_hole || edges.jumps(argument))
         {
             // A step up to the jump; then no more.
             if at <= 16.0 * smallest {

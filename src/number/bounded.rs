@@ -427,7 +427,11 @@ impl Number for Bounded {
         let off = Op::Tanh.units() * ULP;
         let under = (1.0 - t * step) * DOWN - off;
         let steep = step * (1.0 - t + off) * (1.0 + t) * UP / under;
-        self.elementary(Op::Tanh, value, if under > 0.0 { steep.min(a.error) } else { a.error })
+        // All values lie between that of the smallest argument in size, or its opposite, and 1.
+        let low = a.mignitude();
+        let least = if low > 0.0 { pxfm::f_tanh(low) * DOWN - off } else { -1.0 };
+        let most = ((t - least).max(1.0 - t) + off) * UP;
+        self.elementary(Op::Tanh, value, if under > 0.0 { steep.min(most) } else { most }.min(a.error))
     }
     fn abs(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         *self = Bounded { value: a.value.abs(), error: a.error }.checked()?;

@@ -36,8 +36,9 @@ enum Role {
     /// Nothing that the part depends on changes there: one of the comparisons is farthest from 0 between two changes of its sign,
     /// or the time lies between two changes.
     Inside,
-    /// Whether the part may be false there, whatever the comparison is, decides whether a reason stays open.
-    Probe { reason: usize, comparison: usize },
+    /// Whether the part may be false there, whatever the comparison is, decides whether a reason stays open; where the sides are
+    /// `equal`, as far as their error bounds tell, only if these are too large to take them for equal.
+    Probe { reason: usize, comparison: usize, equal: bool },
 }
 
 /// One part of a claim, between the samples.
@@ -105,7 +106,7 @@ impl<'a> Between<'a> {
         for (comparison, kind, e) in program.parts[position].boundaries(void) {
             let Some(zeros) = course.zeros(e) else {
                 open.push(Plain::NotSearched.into());
-                let role = Role::Probe { reason: open.len() - 1, comparison };
+                let role = Role::Probe { reason: open.len() - 1, comparison, equal: false };
                 found.extend([from, to].map(|t| (t, role)));
                 continue;
             };
@@ -114,30 +115,28 @@ impl<'a> Between<'a> {
                     false => Role::Crossing { comparison, slack },
                     true => {
                         open.push(Sampling::MeetInSpan(t).into());
-                        Role::Probe { reason: open.len() - 1, comparison }
+                        Role::Probe { reason: open.len() - 1, comparison, equal: false }
                     }
                 };
                 found.push((t, role));
             }
             found.extend(zeros.peaks.iter().map(|&t| (t, Role::Inside)));
-            // What is true beside a point and continuous is true at it, unless one side alone is seen.
-            for &t in if is_weak(kind) { &zeros.cut_off } else { &zeros.touching } {
+            // Sides that are equal at a point make no difference to what admits equality, unless one side alone is seen.
+            for &t in &zeros.touching {
                 open.push(Sampling::Touches(t).into());
-                found.push((t, Role::Probe { reason: open.len() - 1, comparison }));
+                let equal = is_weak(kind) && !zeros.cut_off.contains(&t);
+                found.push((t, Role::Probe { reason: open.len() - 1, comparison, equal }));
             }
             for gap in &zeros.incomplete {
                 let (start, end) = gap.stretch();
-                let excused = match gap {
+                let equal = match gap {
                     // Such times are left out, as among the samples.
-                    Incomplete::NoValue { reason: NoValue::OutOfDomain, .. } => true,
+                    Incomplete::NoValue { reason: NoValue::OutOfDomain, .. } => continue,
                     Incomplete::Vanishing { .. } => is_weak(kind),
                     _ => is_weak(kind) && end - start <= POINT * (to - from),
                 };
-                if excused {
-                    continue;
-                }
                 open.push(Sampling::Incomplete { search: Search::Between, gap: incomplete(gap) }.into());
-                let role = Role::Probe { reason: open.len() - 1, comparison };
+                let role = Role::Probe { reason: open.len() - 1, comparison, equal };
                 let probes = [start.max(from), start + 0.5 * (end - start), end.min(to)];
                 found.extend(probes.into_iter().filter(|t| (from..=to).contains(t)).map(|t| (t, role)));
             }
@@ -173,8 +172,11 @@ impl<'a> Between<'a> {
     fn still_open(&self, left: &[Left], judged: &Judged, precision: f64) -> Option<&Reason> {
         let group = &self.measured.parts[self.position];
         let reason = |(i, role): (usize, &Role)| {
-            let Role::Probe { reason, comparison } = *role else { return None };
+            let Role::Probe { reason, comparison, equal } = *role else { return None };
             if matches!(left[i], Left::Out(_)) || judged.at(i) == Possible::VOID {
+                return None;
+            }
+            if equal && !(0..group.signs.len()).any(|s| group.is_unequal(s, comparison, i, precision)) {
                 return None;
             }
             let at = |s: usize| {

@@ -58,7 +58,14 @@ pub(super) fn look(trial: &Trial) -> Search {
         let text = || assumption.text.as_str().into();
         let Some(zeros) = course.zeros(e) else { continue };
         cuts.extend(&zeros.times);
-        if let (true, Some(&t)) = (is_weak(kind), zeros.touching.first()) {
+        // It may be met where the sides touch, and be violated on both sides of it.
+        let alone = |t: f64| {
+            let others = || zeros.times.iter().chain(&zeros.touching).copied();
+            let before = others().filter(|x| *x < t).fold(from, f64::max);
+            let after = others().filter(|x| *x > t).fold(to, f64::min);
+            [before, after].into_iter().all(|end| end == t || !is_met(trial, t + 0.5 * (end - t)))
+        };
+        if let Some(&t) = zeros.touching.iter().find(|&&t| is_weak(kind) || alone(t)) {
             found.touches = Some(Sampling::MetAtMostNear { text: text(), t });
         }
         // Where several meet, each may be met at that time alone.

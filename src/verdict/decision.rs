@@ -13,7 +13,7 @@ use reason::{Plain, Reason};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-use super::evidence::{Evidence, Obstacle, Proof, Residuals, Witness};
+use super::evidence::{Evidence, Exclusion, Obstacle, Proof, Residuals, Witness};
 use super::proposition::Proposition;
 use super::truth::{Possible, Truth};
 
@@ -384,6 +384,10 @@ impl Verdict {
             }
             (true, None) => parts,
         };
+        // Of what holds the reader asks how well, and not how well what it presupposes does.
+        let said = if matches!(decided, Some((Truth::True, _))) { self.claim.said() } else { Vec::new() };
+        let of_said: Vec<usize> = tells.iter().copied().filter(|n| said.contains(n)).collect();
+        let tells = if of_said.is_empty() { tells } else { of_said };
         let ratio = |n: &usize| self.findings[*n].evidence.residual.as_ref().map_or(0.0, super::Residual::ratio);
         let worst = tells.into_iter().reduce(|a, b| if ratio(&b) > ratio(&a) { b } else { a });
         match worst {
@@ -415,9 +419,14 @@ impl Verdict {
         self.findings.get(part).is_some_and(|f| f.evidence.witness.is_some())
     }
 
+    /// The stretches on which some part was not compared.
+    pub fn exclusions(&self) -> impl Iterator<Item = &Exclusion> {
+        self.findings.iter().flat_map(|f| &f.evidence.excluded)
+    }
+
     /// Whether what is said is met throughout: times without a value are not times at which it is.
     pub fn is_met(&self) -> Option<bool> {
-        self.outcome().truth().filter(|holds| !holds || self.evidence().excluded.is_empty())
+        self.outcome().truth().filter(|holds| !holds || self.exclusions().next().is_none())
     }
 
     /// What was found.

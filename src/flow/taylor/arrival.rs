@@ -32,14 +32,9 @@ impl Walker<'_> {
 
     /// Whether a rate may do within a step what its ends do not show.
     pub(super) fn hides(&mut self, (target, h): (f64, f64)) -> bool {
-        let row = self.control.order + 1;
         let Some(mut narrow) = self.narrow.take() else { return false };
-        // Beside a kink the series over all times of the step has no sign to go by; the step ends at the kink.
-        let near = |c: &[f64]| {
-            let rest = c[1..].iter().rev().fold(0.0, |sum, x| (sum + x.abs()) * h.abs());
-            c[0].abs() <= rest
-        };
-        let mut resolved = self.kinks.series.chunks(row).any(near);
+        // The step ends at the kink.
+        let mut resolved = self.kinks.are_near(&self.flow.edges, self.control.order, h);
         if !resolved {
             let scale = |i: usize| self.scale[self.flow.groups[i]].max(self.next_state[i].abs());
             let mut resolves =

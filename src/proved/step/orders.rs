@@ -91,7 +91,7 @@ impl Step<'_> {
     /// For which orders of the parameters the claim holds, as conditions.
     pub(super) fn where_real(mut self) -> Vec<Proviso> {
         let question = self.order_question();
-        let found = self.order_of(&question).filter(order::Orders::tells);
+        let found = self.order_of(&question).filter(|found| found.tells() && !question.parameters.is_empty());
         found.map(|found| words_of(&self.graph, &question, &found, MEETING)).into_iter().collect()
     }
 
@@ -101,7 +101,7 @@ impl Step<'_> {
         let words = || words_of(&self.graph, question, &found, MEETING);
         let mut out = IdentityAccount {
             finding: Finding::of_signs(&found),
-            conditions: (names.len() <= MOST_ORDERED).then(words).into_iter().collect(),
+            conditions: (1..=MOST_ORDERED).contains(&names.len()).then(words).into_iter().collect(),
             ..IdentityAccount::default()
         };
         if found.is_proved() {

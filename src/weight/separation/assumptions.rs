@@ -28,7 +28,7 @@ pub(super) fn is_open(verdict: &Verdict, selects: bool) -> bool {
     match verdict.outcome() {
         Outcome::NotApplicable(_) => true,
         // An inequality chooses the times that count: without it there may be more.
-        Outcome::Holds(_) => selects && !verdict.evidence().excluded.is_empty(),
+        Outcome::Holds(_) => selects && verdict.exclusions().next().is_some(),
         Outcome::Fails(_) | Outcome::Undecided => false,
     }
 }

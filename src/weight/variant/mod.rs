@@ -237,7 +237,7 @@ impl Altered {
                 None => Default::default(),
             };
             out.rejections.push(rejections);
-            let excluded = found.iter().flat_map(|f| &f.verdict.evidence().excluded).map(|e| (e.from, e.to)).collect();
+            let excluded = found.iter().flat_map(|f| f.verdict.exclusions()).map(|e| (e.from, e.to)).collect();
             let at_events = found.as_ref().is_some_and(|f| f.program.at.is_some());
             out.of_claims.push(OfClaim { excluded, at_events, own });
         }
@@ -408,6 +408,6 @@ pub struct Found<'a> {
 impl Found<'_> {
     /// Whether the claim was compared at a time.
     fn counts(&self, t: f64) -> bool {
-        !self.verdict.evidence().excluded.iter().any(|e| (e.from..=e.to).contains(&t))
+        !self.verdict.exclusions().any(|e| (e.from..=e.to).contains(&t))
     }
 }
