@@ -5,9 +5,9 @@
 
 use crate::conclusion::{Conclusion, Demand};
 use crate::diag::Diagnostic;
-use crate::paper::Comparison;
+use crate::paper::{Comparison, Paper, compare, subject};
 use crate::report::{self, Checked, Finding};
-use crate::session::Findings;
+use crate::session::{Failure, Findings, Session};
 
 /// How results are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,6 +75,12 @@ pub struct Document {
     pub paper: Option<Comparison>,
 }
 
+impl From<Findings> for Document {
+    fn from(findings: Findings) -> Document {
+        Document { findings, paper: None }
+    }
+}
+
 impl Document {
     fn json(&self) -> String {
         match &self.paper {
@@ -133,7 +139,10 @@ impl Document {
 /// What a run found, file by file, and what is to be told beside verdicts.
 #[derive(Clone, Debug, Default)]
 pub struct Run {
+    /// The paper of one of the derivations, with the id of that one.
+    paper: Option<(Paper, String)>,
     documents: Vec<Document>,
+    problems: Vec<Diagnostic>,
     /// Everything that is to be told, verdicts included.
     findings: Vec<Finding>,
     /// Of these, what is not of a verdict.
@@ -141,8 +150,32 @@ pub struct Run {
 }
 
 impl Run {
-    /// Adds what was found of one derivation file.
-    pub fn add(&mut self, document: Document) {
+    /// Compares what is added from now on with a paper: that one of the derivations which it is the paper of.
+    ///
+    /// # Errors
+    /// It is the paper of none of them, or of several; in a sentence.
+    pub fn compare(&mut self, paper: Paper, of: &[Session]) -> Result<(), String> {
+        let id = subject(of.iter().map(Session::derivation))?.id.clone();
+        self.paper = Some((paper, id));
+        Ok(())
+    }
+
+    /// Adds what was found of one derivation file, beside the paper where it is that of it. Problems are added to those of the run, so
+    /// that other files can be checked all the same: there is no document then.
+    ///
+    /// # Errors
+    /// Whatever else ends a check.
+    pub fn add(&mut self, found: Result<Findings, Failure>) -> Result<Option<&Document>, Failure> {
+        let findings = match found {
+            Err(Failure::Problems(found)) => {
+                self.add_problems(found);
+                return Ok(None);
+            }
+            found => found?,
+        };
+        let paper = self.paper.as_ref().filter(|(_, id)| *id == findings.derivation().id);
+        let paper = paper.map(|(paper, _)| compare(findings.derivation(), paper));
+        let document = Document { findings, paper };
         let found = &document.findings;
         let mut verdicts = report::findings(found.derivation(), found.account());
         if let Some(comparison) = &document.paper {
@@ -153,13 +186,20 @@ impl Run {
         }
         self.findings.extend(verdicts);
         self.documents.push(document);
+        Ok(self.documents.last())
     }
 
     /// Adds problems of files.
-    pub fn add_problems(&mut self, found: &[Diagnostic]) {
-        let found = report::problems(found);
-        self.findings.extend(found.iter().cloned());
-        self.others.extend(found);
+    pub fn add_problems(&mut self, found: Vec<Diagnostic>) {
+        let told = report::problems(&found);
+        self.problems.extend(found);
+        self.findings.extend(told.iter().cloned());
+        self.others.extend(told);
+    }
+
+    /// All problems of files.
+    pub fn problems(&self) -> &[Diagnostic] {
+        &self.problems
     }
 
     /// The text of a format, without colours.

@@ -115,6 +115,12 @@ impl Failure {
     }
 }
 
+impl From<Box<Diagnostic>> for Failure {
+    fn from(found: Box<Diagnostic>) -> Failure {
+        Failure::Problems(vec![*found])
+    }
+}
+
 impl From<Vec<Diagnostic>> for Failure {
     fn from(found: Vec<Diagnostic>) -> Failure {
         Failure::Problems(found)

@@ -136,13 +136,13 @@ fn certificates_can_be_read() {
     assert!(names.iter().all(|n| *n != "lambda" && *n != "d" && *n != "p1"), "{names:?}");
     assert!(!c.sympy().contains('/') && !c.sympy().contains('^'), "{}", c.sympy());
     let c = read("tan(x)*cos(x) = sin(x)", "");
-    assert!(c.terms.is_empty() || c.terms.iter().all(|t| t.meaning.0 == Origin::Variable), "{c:?}");
+    assert!(c.terms.is_empty() || c.terms.iter().all(|t| t.origin == Origin::Circle), "{c:?}");
     let c = read("sin(x)^2 = 1 - cos(x)^2", "");
     assert_eq!(c.variables.iter().map(|v| v.1.as_str()).collect::<Vec<_>>(), [r"\sin(x)", r"\cos(x)"]);
     assert_eq!((c.multiplier.as_str(), c.terms.len()), ("1", 1));
     let c = read("y = 3", "x*y = 3*x; x != 0");
     assert_eq!((c.multiplier.as_str(), c.not_zero.as_slice()), ("x", &["x".to_owned()][..]));
-    assert_eq!(c.terms[0].meaning, (Origin::Premise, r"x\cdot y = 3\cdot x".to_owned()));
+    assert_eq!(c.terms[0].origin, Origin::Premise(r"x\cdot y = 3\cdot x".to_owned()));
 }
 
 /// The same outcome whatever else happens: work is counted, not timed.

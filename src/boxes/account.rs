@@ -30,7 +30,7 @@ pub fn of_step(claim: &Claim, region: &Region, step: Option<&IdentityAccount>) -
                 (Possible::TRUE, Ranges::AllFields { given, assumed }.into())
             }
             (Decision::Refuted, Some(point)) => (Possible::FALSE, Ranges::Contradicted(Arc::new(point.clone())).into()),
-            _ => (Possible::ANY, Reason::quoted(step.decided())),
+            _ => (Possible::ANY, Arc::new(step.decided()).into()),
         },
     };
     let strength = if known == Possible::TRUE { Strength::Proved } else { Strength::Enclosed };

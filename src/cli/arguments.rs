@@ -69,6 +69,10 @@ impl LimitArguments {
 
 /// A number of seconds that is not negative.
 fn seconds(text: &str) -> Result<f64, String> {
-    let number = text.parse::<f64>().ok().filter(|x| Duration::try_from_secs_f64(*x).is_ok());
-    number.ok_or_else(|| "a number of seconds is expected".to_owned())
+    number(text, |x| Duration::try_from_secs_f64(x).is_ok(), "a number of seconds is expected")
+}
+
+/// A number that is one of those that are meant; else what is expected.
+pub fn number(text: &str, is_meant: impl Fn(f64) -> bool, expected: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|x| is_meant(*x)).ok_or_else(|| expected.to_owned())
 }

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use rederive::derivation::Derivation;
 use rederive::files::{named, write};
 use rederive::paper;
-use rederive::{Ask, Demand, Detail, Document, Ending, Failure, Format, Run, Session, report};
+use rederive::{Ask, Demand, Detail, Document, Ending, Failure, Format, Run, report};
 
-use super::arguments::{LimitArguments, RigorArgument};
+use super::arguments::{LimitArguments, RigorArgument, number};
 use super::ending::{Stop, answer, complain, concluded};
 use super::outputs::Targets;
 use super::records::RecordArguments;
@@ -63,8 +63,7 @@ pub struct CheckArguments {
 
 /// A number from 0 to 1.
 fn fraction(text: &str) -> Result<f64, String> {
-    let number = text.parse::<f64>().ok().filter(|x| (0.0..=1.0).contains(x));
-    number.ok_or_else(|| "a number from 0 to 1 is expected".to_owned())
+    number(text, |x| (0.0..=1.0).contains(&x), "a number from 0 to 1 is expected")
 }
 
 impl CheckArguments {
@@ -102,22 +101,21 @@ impl CheckArguments {
 
 pub fn check(arguments: &CheckArguments) -> Result<Ending, Stop> {
     let mut run = Run::default();
-    let ended = each_file(arguments, &mut run);
-    if let Err(stop) = &ended {
-        match stop.downcast_ref() {
-            Some(Failure::Problems(problems)) => run.add_problems(problems),
-            _ => return ended,
-        }
-    }
+    let ending = each_file(arguments, &mut run).or_else(|stop| {
+        run.add(Err(*stop.downcast()?))?;
+        Ok::<Ending, Stop>(Ending::BadInput)
+    })?;
     arguments.targets.write(&run, arguments.detail())?;
-    if ended.is_ok() && arguments.is_partial() && !arguments.no_reports && !arguments.quiet {
+    if !run.problems().is_empty() {
+        return Err(Failure::from(run.problems().to_vec()).into());
+    }
+    if arguments.is_partial() && !arguments.no_reports && !arguments.quiet {
         complain("no report was written: only a part was checked");
     }
-    ended
+    Ok(ending)
 }
 
-/// Checks file by file, prints and writes what was found, and adds it to the run. Where one has problems, the others are checked all the
-/// same.
+/// Checks file by file, prints and writes what was found, and adds it to the run.
 fn each_file(arguments: &CheckArguments, run: &mut Run) -> Result<Ending, Stop> {
     let source = arguments.source.as_ref().map(|path| named(path)).transpose()?;
     let derivations = files::find(&arguments.paths)?;
@@ -125,10 +123,9 @@ fn each_file(arguments: &CheckArguments, run: &mut Run) -> Result<Ending, Stop> 
     let outputs = arguments.targets.files();
     write::check_outputs(&outputs, &inputs, &[])?;
     let sessions = files::sessions(&derivations)?;
-    let paper = source.as_ref().map(|path| paper::read(path)).transpose();
-    let paper = paper.map_err(|problem| Failure::from(vec![*problem]))?;
-    let subject = || paper::subject(sessions.iter().map(Session::derivation)).map(|d| d.id.clone());
-    let about = paper.as_ref().map(|_| subject()).transpose()?;
+    if let Some(path) = &source {
+        run.compare(paper::read(path).map_err(Failure::from)?, &sessions)?;
+    }
     let asked = arguments.ask().of_each(sessions)?;
     let reports: Vec<PathBuf> =
         asked.iter().filter_map(|(session, _)| arguments.folder(session.derivation())).collect();
@@ -137,24 +134,12 @@ fn each_file(arguments: &CheckArguments, run: &mut Run) -> Result<Ending, Stop> 
     let demand = Demand { strict: arguments.strict, discrimination: arguments.min_discrimination.unwrap_or(0.0) };
     let store = arguments.records.store();
     let mut ending = if asked.is_empty() { Ending::Undecided } else { Ending::Good };
-    let mut problems = Vec::new();
     for (i, (session, ask)) in asked.into_iter().enumerate() {
-        let findings = match progress::check(&session, &ask, store.as_ref()) {
-            Ok(findings) => findings,
-            Err(Failure::Problems(found)) => {
-                problems.extend(found);
-                continue;
-            }
-            Err(other) => return Err(other.into()),
-        };
-        let paper = paper.as_ref().filter(|_| about.as_ref() == Some(&findings.derivation().id));
-        let paper = paper.map(|paper| paper::compare(findings.derivation(), paper));
-        let document = Document { findings, paper };
-        show(arguments, &document, i == 0)?;
-        ending = ending.max(concluded(&document, &demand));
-        run.add(document);
+        let Some(document) = run.add(progress::check(&session, &ask, store.as_ref()))? else { continue };
+        show(arguments, document, i == 0)?;
+        ending = ending.max(concluded(document, &demand));
     }
-    if problems.is_empty() { Ok(ending) } else { Err(Failure::from(problems).into()) }
+    Ok(ending)
 }
 
 /// Writes the report of a file, and prints what is printed file by file.

@@ -1,11 +1,9 @@
 //! Which files are meant, and what is in them.
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use rederive::derivation::{load, load_all};
-use rederive::files::{self, Kind};
-use rederive::{Ask, Failure, Session};
+use rederive::derivation::{self, load, load_all};
+use rederive::{Ask, Failure, Session, files};
 
 use super::arguments::FileArguments;
 use super::ending::{Stop, complain};
@@ -20,10 +18,7 @@ pub fn find(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Stop> {
                        `rederive init PAPER.tex`";
         return Err(message.into());
     }
-    let toml = Kind { what: "derivation file (*.toml)", is_one: |path| path.extension().is_some_and(|e| e == "toml") };
-    let mut meant = files::meant(paths, toml)?;
-    let mut seen = BTreeSet::new();
-    meant.found.retain(|path| seen.insert(path.clone()));
+    let meant = derivation::meant(paths)?;
     for link in &meant.links {
         complain(&format!("`{}` is a link, and a search follows none: name it to check it", link.display()));
     }

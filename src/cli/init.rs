@@ -19,7 +19,7 @@ pub struct InitArguments {
 
 pub fn init(arguments: &InitArguments) -> Result<Ending, Stop> {
     let path = files::named(&arguments.paper)?;
-    let paper = paper::read(&path).map_err(|problem| Failure::from(vec![*problem]))?;
+    let paper = paper::read(&path).map_err(Failure::from)?;
     if paper.equations.is_empty() {
         return Err(format!("`{}` displays no equation", path.display()).into());
     }

@@ -35,7 +35,7 @@ pub fn merge(arguments: &MergeArguments) -> Result<Ending, Stop> {
         Ok((path.display().to_string(), text))
     });
     let findings = session(&arguments.file)?.join(texts, &Limits::default(), &|_, _| {})?;
-    let document = Document { findings, paper: None };
+    let document = Document::from(findings);
     let text = |colour| document.text(arguments.format, Detail::Usual, colour);
     match &arguments.output {
         Some(output) => write::write_file(output, text(false).as_bytes())?,

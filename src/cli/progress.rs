@@ -17,6 +17,16 @@ pub fn bar(name: &str, template: &str) -> ProgressBar {
     ProgressBar::new(0).with_style(style).with_prefix(name.to_owned())
 }
 
+/// Does what counts how much of it is done, with a bar that shows so.
+pub fn counted<T>(bar: &ProgressBar, work: impl FnOnce(&(dyn Fn(usize, usize) + Sync)) -> T) -> T {
+    let found = work(&|done, of| {
+        bar.set_length(of as u64);
+        bar.set_position(done as u64);
+    });
+    bar.finish_and_clear();
+    found
+}
+
 /// Checks a derivation, with a bar if it takes long; `store` has what earlier runs left.
 ///
 /// # Errors
@@ -36,15 +46,18 @@ pub fn check(session: &Session, ask: &Ask, store: Option<&Records>) -> Result<Fi
             }
         });
     }
-    let progress = |done: usize, of: usize| {
-        bar.set_length(of as u64);
-        bar.set_position(done as u64);
-        bar.set_message(if done < of { "claims are tried on motions" } else { "proofs, enclosures, altered formulas" });
-    };
-    let found = match store {
-        Some(store) => session.check_recorded(ask, store, &progress),
-        None => session.check(ask, &progress),
-    };
-    bar.finish_and_clear();
-    found
+    counted(&bar, |count| {
+        let progress = |done: usize, of: usize| {
+            count(done, of);
+            bar.set_message(if done < of {
+                "claims are tried on motions"
+            } else {
+                "proofs, enclosures, altered formulas"
+            });
+        };
+        match store {
+            Some(store) => session.check_recorded(ask, store, &progress),
+            None => session.check(ask, &progress),
+        }
+    })
 }

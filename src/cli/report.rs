@@ -42,8 +42,7 @@ pub fn report(arguments: &ReportArguments) -> Result<Ending, Stop> {
 fn checked(arguments: &ReportArguments) -> Result<Document, Stop> {
     write::check_outputs(arguments.pdf.as_slice(), &[files::named(&arguments.file)?], &[])?;
     let ask = Ask { rigor: arguments.rigor.rigor, ..Ask::default() };
-    let findings = progress::check(&session(&arguments.file)?, &ask, arguments.records.store().as_ref())?;
-    Ok(Document { findings, paper: None })
+    Ok(progress::check(&session(&arguments.file)?, &ask, arguments.records.store().as_ref())?.into())
 }
 
 fn printed(arguments: &ReportArguments, target: &Path) -> Result<(), Stop> {

@@ -40,10 +40,7 @@ pub fn search(arguments: &SearchArguments) -> Result<Ending, Stop> {
     for (session, _) in arguments.files.sessions_with(claim, &[])? {
         let id = &session.derivation().id;
         let bar = progress::bar(id, "{prefix}  {wide_bar}  {pos}/{len}");
-        bar.set_length(tries as u64);
-        let account = session.search(&options, &|done, _| bar.set_position(done as u64));
-        bar.finish_and_clear();
-        let account = account?;
+        let account = progress::counted(&bar, |count| session.search(&options, count))?;
         if let Some(table) = report::search_table(&account) {
             say(&table)?;
             ending = Ending::Good;

@@ -75,16 +75,18 @@ pub fn sweep(arguments: &SweepArguments) -> Result<Ending, Stop> {
 fn watched<T>(what: &str, sweep: impl FnOnce(&(dyn Fn(usize, usize) + Sync)) -> T) -> T {
     let bar = progress::bar(what, "{prefix}  {wide_bar}  {pos}/{len}  {eta} left");
     let (begun, told) = (Instant::now(), Mutex::new(Instant::now()));
-    let found = sweep(&|done, of| {
-        bar.set_length(of as u64);
-        bar.set_position(done as u64);
+    let note = |done: usize, of: usize| {
         let Ok(mut told) = told.lock() else { return };
         if told.elapsed() >= NOTE && done > 0 && done < of && !std::io::stderr().is_terminal() {
             *told = Instant::now();
             let left = begun.elapsed().as_secs_f64() * (of - done) as f64 / done as f64;
             complain(&format!("{what}: {done} of {of} members, about {left:.0} s left"));
         }
-    });
-    bar.finish_and_clear();
-    found
+    };
+    progress::counted(&bar, |count| {
+        sweep(&|done, of| {
+            count(done, of);
+            note(done, of);
+        })
+    })
 }

@@ -48,7 +48,7 @@ pub use dependence::{Dependence, End, NoOther};
 pub use event::{Direction, Event, Occasion, Since};
 pub use family::{Constraint, Drawing, Family, LARGEST_FAMILY, Spread, Varied, WIDEST_ROW};
 pub use form::{Across, Form, FormFormula, FormKind};
-pub use load::{LARGEST_FILE, load, load_all, parse};
+pub use load::{LARGEST_FILE, load, load_all, meant, parse};
 pub use model::{
     Claim, Condition, Derivation, Domain, Formula, GivenValue, Measure, Motion, Picture, PictureKind, Region, Start,
     SymbolEntry, System, Trajectory, Unknown,

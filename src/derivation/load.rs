@@ -1,6 +1,6 @@
 //! From the bytes of a file to a [`Derivation`].
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -15,7 +15,7 @@ use super::written::Written;
 use diag::shown::{in_one_line, shown};
 use diag::{Diagnostic, Source, sort};
 use expr::{Symbol, Tensor};
-use files::Why;
+use files::{FileError, Kind, Search, Why};
 use latex::{self, Logarithm, Relation, RelationKind, Scope, Signature, Statement};
 
 /// Largest size of a derivation file, in bytes.
@@ -48,6 +48,18 @@ pub fn load(path: &Path) -> Result<Derivation, Vec<Diagnostic>> {
     })?;
     let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
     parse(Source { path: shown, text }, &stem)
+}
+
+/// The derivation files that paths mean, each of them once.
+///
+/// # Errors
+/// As for [`files::meant`].
+pub fn meant(paths: &[PathBuf]) -> Result<Search, FileError> {
+    let toml = Kind { what: "derivation file (*.toml)", is_one: |path| path.extension().is_some_and(|e| e == "toml") };
+    let mut out = files::meant(paths, toml)?;
+    let mut seen = BTreeSet::new();
+    out.found.retain(|path| seen.insert(path.clone()));
+    Ok(out)
 }
 
 /// Reads several derivation files.

@@ -15,6 +15,7 @@ use units::UnitsAccount;
 use verdict::{Outcome, Strength, Verdict};
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// A trajectory as it was computed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -252,11 +253,11 @@ impl IdentityAccount {
     }
 
     /// The verdict with what it rests on; its words are one sentence.
-    pub fn decided(&self) -> Decided<'_> {
-        let given = Premises(&self.from);
+    pub fn decided(&self) -> Decided {
+        let given = Premises(self.from.clone());
         let open = self.conditional_on.iter().map(|g| match g.standing {
-            None => Unproved::NotAsked(&g.name),
-            Some(word) => Unproved::Standing(&g.name, word),
+            None => Unproved::NotAsked(g.name.clone()),
+            Some(word) => Unproved::Standing(g.name.clone(), word.to_owned()),
         });
         let way = match self.log2_error {
             Some(_) if self.evidence.trials.is_none() => Way::Algebraic,
@@ -268,7 +269,7 @@ impl IdentityAccount {
                 Decided::Proved { except: decision == Decision::ProvedExcept, open: open.collect(), way, given }
             }
             Decision::Refuted => Decided::Refuted(given),
-            Decision::Undecided => Decided::Undecided { given, reason: self.reason.as_ref() },
+            Decision::Undecided => Decided::Undecided { given, reason: self.reason.clone().map(Arc::new) },
         }
     }
 }

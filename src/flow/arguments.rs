@@ -11,7 +11,7 @@
 
 use std::collections::BTreeMap;
 
-use super::polynomial::shift;
+use super::polynomial::{scale, shift};
 use expr::domain::{Change, Edge, Nature, Place, Row, Term, row};
 use expr::tape::Tape;
 use expr::{Expr, FastSet, Graph, Leaf, Node};
@@ -85,8 +85,8 @@ pub(super) fn moves(mut coefficients: impl Iterator<Item = f64>, radius: f64, er
 
 /// Whether a polynomial may change its sign up to a radius, by more than NOISE times an error.
 pub(super) fn changes_sign(coefficients: &[f64], radius: f64, error: f64) -> bool {
-    let mut scaled = Vec::new();
-    shift(coefficients, 0.0, radius, &mut scaled);
+    let mut scaled = coefficients.to_vec();
+    scale(&mut scaled, radius);
     let (mut stack, mut local) = (vec![(0.0, 1.0)], Vec::with_capacity(scaled.len()));
     let (mut seen, mut parts) = ([false; 2], 0);
     while let Some((middle, half)) = stack.pop() {

@@ -16,10 +16,15 @@ pub(super) fn shift(p: &[f64], middle: f64, half: f64, c: &mut Vec<f64>) {
             c[k] += middle * c[k + 1];
         }
     }
+    scale(c, half);
+}
+
+/// Coefficients of p(radius·x), in the place of those of p.
+pub(super) fn scale(p: &mut [f64], radius: f64) {
     let mut power = 1.0;
-    for x in c {
-        *x *= power;
-        power *= half;
+    for c in p {
+        *c *= power;
+        power *= radius;
     }
 }
 

@@ -12,7 +12,7 @@ use beside::{edge, is_pole, pole, turns_towards, vanishes, vanishes_towards};
 use super::core::Core;
 use super::cover::{Explorer, Piece, Stretch};
 use super::incomplete::Incomplete;
-use super::polynomial::{horner, shift, tail};
+use super::polynomial::{horner, scale, shift, tail};
 use super::program::Program;
 use expr::FastMap;
 use number::{Bounded, NoValue};
@@ -241,15 +241,8 @@ fn turning_points(piece: &Piece, out: &mut Vec<f64>) -> bool {
     let (Some(c), Some(value)) = (piece.outputs.first(), piece.values.first()) else { return false };
     let radius = piece.radius();
     // Scaled to [−1, 1].
-    let mut power = 1.0;
-    let scaled: Vec<f64> = c
-        .iter()
-        .map(|c| {
-            let s = c * power;
-            power *= radius;
-            s
-        })
-        .collect();
+    let mut scaled = c.clone();
+    scale(&mut scaled, radius);
     let variation: f64 = scaled.iter().skip(1).map(|c| c.abs()).sum();
     if value.contains_zero() && variation <= value.error {
         return true;

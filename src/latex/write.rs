@@ -4,6 +4,8 @@
 //! them and what they act on, and to dots between factors. A tree that was altered gets the parentheses that it needs: how far a derivative reaches can be seen,
 //! and what is printed of products of derivatives is read as the same products.
 
+mod joint;
+
 use super::name;
 use super::syntax::MOST_PRIMES;
 use super::syntax::{
@@ -11,6 +13,9 @@ use super::syntax::{
     tightness,
 };
 use expr::Rational;
+use joint::{
+    End, between, end, ends_with_bare_argument, fitting, has_dots, is_letter_or_number, is_one_piece, is_raised,
+};
 
 /// A chain of relations as LaTeX.
 pub fn to_latex(chain: &Chain) -> String {
@@ -427,181 +432,6 @@ impl Text {
         for text in first.iter().chain(&second) {
             self.put(text);
         }
-    }
-}
-
-/// What stands between two factors, so that they are read as two factors.
-///
-/// Of each it is known whether it stands there without parentheses that the writer adds.
-fn between((before, bare): (&Node, bool), (after, fits): (&Node, bool)) -> &'static str {
-    // `x(y)` would be a value of x, `x2` no product that is printed.
-    let number = matches!(before.kind, NodeKind::Number(_));
-    let mixed = number && matches!(after.kind, NodeKind::Quotient { slash: false, .. }) && after.is_numeric();
-    if bare && end(before) == End::Clear {
-        return "";
-    }
-    let derivative = names_derivative(before) || matches!(before.kind, NodeKind::Poisson(..));
-    // Behind what shows what it depends on, it could be a value at a time or place.
-    if !fits || (!bare || derivative || names_derivative(after)) && begins_with_parenthesis(after) {
-        return r"\cdot ";
-    }
-    if after.begins_with_number() || mixed || !before.is_numeric() && could_be_argument(after) {
-        return r"\cdot ";
-    }
-    // A space that is printed ends the argument of a function.
-    let ends_alike = matches!(after.kind, NodeKind::Function(..));
-    if bare && ends_with_bare_argument(before) && !ends_alike { r"\," } else { "" }
-}
-
-/// Whether a formula ends with the argument of a function that stands without parentheses.
-fn ends_with_bare_argument(node: &Node) -> bool {
-    match &node.kind {
-        NodeKind::Function(name, _, arguments) => {
-            super::parse::takes_bare_argument(name)
-                && matches!(arguments.as_slice(), [one] if !matches!(one.kind, NodeKind::Group(..) | NodeKind::Absolute(_) | NodeKind::Matrix(_)))
-        }
-        NodeKind::Product(parts) | NodeKind::Dot(parts) => parts.last().is_some_and(ends_with_bare_argument),
-        _ => false,
-    }
-}
-
-/// Whether the end of a formula can be seen in print.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum End {
-    /// Anything may follow.
-    Seen,
-    /// A derivative of a symbol: another derivative may follow.
-    Clear,
-    /// Nobody could say how far its last derivative reaches, or what belongs to its denominator: the reader refuses it.
-    Open,
-}
-
-/// How a formula ends that is printed without parentheses around it.
-fn end(node: &Node) -> End {
-    match &node.kind {
-        NodeKind::Product(parts) | NodeKind::Dot(parts) => parts.last().map_or(End::Seen, end),
-        NodeKind::Cross { right, bracket: false, .. } => end(right),
-        NodeKind::Quotient { slash: true, .. } => End::Open,
-        NodeKind::Nabla { action: Nabla::Following { fraction: true }, .. }
-        | NodeKind::Partial { form: PartialForm::Fraction, .. }
-        | NodeKind::Derivative { operator: false, .. } => End::Seen,
-        NodeKind::Derivative { of, .. } | NodeKind::Partial { of, .. } | NodeKind::Nabla { of, .. } => match &of.kind {
-            _ if tightness(of) < Least::Factor || is_raised(of) || of.begins_with_number() => End::Seen,
-            NodeKind::Group(..) => End::Seen,
-            NodeKind::Symbol(s) if s.arguments.is_some() => End::Clear,
-            _ if matches!(node.kind, NodeKind::Derivative { .. }) => End::Open,
-            NodeKind::Poisson(..) => End::Seen,
-            NodeKind::Symbol(_)
-            | NodeKind::Nabla { action: Nabla::Following { fraction: true }, .. }
-            | NodeKind::Partial { form: PartialForm::Fraction, .. } => End::Clear,
-            NodeKind::Partial { .. } | NodeKind::Nabla { .. } => end(of),
-            _ => End::Open,
-        },
-        _ => End::Seen,
-    }
-}
-
-/// Of each factor, whether the next one may follow it as it is: otherwise it gets parentheses.
-fn fitting(parts: &[Node]) -> Vec<bool> {
-    let mut fits = vec![true; parts.len()];
-    for at in (1..parts.len()).rev() {
-        let (before, after) = (&parts[at - 1], &parts[at]);
-        let derivative = match &after.kind {
-            NodeKind::Derivative { .. } | NodeKind::Partial { .. } => true,
-            NodeKind::Nabla { action, .. } => {
-                !matches!(action, Nabla::Along(_) | Nabla::Following { .. } | Nabla::Laplacian { delta: true })
-            }
-            _ => false,
-        };
-        fits[at - 1] = match end(before) {
-            End::Seen => !ends_with_bare_argument(before) || fits[at] && !begins_with_parenthesis(after),
-            End::Clear => derivative && fits[at],
-            End::Open => false,
-        };
-    }
-    fits
-}
-
-/// Whether the factors of a product are joined by dots, in part at least.
-fn has_dots(node: &Node) -> bool {
-    let NodeKind::Product(parts) = &node.kind else { return false };
-    let fits = fitting(parts);
-    let joint = |at: usize| between((&parts[at - 1], fits[at - 1]), (&parts[at], fits[at]));
-    (1..parts.len()).any(|at| joint(at) == r"\cdot ")
-}
-
-/// Whether a factor is printed with a parenthesis first.
-fn begins_with_parenthesis(node: &Node) -> bool {
-    match &node.kind {
-        NodeKind::Group(_, Bracket::Round) | NodeKind::Tuple(_) => true,
-        NodeKind::Nabla { action: Nabla::Along(_), .. } => true,
-        NodeKind::Scripted { base, .. } => !is_one_piece(base) || begins_with_parenthesis(base),
-        NodeKind::At { of, bar: None, .. } => end(of) != End::Seen || begins_with_parenthesis(of),
-        _ => tightness(node) < Least::Factor,
-    }
-}
-
-/// Whether a derivative occurs in something.
-fn names_derivative(node: &Node) -> bool {
-    let is_one = matches!(
-        node.kind,
-        NodeKind::Partial { .. } | NodeKind::Nabla { .. } | NodeKind::Derivative { .. } | NodeKind::Variation { .. }
-    );
-    is_one || node.children().into_iter().any(names_derivative)
-}
-
-/// What stands in an argument without parentheses beside others.
-fn is_letter_or_number(node: &Node) -> bool {
-    match &node.kind {
-        NodeKind::Number(_) | NodeKind::Pi => true,
-        NodeKind::Symbol(s) => s.sup.is_none() && s.arguments.is_none(),
-        _ => false,
-    }
-}
-
-/// Whether a script behind something belongs to all of it.
-fn is_one_piece(node: &Node) -> bool {
-    match &node.kind {
-        NodeKind::Partial { .. }
-        | NodeKind::Nabla { .. }
-        | NodeKind::Derivative { .. }
-        | NodeKind::Variation { .. }
-        | NodeKind::Quotient { .. }
-        | NodeKind::Root(..)
-        | NodeKind::Exponential { .. }
-        | NodeKind::Factorial(_)
-        | NodeKind::Scripted { .. }
-        | NodeKind::At { bar: Some(_), .. } => false,
-        NodeKind::Function(name, power, _) => power.is_none() && super::parse::whole_part(name).is_some(),
-        NodeKind::Symbol(s) => s.sup.is_none(),
-        _ => true,
-    }
-}
-
-/// Whether something has a power.
-fn is_raised(node: &Node) -> bool {
-    match &node.kind {
-        NodeKind::Symbol(s) => s.sup.is_some(),
-        NodeKind::Scripted { sup, .. } => sup.is_some(),
-        _ => false,
-    }
-}
-
-/// Whether something in parentheses could be the argument of what stands before it.
-fn could_be_argument(node: &Node) -> bool {
-    match &node.kind {
-        NodeKind::Group(inner, Bracket::Round) => match &inner.kind {
-            NodeKind::Sum(_) => inner.is_numeric(),
-            NodeKind::Dot(_) | NodeKind::Cross { .. } => false,
-            _ => true,
-        },
-        // With indices it is no time.
-        NodeKind::Scripted { base, sub, .. } => sub.is_none() && (!is_one_piece(base) || could_be_argument(base)),
-        NodeKind::Nabla { action: Nabla::Along(_), .. } => true,
-        NodeKind::Number(r) => *r < Rational::ZERO,
-        NodeKind::Sum(_) => node.is_numeric(),
-        // What gets its parentheses from the writer.
-        _ => tightness(node) < Least::Factor,
     }
 }
 

@@ -63,8 +63,8 @@ pub struct Program {
 /// A relation with its cofactor.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Cofactor {
-    /// Where the relation comes from, in LaTeX, and what kind of relation it is.
-    pub meaning: (Origin, String),
+    /// Where the relation comes from.
+    pub origin: Origin,
     /// p: vanishes where what is given holds.
     pub relation: String,
     /// q.
@@ -72,14 +72,18 @@ pub struct Cofactor {
 }
 
 /// Where a relation of a certificate comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Origin {
-    /// An equation that is given, definitions inserted.
-    Premise,
+    /// An equation that is given, definitions inserted, in LaTeX.
+    Premise(String),
     /// The derivative by time of one.
-    Rate,
-    /// The meaning of a variable: c² + s² = 1, the square of a root or of |·|.
-    Variable,
+    Rate(String),
+    /// Two variables are the cosine and the sine of one angle: c² + s² = 1.
+    Circle,
+    /// A variable is a root, which is squared.
+    Root,
+    /// A variable is an absolute value, which is squared.
+    AbsoluteValue,
 }
 
 /// Why there is no certificate.

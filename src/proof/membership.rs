@@ -118,15 +118,10 @@ impl Search<'_> {
             quotients: FastMap::default(),
             only_circles,
         };
-        let own: Vec<(Expr, (Expr, Expr))> =
-            system.variables.iter().filter_map(|&e| Some((e, own_relation(self.graph, lowered, e)?))).collect();
-        for (e, sides) in own {
-            let words = match *self.graph.node(e) {
-                Node::Unary(Op::Sqrt, _) => "a root is squared",
-                Node::Unary(..) => "an absolute value is squared",
-                _ => "c² + s² = 1",
-            };
-            self.relate(&mut system, sides, true, Source::Meaning(words))?;
+        let own: Vec<(Origin, (Expr, Expr))> =
+            system.variables.iter().filter_map(|&e| own_relation(self.graph, lowered, e)).collect();
+        for (origin, sides) in own {
+            self.relate(&mut system, sides, true, Source::Variable(origin))?;
         }
         for (at, premise) in self.origin.solved.rest.iter().enumerate() {
             self.relate(&mut system, (premise.left, premise.right), false, Source::Premise(at))?;
@@ -278,7 +273,7 @@ impl Search<'_> {
         let scale = BigRational::from_integer(scale * by.denom());
         for (relation, q) in system.relations.iter().zip(cofactors).filter(|(_, q)| !q.terms.is_empty()) {
             terms.push(Cofactor {
-                meaning: self.meaning(relation.source),
+                origin: self.origin_of(&relation.source),
                 relation: text(&relation.polynomial),
                 cofactor: text(&scaled(q, &(&by * &scale))),
             });
@@ -394,15 +389,15 @@ impl Search<'_> {
         Ok(Program { names: list, sides, definitions, functions: calls, variables: stand_for, relations })
     }
 
-    /// Why a relation holds, in words and LaTeX.
-    fn meaning(&self, source: Source) -> (Origin, String) {
+    /// Where a relation comes from.
+    fn origin_of(&self, source: &Source) -> Origin {
         let premise = match source {
-            Source::Meaning(words) => return (Origin::Variable, words.to_owned()),
-            Source::Premise(at) => self.origin.solved.rest.get(at),
+            Source::Variable(origin) => return origin.clone(),
+            Source::Premise(at) => self.origin.solved.rest.get(*at),
         };
-        premise.map_or((Origin::Premise, String::new()), |p| {
-            let origin = if p.derived { Origin::Rate } else { Origin::Premise };
-            (origin, format!("{} = {}", shown(self.graph, p.left), shown(self.graph, p.right)))
+        premise.map_or(Origin::Premise(String::new()), |p| {
+            let formula = format!("{} = {}", shown(self.graph, p.left), shown(self.graph, p.right));
+            if p.derived { Origin::Rate(formula) } else { Origin::Premise(formula) }
         })
     }
 
@@ -423,11 +418,11 @@ impl Search<'_> {
 }
 
 /// What a variable satisfies by its meaning.
-fn own_relation(graph: &mut Graph, lowered: &Lowered, e: Expr) -> Option<(Expr, Expr)> {
+fn own_relation(graph: &mut Graph, lowered: &Lowered, e: Expr) -> Option<(Origin, (Expr, Expr))> {
     // By itself: a square of a root would be taken apart at once.
     match *graph.node(e) {
-        Node::Unary(Op::Sqrt, u) => Some((graph.unary(Op::Powi(2), e), u)),
-        Node::Unary(Op::Abs, u) => Some((graph.unary(Op::Powi(2), e), graph.powi(u, 2))),
+        Node::Unary(Op::Sqrt, u) => Some((Origin::Root, (graph.unary(Op::Powi(2), e), u))),
+        Node::Unary(Op::Abs, u) => Some((Origin::AbsoluteValue, (graph.unary(Op::Powi(2), e), graph.powi(u, 2)))),
         Node::Leaf(leaf) => {
             let (c, s): (Leaf, Leaf) = lowered.generators.circle(leaf)?;
             if leaf != s {
@@ -435,7 +430,7 @@ fn own_relation(graph: &mut Graph, lowered: &Lowered, e: Expr) -> Option<(Expr, 
             }
             let c = graph.leaf(c);
             let (ss, cc) = (graph.powi(e, 2), graph.powi(c, 2));
-            Some((graph.add(ss, cc), graph.integer(1)))
+            Some((Origin::Circle, (graph.add(ss, cc), graph.integer(1))))
         }
         _ => None,
     }

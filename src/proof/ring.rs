@@ -5,7 +5,7 @@
 //! gets who computes it as it is written. What would be too large is refused ([`NoCertificate::TooLarge`]).
 
 use super::budget::Coefficient;
-use super::certificate::NoCertificate;
+use super::certificate::{NoCertificate, Origin};
 use super::prepare::Explicit;
 use ::groebner::{LiftBasis, Monomial, MonomialOrder, Polynomial};
 use expr::{Expr, FastMap, Graph, Node, Op, Rational};
@@ -27,12 +27,11 @@ pub(super) struct Given<'a> {
 }
 
 /// Why a relation holds.
-#[derive(Clone, Copy)]
 pub(super) enum Source {
     /// It is this one of the premises, definitions inserted.
     Premise(usize),
-    /// The meaning of a variable, in words.
-    Meaning(&'static str),
+    /// It is what a variable stands for.
+    Variable(Origin),
 }
 
 /// A relation between the variables.

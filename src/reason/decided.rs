@@ -1,24 +1,26 @@
 //! What was decided of an equation for all values, with what it rests on.
 
 use super::Reason;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 use thiserror::Error;
 
 /// What is given beside definitions and assumptions, by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, Debug, PartialEq, Eq, Error, Serialize, Deserialize)]
 #[error("{}", if .0.is_empty() { "the definitions and assumptions".to_owned() } else { format!("the definitions, the assumptions and {}", .0.join(", ")) })]
-pub struct Premises<'a>(pub &'a [String]);
+pub struct Premises(pub Vec<String>);
 
 /// Something that a proof is given, and that is not proved itself: its name, and how it stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-pub enum Unproved<'a> {
+#[derive(Clone, Debug, PartialEq, Eq, Error, Serialize, Deserialize)]
+pub enum Unproved {
     #[error("`{0}`, which is not decided for all values")]
-    NotAsked(&'a str),
+    NotAsked(String),
     #[error("`{0}`, which is {1}")]
-    Standing(&'a str, &'static str),
+    Standing(String, String),
 }
 
 /// How something is proved for all values.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Error, Serialize, Deserialize)]
 pub enum Way {
     #[error("both sides are algebraic numbers, compared exactly")]
     Algebraic,
@@ -30,23 +32,23 @@ pub enum Way {
 }
 
 /// The decision on an equation.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum Decided<'a> {
-    #[error("{}: {way}.", head(*.except, .open, *.way, *.given))]
+#[derive(Clone, Debug, PartialEq, Error, Serialize, Deserialize)]
+pub enum Decided {
+    #[error("{}: {way}.", head(*.except, .open, *.way, .given))]
     Proved {
         /// Special cases are left out.
         except: bool,
-        open: Vec<Unproved<'a>>,
+        open: Vec<Unproved>,
         way: Way,
-        given: Premises<'a>,
+        given: Premises,
     },
     #[error("Not an identity, given {0}: a point refutes it.")]
-    Refuted(Premises<'a>),
-    #[error("Whether it is an identity, given {given}, is undecided: {}.", .reason.map_or_else(|| "no reason is known".to_owned(), ToString::to_string))]
-    Undecided { given: Premises<'a>, reason: Option<&'a Reason> },
+    Refuted(Premises),
+    #[error("Whether it is an identity, given {given}, is undecided: {}.", .reason.as_ref().map_or_else(|| "no reason is known".to_owned(), ToString::to_string))]
+    Undecided { given: Premises, reason: Option<Arc<Reason>> },
 }
 
-fn head(except: bool, open: &[Unproved<'_>], way: Way, given: Premises<'_>) -> String {
+fn head(except: bool, open: &[Unproved], way: Way, given: &Premises) -> String {
     let named = open.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
     match (except, open.is_empty(), way) {
         (true, true, _) => format!("Proved except in special cases, given {given}"),

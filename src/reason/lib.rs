@@ -56,6 +56,8 @@ pub enum Reason {
     Proving(Proving),
     #[error("{0}")]
     Ranges(Ranges),
+    #[error("{0}")]
+    Decided(Arc<Decided>),
 }
 
 impl Reason {
@@ -74,4 +76,12 @@ macro_rules! of {
         })*
     };
 }
-of!(Plain(Plain), NoValue(NoValue), Sampling(Sampling), Enclosing(Enclosing), Proving(Proving), Ranges(Ranges));
+of!(
+    Plain(Plain),
+    NoValue(NoValue),
+    Sampling(Sampling),
+    Enclosing(Enclosing),
+    Proving(Proving),
+    Ranges(Ranges),
+    Decided(Arc<Decided>)
+);

@@ -53,6 +53,8 @@ pub fn certificates(derivation: &Derivation, account: &Account) -> Vec<(String, 
 
 /// The program that every file begins with: it knows nothing of any claim.
 const CHECK: &str = include_str!("certificate.py");
+/// Why a relation holds that is none of those that are given.
+const STANDS_FOR: &str = "what the variables stand for";
 
 /// The text of a file.
 pub fn certificate_text(title: &str, given: &[String], certificates: &[Certificate]) -> String {
@@ -78,7 +80,7 @@ pub fn certificate_text(title: &str, given: &[String], certificates: &[Certifica
 
 /// What is proved, and from what.
 fn head(out: &mut String, mark: &str, title: &str, given: &[String]) {
-    for line in [title.to_owned(), String::new(), format!("Given: {}.", Premises(given))] {
+    for line in [title.to_owned(), String::new(), format!("Given: {}.", Premises(given.to_vec()))] {
         let line = in_one_line(&line);
         out.push_str(format!("{mark} {line}").trim_end());
         out.push('\n');
@@ -115,12 +117,14 @@ fn one_equation(out: &mut String, certificate: &Certificate) {
     out.push_str(&format!("    left={},\n    right={},\n", quoted(&program.sides.0), quoted(&program.sides.1)));
     out.push_str("    relations=[\n");
     for (term, (left, right)) in certificate.terms.iter().zip(&program.relations) {
-        let (origin, words) = &term.meaning;
-        let why = match origin {
-            Origin::Premise => format!("because of what is given: {words}"),
-            Origin::Rate => format!("because of the derivative of what is given: {words}"),
-            Origin::Variable => format!("because of what the variables stand for: {words}"),
+        let (what, formula) = match &term.origin {
+            Origin::Premise(formula) => ("what is given", formula.as_str()),
+            Origin::Rate(formula) => ("the derivative of what is given", formula.as_str()),
+            Origin::Circle => (STANDS_FOR, "c² + s² = 1"),
+            Origin::Root => (STANDS_FOR, "a root is squared"),
+            Origin::AbsoluteValue => (STANDS_FOR, "an absolute value is squared"),
         };
+        let why = format!("because of {what}: {formula}");
         out.push_str(&format!("        # {}\n", in_one_line(&why)));
         out.push_str(&format!("        ({}, {}, {}),\n", quoted(left), quoted(right), quoted(&term.cofactor)));
     }

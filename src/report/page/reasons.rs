@@ -52,9 +52,12 @@ pub(super) fn told(reason: &Reason) -> Told {
             | Sampling::TriedAtEvents(_, why) => led(reason, why),
             _ => whole(reason),
         },
-        Reason::Plain(_) | Reason::Quoted(_) | Reason::NoValue(_) | Reason::Proving(_) | Reason::Ranges(_) => {
-            whole(reason)
-        }
+        Reason::Plain(_)
+        | Reason::Quoted(_)
+        | Reason::NoValue(_)
+        | Reason::Proving(_)
+        | Reason::Ranges(_)
+        | Reason::Decided(_) => whole(reason),
     }
 }
 
