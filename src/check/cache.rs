@@ -16,9 +16,10 @@
 use std::collections::BTreeSet;
 
 use super::follow::{Followed, follow, strengthen_all};
-use super::memory::{Contents, Known as Recalled, Memory};
+use super::memory::{Contents, Known as Recalled, Memory, Names};
 use super::{check, check_beside, check_recalling};
 use crate::derivation::{Derivation, Family, Motion};
+use crate::expr::FastMap;
 use claim::error::CheckError;
 use claim::options::Options;
 use findings::{Account, ClaimAccount};
@@ -53,7 +54,8 @@ impl Cache {
         }
         self.memory.grow_older();
         let fresh = self.memory.is_new();
-        let recall = Recalled::new(&self.memory, &contents);
+        let names = Names::of(&contents);
+        let recall = Recalled::new(&self.memory, &names);
         let mut checked = ids(derivation);
         let mut account = match known {
             Some(known) if known.contents.base == contents.base && known.contents.motions == contents.motions => {
@@ -76,7 +78,7 @@ impl Cache {
             account = check_recalling(
                 derivation,
                 &Options::default(),
-                Recalled::new(&self.memory, &contents),
+                Recalled::new(&self.memory, &names),
                 None,
                 &|_, _| {},
             )?;
@@ -212,10 +214,10 @@ pub(super) fn describe(derivation: &Derivation, account: &mut Account) {
         found.says.clone_from(&claim.says);
         found.place.clone_from(&claim.place);
         found.remark.clone_from(&claim.remark);
+        let tried = claim.trajectories.iter().map(|&t| derivation.trajectories[t].id.as_str());
+        let expected: FastMap<&str, Option<&'static str>> = tried.zip(claim.expect.iter().copied()).collect();
         for pair in &mut found.results {
-            let tried = claim.trajectories.iter().zip(&claim.expect);
-            let expected = tried.filter(|(t, _)| derivation.trajectories[**t].id == pair.trajectory);
-            pair.expected = expected.map(|(_, e)| *e).next().flatten();
+            pair.expected = expected.get(pair.trajectory.as_str()).copied().flatten();
         }
         for of in &mut found.families {
             let tried = claim.families.iter().zip(&claim.expect_of_families);

@@ -21,7 +21,7 @@ use sha2::{Digest, Sha256};
 
 use super::motions::Family;
 use crate::derivation::{Claim, Derivation, Form, Motion};
-use crate::expr::{Graph, Leaf};
+use crate::expr::{FastMap, Graph, Leaf};
 use crate::findings::{ClaimAccount, FamilyAccount, IdentityAccount, family::MeasureAccount};
 use crate::verdict::Verdict;
 use proved::step::Step;
@@ -195,15 +195,39 @@ pub(super) struct Known<'a>(Option<State<'a>>);
 #[derive(Clone, Copy)]
 struct State<'a> {
     memory: &'a Memory,
-    contents: &'a Contents,
+    names: &'a Names<'a>,
+}
+
+/// The content of a state of a file by its ids. To look for each would take the square of their number.
+pub(super) struct Names<'a> {
     /// The name of everything but claims and motions.
     base: Key,
+    /// That of all motions with their ids.
+    all_motions: Key,
+    motions: FastMap<&'a str, &'a str>,
+    claims: FastMap<&'a str, &'a str>,
+}
+
+impl<'a> Names<'a> {
+    pub fn of(contents: &'a Contents) -> Names<'a> {
+        fn by_id(of: &[(String, String)]) -> FastMap<&str, &str> {
+            // Of two with one id the first counts.
+            of.iter().rev().map(|(id, content)| (id.as_str(), content.as_str())).collect()
+        }
+        let motions: Vec<&[u8]> = contents.motions.iter().flat_map(|(id, m)| [id.as_bytes(), m.as_bytes()]).collect();
+        Names {
+            base: key(&[contents.base.as_bytes()]),
+            all_motions: key(&motions),
+            motions: by_id(&contents.motions),
+            claims: by_id(&contents.claims),
+        }
+    }
 }
 
 impl<'a> Known<'a> {
     /// What is known for a state of a file.
-    pub fn new(memory: &'a Memory, contents: &'a Contents) -> Known<'a> {
-        Known(Some(State { memory, contents, base: key(&[contents.base.as_bytes()]) }))
+    pub fn new(memory: &'a Memory, names: &'a Names) -> Known<'a> {
+        Known(Some(State { memory, names }))
     }
 
     /// Where only answers are kept.
@@ -243,7 +267,7 @@ impl<'a> Known<'a> {
         let mut all = BTreeSet::new();
         for (c, claim) in derivation.claims.iter().enumerate() {
             let content = known.claim(&claim.id).unwrap_or_default();
-            let name = key(&[b"leaves", &known.base, content.as_bytes(), claim.name().as_bytes()]);
+            let name = key(&[b"leaves", &known.names.base, content.as_bytes(), claim.name().as_bytes()]);
             let compute = || match claimed.iter().position(|&of| of == c) {
                 Some(k) => leaves(k).iter().map(|leaf| named(&derivation.graph, leaf)).collect(),
                 // It was not checked before, and is not now: what it asks for is not known.
@@ -371,7 +395,7 @@ impl Recall for Known<'_> {
         let Some(known) = self.0 else { return compute() };
         let name = known.motion(derivation, t).map(|motion| {
             let says = key(&says.iter().map(|text| text.as_bytes()).collect::<Vec<_>>());
-            key(&[b"condition", &known.base, &says, &motion])
+            key(&[b"condition", &known.names.base, &says, &motion])
         });
         known.memory.answer(&known.memory.standings, name, compute)
     }
@@ -383,7 +407,7 @@ impl State<'_> {
         let mut parts: Vec<&[u8]> = Vec::new();
         loop {
             let trajectory = derivation.trajectories.get(t)?;
-            let (_, content) = self.contents.motions.iter().find(|(id, _)| *id == trajectory.id)?;
+            let content = self.names.motions.get(trajectory.id.as_str())?;
             parts.push(content.as_bytes());
             match trajectory.motion {
                 // No motion comes from itself; the loader has seen to that.
@@ -396,11 +420,11 @@ impl State<'_> {
     fn family(&self, derivation: &Derivation, members: &[usize]) -> Option<Key> {
         let each = |&t: &usize| self.motion(derivation, t);
         let members = members.iter().map(each).collect::<Option<Vec<Key>>>()?;
-        Some(key(&[b"family", &self.base, members.concat().as_slice()]))
+        Some(key(&[b"family", &self.names.base, members.concat().as_slice()]))
     }
 
     fn claim(&self, id: &str) -> Option<&str> {
-        self.contents.claims.iter().find(|(known, _)| known == id).map(|(_, content)| content.as_str())
+        self.names.claims.get(id).copied()
     }
 
     fn of_claim(&self, derivation: &Derivation, claim: &Claim, name: &str, t: usize, without: &[u8]) -> Option<Key> {
@@ -410,7 +434,7 @@ impl State<'_> {
         }
         let content = self.claim(name.split('/').next()?)?;
         let motion = self.motion(derivation, t)?;
-        Some(key(&[b"claim", &self.base, content.as_bytes(), name.as_bytes(), without, &motion]))
+        Some(key(&[b"claim", &self.names.base, content.as_bytes(), name.as_bytes(), without, &motion]))
     }
 
     fn strengthened(
@@ -424,14 +448,12 @@ impl State<'_> {
         let mut sum = key(&[
             method.0.as_bytes(),
             method.1.as_bytes(),
-            &self.base,
+            &self.names.base,
             &asked,
+            // Claims may compare motions.
+            &self.names.all_motions,
             derivation.trajectories.get(t)?.id.as_bytes(),
         ]);
-        // Claims may compare motions.
-        for (id, content) in &self.contents.motions {
-            sum = key(&[&sum, id.as_bytes(), content.as_bytes()]);
-        }
         for (claim, verdict) in before {
             let verdict = postcard::to_allocvec(verdict).ok()?;
             sum = key(&[&sum, self.claim(&claim.id)?.as_bytes(), claim.name().as_bytes(), &verdict]);
@@ -441,7 +463,7 @@ impl State<'_> {
 
     /// All claims that name families, with what they follow from, and the motions that members begin as.
     fn on_families(&self, derivation: &Derivation, claims: &[ClaimAccount]) -> Option<Key> {
-        let mut sum = key(&[b"families", &self.base]);
+        let mut sum = key(&[b"families", &self.names.base]);
         for t in derivation.families.iter().map(|family| family.of) {
             sum = key(&[&sum, &self.motion(derivation, t)?]);
         }
@@ -459,7 +481,7 @@ impl State<'_> {
 
     /// A claim with all that it follows from.
     fn step(&self, derivation: &Derivation, claim: &Claim) -> Option<Key> {
-        let mut sum = key(&[b"step", &self.base, claim.name().as_bytes()]);
+        let mut sum = key(&[b"step", &self.names.base, claim.name().as_bytes()]);
         let mut seen: BTreeSet<String> = BTreeSet::new();
         let mut open = vec![claim.name()];
         while let Some(name) = open.pop() {

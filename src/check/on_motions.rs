@@ -107,7 +107,7 @@ impl<'a> OnMotions<'a, '_> {
             return Err(CANCELLED.to_owned());
         }
         if let (None, Some(reached)) = (self.stage.motion(t), limits.reached()) {
-            let is_open = |c: &usize| derivation.claims[*c].trajectories.contains(&t);
+            let is_open = |c: &usize| derivation.claims[*c].trajectories.binary_search(&t).is_ok();
             let open = |c: &usize| is_open(c).then(|| Verdict::of(Finding::open(reached)));
             return Ok(OnMotion { verdicts: self.selection.claims.iter().map(open).collect(), ..OnMotion::default() });
         }
@@ -115,7 +115,7 @@ impl<'a> OnMotions<'a, '_> {
         let (mut course, contradiction) = self.stage.course(&derivation.graph, t, wanted)?;
         let verdict = |of: &Vec<Prepared>| {
             let Prepared { claim, program, gradients } = &of[start];
-            claim.trajectories.contains(&t).then(|| {
+            claim.trajectories.binary_search(&t).is_ok().then(|| {
                 if let Some(reached) = limits.reached() {
                     return Verdict::of(Finding::open(reached));
                 }
@@ -165,7 +165,7 @@ impl Found<'_> {
             let claim = &derivation.claims[c];
             let pair = |(column, &t): (&Column, &usize)| {
                 let verdict = column[k].clone()?;
-                let expected = claim.trajectories.iter().position(|&x| x == t).and_then(|i| claim.expect[i]);
+                let expected = claim.trajectories.binary_search(&t).ok().and_then(|i| claim.expect[i]);
                 let trajectory = derivation.trajectories[t].id.clone();
                 Some(PairAccount { trajectory, verdict, expected, discrimination: None })
             };

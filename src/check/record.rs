@@ -14,7 +14,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::cache::{contents, describe};
-use super::memory::{Contents, Found, Known, Memory, key};
+use super::memory::{Contents, Found, Known, Memory, Names, key};
 use super::{check, check_recalling};
 use crate::derivation::Derivation;
 use claim::error::CheckError;
@@ -65,7 +65,7 @@ pub fn check_recorded(
     }
     let found: Option<Found> = kept(ANSWERS).and_then(|bytes| postcard::from_bytes(&bytes).ok());
     let memory = Memory::of(found.unwrap_or_default());
-    let mut account = check_recalling(derivation, options, Known::new(&memory, &contents), None, progress)?;
+    let mut account = check_recalling(derivation, options, Known::new(&memory, &Names::of(&contents)), None, progress)?;
     describe(derivation, &mut account);
     if options.limits.reached().is_some() {
         return Ok(account);

@@ -124,6 +124,11 @@ pub fn by_trajectory(claims: &[ClaimAccount]) -> HashMap<&str, Vec<(usize, usize
 }
 
 impl ClaimAccount {
+    /// What was found on each trajectory, by its id: where all are asked for.
+    pub fn on_each(&self) -> HashMap<&str, &PairAccount> {
+        self.results.iter().map(|pair| (pair.trajectory.as_str(), pair)).collect()
+    }
+
     /// What was found on a trajectory.
     pub fn on(&self, trajectory: &str) -> Option<&PairAccount> {
         self.results.iter().find(|pair| pair.trajectory == trajectory)

@@ -4,8 +4,9 @@
 //! how many claims do not apply to it, which hold on it and fail elsewhere, and how many of the altered formulas of those that
 //! hold would hold as well.
 
-use crate::{Account, ClaimAccount, PairAccount, WEAK};
+use crate::{Account, ClaimAccount, PairAccount, TrajectoryAccount, WEAK};
 use reason::Alone;
+use std::collections::HashMap;
 use verdict::Outcome;
 
 fn name(claim: &ClaimAccount) -> String {
@@ -21,32 +22,39 @@ impl Account {
         if self.claims.iter().all(|c| c.variants.is_none()) {
             return Vec::new();
         }
-        self.trajectories.iter().map(|t| self.of_one(&t.id)).collect()
-    }
-
-    fn of_one(&self, trajectory: &str) -> Alone {
-        let mut out = Alone { trajectory: trajectory.to_owned(), ..Alone::default() };
+        let none = |t: &TrajectoryAccount| Alone { trajectory: t.id.clone(), ..Alone::default() };
+        let mut all: Vec<Alone> = self.trajectories.iter().map(none).collect();
+        let columns = self.columns();
         for claim in &self.claims {
-            let Some(pair) = claim.on(trajectory) else { continue };
-            out.tried += 1;
-            match pair.verdict.outcome() {
-                Outcome::NotApplicable(_) => out.not_applicable += 1,
-                Outcome::Holds(_) => {
-                    out.holds += 1;
-                    let fails = |p: &PairAccount| matches!(p.verdict.outcome(), Outcome::Fails(_));
-                    if claim.results.iter().any(fails) {
-                        out.misleading.push(name(claim));
+            let fails = |p: &PairAccount| matches!(p.verdict.outcome(), Outcome::Fails(_));
+            let misleads = claim.results.iter().any(fails);
+            for pair in &claim.results {
+                let Some(&column) = columns.get(pair.trajectory.as_str()) else { continue };
+                let out = &mut all[column];
+                out.tried += 1;
+                match pair.verdict.outcome() {
+                    Outcome::NotApplicable(_) => out.not_applicable += 1,
+                    Outcome::Holds(_) => {
+                        out.holds += 1;
+                        if misleads {
+                            out.misleading.push(name(claim));
+                        }
+                        if let Some(d) = &pair.discrimination {
+                            out.weak += usize::from(d.is_weak());
+                            out.rejected += d.rejected;
+                            out.of += d.of;
+                        }
                     }
-                    if let Some(d) = &pair.discrimination {
-                        out.weak += usize::from(d.is_weak());
-                        out.rejected += d.rejected;
-                        out.of += d.of;
-                    }
+                    Outcome::Fails(_) | Outcome::Undecided => {}
                 }
-                Outcome::Fails(_) | Outcome::Undecided => {}
             }
         }
-        out
+        all
+    }
+
+    /// The place of each trajectory that was tried, by its id.
+    pub fn columns(&self) -> HashMap<&str, usize> {
+        self.trajectories.iter().enumerate().map(|(at, t)| (t.id.as_str(), at)).collect()
     }
 
     /// The motions that decide little by themselves, the poorest first: those that reject so few of the altered formulas that a

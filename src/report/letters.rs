@@ -4,7 +4,7 @@
 
 use super::discrimination;
 use super::tally::{glyph, name};
-use findings::{Account, ClaimAccount};
+use findings::{Account, ClaimAccount, PairAccount};
 
 /// What the letters mean.
 pub(super) const LEGEND: &str =
@@ -17,7 +17,7 @@ pub(super) fn letters(account: &Account) -> Option<String> {
     if rows.is_empty() {
         return None;
     }
-    let cell = |claim: &ClaimAccount, id: &str| match claim.on(id) {
+    let cell = |pair: Option<&&PairAccount>| match pair {
         None => ' ',
         Some(pair) if pair.is_unexpected() => '!',
         Some(pair) if discrimination::is_weak(pair) => 'h',
@@ -33,7 +33,8 @@ pub(super) fn letters(account: &Account) -> Option<String> {
         body.push_str(&format!("{:wide$}  {}\n", "", numbers.iter().map(at).collect::<String>()));
     }
     for (claim, name) in rows.iter().zip(&names) {
-        let cells: String = account.trajectories.iter().map(|t| cell(claim, &t.id)).collect();
+        let on = claim.on_each();
+        let cells: String = account.trajectories.iter().map(|t| cell(on.get(t.id.as_str()))).collect();
         body.push_str(format!("{name:wide$}  {cells}").trim_end());
         body.push('\n');
     }

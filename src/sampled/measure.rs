@@ -67,7 +67,7 @@ impl Compiled {
 
     /// Whether it is asked for on a motion.
     fn is_taken_on(&self, derivation: &Derivation, trajectory: usize) -> bool {
-        derivation.measures.get(self.index).is_some_and(|m| m.trajectories.contains(&trajectory))
+        derivation.measures.get(self.index).is_some_and(|m| m.trajectories.binary_search(&trajectory).is_ok())
     }
 
     /// Makes ready for points with the values of these leaves.
@@ -80,7 +80,7 @@ impl Compiled {
     pub fn take(&self, derivation: &Derivation, course: &Course) -> Option<Measurement> {
         let trajectory = course.trajectory;
         let measure = derivation.measures.get(self.index)?;
-        if !measure.trajectories.contains(&trajectory) {
+        if measure.trajectories.binary_search(&trajectory).is_err() {
             return None;
         }
         let mut out = Measurement {

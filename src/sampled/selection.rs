@@ -7,7 +7,7 @@
 //! in whose order accounts and verdicts of one motion stand; and those of initial times, of which many motions share one.
 
 use crate::derivation::{Derivation, Trajectory};
-use crate::expr::Rational;
+use crate::expr::{FastMap, Rational};
 
 /// Which claims are tried on which motions.
 #[derive(Clone, Debug, Default)]
@@ -44,5 +44,10 @@ impl Selection {
         let tried = derivation.trajectories.iter().enumerate();
         let tried = tried.filter(|(_, t)| is_asked(trajectories, &t.id)).map(|(at, _)| at).collect();
         Selection { claims, tried, starts, start_of }
+    }
+
+    /// The position of each trajectory that is tried among them, by its id.
+    pub fn columns<'d>(&self, derivation: &'d Derivation) -> FastMap<&'d str, usize> {
+        self.tried.iter().enumerate().map(|(at, &t)| (derivation.trajectories[t].id.as_str(), at)).collect()
     }
 }

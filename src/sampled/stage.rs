@@ -102,7 +102,7 @@ fn needed_families(derivation: &Derivation, requests: &Requests) -> Vec<Vec<usiz
         Given::Derived { from, .. } => Some(from),
         _ => None,
     };
-    let mut needed: Vec<bool> = (0..count).map(|t| requests.tried.contains(&t)).collect();
+    let mut needed: Vec<bool> = (0..count).map(|t| requests.tried.binary_search(&t).is_ok()).collect();
     for form in requests.claims.iter().flat_map(|c| &c.forms) {
         if let Form::SameMotion { other, .. } = form {
             needed[*other] = true;
@@ -408,7 +408,7 @@ fn begin<'a>(
     let Some(&first) = members.iter().find(is_first) else { return Progress::Done(Ok(Vec::new())) };
     let mut graph = derivation.graph.clone();
     let trajectory = &derivation.trajectories[first];
-    let pattern = requests.pattern.filter(|_| members.len() == 1 && requests.tried.contains(&first));
+    let pattern = requests.pattern.filter(|_| members.len() == 1 && requests.tried.binary_search(&first).is_ok());
     if let Some(draft) = pattern.and_then(|pattern| pattern.draft(derivation, fields, &mut graph, first)) {
         let known = Vec::new();
         return Progress::Begun(Box::new(Begun { derivation, members, graph, first, known, pattern, draft }));
@@ -524,9 +524,9 @@ pub(crate) fn prepare(
 /// vary more rapidly than it is sampled.
 pub fn searched(derivation: &Derivation, requests: &Requests, trajectory: usize) -> (Vec<Expr>, Vec<Expr>) {
     let (mut searched, mut rapid): (BTreeSet<Expr>, BTreeSet<Expr>) = Default::default();
-    if requests.tried.contains(&trajectory) {
+    if requests.tried.binary_search(&trajectory).is_ok() {
         for (claim, programs) in requests.claims.iter().zip(requests.programs) {
-            if claim.trajectories.contains(&trajectory) {
+            if claim.trajectories.binary_search(&trajectory).is_ok() {
                 let program = &programs[requests.start_of[trajectory]];
                 searched.extend(program.searched());
                 rapid.extend(&program.rapid);

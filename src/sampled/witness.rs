@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use crate::derivation::{Derivation, Form};
 use crate::describe::named;
-use crate::expr::{Expr, Leaf};
+use crate::expr::{Expr, FastMap, Leaf};
 use crate::findings::ClaimAccount;
 use crate::latex::RelationKind;
 use crate::prepared::Prepared;
@@ -36,11 +36,12 @@ pub struct Points<'a> {
 
 /// Gives every witness the values of its own comparison. The claims are in the order of what was prepared.
 pub fn complete(points: &Points, claims: &mut [ClaimAccount]) {
+    let trajectories = &points.derivation.trajectories;
+    let known: FastMap<&str, usize> = points.tried.iter().map(|&t| (trajectories[t].id.as_str(), t)).collect();
     for (k, claim) in claims.iter_mut().enumerate() {
         for pair in &mut claim.results {
             let Some(witness) = pair.verdict.evidence().witness.as_ref() else { continue };
-            let trajectories = &points.derivation.trajectories;
-            let Some(&t) = points.tried.iter().find(|&&t| trajectories[t].id == pair.trajectory) else { continue };
+            let Some(&t) = known.get(pair.trajectory.as_str()) else { continue };
             let prepared = &points.prepared[k][points.start_of[t]];
             let complete = of_point(points, prepared, t, witness.clone());
             let series = pair.verdict.evidence().series.as_ref().filter(|s| s.formula != complete.formula);

@@ -10,7 +10,7 @@ use super::super::markdown::whose;
 use super::super::numbers::{count, size, time, value};
 use super::super::tally::{Group, declared, groups, name};
 use super::super::wording::slack_sentence;
-use super::matrix::{anchor, class};
+use super::matrix::{anchors, class};
 use super::reasons::{Told, told};
 use super::text::{display, formula, identifier, label, prose, reason};
 use super::{family, region, support};
@@ -331,6 +331,7 @@ fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Sco
     let (cut, apart) = (any(&|t| t.stretches.is_some()), any(&|t| t.apart.is_some()));
     // Where most reasons are of one motion each, they stand beside it.
     let single = parts.iter().filter(|(_, pairs)| pairs.len() == 1).count() > 4;
+    let anchor = anchors(account, claim);
     let columns = 2 + 5 * usize::from(compared) + usize::from(tried) + usize::from(cut) + 2 * usize::from(apart);
     html! {
         table {
@@ -356,7 +357,7 @@ fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Sco
                     }
                     @for (pair, told) in pairs {
                         @let evidence = pair.verdict.evidence();
-                        tr id=(anchor(account, claim, pair)) {
+                        tr id=(anchor(pair)) {
                             th { (pair.trajectory) }
                             @if compared {
                                 td { (pair.verdict.outcome().strength().unwrap_or_default()) }

@@ -224,12 +224,13 @@ struct Data<'a> {
 /// Texts and packed columns are themselves, or positions in `strings`, where they occur several times; a list is its texts
 /// one after the other.
 pub(super) fn json(derivation: &Derivation, account: &Account, folds: &[String]) -> String {
+    let columns = account.columns();
     let of_claim = |claim: &ClaimAccount| {
         let declared = declared(derivation, claim);
         let mut labels = Labels { scope: declared.map_or(&derivation.scope, |d| &d.scope), known: HashMap::new() };
         let pairs = claim.results.iter().filter_map(|pair| {
-            let at = account.trajectories.iter().position(|t| t.id == pair.trajectory)?;
-            Some((at.to_string(), packed(account, declared, pair, &mut labels)?))
+            let &at = columns.get(pair.trajectory.as_str())?;
+            Some((at.to_string(), packed(account.trajectories[at].span, declared, pair, &mut labels)?))
         });
         let pairs: Vec<_> = pairs.collect();
         let event = declared.and_then(|d| Some((d, d.at.as_ref()?)));
@@ -294,7 +295,7 @@ impl<'a> Labels<'a> {
 }
 
 fn packed<'a>(
-    account: &Account,
+    span: (f64, f64),
     declared: Option<&Claim>,
     pair: &'a PairAccount,
     labels: &mut Labels<'a>,
@@ -302,7 +303,7 @@ fn packed<'a>(
     let evidence = pair.verdict.evidence();
     // Events are few: they are shown on the whole span of the motion, and one is enough.
     let at_events = declared.is_some_and(|d| d.at.is_some());
-    let span = account.trajectories.iter().find(|t| t.id == pair.trajectory).map(|t| t.span).filter(|_| at_events);
+    let span = Some(span).filter(|_| at_events);
     let drawn = evidence.series.as_deref().filter(|s| s.points.len() > usize::from(!at_events));
     // What holds is the same line twice: fewer samples say it.
     let holds = matches!(pair.verdict.outcome(), findings::Outcome::Holds(_));

@@ -36,14 +36,14 @@ fn cell(pair: &PairAccount) -> String {
     if is_marked(pair) { format!("{} w", class(pair)) } else { class(pair).to_owned() }
 }
 
-/// Where a pair stands on the page: `/p`, row and column of the matrix. Short, since there are thousands; the script writes
-/// the address of a pair as `claim@trajectory`, which stays when claims are added.
-pub(super) fn anchor(account: &Account, claim: &ClaimAccount, pair: &PairAccount) -> String {
+/// Where the pairs of a claim stand on the page: `/p`, row and column of the matrix. Short, since there are thousands; the script
+/// writes the address of a pair as `claim@trajectory`, which stays when claims are added.
+pub(super) fn anchors<'a>(account: &'a Account, claim: &ClaimAccount) -> impl Fn(&PairAccount) -> String + use<'a> {
     // Claims over ranges, and on families alone, have no row.
     let mut rows = account.claims.iter().filter(|c| !c.results.is_empty());
     let row = rows.position(|c| c.id == claim.id && c.reading == claim.reading);
-    let column = account.trajectories.iter().position(|t| t.id == pair.trajectory);
-    format!("/p{}-{}", row.unwrap_or_default(), column.unwrap_or_default())
+    let (row, columns) = (row.unwrap_or_default(), account.columns());
+    move |pair| format!("/p{row}-{}", columns.get(pair.trajectory.as_str()).copied().unwrap_or_default())
 }
 
 /// The letters of a pair, for those who do not see its shape, and what they mean: there are thousands, and words would be a tenth
@@ -111,11 +111,12 @@ pub(super) fn section(account: &Account) -> Markup {
 }
 
 fn row(account: &Account, claim: &ClaimAccount) -> Markup {
+    let on = claim.on_each();
     html! {
         tr {
             th scope="row" { a href={ "#" (name(claim)) } { (name(claim)) } }
             @for t in &account.trajectories {
-                @match claim.on(&t.id) {
+                @match on.get(t.id.as_str()) {
                     Some(pair) => {
                         td class=(cell(pair)) {
                             (letters(pair)) @if is_marked(pair) { "w" } @if pair.is_unexpected() { "x" }

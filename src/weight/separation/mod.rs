@@ -84,7 +84,8 @@ pub struct Motions<'a> {
 impl Probes {
     /// Everything that may be asked of the chosen claims, in a graph that begins as that of the file.
     pub fn new(derivation: &Derivation, graph: &mut Graph, selection: &Selection) -> Probes {
-        let on = |c: usize| derivation.claims[c].trajectories.iter().filter(|t| selection.tried.contains(t));
+        let on =
+            |c: usize| derivation.claims[c].trajectories.iter().filter(|t| selection.tried.binary_search(t).is_ok());
         // What is tried on one trajectory does not separate any.
         let may_split = selection.claims.iter().any(|&c| on(c).count() > 1);
         let candidates = if may_split { candidates::candidates(derivation, graph) } else { Vec::new() };
@@ -142,7 +143,8 @@ impl Probes {
         let count = self.candidates.len();
         let verdict = |(d, dropped): (usize, &Dropped)| {
             let known = verdicts.get(dropped.of)?.as_ref()?;
-            let wanted = assumptions::is_open(known, dropped.selects) && dropped.claim.trajectories.contains(&t);
+            let wanted =
+                assumptions::is_open(known, dropped.selects) && dropped.claim.trajectories.binary_search(&t).is_ok();
             let fails = failed.get(dropped.of).is_some_and(|f| f.load(Ordering::Relaxed));
             let program = self.programs.get(count + d)?.get(start).filter(|_| wanted && !fails)?;
             let gradients = prepared.get(dropped.of)?.get(start)?.gradients.as_ref();

@@ -115,14 +115,15 @@ impl Search<'_> {
         let wanted: Vec<Vec<bool>> = accounts.iter().map(asked).collect();
         let corrected: Vec<usize> = (0..wanted.len()).filter(|&k| wanted[k].contains(&true)).collect();
         let last = corrected.get(MOST_CORRECTED - 1).copied().unwrap_or(usize::MAX);
+        let columns = self.selection.columns(self.derivation);
         let of_claim = |(k, account): (usize, &mut ClaimAccount)| {
             let asked = &wanted[k];
-            let column = |id: &str| self.selection.tried.iter().position(|&t| self.derivation.trajectories[t].id == id);
             let on: Vec<usize> = account
                 .results
                 .iter()
                 .zip(asked)
-                .filter_map(|(p, asked)| column(&p.trajectory).filter(|_| *asked))
+                .filter(|(_, asked)| **asked)
+                .filter_map(|(p, _)| columns.get(p.trajectory.as_str()).copied())
                 .collect();
             let mut candidates = Vec::new();
             if !on.is_empty() && k <= last {

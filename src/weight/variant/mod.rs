@@ -38,8 +38,8 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use crate::derivation::{Claim, Derivation};
-use crate::expr::{Graph, Leaf, Rational};
-use crate::findings::{ClaimAccount, Discrimination, EditClass, Survivor, VariantAccount};
+use crate::expr::{FastMap, Graph, Leaf, Rational};
+use crate::findings::{ClaimAccount, Discrimination, EditClass, PairAccount, Survivor, VariantAccount};
 use crate::flow::Sample;
 use crate::latex::Role;
 use crate::verdict::{Outcome, Verdict};
@@ -309,9 +309,9 @@ impl Altered {
         weighed: &[Weighed],
         courses: &[Course],
     ) -> Result<(), CheckError> {
-        let tried: Vec<&str> = selection.tried.iter().map(|&t| derivation.trajectories[t].id.as_str()).collect();
+        let columns = selection.columns(derivation);
         accounts.par_iter_mut().zip(&self.claims).enumerate().for_each(|(k, (account, variants))| {
-            account.variants = Some(self.account(k, account, variants, weighed, &tried));
+            account.variants = Some(self.account(k, account, variants, weighed, &columns));
         });
         erratum::Search { derivation, altered: self, selection, weighed }.offer(accounts, courses)
     }
@@ -322,19 +322,20 @@ impl Altered {
         account: &mut ClaimAccount,
         variants: &ClaimVariants,
         weighed: &[Weighed],
-        tried: &[&str],
+        columns: &FastMap<&str, usize>,
     ) -> VariantAccount {
-        let column = |id: &str| tried.iter().position(|t| *t == id);
-        let on = |id: &str| column(id).and_then(|t| weighed[t].rejections[k].as_ref()).map(|r| &r.variants);
-        let holds: Vec<(String, &Vec<bool>)> = account
-            .results
-            .iter()
-            .filter(|p| matches!(p.verdict.outcome(), Outcome::Holds(_)))
-            .filter_map(|p| Some((p.trajectory.clone(), on(&p.trajectory)?)))
-            .collect();
+        let on = |p: &PairAccount| {
+            let column =
+                columns.get(p.trajectory.as_str()).filter(|_| matches!(p.verdict.outcome(), Outcome::Holds(_)))?;
+            weighed[*column].rejections[k].as_ref().map(|r| &r.variants)
+        };
+        let rejected: Vec<Option<&Vec<bool>>> = account.results.iter().map(on).collect();
+        let trajectories = account.results.iter().map(|p| &p.trajectory);
+        let holds: Vec<(String, &Vec<bool>)> =
+            trajectories.zip(&rejected).filter_map(|(t, r)| Some((t.clone(), (*r)?))).collect();
         let survives: Vec<usize> = (0..variants.variants.len()).filter(|&v| holds.iter().any(|(_, r)| !r[v])).collect();
-        for pair in &mut account.results {
-            let Some((_, rejected)) = holds.iter().find(|(id, _)| *id == pair.trajectory) else { continue };
+        for (pair, rejected) in account.results.iter_mut().zip(rejected) {
+            let Some(rejected) = rejected else { continue };
             let survivors: Vec<usize> =
                 survives.iter().enumerate().filter(|(_, v)| !rejected[**v]).map(|(i, _)| i).collect();
             let of = rejected.len();
