@@ -304,8 +304,8 @@ impl Work for Arrival<'_> {
 fn size(x: &Lanes<LANES>) -> f64 {
     let larger = |a: f64, b: f64| if b > a { b } else { a };
     let [a, b, c, d] = x.0.map(f64::abs);
-    // x − x is NaN where x is not finite; a comparison would lose it.
-    let [p, q, r, s] = (*x - *x).0;
+    // 0·x is NaN where x is not finite; a comparison would lose it.
+    let [p, q, r, s] = (*x * Lanes::splat(0.0)).0;
     larger(larger(a, b), larger(c, d)) + ((p + q) + (r + s))
 }
 
