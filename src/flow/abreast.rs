@@ -12,7 +12,7 @@
 use super::kinks::{Lane, Series};
 use super::taylor::{Flow, Stop, Walker};
 use expr::tape::Slots;
-use number::{Growth, Jet, NoValue, Orders, widely};
+use number::{Growth, Jet, NoValue, Orders, Work, widely};
 
 /// Whether to stop, although there is more to do: asked between steps.
 pub type Halt<'h> = &'h (dyn Fn() -> bool + Sync);
@@ -178,13 +178,19 @@ impl<'a, const N: usize> Together<'a, N> {
             of_state.for_each(|(to, from)| *to = from.0[lane]);
         }
         // What has no value is NaN.
-        widely(have_values, &*room)
+        widely(HaveValues(&*room))
     }
 }
 
-#[inline(always)]
-fn have_values(numbers: &[f64]) -> bool {
-    !numbers.iter().fold(false, |missing, x| missing | x.is_nan())
+/// Whether none of some numbers is NaN.
+struct HaveValues<'n>(&'n [f64]);
+
+impl Work for HaveValues<'_> {
+    type Output = bool;
+    #[inline(always)]
+    fn work(self) -> bool {
+        !self.0.iter().fold(false, |missing, x| missing | x.is_nan())
+    }
 }
 
 /// Grows what a walker asks for as the series of one motion.

@@ -27,7 +27,7 @@
 use super::taylor::Flow;
 use super::trajectory::{Branch, ORDER, Plan};
 use expr::tape::Slots;
-use number::{Bounded, BoundedLanes, Growth, Lanes, widely};
+use number::{Bounded, BoundedLanes, Growth, Lanes, Work, widely};
 
 /// How the errors of a motion are estimated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -207,8 +207,8 @@ impl<'a> Estimate<'a> {
         let series = branch.series(n, step);
         let (rounding, defects) = (&rounding[step * n..(step + 1) * n], &branch.defects[step * n..(step + 1) * n]);
         let (growth, signs) = (&self.growth, &self.signs);
-        let arrival = Arrival { growth, seat, series, h, by: 1.0 / multiple, signs, rounding, defects };
-        widely(Arrival::at_end, (arrival, &mut differences[..], &mut sizes[..]));
+        let by = 1.0 / multiple;
+        widely(Arrival { growth, seat, series, h, by, signs, rounding, defects, differences, sizes: &mut *sizes });
         for (largest, &now) in largest.iter_mut().zip(&*sizes) {
             *largest = largest.max(now);
             out.push(SAFETY * *largest);
@@ -264,36 +264,49 @@ struct Arrival<'s> {
     signs: &'s [Lanes<LANES>],
     rounding: &'s [f64],
     defects: &'s [f64],
+    /// What the differences are here, and how large the largest of each state is.
+    differences: &'s mut [Lanes<LANES>],
+    sizes: &'s mut [f64],
 }
 
-impl Arrival<'_> {
-    /// What the differences are here, and how large the largest of each state is.
+impl Work for Arrival<'_> {
+    type Output = ();
     #[inline(always)]
-    fn at_end((of, differences, sizes): (Arrival, &mut [Lanes<LANES>], &mut [f64])) {
-        let Arrival { growth, seat, series, h, by, signs, rounding, defects } = of;
+    fn work(self) {
+        let Arrival { growth, seat, series, h, by, signs, rounding, defects, differences, sizes } = self;
         let n = signs.len();
         let power = (0..ORDER).fold(1.0, |power, _| power * h);
-        for (i, (difference, signs)) in differences.iter_mut().zip(signs).enumerate() {
-            let neighbour = &growth.coefficients(1 + i)[..=SHORT];
+        // Of each order the coefficients of all states; slices of one length need no look at it again.
+        let mut rows = [&series[..n]; SHORT + 1];
+        for (k, row) in rows.iter_mut().enumerate() {
+            *row = &series[k * n..][..n];
+        }
+        let (last, rounding, defects) = (&series[ORDER * n..][..n], &rounding[..n], &defects[..n]);
+        let (differences, sizes) = (&mut differences[..n], &mut sizes[..n]);
+        for i in 0..n {
+            let Some(neighbour) = growth.coefficients(1 + i).first_chunk::<{ SHORT + 1 }>() else { return };
             let mut moved = Lanes::<LANES>::splat(0.0);
             for k in (1..=SHORT).rev() {
                 let of_seat = Lanes(neighbour[k].0.as_chunks().0[seat]);
-                moved = (moved + of_seat - Lanes::splat(series[k * n + i])) * Lanes::splat(h);
+                moved = (moved + of_seat - Lanes::splat(rows[k][i])) * Lanes::splat(h);
             }
-            let last = (series[ORDER * n + i] * power).abs();
-            let sum = (4.0 * f64::EPSILON * series[n + i]).abs();
+            let last = (last[i] * power).abs();
+            let sum = (4.0 * f64::EPSILON * rows[1][i]).abs();
             let own = TYPICAL * h.abs() * (rounding[i] + defects[i] + sum) + last;
-            *difference = *difference + moved * Lanes::splat(by) + *signs * Lanes::splat(own);
-            sizes[i] = size(difference);
+            differences[i] = differences[i] + moved * Lanes::splat(by) + signs[i] * Lanes::splat(own);
+            sizes[i] = size(&differences[i]);
         }
     }
 }
 
-/// The largest of the lanes by its size.
+/// The largest of the lanes by its size; NaN where one of them is not finite.
 #[inline(always)]
 fn size(x: &Lanes<LANES>) -> f64 {
-    // NaN must not be lost.
-    x.0.iter().fold(0.0, |most: f64, x| if x.abs() <= most { most } else { x.abs() })
+    let larger = |a: f64, b: f64| if b > a { b } else { a };
+    let [a, b, c, d] = x.0.map(f64::abs);
+    // 0·x is NaN where x is not finite; a comparison would lose it.
+    let [p, q, r, s] = (*x * Lanes::splat(0.0)).0;
+    larger(larger(a, b), larger(c, d)) + ((p + q) + (r + s))
 }
 
 /// The largest difference relative to the size of its state.

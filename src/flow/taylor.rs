@@ -14,7 +14,7 @@ use super::kinks::{Edges, Kinks, Series};
 use super::narrow::Narrow;
 use expr::Leaf;
 use expr::tape::{Slots, Tape};
-use number::{Growth, Instruction, Interval, Jet, NoValue, Orders, Recurrences, Scalar, widely};
+use number::{Growth, Instruction, Interval, Jet, NoValue, Orders, Recurrences, Scalar, Work, widely};
 
 /// A field compiled for numbers: inputs are the time, the states, and the constants.
 #[derive(Clone, Debug, PartialEq)]
@@ -474,7 +474,7 @@ impl<'a> Walker<'a> {
         let target = if size >= remaining { self.end } else { self.time + direction * size };
         let h = target - self.time;
         let n = self.flow.dimension;
-        widely(sums, (&self.now[..], h, &mut self.sums[..], &mut self.slopes[..]));
+        widely(Sums { orders: &self.now, h, sums: &mut self.sums, slopes: &mut self.slopes });
         for (i, &x) in self.now[..n].iter().enumerate() {
             let y = self.low[i] + h * self.sums[i];
             let s = x + y;
@@ -601,18 +601,33 @@ fn largest(count: usize, size: impl Fn(usize) -> f64) -> f64 {
 }
 
 /// c₁ + c₂h + … of each component, and c₁ + 2c₂h + …, from the coefficients order by order.
-#[inline(always)]
-fn sums((orders, h, sums, slopes): (&[f64], f64, &mut [f64], &mut [f64])) {
-    let n = sums.len();
-    // Some components at a time, whose sums stay in registers.
-    let mut some = 0;
-    while some + ABREAST <= n {
-        sums_of::<ABREAST>(orders, (n, some), h, &mut sums[some..], &mut slopes[some..]);
-        some += ABREAST;
-    }
-    while some < n {
-        sums_of::<1>(orders, (n, some), h, &mut sums[some..], &mut slopes[some..]);
-        some += 1;
+struct Sums<'w> {
+    orders: &'w [f64],
+    h: f64,
+    sums: &'w mut [f64],
+    slopes: &'w mut [f64],
+}
+
+impl Work for Sums<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn work(self) {
+        let Sums { orders, h, sums, slopes } = self;
+        let n = sums.len();
+        // Some components at a time, whose sums stay in registers.
+        let mut some = 0;
+        while some + 2 * ABREAST <= n {
+            sums_of::<{ 2 * ABREAST }>(orders, (n, some), h, &mut sums[some..], &mut slopes[some..]);
+            some += 2 * ABREAST;
+        }
+        while some + ABREAST <= n {
+            sums_of::<ABREAST>(orders, (n, some), h, &mut sums[some..], &mut slopes[some..]);
+            some += ABREAST;
+        }
+        while some < n {
+            sums_of::<1>(orders, (n, some), h, &mut sums[some..], &mut slopes[some..]);
+            some += 1;
+        }
     }
 }
 
@@ -620,8 +635,10 @@ fn sums((orders, h, sums, slopes): (&[f64], f64, &mut [f64], &mut [f64])) {
 #[inline(always)]
 fn sums_of<const N: usize>(orders: &[f64], (n, from): (usize, usize), h: f64, sums: &mut [f64], slopes: &mut [f64]) {
     let (mut sum, mut slope) = ([0.0; N], [0.0; N]);
-    for (k, c) in orders.chunks_exact(n).enumerate().skip(1).rev() {
-        let (c, k) = (&c[from..from + N], k as f64);
+    let mut k = (orders.len() / n) as f64;
+    for c in orders.chunks_exact(n).skip(1).rev() {
+        let Some(c) = c[from..].first_chunk::<N>() else { return };
+        k -= 1.0;
         for i in 0..N {
             sum[i] = sum[i] * h + c[i];
             slope[i] = slope[i] * h + c[i] * k;

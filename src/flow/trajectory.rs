@@ -309,10 +309,12 @@ impl<'a> Runner<'a> for Whole<'a> {
                 out.low.extend_from_slice(low);
                 out.defects.extend_from_slice(defects);
                 out.times.push(walker.time);
-                for (i, l) in self.largest.iter_mut().enumerate() {
-                    *l = l.max(walker.state[i].abs());
-                    out.error.push(FLOOR * *l + 2.0 * self.initial_error[i] + SAFETY * walker.late[i]);
-                }
+                let of_start = self.initial_error.iter().zip(&walker.late);
+                let states = self.largest.iter_mut().zip(&walker.state).zip(of_start);
+                out.error.extend(states.map(|((largest, x), (initial, late))| {
+                    *largest = largest.max(x.abs());
+                    FLOOR * *largest + 2.0 * initial + SAFETY * late
+                }));
             }
             Event::Stopped(Stop::NoRate(i, reason)) if !self.started => {
                 self.singular = Some((i, reason));

@@ -45,21 +45,31 @@ fn only(inside: bool, x: f64) -> f64 {
     if inside { x } else { f64::NAN }
 }
 
-/// Calls a function with the widest registers of this processor. It must be one that is always inlined, which a closure is not. Its
-/// operations are those of IEEE 754 in the order in which they are written, none of them fused, whatever the registers.
+/// Work that is done with the widest registers of this processor, see [`widely`].
+pub trait Work {
+    /// What it yields.
+    type Output;
+    /// Does it. To be `#[inline(always)]`, as everything that it calls: what is called instead has no wide registers.
+    fn work(self) -> Self::Output;
+}
+
+/// Does work with the widest registers of this processor. Its operations are those of IEEE 754 in the order in which they are written,
+/// none of them fused, whatever the registers.
+///
+/// Work is a trait and no function, since the call of a function that is handed over need not become part of the caller.
 #[inline]
-pub fn widely<A, T>(work: impl FnOnce(A) -> T, arguments: A) -> T {
-    Arch::new().dispatch(Widely(work, arguments))
+pub fn widely<W: Work>(work: W) -> W::Output {
+    Arch::new().dispatch(Widely(work))
 }
 
 /// A call.
-struct Widely<F, A>(F, A);
+struct Widely<W>(W);
 
-impl<A, T, F: FnOnce(A) -> T> WithSimd for Widely<F, A> {
-    type Output = T;
+impl<W: Work> WithSimd for Widely<W> {
+    type Output = W::Output;
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) -> T {
-        (self.0)(self.1)
+    fn with_simd<S: Simd>(self, _: S) -> W::Output {
+        self.0.work()
     }
 }
 

@@ -45,7 +45,7 @@ pub use growth::{Growth, Recurrences};
 pub use interval::faults as interval_faults;
 pub use interval::{Continuity, Decorated, Interval, Limit, NODES, Precise, PreciseModel, Tail, TaylorModel};
 pub use jet::{Jet, Orders};
-pub use lanes::{DualLanes, Lanes, widely};
+pub use lanes::{DualLanes, Lanes, Work, widely};
 pub use operation::{Instruction, Number, Op, Uniform};
 pub use random::Draws;
 pub use scalar::Scalar;

@@ -158,3 +158,15 @@ fn no_error_is_larger_than_the_estimate() {
     );
     assert!(least.len() > 250 && compared > 50_000, "{} {compared}", least.len());
 }
+
+#[test]
+fn a_difference_without_a_value_is_not_lost_among_others() {
+    assert_eq!(size(&Lanes([1.0, -4.0, 2.0, 3.0])), 4.0);
+    for lane in 0..LANES {
+        for missing in [f64::NAN, f64::INFINITY] {
+            let mut lanes = Lanes([1.0, -4.0, 2.0, 3.0]);
+            lanes.0[lane] = missing;
+            assert!(!size(&lanes).is_finite(), "{lanes:?}");
+        }
+    }
+}

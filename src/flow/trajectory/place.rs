@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use super::{ORDER, Trajectory};
-use number::{Bounded, widely};
+use number::{Bounded, Work, widely};
 
 /// A place on a trajectory: a step and the time since its start.
 #[derive(Clone, Copy, Debug)]
@@ -43,12 +43,14 @@ impl Trajectory {
     pub(in super::super) fn places<const N: usize>(&self, times: &[f64; N]) -> [Place; N] {
         let mut last: Option<Place> = None;
         times.map(|t| {
-            let within = |place: &Place| {
-                let ends = self.forward.times.get(place.step).zip(self.forward.times.get(place.step + 1));
-                !place.backward && ends.is_some_and(|(start, end)| *start <= t && t < *end)
+            let within = |step: usize| {
+                let ends = self.forward.times.get(step).zip(self.forward.times.get(step + 1));
+                ends.is_some_and(|(start, end)| *start <= t && t < *end)
             };
-            let place = match last.filter(within) {
-                Some(place) => Place { since: t - self.forward.times[place.step], ..place },
+            // In the same step, or in the one that follows.
+            let near = last.filter(|place| !place.backward).map(|place| [place.step, place.step + 1]);
+            let place = match near.and_then(|steps| steps.into_iter().find(|step| within(*step))) {
+                Some(step) => Place { backward: false, step, since: t - self.forward.times[step] },
                 None => self.place(t),
             };
             last = Some(place);
@@ -75,41 +77,7 @@ impl Trajectory {
         places: &[Place; N],
         states: [usize; M],
     ) -> [[f64; N]; M] {
-        widely(Self::sums, (self, places, states))
-    }
-
-    #[inline(always)]
-    fn sums<const N: usize, const M: usize>(
-        (of, places, states): (&Trajectory, &[Place; N], [usize; M]),
-    ) -> [[f64; N]; M] {
-        let n = of.dimension;
-        let since = places.map(|place| place.since);
-        let mut out = [[f64::NAN; N]; M];
-        for (first, run) in runs(places) {
-            // The polynomials of one step at all times, of which those count that lie in it: few blocks of times have many steps.
-            let branch = of.branch(first.backward);
-            let Some(series) =
-                branch.coefficients.get(first.step * n * (ORDER + 1)..(first.step + 1) * n * (ORDER + 1))
-            else {
-                continue;
-            };
-            let mut sums = [[0.0; N]; M];
-            for row in series.chunks_exact(n.max(1)).skip(1).rev() {
-                for (sums, &state) in sums.iter_mut().zip(&states) {
-                    let x = row[state];
-                    for i in 0..N {
-                        sums[i] = sums[i] * since[i] + x;
-                    }
-                }
-            }
-            for ((out, sums), &state) in out.iter_mut().zip(&sums).zip(&states) {
-                let low = branch.low.get(first.step * n + state).copied().unwrap_or(f64::NAN);
-                for i in run.clone() {
-                    out[i] = series[state] + (low + since[i] * sums[i]);
-                }
-            }
-        }
-        out
+        widely(Values { of: self, places, states })
     }
 
     /// The polynomial of a state around another time of its step: the first coefficients.
@@ -189,5 +157,47 @@ impl Trajectory {
             let errors = &self.branch(place.backward).error;
             errors.get(place.step * self.dimension + state).copied().unwrap_or(f64::INFINITY)
         }
+    }
+}
+
+/// The values of states at places.
+struct Values<'v, const N: usize, const M: usize> {
+    of: &'v Trajectory,
+    places: &'v [Place; N],
+    states: [usize; M],
+}
+
+impl<const N: usize, const M: usize> Work for Values<'_, N, M> {
+    type Output = [[f64; N]; M];
+    #[inline(always)]
+    fn work(self) -> [[f64; N]; M] {
+        let Values { of, places, states } = self;
+        let n = of.dimension;
+        let length = n * (ORDER + 1);
+        let since = places.map(|place| place.since);
+        let mut out = [[f64::NAN; N]; M];
+        for (first, run) in runs(places) {
+            // The polynomials of one step at all times, of which those count that lie in it: few blocks of times have many steps.
+            let branch = of.branch(first.backward);
+            let Some(series) = branch.coefficients.get(first.step * length..(first.step + 1) * length) else {
+                continue;
+            };
+            let mut sums = [[0.0; N]; M];
+            for row in series.chunks_exact(n.max(1)).skip(1).rev() {
+                for (sums, &state) in sums.iter_mut().zip(&states) {
+                    let x = row[state];
+                    for i in 0..N {
+                        sums[i] = sums[i] * since[i] + x;
+                    }
+                }
+            }
+            for ((out, sums), &state) in out.iter_mut().zip(&sums).zip(&states) {
+                let low = branch.low.get(first.step * n + state).copied().unwrap_or(f64::NAN);
+                for i in run.clone() {
+                    out[i] = series[state] + (low + since[i] * sums[i]);
+                }
+            }
+        }
+        out
     }
 }
