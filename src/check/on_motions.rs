@@ -18,11 +18,11 @@ use derivation::Derivation;
 use findings::{Account, ClaimAccount, Measurement, PairAccount, PictureAccount};
 use flow::Motion;
 use rayon::prelude::*;
-use sampled::course::{Course, Trial};
 use sampled::prepared::Prepared;
 use sampled::same_motion;
 use sampled::selection::Selection;
 use sampled::stage::Stage;
+use sampled::trace::{Trace, Trial};
 use sampled::trial::try_claim;
 use verdict::{Finding, Outcome, Verdict};
 use weight::separation::{Motions, OneMotion};
@@ -48,7 +48,7 @@ struct OnMotion<'a> {
     measurements: Vec<Measurement>,
     pictures: Vec<PictureAccount>,
     /// The motion, where it is asked again.
-    course: Option<Course<'a>>,
+    trace: Option<Trace<'a>>,
 }
 
 /// What was found on all motions, in the order of the file.
@@ -57,7 +57,7 @@ pub(super) struct Found<'a> {
     pub columns: Vec<Column>,
     pub without: Vec<Vec<Option<Verdict>>>,
     pub weighed: Vec<Weighed>,
-    pub courses: Vec<Course<'a>>,
+    pub traces: Vec<Trace<'a>>,
     measurements: Vec<Measurement>,
     pictures: Vec<PictureAccount>,
 }
@@ -85,12 +85,12 @@ impl<'a> OnMotions<'a, '_> {
         found.sort_by_key(|(at, _)| *at);
         let mut out = Found::default();
         for (_, one) in found {
-            let OnMotion { verdicts, without, weighed, measurements, pictures, course } =
+            let OnMotion { verdicts, without, weighed, measurements, pictures, trace } =
                 one.map_err(CheckError::Defect)?;
             out.columns.push(verdicts);
             out.without.push(without);
             out.weighed.extend(weighed);
-            out.courses.extend(course);
+            out.traces.extend(trace);
             out.measurements.extend(measurements);
             out.pictures.extend(pictures);
         }
@@ -112,14 +112,14 @@ impl<'a> OnMotions<'a, '_> {
             return Ok(OnMotion { verdicts: self.selection.claims.iter().map(open).collect(), ..OnMotion::default() });
         }
         // Where the two routes to the values of a motion disagree, no claim has a verdict on it; the others have theirs.
-        let (mut course, contradiction) = self.stage.course(&derivation.graph, t, wanted)?;
+        let (mut trace, contradiction) = self.stage.trace(&derivation.graph, t, wanted)?;
         let verdict = |of: &Vec<Prepared>| {
             let Prepared { claim, program, gradients } = &of[start];
             claim.trajectories.binary_search(&t).is_ok().then(|| {
                 if let Some(reached) = limits.reached() {
                     return Verdict::of(Finding::open(reached));
                 }
-                let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown: true };
+                let trial = Trial { graph: &derivation.graph, claim, program, trace: &trace, shown: true };
                 let mut verdict =
                     recall.verdict(derivation, claim, t, || try_claim(derivation, &trial, gradients.as_ref()));
                 if let Some(contradiction) = &contradiction {
@@ -132,7 +132,7 @@ impl<'a> OnMotions<'a, '_> {
         let fails = |v: &Option<Verdict>| v.as_ref().is_some_and(|v| matches!(v.outcome(), Outcome::Fails(_)));
         verdicts.iter().zip(failed).filter(|(v, _)| fails(v)).for_each(|(_, f)| f.store(true, Ordering::Relaxed));
         // The motion is at hand now. Whether it is asked depends on the others, too: most claims that fail do so on the first.
-        let motion = OneMotion { prepared, start, course: &course, verdicts: &verdicts, failed };
+        let motion = OneMotion { prepared, start, trace: &trace, verdicts: &verdicts, failed };
         let without = probes.without_each(derivation, &motion, recall);
         let weighed = self.altered.map(|altered| {
             let late = limits.reached().is_some();
@@ -140,22 +140,22 @@ impl<'a> OnMotions<'a, '_> {
                 let Prepared { claim, program, .. } = &of[start];
                 verdict.clone().filter(|_| !late).map(|verdict| variant::Found { claim, program, verdict })
             });
-            altered.weigh(&derivation.graph, start, &course, &claims.collect::<Vec<_>>())
+            altered.weigh(&derivation.graph, start, &trace, &claims.collect::<Vec<_>>())
         });
-        let measurements = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
-        let pictures = if pictures.is_empty() { Vec::new() } else { picture::draw(derivation, &course) };
+        let measurements = measures.iter().filter_map(|m| m.take(derivation, &trace)).collect();
+        let pictures = if pictures.is_empty() { Vec::new() } else { picture::draw(derivation, &trace) };
         (self.run.progress)(done.fetch_add(1, Ordering::Relaxed) + 1, self.selection.tried.len());
         // What is asked later needs few of the leaves; those of all motions at once take much memory.
-        course.keep(kept);
-        let course = (!probes.is_empty() || self.altered.is_some()).then_some(course);
-        Ok(OnMotion { verdicts, without, weighed, measurements, pictures, course })
+        trace.keep(kept);
+        let trace = (!probes.is_empty() || self.altered.is_some()).then_some(trace);
+        Ok(OnMotion { verdicts, without, weighed, measurements, pictures, trace })
     }
 }
 
 impl Found<'_> {
     /// The motions that are asked what separates them.
     pub fn motions<'f>(&'f self, selection: &'f Selection) -> Motions<'f> {
-        Motions { without: &self.without, courses: &self.courses, start_of: &selection.start_of }
+        Motions { without: &self.without, traces: &self.traces, start_of: &selection.start_of }
     }
 
     /// The account: the verdicts by claim, with what was measured and drawn, which is taken out.

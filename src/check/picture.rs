@@ -14,7 +14,7 @@ use crate::expr::tape::Tape;
 use crate::expr::{Expr, Leaf};
 use crate::number::{Bounded, NoValue};
 use findings::{Line, LineKind, PictureAccount};
-use sampled::course::Course;
+use sampled::trace::Trace;
 
 /// Most points of a line.
 const MOST: usize = 120;
@@ -39,20 +39,20 @@ pub(super) fn leaves(derivation: &Derivation) -> Vec<Leaf> {
 }
 
 /// Draws every picture of a motion that is asked for.
-pub(super) fn draw(derivation: &Derivation, course: &Course) -> Vec<PictureAccount> {
-    let asked = derivation.pictures.iter().filter(|p| p.trajectories.binary_search(&course.trajectory).is_ok());
+pub(super) fn draw(derivation: &Derivation, trace: &Trace) -> Vec<PictureAccount> {
+    let asked = derivation.pictures.iter().filter(|p| p.trajectories.binary_search(&trace.trajectory).is_ok());
     let one = |picture: &Picture| {
         let lines = match picture.kind {
-            PictureKind::Time => against_time(derivation, picture, course),
-            PictureKind::Curve => curve(derivation, picture, course),
-            PictureKind::Sphere => sphere(derivation, picture, course),
+            PictureKind::Time => against_time(derivation, picture, trace),
+            PictureKind::Curve => curve(derivation, picture, trace),
+            PictureKind::Sphere => sphere(derivation, picture, trace),
         };
         let (lines, reason) = match lines {
             Ok(lines) if lines.iter().any(|l| l.points.len() > 1) => (lines, None),
             Ok(_) => (Vec::new(), Some(Plain::NothingToShow.into())),
             Err(reason) => (Vec::new(), Some(reason)),
         };
-        let trajectory = derivation.trajectories[course.trajectory].id.clone();
+        let trajectory = derivation.trajectories[trace.trajectory].id.clone();
         PictureAccount { picture: picture.id.clone(), trajectory, lines, reason }
     };
     asked.map(one).collect()
@@ -61,18 +61,18 @@ pub(super) fn draw(derivation: &Derivation, course: &Course) -> Vec<PictureAccou
 type Row = Vec<Result<f64, NoValue>>;
 
 /// Times and values of formulas, thinned.
-fn table(derivation: &Derivation, course: &Course, formulas: &[Written<Expr>]) -> Result<Vec<(f64, Row)>, Reason> {
+fn table(derivation: &Derivation, trace: &Trace, formulas: &[Written<Expr>]) -> Result<Vec<(f64, Row)>, Reason> {
     let roots: Vec<Expr> = formulas.iter().map(|w| w.value).collect();
     let unknown = |leaf: Leaf| Sampling::NotKnown(derivation.graph.leaf_latex(leaf).into());
-    let tape = Tape::compile(&derivation.graph, course.leaves, &roots).map_err(unknown)?;
+    let tape = Tape::compile(&derivation.graph, trace.leaves, &roots).map_err(unknown)?;
     let mut slots = tape.slots::<Bounded>(&());
     // A motion that is at rest for long is drawn with few points there: samples are dense where it moves.
-    let step = course.times.len().div_ceil(MOST).max(1);
-    let mut kept: Vec<usize> = (0..course.times.len()).step_by(step).collect();
-    kept.extend(course.times.len().checked_sub(1).filter(|last| kept.last() != Some(last)));
+    let step = trace.times.len().div_ceil(MOST).max(1);
+    let mut kept: Vec<usize> = (0..trace.times.len()).step_by(step).collect();
+    kept.extend(trace.times.len().checked_sub(1).filter(|last| kept.last() != Some(last)));
     let row = |&i: &usize| {
-        let values = tape.evaluate(&(), &course.points.row(i), &mut slots);
-        (course.times[i], values.into_iter().map(|v| v.map(|v| v.value)).collect())
+        let values = tape.evaluate(&(), &trace.points.row(i), &mut slots);
+        (trace.times[i], values.into_iter().map(|v| v.map(|v| v.value)).collect())
     };
     Ok(kept.iter().map(row).collect())
 }
@@ -91,16 +91,16 @@ fn parts(kind: LineKind, points: impl Iterator<Item = Option<(f64, f64)>>) -> Ve
     out
 }
 
-fn against_time(derivation: &Derivation, picture: &Picture, course: &Course) -> Result<Vec<Line>, Reason> {
-    let rows = table(derivation, course, &picture.show)?;
+fn against_time(derivation: &Derivation, picture: &Picture, trace: &Trace) -> Result<Vec<Line>, Reason> {
+    let rows = table(derivation, trace, &picture.show)?;
     let value = |row: &Row, k: usize| row.get(k).and_then(|v| v.as_ref().ok()).copied();
     let of = |k: usize| parts(LineKind::Shown(k), rows.iter().map(move |(t, row)| Some((*t, value(row, k)?))));
     Ok((0..picture.show.len()).flat_map(of).collect())
 }
 
-fn curve(derivation: &Derivation, picture: &Picture, course: &Course) -> Result<Vec<Line>, Reason> {
+fn curve(derivation: &Derivation, picture: &Picture, trace: &Trace) -> Result<Vec<Line>, Reason> {
     let formulas: Vec<Written<Expr>> = picture.show.iter().chain(&picture.slopes).cloned().collect();
-    let rows = table(derivation, course, &formulas)?;
+    let rows = table(derivation, trace, &formulas)?;
     let value = |row: &Row, k: usize| row.get(k).and_then(|v| v.as_ref().ok()).copied();
     let point = |row: &Row| Some((value(row, 0)?, value(row, 1)?));
     let mut lines = parts(LineKind::Shown(0), rows.iter().map(|(_, row)| point(row)));
@@ -147,8 +147,8 @@ fn view(points: &[Vector]) -> [Vector; 3] {
     [right, up, towards]
 }
 
-fn sphere(derivation: &Derivation, picture: &Picture, course: &Course) -> Result<Vec<Line>, Reason> {
-    let rows = table(derivation, course, &picture.show)?;
+fn sphere(derivation: &Derivation, picture: &Picture, trace: &Trace) -> Result<Vec<Line>, Reason> {
+    let rows = table(derivation, trace, &picture.show)?;
     let vector = |row: &Row| -> Option<Vector> {
         let mut out = [0.0; 3];
         for (x, v) in out.iter_mut().zip(row) {
@@ -168,7 +168,7 @@ fn sphere(derivation: &Derivation, picture: &Picture, course: &Course) -> Result
     let [right, up, towards] = view(&points);
     let mut lines = Vec::new();
     if let Some(levels) = &picture.levels {
-        lines = level_sets(derivation, picture, levels, course, long, &[right, up, towards]).unwrap_or_default();
+        lines = level_sets(derivation, picture, levels, trace, long, &[right, up, towards]).unwrap_or_default();
     }
     let flat = |p: &Vector| (dot(p, &right) / long, dot(p, &up) / long);
     let in_front = |p: &Vector| dot(p, &towards) >= 0.0;
@@ -194,7 +194,7 @@ fn level_sets(
     derivation: &Derivation,
     picture: &Picture,
     levels: &Written<Expr>,
-    course: &Course,
+    trace: &Trace,
     radius: f64,
     [right, up, towards]: &[Vector; 3],
 ) -> Option<Vec<Line>> {
@@ -202,9 +202,9 @@ fn level_sets(
     let inputs = graph.leaves([levels.value]);
     let tape = Tape::compile(graph, &inputs, &[levels.value]).ok()?;
     let mut slots = tape.slots::<Bounded>(&());
-    let at = |leaf: &Leaf| course.leaves.iter().position(|l| l == leaf).ok_or(NoValue::OutOfDomain);
+    let at = |leaf: &Leaf| trace.leaves.iter().position(|l| l == leaf).ok_or(NoValue::OutOfDomain);
     let mut values: Vec<Result<Bounded, NoValue>> =
-        inputs.iter().map(|l| at(l).and_then(|i| course.points.get(0, i))).collect();
+        inputs.iter().map(|l| at(l).and_then(|i| trace.points.get(0, i))).collect();
     // Where among the inputs each of the three quantities is.
     let shown: Vec<Option<usize>> = picture
         .show

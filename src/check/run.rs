@@ -89,7 +89,7 @@ impl<'a> Run<'a> {
         }
         let Work { mut found, mut account, .. } = work;
         // They are large.
-        rayon::join(|| drop(altered), || found.courses.clear());
+        rayon::join(|| drop(altered), || found.traces.clear());
         // Back to the order of the file.
         for (earlier, (at, of)) in regions.into_iter().enumerate() {
             let before = selection.claims.iter().filter(|&&c| c < at).count();
@@ -237,7 +237,7 @@ impl Work<'_, '_> {
     fn weigh(&mut self) -> Result<(), CheckError> {
         let OnMotions { selection, compiled, altered, .. } = self.claims;
         let Some(altered) = altered else { return Ok(()) };
-        let Found { weighed, courses, .. } = &self.found;
-        altered.conclude(&compiled.derivation, selection, &mut self.account.claims, weighed, courses)
+        let Found { weighed, traces, .. } = &self.found;
+        altered.conclude(&compiled.derivation, selection, &mut self.account.claims, weighed, traces)
     }
 }

@@ -23,13 +23,13 @@ mod boundary;
 mod budget;
 mod confidence;
 mod draw;
+mod ensemble;
 mod map;
 mod member;
 mod of_file;
 mod separate;
 mod settled;
 mod sweep;
-mod troupe;
 
 pub use crate::findings::family::{
     Axis, Boundary, Counts, Crossing, Distribution, Exception, ExtremeAccount, FailingShare, FamilyAccount, FamilyMap,

@@ -1,14 +1,14 @@
 //! The families of a derivation: which claims are tried on them in a run, and what is found, put into the accounts of these claims.
 //!
 //! **In:** a derivation as it was read, what is chosen of it, and where it was counted elsewhere, the counts. **Out:** an account of each
-//! claim on each family, and of each measure. **Guaranteed:** a family is compiled once ([`Troupe`]); the members that are shown are those
+//! claim on each family, and of each measure. **Guaranteed:** a family is compiled once ([`Ensemble`]); the members that are shown are those
 //! that were counted, tried again.
 
 use super::account::{Counted, Otherwise, Spreading};
 use super::budget::Budget;
+use super::ensemble::{Ensemble, One, cells, too_rare};
 use super::member::{Member, Members};
 use super::separate::{Checker, separations};
-use super::troupe::{One, Troupe, cells, too_rare};
 use crate::derivation::{Claim, Derivation, Measure};
 use crate::findings::ClaimAccount;
 use crate::findings::family::{Joined, MeasureAccount};
@@ -110,26 +110,26 @@ impl Families {
             if asked.is_empty() && measures.is_empty() {
                 continue;
             }
-            let troupe = Troupe::new(derivation, members, &asked, &measures)?;
+            let ensemble = Ensemble::new(derivation, members, &asked, &measures)?;
             let fits =
                 |j: &&Joined| j.sums.tallies.len() == asked.len() && j.sums.distributions.len() == measures.len();
             let joined = joined.filter(|j| j.family == at).filter(fits);
             let (sums, stopped) = match joined {
                 Some(joined) => (joined.sums.clone(), None),
-                None => troupe.try_all(1..=members.family.size(), options, &mut budget, &progress, &mut |_| {})?,
+                None => ensemble.try_all(1..=members.family.size(), options, &mut budget, &progress, &mut |_| {})?,
             };
             let tallies = &sums.tallies;
             if sums.is_empty() && stopped.is_none() {
-                return Err(CheckError::Problems(vec![troupe.empty()]));
+                return Err(CheckError::Problems(vec![ensemble.empty()]));
             }
             let scales = members.scales();
-            let boundaries = troupe.boundaries(tallies, scales.as_ref(), options)?;
+            let boundaries = ensemble.boundaries(tallies, scales.as_ref(), options)?;
             // What was not tried might separate them otherwise.
             let separations = match stopped {
                 Some(_) => vec![None; asked.len()],
                 None => separations(checker, derivation, members, &asked, tallies, options)?,
             };
-            let again = troupe.again(sums.kept())?;
+            let again = ensemble.again(sums.kept())?;
             for (place, (n, (tally, claim))) in places.into_iter().zip(tallies.iter().zip(&asked).enumerate()) {
                 let expected = claim.families.iter().position(|f| *f == at).and_then(|i| claim.expect_of_families[i]);
                 let (size, precision) = (members.family.size(), claim.precision);
@@ -137,7 +137,7 @@ impl Families {
                 // A map of another size is none of this family.
                 let sizes = (scales.as_ref().map_or(0, cells), law.as_ref().map_or(0, |l| l.scale.axis.cells.len()));
                 if (tally.map.len(), tally.slopes.cells.len()) != sizes {
-                    return Err(troupe.otherwise(Otherwise(1), joined.is_some()));
+                    return Err(ensemble.otherwise(Otherwise(1), joined.is_some()));
                 }
                 let scales = scales.as_ref();
                 let (boundary, separation) = (boundaries[n].as_ref(), separations[n].as_ref());
@@ -148,7 +148,7 @@ impl Families {
                     Some((one.values.as_deref()?, one.verdicts.get(n)?))
                 };
                 let account = counted.account(derivation, &members.family, expected, &member);
-                claims[place].families.push(account.map_err(|other| troupe.otherwise(other, joined.is_some()))?);
+                claims[place].families.push(account.map_err(|other| ensemble.otherwise(other, joined.is_some()))?);
             }
             for (n, (measure, distribution)) in measures.iter().zip(&sums.distributions).enumerate() {
                 let of = Spreading { measure, distribution, stopped };
@@ -157,7 +157,7 @@ impl Families {
                     Some((one.values.as_deref()?, one.measured.get(n)?.values.as_slice()))
                 };
                 let account = of.account(derivation, &members.family, &member);
-                out.push(account.map_err(|other| troupe.otherwise(other, joined.is_some()))?);
+                out.push(account.map_err(|other| ensemble.otherwise(other, joined.is_some()))?);
             }
         }
         Ok(out)

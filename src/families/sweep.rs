@@ -4,8 +4,8 @@
 //! has every number of it, or there is none: a sweep that a limit ends finds nothing. The limits of a file hold for a part.
 
 use super::budget::{Budget, MOST_MEMBERS};
+use super::ensemble::Ensemble;
 use super::of_file::{Families, measured};
-use super::troupe::Troupe;
 use crate::derivation::{Claim, Derivation, Measure};
 use crate::diag::Diagnostic;
 use crate::findings::family::{Part, Row, Swept, SweptClaim, SweptMeasure};
@@ -65,8 +65,8 @@ pub fn sweep(
         let hint = format!("take at least {} parts", size.div_ceil(MOST_MEMBERS));
         return Err(refused("sweep::too-large", message, hint));
     }
-    let troupe = Troupe::new(&families.derivation, members, &asked, &measures)?;
-    let (sums, stopped) = troupe.try_all(numbers, &options, &mut Budget::default(), progress, each)?;
+    let ensemble = Ensemble::new(&families.derivation, members, &asked, &measures)?;
+    let (sums, stopped) = ensemble.try_all(numbers, &options, &mut Budget::default(), progress, each)?;
     if let Some(stopped) = stopped {
         let message = format!("part {part} of the family `{family}` was not finished: {stopped}");
         return Err(refused("sweep::too-large", message, "take more parts".to_owned()));

@@ -7,6 +7,8 @@
 //! e⁻²ᵖ of the first.
 
 mod arrival;
+mod start;
+mod sums;
 
 use std::ops::Range;
 
@@ -14,7 +16,8 @@ use super::kinks::{Edges, Kinks, Series};
 use super::narrow::Narrow;
 use expr::Leaf;
 use expr::tape::{Slots, Tape};
-use number::{Growth, Instruction, Interval, Jet, NoValue, Orders, Recurrences, Scalar, Work, widely};
+use number::{Growth, Instruction, Interval, Jet, NoValue, Orders, Recurrences, Scalar, widely};
+use sums::Sums;
 
 /// A field compiled for numbers: inputs are the time, the states, and the constants.
 #[derive(Clone, Debug, PartialEq)]
@@ -362,49 +365,6 @@ impl<'a> Walker<'a> {
         Step { coefficients: &self.next, low: &self.next_low, defects: &self.defects }
     }
 
-    /// Whether it has the series at its initial time.
-    pub(super) fn has_begun(&self) -> bool {
-        self.begun
-    }
-
-    /// Takes the series at the initial time: whether the motion begins. If not, another series is asked for.
-    ///
-    /// # Errors
-    /// Why no motion begins here.
-    pub(super) fn begin(&mut self, series: &impl Series, grown: Result<(), (usize, NoValue)>) -> Result<bool, Stop> {
-        if let Err((i, reason)) = grown {
-            return if self.leaves_a_kink() { Ok(false) } else { Err(Stop::NoRate(i, reason)) };
-        }
-        self.begun = true;
-        std::mem::swap(&mut self.now, &mut self.next);
-        // What is given at the start is what it is there.
-        self.now[..self.flow.dimension].copy_from_slice(&self.state);
-        self.kinks.keep(self.flow, series, self.control.order);
-        if self.flow.edges.is_steep(series) { Err(Stop::Undetermined) } else { Ok(true) }
-    }
-
-    /// At a kink a motion has rates, but no series. It begins behind it, as closely as time can tell, with the rates that it has there;
-    /// `false` where it has none, or was moved already.
-    fn leaves_a_kink(&mut self) -> bool {
-        if self.flow.edges.slots.is_empty() || self.trial.target != self.time {
-            return false;
-        }
-        let n = self.flow.dimension;
-        let mut rates = vec![0.0; 2 * n];
-        let mut slots = self.flow.slots(1, &self.constants);
-        if self.flow.expand(&mut slots, 1, self.time, &self.state, &mut rates).is_err() {
-            return false;
-        }
-        let direction = if self.end > self.time { 1.0 } else { -1.0 };
-        let moment = (4.0 * f64::EPSILON * self.time.abs()).max(1e-18 * self.length);
-        self.trial.target = self.time + direction * moment;
-        for (i, rate) in rates.chunks(2).map(|c| c[1]).enumerate() {
-            self.next_state[i] = self.state[i] + direction * moment * rate;
-            self.late[i] += moment * rate.abs();
-        }
-        true
-    }
-
     /// Chooses the next step, not beyond the end; `series` is that at the present time.
     ///
     /// # Errors
@@ -598,54 +558,6 @@ fn largest(count: usize, size: impl Fn(usize) -> f64) -> f64 {
     }
     let rest = (whole..count).fold(0.0, |most, i| larger(most, size(i)));
     most.into_iter().fold(rest, larger)
-}
-
-/// c₁ + c₂h + … of each component, and c₁ + 2c₂h + …, from the coefficients order by order.
-struct Sums<'w> {
-    orders: &'w [f64],
-    h: f64,
-    sums: &'w mut [f64],
-    slopes: &'w mut [f64],
-}
-
-impl Work for Sums<'_> {
-    type Output = ();
-    #[inline(always)]
-    fn work(self) {
-        let Sums { orders, h, sums, slopes } = self;
-        let n = sums.len();
-        // Some components at a time, whose sums stay in registers.
-        let mut some = 0;
-        while some + 2 * ABREAST <= n {
-            sums_of::<{ 2 * ABREAST }>(orders, (n, some), h, &mut sums[some..], &mut slopes[some..]);
-            some += 2 * ABREAST;
-        }
-        while some + ABREAST <= n {
-            sums_of::<ABREAST>(orders, (n, some), h, &mut sums[some..], &mut slopes[some..]);
-            some += ABREAST;
-        }
-        while some < n {
-            sums_of::<1>(orders, (n, some), h, &mut sums[some..], &mut slopes[some..]);
-            some += 1;
-        }
-    }
-}
-
-/// The same of `N` components of `n`, the first of which is `from`.
-#[inline(always)]
-fn sums_of<const N: usize>(orders: &[f64], (n, from): (usize, usize), h: f64, sums: &mut [f64], slopes: &mut [f64]) {
-    let (mut sum, mut slope) = ([0.0; N], [0.0; N]);
-    let mut k = (orders.len() / n) as f64;
-    for c in orders.chunks_exact(n).skip(1).rev() {
-        let Some(c) = c[from..].first_chunk::<N>() else { return };
-        k -= 1.0;
-        for i in 0..N {
-            sum[i] = sum[i] * h + c[i];
-            slope[i] = slope[i] * h + c[i] * k;
-        }
-    }
-    sums[..N].copy_from_slice(&sum);
-    slopes[..N].copy_from_slice(&slope);
 }
 
 /// Base-2 logarithm of a positive normal number, to 0.09: enough for a 20th root, and the same bits everywhere.

@@ -16,16 +16,16 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::between::may_lie_beyond;
-use crate::course::{Course, Trial};
 use crate::derivation::{Across, Dependence, Derivation, End, Form, NoOther};
 use crate::describe::{Describer, Left, incomplete};
-use crate::doubt::{known, open_events};
 use crate::expr::Expr;
 use crate::flow::{Incomplete, Points};
-use crate::judged::Tried;
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue, Number};
+use crate::pointwise::Tried;
+use crate::trace::{Trace, Trial};
 use crate::verdict::{Evidence, Finding, Possible, Rise};
+use crate::weakening::{known, open_events};
 use crate::weigh::weigh;
 use crate::{events, extrapolate};
 use claim::comparison::{Comparison, Group};
@@ -50,8 +50,8 @@ struct Taken {
 }
 
 /// The first time at which the quantity is taken on a motion.
-fn taken(trial: &Trial, course: &Course) -> Result<Taken, Box<Finding>> {
-    if let Some(problem) = course.motion.problem() {
+fn taken(trial: &Trial, trace: &Trace) -> Result<Taken, Box<Finding>> {
+    if let Some(problem) = trace.motion.problem() {
         return Err(Finding::open(Reason::quoted(problem)).into());
     }
     // What an angle adds up along a motion is not known beyond such a place.
@@ -59,29 +59,29 @@ fn taken(trial: &Trial, course: &Course) -> Result<Taken, Box<Finding>> {
         Incomplete::NoValue { .. } => false,
         Incomplete::Vanishing { .. } | Incomplete::Unresolved { .. } => true,
     };
-    if let Some(gap) = course.motion.unresolved().iter().find(open) {
+    if let Some(gap) = trace.motion.unresolved().iter().find(open) {
         return Err(Finding::open(Sampling::Gap(incomplete(gap))).into());
     }
     let Some(event) = trial.program.at else {
-        let t = course.stage.initial_time(course.trajectory);
-        return Ok(Taken { t, values: course.values(t) });
+        let t = trace.stage.initial_time(trace.trajectory);
+        return Ok(Taken { t, values: trace.values(t) });
     };
-    let found = trial.claim.at.as_ref().and_then(|at| events::of_event(trial.graph, at, event, course));
+    let found = trial.claim.at.as_ref().and_then(|at| events::of_event(trial.graph, at, event, trace));
     let Some(found) = found else {
         return Err(Finding::open(Plain::EventHasNoMeaning).into());
     };
     let counts = |i: &Incomplete| !matches!(i, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. });
-    let trial = Trial { course, ..*trial };
+    let trial = Trial { trace, ..*trial };
     if let Some(reason) = open_events(&trial, &found, counts) {
         return Err(Finding::open(reason).into());
     }
     let (Some(&t), Some(&slack)) = (found.zeros.times.first(), found.zeros.slack.first()) else {
         return Err(void(Plain::NoEventOnOther).into());
     };
-    if may_lie_beyond(course.stage.span(course.trajectory), t, slack) {
+    if may_lie_beyond(trace.stage.span(trace.trajectory), t, slack) {
         return Err(Finding::open(Sampling::EventInSpan(t)).into());
     }
-    Ok(Taken { t, values: course.values_at_event(t, slack) })
+    Ok(Taken { t, values: trace.values_at_event(t, slack) })
 }
 
 /// It says nothing, for a reason.
@@ -106,7 +106,7 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, posi
         Err(NoOther::Beyond) => return void(Sampling::BeyondLimit(name())),
         Err(NoOther::NoMember) => return Finding::open(Plain::ComparesMembers),
     };
-    let course = trial.course;
+    let trace = trial.trace;
     if let Some(Left::Open(reason) | Left::Out(reason)) = tried.left.first() {
         return Finding::open(Reason::clone(reason));
     }
@@ -114,7 +114,7 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, posi
     let Some((quantity, limit, cuts)) = group.first().map(|c| (c.left, c.right, &c.cuts)) else {
         return Finding::open(Plain::NoQuantity);
     };
-    let evaluator = |e: Expr| Quantity::new(trial.graph, course.leaves, e, cuts);
+    let evaluator = |e: Expr| Quantity::new(trial.graph, trace.leaves, e, cuts);
     let (Some(value), Some(limit)) = (evaluator(quantity), evaluator(limit)) else {
         return Finding::open(Plain::QuantityUnknown);
     };
@@ -122,15 +122,14 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, posi
     for (n, &x) in values.iter().enumerate() {
         let other;
         let of = match n.checked_sub(1).map(|n| across.others.get(n)) {
-            None => course,
+            None => trace,
             Some(position) => {
-                let built = position.and_then(|position| Some((*position, course.stage.motion(*position)?)));
+                let built = position.and_then(|position| Some((*position, trace.stage.motion(*position)?)));
                 let Some((trajectory, motion)) = built else { return Finding::open(Plain::OtherNotBuilt) };
                 // Its samples are not asked for.
                 let (times, points) = (Vec::new(), Arc::new(Points::default()));
                 let between = OnceLock::new();
-                other =
-                    Course { stage: course.stage, trajectory, motion, leaves: course.leaves, times, points, between };
+                other = Trace { stage: trace.stage, trajectory, motion, leaves: trace.leaves, times, points, between };
                 &other
             }
         };

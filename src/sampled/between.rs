@@ -11,13 +11,13 @@
 use std::cell::LazyCell;
 use std::sync::Arc;
 
-use crate::course::Trial;
 use crate::describe::{Describer, Left, incomplete};
 use crate::expr::Expr;
 use crate::flow::{Incomplete, Points};
-use crate::judged::{Judged, Tried, selected};
 use crate::latex::RelationKind;
 use crate::number::NoValue;
+use crate::pointwise::{Pointwise, Tried, selected};
+use crate::trace::Trial;
 use crate::verdict::{Evidence, Finding, Possible, Strength, Truth};
 use crate::weigh::weigh;
 use claim::measured::{Measurements, measure};
@@ -59,7 +59,7 @@ struct Between<'a> {
 /// A comparison by itself is looked at between two changes of its own sign, where it is farthest from 0: there it may not count,
 /// or another comparison decide. Changes that are closer to one another than their times are known are one.
 fn unseen(trial: &Trial, position: usize, void: bool, seen: impl Fn(f64, f64) -> bool) -> Vec<f64> {
-    let Trial { program, course, .. } = *trial;
+    let Trial { program, trace, .. } = *trial;
     let compared = program.parts[position].boundaries(void).map(|(_, _, e)| e);
     let assumed = program.met().map(|(_, _, e)| e);
     let mut each: Vec<Expr> = compared.chain(assumed).chain(program.edges()).collect();
@@ -68,9 +68,9 @@ fn unseen(trial: &Trial, position: usize, void: bool, seen: impl Fn(f64, f64) ->
     if each.len() < 2 {
         return Vec::new();
     }
-    let (from, to) = course.stage.span(course.trajectory);
+    let (from, to) = trace.stage.span(trace.trajectory);
     let mut changes = vec![(from, 0.0), (to, 0.0)];
-    for zeros in each.into_iter().filter_map(|e| course.zeros(e)) {
+    for zeros in each.into_iter().filter_map(|e| trace.zeros(e)) {
         changes.extend(zeros.times.iter().copied().zip(zeros.slack.iter().copied()));
         let ends = zeros.incomplete.iter().map(Incomplete::stretch).flat_map(|(start, end)| [start, end]);
         changes.extend(zeros.touching.iter().copied().chain(ends).map(|t| (t, 0.0)));
@@ -99,12 +99,12 @@ pub(super) fn is_weak(kind: RelationKind) -> bool {
 impl<'a> Between<'a> {
     /// Looks for the changes of a part of the program, which was measured `along` the times that were `tried`.
     fn look(trial: &Trial<'a>, (along, tried): (&Measurements, &Tried), position: usize, void: bool) -> Between<'a> {
-        let Trial { program, course, .. } = *trial;
-        let (from, to) = course.stage.span(course.trajectory);
+        let Trial { program, trace, .. } = *trial;
+        let (from, to) = trace.stage.span(trace.trajectory);
         let mut found: Vec<(f64, Role)> = Vec::new();
         let mut open: Vec<Reason> = Vec::new();
         for (comparison, kind, e) in program.parts[position].boundaries(void) {
-            let Some(zeros) = course.zeros(e) else {
+            let Some(zeros) = trace.zeros(e) else {
                 open.push(Plain::NotSearched.into());
                 let role = Role::Probe { reason: open.len() - 1, comparison, equal: false };
                 found.extend([from, to].map(|t| (t, role)));
@@ -141,7 +141,7 @@ impl<'a> Between<'a> {
                 found.extend(probes.into_iter().filter(|t| (from..=to).contains(t)).map(|t| (t, role)));
             }
         }
-        let judged = LazyCell::new(|| Judged::new(&along.parts[position], trial.claim.precision));
+        let judged = LazyCell::new(|| Pointwise::new(&along.parts[position], trial.claim.precision));
         let clear = |i: usize| matches!(tried.left[i], Left::Out(_)) || judged.at(i).decided().is_some();
         let unseen = unseen(trial, position, void, |from, to| {
             let inside = tried.times.partition_point(|&t| t <= from)..tried.times.partition_point(|&t| t < to);
@@ -153,7 +153,7 @@ impl<'a> Between<'a> {
             Role::Crossing { slack, .. } => (t, Some(slack)),
             Role::Inside | Role::Probe { .. } => (t, None),
         };
-        let points = course.points_at_events(program, &found.iter().map(event).collect::<Vec<_>>());
+        let points = trace.points_at_events(program, &found.iter().map(event).collect::<Vec<_>>());
         let mut measured = measure(program, &points, Some(along));
         for group in &mut measured.selectors {
             group.equal.iter_mut().flatten().for_each(|equal| *equal = true);
@@ -169,7 +169,7 @@ impl<'a> Between<'a> {
     }
 
     /// What the search leaves open at times that may count.
-    fn still_open(&self, left: &[Left], judged: &Judged, precision: f64) -> Option<&Reason> {
+    fn still_open(&self, left: &[Left], judged: &Pointwise, precision: f64) -> Option<&Reason> {
         let group = &self.measured.parts[self.position];
         let reason = |(i, role): (usize, &Role)| {
             let Role::Probe { reason, comparison, equal } = *role else { return None };
@@ -193,7 +193,7 @@ impl<'a> Between<'a> {
     fn valued(&self, trial: &Trial) -> Option<Reason> {
         let describer = Describer::new(trial, &self.times, &self.points);
         let left = selected(trial, &self.measured, &describer);
-        let judged = Judged::new(&self.measured.parts[self.position], trial.claim.precision);
+        let judged = Pointwise::new(&self.measured.parts[self.position], trial.claim.precision);
         let valued = |i: &usize| !matches!(left[*i], Left::Out(_)) && judged.at(*i) != Possible::VOID;
         let i = (0..self.times.len()).find(valued)?;
         Some(Sampling::ValueBetween(self.times[i]).into())
@@ -209,7 +209,7 @@ impl<'a> Between<'a> {
         let describer = Describer::new(trial, &self.times, &self.points);
         let left = selected(trial, &self.measured, &describer);
         let precision = trial.claim.precision;
-        let judged = Judged::new(group, precision);
+        let judged = Pointwise::new(group, precision);
         // Whether a time at which the sides touch refutes cannot be told: such times are not weighed.
         let weighed = |(left, role): (&Left, &Role)| match role {
             Role::Probe { .. } => Left::Out(Arc::new(Plain::NotLookedAt.into())),

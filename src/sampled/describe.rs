@@ -3,12 +3,12 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use crate::course::Trial;
 use crate::derivation::Claim;
 use crate::expr::tape::{Fault, Slots};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::{Incomplete, Points};
 use crate::number::{Bounded, NoValue};
+use crate::trace::Trial;
 use claim::comparison::Comparison;
 use claim::program::{Program, SIDES};
 use reason::{Gap, Reason, Sampling};
@@ -61,12 +61,12 @@ type Said = Vec<((usize, NoValue), Arc<Reason>)>;
 impl<'a> Describer<'a> {
     /// A describer of these points.
     pub fn new(trial: &Trial<'a>, times: &'a [f64], points: &'a Points) -> Describer<'a> {
-        let Trial { graph, claim, program, course, shown } = *trial;
+        let Trial { graph, claim, program, trace, shown } = *trial;
         Describer {
             graph,
             claim,
             program,
-            leaves: course.leaves,
+            leaves: trace.leaves,
             times,
             points,
             shown,

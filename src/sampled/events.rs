@@ -10,13 +10,13 @@
 
 use std::borrow::Cow;
 
-use crate::course::Course;
 use crate::derivation::{Direction, Event, Occasion};
 use crate::describe::incomplete;
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph};
 use crate::flow::{Incomplete, Zeros};
 use crate::number::{Bounded, NoValue};
+use crate::trace::Trace;
 use claim::program::Program;
 use reason::{Reason, Sampling, Search};
 
@@ -47,18 +47,18 @@ pub struct Events<'a> {
 pub fn of_claim<'a>(
     graph: &Graph,
     (claim, program): (&crate::derivation::Claim, &Program),
-    course: &'a Course,
+    trace: &'a Trace,
 ) -> Option<Events<'a>> {
-    of_event(graph, claim.at.as_ref()?, program.at?, course)
+    of_event(graph, claim.at.as_ref()?, program.at?, trace)
 }
 
 /// The same for an event with what vanishes at it.
-pub fn of_event<'a>(graph: &Graph, event: &Event, e: Expr, course: &'a Course) -> Option<Events<'a>> {
-    let zeros = course.zeros(e)?;
+pub fn of_event<'a>(graph: &Graph, event: &Event, e: Expr, trace: &'a Trace) -> Option<Events<'a>> {
+    let zeros = trace.zeros(e)?;
     if event.occasion.is_any() {
         return Some(Events { zeros: Cow::Borrowed(zeros), doubt: None, all: false });
     }
-    let Some(sides) = Sides::new(graph, e, course, zeros) else {
+    let Some(sides) = Sides::new(graph, e, trace, zeros) else {
         let doubt = Some(Sampling::DirectionUnknown(event.equation.text.as_str().into()).into());
         return Some(Events { zeros: Cow::Owned(Zeros::default()), doubt, all: true });
     };
@@ -128,7 +128,7 @@ fn meant<'a>(sides: &Sides<'a>, Occasion { direction, count }: Occasion) -> Even
 
 /// left − right of an event along a motion.
 struct Sides<'a> {
-    course: &'a Course<'a>,
+    trace: &'a Trace<'a>,
     zeros: &'a Zeros,
     tape: Tape,
     /// The positions of its leaves among those of the motion.
@@ -137,16 +137,16 @@ struct Sides<'a> {
 }
 
 impl<'a> Sides<'a> {
-    fn new(graph: &Graph, e: Expr, course: &'a Course<'a>, zeros: &'a Zeros) -> Option<Sides<'a>> {
+    fn new(graph: &Graph, e: Expr, trace: &'a Trace<'a>, zeros: &'a Zeros) -> Option<Sides<'a>> {
         let own = graph.leaves([e]);
-        let leaves = own.iter().map(|leaf| course.leaves.binary_search(leaf).ok()).collect::<Option<Vec<_>>>()?;
+        let leaves = own.iter().map(|leaf| trace.leaves.binary_search(leaf).ok()).collect::<Option<Vec<_>>>()?;
         let tape = Tape::compile(graph, &own, &[e]).ok()?;
-        Some(Sides { course, zeros, tape, leaves, span: course.stage.span(course.trajectory) })
+        Some(Sides { trace, zeros, tape, leaves, span: trace.stage.span(trace.trajectory) })
     }
 
     /// left − right at times.
     fn at(&self, times: &[f64]) -> Vec<Result<Bounded, NoValue>> {
-        let points = self.course.stage.points(self.course.trajectory, times, &self.leaves);
+        let points = self.trace.stage.points(self.trace.trajectory, times, &self.leaves);
         let mut slots = self.tape.slots::<Bounded>(&());
         let mut value = |i: usize| {
             let row = points.row(i);

@@ -6,17 +6,17 @@
 
 use nalgebra::DMatrix;
 
-use crate::course::Trial;
 use crate::derivation::{Claim, Form, Motion, Trajectory, Written};
 use crate::describe::Left;
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf, NoDerivative, Tensor};
 use crate::flow::{Rapid, VectorField};
-use crate::judged::Tried;
 use crate::latex::{Role, Scope, Statement};
 use crate::number::{Bounded, NoValue};
+use crate::pointwise::Tried;
 use crate::stretches::is_met;
 use crate::systems::Fields;
+use crate::trace::Trial;
 use crate::verdict::{Evidence, Finding, Possible, Witness};
 use claim::comparison::{GUARD, traced_now};
 use reason::{Plain, Reason, Sampling};
@@ -152,8 +152,8 @@ fn with_rates(graph: &mut Graph, field: &VectorField, e: Expr) -> Expr {
 
 /// Tries the independence along a motion.
 pub(super) fn try_on(of: &Gradients, trial: &Trial, tried: &Tried) -> Finding {
-    let Trial { graph, course, .. } = *trial;
-    let Ok(tape) = Tape::compile(graph, course.leaves, &of.entries) else {
+    let Trial { graph, trace, .. } = *trial;
+    let Ok(tape) = Tape::compile(graph, trace.leaves, &of.entries) else {
         return Finding::open(Plain::FunctionsUnknown);
     };
     let mut slots = tape.slots::<Bounded>(&());
@@ -232,7 +232,7 @@ pub(super) fn try_on(of: &Gradients, trial: &Trial, tried: &Tried) -> Finding {
     if let Some(reason) = tried.left.iter().find_map(open) {
         return Finding::open(reason);
     }
-    let rapid = trial.course.rapid(&trial.program.rapid);
+    let rapid = trial.trace.rapid(&trial.program.rapid);
     if rapid.unresolved.is_some() {
         return Finding::open(Plain::TooManyPeaks);
     }
@@ -246,12 +246,12 @@ pub(super) fn try_on(of: &Gradients, trial: &Trial, tried: &Tried) -> Finding {
 /// Whether the functions are dependent also a little before and after a time.
 fn dependent_beside(of: &Gradients, trial: &Trial, tape: &Tape, witness: Option<&Witness>) -> bool {
     let Some(t) = witness.map(|w| w.t) else { return false };
-    let (from, to) = trial.course.stage.span(trial.course.trajectory);
+    let (from, to) = trial.trace.stage.span(trial.trace.trajectory);
     let (n, rows) = (of.variables.len(), of.constraints + of.functions);
     let mut slots = tape.slots::<Bounded>(&());
     let beside = [-BESIDE, BESIDE].map(|d| t + d * (to - from)).into_iter().filter(|t| (from..=to).contains(t));
     beside.into_iter().all(|t| {
-        let values = tape.evaluate(&(), &trial.course.values(t), &mut slots);
+        let values = tape.evaluate(&(), &trial.trace.values(t), &mut slots);
         let Ok(values) = values.into_iter().collect::<Result<Vec<Bounded>, _>>() else { return false };
         let base = rank(&normalised(of.constraints, n, &values[..of.constraints * n])).0;
         let full = rank(&normalised(rows, n, &values)).0;
@@ -294,7 +294,7 @@ fn lost_between(of: &Gradients, trial: &Trial, tried: &Tried, tape: &Tape, rapid
         (0..tried.times.len()).map(|i| (tried.times[i], smallest(&tried.points.row(i)), tried.left[i] == Left::In));
     let mut along: Vec<(f64, Option<f64>, bool)> = sampled.collect();
     let between = rapid.times.iter().chain(&rapid.singular);
-    along.extend(between.map(|&t| (t, smallest(&trial.course.values(t)), is_met(trial, t))));
+    along.extend(between.map(|&t| (t, smallest(&trial.trace.values(t)), is_met(trial, t))));
     along.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut lowest: Vec<usize> = (1..along.len().saturating_sub(1))
         .filter(|&i| match (along[i - 1].1, along[i].1, along[i + 1].1) {
@@ -312,7 +312,7 @@ fn lost_between(of: &Gradients, trial: &Trial, tried: &Tried, tape: &Tape, rapid
         let mut least = (along[i].0, along[i].1?);
         for _ in 0..60 {
             let (x, y) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
-            let (Some(u), Some(v)) = (smallest(&trial.course.values(x)), smallest(&trial.course.values(y))) else {
+            let (Some(u), Some(v)) = (smallest(&trial.trace.values(x)), smallest(&trial.trace.values(y))) else {
                 break;
             };
             for (t, size) in [(x, u), (y, v)] {
@@ -332,7 +332,7 @@ fn lost_between(of: &Gradients, trial: &Trial, tried: &Tried, tape: &Tape, rapid
 /// Whether the sides of a selector change their order between two times.
 fn changes(trial: &Trial, (a, b): (f64, f64)) -> bool {
     let program = trial.program;
-    let points = trial.course.points_at(program, &[a, b]);
+    let points = trial.trace.points_at(program, &[a, b]);
     let selected = program.selectors.iter().map(|s| s.part.group.comparisons.len()).sum();
     program.measure((&points, 2), 1.0).iter().take(selected).any(|series| {
         let signs = [0, 1].map(|i| series.difference(i).ok().map(|d| d.value.signum()));

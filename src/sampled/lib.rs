@@ -2,8 +2,8 @@
 //!
 //! **In:** a compiled claim, and the trajectories of a derivation. **Out:** a verdict of the strength *sampled*, with its evidence.
 //!
-//! The order of work: [`stage`] turns trajectories into motions, [`course`] samples them; [`trial`] measures the comparisons of a claim at
-//! the samples, `judged` says what is known at each, `weigh` what that adds up to; `between`, `doubt`, `stretches` and `peaks` look for what
+//! The order of work: [`stage`] turns trajectories into motions, [`trace`] samples them; [`trial`] measures the comparisons of a claim at
+//! the samples, `pointwise` says what is known at each, `weigh` what that adds up to; `between`, `weakening`, `stretches` and `peaks` look for what
 //! samples may have missed. Parts that compare motions or times have files of their own: [`same_motion`], `across`, [`independence`],
 //! `limit`.
 //!
@@ -16,17 +16,15 @@ use ::{derivation, diag, expr, findings, flow, latex, number, verdict};
 
 mod across;
 mod between;
-pub mod course;
 mod describe;
-mod doubt;
 pub mod events;
 pub mod extrapolate;
 pub mod independence;
-mod judged;
 mod limit;
 pub mod measure;
 pub mod pattern;
 mod peaks;
+mod pointwise;
 pub mod prepared;
 pub mod recall;
 pub mod same_motion;
@@ -37,6 +35,8 @@ pub mod setup;
 pub mod stage;
 mod stretches;
 pub mod systems;
+pub mod trace;
 pub mod trial;
+mod weakening;
 mod weigh;
 pub mod witness;

@@ -6,11 +6,11 @@
 
 use std::sync::Arc;
 
-use crate::course::Trial;
 use crate::describe::{Describer, Left};
 use crate::flow::Points;
 use crate::latex::LimitPoint;
 use crate::number::{Bounded, NoValue};
+use crate::trace::Trial;
 use crate::verdict::{Finding, Possible, Strength};
 use crate::weigh::weigh;
 use claim::measured::{MeasuredGroup, Measurements, measure};
@@ -35,7 +35,7 @@ fn are_close(a: Option<Bounded>, b: Option<Bounded>) -> bool {
 
 /// Whether an angle may be on both sides of its cut at times close to one another: what is compared may be large against the leap.
 fn leaps(trial: &Trial, times: &[f64]) -> bool {
-    let points: Points = times.iter().map(|&t| trial.course.values(t)).collect();
+    let points: Points = times.iter().map(|&t| trial.trace.values(t)).collect();
     let at: Vec<Vec<[Option<Bounded>; 2]>> = points.samples().map(|point| trial.program.angles(point)).collect();
     let count = at.first().map_or(0, Vec::len);
     (0..count).any(|cut| {
@@ -60,14 +60,14 @@ pub(super) fn limit(
     group: &dyn for<'m, 'p> Fn(&'m Measurements<'p>) -> &'m MeasuredGroup<'p>,
     point: &LimitPoint,
 ) -> Finding {
-    let Trial { graph, program, course, .. } = *trial;
+    let Trial { graph, program, trace, .. } = *trial;
     let LimitPoint::Finite(e) = point else {
         return Finding::open(Plain::LimitAtInfinity);
     };
-    let Some(t0) = course.stage.constant(graph, course.trajectory, *e) else {
+    let Some(t0) = trace.stage.constant(graph, trace.trajectory, *e) else {
         return Finding::open(Plain::NoPointOfLimit);
     };
-    let (from, to) = course.stage.span(course.trajectory);
+    let (from, to) = trace.stage.span(trace.trajectory);
     let (t0, exact) = (t0.value, t0.error == 0.0);
     if t0 < from || t0 > to {
         return Finding::open(Sampling::OutsideSpan { t: t0, from, to });
@@ -85,7 +85,7 @@ pub(super) fn limit(
     let found: Vec<Found> = times
         .iter()
         .map(|&t| {
-            let (times, points) = ([t], Arc::new([course.values(t)].into_iter().collect()));
+            let (times, points) = ([t], Arc::new([trace.values(t)].into_iter().collect()));
             let measured = measure(program, &points, None);
             let describer = Describer::new(trial, &times, &points);
             let group = group(&measured);

@@ -5,7 +5,6 @@
 //! **Guaranteed:** a value between two events is one only where the search for the first event is complete from there to the second:
 //! else another time might be meant. How far an event may be off is part of the error.
 
-use crate::course::Course;
 use crate::derivation::{Derivation, Event, Since};
 use crate::describe::incomplete;
 use crate::events;
@@ -15,6 +14,7 @@ use crate::findings::Measurement;
 use crate::flow::Rapid;
 use crate::number::{Bounded, NoValue};
 use crate::stage::Searched;
+use crate::trace::Trace;
 use claim::comparison::cuts;
 use claim::denote::{at_event, rapid};
 use claim::quantity::Quantity;
@@ -77,8 +77,8 @@ impl Compiled {
     }
 
     /// Takes the measure on a motion; `None` when it is not asked for there.
-    pub fn take(&self, derivation: &Derivation, course: &Course) -> Option<Measurement> {
-        let trajectory = course.trajectory;
+    pub fn take(&self, derivation: &Derivation, trace: &Trace) -> Option<Measurement> {
+        let trajectory = trace.trajectory;
         let measure = derivation.measures.get(self.index)?;
         if measure.trajectories.binary_search(&trajectory).is_err() {
             return None;
@@ -94,11 +94,11 @@ impl Compiled {
             return Some(out);
         };
         let Some((at, second_event)) = measure.at.as_ref().zip(self.at) else {
-            self.at_time(derivation.trajectories[trajectory].initial_time, course, quantity, &mut out);
+            self.at_time(derivation.trajectories[trajectory].initial_time, trace, quantity, &mut out);
             return Some(out);
         };
         let none = |event: &Event| Sampling::NoMeaning(event.equation.text.as_str().into()).into();
-        let Some(found) = events::of_event(&derivation.graph, at, second_event, course) else {
+        let Some(found) = events::of_event(&derivation.graph, at, second_event, trace) else {
             out.reason = Some(none(at));
             return Some(out);
         };
@@ -107,13 +107,13 @@ impl Compiled {
         let events: Vec<Known> = times.map(|(t, slack)| Known { t, slack }).collect();
         let (shown, left_out) = events.split_at(events.len().min(MOST));
         match measure.since.as_ref().zip(self.since) {
-            None => shown.iter().for_each(|event| self.at_event(*event, course, quantity, &mut out)),
-            Some(((since, take), e)) => match events::of_event(&derivation.graph, since, e, course) {
+            None => shown.iter().for_each(|event| self.at_event(*event, trace, quantity, &mut out)),
+            Some(((since, take), e)) => match events::of_event(&derivation.graph, since, e, trace) {
                 None => out.reason = Some(none(since)),
                 Some(first) => {
                     for &second in shown {
                         match before(second, since, &first, e == second_event) {
-                            Ok(first) => self.between(first, second, *take, (course, quantity), &mut out),
+                            Ok(first) => self.between(first, second, *take, (trace, quantity), &mut out),
                             Err(reason) => out.reason = Some(reason),
                         }
                     }
@@ -127,13 +127,13 @@ impl Compiled {
     }
 
     /// Takes the quantity at a time.
-    fn at_time(&self, t: f64, course: &Course, quantity: &Quantity, out: &mut Measurement) {
-        note(t, quantity.value(&course.values(t)), out);
+    fn at_time(&self, t: f64, trace: &Trace, quantity: &Quantity, out: &mut Measurement) {
+        note(t, quantity.value(&trace.values(t)), out);
     }
 
     /// Takes the quantity at an event.
-    fn at_event(&self, Known { t, slack }: Known, course: &Course, quantity: &Quantity, out: &mut Measurement) {
-        note(t, quantity.value(&course.values_at_event(t, slack)), out);
+    fn at_event(&self, Known { t, slack }: Known, trace: &Trace, quantity: &Quantity, out: &mut Measurement) {
+        note(t, quantity.value(&trace.values_at_event(t, slack)), out);
     }
 
     /// Takes what is asked for between two events.
@@ -142,14 +142,14 @@ impl Compiled {
         first: Known,
         second: Known,
         take: Since,
-        (course, quantity): (&Course, &Quantity),
+        (trace, quantity): (&Trace, &Quantity),
         out: &mut Measurement,
     ) {
-        let at = |of: Known| quantity.value(&course.values_at_event(of.t, of.slack));
+        let at = |of: Known| quantity.value(&trace.values_at_event(of.t, of.slack));
         let ends = at(first).and_then(|a| Ok((a, at(second)?)));
         let found = ends.and_then(|(a, b)| match take {
             Since::Change => Ok(b - a),
-            Since::Mean => mean(course, (quantity, &self.rapid), (first, a), (second, b)),
+            Since::Mean => mean(trace, (quantity, &self.rapid), (first, a), (second, b)),
         });
         note(second.t, found, out);
     }
@@ -264,15 +264,15 @@ struct Stretch {
 }
 
 /// Quadrature over some stretches of time, none with a value missing.
-fn quadrature(course: &Course, quantity: &Quantity, ends: &[((f64, f64), u32)]) -> Result<Vec<Stretch>, NoValue> {
+fn quadrature(trace: &Trace, quantity: &Quantity, ends: &[((f64, f64), u32)]) -> Result<Vec<Stretch>, NoValue> {
     let sides = [-1.0, 1.0];
     let nodes = || NODES.iter().flat_map(|node| sides.iter().map(move |side| (side * node.0, node))).skip(1);
-    let leaves: Vec<usize> = (0..course.leaves.len()).collect();
+    let leaves: Vec<usize> = (0..trace.leaves.len()).collect();
     let mut out = Vec::with_capacity(ends.len());
     // A few stretches at a time: memory does not grow with the span.
     for some in ends.chunks(64) {
         let places = some.iter().flat_map(|((a, b), _)| nodes().map(move |(x, _)| 0.5 * (a + b) + 0.5 * (b - a) * x));
-        let points = course.stage.points(course.trajectory, &places.collect::<Vec<_>>(), &leaves);
+        let points = trace.stage.points(trace.trajectory, &places.collect::<Vec<_>>(), &leaves);
         let mut at = 0;
         for &(ends, halvings) in some {
             let half = 0.5 * (ends.1 - ends.0);
@@ -297,12 +297,12 @@ fn quadrature(course: &Course, quantity: &Quantity, ends: &[((f64, f64), u32)]) 
 /// the motion, and the times at which the quantity may vary more rapidly than these tell; they are halved where it bends or leaps. Where
 /// it is smooth the two rules differ by far more than the better one is off; where it is not, by no less than a part of it.
 fn mean(
-    course: &Course,
+    trace: &Trace,
     (quantity, rapid): (&Quantity, &[Expr]),
     (first, at_first): (Known, Bounded),
     (second, at_second): (Known, Bounded),
 ) -> Result<Bounded, NoValue> {
-    let Rapid { times, singular, unresolved } = course.rapid(rapid);
+    let Rapid { times, singular, unresolved } = trace.rapid(rapid);
     if unresolved.is_some_and(|(from, to)| to >= first.t && from <= second.t) {
         return Err(NoValue::Indeterminate);
     }
@@ -315,12 +315,12 @@ fn mean(
         is_apart
     };
     let singular: Vec<f64> = singular.into_iter().filter(apart).collect();
-    let inner = course.times.iter().copied().chain(times).chain(singular).filter(|t| first.t < *t && *t < second.t);
+    let inner = trace.times.iter().copied().chain(times).chain(singular).filter(|t| first.t < *t && *t < second.t);
     let mut ends: Vec<f64> = [first.t, second.t].into_iter().chain(inner).collect();
     ends.sort_by(f64::total_cmp);
     ends.dedup();
     let whole: Vec<_> = ends.windows(2).map(|w| ((w[0], w[1]), 0)).collect();
-    let mut found = quadrature(course, quantity, &whole)?;
+    let mut found = quadrature(trace, quantity, &whole)?;
     let size: f64 = found.iter().map(|s| s.size).sum();
     let (mut sum, mut error, mut open, mut looked) = (0.0, 0.0, 0.0, found.len());
     loop {
@@ -352,7 +352,7 @@ fn mean(
         if looked > STRETCHES {
             return Err(NoValue::Indeterminate);
         }
-        found = quadrature(course, quantity, &halves)?;
+        found = quadrature(trace, quantity, &halves)?;
     }
     if open > TOLD * size {
         return Err(NoValue::Indeterminate);

@@ -10,12 +10,12 @@
 use std::cell::OnceCell;
 use std::sync::Arc;
 
-use crate::course::Trial;
 use crate::describe::{Describer, Left};
-use crate::doubt::{known, reopened};
 use crate::flow::{Points, Rapid};
-use crate::judged::selected;
+use crate::pointwise::selected;
+use crate::trace::Trial;
 use crate::verdict::{Evidence, Finding, Possible, Truth};
+use crate::weakening::{known, reopened};
 use crate::weigh::weigh;
 use claim::measured::{MeasuredGroup, Measurements, measure};
 use reason::Plain;
@@ -74,9 +74,9 @@ impl<'a, 't> Peaks<'a, 't> {
     fn found(&self) -> &Found<'a> {
         self.found.get_or_init(|| {
             let Peaks { trial, along, .. } = *self;
-            let Rapid { times, singular, unresolved } = trial.course.rapid(&trial.program.rapid);
+            let Rapid { times, singular, unresolved } = trial.trace.rapid(&trial.program.rapid);
             let further = |times: Vec<f64>| {
-                let points = (!times.is_empty()).then(|| trial.course.points_between(trial.program, &times))?;
+                let points = (!times.is_empty()).then(|| trial.trace.points_between(trial.program, &times))?;
                 Further::new(trial, along, times, points)
             };
             let [times, singular] = [times, singular].map(further);

@@ -2,15 +2,15 @@
 
 use std::sync::Arc;
 
-use crate::course::Trial;
 use crate::derivation::{Derivation, Form};
 use crate::describe::{Describer, Left};
 use crate::expr::{Leaf, Node, Symbol};
 use crate::flow::{Points, Sample};
-use crate::judged::Tried;
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
+use crate::pointwise::Tried;
 use crate::stage;
+use crate::trace::Trial;
 use crate::verdict::Finding;
 use crate::weigh::weigh;
 use claim::comparison::{Comparison, Group};
@@ -36,9 +36,9 @@ fn components(derivation: &Derivation, symbol: Symbol) -> Vec<Leaf> {
 /// The times at which a claim that compares its motion with others is tried: those of all of them, since each may do something
 /// where another does not. Nothing, where the claim compares none, or is tried at events.
 pub fn times_of_both(trial: &Trial) -> Option<(Vec<f64>, Arc<Points>)> {
-    let Trial { program, course, .. } = *trial;
+    let Trial { program, trace, .. } = *trial;
     let others = program.parts.iter().filter_map(|part| match part.what {
-        What::SameMotion(other, _) => course.stage.motion(other),
+        What::SameMotion(other, _) => trace.stage.motion(other),
         What::Every
         | What::Denied
         | What::Defined
@@ -48,28 +48,28 @@ pub fn times_of_both(trial: &Trial) -> Option<(Vec<f64>, Arc<Points>)> {
         | What::Independent
         | What::Across => None,
     });
-    let (from, to) = course.stage.span(course.trajectory);
+    let (from, to) = trace.stage.span(trace.trajectory);
     let theirs: Vec<f64> = others.flat_map(stage::sample_times).filter(|t| (from..=to).contains(t)).collect();
     if theirs.is_empty() || program.at.is_some() {
         return None;
     }
-    let mut times: Vec<f64> = course.times.iter().copied().chain(theirs).collect();
+    let mut times: Vec<f64> = trace.times.iter().copied().chain(theirs).collect();
     times.sort_by(f64::total_cmp);
     times.dedup();
-    let points = Arc::new(times.iter().map(|&t| course.values(t)).collect());
+    let points = Arc::new(times.iter().map(|&t| trace.values(t)).collect());
     Some((times, points))
 }
 
 /// Compares the states `of` of a motion with those of another.
 pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, other: usize, of: &[Symbol]) -> Finding {
-    let course = trial.course;
-    let (from, to) = course.stage.motion(other).map_or((f64::INFINITY, f64::NEG_INFINITY), |m| m.span());
+    let trace = trial.trace;
+    let (from, to) = trace.stage.motion(other).map_or((f64::INFINITY, f64::NEG_INFINITY), |m| m.span());
     let theirs: Vec<Option<Vec<Result<Bounded, NoValue>>>> =
-        tried.times.iter().map(|&t| (from <= t && t <= to).then(|| course.stage.values(other, t))).collect();
+        tried.times.iter().map(|&t| (from <= t && t <= to).then(|| trace.stage.values(other, t))).collect();
     let mut comparisons = Vec::new();
     let (mut series, mut sizes): (Vec<Series>, Vec<Vec<f64>>) = Default::default();
     for leaf in of.iter().flat_map(|&s| components(derivation, s)) {
-        let Some(at) = course.leaves.iter().position(|&l| l == leaf) else { continue };
+        let Some(at) = trace.leaves.iter().position(|&l| l == leaf) else { continue };
         let Some(node) = derivation.graph.find(&Node::Leaf(leaf)) else { continue };
         let label = format!("{} of both motions", derivation.graph.leaf_latex(leaf));
         comparisons.push(Comparison::measured(label, RelationKind::Equal, node));
@@ -90,7 +90,7 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, othe
     }
     // Both are known on a stretch of which no sample counts: an end of it may, as a single time.
     let both = |i: usize| tried.left[i] == Left::In && theirs[i].is_some();
-    let (own_from, own_to) = course.stage.span(course.trajectory);
+    let (own_from, own_to) = trace.stage.span(trace.trajectory);
     if tried.left.contains(&Left::In) && !(0..theirs.len()).any(both) && from <= own_to && own_from <= to {
         return Finding::open(Plain::NoCommonSample);
     }

@@ -8,13 +8,13 @@ use claim::program::{Program, What};
 use claim::screen::{Margins, Screen};
 use reason::Plain;
 
-use crate::course::near;
 use crate::derivation::Claim;
 use crate::expr::{Graph, Leaf};
 use crate::flow::Sampler;
-use crate::judged::ROUNDING;
 use crate::pattern::Pattern;
+use crate::pointwise::ROUNDING;
 use crate::stage::Stage;
+use crate::trace::near;
 use crate::verdict::{Evidence, Finding, Possible, Verdict};
 
 /// Claims, ready to be tried on the motions of a pattern.

@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use crate::describe::{Left, Setting};
-use crate::judged::Judged;
+use crate::pointwise::Pointwise;
 use crate::verdict::{ResidualPoint, Residuals};
 
 /// Most samples that are kept of a pair, the worst one apart.
@@ -17,7 +17,7 @@ const MOST: usize = 60;
 /// For ± the sign that does best at each time is shown. Cost: a few hundred operations for a pair.
 pub(super) fn residuals(
     setting: &Setting,
-    judged: &Judged,
+    judged: &Pointwise,
     chosen: Option<(usize, usize)>,
     sought: bool,
 ) -> Option<Arc<Residuals>> {

@@ -10,11 +10,11 @@
 use std::sync::Arc;
 
 use crate::between::is_weak;
-use crate::course::Trial;
 use crate::describe::incomplete;
 use crate::flow::{Incomplete, Points};
-use crate::judged::Judged;
 use crate::number::NoValue;
+use crate::pointwise::Pointwise;
+use crate::trace::Trial;
 use crate::verdict::Possible;
 use claim::measured::measure;
 use claim::program::{Values, What};
@@ -48,15 +48,15 @@ pub(super) struct Search {
 
 /// Looks for stretches on which the assumptions are met.
 pub(super) fn look(trial: &Trial) -> Search {
-    let Trial { program, course, .. } = *trial;
+    let Trial { program, trace, .. } = *trial;
     let mut found = Search::default();
-    let (from, to) = course.stage.span(course.trajectory);
+    let (from, to) = trace.stage.span(trace.trajectory);
     let mut cuts: Vec<f64> = vec![from, to];
     let mut any = false;
     for (assumption, kind, e) in program.met() {
         any = true;
         let text = || assumption.text.as_str().into();
-        let Some(zeros) = course.zeros(e) else { continue };
+        let Some(zeros) = trace.zeros(e) else { continue };
         cuts.extend(&zeros.times);
         // It may be met where the sides touch, and be violated on both sides of it.
         let alone = |t: f64| {
@@ -86,19 +86,19 @@ pub(super) fn look(trial: &Trial) -> Search {
     }
     // What has values between two edges of domains is tried on each stretch between them.
     for edge in program.edges() {
-        let Some(zeros) = course.zeros(edge) else { continue };
+        let Some(zeros) = trace.zeros(edge) else { continue };
         any |= !zeros.times.is_empty();
         cuts.extend(&zeros.times);
     }
     // What two motions have in common ends where one of them has a corner.
     let others = program.parts.iter().filter_map(|part| match part.what {
-        What::SameMotion(other, _) => course.stage.motion(other),
+        What::SameMotion(other, _) => trace.stage.motion(other),
         What::Every | What::Denied | What::Defined | What::Constant | What::Value | What::Limit(_) => None,
         What::Independent | What::Across => None,
     });
     for other in others {
         any = true;
-        let corners = other.corners().iter().chain(course.motion.corners()).copied();
+        let corners = other.corners().iter().chain(trace.motion.corners()).copied();
         cuts.extend(corners.filter(|t| from < *t && *t < to));
     }
     if !any {
@@ -109,7 +109,7 @@ pub(super) fn look(trial: &Trial) -> Search {
     let mut times = Vec::new();
     for pair in cuts.windows(2) {
         let (start, end) = (pair[0], pair[1]);
-        let inside = course.times.partition_point(|&t| t < end) - course.times.partition_point(|&t| t <= start);
+        let inside = trace.times.partition_point(|&t| t < end) - trace.times.partition_point(|&t| t <= start);
         if inside >= FEW || !is_met(trial, start + 0.5 * (end - start)) {
             continue;
         }
@@ -119,18 +119,18 @@ pub(super) fn look(trial: &Trial) -> Search {
         }
         times.extend((0..FEW).map(|k| start + (end - start) * (k as f64 + 0.5) / FEW as f64));
     }
-    times.retain(|t| course.times.binary_search_by(|x| x.total_cmp(t)).is_err());
+    times.retain(|t| trace.times.binary_search_by(|x| x.total_cmp(t)).is_err());
     if times.is_empty() {
         return found;
     }
     // In the order of time, each once; those of the motion lie between.
     times.sort_by(f64::total_cmp);
     times.dedup();
-    let values = course.points_at(program, &times);
-    let place = |(i, &t): (usize, &f64)| (course.times.partition_point(|&x| x < t), values.row(i));
+    let values = trace.points_at(program, &times);
+    let place = |(i, &t): (usize, &f64)| (trace.times.partition_point(|&x| x < t), values.row(i));
     let more: Vec<(usize, Values)> = times.iter().enumerate().map(place).collect();
-    let points = Arc::new(course.points.with(&more, program.inputs()));
-    times.extend(&course.times);
+    let points = Arc::new(trace.points.with(&more, program.inputs()));
+    times.extend(&trace.times);
     times.sort_by(f64::total_cmp);
     found.more = Some(Met { times, points });
     found
@@ -138,7 +138,7 @@ pub(super) fn look(trial: &Trial) -> Search {
 
 /// Whether the inequalities among the assumptions may be met at a time, and are violated a little before and after it.
 fn is_met_alone(trial: &Trial, t: f64) -> bool {
-    let (from, to) = trial.course.stage.span(trial.course.trajectory);
+    let (from, to) = trial.trace.stage.span(trial.trace.trajectory);
     let beside = BESIDE * (to - from);
     let violated = |t: f64| t < from || t > to || !is_met(trial, t);
     violated(t - beside) && violated(t + beside) && is_met(trial, t)
@@ -149,8 +149,8 @@ pub(super) fn is_met(trial: &Trial, t: f64) -> bool {
     if trial.program.selectors.is_empty() {
         return true;
     }
-    let point = trial.course.points_at(trial.program, &[t]);
+    let point = trial.trace.points_at(trial.program, &[t]);
     let measured = measure(trial.program, &point, None);
     let precision = trial.claim.precision;
-    measured.selectors.iter().all(|group| Judged::new(group, precision).at(0) != Possible::FALSE)
+    measured.selectors.iter().all(|group| Pointwise::new(group, precision).at(0) != Possible::FALSE)
 }

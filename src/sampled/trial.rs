@@ -1,24 +1,24 @@
 //! One claim on one motion.
 //!
-//! **In:** a compiled claim, and a [`Course`](crate::course::Course): the points of a motion. **Out:** a verdict, from a finding for each part of the
+//! **In:** a compiled claim, and a [`Trace`](crate::trace::Trace): the points of a motion. **Out:** a verdict, from a finding for each part of the
 //! claim and each hypothesis. The same few steps for every part: see which times count, measure, weigh, look between.
 
 use std::sync::Arc;
 
 use crate::between::between_samples;
-use crate::course::Trial;
 use crate::derivation::{Derivation, Event};
 use crate::describe::{Describer, Left};
-use crate::doubt::{
+use crate::events::Events;
+use crate::independence::Gradients;
+use crate::limit::limit;
+use crate::peaks::{Further, Of, Peaks};
+use crate::pointwise::{Pointwise, Tried, selected};
+use crate::trace::Trial;
+use crate::verdict::{Evidence, Finding, Possible, Truth, Verdict, Witness};
+use crate::weakening::{
     beyond_the_span, known, only_at_events, open_events, unless_met_elsewhere, unless_one_sided, unless_unresolved,
     unless_valued_between,
 };
-use crate::events::Events;
-use crate::independence::Gradients;
-use crate::judged::{Judged, Tried, selected};
-use crate::limit::limit;
-use crate::peaks::{Further, Of, Peaks};
-use crate::verdict::{Evidence, Finding, Possible, Truth, Verdict, Witness};
 use crate::weigh::weigh;
 use crate::{across, events, independence, same_motion, stretches};
 use claim::measured::{MeasuredGroup, Measurements, measure, measure_first};
@@ -31,7 +31,7 @@ const MANY: usize = 64;
 
 /// Tries a claim on a motion. `gradients` are those of a claim of independence.
 pub fn try_claim(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gradients, Reason>>) -> Verdict {
-    let Trial { program, course, .. } = *trial;
+    let Trial { program, trace, .. } = *trial;
     let decide = |parts: Vec<Finding>, hypotheses: Vec<Finding>| {
         Verdict::decide(program.claim.clone(), parts.into_iter().chain(hypotheses).collect())
     };
@@ -49,18 +49,18 @@ pub fn try_claim(derivation: &Derivation, trial: &Trial, gradients: Option<&Resu
     let (times, points) = match (&met.more, &shared) {
         (Some(more), _) => (&more.times, &more.points),
         (None, Some((times, points))) => (times, points),
-        (None, None) => (&course.times, &course.points),
+        (None, None) => (&trace.times, &trace.points),
     };
     let describer = Describer::new(trial, times, points);
     let mut measured = measure(program, points, None);
-    silence(trial.graph, program, course.leaves, points, &mut measured);
+    silence(trial.graph, program, trace.leaves, points, &mut measured);
     let left = selected(trial, &measured, &describer);
     let along = Tried { times, points, left };
     let peaks = Peaks::new(trial, &measured);
     let hypotheses: Vec<Finding> =
         (0..program.hypotheses.len()).map(|h| met_on(trial, &describer, &peaks, (h, &along), &met)).collect();
     // Parts at events, or at all of these times.
-    let events = events::of_claim(trial.graph, (trial.claim, program), course);
+    let events = events::of_claim(trial.graph, (trial.claim, program), trace);
     let parts = match (&program.at, &events) {
         (None, _) => {
             let each = |position| {
@@ -75,16 +75,16 @@ pub fn try_claim(derivation: &Derivation, trial: &Trial, gradients: Option<&Resu
             let events: Vec<_> = zeros.times.iter().copied().zip(zeros.slack.iter().copied().map(Some)).collect();
             let points = match program.parts.iter().any(special) {
                 true => {
-                    let at = |&(t, slack): &(f64, Option<f64>)| course.values_at_event(t, slack.unwrap_or(0.0));
+                    let at = |&(t, slack): &(f64, Option<f64>)| trace.values_at_event(t, slack.unwrap_or(0.0));
                     Arc::new(events.iter().map(at).collect())
                 }
-                false => course.points_at_events(program, &events),
+                false => trace.points_at_events(program, &events),
             };
             let describer = Describer::new(trial, &zeros.times, &points);
             let along = peaks.along;
             let mut measured = measure(program, &points, None);
             measured.at_events(trial.graph, *event, along);
-            silence(trial.graph, program, course.leaves, &points, &mut measured);
+            silence(trial.graph, program, trace.leaves, &points, &mut measured);
             let peaks = Peaks::new(trial, &measured);
             let mut left = selected(trial, &measured, &describer);
             beyond_the_span(trial, zeros, &mut left);
@@ -102,18 +102,18 @@ pub fn try_claim(derivation: &Derivation, trial: &Trial, gradients: Option<&Resu
 
 /// What is known of the hypotheses of a claim, if one of them is false at the first time, which counts.
 fn unmet_at_once(trial: &Trial) -> Option<Vec<Finding>> {
-    let Trial { program, course, .. } = *trial;
+    let Trial { program, trace, .. } = *trial;
     if program.hypotheses.is_empty() {
         return None;
     }
-    let times = &course.times[..1.min(course.times.len())];
-    let describer = Describer::new(trial, times, &course.points);
-    let measured = measure_first(program, &course.points, times.len());
+    let times = &trace.times[..1.min(trace.times.len())];
+    let describer = Describer::new(trial, times, &trace.points);
+    let measured = measure_first(program, &trace.points, times.len());
     let left = selected(trial, &measured, &describer);
-    let along = Tried { times, points: &course.points, left };
+    let along = Tried { times, points: &trace.points, left };
     let false_here = |h: usize| {
         let compared = matches!(program.hypotheses[h].part.what, What::Every);
-        let judged = Judged::new(&measured.hypotheses[h], trial.claim.precision);
+        let judged = Pointwise::new(&measured.hypotheses[h], trial.claim.precision);
         compared && along.left.first() == Some(&Left::In) && judged.at(0) == Possible::FALSE
     };
     let count = program.hypotheses.len();
@@ -240,11 +240,11 @@ fn limit_where(trial: &Trial, tried: &Tried, group: Of, point: &latex::LimitPoin
 /// A part that says that something never happens, for a claim that it happens: with words of the happening.
 fn denied(trial: &Trial, finding: Finding) -> Finding {
     let mut evidence = finding.evidence().clone();
-    let (from, to) = trial.course.stage.span(trial.course.trajectory);
+    let (from, to) = trial.trace.stage.span(trial.trace.trajectory);
     match (known(&finding).decided(), &evidence.witness) {
         (Some(Truth::False), Some(w)) => {
             let found = evidence.residual.as_ref().is_some_and(|r| r.at == w.t);
-            let reason = match trial.course.times.binary_search_by(|t| t.total_cmp(&w.t)) {
+            let reason = match trial.trace.times.binary_search_by(|t| t.total_cmp(&w.t)) {
                 Ok(_) => Sampling::FirstSeen(w.t),
                 Err(_) => Sampling::HappensFirst(w.t),
             };
@@ -274,9 +274,9 @@ fn constant(
     position: usize,
     closer: impl Fn(Finding) -> Finding,
 ) -> Finding {
-    let Trial { program, course, .. } = *trial;
+    let Trial { program, trace, .. } = *trial;
     let group = &measured.parts[position];
-    let start = course.stage.initial_time(course.trajectory);
+    let start = trace.stage.initial_time(trace.trajectory);
     let valued = |group: &MeasuredGroup, i: usize| {
         group.signs.iter().all(|s| s.iter().all(|series| series.difference(i).is_ok()))
     };
@@ -297,11 +297,11 @@ fn constant(
 
 /// Tries a part that is true at further times around its worst sample: the worst of all times lies between samples.
 fn look_closer(trial: &Trial, along: &Measurements, position: usize, finding: Finding) -> Finding {
-    let Trial { course, .. } = *trial;
+    let Trial { trace, .. } = *trial;
     let (Possible::TRUE, Some(worst)) = (known(&finding), &finding.evidence().residual) else { return finding };
-    let Some(at) = course.times.iter().position(|&t| t == worst.at) else { return finding };
-    let near = course.near(at);
-    let points = course.points_at(trial.program, &near);
+    let Some(at) = trace.times.iter().position(|&t| t == worst.at) else { return finding };
+    let near = trace.near(at);
+    let points = trace.points_at(trial.program, &near);
     let Some(closer) = Further::new(trial, along, near, points) else { return finding };
     let closer = closer.weigh(trial, &|m| &m.parts[position]);
     match (known(&closer), &closer.evidence().residual) {
@@ -321,14 +321,14 @@ fn look_closer(trial: &Trial, along: &Measurements, position: usize, finding: Fi
 
 /// What is known of a part where the event of a claim is not found.
 fn no_event(trial: &Trial, events: Option<&Events>) -> Finding {
-    let course = trial.course;
+    let trace = trial.trace;
     if let Some(reason) = events.and_then(|found| open_events(trial, found, |_| true)) {
         return Finding::open(reason);
     }
-    if let Some(problem) = course.motion.problem() {
+    if let Some(problem) = trace.motion.problem() {
         return Finding::open(Reason::quoted(problem));
     }
     let event = trial.claim.at.as_ref().map(Event::says).unwrap_or_default();
-    let (from, to) = course.stage.span(course.trajectory);
+    let (from, to) = trace.stage.span(trace.trajectory);
     Finding::sampled(Possible::VOID, Evidence::because(Sampling::NoEvent(event.into(), from, to)))
 }

@@ -8,9 +8,9 @@
 
 use crate::between::is_weak;
 use crate::describe::{Left, Setting};
-use crate::judged::{Judged, ratio, witness};
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
+use crate::pointwise::{Pointwise, ratio, witness};
 use crate::verdict::{Evidence, Exclusion, Finding, Possible, Residual, Truth};
 use claim::measured::{Measured, MeasuredGroup};
 use reason::{Plain, Reason, Sampling, Sign, SignRun, SignsAlong};
@@ -127,7 +127,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
     let mut failures: Vec<Failure> = Vec::new();
     let mut worst: Option<(usize, usize)> = None;
     let mut largest = 0.0;
-    let judged = Judged::new(group, setting.precision);
+    let judged = Pointwise::new(group, setting.precision);
     let standing = &judged.whole;
     let fault = |c: usize, i: usize, reason| setting.describer.fault(&group.group.comparisons[c], i, reason);
     // What must differ is worth seeing where it comes closest.
@@ -313,7 +313,7 @@ mod tests {
             }
             let known = (vec![Sizes::Known(sizes.into())], 0);
             let measured = MeasuredGroup::new(&group, vec![columns], known);
-            let judged = Judged::new(&measured, 1e-9);
+            let judged = Pointwise::new(&measured, 1e-9);
             let mut failures = Vec::new();
             for time in (0..40).filter(|&i| judged.whole[0][i] == Possible::FALSE) {
                 let size = |c: usize| measured.signs[0][c].difference(time).unwrap().value.abs();

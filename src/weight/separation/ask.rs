@@ -18,8 +18,8 @@ use crate::flow::Points;
 use crate::verdict::Possible;
 use claim::comparison::judge;
 use claim::program::{Program, What};
-use sampled::course::{Course, Trial};
 use sampled::recall::Recall;
+use sampled::trace::{Trace, Trial};
 use sampled::trial::try_claim;
 
 /// Points of a motion at which a condition is tried first.
@@ -59,53 +59,53 @@ pub(super) struct Sides {
 
 impl Ask<'_> {
     /// Tries every condition at a few points of every motion.
-    pub fn first(&self, courses: &[Course]) -> Stands {
-        let on_one = |course: &Course| -> Vec<Stand> {
-            let few = few(course);
-            let refuted = |k: usize| self.program(k, course).is_some_and(|p| is_refuted(p, &few));
+    pub fn first(&self, traces: &[Trace]) -> Stands {
+        let on_one = |trace: &Trace| -> Vec<Stand> {
+            let few = few(trace);
+            let refuted = |k: usize| self.program(k, trace).is_some_and(|p| is_refuted(p, &few));
             let each = (0..self.candidates.len()).map(refuted);
             each.map(|refuted| if refuted { Stand::Judged(Some(false)) } else { Stand::Open }).collect()
         };
-        let columns: Vec<Vec<Stand>> = courses.par_iter().with_max_len(1).map(on_one).collect();
+        let columns: Vec<Vec<Stand>> = traces.par_iter().with_max_len(1).map(on_one).collect();
         let of = |k: usize| columns.iter().map(|column| column[k]).collect();
         Stands { all: (0..self.candidates.len()).map(of).collect() }
     }
 
-    fn program(&self, k: usize, course: &Course) -> Option<&Program> {
-        self.programs.get(k)?.get(*self.start_of.get(course.trajectory)?)
+    fn program(&self, k: usize, trace: &Trace) -> Option<&Program> {
+        self.programs.get(k)?.get(*self.start_of.get(trace.trajectory)?)
     }
 
     /// Judges what is asked for: candidates and columns.
-    pub fn judge(&self, stands: &mut Stands, asked: &BTreeSet<(usize, usize)>, courses: &[Course]) {
+    pub fn judge(&self, stands: &mut Stands, asked: &BTreeSet<(usize, usize)>, traces: &[Trace]) {
         // Long motions first: what is left at the end is short.
         let mut order: Vec<(usize, usize)> = asked.iter().copied().collect();
-        order.sort_by_key(|(_, column)| std::cmp::Reverse(courses[*column].motion.steps()));
-        let judged = |&(k, column): &(usize, usize)| self.standing(k, &courses[column]);
+        order.sort_by_key(|(_, column)| std::cmp::Reverse(traces[*column].motion.steps()));
+        let judged = |&(k, column): &(usize, usize)| self.standing(k, &traces[column]);
         let found: Vec<Option<bool>> = order.par_iter().with_max_len(1).map(judged).collect();
         for ((k, column), met) in order.into_iter().zip(found) {
             stands.all[k][column] = Stand::Judged(met);
         }
     }
 
-    fn standing(&self, k: usize, course: &Course) -> Option<bool> {
+    fn standing(&self, k: usize, trace: &Trace) -> Option<bool> {
         let candidate = self.candidates.get(k)?;
         let name = &candidate.name;
         let says = [name.id.as_deref(), Some(&name.formula), name.says.as_deref()].map(Option::unwrap_or_default);
-        self.recall.standing(self.derivation, &says, course.trajectory, &|| self.tried(k, &candidate.claim, course))
+        self.recall.standing(self.derivation, &says, trace.trajectory, &|| self.tried(k, &candidate.claim, trace))
     }
 
-    fn tried(&self, k: usize, claim: &Claim, course: &Course) -> Option<bool> {
-        let program = self.program(k, course)?;
-        let trial = Trial { graph: &self.derivation.graph, claim, program, course, shown: false };
+    fn tried(&self, k: usize, claim: &Claim, trace: &Trace) -> Option<bool> {
+        let program = self.program(k, trace)?;
+        let trial = Trial { graph: &self.derivation.graph, claim, program, trace, shown: false };
         try_claim(self.derivation, &trial, None).is_met()
     }
 }
 
 /// A few points, spread evenly.
-fn few(course: &Course) -> Points {
-    let count = course.points.len();
+fn few(trace: &Trace) -> Points {
+    let count = trace.points.len();
     let used = count.min(FIRST);
-    (0..used).map(|i| course.points.row(i * count.saturating_sub(1) / used.max(2).saturating_sub(1))).collect()
+    (0..used).map(|i| trace.points.row(i * count.saturating_sub(1) / used.max(2).saturating_sub(1))).collect()
 }
 
 /// Whether a condition is violated at one of the points, whatever the size of its terms elsewhere: then it fails.

@@ -28,10 +28,10 @@ use ask::{Ask, Sides};
 use assumptions::Dropped;
 use candidates::Candidate;
 use claim::program::Program;
-use sampled::course::{Course, Trial};
 use sampled::prepared::Prepared;
 use sampled::recall::Recall;
 use sampled::selection::Selection;
+use sampled::trace::{Trace, Trial};
 use sampled::trial::try_claim;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -65,7 +65,7 @@ pub struct OneMotion<'a> {
     pub prepared: &'a [Vec<Prepared<'a>>],
     /// The position of its initial time.
     pub start: usize,
-    pub course: &'a Course<'a>,
+    pub trace: &'a Trace<'a>,
     /// The verdicts of the claims.
     pub verdicts: &'a [Option<Verdict>],
     /// Which claims have failed, on this motion or another.
@@ -76,7 +76,7 @@ pub struct OneMotion<'a> {
 pub struct Motions<'a> {
     /// What [`Probes::without_each`] found on each.
     pub without: &'a [Vec<Option<Verdict>>],
-    pub courses: &'a [Course<'a>],
+    pub traces: &'a [Trace<'a>],
     /// For each trajectory of the file the position of its initial time.
     pub start_of: &'a [usize],
 }
@@ -138,8 +138,8 @@ impl Probes {
         motion: &OneMotion,
         recall: &dyn Recall,
     ) -> Vec<Option<Verdict>> {
-        let &OneMotion { prepared, start, course, verdicts, failed } = motion;
-        let t = course.trajectory;
+        let &OneMotion { prepared, start, trace, verdicts, failed } = motion;
+        let t = trace.trajectory;
         let count = self.candidates.len();
         let verdict = |(d, dropped): (usize, &Dropped)| {
             let known = verdicts.get(dropped.of)?.as_ref()?;
@@ -148,7 +148,7 @@ impl Probes {
             let fails = failed.get(dropped.of).is_some_and(|f| f.load(Ordering::Relaxed));
             let program = self.programs.get(count + d)?.get(start).filter(|_| wanted && !fails)?;
             let gradients = prepared.get(dropped.of)?.get(start)?.gradients.as_ref();
-            let trial = Trial { graph: &derivation.graph, claim: &dropped.claim, program, course, shown: false };
+            let trial = Trial { graph: &derivation.graph, claim: &dropped.claim, program, trace, shown: false };
             let asked = (&dropped.claim, dropped.whole.as_str(), dropped.place);
             Some(recall.without(derivation, asked, t, &|| try_claim(derivation, &trial, gradients)))
         };
@@ -164,17 +164,17 @@ impl Probes {
     /// Adds to every claim of an account what separates its trajectories, and which of its assumptions it needs. Only claims that fail
     /// nowhere are asked what they need.
     pub fn separate(&self, derivation: &Derivation, motions: &Motions, recall: &dyn Recall, account: &mut Account) {
-        let &Motions { without, courses, start_of } = motions;
+        let &Motions { without, traces, start_of } = motions;
         if account.claims.iter().any(explain::is_split) {
-            self.explain(derivation, start_of, recall, courses, account);
+            self.explain(derivation, start_of, recall, traces, account);
         }
         for (d, drop) in self.dropped.iter().enumerate() {
             let Some(claim) = account.claims.get_mut(drop.of).filter(|c| assumptions::is_asked(c)) else { continue };
-            let pair = |(course, verdicts): (&Course, &Vec<Option<Verdict>>)| {
-                let (trajectory, verdict) = (&derivation.trajectories[course.trajectory].id, verdicts.get(d)?.clone()?);
+            let pair = |(trace, verdicts): (&Trace, &Vec<Option<Verdict>>)| {
+                let (trajectory, verdict) = (&derivation.trajectories[trace.trajectory].id, verdicts.get(d)?.clone()?);
                 Some(PairAccount { trajectory: trajectory.clone(), verdict, expected: None, discrimination: None })
             };
-            let without: Vec<PairAccount> = courses.iter().zip(without).filter_map(pair).collect();
+            let without: Vec<PairAccount> = traces.iter().zip(without).filter_map(pair).collect();
             let need = assumptions::need(claim, &without, &drop.text);
             claim.conditions.assumptions.push(need);
         }
@@ -186,16 +186,16 @@ impl Probes {
         derivation: &Derivation,
         start_of: &[usize],
         recall: &dyn Recall,
-        courses: &[Course],
+        traces: &[Trace],
         account: &mut Account,
     ) {
         let programs = self.programs.get(..self.candidates.len()).unwrap_or_default();
         let ask = Ask { derivation, candidates: &self.candidates, programs, start_of, recall };
-        let ids: Vec<String> = courses.iter().map(|c| derivation.trajectories[c.trajectory].id.clone()).collect();
+        let ids: Vec<String> = traces.iter().map(|c| derivation.trajectories[c.trajectory].id.clone()).collect();
         let split: Vec<usize> = (0..account.claims.len()).filter(|&k| explain::is_split(&account.claims[k])).collect();
         let sides: Vec<Sides> = split.iter().map(|&k| explain::sides(&account.claims[k], &ids)).collect();
         let all = || 0..self.candidates.len();
-        let mut stands = ask.first(courses);
+        let mut stands = ask.first(traces);
         // Those of the file may be used the other way round, too.
         let from_file = |k: &usize| self.candidates[*k].name.id.is_some();
         let mut asked: BTreeSet<(usize, usize)> = all().filter(from_file).flat_map(|k| stands.left(k)).collect();
@@ -206,14 +206,14 @@ impl Probes {
             if asked.is_empty() {
                 break;
             }
-            ask.judge(&mut stands, &asked, courses);
+            ask.judge(&mut stands, &asked, traces);
             asked.clear();
         }
         // What may explain a claim is compared on all other motions, too: which is the weakest, and where they differ.
         for sides in &sides {
             asked.extend(all().filter(|&k| stands.may_explain(k, sides)).flat_map(|k| stands.left(k)));
         }
-        ask.judge(&mut stands, &asked, courses);
+        ask.judge(&mut stands, &asked, traces);
         let judged: Vec<(&Candidate, Truth)> = all().map(|k| (&self.candidates[k], stands.truth(k))).collect();
         for (&at, sides) in split.iter().zip(&sides) {
             let claim = &mut account.claims[at];

@@ -35,8 +35,8 @@ use crate::verdict::Outcome;
 use claim::error::CheckError;
 use claim::program::{Program, Values};
 use proved::step::Step;
-use sampled::course::{Course, Trial};
 use sampled::selection::Selection;
+use sampled::trace::{Trace, Trial};
 use sampled::trial::try_claim;
 
 /// Most candidates of one formula that are handed to the checker.
@@ -111,7 +111,7 @@ fn is_absent(pair: &PairAccount) -> bool {
 
 impl Search<'_> {
     /// Looks for corrections of all claims that need one.
-    pub fn offer(&self, accounts: &mut [ClaimAccount], courses: &[Course]) -> Result<(), CheckError> {
+    pub fn offer(&self, accounts: &mut [ClaimAccount], traces: &[Trace]) -> Result<(), CheckError> {
         let wanted: Vec<Vec<bool>> = accounts.iter().map(asked).collect();
         let corrected: Vec<usize> = (0..wanted.len()).filter(|&k| wanted[k].contains(&true)).collect();
         let last = corrected.get(MOST_CORRECTED - 1).copied().unwrap_or(usize::MAX);
@@ -138,7 +138,7 @@ impl Search<'_> {
         };
         let found: Vec<_> = accounts.par_iter_mut().enumerate().with_max_len(1).map(of_claim).collect();
         let (candidates, motions): (Vec<Vec<Candidate>>, Vec<Vec<usize>>) = found.into_iter().unzip();
-        self.confirm(accounts, candidates.into_iter().flatten().collect(), &motions, courses)
+        self.confirm(accounts, candidates.into_iter().flatten().collect(), &motions, traces)
     }
 
     /// What passes at the points at which the claim was tried.
@@ -309,7 +309,7 @@ impl Search<'_> {
         accounts: &mut [ClaimAccount],
         candidates: Vec<Candidate>,
         motions: &[Vec<usize>],
-        courses: &[Course],
+        traces: &[Trace],
     ) -> Result<(), CheckError> {
         let mut grown = self.derivation.clone();
         let mut read: Vec<(Candidate, Claim, Vec<Program>)> = Vec::new();
@@ -332,21 +332,21 @@ impl Search<'_> {
             }
         }
         let grown = &grown;
-        let on_one = |(t, course): (usize, &Course)| -> Vec<Option<bool>> {
+        let on_one = |(t, trace): (usize, &Trace)| -> Vec<Option<bool>> {
             let here = read.iter().filter(|(candidate, ..)| motions[candidate.claim].contains(&t));
             let programs =
                 here.filter_map(|(_, _, programs)| programs.get(self.selection.start_of[self.selection.tried[t]]));
-            let course = &course.again(programs.flat_map(Program::inputs).copied().collect());
+            let trace = &trace.again(programs.flat_map(Program::inputs).copied().collect());
             let holds = |(candidate, claim, programs): &(Candidate, Claim, Vec<Program>)| {
                 let program = programs.get(self.selection.start_of[self.selection.tried[t]])?;
                 motions[candidate.claim].contains(&t).then(|| {
-                    let trial = Trial { graph: &grown.graph, claim, program, course, shown: false };
+                    let trial = Trial { graph: &grown.graph, claim, program, trace, shown: false };
                     matches!(try_claim(grown, &trial, None).outcome(), Outcome::Holds(_))
                 })
             };
             read.iter().map(holds).collect()
         };
-        let found: Vec<Vec<Option<bool>>> = courses.par_iter().enumerate().with_max_len(1).map(on_one).collect();
+        let found: Vec<Vec<Option<bool>>> = traces.par_iter().enumerate().with_max_len(1).map(on_one).collect();
         let holds = |n: usize| {
             let mut tried = found.iter().filter_map(|column| column[n]).peekable();
             tried.peek().is_some() && tried.all(|holds| holds)

@@ -48,9 +48,9 @@ use claim::error::CheckError;
 use claim::program::{Program, Values};
 use generate::{ClaimVariants, Formula, MOST_NODES, Manner, Setting, Source, Variant};
 use rejection::{Evidence, Placed, Rejections};
-use sampled::course::Course;
 use sampled::events;
 use sampled::selection::Selection;
+use sampled::trace::Trace;
 
 /// A formula of a claim with one edit.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -226,14 +226,14 @@ impl Altered {
     }
 
     /// Tries all variants on one motion; `found` has an entry for each claim that was tried there.
-    pub fn weigh(&self, graph: &Graph, start: usize, course: &Course, found: &[Option<Found>]) -> Weighed {
+    pub fn weigh(&self, graph: &Graph, start: usize, trace: &Trace, found: &[Option<Found>]) -> Weighed {
         let mut out = Weighed { rejections: Vec::new(), kept: Vec::new(), of_claims: Vec::new() };
-        let kept = rejection::spread(course.times.len(), KEPT);
-        out.kept = kept.into_iter().map(|i| (course.times[i], course.points.row(i))).collect();
+        let kept = rejection::spread(trace.times.len(), KEPT);
+        out.kept = kept.into_iter().map(|i| (trace.times[i], trace.points.row(i))).collect();
         let mut memory = Memory::default();
         for (k, found) in found.iter().enumerate() {
             let (rejections, own) = match found {
-                Some(found) => self.rejections(graph, (k, start), course, found, &mut memory).unwrap_or_default(),
+                Some(found) => self.rejections(graph, (k, start), trace, found, &mut memory).unwrap_or_default(),
                 None => Default::default(),
             };
             out.rejections.push(rejections);
@@ -249,7 +249,7 @@ impl Altered {
         &self,
         graph: &Graph,
         (k, start): (usize, usize),
-        course: &Course,
+        trace: &Trace,
         found: &Found,
         memory: &mut Memory,
     ) -> Option<(Option<Rejections>, Vec<Values>)> {
@@ -259,28 +259,28 @@ impl Altered {
         if !matches!(outcome, Outcome::Holds(_) | Outcome::Fails(_)) {
             return None;
         }
-        let events = events::of_claim(graph, (claim, found.program), course);
+        let events = events::of_claim(graph, (claim, found.program), trace);
         // The point at which the claim fails most clearly is always among those used.
         let mut own: Vec<Values> = Vec::new();
         if let (Outcome::Fails(_), Some(witness)) = (outcome, &found.verdict.evidence().witness) {
-            own.push(match course.times.binary_search_by(|t| t.total_cmp(&witness.t)) {
-                Ok(i) if found.program.at.is_none() => course.points.row(i),
-                _ if found.program.at.is_none() => course.values(witness.t),
+            own.push(match trace.times.binary_search_by(|t| t.total_cmp(&witness.t)) {
+                Ok(i) if found.program.at.is_none() => trace.points.row(i),
+                _ if found.program.at.is_none() => trace.values(witness.t),
                 _ => {
                     let zeros = &events.as_ref()?.zeros;
                     let i = zeros.times.iter().position(|&t| t == witness.t)?;
-                    course.values_at_event(witness.t, zeros.slack[i])
+                    trace.values_at_event(witness.t, zeros.slack[i])
                 }
             });
         }
         if found.program.at.is_some() {
             let zeros = &events.as_ref()?.zeros;
             let times = zeros.times.iter().zip(&zeros.slack).filter(|(t, _)| found.counts(**t));
-            own.extend(times.take(rejection::MOST_TIMES).map(|(&t, &slack)| course.values_at_event(t, slack)));
+            own.extend(times.take(rejection::MOST_TIMES).map(|(&t, &slack)| trace.values_at_event(t, slack)));
         }
         let mut points: Vec<Sample> = own.iter().map(|values| Sample::Alone(values)).collect();
         if found.program.at.is_none() {
-            let counted = course.times.iter().zip(course.points.samples()).filter(|(t, _)| found.counts(**t));
+            let counted = trace.times.iter().zip(trace.points.samples()).filter(|(t, _)| found.counts(**t));
             points.extend(counted.map(|(_, point)| point));
         }
         if points.is_empty() {
@@ -297,7 +297,7 @@ impl Altered {
         Some((Some(rejections), own))
     }
 
-    /// Writes what was found into the accounts: one entry of `weighed`, and one course, for each of the motions that were tried.
+    /// Writes what was found into the accounts: one entry of `weighed`, and one trace, for each of the motions that were tried.
     ///
     /// # Errors
     /// Those of a check, when corrections are tried.
@@ -307,13 +307,13 @@ impl Altered {
         selection: &Selection,
         accounts: &mut [ClaimAccount],
         weighed: &[Weighed],
-        courses: &[Course],
+        traces: &[Trace],
     ) -> Result<(), CheckError> {
         let columns = selection.columns(derivation);
         accounts.par_iter_mut().zip(&self.claims).enumerate().for_each(|(k, (account, variants))| {
             account.variants = Some(self.account(k, account, variants, weighed, &columns));
         });
-        erratum::Search { derivation, altered: self, selection, weighed }.offer(accounts, courses)
+        erratum::Search { derivation, altered: self, selection, weighed }.offer(accounts, traces)
     }
 
     fn account(

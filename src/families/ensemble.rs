@@ -31,7 +31,6 @@ use claim::options::Options;
 use claim::program::{Part, Program, What};
 use proved::by_formula;
 use reason::{Plain, Reason};
-use sampled::course::Trial;
 use sampled::independence::Gradients;
 use sampled::measure::Compiled;
 use sampled::pattern::Pattern;
@@ -40,10 +39,11 @@ use sampled::screen::Screens;
 use sampled::setup::idle_angles;
 use sampled::stage::{Requests, Stage};
 use sampled::systems::Fields;
+use sampled::trace::Trial;
 use sampled::{measure, same_motion, trial, witness};
 
 /// A family with the claims that are tried on it, compiled once for all members.
-pub struct Troupe<'a> {
+pub struct Ensemble<'a> {
     members: &'a Members,
     /// The derivation with these claims alone, and one more trajectory: the member.
     derivation: Derivation,
@@ -97,13 +97,13 @@ pub struct One {
     pub measured: Vec<Measurement>,
 }
 
-impl<'a> Troupe<'a> {
+impl<'a> Ensemble<'a> {
     pub fn new(
         derivation: &Derivation,
         members: &'a Members,
         asked: &[&Claim],
         measured: &[&Measure],
-    ) -> Result<Troupe<'a>, CheckError> {
+    ) -> Result<Ensemble<'a>, CheckError> {
         let base = derivation.trajectories[members.family.of].clone();
         let slot = derivation.trajectories.len();
         // What no member needs would be copied for each of them.
@@ -162,7 +162,7 @@ impl<'a> Troupe<'a> {
         let plain = measures.is_empty() && are_plain(&programs);
         let estimation = if plain { Estimation::Steps } else { Estimation::Companions };
         let idle = idle_angles(&derivation, &[slot], &wanted);
-        let mut troupe = Troupe {
+        let mut ensemble = Ensemble {
             members,
             derivation,
             fields,
@@ -179,21 +179,21 @@ impl<'a> Troupe<'a> {
             screens: None,
             spare: Mutex::default(),
         };
-        let mut graph = troupe.derivation.graph.clone();
-        troupe.pattern = troupe.asking(&Limits::default(), |requests| {
-            Pattern::of(&troupe.derivation, &troupe.fields, requests, slot, &mut graph)
+        let mut graph = ensemble.derivation.graph.clone();
+        ensemble.pattern = ensemble.asking(&Limits::default(), |requests| {
+            Pattern::of(&ensemble.derivation, &ensemble.fields, requests, slot, &mut graph)
         });
         // What is told of a verdict that is not sampled alone, or measured, is not seen by such a look.
-        let alone = troupe.beside.is_empty() && troupe.estimation == Estimation::Steps;
-        troupe.screens = troupe.pattern.as_ref().filter(|_| alone).and_then(|pattern| {
-            let Troupe { derivation, programs, wanted, .. } = &troupe;
+        let alone = ensemble.beside.is_empty() && ensemble.estimation == Estimation::Steps;
+        ensemble.screens = ensemble.pattern.as_ref().filter(|_| alone).and_then(|pattern| {
+            let Ensemble { derivation, programs, wanted, .. } = &ensemble;
             let claims = derivation.claims.iter().zip(programs.iter().map(Vec::as_slice));
             Screens::of(&graph, pattern, claims, wanted, WELL_WITHIN)
         });
         // Each member begins with a copy of it.
         graph.share();
-        troupe.derivation.graph = graph;
-        Ok(troupe)
+        ensemble.derivation.graph = graph;
+        Ok(ensemble)
     }
 
     /// The claims with what is compiled for them.
@@ -546,13 +546,13 @@ impl<'a> Troupe<'a> {
         limits: &Limits,
     ) -> Result<(Vec<Verdict>, Vec<Measurement>), CheckError> {
         let slot = self.slot;
-        let course = stage.sampled(slot, &self.wanted).map_err(CheckError::Defect)?;
-        let contradiction = checked.then(|| stage.contradiction(&derivation.graph, &course)).flatten();
+        let trace = stage.sampled(slot, &self.wanted).map_err(CheckError::Defect)?;
+        let contradiction = checked.then(|| stage.contradiction(&derivation.graph, &trace)).flatten();
         let mut accounts: Vec<ClaimAccount> = Vec::new();
         for of in prepared {
             let Prepared { claim, program, gradients } = &of[0];
             let shown = checked || !says_equations(program);
-            let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown };
+            let trial = Trial { graph: &derivation.graph, claim, program, trace: &trace, shown };
             let mut verdict = trial::try_claim(derivation, &trial, gradients.as_ref());
             if let Some(contradiction) = &contradiction {
                 verdict.contradict(contradiction.clone());
@@ -572,7 +572,7 @@ impl<'a> Troupe<'a> {
             wanted: &self.wanted,
         };
         witness::complete(&points, &mut accounts);
-        let measured = self.measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
+        let measured = self.measures.iter().filter_map(|m| m.take(derivation, &trace)).collect();
         Ok((accounts.into_iter().flat_map(|a| a.results).map(|pair| pair.verdict).collect(), measured))
     }
 

@@ -5,11 +5,11 @@
 
 use std::sync::Arc;
 
-use crate::course::Trial;
 use crate::describe::{Describer, Left, Setting};
 use crate::flow::Points;
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
+use crate::trace::Trial;
 use crate::verdict::{Possible, Quantifier, Truth, Witness};
 use claim::comparison::Comparison;
 use claim::measured::{Measured, MeasuredGroup, Measurements};
@@ -31,7 +31,7 @@ pub(super) struct Tried<'a> {
 pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A measured group, judged.
-pub(super) struct Judged<'a, 'g> {
+pub(super) struct Pointwise<'a, 'g> {
     /// The measurements.
     pub measured: &'a MeasuredGroup<'g>,
     precision: f64,
@@ -43,16 +43,16 @@ pub(super) struct Judged<'a, 'g> {
     together: Vec<Possible>,
 }
 
-impl<'a, 'g> Judged<'a, 'g> {
+impl<'a, 'g> Pointwise<'a, 'g> {
     /// Judges every comparison at every time.
-    pub fn new(measured: &'a MeasuredGroup<'g>, precision: f64) -> Judged<'a, 'g> {
+    pub fn new(measured: &'a MeasuredGroup<'g>, precision: f64) -> Pointwise<'a, 'g> {
         let equations = measured.group.comparisons.iter().all(|c| c.kind == RelationKind::Equal);
         let equations = equations && !measured.group.asserted && measured.group.formula.is_none();
         let whole: Vec<Vec<Possible>> = (0..measured.signs.len()).map(|s| measured.stand(s, precision)).collect();
         let times = whole.iter().map(Vec::len).min().unwrap_or(0);
         let at = |time: usize| measured.group.over_signs(whole.iter().map(|s| s[time]));
         let together = (0..times).map(at).collect();
-        Judged { measured, precision, equations, whole, together }
+        Pointwise { measured, precision, equations, whole, together }
     }
 
     /// The comparison that decides the standing at a time, for one sign: the one that is furthest off, against the size of its
@@ -182,7 +182,7 @@ pub(super) fn ratio(size: f64, bound: f64) -> f64 {
 pub(super) fn selected(trial: &Trial, measured: &Measurements, describer: &Describer) -> Vec<Left> {
     let mut left = vec![Left::In; describer.times.len()];
     for (Assumption { text, part }, group) in trial.program.selectors.iter().zip(&measured.selectors) {
-        let judged = Judged::new(group, trial.claim.precision);
+        let judged = Pointwise::new(group, trial.claim.precision);
         let text: Arc<str> = text.as_str().into();
         let not_met = Arc::new(Sampling::NotMet { text: Arc::clone(&text), sides: None }.into());
         let open = Arc::new(Sampling::AssumptionOpen { text, why: None }.into());

@@ -6,15 +6,15 @@
 //! **Guaranteed.** Nothing here decides: what was open stays open.
 
 use crate::between::may_lie_beyond;
-use crate::course::Trial;
 use crate::describe::{Left, incomplete};
 use crate::events::Events;
 use crate::expr::{Expr, Leaf};
 use crate::flow::{Incomplete, Zeros};
-use crate::judged::{Judged, Tried};
 use crate::number::NoValue;
+use crate::pointwise::{Pointwise, Tried};
 use crate::stretches;
 use crate::stretches::BESIDE;
+use crate::trace::Trial;
 use crate::verdict::{Evidence, Exclusion, Finding, Possible, Strength, Truth};
 use claim::comparison::Group;
 use claim::measured::{MeasuredGroup, Measurements, measure};
@@ -66,7 +66,7 @@ pub(super) fn unless_valued_between(
         },
         None => return finding,
     };
-    let (from, to) = trial.course.stage.span(trial.course.trajectory);
+    let (from, to) = trial.trace.stage.span(trial.trace.trajectory);
     let counts = |t: &&f64| seen.is_none_or(|seen| (seen - **t).abs() <= SINGLE * (to - from));
     let missing = |i: usize| {
         let mut groups = measured.selectors.iter().chain([part]);
@@ -78,16 +78,16 @@ pub(super) fn unless_valued_between(
         let beside = [before, Some(after)].into_iter().flatten().filter(|i| *i < tried.times.len());
         beside.into_iter().any(missing)
     };
-    let zeros = || trial.program.closed_edges().filter_map(|e| trial.course.zeros(e));
+    let zeros = || trial.program.closed_edges().filter_map(|e| trial.trace.zeros(e));
     // What passes through 0 at an end of the span has a value at that time alone, if beside it there is none.
     let at_end = |t: &&f64| (**t - from).min(to - **t) <= SINGLE * (to - from);
     let touching = zeros().flat_map(|z| z.touching.iter().chain(z.times.iter().filter(at_end)));
     // Or it has one on a side on which a selector, or another edge, leaves nothing.
     let lives = |t: f64| {
-        let point = trial.course.points_at(trial.program, &[t]);
+        let point = trial.trace.points_at(trial.program, &[t]);
         let measured = measure(trial.program, &point, None);
         let has_values = |g: &MeasuredGroup| g.signs.iter().any(|sign| sign.iter().all(|s| s.difference(0).is_ok()));
-        let judged = |g| Judged::new(g, trial.claim.precision).at(0).decided();
+        let judged = |g| Pointwise::new(g, trial.claim.precision).at(0).decided();
         from <= t
             && t <= to
             && has_values(of(&measured))
@@ -108,13 +108,13 @@ pub(super) fn unless_one_sided(trial: &Trial, group: &Group, finding: Finding) -
         return finding;
     }
     let single = |&e: &Expr| {
-        let zeros = trial.course.zeros(e)?;
+        let zeros = trial.trace.zeros(e)?;
         let gaps = zeros.incomplete.iter().map(|gap| gap.stretch().0);
         zeros.times.iter().chain(&zeros.touching).copied().chain(gaps).next()
     };
-    let (from, to) = trial.course.stage.span(trial.course.trajectory);
+    let (from, to) = trial.trace.stage.span(trial.trace.trajectory);
     // Where the formulas of the motion, or their rates, have no value, that of some parts may be all that is left.
-    let motion = &trial.course.motion;
+    let motion = &trial.trace.motion;
     let gaps = motion.unresolved().iter().filter(|gap| matches!(gap, Incomplete::NoValue { .. }));
     let absent = gaps.map(Incomplete::stretch).chain(motion.corners().iter().map(|&t| (t, t)));
     let parts = group.chooses() && group.comparisons.len() > 1;
@@ -147,20 +147,20 @@ pub(super) fn open_events(trial: &Trial, events: &Events, counts: impl Fn(&Incom
 
 /// A time in the span at which a state leaps, or may, that an event names.
 fn leap_of_the_motion(trial: &Trial) -> Option<f64> {
-    let Trial { graph, claim, program, course, .. } = *trial;
+    let Trial { graph, claim, program, trace, .. } = *trial;
     let moves = |l: &Leaf| claim.scope.moves(l);
-    if !course.motion.leaps() || !graph.leaves(program.at).iter().any(moves) {
+    if !trace.motion.leaps() || !graph.leaves(program.at).iter().any(moves) {
         return None;
     }
-    let (from, to) = course.stage.span(course.trajectory);
+    let (from, to) = trace.stage.span(trace.trajectory);
     let known = |gap: &&Incomplete| matches!(gap, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. });
-    let gaps = course.motion.unresolved().iter().filter(|gap| !known(gap)).map(Incomplete::stretch);
+    let gaps = trace.motion.unresolved().iter().filter(|gap| !known(gap)).map(Incomplete::stretch);
     gaps.filter(|(start, end)| *start <= to && *end >= from).map(|(start, _)| start).next()
 }
 
 /// Events at an end of the span, up to the error of their times: whether they lie in it is not known.
 pub(super) fn beyond_the_span(trial: &Trial, zeros: &Zeros, left: &mut [Left]) {
-    let span = trial.course.stage.span(trial.course.trajectory);
+    let span = trial.trace.stage.span(trial.trace.trajectory);
     for ((&t, &slack), left) in zeros.times.iter().zip(&zeros.slack).zip(left) {
         if *left == Left::In && may_lie_beyond(span, t, slack) {
             *left = Left::Open(Arc::new(Sampling::EventInSpan(t).into()));
@@ -186,16 +186,16 @@ pub(super) fn only_at_events(trial: &Trial, events: &Events, finding: Finding) -
 /// What is known of a part that is true, where the motion is not known from samples, or not as far as its span: it stays
 /// open, and times without a value are named.
 pub(super) fn unless_unresolved(trial: &Trial, part: &Part, finding: Finding) -> Finding {
-    let Trial { graph, claim, course, .. } = *trial;
+    let Trial { graph, claim, trace, .. } = *trial;
     if !matches!(known(&finding).decided(), Some(Truth::True | Truth::Void)) || matches!(part.what, What::Limit(_)) {
         return finding;
     }
     // What was not reached was not tried.
-    if let Some(problem) = course.motion.problem() {
+    if let Some(problem) = trace.motion.problem() {
         return reopened(finding, Possible::ANY, Reason::quoted(problem));
     }
-    let gaps = course.motion.unresolved();
-    let (from, to) = course.stage.span(course.trajectory);
+    let gaps = trace.motion.unresolved();
+    let (from, to) = trace.stage.span(trace.trajectory);
     let inside = |gap: &&Incomplete| gap.stretch().0 <= to && gap.stretch().1 >= from;
     if known(&finding) != Possible::TRUE || !gaps.iter().any(|gap| inside(&gap)) {
         return finding;
@@ -205,7 +205,7 @@ pub(super) fn unless_unresolved(trial: &Trial, part: &Part, finding: Finding) ->
         && graph.leaves(part.group.comparisons.iter().flat_map(|c| [c.left, c.right])).iter().any(moves);
     let open = |gap: &&Incomplete| match gap {
         Incomplete::NoValue { reason: NoValue::OutOfDomain, .. } => asserted,
-        Incomplete::NoValue { .. } => asserted || course.motion.leaps(),
+        Incomplete::NoValue { .. } => asserted || trace.motion.leaps(),
         Incomplete::Vanishing { .. } | Incomplete::Unresolved { .. } => true,
     };
     if let Some(gap) = gaps.iter().filter(inside).find(open) {

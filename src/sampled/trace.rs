@@ -1,9 +1,9 @@
 //! A motion, sampled, and a claim to be tried on it.
 //!
-//! **In:** a motion of a [`Stage`], and the leaves that are wanted. **Out:** a [`Course`]: the sample times and the values there, from which
+//! **In:** a motion of a [`Stage`], and the leaves that are wanted. **Out:** a [`Trace`]: the sample times and the values there, from which
 //! values at other times can be asked for.
 //!
-//! **Guaranteed:** values that dual numbers contradict are told with the course.
+//! **Guaranteed:** values that dual numbers contradict are told with the trace.
 
 use std::sync::{Arc, OnceLock};
 
@@ -25,7 +25,7 @@ const CLOSER: usize = 4;
 const SHARED: usize = 1_000_000;
 
 /// A motion, sampled.
-pub struct Course<'a> {
+pub struct Trace<'a> {
     /// Where the motion is from.
     pub stage: &'a Stage,
     /// The position of its trajectory.
@@ -42,16 +42,16 @@ pub struct Course<'a> {
     pub(crate) between: OnceLock<Option<(Vec<f64>, Points)>>,
 }
 
-impl Course<'_> {
+impl Trace<'_> {
     /// The values of all leaves at another time.
     pub fn values(&self, t: f64) -> Values {
         self.stage.values(self.trajectory, t)
     }
 
     /// The same motion at the same times, with the values of other leaves, by their positions.
-    pub fn again(&self, leaves: Vec<usize>) -> Course<'_> {
+    pub fn again(&self, leaves: Vec<usize>) -> Trace<'_> {
         let points = Arc::new(self.stage.points(self.trajectory, &self.times, &leaves));
-        Course { points, times: self.times.clone(), between: OnceLock::new(), ..*self }
+        Trace { points, times: self.times.clone(), between: OnceLock::new(), ..*self }
     }
 
     /// Forgets the values of all leaves but these, by their positions, and what helped to find them.
@@ -157,7 +157,7 @@ pub struct Trial<'a> {
     /// The claim, compiled.
     pub program: &'a Program,
     /// The motion.
-    pub course: &'a Course<'a>,
+    pub trace: &'a Trace<'a>,
     /// Whether a reader is shown both sides along the motion.
     pub shown: bool,
 }
@@ -184,28 +184,28 @@ impl Stage {
     ///
     /// # Errors
     /// That the trajectory was not built.
-    pub fn course<'a>(
+    pub fn trace<'a>(
         &'a self,
         graph: &Graph,
         trajectory: usize,
         leaves: &'a [Leaf],
-    ) -> Result<(Course<'a>, Option<Reason>), String> {
+    ) -> Result<(Trace<'a>, Option<Reason>), String> {
         let known = self.built(trajectory).is_some_and(|built| built.samples.get().is_some());
-        let course = self.sampled(trajectory, leaves)?;
-        let contradiction = if known { None } else { self.contradiction(graph, &course) };
-        Ok((course, contradiction))
+        let trace = self.sampled(trajectory, leaves)?;
+        let contradiction = if known { None } else { self.contradiction(graph, &trace) };
+        Ok((trace, contradiction))
     }
 
     /// Samples a motion.
     ///
     /// # Errors
     /// That the trajectory was not built.
-    pub fn sampled<'a>(&'a self, trajectory: usize, leaves: &'a [Leaf]) -> Result<Course<'a>, String> {
+    pub fn sampled<'a>(&'a self, trajectory: usize, leaves: &'a [Leaf]) -> Result<Trace<'a>, String> {
         let Some(built) = self.built(trajectory) else { return Err("a trajectory was not built".to_owned()) };
         let motion = built.motion.as_ref();
         if let Some((times, points)) = built.samples.get().cloned() {
             let points = points.arranged(&built.places);
-            return Ok(Course {
+            return Ok(Trace {
                 stage: self,
                 trajectory,
                 motion,
@@ -222,13 +222,13 @@ impl Stage {
             let _ = built.samples.set((times.clone(), points.clone()));
         }
         let points = points.arranged(&built.places);
-        Ok(Course { stage: self, trajectory, motion, leaves, times, points: points.into(), between: OnceLock::new() })
+        Ok(Trace { stage: self, trajectory, motion, leaves, times, points: points.into(), between: OnceLock::new() })
     }
 
     /// Compares the two routes to the values along a motion: a value for which dual numbers and propagated bounds disagree.
-    pub fn contradiction(&self, graph: &Graph, course: &Course) -> Option<Reason> {
-        let built = self.built(course.trajectory)?;
-        let Course { motion, leaves, times, points, .. } = course;
+    pub fn contradiction(&self, graph: &Graph, trace: &Trace) -> Option<Reason> {
+        let built = self.built(trace.trajectory)?;
+        let Trace { motion, leaves, times, points, .. } = trace;
         let mut contradiction = None;
         for (i, &t) in times.iter().enumerate().step_by(CROSS_CHECK) {
             let duals = motion.dual_at(t);
