@@ -491,7 +491,10 @@ impl<'a> MeasuredGroup<'a> {
             // What has no value is no matter of equality.
             Err(_) => false,
             Ok(d) if d.value == 0.0 && d.error == 0.0 => false,
-            Ok(_) => !allowed || self.standing(sign, comparison, time, precision) != Possible::TRUE,
+            Ok(d) => {
+                let scale = || self.floor(sign).max(self.scale(sign, comparison, time));
+                !allowed || d.error > precision * scale()
+            }
         }
     }
 
