@@ -144,9 +144,11 @@ impl Edges {
         self.slots.is_empty() && self.steep.is_empty()
     }
 
-    /// Whether a right side is steep at the present state: exactly at an edge.
-    pub(super) fn is_steep(&self, now: &impl Series) -> bool {
-        self.steep.iter().any(|&(term, slot)| term.vanishes(now.coefficient(slot, 0)))
+    /// Whether a right side is steep or jumps at the present state: exactly at an edge.
+    pub(super) fn is_met(&self, now: &impl Series) -> bool {
+        let mut jumps = self.slots.iter().zip(&self.jumps).filter_map(|(&slot, jump)| Some((slot, (*jump)?)));
+        jumps.any(|(slot, whilst)| now.coefficient(slot, 0) == 0.0 && now.coefficient(whilst, 0) < 0.0)
+            || self.steep.iter().any(|&(term, slot)| term.vanishes(now.coefficient(slot, 0)))
     }
 
     /// Whether an edge at which a right side is steep is nearer than a moment.

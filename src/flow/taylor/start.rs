@@ -21,12 +21,16 @@ impl Walker<'_> {
         if let Err((i, reason)) = grown {
             return if self.leaves_a_kink() { Ok(false) } else { Err(Stop::NoRate(i, reason)) };
         }
+        let moment = (self.trial.target - self.time).abs();
+        if moment > 0.0 && self.jumps_over(moment) {
+            return Err(Stop::Undetermined);
+        }
         self.begun = true;
         std::mem::swap(&mut self.now, &mut self.next);
         // What is given at the start is what it is there.
         self.now[..self.flow.dimension].copy_from_slice(&self.state);
         self.kinks.keep(self.flow, series, self.control.order);
-        if self.flow.edges.is_steep(series) { Err(Stop::Undetermined) } else { Ok(true) }
+        if self.flow.edges.is_met(series) { Err(Stop::Undetermined) } else { Ok(true) }
     }
 
     /// At a kink a motion has rates, but no series. It begins behind it, as closely as time can tell, with the rates that it has there;
@@ -47,6 +51,7 @@ impl Walker<'_> {
         for (i, rate) in rates.chunks(2).map(|c| c[1]).enumerate() {
             self.next_state[i] = self.state[i] + direction * moment * rate;
             self.late[i] += moment * rate.abs();
+            self.slopes[i] = rate;
         }
         true
     }
