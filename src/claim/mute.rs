@@ -13,8 +13,8 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::comparison::{Comparison, GUARD};
-use crate::measured::{MeasuredGroup, Measurements};
 use crate::program::Program;
+use crate::sides::{MeasuredGroup, Measurements};
 
 use crate::expr::tape::{Slots, Tape};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};

@@ -9,8 +9,8 @@ use crate::expr::tape::{Slots, Tape};
 use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::flow::{Points, Sample};
 use crate::latex::{LimitPoint, RelationKind};
-use crate::measured::{Measured, Series};
 use crate::number::{Bounded, NoValue};
+use crate::sides::{Measured, Series};
 use crate::verdict::Proposition;
 
 /// The values of all leaves at one time.

@@ -19,10 +19,10 @@ use crate::expr::Leaf;
 use crate::expr::tape::Slots;
 use crate::flow::{Motion, Sampler};
 use crate::latex::RelationKind;
-use crate::measured::{median, samples};
 use crate::mute::Terms;
 use crate::number::Bounded;
 use crate::program::{Part, Program, SIDES, What};
+use crate::sides::{median, samples};
 
 /// What is asked of residuals.
 #[derive(Clone, Copy, Debug)]

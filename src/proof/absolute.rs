@@ -4,7 +4,7 @@
 //! for what stands in a. The same |a| elsewhere becomes the same. Real points are those with σ·a ≥ 0; all others are tested
 //! with them, which can lose a proof, not forge one. An |a| that stands in no premise is left to [`roots`](super::roots).
 
-use super::lower::{Generator, Generators, TooLarge};
+use super::generators::{Generator, Generators, TooLarge};
 use super::sign::Facts;
 use expr::FastMap;
 use expr::{Expr, Graph, Node, Op};

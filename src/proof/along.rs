@@ -11,9 +11,9 @@
 //! divided by its largest coefficient, so that what is too small for binary64 has a sign.
 
 use super::conditions::raised;
+use super::generators::Generators;
 use super::linear::{Combination, Combinations, expression};
-use super::lower::Generators;
-use super::lowered::lower;
+use super::lowering::lower;
 use super::memory::Memory;
 use super::outcome::{Identity, Options, Premises, Wanted};
 use super::prove::identity_test_after;

@@ -9,7 +9,7 @@
 use std::collections::BTreeMap;
 
 use super::conditions::domains;
-use super::lower::Generators;
+use super::generators::Generators;
 use super::outcome::{Condition, Premises};
 use super::sign::Facts;
 use expr::{Expr, FastSet, Graph};

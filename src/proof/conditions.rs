@@ -1,6 +1,6 @@
 //! What a proof needs that was not given: denominators, radicands, pivots.
 
-use super::lower::{Generator, Generators};
+use super::generators::{Generator, Generators};
 use super::outcome::{Condition, Premises};
 use super::polynomial::factors;
 use super::prove::Lowered;

@@ -1,7 +1,7 @@
 //! The trials: evaluation over GF(p²) for all choices of signs, and the bound.
 
+use super::generators::{Generator, Generators};
 use super::growth::{Growth, MARGIN};
-use super::lower::{Generator, Generators};
 use super::outcome::{Options, Reason};
 use expr::tape::{Instruction, Slots, Tape};
 use expr::{Expr, Graph, Leaf};

@@ -114,14 +114,14 @@ mod closing;
 mod conditions;
 pub mod exact;
 mod field;
+mod generators;
 mod growth;
 mod insertion;
 mod inverse;
 mod jets;
 mod linear;
 mod logarithm;
-mod lower;
-mod lowered;
+mod lowering;
 #[cfg(feature = "certificates")]
 mod membership;
 mod memory;

@@ -13,8 +13,8 @@
 
 use super::budget::within;
 use super::certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, Program};
+use super::generators::Generator;
 use super::linear::Combinations;
-use super::lower::Generator;
 use super::names::{free, leaf_name, names_of, python};
 use super::outcome::{Premises, Reason};
 use super::polynomial::{factors, fraction};

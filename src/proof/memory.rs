@@ -7,7 +7,7 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use super::lower::Generator;
+use super::generators::Generator;
 use super::outcome::Reason;
 use super::prove::Lowered;
 use super::sign::Facts;

@@ -3,8 +3,8 @@
 //! **In:** symbols of formulas, and the variables that lowering made. **Out:** names that are words in Python and in Lean, each once,
 //! and polynomials as both languages write them. **Guaranteed:** no name is one that the text of a certificate uses itself.
 
-use super::lower::Generator;
-use super::lowered::Lowered;
+use super::generators::Generator;
+use super::lowering::Lowered;
 use super::ring::Poly;
 use expr::{Expr, Graph, Leaf, Node, Op};
 use num_bigint::BigInt;

@@ -10,8 +10,8 @@
 //! what they are taken of.
 
 use super::exact::Exact;
+use super::generators::{Generator, Generators};
 use super::linear::Combinations;
-use super::lower::{Generator, Generators};
 use super::outcome::Condition;
 use super::polynomial::fraction;
 use expr::tape::{Slots, Tape};

@@ -13,8 +13,8 @@
 //! (a² + b² + c² + d² ≠ 0), so that nothing is left out and no pivot is needed. Where the rates of all entries occur,
 //! Ẋ = X·W with a free antisymmetric W: all that the derivative of XᵀX = 1 says.
 
+use super::generators::{Generator, Generators};
 use super::linear::{Combination, Combinations};
-use super::lower::{Generator, Generators};
 use expr::{Expr, FastSet, Graph, Leaf, Node, Rational};
 
 /// Matrices found, as definitions of their entries.

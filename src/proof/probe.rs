@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use super::lower::{Generator, Generators};
+use super::generators::{Generator, Generators};
 use super::sign::Known;
 use super::structure::Structure;
 use super::values::Values;

@@ -5,9 +5,9 @@ mod cases;
 use super::apart::by_domain;
 use super::conditions::{conditions, raised};
 use super::field::{Trials, trials};
+use super::generators::{Generator, TooLarge};
 use super::insertion::Insertion;
-use super::lower::{Generator, TooLarge};
-use super::lowered::question;
+use super::lowering::question;
 use super::memory::{Asked, Memory};
 use super::outcome::{Condition, Identity, Options, Premises, Proof, Reason, Wanted};
 use super::prepare::{Solutions, explicit, with_rates};
@@ -20,7 +20,7 @@ use cases::{Outcome, Pivots, Stop, merge};
 use expr::{Expr, Graph, Leaf, Node, Op};
 use expr::{FastMap, FastSet};
 
-pub(super) use super::lowered::{Lowered, lower};
+pub(super) use super::lowering::{Lowered, lower};
 use number::Draws;
 
 type Pairs = Vec<(Expr, Expr)>;

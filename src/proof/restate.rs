@@ -4,8 +4,8 @@
 //! is not 0 where no factor is, a quotient is not negative where the product is not; what is known is left out, and short
 //! polynomials are expanded.
 
+use super::generators::Generators;
 use super::linear::{Combination, Combinations, Monomial, expression};
-use super::lower::Generators;
 use super::outcome::Condition;
 use super::polynomial::{factors, fraction};
 use super::sign::Facts;

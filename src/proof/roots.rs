@@ -21,7 +21,7 @@
 mod nested;
 mod signs;
 
-use super::lower::{Generator, Generators};
+use super::generators::{Generator, Generators};
 use super::polynomial::{factors, polynomial_root, without_content};
 use super::probe::{Probe, Sight};
 use super::sign::Facts;

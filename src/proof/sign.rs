@@ -1,6 +1,6 @@
 //! What is known of the signs of lowered expressions.
 
-use super::lower::{Generator, Generators};
+use super::generators::{Generator, Generators};
 use expr::{Expr, Graph, Node, Op, Rational};
 use expr::{FastMap, FastSet};
 

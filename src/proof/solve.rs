@@ -14,8 +14,8 @@
 
 mod reduce;
 
+use super::generators::{Generator, Generators};
 use super::insertion::Insertion;
-use super::lower::{Generator, Generators};
 use super::polynomial::{factors, product};
 use super::probe::{InPowers, Probe, Sight};
 use super::sign::{Facts, Known};

@@ -6,8 +6,8 @@
 //! formulas as given, and exactly from the lowered formulas where every root is rational.
 
 use super::exact::Exact;
+use super::generators::{Generator, Generators};
 use super::linear::Combinations;
-use super::lower::{Generator, Generators};
 use super::outcome::{Point, PointValue, Refutation, Side};
 use expr::tape::{Slots, Tape};
 use expr::{Expr, Graph, Leaf, Node, Op, Rational};

@@ -7,7 +7,7 @@
 //!
 //! A function (cos, √, |·|, ln …) is a name for what it is lowered to: a table says which polynomial stands for which call.
 
-use super::lower::{Generator, Generators};
+use super::generators::{Generator, Generators};
 use expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op};
 
 /// Longest text that is not cut in two, in characters; deepest nesting of its parentheses.

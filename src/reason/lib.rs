@@ -13,7 +13,6 @@
 
 #![forbid(unsafe_code)]
 
-mod alone;
 mod decided;
 mod enclosed;
 mod plain;
@@ -22,8 +21,8 @@ mod ranges;
 mod sampled;
 mod shape;
 mod signs;
+mod single_motion;
 
-pub use alone::Alone;
 pub use decided::{Decided, Premises, Term, Unproved, Way};
 pub use enclosed::{Compared, Enclosing, Refutation};
 pub use plain::Plain;
@@ -32,6 +31,7 @@ pub use ranges::{Ranges, Shares};
 pub use sampled::{Fate, Sampling, Search};
 pub use shape::{Gap, Instant, Place, Sides, short};
 pub use signs::{Sign, SignRun, SignsAlong, SignsProved};
+pub use single_motion::Alone;
 
 use number::NoValue;
 use serde::{Deserialize, Serialize};

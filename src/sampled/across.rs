@@ -29,9 +29,9 @@ use crate::weakening::{known, open_events};
 use crate::weigh::weigh;
 use crate::{events, extrapolate};
 use claim::comparison::{Comparison, Group};
-use claim::measured::{Measured, MeasuredGroup, Series, Sizes};
 use claim::program::Values;
 use claim::quantity::Quantity;
+use claim::sides::{Measured, MeasuredGroup, Series, Sizes};
 use reason::{Plain, Reason, Sampling};
 
 /// What is compared, as the file of the member has it: the claim that is tried knows no member.

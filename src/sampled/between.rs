@@ -20,8 +20,8 @@ use crate::pointwise::{Pointwise, Tried, selected};
 use crate::trace::Trial;
 use crate::verdict::{Evidence, Finding, Possible, Strength, Truth};
 use crate::weigh::weigh;
-use claim::measured::{Measurements, measure};
 use claim::program::What;
+use claim::sides::{Measurements, measure};
 use reason::{Plain, Reason, Sampling, Search};
 
 /// Up to this share of the span a gap in the search is one point for relations that admit equality: what is true on both

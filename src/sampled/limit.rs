@@ -13,7 +13,7 @@ use crate::number::{Bounded, NoValue};
 use crate::trace::Trial;
 use crate::verdict::{Finding, Possible, Strength};
 use crate::weigh::weigh;
-use claim::measured::{MeasuredGroup, Measurements, measure};
+use claim::sides::{MeasuredGroup, Measurements, measure};
 use reason::{Plain, Sampling};
 
 /// Values at neighbouring times that differ by more than this share leap between them.

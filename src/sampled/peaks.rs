@@ -17,7 +17,7 @@ use crate::trace::Trial;
 use crate::verdict::{Evidence, Finding, Possible, Truth};
 use crate::weakening::{known, reopened};
 use crate::weigh::weigh;
-use claim::measured::{MeasuredGroup, Measurements, measure};
+use claim::sides::{MeasuredGroup, Measurements, measure};
 use reason::Plain;
 
 /// Which of the measured groups is meant.

@@ -12,8 +12,8 @@ use crate::number::{Bounded, NoValue};
 use crate::trace::Trial;
 use crate::verdict::{Possible, Quantifier, Truth, Witness};
 use claim::comparison::Comparison;
-use claim::measured::{Measured, MeasuredGroup, Measurements};
 use claim::program::Assumption;
+use claim::sides::{Measured, MeasuredGroup, Measurements};
 use reason::Sampling;
 
 /// The times at which a claim is tried, with the values there, and which of them count.

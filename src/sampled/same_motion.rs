@@ -14,8 +14,8 @@ use crate::trace::Trial;
 use crate::verdict::Finding;
 use crate::weigh::weigh;
 use claim::comparison::{Comparison, Group};
-use claim::measured::{Measured, MeasuredGroup, Series, Sizes};
 use claim::program::What;
+use claim::sides::{Measured, MeasuredGroup, Series, Sizes};
 use reason::Plain;
 
 /// The leaves that the comparisons of motions need.

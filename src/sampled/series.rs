@@ -32,7 +32,7 @@ pub(super) fn residuals(
     kept.push(at);
     kept.sort_unstable();
     kept.dedup();
-    let point = |(i, m, scale): (usize, claim::measured::Measured, f64)| ResidualPoint {
+    let point = |(i, m, scale): (usize, claim::sides::Measured, f64)| ResidualPoint {
         t: setting.times[i],
         left: m.left,
         right: m.right,

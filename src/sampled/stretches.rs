@@ -16,8 +16,8 @@ use crate::number::NoValue;
 use crate::pointwise::Pointwise;
 use crate::trace::Trial;
 use crate::verdict::Possible;
-use claim::measured::measure;
 use claim::program::{Values, What};
+use claim::sides::measure;
 use reason::{Sampling, Search as Searched};
 
 /// Samples that a stretch between two changes must have; as many are added where there are fewer.

@@ -21,9 +21,9 @@ use crate::weakening::{
 };
 use crate::weigh::weigh;
 use crate::{across, events, independence, same_motion, stretches};
-use claim::measured::{MeasuredGroup, Measurements, measure, measure_first};
 use claim::mute::silence;
 use claim::program::{Assumption, What};
+use claim::sides::{MeasuredGroup, Measurements, measure, measure_first};
 use reason::{Plain, Reason, Sampling, Sides};
 
 /// The most parts of a claim that are looked at closer, each by itself.

@@ -17,8 +17,8 @@ use crate::stretches::BESIDE;
 use crate::trace::Trial;
 use crate::verdict::{Evidence, Exclusion, Finding, Possible, Strength, Truth};
 use claim::comparison::Group;
-use claim::measured::{MeasuredGroup, Measurements, measure};
 use claim::program::{Part, What};
+use claim::sides::{MeasuredGroup, Measurements, measure};
 use reason::{Plain, Reason, Sampling, Search};
 use std::sync::Arc;
 

@@ -12,7 +12,7 @@ use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
 use crate::pointwise::{Pointwise, ratio, witness};
 use crate::verdict::{Evidence, Exclusion, Finding, Possible, Residual, Truth};
-use claim::measured::{Measured, MeasuredGroup};
+use claim::sides::{Measured, MeasuredGroup};
 use reason::{Plain, Reason, Sampling, Sign, SignRun, SignsAlong};
 use std::sync::Arc;
 
@@ -287,7 +287,7 @@ mod tests {
     use crate::expr::Graph;
     use crate::number::Draws;
     use claim::comparison::{Comparison, Group};
-    use claim::measured::{Series, Sizes};
+    use claim::sides::{Series, Sizes};
 
     #[test]
     fn the_clearest_failure_is_that_of_all() {

@@ -1,7 +1,7 @@
 //! Roots by other roots: products that are squares, and roots of sums with a root.
 
+use super::super::generators::Generator;
 use super::super::linear::Combinations;
-use super::super::lower::Generator;
 use super::super::polynomial::{flat, fraction, is_nothing, polynomial_root, replaced, whole_root};
 use super::Roots;
 use super::{MOST_NESTED, MOST_PASSES, MOST_RELATED};

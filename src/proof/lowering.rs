@@ -2,10 +2,10 @@
 
 use super::absolute::AbsoluteValues;
 use super::field::Question;
+use super::generators::{Generator, Generators, Lowering};
 use super::insertion::Insertion;
 use super::linear::Combinations;
 use super::logarithm::Logarithms;
-use super::lower::{Generator, Generators, Lowering};
 use super::orthogonal::{Orthogonal, orthogonal};
 use super::outcome::{Premises, Reason};
 use super::polynomial::{factors, primitive};
