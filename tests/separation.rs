@@ -48,7 +48,11 @@ span = [0, 5]
 ";
 
 fn account(more: &str) -> Account {
-    let source = Source { path: "test.toml".into(), text: format!("{OSCILLATOR}{more}") };
+    checked(format!("{OSCILLATOR}{more}"))
+}
+
+fn checked(text: String) -> Account {
+    let source = Source { path: "test.toml".into(), text };
     let derivation = parse(source, "test").unwrap_or_else(|found| panic!("{}", render(&found, false)));
     let claims = derivation.claims.len();
     let account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
@@ -209,9 +213,7 @@ id = 'c'
 says = 'c'
 always = ['k^3>-\frac12']
 ";
-    let source = Source { path: "test.toml".into(), text: text.to_owned() };
-    let derivation = parse(source, "test").unwrap_or_else(|found| panic!("{}", render(&found, false)));
-    let account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let account = checked(text.to_owned());
     let separation = account.claims[0].conditions.separation.as_ref().expect("split");
     let named = separation.explanation.iter().chain(separation.rivals.iter().map(|r| &r.explanation));
     assert!(named.flat_map(|e| &e.conditions).all(|c| c.id.as_deref() != Some("two")), "{separation:?}");

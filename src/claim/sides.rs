@@ -491,9 +491,10 @@ impl<'a> MeasuredGroup<'a> {
             // What has no value is no matter of equality.
             Err(_) => false,
             Ok(d) if d.value == 0.0 && d.error == 0.0 => false,
+            // What is typical is known; the size of the terms at one time takes work.
             Ok(d) => {
-                let scale = || self.floor(sign).max(self.scale(sign, comparison, time));
-                !allowed || d.error > precision * scale()
+                let exceeds = |scale: f64| d.error > precision * scale;
+                !allowed || exceeds(self.floor(sign)) && exceeds(self.scale(sign, comparison, time))
             }
         }
     }

@@ -81,6 +81,8 @@ pub(super) struct Kinks {
     whilst: Vec<f64>,
     /// The same for what must keep its sign.
     needs: Vec<f64>,
+    /// The same for the exponents of powers that may be of 0, one after the other.
+    exponents: Vec<f64>,
     /// How many were crossed.
     pub(super) crossed: usize,
 }
@@ -181,11 +183,15 @@ impl Kinks {
         self.series.clear();
         self.whilst.clear();
         self.needs.clear();
+        self.exponents.clear();
         flow.edges.slots.iter().for_each(|&slot| keep(&mut self.series, slot));
         flow.edges.jumps.iter().flatten().for_each(|&slot| keep(&mut self.whilst, slot));
         for need in &flow.edges.needs {
             let [a, b] = need.slots;
             keep(&mut self.needs, a);
+            if need.term == Term::Support {
+                keep(&mut self.exponents, b);
+            }
             if need.term == Term::Squares {
                 let begun = self.needs.len() - (order + 1);
                 keep(&mut self.needs, b);
@@ -197,19 +203,14 @@ impl Kinks {
 
     /// The first end of the domain of a right side within `size` in the direction. A series may go on smoothly where what it is of has no
     /// value: behind a root of high order, or with a small factor.
-    pub(super) fn end(
-        &self,
-        (edges, now): (&Edges, &impl Series),
-        order: usize,
-        size: f64,
-        direction: f64,
-    ) -> Option<End> {
+    pub(super) fn end(&self, edges: &Edges, order: usize, size: f64, direction: f64) -> Option<End> {
         if edges.needs.is_empty() {
             return None;
         }
         let mut ends = Vec::new();
         let mut turned = Vec::with_capacity(order + 1);
-        for (&Need { term, sign, rate, slots }, c) in edges.needs.iter().zip(self.needs.chunks(order + 1)) {
+        let mut exponents = self.exponents.chunks(order + 1);
+        for (&Need { term, sign, rate, .. }, c) in edges.needs.iter().zip(self.needs.chunks(order + 1)) {
             // Where offset + factor · value comes to 0.
             let pi = std::f64::consts::PI;
             let turn = (c[0] / pi).round();
@@ -219,8 +220,8 @@ impl Kinks {
                 (_, Sign::NotZero) if c[0] < 0.0 => [(0.0, -1.0); 2],
                 _ => [(0.0, 1.0); 2],
             };
-            let terms = |c: &[f64]| c.iter().rev().fold(0.0, |sum, c| sum * size + c.abs());
-            let (first, rest) = (c[0], terms(&c[1..]) * size);
+            let exponent = if term == Term::Support { exponents.next() } else { None };
+            let (first, rest) = (c[0], variation(c, size));
             // What may be 0 and only touches it has values on both sides; what may not is a hole there.
             let is_hole = sign != Sign::NotNegative;
             for (n, (offset, factor)) in sides.into_iter().enumerate() {
@@ -233,11 +234,7 @@ impl Kinks {
                 turned[0] -= if is_hole { offset - noise } else { offset + noise };
                 let at = if turned[0] < 0.0 { first_change(&turned, size, direction) } else { is_hole.then_some(0.0) };
                 // Where the exponent is positive, a power of 0 has a value.
-                let is_met = |at: f64| {
-                    let exponent = |k: usize| now.coefficient(slots[1], k);
-                    term == Term::Support
-                        && (0..=order).rev().fold(0.0, |sum, k| sum * direction * at + exponent(k)) > 0.0
-                };
+                let is_met = |at: f64| exponent.is_some_and(|b| horner(b, direction * at) > 0.0);
                 ends.extend(at.filter(|&at| !is_met(at)).map(|at| End { at, rate, is_hole }));
             }
         }
@@ -246,11 +243,10 @@ impl Kinks {
 
     /// Whether the argument of a kink or jump may vanish within a step: then the series over all its times has no sign to go by.
     pub(super) fn are_near(&self, edges: &Edges, order: usize, h: f64) -> bool {
-        let over = |c: &[f64]| c[1..].iter().rev().fold(0.0, |sum, x| (sum + x.abs()) * h.abs());
         let mut whilst = self.whilst.chunks(order + 1);
         self.series.chunks(order + 1).zip(&edges.jumps).any(|(c, jump)| {
-            let passes = jump.and_then(|_| whilst.next()).is_some_and(|b| b[0] > over(b));
-            !passes && c[0].abs() <= over(c)
+            let passes = jump.and_then(|_| whilst.next()).is_some_and(|b| b[0] > variation(b, h.abs()));
+            !passes && c[0].abs() <= variation(c, h.abs())
         })
     }
 
@@ -276,6 +272,11 @@ impl Kinks {
         // An argument without a change is a constant as far as this step goes.
         self.series.chunks(order + 1).enumerate().filter_map(changes).min_by(|a, b| a.0.total_cmp(&b.0))
     }
+}
+
+/// How far a polynomial may be from its value at 0 within `size`.
+fn variation(c: &[f64], size: f64) -> f64 {
+    c[1..].iter().rev().fold(0.0, |sum, x| (sum + x.abs()) * size)
 }
 
 /// Puts the sum of the squares of two polynomials in the place of the first.

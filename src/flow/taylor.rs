@@ -345,6 +345,16 @@ impl<'a> Walker<'a> {
         self.time == self.end
     }
 
+    /// 1 forwards in time, −1 backwards.
+    fn direction(&self) -> f64 {
+        if self.end > self.time { 1.0 } else { -1.0 }
+    }
+
+    /// The shortest step: as closely as time can tell.
+    fn smallest(&self) -> f64 {
+        (4.0 * f64::EPSILON * self.time.abs()).max(1e-18 * self.length)
+    }
+
     /// The constants of the field.
     pub(super) fn constants(&self) -> &[f64] {
         &self.constants
@@ -370,7 +380,7 @@ impl<'a> Walker<'a> {
     /// # Errors
     /// Why there is none.
     pub(super) fn propose(&mut self, series: &impl Series) -> Result<(), Stop> {
-        let direction = if self.end > self.time { 1.0 } else { -1.0 };
+        let direction = self.direction();
         let remaining = (self.end - self.time).abs();
         // What moves a state from outside may come as a pulse that no expansion before it sees: short steps, each of which
         // starts with a look at the time.
@@ -380,14 +390,14 @@ impl<'a> Walker<'a> {
         if size > 0.6 * remaining {
             size = if size >= remaining { remaining } else { 0.6 * remaining };
         }
-        let smallest = (4.0 * f64::EPSILON * self.time.abs()).max(1e-18 * self.length);
+        let smallest = self.smallest();
         let edges = &self.flow.edges;
         if edges.is_near_steep(series, 4.0 * smallest) {
             return Err(Stop::Undetermined);
         }
         // A step that meets a kink ends behind it, as closely as time can tell.
         let mut kink = self.kinks.first(edges, self.control.order, size, direction).filter(|&(at, _)| at < size);
-        let end = self.kinks.end((edges, series), self.control.order, size, direction).filter(|end| end.at < size);
+        let end = self.kinks.end(edges, self.control.order, size, direction).filter(|end| end.at < size);
         let behind = smallest;
         let mut is_hole = false;
         // Short enough of it for rounding not to come out on the other side.
@@ -430,7 +440,7 @@ impl<'a> Walker<'a> {
         if size <= smallest && size < remaining && kink.is_none() {
             return Err(why);
         }
-        let direction = if self.end > self.time { 1.0 } else { -1.0 };
+        let direction = self.direction();
         let target = if size >= remaining { self.end } else { self.time + direction * size };
         let h = target - self.time;
         let n = self.flow.dimension;

@@ -45,8 +45,7 @@ impl Walker<'_> {
         if self.flow.expand(&mut slots, 1, self.time, &self.state, &mut rates).is_err() {
             return false;
         }
-        let direction = if self.end > self.time { 1.0 } else { -1.0 };
-        let moment = (4.0 * f64::EPSILON * self.time.abs()).max(1e-18 * self.length);
+        let (direction, moment) = (self.direction(), self.smallest());
         self.trial.target = self.time + direction * moment;
         for (i, rate) in rates.chunks(2).map(|c| c[1]).enumerate() {
             self.next_state[i] = self.state[i] + direction * moment * rate;
