@@ -18,7 +18,7 @@ use crate::check::{
     Witness,
 };
 use crate::derivation::{Derivation, is_called, parse};
-use crate::diag::shown::shown;
+use crate::diag::escape::shown;
 use crate::diag::{Diagnostic, Source};
 use crate::findings::search::SearchAccount;
 use crate::report;

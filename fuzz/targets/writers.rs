@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use libfuzzer_sys::fuzz_target;
 use rederive::check::{Account, Options, check};
 use rederive::derivation::{Derivation, parse};
-use rederive::diag::{Source, shown};
+use rederive::diag::{Source, escape};
 use rederive::report;
 
 const FILE: &str = r#"
@@ -47,11 +47,11 @@ thread_local! {
 fuzz_target!(|text: &str| {
     CHECKED.with_borrow_mut(|(derivation, account)| {
         // As the loader leaves a text; `tests/hostile.rs` sees to it that it does.
-        let text = shown::shown(text.trim()).into_owned();
+        let text = escape::shown(text.trim()).into_owned();
         derivation.title.clone_from(&text);
         derivation.concerns.clone_from(&text);
         derivation.remark = Some(text.clone());
-        derivation.conventions = vec![(shown::in_one_line(&text), text.clone())];
+        derivation.conventions = vec![(escape::in_one_line(&text), text.clone())];
         for claim in &mut derivation.claims {
             claim.says.clone_from(&text);
         }

@@ -15,7 +15,7 @@
 use ::{derivation, diag, expr, findings, flow, latex, number, verdict};
 
 mod cache;
-mod compiled;
+mod compilation;
 mod follow;
 mod memory;
 mod motions;

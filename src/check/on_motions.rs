@@ -9,7 +9,7 @@
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use super::compiled::Compiled;
+use super::compilation::Compiled;
 use super::picture;
 use super::premises::Column;
 use super::run::Run;
@@ -18,7 +18,7 @@ use derivation::Derivation;
 use findings::{Account, ClaimAccount, Measurement, PairAccount, PictureAccount};
 use flow::Motion;
 use rayon::prelude::*;
-use sampled::prepared::Prepared;
+use sampled::claim_program::Prepared;
 use sampled::same_motion;
 use sampled::selection::Selection;
 use sampled::stage::Stage;

@@ -5,7 +5,7 @@
 //! **How:** what is chosen ([`Selection`]) is compiled ([`Compiled`]), the motions are built and tried ([`OnMotions`]), and what was found
 //! becomes an account, which each further method completes. The file stays as it was read: what is compiled has a graph of its own.
 
-use super::compiled::Compiled;
+use super::compilation::Compiled;
 use super::memory::Known;
 use super::on_motions::{Found, OnMotions};
 use super::premises::{counterexample, strengthen};

@@ -6,7 +6,7 @@ use std::error::Error;
 use std::io::Write;
 use std::panic::AssertUnwindSafe;
 
-use rederive::diag::shown::{in_one_line, spoken};
+use rederive::diag::escape::{in_one_line, spoken};
 use rederive::diag::{Diagnostic, render, sort};
 use rederive::{Conclusion, Demand, Document, Ending, Failure, Format};
 

@@ -8,13 +8,13 @@ use std::ops::Range;
 
 use super::dependence::{Dependence, End, NoOther};
 use super::form::{Across, Form, FormKind};
+use super::formula::Written;
 use super::keys;
 use super::load::Loader;
 use super::model::{Claim, Formula};
 use super::motions::undotted;
 use super::number::finite;
 use super::table::{Table, Value, text_of};
-use super::written::Written;
 use expr::{Expr, Leaf, Tensor};
 use latex::{Role, Scope};
 

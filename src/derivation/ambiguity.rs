@@ -6,9 +6,9 @@
 use std::ops::Range;
 
 use super::form::Form;
+use super::formula::Written;
 use super::load::Loader;
 use super::model::Claim;
-use super::written::Written;
 use expr::{Leaf, Tensor};
 use latex::{Relation, RelationKind, Role, Statement};
 

@@ -5,13 +5,13 @@ use std::ops::Range;
 use toml::de::DeValue;
 
 use super::form::{Form, FormKind};
+use super::formula::Written;
 use super::keys;
 use super::load::{Loader, written};
 use super::model::{Claim, Formula, Measure};
 use super::number::finite;
 use super::role::ClaimRole;
 use super::table::{Literal, Table, Value, text_of};
-use super::written::Written;
 use expr::Tensor;
 use latex::Statement;
 

@@ -4,11 +4,11 @@
 //! **In:** the value of `at`: a formula, or a table with `when`, `direction` and `count`. **Out:** an [`Event`].
 
 use super::form::FormKind;
+use super::formula::Written;
 use super::keys;
 use super::load::{Loader, is_equation};
 use super::model::Claim;
 use super::table::{Literal, Table, text_of};
-use super::written::Written;
 use latex::{Relation, Scope, Statement};
 use toml::de::DeValue;
 

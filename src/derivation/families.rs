@@ -8,13 +8,13 @@ use std::ops::Range;
 use toml::de::DeValue;
 
 use super::family::{Constraint, Drawing, Family, LARGEST_FAMILY, Piece, Spread, Varied};
+use super::formula::Written;
 use super::keys;
 use super::load::Loader;
 use super::model::{GivenValue, Motion};
 use super::motions::{ValueOf, undotted};
 use super::table::{Table, Value, text_of};
 use super::values::Known;
-use super::written::Written;
 use expr::{Expr, Leaf, Tensor};
 use latex::{RelationKind, Role, Scope};
 

@@ -8,9 +8,9 @@
 
 use std::ops::Range;
 
+use super::formula::Written;
 use super::model::{Motion, Trajectory};
 use super::number::exact;
-use super::written::Written;
 use expr::{Expr, Graph, Leaf, Symbol};
 use latex::{RelationKind, Statement};
 

@@ -5,7 +5,7 @@
 use std::ops::Range;
 
 use super::dependence::{Dependence, NoOther};
-use super::written::{Ranged, Written};
+use super::formula::{Ranged, Written};
 use expr::{Expr, Leaf, Symbol, Tensor};
 use latex::Statement;
 

@@ -18,11 +18,13 @@ mod ambiguity;
 mod claims;
 mod conditions;
 mod constants;
+mod declaration;
 mod dependence;
 mod event;
 mod families;
 mod family;
 mod form;
+mod formula;
 pub mod keys;
 mod load;
 mod map;
@@ -37,10 +39,8 @@ mod schema;
 mod start;
 mod symbols;
 mod table;
-mod typed;
 mod unit;
 mod values;
-mod written;
 
 pub use self::number::exact;
 pub use claims::DEFAULT_PRECISION;
@@ -48,6 +48,7 @@ pub use dependence::{Dependence, End, NoOther};
 pub use event::{Direction, Event, Occasion, Since};
 pub use family::{Constraint, Drawing, Family, LARGEST_FAMILY, Spread, Varied, WIDEST_ROW};
 pub use form::{Across, Form, FormFormula, FormKind};
+pub use formula::{Ranged, Values, Written};
 pub use load::{LARGEST_FILE, load, load_all, meant, parse};
 pub use model::{
     Claim, Condition, Derivation, Domain, Formula, GivenValue, Measure, Motion, Picture, PictureKind, Region, Start,
@@ -57,4 +58,3 @@ pub use premise::{Premise, is_called};
 pub use role::ClaimRole;
 pub use schema::schema;
 pub use unit::Unit;
-pub use written::{Ranged, Values, Written};

@@ -8,11 +8,11 @@ use std::sync::Arc;
 use sha2::{Digest, Sha256};
 use toml::de::{DeTable, DeValue};
 
+use super::formula::Written;
 use super::keys;
 use super::model::{Derivation, System, Trajectory, Unknown};
 use super::table::{Literal, Problems, Table, as_printed, check_id, text_of};
-use super::written::Written;
-use diag::shown::{in_one_line, shown};
+use diag::escape::{in_one_line, shown};
 use diag::{Diagnostic, Source, sort};
 use expr::{Symbol, Tensor};
 use files::{FileError, Kind, Search, Why};

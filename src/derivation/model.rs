@@ -10,10 +10,10 @@ use latex::{Role, Scope, Statement};
 use super::event::{Event, Since};
 use super::family::Family;
 use super::form::{Form, FormKind};
+use super::formula::{Ranged, Written};
 use super::premise::Index;
 use super::role::ClaimRole;
 use super::unit::Unit;
-use super::written::{Ranged, Written};
 
 /// A derivation file.
 #[derive(Clone, Debug)]

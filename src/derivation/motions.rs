@@ -4,13 +4,13 @@ use std::ops::Range;
 
 use toml::de::DeValue;
 
+use super::formula::Written;
 use super::keys;
 use super::load::{Loader, is_equation};
 use super::model::{GivenValue, Motion, System, Trajectory};
 use super::number::finite;
 use super::table::{Table, Value, check_id, note_double_quoted, text_of};
 use super::values::Known;
-use super::written::Written;
 use expr::{Expr, Leaf, Rational, Symbol};
 use latex::{Role, Scope};
 

@@ -78,13 +78,13 @@ impl Loader<'_> {
     }
 
     /// Formulas for one number each.
-    fn scalars(&mut self, formulas: Vec<Literal<'_>>) -> Vec<super::written::Written<expr::Expr>> {
+    fn scalars(&mut self, formulas: Vec<Literal<'_>>) -> Vec<super::formula::Written<expr::Expr>> {
         let scope = self.out.scope.clone();
         let mut out = Vec::new();
         for formula in formulas {
             let Some(read) = self.quantity(&formula, &scope) else { continue };
             match read.value.as_scalar() {
-                Some(value) => out.push(super::written::Written { text: read.text, span: read.span, value }),
+                Some(value) => out.push(super::formula::Written { text: read.text, span: read.span, value }),
                 None => {
                     let message = format!("a picture shows numbers, this is a {}", read.value.shape);
                     self.problems.note("derivation::wrong-components", read.span, message);

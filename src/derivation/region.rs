@@ -5,12 +5,12 @@ use std::ops::Range;
 use toml::de::DeValue;
 
 use super::form::{Form, FormFormula, FormKind};
+use super::formula::{Ranged, Values, Written};
 use super::keys;
 use super::load::Loader;
 use super::model::{Claim, Domain, Formula, Region, SymbolEntry};
 use super::table::{Table, Value, as_printed, text_of};
 use super::values::Known;
-use super::written::{Ranged, Values, Written};
 use expr::{Expr, Leaf, Partials, Rational, Symbol};
 use latex::{RelationKind, Role, Scope, Statement};
 

@@ -6,12 +6,12 @@
 
 use toml::de::DeValue;
 
+use super::formula::Written;
 use super::keys;
 use super::load::{Loader, is_equation};
 use super::model::{Start, Unknown};
 use super::table::{Table, Value};
 use super::values::Known;
-use super::written::Written;
 use expr::{Expr, Leaf, Shape, Symbol};
 use latex::{Scope, Statement};
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use diag::shown::shown;
+use diag::escape::shown;
 use diag::{Diagnostic, Label, Source, nearest};
 use files::is_portable;
 use latex::printed;

@@ -4,10 +4,10 @@ use std::collections::HashMap;
 
 use toml::de::DeValue;
 
+use super::formula::Written;
 use super::load::Loader;
 use super::number::rational;
 use super::table::{Value, as_printed, literal_of};
-use super::written::Written;
 use expr::{Expr, Leaf, Shape, Symbol, Tensor};
 use latex::Scope;
 

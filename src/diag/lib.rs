@@ -9,12 +9,12 @@
 
 #![forbid(unsafe_code)]
 
-pub mod shown;
+pub mod escape;
 
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::shown::{in_one_line, shown_with_places};
+use crate::escape::{in_one_line, shown_with_places};
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 

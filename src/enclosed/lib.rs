@@ -48,7 +48,7 @@ use cover::Along;
 use rayon::prelude::*;
 use reason::{Enclosing, Reason};
 pub use request::Request;
-use sampled::prepared::Prepared;
+use sampled::claim_program::Prepared;
 use sampled::setup::setup;
 
 /// A verdict that is stronger now, or says why it is not: claim, position among its results, verdict.

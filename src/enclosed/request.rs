@@ -3,7 +3,7 @@
 use crate::derivation::{Claim, Derivation};
 use crate::verdict::Verdict;
 use claim::limits::Limits;
-use sampled::prepared::Prepared;
+use sampled::claim_program::Prepared;
 use sampled::selection::Selection;
 use sampled::stage::Stage;
 use sampled::systems::Fields;

@@ -27,8 +27,8 @@ mod ensemble;
 mod map;
 mod member;
 mod of_file;
+mod robustness;
 mod separate;
-mod settled;
 mod sweep;
 
 pub use crate::findings::family::{

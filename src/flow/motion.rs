@@ -7,7 +7,6 @@ use num_dual::Dual64;
 
 use super::abreast::Halt;
 use super::angle::{Angle, AngleBenches};
-use super::begun::Begun;
 use super::core::{Core, Origin};
 use super::definitions::{Definitions, fresh};
 use super::error::{FlowError, Problem};
@@ -18,6 +17,7 @@ use super::incomplete::Incomplete;
 use super::points::Points;
 use super::program::{DualBench, Program};
 use super::resolve::{Resolution, resolve};
+use super::setup::Begun;
 use super::start::Start;
 use super::trajectory::Trajectory;
 use super::zeros::{self, Minimum, Zeros};

@@ -13,7 +13,6 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::angle::Angle;
-use super::begun::Begun;
 use super::core::{Constant, Core, Origin};
 use super::definitions::Definitions;
 use super::error::FlowError;
@@ -22,6 +21,7 @@ use super::motion::{Draft, Motion};
 use super::rapid::RapidSearch;
 use super::sampler::Sampler;
 use super::search::Search;
+use super::setup::Begun;
 use super::trajectory::Plan;
 use expr::{Expr, Graph, Leaf};
 use number::{Bounded, NoValue};

@@ -18,19 +18,19 @@ mod invisible;
 mod lexer;
 mod name;
 mod parse;
-mod printed;
 mod refusal;
 mod scope;
 mod statement;
 pub mod syntax;
 mod tensor;
+mod typeset;
 mod write;
 
 pub use parse::whole_part;
-pub use printed::printed;
 pub use scope::{Declaration, DeclareError, Logarithm, Role, Scope, Signature};
 pub use statement::{Limit, LimitPoint, Relation, Statement};
 pub use syntax::RelationKind;
+pub use typeset::printed;
 
 use diag::Problem;
 use elaborate::Elaborator;

@@ -28,7 +28,7 @@ use sha2::{Digest, Sha256};
 pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, compare, subject};
 pub use draft::{Draft, draft};
 
-use diag::shown::{in_one_line, shown};
+use diag::escape::{in_one_line, shown};
 use diag::{Diagnostic, Source};
 use files::Why;
 use mark::{Mark, group_text, marks, parts, text_of};

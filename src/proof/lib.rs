@@ -128,6 +128,8 @@ mod memory;
 #[cfg(feature = "certificates")]
 mod names;
 mod newton;
+#[cfg(feature = "certificates")]
+mod notation;
 pub mod order;
 mod orthogonal;
 mod outcome;
@@ -148,8 +150,6 @@ mod solve;
 mod structure;
 mod values;
 mod witness;
-#[cfg(feature = "certificates")]
-mod written;
 
 pub use along::{Along, Apart, InTime, Refuted, along};
 pub use apart::by_domain;

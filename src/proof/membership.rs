@@ -16,13 +16,13 @@ use super::certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, P
 use super::generators::Generator;
 use super::linear::Combinations;
 use super::names::{free, leaf_name, names_of, python};
+use super::notation::{Writer, functions, meaning};
 use super::outcome::{Premises, Reason};
 use super::polynomial::{factors, fraction};
 use super::prepare::{explicit, with_rates};
 use super::prove::{Lowered, lower, vanishes};
 use super::ring::{Given, Poly, Relation, Source, System, combined, denominators, integral, is_basis, map, ratio};
 use super::solve::insert_definitions;
-use super::written::{Writer, functions, meaning};
 use ::groebner::{LiftBasis, PolynomialExt, verify_lift};
 use expr::{Expr, FastMap, Graph, Leaf, Node, Op, Rational};
 use num_rational::BigRational;

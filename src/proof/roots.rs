@@ -18,7 +18,7 @@
 //! What was recognised by random points is put on a list to be tested with the identity itself, so that it is covered by the
 //! same error bound.
 
-mod nested;
+mod denesting;
 mod signs;
 
 use super::generators::{Generator, Generators};

@@ -13,8 +13,8 @@
 
 #![forbid(unsafe_code)]
 
-mod decided;
 mod enclosed;
+mod identity;
 mod plain;
 mod proved;
 mod ranges;
@@ -23,8 +23,8 @@ mod shape;
 mod signs;
 mod single_motion;
 
-pub use decided::{Decided, Premises, Term, Unproved, Way};
 pub use enclosed::{Compared, Enclosing, Refutation};
+pub use identity::{Decided, Premises, Term, Unproved, Way};
 pub use plain::Plain;
 pub use proved::{Bounded, Coordinate, Point, Proving, Proviso, Refuting};
 pub use ranges::{Ranges, Shares};

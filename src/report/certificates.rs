@@ -5,7 +5,7 @@
 
 use super::tally::name;
 use crate::derivation::Derivation;
-use diag::shown::in_one_line;
+use diag::escape::in_one_line;
 use findings::{Account, Certificate, ClaimAccount, IdentityAccount, Origin};
 use reason::Premises;
 

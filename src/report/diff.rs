@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use super::markdown::{code, prose};
 use super::numbers::count;
-use diag::shown::{in_one_line, shown};
+use diag::escape::{in_one_line, shown};
 
 /// What a change amounts to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

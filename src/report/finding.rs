@@ -13,7 +13,7 @@ use super::numbers::{count, size, time, value};
 use super::tally::{Group, declared, groups, name, says};
 use crate::derivation::{Derivation, Form};
 use crate::diag::{Diagnostic, Source};
-use diag::shown::{in_one_line, shown};
+use diag::escape::{in_one_line, shown};
 use findings::{Account, ClaimAccount, FamilyAccount, PairAccount};
 
 /// How serious a finding is.

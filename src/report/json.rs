@@ -6,7 +6,7 @@ use serde_json::Value;
 use super::document::Report;
 use crate::derivation::Derivation;
 use ::paper::Comparison;
-use diag::shown::in_json;
+use diag::escape::in_json;
 use findings::Account;
 
 /// The contract, as text: stable order, one line for each pair of claim and trajectory.

@@ -14,7 +14,7 @@ use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use super::finding::{Finding, Level, on_family, over_ranges, phrase, told};
 use super::tally::{name, says};
 use crate::derivation::Derivation;
-use diag::shown::in_one_line;
+use diag::escape::in_one_line;
 use findings::{Account, ClaimAccount, Judged, PairAccount};
 
 /// One derivation file and what was found, for [`junit`].

@@ -32,7 +32,7 @@ mod json;
 mod junit;
 mod letters;
 mod markdown;
-mod marked;
+mod markup;
 mod mathml;
 mod members;
 mod numbers;

@@ -3,8 +3,8 @@
 use super::form::{Heading, heading};
 use super::graph::DerivationGraph;
 use super::letters::{LEGEND, letters};
-use super::marked::display;
-pub(super) use super::marked::{code, fenced, math, prose, table};
+use super::markup::display;
+pub(super) use super::markup::{code, fenced, math, prose, table};
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, declared, groups, name};
 use super::wording::slack_sentence;

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use diag::shown::in_json;
+use diag::escape::in_json;
 
 use super::finding::{Finding, Level, Place, rule_says};
 

@@ -3,7 +3,7 @@
 //! **In:** a [`SearchAccount`]. **Out:** the motion as a table of a derivation file, with what it shows as comments; what is to be said
 //! beside it, a line each.
 
-use diag::shown::in_one_line;
+use diag::escape::in_one_line;
 use findings::search::{FailingMotion, SearchAccount};
 
 /// The table of the motion that was found.

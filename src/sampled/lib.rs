@@ -16,6 +16,7 @@ use ::{derivation, diag, expr, findings, flow, latex, number, verdict};
 
 mod across;
 mod between;
+pub mod claim_program;
 mod describe;
 pub mod events;
 pub mod extrapolate;
@@ -25,7 +26,6 @@ pub mod measure;
 pub mod pattern;
 mod peaks;
 mod pointwise;
-pub mod prepared;
 pub mod recall;
 pub mod same_motion;
 pub mod screen;

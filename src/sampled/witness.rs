@@ -9,12 +9,12 @@
 
 use std::sync::Arc;
 
+use crate::claim_program::Prepared;
 use crate::derivation::{Derivation, Form};
 use crate::describe::named;
 use crate::expr::{Expr, FastMap, Leaf};
 use crate::findings::ClaimAccount;
 use crate::latex::RelationKind;
-use crate::prepared::Prepared;
 use crate::same_motion;
 use crate::stage::Stage;
 use crate::verdict::{ResidualPoint, Residuals, Witness};

@@ -12,14 +12,14 @@
 //! else, so that each checks the other.
 
 mod angle;
-mod compiled;
 mod matrix;
+mod reach;
 mod set;
 mod sharpen;
 mod step;
 mod tail;
 
-pub use compiled::{Compiled, Reach, Reaches, Stretch};
+pub use reach::{Compiled, Reach, Reaches, Stretch};
 pub use sharpen::Sharp;
 pub use step::Stop;
 

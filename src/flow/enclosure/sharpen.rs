@@ -18,7 +18,7 @@
 //! [Neumaier 1990, §2.3]: https://doi.org/10.1017/CBO9780511526473
 
 use super::Enclosure;
-use super::compiled::{Compiled, Reach, Stretch};
+use super::reach::{Compiled, Reach, Stretch};
 use crate::error::{FlowError, leaf_name};
 use expr::{Expr, Graph, Leaf};
 use nalgebra::DMatrix;

@@ -1,8 +1,8 @@
 //! Named functions and operators, and where their arguments end.
 
 use super::super::lexer::Kind;
-use super::super::printed;
 use super::super::syntax::{Node, NodeKind};
+use super::super::typeset;
 use super::{Open, Parsed, Parser, refuse, side_by_side};
 use expr::Op;
 
@@ -282,7 +282,7 @@ impl Parser<'_> {
     pub(super) fn is_spaced(&self) -> bool {
         let mut gap = String::new();
         // What stands in a comment, or in a label, is not printed.
-        printed::gap(self.text.get(self.last_end()..self.span().start).unwrap_or_default(), &mut gap);
+        typeset::gap(self.text.get(self.last_end()..self.span().start).unwrap_or_default(), &mut gap);
         [r"\,", r"\;", r"\:", r"\>", r"\ ", "~", r"\quad", r"\qquad"].iter().any(|s| gap.contains(s))
     }
 

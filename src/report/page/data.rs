@@ -3,7 +3,7 @@
 //! A page may have thousands of pairs. Each of its curves is some sixty samples; a value takes two characters: its place
 //! between the least and the largest value, in one of some hundred steps, and of residuals and bounds the logarithm, in one of
 //! eighty. That is finer than a line is thick. Equal texts are stored once. Numbers that a reader may want exactly (worst residual, witness)
-//! are stored as numbers. The whole is [packed](super::packed).
+//! are stored as numbers. The whole is [packed](super::compression).
 
 use std::collections::HashMap;
 
@@ -13,7 +13,7 @@ use serde::{Serialize, Serializer};
 
 use super::super::tally::{declared, name};
 use super::claims::assigned;
-use super::packed::{DIGITS, digit};
+use super::compression::{DIGITS, digit};
 use super::text::{formula, label_parts};
 use super::tight::tight;
 use crate::derivation::{Claim, Derivation, Event};

@@ -13,19 +13,19 @@
 
 mod board;
 mod claims;
+mod compression;
 mod data;
+mod details;
 mod family;
 mod findings;
-mod folded;
 mod graph;
 mod map;
 mod matrix;
 mod motions;
-mod packed;
 mod portrait;
 mod reasons;
 mod region;
-mod shared;
+mod reuse;
 mod support;
 mod text;
 mod tight;
@@ -48,10 +48,10 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
     let large = || rayon::join(|| claims::section(derivation, account), || motions::section(derivation, account));
     let (findings, (claims, motions)) = rayon::join(|| findings::section(derivation, account), large);
     let folding = html! { (claims) (motions) (measures(derivation, account)) };
-    let folding = shared::drawn_once(&tight::tight(&folding.into_string()));
+    let folding = reuse::drawn_once(&tight::tight(&folding.into_string()));
     let pairs: usize = account.claims.iter().map(|c| c.results.len()).sum();
-    let (folding, folds) = if pairs > MOST_PAIRS { folded::taken_out(&folding) } else { (folding, Vec::new()) };
-    let data = packed::packed(&data::json(derivation, account, &folds));
+    let (folding, folds) = if pairs > MOST_PAIRS { details::taken_out(&folding) } else { (folding, Vec::new()) };
+    let data = compression::packed(&data::json(derivation, account, &folds));
     let rest = html! {
         (PreEscaped(folding))
         (conventions(derivation))

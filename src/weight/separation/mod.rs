@@ -28,7 +28,7 @@ use ask::{Ask, Sides};
 use assumptions::Dropped;
 use candidates::Candidate;
 use claim::program::Program;
-use sampled::prepared::Prepared;
+use sampled::claim_program::Prepared;
 use sampled::recall::Recall;
 use sampled::selection::Selection;
 use sampled::trace::{Trace, Trial};

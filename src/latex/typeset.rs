@@ -1,7 +1,7 @@
 //! What is left of a formula when everything is taken away that is not set.
 
 use super::lexer::tokens;
-use diag::shown::shown;
+use diag::escape::shown;
 
 /// The text without comments, and without commands that leave nothing on the paper but have an argument (`\label{…}`,
 /// `\tag{…}`): anything may stand in them, and whoever sets the text anew would read it. `None` if it is no text of the
