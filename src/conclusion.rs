@@ -37,12 +37,12 @@ impl Ending {
 }
 
 impl Answer {
-    /// How it ends a run: a case that is left out, and what is open, are undecided.
+    /// How it ends a run: a case that is left out, what must be assumed beside what is given, and what is open, are undecided.
     pub fn ending(&self) -> Ending {
         match self.account().finding.decision() {
-            Decision::Proved => Ending::Good,
+            Decision::Proved if self.account().is_proved() => Ending::Good,
             Decision::Refuted => Ending::Different,
-            Decision::ProvedExcept | Decision::Undecided => Ending::Undecided,
+            Decision::Proved | Decision::ProvedExcept | Decision::Undecided => Ending::Undecided,
         }
     }
 }

@@ -326,3 +326,17 @@ fn what_log_means_is_a_convention_of_the_file() {
         assert_eq!(load(&with(&[HEAD, &convention, MOTION, claim])).is_ok(), fine, "{word}");
     }
 }
+
+/// What an attribute means for one role only is refused of others, rather than ignored.
+#[test]
+fn attributes_of_other_roles() {
+    for (symbol, words) in [
+        (r"'z(\alpha)' = { role = 'observable', arguments = ['\alpha'], formula = '\alpha x' }", "has no arguments"),
+        (r"'z' = { role = 'abbreviation', angle = true, formula = '\arctan x' }", "are not continued along a motion"),
+        (r"'\beta' = { role = 'parameter', angle = true }", "are not continued along a motion"),
+        ("'s' = { role = 'state', positive = true }", "only parameters are declared positive"),
+    ] {
+        let found = problems(&with(&[&HEAD.replace("\n[system", &format!("{symbol}\n\n[system")), MOTION]));
+        assert!(found.contains(words), "{symbol}: {found}");
+    }
+}

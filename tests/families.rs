@@ -278,6 +278,7 @@ fn bad_input_is_refused_with_its_place() {
             &["`I` is not one real number", "give its components by parameters"],
         ),
         ("of = 'formula'\nvary = { 'x' = { values = [1] } }", &["`formula` gives no value to `x`", "formulas in time"]),
+        ("of = 'a'\nvary = { 'x' = { values = [0.1000000000000000001] } }", &["it has too many digits"]),
         ("of = 'a'\nvary = { 'x' = { values = [] } }", &["has no members: `values` is empty"]),
         (
             "of = 'a'\nvary = { 'x' = { from = 0, to = 1, count = 0 } }",

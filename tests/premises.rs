@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use rederive::check::{Account, Options, Outcome, check};
-use rederive::derivation::load;
-use rederive::diag::render;
+use rederive::derivation::{load, parse};
+use rederive::diag::{Source, render};
 
 fn account() -> Account {
     account_of("premises")
@@ -83,5 +83,125 @@ fn what_decays_is_proved_in_closed_form_and_nothing_beside_it() {
     for id in ["law-too-fast", "law-too-large", "approach-wrong"] {
         let (verdict, strengths) = found(&account, id, None);
         assert_eq!((verdict, strengths), ("refuted", vec!["sampled"]), "{id}");
+    }
+}
+
+/// A file with a motion x = t and its claims.
+fn of_claims(claims: &str) -> Account {
+    let head = "[derivation]\ntitle = 't'\nconcerns = 'test'\n[symbols]\n't' = { role = 'time' }\n'x' = { role = 'state' }\n\
+        'y' = { role = 'state' }\n'a' = { role = 'parameter' }\n'b' = { role = 'parameter' }\n[system.s]\nstates = ['x', 'y']\n\
+        equations = ['\\dot x=y', '\\dot y=-x']\n[[trajectory]]\nid = 'm'\nsystem = 's'\n\
+        parameters = { 'a' = 2, 'b' = 1 }\ninitial = { 'x' = 0, 'y' = 0 }\nspan = [0, 1]\n";
+    let source = Source { path: "test.toml".into(), text: format!("{head}{claims}") };
+    let derivation = parse(source, "test").unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"))
+}
+
+/// A claim with its formula, and what stands beside it.
+fn claim(id: &str, always: &str, more: &str) -> String {
+    format!("[[claim]]\nid = '{id}'\nsays = 'test'\nalways = ['{always}']\n{more}\n")
+}
+
+fn standing(account: &Account, id: &str) -> &'static str {
+    let claim = account.claims.iter().find(|c| c.name() == id).unwrap_or_else(|| panic!("no claim {id}"));
+    claim.identity.as_ref().map_or("none", |i| i.standing())
+}
+
+#[test]
+fn what_premises_assume_must_be_assumed_or_stays_open() {
+    let named =
+        |of: &str| format!("symbols = {{ 'h' = {{ role = 'abbreviation', formula = '{of}' }} }}\nassuming = ['h=1']\n");
+    let account = of_claims(
+        &[
+            claim("p", r"ax=x", "assuming = ['a=1']\nfollows-from = ['s']"),
+            claim("q", r"ax+b=x+b", "follows-from = ['p']"),
+            claim("two-steps", r"abx=bx", "follows-from = ['q']"),
+            claim("assumed-again", r"abx=bx", "assuming = ['a=1']\nfollows-from = ['q']"),
+            claim("conclusion", r"a=1", "assuming = ['x>0', 'b>0']\nfollows-from = ['q']"),
+            // The same words of another symbol are another assumption.
+            claim("named", r"ax=x", &format!("{}follows-from = ['s']", named("a"))),
+            claim("named-otherwise", r"ax=x", &format!("{}follows-from = ['named']", named("b"))),
+        ]
+        .concat(),
+    );
+    assert_eq!(standing(&account, "p"), "proved");
+    assert_eq!(standing(&account, "q"), "proved given");
+    assert_eq!(standing(&account, "two-steps"), "proved given");
+    assert_eq!(standing(&account, "assumed-again"), "proved");
+    assert_eq!(standing(&account, "conclusion"), "proved given");
+    assert_eq!(standing(&account, "named"), "proved");
+    assert_eq!(standing(&account, "named-otherwise"), "proved given");
+    let of = |id: &str| account.claims.iter().find(|c| c.id == id).and_then(|c| c.identity.clone()).expect("a step");
+    assert_eq!(of("two-steps").presupposed, ["a=1"]);
+    assert!(of("assumed-again").presupposed.is_empty());
+    assert!(of("q").decided().to_string().contains("`a=1`, which is assumed by what is given, and not here"));
+}
+
+#[test]
+fn systems_are_given_also_where_nothing_names_a_rate() {
+    let account = of_claims(
+        &[
+            claim("at-rest", r"y=0", "assuming = ['x=0']"),
+            claim("root", r"y=0", "assuming = ['x^2=a^2']"),
+            claim("product", r"x=0", "assuming = ['xy=0']\nfollows-from = ['s']"),
+            claim("nothing-of-it", r"y=0", "assuming = ['a=0']"),
+        ]
+        .concat(),
+    );
+    assert_eq!(standing(&account, "at-rest"), "proved");
+    for id in ["root", "product"] {
+        assert_ne!(standing(&account, id), "refuted", "{id}");
+    }
+    assert_eq!(standing(&account, "nothing-of-it"), "refuted");
+}
+
+#[test]
+fn a_sign_that_an_assumption_shares_is_not_lost() {
+    let shared = r"follows-from = ['p']";
+    let account = of_claims(
+        &[
+            claim("p", r"y=\pm b", "assuming = ['x=\\pm a']"),
+            claim("again", r"y=\pm b", &format!("assuming = ['x=\\pm a']\n{shared}")),
+            claim("ratio", r"xb=ay", &format!("assuming = ['x=\\pm a']\n{shared}")),
+        ]
+        .concat(),
+    );
+    for id in ["again", "ratio"] {
+        assert_ne!(standing(&account, id), "refuted", "{id}");
+    }
+}
+
+#[test]
+fn what_a_motion_does_not_know_says_nothing() {
+    let text = claim("c", "x=0", "").replace("always = ['x=0']", r"defined = ['\sqrt c', 'x']");
+    let symbol = "symbols = { 'c' = { role = 'parameter', positive = true } }\n";
+    let account = of_claims(&format!("{text}{symbol}"));
+    let claim = &account.claims[0];
+    assert!(matches!(claim.results[0].verdict.outcome(), Outcome::NotApplicable(_)), "{:?}", claim.results[0].verdict);
+    assert_ne!(standing(&account, "c"), "refuted");
+}
+
+#[test]
+fn an_inequality_chooses_times_and_says_nothing_of_others() {
+    let given = "follows-from = ['p']\nassuming = ['x>0']";
+    let account = of_claims(
+        &[
+            claim("p", r"\sqrt{x^2}=x", "assuming = ['x>0']\nfollows-from = ['s']"),
+            claim("now", r"\sqrt{x^2}=x", given),
+            claim("then", r"\sqrt{x(1)^2}=x(1)", given),
+            claim("then-by-itself", r"\sqrt{x(1)^2}=x(1)", "assuming = ['x>0']"),
+            claim("hypothesis", r"y(1)=2x(1)", "assuming = ['x>0', 'y=2x']"),
+            claim("of-all-times", r"y(1)=2x(1)", "assuming = ['a>0', 'y=2x']"),
+            claim("kept", r"a=b", "assuming = ['x>0']\nfollows-from = ['s']")
+                .replace("always = ['a=b']", "first-integral = ['x^2+y^2']"),
+            claim("kept-since", r"x^2+y^2=x(1)^2+y(1)^2", "follows-from = ['kept']\nassuming = ['x>0']"),
+        ]
+        .concat(),
+    );
+    for id in ["now", "of-all-times", "kept"] {
+        assert_eq!(standing(&account, id), "proved", "{id}");
+    }
+    for id in ["then", "then-by-itself", "hypothesis", "kept-since"] {
+        assert_ne!(standing(&account, id), "proved", "{id}");
     }
 }

@@ -86,6 +86,23 @@ fn edits_of_one_file() {
     assert_eq!(step(&store, "kepler.toml", &text, &ask).1, 2, "the record was of the last state");
 }
 
+/// Digits that binary64 does not have, and symbols of one claim that become those of another, change what is said.
+#[test]
+fn digits_and_whose_symbols_they_are_are_content() {
+    let text = "[derivation]\ntitle = \"t\"\nconcerns = \"t\"\n[symbols]\n't' = { role = \"time\" }\n'x' = { role = \"state\" }\n\
+        'c' = { role = \"parameter\" }\n'h' = { role = \"abbreviation\", formula = 'x' }\n[[trajectory]]\nid = \"m\"\n\
+        formula = { 'x' = 'ct' }\nparameters = { 'c' = 0.1 }\nspan = [0, 1]\n[[claim]]\nid = \"a\"\nsays = \"t\"\n\
+        always = ['10c=1', 'h=x']\n[[claim]]\nid = \"b\"\nsays = \"t\"\n\
+        symbols = { 'h' = { role = \"abbreviation\", formula = 'x+1' } }\nalways = ['h=x+1']\n";
+    let line = "symbols = { 'h' = { role = \"abbreviation\", formula = 'x+1' } }\n";
+    let moved = text.replace(line, "").replace("id = \"a\"\n", &format!("id = \"a\"\n{line}"));
+    let digits = text.replace("= 0.1 }", "= 0.10000000000000000001 }");
+    let store = Memory::default();
+    for text in [text, &moved, text, &digits, text] {
+        assert_eq!(step(&store, "file.toml", text, &Ask::default()).1, 2, "it is another file");
+    }
+}
+
 #[test]
 fn what_is_asked_otherwise_is_another_record() {
     let text = derivation("circuit.toml");

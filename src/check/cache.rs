@@ -15,6 +15,8 @@
 
 use std::collections::BTreeSet;
 
+use toml::de::{DeTable, DeValue};
+
 use super::follow::{Followed, follow, strengthen_all};
 use super::memory::{Contents, Known as Recalled, Memory, Names};
 use super::{check, check_beside, check_recalling};
@@ -144,7 +146,11 @@ const WORDS: [&str; 7] = ["says", "place", "label", "printed", "remark", "expect
 
 /// The content of everything but claims, that of each motion, and that of each claim, all without words.
 pub(super) fn contents(derivation: &Derivation) -> Option<Contents> {
-    let mut root: toml::Table = toml::from_str(&derivation.file.text).ok()?;
+    let toml::Value::Table(mut root) =
+        as_written(&DeValue::Table(DeTable::parse(&derivation.file.text).ok()?.into_inner()))
+    else {
+        return None;
+    };
     let mut list = |key: &str| match root.remove(key) {
         Some(toml::Value::Array(list)) => list,
         _ => Vec::new(),
@@ -158,11 +164,13 @@ pub(super) fn contents(derivation: &Derivation) -> Option<Contents> {
     let id = |table: &toml::Value| Some(table.get("id")?.as_str()?.to_owned());
     let mut symbols = String::new();
     let mut one = |mut claim: toml::Value| {
-        symbols.push_str(&taken_apart(claim.as_table_mut()?));
+        let name = id(&claim)?;
+        taken_apart(claim.as_table_mut()?, &name, &mut symbols);
         for reading in claim.get_mut("reading").and_then(toml::Value::as_array_mut).into_iter().flatten() {
-            symbols.push_str(&taken_apart(reading.as_table_mut()?));
+            let name = format!("{name}/{}", id(reading)?);
+            taken_apart(reading.as_table_mut()?, &name, &mut symbols);
         }
-        Some((id(&claim)?, claim.to_string()))
+        Some((name, claim.to_string()))
     };
     let claims = claims.into_iter().map(&mut one).collect::<Option<_>>()?;
     let motions = motions.iter().map(|m| Some((id(m)?, m.to_string()))).collect::<Option<_>>()?;
@@ -173,12 +181,32 @@ pub(super) fn contents(derivation: &Derivation) -> Option<Contents> {
     Some(Contents { base: format!("{conventions}{root}{symbols}{unknowns:?}"), motions, claims })
 }
 
-/// Takes the words and the symbols out of a claim; the symbols are returned, since motions know the observables of all claims.
-fn taken_apart(claim: &mut toml::Table) -> String {
+/// A value of the file with its numbers as they are written, in place of their nearest numbers in binary: a number has exactly the
+/// value of its digits.
+fn as_written(value: &DeValue) -> toml::Value {
+    match value {
+        // The mark keeps them from being texts.
+        DeValue::Integer(i) => toml::Value::String(format!("\u{1}{}:{}", i.radix(), i.as_str())),
+        DeValue::Float(f) => toml::Value::String(format!("\u{1}{}", f.as_str())),
+        DeValue::String(text) => toml::Value::String(text.to_string()),
+        DeValue::Boolean(b) => toml::Value::Boolean(*b),
+        DeValue::Datetime(date) => toml::Value::Datetime(*date),
+        DeValue::Array(list) => toml::Value::Array(list.iter().map(|v| as_written(v.get_ref())).collect()),
+        DeValue::Table(table) => {
+            toml::Value::Table(table.iter().map(|(k, v)| (k.get_ref().to_string(), as_written(v.get_ref()))).collect())
+        }
+    }
+}
+
+/// Takes the words and the symbols out of a claim, or a reading. The symbols are kept with its name, since motions know the
+/// observables of all claims, and a name may mean something else in each of them.
+fn taken_apart(claim: &mut toml::Table, name: &str, symbols: &mut String) {
     for key in WORDS {
         claim.remove(key);
     }
-    claim.remove("symbols").map_or(String::new(), |symbols| format!("{symbols}\n"))
+    if let Some(own) = claim.remove("symbols") {
+        symbols.push_str(&format!("{name}: {own}\n"));
+    }
 }
 
 fn ids(derivation: &Derivation) -> Vec<String> {

@@ -9,7 +9,7 @@
 //! the two, because the error of a trajectory is an estimate.
 
 use crate::expr::domain::row;
-use crate::expr::{Expr, Graph, Leaf, Node, Op};
+use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
 use crate::latex::{RelationKind, Role, Scope};
 use crate::mute::Told;
 use crate::number::Bounded;
@@ -31,8 +31,8 @@ pub struct Comparison {
     pub right: Expr,
     /// Sum of the sizes of the terms of both sides: what "small" is measured by.
     pub magnitude: Expr,
-    /// What vanishes where an inequality can change between two samples, for each sign of ±: left − right. Empty for
-    /// equations, and for what does not move.
+    /// What vanishes where an inequality can change between two samples, for each sign of ±: left − right; of |u| and a positive
+    /// number c u − c and u + c, which are smooth where u is 0. Empty for equations, and for what does not move.
     pub boundaries: Vec<Expr>,
     /// What vanishes where an equation that is one of several alternatives is true, perhaps at a single time: left − right.
     pub meetings: Vec<Expr>,
@@ -97,9 +97,21 @@ pub(super) fn boundaries(graph: &mut Graph, scope: &Scope, left: Expr, right: Ex
     }
     let difference = graph.sub(left, right);
     if !leaves.contains(&sign) {
-        return vec![difference];
+        return match inside_size(graph, left, right).or_else(|| inside_size(graph, right, left)) {
+            Some((u, c)) => vec![graph.sub(u, c), graph.add(u, c)],
+            None => vec![difference],
+        };
     }
     [1, -1].map(|n| graph.substitute(difference, |g, l| (l == sign).then(|| g.integer(n)))).to_vec()
+}
+
+/// u and c, where one side is |u| and the other a positive number c.
+fn inside_size(graph: &Graph, size: Expr, other: Expr) -> Option<(Expr, Expr)> {
+    let positive = graph.as_constant(other).is_some_and(|c| *c > Rational::ZERO);
+    match graph.node(size) {
+        Node::Unary(Op::Abs, u) if positive => Some((*u, other)),
+        _ => None,
+    }
 }
 
 /// Comparisons at one time, and what they must be together.
@@ -174,9 +186,10 @@ impl Group {
         }
     }
 
-    /// Whether agreement to within an allowance may count as equality of a comparison: in a conjunction, for some sign.
+    /// Whether agreement to within an allowance may count as equality of a comparison: in a conjunction that is said, for some
+    /// sign; not where it must not be, or where it says that something has a value.
     pub fn allows(&self) -> bool {
-        self.formula.is_none() && self.signs == Quantifier::Some
+        !(self.denied || self.asserted) && self.formula.is_none() && self.signs == Quantifier::Some
     }
 }
 

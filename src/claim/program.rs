@@ -75,6 +75,11 @@ impl Part {
         }
     }
 
+    /// Whether agreement to within an allowance may count as equality in it.
+    pub fn allows(&self) -> bool {
+        !matches!(self.what, What::Denied) && self.group.allows()
+    }
+
     /// Whether what has no value counts against it.
     pub fn is_definedness(&self) -> bool {
         matches!(self.what, What::Defined)

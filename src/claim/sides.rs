@@ -486,7 +486,6 @@ impl<'a> MeasuredGroup<'a> {
     /// Whether the sides of a comparison, which lie within their error bound of one another at a time, cannot be taken for equal: only of
     /// what is said of every time, and where the bound is small enough.
     pub fn is_unequal(&self, sign: usize, comparison: usize, time: usize, precision: f64) -> bool {
-        let allowed = !(self.group.denied || self.group.asserted || self.group.formula.is_some());
         match self.signs[sign][comparison].difference(time) {
             // What has no value is no matter of equality.
             Err(_) => false,
@@ -494,7 +493,9 @@ impl<'a> MeasuredGroup<'a> {
             // What is typical is known; the size of the terms at one time takes work.
             Ok(d) => {
                 let exceeds = |scale: f64| d.error > precision * scale;
-                !allowed || exceeds(self.floor(sign)) && exceeds(self.scale(sign, comparison, time))
+                self.strict
+                    || !self.group.allows()
+                    || exceeds(self.floor(sign)) && exceeds(self.scale(sign, comparison, time))
             }
         }
     }

@@ -13,9 +13,10 @@ use super::keys;
 use super::load::Loader;
 use super::model::{GivenValue, Motion};
 use super::motions::{ValueOf, undotted};
+use super::number::exact;
 use super::table::{Table, Value, text_of};
 use super::values::Known;
-use expr::{Expr, Leaf, Tensor};
+use expr::{Expr, Leaf, Rational, Tensor};
 use latex::{RelationKind, Role, Scope};
 
 const SPREADS: &str = "one of { from = a, to = b, count = n }, { values = […] }, { uniform = [a, b] }, \
@@ -120,6 +121,16 @@ impl Loader<'_> {
     fn end(&mut self, value: &Value<'_>, scope: &Scope, written: &mut Vec<Written<Vec<Expr>>>) -> Option<Expr> {
         let e = self.number_or_formula(value, scope)?;
         let text = self.problems.source.text.get(value.span()).unwrap_or_default();
+        // A value of a member is a number of binary64, and what a file says of it is the shortest text for that.
+        let shortest = |x: &Rational| exact(&format!("{:e}", x.to_f64().value()));
+        if let (DeValue::Float(_) | DeValue::Integer(_), Some(x)) = (value.get_ref(), self.out.graph.as_constant(e))
+            && shortest(x).as_ref() != Some(x)
+        {
+            let message = format!("a member of a family cannot have the value {text}: it has too many digits");
+            let hint = "values of members have at most 15 digits; a single trajectory may have any number";
+            self.problems.note("derivation::bad-family", value.span(), message).hint(hint);
+            return None;
+        }
         written.push(Written { text: text.trim_matches('\'').to_owned(), span: value.span(), value: vec![e] });
         self.without_leaves(e, value, scope)
     }

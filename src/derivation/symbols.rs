@@ -112,9 +112,22 @@ impl Loader<'_> {
             problems.note("derivation::bad-role", span, message).hint("leave one of the two out");
             return None;
         }
-        if role == Role::Field && table.boolean(problems, "positive") == Some(true) {
-            let message = format!("`{name}`: a field is not declared positive");
-            problems.note("derivation::bad-role", span, message).hint("assume it in the claim, `assuming = ['u>0']`");
+        if on("angle") && !matches!(role, Role::Observable | Role::State) {
+            let message = format!("`{name}` is no observable, and its values are not continued along a motion");
+            let hint = "declare it as an observable, or leave `angle` out";
+            problems.note("derivation::bad-role", span, message).hint(hint);
+            return None;
+        }
+        if let Some(value) = table.get("arguments").filter(|_| role != Role::Abbreviation) {
+            let message = format!("`{name}` is no abbreviation, and has no arguments");
+            let hint = "an abbreviation with arguments may name states and the time, too";
+            problems.note("derivation::bad-role", value.span(), message).hint(hint);
+            return None;
+        }
+        if on("positive") && role != Role::Parameter {
+            let message = format!("`{name}`: only parameters are declared positive");
+            let hint = format!("assume it in the claim, `assuming = ['{name}>0']`");
+            problems.note("derivation::bad-role", span, message).hint(hint);
             return None;
         }
         let formula = match table.get("formula") {

@@ -14,7 +14,7 @@ use crate::latex::RelationKind;
 use crate::number::{Interval, NoValue};
 use crate::verdict::{Enclosed, Possible, Truth, Witness};
 use claim::comparison::Group;
-use claim::program::{Part, Program, What};
+use claim::program::{Part, Program};
 use reason::{Enclosing, Plain, Reason};
 use std::rc::Rc;
 
@@ -297,22 +297,13 @@ impl<'a> Ready<'a> {
         (self.precision * self.scale).min(telling)
     }
 
-    /// Whether agreement to within an allowance counts.
-    fn allows(&self) -> bool {
-        let what = match self.part.what {
-            What::Every | What::Constant | What::Value | What::Limit(_) | What::SameMotion(..) => true,
-            What::Denied | What::Defined | What::Independent | What::Across => false,
-        };
-        what && self.group.allows()
-    }
-
     /// How far the sides of equations may be apart on a stretch where the part is true for a sign of ±, to within what is
     /// allowed.
     ///
     /// # Errors
     /// Why it is not known to be true, or true where it has a value.
     pub fn within(&self, ranges: &Ranges, sign: usize) -> Result<f64, Reason> {
-        let (room, allows) = (self.room(), self.allows());
+        let (room, allows) = (self.room(), self.part.allows());
         let mut largest = 0.0_f64;
         let one = |c: usize| {
             let known = self.said.comparison(ranges, sign, c);
@@ -359,7 +350,7 @@ impl<'a> Ready<'a> {
     /// Whether the bound of an equation is too wide, and does not refute it either: asked at a single time.
     pub fn hopeless(&self, ranges: &Ranges, sign: usize) -> bool {
         let most = self.room();
-        self.allows()
+        self.part.allows()
             && self.group.comparisons.iter().enumerate().any(|(c, comparison)| match &ranges[self.place(sign, c)] {
                 Ok(reach) if comparison.kind == RelationKind::Equal => {
                     let there = reach.range();

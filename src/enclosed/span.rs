@@ -115,7 +115,7 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
     }
     let enclosed = Enclosed { places: looked, gap: found.gap, scale: ready.scale };
     let equation = ready.group.comparisons.iter().any(|c| c.kind == RelationKind::Equal);
-    let within = found.gap > 0.0 || equation && !ready.part.is_definedness() && ready.group.allows();
+    let within = found.gap > 0.0 || equation && ready.part.allows();
     let within = within.then_some((found.gap, ready.scale));
     let reason = Enclosing::EveryTime { stretches: looked, within }.into();
     match found.says || says_at_a_time(ready, along) {

@@ -211,9 +211,10 @@ impl IdentityAccount {
         self.finding.decision().contract_word()
     }
 
-    /// Whether it is proved for all values: no case is left out, and nothing that it follows from is open.
+    /// Whether it is proved for all values: no case is left out, nothing that it follows from is open, and nothing is assumed there
+    /// that is not assumed here.
     pub fn is_proved(&self) -> bool {
-        self.finding.decision() == Decision::Proved && self.conditional_on.is_empty()
+        self.finding.decision() == Decision::Proved && self.conditional_on.is_empty() && self.presupposed.is_empty()
     }
 
     /// Whether the claim holds on every motion on which what it follows from holds exactly. What is said of poles and of
@@ -230,7 +231,7 @@ impl IdentityAccount {
     /// The verdict in full: `proved`, `proved except`, `proved given`, `refuted`, `undecided`.
     pub fn standing(&self) -> &'static str {
         match self.finding.decision() {
-            Decision::Proved if !self.conditional_on.is_empty() => "proved given",
+            Decision::Proved if !self.is_proved() => "proved given",
             decision => decision.word(),
         }
     }
@@ -255,10 +256,12 @@ impl IdentityAccount {
     /// The verdict with what it rests on; its words are one sentence.
     pub fn decided(&self) -> Decided {
         let given = Premises(self.from.clone());
+        let assumed = self.presupposed.iter().map(|text| Unproved::Assumed(text.clone()));
         let open = self.conditional_on.iter().map(|g| match g.standing {
             None => Unproved::NotAsked(g.name.clone()),
             Some(word) => Unproved::Standing(g.name.clone(), word.to_owned()),
         });
+        let open = open.chain(assumed);
         let way = match self.log2_error {
             Some(_) if self.evidence.trials.is_none() => Way::Algebraic,
             Some(bound) => Way::Random(bound),

@@ -50,3 +50,14 @@ pub struct Statement {
     /// Its bytes.
     pub span: Range<usize>,
 }
+
+impl Statement {
+    /// Whether two statements of one graph are the same, wherever they stand.
+    pub fn says_the_same(&self, other: &Statement) -> bool {
+        let same = |(a, b): (&Relation, &Relation)| {
+            (a.kind, &a.left, &a.right, &a.limit, a.has_branches)
+                == (b.kind, &b.left, &b.right, &b.limit, b.has_branches)
+        };
+        self.relations.len() == other.relations.len() && self.relations.iter().zip(&other.relations).all(same)
+    }
+}

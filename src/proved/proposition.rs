@@ -7,6 +7,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use crate::conditional::presupposed;
 use crate::derivation::{Claim, DEFAULT_PRECISION, Derivation, Form, FormKind, Formula, Written};
 use crate::diag::{Diagnostic, Source, nearest};
 use crate::findings::IdentityAccount;
@@ -117,11 +118,16 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
     if !others.is_empty() && Step::of(derivation, &claim).is_none() {
         return Err(CheckError::Problems(others));
     }
-    match Step::of(derivation, &claim).and_then(Step::decide) {
-        Some(account) => account.map_err(CheckError::Defect),
+    match Step::of(derivation, &claim).map(Step::at_all_times).and_then(Step::decide) {
+        Some(account) => account.map_err(CheckError::Defect).map(|mut account| {
+            if account.finding.is_proved_in_part() {
+                account.presupposed = presupposed(derivation, &claim);
+            }
+            account
+        }),
         // Both sides are one expression: all that is left to see is whether it has a value, where what is given holds.
         None => {
-            let step = Step::of(derivation, &claim);
+            let step = Step::of(derivation, &claim).map(Step::at_all_times);
             let step = step.ok_or_else(|| CheckError::Defect("an equation is no equation".to_owned()))?;
             step.of_one_expression(&pairs).map_err(CheckError::Defect)
         }

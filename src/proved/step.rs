@@ -65,6 +65,8 @@ pub struct Step<'a> {
     memory: Memory,
     /// Whether something given was used in part only: then nothing is refuted.
     loosened: bool,
+    /// Whether inequalities that are assumed hold at all times.
+    at_all_times: bool,
     /// The sign for which the claim is asked, where it stands among its assumptions.
     sign: Option<i64>,
     /// Whether the answer is all that is wanted, and not which assumptions it needs.
@@ -157,6 +159,7 @@ impl<'a> Step<'a> {
             sign: None,
             loosened: false,
             plain: false,
+            at_all_times: false,
         };
         let possible = !claim.forms.is_empty() && claim.at.is_none();
         (possible && (step.is_equations() || step.is_about_parameters())).then_some(step)
@@ -240,6 +243,11 @@ impl<'a> Step<'a> {
     /// The same step; with `plain` it is not asked which assumptions a proof needs.
     pub fn with(self, plain: bool) -> Step<'a> {
         Step { plain, ..self }
+    }
+
+    /// The same step, where what is assumed is assumed of all times: of a file, an inequality chooses the times that count.
+    pub fn at_all_times(self) -> Step<'a> {
+        Step { at_all_times: true, ..self }
     }
 
     /// Decides the step; `Err` if the two routes contradict each other.
@@ -382,9 +390,13 @@ impl<'a> Step<'a> {
     fn levels(&mut self, gathered: &Gathered, equations: &Pairs, split: bool) -> Identity {
         let mut tried: Option<Premises> = None;
         let last = Definitions::LEVELS.len() - 1;
+        let mut everything = None;
         for (definitions, which) in Definitions::LEVELS.into_iter().enumerate().take(last) {
             let premises = self.premises(gathered, equations, which);
-            if tried.as_ref().is_some_and(|t| t.equations == premises.equations) {
+            if definitions + 1 == last {
+                everything = Some(self.premises(gathered, equations, Definitions::LEVELS[last]));
+            }
+            if [&tried, &everything].into_iter().flatten().any(|t| t.equations == premises.equations) {
                 continue;
             }
             let options = Options { attempts: FEW_POINTS, wanted: Wanted::Proof, ..Options::default() };
@@ -403,9 +415,9 @@ impl<'a> Step<'a> {
             }
             tried = Some(premises);
         }
-        let premises = self.premises(gathered, equations, Definitions::LEVELS[last]);
         self.proved_at = Level { split, definitions: last };
-        self.ask(&premises, equations, &Options::default(), split)
+        let everything = everything.unwrap_or_else(|| self.premises(gathered, equations, Definitions::LEVELS[last]));
+        self.ask(&everything, equations, &Options::default(), split)
     }
 
     /// Whether something is said about values at several times, or as a function of the time, of which only the rates are
@@ -426,7 +438,7 @@ impl<'a> Step<'a> {
     /// premise names one. Other values need not belong to one motion: what connects them are rates, or that a motion
     /// does not leap from one solution of the premises to another.
     fn at_fixed_time(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Identity> {
-        let mut premises = self.premises(gathered, equations, Definitions::All);
+        let mut premises = self.premises(gathered, equations, Definitions::Everything);
         let sides = |p: &Pairs| p.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>();
         let leaves = self.graph.leaves_within(sides(equations).into_iter().chain(sides(&premises.equations)));
         let scope = &self.claim.scope;

@@ -17,6 +17,8 @@ pub enum Unproved {
     NotAsked(String),
     #[error("`{0}`, which is {1}")]
     Standing(String, String),
+    #[error("`{0}`, which is assumed by what is given, and not here")]
+    Assumed(String),
 }
 
 /// How something is proved for all values.

@@ -14,6 +14,9 @@ pub enum Sampling {
     NotMet { text: Arc<str>, sides: Option<Sides> },
     #[error("the assumption `{text}` cannot be decided{why}", why = after(": ", .why))]
     AssumptionOpen { text: Arc<str>, why: Option<Arc<Reason>> },
+    /// A parameter that is not given there, a state of another system, or what needs one of them.
+    #[error("{0} is not known on this motion")]
+    NotKnown(Arc<str>),
     #[error("{0} has no value ({1})")]
     NoValue(Arc<str>, NoValue),
     #[error("`{operation}` has no value at {} ({why})", .second.map_or_else(|| short(.first), |second| format!("({}, {})", short(.first), short(&second))))]
@@ -140,8 +143,6 @@ pub enum Sampling {
     #[error("{name} at t = {t}: {dual} by dual numbers, {} ± {:e} by series", .series.0, .series.1)]
     TwoRoutesDiffer { name: Arc<str>, t: f64, dual: f64, series: (f64, f64) },
     // Pictures.
-    #[error("{0} is not known on this motion")]
-    NotKnown(Arc<str>),
     #[error("their length is not constant: it goes from {0:.4} to {1:.4}")]
     LengthVaries(f64, f64),
     // Families, counted.

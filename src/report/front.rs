@@ -12,7 +12,7 @@ use super::numbers::count;
 use super::tally::{Standing, name};
 use super::text::{Paint, WIDTH, paragraph};
 use crate::derivation::{ClaimRole, Derivation};
-use findings::{Account, ClaimAccount};
+use findings::{Account, ClaimAccount, IdentityAccount};
 
 /// Most claims that are told; the rest is counted.
 const MOST: usize = 14;
@@ -244,14 +244,18 @@ pub fn alarms(derivation: &Derivation, account: &Account) -> Vec<String> {
     }
     let nowhere = || account.claims.iter().filter(|c| Standing::of(c) == Standing::Nowhere);
     let without = derivation.trajectories.is_empty() && nowhere().any(|c| c.region.is_none());
-    let nowhere: Vec<String> = nowhere().map(name).collect();
-    if !nowhere.is_empty() {
-        let verb = if nowhere.len() == 1 { "applies" } else { "apply" };
-        let (claims, why) = (count(nowhere.len(), "claim"), if without { NO_MOTION } else { "" });
-        out.push(format!(
-            "{claims} {verb} to no motion, so that nothing was checked of what they say: {}.{why}",
-            quoted(nowhere)
-        ));
+    let decided = |c: &ClaimAccount| c.identity.as_ref().map(IdentityAccount::verdict).filter(|v| *v != "undecided");
+    let (known, unknown): (Vec<_>, Vec<_>) = nowhere().partition(|c| decided(c).is_some());
+    for (of, what) in
+        [(unknown, "nothing was checked of what they say"), (known, "they are decided for all values alone")]
+    {
+        if !of.is_empty() {
+            let verb = if of.len() == 1 { "applies" } else { "apply" };
+            let (claims, why) = (count(of.len(), "claim"), if without { NO_MOTION } else { "" });
+            let named = |c: &ClaimAccount| decided(c).map_or_else(|| name(c), |word| format!("{} ({word})", name(c)));
+            let named = quoted(of.into_iter().map(named).collect());
+            out.push(format!("{claims} {verb} to no motion, so that {what}: {named}.{why}"));
+        }
     }
     let refuted = refuted_premises(derivation, account);
     if !refuted.is_empty() {

@@ -8,7 +8,7 @@ use crate::expr::tape::{Fault, Slots};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::{Incomplete, Points};
 use crate::number::{Bounded, NoValue};
-use crate::trace::Trial;
+use crate::trace::{Trace, Trial};
 use claim::comparison::Comparison;
 use claim::program::{Program, SIDES};
 use reason::{Gap, Reason, Sampling};
@@ -45,7 +45,7 @@ pub(super) struct Describer<'a> {
     graph: &'a Graph,
     claim: &'a Claim,
     program: &'a Program,
-    leaves: &'a [Leaf],
+    trace: &'a Trace<'a>,
     /// The times of the points.
     pub times: &'a [f64],
     points: &'a Points,
@@ -66,7 +66,7 @@ impl<'a> Describer<'a> {
             graph,
             claim,
             program,
-            leaves: trace.leaves,
+            trace,
             times,
             points,
             shown,
@@ -90,7 +90,7 @@ impl<'a> Describer<'a> {
     /// Values of the leaves that both sides depend on.
     pub fn values(&self, comparison: &Comparison, time: usize) -> Vec<(String, f64)> {
         let value = |leaf: Leaf| {
-            let at = self.leaves.iter().position(|&l| l == leaf)?;
+            let at = self.trace.leaves.iter().position(|&l| l == leaf)?;
             self.points.get(time, at).ok().map(|v| v.value)
         };
         named(self.graph, [comparison.left, comparison.right], value)
@@ -109,10 +109,12 @@ impl<'a> Describer<'a> {
                 if let Some((_, why)) = said.iter().find(|(of, _)| *of == (i, reason)) {
                     return Arc::clone(why);
                 }
-                let why = match self.program.input(i).and_then(|at| self.leaves.get(at)) {
-                    Some(&leaf) => Arc::new(Sampling::NoValue(self.graph.leaf_latex(leaf).into(), reason).into()),
-                    None => bare(),
-                };
+                let input = self.program.input(i).and_then(|at| Some((at, *self.trace.leaves.get(at)?)));
+                let why = input.map_or_else(bare, |(at, leaf)| {
+                    let name = self.graph.leaf_latex(leaf).into();
+                    let known = self.trace.knows(at);
+                    Arc::new(if known { Sampling::NoValue(name, reason) } else { Sampling::NotKnown(name) }.into())
+                });
                 said.push(((i, reason), Arc::clone(&why)));
                 why
             }

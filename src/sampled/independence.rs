@@ -267,60 +267,75 @@ fn lost_between(of: &Gradients, trial: &Trial, tried: &Tried, tape: &Tape, rapid
     }
     let mut slots = tape.slots::<Bounded>(&());
     let (n, rows) = (of.variables.len(), of.constraints + of.functions);
+    let mut gradients = |point: &[Result<Bounded, NoValue>]| {
+        tape.evaluate(&(), point, &mut slots).into_iter().collect::<Result<Vec<Bounded>, _>>().ok()
+    };
+    let at_samples: Vec<Option<Vec<Bounded>>> =
+        (0..tried.times.len()).map(|i| gradients(&tried.points.row(i))).collect();
     // The lengths of gradients, which normalised rows do not show: against the longest of each along the motion.
-    let mut longest = vec![0.0_f64; rows];
     let lengths = |values: &[Bounded]| -> Vec<f64> {
         values.chunks(n.max(1)).map(|row| row.iter().map(|x| x.value * x.value).sum::<f64>().sqrt()).collect()
     };
-    for i in 0..tried.times.len() {
-        let values = tape.evaluate(&(), &tried.points.row(i), &mut slots);
-        let Ok(values) = values.into_iter().collect::<Result<Vec<Bounded>, _>>() else { continue };
-        longest.iter_mut().zip(lengths(&values)).for_each(|(most, now)| *most = most.max(now));
+    let mut longest = vec![0.0_f64; rows];
+    for values in at_samples.iter().flatten() {
+        longest.iter_mut().zip(lengths(values)).for_each(|(most, now)| *most = most.max(now));
     }
     // Redundant constraints are no loss.
-    let mut smallest = |point: &[Result<Bounded, NoValue>]| -> Option<f64> {
-        let values = tape.evaluate(&(), point, &mut slots);
-        let values = values.into_iter().collect::<Result<Vec<Bounded>, _>>().ok()?;
-        let shrunk = lengths(&values).into_iter().zip(&longest).skip(of.constraints);
+    let smallest = |values: &[Bounded]| -> Option<f64> {
+        let shrunk = lengths(values).into_iter().zip(&longest).skip(of.constraints);
         let shrunk = shrunk.filter(|(_, most)| **most > 0.0).map(|(now, most)| now / most).fold(1.0, f64::min);
         let base = rank(&normalised(of.constraints, n, &values[..of.constraints * n])).0?;
-        let mut all: Vec<f64> = normalised(rows, n, &values).0.singular_values().iter().copied().collect();
+        let mut all: Vec<f64> = normalised(rows, n, values).0.singular_values().iter().copied().collect();
         all.sort_by(|a, b| b.total_cmp(a));
         let wanted = base + of.functions;
         Some(if wanted > all.len() { 0.0 } else { shrunk * all[wanted - 1] / all[0].max(f64::MIN_POSITIVE) })
     };
+    let mut at = |t: f64| smallest(&gradients(&trial.trace.values(t))?);
     // The samples, and the times between them.
-    let sampled =
-        (0..tried.times.len()).map(|i| (tried.times[i], smallest(&tried.points.row(i)), tried.left[i] == Left::In));
+    let sampled = at_samples.iter().map(|values| values.as_deref().and_then(smallest));
+    let sampled = sampled.enumerate().map(|(i, size)| (tried.times[i], size, tried.left[i] == Left::In));
     let mut along: Vec<(f64, Option<f64>, bool)> = sampled.collect();
     let between = rapid.times.iter().chain(&rapid.singular);
-    along.extend(between.map(|&t| (t, smallest(&trial.trace.values(t)), is_met(trial, t))));
+    along.extend(between.map(|&t| (t, at(t), is_met(trial, t))));
     along.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut lowest: Vec<usize> = (1..along.len().saturating_sub(1))
-        .filter(|&i| match (along[i - 1].1, along[i].1, along[i + 1].1) {
-            (Some(a), Some(b), Some(c)) => b <= a && b <= c && along[i].2,
-            _ => false,
-        })
+    // Where it goes on towards 0 at the rate that it has beside the smallest value, does it lose half of that?
+    let may_vanish = |[(a, fa), (t, f), (b, fb)]: [(f64, f64); 3]| {
+        let falls = |slope: f64, room: f64| !(slope * room <= 0.5 * f);
+        falls((fa - f) / (t - a), b - t) || falls((fb - f) / (b - t), t - a)
+    };
+    let mut lowest: Vec<[(f64, f64); 3]> = along
+        .windows(3)
+        .filter(|of| of[1].2)
+        .filter_map(|of| Some([(of[0].0, of[0].1?), (of[1].0, of[1].1?), (of[2].0, of[2].1?)]))
+        .filter(|[a, least, b]| least.1 <= a.1 && least.1 <= b.1 && may_vanish([*a, *least, *b]))
         .collect();
-    lowest.sort_by(|a, b| along[*a].1.unwrap_or(1.0).total_cmp(&along[*b].1.unwrap_or(1.0)));
-    for &i in lowest.iter().take(MINIMA) {
-        let (mut a, mut b) = (along[i - 1].0, along[i + 1].0);
+    lowest.sort_by(|[_, a, _], [_, b, _]| a.1.total_cmp(&b.1));
+    for [start, mut least, end] in lowest.into_iter().take(MINIMA) {
+        let (mut a, mut b) = (start.0, end.0);
         // Where a selector may change, the loss is at a time that does not count.
         if changes(trial, (a, b)) {
             continue;
         }
-        let mut least = (along[i].0, along[i].1?);
+        // One of the two times within is also one of the next.
+        let within = |a: f64, b: f64| (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
+        let (mut x, mut y) = within(a, b);
+        let (mut u, mut v) = (at(x), at(y));
         for _ in 0..60 {
-            let (x, y) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
-            let (Some(u), Some(v)) = (smallest(&trial.trace.values(x)), smallest(&trial.trace.values(y))) else {
-                break;
-            };
-            for (t, size) in [(x, u), (y, v)] {
+            let (Some(left), Some(right)) = (u, v) else { break };
+            for (t, size) in [(x, left), (y, right)] {
                 if size < least.1 {
                     least = (t, size);
                 }
             }
-            if u < v { b = y } else { a = x }
+            if left < right {
+                (b, y, v) = (y, x, u);
+                x = within(a, b).0;
+                u = at(x);
+            } else {
+                (a, x, u) = (x, y, v);
+                y = within(a, b).1;
+                v = at(y);
+            }
         }
         if least.1 <= NONZERO {
             return Some(least);

@@ -256,6 +256,11 @@ impl Stage {
         built.places.iter().map(place).collect()
     }
 
+    /// Whether a motion knows a wanted leaf, by its position.
+    pub fn knows(&self, trajectory: usize, leaf: usize) -> bool {
+        self.built(trajectory).is_some_and(|built| built.places.get(leaf).is_some_and(Option::is_some))
+    }
+
     /// The values of some of the wanted leaves, by their positions, on a motion at times; the others have none.
     pub fn points(&self, trajectory: usize, times: &[f64], leaves: &[usize]) -> Points {
         let Some(built) = self.built(trajectory) else { return Points::default() };

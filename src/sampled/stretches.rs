@@ -59,10 +59,12 @@ pub(super) fn look(trial: &Trial) -> Search {
         let Some(zeros) = trace.zeros(e) else { continue };
         cuts.extend(&zeros.times);
         // It may be met where the sides touch, and be violated on both sides of it.
+        let mut met_at: Vec<f64> = zeros.times.iter().chain(&zeros.touching).copied().collect();
+        met_at.sort_by(f64::total_cmp);
         let alone = |t: f64| {
-            let others = || zeros.times.iter().chain(&zeros.touching).copied();
-            let before = others().filter(|x| *x < t).fold(from, f64::max);
-            let after = others().filter(|x| *x > t).fold(to, f64::min);
+            let (before, after) = (met_at.partition_point(|x| *x < t), met_at.partition_point(|x| *x <= t));
+            let before = met_at[..before].last().map_or(from, |x| x.max(from));
+            let after = met_at.get(after).map_or(to, |x| x.min(to));
             [before, after].into_iter().all(|end| end == t || !is_met(trial, t + 0.5 * (end - t)))
         };
         if let Some(&t) = zeros.touching.iter().find(|&&t| is_weak(kind) || alone(t)) {

@@ -48,6 +48,11 @@ impl Trace<'_> {
         self.stage.values(self.trajectory, t)
     }
 
+    /// Whether the motion knows a leaf, by its position.
+    pub(crate) fn knows(&self, leaf: usize) -> bool {
+        self.stage.knows(self.trajectory, leaf)
+    }
+
     /// The same motion at the same times, with the values of other leaves, by their positions.
     pub fn again(&self, leaves: Vec<usize>) -> Trace<'_> {
         let points = Arc::new(self.stage.points(self.trajectory, &self.times, &leaves));

@@ -9,6 +9,7 @@ use crate::between::between_samples;
 use crate::derivation::{Derivation, Event};
 use crate::describe::{Describer, Left};
 use crate::events::Events;
+use crate::expr::Leaf;
 use crate::independence::Gradients;
 use crate::limit::limit;
 use crate::peaks::{Further, Of, Peaks};
@@ -22,7 +23,7 @@ use crate::weakening::{
 use crate::weigh::weigh;
 use crate::{across, events, independence, same_motion, stretches};
 use claim::mute::silence;
-use claim::program::{Assumption, What};
+use claim::program::{Assumption, Part, What};
 use claim::sides::{MeasuredGroup, Measurements, measure, measure_first};
 use reason::{Plain, Reason, Sampling, Sides};
 
@@ -193,7 +194,12 @@ fn part(
         None => between_samples(trial, (measured, tried), position, finding),
     };
     let finding = match &part.what {
-        What::Every | What::Defined => between(closer(weighed())),
+        What::Every => between(closer(weighed())),
+        // What is not known is no lack of a value.
+        What::Defined => match not_known(trial, part) {
+            Some(reason) => Finding::sampled(Possible::VOID, Evidence::because(reason)),
+            None => between(closer(weighed())),
+        },
         What::Denied => {
             let mut setting = setting();
             setting.first = true;
@@ -215,6 +221,15 @@ fn part(
         None => unless_one_sided(trial, &part.group, finding),
     };
     unless_unresolved(trial, part, finding)
+}
+
+/// What a part needs and a motion does not know.
+fn not_known(trial: &Trial, part: &Part) -> Option<Reason> {
+    let Trial { graph, trace, .. } = *trial;
+    let known = |leaf: &Leaf| trace.leaves.iter().position(|of| of == leaf).is_none_or(|at| trace.knows(at));
+    let needed = graph.leaves(part.group.comparisons.iter().map(|c| c.left));
+    let missing = needed.into_iter().find(|leaf| !known(leaf))?;
+    Some(Sampling::NotKnown(graph.leaf_latex(missing).into()).into())
 }
 
 /// A limit, where some time counts: without one, nothing is said of it.

@@ -3,8 +3,8 @@
 use super::{MOST_CASES, Pairs, Step, now, pairs};
 use crate::derivation::{Claim, Derivation, Form, Premise};
 use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Op};
-use crate::latex::{RelationKind, Role, Scope};
-use claim::comparison::{at_instant, may_leap};
+use crate::latex::{RelationKind, Role, Scope, Statement};
+use claim::comparison::{at_instant, may_leap, traced};
 use proof::{Premises, solve_for_arguments};
 
 /// Which definitions of observables are used.
@@ -20,12 +20,20 @@ pub(super) enum Definitions {
     Now,
     /// All, also at the fixed times that occur.
     All,
+    /// All, and the systems that are given where no rate occurs, but an equation ties what moves. Only such a point can refute.
+    Everything,
 }
 
 impl Definitions {
     /// In the order of trying: all but the last leave something out.
-    pub(super) const LEVELS: [Definitions; 5] =
-        [Definitions::None, Definitions::OfClaims, Definitions::Then, Definitions::Now, Definitions::All];
+    pub(super) const LEVELS: [Definitions; 6] = [
+        Definitions::None,
+        Definitions::OfClaims,
+        Definitions::Then,
+        Definitions::Now,
+        Definitions::All,
+        Definitions::Everything,
+    ];
 }
 
 /// What an angle has of its formula.
@@ -46,6 +54,8 @@ pub(super) struct Gathered {
     pub(super) systems: Pairs,
     /// Assumptions of the claims that are named.
     pub(super) inherited: Vec<String>,
+    /// Whether all of it is known at all times.
+    pub(super) elsewhere: bool,
     /// The names.
     pub(super) from: Vec<String>,
     /// Whether all could be used: a refutation needs that.
@@ -138,6 +148,27 @@ impl Step<'_> {
         complete
     }
 
+    /// Whether an inequality that a claim assumes chooses times: something moves in it. What must not be 0 leaves out single times of a
+    /// smooth motion, beyond which everything goes on.
+    fn chooses_times(&self, claim: &Claim) -> bool {
+        let scope = &claim.scope;
+        let moves = |l: &Leaf| l.instant.is_none() && (scope.moves(l) || Some(*l) == scope.time());
+        let relations = claim.assuming.iter().flat_map(|w| &w.value.relations);
+        let inequalities = relations.filter(|r| !matches!(r.kind, RelationKind::Equal | RelationKind::NotEqual));
+        let sides = inequalities.flat_map(|r| r.left.components.iter().chain(&r.right.components).copied());
+        self.graph.leaves_within(sides).iter().any(moves)
+    }
+
+    /// Whether equations that are so at the times that count are so at all others: none is left out, or they cannot leap, and motions
+    /// are taken to be smooth.
+    fn is_known_elsewhere(&mut self, of: &Claim, equations: &Pairs) -> bool {
+        let mut leaps = |e: Expr| {
+            let e = traced(&mut self.graph, &of.scope, e);
+            may_leap(&self.graph, e)
+        };
+        self.at_all_times || !equations.iter().any(|&(l, r)| leaps(l) || leaps(r)) || !self.chooses_times(of)
+    }
+
     /// What `follows-from` and the assumptions give; `without` some assumptions.
     pub(super) fn gather(&mut self, without: Option<&[usize]>) -> Gathered {
         let (derivation, claim) = (self.derivation, self.claim);
@@ -146,7 +177,11 @@ impl Step<'_> {
         self.roles(&mut premises);
         out.complete &= self.assume(claim, without.unwrap_or(&[]), &mut premises);
         // Each with the scope that says what moves in it.
-        let mut always: Vec<(&Scope, Pairs)> = vec![(&claim.scope, premises.equations.clone())];
+        let mut always: Vec<(&Scope, Pairs)> = Vec::new();
+        out.elsewhere = self.at_all_times || !self.chooses_times(claim);
+        if self.is_known_elsewhere(claim, &premises.equations) {
+            always.push((&claim.scope, premises.equations.clone()));
+        }
         let mut constant: Vec<(&Scope, Expr)> = Vec::new();
         for name in Step::given(derivation, claim) {
             out.from.push(name.clone());
@@ -159,29 +194,39 @@ impl Step<'_> {
                 Premise::Claim(claim) => &derivation.claims[claim],
                 Premise::Definition => continue,
             };
+            let mut at_others = true;
             match self.equations(premise) {
                 Some(equations) => {
                     let equations = self.without_branches(premise, equations, &mut out.complete);
                     premises.equations.extend(&equations);
-                    always.push((&premise.scope, equations));
+                    // What it assumes is known at other times if it is assumed here of all of them.
+                    at_others = self.is_known_elsewhere(premise, &equations)
+                        && (premise.assuming.is_empty() || self.is_known_elsewhere(claim, &equations));
+                    out.elsewhere &= at_others;
                     for form in &premise.forms {
-                        if let Form::FirstIntegral(w) = form {
+                        if let (Form::FirstIntegral(w), true) = (form, at_others) {
                             constant.extend(w.value.components.iter().map(|&e| (&premise.scope, e)));
                         }
                     }
+                    always.extend(at_others.then_some((&premise.scope, equations)));
                 }
                 None => out.complete = false,
             }
             let before = premises.equations.len();
             // An assumption that is left out is left out everywhere.
-            let dropped = |text: &str| without.is_some_and(|w| w.iter().any(|&i| claim.assuming[i].text == text));
+            let dropped =
+                |of: &Statement| without.is_some_and(|w| w.iter().any(|&i| claim.assuming[i].value.says_the_same(of)));
             let numbers: Vec<usize> =
-                (0..premise.assuming.len()).filter(|&i| dropped(&premise.assuming[i].text)).collect();
+                (0..premise.assuming.len()).filter(|&i| dropped(&premise.assuming[i].value)).collect();
             out.complete &= self.assume(premise, &numbers, &mut premises);
-            always.push((&premise.scope, premises.equations[before..].to_vec()));
+            let assumed = premises.equations[before..].to_vec();
+            if at_others && self.is_known_elsewhere(claim, &assumed) {
+                always.push((&premise.scope, assumed));
+            }
             // What a premise presupposes is presupposed here: a proof says so, and does not reach beyond it.
-            let own = |text: &str| claim.assuming.iter().any(|w| w.text == text);
-            let more = premise.assuming.iter().filter(|w| !own(&w.text)).map(|w| w.text.clone());
+            // A name may mean something else in each claim.
+            let own = |of: &Statement| claim.assuming.iter().any(|w| w.value.says_the_same(of));
+            let more = premise.assuming.iter().filter(|w| !own(&w.value)).map(|w| w.text.clone());
             out.inherited.extend(more);
         }
         let mut seen = Vec::new();
@@ -201,8 +246,9 @@ impl Step<'_> {
         let sign = premise.scope.branch_sign();
         let branching = |graph: &Graph, &(l, r): &(Expr, Expr)| graph.leaves_within([l, r]).contains(&sign);
         let count = equations.iter().filter(|p| branching(&self.graph, p)).count();
-        // One sign for several equations, or for all times, says more than the products.
-        *complete &= count == 0 || count == 1 && !premise.branches_throughout;
+        // One sign for several equations, for all times, or for an assumption, too, says more than the products.
+        let assumed = premise.assuming.iter().flat_map(|w| &w.value.relations).any(|r| r.has_branches);
+        *complete &= count == 0 || count == 1 && !premise.branches_throughout && !assumed;
         let one = |this: &mut Self, pair: (Expr, Expr)| {
             if !branching(&this.graph, &pair) {
                 return pair;
@@ -240,7 +286,8 @@ impl Step<'_> {
                 }
             }
             let scope = &self.claim.scope;
-            for list in [&mut premises.nonzero, &mut premises.positive, &mut premises.not_negative] {
+            let signs = [&mut premises.positive, &mut premises.not_negative].into_iter().filter(|_| self.at_all_times);
+            for list in std::iter::once(&mut premises.nonzero).chain(signs) {
                 for e in list.clone() {
                     if self.graph.leaves_within([e]).iter().all(|l| l.rate == 0) {
                         let then = at_instant(&mut self.graph, scope, e, instant);
@@ -295,7 +342,11 @@ impl Step<'_> {
     /// The definition of a component, as far as definitions are used.
     fn definition(&self, leaf: Leaf, which: Definitions) -> Option<Expr> {
         let Derivation { claims, scope, .. } = self.derivation;
-        let in_file = || scope.definition(leaf.symbol).filter(|_| matches!(which, Definitions::Now | Definitions::All));
+        let in_file = || {
+            scope
+                .definition(leaf.symbol)
+                .filter(|_| matches!(which, Definitions::Now | Definitions::All | Definitions::Everything))
+        };
         // The claims are many, and asked for the same symbols again and again.
         let in_claim = || {
             let found = || {
@@ -312,7 +363,9 @@ impl Step<'_> {
     }
 
     /// The definitions of the observables that occur, of those in these, and so on; where rates occur, the systems that
-    /// are given join in. What does not occur is left out: a premise less can only lose a proof.
+    /// are given join in. What does not occur is left out: a premise less can only lose a proof. Where a point may refute, the
+    /// systems join in, too, where an equation that is given ties what moves, or they have one without a rate: with the rates of that
+    /// they may say more.
     fn definitions(
         &mut self,
         equations: &Pairs,
@@ -321,7 +374,14 @@ impl Step<'_> {
         premises: &mut Premises,
     ) {
         let mut seen: Vec<Leaf> = Vec::new();
-        let mut moving = false;
+        let tied = |graph: &Graph, &(l, r): &(Expr, Expr)| {
+            graph.leaves_within([l, r]).iter().any(|l| l.instant.is_none() && self.claim.scope.moves(l))
+        };
+        let constraint =
+            |graph: &Graph, &(l, r): &(Expr, Expr)| graph.leaves_within([l, r]).iter().all(|l| l.rate == 0);
+        let mut moving = which == Definitions::Everything
+            && (premises.equations.iter().any(|pair| tied(&self.graph, pair))
+                || systems.iter().any(|pair| constraint(&self.graph, pair)));
         let roots: Vec<Expr> = sides(equations)
             .chain(sides(&premises.equations))
             .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied())

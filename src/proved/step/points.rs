@@ -32,7 +32,7 @@ impl Step<'_> {
             sum = self.graph.add(sum, term);
         }
         let question: Pairs = vec![(sum, self.graph.integer(1))];
-        let premises = self.premises(&gathered, &question, Definitions::All);
+        let premises = self.premises(&gathered, &question, Definitions::Everything);
         if !gathered.complete || self.loosened {
             return Vec::new();
         }

@@ -104,6 +104,9 @@ impl Step<'_> {
     /// A claim without present values, as one about the present; `None` where it has present values, or names the time.
     pub(super) fn at_present(&mut self, gathered: &mut Gathered, equations: &Pairs) -> Option<Pairs> {
         let time = self.claim.scope.time()?;
+        if !gathered.elsewhere {
+            return None;
+        }
         let said: Vec<Leaf> = self.graph.leaves_within(equations.iter().flat_map(|&(l, r)| [l, r]));
         if said.contains(&time) || said.iter().any(|l| self.claim.scope.moves(l) && l.instant.is_none()) {
             return None;
