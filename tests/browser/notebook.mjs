@@ -34,4 +34,4 @@ for (const [system, theme, back, front] of themes) {
 }
 check(colours.size === 2, `the theme of the notebook gives the colours, not that of the system: ${[...colours]}`);
 fs.rmSync(folder, { recursive: true, force: true });
-done();
+await done();

@@ -218,4 +218,4 @@ for (const id of fs.readdirSync(reports).sort()) {
   });
   console.log(`${id}: ${size} bytes, ${formulas.formulas} formulas, ${formulas.scripts} indices, ${formulas.fractions} fractions, ${special} special curves`);
 }
-done();
+await done();

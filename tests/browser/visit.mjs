@@ -1,8 +1,6 @@
 // Pages in a real browser, one after the other: what is looked at is counted, and the console and the network stay silent.
 import assert from "node:assert/strict";
 import fs from "node:fs";
-import os from "node:os";
-import path from "node:path";
 import { createRequire } from "node:module";
 import { chromium } from "playwright-core";
 
@@ -13,12 +11,11 @@ const args = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run
 
 let checks = 0;
 export const check = (good, what) => { checks++; assert.ok(good, what); };
-const profile = fs.mkdtempSync(path.join(os.tmpdir(), "rederive-browser-"));
+const browser = await chromium.launch({ executablePath, args, headless: true });
 
-/** Opens a page; every console error and every request beside the file itself is kept. */
+/** Opens a page as someone new, who remembers nothing; every console error and every request beside the file itself is kept. */
 export async function visit(options, url, work) {
-  const folder = fs.mkdtempSync(path.join(profile, "user-"));
-  const context = await chromium.launchPersistentContext(folder, { executablePath, args, headless: true, offline: true, ...options });
+  const context = await browser.newContext({ offline: true, ...options });
   const page = await context.newPage();
   const seen = { errors: [], requests: [] };
   page.on("console", m => { if (m.type() === "error" || m.type() === "warning") seen.errors.push(m.text()); });
@@ -43,7 +40,7 @@ export async function accessible(page, where) {
 }
 
 /** Says how much was looked at, and leaves nothing behind. */
-export function done() {
-  fs.rmSync(profile, { recursive: true, force: true });
+export async function done() {
+  await browser.close();
   console.log(`${checks} checks passed`);
 }
