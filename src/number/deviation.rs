@@ -6,6 +6,7 @@
 use super::Op;
 use super::bounded::{DOWN, TINY, ULP, UP};
 use super::elementary::{Arctan2, Function, Sin, sin_cos};
+use super::real::DirectionCosine;
 use super::register::Register;
 use pulp::Simd;
 use std::f64::consts::PI;
@@ -46,6 +47,13 @@ pub(super) fn turn<S: Simd>([y, y_error]: [Register<S>; 2], [x, x_error]: [Regis
 #[inline(always)]
 fn error<S: Simd>(op: Op, value: Register<S>, deviation: Register<S>, exact: S::m64s) -> Register<S> {
     value.all(0.0).or(exact, (deviation + op.units() * ULP * value.abs()) * UP + TINY)
+}
+
+/// At least the change of the cosine of the direction of (a, b) when both move within their errors; `cosine` is its value.
+#[inline(always)]
+pub(super) fn turned_cosine<S: Simd>(cosine: Register<S>, a: [Register<S>; 2], b: [Register<S>; 2]) -> Register<S> {
+    // A computed cosine may be off by a unit more than a computed sine.
+    wave([cosine * (1.0 - ULP), turn(b, a)])
 }
 
 /// Where 0 is exact: |value| + error is 0 only then, since no sum underflows.
@@ -90,5 +98,27 @@ impl Function<4, 2> for Turns {
         let [value] = Arctan2.wide([y, x]);
         let exact = y.simd.and_m64s(exact_zero(y, y_error), x.all(0.0).below(x));
         [value, error(Op::Arctan2, value, turn([y, y_error], [x, x_error]), exact)]
+    }
+}
+
+/// The cosine of the direction of a point in a box, where it does not contain the origin.
+#[derive(Clone, Copy)]
+pub(super) struct Directions;
+
+impl Function<4, 2> for Directions {
+    #[inline(always)]
+    fn fits<S: Simd>(self, [a, a_error, b, b_error]: [Register<S>; 4]) -> S::m64s {
+        let simd = a.simd;
+        let finite = |x: Register<S>| x.abs().upto(f64::MAX);
+        let known = simd.and_m64s(finite(a_error), finite(b_error));
+        let away = simd.or_m64s(a_error.below(a.abs()), b_error.below(b.abs()));
+        simd.and_m64s(simd.and_m64s(finite(a), finite(b)), simd.and_m64s(known, away))
+    }
+    #[inline(always)]
+    fn wide<S: Simd>(self, [a, a_error, b, b_error]: [Register<S>; 4]) -> [Register<S>; 2] {
+        let [value] = DirectionCosine.wide([a, b]);
+        let on_axis = a.simd.or_m64s(exact_zero(a, a_error), exact_zero(b, b_error));
+        let deviation = turned_cosine(value, [a, a_error], [b, b_error]);
+        [value, error(Op::DirectionCosine, value, deviation, on_axis)]
     }
 }
