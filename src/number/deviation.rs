@@ -36,7 +36,10 @@ pub(super) fn turn<S: Simd>([y, y_error]: [Register<S>; 2], [x, x_error]: [Regis
     let radius = (sy * sy + sx * sx).sqrt() * DOWN;
     let (ey, ex) = ((y_error * s + TINY) * UP, (x_error * s + TINY) * UP);
     let still = y.simd.and_m64s(y_error.is(0.0), x_error.is(0.0));
-    let moved = y.all(0.0).or(still, (ey * ey + ex * ex).sqrt() * UP + TINY);
+    // Squares of small errors underflow: these are scaled, too.
+    let t = ey.scale(ex);
+    let (ty, tx) = (ey * t, ex * t);
+    let moved = y.all(0.0).or(still, (ty * ty + tx * tx).sqrt() / t * UP + TINY);
     let sine = moved / radius * UP;
     // arcsin s = s + s³·(1/6 + 3s²/40 + …), and the sum in brackets is at most its value at 1, which is π/2 − 1.
     let angle = sine * (1.0 + 0.5708 * sine * sine) * UP;
@@ -120,5 +123,26 @@ impl Function<4, 2> for Directions {
         let on_axis = a.simd.or_m64s(exact_zero(a, a_error), exact_zero(b, b_error));
         let deviation = turned_cosine(value, [a, a_error], [b, b_error]);
         [value, error(Op::DirectionCosine, value, deviation, on_axis)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Bounded, Op};
+
+    /// The squares of such errors are 0.
+    #[test]
+    fn a_small_ball_far_from_the_origin_turns_by_its_size() {
+        for (size, part) in [(1e-300, 1e-3), (1e-200, 0.5), (1e-160, 1e-9), (1e-8, 1e-3)] {
+            for (op, across) in [(Op::Arctan2, true), (Op::DirectionCosine, true), (Op::Arctan2, false)] {
+                let ball = Bounded::new(size, part * size);
+                let (y, x) = if across { (ball, Bounded::exact(1.0)) } else { (Bounded::exact(-1.0), ball) };
+                let mut angle = Bounded::exact(0.0);
+                op.apply(&(), &mut angle, &y, &x).expect("a value");
+                assert!(angle.error >= 0.999 * ball.error, "{op:?} of {y:?} and {x:?}: {angle:?}");
+                let most = 1.001 * ball.error + 4.0 * f64::EPSILON * angle.value.abs() + 1e-307;
+                assert!(angle.error <= most, "{op:?} of {y:?} and {x:?}: {angle:?}");
+            }
+        }
     }
 }
