@@ -29,6 +29,7 @@ mod derivation_docs;
 mod derivation_errors;
 mod determinism;
 mod diff;
+mod directions;
 mod domain_edges;
 mod domain_table;
 mod enclosure;

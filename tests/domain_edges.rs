@@ -34,6 +34,7 @@ fn formulas(op: Op) -> &'static [&'static str] {
         | Op::Sub
         | Op::Mul
         | Op::Powi(_)
+        | Op::DirectionCosine
         | Op::Restrict => &[],
     }
 }

@@ -27,6 +27,7 @@ fn term(term: Term, a: f64, b: f64) -> f64 {
         Term::Sine => a.sin(),
         Term::Unit => (1.0 - a) * (1.0 + a),
         Term::Excess => a - 1.0,
+        Term::Product => a * b,
         Term::Squares => a * a + b * b,
         Term::Support => a + b + b.abs(),
     }
@@ -34,7 +35,7 @@ fn term(term: Term, a: f64, b: f64) -> f64 {
 
 /// Every operation of the table, and powers of all kinds.
 fn operations() -> Vec<Op> {
-    let mut out = Op::ALL.to_vec();
+    let mut out = Op::EVERY.to_vec();
     out.extend([-3, -1, 0, 2, 4, 5].map(Op::Powi));
     out
 }

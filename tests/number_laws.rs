@@ -47,7 +47,7 @@ impl Tally {
     /// Every name met every operation.
     fn require(&self, names: &[&'static str], except: &[Op]) {
         for &name in names {
-            for &op in Op::ALL.iter().filter(|op| !except.contains(op)) {
+            for &op in Op::EVERY.iter().filter(|op| !except.contains(op)) {
                 assert!(self.0.contains_key(&(name, op)), "{name} never compared {op:?}");
             }
         }
@@ -122,7 +122,7 @@ fn values_are_those_of_f64() {
         lift: impl Fn(f64) -> N,
         value: impl Fn(&N) -> f64,
     ) {
-        for &op in Op::ALL {
+        for &op in Op::EVERY {
             for (a, b) in arguments(&mut Random(1)) {
                 let got = apply(op, cx, &lift(a), &lift(b)).map(|x| value(&x));
                 match (plain(op, a, b), got) {
@@ -154,7 +154,7 @@ fn values_are_those_of_f64() {
 #[test]
 fn bounded_values_are_those_of_f64() {
     let mut tally = Tally::default();
-    for &op in Op::ALL {
+    for &op in Op::EVERY {
         for (a, b) in arguments(&mut Random(2)) {
             let got = apply(op, &(), &Bounded::exact(a), &Bounded::exact(b));
             match (plain(op, a, b), got) {
@@ -183,7 +183,7 @@ fn bounded_values_are_those_of_f64() {
 fn intervals_contain_the_values_of_f64() {
     let mut tally = Tally::default();
     let all = Orders::all(DEGREE);
-    for &op in Op::ALL {
+    for &op in Op::EVERY {
         for (a, b) in arguments(&mut Random(10)) {
             // Over intervals −0 is 0, and lies on the upper side of the cut; near 0 the mean of f64 has lost all digits.
             let small = op == Op::Agm && a.abs().min(b.abs()) < 1e-300;
@@ -219,7 +219,7 @@ fn infinity_and_nan_are_never_results() {
     let strange = [f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
     let mut tally = Tally::default();
     let all = Orders::all(2);
-    for &op in Op::ALL {
+    for &op in Op::EVERY {
         let cases = EDGES.iter().flat_map(|&e| strange.iter().flat_map(move |&s| [(e, s), (s, e), (s, s)]));
         for (a, b) in cases {
             let finite = |what: &str, x: f64| assert!(x.is_finite(), "{what} {op:?}({a:e}, {b:e}) = {x:e}");
@@ -287,6 +287,10 @@ fn oracle(op: Op, a: f64, b: f64) -> Exact {
         Op::Pow if a == 0.0 => exact(0.0),
         Op::Pow => (x.ln() * y).exp(),
         Op::Arctan2 => x.atan2(&y),
+        Op::DirectionCosine => {
+            let square = x.clone() * x.clone() + y.clone() * y;
+            x / square.sqrt()
+        }
         Op::Agm if a == 0.0 || b == 0.0 => exact(0.0),
         Op::Agm => {
             let (mut x, mut y) = (x, y);
@@ -335,7 +339,7 @@ fn distance(op: Op, x: f64, y: f64) -> f64 {
 fn bounds_hold_for_exact_arguments() {
     let mut tally = Tally::default();
     let mut random = Random(3);
-    for &op in Op::ALL {
+    for &op in Op::EVERY {
         for _ in 0..60 {
             let (a, b) = interesting(op, &mut random);
             let got = match apply(op, &(), &Bounded::exact(a), &Bounded::exact(b)) {
@@ -360,7 +364,7 @@ fn bounds_hold_for_exact_arguments() {
 fn bounds_hold_for_all_arguments() {
     let mut tally = Tally::default();
     let mut random = Random(4);
-    for &op in Op::ALL {
+    for &op in Op::EVERY {
         for _ in 0..2000 {
             let (a, b) = interesting(op, &mut random);
             let mut radius = |x: f64| match random.bits() % 4 {
@@ -417,14 +421,18 @@ fn exact_distance(p: f64, q: f64) -> Exact {
 fn bounds_are_tight() {
     let mut tally = Tally::default();
     let mut random = Random(5);
-    for &op in Op::ALL {
+    for &op in Op::EVERY {
         for _ in 0..300 {
             let (a, b) = (random.within(0.1, 0.9), random.within(0.1, 0.9));
             let e = 1e-9;
             let Ok(d) = apply(op, &(), &Dual64::new(a, 1.0), &Dual64::new(b, 0.0)) else { continue };
             let got = apply(op, &(), &Bounded::new(a, e), &Bounded::exact(b)).expect("far from the ends");
             // arctan2 uses the chord for the arc, and both directions.
-            let room = if op == Op::Arctan2 { e / a.hypot(b) } else { d.eps.abs() * e };
+            let room = match op {
+                Op::Arctan2 => e / a.hypot(b),
+                Op::DirectionCosine => b * e / (a * a + b * b),
+                _ => d.eps.abs() * e,
+            };
             assert!(got.error <= 1.01 * room + 1e-15, "{op:?}({a}, {b}): {got:?}, slope {}", d.eps);
             tally.count("tight", op);
         }
@@ -457,6 +465,8 @@ fn balls_at_the_ends_of_domains() {
     assert_eq!(get(Op::Tan, ball(1.57, 0.01), zero), Err(NoValue::Indeterminate));
     assert_eq!(get(Op::Arctan2, ball(0.0, 1e-10), ball(0.0, 1e-10)), Err(NoValue::Indeterminate));
     assert_eq!(get(Op::Arctan2, zero, zero), Err(NoValue::OutOfDomain));
+    assert_eq!(get(Op::DirectionCosine, ball(0.0, 1e-10), ball(0.0, 1e-10)), Err(NoValue::Indeterminate));
+    assert_eq!(get(Op::DirectionCosine, zero, zero), Err(NoValue::OutOfDomain));
     // The cut: one representative of the angle, with the bound of the angle.
     let cut = get(Op::Arctan2, ball(1e-12, 1e-10), ball(-1.0, 0.0)).expect("a value on the cut");
     assert!(cut.value > 3.0 && cut.error < 1e-9, "{cut:?}");
@@ -476,7 +486,7 @@ fn derivatives_agree() {
         Leaf::now(symbol, 0)
     });
     let all = Orders::all(DEGREE);
-    for &op in Op::ALL {
+    for &op in Op::EVERY {
         let partials = symbolic(&mut graph, op, leaves);
         for _ in 0..400 {
             let (a, b) = (random.scaled(-3.0, 1.5), random.scaled(-3.0, 1.5));
@@ -603,7 +613,7 @@ fn series_agree_bit_for_bit() {
     let mut random = Random(7);
     let degree = 9;
     let all = Orders::all(degree);
-    for &op in Op::ALL {
+    for &op in Op::EVERY {
         for case in 0..40 {
             let mut draw = |constant: bool| {
                 let mut x = Jet::constant(random.scaled(-2.0, 0.9), &all);
@@ -668,7 +678,7 @@ fn bounds_of_series_hold() {
     let mut tally = Tally::default();
     let mut random = Random(8);
     let all = Orders::all(6);
-    for &op in Op::ALL {
+    for &op in Op::EVERY {
         for _ in 0..60 {
             let e = random.within(-40.0, -8.0).exp2();
             let mut pair = || {

@@ -243,7 +243,7 @@ pub fn may_leap(graph: &Graph, e: Expr) -> bool {
             matches!(op, Op::Abs | Op::Arcsin | Op::Arccos | Op::Arctan | Op::Tan | Op::Ln | Op::Sqrt)
                 || matches!(op, Op::Powi(n) if n < 0)
         }
-        Node::Binary(op, ..) => matches!(op, Op::Arctan2 | Op::Div | Op::Pow | Op::Agm),
+        Node::Binary(op, ..) => matches!(op, Op::Arctan2 | Op::DirectionCosine | Op::Div | Op::Pow | Op::Agm),
         Node::Constant(_) | Node::Pi | Node::Leaf(_) => false,
     })
 }

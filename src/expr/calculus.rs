@@ -251,6 +251,20 @@ impl Graph {
                 let off = self.off_its_cut(node);
                 self.binary(Op::Restrict, slope, off)
             }
+            Op::DirectionCosine => {
+                // (a/r)′ = (b/r)·(b·a′ − a·b′)/r²
+                let left = self.mul_structural(b, da);
+                let right = self.mul_structural(a, db);
+                let top = self.sub(left, right);
+                if self.is_zero(top) {
+                    return Ok(top);
+                }
+                let (aa, bb) = (self.powi(a, 2), self.powi(b, 2));
+                let under = self.add(aa, bb);
+                let turned = self.div(top, under);
+                let sine = self.binary(Op::DirectionCosine, b, a);
+                self.mul(sine, turned)
+            }
             // The derivative of the mean needs the elliptic integral of the second kind.
             Op::Agm if self.is_zero(da) && self.is_zero(db) => da,
             Op::Agm => return Err(NoDerivative::Operation(op)),

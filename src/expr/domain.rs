@@ -69,6 +69,8 @@ pub enum Term {
     Unit,
     /// a − 1
     Excess,
+    /// a·b
+    Product,
     /// a² + b²
     Squares,
     /// a + b + |b|: where a ≥ 0, it is positive if and only if a > 0 or b > 0.
@@ -252,7 +254,7 @@ const fn edge(term: Term, change: Change) -> Edge {
 pub fn row(op: Op) -> Row {
     use Parity::{Even, Neither, Odd};
     use Slope::{Against, Falling, Flat, Of, Rising};
-    use Term::{Cosine, Excess, First, Opposite, Second, Sine, Squares, Support, Unit};
+    use Term::{Cosine, Excess, First, Opposite, Product, Second, Sine, Squares, Support, Unit};
     let smooth =
         |range: Range, slopes: [Slope; 2], nature: Nature| Row { needs: vec![], edges: vec![], range, slopes, nature };
     // In the one argument that there is.
@@ -365,6 +367,14 @@ pub fn row(op: Op) -> Row {
             slopes: [Rising, Rising],
             nature: not_algebraic(Neither),
         },
+        // That of the angle, which has a cut where this has none.
+        Op::DirectionCosine => Row {
+            needs: vec![(Squares, Sign::NotZero)],
+            edges: vec![],
+            range: Range { low: end(-1, 0, true), high: end(1, 0, true) },
+            slopes: [Rising, Against(Product)],
+            nature: Nature::Algebraic([None, None]),
+        },
         // Its own domain is that of its arguments.
         Op::Restrict => smooth(REAL, [Rising, Flat], degree(Some(1))),
         Op::Powi(n) => {
@@ -414,7 +424,13 @@ impl Term {
             }
             Term::Excess => (x - B::integer(1)).is_zero(),
             Term::First => x.is_zero(),
-            Term::Second | Term::Opposite | Term::Cosine | Term::Sine | Term::Squares | Term::Support => false,
+            Term::Second
+            | Term::Opposite
+            | Term::Cosine
+            | Term::Sine
+            | Term::Product
+            | Term::Squares
+            | Term::Support => false,
         }
     }
 
@@ -423,7 +439,7 @@ impl Term {
         match self {
             Term::First | Term::Cosine | Term::Sine | Term::Unit | Term::Excess => [true, false],
             Term::Second | Term::Opposite => [false, true],
-            Term::Squares | Term::Support => [true, true],
+            Term::Product | Term::Squares | Term::Support => [true, true],
         }
     }
 
@@ -441,6 +457,7 @@ impl Term {
                 graph.sub(one, square)
             }
             Term::Excess => graph.sub(a, one),
+            Term::Product => graph.mul(a, b),
             Term::Squares => {
                 let (aa, bb) = (graph.powi(a, 2), graph.powi(b, 2));
                 graph.add(aa, bb)

@@ -13,6 +13,7 @@
 #![forbid(unsafe_code)]
 
 mod calculus;
+mod direction;
 pub mod domain;
 mod field;
 mod graph;

@@ -88,15 +88,20 @@ impl Tape {
         let first = (inputs.len() + presets.len()) as u32;
         // The cosine of an angle stands beside its sine: lanes make both at once.
         let wave = |&e: &Expr| match *graph.node(e) {
-            Node::Unary(op @ (Op::Sin | Op::Cos), a) => Some((op, a)),
+            Node::Unary(op @ (Op::Sin | Op::Cos), a) => Some((op, a, a)),
+            Node::Binary(op @ Op::DirectionCosine, a, b) => Some((op, a, b)),
             _ => None,
         };
-        let waves: FastMap<(Op, Expr), Expr> = order.iter().filter_map(|e| Some((wave(e)?, *e))).collect();
+        let waves: FastMap<(Op, Expr, Expr), Expr> = order.iter().filter_map(|e| Some((wave(e)?, *e))).collect();
         let mut instructions = Vec::new();
         for &e in &order {
-            let beside = wave(&e).and_then(|(op, a)| {
-                let other = if op == Op::Sin { Op::Cos } else { Op::Sin };
-                waves.get(&(other, a)).copied()
+            let beside = wave(&e).and_then(|(op, a, b)| {
+                let other = match op {
+                    Op::Sin => Op::Cos,
+                    Op::Cos => Op::Sin,
+                    other => other,
+                };
+                waves.get(&(other, b, a)).copied()
             });
             for e in [Some(e), beside].into_iter().flatten() {
                 let (op, a, b) = match *graph.node(e) {

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use super::angle::{Angle, AngleBench, AngleBenches};
 use super::cover::BLOCK;
-use super::definitions::{Definitions, fresh};
+use super::definitions::{Continued, Definitions, fresh};
 use super::error::{FlowError, leaf_name};
 use super::program::{Program, Turns};
 use super::resolve::Resolution;
@@ -94,8 +94,8 @@ pub(super) struct Core {
     pub(super) resolution: Resolution,
     pub(super) constants: Vec<Constant>,
     pub(super) angles: Vec<Arc<Angle>>,
-    /// Angles with their turns, and their derivatives: they have no cut.
-    pub(super) continued: Vec<(Expr, Expr)>,
+    /// Angles with their turns: they have no cut.
+    pub(super) continued: Vec<Continued>,
     /// y and x of every angle atan2(y, x) in the formulas of the states: on its cut such a state leaps.
     pub(super) cuts: Vec<Arc<Program>>,
     /// Definitions of leaves in basic leaves.
@@ -119,7 +119,7 @@ impl Definitions for Core {
         self.constants.iter().any(|c| c.leaf == leaf) || self.angles.iter().any(|a| a.turns == leaf)
     }
 
-    fn continued(&self) -> &[(Expr, Expr)] {
+    fn continued(&self) -> &[Continued] {
         &self.continued
     }
 
@@ -140,7 +140,7 @@ impl Core {
 
     /// y and x of the angles in some formulas; nothing where there are none but those that are followed.
     fn cuts_of(&self, graph: &Graph, formulas: &[Expr]) -> Result<Option<Program>, FlowError> {
-        let followed = graph.arctan2s(self.continued.iter().map(|(angle, _)| *angle));
+        let followed = graph.arctan2s(self.continued.iter().map(|c| c.angle));
         let mut of = graph.arctan2s(formulas.iter().copied());
         of.retain(|sides| !followed.contains(sides));
         let of: Vec<Expr> = of.into_iter().flatten().collect();

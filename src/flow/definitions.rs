@@ -20,6 +20,17 @@ pub(super) fn fresh(graph: &mut Graph, name: &str) -> Leaf {
     Leaf::now(symbol, 0)
 }
 
+/// An angle that is continued beyond its cut.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Continued {
+    /// As it is continued.
+    pub(super) angle: Expr,
+    /// What it is but for whole turns.
+    pub(super) raw: Expr,
+    /// Its derivative along the motion, if there is one.
+    pub(super) rate: Option<Expr>,
+}
+
 /// The right sides of a system in basic leaves.
 pub(super) struct Rates {
     /// Basic leaves of the states.
@@ -40,13 +51,19 @@ pub(super) trait Definitions {
     fn integrated(&self) -> Option<(&[Leaf], &[Expr])>;
     /// Whether a leaf is a constant, or counts turns.
     fn is_constant(&self, leaf: Leaf) -> bool;
-    /// Angles as they are continued, with their derivatives.
-    fn continued(&self) -> &[(Expr, Expr)];
+    /// Angles as they are continued.
+    fn continued(&self) -> &[Continued];
     /// A leaf at the fixed time `instant`, as a constant.
     ///
     /// # Errors
     /// See [`Definitions::definition`].
     fn at_instant(&mut self, graph: &mut Graph, now: Leaf, instant: Expr) -> Result<Expr, FlowError>;
+
+    /// Expressions of the same values, without angles of which only a direction is asked.
+    fn without_angles(&self, graph: &mut Graph, of: &[Expr]) -> Vec<Expr> {
+        let turned: Vec<(Expr, Expr)> = self.continued().iter().map(|c| (c.angle, c.raw)).collect();
+        graph.without_angles(of, &turned)
+    }
 
     /// An expression in basic leaves.
     ///
@@ -57,7 +74,8 @@ pub(super) trait Definitions {
         for leaf in graph.leaves([e]) {
             image.insert(leaf, self.definition(graph, leaf)?);
         }
-        Ok(graph.substitute(e, |_, leaf| image.get(&leaf).copied()))
+        let resolved = graph.substitute(e, |_, leaf| image.get(&leaf).copied());
+        Ok(self.without_angles(graph, &[resolved]).pop().unwrap_or(resolved))
     }
 
     /// The definition of a leaf; rates are derived, values at fixed times become constants.
@@ -94,7 +112,8 @@ pub(super) trait Definitions {
     /// # Errors
     /// See [`Graph::directional_derivative`].
     fn derivative(&self, graph: &mut Graph, e: Expr) -> Result<Expr, NoDerivative> {
-        let rate = graph.derivative_knowing(e, self.continued(), |graph, leaf| {
+        let known: Vec<(Expr, Expr)> = self.continued().iter().filter_map(|c| Some((c.angle, c.rate?))).collect();
+        let rate = graph.derivative_knowing(e, &known, |graph, leaf| {
             if leaf == self.time() {
                 return Some(graph.integer(1));
             }
@@ -123,6 +142,7 @@ pub(super) trait Definitions {
         }
         let rates: Vec<Expr> =
             field.rates().iter().map(|&e| graph.substitute(e, |_, leaf| image.get(&leaf).copied())).collect();
+        let rates = self.without_angles(graph, &rates);
         let (time, mut constants) = (self.time(), Vec::new());
         let moves = |l| l == time || states.contains(&l);
         let rates = hoist(graph, &rates, moves, |graph, e| {

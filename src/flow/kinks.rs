@@ -114,7 +114,7 @@ impl Edges {
                     Term::Second => [b; 2],
                     Term::Squares | Term::Support => [a, b],
                     // Nothing asks for the sign of these.
-                    Term::Opposite | Term::Sine | Term::Excess => continue,
+                    Term::Opposite | Term::Sine | Term::Excess | Term::Product => continue,
                 };
                 if slots.into_iter().any(|slot| varying[slot]) && rate < flow.dimension {
                     out.needs.push(Need { term, sign, slots, rate });

@@ -8,7 +8,7 @@ use num_dual::Dual64;
 use super::abreast::Halt;
 use super::angle::{Angle, AngleBenches};
 use super::core::{Core, Origin};
-use super::definitions::{Definitions, fresh};
+use super::definitions::{Continued, Definitions, fresh};
 use super::error::{FlowError, Problem};
 use super::estimate::Estimation;
 use super::expansion::{Expansion, Memory};
@@ -237,9 +237,8 @@ impl Draft {
                 let turns = graph.leaf(turns);
                 let raw = resolved;
                 resolved = graph.add(raw, turns);
-                if let Ok(rate) = core.derivative(graph, raw) {
-                    core.continued.push((resolved, graph.continued(raw, rate)));
-                }
+                let rate = core.derivative(graph, raw).ok().map(|rate| graph.continued(raw, rate));
+                core.continued.push(Continued { angle: resolved, raw, rate });
             }
             core.definitions.insert(leaf, resolved);
         }

@@ -13,7 +13,7 @@
 //! **Why balls and not intervals:** a residual is a difference of nearly equal values. What is asked of it is one number,
 //! how far it may be off; centre and radius are then cheaper and no wider than two ends.
 
-use super::deviation::{turn, wave};
+use super::deviation::{turn, turned_cosine, wave};
 use super::elementary::alone;
 use super::{NoValue, Number, Op, Rational, Scalar, real, scalar};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -498,6 +498,24 @@ impl Number for Bounded {
         }
         let angle = turn(alone([y.value, y.error]), alone([x.value, x.error])).x;
         self.elementary(Op::Arctan2, value, angle)
+    }
+    /// The cosine of an angle θ that moves by δ moves by at most |sin θ|·δ + δ²/2. The cut of the angle is none here.
+    fn direction_cosine(&mut self, _: &(), a: &Bounded, b: &Bounded) -> Result<(), NoValue> {
+        let Ok(value) = centre(|x| x.direction_cosine(&(), &a.value, &b.value)) else {
+            let exact = a.is_exact_zero() && b.is_exact_zero();
+            return Err(if exact { NoValue::OutOfDomain } else { NoValue::Indeterminate });
+        };
+        if a.contains_zero() && b.contains_zero() {
+            return Err(NoValue::Indeterminate);
+        }
+        // On an axis the cosine is 0, 1 or −1.
+        if a.is_exact_zero() || b.is_exact_zero() {
+            *self = Bounded::exact(value);
+            return Ok(());
+        }
+        let [cosine] = alone([value]);
+        let moved = turned_cosine(cosine, alone([a.value, a.error]), alone([b.value, b.error])).x;
+        self.elementary(Op::DirectionCosine, value, moved)
     }
     /// The mean is homogeneous and grows with both arguments, so a relative change of at most r in both changes it by at
     /// most r. Each iteration rounds by at most 3u, and the last two means differ by at most 4u.

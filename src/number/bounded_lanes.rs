@@ -236,6 +236,12 @@ impl<const N: usize> super::Uniform for BoundedLanes<N> {
         }
         super::Uniform::rule(self, &(), Op::Arctan2, a, b)
     }
+    fn direction_cosine(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        if Arch::new().dispatch(Once { op: Op::DirectionCosine, out: self, a, b }) {
+            return Ok(());
+        }
+        super::Uniform::rule(self, &(), Op::DirectionCosine, a, b)
+    }
     fn run(_: &(), values: &mut [Self], missing: &mut [Option<NoValue>], steps: &[Instruction]) {
         Arch::new().dispatch(Steps { values, missing, steps });
     }
@@ -270,7 +276,7 @@ mod tests {
                 a.set_lane(i, number());
                 b.set_lane(i, number());
             }
-            for &op in Op::ALL {
+            for &op in Op::EVERY {
                 let mut block = BoundedLanes::<4>::blank(&());
                 let found = op.apply(&(), &mut block, &a, &b);
                 let each: Vec<Result<Bounded, NoValue>> = (0..4)

@@ -6,6 +6,7 @@
 use super::Op;
 use super::bounded::{DOWN, TINY, ULP, UP};
 use super::elementary::{Arctan2, Function, Sin, sin_cos};
+use super::real::DirectionCosine;
 use super::register::Register;
 use pulp::Simd;
 use std::f64::consts::PI;
@@ -35,7 +36,10 @@ pub(super) fn turn<S: Simd>([y, y_error]: [Register<S>; 2], [x, x_error]: [Regis
     let radius = (sy * sy + sx * sx).sqrt() * DOWN;
     let (ey, ex) = ((y_error * s + TINY) * UP, (x_error * s + TINY) * UP);
     let still = y.simd.and_m64s(y_error.is(0.0), x_error.is(0.0));
-    let moved = y.all(0.0).or(still, (ey * ey + ex * ex).sqrt() * UP + TINY);
+    // Squares of small errors underflow: these are scaled, too.
+    let t = ey.scale(ex);
+    let (ty, tx) = (ey * t, ex * t);
+    let moved = y.all(0.0).or(still, (ty * ty + tx * tx).sqrt() / t * UP + TINY);
     let sine = moved / radius * UP;
     // arcsin s = s + s³·(1/6 + 3s²/40 + …), and the sum in brackets is at most its value at 1, which is π/2 − 1.
     let angle = sine * (1.0 + 0.5708 * sine * sine) * UP;
@@ -46,6 +50,13 @@ pub(super) fn turn<S: Simd>([y, y_error]: [Register<S>; 2], [x, x_error]: [Regis
 #[inline(always)]
 fn error<S: Simd>(op: Op, value: Register<S>, deviation: Register<S>, exact: S::m64s) -> Register<S> {
     value.all(0.0).or(exact, (deviation + op.units() * ULP * value.abs()) * UP + TINY)
+}
+
+/// At least the change of the cosine of the direction of (a, b) when both move within their errors; `cosine` is its value.
+#[inline(always)]
+pub(super) fn turned_cosine<S: Simd>(cosine: Register<S>, a: [Register<S>; 2], b: [Register<S>; 2]) -> Register<S> {
+    // A computed cosine may be off by a unit more than a computed sine.
+    wave([cosine * (1.0 - ULP), turn(b, a)])
 }
 
 /// Where 0 is exact: |value| + error is 0 only then, since no sum underflows.
@@ -90,5 +101,48 @@ impl Function<4, 2> for Turns {
         let [value] = Arctan2.wide([y, x]);
         let exact = y.simd.and_m64s(exact_zero(y, y_error), x.all(0.0).below(x));
         [value, error(Op::Arctan2, value, turn([y, y_error], [x, x_error]), exact)]
+    }
+}
+
+/// The cosine of the direction of a point in a box, where it does not contain the origin.
+#[derive(Clone, Copy)]
+pub(super) struct Directions;
+
+impl Function<4, 2> for Directions {
+    #[inline(always)]
+    fn fits<S: Simd>(self, [a, a_error, b, b_error]: [Register<S>; 4]) -> S::m64s {
+        let simd = a.simd;
+        let finite = |x: Register<S>| x.abs().upto(f64::MAX);
+        let known = simd.and_m64s(finite(a_error), finite(b_error));
+        let away = simd.or_m64s(a_error.below(a.abs()), b_error.below(b.abs()));
+        simd.and_m64s(simd.and_m64s(finite(a), finite(b)), simd.and_m64s(known, away))
+    }
+    #[inline(always)]
+    fn wide<S: Simd>(self, [a, a_error, b, b_error]: [Register<S>; 4]) -> [Register<S>; 2] {
+        let [value] = DirectionCosine.wide([a, b]);
+        let on_axis = a.simd.or_m64s(exact_zero(a, a_error), exact_zero(b, b_error));
+        let deviation = turned_cosine(value, [a, a_error], [b, b_error]);
+        [value, error(Op::DirectionCosine, value, deviation, on_axis)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Bounded, Op};
+
+    /// The squares of such errors are 0.
+    #[test]
+    fn a_small_ball_far_from_the_origin_turns_by_its_size() {
+        for (size, part) in [(1e-300, 1e-3), (1e-200, 0.5), (1e-160, 1e-9), (1e-8, 1e-3)] {
+            for (op, across) in [(Op::Arctan2, true), (Op::DirectionCosine, true), (Op::Arctan2, false)] {
+                let ball = Bounded::new(size, part * size);
+                let (y, x) = if across { (ball, Bounded::exact(1.0)) } else { (Bounded::exact(-1.0), ball) };
+                let mut angle = Bounded::exact(0.0);
+                op.apply(&(), &mut angle, &y, &x).expect("a value");
+                assert!(angle.error >= 0.999 * ball.error, "{op:?} of {y:?} and {x:?}: {angle:?}");
+                let most = 1.001 * ball.error + 4.0 * f64::EPSILON * angle.value.abs() + 1e-307;
+                assert!(angle.error <= most, "{op:?} of {y:?} and {x:?}: {angle:?}");
+            }
+        }
     }
 }

@@ -272,6 +272,17 @@ impl super::Uniform for DoubleDouble {
         *self = (*a / *b).checked()?;
         Ok(())
     }
+    fn direction_cosine(&mut self, cx: &(), a: &DoubleDouble, b: &DoubleDouble) -> Result<(), NoValue> {
+        if a.is_zero() && b.is_zero() {
+            return Err(NoValue::OutOfDomain);
+        }
+        let s = a.scale(*b);
+        let (a, b) = (*a * s, *b * s);
+        let mut radius = DoubleDouble::ZERO;
+        Number::sqrt(&mut radius, cx, &(a * a + b * b))?;
+        *self = (a / radius).checked()?;
+        Ok(())
+    }
     fn pow(&mut self, cx: &(), a: &DoubleDouble, b: &DoubleDouble) -> Result<(), NoValue> {
         // Powers of roots.
         let halves = 2.0 * b.high;

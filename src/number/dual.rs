@@ -62,6 +62,12 @@ fn centre<B: Scalar>(base: impl FnOnce(&mut B) -> Result<(), NoValue>) -> Result
     Ok(v)
 }
 
+/// b/√(a² + b²), which is the sine where a/√(a² + b²) is the cosine.
+#[inline(always)]
+fn other_cosine<B: Scalar>(a: B, b: B) -> B {
+    value(|out: &mut B, cx, b| out.direction_cosine(cx, b, &a), b)
+}
+
 /// The arguments y, x of arctan2 times a power of two, that factor, and the square of the scaled radius.
 #[inline(always)]
 fn polar<B: Scalar>(y: B, x: B) -> (B, B, B, B) {
@@ -131,6 +137,13 @@ impl<B: Scalar> super::Uniform for Dual<B> {
         let v = centre(|angle: &mut B| angle.arctan2(&(), &y.re, &x.re))?;
         let (sy, sx, s, square) = polar(y.re, x.re);
         self.assign(Dual::new(v, (sx * y.eps - sy * x.eps) / square * s))
+    }
+    /// (cos θ)′ = −sin θ·θ′, with r²θ′ = a·b′ − b·a′.
+    fn direction_cosine(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        let v = centre(|x: &mut B| x.direction_cosine(&(), &a.re, &b.re))?;
+        let (sb, sa, s, square) = polar(b.re, a.re);
+        let turn = (sb * a.eps - sa * b.eps) / square * s;
+        self.assign(Dual::new(v, other_cosine(a.re, b.re) * turn))
     }
 }
 
@@ -212,5 +225,16 @@ impl<B: Scalar> super::Uniform for Dual2<B> {
         let outward = v1 * (sx * x.v1 + sy * y.v1);
         let v2 = (sx * y.v2 - sy * x.v2 - (outward + outward)) / square * s;
         self.assign(Dual2::new(v, v1, v2))
+    }
+    /// (cos θ)′ = −sin θ·θ′ and (cos θ)″ = −sin θ·θ″ − cos θ·θ′², with θ as in `arctan2`.
+    fn direction_cosine(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        let v = centre(|x: &mut B| x.direction_cosine(&(), &a.re, &b.re))?;
+        let (sb, sa, s, square) = polar(b.re, a.re);
+        // −θ′ and −θ″.
+        let v1 = (sb * a.v1 - sa * b.v1) / square * s;
+        let outward = v1 * (sa * a.v1 + sb * b.v1);
+        let v2 = (sb * a.v2 - sa * b.v2 - (outward + outward)) / square * s;
+        let sine = other_cosine(a.re, b.re);
+        self.assign(Dual2::new(v, sine * v1, sine * v2 - v * v1 * v1))
     }
 }

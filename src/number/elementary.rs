@@ -536,7 +536,7 @@ mod tests {
                 ))
             };
             let (a, b) = (lanes(), lanes());
-            for &op in Op::ALL {
+            for &op in Op::EVERY {
                 let mut out = Lanes::splat(0.0);
                 assert!(op.apply(&(), &mut out, &a, &b).is_ok());
                 let mut narrow = [0.0; N];

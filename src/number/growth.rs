@@ -418,6 +418,7 @@ mod tests {
             Op::Powi(3),
             Op::Abs,
             Op::Arctan2,
+            Op::DirectionCosine,
         ];
         let mut moves = vec![true, true, true, true, false, false];
         let steps: Vec<Instruction> = (INPUTS..INPUTS + 14)

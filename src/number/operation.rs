@@ -22,7 +22,7 @@ pub struct Instruction {
 
 /// How one step is carried out.
 pub(super) trait Apply<N> {
-    /// Whether [`Apply::sin_cos`] is there.
+    /// Whether [`Apply::sin_cos`] and [`Apply::directions`] are there.
     const PAIRS: bool = false;
 
     /// `out` := `op` of `a` and `b`.
@@ -31,6 +31,12 @@ pub(super) trait Apply<N> {
     /// `sin` and `cos` of `a` at once; `false` where each is to be made by itself.
     #[inline(always)]
     fn sin_cos(&self, _sin: &mut N, _cos: &mut N, _a: &N) -> bool {
+        false
+    }
+
+    /// The direction cosines of (a, b) and of (b, a) at once; `false` where each is to be made by itself.
+    #[inline(always)]
+    fn directions(&self, _first: &mut N, _second: &mut N, _a: &N, _b: &N) -> bool {
         false
     }
 }
@@ -55,6 +61,24 @@ fn absent(op: Op, a: Option<NoValue>, b: Option<NoValue>) -> Option<NoValue> {
     }
 }
 
+/// Two steps that are made at once.
+#[derive(Clone, Copy)]
+enum Pair {
+    SineFirst,
+    CosineFirst,
+    Directions,
+}
+
+#[inline(always)]
+fn pair(step: &Instruction, next: &Instruction) -> Option<Pair> {
+    match (step.op, next.op) {
+        (Op::Sin, Op::Cos) if step.a == next.a => Some(Pair::SineFirst),
+        (Op::Cos, Op::Sin) if step.a == next.a => Some(Pair::CosineFirst),
+        (Op::DirectionCosine, Op::DirectionCosine) if (step.a, step.b) == (next.b, next.a) => Some(Pair::Directions),
+        _ => None,
+    }
+}
+
 /// The evaluation loop: the steps in their order. An argument without a value is the reason why a result has none.
 #[inline(always)]
 pub(super) fn run_each<N, A: Apply<N>>(
@@ -69,14 +93,19 @@ pub(super) fn run_each<N, A: Apply<N>>(
         // Arguments lie before the result, so the borrow can be split there.
         if A::PAIRS
             && let [next, after @ ..] = after
-            && matches!((op, next.op), (Op::Sin, Op::Cos) | (Op::Cos, Op::Sin))
-            && next.a as usize == a
+            && let Some(pair) = pair(step, next)
             && missing[a].is_none()
+            && missing[b].is_none()
         {
             let (before, rest) = values.split_at_mut(next.out as usize);
             let (before, first) = before.split_at_mut(out);
-            let (sin, cos) = if op == Op::Sin { (&mut first[0], &mut rest[0]) } else { (&mut rest[0], &mut first[0]) };
-            if how.sin_cos(sin, cos, &before[a]) {
+            let (first, second) = (&mut first[0], &mut rest[0]);
+            let made = match pair {
+                Pair::SineFirst => how.sin_cos(first, second, &before[a]),
+                Pair::CosineFirst => how.sin_cos(second, first, &before[a]),
+                Pair::Directions => how.directions(first, second, &before[a], &before[b]),
+            };
+            if made {
                 (missing[out], missing[next.out as usize]) = (None, None);
                 steps = after;
                 continue;
@@ -97,12 +126,14 @@ macro_rules! operations {
     (
         unary { $( $U:ident $u:ident $uspell:literal $uunits:literal; )* }
         binary { $( $B:ident $b:ident $bspell:literal $bunits:literal; )* }
+        made { $( $M:ident $m:ident $mspell:literal $munits:literal $mdoc:literal; )* }
     ) => {
         /// An operation of the table. `Powi` carries its integer exponent and is unary.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         pub enum Op {
             $( #[doc = concat!("`", $uspell, "`.")] $U, )*
             $( #[doc = concat!("`", $bspell, "`.")] $B, )*
+            $( #[doc = $mdoc] $M, )*
             /// Integer power xⁿ; x ≠ 0 where n < 0; x⁰ = 1.
             Powi(i32),
             /// a, where b has a value. No formula is written with it: it makes a rate (a) have no value where its function (b)
@@ -114,20 +145,24 @@ macro_rules! operations {
             /// Every operation that formulas are written with; two exponents stand for all integer powers.
             pub const ALL: &'static [Op] = &[ $( Op::$U, )* $( Op::$B, )* Op::Powi(3), Op::Powi(-2) ];
 
+            /// The same, and those that stand in programs only, but for restriction, which has no function of its own.
+            pub const EVERY: &'static [Op] =
+                &[ $( Op::$U, )* $( Op::$B, )* $( Op::$M, )* Op::Powi(3), Op::Powi(-2) ];
+
             /// Number of arguments.
             pub fn arity(self) -> usize {
-                match self { $( Op::$U => 1, )* $( Op::$B => 2, )* Op::Powi(_) => 1, Op::Restrict => 2 }
+                match self { $( Op::$U => 1, )* $( Op::$B => 2, )* $( Op::$M => 2, )* Op::Powi(_) => 1, Op::Restrict => 2 }
             }
 
             /// How the operation is written in a formula.
             pub fn spelling(self) -> &'static str {
-                match self { $( Op::$U => $uspell, )* $( Op::$B => $bspell, )* Op::Powi(_) => "^", Op::Restrict => r"\restriction" }
+                match self { $( Op::$U => $uspell, )* $( Op::$B => $bspell, )* $( Op::$M => $mspell, )* Op::Powi(_) => "^", Op::Restrict => r"\restriction" }
             }
 
             /// Largest relative error granted to its values in binary64, in units of 2⁻⁵²: see `elementary`. Where the errors of
             /// + − × ÷ √ are the rule, nothing is to be read here.
             pub(super) const fn units(self) -> f64 {
-                match self { $( Op::$U => $uunits, )* $( Op::$B => $bunits, )* Op::Powi(_) | Op::Restrict => 1.0 }
+                match self { $( Op::$U => $uunits, )* $( Op::$B => $bunits, )* $( Op::$M => $munits, )* Op::Powi(_) | Op::Restrict => 1.0 }
             }
 
             /// `out` := this operation of `args`; `args.len()` is [`Op::arity`].
@@ -139,6 +174,7 @@ macro_rules! operations {
                 match self {
                     $( Op::$U => out.$u(cx, a), )*
                     $( Op::$B => out.$b(cx, a, b), )*
+                    $( Op::$M => out.$m(cx, a, b), )*
                     Op::Powi(n) => out.powi(cx, a, n),
                     Op::Restrict => out.restrict(cx, a, b),
                 }
@@ -167,6 +203,8 @@ macro_rules! operations {
                fn $u(&mut self, cx: &Self::Context, a: &Self) -> Result<(), NoValue>; )*
             $( #[doc = concat!("`self` := `a` `", $bspell, "` `b`.")]
                fn $b(&mut self, cx: &Self::Context, a: &Self, b: &Self) -> Result<(), NoValue>; )*
+            $( #[doc = concat!("See [`Op::", stringify!($M), "`].")]
+               fn $m(&mut self, cx: &Self::Context, a: &Self, b: &Self) -> Result<(), NoValue>; )*
 
             /// Carries out the steps of a program. A type whose operations want wider registers than every processor has
             /// chooses them here, once for all steps; results are those of [`Op::apply`], bit for bit.
@@ -209,6 +247,9 @@ macro_rules! operations {
             $( #[doc = concat!("See [`Number::", stringify!($b), "`].")]
                #[inline(always)]
                fn $b(&mut self, cx: &Self::Context, a: &Self, b: &Self) -> Result<(), NoValue> { self.rule(cx, Op::$B, a, b) } )*
+            $( #[doc = concat!("See [`Op::", stringify!($M), "`].")]
+               #[inline(always)]
+               fn $m(&mut self, cx: &Self::Context, a: &Self, b: &Self) -> Result<(), NoValue> { self.rule(cx, Op::$M, a, b) } )*
             /// See [`Number::run`].
             #[inline(never)]
             fn run(cx: &Self::Context, values: &mut [Self], missing: &mut [Option<NoValue>], steps: &[Instruction]) {
@@ -236,6 +277,8 @@ macro_rules! operations {
                fn $u(&mut self, cx: &Self::Context, a: &Self) -> Result<(), NoValue> { Uniform::$u(self, cx, a) } )*
             $( #[inline(always)]
                fn $b(&mut self, cx: &Self::Context, a: &Self, b: &Self) -> Result<(), NoValue> { Uniform::$b(self, cx, a, b) } )*
+            $( #[inline(always)]
+               fn $m(&mut self, cx: &Self::Context, a: &Self, b: &Self) -> Result<(), NoValue> { Uniform::$m(self, cx, a, b) } )*
             #[inline(always)]
             fn run(cx: &Self::Context, values: &mut [Self], missing: &mut [Option<NoValue>], steps: &[Instruction]) {
                 <T as Uniform>::run(cx, values, missing, steps);
@@ -270,5 +313,10 @@ operations! {
         Pow pow "^" 1.0;
         Arctan2 arctan2 r"\operatorname{atan2}" 3.0;
         Agm agm r"\operatorname{agm}" 1.0;
+    }
+    made {
+        DirectionCosine direction_cosine r"\cos\operatorname{atan2}" 2.0
+            "a/√(a² + b²), the cosine of the angle between (a, b) and the first axis: cos atan2(b, a), and sin atan2(a, b). No formula \
+             is written with it; it stands where one takes the sine or cosine of an angle, and has no cut.";
     }
 }

@@ -94,6 +94,32 @@ basic! {
     Restrict |a, b| a.or(b.is(b), f64::NAN);
 }
 
+/// The cosine of the direction of (a, b), scaled by a power of two so that squares stay in range.
+#[derive(Clone, Copy)]
+pub(super) struct DirectionCosine;
+
+impl Function<2, 1> for DirectionCosine {
+    #[inline(always)]
+    fn wide<S: Simd>(self, [a, b]: [Register<S>; 2]) -> [Register<S>; 1] {
+        let [first, _] = DirectionCosines.wide([a, b]);
+        [first]
+    }
+}
+
+/// The same of (a, b) and of (b, a).
+#[derive(Clone, Copy)]
+pub(super) struct DirectionCosines;
+
+impl Function<2, 2> for DirectionCosines {
+    #[inline(always)]
+    fn wide<S: Simd>(self, [a, b]: [Register<S>; 2]) -> [Register<S>; 2] {
+        let s = a.scale(b);
+        let (a, b) = (a * s, b * s);
+        let radius = (a * a + b * b).sqrt().finite();
+        [(a / radius).finite(), (b / radius).finite()]
+    }
+}
+
 /// aⁿ by repeated squaring, in the order of [`powi`]; a point without a value has no zeroth power either.
 #[derive(Clone, Copy)]
 struct Power(i32);
@@ -200,6 +226,7 @@ table! {
         Mul mul |a, b| true, Mul;
         Div div |a, b| b != 0.0, Div;
         Arctan2 arctan2 |y, x| y != 0.0 || x != 0.0, Arctan2;
+        DirectionCosine direction_cosine |a, b| a != 0.0 || b != 0.0, DirectionCosine;
     }
     alone {
         Pow pow |a, b| (a > 0.0 || (a == 0.0 && b > 0.0)) && !b.is_nan(), pxfm::f_pow;

@@ -85,6 +85,25 @@ fn split<B, const N: usize>(companions: &mut [B], room: usize) -> [&mut [B]; N] 
     std::array::from_fn(|_| chunks.next().unwrap_or_default())
 }
 
+/// What [`turn`] starts from: both arguments times a power of two, which keeps the squares in range, and the square of the radius.
+#[inline(always)]
+fn turn_from<B: Scalar>([v, _, u, _, r, _]: [&mut [B]; 6], y: &Jet<B>, x: &Jet<B>, scale: B) {
+    (v[0], u[0]) = (y.series[0] * scale, x.series[0] * scale);
+    r[0] = v[0] * v[0] + u[0] * u[0];
+}
+
+/// Coefficient k of dθ for the angle θ of (x, y): (x² + y²)·dθ = x·dy − y·dx.
+#[inline(always)]
+fn turn<B: Scalar>([v, dv, u, du, r, dt]: [&mut [B]; 6], y: &Jet<B>, x: &Jet<B>, scale: B, k: usize) -> B {
+    (v[k], u[k]) = (y.coefficient(k) * scale, x.coefficient(k) * scale);
+    (dv[k], du[k]) = (int::<B>(k) * v[k], int::<B>(k) * u[k]);
+    let (ny, nx) = (y.length.min(k + 1), x.length.min(k + 1));
+    r[k] = square(&v[..ny], k) + square(&u[..nx], k);
+    let turn = sum(&dv[..ny], &u[..nx], k, 1, k) - sum(&du[..nx], &v[..ny], k, 1, k);
+    dt[k] = (turn - sum(dt, r, k, 1, k - 1)) / r[0];
+    dt[k]
+}
+
 /// The first k + 1 coefficients of a companion.
 #[inline(always)]
 fn upto<B>(series: &[B], k: usize) -> &[B] {
@@ -467,31 +486,46 @@ impl<B: Scalar> Number for Jet<B> {
         }
         Ok(())
     }
-    /// (a² + b²)·dx = b·da − a·db, after scaling both arguments by a power of two so that the squares stay in range.
+    /// The angle of (x, y).
     fn arctan2(&mut self, cx: &Orders, y: &Jet<B>, x: &Jet<B>) -> Result<(), NoValue> {
         self.start(cx, |angle| angle.arctan2(&(), &y.series[0], &x.series[0]))?;
         self.reserve(6);
-        let room = self.series.len();
-        let scale = y.series[0].scale(x.series[0]);
+        let (room, scale) = (self.series.len(), y.series[0].scale(x.series[0]));
         if cx.from() == 0 {
-            let [v, _, u, _, r, _] = split(&mut self.companions, room);
-            (v[0], u[0]) = (y.series[0] * scale, x.series[0] * scale);
-            r[0] = v[0] * v[0] + u[0] * u[0];
+            turn_from(split(&mut self.companions, room), y, x, scale);
         }
         for k in cx.recurrent() {
             if y.is_constant() && x.is_constant() {
                 self.rest(k)?;
                 continue;
             }
-            let [v, dv, u, du, r, dx] = split(&mut self.companions, room);
-            (v[k], u[k]) = (y.coefficient(k) * scale, x.coefficient(k) * scale);
-            (dv[k], du[k]) = (int::<B>(k) * v[k], int::<B>(k) * u[k]);
-            let (ny, nx) = (y.length.min(k + 1), x.length.min(k + 1));
-            r[k] = square(&v[..ny], k) + square(&u[..nx], k);
-            let turn = sum(&dv[..ny], &u[..nx], k, 1, k) - sum(&du[..nx], &v[..ny], k, 1, k);
-            dx[k] = (turn - sum(dx, r, k, 1, k - 1)) / r[0];
-            let angle = dx[k] / int(k);
-            self.put(k, angle)?;
+            let dx = turn(split(&mut self.companions, room), y, x, scale, k);
+            self.put(k, dx / int(k))?;
+        }
+        Ok(())
+    }
+    /// The cosine x and the sine z of one angle: dx = −z·dθ, dz = x·dθ.
+    fn direction_cosine(&mut self, cx: &Orders, a: &Jet<B>, b: &Jet<B>) -> Result<(), NoValue> {
+        self.start(cx, |x| x.direction_cosine(&(), &a.series[0], &b.series[0]))?;
+        self.reserve(7);
+        let (room, scale) = (self.series.len(), b.series[0].scale(a.series[0]));
+        if cx.from() == 0 {
+            let [v, dv, u, du, r, turned, sine] = split(&mut self.companions, room);
+            sine[0] = value(|z: &mut B, cx, b| z.direction_cosine(cx, b, &a.series[0]), b.series[0]);
+            turn_from([v, dv, u, du, r, turned], b, a, scale);
+        }
+        for k in cx.recurrent() {
+            if a.is_constant() && b.is_constant() {
+                self.rest(k)?;
+                continue;
+            }
+            let [v, dv, u, du, r, turned, sine] = split(&mut self.companions, room);
+            turn([v, dv, u, du, r, turned], b, a, scale, k);
+            let next = sum(upto(turned, k), &self.series[..k], k, 1, k) / int(k);
+            // Never −0, which a lane at rest beside others that move would have, and not alone.
+            let x = B::ZERO - sum(upto(turned, k), &sine[..k], k, 1, k) / int(k);
+            sine[k] = next;
+            self.put(k, x)?;
         }
         Ok(())
     }

@@ -32,7 +32,15 @@ pub(super) fn slope<B: Scalar>(op: Op, a: B, v: B) -> B {
         Op::Powi(0) => B::ZERO,
         Op::Powi(n) if n < 0 => B::integer(n) * v / a,
         Op::Powi(n) => B::integer(n) * value(|out: &mut B, cx, a| out.powi(cx, a, n - 1), a),
-        Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Pow | Op::Arctan2 | Op::Agm | Op::Restrict => B::INVALID,
+        Op::Add
+        | Op::Sub
+        | Op::Mul
+        | Op::Div
+        | Op::Pow
+        | Op::Arctan2
+        | Op::Agm
+        | Op::DirectionCosine
+        | Op::Restrict => B::INVALID,
     }
 }
 
@@ -56,7 +64,15 @@ pub(super) fn curvature<B: Scalar>(op: Op, a: B, v: B, s: B) -> B {
             let factor = B::integer(n) * B::integer(n - 1);
             factor * value(|out: &mut B, cx, a| out.powi(cx, a, n - 2), a)
         }
-        Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Pow | Op::Arctan2 | Op::Agm | Op::Restrict => B::INVALID,
+        Op::Add
+        | Op::Sub
+        | Op::Mul
+        | Op::Div
+        | Op::Pow
+        | Op::Arctan2
+        | Op::Agm
+        | Op::DirectionCosine
+        | Op::Restrict => B::INVALID,
     }
 }
 

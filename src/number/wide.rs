@@ -13,7 +13,7 @@
 //! enough: the compiler splits eight lanes into unequal parts, and the program is then slower than without.
 
 use super::bounded::{DOWN, TINY, U, UP};
-use super::deviation::{Turns, Waves};
+use super::deviation::{Directions, Turns, Waves};
 use super::elementary::whole;
 use super::operation::{Apply, run_each};
 use super::{BoundedLanes, Instruction, NoValue, Op};
@@ -152,6 +152,10 @@ fn together<S: Simd, const N: usize>(
         Op::Arctan2 => {
             let arguments = [&a.value, &a.error, &b.value, &b.error];
             whole(simd, Turns, &mut [&mut out.value, &mut out.error], &arguments)
+        }
+        Op::DirectionCosine => {
+            let arguments = [&a.value, &a.error, &b.value, &b.error];
+            whole(simd, Directions, &mut [&mut out.value, &mut out.error], &arguments)
         }
         _ => false,
     }
@@ -467,7 +471,7 @@ mod tests {
     fn check<const N: usize>(blocks: usize) -> usize {
         let mut draws = Draws::new(11);
         let mut compared = 0;
-        let ops: Vec<Op> = Op::ALL.iter().copied().chain([0, 1, 2, 5, 6, -1].map(Op::Powi)).collect();
+        let ops: Vec<Op> = Op::EVERY.iter().copied().chain([0, 1, 2, 5, 6, -1].map(Op::Powi)).collect();
         for round in 0..blocks {
             // Most blocks have a value throughout, others in most lanes.
             let mut tame = || loop {

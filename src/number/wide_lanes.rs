@@ -9,6 +9,7 @@
 
 use super::elementary::{Arctan2, Function, SinCos, each};
 use super::operation::{Apply, run_each};
+use super::real::DirectionCosines;
 use super::register::Register;
 use super::slope::slope;
 use super::{DualLanes, Instruction, Lanes, NoValue, Op, Scalar, real};
@@ -70,6 +71,20 @@ impl Function<4, 2> for DualArctan2 {
     }
 }
 
+/// (cos θ)′ = −sin θ·θ′.
+#[derive(Clone, Copy)]
+struct DualDirectionCosine;
+
+impl Function<4, 2> for DualDirectionCosine {
+    #[inline(always)]
+    fn wide<S: Simd>(self, [a, da, b, db]: [Register<S>; 4]) -> [Register<S>; 2] {
+        let [cosine, sine] = DirectionCosines.wide([a, b]);
+        let s = b.scale(a);
+        let (sb, sa) = (b * s, a * s);
+        both([cosine, sine * ((sb * da - sa * db) / (sb * sb + sa * sa) * s)])
+    }
+}
+
 /// An operation on one point with its derivative.
 fn point(op: Op, a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     let mut out = Dual64::new(0.0, 0.0);
@@ -111,6 +126,7 @@ pub(super) fn apply_dual<S: Simd, const N: usize>(
         Op::Mul => with!(DualMul),
         Op::Div => with!(DualDiv),
         Op::Arctan2 => with!(DualArctan2),
+        Op::DirectionCosine => with!(DualDirectionCosine),
         Op::Restrict => with!(DualRestrict),
         Op::Sin | Op::Cos => {
             let (mut sin, mut cos) = (Lanes::ZERO, Lanes::ZERO);
@@ -169,7 +185,9 @@ fn apply<S: Simd, const N: usize>(simd: S, op: Op, out: &mut Lanes<N>, a: &Lanes
 struct Together<S>(S);
 
 macro_rules! runs {
-    ($($Lanes:ident $apply:ident |$simd:ident, $out:ident, $next:ident, $a:ident| $pair:expr;)*) => {$(
+    (
+        $($Lanes:ident $apply:ident |$simd:ident, $out:ident, $next:ident, $a:ident, $b:ident| $pair:expr, $directions:expr;)*
+    ) => {$(
         impl<const N: usize> WithSimd for One<'_, $Lanes<N>> {
             type Output = ();
             #[inline(always)]
@@ -199,17 +217,34 @@ macro_rules! runs {
                 $pair;
                 true
             }
+            #[inline(always)]
+            fn directions(
+                &self,
+                $out: &mut $Lanes<N>,
+                $next: &mut $Lanes<N>,
+                $a: &$Lanes<N>,
+                $b: &$Lanes<N>,
+            ) -> bool {
+                let $simd = self.0;
+                $directions
+            }
         }
     )*};
 }
 
 runs! {
-    Lanes apply |simd, sin, cos, a| each(simd, SinCos, [&mut sin.0, &mut cos.0], [&a.0]);
-    DualLanes apply_dual |simd, sin, cos, a| {
+    Lanes apply |simd, sin, cos, a, b| each(simd, SinCos, [&mut sin.0, &mut cos.0], [&a.0]), {
+        each(simd, DirectionCosines, [&mut sin.0, &mut cos.0], [&a.0, &b.0]);
+        true
+    };
+    DualLanes apply_dual |simd, sin, cos, a, _b| {
         let (mut s, mut c) = (Lanes::ZERO, Lanes::ZERO);
         each(simd, SinCos, [&mut s.0, &mut c.0], [&a.value.0]);
         chain(simd, sin, &s, &c, a);
         chain(simd, cos, &c, &-s, a);
+    }, {
+        let _ = (simd, sin, cos, a);
+        false
     };
 }
 

@@ -266,7 +266,15 @@ impl<'g> Lowering<'g> {
                     let image = self.image[&a];
                     self.opaque_node(node, op, vec![image])?
                 }
-                Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Pow | Op::Arctan2 | Op::Agm | Op::Restrict => {
+                Op::Add
+                | Op::Sub
+                | Op::Mul
+                | Op::Div
+                | Op::Pow
+                | Op::Arctan2
+                | Op::Agm
+                | Op::DirectionCosine
+                | Op::Restrict => {
                     return Err(TooLarge);
                 }
             },

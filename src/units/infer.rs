@@ -154,7 +154,9 @@ impl<'g> Inference<'g> {
                             (one(), exponent.or(base))
                         }
                     },
-                    Op::Arctan2 => (one(), self.same(a, b, r"are the arguments of \operatorname{atan2}").1),
+                    Op::Arctan2 | Op::DirectionCosine => {
+                        (one(), self.same(a, b, r"are the arguments of \operatorname{atan2}").1)
+                    }
                     Op::Agm => self.same(a, b, r"are the arguments of \operatorname{agm}"),
                     Op::Restrict => (x, None),
                     // The table has no other operation of two arguments.

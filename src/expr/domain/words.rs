@@ -13,6 +13,7 @@ impl Term {
             Term::Sine => "sin a",
             Term::Unit => "1 − a²",
             Term::Excess => "a − 1",
+            Term::Product => "a·b",
             Term::Squares => "a² + b²",
             Term::Support => "a + b + \\|b\\|",
         }

@@ -6,7 +6,7 @@
 //! multiple of 2π, and only one fits.
 
 use super::{Enclosure, Reach};
-use crate::definitions::{Definitions, fresh};
+use crate::definitions::{Continued, Definitions, fresh};
 use crate::error::FlowError;
 use expr::{Expr, Graph, Leaf, Node, Op};
 use number::{Interval, NoValue, Number, Scalar};
@@ -85,9 +85,8 @@ impl Enclosure {
         self.angles.push(Angle { turns, side, cells: found });
         let followed = graph.add(turned, d);
         // On each of the cells (σx, σy) is off the cut.
-        if let Ok(rate) = self.derivative(graph, turned) {
-            self.continued.push((followed, graph.continued(turned, rate)));
-        }
+        let rate = self.derivative(graph, turned).ok().map(|rate| graph.continued(turned, rate));
+        self.continued.push(Continued { angle: followed, raw, rate });
         Ok(followed)
     }
 

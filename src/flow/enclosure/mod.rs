@@ -25,7 +25,7 @@ pub use step::Stop;
 
 use std::collections::BTreeMap;
 
-use super::definitions::{Definitions, Rates, fresh};
+use super::definitions::{Continued, Definitions, Rates, fresh};
 use super::error::{FlowError, leaf_name};
 use super::field::VectorField;
 use super::motion::{Setup, Source};
@@ -72,8 +72,8 @@ pub struct Enclosure {
     /// What is known of constants, where that is more.
     precise: BTreeMap<Leaf, Precise>,
     angles: Vec<Angle>,
-    /// Angles as they are followed, and their derivatives: they have no cut.
-    continued: Vec<(Expr, Expr)>,
+    /// Angles as they are followed: they have no cut.
+    continued: Vec<Continued>,
     /// Definitions of leaves in basic leaves: time, states, constants, turns of angles.
     definitions: BTreeMap<Leaf, Expr>,
     /// Leaves that were given a definition, not derived.
@@ -99,7 +99,7 @@ impl Definitions for Enclosure {
         self.constants.iter().any(|c| c.0 == leaf) || self.angles.iter().any(|a| a.turns == leaf || a.side == leaf)
     }
 
-    fn continued(&self) -> &[(Expr, Expr)] {
+    fn continued(&self) -> &[Continued] {
         &self.continued
     }
 

@@ -294,6 +294,19 @@ impl crate::Uniform for Decorated {
         self.continuous &= continuity == Continuity::Everywhere;
         Ok(())
     }
+    fn direction_cosine(&mut self, _: &(), a: &Decorated, b: &Decorated) -> Result<(), NoValue> {
+        if a.range.is_zero() && b.range.is_zero() {
+            return Err(NoValue::OutOfDomain);
+        }
+        let around = a.range.contains(0.0) && b.range.contains(0.0);
+        let known = !around && a.is_finite() && b.is_finite();
+        let all = Interval { lo: -1.0, hi: 1.0 };
+        self.set(if known { Interval::direction_cosine_of(a.range, b.range) } else { all }, &[a, b]);
+        if around {
+            self.partly();
+        }
+        Ok(())
+    }
     fn agm(&mut self, _: &(), a: &Decorated, b: &Decorated) -> Result<(), NoValue> {
         let ((p, all_of_a), (q, all_of_b)) = (a.within(0.0, f64::INFINITY)?, b.within(0.0, f64::INFINITY)?);
         let range = if a.is_finite() && b.is_finite() {
@@ -372,7 +385,7 @@ mod tests {
         let mut uniform = |lo: f64, hi: f64| lo + (hi - lo) * ((draws.bits() >> 11) as f64 / (1u64 << 53) as f64);
         let ends = [f64::NEG_INFINITY, -3.0, -1.0, -0.25, 0.0, 0.5, 1.0, 2.0, f64::INFINITY];
         let mut compared = 0;
-        for &op in Op::ALL {
+        for &op in Op::EVERY {
             for round in 0..3_000 {
                 let mut side = |wild: bool| {
                     let (a, b) = if wild {

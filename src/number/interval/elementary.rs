@@ -199,6 +199,32 @@ impl Interval {
     }
 }
 
+/// a/√(a² + b²), for numbers that are not both 0.
+fn direction_cosine(a: f64, b: f64) -> Interval {
+    if a == 0.0 {
+        return Interval::ZERO;
+    }
+    if b == 0.0 {
+        return Interval::point(a.signum());
+    }
+    let s = a.scale(b);
+    let [x, y] = [a, b].map(|x| Interval { lo: mul_down(x, s), hi: mul_up(x, s) });
+    let square = |x: Interval| power(x, 2);
+    let sum = square(x) + square(y);
+    x / Interval { lo: sqrt_down(sum.lo), hi: sqrt_up(sum.hi) }
+}
+
+impl Interval {
+    /// The range of a/√(a² + b²) over a box that does not contain the origin: it rises with a, and the nearer to the axis b is, the
+    /// farther it is from 0.
+    pub(super) fn direction_cosine_of(a: Interval, b: Interval) -> Interval {
+        let (near, far) = (b.mignitude(), b.magnitude());
+        let lo = direction_cosine(a.lo, if a.lo < 0.0 { near } else { far }).lo;
+        let hi = direction_cosine(a.hi, if a.hi > 0.0 { near } else { far }).hi;
+        Interval { lo, hi }.within(-1.0, 1.0)
+    }
+}
+
 /// The arithmetic–geometric mean of two numbers that are not negative, which lies between all pairs of the iteration.
 pub(super) fn agm(a: f64, b: f64) -> Interval {
     if a == 0.0 || b == 0.0 {

@@ -513,6 +513,15 @@ impl Number for Interval {
         }
         Ok(())
     }
+    fn direction_cosine(&mut self, _: &(), a: &Interval, b: &Interval) -> Result<(), NoValue> {
+        a.checked()?;
+        b.checked()?;
+        if a.contains(0.0) && b.contains(0.0) {
+            return Err(outside(a.is_zero() && b.is_zero()));
+        }
+        *self = Interval::direction_cosine_of(*a, *b).checked()?;
+        Ok(())
+    }
     fn agm(&mut self, _: &(), a: &Interval, b: &Interval) -> Result<(), NoValue> {
         a.checked()?;
         b.checked()?;

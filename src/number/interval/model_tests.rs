@@ -102,7 +102,7 @@ fn misses_of_arithmetic() -> (usize, usize) {
 /// how many of the models say more than that the result lies in a range.
 fn misses_of_functions() -> (usize, usize, usize) {
     let (mut draws, mut missed, mut compared, mut sharp) = (Draws::new(5), 0, 0, 0);
-    for &op in Op::ALL {
+    for &op in Op::EVERY {
         for round in 0..150 {
             let rest = if round % 3 == 0 { 1e-3 * unit(&mut draws) } else { 0.0 };
             let spread = if round % 2 == 0 { 0.5 } else { 0.05 };

@@ -441,6 +441,14 @@ impl crate::Uniform for Tail {
         *self = Tail::angle(y, x)?;
         Ok(())
     }
+    fn direction_cosine(&mut self, _: &(), a: &Tail, b: &Tail) -> Result<(), NoValue> {
+        // The opposite direction has no cut on the left.
+        *self = match a.positive {
+            Some(false) => Tail::angle(&b.negative(), &a.negative())?.wave(elementary::cos)?.negative(),
+            Some(true) | None => Tail::angle(b, a)?.wave(elementary::cos)?,
+        };
+        Ok(())
+    }
 }
 
 #[cfg(test)]

@@ -293,4 +293,26 @@ impl crate::Uniform for TaylorModel {
         };
         self.or_plain(turned().ok(), range)
     }
+    /// a/√(a² + b²), times a power of two above and below.
+    fn direction_cosine(&mut self, cx: &(), a: &TaylorModel, b: &TaylorModel) -> Result<(), NoValue> {
+        let mut range = Interval::ZERO;
+        range.direction_cosine(cx, &a.range(), &b.range())?;
+        if a.is_point() && b.is_point() {
+            return self.plain(Ok(range));
+        }
+        let s = a.range().magnitude().scale(b.range().magnitude());
+        let found = || -> Result<TaylorModel, NoValue> {
+            let [mut x, mut y, mut square, mut sum, mut radius, mut cosine] = [TaylorModel::ZERO; 6];
+            x.scaled(s, a)?;
+            y.scaled(s, b)?;
+            square.product(&x, &x)?;
+            sum.product(&y, &y)?;
+            let other = sum;
+            sum.combine(&square, &other, |x, y| x + y)?;
+            radius.root(&sum)?;
+            cosine.quotient(&x, &radius)?;
+            Ok(cosine)
+        };
+        self.or_plain(found().ok(), range)
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::{GROW, Precise, PreciseModel, TINY, faults};
 use crate::double_double::PI;
-use crate::{DoubleDouble, NoValue, Number, Op, Rational};
+use crate::{DoubleDouble, NoValue, Number, Op, Rational, Scalar};
 
 impl PreciseModel {
     /// Σ uᵏ/k! over every order from `first` on in steps of `by`, with alternating signs if `by` is 2; |u| ≤ 1.
@@ -233,6 +233,24 @@ impl crate::Uniform for PreciseModel {
     }
     fn div(&mut self, _: &(), a: &PreciseModel, b: &PreciseModel) -> Result<(), NoValue> {
         self.quotient(a, b)
+    }
+    fn direction_cosine(&mut self, _: &(), a: &PreciseModel, b: &PreciseModel) -> Result<(), NoValue> {
+        self.through(Op::DirectionCosine, a, b)?;
+        let s = a.rounded().range().magnitude().scale(b.rounded().range().magnitude());
+        let (x, y) = (a.scaled(s, 1.0), b.scaled(s, 1.0));
+        let found = || -> Result<PreciseModel, NoValue> {
+            let [mut square, mut other, mut sum, mut radius, mut cosine] = [PreciseModel::ZERO; 5];
+            square.product(&x, &x)?;
+            other.product(&y, &y)?;
+            sum.combine(&square, &other, 1.0)?;
+            radius.root(&sum)?;
+            cosine.quotient(&x, &radius)?;
+            Ok(cosine)
+        };
+        if let Some(found) = found().ok().filter(|f| f.rest < self.rest) {
+            *self = found;
+        }
+        Ok(())
     }
     fn pow(&mut self, cx: &(), a: &PreciseModel, b: &PreciseModel) -> Result<(), NoValue> {
         self.through(Op::Pow, a, b)?;
