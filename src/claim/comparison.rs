@@ -107,11 +107,8 @@ pub(super) fn boundaries(graph: &mut Graph, scope: &Scope, left: Expr, right: Ex
 
 /// u and c, where one side is |u| and the other a positive number c.
 fn inside_size(graph: &Graph, size: Expr, other: Expr) -> Option<(Expr, Expr)> {
-    let positive = graph.as_constant(other).is_some_and(|c| *c > Rational::ZERO);
-    match graph.node(size) {
-        Node::Unary(Op::Abs, u) if positive => Some((*u, other)),
-        _ => None,
-    }
+    let Node::Unary(Op::Abs, u) = graph.node(size) else { return None };
+    graph.as_constant(other).is_some_and(|c| *c > Rational::ZERO).then_some((*u, other))
 }
 
 /// Comparisons at one time, and what they must be together.
