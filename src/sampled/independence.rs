@@ -4,6 +4,8 @@
 //! independent of one another and of those of the constraints: rank(∇g, ∇f) = rank(∇g) + k. The gradients are exact
 //! derivatives of the expressions; the rank is read off singular values of the matrix with normalised rows.
 
+use std::cmp::Ordering;
+
 use nalgebra::DMatrix;
 
 use crate::derivation::{Claim, Form, Motion, Trajectory, Written};
@@ -300,7 +302,7 @@ fn lost_between(of: &Gradients, trial: &Trial, tried: &Tried, tape: &Tape, rapid
     along.sort_by(|a, b| a.0.total_cmp(&b.0));
     // Where it goes on towards 0 at the rate that it has beside the smallest value, does it lose half of that?
     let may_vanish = |[(a, fa), (t, f), (b, fb)]: [(f64, f64); 3]| {
-        let falls = |slope: f64, room: f64| !(slope * room <= 0.5 * f);
+        let falls = |slope: f64, room: f64| (slope * room).partial_cmp(&(0.5 * f)).is_none_or(Ordering::is_gt);
         falls((fa - f) / (t - a), b - t) || falls((fb - f) / (b - t), t - a)
     };
     let mut lowest: Vec<[(f64, f64); 3]> = along
