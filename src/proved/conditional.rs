@@ -6,6 +6,7 @@
 use std::collections::{BTreeSet, HashMap};
 
 use crate::derivation::{Claim, Derivation, Premise, Written};
+use crate::expr::FastSet;
 use crate::findings::ClaimAccount;
 use crate::findings::standing::{Decision, Given};
 use crate::latex::Statement;
@@ -38,14 +39,14 @@ pub fn conditional(derivation: &Derivation, claims: &mut [ClaimAccount], known: 
     for own in premises_first(derivation) {
         open[own] = gathered(&open, &premises(derivation, &derivation.claims[own].follows_from), own);
     }
-    let assumed = assumed(derivation);
+    let assumptions = Assumptions::of(derivation, None);
     for account in claims {
         let own = at(account);
         let (Some(own), Some(identity)) = (own, account.identity.as_mut()) else { continue };
         let mut out: Vec<Given> = Vec::new();
         if identity.finding.is_proved_in_part() {
-            let inherited = assumed[own].iter().map(|w| &w.text).filter(|text| !identity.presupposed.contains(text));
-            let inherited: Vec<String> = inherited.cloned().collect();
+            let inherited = assumptions.presupposed[own].iter().map(|&n| assumptions.text(n));
+            let inherited: Vec<String> = inherited.filter(|text| !identity.presupposed.contains(text)).collect();
             identity.presupposed.extend(inherited);
             for at in gathered(&open, &premises(derivation, &identity.from), own) {
                 let standing = match at == own {
@@ -91,39 +92,85 @@ fn premises_first(derivation: &Derivation) -> Vec<usize> {
     out
 }
 
-/// For each claim what it presupposes: the assumptions of what it follows from, through all steps, that are not made on the way.
-fn assumed(derivation: &Derivation) -> Vec<Vec<&Written<Statement>>> {
-    let mut out = vec![Vec::new(); derivation.claims.len()];
-    for own in premises_first(derivation) {
-        out[own] = inherited(derivation, &derivation.claims[own], &out);
-    }
-    out
+/// Of what a claim presupposes, so much is told apart.
+const MOST_PRESUPPOSED: usize = 64;
+/// Stands for what is presupposed beyond that: no claim assumes it.
+const MORE: usize = usize::MAX;
+
+/// The assumptions of all claims, each numbered once, and what the claims presuppose.
+struct Assumptions<'d> {
+    texts: Vec<&'d str>,
+    /// Those of each claim.
+    own: Vec<Vec<usize>>,
+    /// For each claim those of what it follows from, through all steps, that are not made on the way.
+    presupposed: Vec<Vec<usize>>,
 }
 
-/// What the premises of a claim assume, and what they presuppose, but for what the claim assumes itself.
-fn inherited<'d>(
-    derivation: &'d Derivation,
-    claim: &Claim,
-    presupposed: &[Vec<&'d Written<Statement>>],
-) -> Vec<&'d Written<Statement>> {
-    let mut out: Vec<&Written<Statement>> = Vec::new();
-    for at in premises(derivation, &claim.follows_from) {
-        for one in derivation.claims[at].assuming.iter().chain(presupposed[at].iter().copied()) {
-            // A name may mean something else in each claim.
-            let known = |w: &Written<Statement>| w.value.says_the_same(&one.value);
-            if !claim.assuming.iter().any(known) && !out.iter().any(|w| known(w)) {
-                out.push(one);
-            }
+impl<'d> Assumptions<'d> {
+    /// Those of a derivation, and of a claim that is not in it.
+    fn of(derivation: &'d Derivation, typed: Option<&'d Claim>) -> Assumptions<'d> {
+        let mut numbers = Numbers::default();
+        let claims = derivation.claims.iter().chain(typed);
+        let own = claims.map(|c| c.assuming.iter().map(|w| numbers.of(w)).collect()).collect();
+        let presupposed = vec![Vec::new(); derivation.claims.len()];
+        let texts = numbers.all.iter().map(|w| w.text.as_str()).collect();
+        let mut out = Assumptions { texts, own, presupposed };
+        for at in premises_first(derivation) {
+            out.presupposed[at] =
+                out.inherited(&premises(derivation, &derivation.claims[at].follows_from), &out.own[at]);
         }
+        out
     }
-    out
+
+    /// What premises assume, and what they presuppose, but for what is assumed here.
+    fn inherited(&self, premises: &[usize], own: &[usize]) -> Vec<usize> {
+        let (mut out, mut seen) = (Vec::new(), FastSet::<usize>::default());
+        for one in premises.iter().flat_map(|&at| self.own[at].iter().chain(&self.presupposed[at]).copied()) {
+            if own.contains(&one) || !seen.insert(one) {
+                continue;
+            }
+            if out.len() >= MOST_PRESUPPOSED {
+                out.push(MORE);
+                break;
+            }
+            out.push(one);
+        }
+        out
+    }
+
+    fn text(&self, number: usize) -> String {
+        self.texts
+            .get(number)
+            .map_or_else(|| format!("more than {MOST_PRESUPPOSED} assumptions"), |text| (*text).to_owned())
+    }
+}
+
+/// Assumptions that are told apart by what they say: a name may mean something else in each claim.
+#[derive(Default)]
+struct Numbers<'d> {
+    all: Vec<&'d Written<Statement>>,
+    by_text: HashMap<&'d str, Vec<usize>>,
+}
+
+impl<'d> Numbers<'d> {
+    fn of(&mut self, one: &'d Written<Statement>) -> usize {
+        let alike = self.by_text.entry(&one.text).or_default();
+        if let Some(&known) = alike.iter().find(|&&n| self.all[n].value.says_the_same(&one.value)) {
+            return known;
+        }
+        alike.push(self.all.len());
+        self.all.push(one);
+        self.all.len() - 1
+    }
 }
 
 /// What a claim presupposes that is not one of the file: assumptions of what it follows from, and the ranges of that.
 pub(crate) fn presupposed(derivation: &Derivation, claim: &Claim) -> Vec<String> {
-    let assumed = inherited(derivation, claim, &assumed(derivation));
-    let mut out: Vec<String> = assumed.into_iter().map(|w| w.text.clone()).collect();
-    let (mut open, mut seen) = (premises(derivation, &claim.follows_from), BTreeSet::new());
+    let all = Assumptions::of(derivation, Some(claim));
+    let named = premises(derivation, &claim.follows_from);
+    let own = all.own.last().map_or(&[][..], Vec::as_slice);
+    let mut out: Vec<String> = all.inherited(&named, own).into_iter().map(|n| all.text(n)).collect();
+    let (mut open, mut seen) = (named, BTreeSet::new());
     while let Some(at) = open.pop() {
         let of = &derivation.claims[at];
         if seen.insert(at) {
