@@ -5,7 +5,7 @@
 //!
 //! **Guaranteed:** no span makes the rendering panic: it is moved to the nearest characters of the text. Diagnostics have
 //! one order, by file and place, so the same input always prints the same text. What it prints of files cannot act on a
-//! terminal: see [`shown`].
+//! terminal: see [`escape`].
 
 #![forbid(unsafe_code)]
 

@@ -42,7 +42,7 @@ pub(super) struct Relation {
     pub(super) sides: (Expr, Expr),
 }
 
-/// (N, D): what the reader's program makes of a text, see [`written`](super::written).
+/// (N, D): what the reader's program makes of a text, see [`notation`](super::notation).
 pub(super) type Quotient = Rc<(Poly, Poly)>;
 
 /// An expression, and whether it is of the problem after lowering.
