@@ -12,6 +12,7 @@ use claim::comparison;
 use claim::limits::Limits;
 use derivation::{Claim, Derivation, Premise};
 use findings::ClaimAccount;
+use proved::conditional::premises_first;
 use proved::step::Step;
 use sampled::selection::Selection;
 use verdict::{Outcome, Proof, Strength, Verdict, Witness};
@@ -112,7 +113,7 @@ pub(super) fn strengthen(
         })
         .collect();
     let here = |premise: usize| claimed.binary_search(&premise).ok();
-    for k in premises_first(derivation, claimed, claims) {
+    for k in premises_first(claimed.len(), |k| premises(derivation, claimed, &claims[k], claimed[k])) {
         let Some(identity) = claims[k].identity.as_ref().filter(|i| i.lends_strength()) else { continue };
         // Where the sign that is proved has no value, the other one may be false.
         if !identity.conditions.is_empty()
@@ -153,34 +154,12 @@ pub(super) fn strengthen(
     }
 }
 
-/// The claims, each after those that it follows from: there are no circles.
-fn premises_first(derivation: &Derivation, claimed: &[usize], claims: &[ClaimAccount]) -> Vec<usize> {
-    let premises = |k: usize| {
-        let of = |name: &String| match derivation.premise(name) {
-            Premise::Claim(premise) => claimed.binary_search(&premise).ok(),
-            Premise::System(_) | Premise::Definition => None,
-        };
-        let proved = claims[k].identity.iter().flat_map(|i| &i.from);
-        derivation.claims[claimed[k]].follows_from.iter().chain(proved).filter_map(of).collect::<Vec<usize>>()
+/// Among the claims of this run, those that one of them follows from, and those that its proof rests on.
+fn premises(derivation: &Derivation, claimed: &[usize], claim: &ClaimAccount, at: usize) -> Vec<usize> {
+    let of = |name: &String| match derivation.premise(name) {
+        Premise::Claim(premise) => claimed.binary_search(&premise).ok(),
+        Premise::System(_) | Premise::Definition => None,
     };
-    let mut out = Vec::with_capacity(claimed.len());
-    let mut seen = vec![false; claimed.len()];
-    for first in 0..claimed.len() {
-        // What is open, with its premises that are still to be seen.
-        let mut open: Vec<(usize, Vec<usize>)> = Vec::new();
-        if !std::mem::replace(&mut seen[first], true) {
-            open.push((first, premises(first)));
-        }
-        while let Some((k, left)) = open.last_mut() {
-            match left.pop() {
-                Some(next) if !std::mem::replace(&mut seen[next], true) => open.push((next, premises(next))),
-                Some(_) => {}
-                None => {
-                    out.push(*k);
-                    open.pop();
-                }
-            }
-        }
-    }
-    out
+    let proved = claim.identity.iter().flat_map(|i| &i.from);
+    derivation.claims[at].follows_from.iter().chain(proved).filter_map(of).collect()
 }

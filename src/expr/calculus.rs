@@ -106,6 +106,19 @@ impl Graph {
         self.reachable(roots).into_iter().filter_map(of).collect()
     }
 
+    /// The rate of the angle of (x, y), (x·y′ − y·x′)/(x² + y²).
+    fn turn(&mut self, [y, x]: [Expr; 2], [dy, dx]: [Expr; 2]) -> Expr {
+        let left = self.mul_structural(x, dy);
+        let right = self.mul_structural(y, dx);
+        let top = self.sub(left, right);
+        if self.is_zero(top) {
+            return top;
+        }
+        let (yy, xx) = (self.powi(y, 2), self.powi(x, 2));
+        let under = self.add(yy, xx);
+        self.div(top, under)
+    }
+
     /// Something that has a value where the angle `angle` = atan2(y, x) is not π: tan ½atan2(y, x).
     fn off_its_cut(&mut self, angle: Expr) -> Expr {
         let half = self.constant(Rational::ONE / Rational::from(2));
@@ -238,30 +251,19 @@ impl Graph {
                 sum
             }
             Op::Arctan2 => {
-                // atan2(y, x)′ = (x·y′ − y·x′)/(x² + y²)
-                let left = self.mul_structural(b, da);
-                let right = self.mul_structural(a, db);
-                let top = self.sub(left, right);
-                if self.is_zero(top) {
-                    return Ok(top);
+                let slope = self.turn([a, b], [da, db]);
+                if self.is_zero(slope) {
+                    return Ok(slope);
                 }
-                let (aa, bb) = (self.powi(a, 2), self.powi(b, 2));
-                let under = self.add(aa, bb);
-                let slope = self.div(top, under);
                 let off = self.off_its_cut(node);
                 self.binary(Op::Restrict, slope, off)
             }
             Op::DirectionCosine => {
                 // (a/r)′ = (b/r)·(b·a′ − a·b′)/r²
-                let left = self.mul_structural(b, da);
-                let right = self.mul_structural(a, db);
-                let top = self.sub(left, right);
-                if self.is_zero(top) {
-                    return Ok(top);
+                let turned = self.turn([a, b], [da, db]);
+                if self.is_zero(turned) {
+                    return Ok(turned);
                 }
-                let (aa, bb) = (self.powi(a, 2), self.powi(b, 2));
-                let under = self.add(aa, bb);
-                let turned = self.div(top, under);
                 let sine = self.binary(Op::DirectionCosine, b, a);
                 self.mul(sine, turned)
             }

@@ -17,10 +17,10 @@ pub fn conditional(derivation: &Derivation, claims: &mut [ClaimAccount], known: 
     let names: HashMap<(&str, Option<&str>), usize> =
         derivation.claims.iter().enumerate().map(|(at, c)| ((c.id.as_str(), c.reading.as_deref()), at)).collect();
     let at = |a: &ClaimAccount| names.get(&(a.id.as_str(), a.reading.as_deref())).copied();
-    let mut decisions: Vec<Option<&'static str>> = vec![None; derivation.claims.len()];
+    let mut decisions: Vec<Option<Decision>> = vec![None; derivation.claims.len()];
     for account in known.iter().chain(claims.iter()) {
         if let (Some(at), Some(identity)) = (at(account), &account.identity) {
-            decisions[at] = Some(identity.finding.decision().word());
+            decisions[at] = Some(identity.finding.decision());
         }
     }
     // For each claim what is open among all that it follows from.
@@ -29,17 +29,18 @@ pub fn conditional(derivation: &Derivation, claims: &mut [ClaimAccount], known: 
         let mut out = BTreeSet::new();
         for &at in of {
             // In a circle nothing is proved.
-            if at == own || decisions[at] != Some(Decision::Proved.word()) {
+            if at == own || decisions[at] != Some(Decision::Proved) {
                 out.insert(at);
             }
             out.extend(&open[at]);
         }
         out
     };
-    for own in premises_first(derivation) {
-        open[own] = gathered(&open, &premises(derivation, &derivation.claims[own].follows_from), own);
+    let follows = follows(derivation);
+    for own in premises_first(follows.len(), |k| follows[k].clone()) {
+        open[own] = gathered(&open, &follows[own], own);
     }
-    let assumptions = Assumptions::of(derivation, None);
+    let assumptions = Assumptions::of(derivation, &follows, None);
     for account in claims {
         let own = at(account);
         let (Some(own), Some(identity)) = (own, account.identity.as_mut()) else { continue };
@@ -51,7 +52,7 @@ pub fn conditional(derivation: &Derivation, claims: &mut [ClaimAccount], known: 
             for at in gathered(&open, &premises(derivation, &identity.from), own) {
                 let standing = match at == own {
                     true => Some("itself what is to be proved"),
-                    false => decisions[at],
+                    false => decisions[at].map(Decision::word),
                 };
                 out.push(Given { name: derivation.claims[at].name(), standing });
             }
@@ -70,22 +71,29 @@ fn premises(derivation: &Derivation, names: &[String]) -> Vec<usize> {
     names.iter().filter_map(of).collect()
 }
 
-/// All claims, each after what it follows from, but in circles.
-fn premises_first(derivation: &Derivation) -> Vec<usize> {
-    let mut entered = vec![false; derivation.claims.len()];
-    let mut left = entered.clone();
-    let mut out = Vec::with_capacity(entered.len());
-    for first in 0..derivation.claims.len() {
-        let mut stack = vec![first];
-        while let Some(&own) = stack.last() {
-            if !left[own] && !std::mem::replace(&mut entered[own], true) {
-                let of = premises(derivation, &derivation.claims[own].follows_from);
-                stack.extend(of.into_iter().filter(|&at| !entered[at]));
-                continue;
-            }
-            stack.pop();
-            if !std::mem::replace(&mut left[own], true) {
-                out.push(own);
+/// For each claim those that it follows from.
+fn follows(derivation: &Derivation) -> Vec<Vec<usize>> {
+    derivation.claims.iter().map(|c| premises(derivation, &c.follows_from)).collect()
+}
+
+/// So many claims, each after its premises, but in circles.
+pub fn premises_first(count: usize, premises: impl Fn(usize) -> Vec<usize>) -> Vec<usize> {
+    let mut out = Vec::with_capacity(count);
+    let mut seen = vec![false; count];
+    for first in 0..count {
+        // What is open, with its premises that are still to be seen.
+        let mut open: Vec<(usize, Vec<usize>)> = Vec::new();
+        if !std::mem::replace(&mut seen[first], true) {
+            open.push((first, premises(first)));
+        }
+        while let Some((k, left)) = open.last_mut() {
+            match left.pop() {
+                Some(next) if !std::mem::replace(&mut seen[next], true) => open.push((next, premises(next))),
+                Some(_) => {}
+                None => {
+                    out.push(*k);
+                    open.pop();
+                }
             }
         }
     }
@@ -107,17 +115,16 @@ struct Assumptions<'d> {
 }
 
 impl<'d> Assumptions<'d> {
-    /// Those of a derivation, and of a claim that is not in it.
-    fn of(derivation: &'d Derivation, typed: Option<&'d Claim>) -> Assumptions<'d> {
+    /// Those of a derivation, in which claims follow from claims, and of a claim that is not in it.
+    fn of(derivation: &'d Derivation, follows: &[Vec<usize>], typed: Option<&'d Claim>) -> Assumptions<'d> {
         let mut numbers = Numbers::default();
         let claims = derivation.claims.iter().chain(typed);
         let own = claims.map(|c| c.assuming.iter().map(|w| numbers.of(w)).collect()).collect();
         let presupposed = vec![Vec::new(); derivation.claims.len()];
         let texts = numbers.all.iter().map(|w| w.text.as_str()).collect();
         let mut out = Assumptions { texts, own, presupposed };
-        for at in premises_first(derivation) {
-            out.presupposed[at] =
-                out.inherited(&premises(derivation, &derivation.claims[at].follows_from), &out.own[at]);
+        for at in premises_first(follows.len(), |k| follows[k].clone()) {
+            out.presupposed[at] = out.inherited(&follows[at], &out.own[at]);
         }
         out
     }
@@ -166,7 +173,8 @@ impl<'d> Numbers<'d> {
 
 /// What a claim presupposes that is not one of the file: assumptions of what it follows from, and the ranges of that.
 pub(crate) fn presupposed(derivation: &Derivation, claim: &Claim) -> Vec<String> {
-    let all = Assumptions::of(derivation, Some(claim));
+    let follows = follows(derivation);
+    let all = Assumptions::of(derivation, &follows, Some(claim));
     let named = premises(derivation, &claim.follows_from);
     let own = all.own.last().map_or(&[][..], Vec::as_slice);
     let mut out: Vec<String> = all.inherited(&named, own).into_iter().map(|n| all.text(n)).collect();
@@ -175,7 +183,7 @@ pub(crate) fn presupposed(derivation: &Derivation, claim: &Claim) -> Vec<String>
         let of = &derivation.claims[at];
         if seen.insert(at) {
             out.extend(of.region.as_ref().map(|_| format!("the ranges of {}", of.name())));
-            open.extend(premises(derivation, &of.follows_from));
+            open.extend(&follows[at]);
         }
     }
     out
