@@ -9,8 +9,8 @@ use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use num_dual::{Dual64, DualNum};
 use rederive::expr::{Expr, Graph, Leaf, Op, Rational, Shape};
-use rederive::number::{DualLanes, Jet, Lanes, Orders};
-use rederive::tape::{Slots, Tape};
+use rederive::number::{Jet, Lanes, Orders};
+use rederive::tape::{Needed, Slots, Tape};
 
 fn main() {
     divan::main();
@@ -76,13 +76,8 @@ fn residuals_by_hand(bencher: Bencher, n: usize) {
     });
 }
 
-/// Observables and residuals as two tapes, as a derivation is checked.
-struct Compiled {
-    observables: Tape,
-    residuals: Tape,
-}
-
-fn compile() -> Compiled {
+/// The residuals in the entries and their rates as one tape, with angles that are continued, as a derivation is checked.
+fn compile() -> Tape {
     let mut g = Graph::new();
     let symbol = |g: &mut Graph, name: &str| {
         let symbol = g.declare(name, Shape::scalar(), false);
@@ -98,7 +93,7 @@ fn compile() -> Compiled {
     let psi = g.binary(Op::Arctan2, r31, r32);
     let minus = g.neg(r23);
     let phi = g.binary(Op::Arctan2, r13, minus);
-    let observables = Tape::compile(&g, &entries.map(|(_, leaf)| leaf), &[theta, psi, phi]).expect("all leaves given");
+    let observables = [theta, psi, phi];
 
     let angles = [r"\theta", r"\psi", r"\varphi"].map(|name| symbol(&mut g, name));
     let [theta, psi, _] = angles.map(|(e, _)| e);
@@ -151,38 +146,36 @@ fn compile() -> Compiled {
         angles.iter().any(|(_, angle)| *angle == leaf).then(|| g.leaf(Leaf { rate: 1, ..leaf }))
     });
     residuals.push(slope.expect("differentiable"));
-    let inputs: Vec<Leaf> =
-        angles.iter().map(|(_, leaf)| *leaf).chain(rates).chain(others.iter().map(|(_, leaf)| *leaf)).collect();
-    let residuals = Tape::compile(&g, &inputs, &residuals).expect("all leaves given");
-    Compiled { observables, residuals }
+    // What the angles and their rates are.
+    let leaves = entries.map(|(_, leaf)| leaf);
+    let moving = leaves.map(|leaf| Leaf { rate: 1, ..leaf });
+    let speeds = observables.map(|angle| {
+        let speed = g.directional_derivative(angle, |g, leaf| {
+            leaves.iter().position(|&entry| entry == leaf).map(|i| g.leaf(moving[i]))
+        });
+        g.continued(angle, speed.expect("differentiable"))
+    });
+    let meaning: Vec<(Leaf, Expr)> =
+        angles.iter().map(|(_, leaf)| *leaf).chain(rates).zip(observables.into_iter().chain(speeds)).collect();
+    let known = |leaf: Leaf| meaning.iter().find(|(of, _)| *of == leaf).map(|(_, e)| *e);
+    let residuals: Vec<Expr> = residuals.iter().map(|&e| g.replaced(e, |_, leaf| known(leaf))).collect();
+    let residuals = g.without_angles(&residuals, &[]);
+    let inputs: Vec<Leaf> = leaves.into_iter().chain(moving).chain(others.iter().map(|(_, leaf)| *leaf)).collect();
+    Tape::compile(&g, &inputs, &residuals).expect("all leaves given")
 }
 
 /// The worst residuals of all points, block by block.
-fn on_tape(
-    tapes: &Compiled,
-    columns: &[Vec<f64>; 11],
-    first: &mut Slots<DualLanes<BLOCK>>,
-    second: &mut Slots<Lanes<BLOCK>>,
-) -> [f64; 6] {
+fn on_tape(tape: &Tape, needed: &Needed, columns: &[Vec<f64>; 11], slots: &mut Slots<Lanes<BLOCK>>) -> [f64; 6] {
     let n = columns[0].len();
     let mut worst = [Lanes::<BLOCK>::splat(0.0); 6];
     for start in (0..n).step_by(BLOCK) {
         let count = BLOCK.min(n - start);
-        for i in 0..5 {
-            let input = first.value_mut(i);
-            input.value.0[..count].copy_from_slice(&columns[i][start..start + count]);
-            input.tangent.0[..count].copy_from_slice(&columns[i + 5][start..start + count]);
+        for (i, column) in columns.iter().enumerate() {
+            slots.value_mut(i).0[..count].copy_from_slice(&column[start..start + count]);
         }
-        tapes.observables.run(&(), first);
-        for angle in 0..3 {
-            let observed = first.value(tapes.observables.output_slot(angle));
-            *second.value_mut(angle) = observed.value;
-            *second.value_mut(angle + 3) = observed.tangent;
-        }
-        second.value_mut(6).0[..count].copy_from_slice(&columns[10][start..start + count]);
-        tapes.residuals.run(&(), second);
+        tape.run_some(&(), slots, if start == 0 { &needed.instructions } else { &needed.varying });
         for (i, worst) in worst.iter_mut().enumerate() {
-            let residual = second.value(tapes.residuals.output_slot(i));
+            let residual = slots.value(tape.output_slot(i));
             for (w, r) in worst.0[..count].iter_mut().zip(&residual.0) {
                 *w = if r.abs() > *w { r.abs() } else { *w };
             }
@@ -195,11 +188,12 @@ fn on_tape(
 fn residuals_on_tape(bencher: Bencher, n: usize) {
     let points = points(n);
     let columns: [Vec<f64>; 11] = std::array::from_fn(|i| points.iter().map(|p| p[i]).collect());
-    let tapes = compile();
-    let mut first = tapes.observables.slots(&());
-    let mut second = tapes.residuals.slots(&());
+    let tape = compile();
+    // The constants of the motion do not change, nor does what they alone determine.
+    let needed = tape.needed(0..6, &std::array::from_fn::<bool, 15, _>(|i| i < 11));
+    let mut slots = tape.slots(&());
     for (i, x) in [M3, INERTIA[0], INERTIA[1], INERTIA[2]].into_iter().enumerate() {
-        second.set(7 + i, Ok(Lanes::splat(x)));
+        slots.set(11 + i, Ok(Lanes::splat(x)));
     }
     // The two ways compute the same thing.
     let mut expected = [0.0_f64; 6];
@@ -208,10 +202,10 @@ fn residuals_on_tape(bencher: Bencher, n: usize) {
             *w = w.max(r.abs());
         }
     }
-    for (a, b) in on_tape(&tapes, &columns, &mut first, &mut second).into_iter().zip(expected) {
+    for (a, b) in on_tape(&tape, &needed, &columns, &mut slots).into_iter().zip(expected) {
         assert!((a - b).abs() <= 1e-9 * b.abs(), "{a} {b}");
     }
-    bencher.counter(ItemsCount::new(n)).bench_local(|| on_tape(&tapes, black_box(&columns), &mut first, &mut second));
+    bencher.counter(ItemsCount::new(n)).bench_local(|| on_tape(&tape, &needed, black_box(&columns), &mut slots));
 }
 
 /// The right sides of the Euler–Poisson equations for R (row by row) and Ω, with I = (1, 2, 3).
