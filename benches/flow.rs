@@ -7,7 +7,7 @@
 mod flow_support;
 
 use flow_support::{UNIT, World, rigid_states};
-use rederive::flow::{Source, VectorField};
+use rederive::flow::{Draft, Estimation, Setup, Source, VectorField};
 
 fn main() {
     divan::main();
@@ -21,25 +21,35 @@ fn world() -> (World, VectorField) {
     (w, field)
 }
 
+/// The motion through the unit attitude, with its principal moments of inertia.
+fn setup<'f>(w: &mut World, field: &'f VectorField, first_moment: &str) -> Setup<'f> {
+    let values: Vec<(&str, &str)> =
+        rigid_states().into_iter().zip(UNIT.into_iter().chain(["0.01", "1", "0.01"])).collect();
+    let initial = w.pairs(&values);
+    let parameters = w.pairs(&[("I1", first_moment), ("I2", "2"), ("I3", "3")]);
+    let source = Source::Integrated { field, initial, start: Default::default() };
+    Setup { time: w.leaf("t"), span: (0.0, SPAN), initial_time: 0.0, parameters, source, observables: Vec::new() }
+}
+
 /// One integration on the tape, without the error estimate: steps and dense output.
 #[divan::bench]
 fn tape_one_integration(bencher: divan::Bencher) {
     let (mut w, field) = world();
-    let values: Vec<(&str, &str)> =
-        rigid_states().into_iter().zip(UNIT.into_iter().chain(["0.01", "1", "0.01"])).collect();
-    let initial = w.pairs(&values);
-    let parameters = w.pairs(&[("I1", "1"), ("I2", "2"), ("I3", "3")]);
-    let time = w.leaf("t");
-    let setup = rederive::flow::Setup {
-        time,
-        span: (0.0, SPAN),
-        initial_time: 0.0,
-        parameters,
-        source: Source::Integrated { field: &field, initial, start: Default::default() },
-        observables: Vec::new(),
-    };
+    let setup = setup(&mut w, &field, "1");
     let motion = rederive::flow::Motion::new(&mut w.graph, setup).unwrap();
     bencher.bench_local(|| motion.integrate_again());
+}
+
+/// Eight motions side by side, as those of one file are integrated, with their error estimates: per motion.
+#[divan::bench(args = [Estimation::Companions, Estimation::Steps])]
+fn tape_motions_with_error_estimates(bencher: divan::Bencher, estimation: Estimation) {
+    let (mut w, field) = world();
+    let moments = ["1", "1.1", "1.2", "1.3", "1.4", "1.5", "1.6", "1.7"];
+    let mut drafts = || moments.map(|first| setup(&mut w, &field, first)).map(|s| Draft::new(&mut w.graph, s).unwrap());
+    bencher
+        .counter(divan::counter::ItemsCount::new(moments.len()))
+        .with_inputs(&mut drafts)
+        .bench_local_refs(|drafts: &mut [Draft; 8]| Draft::integrate(drafts, estimation, &|| false));
 }
 
 /// The whole motion: integration, error estimate, compilation.

@@ -74,8 +74,8 @@ fn run_in<'a, const N: usize, R: Runner<'a>>(flow: &'a Flow, runners: &mut [R], 
             0 => return true,
             // The last one need not pay for the lanes that are empty.
             1 if N > 1 => {
-                let mut alone = Together::<1>::new(flow, order);
                 for runner in seats.iter_mut().filter_map(Option::take) {
+                    let mut alone = Together::<1>::new(flow, runners[runner].walker().order());
                     alone.enter(0, runners[runner].walker());
                     loop {
                         alone.grow(&[Some(runner)], runners);

@@ -17,6 +17,7 @@ use super::narrow::Narrow;
 use expr::Leaf;
 use expr::tape::{Slots, Tape};
 use number::{Growth, Instruction, Interval, Jet, NoValue, Orders, Recurrences, Scalar, widely};
+pub(super) use sums::Moved;
 use sums::Sums;
 
 /// A field compiled for numbers: inputs are the time, the states, and the constants.

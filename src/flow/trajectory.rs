@@ -14,8 +14,8 @@ pub(super) use place::Place;
 use super::abreast::{self, Event, Halt, Runner};
 use super::error::Problem;
 use super::estimate::{Estimate, Estimation};
-use super::taylor::{Control, Flow, Step, Stop, Walker};
-use number::{Bounded, NoValue};
+use super::taylor::{Control, Flow, Moved, Step, Stop, Walker};
+use number::{Bounded, NoValue, widely};
 
 /// What the differences between independent integrations are multiplied with.
 const SAFETY: f64 = 8.0;
@@ -550,10 +550,8 @@ impl Branch {
                 here += 1;
             }
             let since = time - self.times[here];
-            sums.fill(0.0);
-            for c in self.coefficients[here * row..(here + 1) * row].chunks_exact(n).skip(1).rev() {
-                sums.iter_mut().zip(c).for_each(|(sum, &c)| *sum = *sum * since + c);
-            }
+            let orders = &self.coefficients[here * row..(here + 1) * row];
+            widely(Moved { orders, h: since, sums: &mut sums });
             for (i, &x) in state.iter().enumerate() {
                 let (value, low) = (self.coefficients[here * row + i], self.low[here * n + i]);
                 let difference = ((value - x) + (low + since * sums[i])).abs() * SAFETY;

@@ -1,6 +1,6 @@
-//! The sums of a step: how far it moves each component, and the slope at its end.
+//! The sums of a step: how far it moves each component, and the slope at its end; and how far a part of it does.
 //!
-//! **In:** coefficients, order by order, and the length of a step. **Out:** both sums of each component, by Horner's rule. They are work
+//! **In:** coefficients, order by order, and the length of a step. **Out:** the sums of each component, by Horner's rule. They are work
 //! for the widest registers: some components at a time, whose sums stay in registers.
 
 use super::ABREAST;
@@ -14,32 +14,59 @@ pub(super) struct Sums<'w> {
     pub(super) slopes: &'w mut [f64],
 }
 
+/// The first of these sums alone.
+pub(in super::super) struct Moved<'w> {
+    pub(in super::super) orders: &'w [f64],
+    pub(in super::super) h: f64,
+    pub(in super::super) sums: &'w mut [f64],
+}
+
 impl Work for Sums<'_> {
     type Output = ();
     #[inline(always)]
     fn work(self) {
         let Sums { orders, h, sums, slopes } = self;
-        let n = sums.len();
-        // Some components at a time, whose sums stay in registers.
-        let mut some = 0;
-        while some + 2 * ABREAST <= n {
-            sums_of::<{ 2 * ABREAST }>(orders, (n, some), h, &mut sums[some..], &mut slopes[some..]);
-            some += 2 * ABREAST;
-        }
-        while some + ABREAST <= n {
-            sums_of::<ABREAST>(orders, (n, some), h, &mut sums[some..], &mut slopes[some..]);
-            some += ABREAST;
-        }
-        while some < n {
-            sums_of::<1>(orders, (n, some), h, &mut sums[some..], &mut slopes[some..]);
-            some += 1;
-        }
+        all::<true>(orders, h, sums, slopes);
+    }
+}
+
+impl Work for Moved<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn work(self) {
+        all::<false>(self.orders, self.h, self.sums, &mut []);
+    }
+}
+
+/// The sums, and the slopes if they are asked for.
+#[inline(always)]
+fn all<const SLOPES: bool>(orders: &[f64], h: f64, sums: &mut [f64], slopes: &mut [f64]) {
+    let n = sums.len();
+    // Some components at a time, whose sums stay in registers.
+    let mut some = 0;
+    while some + 2 * ABREAST <= n {
+        of::<{ 2 * ABREAST }, SLOPES>(orders, (n, some), h, sums, slopes);
+        some += 2 * ABREAST;
+    }
+    while some + ABREAST <= n {
+        of::<ABREAST, SLOPES>(orders, (n, some), h, sums, slopes);
+        some += ABREAST;
+    }
+    while some < n {
+        of::<1, SLOPES>(orders, (n, some), h, sums, slopes);
+        some += 1;
     }
 }
 
 /// The same of `N` components of `n`, the first of which is `from`.
 #[inline(always)]
-fn sums_of<const N: usize>(orders: &[f64], (n, from): (usize, usize), h: f64, sums: &mut [f64], slopes: &mut [f64]) {
+fn of<const N: usize, const SLOPES: bool>(
+    orders: &[f64],
+    (n, from): (usize, usize),
+    h: f64,
+    sums: &mut [f64],
+    slopes: &mut [f64],
+) {
     let (mut sum, mut slope) = ([0.0; N], [0.0; N]);
     let mut k = (orders.len() / n) as f64;
     for c in orders.chunks_exact(n).skip(1).rev() {
@@ -47,9 +74,13 @@ fn sums_of<const N: usize>(orders: &[f64], (n, from): (usize, usize), h: f64, su
         k -= 1.0;
         for i in 0..N {
             sum[i] = sum[i] * h + c[i];
-            slope[i] = slope[i] * h + c[i] * k;
+            if SLOPES {
+                slope[i] = slope[i] * h + c[i] * k;
+            }
         }
     }
-    sums[..N].copy_from_slice(&sum);
-    slopes[..N].copy_from_slice(&slope);
+    sums[from..from + N].copy_from_slice(&sum);
+    if SLOPES {
+        slopes[from..from + N].copy_from_slice(&slope);
+    }
 }
