@@ -51,6 +51,7 @@ mod flow_systems;
 mod formats;
 mod front;
 mod grammar;
+mod hidden_constraints;
 mod hostile;
 mod identity;
 mod identity_certificates;

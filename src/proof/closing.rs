@@ -49,6 +49,8 @@ pub(super) struct Dynamics {
     fixed: bool,
     /// Whether an equation is about the time alone, which no motion can help.
     impossible: bool,
+    /// Whether there are more equations than variables to solve them for.
+    pub(super) overdetermined: bool,
     /// For each equation, what it contributes to the columns; `None` where the assignment does not reach all equations.
     matrix: Option<Vec<Vec<(usize, Expr)>>>,
 }
@@ -68,7 +70,9 @@ fn is_one_of(graph: &Graph, e: Expr, symbols: &[Symbol]) -> bool {
 }
 
 impl Dynamics {
-    /// Differentiates as far as the rates in `asked` ask for.
+    /// Differentiates as far as the rates in `asked` ask for; equations for which no variable is left, `further` times at least. What
+    /// they say beside the others may only come out in their derivatives: r = R leaves of ṙ = p, ṗ = f(r) that p = 0, and, once more,
+    /// that f(R) = 0.
     ///
     /// # Errors
     /// [`Reason::NoDerivative`] where a derivative cannot be written.
@@ -78,6 +82,7 @@ impl Dynamics {
         asked: &[Expr],
         (time, angles): (Leaf, &[Symbol]),
         moves: &impl Fn(Leaf) -> bool,
+        further: u8,
     ) -> Result<Dynamics, Reason> {
         let mut out = Dynamics::default();
         let named = equations.iter().flat_map(|&(l, r)| [l, r]).chain(asked.iter().copied());
@@ -112,11 +117,17 @@ impl Dynamics {
             orders.push(row);
         }
         let of = assigned(&orders, variables.len());
+        out.overdetermined = of.contains(&None);
         // Everything that is asked about, at whatever time.
         let mut reach = vec![0_u8; variables.len()];
         for leaf in graph.leaves_within(asked.iter().copied()).into_iter().filter(|l| moves(*l)) {
             if let Some(at) = variables.iter().position(|v| *v == (leaf.symbol, leaf.component)) {
                 reach[at] = reach[at].max(leaf.rate);
+            }
+        }
+        for (row, _) in orders.iter().zip(&of).filter(|(_, of)| of.is_none()) {
+            for (&j, &order) in row {
+                reach[j] = reach[j].max(order.saturating_add(further)).min(HIGHEST);
             }
         }
         let mut depth = vec![0_u8; orders.len()];

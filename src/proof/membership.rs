@@ -38,7 +38,7 @@ pub(super) fn certify(
     effort: Effort,
 ) -> Result<Vec<Certificate>, NoCertificate> {
     let wrong = NoCertificate::NotPolynomial;
-    let (premises, _) = with_rates(graph, given, equations, vanishes).map_err(wrong)?;
+    let (premises, _) = with_rates(graph, given, equations, vanishes, 0).map_err(wrong)?;
     let solved = explicit(graph, &premises, equations, given);
     let insert = |graph: &mut Graph, e: Expr| insert_definitions(graph, &solved.definitions, e);
     let claim: Vec<(Expr, Expr)> = equations.iter().map(|&(l, r)| (insert(graph, l), insert(graph, r))).collect();

@@ -36,6 +36,11 @@ pub(super) struct Solutions {
 const ELSEWHERE: [f64; 7] = [0.7109375, 1.3203125, -0.4140625, 2.6171875, -1.8203125, 3.1640625, 0.2265625];
 
 impl Solutions {
+    /// Whether derivatives beyond those that are asked for may tell more: there are more equations of motion than variables.
+    pub(super) fn may_hide_constraints(&self) -> bool {
+        self.dynamics.overdetermined
+    }
+
     /// Whether motions, and fields, pass through a point at which the premises and their derivatives hold.
     pub(super) fn extend(&self, graph: &Graph, point: &Point) -> bool {
         let inside = decimals(graph, &self.inside, &values_at(point));
@@ -60,12 +65,13 @@ impl Solutions {
 }
 
 /// The premises' equations, followed by their derivatives by time as far as the claim and hidden constraints ask for, see
-/// [`Dynamics`], and by coordinates, see [`Jets`]; and those by time at the fixed times at which rates occur. `is_zero` tests whether something is 0 by the premises.
+/// [`Dynamics`], `further` times more where there are more equations than variables, and by coordinates, see [`Jets`]; and those by time at the fixed times at which rates occur. `is_zero` tests whether something is 0 by the premises.
 pub(super) fn with_rates(
     graph: &mut Graph,
     premises: &Premises,
     equations: &[(Expr, Expr)],
     is_zero: Vanishes,
+    further: u8,
 ) -> Result<(Vec<Premise>, Solutions), Reason> {
     let plain = |&(left, right): &(Expr, Expr)| Premise { left, right, derived: false };
     let mut all: Vec<Premise> = premises.equations.iter().map(plain).collect();
@@ -93,7 +99,7 @@ pub(super) fn with_rates(
         |graph: &Graph, &(l, r): &(Expr, Expr)| graph.fields([l, r]).iter().any(|l| graph.place(l.symbol).is_none());
     let of_motions = premises.equations.iter().filter(|pair| !here(graph, pair) && !is_tied(graph, pair));
     let of_motions: Vec<(Expr, Expr)> = of_motions.copied().collect();
-    let dynamics = Dynamics::of(graph, &of_motions, &asked, (time, &premises.angles), &moves)?;
+    let dynamics = Dynamics::of(graph, &of_motions, &asked, (time, &premises.angles), &moves, further)?;
     for &pair in &dynamics.parts {
         if !premises.equations.contains(&pair) {
             all.push(plain(&pair));

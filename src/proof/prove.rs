@@ -25,6 +25,9 @@ use number::Draws;
 
 type Pairs = Vec<(Expr, Expr)>;
 
+/// Orders of derivatives beyond what is asked for in which hidden constraints are looked for.
+const MOST_FURTHER: u8 = 5;
+
 /// Whether the equations hold wherever the premises do and both sides have a value.
 ///
 /// See the [module](self::super) for the procedure, the theorem behind the bound, and what is not decided.
@@ -82,7 +85,18 @@ pub(super) fn identity_at(
     if !memory.may_ask(depth, graph.len()) {
         return Identity::Undecided(Reason::TooLarge);
     }
-    match decide(memory, graph, equations, given, options) {
+    let mut decided = decide(memory, graph, equations, given, options, 0);
+    for further in 1..=MOST_FURTHER {
+        // A point was found, but perhaps no motion passes through it.
+        if !matches!(decided, Err(Stop::Undecided(Reason::Unextended))) {
+            break;
+        }
+        match decide(memory, graph, equations, given, options, further) {
+            Err(Stop::Undecided(reason)) if reason != Reason::Unextended => break,
+            again => decided = again,
+        }
+    }
+    match decided {
         Ok(proof) => Identity::Proved(proof),
         Err(Stop::Refuted(mut refutation)) => {
             let sides = equations.get(refutation.equation).map(|&(l, r)| [l, r]);
@@ -177,9 +191,13 @@ fn decide(
     equations: &[(Expr, Expr)],
     given: &Premises,
     options: &Options,
+    further: u8,
 ) -> Result<Proof, Stop> {
     let mut draws = Draws::new(options.seed);
-    let (mut premises, solutions) = with_rates(graph, given, equations, vanishes)?;
+    let (mut premises, solutions) = with_rates(graph, given, equations, vanishes, further)?;
+    if further > 0 && !solutions.may_hide_constraints() {
+        return Err(Reason::Unextended.into());
+    }
     // What is proved is proved where the formulas have values: what rates are restricted to asks for conditions only.
     let whole: Pairs = premises.iter().map(|p| (p.left, p.right)).collect();
     for p in &mut premises {
