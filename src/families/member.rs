@@ -308,7 +308,13 @@ pub(super) fn on_grid((from, to): (f64, f64), (position, count): (u64, u64), log
     if position == 0 || position + 1 == count {
         return if position == 0 { from } else { to };
     }
-    at_share(position as f64 / (count - 1) as f64, (from, to), logarithmic)
+    if logarithmic {
+        return at_share(position as f64 / (count - 1) as f64, (from, to), true);
+    }
+    // Numbers are what their digits say, so that a row that passes 0 has it.
+    let [Some(first), Some(last)] = [from, to].map(|x| exact(&format!("{x:e}"))) else { return f64::NAN };
+    let step = (&last - &first) / Rational::from(count - 1);
+    short((first + step * Rational::from(position)).to_f64().value(), (from, to))
 }
 
 /// What lies at a share of the way from one number to another, or from its logarithm to the other's.
@@ -340,6 +346,10 @@ mod tests {
     fn a_grid_has_the_ends_that_are_given_and_short_numbers_between() {
         let grid: Vec<f64> = (0..20).map(|i| on_grid((0.1, 2.0), (i, 20), false)).collect();
         assert_eq!((grid[0], grid[1], grid[2], grid[19]), (0.1, 0.2, 0.3, 2.0));
+        for (from, to, count, zero) in [(-2.0, 1.0, 4, 2), (-1.4, 0.7, 4, 2), (-1.0, 2.0, 7, 2), (-0.3, 0.6, 10, 3)] {
+            assert_eq!(on_grid((from, to), (zero, count), false), 0.0, "{from} … {to}");
+        }
+        assert_eq!(on_grid((-1000.0, 2.0), (10_001, 10_021), false), 0.1, "small beside its ends");
         let log: Vec<f64> = (0..4).map(|i| on_grid((0.001, 1.0), (i, 4), true)).collect();
         assert_eq!(log, [0.001, 0.01, 0.1, 1.0]);
         let pi = std::f64::consts::PI;

@@ -203,6 +203,11 @@ fn affine(graph: &mut Graph, e: Expr, unknowns: &BTreeMap<Leaf, usize>) -> Resul
                     let x = x.clone();
                     map(graph, x, |g, c| g.div(c, b))
                 }
+                // A sum has a value only where each of its terms has one.
+                (Op::Restrict, x, y) if free(y) => {
+                    let x = x.clone();
+                    map(graph, x, |g, c| g.binary(Op::Restrict, c, b))
+                }
                 (_, x, y) => return Err(if free(y) { first(x) } else { first(y) }),
             },
         };

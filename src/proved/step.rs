@@ -197,27 +197,51 @@ impl<'a> Step<'a> {
         self.positive.contains(&leaf.symbol)
     }
 
-    /// What a claim is said to follow from: the names that it gives, or the one system of its trajectories.
+    /// What a claim is said to follow from: the names that it gives, or the one system of its motions.
     pub fn given(derivation: &Derivation, claim: &Claim) -> Vec<String> {
-        if claim.follows_from.is_empty() {
-            // Two systems that move the same states contradict each other, and everything would follow.
-            let mut systems: Vec<usize> = claim
-                .trajectories
-                .iter()
-                .filter_map(|&t| match derivation.trajectories[t].motion {
-                    Motion::Integrated { system, .. } => Some(system),
-                    _ => None,
-                })
-                .collect();
-            systems.sort_unstable();
-            systems.dedup();
-            match systems.as_slice() {
-                [only] => vec![derivation.systems[*only].id.clone()],
-                _ => Vec::new(),
-            }
-        } else {
-            claim.follows_from.clone()
+        if !claim.follows_from.is_empty() {
+            return claim.follows_from.clone();
         }
+        match Step::systems(derivation, claim).as_slice() {
+            // Two systems that move the same states contradict each other, and everything would follow.
+            [Some(only)] => vec![derivation.systems[*only].id.clone()],
+            _ => Vec::new(),
+        }
+    }
+
+    /// The systems of the motions on which a claim is tried, members of families among them; `None` for one that is not written: that
+    /// of motions which are computed from those of a system.
+    fn systems(derivation: &Derivation, claim: &Claim) -> Vec<Option<usize>> {
+        let motion = |t: usize| &derivation.trajectories[t].motion;
+        let of_families = claim.families.iter().map(|&f| derivation.families[f].of);
+        let mut systems: Vec<Option<usize>> = Vec::new();
+        let mut computed = false;
+        for at in claim.trajectories.iter().copied().chain(of_families) {
+            match motion(at) {
+                Motion::Integrated { system, .. } => systems.push(Some(*system)),
+                Motion::Formula { .. } => {}
+                Motion::Derived { from, .. } => {
+                    let mut source = *from;
+                    while let Motion::Derived { from, .. } = motion(source) {
+                        source = *from;
+                    }
+                    computed |= matches!(motion(source), Motion::Integrated { .. });
+                }
+            }
+        }
+        if systems.is_empty() && computed {
+            systems.push(None);
+        }
+        systems.sort_unstable();
+        systems.dedup();
+        systems
+    }
+
+    /// Whether motions of a claim that names nothing obey equations that are not given: those of several systems, or one that is not
+    /// written. No point refutes it then.
+    pub(super) fn lacks_systems(&self) -> bool {
+        let systems = Step::systems(self.derivation, self.claim);
+        self.claim.follows_from.is_empty() && !matches!(systems.as_slice(), [] | [Some(_)])
     }
 
     /// The answer where a motion gives it: one on which everything given holds, and the claim does not.
@@ -264,6 +288,12 @@ impl<'a> Step<'a> {
     /// Decides a claim that consists of equations.
     fn decide_equations(mut self) -> Option<Result<IdentityAccount, String>> {
         let mut gathered = self.gather(None);
+        if !gathered.between && self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_))) {
+            gathered = match self.gather_throughout() {
+                Some(throughout) => throughout,
+                None => return Some(Ok(self.open(&gathered, Plain::OnlyRates))),
+            };
+        }
         let mut equations = self.equations(self.claim)?;
         // Sides that are one expression: nothing is tried of a claim about fields but this.
         if self.claim.region.is_none() || equations.iter().any(|(l, r)| l != r) {

@@ -59,10 +59,10 @@ impl Elaborator<'_> {
             sum = self.both(sum, term, |g, a, b| g.add(a, b));
         }
         // Terms that are left out as 0 may have been all that needed f or g to have a value.
+        let all = f.components.iter().chain(&g.components).copied();
+        let Some(whole) = all.reduce(|a, b| self.graph.add(a, b)) else { return Ok(sum) };
         for component in &mut sum.components {
-            for &whole in f.components.iter().chain(&g.components) {
-                *component = self.graph.rate_of(whole, *component, |_| false);
-            }
+            *component = self.graph.rate_of(whole, *component, |_| false);
         }
         Ok(sum)
     }

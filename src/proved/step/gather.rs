@@ -3,7 +3,7 @@
 use super::{MOST_CASES, Pairs, Step, now, pairs};
 use crate::derivation::{Claim, Derivation, Form, Premise};
 use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Op};
-use crate::latex::{RelationKind, Role, Scope, Statement};
+use crate::latex::{Relation, RelationKind, Role, Scope, Statement};
 use claim::comparison::{at_instant, may_leap, traced};
 use proof::{Premises, solve_for_arguments};
 
@@ -56,6 +56,8 @@ pub(super) struct Gathered {
     pub(super) inherited: Vec<String>,
     /// Whether all of it is known at all times.
     pub(super) elsewhere: bool,
+    /// Whether all of it may be used of the times between others: none is left out, or motions are analytic.
+    pub(super) between: bool,
     /// The names.
     pub(super) from: Vec<String>,
     /// Whether all could be used: a refutation needs that.
@@ -67,11 +69,12 @@ fn sides(pairs: &[(Expr, Expr)]) -> impl Iterator<Item = Expr> + '_ {
 }
 
 impl Step<'_> {
-    /// The rate of a first integral as an equation `… = 0`.
+    /// The rate of a first integral as an equation `… = 0`: it says nothing where the integral has no value.
     fn constancy(&mut self, scope: &Scope, e: Expr) -> Option<(Expr, Expr)> {
         let time = scope.time()?;
         let moves = |leaf: Leaf| scope.moves(&leaf);
         let rate = self.graph.time_derivative(e, time, moves).ok()?;
+        let rate = self.graph.rate_of(e, rate, |leaf| scope.role(leaf.symbol) == Some(Role::Observable));
         Some((rate, self.graph.integer(0)))
     }
 
@@ -148,38 +151,78 @@ impl Step<'_> {
         complete
     }
 
-    /// Whether an inequality that a claim assumes chooses times: something moves in it. What must not be 0 leaves out single times of a
-    /// smooth motion, beyond which everything goes on.
-    fn chooses_times(&self, claim: &Claim) -> bool {
+    /// The inequalities that a claim assumes, but those with the given numbers, by which times are chosen: something moves in them. What
+    /// must not be 0 leaves out single times of a smooth motion, beyond which everything goes on.
+    fn choosing<'c>(&self, claim: &'c Claim, without: &[usize]) -> Vec<&'c Relation> {
         let scope = &claim.scope;
         let moves = |l: &Leaf| l.instant.is_none() && (scope.moves(l) || Some(*l) == scope.time());
-        let relations = claim.assuming.iter().flat_map(|w| &w.value.relations);
+        let used = claim.assuming.iter().enumerate().filter(|(i, _)| !without.contains(i));
+        let relations = used.flat_map(|(_, w)| &w.value.relations);
         let inequalities = relations.filter(|r| !matches!(r.kind, RelationKind::Equal | RelationKind::NotEqual));
-        let sides = inequalities.flat_map(|r| r.left.components.iter().chain(&r.right.components).copied());
-        self.graph.leaves_within(sides).iter().any(moves)
+        let chooses = |r: &&Relation| {
+            let sides = r.left.components.iter().chain(&r.right.components).copied();
+            self.graph.leaves_within(sides).iter().any(moves)
+        };
+        inequalities.filter(chooses).collect()
     }
 
-    /// Whether equations that are so at the times that count are so at all others: none is left out, or they cannot leap, and motions
-    /// are taken to be smooth.
-    fn is_known_elsewhere(&mut self, of: &Claim, equations: &Pairs) -> bool {
+    /// Whether what is so at the times that a claim chooses goes on at all others: none is left out; or it is so for a while, and motions
+    /// are analytic.
+    fn goes_on(&mut self, of: &Claim, without: &[usize]) -> bool {
+        let choosing = self.choosing(of, without);
+        let for_a_while = choosing.iter().all(|r| matches!(r.kind, RelationKind::Greater | RelationKind::Less));
+        self.at_all_times || choosing.is_empty() || for_a_while && self.motions_are_analytic(of)
+    }
+
+    /// Whether systems that are given determine everything that two claims name, by equations without kinks and leaps.
+    fn motions_are_analytic(&mut self, of: &Claim) -> bool {
+        let systems = self.sides_of_systems();
+        let mut given = systems.clone();
+        self.add_definitions(&mut given);
+        if systems.is_empty() || self.graph.reachable(given).into_iter().any(|e| self.is_branching(e)) {
+            return false;
+        }
+        let moved = self.graph.leaves_within(systems);
+        let has_rate = |leaf: &Leaf| moved.iter().any(|m| m.rate > 0 && m.symbol == leaf.symbol);
+        let claim = self.claim;
+        let assumed = [of, claim].into_iter().flat_map(|c| &c.assuming).flat_map(|w| &w.value.relations);
+        let mut named: Vec<Expr> = assumed.flat_map(pairs).flat_map(|(l, r)| [l, r]).collect();
+        for one in [of, claim] {
+            named.extend(sides(&self.equations(one).unwrap_or_default()));
+        }
+        self.add_definitions(&mut named);
+        let scope = &claim.scope;
+        self.graph.leaves_within(named).iter().all(|leaf| {
+            let is_defined = scope.definition(leaf.symbol).or_else(|| of.scope.definition(leaf.symbol)).is_some();
+            !(scope.moves(leaf) || of.scope.moves(leaf)) || is_defined || has_rate(leaf)
+        })
+    }
+
+    /// Whether equations that are so at the times that count are so at all others, since they go on and cannot leap.
+    fn is_known_elsewhere(&mut self, of: &Claim, without: &[usize], equations: &Pairs) -> bool {
+        if self.at_all_times || self.choosing(of, without).is_empty() {
+            return true;
+        }
         let mut leaps = |e: Expr| {
             let e = traced(&mut self.graph, &of.scope, e);
             may_leap(&self.graph, e)
         };
-        self.at_all_times || !equations.iter().any(|&(l, r)| leaps(l) || leaps(r)) || !self.chooses_times(of)
+        !equations.iter().any(|&(l, r)| leaps(l) || leaps(r)) && self.goes_on(of, without)
     }
 
     /// What `follows-from` and the assumptions give; `without` some assumptions.
     pub(super) fn gather(&mut self, without: Option<&[usize]>) -> Gathered {
         let (derivation, claim) = (self.derivation, self.claim);
-        let mut out = Gathered { complete: true, ..Gathered::default() };
+        let mut out = Gathered { complete: !self.lacks_systems(), ..Gathered::default() };
         let mut premises = Premises::default();
         self.roles(&mut premises);
-        out.complete &= self.assume(claim, without.unwrap_or(&[]), &mut premises);
+        let absent = without.unwrap_or(&[]);
+        out.complete &= self.assume(claim, absent, &mut premises);
         // Each with the scope that says what moves in it.
         let mut always: Vec<(&Scope, Pairs)> = Vec::new();
-        out.elsewhere = self.at_all_times || !self.chooses_times(claim);
-        if self.is_known_elsewhere(claim, &premises.equations) {
+        out.elsewhere = self.at_all_times || self.choosing(claim, absent).is_empty();
+        out.between = self.goes_on(claim, absent);
+        if self.is_known_elsewhere(claim, absent, &premises.equations) {
             always.push((&claim.scope, premises.equations.clone()));
         }
         let mut constant: Vec<(&Scope, Expr)> = Vec::new();
@@ -200,9 +243,10 @@ impl Step<'_> {
                     let equations = self.without_branches(premise, equations, &mut out.complete);
                     premises.equations.extend(&equations);
                     // What it assumes is known at other times if it is assumed here of all of them.
-                    at_others = self.is_known_elsewhere(premise, &equations)
-                        && (premise.assuming.is_empty() || self.is_known_elsewhere(claim, &equations));
+                    at_others = self.is_known_elsewhere(premise, &[], &equations)
+                        && (premise.assuming.is_empty() || self.is_known_elsewhere(claim, absent, &equations));
                     out.elsewhere &= at_others;
+                    out.between &= at_others;
                     for form in &premise.forms {
                         if let (Form::FirstIntegral(w), true) = (form, at_others) {
                             constant.extend(w.value.components.iter().map(|&e| (&premise.scope, e)));
@@ -220,7 +264,7 @@ impl Step<'_> {
                 (0..premise.assuming.len()).filter(|&i| dropped(&premise.assuming[i].value)).collect();
             out.complete &= self.assume(premise, &numbers, &mut premises);
             let assumed = premises.equations[before..].to_vec();
-            if at_others && self.is_known_elsewhere(claim, &assumed) {
+            if at_others && self.is_known_elsewhere(claim, absent, &assumed) {
                 always.push((&premise.scope, assumed));
             }
             // What a premise presupposes is presupposed here: a proof says so, and does not reach beyond it.

@@ -14,8 +14,9 @@ impl Step<'_> {
     /// Whether both sides agree at a fixed time that the equations or the premises name, and their rates always: of the
     /// equations, or of the same in another form, see [`without_growth`](Step::without_growth).
     pub(super) fn by_rate(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<(Identity, Pairs)> {
+        // What holds at the times that are chosen says nothing of those in between.
+        let mut gathered = if gathered.between { gathered.clone() } else { self.gather_throughout()? };
         // What holds at the present time only says nothing of rates.
-        let mut gathered = gathered.clone();
         gathered.premises.only_now.clear();
         let gathered = &gathered;
         let all = self.start_and_rates(gathered, equations)?;
@@ -29,6 +30,13 @@ impl Step<'_> {
         let even = self.without_growth(equations)?;
         let all = self.start_and_rates(gathered, &even)?;
         Some(self.levels(gathered, &all, false)).filter(proved).map(|found| (found, even))
+    }
+
+    /// What is given without any assumptions, if that may be used of all times.
+    pub(super) fn gather_throughout(&mut self) -> Option<Gathered> {
+        let all: Vec<usize> = (0..self.claim.assuming.len()).collect();
+        let gathered = Gathered { complete: false, ..self.gather(Some(&all)) };
+        gathered.between.then_some(gathered)
     }
 
     /// The equations, both sides divided by an exponential in time that one of them has: what decays like it is then constant.

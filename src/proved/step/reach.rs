@@ -124,7 +124,7 @@ impl Step<'_> {
     }
 
     /// Whether an operation passes from one of its branches to another, if its arguments move so: at an edge that is no pole.
-    fn is_branching(&mut self, e: Expr) -> bool {
+    pub(super) fn is_branching(&mut self, e: Expr) -> bool {
         let arguments: Vec<Expr> = self.graph.node(e).children().collect();
         self.graph.edges(e).into_iter().any(|edge| match edge.change {
             // Both sides of a pole belong to the same function; a pole with one side comes with the base of a power.
@@ -147,7 +147,7 @@ impl Step<'_> {
     }
 
     /// The sides of the equations of the systems among the premises.
-    fn sides_of_systems(&self) -> Vec<Expr> {
+    pub(super) fn sides_of_systems(&self) -> Vec<Expr> {
         let given = Step::given(self.derivation, self.claim);
         let systems = given.iter().filter_map(|name| match self.derivation.premise(name) {
             Premise::System(system) => Some(&self.derivation.systems[system]),
