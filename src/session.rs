@@ -484,7 +484,7 @@ impl Findings {
     /// as it was asked for: see [`Ask::explaining`]. `colour`: with escape codes.
     pub fn explanation(&self, claim: &str, colour: bool) -> Option<String> {
         let mut of = self.account.claims.iter().filter(|c| is_called(claim, &c.id, c.reading.as_deref()));
-        of.any(|c| c.verdicts().next().is_some())
+        of.any(|c| c.verdicts().next().is_some() || c.alone.is_some() && c.identity.is_some())
             .then(|| report::explain(&self.derivation, &self.account, &[claim.to_owned()], colour))
     }
 

@@ -90,6 +90,7 @@ mod report_sizes;
 mod schema;
 mod search;
 mod separation;
+mod solutions;
 mod source;
 mod supply_chain;
 mod sweep;

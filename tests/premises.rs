@@ -204,3 +204,125 @@ fn an_inequality_chooses_times_and_says_nothing_of_others() {
         assert_ne!(standing(&account, id), "proved", "{id}");
     }
 }
+
+/// What is found of a file with these symbols, systems, motions and claims.
+fn of_file(text: &str) -> Account {
+    let head = "[derivation]\ntitle = 't'\nconcerns = 'test'\n[symbols]\n't' = { role = 'time' }\n";
+    let source = Source { path: "test.toml".into(), text: format!("{head}{text}") };
+    let derivation = parse(source, "test").unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"))
+}
+
+const TWO_STATES: &str = "'x' = { role = 'state' }\n'y' = { role = 'state' }\n";
+
+#[test]
+fn a_proof_does_not_pass_times_that_an_inequality_leaves_out() {
+    // x = t − 1: y moves while x is negative.
+    let kinked = format!("{TWO_STATES}[system.s]\nstates = ['x', 'y']\nequations = ['\\dot x=1', '\\dot y=|x|-x']\n");
+    let given = |id: &str, always: &str, assuming: &str, from: &str| {
+        claim(id, always, &format!("assuming = [{assuming}]\nfollows-from = [{from}]\ntrajectories = []"))
+    };
+    let account = of_file(
+        &[
+            kinked,
+            given("rate", r"\dot y=0", "'x>0'", "'s'"),
+            given("joined", "y=y(0)", "'x>0'", "'s'"),
+            given("by-a-claim", "y=y(0)", "'x>0'", "'rate'"),
+            given("not-strict", "y=y(0)", r"'x\ge0'", "'s'"),
+            given("supposed", "y(0)=1", "'x>0', 'y=1'", "'s'"),
+            given("supposed-alone", "y(0)=1", "'x>0', 'y=1'", ""),
+            given("throughout", "x=x(0)+t-t(0)", "'x>0'", "'s'").replace("t-t(0)", "t"),
+            "[[claim]]\nid = 'integral'\nsays = 'test'\nfirst-integral = ['y']\nassuming = ['x>0']\n\
+                follows-from = ['s']\ntrajectories = []\n"
+                .to_owned(),
+        ]
+        .concat(),
+    );
+    assert_eq!(standing(&account, "rate"), "proved");
+    for id in ["joined", "by-a-claim", "not-strict", "supposed", "supposed-alone", "integral"] {
+        assert_eq!(standing(&account, id), "undecided", "{id}");
+    }
+    // What needs no assumption is proved as before.
+    assert_eq!(standing(&account, "throughout"), "proved");
+    // A motion that is analytic is what it is for a while.
+    let smooth = format!("{TWO_STATES}[system.s]\nstates = ['x', 'y']\nequations = ['\\dot x=1', '\\dot y=x^2-y']\n");
+    let account = of_file(&[smooth, given("supposed", "y(0)=1", "'x>0', 'y=1'", "'s'")].concat());
+    assert_ne!(standing(&account, "supposed"), "refuted");
+}
+
+#[test]
+fn first_integrals_say_nothing_where_they_have_no_value() {
+    let drag = "'x' = { role = 'state' }\n'v' = { role = 'state' }\n'k' = { role = 'parameter', positive = true }\n\
+        [system.air]\nstates = ['x', 'v']\nequations = ['\\dot x=v', '\\dot v=-k|v|v']\n";
+    let account = of_file(
+        &[
+            drag.to_owned(),
+            "[[claim]]\nid = 'log'\nsays = 'test'\nfirst-integral = ['\\ln v+kx']\nfollows-from = ['air']\n".to_owned(),
+            "[[claim]]\nid = 'nowhere'\nsays = 'test'\nfirst-integral = ['x+\\ln(-1-x^2)']\nfollows-from = ['air']\n"
+                .to_owned(),
+            "[[claim]]\nid = 'premise'\nsays = 'test'\nfirst-integral = ['x+0\\cdot\\ln v']\nfollows-from = []\n"
+                .to_owned(),
+            claim("beyond", r"\dot x=0", "follows-from = ['premise']"),
+        ]
+        .concat(),
+    );
+    for id in ["log", "nowhere"] {
+        assert_ne!(standing(&account, id), "refuted", "{id}");
+    }
+    let beyond = account.claims.iter().find(|c| c.id == "beyond").and_then(|c| c.identity.clone()).expect("a step");
+    assert!(!beyond.is_proved() || !beyond.conditions.is_empty(), "{beyond:?}");
+}
+
+#[test]
+fn claims_on_families_and_computed_motions_obey_their_systems() {
+    let head = "'x' = { role = 'state' }\n'v' = { role = 'state' }\n'c' = { role = 'parameter' }\n\
+        [system.s]\nstates = ['x', 'v']\nequations = ['\\dot x=v', '\\dot v=-c^2x']\n\
+        [system.r]\nstates = ['x', 'v']\nequations = ['\\dot x=v', '\\dot v=-c^2x']\n\
+        [[trajectory]]\nid = 'o'\nsystem = 's'\nparameters = { 'c' = 1 }\ninitial = { 'x' = 1, 'v' = 0 }\nspan = [0, 1]\n\
+        [[trajectory]]\nid = 'p'\nsystem = 'r'\nparameters = { 'c' = 1 }\ninitial = { 'x' = 1, 'v' = 0 }\nspan = [0, 1]\n\
+        [[trajectory]]\nid = 'q'\nfrom = 'o'\nmap = { 'x' = '-x', 'v' = '-v' }\n\
+        [[family]]\nid = 'f'\nof = 'o'\nvary = { 'c' = { from = 1, to = 2, count = 3 } }\n";
+    let account = of_file(
+        &[
+            head.to_owned(),
+            claim("members", r"\ddot x=-c^2x", "trajectories = []\nfamilies = ['f']"),
+            claim("two", r"\dot x=v", "trajectories = ['o', 'p']"),
+            claim("computed", r"\dot x=v", "trajectories = ['q']"),
+            claim("neither", "x=v", "trajectories = ['o']"),
+        ]
+        .concat(),
+    );
+    assert_eq!(standing(&account, "members"), "proved");
+    for id in ["two", "computed"] {
+        assert_ne!(standing(&account, id), "refuted", "{id}");
+    }
+    assert_eq!(standing(&account, "neither"), "refuted");
+}
+
+#[test]
+fn a_claim_that_is_tried_on_nothing_has_the_verdict_of_its_step() {
+    let motion = "'q' = { role = 'state' }\n'g' = { role = 'parameter', positive = true }\n\
+        'h' = { role = 'parameter', positive = true }\n'T' = { role = 'parameter', positive = true }\n\
+        [system.fall]\nstates = ['q']\nequations = ['\\ddot q=-g']\n\
+        [[trajectory]]\nid = 'm'\nsystem = 'fall'\nparameters = { 'g' = 10 }\n\
+        initial = { 'q' = 0, '\\dot q' = 0 }\nspan = [0, 1]\n\
+        [[claim]]\nid = 'energy'\nsays = 'test'\nfirst-integral = ['\\frac12\\dot q^2+gq']\n";
+    let step = |id: &str, always: &str, expect: &str| {
+        claim(id, always, &format!("assuming = ['h=\\frac12gT^2']\ntrajectories = []\n{expect}"))
+    };
+    let unexpected =
+        |claims: &[String]| of_file(&[&[motion.to_owned()], claims].concat().concat()).summary().unexpected;
+    let right = r"T=\sqrt{\frac{2h}g}";
+    let wrong = r"T=\sqrt{\frac hg}";
+    assert_eq!(unexpected(&[step("a", right, "")]), 0);
+    assert_eq!(unexpected(&[step("a", right, "expect = 'holds'")]), 0);
+    assert_eq!(unexpected(&[step("a", right, "expect = 'fails'")]), 1);
+    assert_eq!(unexpected(&[step("a", wrong, "")]), 1);
+    assert_eq!(unexpected(&[step("a", wrong, "expect = 'holds'")]), 1);
+    assert_eq!(unexpected(&[step("a", wrong, "expect = 'fails'")]), 0);
+    // What is only given to others is a postulate.
+    let law = claim("law", "h=gT^2", "trajectories = []");
+    let from = claim("from", "2h=2gT^2", "follows-from = ['law']\ntrajectories = []");
+    assert_eq!(unexpected(&[law.clone(), from]), 0);
+    assert_eq!(unexpected(&[law]), 1);
+}

@@ -61,6 +61,7 @@ fn every_field_is_described() {
 fn what_a_report_always_has_is_required() {
     let schema = report::schema();
     let seldom = [
+        "alone",
         "distributions",
         "paper",
         "families",

@@ -57,6 +57,10 @@ impl Judge for Question {
         Question::judge(self, cell, scratch)
     }
 
+    fn divides(&self, _: usize) -> Vec<bool> {
+        self.signs.named()
+    }
+
     fn work(&self, scratch: &mut Scratch) -> u64 {
         std::mem::take(&mut scratch.work)
     }

@@ -213,6 +213,11 @@ impl Signs {
         None
     }
 
+    /// Which variables some relation depends on.
+    pub fn named(&self) -> Vec<bool> {
+        (0..self.variables.len()).map(|i| self.all.iter().any(|one| one.used[i])).collect()
+    }
+
     /// What a relation says.
     pub fn kind(&self, relation: usize) -> RelationKind {
         self.all[relation].kind

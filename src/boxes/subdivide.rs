@@ -37,6 +37,10 @@ pub(super) trait Judge: Sync {
     const TOGETHER: usize;
     /// What is known of a cell.
     fn judge(&self, cell: &Cell, scratch: &mut Self::Scratch) -> Part;
+    /// Along which of so many ranges cells are taken apart: along others nothing changes.
+    fn divides(&self, ranges: usize) -> Vec<bool> {
+        vec![true; ranges]
+    }
     /// The work since this was last asked, in operations on intervals.
     fn work(&self, scratch: &mut Self::Scratch) -> u64;
 }
@@ -104,15 +108,15 @@ fn corners(variables: &[Variable]) -> Vec<Cell> {
     (0..1 << n).map(corner).collect()
 }
 
-/// The two halves of a piece along its range that was bisected least; `None` where it cannot be halved.
-fn halves(piece: &Piece) -> Option<[Piece; 2]> {
+/// The two halves of a piece along that of the marked ranges that was bisected least; `None` where it cannot be halved.
+fn halves(piece: &Piece, divides: &[bool]) -> Option<[Piece; 2]> {
     if piece.bisections() >= MOST_BISECTIONS {
         return None;
     }
     let divisible = |i: &usize| {
         let side = piece.sides[*i];
         let m = side.mid();
-        side.lo() < m && m < side.hi()
+        divides[*i] && side.lo() < m && m < side.hi()
     };
     let along = (0..piece.sides.len()).filter(divisible).min_by_key(|&i| (piece.place[i].0, i))?;
     let side = piece.sides[along];
@@ -158,8 +162,9 @@ pub(super) fn subdivide<J: Judge>(judge: &J, variables: &[Variable], most_cells:
         part: Part::Undecided,
     };
     let mut generation = vec![whole];
+    let divides = judge.divides(variables.len());
     let mut depth = 0;
-    let picture = PICTURE_BISECTIONS * variables.len() as u32;
+    let picture = PICTURE_BISECTIONS * divides.iter().filter(|d| **d).count() as u32;
     let mut work = 0;
     while !generation.is_empty() {
         let looked = depth <= POINTS_UNTIL;
@@ -205,7 +210,7 @@ pub(super) fn subdivide<J: Judge>(judge: &J, variables: &[Variable], most_cells:
                 Part::Border => depth < picture,
                 _ => false,
             };
-            match halves(&piece).filter(|_| further && next.len() + 2 <= room) {
+            match halves(&piece, &divides).filter(|_| further && next.len() + 2 <= room) {
                 Some(halves) => next.extend(halves),
                 None => out.pieces.push(piece),
             }

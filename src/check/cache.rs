@@ -24,7 +24,7 @@ use crate::derivation::{Derivation, Family, Motion};
 use crate::expr::FastMap;
 use claim::error::CheckError;
 use claim::options::Options;
-use findings::{Account, ClaimAccount};
+use findings::{Account, AloneAccount, ClaimAccount};
 
 /// The verdicts on one file, and the content that they are of.
 #[derive(Debug, Default)]
@@ -252,6 +252,7 @@ pub(super) fn describe(derivation: &Derivation, account: &mut Account) {
             let expected = tried.filter(|(f, _)| derivation.families[**f].id == of.family);
             of.expected = expected.map(|(_, e)| *e).next().flatten();
         }
+        found.alone = AloneAccount::of(derivation, claim);
         if let (Some(found), Some(declared)) = (&mut found.region, &claim.region) {
             found.expected = declared.expect;
         }

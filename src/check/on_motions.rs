@@ -15,7 +15,7 @@ use super::premises::Column;
 use super::run::Run;
 use claim::error::{CANCELLED, CheckError};
 use derivation::Derivation;
-use findings::{Account, ClaimAccount, Measurement, PairAccount, PictureAccount};
+use findings::{Account, AloneAccount, ClaimAccount, Measurement, PairAccount, PictureAccount};
 use flow::Motion;
 use rayon::prelude::*;
 use sampled::claim_program::Prepared;
@@ -169,7 +169,9 @@ impl Found<'_> {
                 let trajectory = derivation.trajectories[t].id.clone();
                 Some(PairAccount { trajectory, verdict, expected, discrimination: None })
             };
-            claims.push(ClaimAccount::of(claim, self.columns.iter().zip(&selection.tried).filter_map(pair).collect()));
+            let results = self.columns.iter().zip(&selection.tried).filter_map(pair).collect();
+            let alone = AloneAccount::of(derivation, claim);
+            claims.push(ClaimAccount { alone, ..ClaimAccount::of(claim, results) });
         }
         let trajectories = selection.tried.iter().filter_map(|&t| stage.account(derivation, t)).collect();
         let mut measurements = std::mem::take(&mut self.measurements);

@@ -80,6 +80,7 @@ impl Loader<'_> {
             expect: Vec::new(),
             families: Vec::new(),
             expect_of_families: Vec::new(),
+            expect_alone: None,
             expect_inconsistent_units: false,
             region: None,
             scope: self.out.scope.clone(),
@@ -407,6 +408,7 @@ impl Loader<'_> {
         if let DeValue::String(word) = value.get_ref() {
             match keys::EXPECT.iter().find(|k| *k == word) {
                 Some(&word) => {
+                    claim.expect_alone = Some(word);
                     claim.expect = vec![Some(word); claim.trajectories.len()];
                     claim.expect_of_families = vec![Some(word); claim.families.len()];
                     claim.region.iter_mut().for_each(|r| r.expect = Some(word));
@@ -444,6 +446,7 @@ impl Loader<'_> {
             }
         }
         let Some((word, span, all)) = rest else { return };
+        claim.expect_alone = Some(word);
         if let Some(first) = places.iter().flatten().next().filter(|_| all) {
             let message = "`all` leaves no trajectory for another verdict";
             self.problems

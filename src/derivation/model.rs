@@ -343,6 +343,8 @@ pub struct Claim {
     pub families: Vec<usize>,
     /// The expected verdict on each of `families`, as a word of the report.
     pub expect_of_families: Vec<Option<&'static str>>,
+    /// The expected verdict where it is tried on nothing.
+    pub expect_alone: Option<&'static str>,
     /// Whether the file expects that a formula of it is not consistent in its units.
     pub expect_inconsistent_units: bool,
     /// For a claim over ranges of values, which is tried on no motion: the ranges.
@@ -360,6 +362,11 @@ impl Claim {
             Some(reading) => format!("{}/{reading}", self.id),
             None => self.id.clone(),
         }
+    }
+
+    /// Whether it is tried on motions or families, or has a verdict over ranges or for all fields.
+    pub fn is_tried(&self) -> bool {
+        !self.trajectories.is_empty() || !self.families.is_empty() || self.region.is_some()
     }
 
     /// Whether it is decided at all points of a box.

@@ -8,7 +8,7 @@ use crate::region::RegionAccount;
 use crate::standing::{Decision, Exception, Finding, Given};
 use crate::variant::{Discrimination, VariantAccount};
 use crate::words::{self, Word};
-use derivation::Claim;
+use derivation::{Claim, Derivation};
 use reason::{Decided, Premises, Proviso, Reason, Refuting, Term, Unproved, Way};
 use serde::{Deserialize, Serialize};
 use units::UnitsAccount;
@@ -304,8 +304,53 @@ pub struct ClaimAccount {
     pub families: Vec<FamilyAccount>,
     /// For a claim over ranges, which has no trajectories: its verdict.
     pub region: Option<RegionAccount>,
+    /// For a claim that is tried on nothing: what is expected of its step.
+    pub alone: Option<AloneAccount>,
     /// What single edits of its formulas say of the evidence, where they were tried.
     pub variants: Option<VariantAccount>,
+}
+
+/// What is expected of a claim that is tried on nothing: what it says for all values is its verdict.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct AloneAccount {
+    /// The word that the derivation file expects, if it expects one.
+    #[serde(deserialize_with = "words::expected")]
+    pub expected: Option<Word>,
+    /// Whether it is only given to others: it follows from nothing, and nothing is expected of it.
+    pub postulated: bool,
+}
+
+impl AloneAccount {
+    /// What is expected of a claim; `None` where it is tried on something.
+    pub fn of(derivation: &Derivation, claim: &Claim) -> Option<AloneAccount> {
+        let mut named = derivation.claims.iter().flat_map(|c| &c.follows_from);
+        let mut is_premise = || named.any(|name| *name == claim.id || *name == claim.name());
+        let is_given_nothing = claim.follows_from.is_empty() && claim.assuming.is_empty();
+        (!claim.is_tried()).then(|| AloneAccount {
+            expected: claim.expect_alone,
+            postulated: claim.expect_alone.is_none() && is_given_nothing && is_premise(),
+        })
+    }
+}
+
+impl ClaimAccount {
+    /// What a claim that is tried on nothing came to: what its step did. `None` for others, and for postulates.
+    pub fn verdict_alone(&self) -> Option<&'static str> {
+        let alone = self.alone.filter(|alone| !alone.postulated)?;
+        let decision = self.identity.as_ref().map_or(Decision::Undecided, |i| i.finding.decision());
+        match decision {
+            Decision::Proved | Decision::ProvedExcept => Some("holds"),
+            Decision::Refuted => Some("fails"),
+            // Nothing is asked of a step of which nothing is expected.
+            Decision::Undecided => alone.expected.map(|_| "undecided"),
+        }
+    }
+
+    /// Whether a claim that is tried on nothing is not as expected; without an expectation, whether it is refuted.
+    pub fn is_unexpected_alone(&self) -> bool {
+        let expected = self.alone.and_then(|alone| alone.expected);
+        self.verdict_alone().is_some_and(|word| expected.map_or(word == "fails", |expected| expected != word))
+    }
 }
 
 /// Everything that was found for one derivation file.
@@ -339,7 +384,7 @@ pub struct Summary {
     pub undecided: usize,
     /// Pairs that stay undecided although the file does not say so: it expects nothing of them.
     pub open: usize,
-    /// Pairs that differ from what the file expects.
+    /// Pairs that differ from what the file expects, and claims that are tried on nothing and do.
     pub unexpected: usize,
 }
 
@@ -367,6 +412,7 @@ impl Account {
             }
             s.unexpected += usize::from(pair.unexpected);
         }
+        s.unexpected += self.claims.iter().filter(|c| c.is_unexpected_alone()).count();
         s
     }
 }
@@ -387,6 +433,7 @@ impl ClaimAccount {
             results,
             families: Vec::new(),
             region: None,
+            alone: None,
             variants: None,
         }
     }

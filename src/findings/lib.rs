@@ -25,7 +25,7 @@ mod variant;
 mod words;
 
 pub use account::{
-    Account, AssumptionsUsed, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary,
+    Account, AloneAccount, AssumptionsUsed, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary,
     TrajectoryAccount, by_trajectory,
 };
 pub use family::{FailingShare, FamilyAccount, MemberAccount};

@@ -155,6 +155,7 @@ fn claim(id: &str, reading: Option<&str>, says: &str, formula: &str, results: Ve
         results,
         families: Vec::new(),
         region: None,
+        alone: None,
         variants: None,
     }
 }

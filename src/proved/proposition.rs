@@ -111,6 +111,7 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
         expect: Vec::new(),
         families: Vec::new(),
         expect_of_families: Vec::new(),
+        expect_alone: None,
         region: None,
         scope,
         span: 0..0,

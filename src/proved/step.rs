@@ -32,6 +32,7 @@ mod rates;
 mod reach;
 mod signs;
 mod times;
+mod uniqueness;
 
 use crate::agreement::{Signs, answer, evidence, evidence_of, reach};
 use crate::derivation::{Claim, Derivation, Form, Motion};

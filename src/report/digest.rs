@@ -466,6 +466,9 @@ pub(super) fn verdict(reading: &Reading<'_>) -> String {
         };
         return format!("{word}{rest}");
     }
+    if reading.claim.verdict_alone() == Some("fails") {
+        return "Refuted for all values".to_owned();
+    }
     let members = |word: &str| reading.claim.families.iter().map(|f| super::family::with(f, word)).sum::<usize>();
     let n = |word: &str| {
         reading.claim.results.iter().filter(|r| r.verdict.outcome().word() == word).count() + members(word)

@@ -122,6 +122,7 @@ pub fn findings(derivation: &Derivation, account: &Account) -> Vec<Finding> {
         out.extend(of_claim.iter().filter_map(|group| verdict(derivation, claim, group)));
         out.extend(claim.families.iter().filter_map(|of| family(derivation, claim, of)));
         out.extend(region(derivation, claim));
+        out.extend(alone(derivation, claim));
     }
     let summary = account.summary();
     if summary.holds + summary.fails == 0 {
@@ -257,6 +258,33 @@ fn region(derivation: &Derivation, claim: &ClaimAccount) -> Option<Finding> {
         related: Vec::new(),
         identity: format!("{}\n{}\n{}", derivation.id, name(claim), judged.expected.unwrap_or("nothing")),
     })
+}
+
+/// The finding of a claim that is tried on nothing, if its step is not as expected.
+fn alone(derivation: &Derivation, claim: &ClaimAccount) -> Option<Finding> {
+    let word = claim.verdict_alone().filter(|_| claim.is_unexpected_alone())?;
+    let expected = claim.alone.and_then(|alone| alone.expected);
+    let told = expected.map(|word| format!(", expected is `{word}`")).unwrap_or_default();
+    Some(Finding {
+        rule: rule(word),
+        level: Level::Error,
+        message: format!(
+            "`{}` {} for all values{told}. It says: {}{}",
+            name(claim),
+            phrase(word),
+            sentence(&says(derivation, claim)),
+            of_step(claim).map(|told| format!(" {told}")).unwrap_or_default(),
+        ),
+        place: Place::new(&derivation.file, place_of_claim(derivation, claim)),
+        related: Vec::new(),
+        identity: format!("{}\n{}\n{}", derivation.id, name(claim), expected.unwrap_or("nothing")),
+    })
+}
+
+/// How the verdict of a step came about, in a sentence.
+pub(super) fn of_step(claim: &ClaimAccount) -> Option<String> {
+    let point = claim.identity.as_ref()?.witness.as_ref()?;
+    Some(format!("A point refutes it: {}", sentence(&point.to_string().replace('$', ""))))
 }
 
 /// How the verdict over ranges came about, in a sentence.

@@ -11,7 +11,7 @@
 
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
-use super::finding::{Finding, Level, on_family, over_ranges, phrase, told};
+use super::finding::{Finding, Level, of_step, on_family, over_ranges, phrase, told};
 use super::tally::{name, says};
 use crate::derivation::Derivation;
 use diag::escape::in_one_line;
@@ -41,6 +41,7 @@ pub fn junit(checked: &[Checked<'_>], others: &[Finding]) -> String {
                 let told = judged.family.map(on_family).or_else(|| over_ranges(claim));
                 suite.add_test_case(case_of(one.derivation, claim, &judged, told));
             }
+            suite.add_test_cases(alone(one.derivation, claim));
         }
         report.add_test_suite(suite);
     }
@@ -78,21 +79,38 @@ fn case(derivation: &Derivation, claim: &ClaimAccount, pair: &PairAccount) -> Te
 }
 
 fn case_of(derivation: &Derivation, claim: &ClaimAccount, judged: &Judged<'_>, told: Option<String>) -> TestCase {
-    let word = judged.verdict.outcome().word();
-    let strength = judged.verdict.outcome().strength();
-    let expected = judged.expected.map_or_else(|| "nothing is".to_owned(), |e| format!("`{e}` is"));
+    let outcome = judged.verdict.outcome();
+    let verdict = (outcome.word(), outcome.strength());
+    case_with(derivation, claim, (judged.on(), verdict), (judged.expected, judged.unexpected), told)
+}
+
+/// The case of a claim that is tried on nothing.
+fn alone(derivation: &Derivation, claim: &ClaimAccount) -> Option<TestCase> {
+    let word = claim.verdict_alone()?;
+    let expected = (claim.alone.and_then(|alone| alone.expected), claim.is_unexpected_alone());
+    Some(case_with(derivation, claim, ("all values", (word, None)), expected, of_step(claim)))
+}
+
+fn case_with(
+    derivation: &Derivation,
+    claim: &ClaimAccount,
+    (on, (word, strength)): (&str, (&str, Option<&str>)),
+    (expected, unexpected): (Option<&str>, bool),
+    told: Option<String>,
+) -> TestCase {
+    let is_expected = expected.map_or_else(|| "nothing is".to_owned(), |e| format!("`{e}` is"));
     let mut status = match word {
-        _ if judged.unexpected => TestCaseStatus::non_success(NonSuccessKind::Failure),
-        "undecided" if judged.expected.is_none() => TestCaseStatus::non_success(NonSuccessKind::Error),
+        _ if unexpected => TestCaseStatus::non_success(NonSuccessKind::Failure),
+        "undecided" if expected.is_none() => TestCaseStatus::non_success(NonSuccessKind::Error),
         "undecided" | "not-applicable" => TestCaseStatus::skipped(),
         _ => TestCaseStatus::success(),
     };
-    status.set_message(format!("{} ({expected} expected)", phrase(word)));
+    status.set_message(format!("{} ({is_expected} expected)", phrase(word)));
     status.set_type(word);
     if let Some(told) = told {
         status.set_description(told);
     }
-    let mut case = TestCase::new(judged.on(), status);
+    let mut case = TestCase::new(on, status);
     case.set_classname(format!("{}.{}", derivation.id, name(claim)));
     let strength = strength.map(|s| format!(" ({s})")).unwrap_or_default();
     case.set_system_out(format!("{}\n{}{strength}", in_one_line(&says(derivation, claim)), phrase(word)));

@@ -24,6 +24,9 @@ impl Standing {
         // A family that fails may hold on some of its members.
         let member = |word: &str| claim.families.iter().any(|f| super::family::with(f, word) > 0);
         let any = |word: &str| claim.verdicts().any(|j| j.verdict.outcome().word() == word) || member(word);
+        if claim.verdict_alone() == Some("fails") {
+            return Standing::Fails;
+        }
         match (any("holds"), any("fails"), any("undecided")) {
             (true, true, _) => Standing::Mixed,
             (false, true, _) => Standing::Fails,

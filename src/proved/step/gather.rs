@@ -175,7 +175,7 @@ impl Step<'_> {
     }
 
     /// Whether systems that are given determine everything that two claims name, by equations without kinks and leaps.
-    fn motions_are_analytic(&mut self, of: &Claim) -> bool {
+    pub(super) fn motions_are_analytic(&mut self, of: &Claim) -> bool {
         let systems = self.sides_of_systems();
         let mut given = systems.clone();
         self.add_definitions(&mut given);
@@ -367,13 +367,13 @@ impl Step<'_> {
         let mut premises = gathered.premises.clone();
         self.definitions(equations, &gathered.systems, which, &mut premises);
         self.definitions_at_instants(equations, which, &mut premises);
-        self.positive_parameters(equations, &mut premises);
+        self.add_positive_parameters(equations, &mut premises);
         solve_for_arguments(&mut self.graph, &mut premises);
         premises
     }
 
     /// What is positive among the parameters that occur.
-    fn positive_parameters(&mut self, equations: &Pairs, premises: &mut Premises) {
+    pub(super) fn add_positive_parameters(&mut self, equations: &Pairs, premises: &mut Premises) {
         let roots: Vec<Expr> = sides(equations).chain(sides(&premises.equations)).collect();
         for leaf in self.graph.leaves_within(roots) {
             if self.is_positive_parameter(leaf) {

@@ -27,9 +27,14 @@ impl Step<'_> {
                 return Some((found, equations.clone()));
             }
         }
-        let even = self.without_growth(equations)?;
-        let all = self.start_and_rates(gathered, &even)?;
-        Some(self.levels(gathered, &all, false)).filter(proved).map(|found| (found, even))
+        if let Some(even) = self.without_growth(equations)
+            && let Some(all) = self.start_and_rates(gathered, &even)
+            && let found = self.levels(gathered, &all, false)
+            && proved(&found)
+        {
+            return Some((found, even));
+        }
+        self.by_uniqueness(gathered, equations).map(|found| (found, equations.clone()))
     }
 
     /// What is given without any assumptions, if that may be used of all times.

@@ -137,7 +137,7 @@ impl Step<'_> {
     }
 
     /// What vanishes where something below is infinite.
-    fn poles(&mut self, roots: Vec<Expr>) -> Vec<Expr> {
+    pub(super) fn poles(&mut self, roots: Vec<Expr>) -> Vec<Expr> {
         let mut out = Vec::new();
         for e in self.graph.reachable(roots) {
             let poles = self.graph.edges(e).into_iter().filter(EdgeOf::is_pole);
@@ -224,7 +224,7 @@ impl Step<'_> {
     }
 
     /// Whether something changes along a motion.
-    fn moves(&self, e: Expr) -> bool {
+    pub(super) fn moves(&self, e: Expr) -> bool {
         let scope = &self.claim.scope;
         let moves = |l: &Leaf| {
             let role = scope.role(l.symbol);

@@ -53,11 +53,25 @@ objects! {
         conditions: Conditions<'a> = Conditions::of(&of.conditions),
         /// For a claim over ranges: its verdict.
         region: Option<Region<'a>> = of.region.as_ref().map(Region::of),
+        /// For a claim that is tried on nothing, and is no postulate: what its step says is its verdict.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[schemars(with = "Alone")]
+        alone: Option<Alone> = of.verdict_alone().map(|_| Alone::of(of)),
         /// One entry for each trajectory on which it is tried.
         results: Vec<TrajectoryResult<'a>> = of.results.iter().map(TrajectoryResult::of).collect(),
         /// One entry for each family on which it is tried.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         families: Vec<Family<'a>> = of.families.iter().map(Family::of).collect(),
+    }
+
+    /// The verdict on a claim that is tried on nothing.
+    Alone of (of: &findings::ClaimAccount) {
+        /// What became of it.
+        verdict: Verdict = Verdict(of.verdict_alone().unwrap_or("undecided")),
+        /// What the derivation file expects.
+        expected: Option<Verdict> = of.alone.and_then(|alone| alone.expected).map(Verdict),
+        /// Whether the verdict is not as expected.
+        unexpected: bool = of.is_unexpected_alone(),
     }
 
     /// Whether a claim holds for all values, given what it follows from.

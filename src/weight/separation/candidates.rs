@@ -154,6 +154,7 @@ fn claim(derivation: &Derivation, number: usize, says: Says) -> Claim {
         expect: vec![None; derivation.trajectories.len()],
         families: Vec::new(),
         expect_of_families: Vec::new(),
+        expect_alone: None,
         expect_inconsistent_units: false,
         region: None,
         printed: false,
