@@ -207,3 +207,79 @@ fn the_program_keeps_records_where_it_is_told() {
     let (fresh, none) = run(&without, &folder, Some(&folder));
     assert!(fresh == said && none.is_empty() && !folder.exists());
 }
+
+/// What `explain` says is what `check` says of a claim, whether `check` was run before, and kept what it found, or nothing was.
+#[test]
+fn what_is_explained_is_recalled() {
+    let temporary = tempfile::tempdir().expect("a folder");
+    let folder = temporary.path().join("kept");
+    let of = folder.to_str().expect("a plain name");
+    let file = "derivations/kepler.toml";
+    let claims: Vec<String> =
+        open("kepler.toml", &derivation("kepler.toml")).claims().into_iter().map(|c| c.id).collect();
+    let explain =
+        |more: &[&str]| run(&[&["explain", &claims[0], file, "--rigor", "sampled"], more].concat(), &folder, None);
+    let (cold, none) = explain(&["--no-cache"]);
+    assert!(none.is_empty() && cold.contains(&claims[0]));
+    run(&["check", file, "--no-reports", "--rigor", "sampled", "--cache", of], &folder, None);
+    let (warm, records) = explain(&["--cache", of]);
+    assert!(warm == cold && records.len() == 2, "{warm}\n{cold}");
+
+    // The other way about: `check` recalls what `explain` kept.
+    fs::remove_dir_all(&folder).expect("it was there");
+    let (first, records) = explain(&["--cache", of]);
+    assert!(first == cold && records.len() == 2);
+    let (_, same) = run(&["check", file, "--no-reports", "--rigor", "sampled", "--cache", of], &folder, None);
+    assert!(same == records, "nothing was found again");
+
+    // One motion alone is told in the same words.
+    let on = open("kepler.toml", &derivation("kepler.toml")).derivation().trajectories[0].id.clone();
+    let (alone, _) = explain(&["--cache", of, "--on", &on]);
+    let (cold, _) = explain(&["--no-cache", "--on", &on]);
+    assert!(alone == cold && alone.len() < first.len());
+}
+
+/// Every claim of a derivation is explained alike with and without records.
+#[test]
+fn explanations_are_the_same_for_every_claim() {
+    for name in ["circuit.toml", "pendulum.toml", "kepler-laws.toml"] {
+        let (session, store) = (open(name, &derivation(name)), Memory::default());
+        let [kept, recalled] =
+            [0, 1].map(|_| session.check_recorded(&Ask::default(), &store, &|_, _| {}).expect("checked"));
+        assert_eq!(store.counted(), (1, 2));
+        let cold = session.check(&Ask::default(), &|_, _| {}).expect("it is checked");
+        for claim in session.claims() {
+            let told = cold.explanation(&claim.id, &[], true);
+            assert!(
+                told == recalled.explanation(&claim.id, &[], true) && told == kept.explanation(&claim.id, &[], true)
+            );
+            for on in &session.derivation().trajectories {
+                let on = [on.id.clone()];
+                assert!(cold.explanation(&claim.id, &on, false) == recalled.explanation(&claim.id, &on, false));
+            }
+        }
+    }
+}
+
+/// A file that is watched begins with what is known of it, and what was found while it changed is known later.
+#[test]
+fn who_watches_a_file_recalls_what_was_found() {
+    let text = derivation("circuit.toml");
+    let edited = text.replacen("[[claim]]\n", "[[claim]]\nprecision = 1e-7\n", 1);
+    assert!(edited != text);
+    let store = Memory::default();
+    let again = |session: &mut Session, text: &str| {
+        session.change(text).expect("it is read");
+        let (found, checked) = session.check_again_recorded(&store).expect("it is checked");
+        let whole = open("circuit.toml", text).check(&Ask::default(), &|_, _| {}).expect("it is checked");
+        assert!(found.json() == whole.json() && found.page() == whole.page());
+        !checked.is_empty()
+    };
+    open("circuit.toml", &text).check_recorded(&Ask::default(), &store, &|_, _| {}).expect("it is checked");
+    let mut first = open("circuit.toml", &text);
+    assert!(!again(&mut first, &text), "it is known from the check");
+    assert!(again(&mut first, &edited));
+    assert!(!again(&mut open("circuit.toml", &text), &edited), "it is known from who watched");
+    assert!(again(&mut first, &text), "one state is kept");
+    assert!(again(&mut first, &edited));
+}
