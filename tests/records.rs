@@ -103,6 +103,29 @@ fn digits_and_whose_symbols_they_are_are_content() {
     }
 }
 
+/// A proof is asked for again where a claim that it follows from says something else, directly or through others.
+#[test]
+fn what_a_proof_follows_from_is_content() {
+    let text = "[derivation]\ntitle = \"t\"\nconcerns = \"t\"\n[symbols]\n't' = { role = \"time\" }\n'x' = { role = \"state\" }\n\
+        'c' = { role = \"parameter\", positive = true }\n[[trajectory]]\nid = \"m\"\nformula = { 'x' = 'ct' }\n\
+        parameters = { 'c' = 2 }\nspan = [0, 1]\n[[claim]]\nid = \"first\"\nsays = \"t\"\nalways = ['x=ct']\n[[claim]]\nid = \"second\"\n\
+        says = \"t\"\nfollows-from = [\"first\"]\nalways = ['x^2=c^2t^2']\n[[claim]]\nid = \"third\"\nsays = \"t\"\n\
+        follows-from = [\"second\"]\nalways = ['x^4=c^4t^4']\n";
+    let store = Memory::default();
+    let standing = |text: &str, of: usize| {
+        step(&store, "file.toml", text, &Ask::default());
+        let found = open("file.toml", text).check_recorded(&Ask::default(), &store, &|_, _| {}).expect("it is checked");
+        found.account().claims[of].identity.as_ref().map(|i| i.standing())
+    };
+    let (first, second) = (text.replace("'x=ct'", "'x=3ct'"), text.replace("'x^2=c^2t^2'", "'x^2=9c^2t^2'"));
+    for _ in 0..2 {
+        assert_eq!((standing(text, 1), standing(text, 2)), (Some("proved given"), Some("proved given")));
+        assert_ne!(standing(&first, 1), Some("proved given"), "what it follows from says something else");
+        assert_eq!(standing(text, 1), Some("proved given"));
+        assert_ne!(standing(&second, 2), Some("proved given"));
+    }
+}
+
 #[test]
 fn what_is_asked_otherwise_is_another_record() {
     let text = derivation("circuit.toml");
