@@ -57,11 +57,6 @@ impl Ask {
         Ok(sessions.into_iter().filter_map(of).collect())
     }
 
-    /// The same, with the claims that those of a derivation follow from: what is needed to explain them.
-    pub fn explaining(self, derivation: &Derivation) -> Ask {
-        Ask { claims: derivation.with_premises(&self.claims), ..self }
-    }
-
     /// Refuses a name that none of these derivations knows.
     pub(crate) fn check_names<'d>(&self, all: impl Iterator<Item = &'d Derivation> + Clone) -> Result<(), Unknown> {
         let claims: Vec<String> = all.clone().flat_map(claim_names).collect();

@@ -419,6 +419,15 @@ impl Session {
         let (account, checked) = self.cache.check(&self.derivation)?;
         Ok((Findings { derivation: self.derivation.clone(), account }, checked))
     }
+
+    /// The same, with what earlier processes left in a store: a state of the file that was checked before is not checked again.
+    ///
+    /// # Errors
+    /// As for [`check`](Session::check).
+    pub fn check_again_recorded(&mut self, store: &dyn Store) -> Result<(Findings, Vec<String>), Failure> {
+        let (account, checked) = check::check_again_recorded(&mut self.cache, &self.derivation, store)?;
+        Ok((Findings { derivation: self.derivation.clone(), account }, checked))
+    }
 }
 
 impl Answer {
@@ -480,12 +489,17 @@ impl Findings {
         self.account.claims.iter().flat_map(of).collect()
     }
 
-    /// How the verdicts on a claim, `id` or `id/reading`, came about; `None` where there are none. What its proof rests on is told as far
-    /// as it was asked for: see [`Ask::explaining`]. `colour`: with escape codes.
-    pub fn explanation(&self, claim: &str, colour: bool) -> Option<String> {
+    /// How the verdicts on a claim, `id` or `id/reading`, came about, on some trajectories and families, on all where none are named;
+    /// `None` where there are none. `colour`: with escape codes.
+    pub fn explanation(&self, claim: &str, on: &[String], colour: bool) -> Option<String> {
         let mut of = self.account.claims.iter().filter(|c| is_called(claim, &c.id, c.reading.as_deref()));
-        of.any(|c| c.verdicts().next().is_some() || c.alone.is_some() && c.identity.is_some())
-            .then(|| report::explain(&self.derivation, &self.account, &[claim.to_owned()], colour))
+        let is_on = |j: check::Judged<'_>| {
+            let name = j.trajectory.or(j.family.map(|f| f.family.as_str()));
+            on.is_empty() || name.is_none_or(|name| on.iter().any(|of| of == name))
+        };
+        let stands_alone = |c: &ClaimAccount| c.alone.is_some() && c.identity.is_some();
+        of.any(|c| c.verdicts().any(is_on) || on.is_empty() && stands_alone(c))
+            .then(|| report::explain(&self.derivation, &self.account, &[claim.to_owned()], on, colour))
     }
 
     /// Whether every verdict is as the file expects.

@@ -204,7 +204,7 @@ fn every_report_says_what_is_compared() {
         assert!(text.contains("east squares give the slope"), "{text}");
         assert!(words && text.contains("Grows with") && !text.contains("The motion is that of"), "{text}");
     }
-    let text = report::explain(&derivation, &account, &["square".to_owned()], false);
+    let text = report::explain(&derivation, &account, &["square".to_owned()], &[], false);
     assert!(text.contains("Scales as a power of x, whose exponent is 2 to within 0.01"), "{text}");
 }
 

@@ -103,6 +103,29 @@ fn digits_and_whose_symbols_they_are_are_content() {
     }
 }
 
+/// A proof is asked for again where a claim that it follows from says something else, directly or through others.
+#[test]
+fn what_a_proof_follows_from_is_content() {
+    let text = "[derivation]\ntitle = \"t\"\nconcerns = \"t\"\n[symbols]\n't' = { role = \"time\" }\n'x' = { role = \"state\" }\n\
+        'c' = { role = \"parameter\", positive = true }\n[[trajectory]]\nid = \"m\"\nformula = { 'x' = 'ct' }\n\
+        parameters = { 'c' = 2 }\nspan = [0, 1]\n[[claim]]\nid = \"first\"\nsays = \"t\"\nalways = ['x=ct']\n[[claim]]\nid = \"second\"\n\
+        says = \"t\"\nfollows-from = [\"first\"]\nalways = ['x^2=c^2t^2']\n[[claim]]\nid = \"third\"\nsays = \"t\"\n\
+        follows-from = [\"second\"]\nalways = ['x^4=c^4t^4']\n";
+    let store = Memory::default();
+    let standing = |text: &str, of: usize| {
+        step(&store, "file.toml", text, &Ask::default());
+        let found = open("file.toml", text).check_recorded(&Ask::default(), &store, &|_, _| {}).expect("it is checked");
+        found.account().claims[of].identity.as_ref().map(|i| i.standing())
+    };
+    let (first, second) = (text.replace("'x=ct'", "'x=3ct'"), text.replace("'x^2=c^2t^2'", "'x^2=9c^2t^2'"));
+    for _ in 0..2 {
+        assert_eq!((standing(text, 1), standing(text, 2)), (Some("proved given"), Some("proved given")));
+        assert_ne!(standing(&first, 1), Some("proved given"), "what it follows from says something else");
+        assert_eq!(standing(text, 1), Some("proved given"));
+        assert_ne!(standing(&second, 2), Some("proved given"));
+    }
+}
+
 #[test]
 fn what_is_asked_otherwise_is_another_record() {
     let text = derivation("circuit.toml");
@@ -206,4 +229,80 @@ fn the_program_keeps_records_where_it_is_told() {
     let without = [&check[..], &["--no-cache"]].concat();
     let (fresh, none) = run(&without, &folder, Some(&folder));
     assert!(fresh == said && none.is_empty() && !folder.exists());
+}
+
+/// What `explain` says is what `check` says of a claim, whether `check` was run before, and kept what it found, or nothing was.
+#[test]
+fn what_is_explained_is_recalled() {
+    let temporary = tempfile::tempdir().expect("a folder");
+    let folder = temporary.path().join("kept");
+    let of = folder.to_str().expect("a plain name");
+    let file = "derivations/kepler.toml";
+    let claims: Vec<String> =
+        open("kepler.toml", &derivation("kepler.toml")).claims().into_iter().map(|c| c.id).collect();
+    let explain =
+        |more: &[&str]| run(&[&["explain", &claims[0], file, "--rigor", "sampled"], more].concat(), &folder, None);
+    let (cold, none) = explain(&["--no-cache"]);
+    assert!(none.is_empty() && cold.contains(&claims[0]));
+    run(&["check", file, "--no-reports", "--rigor", "sampled", "--cache", of], &folder, None);
+    let (warm, records) = explain(&["--cache", of]);
+    assert!(warm == cold && records.len() == 2, "{warm}\n{cold}");
+
+    // The other way about: `check` recalls what `explain` kept.
+    fs::remove_dir_all(&folder).expect("it was there");
+    let (first, records) = explain(&["--cache", of]);
+    assert!(first == cold && records.len() == 2);
+    let (_, same) = run(&["check", file, "--no-reports", "--rigor", "sampled", "--cache", of], &folder, None);
+    assert!(same == records, "nothing was found again");
+
+    // One motion alone is told in the same words.
+    let on = open("kepler.toml", &derivation("kepler.toml")).derivation().trajectories[0].id.clone();
+    let (alone, _) = explain(&["--cache", of, "--on", &on]);
+    let (cold, _) = explain(&["--no-cache", "--on", &on]);
+    assert!(alone == cold && alone.len() < first.len());
+}
+
+/// Every claim of a derivation is explained alike with and without records.
+#[test]
+fn explanations_are_the_same_for_every_claim() {
+    for name in ["circuit.toml", "pendulum.toml", "kepler-laws.toml"] {
+        let (session, store) = (open(name, &derivation(name)), Memory::default());
+        let [kept, recalled] =
+            [0, 1].map(|_| session.check_recorded(&Ask::default(), &store, &|_, _| {}).expect("checked"));
+        assert_eq!(store.counted(), (1, 2));
+        let cold = session.check(&Ask::default(), &|_, _| {}).expect("it is checked");
+        for claim in session.claims() {
+            let told = cold.explanation(&claim.id, &[], true);
+            assert!(
+                told == recalled.explanation(&claim.id, &[], true) && told == kept.explanation(&claim.id, &[], true)
+            );
+            for on in &session.derivation().trajectories {
+                let on = [on.id.clone()];
+                assert!(cold.explanation(&claim.id, &on, false) == recalled.explanation(&claim.id, &on, false));
+            }
+        }
+    }
+}
+
+/// A file that is watched begins with what is known of it, and what was found while it changed is known later.
+#[test]
+fn who_watches_a_file_recalls_what_was_found() {
+    let text = derivation("circuit.toml");
+    let edited = text.replacen("[[claim]]\n", "[[claim]]\nprecision = 1e-7\n", 1);
+    assert!(edited != text);
+    let store = Memory::default();
+    let again = |session: &mut Session, text: &str| {
+        session.change(text).expect("it is read");
+        let (found, checked) = session.check_again_recorded(&store).expect("it is checked");
+        let whole = open("circuit.toml", text).check(&Ask::default(), &|_, _| {}).expect("it is checked");
+        assert!(found.json() == whole.json() && found.page() == whole.page());
+        !checked.is_empty()
+    };
+    open("circuit.toml", &text).check_recorded(&Ask::default(), &store, &|_, _| {}).expect("it is checked");
+    let mut first = open("circuit.toml", &text);
+    assert!(!again(&mut first, &text), "it is known from the check");
+    assert!(again(&mut first, &edited));
+    assert!(!again(&mut open("circuit.toml", &text), &edited), "it is known from who watched");
+    assert!(again(&mut first, &text), "one state is kept");
+    assert!(again(&mut first, &edited));
 }

@@ -1,8 +1,14 @@
 //! The committed reports stay small enough to be attached to a letter, opened on a telephone, and read on a forge.
 //!
 //! Elements are counted as they are written; `tests/browser/run` counts what a browser makes of them, and the pages of the print.
+//!
+//! Of chains of steps: what a report says of a claim does not grow with the length of its chain.
 
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
+
+use rederive::{Ask, Findings, Session};
+use serde_json::Value;
 
 /// The largest page, in bytes.
 const LARGEST_PAGE: usize = 1_500_000;
@@ -43,4 +49,105 @@ fn pages_and_reports_are_small() {
 fn elements_are_counted_as_a_browser_does() {
     let page = "<html><body><p>a<br>b</p></body></html><script type=\"text/plain\">";
     assert_eq!(elements(page), 4);
+}
+
+/// What is special about the steps of a chain.
+#[derive(Clone, Copy, Debug)]
+enum Steps {
+    /// Each is proved.
+    Proved,
+    /// Each assumes something of its own.
+    Assuming,
+    /// Each is a conclusion of the paper.
+    Concluded,
+    /// Every second one is no question for all values.
+    Open,
+    /// Each is refuted.
+    Refuted,
+}
+
+impl Steps {
+    const ALL: [Steps; 5] = [Steps::Proved, Steps::Assuming, Steps::Concluded, Steps::Open, Steps::Refuted];
+
+    /// A chain in which each step follows from the one before; ids are of one length.
+    fn chain(self, length: usize) -> Findings {
+        let mut text = String::from(
+            "[derivation]\ntitle='A chain'\nconcerns='Steps'\n[symbols]\n't'={role='time'}\n'k'={role='parameter',positive=true}\n\
+             'x'={role='state'}\n[system.decay]\nstates=['x']\nequations=['\\dot x=-kx']\n[[trajectory]]\nid='one'\nsystem='decay'\n\
+             parameters={'k'=1}\ninitial={'x'=2}\nspan=[0,1]\n",
+        );
+        for n in 10_000..10_000 + length {
+            let from = if n > 10_000 { format!(",'c{}'", n - 1) } else { String::new() };
+            let formula = match self {
+                Steps::Open if n % 2 == 1 => format!("x<{n}"),
+                Steps::Refuted => format!(r"\dot x=-kx+{n}(k-1)x+1"),
+                _ => format!(r"\dot x+{n}x=-kx+{n}x"),
+            };
+            let more = match self {
+                Steps::Assuming => format!("assuming=['k>-{n}']\n"),
+                Steps::Concluded => "conclusion=true\n".to_owned(),
+                Steps::Proved | Steps::Open | Steps::Refuted => String::new(),
+            };
+            write!(
+                text,
+                "[[claim]]\nid='c{n}'\nsays='A step.'\n{more}follows-from=['decay'{from}]\nalways=['{formula}']\n"
+            )
+            .expect("it is written");
+        }
+        let session = Session::open("chain.toml", text).unwrap_or_else(|found| panic!("{found:?}"));
+        session.check(&Ask { only_verdicts: true, ..Ask::default() }, &|_, _| {}).expect("it is checked")
+    }
+}
+
+/// Bytes of each field of the claims, and of what a report has beside them, by their names.
+fn sizes(of: &Value, name: &str, out: &mut std::collections::BTreeMap<String, usize>) {
+    match of {
+        Value::Object(fields) => fields.iter().for_each(|(key, value)| sizes(value, &format!("{name}.{key}"), out)),
+        Value::Array(items) if items.iter().any(Value::is_object) => items.iter().for_each(|one| sizes(one, name, out)),
+        value => *out.entry(name.to_owned()).or_default() += value.to_string().len(),
+    }
+}
+
+#[test]
+fn what_is_said_of_a_step_does_not_grow_with_its_chain() {
+    // Up to 64 of a kind are told of each step: the shorter chain is long beside that.
+    let (short, long) = (300, 900);
+    for steps in Steps::ALL {
+        let [few, many] = [short, long].map(|length| steps.chain(length));
+        let grown = |what: &str, few: usize, many: usize| {
+            let (each, then) = (few as f64 / short as f64, many as f64 / long as f64);
+            assert!(then < 1.2 * each + 1.0, "{steps:?}: {what} takes {each:.1} bytes a step, then {then:.1}");
+        };
+        let [of_few, of_many] = [&few, &many].map(|found| {
+            let mut out = std::collections::BTreeMap::new();
+            sizes(&serde_json::from_str(&found.json()).expect("JSON"), "report", &mut out);
+            out
+        });
+        assert!(of_few.contains_key("report.graph.nodes.rests_on.claims"), "{of_few:?}");
+        for (field, bytes) in &of_many {
+            grown(field, of_few.get(field).copied().unwrap_or(0), *bytes);
+        }
+        grown("report.json", few.json().len(), many.json().len());
+        grown("report.md", few.markdown().len(), many.markdown().len());
+        grown("the page", few.page().len(), many.page().len());
+    }
+}
+
+#[test]
+fn what_is_open_behind_a_step_is_told_up_to_a_bound() {
+    let report: Value = serde_json::from_str(&Steps::Open.chain(200).json()).expect("JSON");
+    let told = |n: usize| {
+        let identity = &report["claims"][n]["identity"];
+        let ids = identity["conditional_on"].as_array().expect("a list").iter();
+        let ids: Vec<String> = ids.map(|g| g["id"].as_str().expect("an id").to_owned()).collect();
+        (ids, identity["conditional_on_more"].as_bool(), identity["standing"].as_str().expect("a word"))
+    };
+    // Every second step before it is open: 64 before the 128th.
+    let odd = |from: usize, to: usize| -> Vec<String> {
+        (from..to).filter(|n| n % 2 == 1).map(|n| format!("c{}", 10_000 + n)).collect()
+    };
+    assert_eq!(told(0), (Vec::new(), None, "proved"));
+    assert_eq!(told(128), (odd(0, 128), None, "proved given"));
+    assert_eq!(told(130), (odd(2, 130), Some(true), "proved given"), "the nearest");
+    assert_eq!(told(198), (odd(70, 198), Some(true), "proved given"));
 }

@@ -74,6 +74,8 @@ fn what_a_report_always_has_is_required() {
         "obstacle",
         "identities",
         "slack",
+        "conditional_on_more",
+        "more_conclusions",
     ];
     let objects = schema["definitions"].as_object().expect("definitions").values().chain([&schema]);
     for object in objects {

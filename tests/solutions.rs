@@ -5,19 +5,16 @@ use rederive::derivation::parse;
 use rederive::diag::{Source, render};
 
 /// What is found of claims about the motions of a system, each with its assumptions: the standing of each.
-fn standings(
-    states: &[&str],
-    equations: &[&str],
-    positive: &[&str],
-    claims: &[(&[&str], &str)],
-) -> Vec<&'static str> {
+fn standings(states: &[&str], equations: &[&str], positive: &[&str], claims: &[(&[&str], &str)]) -> Vec<&'static str> {
     let quoted = |all: &[&str]| all.iter().map(|e| format!("'{e}'")).collect::<Vec<_>>().join(", ");
     let mut text = "[derivation]\ntitle = 't'\nconcerns = 'test'\n[symbols]\n't' = { role = 'time' }\n".to_owned();
     states.iter().for_each(|s| text.push_str(&format!("'{s}' = {{ role = 'state' }}\n")));
     positive.iter().for_each(|p| text.push_str(&format!("'{p}' = {{ role = 'parameter', positive = true }}\n")));
     text.push_str(&format!("[system.s]\nstates = [{}]\nequations = [{}]\n", quoted(states), quoted(equations)));
     for (number, (assuming, always)) in claims.iter().enumerate() {
-        text.push_str(&format!("[[claim]]\nid = 'c{number}'\nsays = 'test'\nfollows-from = ['s']\ntrajectories = []\n"));
+        text.push_str(&format!(
+            "[[claim]]\nid = 'c{number}'\nsays = 'test'\nfollows-from = ['s']\ntrajectories = []\n"
+        ));
         text.push_str(&format!("assuming = [{}]\nalways = ['{always}']\n", quoted(assuming)));
     }
     let text = text.replace("assuming = []\n", "");
@@ -50,11 +47,7 @@ fn motions_of_constant_acceleration() {
             (&["q(0)=0", r"\dot q(0)=v"], r"q=vt-\frac12gt^2"),
             (&[], r"\dot q=\dot q(0)-gt"),
         ],
-        &[
-            (&[], r"q=q(0)+\dot q(0)t+\frac12gt^2"),
-            (&["q(0)=0"], r"q=vt-\frac12gt^2"),
-            (&[], r"q=q(0)-\frac12gt^2"),
-        ],
+        &[(&[], r"q=q(0)+\dot q(0)t+\frac12gt^2"), (&["q(0)=0"], r"q=vt-\frac12gt^2"), (&[], r"q=q(0)-\frac12gt^2")],
     );
 }
 
@@ -75,11 +68,7 @@ fn oscillations() {
         &["x", "y"],
         &[r"\dot x=y", r"\dot y=-x"],
         &[],
-        &[
-            (&[], r"x=x(0)\cos t+y(0)\sin t"),
-            (&[], r"y=y(0)\cos t-x(0)\sin t"),
-            (&["x(0)=0", "y(0)=0"], "x=0"),
-        ],
+        &[(&[], r"x=x(0)\cos t+y(0)\sin t"), (&[], r"y=y(0)\cos t-x(0)\sin t"), (&["x(0)=0", "y(0)=0"], "x=0")],
         &[(&[], r"x=x(0)\cos t-y(0)\sin t"), (&["x(0)=0"], "x=0"), (&["x(0)=0"], "x^2=0")],
     );
 }
@@ -121,5 +110,11 @@ fn nothing_is_said_where_a_state_does_not_determine_the_motion() {
     // What bends is another function beyond.
     solved(&["x", "y"], &[r"\dot x=1", r"\dot y=|x|"], &[], &[], &[(&["x(0)=1", "y(0)=0"], r"y=t+\frac12t^2")]);
     // y is whatever it likes.
-    solved(&["x", "y"], &[r"\dot x=y", r"\dot y=-y"], &[], &[], &[(&["x(0)=0"], "x=0"), (&["x(0)=0", "y(0)=1"], "x=1")]);
+    solved(
+        &["x", "y"],
+        &[r"\dot x=y", r"\dot y=-y"],
+        &[],
+        &[],
+        &[(&["x(0)=0"], "x=0"), (&["x(0)=0", "y(0)=1"], "x=1")],
+    );
 }

@@ -18,6 +18,7 @@ use std::time::{Duration, Instant};
 use pyo3::prelude::*;
 use rederive::check::{Cancel, Limits, Proposition};
 use rederive::diag::{Diagnostic, sort};
+use rederive::files::records::{Records, are_of_library};
 use rederive::{Ask, Failure, Question, Rigor};
 
 /// How often a call looks for signals, and says how far it is.
@@ -152,7 +153,8 @@ impl Session {
         derivation.claims.iter().map(|c| (c.id.clone(), c.reading.clone(), on(c))).collect()
     }
 
-    #[pyo3(signature = (claims, trajectories, sampled, only_verdicts, deadline=None, memory=None, progress=None))]
+    /// `cache`: whether records are kept, and the folder; that of the command line, unless one is given.
+    #[pyo3(signature = (claims, trajectories, sampled, only_verdicts, deadline=None, memory=None, cache=(true, None), progress=None))]
     #[expect(clippy::too_many_arguments, reason = "they are named in Python")]
     fn check(
         &self,
@@ -163,6 +165,7 @@ impl Session {
         only_verdicts: bool,
         deadline: Option<f64>,
         memory: Option<u64>,
+        cache: (bool, Option<std::path::PathBuf>),
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Findings> {
         let wait = Wait { progress, ..Wait::default() };
@@ -170,7 +173,11 @@ impl Session {
         let rigor = if sampled { Rigor::Sampled } else { Rigor::Enclosed };
         let ask = Ask { claims, trajectories, rigor, only_verdicts, limits };
         let (session, tell) = (Arc::clone(&self.0), wait.teller());
-        let found = wait.compute(py, move || session.check(&ask, &tell))?;
+        let store = cache.0.then(|| Records::of_user(cache.1, "REDERIVE_CACHE", "rederive")).flatten();
+        let found = wait.compute(py, move || match &store {
+            Some(store) => session.check_recorded(&ask, store, &tell),
+            None => session.check(&ask, &tell),
+        })?;
         found.map(|f| Findings(Arc::new(f))).map_err(|e| failure(py, e))
     }
 
@@ -216,7 +223,7 @@ impl Findings {
     /// How the verdicts on a claim came about, for a person.
     fn explanation(&self, py: Python<'_>, claim: String) -> PyResult<Option<String>> {
         let found = Arc::clone(&self.0);
-        Wait::default().compute(py, move || found.explanation(&claim, false))
+        Wait::default().compute(py, move || found.explanation(&claim, &[], false))
     }
 
     /// The formula that is compared, and (t, left, right, residual, bound, limit) at each time that is kept.
@@ -235,6 +242,8 @@ fn command(py: Python<'_>, line: Vec<std::ffi::OsString>) -> u8 {
 
 #[pymodule]
 fn _rederive(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    // Whatever Python has loaded it.
+    are_of_library(module.getattr("__file__")?.extract()?);
     module.add_class::<Session>()?;
     module.add_class::<Findings>()?;
     module.add_function(wrap_pyfunction!(command, module)?)?;

@@ -130,6 +130,14 @@ fn the_shares_of_a_disc_are_its_area() {
     assert!(map.patches.len() < 400, "{}", map.patches.len());
 }
 
+#[test]
+fn cells_are_divided_along_what_a_claim_names() {
+    let own = account("ranges = { 'x' = [-2, 2], 'y' = [-2, 2] }\nalways = ['x^2+y^2-xy>-0.01']");
+    let more = account("ranges = { 'z' = [0, 1], 'x' = [-2, 2], 'y' = [-2, 2] }\nalways = ['x^2+y^2-xy>-0.01']");
+    assert_eq!(own.verdict.outcome(), Outcome::Holds(Strength::Enclosed));
+    assert_eq!((more.verdict.outcome(), more.cells), (own.verdict.outcome(), own.cells));
+}
+
 /// What is said of a cell is so at random points of it, and what is said of a part of a cell agrees with what is said of the
 /// cell.
 #[test]

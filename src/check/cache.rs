@@ -252,7 +252,7 @@ pub(super) fn describe(derivation: &Derivation, account: &mut Account) {
             let expected = tried.filter(|(f, _)| derivation.families[**f].id == of.family);
             of.expected = expected.map(|(_, e)| *e).next().flatten();
         }
-        found.alone = AloneAccount::of(derivation, claim);
+        found.alone = AloneAccount::of(claim);
         if let (Some(found), Some(declared)) = (&mut found.region, &claim.region) {
             found.expected = declared.expect;
         }

@@ -14,16 +14,17 @@
 
 use std::collections::{BTreeSet, HashMap};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::motions::Family;
-use crate::derivation::{Claim, Derivation, Form, Motion};
+use crate::derivation::{Claim, Derivation, Form, Motion, Premise};
 use crate::expr::{FastMap, Graph, Leaf};
 use crate::findings::{ClaimAccount, FamilyAccount, IdentityAccount, family::MeasureAccount};
 use crate::verdict::Verdict;
+use proved::conditional::premises_first;
 use proved::step::Step;
 use sampled::recall::Recall;
 use sampled::stage::{Built, Requests};
@@ -206,6 +207,8 @@ pub(super) struct Names<'a> {
     all_motions: Key,
     motions: FastMap<&'a str, &'a str>,
     claims: FastMap<&'a str, &'a str>,
+    /// The name of each claim with all that it follows from, once one is asked for.
+    steps: OnceLock<HashMap<String, Option<Key>>>,
 }
 
 impl<'a> Names<'a> {
@@ -220,6 +223,7 @@ impl<'a> Names<'a> {
             all_motions: key(&motions),
             motions: by_id(&contents.motions),
             claims: by_id(&contents.claims),
+            steps: OnceLock::new(),
         }
     }
 }
@@ -268,10 +272,10 @@ impl<'a> Known<'a> {
         for (c, claim) in derivation.claims.iter().enumerate() {
             let content = known.claim(&claim.id).unwrap_or_default();
             let name = key(&[b"leaves", &known.names.base, content.as_bytes(), claim.name().as_bytes()]);
-            let compute = || match claimed.iter().position(|&of| of == c) {
-                Some(k) => leaves(k).iter().map(|leaf| named(&derivation.graph, leaf)).collect(),
+            let compute = || match claimed.binary_search(&c) {
+                Ok(k) => leaves(k).iter().map(|leaf| named(&derivation.graph, leaf)).collect(),
                 // It was not checked before, and is not now: what it asks for is not known.
-                None => BTreeSet::from([String::new()]),
+                Err(_) => BTreeSet::from([String::new()]),
             };
             all.extend(known.memory.answer(&known.memory.wanted, Some(name), compute));
         }
@@ -468,8 +472,7 @@ impl State<'_> {
             sum = key(&[&sum, &self.motion(derivation, t)?]);
         }
         for account in claims {
-            let is_it = |c: &&Claim| c.id == account.id && c.reading == account.reading;
-            let claim = derivation.claims.iter().find(is_it)?;
+            let claim = derivation.claim(&account.id, account.reading.as_deref())?;
             let name = claim.name();
             sum = match claim.families.is_empty() {
                 true => key(&[&sum, name.as_bytes()]),
@@ -481,21 +484,33 @@ impl State<'_> {
 
     /// A claim with all that it follows from.
     fn step(&self, derivation: &Derivation, claim: &Claim) -> Option<Key> {
-        let mut sum = key(&[b"step", &self.names.base, claim.name().as_bytes()]);
-        let mut seen: BTreeSet<String> = BTreeSet::new();
-        let mut open = vec![claim.name()];
-        while let Some(name) = open.pop() {
-            if !seen.insert(name.clone()) {
-                continue;
-            }
-            let id = name.split('/').next()?;
-            sum = key(&[&sum, name.as_bytes(), self.claim(id).unwrap_or_default().as_bytes()]);
-            for of in derivation.claims.iter().filter(|c| c.id == id) {
-                for given in Step::given(derivation, of) {
-                    sum = key(&[&sum, given.as_bytes()]);
-                    open.push(given);
-                }
-            }
+        *self.names.steps.get_or_init(|| self.steps(derivation)).get(&claim.name())?
+    }
+
+    /// The names of all claims with all that each follows from: of a claim with the names of its premises, which have those of theirs.
+    /// To go through all of them from each claim would take the square of the length of a chain.
+    fn steps(&self, derivation: &Derivation) -> HashMap<String, Option<Key>> {
+        let all = &derivation.claims;
+        let given: Vec<Vec<String>> = all.iter().map(|claim| Step::given(derivation, claim)).collect();
+        let claim = |name: &String| match derivation.premise(name) {
+            Premise::Claim(at) => Some(at),
+            Premise::System(_) | Premise::Definition => None,
+        };
+        let mut keys: Vec<Option<Key>> = vec![None; all.len()];
+        for at in premises_first(all.len(), |k| given[k].iter().filter_map(claim).collect()) {
+            // In a circle a premise has no name yet, and what follows from it gets none.
+            let named = |name: &String| claim(name).map_or(Some(Key::default()), |premise| keys[premise]);
+            keys[at] = self.step_from(&all[at], &given[at], named);
+        }
+        all.iter().map(Claim::name).zip(keys).collect()
+    }
+
+    /// The name of a claim with its premises, by theirs.
+    fn step_from(&self, claim: &Claim, given: &[String], named: impl Fn(&String) -> Option<Key>) -> Option<Key> {
+        let content = self.claim(&claim.id)?;
+        let mut sum = key(&[b"step", &self.names.base, claim.name().as_bytes(), content.as_bytes()]);
+        for name in given {
+            sum = key(&[&sum, name.as_bytes(), &named(name)?]);
         }
         Some(sum)
     }

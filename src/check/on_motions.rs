@@ -170,7 +170,7 @@ impl Found<'_> {
                 Some(PairAccount { trajectory, verdict, expected, discrimination: None })
             };
             let results = self.columns.iter().zip(&selection.tried).filter_map(pair).collect();
-            let alone = AloneAccount::of(derivation, claim);
+            let alone = AloneAccount::of(claim);
             claims.push(ClaimAccount { alone, ..ClaimAccount::of(claim, results) });
         }
         let trajectories = selection.tried.iter().filter_map(|&t| stage.account(derivation, t)).collect();

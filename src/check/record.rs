@@ -13,7 +13,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::cache::{contents, describe};
+use super::cache::{Cache, contents, describe};
 use super::memory::{Contents, Found, Known, Memory, Names, key};
 use super::{check, check_recalling};
 use crate::derivation::Derivation;
@@ -57,13 +57,10 @@ pub fn check_recorded(
         return check(derivation, options, progress);
     };
     let name = |of: &str| name(derivation, options, of);
-    let kept = |of: &str| store.read(&name(of));
-    let record: Option<Record> = kept(ACCOUNT).and_then(|bytes| postcard::from_bytes(&bytes).ok());
-    if let Some(Record { mut account, .. }) = record.filter(|record| record.contents == contents) {
-        describe(derivation, &mut account);
+    if let Some(account) = recalled(derivation, &contents, &name(ACCOUNT), store) {
         return Ok(account);
     }
-    let found: Option<Found> = kept(ANSWERS).and_then(|bytes| postcard::from_bytes(&bytes).ok());
+    let found: Option<Found> = store.read(&name(ANSWERS)).and_then(|bytes| postcard::from_bytes(&bytes).ok());
     let memory = Memory::of(found.unwrap_or_default());
     let mut account = check_recalling(derivation, options, Known::new(&memory, &Names::of(&contents)), None, progress)?;
     describe(derivation, &mut account);
@@ -77,4 +74,34 @@ pub fn check_recorded(
         }
     }
     Ok(record.account)
+}
+
+/// The account that was kept of a file which says what this one says, with the words of this one.
+fn recalled(derivation: &Derivation, contents: &Contents, name: &str, store: &dyn Store) -> Option<Account> {
+    let record: Record = postcard::from_bytes(&store.read(name)?).ok()?;
+    let mut account = Some(record).filter(|record| record.contents == *contents)?.account;
+    describe(derivation, &mut account);
+    Some(account)
+}
+
+/// [`Cache::check`], where a state of the file that was checked before, also in another process, is not checked again.
+///
+/// # Errors
+/// Those of [`Cache::check`].
+pub fn check_again_recorded(
+    cache: &mut Cache,
+    derivation: &Derivation,
+    store: &dyn Store,
+) -> Result<(Account, Vec<String>), CheckError> {
+    let Some(contents) = contents(derivation) else { return cache.check(derivation) };
+    let name = name(derivation, &Options::default(), ACCOUNT);
+    if let Some(account) = recalled(derivation, &contents, &name, store) {
+        return Ok((account, Vec::new()));
+    }
+    let (account, checked) = cache.check(derivation)?;
+    let record = Record { contents, account };
+    if let Ok(bytes) = postcard::to_allocvec(&record) {
+        store.write(&name, &bytes);
+    }
+    Ok((record.account, checked))
 }

@@ -5,6 +5,7 @@ use rederive::{Ask, Ending};
 use super::arguments::{FileArguments, RigorArgument};
 use super::ending::{Stop, say};
 use super::progress;
+use super::records::RecordArguments;
 
 #[derive(clap::Args)]
 pub struct ExplainArguments {
@@ -17,14 +18,18 @@ pub struct ExplainArguments {
     files: FileArguments,
     #[command(flatten)]
     rigor: RigorArgument,
+    #[command(flatten)]
+    records: RecordArguments,
 }
 
 pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Stop> {
-    let ExplainArguments { claim, on, files, rigor } = arguments;
+    let ExplainArguments { claim, on, files, rigor, records } = arguments;
     let mut shown = false;
-    for (session, asked) in files.sessions_with(claim, on)? {
-        let ask = Ask { rigor: rigor.rigor, ..asked }.explaining(session.derivation());
-        if let Some(text) = progress::check(&session, &ask, None)?.explanation(claim, true) {
+    let store = records.store();
+    // What is explained is what `check` says, and it is what `check` may have left.
+    let ask = Ask { rigor: rigor.rigor, ..Ask::default() };
+    for (session, _) in files.sessions_with(claim, on)? {
+        if let Some(text) = progress::check(&session, &ask, store.as_ref())?.explanation(claim, on, true) {
             say(&text)?;
             shown = true;
         }

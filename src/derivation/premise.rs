@@ -3,6 +3,7 @@
 //! **Guaranteed:** a name means one thing, and no claim of a [`Derivation`] follows from itself, not even through others.
 //! A circle of claims would prove them all from nothing.
 
+use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
@@ -57,21 +58,16 @@ impl Derivation {
         self.claims.iter().position(|c| c.is_called(name)).map_or(Premise::Definition, Premise::Claim)
     }
 
-    /// Claims by their names, then all claims from which they are said to follow, through all steps: a proof is worth what these are.
-    pub fn with_premises(&self, claims: &[String]) -> Vec<String> {
-        let mut out = claims.to_vec();
-        let mut at = 0;
-        while let Some(name) = out.get(at).cloned() {
-            at += 1;
-            // An id alone means all readings.
-            let of = self.claims.iter().filter(|c| c.is_called(&name));
-            for premise in of.flat_map(|c| &c.follows_from) {
-                if matches!(self.premise(premise), Premise::Claim(_)) && !out.contains(premise) {
-                    out.push(premise.clone());
-                }
-            }
-        }
-        out
+    /// The claim with an id and a reading, in whose place in the index another may stand: what has the name of a system, or was put
+    /// beside the claims of the file.
+    pub fn claim(&self, id: &str, reading: Option<&str>) -> Option<&Claim> {
+        let is = |c: &&Claim| c.id == id && c.reading.as_deref() == reading;
+        let name = reading.map_or(Cow::Borrowed(id), |reading| format!("{id}/{reading}").into());
+        let known = match self.index.names.get(name.as_ref()) {
+            Some(Premise::Claim(at)) => self.claims.get(*at).filter(is),
+            Some(Premise::System(_) | Premise::Definition) | None => None,
+        };
+        known.or_else(|| self.claims.iter().find(is))
     }
 
     /// The definition of a symbol, wherever it is declared.

@@ -9,7 +9,7 @@
 
 use std::fs::{self, File, Metadata};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock};
 use std::time::{Duration, Instant, SystemTime};
 
 use sha2::{Digest, Sha256};
@@ -46,13 +46,28 @@ pub struct Records {
     asked: Mutex<Instant>,
     quick: Duration,
     /// The sum of the program, once it was needed.
-    of_program: OnceLock<Option<[u8; SUM]>>,
+    of_program: Arc<OnceLock<Option<[u8; SUM]>>>,
+}
+
+/// The file of the code that runs, where that is a library which another program has loaded.
+static LIBRARY: OnceLock<PathBuf> = OnceLock::new();
+
+/// Says that the code that runs is that of a library: records are of its file then, not of the program that has loaded it.
+pub fn are_of_library(file: PathBuf) {
+    // A process has one; it cannot become another.
+    let _ = LIBRARY.set(file);
+}
+
+/// The sum of the code that runs, once for all records that it is needed for.
+fn of_this_program() -> Arc<OnceLock<Option<[u8; SUM]>>> {
+    static SUM_OF_IT: OnceLock<Arc<OnceLock<Option<[u8; SUM]>>>> = OnceLock::new();
+    Arc::clone(SUM_OF_IT.get_or_init(Arc::default))
 }
 
 impl Records {
     /// A folder, which need not exist, and the file of the program.
     pub fn new(folder: PathBuf, program: PathBuf) -> Records {
-        Records { folder, program, asked: Mutex::new(Instant::now()), quick: QUICK, of_program: OnceLock::new() }
+        Records { folder, program, asked: Mutex::new(Instant::now()), quick: QUICK, of_program: Arc::default() }
     }
 
     /// Those of the program that runs, in a folder that is named; else in the one that a variable of its environment names, none where it
@@ -62,7 +77,9 @@ impl Records {
             Some(folder) => (!folder.is_empty()).then(|| folder.into()),
             None => Records::usual_folder(name),
         };
-        Some(Records::new(named.or_else(usual)?, std::env::current_exe().ok()?))
+        let folder = named.or_else(usual)?;
+        let program = LIBRARY.get().cloned().or_else(|| std::env::current_exe().ok())?;
+        Some(Records { of_program: of_this_program(), ..Records::new(folder, program) })
     }
 
     /// The folder for such things on this system, for a program with this name, by the variables of its environment: that of the

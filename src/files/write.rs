@@ -11,6 +11,7 @@
 //! **Refused:** links from the current folder on, whatever is no regular file, files that were read. A file in the folder of
 //! a report that no report has is the user's, and is carried over.
 
+use std::collections::HashSet;
 use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Write};
@@ -146,8 +147,9 @@ pub fn write_report(folder: &Path, files: &[(String, String)], owned: &[(&str, &
         // A run was stopped between two renames, on a system that has no exchange.
         disk::rename(&left, folder).map_err(failed)?;
     }
+    let named: HashSet<&Path> = files.iter().map(|(name, _)| Path::new(name)).collect();
     let is_ours = |path: &Path| {
-        files.iter().any(|(name, _)| path == Path::new(name))
+        named.contains(path)
             || owned.iter().any(|(inner, endings)| {
                 path.parent() == Some(Path::new(inner))
                     && path.extension().is_some_and(|e| endings.iter().any(|ending| e == *ending))

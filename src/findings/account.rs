@@ -8,7 +8,7 @@ use crate::region::RegionAccount;
 use crate::standing::{Decision, Exception, Finding, Given};
 use crate::variant::{Discrimination, VariantAccount};
 use crate::words::{self, Word};
-use derivation::{Claim, Derivation};
+use derivation::Claim;
 use reason::{Decided, Premises, Proviso, Reason, Refuting, Term, Unproved, Way};
 use serde::{Deserialize, Serialize};
 use units::UnitsAccount;
@@ -316,20 +316,16 @@ pub struct AloneAccount {
     /// The word that the derivation file expects, if it expects one.
     #[serde(deserialize_with = "words::expected")]
     pub expected: Option<Word>,
-    /// Whether it is only given to others: it follows from nothing, and nothing is expected of it.
+    /// Whether it is stated, and not derived: nothing is given to it, and nothing is expected of it.
     pub postulated: bool,
 }
 
 impl AloneAccount {
     /// What is expected of a claim; `None` where it is tried on something.
-    pub fn of(derivation: &Derivation, claim: &Claim) -> Option<AloneAccount> {
-        let mut named = derivation.claims.iter().flat_map(|c| &c.follows_from);
-        let mut is_premise = || named.any(|name| *name == claim.id || *name == claim.name());
-        let is_given_nothing = claim.follows_from.is_empty() && claim.assuming.is_empty();
-        (!claim.is_tried()).then(|| AloneAccount {
-            expected: claim.expect_alone,
-            postulated: claim.expect_alone.is_none() && is_given_nothing && is_premise(),
-        })
+    pub fn of(claim: &Claim) -> Option<AloneAccount> {
+        let given = !claim.follows_from.is_empty() || !claim.assuming.is_empty();
+        let postulated = !given && claim.expect_alone.is_none();
+        (!claim.is_tried()).then_some(AloneAccount { expected: claim.expect_alone, postulated })
     }
 }
 

@@ -190,6 +190,9 @@ pub fn is_empty(identity: &Identity) -> bool {
     matches!(identity, Identity::Undecided(Reason::Contradiction | Reason::NoValue))
 }
 
+/// So many claims, and so many assumptions, are named of what is open behind a proof; the rest is one more entry, the last.
+pub const MOST_TOLD: usize = 64;
+
 /// Something that a proof is given, and that is not proved itself.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Given {

@@ -8,7 +8,7 @@ use std::collections::{BTreeSet, HashMap};
 use crate::derivation::{Claim, Derivation, Premise, Written};
 use crate::expr::FastSet;
 use crate::findings::ClaimAccount;
-use crate::findings::standing::{Decision, Given};
+use crate::findings::standing::{Decision, Given, MOST_TOLD};
 use crate::latex::Statement;
 
 /// For each claim what its proof is conditional on: the claims that it follows from, through all steps, whose own steps are not
@@ -23,18 +23,13 @@ pub fn conditional(derivation: &Derivation, claims: &mut [ClaimAccount], known: 
             decisions[at] = Some(identity.finding.decision());
         }
     }
-    // For each claim what is open among all that it follows from.
-    let mut open: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); derivation.claims.len()];
-    let gathered = |open: &[BTreeSet<usize>], of: &[usize], own: usize| -> BTreeSet<usize> {
-        let mut out = BTreeSet::new();
-        for &at in of {
-            // In a circle nothing is proved.
-            if at == own || decisions[at] != Some(Decision::Proved) {
-                out.insert(at);
-            }
-            out.extend(&open[at]);
-        }
-        out
+    // For each claim what is open among all that it follows from, the nearest first.
+    let mut open: Vec<Vec<usize>> = vec![Vec::new(); derivation.claims.len()];
+    let gathered = |open: &[Vec<usize>], of: &[usize], own: usize| -> Vec<usize> {
+        // In a circle nothing is proved.
+        let is_open = |at: usize| at == own || decisions[at] != Some(Decision::Proved);
+        let direct = of.iter().copied().filter(|&at| is_open(at));
+        told(direct.chain(of.iter().flat_map(|&at| open[at].iter().copied())))
     };
     let follows = follows(derivation);
     for own in premises_first(follows.len(), |k| follows[k].clone()) {
@@ -52,11 +47,15 @@ pub fn conditional(derivation: &Derivation, claims: &mut [ClaimAccount], known: 
             for at in gathered(&open, &premises(derivation, &identity.from), own) {
                 let standing = match at == own {
                     true => Some("itself what is to be proved"),
-                    false => decisions[at].map(Decision::word),
+                    false => decisions.get(at).and_then(|d| d.map(Decision::word)),
                 };
-                out.push(Given { name: derivation.claims[at].name(), standing });
+                let claim = derivation.claims.get(at);
+                let name = claim.map_or_else(|| format!("more than {MOST_TOLD} claims"), Claim::name);
+                out.push(Given { name, standing });
             }
-            out.sort_by(|a, b| a.name.cmp(&b.name));
+            // What stands for the rest is the last.
+            let told = out.len().min(MOST_TOLD);
+            out[..told].sort_by(|a, b| a.name.cmp(&b.name));
         }
         identity.conditional_on = out;
     }
@@ -100,10 +99,25 @@ pub fn premises_first(count: usize, premises: impl Fn(usize) -> Vec<usize>) -> V
     out
 }
 
-/// Of what a claim presupposes, so much is told apart.
-const MOST_PRESUPPOSED: usize = 64;
-/// Stands for what is presupposed beyond that: no claim assumes it.
+/// Stands for what is open or presupposed beyond [`MOST_TOLD`]: no claim, and no assumption, has this number.
 const MORE: usize = usize::MAX;
+
+/// Numbers, each once, as they come: so many that what is told of each claim of a long derivation is bounded.
+fn told(all: impl Iterator<Item = usize>) -> Vec<usize> {
+    let (mut out, mut seen, mut more) = (Vec::new(), FastSet::<usize>::default(), false);
+    for one in all {
+        if one == MORE || out.len() == MOST_TOLD && !seen.contains(&one) {
+            more = true;
+        } else if seen.insert(one) {
+            out.push(one);
+        }
+        if more && out.len() == MOST_TOLD {
+            break;
+        }
+    }
+    out.extend(more.then_some(MORE));
+    out
+}
 
 /// The assumptions of all claims, each numbered once, and what the claims presuppose.
 struct Assumptions<'d> {
@@ -131,24 +145,12 @@ impl<'d> Assumptions<'d> {
 
     /// What premises assume, and what they presuppose, but for what is assumed here.
     fn inherited(&self, premises: &[usize], own: &[usize]) -> Vec<usize> {
-        let (mut out, mut seen) = (Vec::new(), FastSet::<usize>::default());
-        for one in premises.iter().flat_map(|&at| self.own[at].iter().chain(&self.presupposed[at]).copied()) {
-            if own.contains(&one) || !seen.insert(one) {
-                continue;
-            }
-            if out.len() >= MOST_PRESUPPOSED {
-                out.push(MORE);
-                break;
-            }
-            out.push(one);
-        }
-        out
+        let all = premises.iter().flat_map(|&at| self.own[at].iter().chain(&self.presupposed[at]).copied());
+        told(all.filter(|one| !own.contains(one)))
     }
 
     fn text(&self, number: usize) -> String {
-        self.texts
-            .get(number)
-            .map_or_else(|| format!("more than {MOST_PRESUPPOSED} assumptions"), |text| (*text).to_owned())
+        self.texts.get(number).map_or_else(|| format!("more than {MOST_TOLD} assumptions"), |text| (*text).to_owned())
     }
 }
 

@@ -8,68 +8,158 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::digest::Whole;
 use crate::derivation::{ClaimRole, Derivation};
 
-/// Which claim rests on which, by ids of whole claims.
+/// Which claim rests on which. Claims are whole ones, by their positions in the order of the file.
+#[derive(Default)]
 pub(super) struct Consequences<'a> {
-    /// What rests directly on a claim.
-    carried: BTreeMap<&'a str, BTreeSet<&'a str>>,
+    ids: Vec<&'a str>,
+    at: BTreeMap<&'a str, usize>,
+    /// What rests directly on each claim.
+    carried: Vec<BTreeSet<usize>>,
+    /// What each claim rests on directly.
+    grounds: Vec<Vec<usize>>,
     /// The conclusions, in the order of the file.
     conclusions: Vec<&'a str>,
+}
+
+/// So many conclusions are told of each claim.
+const MOST_CONCLUSIONS: usize = 16;
+
+/// Conclusions that rest on a claim.
+#[derive(Clone, Default)]
+pub(super) struct Concluded<'a> {
+    /// The first of them, in the order of the file.
+    pub told: Vec<&'a str>,
+    /// How many were found; not all, where they are more than are told.
+    found: usize,
+}
+
+impl Concluded<'_> {
+    /// Whether there are more than are told.
+    pub fn has_more(&self) -> bool {
+        self.found > self.told.len()
+    }
 }
 
 impl<'a> Consequences<'a> {
     /// What the file says.
     pub fn new(derivation: &'a Derivation) -> Consequences<'a> {
-        let mut carried: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
-        let mut conclusions: Vec<&str> = Vec::new();
-        let id_of =
-            |name: &str| derivation.claims.iter().find(|c| c.name() == name || c.id == name).map(|c| c.id.as_str());
+        let mut out = Consequences::default();
+        let mut named: BTreeMap<String, &str> = BTreeMap::new();
         for claim in &derivation.claims {
-            if claim.conclusion && !conclusions.contains(&claim.id.as_str()) {
-                conclusions.push(&claim.id);
+            out.add(&claim.id);
+            named.entry(claim.id.clone()).or_insert(&claim.id);
+            named.entry(claim.name()).or_insert(&claim.id);
+            if claim.conclusion && out.conclusions.last() != Some(&claim.id.as_str()) {
+                out.conclusions.push(&claim.id);
             }
+        }
+        for claim in &derivation.claims {
             let argued = match claim.role {
                 ClaimRole::Says | ClaimRole::MayMean | ClaimRole::Needs | ClaimRole::Lemma | ClaimRole::Choice => true,
                 ClaimRole::Against | ClaimRole::Added => false,
             };
             let follows = claim.follows_from.iter().filter(|_| argued);
-            for name in follows.chain(&claim.rests_on) {
-                if let Some(from) = id_of(name).filter(|from| *from != claim.id) {
-                    carried.entry(from).or_default().insert(&claim.id);
-                }
+            for from in follows.chain(&claim.rests_on).filter_map(|name| named.get(name.as_str())) {
+                out.carry(from, &claim.id);
             }
         }
-        Consequences { carried, conclusions }
+        out
     }
 
-    /// What rests directly on what: from, to.
+    /// The position of a claim, which is added where it is not there yet.
+    fn add(&mut self, id: &'a str) -> usize {
+        let at = *self.at.entry(id).or_insert(self.ids.len());
+        if at == self.ids.len() {
+            self.ids.push(id);
+            self.carried.push(BTreeSet::new());
+            self.grounds.push(Vec::new());
+        }
+        at
+    }
+
+    /// Takes down that one claim rests on another.
+    fn carry(&mut self, from: &'a str, to: &'a str) {
+        let (from, to) = (self.add(from), self.add(to));
+        if from != to && self.carried[from].insert(to) {
+            self.grounds[to].push(from);
+        }
+    }
+
+    fn names(&self, of: impl IntoIterator<Item = usize>) -> Vec<&'a str> {
+        of.into_iter().map(|at| self.ids[at]).collect()
+    }
+
+    /// What rests directly on what, from and to, by the alphabet.
     pub fn edges(&self) -> impl Iterator<Item = (&'a str, &'a str)> {
-        self.carried.iter().flat_map(|(from, to)| to.iter().map(|to| (*from, *to)))
+        self.at.iter().flat_map(|(from, at)| {
+            let to: BTreeSet<&str> = self.carried[*at].iter().map(|to| self.ids[*to]).collect();
+            to.into_iter().map(|to| (*from, to))
+        })
+    }
+
+    /// What rests on a claim directly, in the order of the file.
+    pub fn directly_on(&self, id: &str) -> Vec<&'a str> {
+        self.names(self.at.get(id).into_iter().flat_map(|at| self.carried[*at].iter().copied()))
     }
 
     /// Everything that rests on a claim, directly or through others, in the order of the file.
-    pub fn carried_by(&self, id: &str, wholes: &[Whole<'_>]) -> Vec<String> {
-        let reached = self.reached(id);
-        wholes.iter().map(|w| w.id).filter(|w| reached.contains(w)).map(str::to_owned).collect()
+    pub fn carried_by(&self, id: &str) -> Vec<&'a str> {
+        self.reached(id, |at| self.carried[at].iter())
     }
 
-    fn reached(&self, id: &str) -> BTreeSet<&'a str> {
-        let mut seen: BTreeSet<&str> = BTreeSet::new();
-        let mut open: Vec<&str> = self.carried.get(id).into_iter().flatten().copied().collect();
-        while let Some(next) = open.pop() {
-            if next != id && seen.insert(next) {
-                open.extend(self.carried.get(next).into_iter().flatten());
+    /// Everything that a claim rests on, in the order of the file.
+    pub fn grounds_of(&self, id: &str) -> Vec<&'a str> {
+        self.reached(id, |at| self.grounds[at].iter())
+    }
+
+    fn reached<'s, I: Iterator<Item = &'s usize>>(&'s self, id: &str, next: impl Fn(usize) -> I) -> Vec<&'a str> {
+        let Some(&own) = self.at.get(id) else { return Vec::new() };
+        let mut seen = vec![false; self.ids.len()];
+        let mut open: Vec<usize> = next(own).copied().collect();
+        while let Some(at) = open.pop() {
+            if at != own && !std::mem::replace(&mut seen[at], true) {
+                open.extend(next(at));
             }
         }
-        seen
+        self.names((0..seen.len()).filter(|at| seen[*at]))
     }
 
     /// The conclusions that rest on a claim, itself apart.
     pub fn conclusions_of(&self, id: &str) -> Vec<&'a str> {
-        let reached = self.reached(id);
+        self.concluded_in(&self.carried_by(id))
+    }
+
+    fn concluded_in(&self, reached: &[&'a str]) -> Vec<&'a str> {
+        let reached: BTreeSet<&str> = reached.iter().copied().collect();
         self.conclusions.iter().copied().filter(|c| reached.contains(c)).collect()
+    }
+
+    /// The first conclusions that rest on each claim, itself apart.
+    ///
+    /// From each conclusion it is looked at what it rests on. That goes no further from a claim of which enough are known: all that
+    /// this rests on know them, too. (In a circle one of them may be itself, so it is two beyond those that are told.)
+    pub fn concluded(&self) -> BTreeMap<&'a str, Concluded<'a>> {
+        let mut out = vec![Concluded::default(); self.ids.len()];
+        let mut seen = vec![None; self.ids.len()];
+        for &conclusion in &self.conclusions {
+            let own = self.at[conclusion];
+            seen[own] = Some(own);
+            let mut open = self.grounds[own].clone();
+            while let Some(at) = open.pop() {
+                let of: &mut Concluded<'a> = &mut out[at];
+                if seen[at].replace(own) == Some(own) || of.found >= MOST_CONCLUSIONS + 2 {
+                    continue;
+                }
+                of.found += 1;
+                if of.told.len() < MOST_CONCLUSIONS {
+                    of.told.push(conclusion);
+                }
+                open.extend(&self.grounds[at]);
+            }
+        }
+        self.ids.iter().copied().zip(out).collect()
     }
 
     /// All conclusions of the paper.
@@ -80,7 +170,8 @@ impl<'a> Consequences<'a> {
     /// How much falls with a claim: conclusions, itself among them, then claims. Larger is heavier.
     pub fn weight(&self, id: &str) -> (usize, usize) {
         let itself = usize::from(self.conclusions.contains(&id));
-        (self.conclusions_of(id).len() + itself, self.reached(id).len())
+        let reached = self.carried_by(id);
+        (self.concluded_in(&reached).len() + itself, reached.len())
     }
 }
 
@@ -88,12 +179,40 @@ impl<'a> Consequences<'a> {
 mod tests {
     use super::*;
 
+    fn of(carried: &[(&'static str, &'static str)], conclusions: Vec<&'static str>) -> Consequences<'static> {
+        let mut out = Consequences::default();
+        for (from, to) in carried {
+            out.carry(from, to);
+        }
+        for id in &conclusions {
+            out.add(id);
+        }
+        out.conclusions = conclusions;
+        out
+    }
+
     fn chain() -> Consequences<'static> {
         // a carries b, b carries c and d, d is a conclusion; e stands alone, and is one, too.
-        let carried = [("a", vec!["b"]), ("b", vec!["c", "d"]), ("d", vec!["b"])];
-        Consequences {
-            carried: carried.into_iter().map(|(k, v)| (k, v.into_iter().collect())).collect(),
-            conclusions: vec!["d", "e"],
+        of(&[("a", "b"), ("b", "c"), ("b", "d"), ("d", "b")], vec!["d", "e"])
+    }
+
+    /// What is found from the conclusions is what is found from the claims.
+    #[test]
+    fn conclusions_are_found_from_both_ends() {
+        let names: Vec<&'static str> = (0..60).map(|n| &*Box::leak(format!("c{n}").into_boxed_str())).collect();
+        let step = |k: usize| move |n: usize| (n * k + n / 7 + 1) % 60;
+        for (k, every) in [(1, 1), (3, 1), (7, 2), (11, 5), (13, 20)] {
+            // Chains that branch, with circles.
+            let carried: Vec<_> =
+                (0..60).map(|n| (names[n], names[step(k)(n)])).chain([(names[0], names[9])]).collect();
+            let all = of(&carried, names.iter().copied().step_by(every).collect());
+            let concluded = all.concluded();
+            for id in &names {
+                let exact = all.conclusions_of(id);
+                let found = &concluded[id];
+                assert_eq!(found.told, exact[..exact.len().min(MOST_CONCLUSIONS)], "{id}, {k}, {every}");
+                assert_eq!(found.has_more(), exact.len() > MOST_CONCLUSIONS, "{id}, {k}, {every}");
+            }
         }
     }
 

@@ -13,6 +13,7 @@ use super::numbers::count;
 use super::tally::{Standing, declared};
 use crate::derivation::{ClaimRole, Derivation};
 use findings::conditions::{ConditionName, Explanation, Join};
+use findings::standing::MOST_TOLD;
 use findings::{Account, ClaimAccount, Outcome, Strength};
 
 /// What became of a claim.
@@ -228,6 +229,8 @@ fn given(open: &[String]) -> String {
     let named: Vec<String> = open.iter().take(MOST_GIVEN).map(|id| format!("“{id}”")).collect();
     match open.len().saturating_sub(MOST_GIVEN) {
         0 => named.join(", "),
+        // What stands for the rest is one of these.
+        more if open.len() > MOST_TOLD => format!("{} and more than {} more", named.join(", "), more - 1),
         more => format!("{} and {more} more", named.join(", ")),
     }
 }

@@ -9,9 +9,10 @@ use super::wording::{one_line, slack_sentence};
 use crate::derivation::{Claim, Derivation, SymbolEntry};
 use findings::{Account, ClaimAccount, Outcome, PairAccount, Strength};
 
-/// Everything that is known about every pair of some claims of the account, with escape codes if `colour`. The others are there
-/// because proofs rest on them.
-pub fn explain(derivation: &Derivation, account: &Account, wanted: &[String], colour: bool) -> String {
+/// Everything that is known about some claims of the account, on some trajectories and families; all where none are named. With escape
+/// codes if `colour`.
+pub fn explain(derivation: &Derivation, account: &Account, wanted: &[String], on: &[String], colour: bool) -> String {
+    let is_meant = |id: &String| on.is_empty() || on.contains(id);
     let paint = Paint(colour);
     let graph = DerivationGraph::new(derivation, account);
     let mut out = String::new();
@@ -19,10 +20,12 @@ pub fn explain(derivation: &Derivation, account: &Account, wanted: &[String], co
         account.claims.iter().filter(|c| wanted.is_empty() || wanted.contains(&c.id) || wanted.contains(&name(c)))
     {
         out.push_str(&about_claim(derivation, claim, &graph, paint));
-        for pair in &claim.results {
+        for pair in claim.results.iter().filter(|pair| is_meant(&pair.trajectory)) {
             out.push_str(&about_pair(account, pair, paint));
         }
-        out.push_str(&super::summary::on_families(derivation, claim, paint));
+        for family in claim.families.iter().filter(|family| is_meant(&family.family)) {
+            out.push_str(&super::summary::on_family(derivation, claim, family, paint, true));
+        }
         out.push_str(&super::region::explain(derivation, claim, paint));
     }
     out
@@ -188,6 +191,6 @@ mod tests {
 
     #[test]
     fn everything_is_said() {
-        insta::assert_snapshot!(explain(&derivation(), &sample::account(), &[], false));
+        insta::assert_snapshot!(explain(&derivation(), &sample::account(), &[], &[], false));
     }
 }

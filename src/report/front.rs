@@ -6,6 +6,8 @@
 //!
 //! **Guaranteed:** it fits on one printed page: so many lines are told, the rest is counted.
 
+use std::collections::BTreeSet;
+
 use super::consequence::Consequences;
 use super::digest::{self, Basis, Fate, Whole};
 use super::numbers::count;
@@ -75,18 +77,21 @@ impl Front {
         };
         let mut against: Vec<&Whole<'_>> = wholes.iter().filter(|w| w.fate.is_against()).collect();
         // The sort is stable: equals stay in the order of the paper.
-        against.sort_by_key(|w| (std::cmp::Reverse(hangs.weight(w.id)), w.fate));
+        against.sort_by_cached_key(|w| (std::cmp::Reverse(hangs.weight(w.id)), w.fate));
         let more = against.len().saturating_sub(MOST);
         let conclusion = |id: &&str| {
             let whole = wholes.iter().find(|w| w.id == *id)?;
-            let under = |w: &&&Whole<'_>| hangs.conclusions_of(w.id).contains(id);
+            let grounds: BTreeSet<&str> = match against.is_empty() {
+                true => BTreeSet::new(),
+                false => hangs.grounds_of(id).into_iter().collect(),
+            };
             Some(Conclusion {
                 letter: letter(id)?,
                 id: whole.id.to_owned(),
                 says: whole.says.clone(),
                 place: whole.place.map(str::to_owned),
                 fate: whole.fate,
-                without: against.iter().filter(under).map(|w| w.id.to_owned()).collect(),
+                without: against.iter().filter(|w| grounds.contains(w.id)).map(|w| w.id.to_owned()).collect(),
             })
         };
         let line = |whole: &&Whole<'_>| Line {
@@ -94,7 +99,7 @@ impl Front {
             says: whole.says.clone(),
             place: whole.place.map(str::to_owned),
             reason: reason(whole),
-            consequence: consequence(whole, &hangs, &wholes, letter),
+            consequence: consequence(whole, &hangs, letter),
         };
         let file = project_path(&derivation.file.path);
         Front {
@@ -127,10 +132,12 @@ fn verdict(wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> String {
     if conclusions.is_empty() {
         return counted;
     }
-    let against: Vec<&Whole<'_>> = wholes.iter().filter(|w| w.fate.is_against()).collect();
+    let against: BTreeSet<&str> = wholes.iter().filter(|w| w.fate.is_against()).map(|w| w.id).collect();
     let falls = |w: &&&Whole<'_>| w.fate.is_against();
-    let loses =
-        |w: &&&Whole<'_>| !w.fate.is_against() && against.iter().any(|a| hangs.conclusions_of(a.id).contains(&w.id));
+    let loses = |w: &&&Whole<'_>| {
+        let hit = || hangs.grounds_of(w.id).iter().any(|ground| against.contains(ground));
+        !w.fate.is_against() && !against.is_empty() && hit()
+    };
     let (fallen, lost) = (conclusions.iter().filter(falls).count(), conclusions.iter().filter(loses).count());
     let all = count(conclusions.len(), "conclusion");
     let mut parts = Vec::new();
@@ -198,16 +205,11 @@ fn reason(whole: &Whole<'_>) -> String {
 }
 
 /// What falls with a claim, in a sentence.
-fn consequence(
-    whole: &Whole<'_>,
-    hangs: &Consequences<'_>,
-    wholes: &[Whole<'_>],
-    letter: impl Fn(&str) -> Option<char>,
-) -> Option<String> {
+fn consequence(whole: &Whole<'_>, hangs: &Consequences<'_>, letter: impl Fn(&str) -> Option<char>) -> Option<String> {
     let conclusions: Vec<String> =
         hangs.conclusions_of(whole.id).iter().filter_map(|c| letter(c)).map(String::from).collect();
-    let claims = hangs.carried_by(whole.id, wholes);
-    let others: Vec<&String> = claims.iter().filter(|c| letter(c).is_none()).collect();
+    let claims = hangs.carried_by(whole.id);
+    let others: Vec<&&str> = claims.iter().filter(|c| letter(c).is_none()).collect();
     let named: Vec<String> = others.iter().take(MOST_NAMED).map(|c| c.to_string()).collect();
     let more = others.len().saturating_sub(MOST_NAMED);
     let mut parts = Vec::new();
@@ -272,8 +274,8 @@ pub fn alarms(derivation: &Derivation, account: &Account) -> Vec<String> {
 /// Claims from which another is said to follow although they fail on a motion, or a point refutes them. What holds on every
 /// motion that is tried is a condition on motions, not a mistake.
 fn refuted_premises(derivation: &Derivation, account: &Account) -> Vec<String> {
-    let names: Vec<&String> = derivation.claims.iter().flat_map(|c| &c.follows_from).collect();
-    let is_premise = |c: &&ClaimAccount| names.iter().any(|n| **n == name(c) || **n == c.id && c.reading.is_none());
+    let names: BTreeSet<&String> = derivation.claims.iter().flat_map(|c| &c.follows_from).collect();
+    let is_premise = |c: &&ClaimAccount| names.contains(&name(c));
     let is_refuted = |c: &&ClaimAccount| match Standing::of(c) {
         Standing::Fails | Standing::Mixed => true,
         Standing::Holds => false,

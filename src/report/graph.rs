@@ -1,7 +1,7 @@
 //! Which claim rests on which: the graph of a derivation, as data, as a drawing and in words.
 //!
 //! **In:** the derivation, and the verdicts on its steps. **Out:** nodes (claims, systems, symbols) and edges (this follows from
-//! that); for every claim, everything that it rests on, through all steps, with the assumptions that flow into it.
+//! that); for a claim, the nearest of what it rests on, through all steps, with the assumptions that flow into it.
 //!
 //! Nothing is decided here: an edge has the verdict of the step that it belongs to, `identity` of the claim at its end. A chain
 //! is worth no more than its weakest step, so the steps that are not proved are named.
@@ -9,12 +9,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::tally::name;
-use crate::derivation::Derivation;
+use crate::derivation::{Derivation, Premise};
 use findings::standing::Decision;
 use findings::{Account, ClaimAccount, IdentityAccount};
 
 /// What a node is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Kind {
     Claim,
     System,
@@ -116,7 +116,7 @@ pub(super) fn brief(identity: &IdentityAccount, proof: &ProofStanding) -> String
     }
 }
 
-/// Everything that a claim rests on.
+/// What a claim rests on, through all steps: the nearest of it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Rests {
     pub systems: Vec<String>,
@@ -127,15 +127,20 @@ pub(super) struct Rests {
     pub assumptions: Vec<(String, String)>,
     /// Steps on the way that are not proved, each with its verdict; claims that are not decided for all values have none.
     pub open: Vec<(String, Option<&'static str>)>,
-    /// It rests on itself: a circle proves nothing.
-    pub circular: bool,
+    /// It rests on more than these.
+    pub more: bool,
 }
 
 /// The graph.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct DerivationGraph {
     pub nodes: Vec<Node>,
+    /// Where claims, systems and symbols are.
+    places: BTreeMap<(Kind, String), usize>,
 }
+
+/// Of what a claim rests on through all steps, so much is told: along a chain, all of it would be half the square of its length.
+const MOST_TOLD: usize = 32;
 
 /// More edges than this are not drawn: nobody could read it.
 const MOST_EDGES: usize = 300;
@@ -143,7 +148,7 @@ const MOST_EDGES: usize = 300;
 impl DerivationGraph {
     /// The graph of a derivation, with the verdicts of an account.
     pub fn new(derivation: &Derivation, account: &Account) -> DerivationGraph {
-        let mut graph = DerivationGraph { nodes: Vec::new() };
+        let mut graph = DerivationGraph { nodes: Vec::new(), places: BTreeMap::new() };
         // All claims of the file: those that were not checked may be given to those that were.
         let verdicts: BTreeMap<String, &IdentityAccount> =
             account.claims.iter().filter_map(|c| Some((name(c), c.identity.as_ref()?))).collect();
@@ -179,50 +184,50 @@ impl DerivationGraph {
             .iter()
             .map(|&i| Node { from: graph.nodes[i].from.iter().filter_map(place).collect(), ..graph.nodes[i].clone() })
             .collect();
-        DerivationGraph { nodes }
+        DerivationGraph::of(nodes)
+    }
+
+    fn of(nodes: Vec<Node>) -> DerivationGraph {
+        let places = nodes.iter().enumerate().map(|(at, n)| ((n.kind, n.id.clone()), at)).collect();
+        DerivationGraph { nodes, places }
     }
 
     /// The node that a name in `follows-from` means: a system, a claim (of several readings the first), or a symbol.
     fn premise(&mut self, derivation: &Derivation, text: &str) -> usize {
-        if derivation.systems.iter().any(|s| s.id == text) {
-            return self.leaf(Kind::System, text);
+        match derivation.premise(text) {
+            Premise::System(_) => self.leaf(Kind::System, text),
+            Premise::Claim(at) => at,
+            Premise::Definition => self.leaf(Kind::Symbol, text),
         }
-        let claim = derivation.claims.iter().position(|c| c.name() == text || c.id == text);
-        claim.unwrap_or_else(|| self.leaf(Kind::Symbol, text))
     }
 
     fn leaf(&mut self, kind: Kind, id: &str) -> usize {
-        let known = self.nodes.iter().position(|n| n.kind == kind && n.id == id);
-        known.unwrap_or_else(|| {
-            self.nodes.push(Node {
-                id: id.to_owned(),
-                kind,
-                verdict: None,
-                proof: ProofStanding::None,
-                assumptions: Vec::new(),
-                from: Vec::new(),
-            });
-            self.nodes.len() - 1
-        })
+        let at = *self.places.entry((kind, id.to_owned())).or_insert(self.nodes.len());
+        if at == self.nodes.len() {
+            let (verdict, proof, id) = (None, ProofStanding::None, id.to_owned());
+            self.nodes.push(Node { id, kind, verdict, proof, assumptions: Vec::new(), from: Vec::new() });
+        }
+        at
     }
 
-    /// What the node at this position rests on, nearest first.
-    pub fn rests(&self, at: usize) -> Rests {
+    /// What the node at this position rests on directly, of one kind.
+    pub fn direct(&self, at: usize, kind: Kind) -> Vec<String> {
+        let from = self.nodes[at].from.iter().map(|&from| &self.nodes[from]);
+        from.filter(|n| n.kind == kind).map(|n| n.id.clone()).collect()
+    }
+
+    /// What the node at this position rests on, nearest first. No claim of a derivation rests on itself.
+    fn rests(&self, at: usize) -> Rests {
         let mut out = Rests::default();
-        let mut reached: Vec<usize> = Vec::new();
-        let mut seen = vec![false; self.nodes.len()];
+        let mut reached = self.nodes[at].from.clone();
+        let mut seen: BTreeSet<usize> = reached.iter().copied().collect();
         let mut next = 0;
-        let mut open = self.nodes[at].from.clone();
-        while next < open.len() {
-            let one = open[next];
+        while let Some(&one) = reached.get(next).filter(|_| reached.len() <= MOST_TOLD) {
             next += 1;
-            if one == at {
-                out.circular = true;
-            } else if !std::mem::replace(&mut seen[one], true) {
-                reached.push(one);
-                open.extend(&self.nodes[one].from);
-            }
+            reached.extend(self.nodes[one].from.iter().filter(|from| seen.insert(**from)));
         }
+        out.more = reached.len() > MOST_TOLD;
+        reached.truncate(MOST_TOLD);
         let own = &self.nodes[at].assumptions;
         for node in reached.iter().map(|&i| &self.nodes[i]) {
             match node.kind {
@@ -246,8 +251,7 @@ impl DerivationGraph {
 
     /// What a claim rests on; `None` where it rests on nothing that is named.
     pub fn rests_of(&self, claim: &ClaimAccount) -> Option<Rests> {
-        let id = name(claim);
-        let at = self.nodes.iter().position(|n| n.kind == Kind::Claim && n.id == id)?;
+        let at = *self.places.get(&(Kind::Claim, name(claim)))?;
         (!self.nodes[at].from.is_empty()).then(|| self.rests(at))
     }
 
@@ -341,7 +345,7 @@ mod tests {
             node("b", Some("refuted"), &["y>0", "x>0"], &[1]),
             node("c", Some("proved"), &["y>0"], &[2, 1]),
         ];
-        DerivationGraph { nodes }
+        DerivationGraph::of(nodes)
     }
 
     #[test]
@@ -351,15 +355,22 @@ mod tests {
         assert_eq!(rests.claims, ["b", "a"]);
         assert_eq!(rests.assumptions, [("x>0".to_owned(), "b".to_owned())]);
         assert_eq!(rests.open, [("b".to_owned(), Some("refuted"))]);
-        assert!(!rests.circular);
+        assert!(!rests.more);
+        assert_eq!(chain().direct(3, Kind::Claim), ["b", "a"]);
+        assert!(chain().direct(3, Kind::System).is_empty());
     }
 
     #[test]
-    fn a_circle_is_named() {
-        let mut graph = chain();
-        graph.nodes[1].from = vec![3];
-        assert!(graph.rests(3).circular && graph.rests(1).circular && graph.rests(2).circular);
-        assert!(!graph.rests(0).circular);
+    fn of_a_long_chain_the_nearest_is_told() {
+        let step = |n: usize| {
+            let from: Vec<usize> = n.checked_sub(1).into_iter().collect();
+            node(&format!("c{n}"), Some("proved"), &[], &from)
+        };
+        let chain = DerivationGraph::of((0..100).map(step).collect());
+        let nearest: Vec<String> = (0..MOST_TOLD).map(|k| format!("c{}", 98 - k)).collect();
+        assert_eq!(chain.rests(99).claims, nearest);
+        assert!(chain.rests(99).more && chain.rests(MOST_TOLD + 1).more);
+        assert!(!chain.rests(MOST_TOLD).more && chain.rests(MOST_TOLD).claims.len() == MOST_TOLD);
     }
 
     #[test]

@@ -73,7 +73,7 @@ fn bare(text: &str) -> String {
 }
 
 /// One claim on one family, in the terminal; `pasted` gives the members as trajectories.
-fn on_family(
+pub(super) fn on_family(
     derivation: &Derivation,
     claim: &ClaimAccount,
     family: &FamilyAccount,
@@ -137,11 +137,6 @@ fn families(derivation: &Derivation, account: &Account, paint: Paint, told: Told
         }
     }
     if body.is_empty() { body } else { format!("{} ({number})\n\n{body}", paint.bold("On families of motions")) }
-}
-
-/// How the verdicts on families came about, for `rederive explain`.
-pub(super) fn on_families(derivation: &Derivation, claim: &ClaimAccount, paint: Paint) -> String {
-    claim.families.iter().map(|family| on_family(derivation, claim, family, paint, true)).collect()
 }
 
 /// The matrix of verdicts, in as many parts as its columns need, with its legend.

@@ -99,5 +99,5 @@ pub(super) fn says(derivation: &Derivation, claim: &ClaimAccount) -> String {
 
 /// The claim of the file that an account is of.
 pub(super) fn declared<'d>(derivation: &'d Derivation, claim: &ClaimAccount) -> Option<&'d Claim> {
-    derivation.claims.iter().find(|c| c.id == claim.id && c.reading == claim.reading)
+    derivation.claim(&claim.id, claim.reading.as_deref())
 }

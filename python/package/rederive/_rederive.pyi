@@ -15,6 +15,7 @@ class Session:
         only_verdicts: bool,
         deadline: Optional[float] = None,
         memory: Optional[int] = None,
+        cache: tuple[bool, Optional[str]] = (True, None),
         progress: Optional[Callable[[int, int], object]] = None,
     ) -> Findings: ...
     def prove(

@@ -18,6 +18,7 @@ __all__ = ["Session", "check", "prove"]
 
 Text = Union[str, "os.PathLike[str]", Derivation]
 Rigor = Literal["enclosed", "sampled"]
+Cache = Union[None, Literal[False], str, "os.PathLike[str]"]
 
 
 @dataclass(frozen=True)
@@ -32,6 +33,7 @@ class _Asked:
     only_verdicts: bool
     deadline: Optional[float]
     memory: Optional[int]
+    cache: tuple[bool, Optional[str]]
 
     def __call__(self) -> _rederive.Findings:
         return self.of(_rederive.Session(self.name, self.text), None)
@@ -44,6 +46,7 @@ class _Asked:
             self.only_verdicts,
             self.deadline,
             self.memory,
+            self.cache,
             progress,
         )
 
@@ -109,6 +112,7 @@ class Session:
         only_verdicts: bool = False,
         deadline: Optional[float] = None,
         memory: Optional[int] = None,
+        cache: Cache = None,
         progress: Progress = None,
     ) -> Report:
         """Tries the claims on the motions; see :func:`check`."""
@@ -117,7 +121,7 @@ class Session:
         if self._text is None:
             raise ValueError("there is nothing to check: the session has no derivation")
         sampled = rigor == "sampled"
-        of = (_names(claims), _names(trajectories), sampled, only_verdicts, _seconds(deadline), memory)
+        of = (_names(claims), _names(trajectories), sampled, only_verdicts, _seconds(deadline), memory, _cache(cache))
         asked = _Asked(self._name, self._text, *of)
         with shown(progress, self._name) as tell:
             found = asked.of(self._read, tell)
@@ -176,6 +180,7 @@ def check(
     only_verdicts: bool = False,
     deadline: Optional[float] = None,
     memory: Optional[int] = None,
+    cache: Cache = None,
     progress: Progress = None,
 ) -> Report:
     """Tries the claims of a derivation on its motions.
@@ -186,6 +191,8 @@ def check(
     ``only_verdicts``: no altered formulas, no corrections, nothing that separates the motions.
     ``deadline``: after so many seconds nothing is begun; what is left is undecided.
     ``memory``: the same while the process holds so many bytes.
+    ``cache``: the folder in which what is found is kept, and from which it is recalled; ``False`` for none. Unless given, that of
+    the command line: what ``REDERIVE_CACHE`` names, nothing where it is empty; else that of the user for such things.
     ``progress``: ``True``, ``False``, a function of (done, of), or ``None``: a line on a terminal, nothing elsewhere.
 
     Raises :class:`DerivationError` with every problem of the text, and :class:`UnknownName`.
@@ -197,6 +204,7 @@ def check(
         only_verdicts=only_verdicts,
         deadline=deadline,
         memory=memory,
+        cache=cache,
         progress=progress,
     )
 
@@ -235,6 +243,11 @@ def _seconds(deadline: Optional[float]) -> Optional[float]:
     if deadline is not None and deadline != deadline:
         raise ValueError("the deadline is not a number")
     return None if deadline is None else max(float(deadline), 0.0)
+
+
+def _cache(cache: Cache) -> tuple[bool, Optional[str]]:
+    """Whether what is found is kept, and in which folder, where one is named."""
+    return cache is not False, None if cache is None or cache is False else os.path.abspath(cache)
 
 
 def _of_sympy(formula: Any, words: list[str], given: list[Any]) -> tuple[str, list[str], list[str]]:

@@ -59,8 +59,10 @@ impl Elaborator<'_> {
             sum = self.both(sum, term, |g, a, b| g.add(a, b));
         }
         // Terms that are left out as 0 may have been all that needed f or g to have a value.
+        // A product has a value where its factors have, whatever their units.
         let all = f.components.iter().chain(&g.components).copied();
-        let Some(whole) = all.reduce(|a, b| self.graph.add(a, b)) else { return Ok(sum) };
+        let varying: Vec<_> = all.filter(|&e| self.graph.as_constant(e).is_none()).collect();
+        let Some(whole) = varying.into_iter().reduce(|a, b| self.graph.mul(a, b)) else { return Ok(sum) };
         for component in &mut sum.components {
             *component = self.graph.rate_of(whole, *component, |_| false);
         }

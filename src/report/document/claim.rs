@@ -3,13 +3,13 @@
 use super::conditions::Conditions;
 use super::family::Family;
 use super::region::Region;
-use super::value::{Named, StepStanding, StepVerdict, Strength, Verdict, objects};
+use super::value::{Named, StepStanding, StepVerdict, Strength, Verdict, is_false, objects};
 use super::variants::{Discrimination, Variants};
 use crate::certificates::file_name;
 use crate::derivation::{ClaimRole, Derivation};
 use crate::tally::declared;
 use crate::wording::slack;
-use findings::standing;
+use findings::standing::{self, MOST_TOLD};
 
 objects! {
     /// A claim, or one reading of it.
@@ -81,7 +81,10 @@ objects! {
         /// The verdict in full: whether a proof leaves cases out, or follows from what is not proved.
         standing: StepStanding = StepStanding(of.standing()),
         /// Claims that it follows from, through all steps, and that are not proved.
-        conditional_on: Vec<Given<'a>> = of.conditional_on.iter().map(Given::of).collect(),
+        conditional_on: Vec<Given<'a>> = of.conditional_on.iter().take(MOST_TOLD).map(Given::of).collect(),
+        /// There, and true, if there are more such claims than are told.
+        #[serde(skip_serializing_if = "is_false")]
+        conditional_on_more: bool = of.conditional_on.len() > MOST_TOLD,
         /// log2 of the bound for the probability that a proof is wrong.
         log2_error: Option<f64> = of.log2_error,
         /// What was given: ids of claims and systems.

@@ -1,25 +1,25 @@
 //! What follows from what, and what became of each claim as a whole.
 
-use super::value::{NodeKind, objects};
-use crate::consequence::Consequences;
+use super::value::{NodeKind, is_false, objects};
+use crate::consequence::{Concluded, Consequences};
 use crate::derivation::Derivation;
 use crate::digest::{self, Fate, Whole};
 use crate::front::Front;
-use crate::graph::{self, DerivationGraph};
+use crate::graph::{self, DerivationGraph, Kind};
 use findings::Account;
 
 objects! {
     /// What follows from what.
     Graph of (derivation: &Derivation, account: &Account) let graph = DerivationGraph::new(derivation, account); {
         /// Claims, systems and symbols.
-        nodes: Vec<Node> = graph.nodes.iter().enumerate().map(|(at, n)| Node::of(n, graph.rests(at))).collect(),
+        nodes: Vec<Node> = graph.nodes.iter().enumerate().map(|(at, n)| Node::of(n, RestsOn::of(&graph, at))).collect(),
         /// The steps.
         edges: Vec<Edge> = graph.nodes.iter()
             .flat_map(|to| to.from.iter().map(|from| Edge::of(&graph.nodes[*from], to))).collect(),
     }
 
     /// A claim, a system, or a symbol whose definition is used.
-    Node of (of: &graph::Node, rests: graph::Rests) {
+    Node of (of: &graph::Node, rests: RestsOn) {
         /// Id or name.
         id: String = of.id.clone(),
         /// What it is.
@@ -30,40 +30,18 @@ objects! {
         standing: Option<&'static str> = of.proof.word(),
         /// Its own.
         assumptions: Vec<String> = of.assumptions.clone(),
-        /// Everything that it rests on.
-        rests_on: RestsOn = RestsOn::of(rests),
+        /// What it rests on directly.
+        rests_on: RestsOn = rests,
     }
 
-    /// Everything that a node rests on, through all steps.
-    RestsOn of (of: graph::Rests) {
+    /// What a node rests on directly. What these rest on stands beside them: all together, through all steps, is found by going on.
+    RestsOn of (graph: &DerivationGraph, at: usize) {
         /// Ids.
-        systems: Vec<String> = of.systems,
+        systems: Vec<String> = graph.direct(at, Kind::System),
         /// Names.
-        symbols: Vec<String> = of.symbols,
+        symbols: Vec<String> = graph.direct(at, Kind::Symbol),
         /// Ids.
-        claims: Vec<String> = of.claims,
-        /// Assumptions of these claims that are not its own.
-        assumptions: Vec<AssumptionOf> = of.assumptions.into_iter().map(AssumptionOf::of).collect(),
-        /// Steps on the way that are not proved.
-        not_proved: Vec<NotProved> = of.open.into_iter().map(NotProved::of).collect(),
-        /// Whether it rests on itself.
-        circular: bool = of.circular,
-    }
-
-    /// An assumption of another claim.
-    AssumptionOf of (of: (String, String)) {
-        /// As written.
-        formula: String = of.0,
-        /// The first claim that makes it.
-        of: String = of.1,
-    }
-
-    /// A step that is not proved.
-    NotProved of (of: (String, Option<&'static str>)) {
-        /// Of a claim.
-        id: String = of.0,
-        /// Of its step.
-        verdict: Option<&'static str> = of.1,
+        claims: Vec<String> = graph.direct(at, Kind::Claim),
     }
 
     /// A step.
@@ -83,7 +61,8 @@ objects! {
     let front = Front::new(derivation, account);
     let wholes = digest::wholes(derivation, account);
     let hangs = Consequences::new(derivation);
-    let all = wholes.iter().map(|w| ClaimDigest::of(w, &front, hangs.carried_by(w.id, &wholes), hangs.conclusions_of(w.id))).collect(); {
+    let concluded = hangs.concluded();
+    let all = wholes.iter().map(|w| ClaimDigest::of(w, &front, hangs.directly_on(w.id), concluded.get(w.id))).collect(); {
         /// In one sentence.
         verdict: String = front.verdict,
         /// With what strength claims stand.
@@ -99,7 +78,7 @@ objects! {
     }
 
     /// A claim with all its readings.
-    ClaimDigest of (of: &Whole<'_>, front: &Front, hanging: Vec<String>, concluded: Vec<&str>) {
+    ClaimDigest of (of: &Whole<'_>, front: &Front, hanging: Vec<&str>, concluded: Option<&Concluded<'_>>) {
         /// Its id.
         id: String = of.id.to_owned(),
         /// In the file's words.
@@ -117,9 +96,12 @@ objects! {
         proved: bool = of.is_proved(),
         /// Why it does not stand.
         reason: Option<String> = front.lines.iter().find(|l| l.id == of.id).map(|l| l.reason.clone()),
-        /// Claims that rest on it.
-        carries: Vec<String> = hanging,
-        /// Conclusions that rest on it.
-        conclusions: Vec<String> = concluded.into_iter().map(str::to_owned).collect(),
+        /// Claims that rest on it directly: those that rest on them in turn are beside them.
+        carries: Vec<String> = hanging.into_iter().map(str::to_owned).collect(),
+        /// Conclusions that rest on it, through all steps: the first of them.
+        conclusions: Vec<String> = concluded.iter().flat_map(|c| &c.told).map(|id| (*id).to_owned()).collect(),
+        /// There, and true, if more conclusions rest on it than are told.
+        #[serde(skip_serializing_if = "is_false")]
+        more_conclusions: bool = concluded.is_some_and(Concluded::has_more),
     }
 }

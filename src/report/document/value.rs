@@ -109,6 +109,11 @@ impl<T: JsonSchema> JsonSchema for Named<'_, T> {
     }
 }
 
+/// For a field that is there only where it is true.
+pub fn is_false(value: &bool) -> bool {
+    !value
+}
+
 /// A number that is one.
 #[derive(Serialize)]
 pub struct Finite(pub f64);

@@ -41,7 +41,7 @@ fn rests(graph: &DerivationGraph, claim: &ClaimAccount, scope: &Scope) -> Markup
                 (listed(rests.open.iter().map(|(id, verdict)| html! { (link("", id)) " (" (unproved(*verdict)) ")" })))
                 "."
             }
-            @if rests.circular { " " strong.alarm { "It rests on itself: a circle proves nothing." } }
+            @if rests.more { " These are the nearest: it rests on more, through them." }
         }
     }
 }
@@ -86,11 +86,14 @@ pub(super) fn behind(graph: &DerivationGraph, claim: &ClaimAccount, scope: &Scop
 
 /// The same in print: in small letters, without what repeats what is printed elsewhere.
 pub(super) fn behind_in_print(graph: &DerivationGraph, claim: &ClaimAccount, scope: &Scope) -> Markup {
-    let rests = graph.rests_of(claim).map(|r| [r.systems, r.symbols, r.claims].concat()).unwrap_or_default();
+    let (rests, more) = match graph.rests_of(claim) {
+        Some(r) => ([r.systems, r.symbols, r.claims].concat(), r.more),
+        None => Default::default(),
+    };
     let idle: Vec<_> = claim.conditions.assumptions.iter().filter(|a| a.need == Need::NotNeeded).collect();
     html! {
         @if !rests.is_empty() {
-            p.quiet { "Rests on " @for (i, id) in rests.iter().enumerate() { @if i > 0 { ", " } (plain(id)) } "." }
+            p.quiet { "Rests on " @for (i, id) in rests.iter().enumerate() { @if i > 0 { ", " } (plain(id)) } @if more { ", and more" } "." }
         }
         @for a in idle { p.quiet { (prose(&worth_in_words(a), scope)) "." } }
         @if let Some((rejected, of)) = claim.variants.as_ref().and_then(|v| v.together()) {
