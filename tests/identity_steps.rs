@@ -125,6 +125,8 @@ always = ['x=x(0)\cos t+v(0)\sin t']
 id = "other-times"
 says = "no solution of it"
 always = ['x=x(0)\cos t-v(0)\sin t']
+trajectories = []
+follows-from = ["swing"]
 [[claim]]
 id = "by-rate"
 says = "the same at the start and the same rate"
