@@ -88,7 +88,7 @@ pub(super) fn identity_at(
     let mut decided = decide(memory, graph, equations, given, options, 0);
     for further in 1..=MOST_FURTHER {
         // A point was found, but perhaps no motion passes through it.
-        if !matches!(decided, Err(Stop::Undecided(Reason::Unextended))) {
+        if options.wanted != Wanted::Answer || !matches!(decided, Err(Stop::Undecided(Reason::Unextended))) {
             break;
         }
         match decide(memory, graph, equations, given, options, further) {

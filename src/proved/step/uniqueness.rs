@@ -10,11 +10,11 @@
 //! they are for certain where some of the slopes are numbers whose matrix has full rank.
 
 use super::gather::Gathered;
-use super::{Pairs, Step, without_exceptions};
+use super::{LEFT_OUT_NODES, Pairs, Step, without_exceptions};
 use crate::derivation::Premise;
 use crate::expr::{Expr, FastMap, Leaf, Node, Op, Rational, Symbol};
 use claim::comparison::{at_instant, traced};
-use proof::{Identity, Premises, Proof};
+use proof::{Identity, Options, Premises, Proof, Wanted};
 
 /// More residuals are not looked at.
 const MOST_RESIDUALS: usize = 8;
@@ -40,12 +40,17 @@ impl Step<'_> {
         if self.graph.reachable(residuals.clone()).into_iter().any(|e| self.is_branching(e)) {
             return None;
         }
+        let options = Options { attempts: 1, most_nodes: LEFT_OUT_NODES, wanted: Wanted::Proof, ..Options::default() };
         let mut proof: Option<Proof> = None;
         let (mut at, zero) = (0, self.graph.integer(0));
         while at < residuals.len() {
+            // More rows do not make it so.
+            if !self.are_independent(&residuals, &rates) {
+                return None;
+            }
             let rate = self.rate_of_states(residuals[at], &rates)?;
             let premises = self.where_all_vanish(gathered, &residuals);
-            match self.test_only(&premises, &vec![(rate, zero)], &super::Options::default()) {
+            match self.test_only(&premises, &vec![(rate, zero)], &options) {
                 found @ Identity::Proved(_) if without_exceptions(&found) => {
                     let Identity::Proved(one) = found else { return None };
                     match &mut proof {
@@ -57,9 +62,6 @@ impl Step<'_> {
                 _ => return None,
             }
             at += 1;
-        }
-        if !self.are_independent(&residuals, &rates) {
-            return None;
         }
         let scope = &self.claim.scope;
         let then: Pairs = residuals.iter().map(|&r| (at_instant(&mut self.graph, scope, r, start), zero)).collect();
