@@ -1,15 +1,8 @@
 //! What assumptions about a motion say only after they were differentiated several times: beside closed forms, and beside linear
 //! algebra on random linear systems.
 
-use crate::infix::Reader;
-use rederive::check::identity::{Identity, Options, identity_test};
-
-fn test(claim: &str, premises: &str, moving: &str) -> Identity {
-    let mut r = Reader::default();
-    let equations = r.equations(claim);
-    let given = r.premises(premises, moving);
-    identity_test(&mut r.graph, &equations, &given, &Options::default())
-}
+use crate::identity::test;
+use rederive::check::identity::Identity;
 
 #[test]
 fn a_circular_orbit_determines_its_angular_momentum() {

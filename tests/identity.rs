@@ -4,7 +4,7 @@ use crate::infix::Reader;
 use rederive::check::identity::{Condition, Identity, Options, branches_test, identity_test};
 
 /// Tests `claim` under `premises`; `moving` names what depends on t.
-fn test(claim: &str, premises: &str, moving: &str) -> Identity {
+pub fn test(claim: &str, premises: &str, moving: &str) -> Identity {
     let mut r = Reader::default();
     let equations = r.equations(claim);
     let given = r.premises(premises, moving);

@@ -88,13 +88,10 @@ fn what_decays_is_proved_in_closed_form_and_nothing_beside_it() {
 
 /// A file with a motion x = t and its claims.
 fn of_claims(claims: &str) -> Account {
-    let head = "[derivation]\ntitle = 't'\nconcerns = 'test'\n[symbols]\n't' = { role = 'time' }\n'x' = { role = 'state' }\n\
-        'y' = { role = 'state' }\n'a' = { role = 'parameter' }\n'b' = { role = 'parameter' }\n[system.s]\nstates = ['x', 'y']\n\
-        equations = ['\\dot x=y', '\\dot y=-x']\n[[trajectory]]\nid = 'm'\nsystem = 's'\n\
+    let head = "'x' = { role = 'state' }\n'y' = { role = 'state' }\n'a' = { role = 'parameter' }\n'b' = { role = 'parameter' }\n\
+        [system.s]\nstates = ['x', 'y']\nequations = ['\\dot x=y', '\\dot y=-x']\n[[trajectory]]\nid = 'm'\nsystem = 's'\n\
         parameters = { 'a' = 2, 'b' = 1 }\ninitial = { 'x' = 0, 'y' = 0 }\nspan = [0, 1]\n";
-    let source = Source { path: "test.toml".into(), text: format!("{head}{claims}") };
-    let derivation = parse(source, "test").unwrap_or_else(|found| panic!("{}", render(&found, false)));
-    check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"))
+    of_file(&format!("{head}{claims}"))
 }
 
 /// A claim with its formula, and what stands beside it.
@@ -102,7 +99,7 @@ fn claim(id: &str, always: &str, more: &str) -> String {
     format!("[[claim]]\nid = '{id}'\nsays = 'test'\nalways = ['{always}']\n{more}\n")
 }
 
-fn standing(account: &Account, id: &str) -> &'static str {
+pub fn standing(account: &Account, id: &str) -> &'static str {
     let claim = account.claims.iter().find(|c| c.id == id).unwrap_or_else(|| panic!("no claim {id}"));
     claim.identity.as_ref().map_or("none", |i| i.standing())
 }
@@ -206,7 +203,7 @@ fn an_inequality_chooses_times_and_says_nothing_of_others() {
 }
 
 /// What is found of a file with these symbols, systems, motions and claims.
-fn of_file(text: &str) -> Account {
+pub fn of_file(text: &str) -> Account {
     let head = "[derivation]\ntitle = 't'\nconcerns = 'test'\n[symbols]\n't' = { role = 'time' }\n";
     let source = Source { path: "test.toml".into(), text: format!("{head}{text}") };
     let derivation = parse(source, "test").unwrap_or_else(|found| panic!("{}", render(&found, false)));

@@ -1,13 +1,11 @@
 //! Closed solutions of systems, claimed as steps: true ones are proved, and others, which differ by little, are not.
 
-use rederive::check::{Account, Options, check};
-use rederive::derivation::parse;
-use rederive::diag::{Source, render};
+use crate::premises::{of_file, standing};
 
 /// What is found of claims about the motions of a system, each with its assumptions: the standing of each.
 fn standings(states: &[&str], equations: &[&str], positive: &[&str], claims: &[(&[&str], &str)]) -> Vec<&'static str> {
     let quoted = |all: &[&str]| all.iter().map(|e| format!("'{e}'")).collect::<Vec<_>>().join(", ");
-    let mut text = "[derivation]\ntitle = 't'\nconcerns = 'test'\n[symbols]\n't' = { role = 'time' }\n".to_owned();
+    let mut text = String::new();
     states.iter().for_each(|s| text.push_str(&format!("'{s}' = {{ role = 'state' }}\n")));
     positive.iter().for_each(|p| text.push_str(&format!("'{p}' = {{ role = 'parameter', positive = true }}\n")));
     text.push_str(&format!("[system.s]\nstates = [{}]\nequations = [{}]\n", quoted(states), quoted(equations)));
@@ -17,11 +15,8 @@ fn standings(states: &[&str], equations: &[&str], positive: &[&str], claims: &[(
         ));
         text.push_str(&format!("assuming = [{}]\nalways = ['{always}']\n", quoted(assuming)));
     }
-    let text = text.replace("assuming = []\n", "");
-    let derivation = parse(Source { path: "test.toml".into(), text }, "test");
-    let derivation = derivation.unwrap_or_else(|found| panic!("{}", render(&found, false)));
-    let account: Account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
-    account.claims.iter().map(|c| c.identity.as_ref().map_or("none", |i| i.standing())).collect()
+    let account = of_file(&text.replace("assuming = []\n", ""));
+    (0..claims.len()).map(|number| standing(&account, &format!("c{number}"))).collect()
 }
 
 type Claims = &'static [(&'static [&'static str], &'static str)];

@@ -148,13 +148,18 @@ impl Step<'_> {
 
     /// The sides of the equations of the systems among the premises.
     pub(super) fn sides_of_systems(&self) -> Vec<Expr> {
+        self.equations_of_systems().into_iter().flat_map(|(l, r)| [l, r]).collect()
+    }
+
+    /// The equations of the systems among the premises.
+    pub(super) fn equations_of_systems(&self) -> Pairs {
         let given = Step::given(self.derivation, self.claim);
         let systems = given.iter().filter_map(|name| match self.derivation.premise(name) {
             Premise::System(system) => Some(&self.derivation.systems[system]),
             Premise::Claim(_) | Premise::Definition => None,
         });
         let relations = systems.flat_map(|s| &s.equations).flat_map(|w| &w.value.relations);
-        relations.flat_map(pairs).flat_map(|(l, r)| [l, r]).collect()
+        relations.flat_map(pairs).collect()
     }
 
     /// Everything that the systems among the premises divide by, as it stands and by its definition.

@@ -7,11 +7,11 @@
 //! along the motion, as functions of x and t, until all rates of them vanish wherever they all do. If the gradients of the residuals by x
 //! are independent at every point, a rate that vanishes there is a sum of residuals with smooth factors (Hadamard's lemma), so that the
 //! residuals obey a linear equation along each motion, the only solution of which that is 0 once is 0 (Picard and Lindelöf). Independent
-//! they are for certain where some of the slopes are numbers whose matrix has full rank.
+//! they are for certain where some of the slopes are numbers whose matrix has full rank, or where numbers and positive parameters make it
+//! triangular.
 
 use super::gather::Gathered;
-use super::{LEFT_OUT_NODES, Pairs, Step, without_exceptions};
-use crate::derivation::Premise;
+use super::{LEFT_OUT_NODES, Pairs, Step, has_exceptions};
 use crate::expr::{Expr, FastMap, Leaf, Node, Op, Rational, Symbol};
 use claim::comparison::{at_instant, traced};
 use proof::{Identity, Options, Premises, Proof, Wanted};
@@ -51,13 +51,10 @@ impl Step<'_> {
             let rate = self.rate_of_states(residuals[at], &rates)?;
             let premises = self.where_all_vanish(gathered, &residuals);
             match self.test_only(&premises, &vec![(rate, zero)], &options) {
-                found @ Identity::Proved(_) if without_exceptions(&found) => {
-                    let Identity::Proved(one) = found else { return None };
-                    match &mut proof {
-                        None => proof = Some(one),
-                        Some(all) => all.absorb(one),
-                    }
-                }
+                Identity::Proved(one) if !has_exceptions(&one) => match &mut proof {
+                    None => proof = Some(one),
+                    Some(all) => all.absorb(one),
+                },
                 _ if residuals.len() < MOST_RESIDUALS => residuals.push(rate),
                 _ => return None,
             }
@@ -67,22 +64,18 @@ impl Step<'_> {
         let then: Pairs = residuals.iter().map(|&r| (at_instant(&mut self.graph, scope, r, start), zero)).collect();
         let begun = self.levels(gathered, &then, false);
         self.settled = None;
-        let (Identity::Proved(mut all), true) = (begun.clone(), without_exceptions(&begun)) else { return None };
-        if let Some(proof) = proof {
-            all.absorb(proof);
+        match begun {
+            Identity::Proved(mut all) if !has_exceptions(&all) => {
+                proof.into_iter().for_each(|one| all.absorb(one));
+                Some(Identity::Proved(all))
+            }
+            Identity::Proved(_) | Identity::Refuted(_) | Identity::Undecided(_) => None,
         }
-        Some(Identity::Proved(all))
     }
 
     /// What the highest rates of all states are, by the systems that are given; `None` where an equation is not linear in one of its own.
     fn rates_of_systems(&mut self) -> Option<FastMap<Leaf, Expr>> {
-        let names = Step::given(self.derivation, self.claim);
-        let systems = names.iter().filter_map(|name| match self.derivation.premise(name) {
-            Premise::System(system) => Some(&self.derivation.systems[system]),
-            Premise::Claim(_) | Premise::Definition => None,
-        });
-        let relations = systems.flat_map(|s| &s.equations).flat_map(|w| &w.value.relations);
-        let equations: Pairs = relations.flat_map(super::pairs).collect();
+        let equations = self.equations_of_systems();
         let sides = equations.iter().flat_map(|&(l, r)| [l, r]);
         let moving = self.graph.leaves_within(sides).into_iter().filter(|l| l.rate > 0 && l.instant.is_none());
         let mut highest: FastMap<(Symbol, u16), Leaf> = FastMap::default();
