@@ -332,3 +332,48 @@ vary = { 'a' = { values = [1, 2] } }
     let witness = of.first_failing.as_ref().and_then(|m| m.verdict.evidence().witness.clone()).expect("a witness");
     assert_eq!(witness.values[..2], [("a".to_owned(), 2.0), ("a of the other".to_owned(), 1.0)]);
 }
+
+/// The logarithm has no value at 0; beside 0.5, on that side, it is smaller.
+#[test]
+fn an_extremum_fails_on_the_side_of_a_member_without_a_value() {
+    let text = r"
+[derivation]
+title = 'T'
+concerns = 'C'
+[symbols]
+'t' = { role = 'time' }
+'s' = { role = 'state' }
+'x' = { role = 'parameter' }
+[[trajectory]]
+id = 'm'
+formula = { 's' = 't' }
+parameters = { 'x' = 1 }
+span = [0, 1]
+[[family]]
+id = 'f'
+of = 'm'
+vary = { 'x' = { values = [0, 1, 2, 3] } }
+[[claim]]
+id = 'least'
+says = 'test'
+families = ['f']
+trajectories = []
+extremum = { of = '\ln x', with = 'x', kind = 'minimum', at = 0.5, to = 0.25 }
+[[claim]]
+id = 'right'
+says = 'test'
+families = ['f']
+trajectories = []
+extremum = { of = '(x-0.5)^2+0\cdot\ln x', with = 'x', kind = 'minimum', at = 0.5, to = 0.25 }
+";
+    let derivation = parse(Source { path: "t.toml".into(), text: text.into() }, "t");
+    let derivation = derivation.unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let counts = |id: &str| {
+        let f = on(&account, id);
+        (f.counts.holds, f.counts.fails, f.counts.not_applicable, f.counts.undecided)
+    };
+    assert_eq!(counts("least"), (3, 1, 0, 0));
+    // What holds beside it says nothing of the member itself.
+    assert_eq!(counts("right"), (3, 0, 1, 0));
+}

@@ -119,6 +119,8 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, posi
         return Finding::open(Plain::QuantityUnknown);
     };
     let mut members = Vec::new();
+    // Where the member has no value, what is claimed of its side of an extremum may be false all the same.
+    let (extremum, mut without) = (matches!(across.dependence, Dependence::Extremum { .. }), None);
     for (n, &x) in values.iter().enumerate() {
         let other;
         let of = match n.checked_sub(1).map(|n| across.others.get(n)) {
@@ -138,27 +140,29 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, posi
             true => Finding::open(finding.evidence().reason.clone().unwrap_or(Plain::NothingToCompare.into())),
             false => finding,
         };
-        let at = match taken(trial, of) {
-            Ok(at) => at,
+        let taking = taken(trial, of).and_then(|at| match value.value(&at.values) {
+            Ok(of) => Ok(Taking { x, at, of }),
+            Err(NoValue::OutOfDomain) => Err(void(Sampling::NoValueOnMember(across.of.text.as_str().into())).into()),
+            Err(reason) => Err(Finding::open(reason).into()),
+        });
+        match taking {
+            Ok(taking) => members.push(taking),
+            Err(finding) if n == 0 && extremum && known(&finding) == Possible::VOID => without = Some(*finding),
             Err(finding) => return missing(*finding),
-        };
-        match value.value(&at.values) {
-            Ok(of) => members.push(Taking { x, at, of }),
-            Err(NoValue::OutOfDomain) => {
-                return missing(void(Sampling::NoValueOnMember(across.of.text.as_str().into())));
-            }
-            Err(reason) => return Finding::open(reason),
         }
     }
     if let Dependence::Limit { end, to } = across.dependence {
         return tends(trial, across, &members, (end, to), &limit, quantity);
     }
-    let [own, other, more @ ..] = &members[..] else { return Finding::open(Plain::NothingToCompare) };
+    let (own, others) = members.split_at(usize::from(without.is_none()).min(members.len()));
+    let [other, more @ ..] = others else { return Finding::open(Plain::NothingToCompare) };
     let two = |own: &Taking, other: &Taking| compare(trial, across, own, other, quantity);
-    let Dependence::Extremum { to, .. } = across.dependence else { return two(own, other) };
+    let Dependence::Extremum { to, .. } = across.dependence else {
+        return own.first().map_or_else(|| Finding::open(Plain::NothingToCompare), |own| two(own, other));
+    };
     // The member itself, if it is far enough from the extremum, and the motion beside the extremum.
-    let far = Some(own).filter(|own| (own.x - other.x).abs() >= to);
-    let findings = far.into_iter().chain(more).map(|one| two(one, other));
+    let far = own.iter().filter(|own| (own.x - other.x).abs() >= to);
+    let findings = without.into_iter().chain(far.chain(more).map(|one| two(one, other)));
     let all = findings.reduce(|a, b| if rank(&b) >= rank(&a) { b } else { a });
     all.unwrap_or_else(|| void(Plain::TooNearExtremum))
 }
@@ -178,12 +182,14 @@ struct Taking {
     of: Bounded,
 }
 
-/// Of two findings about one extremum, which one is told: what is false before what is open, and that before what is true.
+/// Of two findings about one extremum, which one is told: what is false before what is open, that before what says nothing, and that
+/// before what is true.
 fn rank(finding: &Finding) -> u8 {
     match known(finding) {
-        Possible::FALSE => 2,
+        Possible::FALSE => 3,
+        Possible::VOID => 1,
         Possible::TRUE => 0,
-        _ => 1,
+        _ => 2,
     }
 }
 
