@@ -14,6 +14,7 @@ mod latex_support;
 mod schema_support;
 
 mod across;
+mod alone;
 mod book;
 mod budgets;
 mod circles;

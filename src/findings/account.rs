@@ -217,6 +217,12 @@ impl IdentityAccount {
         self.finding.decision() == Decision::Proved && self.conditional_on.is_empty() && self.presupposed.is_empty()
     }
 
+    /// Whether it is proved for all values, given postulates alone: what is left out, assumed on the way, or not proved itself, is open.
+    fn is_proved_by_postulates(&self) -> bool {
+        let postulated = self.conditional_on.iter().all(|given| given.postulated);
+        self.finding.decision() == Decision::Proved && postulated && self.presupposed.is_empty()
+    }
+
     /// Whether the claim holds on every motion on which what it follows from holds exactly. What is said of poles and of
     /// denominators is no exception on integrated motions, which are analytic.
     pub fn lends_strength(&self) -> bool {
@@ -316,7 +322,7 @@ pub struct AloneAccount {
     /// The word that the derivation file expects, if it expects one.
     #[serde(deserialize_with = "words::expected")]
     pub expected: Option<Word>,
-    /// Whether it is stated, and not derived: nothing is given to it, and nothing is expected of it.
+    /// Whether it is stated, and not derived: nothing is given to it, nothing is expected of it, and the paper does not conclude it.
     pub postulated: bool,
 }
 
@@ -324,7 +330,7 @@ impl AloneAccount {
     /// What is expected of a claim; `None` where it is tried on something.
     pub fn of(claim: &Claim) -> Option<AloneAccount> {
         let given = !claim.follows_from.is_empty() || !claim.assuming.is_empty();
-        let postulated = !given && claim.expect_alone.is_none();
+        let postulated = !given && claim.expect_alone.is_none() && !claim.conclusion;
         (!claim.is_tried()).then_some(AloneAccount { expected: claim.expect_alone, postulated })
     }
 }
@@ -333,12 +339,11 @@ impl ClaimAccount {
     /// What a claim that is tried on nothing came to: what its step did. `None` for others, and for postulates.
     pub fn verdict_alone(&self) -> Option<&'static str> {
         let alone = self.alone.filter(|alone| !alone.postulated)?;
-        let decision = self.identity.as_ref().map_or(Decision::Undecided, |i| i.finding.decision());
-        match decision {
-            Decision::Proved | Decision::ProvedExcept => Some("holds"),
-            Decision::Refuted => Some("fails"),
+        match &self.identity {
+            Some(step) if step.is_proved_by_postulates() => Some("holds"),
+            Some(step) if step.finding.decision() == Decision::Refuted => Some("fails"),
             // Nothing is asked of a step of which nothing is expected.
-            Decision::Undecided => alone.expected.map(|_| "undecided"),
+            _ => alone.expected.map(|_| "undecided"),
         }
     }
 
@@ -370,13 +375,13 @@ pub struct Account {
 /// Counts over all pairs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Summary {
-    /// Pairs that hold.
+    /// Pairs that hold, and claims that are tried on nothing and do.
     pub holds: usize,
-    /// Pairs that fail.
+    /// Pairs that fail, and claims that are tried on nothing and do.
     pub fails: usize,
     /// Pairs to which the claim does not apply.
     pub not_applicable: usize,
-    /// Pairs that stay undecided.
+    /// Pairs that stay undecided, and claims that are tried on nothing and do.
     pub undecided: usize,
     /// Pairs that stay undecided although the file does not say so: it expects nothing of them.
     pub open: usize,
@@ -408,7 +413,15 @@ impl Account {
             }
             s.unexpected += usize::from(pair.unexpected);
         }
-        s.unexpected += self.claims.iter().filter(|c| c.is_unexpected_alone()).count();
+        for claim in &self.claims {
+            match claim.verdict_alone() {
+                Some("holds") => s.holds += 1,
+                Some("fails") => s.fails += 1,
+                Some(_) => s.undecided += 1,
+                None => {}
+            }
+            s.unexpected += usize::from(claim.is_unexpected_alone());
+        }
         s
     }
 }

@@ -201,6 +201,8 @@ pub struct Given {
     /// What its own step came to; `None` where it is no question for all values, or was not asked.
     #[serde(deserialize_with = "words::standing")]
     pub standing: Option<Word>,
+    /// Whether it is a postulate: what a file stands on is not asked to be proved.
+    pub postulated: bool,
 }
 
 #[cfg(test)]

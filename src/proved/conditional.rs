@@ -7,8 +7,8 @@ use std::collections::{BTreeSet, HashMap};
 
 use crate::derivation::{Claim, Derivation, Premise, Written};
 use crate::expr::FastSet;
-use crate::findings::ClaimAccount;
 use crate::findings::standing::{Decision, Given, MOST_TOLD};
+use crate::findings::{AloneAccount, ClaimAccount};
 use crate::latex::Statement;
 
 /// For each claim what its proof is conditional on: the claims that it follows from, through all steps, whose own steps are not
@@ -50,8 +50,9 @@ pub fn conditional(derivation: &Derivation, claims: &mut [ClaimAccount], known: 
                     false => decisions.get(at).and_then(|d| d.map(Decision::word)),
                 };
                 let claim = derivation.claims.get(at);
+                let postulated = claim.and_then(AloneAccount::of).is_some_and(|alone| alone.postulated);
                 let name = claim.map_or_else(|| format!("more than {MOST_TOLD} claims"), Claim::name);
-                out.push(Given { name, standing });
+                out.push(Given { name, standing, postulated });
             }
             // What stands for the rest is the last.
             let told = out.len().min(MOST_TOLD);

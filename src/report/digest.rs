@@ -469,8 +469,10 @@ pub(super) fn verdict(reading: &Reading<'_>) -> String {
         };
         return format!("{word}{rest}");
     }
-    if reading.claim.verdict_alone() == Some("fails") {
-        return "Refuted for all values".to_owned();
+    match reading.claim.verdict_alone() {
+        Some("fails") => return "Refuted for all values".to_owned(),
+        Some("undecided") => return "Undecided for all values".to_owned(),
+        _ => {}
     }
     let members = |word: &str| reading.claim.families.iter().map(|f| super::family::with(f, word)).sum::<usize>();
     let n = |word: &str| {

@@ -261,7 +261,7 @@ fn region(derivation: &Derivation, claim: &ClaimAccount) -> Option<Finding> {
 }
 
 /// The finding of a claim that is tried on nothing, if its step is not as expected.
-fn alone(derivation: &Derivation, claim: &ClaimAccount) -> Option<Finding> {
+pub(super) fn alone(derivation: &Derivation, claim: &ClaimAccount) -> Option<Finding> {
     let word = claim.verdict_alone().filter(|_| claim.is_unexpected_alone())?;
     let expected = claim.alone.and_then(|alone| alone.expected);
     let told = expected.map(|word| format!(", expected is `{word}`")).unwrap_or_default();
@@ -283,8 +283,11 @@ fn alone(derivation: &Derivation, claim: &ClaimAccount) -> Option<Finding> {
 
 /// How the verdict of a step came about, in a sentence.
 pub(super) fn of_step(claim: &ClaimAccount) -> Option<String> {
-    let point = claim.identity.as_ref()?.witness.as_ref()?;
-    Some(format!("A point refutes it: {}", sentence(&point.to_string().replace('$', ""))))
+    let step = claim.identity.as_ref()?;
+    Some(match &step.witness {
+        Some(point) => format!("A point refutes it: {}", sentence(&point.to_string().replace('$', ""))),
+        None => sentence(&step.decided().to_string().replace('$', "")),
+    })
 }
 
 /// How the verdict over ranges came about, in a sentence.

@@ -246,7 +246,7 @@ pub fn alarms(derivation: &Derivation, account: &Account) -> Vec<String> {
     }
     let nowhere = || account.claims.iter().filter(|c| Standing::of(c) == Standing::Nowhere);
     let without = derivation.trajectories.is_empty() && nowhere().any(|c| c.region.is_none());
-    let decided = |c: &ClaimAccount| c.identity.as_ref().map(IdentityAccount::verdict).filter(|v| *v != "undecided");
+    let decided = |c: &ClaimAccount| c.identity.as_ref().map(IdentityAccount::standing).filter(|v| *v != "undecided");
     let (known, unknown): (Vec<_>, Vec<_>) = nowhere().partition(|c| decided(c).is_some());
     for (of, what) in
         [(unknown, "nothing was checked of what they say"), (known, "they are decided for all values alone")]

@@ -1,5 +1,6 @@
 //! What `rederive check` prints: the matrix of verdicts, what differs, what fails, and the counts.
 
+use super::finding::{self, Finding};
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, glyph, groups, name, says};
 use super::text::{Paint, WIDTH, fitted, paragraph, wrapped};
@@ -39,6 +40,7 @@ pub fn summary(derivation: &Derivation, account: &Account, colour: bool, whole: 
     out.push_str(&region::terminal(derivation, account, paint, whole || account.claims.len() <= MOST_BLOCKS));
     out.push_str(&families(derivation, account, paint, told));
     out.push_str(&blocks("Differs from what is expected", &|g| g.unexpected, usize::MAX));
+    out.push_str(&alone(derivation, account, paint));
     out.push_str(&blocks("Fails, as expected", &known("fails"), most));
     out.push_str(&blocks("Undecided", &known("undecided"), most));
     out.push_str(&super::units::terminal(&account.units, paint));
@@ -60,6 +62,7 @@ pub fn exceptions(derivation: &Derivation, account: &Account, colour: bool) -> S
     let paint = Paint(colour);
     let all = usize::MAX;
     let mut out = blocks(derivation, account, paint, "Differs from what is expected", all, |g| g.unexpected);
+    out.push_str(&alone(derivation, account, paint));
     out.push_str(&blocks(derivation, account, paint, "Undecided", all, |g| g.word == "undecided" && !g.unexpected));
     out.push_str(&region::terminal(derivation, account, paint, false));
     out.push_str(&families(derivation, account, paint, Told::Unexpected));
@@ -238,6 +241,14 @@ fn block(derivation: &Derivation, claim: &ClaimAccount, group: &Group<'_>, paint
     }
     out.push('\n');
     out
+}
+
+/// Claims that are tried on nothing, and are not as expected.
+fn alone(derivation: &Derivation, account: &Account, paint: Paint) -> String {
+    let told: Vec<Finding> = account.claims.iter().filter_map(|claim| finding::alone(derivation, claim)).collect();
+    let body: String = told.iter().map(|f| format!("{}\n", paragraph(&bare(&f.message), 2))).collect();
+    let title = paint.bold("Differs from what is expected, for all values");
+    if body.is_empty() { body } else { format!("{title} ({})\n\n{body}", told.len()) }
 }
 
 /// The point, or the reason, that a verdict rests on.

@@ -24,8 +24,11 @@ impl Standing {
         // A family that fails may hold on some of its members.
         let member = |word: &str| claim.families.iter().any(|f| super::family::with(f, word) > 0);
         let any = |word: &str| claim.verdicts().any(|j| j.verdict.outcome().word() == word) || member(word);
-        if claim.verdict_alone() == Some("fails") {
-            return Standing::Fails;
+        match claim.verdict_alone() {
+            Some("holds") => return Standing::Holds,
+            Some("fails") => return Standing::Fails,
+            Some(_) => return Standing::Open,
+            None => {}
         }
         match (any("holds"), any("fails"), any("undecided")) {
             (true, true, _) => Standing::Mixed,
