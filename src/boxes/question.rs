@@ -223,7 +223,7 @@ impl Question {
             for c in &group.comparisons {
                 let mut one = |e: Expr| {
                     let e = put.put(graph, e, &variables);
-                    graph.substitute(e, |g, leaf| (leaf == sign).then(|| g.integer(value)))
+                    graph.rewrite(e, |g, leaf| (leaf == sign).then(|| g.integer(value)))
                 };
                 let (left, right) = (one(c.left), one(c.right));
                 let (kind, terms) = match definedness {

@@ -102,7 +102,7 @@ pub(super) fn boundaries(graph: &mut Graph, scope: &Scope, left: Expr, right: Ex
             None => vec![difference],
         };
     }
-    [1, -1].map(|n| graph.substitute(difference, |g, l| (l == sign).then(|| g.integer(n)))).to_vec()
+    [1, -1].map(|n| graph.rewrite(difference, |g, l| (l == sign).then(|| g.integer(n)))).to_vec()
 }
 
 /// u and c, where one side is |u| and the other a positive number c.

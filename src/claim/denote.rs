@@ -133,7 +133,7 @@ pub fn rapid(graph: &mut Graph, scope: &Scope, sides: Vec<Expr>) -> Vec<Expr> {
     }
     sides.retain(|e| hiding.contains(e));
     let sign = scope.branch_sign();
-    let signed = |e: Expr| [1, -1].map(|n| graph.substitute(e, |g, l| (l == sign).then(|| g.integer(n))));
+    let signed = |e: Expr| [1, -1].map(|n| graph.rewrite(e, |g, l| (l == sign).then(|| g.integer(n))));
     let mut out: Vec<Expr> = sides.into_iter().flat_map(signed).collect();
     out.sort_unstable();
     out.dedup();
@@ -168,7 +168,7 @@ fn one_sided(graph: &mut Graph, scope: &Scope, group: &Group) -> Vec<Expr> {
     for c in &group.comparisons {
         let sides = [c.left, c.right].map(|e| traced(graph, scope, e));
         for n in [1, -1] {
-            let of_sign = sides.map(|e| graph.substitute(e, |g, l| (l == sign).then(|| g.integer(n))));
+            let of_sign = sides.map(|e| graph.rewrite(e, |g, l| (l == sign).then(|| g.integer(n))));
             let mut needs: Vec<Expr> = graph.needs_below(of_sign).iter().map(|need| need.value).collect();
             needs.sort_unstable();
             needs.dedup();
@@ -286,7 +286,7 @@ impl Denotation<'_> {
             if let (Some(sign), true) = (sign, relation.has_branches) {
                 let components = relation.left.components.iter_mut().chain(&mut relation.right.components);
                 for e in components {
-                    *e = self.graph.substitute(*e, |g, l| (l == leaf).then(|| g.integer(sign)));
+                    *e = self.graph.rewrite(*e, |g, l| (l == leaf).then(|| g.integer(sign)));
                 }
                 relation.has_branches = false;
             }
@@ -549,7 +549,7 @@ impl Denotation<'_> {
         for (component, &e) in w.value.components.iter().enumerate() {
             let mut e = e;
             if let Some(sign) = sign {
-                e = self.graph.substitute(e, |g, l| (l == leaf).then(|| g.integer(sign)));
+                e = self.graph.rewrite(e, |g, l| (l == leaf).then(|| g.integer(sign)));
             }
             group.branching |= self.graph.leaves_within([e]).contains(&leaf);
             let right = if start { at_instant(self.graph, scope, e, self.start) } else { e };

@@ -209,7 +209,7 @@ fn replaced(graph: &mut Graph, e: Expr, part: Expr, by: Expr) -> Option<Expr> {
                 }
                 Node::Binary(op, a, b) => {
                     let (a, b) = (*image.get(&a)?, *image.get(&b)?);
-                    graph.binary(op, a, b)
+                    graph.rebuilt(op, a, b)
                 }
             }
         };

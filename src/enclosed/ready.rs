@@ -163,7 +163,7 @@ impl<'a> Ready<'a> {
                 for c in &group.comparisons {
                     let graph = &mut along.graph;
                     let [left, right, size] =
-                        [c.left, c.right, c.magnitude].map(|e| graph.substitute(e, |_, l| (l == sign).then_some(with)));
+                        [c.left, c.right, c.magnitude].map(|e| graph.rewrite(e, |_, l| (l == sign).then_some(with)));
                     let value = group.asserted && c.kind == RelationKind::Equal;
                     let root = if value { left } else { graph.sub(left, right) };
                     roots.push(along.difference(root)?);

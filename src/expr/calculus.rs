@@ -134,8 +134,19 @@ impl Graph {
         self.directional_derivative(e, |graph, l| (l == leaf).then(|| graph.integer(1)))
     }
 
-    /// `e` with every leaf replaced for which `with` yields an expression, and nothing in the places of fields.
-    pub fn replaced(&mut self, e: Expr, mut with: impl FnMut(&mut Graph, Leaf) -> Option<Expr>) -> Expr {
+    /// `e` with every leaf replaced for which `with` yields an expression, and nothing in the places of fields. What is put into an
+    /// exponent does not write it out: the power asks for what it asked for.
+    pub fn replaced(&mut self, e: Expr, with: impl FnMut(&mut Graph, Leaf) -> Option<Expr>) -> Expr {
+        self.replaced_by(e, Graph::power, with)
+    }
+
+    /// The same, with powers made by `power`.
+    pub(super) fn replaced_by(
+        &mut self,
+        e: Expr,
+        power: fn(&mut Graph, Expr, Expr) -> Expr,
+        mut with: impl FnMut(&mut Graph, Leaf) -> Option<Expr>,
+    ) -> Expr {
         let order = self.reachable([e]);
         let mut image: FastMap<Expr, Expr> = FastMap::with_capacity_and_hasher(order.len(), Default::default());
         for node in order {
@@ -143,6 +154,8 @@ impl Graph {
                 Node::Constant(_) | Node::Pi => node,
                 Node::Leaf(leaf) => with(self, leaf).unwrap_or(node),
                 Node::Unary(op, a) => self.unary(op, image[&a]),
+                Node::Binary(Op::Pow, a, b) if image[&b] == b => self.power(image[&a], b),
+                Node::Binary(Op::Pow, a, b) => power(self, image[&a], image[&b]),
                 Node::Binary(op, a, b) => self.binary(op, image[&a], image[&b]),
             };
             image.insert(node, new);

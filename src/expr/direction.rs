@@ -50,7 +50,7 @@ impl Graph {
                     _ => all.graph.unary(op, all.image[&a]),
                 },
                 Node::Unary(op, a) => all.graph.unary(op, all.image[&a]),
-                Node::Binary(op, a, b) => all.graph.binary(op, all.image[&a], all.image[&b]),
+                Node::Binary(op, a, b) => all.graph.rebuilt(op, all.image[&a], all.image[&b]),
                 Node::Constant(_) | Node::Pi | Node::Leaf(_) => node,
             };
             all.image.insert(node, new);

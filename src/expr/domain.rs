@@ -586,7 +586,7 @@ impl Graph {
             let new = match *self.node(node) {
                 Node::Binary(Op::Restrict, a, of) if lifts(of) => image[&a],
                 Node::Unary(op, a) => self.unary(op, image[&a]),
-                Node::Binary(op, a, b) => self.binary(op, image[&a], image[&b]),
+                Node::Binary(op, a, b) => self.rebuilt(op, image[&a], image[&b]),
                 Node::Constant(_) | Node::Pi | Node::Leaf(_) => node,
             };
             image.insert(node, new);

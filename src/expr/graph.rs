@@ -377,6 +377,20 @@ impl Graph {
         }
     }
 
+    /// aᵇ of an exponent that is not written out, whatever it is: it needs what the operation needs. Numbers that have it are folded.
+    pub(super) fn power(&mut self, a: Expr, b: Expr) -> Expr {
+        let has_value = match (self.as_constant(a), self.as_constant(b)) {
+            (Some(a), Some(b)) => *a > Rational::ZERO || *a == Rational::ZERO && *b > Rational::ZERO,
+            _ => false,
+        };
+        if has_value { self.binary(Op::Pow, a, b) } else { self.intern(Node::Binary(Op::Pow, a, b)) }
+    }
+
+    /// An operation of two arguments that is in the graph, of others: what is put into an exponent does not write it out.
+    pub fn rebuilt(&mut self, op: Op, a: Expr, b: Expr) -> Expr {
+        if op == Op::Pow { self.power(a, b) } else { self.binary(op, a, b) }
+    }
+
     /// a + b.
     pub fn add(&mut self, a: Expr, b: Expr) -> Expr {
         self.binary(Op::Add, a, b)

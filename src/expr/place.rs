@@ -13,7 +13,7 @@
 //! **Why a symbol and no node with arguments:** for a proof, values of a field at different places are independent unknowns, as
 //! its derivatives are. There, and only there, nothing is taken through places: see [`Graph::replaced`] and [`Graph::slope`].
 
-use super::{Expr, FastMap, FastSet, Graph, Leaf, NoDerivative, Symbol};
+use super::{Expr, FastMap, FastSet, Graph, Leaf, NoDerivative, Op, Symbol};
 
 /// Places in places are looked through this often, f(g(h(x))): what is deeper is not written.
 pub const DEEPEST_PLACE: usize = 6;
@@ -125,19 +125,29 @@ impl Graph {
     /// `e` with every leaf replaced for which `with` yields an expression, in the places of fields, too: a field depends on its
     /// coordinates, whether they are written or not.
     pub fn substitute(&mut self, e: Expr, mut with: impl FnMut(&mut Graph, Leaf) -> Option<Expr>) -> Expr {
-        self.substitute_dyn(e, &mut with)
+        self.substitute_dyn(e, Graph::power, &mut with)
     }
 
-    fn substitute_dyn(&mut self, e: Expr, with: &mut dyn FnMut(&mut Graph, Leaf) -> Option<Expr>) -> Expr {
+    /// The same, as the formula reads where the expressions are written instead of the leaves: x^{±2} with a sign for ±.
+    pub fn rewrite(&mut self, e: Expr, mut with: impl FnMut(&mut Graph, Leaf) -> Option<Expr>) -> Expr {
+        self.substitute_dyn(e, |graph, a, b| graph.binary(Op::Pow, a, b), &mut with)
+    }
+
+    fn substitute_dyn(
+        &mut self,
+        e: Expr,
+        power: fn(&mut Graph, Expr, Expr) -> Expr,
+        with: &mut dyn FnMut(&mut Graph, Leaf) -> Option<Expr>,
+    ) -> Expr {
         if self.coordinates.is_empty() {
-            return self.replaced(e, &mut *with);
+            return self.replaced_by(e, power, &mut *with);
         }
-        self.replaced(e, |graph, leaf| {
+        self.replaced_by(e, power, |graph, leaf| {
             let found = with(graph, leaf);
             if found.is_some() || leaf.instant.is_some() || !graph.is_field(leaf.symbol) {
                 return found;
             }
-            Some(graph.through(leaf, |graph, e| graph.substitute_dyn(e, &mut *with)))
+            Some(graph.through(leaf, |graph, e| graph.substitute_dyn(e, power, &mut *with)))
         })
     }
 

@@ -49,7 +49,7 @@ pub(super) fn hoist(
             }
             Node::Binary(op, a, b) => {
                 let (a, b) = (fixed(graph, &mut image, a), fixed(graph, &mut image, b));
-                graph.binary(op, a, b)
+                graph.rebuilt(op, a, b)
             }
             _ => e,
         };

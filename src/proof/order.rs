@@ -14,6 +14,8 @@ use super::generators::{Generator, Generators};
 use super::linear::Combinations;
 use super::outcome::Condition;
 use super::polynomial::fraction;
+use super::witness::{Decimals, Values};
+use expr::domain::{self, Term};
 use expr::tape::{Slots, Tape};
 use expr::{Expr, FastMap, Graph, Leaf, Node, Op, Rational};
 
@@ -102,11 +104,9 @@ fn orders(n: usize) -> Vec<Order> {
 pub fn decide(graph: &mut Graph, question: &Question) -> Orders {
     let n = question.parameters.len();
     let mut out = Orders { list: Vec::new(), settled: true };
-    if n == 0 || n > MOST_PARAMETERS {
-        // What has a value for all values asks for nothing.
-        let total = n == 0 && question.asserted && question.claimed.is_empty() && question.assumed.is_empty();
-        out.settled = total;
-        out.list.extend(total.then(|| (Order::new(), Fate::Holds)));
+    // Whether numbers have values is asked; what they are, the prover knows.
+    if n > MOST_PARAMETERS || n == 0 && !question.asserted {
+        out.settled = false;
         return out;
     }
     let mut generators = Generators::new(graph);
@@ -124,7 +124,8 @@ pub fn decide(graph: &mut Graph, question: &Question) -> Orders {
             Fate::Fails | Fate::NoValue => {}
             // The assumptions hold for a part of the values only, perhaps for none.
             Fate::FailsAt(_) | Fate::Open => match signs.all(&question.claimed) {
-                Fate::Holds => out.list.push((order, Fate::Holds)),
+                // Of what is assumed of numbers nothing may be open: it may be so for no values at all.
+                Fate::Holds if signs.numbers_meet(&question.assumed) => out.list.push((order, Fate::Holds)),
                 _ => {
                     let fate = signs.counterexample(question).map_or(Fate::Open, Fate::FailsAt);
                     out.settled = false;
@@ -136,23 +137,42 @@ pub fn decide(graph: &mut Graph, question: &Question) -> Orders {
     out
 }
 
-/// Requirements for formulas to have real values, as far as they are about the given parameters only.
+/// What formulas need to have values: all of it, so that they have values where it is met, and nowhere else.
+pub fn of_needs(graph: &mut Graph, formulas: &[Expr]) -> Vec<(Requirement, Expr)> {
+    let mut out = Vec::new();
+    for need in graph.needs_below(formulas.iter().copied()) {
+        let one = match (need.term, need.sign) {
+            (Term::Unit, _) => within_unit(graph, need.first),
+            (_, domain::Sign::Positive) => (Requirement::Positive, need.value),
+            (_, domain::Sign::NotNegative) => (Requirement::NotNegative, need.value),
+            (_, domain::Sign::NotZero) => (Requirement::NotZero, need.value),
+        };
+        if !out.contains(&one) {
+            out.push(one);
+        }
+    }
+    out
+}
+
+/// |e| ≤ 1.
+fn within_unit(graph: &mut Graph, e: Expr) -> (Requirement, Expr) {
+    let square = match *graph.node(e) {
+        Node::Unary(Op::Sqrt, x) => x,
+        _ => graph.powi(e, 2),
+    };
+    let one = graph.integer(1);
+    (Requirement::NotNegative, graph.sub(one, square))
+}
+
+/// Requirements for formulas to have real values, as far as they are about the given parameters, and about nothing else.
 pub fn of_conditions(graph: &mut Graph, conditions: &[Condition], parameters: &[Leaf]) -> Vec<(Requirement, Expr)> {
     let mut out = Vec::new();
-    let one = graph.integer(1);
     for condition in conditions {
         let (requirement, e) = match *condition {
             Condition::Denominator(e) | Condition::Pivot(e) => (Requirement::NotZero, e),
             Condition::Radicand(e) | Condition::Discriminant(e) => (Requirement::NotNegative, e),
             Condition::Positive(e) => (Requirement::Positive, e),
-            Condition::Unit(e) => match *graph.node(e) {
-                // |√x| ≤ 1
-                Node::Unary(Op::Sqrt, x) => (Requirement::NotNegative, graph.sub(one, x)),
-                _ => {
-                    let square = graph.powi(e, 2);
-                    (Requirement::NotNegative, graph.sub(one, square))
-                }
-            },
+            Condition::Unit(e) => within_unit(graph, e),
         };
         let leaves = graph.leaves([e]);
         if !leaves.is_empty() && leaves.iter().all(|l| parameters.contains(l)) && !out.contains(&(requirement, e)) {
@@ -200,6 +220,7 @@ impl Signs<'_> {
         let inserted = self.inserted(e);
         let sign = match self.plain(inserted) {
             Ok(plain) => self.sign(plain),
+            Err(Sign::Unknown) if self.graph.leaves([e]).is_empty() => self.of_number(e),
             Err(sign) => sign,
         };
         let holds = match (requirement, sign) {
@@ -211,6 +232,21 @@ impl Signs<'_> {
             (Requirement::NotNegative, s) => s != Sign::Negative,
         };
         if holds { Fate::Holds } else { Fate::Fails }
+    }
+
+    /// Whether all that is required of numbers, in which no parameter occurs, is so.
+    fn numbers_meet(&mut self, requirements: &[(Requirement, Expr)]) -> bool {
+        requirements.iter().all(|&(r, e)| !self.graph.leaves([e]).is_empty() || self.one(r, e) == Fate::Holds)
+    }
+
+    /// The sign of a number, by a ball that contains it.
+    fn of_number(&self, e: Expr) -> Sign {
+        let ball = Decimals::of(self.graph, &[e]).at(&Values::default()).pop().flatten();
+        match ball {
+            Some(ball) if ball.value > ball.error => Sign::Positive,
+            Some(ball) if -ball.value > ball.error => Sign::Negative,
+            _ => Sign::Unknown,
+        }
     }
 
     /// The parameters as sums of steps.

@@ -42,7 +42,7 @@ pub fn answer(
         return Ok((reach(identity, &evidence), evidence));
     };
     let with = |graph: &mut Graph, value: i64| -> Equations {
-        let mut put = |e| graph.substitute(e, |g, l| (l == signs.leaf).then(|| g.integer(value)));
+        let mut put = |e| graph.rewrite(e, |g, l| (l == signs.leaf).then(|| g.integer(value)));
         equations.iter().map(|&(l, r)| (put(l), put(r))).collect()
     };
     let branches = [with(graph, 1), with(graph, -1)];

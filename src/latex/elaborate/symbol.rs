@@ -206,7 +206,7 @@ impl<'a> Elaborator<'a> {
         let components = body
             .components
             .into_iter()
-            .map(|e| self.graph.substitute(e, |_, leaf| place(leaf).and_then(|i| values.get(i).copied())))
+            .map(|e| self.graph.rewrite(e, |_, leaf| place(leaf).and_then(|i| values.get(i).copied())))
             .collect();
         Ok(Tensor { shape: body.shape, components })
     }

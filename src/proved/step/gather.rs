@@ -298,7 +298,7 @@ impl Step<'_> {
                 return pair;
             }
             let residual = this.graph.sub(pair.0, pair.1);
-            let [p, q] = [1, -1].map(|v| this.graph.substitute(residual, |g, l| (l == sign).then(|| g.integer(v))));
+            let [p, q] = [1, -1].map(|v| this.graph.rewrite(residual, |g, l| (l == sign).then(|| g.integer(v))));
             (this.graph.mul(p, q), this.graph.integer(0))
         };
         equations.into_iter().map(|pair| one(self, pair)).collect()

@@ -48,7 +48,7 @@ impl Step<'_> {
     /// The claim, about positive parameters only, as requirements of signs.
     pub(super) fn order_question(&mut self) -> Question {
         let claim = self.claim;
-        let mut out = Question::default();
+        let (mut out, mut formulas) = (Question::default(), Vec::new());
         let requirements = |this: &mut Self, kind: RelationKind, l: Expr, r: Expr| match kind {
             RelationKind::Equal => (Requirement::Zero, this.graph.sub(l, r)),
             RelationKind::NotEqual => (Requirement::NotZero, this.graph.sub(l, r)),
@@ -59,6 +59,8 @@ impl Step<'_> {
         };
         for relation in claim.assuming.iter().flat_map(|w| &w.value.relations) {
             for (l, r) in self.scalars(relation) {
+                // What is assumed has a value.
+                out.assumed.extend(order::of_needs(&mut self.graph, &[l, r]));
                 let one = requirements(self, relation.kind, l, r);
                 out.assumed.push(one);
             }
@@ -75,15 +77,18 @@ impl Step<'_> {
                 }
                 Form::Defined(w) => {
                     out.asserted = true;
-                    let leaves = self.graph.leaves_within(w.value.components.iter().copied());
-                    let domains = proof::domains(&mut self.graph, &w.value.components);
-                    out.claimed.extend(order::of_conditions(&mut self.graph, &domains, &leaves));
+                    out.claimed.extend(order::of_needs(&mut self.graph, &w.value.components));
+                    formulas.extend(w.value.components.iter().copied());
                 }
                 _ => {}
             }
         }
         let roots: Vec<Expr> = out.assumed.iter().chain(&out.claimed).map(|&(_, e)| e).collect();
         out.parameters = self.graph.leaves_within(roots);
+        if out.parameters.is_empty() && !out.claimed.is_empty() {
+            // Numbers are asked of; what has a value, or none, has it for all parameters.
+            out.parameters = self.graph.leaves_within(formulas);
+        }
         out.parameters.sort_unstable();
         out
     }

@@ -99,7 +99,7 @@ impl Step<'_> {
     pub(super) fn branch(&mut self, equations: &Pairs, value: i64) -> Pairs {
         let sign = self.claim.scope.branch_sign();
         let graph = &mut self.graph;
-        let mut put = |e| graph.substitute(e, |g, l| (l == sign).then(|| g.integer(value)));
+        let mut put = |e| graph.rewrite(e, |g, l| (l == sign).then(|| g.integer(value)));
         equations.iter().map(|&(l, r)| (put(l), put(r))).collect()
     }
 }
