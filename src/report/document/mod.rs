@@ -140,13 +140,13 @@ objects! {
 
     /// Counts over all pairs of a claim and what it was tried on.
     Summary of (of: findings::Summary) {
-        /// Pairs that hold.
+        /// Pairs that hold, and claims that are tried on nothing and do.
         holds: usize = of.holds,
-        /// Pairs that fail.
+        /// Pairs that fail, and claims that are tried on nothing and do.
         fails: usize = of.fails,
         /// Pairs to which the claim does not apply.
         not_applicable: usize = of.not_applicable,
-        /// Pairs that stay undecided.
+        /// Pairs that stay undecided, and claims that are tried on nothing and do.
         undecided: usize = of.undecided,
         /// Pairs that are not as expected.
         unexpected: usize = of.unexpected,
