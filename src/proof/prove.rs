@@ -26,7 +26,7 @@ use number::Draws;
 type Pairs = Vec<(Expr, Expr)>;
 
 /// Orders of derivatives beyond what is asked for in which hidden constraints are looked for.
-const MOST_FURTHER: u8 = 5;
+pub(super) const MOST_FURTHER: u8 = 5;
 
 /// Whether the equations hold wherever the premises do and both sides have a value.
 ///
