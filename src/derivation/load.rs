@@ -124,12 +124,17 @@ fn syntax_error(source: &Arc<Source>, error: &toml::de::Error) -> Diagnostic {
     let mut d = Diagnostic::at(source, "derivation::toml", span.clone(), message);
     if d.message.contains("escape") {
         d.hint = Some("formulas are written in single quotes: '\\Omega', not \"\\Omega\"".to_owned());
-    } else if source.text.get(span.start..).is_some_and(|at| at.starts_with('\'')) {
+    } else if source.text.get(..span.start).zip(source.text.get(span.start..)).is_some_and(closed_twice) {
         let hint = "a prime ends what is in single quotes: write `^\\prime`, or a formula between ''' and ''', a name in double \
                     quotes with every backslash twice";
         d.hint = Some(hint.to_owned());
     }
     d
+}
+
+/// Whether a quote stands behind one that closes a string: it was meant as a prime.
+fn closed_twice((before, after): (&str, &str)) -> bool {
+    before.ends_with('\'') && after.starts_with('\'')
 }
 
 /// What is known while a file is read.
