@@ -64,6 +64,7 @@ mod interval_laws;
 mod latex_comment;
 mod latex_derivations;
 mod latex_meaning;
+mod latex_physics;
 mod latex_print;
 mod latex_refused;
 mod latex_robust;
