@@ -88,3 +88,31 @@ fn equal_values_of_functions_that_are_one_to_one_are_of_equal_arguments() {
         ("unproved", r"x=y", "x,y", r"\sin x=\sin y"),
     ]);
 }
+
+#[test]
+fn what_is_not_negative_is_equal_where_its_squares_are() {
+    let gamma = r"c: positive; u,v,w";
+    let sum = r"|u|<c; |v|<c; w=\frac{u+v}{1+uv/c^2}";
+    let packet = r"s: positive; t; G: complex = \frac1{\sqrt{s+\mathrm it}}";
+    all(&[
+        (
+            "proved",
+            r"\frac1{\sqrt{1-w^2/c^2}}=\frac1{\sqrt{1-u^2/c^2}}\frac1{\sqrt{1-v^2/c^2}}\left(1+\frac{uv}{c^2}\right)",
+            gamma,
+            sum,
+        ),
+        (
+            "refuted",
+            r"\frac1{\sqrt{1-w^2/c^2}}=\frac1{\sqrt{1-u^2/c^2}}\frac1{\sqrt{1-v^2/c^2}}\left(1-\frac{uv}{c^2}\right)",
+            gamma,
+            sum,
+        ),
+        // uv/c² may be below −1.
+        ("unproved", r"\left|1+\frac{uv}{c^2}\right|=1+\frac{uv}{c^2}", gamma, r"|u|<c; |v|<2c"),
+        ("proved", r"|G|=(s^2+t^2)^{-1/4}", packet, ""),
+        ("refuted", r"|G|=(s^2+t^2)^{1/4}", packet, ""),
+        ("refuted", r"\sqrt{x^2+y^2}=x+y", "x,y: positive", ""),
+        ("refuted", r"\sqrt{x^2}=x", "x", ""),
+        ("refuted", r"\sqrt{x^2y^2}=xy", "x,y", r"|x|<1; |y|<1"),
+    ]);
+}

@@ -7,6 +7,7 @@
 //!   method (`newton`).
 //! * **Logarithms.** A sum Σ qᵢ ln uᵢ + r is 0 exactly where its exponential ∏ uᵢ^{qᵢ}·eʳ is 1.
 //! * **Powers.** Products of powers of what is positive are equal where their logarithms are (`powers`).
+//! * **Squares.** What is not negative is equal where its squares are (`squares`).
 //! * **Angles.** A sum θ of angles (arcsin, arctan, …, π) is 0 if cos θ = 1 and its range, by the signs that are given, lies
 //!   between −2π and 2π. In place of a derivative and one value: no path in the domain is needed.
 //! * **Arguments.** f(u) and f(v) are one value where u = v, and for even and odd functions where u = −v.
@@ -29,6 +30,7 @@ use super::powers::by_logarithms;
 use super::prove::identity_at;
 use super::range::Ranges;
 use super::simpler::simpler;
+use super::squares::squared;
 use super::witness::{decimals, values_at};
 use expr::domain::{Nature, Parity, row};
 use expr::{Expr, FastMap, FastSet, Graph, Node, Op, Rational};
@@ -121,6 +123,11 @@ pub(super) fn settle(
         let mut proof = finished(graph, whole, given, proof);
         proof.example = seen(graph, whole, given, &proof, options);
         return Some(Identity::Proved(proof));
+    }
+    if let Some(squares) = squared(graph, &equations, given)
+        && let Identity::Proved(proof) = identity_at(memory, graph, &squares, given, options, depth + 1)
+    {
+        return Some(Identity::Proved(finished(graph, whole, given, proof)));
     }
     if let Some(simpler) = simpler(graph, given) {
         match identity_at(memory, graph, whole, &simpler, options, depth + 1) {
