@@ -19,10 +19,13 @@ const MOST: usize = 16;
 /// Monomials that are combinations of others.
 pub(super) type Relations = FastMap<Monomial, Combination>;
 
-/// A monomial as a fraction: a numerator, and powers of polynomials without a factor that is a monomial.
+/// Powers of polynomials without a factor that is a monomial.
+type Powers = BTreeMap<Combination, i32>;
+
+/// A monomial as a fraction.
 struct Ratio {
     top: Combination,
-    under: BTreeMap<Combination, i32>,
+    under: Powers,
 }
 
 /// The relations between some monomials.
@@ -41,7 +44,7 @@ pub(super) fn relations(
     }
     // The first of those that differ by a rational factor stands for all.
     let mut known: Vec<(&Monomial, Ratio)> = Vec::new();
-    let mut first: BTreeMap<(Combination, BTreeMap<Combination, i32>), (&Monomial, Rational)> = BTreeMap::new();
+    let mut first: BTreeMap<(Combination, Powers), (&Monomial, Rational)> = BTreeMap::new();
     for m in fractions {
         let Some(ratio) = ratio(graph, combinations, m) else { continue };
         let Some((scale, top)) = scaled(&ratio.top) else { continue };
