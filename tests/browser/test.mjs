@@ -3,7 +3,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { inflateSync } from "node:zlib";
-import { accessible, check, done, visit } from "./visit.mjs";
+import { accessible, check, done, settled, visit } from "./visit.mjs";
 
 const reports = path.resolve(process.argv[2] ?? "../../reports");
 const LARGEST = 1_500_000;
@@ -106,7 +106,6 @@ for (const id of fs.readdirSync(reports).sort()) {
     check(elements < 30000, `${id}: ${elements} elements`);
     // Formulas, with everything unfolded that is not a table of verdicts.
     await page.evaluate(() => document.querySelectorAll("details").forEach(d => { d.open = true; }));
-    await page.waitForTimeout(50);
     formulas = await formulasAreLaidOut(page);
     // A correction shows the source, in which it has to be made; a member of a family what is pasted there.
     await page.evaluate(() => document.querySelectorAll("code.difference, .region pre").forEach(e => { e.hidden = true; }));
@@ -182,23 +181,24 @@ for (const id of fs.readdirSync(reports).sort()) {
     for (const verdict of ["h", "f", "n", "u"]) {
       const word = { h: "holds", f: "fails", n: "not-applicable", u: "undecided" }[verdict];
       await page.goto(`${url}#/matrix?verdict=${verdict}`);
-      await page.waitForTimeout(30);
-      const shown = await page.locator(".matrix tbody td[class]").evaluateAll(l => l.filter(a => a.checkVisibility({ visibilityProperty: true })).length);
-      check(shown === wanted.filter(r => r.verdict === word).length, `${id}: the filter ${word} shows ${shown}`);
+      const right = wanted.filter(r => r.verdict === word).length;
+      const shown = await settled(() => page.locator(".matrix tbody td[class]").evaluateAll(l => l.filter(a => a.checkVisibility({ visibilityProperty: true })).length), n => n === right);
+      check(shown === right, `${id}: the filter ${word} shows ${shown}`);
     }
     const { name, trajectory } = wanted[0];
     await page.goto(`${url}#/matrix`);
     await page.fill("[name=claim]", name);
     await page.fill("[name=trajectory]", trajectory);
-    const state = decodeURIComponent(await page.evaluate(() => location.hash));
-    check(state.includes(`claim=${name}`) && state.includes(`trajectory=${trajectory}`), `${id}: the address keeps the filters: ${state}`);
+    const kept = state => state.includes(`claim=${name}`) && state.includes(`trajectory=${trajectory}`);
+    const state = await settled(async () => decodeURIComponent(await page.evaluate(() => location.hash)), kept);
+    check(kept(state), `${id}: the address keeps the filters: ${state}`);
     await page.reload();
     check(await page.inputValue("[name=claim]") === name, `${id}: filters are read from the address`);
-    const left = await page.locator(".matrix tbody tr:not([hidden])").count();
-    check(left >= 1 && left < 1 + wanted.filter(r => r.name.includes(name)).length, `${id}: rows are left by the filters`);
+    const few = n => n >= 1 && n < 1 + wanted.filter(r => r.name.includes(name)).length;
+    check(few(await settled(() => page.locator(".matrix tbody tr:not([hidden])").count(), few)), `${id}: rows are left by the filters`);
     await page.click(".filters button");
-    await page.waitForTimeout(30);
-    check(await page.locator(".matrix tbody tr[hidden]").count() === 0, `${id}: everything is shown again`);
+    const hidden = await settled(() => page.locator(".matrix tbody tr[hidden]").count(), n => n === 0);
+    check(hidden === 0, `${id}: everything is shown again`);
   });
 
   await visit({ viewport: { width: 1280, height: 900 } }, url, page => thinned(page, `${id}, as it opens`));

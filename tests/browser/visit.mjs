@@ -31,6 +31,16 @@ export async function visit(options, url, work) {
   check(seen.requests.length === 0, `nothing is fetched: ${seen.requests.join(", ")}`);
 }
 
+/** What is read of a page once it is as wanted, or after five seconds: what a page does takes a while, the longer the busier the machine. */
+export async function settled(read, wanted) {
+  const last = Date.now() + 5000;
+  for (;;) {
+    const found = await read();
+    if (wanted(found) || Date.now() > last) return found;
+    await new Promise(r => setTimeout(r, 20));
+  }
+}
+
 /** What is wrong with a page for those who do not see it, or see it badly: nothing. */
 export async function accessible(page, where) {
   await page.evaluate(axe);
