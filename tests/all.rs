@@ -82,6 +82,7 @@ mod planted;
 mod premises;
 mod printed;
 mod prove;
+mod prove_points;
 mod prove_traps;
 mod reach;
 mod readme;
