@@ -84,6 +84,38 @@ fn formulas_in_double_quotes() {
 }
 
 #[test]
+fn names_with_primes_and_backslashes() {
+    let head = "[derivation]\ntitle='T'\nconcerns='C'\n[symbols]\n";
+    let both = "\"{\\\\bf A}'\" = { role = 'parameter' }\n'{\\bf B}^\\prime' = { role = 'parameter' }\n";
+    let d = load(&with(&[head, both])).unwrap_or_else(|e| panic!("{e}"));
+    let names: Vec<&str> = d.symbols.iter().map(|s| s.name.as_str()).collect();
+    assert_eq!(names, [r"{\bf A}'", r"{\bf B}^\prime"]);
+    // Where TOML would change backslashes, the hint is what TOML reads.
+    let found = problems(&with(&[head, "\"\\theta'\" = { role = 'parameter' }\n"]));
+    assert!(found.contains("derivation::quoted-formula") && found.contains("write \"\\\\theta'\""), "{found}");
+    let found = problems(&with(&[head, "'{\\bf A}'' = { role = 'parameter' }\n"]));
+    assert!(found.contains("derivation::toml") && found.contains(r"write `^\prime`"), "{found}");
+}
+
+#[test]
+fn a_name_is_missed_once() {
+    let head = "[derivation]\ntitle='T'\nconcerns='C'\n[symbols]\n't' = { role = 'time' }\n";
+    let symbols = "'g_1' = { role = 'stte' }\n'h(x)' = { role = 'state', shape = 'y' }\n'k' = { role = 'abbreviation', formula = 'g_1+1' }\n";
+    let claim = |id: &str, formula: &str| format!("[[claim]]\nid = '{id}'\nsays = 's'\nalways = ['{formula}']\n");
+    let found = problems(&with(&[
+        head,
+        symbols,
+        &claim("a", "g_1=k"),
+        &claim("b", "q_1=1, q_2=1, h(x)=q_1"),
+        &claim("c", "q_1=g_1"),
+    ]));
+    assert_eq!(found.matches("error[").count(), 4, "{found}");
+    for text in ["there is no role `stte`", "is not a shape", "`q_1` is not declared", "`q_2` is not declared"] {
+        assert_eq!(found.matches(text).count(), 1, "{text}: {found}");
+    }
+}
+
+#[test]
 fn a_formula_with_a_problem_has_its_place() {
     let claim = "[[claim]]\nid = 'c'\nsays = 's'\nalways = ['x = y', '''\nx=0,\na = zz''', '''q=1''']\n";
     insta::assert_snapshot!("formula_places", problems(&with(&[HEAD, claim])));

@@ -178,7 +178,7 @@ fn shapes() {
     refused(r"{\bf u}=A{\bf p}", "latex::shape");
     refused(r"{\bf u}=a\times b", "latex::shape");
     refused(r"{\bf u}=[a,b]", "latex::shape");
-    refused(r"A=[A,B]", "latex::shape");
+    refused(r"A=[A,{\bf p}]", "latex::shape");
     refused(r"x=\sin{\bf u}", "latex::shape");
     refused(r"x=a/{\bf u}", "latex::shape");
     refused(r"{\bf u}<{\bf v}", "latex::shape");

@@ -47,6 +47,28 @@ fn motions_of_constant_acceleration() {
 }
 
 #[test]
+fn rates_of_observables_in_a_system_are_written_out() {
+    let text = |rate: &str| {
+        format!(
+            "'r' = {{ role = 'state' }}\n'\\tau' = {{ role = 'state' }}\n'm' = {{ role = 'parameter' }}\n\
+             'f' = {{ role = 'observable', formula = '1-\\frac{{2m}}{{r}}' }}\n\
+             [system.s]\nstates = ['r', '\\tau']\nequations = ['\\dot r=r', '{rate}']\n\
+             [[trajectory]]\nid = 'one'\nsystem = 's'\nspan = [0, 1]\nparameters = {{ 'm' = 0.1 }}\n\
+             initial = {{ 'r' = 1, '\\tau' = 0, '\\dot\\tau' = 2 }}\n\
+             [[claim]]\nid = 'c'\nsays = 'test'\nfollows-from = ['s']\nfirst-integral = ['f\\dot\\tau']\n"
+        )
+    };
+    for (rate, wanted) in [
+        (r"\frac{d}{dt}(f\dot\tau)=0", true),
+        (r"\dot f\dot\tau+f\ddot\tau=0", true),
+        (r"\dot f\dot\tau-f\ddot\tau=0", false),
+    ] {
+        let account = of_file(&text(rate));
+        assert_eq!(standing(&account, "c") == "proved", wanted, "{rate}");
+    }
+}
+
+#[test]
 fn oscillations() {
     solved(
         &["q"],

@@ -37,8 +37,9 @@ pub use account::of_step;
 use crate::derivation::{Claim, Derivation, Form, Ranged, Region, Values};
 use crate::diag::Diagnostic;
 use crate::expr::tape::Tape;
-use crate::expr::{Expr, Graph, Leaf};
+use crate::expr::{Expr, Graph, Leaf, Node, Rational};
 use crate::findings::ClaimAccount;
+use crate::latex::RelationKind;
 use crate::number::{Bounded, Draws, Interval};
 use crate::verdict::Strength;
 use ends::{enclosed, nearest};
@@ -129,7 +130,7 @@ fn variables(derivation: &Derivation, graph: &Graph, ranges: &[Ranged]) -> Resul
             return Err(Box::new(problem(message).hint("the smaller one comes first: [from, to]")));
         };
         let shown = (nearest(graph, from, low), nearest(graph, to, high));
-        out.push(Variable { leaf: ranged.leaf, outer: low.hull(high), inner, ends: (from, to), shown });
+        out.push(Variable { leaf: ranged.leaf, outer: low.hull(high), inner, ends: (from, to), shown, only: None });
     }
     Ok(out)
 }
@@ -141,7 +142,8 @@ fn decide(
     most_work: u64,
 ) -> Result<RegionAccount, Box<Diagnostic>> {
     let mut graph = derivation.graph.clone();
-    let variables = variables(derivation, &graph, &region.ranges)?;
+    let mut variables = variables(derivation, &graph, &region.ranges)?;
+    fix(&graph, claim, &mut variables);
     let put = Insertion::new(&mut graph, &claim.scope, &region.ranges);
     let mut account = account::blank(region, &graph, &put, &variables);
     let problem = |graph: &Graph, leaf: Leaf| {
@@ -181,6 +183,26 @@ fn decide(
     account.portraits = portraits(&mut graph, (claim, &region.ranges, question.identical), &put, &variables);
     account::conclude(&mut account, &division, if question.identical { Strength::Proved } else { Strength::Enclosed });
     Ok(account)
+}
+
+/// Notes the values that assumptions give single variables: `\\theta=1`. Points at which a claim applies are looked for there.
+fn fix(graph: &Graph, claim: &Claim, variables: &mut [Variable]) {
+    let equations = claim.assuming.iter().flat_map(|w| &w.value.relations);
+    for relation in equations.filter(|r| r.kind == RelationKind::Equal && r.limit.is_none()) {
+        let (&[left], &[right]) = (relation.left.components.as_slice(), relation.right.components.as_slice()) else {
+            continue;
+        };
+        for (name, number) in [(left, right), (right, left)] {
+            let Some(exact) = graph.as_constant(number) else { continue };
+            let near = exact.to_f64().value();
+            let representable = Rational::try_from(near).is_ok_and(|r| r == *exact);
+            for v in variables.iter_mut().filter(|_| representable) {
+                if *graph.node(name) == Node::Leaf(v.leaf) {
+                    v.only = Some(near);
+                }
+            }
+        }
+    }
 }
 
 /// Points of the box at which a claim applies, and some expressions with everything inserted that has one value there: the

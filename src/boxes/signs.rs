@@ -70,6 +70,8 @@ pub(super) struct Variable {
     pub ends: (Expr, Expr),
     /// The ends as a reader knows them.
     pub shown: (f64, f64),
+    /// The value that an assumption gives it, where binary64 has it: no other point is of interest.
+    pub only: Option<f64>,
 }
 
 /// One D, compiled.

@@ -81,10 +81,10 @@ pub(super) struct Division {
     pub exhausted: bool,
 }
 
-/// The point of the ranges that is nearest to the middle of a cell.
+/// The point of the ranges that is nearest to the middle of a cell, with the values that are given.
 fn middle(variables: &[Variable], sides: &[Interval]) -> Option<Cell> {
     let point = |(v, side): (&Variable, &Interval)| {
-        let x = side.mid().clamp(v.inner.lo(), v.inner.hi());
+        let x = v.only.unwrap_or(side.mid()).clamp(v.inner.lo(), v.inner.hi());
         side.contains(x).then(|| Interval::point(x))
     };
     Some(Cell::inside(variables.iter().zip(sides).map(point).collect::<Option<_>>()?))

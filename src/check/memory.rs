@@ -492,6 +492,8 @@ impl State<'_> {
     fn steps(&self, derivation: &Derivation) -> HashMap<String, Option<Key>> {
         let all = &derivation.claims;
         let given: Vec<Vec<String>> = all.iter().map(|claim| Step::given(derivation, claim)).collect();
+        // Whether motions are analytic depends on how those are given on which a claim is tried.
+        let behind = |at: usize| format!("{:?}", Step::behind(derivation, &all[at]));
         let claim = |name: &String| match derivation.premise(name) {
             Premise::Claim(at) => Some(at),
             Premise::System(_) | Premise::Definition => None,
@@ -500,7 +502,8 @@ impl State<'_> {
         for at in premises_first(all.len(), |k| given[k].iter().filter_map(claim).collect()) {
             // In a circle a premise has no name yet, and what follows from it gets none.
             let named = |name: &String| claim(name).map_or(Some(Key::default()), |premise| keys[premise]);
-            keys[at] = self.step_from(&all[at], &given[at], named);
+            let found = self.step_from(&all[at], &given[at], named);
+            keys[at] = found.map(|sum| key(&[&sum, behind(at).as_bytes()]));
         }
         all.iter().map(Claim::name).zip(keys).collect()
     }

@@ -121,11 +121,20 @@ pub fn parse(source: Source, stem: &str) -> Result<Derivation, Vec<Diagnostic>> 
 fn syntax_error(source: &Arc<Source>, error: &toml::de::Error) -> Diagnostic {
     let message = error.message().trim_end_matches('.').replace('\n', "; ");
     let span = error.span().unwrap_or(0..0);
-    let mut d = Diagnostic::at(source, "derivation::toml", span, message);
+    let mut d = Diagnostic::at(source, "derivation::toml", span.clone(), message);
     if d.message.contains("escape") {
         d.hint = Some("formulas are written in single quotes: '\\Omega', not \"\\Omega\"".to_owned());
+    } else if source.text.get(..span.start).zip(source.text.get(span.start..)).is_some_and(closed_twice) {
+        let hint = "a prime ends what is in single quotes: write `^\\prime`, or a formula between ''' and ''', a name in double \
+                    quotes with every backslash twice";
+        d.hint = Some(hint.to_owned());
     }
     d
+}
+
+/// Whether a quote stands behind one that closes a string: it was meant as a prime.
+fn closed_twice((before, after): (&str, &str)) -> bool {
+    before.ends_with('\'') && after.starts_with('\'')
 }
 
 /// What is known while a file is read.
@@ -166,6 +175,12 @@ impl<'s> Loader<'s> {
             return Ok(self.out);
         }
         sort(&mut found);
+        // A name that is not declared is told once, and one whose declaration was refused was told there.
+        let mut told = BTreeSet::new();
+        found.retain(|d| {
+            let undeclared = d.code == "latex::unknown-symbol";
+            !undeclared || d.message != latex::REFUSED && told.insert(d.message.clone())
+        });
         Err(found)
     }
 
@@ -319,6 +334,12 @@ impl<'s> Loader<'s> {
             self.problems.unknown("derivation::unknown-system", span, "system", name, ids);
         }
         found
+    }
+
+    /// Notes that the declaration of a name was refused.
+    pub fn refuse_symbol(&mut self, name: &str, scope: &mut Scope) {
+        scope.note_refused(name);
+        self.refused.push(name.to_owned());
     }
 
     /// The symbol with this name, noted if there is none.

@@ -9,7 +9,7 @@ use super::keys;
 use super::load::{Loader, is_equation};
 use super::model::{GivenValue, Motion, System, Trajectory};
 use super::number::finite;
-use super::table::{Table, Value, check_id, note_double_quoted, text_of};
+use super::table::{Table, Value, changes_backslashes, check_id, note_double_quoted, text_of};
 use super::values::Known;
 use expr::{Expr, Leaf, Rational, Symbol};
 use latex::{Role, Scope};
@@ -126,8 +126,8 @@ impl Loader<'_> {
         let mut out = Vec::new();
         for (name, span) in table.names(&mut self.problems, key) {
             let raw = self.problems.source.text.get(span.clone()).unwrap_or_default();
-            if raw.starts_with('"') && raw.contains('\\') {
-                note_double_quoted(&mut self.problems, span, raw);
+            if changes_backslashes(raw) {
+                note_double_quoted(&mut self.problems, span, raw, true);
                 continue;
             }
             let Some(symbol) = self.symbol(name.trim(), span.clone(), scope) else { continue };

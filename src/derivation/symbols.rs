@@ -5,7 +5,7 @@ use toml::de::{DeTable, DeValue};
 use super::keys;
 use super::load::Loader;
 use super::model::SymbolEntry;
-use super::table::{Literal, Table, Value, as_printed, literal_of, note_double_quoted};
+use super::table::{Literal, Table, Value, as_printed, changes_backslashes, literal_of, note_double_quoted};
 use expr::Shape;
 use latex::{Declaration, DeclareError, Role, Scope};
 
@@ -54,9 +54,9 @@ impl Loader<'_> {
         for (key, value) in entries {
             let name = key.get_ref().as_ref();
             let raw = self.problems.source.text.get(key.span()).unwrap_or_default();
-            if raw.starts_with('"') && raw.contains('\\') {
-                note_double_quoted(&mut self.problems, key.span(), raw);
-                self.refused.push(name.to_owned());
+            if changes_backslashes(raw) {
+                note_double_quoted(&mut self.problems, key.span(), raw, true);
+                self.refuse_symbol(raw.trim_matches('"'), scope);
                 continue;
             }
             // In another spelling, `{x}` for `x`, TOML does not see that a name is there already.
@@ -70,7 +70,7 @@ impl Loader<'_> {
             }
             match self.declare_one(name, key.span(), value, scope, in_claim) {
                 Some(entry) => out.push(entry),
-                None => self.refused.push(name.to_owned()),
+                None => self.refuse_symbol(name, scope),
             }
         }
         out
@@ -221,8 +221,12 @@ impl Loader<'_> {
                     self.problems.note(p.code, span.clone(), format!("`{name}`: {}", p.message));
                 }
             }
-            (DeclareError::Key(problem), _) => {
+            (DeclareError::Key(mut problem), _) => {
                 let raw = self.problems.source.text.get(span.clone()).unwrap_or_default();
+                // Where backslashes are written twice, places are not those of the name.
+                if raw.starts_with('"') && raw.contains('\\') {
+                    problem.span = 0..raw.len().saturating_sub(2);
+                }
                 let start = span.start + usize::from(raw.starts_with(['\'', '"']));
                 self.note_formula(&Literal { text: name, start, span }, vec![problem]);
             }

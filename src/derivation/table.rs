@@ -266,7 +266,7 @@ pub(super) fn literal_of<'a>(problems: &mut Problems<'_>, value: &'a Value<'_>, 
         Some(_) => 3,
         None if raw.starts_with('\'') => 1,
         None => {
-            note_double_quoted(problems, span, raw);
+            note_double_quoted(problems, span, raw, false);
             return None;
         }
     };
@@ -277,15 +277,23 @@ pub(super) fn literal_of<'a>(problems: &mut Problems<'_>, value: &'a Value<'_>, 
     None
 }
 
-/// Notes a formula in double quotes, and how to write it.
-pub(super) fn note_double_quoted(problems: &mut Problems<'_>, span: Range<usize>, raw: &str) {
+/// Whether TOML changes what stands in double quotes: it does not where every backslash is written twice.
+pub(super) fn changes_backslashes(raw: &str) -> bool {
+    raw.starts_with('"') && raw.replace(r"\\", "").contains('\\')
+}
+
+/// Notes a formula in double quotes, or a name, and how to write it.
+pub(super) fn note_double_quoted(problems: &mut Problems<'_>, span: Range<usize>, raw: &str, name: bool) {
     let inner = raw.trim_matches('"');
     let noted = problems.note("derivation::quoted-formula", span, "formulas are written in single quotes");
-    if inner.contains(['\'', '\n']) {
+    // There a backslash is written twice.
+    let plain = inner.replace(r"\\", r"\");
+    if name && inner.contains('\'') {
+        let twice = plain.replace('\\', r"\\");
+        noted.hint(format!("in double quotes TOML changes backslashes: write \"{twice}\""));
+    } else if inner.contains(['\'', '\n']) {
         noted.hint("in double quotes TOML changes backslashes: put the formula between ''' and '''");
     } else {
-        // There a backslash is written twice.
-        let plain = inner.replace(r"\\", r"\");
         noted.hint(format!("in double quotes TOML changes backslashes: write '{plain}'"));
     }
 }

@@ -80,6 +80,8 @@ struct SymbolEntry {
     shape: Shape,
     /// Only the diagonal is stored: a square matrix whose other entries are zero.
     diagonal: bool,
+    /// Another symbol has the name of a component of this one.
+    numbered: bool,
 }
 
 /// Nodes of a graph, those from a position on.
@@ -169,8 +171,18 @@ impl Graph {
     ///
     /// With `diagonal`, `shape` is n × n and only the n diagonal components are stored.
     pub fn declare(&mut self, name: &str, shape: Shape, diagonal: bool) -> Symbol {
-        Arc::make_mut(&mut self.symbols).push(SymbolEntry { name: name.to_owned(), shape, diagonal });
+        Arc::make_mut(&mut self.symbols).push(SymbolEntry { name: name.to_owned(), shape, diagonal, numbered: false });
         Symbol((self.symbols.len() - 1) as u32)
+    }
+
+    /// Says that another symbol has the name of a component of this one: components are then written `({\bf r})_1`.
+    pub fn set_numbered(&mut self, symbol: Symbol) {
+        Arc::make_mut(&mut self.symbols)[symbol.index()].numbered = true;
+    }
+
+    /// Whether another symbol has the name of a component of this one.
+    pub(super) fn is_numbered(&self, symbol: Symbol) -> bool {
+        self.symbols[symbol.index()].numbered
     }
 
     /// The LaTeX name a symbol was declared with.

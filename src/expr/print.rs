@@ -102,7 +102,10 @@ impl Graph {
                 }
             }
         };
-        let whole = format!("{dotted}{lowered}{arguments}{at}");
+        let whole = match self.is_numbered(leaf.symbol) && !lowered.is_empty() {
+            true => format!("({dotted}{arguments}){lowered}{at}"),
+            false => format!("{dotted}{lowered}{arguments}{at}"),
+        };
         let whole = match place {
             None => self.with_partials(leaf, whole),
             Some(place) if primes == 0 && !leaf.partials.is_none() => {

@@ -192,6 +192,8 @@ pub struct IdentityAccount {
     pub assumptions: Option<AssumptionsUsed>,
     /// Assumptions of what is given, which this claim does not make itself.
     pub presupposed: Vec<String>,
+    /// Equations that the claim assumes at the times that it chooses, and that are not known at others.
+    pub assumed_at_times: Vec<String>,
     /// Whether the proof leaves out special cases of what is given.
     pub generic: bool,
     /// Whether what is given has values at fewer times than what is claimed: it says nothing of the others.

@@ -10,7 +10,7 @@ use diag::Problem;
 /// What a token is.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// `\name`, without the backslash.
+    /// `\name`, without the backslash; and a sign as a label, as in `J_+`.
     Command(String),
     /// One letter.
     Letter(char),
@@ -80,9 +80,12 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
     let bytes = text.as_bytes();
     let mut at = 0;
     let mut pending_bar = None;
+    // Of each bar that is open by its command, whether it is double.
+    let mut bars = Vec::new();
     while let Some(c) = text[at..].chars().next() {
         let start = at;
         at += c.len_utf8();
+        let lowers = matches!(out.last(), Some(Token { kind: Kind::Sign('_'), .. }));
         let mut push = |kind: Kind, end: usize| out.push(Token { kind, span: start..end });
         match c {
             ' ' | '\t' | '\n' | '\r' | '~' => continue,
@@ -112,6 +115,8 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                 Some(false) => push(Kind::CloseBar, at),
                 None => push(Kind::Sign('|'), at),
             },
+            // `J_+`: a label, no sign between terms.
+            '+' | '-' | '*' if lowers => push(Kind::Command(c.to_string()), at),
             '+' | '-' | '*' | '/' | '=' | '<' | '>' | '(' | ')' | '[' | ']' | '{' | '}' | '_' | '^' | ',' | '.'
             | '&' | '\'' | ';' | '!' => push(Kind::Sign(c), at),
             '\\' => {
@@ -150,13 +155,13 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                         // What follows is an ordinary delimiter; only bars need to know their side.
                         let next = text[at..].trim_start();
                         let (signs, bar) = match name {
-                            "left" => (['(', '[', '|', '.'], r"\lvert"),
-                            _ => ([')', ']', '|', '.'], r"\rvert"),
+                            "left" => (['(', '[', '|', '.'], [r"\lvert", r"\lVert"]),
+                            _ => ([')', ']', '|', '.'], [r"\rvert", r"\rVert"]),
                         };
                         let whole = [r"\lfloor", r"\rfloor", r"\lceil", r"\rceil", r"\{", r"\}"];
                         if whole.iter().any(|w| next.starts_with(w)) {
                             // A bracket that says by itself which side it is on.
-                        } else if !next.starts_with(signs) && !next.starts_with(bar) {
+                        } else if !next.starts_with(signs) && !bar.iter().any(|b| next.starts_with(b)) {
                             problems.push(problem(
                                 "latex::unexpected",
                                 format!("`\\{name}` stands before a bracket"),
@@ -177,8 +182,18 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                             ));
                         }
                     }
-                    "lvert" => push(Kind::OpenBar, at),
-                    "rvert" => push(Kind::CloseBar, at),
+                    // The norm of a vector is its length, as with single bars.
+                    "lvert" | "lVert" => {
+                        bars.push(name == "lVert");
+                        push(Kind::OpenBar, at);
+                    }
+                    "rvert" | "rVert" => {
+                        if bars.pop().is_some_and(|double| double != (name == "rVert")) {
+                            let message = "a single and a double bar".to_owned();
+                            problems.push(problem("latex::unbalanced", message, start..at, "write two of a kind"));
+                        }
+                        push(Kind::CloseBar, at);
+                    }
                     "label" | "tag" | "hspace" | "vspace" | "kern" => {
                         let group = text[at..].trim_start();
                         let offset = text.len() - group.len();

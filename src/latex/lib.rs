@@ -27,7 +27,7 @@ mod typeset;
 mod write;
 
 pub use parse::whole_part;
-pub use scope::{Declaration, DeclareError, Logarithm, Role, Scope, Signature};
+pub use scope::{Declaration, DeclareError, Logarithm, REFUSED, Role, Scope, Signature};
 pub use statement::{Limit, LimitPoint, Relation, Statement};
 pub use syntax::RelationKind;
 pub use typeset::printed;

@@ -109,6 +109,14 @@ pub(super) fn split(name: &str) -> (Option<&str>, &str) {
     }
 }
 
+/// The name without a style that only marks a vector or a matrix.
+pub(super) fn unmarked(name: &str) -> &str {
+    match split(name) {
+        (Some(style), bare) if marks_tensor(style) => bare,
+        _ => name,
+    }
+}
+
 /// The canonical spelling as LaTeX.
 pub(super) fn to_latex(name: &str) -> String {
     let (style, rest) = split(name);
@@ -142,6 +150,7 @@ pub(super) fn canonical(tokens: &[Token]) -> String {
                     out.push_str(style);
                     out.push(':');
                 }
+                None if matches!(name.as_str(), "+" | "-" | "*") => out.push_str(name),
                 None => {
                     out.push('\\');
                     out.push_str(name);

@@ -6,6 +6,8 @@ mod field;
 
 use std::sync::Arc;
 
+pub use declare::REFUSED;
+
 use super::name;
 use super::syntax::{Name, SubItem};
 use diag::Problem;
@@ -132,6 +134,10 @@ pub struct Scope {
     hidden: Vec<Filed>,
     /// Names of several letters, the longest first.
     words: Vec<Name>,
+    /// Vectors and matrices beside which others have the names of components, `{\bf r}` beside `{\bf r}_1`.
+    numbered: Vec<Symbol>,
+    /// Names whose declarations were refused, with their subscripts.
+    refused: Vec<(Name, Vec<SubItem>)>,
     /// Pairs of canonical variables: a coordinate, and its momentum.
     pairs: Vec<(Symbol, Symbol)>,
     /// The field with which `\frac{D}{Dt}` moves.
@@ -208,6 +214,8 @@ impl Scope {
             entries: Vec::new(),
             hidden: Vec::new(),
             words: Vec::new(),
+            numbered: Vec::new(),
+            refused: Vec::new(),
             pairs: Vec::new(),
             velocity: None,
             signature: None,
@@ -316,6 +324,11 @@ impl Scope {
         self.entries.iter().map(|e| e.key.as_str())
     }
 
+    /// Whether the declaration of a name was refused, with this subscript or the beginning of it.
+    pub(super) fn is_refused(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
+        self.refused.iter().any(|(n, s)| n == name && sub.unwrap_or_default().starts_with(s))
+    }
+
     /// Whether a name is declared in any form.
     pub(super) fn declares(&self, name: &str) -> bool {
         let number = digest(&[name]);
@@ -417,6 +430,17 @@ impl Scope {
                 found.next().filter(|f| !f.indices.is_empty() && self.is_tensor(f.symbol))
             }
         })
+    }
+
+    /// The key of something with components of which a name with a subscript could be one, or another of several: `r_1` where `{\bf r}` and
+    /// `{\bf r}_1` are declared.
+    pub(super) fn numbered(&self, name: &str, sub: &[SubItem], found: Option<&Found>) -> Option<&str> {
+        let entries = self.numbered.iter().filter_map(|&symbol| self.by_symbol(symbol));
+        let mut meant = entries.filter(|e| match found {
+            Some(found) => found.symbol == e.symbol && !found.indices.is_empty(),
+            None => name::unmarked(&e.name) == name::unmarked(name) && sub.len() == e.rank,
+        });
+        meant.next().map(|e| e.key.as_str())
     }
 
     fn is_tensor(&self, symbol: Symbol) -> bool {

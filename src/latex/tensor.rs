@@ -201,7 +201,12 @@ fn dot_of<E: Entry>(graph: &mut Graph, a: &Tensor, b: &Tensor) -> Tensor {
 pub(super) fn cross(graph: &mut Graph, a: &Tensor, b: &Tensor, span: &Range<usize>) -> Elaborated<Tensor> {
     if a.shape.real() != Shape::vector(3) || b.shape.real() != Shape::vector(3) {
         let message = format!("a vector product needs two vectors of 3, these are a {} and a {}", a.shape, b.shape);
-        return refuse("latex::shape", message, span, r"for numbers write `\cdot`");
+        let hint = match a.shape.real_extents().len().max(b.shape.real_extents().len()) {
+            0 => r"for numbers write `\cdot`",
+            2.. => "`[A,B]` is the commutator of two square matrices of one size",
+            1 => "",
+        };
+        return refuse("latex::shape", message, span, hint);
     }
     Ok(if a.shape.is_complex() || b.shape.is_complex() {
         cross_of::<Pair>(graph, a, b)

@@ -412,17 +412,7 @@ impl Text {
     }
 
     fn scripts(&mut self, sub: Option<&[SubItem]>, sup: Option<&Node>, sup_first: bool) {
-        let lowered = sub.map(|items| {
-            let mut inner = Text(String::new());
-            for item in items {
-                match item {
-                    SubItem::Name(n) => inner.put(&name::to_latex(n)),
-                    SubItem::Digit(d) => inner.put(&d.to_string()),
-                    SubItem::Other(c) => inner.put(&c.to_string()),
-                }
-            }
-            script('_', &inner.0)
-        });
+        let lowered = sub.map(subscript);
         let raised = sup.map(|node| {
             let mut inner = Text(String::new());
             inner.node(node, Least::Sum);
@@ -433,6 +423,19 @@ impl Text {
             self.put(text);
         }
     }
+}
+
+/// A subscript, with its sign.
+pub(super) fn subscript(items: &[SubItem]) -> String {
+    let mut inner = Text(String::new());
+    for item in items {
+        match item {
+            SubItem::Name(n) => inner.put(&name::to_latex(n)),
+            SubItem::Digit(d) => inner.put(&d.to_string()),
+            SubItem::Other(c) => inner.put(&c.to_string()),
+        }
+    }
+    script('_', &inner.0)
 }
 
 fn script(sign: char, inner: &str) -> String {

@@ -11,9 +11,10 @@
 //!
 //! Multiples of π/60, and halves and quarters of them, have exact values in √2, √3, √5 and roots of sums of these. cos, sin of arccos, arcsin, arctan, atan2 (once, twice … and halved)
 //! are algebraic, with the roots of the principal values: sin arccos x = √(1 − x²) ≥ 0, cos atan2(y, x) = x/√(x² + y²).
-//! exp(q·ln u) = u^q for integer and half-integer q. Every other occurrence of arccos, ln, agm … is a generator of its own,
+//! exp(q·ln u) = u^q for integer and half-integer q, and by roots of roots for quarters and eighths. Every other occurrence of arccos, ln, agm … is a generator of its own,
 //! the same for the same argument.
 
+use super::fractions::{Relations, related, relations};
 use super::linear::{Combination, Combinations, Monomial, expression};
 use super::sign::Facts;
 use expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Rational, Shape, Symbol};
@@ -129,6 +130,8 @@ pub(super) struct Lowering<'g> {
     pub(super) graph: &'g mut Graph,
     pub(super) generators: Generators,
     combinations: Combinations,
+    /// Monomials of arguments that are combinations of others.
+    relations: Relations,
     /// Common denominators of the coefficients of a monomial: under sin, cos, tan and under exp, sinh, cosh, tanh.
     circle_denominators: FastMap<Monomial, Rational>,
     exp_denominators: FastMap<Monomial, Rational>,
@@ -144,7 +147,8 @@ pub(super) struct Lowering<'g> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct TooLarge;
 
-fn lcm(a: &Rational, b: &Rational) -> Rational {
+/// The least common multiple of a whole number and of the denominator of another.
+pub(super) fn lcm(a: &Rational, b: &Rational) -> Rational {
     use dashu_int::ops::Gcd;
     let (a, b) = (a.numerator().clone().into_parts().1, b.denominator().clone());
     let g = (&a).gcd(&b);
@@ -160,19 +164,25 @@ impl<'g> Lowering<'g> {
     pub(super) fn new(graph: &'g mut Graph, roots: &[Expr], given: Facts) -> Lowering<'g> {
         let generators = Generators::new(graph);
         let mut combinations = Combinations::default();
-        let (mut circle, mut exp) = (FastMap::default(), FastMap::default());
+        let mut arguments: Vec<(bool, Combination)> = Vec::new();
         for e in graph.reachable(roots.iter().copied()) {
-            let (table, argument) = match *graph.node(e) {
-                Node::Unary(Op::Sin | Op::Cos | Op::Tan, a) => (&mut circle, combinations.of(graph, a)),
-                Node::Unary(Op::Exp | Op::Sinh | Op::Cosh | Op::Tanh, a) => (&mut exp, combinations.of(graph, a)),
+            arguments.push(match *graph.node(e) {
+                Node::Unary(Op::Sin | Op::Cos | Op::Tan, a) => (true, combinations.of(graph, a)),
+                Node::Unary(Op::Exp | Op::Sinh | Op::Cosh | Op::Tanh, a) => (false, combinations.of(graph, a)),
                 Node::Binary(Op::Pow, a, b) => {
                     let log = graph.unary(Op::Ln, a);
                     let argument = graph.mul(b, log);
-                    (&mut exp, combinations.of(graph, argument))
+                    (false, combinations.of(graph, argument))
                 }
                 _ => continue,
-            };
-            for (m, q) in argument {
+            });
+        }
+        let monomials = arguments.iter().flat_map(|(_, argument)| argument.keys().cloned()).collect();
+        let relations = relations(graph, &mut combinations, &monomials);
+        let (mut circle, mut exp) = (FastMap::default(), FastMap::default());
+        for (is_angle, argument) in arguments {
+            let table = if is_angle { &mut circle } else { &mut exp };
+            for (m, q) in related(&relations, argument) {
                 let n = table.entry(m).or_insert(Rational::ONE);
                 *n = lcm(n, &q);
             }
@@ -181,6 +191,7 @@ impl<'g> Lowering<'g> {
             graph,
             generators,
             combinations,
+            relations,
             circle_denominators: circle,
             exp_denominators: exp,
             circles: FastMap::default(),
@@ -338,9 +349,14 @@ impl<'g> Lowering<'g> {
         out
     }
 
+    /// What an argument is.
+    fn argument(&mut self, argument: Expr) -> Combination {
+        related(&self.relations, self.combinations.of(self.graph, argument))
+    }
+
     /// (cos, sin) of an argument.
     fn circle(&mut self, argument: Expr) -> Result<(Expr, Expr), TooLarge> {
-        let combination: Combination = self.combinations.of(self.graph, argument);
+        let combination = self.argument(argument);
         let mut out = (self.graph.integer(1), self.graph.integer(0));
         for (m, q) in combination {
             let part = match self.special_angle(&m, &q)? {
@@ -511,7 +527,7 @@ impl<'g> Lowering<'g> {
 
     /// e^argument.
     fn exponential(&mut self, argument: Expr) -> Result<Expr, TooLarge> {
-        let combination: Combination = self.combinations.of(self.graph, argument);
+        let combination = self.argument(argument);
         let mut out = self.graph.integer(1);
         for (m, q) in combination {
             let factor = match self.power_of_log(&m, &q)? {
@@ -566,19 +582,24 @@ impl<'g> Lowering<'g> {
         Ok(out)
     }
 
-    /// exp(q·ln u) = u^q for q a multiple of ½.
+    /// exp(q·ln u) = u^q for q a multiple of ½, or of ¼ or ⅛ where no other parts of ln u occur.
     fn power_of_log(&mut self, m: &Monomial, q: &Rational) -> Result<Option<Expr>, TooLarge> {
         let &[(base, 1)] = m.as_slice() else { return Ok(None) };
         let &Node::Unary(Op::Ln, u) = self.graph.node(base) else { return Ok(None) };
-        let Ok(halves) = i64::try_from(q * Rational::from(2)) else { return Ok(None) };
+        let parts = self.exp_denominators.get(m).and_then(|n| i64::try_from(n.clone()).ok());
+        let roots = match i64::try_from(q.denominator().clone()) {
+            Ok(1) => 0,
+            Ok(2) => 1,
+            Ok(4) if matches!(parts, Some(4 | 8)) => 2,
+            Ok(8) if parts == Some(8) => 3,
+            _ => return Ok(None),
+        };
+        let exponent = integer(&Rational::from(q.numerator().clone()))?;
         // The argument may have been made while lowering: the logarithm of a power's base.
-        let u = self.lower(u)?;
-        if halves % 2 == 0 {
-            let n = integer(&Rational::from(halves / 2))?;
-            return Ok(Some(self.graph.powi(u, n)));
+        let mut root = self.lower(u)?;
+        for _ in 0..roots {
+            root = self.graph.unary(Op::Sqrt, root);
         }
-        let root = self.graph.unary(Op::Sqrt, u);
-        let n = integer(&Rational::from(halves))?;
-        Ok(Some(self.graph.powi(root, n)))
+        Ok(Some(self.graph.powi(root, exponent)))
     }
 }

@@ -1,6 +1,6 @@
 //! Premises that give the value of a function at something unknown: √u = 2 says that u = 4.
 //!
-//! **In:** premises. **Out:** the same, where f(u) = w with a number w is written u = f⁻¹(w), and where a ≤ b and b ≤ a is a = b.
+//! **In:** premises. **Out:** the same, where f(u) = w with a number w is written u = f⁻¹(w), e^u = e^v as u = v, and a ≤ b ≤ a as a = b.
 //! **Guaranteed:** the premises hold at the same points as before: f is one to one, and w is a value of f, which is shown by bounds of w. A
 //! number that is none contradicts the premise, and is written so. What is not shown stays as it was.
 
@@ -33,7 +33,8 @@ fn for_argument(graph: &mut Graph, (left, right): (Expr, Expr)) -> Option<(Expr,
     let (mut u, mut w) = match (is_number(graph, left), is_number(graph, right)) {
         (false, true) => (left, right),
         (true, false) => (right, left),
-        (true, true) | (false, false) => return None,
+        (true, true) => return None,
+        (false, false) => return of_equal_values(graph, (left, right)),
     };
     let mut reached = None;
     loop {
@@ -57,6 +58,19 @@ fn for_argument(graph: &mut Graph, (left, right): (Expr, Expr)) -> Option<(Expr,
             reached = Some(next);
         }
     }
+}
+
+/// f(u) = f(v) as u = v, for a function that is one to one and has a value everywhere: else the premise says more.
+fn of_equal_values(graph: &Graph, (mut u, mut v): (Expr, Expr)) -> Option<(Expr, Expr)> {
+    let mut changed = false;
+    while let (&Node::Unary(f, a), &Node::Unary(g, b)) = (graph.node(u), graph.node(v)) {
+        if f != g || !TOTAL.contains(&f) {
+            break;
+        }
+        changed |= f != Op::Neg;
+        (u, v) = (a, b);
+    }
+    changed.then_some((u, v))
 }
 
 fn bounds(graph: &Graph, w: Expr) -> Option<Bounded> {
@@ -105,6 +119,9 @@ const INVERSES: [(Op, Op); 7] = [
     (Op::Arccos, Op::Cos),
     (Op::Arctan, Op::Tan),
 ];
+
+/// Functions that are one to one and have a value everywhere.
+const TOTAL: [Op; 5] = [Op::Neg, Op::Exp, Op::Sinh, Op::Tanh, Op::Arctan];
 
 /// u of f(u) = w for a function that is one to one, and whether there is one; `None` for other functions.
 fn inverse(graph: &mut Graph, op: Op, w: Expr) -> Option<(Option<bool>, Expr)> {
@@ -161,5 +178,25 @@ mod tests {
         }
         let sine = g.unary(Op::Sin, x);
         assert_eq!(for_argument(&mut g, (sine, one)), None);
+    }
+
+    #[test]
+    fn equal_values_are_of_equal_arguments_where_a_function_is_one_to_one_and_total() {
+        let mut g = Graph::new();
+        let [x, y] = ["x", "y"].map(|name| {
+            let symbol = g.declare(name, Shape::scalar(), false);
+            g.leaf(Leaf::now(symbol, 0))
+        });
+        for op in [Op::Exp, Op::Sinh, Op::Tanh, Op::Arctan] {
+            let pair = (g.unary(op, x), g.unary(op, y));
+            assert_eq!(for_argument(&mut g, pair), Some((x, y)));
+        }
+        // Not one to one; or more is said: √x = √y only where both have values.
+        for op in [Op::Cos, Op::Sin, Op::Abs, Op::Cosh, Op::Powi(2), Op::Sqrt, Op::Ln, Op::Arcsin] {
+            let pair = (g.unary(op, x), g.unary(op, y));
+            assert_eq!(for_argument(&mut g, pair), None);
+        }
+        let other = (g.unary(Op::Exp, x), g.unary(Op::Sinh, y));
+        assert_eq!(for_argument(&mut g, other), None);
     }
 }

@@ -9,7 +9,7 @@
 //! 1. Premises are differentiated by time as far as the claim and hidden constraints ask for (`closing`); explicit definitions
 //!    are inserted (`prepare`).
 //! 2. Logarithms are taken apart by factors (`logarithm`). Transcendental functions become rational functions of generators (`lower`), arguments being compared as rational
-//!    combinations of monomials (`linear`).
+//!    combinations of monomials (`linear`), and these as rational functions (`fractions`).
 //! 3. |a| in a premise is written σ·a with a sign σ (`absolute`). Orthogonal matrices among the premises are recognised and parametrised (`orthogonal`); a sum of squares that vanishes
 //!    is several equations, since all leaves are real. The other premises are solved, equation by equation, for unknowns in
 //!    which they have degree 1 or 2 (`solve`): the common solutions are parametrised by the leaves that stay free. Products
@@ -84,8 +84,9 @@
 //! # What is looked at when the field leaves a question open
 //!
 //! `relate` has the ways, each of which ends in another question or in certainty: algebraic numbers are compared exactly
-//! (`algebraic`), logarithms by exponentials, angles by their cosine and range (`range`), functions by their arguments; premises
-//! are written with lower degrees (`simpler`), and real points that satisfy them are found by Newton's method (`newton`).
+//! (`algebraic`), logarithms by exponentials, products of powers by logarithms (`powers`), roots by their squares (`squares`), angles by their cosine and range (`range`), functions by their arguments; premises
+//! are written with lower degrees (`simpler`), and real points that satisfy them are found by Newton's method (`newton`): to refute, or as
+//! an example of a proof.
 //!
 //! # The second route
 //!
@@ -107,6 +108,7 @@ mod absolute;
 mod algebraic;
 mod along;
 mod apart;
+mod bounds;
 #[cfg(feature = "certificates")]
 mod budget;
 mod certificate;
@@ -114,6 +116,7 @@ mod closing;
 mod conditions;
 pub mod exact;
 mod field;
+mod fractions;
 mod generators;
 mod growth;
 mod insertion;
@@ -135,6 +138,7 @@ mod orthogonal;
 mod outcome;
 mod passive;
 mod polynomial;
+mod powers;
 mod prepare;
 mod probe;
 mod prove;
@@ -147,6 +151,7 @@ mod roots;
 mod sign;
 mod simpler;
 mod solve;
+mod squares;
 mod structure;
 mod values;
 mod witness;

@@ -28,7 +28,8 @@ fn single(base: Expr, power: i32) -> Combination {
     Combination::from([(vec![(base, power)], Rational::ONE)])
 }
 
-fn add_to(sum: &mut Combination, monomial: Monomial, q: Rational) {
+/// Adds a term.
+pub(super) fn add_to(sum: &mut Combination, monomial: Monomial, q: Rational) {
     let old = sum.remove(&monomial).unwrap_or(Rational::ZERO);
     let new = old + q;
     if new != Rational::ZERO {
@@ -48,7 +49,8 @@ pub(super) fn times(a: &Monomial, b: &Monomial) -> Monomial {
     product.into_iter().collect()
 }
 
-fn product(a: &Combination, b: &Combination) -> Option<Combination> {
+/// The product; `None` where it is too long.
+pub(super) fn product(a: &Combination, b: &Combination) -> Option<Combination> {
     if a.len() * b.len() > LONGEST {
         return None;
     }
@@ -64,7 +66,8 @@ fn product(a: &Combination, b: &Combination) -> Option<Combination> {
     Some(out)
 }
 
-fn power(a: &Combination, n: i32) -> Option<Combination> {
+/// A power; `None` where it is too long, or one of a sum with a negative exponent.
+pub(super) fn power(a: &Combination, n: i32) -> Option<Combination> {
     if n.unsigned_abs() > 64 {
         return None;
     }

@@ -12,8 +12,9 @@
 //!
 //! Constants are split into primes where several of them occur.
 
-use super::linear::{Combinations, expression};
-use super::polynomial::primitive;
+use super::generators::lcm;
+use super::linear::{Combinations, Monomial, expression};
+use super::polynomial::{primitive, replaced};
 use expr::{Expr, FastMap, FastSet, Graph, Node, Op, Rational};
 use std::collections::BTreeMap;
 
@@ -44,6 +45,8 @@ pub(super) struct Logarithms {
     split: bool,
     /// Whether there is anything to take apart.
     any: bool,
+    /// For the monomials of exponents in arguments of logarithms, the common denominator of their coefficients.
+    exponents: BTreeMap<Monomial, Rational>,
     image: FastMap<Expr, Expr>,
 }
 
@@ -62,13 +65,20 @@ impl Logarithms {
         let nodes = graph.reachable(roots.iter().copied());
         let arguments: Vec<Expr> = nodes.into_iter().filter_map(|e| logarithmic(graph, e)).collect();
         out.any = !arguments.is_empty();
+        for node in graph.reachable(arguments.iter().copied()) {
+            let Node::Unary(Op::Exp, u) = *graph.node(node) else { continue };
+            for (m, q) in Combinations::default().of(graph, u) {
+                let n = out.exponents.entry(m).or_insert(Rational::ONE);
+                *n = lcm(n, &q);
+            }
+        }
         let mut numbers = FastSet::default();
         for a in arguments {
             if let Some(q) = graph.as_constant(a) {
                 numbers.insert(q.clone());
                 continue;
             }
-            let (q, parts) = primitive(graph, a);
+            let (q, parts) = out.factors(graph, a);
             if q != Rational::ONE && q != -Rational::ONE {
                 numbers.insert(q);
             } else if let &[(base, 1)] = parts.as_slice() {
@@ -130,9 +140,31 @@ impl Logarithms {
         Some(out)
     }
 
+    /// The factors of what a logarithm is of, as a polynomial in one exponential for each monomial of the exponents: 1 + e^{−x} is
+    /// (e^x + 1)/e^x.
+    fn factors(&self, graph: &mut Graph, a: Expr) -> (Rational, Vec<(Expr, i32)>) {
+        let mut out = a;
+        for node in graph.reachable([a]).into_iter().filter(|_| self.exponents.len() <= MOST_FACTORS) {
+            let Node::Unary(Op::Exp, u) = *graph.node(node) else { continue };
+            let mut power = graph.integer(1);
+            for (m, q) in Combinations::default().of(graph, u) {
+                let n = self.exponents.get(&m).cloned().unwrap_or(Rational::ONE);
+                let Some(k) = i32::try_from(q * &n).ok().filter(|k| k.unsigned_abs() <= 64) else {
+                    return primitive(graph, a);
+                };
+                let part = expression(graph, &m, &(Rational::ONE / &n));
+                let part = graph.unary(Op::Exp, part);
+                let part = graph.powi(part, k);
+                power = graph.mul(power, part);
+            }
+            out = replaced(graph, out, node, power);
+        }
+        primitive(graph, out)
+    }
+
     /// Adds times·ln|a| to a sum.
     fn add(&mut self, graph: &mut Graph, a: Expr, times: Expr, depth: u32, sum: &mut Sum) -> Option<()> {
-        let (q, parts) = primitive(graph, a);
+        let (q, parts) = self.factors(graph, a);
         if q == Rational::ZERO || depth > DEEPEST || sum.bases.len() + parts.len() > MOST_FACTORS {
             return None;
         }

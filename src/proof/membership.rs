@@ -19,8 +19,8 @@ use super::names::{free, leaf_name, names_of, python};
 use super::notation::{Writer, functions, meaning};
 use super::outcome::{Premises, Reason};
 use super::polynomial::{factors, fraction};
-use super::prepare::{explicit, with_rates};
-use super::prove::{Lowered, lower, vanishes};
+use super::prepare::{Premise, explicit, with_rates};
+use super::prove::{Lowered, MOST_FURTHER, lower, vanishes};
 use super::ring::{Given, Poly, Relation, Source, System, combined, denominators, integral, is_basis, map, ratio};
 use super::solve::insert_definitions;
 use ::groebner::{LiftBasis, PolynomialExt, verify_lift};
@@ -30,16 +30,56 @@ use num_rational::BigRational;
 /// Most characters of a formula that is shown in a certificate.
 const LONGEST: usize = 400;
 
-/// See [`certify`](super::certify).
+/// See [`certify`](super::certify). Where further derivatives of what is given may say more, they are taken as long as there is no
+/// certificate, and nothing is convicted.
 pub(super) fn certify(
     graph: &mut Graph,
     equations: &[(Expr, Expr)],
     given: &Premises,
     effort: Effort,
 ) -> Result<Vec<Certificate>, NoCertificate> {
+    let mut found = certify_after(graph, equations, given, effort, 0);
+    for further in 1..=MOST_FURTHER {
+        match found {
+            (Err(NoCertificate::NotMember { equation } | NoCertificate::Refuted { equation }), true) => {
+                found = certify_after(graph, equations, given, effort, further);
+                if matches!(found.0, Err(NoCertificate::Refuted { .. })) {
+                    found.0 = Err(NoCertificate::NotMember { equation });
+                }
+            }
+            _ => break,
+        }
+    }
+    found.0
+}
+
+/// Certificates with further derivatives, and whether still more of them may say more.
+fn certify_after(
+    graph: &mut Graph,
+    equations: &[(Expr, Expr)],
+    given: &Premises,
+    effort: Effort,
+    further: u8,
+) -> (Result<Vec<Certificate>, NoCertificate>, bool) {
+    match with_rates(graph, given, equations, vanishes, further) {
+        Ok((premises, solutions)) => {
+            let may_say_more = solutions.may_hide_constraints();
+            (certify_from(graph, equations, given, &premises, effort), may_say_more)
+        }
+        Err(reason) => (Err(NoCertificate::NotPolynomial(reason)), false),
+    }
+}
+
+/// Certificates by premises and the derivatives of these.
+fn certify_from(
+    graph: &mut Graph,
+    equations: &[(Expr, Expr)],
+    given: &Premises,
+    premises: &[Premise],
+    effort: Effort,
+) -> Result<Vec<Certificate>, NoCertificate> {
     let wrong = NoCertificate::NotPolynomial;
-    let (premises, _) = with_rates(graph, given, equations, vanishes, 0).map_err(wrong)?;
-    let solved = explicit(graph, &premises, equations, given);
+    let solved = explicit(graph, premises, equations, given);
     let insert = |graph: &mut Graph, e: Expr| insert_definitions(graph, &solved.definitions, e);
     let claim: Vec<(Expr, Expr)> = equations.iter().map(|&(l, r)| (insert(graph, l), insert(graph, r))).collect();
     let nonzero: Vec<Expr> = given.nonzero.iter().map(|&e| insert(graph, e)).collect();

@@ -1,7 +1,8 @@
 //! Real points at which premises of any degree hold, against a claim.
 //!
-//! **In:** a claim and premises that no order of solving settled, about numbers that do not move. **Out:** a refutation, or
-//! nothing. **Guaranteed:** there is a real point near the one that is given, at which all premises hold and the sides differ.
+//! **In:** a claim and premises that no order of solving settled, about numbers that do not move; or a claim that is proved, and
+//! everything given, of which the resolution gave no point. **Out:** a refutation, or an example, or nothing. **Guaranteed:** there
+//! is a real point near the one that is given, at which all premises hold and the sides differ; or at which they have values.
 //!
 //! Newton's method finds a point in binary64. Where rational numbers close by satisfy the equations exactly, they are the
 //! point. Otherwise the operator of Krawczyk, over intervals, shows that a box around it contains a solution: with f the
@@ -9,6 +10,7 @@
 //! it contains a zero of f (R. Krawczyk, *Computing* 4 (1969) 187; R. E. Moore, *SIAM J. Numer. Anal.* 14 (1977) 611). The other
 //! premises must hold, and the sides differ, on all of the box.
 
+use super::bounds::Bounds;
 use super::exact::Exact;
 use super::jets::names_fields;
 use super::outcome::{Options, Point, PointValue, Premises, Refutation, Side};
@@ -21,8 +23,10 @@ use number::{Bounded, Draws, Interval, Number};
 const STARTS: usize = 48;
 /// Steps from each.
 const STEPS: usize = 60;
-/// Equations that are solved together.
+/// Equations that are solved together against a claim.
 const MOST_EQUATIONS: usize = 4;
+/// The same for an example, for which derivatives count.
+const MOST_FOR_EXAMPLE: usize = 12;
 /// Larger systems are left.
 const MOST_NODES: usize = 400;
 /// Values of what is not solved for, and of where the search begins.
@@ -57,31 +61,94 @@ pub(super) fn refutes(
     if count == 0 || count > MOST_EQUATIONS || bound {
         return None;
     }
-    let residuals: Vec<Expr> = equations.iter().map(|&(l, r)| graph.sub(l, r)).collect();
-    let facts = [&given.nonzero, &given.positive, &given.not_negative].into_iter().flatten().copied();
-    let all: Vec<Expr> =
-        residuals.iter().copied().chain(claim.iter().flat_map(|&(l, r)| [l, r])).chain(facts).collect();
-    if graph.reachable(all.iter().copied()).len() > MOST_NODES {
+    let facts: Vec<Expr> =
+        [&given.nonzero, &given.positive, &given.not_negative].into_iter().flatten().copied().collect();
+    let sides: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
+    let system = System::of(graph, &equations, sides.into_iter().chain(facts).collect())?;
+    let mut draws = Draws::new(options.seed);
+    let starts = Starts::of(graph, given);
+    (0..STARTS).find_map(|start| {
+        let place = system.solved(&starts, start, &mut draws)?;
+        judged(graph, claim, given, &system, &place)
+    })
+}
+
+/// A point that satisfies everything given.
+pub(super) struct Example {
+    pub(super) point: Point,
+    /// The first equation whose sides certainly differ there.
+    pub(super) differs: Option<usize>,
+}
+
+/// A real point at which all premises hold, `premises` among them derivatives of those given, nothing that was divided by
+/// vanishes, and all sides have values.
+pub(super) fn example(
+    graph: &mut Graph,
+    claim: &[(Expr, Expr)],
+    premises: &[(Expr, Expr)],
+    given: &Premises,
+    divided: &[Expr],
+    options: &Options,
+) -> Option<Example> {
+    let mut equations: Vec<(Expr, Expr)> = Vec::new();
+    for &(l, r) in premises {
+        if l != r && !equations.contains(&(l, r)) {
+            equations.push((l, r));
+        }
+    }
+    if equations.is_empty() || equations.len() > MOST_FOR_EXAMPLE {
         return None;
     }
-    let leaves = graph.leaves(all);
-    let mut outputs = residuals.clone();
-    for &e in &residuals {
-        for &leaf in &leaves {
-            outputs.push(graph.slope(e, leaf).ok()?);
-        }
-    }
-    let tape = Tape::compile(graph, &leaves, &outputs).ok()?;
-    let system = System { leaves, tape, count };
-    let positive: FastSet<Leaf> = given.positive.iter().filter_map(|&e| leaf_of(graph, e)).collect();
+    let sides: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
+    let facts = [&given.nonzero, &given.positive, &given.not_negative].into_iter().flatten().chain(divided).copied();
+    let system = System::of(graph, &equations, sides.iter().copied().chain(facts).collect())?;
     let mut draws = Draws::new(options.seed);
-    for start in 0..STARTS {
-        let Some(place) = system.solved(&positive, start, &mut draws) else { continue };
-        if let Some(found) = judged(graph, claim, given, &system, &place) {
-            return Some(found);
+    let starts = Starts::of(graph, given);
+    // First where everything is 1.
+    [None].into_iter().chain((0..STARTS).map(Some)).find_map(|start| {
+        let place = match start {
+            None => system.solved_from(vec![Rational::ONE; system.leaves.len()], &mut draws),
+            Some(start) => system.solved(&starts, start, &mut draws),
+        }?;
+        let values = system.values(&place);
+        if !admits(graph, given, &values) || !decimals(graph, divided, &values).iter().all(is_not_zero) {
+            return None;
         }
+        let at: Option<Vec<Bounded>> = decimals(graph, &sides, &values).into_iter().collect();
+        let differs = at?.chunks_exact(2).position(|pair| are_apart(pair[0], pair[1]));
+        Some(Example { point: system.point(&place), differs })
+    })
+}
+
+fn is_not_zero(value: &Option<Bounded>) -> bool {
+    value.is_some_and(|v| !v.contains_zero())
+}
+
+fn are_apart(l: Bounded, r: Bounded) -> bool {
+    (l.value - r.value).abs() > 4.0 * (l.error + r.error)
+}
+
+/// Whether everything given but equations certainly holds at a point.
+fn admits(graph: &Graph, given: &Premises, values: &Values) -> bool {
+    let certain = |list: &[Expr], holds: fn(&Bounded) -> bool| {
+        decimals(graph, list, values).iter().all(|v| v.as_ref().is_some_and(holds))
+    };
+    certain(&given.nonzero, |v| !v.contains_zero())
+        && certain(&given.positive, |v| v.value > v.error)
+        && certain(&given.not_negative, |v| v.value >= v.error)
+}
+
+/// What the values that a search begins with are to be like.
+struct Starts {
+    positive: FastSet<Leaf>,
+    bounds: Bounds,
+}
+
+impl Starts {
+    fn of(graph: &Graph, given: &Premises) -> Starts {
+        let positive = given.positive.iter().filter_map(|&e| leaf_of(graph, e)).collect();
+        Starts { positive, bounds: Bounds::of(graph, given.positive.iter().chain(&given.not_negative).copied()) }
     }
-    None
 }
 
 fn leaf_of(graph: &Graph, e: Expr) -> Option<Leaf> {
@@ -92,6 +159,38 @@ fn leaf_of(graph: &Graph, e: Expr) -> Option<Leaf> {
 }
 
 impl System {
+    /// The system of equations, over everything that they and others name.
+    fn of(graph: &mut Graph, equations: &[(Expr, Expr)], others: Vec<Expr>) -> Option<System> {
+        let residuals: Vec<Expr> = equations.iter().map(|&(l, r)| graph.sub(l, r)).collect();
+        let all: Vec<Expr> = residuals.iter().copied().chain(others).collect();
+        if graph.reachable(all.iter().copied()).len() > MOST_NODES {
+            return None;
+        }
+        let leaves = graph.leaves(all);
+        let mut outputs = residuals.clone();
+        for &e in &residuals {
+            for &leaf in &leaves {
+                outputs.push(graph.slope(e, leaf).ok()?);
+            }
+        }
+        let tape = Tape::compile(graph, &leaves, &outputs).ok()?;
+        Some(System { leaves, tape, count: residuals.len() })
+    }
+
+    /// The values at a place, with what is not known of them.
+    fn values(&self, place: &Place) -> Values {
+        let value = |(&leaf, b): (&Leaf, &Interval)| (leaf, Bounded { value: b.mid(), error: b.radius() });
+        self.leaves.iter().zip(&place.boxes).map(value).collect()
+    }
+
+    fn point(&self, place: &Place) -> Point {
+        let each = self.leaves.iter().zip(&place.exact).zip(&place.boxes);
+        let value = |((&leaf, exact), b): ((&Leaf, &Option<Rational>), &Interval)| {
+            (leaf, PointValue { exact: exact.clone(), circle: None, decimal: b.mid() })
+        };
+        Point { values: each.map(value).collect() }
+    }
+
     fn run<N: Number<Context = ()>>(&self, values: &[N]) -> Option<Vec<N>> {
         let mut slots: Slots<N> = self.tape.slots(&());
         for (i, value) in values.iter().enumerate() {
@@ -103,28 +202,30 @@ impl System {
     }
 
     /// A solution near a random point.
-    fn solved(&self, positive: &FastSet<Leaf>, start: usize, draws: &mut Draws) -> Option<Place> {
-        let n = self.leaves.len();
-        if n < self.count {
-            return None;
+    fn solved(&self, starts: &Starts, start: usize, draws: &mut Draws) -> Option<Place> {
+        let mut chosen: Vec<Rational> = Vec::new();
+        for leaf in &self.leaves {
+            let (top, under) = SIZES[draws.below(if start < STARTS / 2 { 5 } else { 10 }) as usize];
+            let size = Rational::from(top) / Rational::from(under);
+            let negative = !starts.positive.contains(leaf) && draws.bits() & 1 == 0;
+            chosen.push(starts.bounds.within(*leaf, if negative { -size } else { size }));
         }
-        let chosen: Vec<Rational> = self
-            .leaves
-            .iter()
-            .map(|leaf| {
-                let (top, under) = SIZES[draws.below(if start < STARTS / 2 { 5 } else { 10 }) as usize];
-                let size = Rational::from(top) / Rational::from(under);
-                if !positive.contains(leaf) && draws.bits() & 1 == 0 { -size } else { size }
-            })
-            .collect();
+        self.solved_from(chosen, draws)
+    }
+
+    /// A solution near a point.
+    fn solved_from(&self, chosen: Vec<Rational>, draws: &mut Draws) -> Option<Place> {
+        let n = self.leaves.len();
         // Which leaves are solved for: any, in turn.
         let mut order: Vec<usize> = (0..n).collect();
         for i in (1..n).rev() {
             order.swap(i, draws.below(i as u64 + 1) as usize);
         }
-        let mut unknown: Vec<usize> = order.into_iter().take(self.count).collect();
-        unknown.sort_unstable();
+        if let Some(place) = self.exactly(chosen.clone()) {
+            return Some(place);
+        }
         let mut x: Vec<f64> = chosen.iter().map(|r| r.to_f64().value()).collect();
+        let unknown = self.independent(&self.run(&x)?, &order)?;
         let mut inverse = Vec::new();
         let mut last = f64::INFINITY;
         for _ in 0..STEPS {
@@ -148,7 +249,37 @@ impl System {
         if last > 1e-10 {
             return None;
         }
-        self.exactly(&chosen, &x, &unknown).or_else(|| self.enclosed(&chosen, &x, &unknown, &inverse))
+        let near = self.near(&chosen, &x, &unknown).and_then(|near| self.exactly(near));
+        near.or_else(|| self.enclosed(&chosen, &x, &unknown, &inverse))
+    }
+
+    /// As many leaves as there are equations, the first of an order with which these are independent to first order.
+    fn independent(&self, values: &[f64], order: &[usize]) -> Option<Vec<usize>> {
+        let n = self.leaves.len();
+        let mut rows: Vec<Vec<f64>> =
+            (0..self.count).map(|row| values[self.count + row * n..self.count + (row + 1) * n].to_vec()).collect();
+        let mut unknown = Vec::new();
+        for &column in order {
+            let used = unknown.len();
+            let Some(pivot) =
+                (used..rows.len()).max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()))
+            else {
+                break;
+            };
+            let lead = rows[pivot][column];
+            if lead.is_nan() || lead.abs() <= 1e-9 {
+                continue;
+            }
+            rows.swap(used, pivot);
+            let top = rows[used].clone();
+            for row in &mut rows[used + 1..] {
+                let factor = row[column] / lead;
+                row.iter_mut().zip(&top).for_each(|(v, t)| *v -= factor * t);
+            }
+            unknown.push(column);
+        }
+        unknown.sort_unstable();
+        (unknown.len() == self.count).then_some(unknown)
     }
 
     fn slopes<T: Clone>(&self, values: &[T], unknown: &[usize]) -> Vec<Vec<T>> {
@@ -157,8 +288,8 @@ impl System {
         (0..self.count).map(|row| of(row).collect()).collect()
     }
 
-    /// The rational numbers close by, if they satisfy the equations.
-    fn exactly(&self, chosen: &[Rational], x: &[f64], unknown: &[usize]) -> Option<Place> {
+    /// The point with rational numbers close by for what was solved for.
+    fn near(&self, chosen: &[Rational], x: &[f64], unknown: &[usize]) -> Option<Vec<Rational>> {
         let mut exact = chosen.to_vec();
         for &at in unknown {
             exact[at] = (1..=12).find_map(|d| {
@@ -167,10 +298,14 @@ impl System {
                 close.then(|| Rational::from(top as i64) / Rational::from(d))
             })?;
         }
-        let values: Vec<Exact> = exact.iter().cloned().map(Exact).collect();
+        Some(exact)
+    }
+
+    /// The point, if it satisfies the equations exactly.
+    fn exactly(&self, exact: Vec<Rational>) -> Option<Place> {
         let mut slots: Slots<Exact> = self.tape.slots(&());
-        for (i, value) in values.into_iter().enumerate() {
-            slots.set(i, Ok(value));
+        for (i, value) in exact.iter().cloned().enumerate() {
+            slots.set(i, Ok(Exact(value)));
         }
         self.tape.run(&(), &mut slots);
         let holds =
@@ -258,33 +393,21 @@ fn judged(
     system: &System,
     place: &Place,
 ) -> Option<Refutation> {
-    let values: Values = system
-        .leaves
-        .iter()
-        .zip(&place.boxes)
-        .map(|(&leaf, b)| (leaf, Bounded { value: b.mid(), error: b.radius() }))
-        .collect();
-    let certain = |list: &[Expr], holds: fn(&Bounded) -> bool| {
-        decimals(graph, list, &values).iter().all(|v| v.as_ref().is_some_and(holds))
-    };
-    if !certain(&given.nonzero, |v| !v.contains_zero())
-        || !certain(&given.positive, |v| v.value > v.error)
-        || !certain(&given.not_negative, |v| v.value >= v.error)
-    {
+    let values = system.values(place);
+    if !admits(graph, given, &values) {
         return None;
     }
     let sides: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
     let at = decimals(graph, &sides, &values);
     let pairs: Option<Vec<(Bounded, Bounded)>> = at.chunks_exact(2).map(|p| Some((p[0]?, p[1]?))).collect();
-    let (equation, (l, r)) =
-        pairs?.into_iter().enumerate().find(|(_, (l, r))| (l.value - r.value).abs() > 4.0 * (l.error + r.error))?;
+    let (equation, (l, r)) = pairs?.into_iter().enumerate().find(|&(_, (l, r))| are_apart(l, r))?;
     let side = |v: Bounded| Side { exact: None, decimal: v.value };
-    let point = system
-        .leaves
-        .iter()
-        .zip(&place.exact)
-        .zip(&place.boxes)
-        .map(|((&leaf, exact), b)| (leaf, PointValue { exact: exact.clone(), circle: None, decimal: b.mid() }));
-    let point = Point { values: point.collect() };
-    Some(Refutation { equation, point, named: Vec::new(), left: side(l), right: side(r), second: None })
+    Some(Refutation {
+        equation,
+        point: system.point(place),
+        named: Vec::new(),
+        left: side(l),
+        right: side(r),
+        second: None,
+    })
 }

@@ -271,7 +271,8 @@ impl std::fmt::Display for Reason {
             Reason::OnlyWhere(_) => f.write_str(
                 "the premises hold at most where something vanishes that was divided by; that was not decided",
             ),
-            Reason::Branches { of: 1, .. } => f.write_str(
+            // False for every choice of signs, unless there is a relation that is not known.
+            Reason::Branches { failing, of } if failing == of => f.write_str(
                 "no relation is known that makes the sides equal, and no real point was found at which they differ",
             ),
             Reason::Branches { failing, of } => write!(

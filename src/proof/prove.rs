@@ -9,10 +9,11 @@ use super::generators::{Generator, TooLarge};
 use super::insertion::Insertion;
 use super::lowering::question;
 use super::memory::{Asked, Memory};
+use super::newton::{Example, example};
 use super::outcome::{Condition, Identity, Options, Premises, Proof, Reason, Wanted};
 use super::prepare::{Solutions, explicit, with_rates};
 use super::probe::Probe;
-use super::relate::settle;
+use super::relate::{FEW_POINTS, settle};
 use super::sign::Facts;
 use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions};
 use super::witness::{Found, Scene, refutation, targets, vanishing};
@@ -26,7 +27,7 @@ use number::Draws;
 type Pairs = Vec<(Expr, Expr)>;
 
 /// Orders of derivatives beyond what is asked for in which hidden constraints are looked for.
-const MOST_FURTHER: u8 = 5;
+pub(super) const MOST_FURTHER: u8 = 5;
 
 /// Whether the equations hold wherever the premises do and both sides have a value.
 ///
@@ -301,6 +302,15 @@ fn decide(
     });
     let divided: Vec<Expr> = divided.collect();
     proof.example = proof.example.take().filter(|point| vanishing(graph, &divided, point).is_none());
+    if proof.example.is_none() && options.attempts > FEW_POINTS {
+        proof.example = match example(graph, equations, &premises, given, &divided, options) {
+            Some(Example { differs: Some(at), .. }) => {
+                let what = format!("proved over finite fields, but equation {at} fails at a real point");
+                return Err(Reason::Defect(what).into());
+            }
+            found => found.map(|f| f.point),
+        };
+    }
     Ok(proof)
 }
 

@@ -6,6 +6,8 @@
 //! * **Premises** of high degree are written with lower ones (`simpler`), and points that satisfy them are found by Newton's
 //!   method (`newton`).
 //! * **Logarithms.** A sum Σ qᵢ ln uᵢ + r is 0 exactly where its exponential ∏ uᵢ^{qᵢ}·eʳ is 1.
+//! * **Powers.** Products of powers of what is positive are equal where their logarithms are (`powers`).
+//! * **Squares.** What is not negative is equal where its squares are (`squares`).
 //! * **Angles.** A sum θ of angles (arcsin, arctan, …, π) is 0 if cos θ = 1 and its range, by the signs that are given, lies
 //!   between −2π and 2π. In place of a derivative and one value: no path in the domain is needed.
 //! * **Arguments.** f(u) and f(v) are one value where u = v, and for even and odd functions where u = −v.
@@ -16,14 +18,19 @@
 
 use super::algebraic;
 use super::apart::undeclared;
+use super::jets::names_fields;
 use super::linear::{Combination, Combinations, Monomial, expression};
 use super::memory::Memory;
-use super::newton::refutes;
-use super::outcome::{Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side, Wanted};
+use super::newton::{example, refutes};
+use super::outcome::{
+    Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side, Wanted,
+};
 use super::polynomial::{fraction, replaced};
+use super::powers::by_logarithms;
 use super::prove::identity_at;
 use super::range::Ranges;
 use super::simpler::simpler;
+use super::squares::squared;
 use super::witness::{decimals, values_at};
 use expr::domain::{Nature, Parity, row};
 use expr::{Expr, FastMap, FastSet, Graph, Node, Op, Rational};
@@ -33,7 +40,7 @@ use std::collections::BTreeMap;
 type Pairs = Vec<(Expr, Expr)>;
 
 /// Points that are tried for a question of which only a proof is wanted.
-const FEW_POINTS: u32 = 12;
+pub(super) const FEW_POINTS: u32 = 12;
 /// Questions within questions.
 pub(super) const DEEPEST: u32 = 4;
 /// Pairs of arguments that are compared.
@@ -108,6 +115,20 @@ pub(super) fn settle(
         let proof = related.proof?;
         return Some(Identity::Proved(finished(graph, whole, given, proof)));
     }
+    if let Some(of) = by_logarithms(graph, &equations, given)
+        && let Identity::Proved(mut proof) = identity_at(memory, graph, &of.equations, &of.given, options, depth + 1)
+    {
+        proof.conditions = std::mem::take(&mut proof.conditions).into_iter().map(|c| of.said(graph, c)).collect();
+        proof.example = None;
+        let mut proof = finished(graph, whole, given, proof);
+        proof.example = seen(graph, whole, given, &proof, options);
+        return Some(Identity::Proved(proof));
+    }
+    if let Some(squares) = squared(graph, &equations, given)
+        && let Identity::Proved(proof) = identity_at(memory, graph, &squares, given, options, depth + 1)
+    {
+        return Some(Identity::Proved(finished(graph, whole, given, proof)));
+    }
     if let Some(simpler) = simpler(graph, given) {
         match identity_at(memory, graph, whole, &simpler, options, depth + 1) {
             Identity::Proved(proof) => return Some(Identity::Proved(proof)),
@@ -160,6 +181,26 @@ fn finished(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, mut
         })
     });
     proof
+}
+
+/// A point that satisfies what is given, where nothing of it moves and no field is named, outside of the special cases of a proof.
+fn seen(
+    graph: &mut Graph,
+    equations: &[(Expr, Expr)],
+    given: &Premises,
+    proof: &Proof,
+    options: &Options,
+) -> Option<Point> {
+    let premises: Pairs = given.equations.iter().chain(&given.only_now).copied().collect();
+    if !given.moving.is_empty() || premises.iter().any(|&pair| names_fields(graph, pair)) {
+        return None;
+    }
+    let divided = proof.conditions.iter().filter_map(|c| match *c {
+        Condition::Pivot(e) => Some(e),
+        _ => None,
+    });
+    let divided: Vec<Expr> = divided.collect();
+    example(graph, equations, &premises, given, &divided, options).filter(|e| e.differs.is_none()).map(|e| e.point)
 }
 
 /// Numbers without premises; `whole` are the equations with what their sides are restricted to, which must have values.

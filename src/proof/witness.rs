@@ -5,6 +5,7 @@
 //! hold; so a mistake in the resolution can lose a witness, not forge one. Sides are computed twice: in binary64 from the
 //! formulas as given, and exactly from the lowered formulas where every root is rational.
 
+use super::bounds::Bounds;
 use super::exact::Exact;
 use super::generators::{Generator, Generators};
 use super::linear::Combinations;
@@ -153,6 +154,8 @@ pub(super) struct Frame {
     wanted: Vec<Leaf>,
     /// Leaves that are given as positive.
     declared: FastSet<Leaf>,
+    /// Where the leaves lie by what is given of each alone.
+    bounds: Bounds,
     /// The leaves that a definition needs.
     needs: FastMap<Expr, Vec<Leaf>>,
     /// Roots by which something they are of is defined: they are chosen, and it follows.
@@ -226,6 +229,7 @@ impl Scene<'_> {
             given,
             wanted,
             declared: self.positive.iter().filter_map(leaf).collect(),
+            bounds: Bounds::of(self.graph, self.positive.iter().chain(self.not_negative).copied()),
             needs: definitions.map(|&e| (e, self.graph.leaves([e]))).collect(),
             chosen: self.chosen(),
             multiples: arguments.map(|e| (e, self.multiple_of_leaf(e))).collect(),
@@ -258,6 +262,7 @@ impl Scene<'_> {
             if !declared.contains(&leaf) && !chosen && draws.bits() & 3 == 0 {
                 r = -r;
             }
+            r = frame.bounds.within(leaf, r);
             values.insert(leaf, rounded(&r)?);
             exact.insert(leaf, r);
         }

@@ -10,6 +10,7 @@ use crate::expr::FastSet;
 use crate::findings::standing::{Decision, Given, MOST_TOLD};
 use crate::findings::{AloneAccount, ClaimAccount};
 use crate::latex::Statement;
+use crate::step::chooses;
 
 /// For each claim what its proof is conditional on: the claims that it follows from, through all steps, whose own steps are not
 /// proved. Of a claim with several readings a name without one means the first.
@@ -35,7 +36,13 @@ pub fn conditional(derivation: &Derivation, claims: &mut [ClaimAccount], known: 
     for own in premises_first(follows.len(), |k| follows[k].clone()) {
         open[own] = gathered(&open, &follows[own], own);
     }
-    let assumptions = Assumptions::of(derivation, &follows, None);
+    let mut at_times: Vec<&[String]> = vec![&[]; derivation.claims.len()];
+    for account in known.iter().chain(claims.iter()) {
+        if let (Some(at), Some(identity)) = (at(account), &account.identity) {
+            at_times[at] = &identity.assumed_at_times;
+        }
+    }
+    let assumptions = Assumptions::of(derivation, &follows, &at_times, None);
     for account in claims {
         let own = at(account);
         let (Some(own), Some(identity)) = (own, account.identity.as_mut()) else { continue };
@@ -125,29 +132,53 @@ struct Assumptions<'d> {
     texts: Vec<&'d str>,
     /// Those of each claim.
     own: Vec<Vec<usize>>,
+    /// Of these the ones by which times are chosen.
+    choosing: Vec<Vec<usize>>,
+    /// Of these the equations that are known at these times only.
+    at_times: Vec<Vec<usize>>,
     /// For each claim those of what it follows from, through all steps, that are not made on the way.
     presupposed: Vec<Vec<usize>>,
 }
 
 impl<'d> Assumptions<'d> {
     /// Those of a derivation, in which claims follow from claims, and of a claim that is not in it.
-    fn of(derivation: &'d Derivation, follows: &[Vec<usize>], typed: Option<&'d Claim>) -> Assumptions<'d> {
+    /// `at_times`: of each claim what it assumes at some times only; what is typed is assumed of all.
+    fn of(
+        derivation: &'d Derivation,
+        follows: &[Vec<usize>],
+        at_times: &[&[String]],
+        typed: Option<&'d Claim>,
+    ) -> Assumptions<'d> {
         let mut numbers = Numbers::default();
-        let claims = derivation.claims.iter().chain(typed);
-        let own = claims.map(|c| c.assuming.iter().map(|w| numbers.of(w)).collect()).collect();
+        let graph = &derivation.graph;
+        let (mut own, mut choosing): (Vec<Vec<usize>>, Vec<Vec<usize>>) = Default::default();
+        for claim in derivation.claims.iter().chain(typed) {
+            own.push(claim.assuming.iter().map(|w| numbers.of(w)).collect());
+            let chooses = |w: &&Written<Statement>| w.value.relations.iter().any(|r| chooses(graph, &claim.scope, r));
+            choosing.push(claim.assuming.iter().filter(chooses).map(|w| numbers.of(w)).collect());
+        }
         let presupposed = vec![Vec::new(); derivation.claims.len()];
-        let texts = numbers.all.iter().map(|w| w.text.as_str()).collect();
-        let mut out = Assumptions { texts, own, presupposed };
+        let texts: Vec<&str> = numbers.all.iter().map(|w| w.text.as_str()).collect();
+        let numbered = |of: &[String]| (0..texts.len()).filter(|&n| of.iter().any(|text| text == texts[n])).collect();
+        let at_times = at_times.iter().map(|of| numbered(of)).chain(typed.map(|_| Vec::new())).collect();
+        let mut out = Assumptions { texts, own, choosing, at_times, presupposed };
         for at in premises_first(follows.len(), |k| follows[k].clone()) {
-            out.presupposed[at] = out.inherited(&follows[at], &out.own[at]);
+            out.presupposed[at] = out.inherited(&follows[at], at);
         }
         out
     }
 
-    /// What premises assume, and what they presuppose, but for what is assumed here.
-    fn inherited(&self, premises: &[usize], own: &[usize]) -> Vec<usize> {
-        let all = premises.iter().flat_map(|&at| self.own[at].iter().chain(&self.presupposed[at]).copied());
-        told(all.filter(|one| !own.contains(one)))
+    /// What the premises of a claim assume, and what they presuppose, but for what the claim assumes itself. What is assumed at the times
+    /// that it chooses is no such assumption of a premise that is about more.
+    fn inherited(&self, premises: &[usize], of: usize) -> Vec<usize> {
+        let (own, at_times) = (&self.own[of], &self.at_times[of]);
+        let all = premises.iter().flat_map(|&at| {
+            let as_often = self.choosing[of].iter().all(|c| self.own[at].contains(c));
+            let direct = self.own[at].iter().map(move |&one| (one, as_often));
+            direct.chain(self.presupposed[at].iter().map(|&one| (one, false)))
+        });
+        let assumed = |one: usize, as_often: bool| own.contains(&one) && (as_often || !at_times.contains(&one));
+        told(all.filter(|&(one, as_often)| !assumed(one, as_often)).map(|(one, _)| one))
     }
 
     fn text(&self, number: usize) -> String {
@@ -177,10 +208,9 @@ impl<'d> Numbers<'d> {
 /// What a claim presupposes that is not one of the file: assumptions of what it follows from, and the ranges of that.
 pub(crate) fn presupposed(derivation: &Derivation, claim: &Claim) -> Vec<String> {
     let follows = follows(derivation);
-    let all = Assumptions::of(derivation, &follows, Some(claim));
+    let all = Assumptions::of(derivation, &follows, &vec![&[][..]; derivation.claims.len()], Some(claim));
     let named = premises(derivation, &claim.follows_from);
-    let own = all.own.last().map_or(&[][..], Vec::as_slice);
-    let mut out: Vec<String> = all.inherited(&named, own).into_iter().map(|n| all.text(n)).collect();
+    let mut out: Vec<String> = all.inherited(&named, all.own.len() - 1).into_iter().map(|n| all.text(n)).collect();
     let (mut open, mut seen) = (named, BTreeSet::new());
     while let Some(at) = open.pop() {
         let of = &derivation.claims[at];

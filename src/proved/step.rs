@@ -41,6 +41,7 @@ use crate::findings::standing::{self, Finding};
 use crate::findings::{AssumptionsUsed, IdentityAccount, IdentityEvidence};
 use crate::latex::{Relation, RelationKind, Role};
 use crate::verdict::Witness;
+pub(crate) use gather::chooses;
 use gather::{Definitions, Gathered};
 use proof::{
     Branches, Condition, Identity, Memory, Options, Premises, Proof, Reason, Wanted, branches_test_after,
@@ -238,6 +239,33 @@ impl<'a> Step<'a> {
         systems
     }
 
+    /// The systems of the motions on which a claim is tried, if all of these are integrated, or are analytic functions of such, or of the
+    /// time.
+    pub fn behind(derivation: &Derivation, claim: &Claim) -> Option<Vec<usize>> {
+        let mut out: Vec<usize> = Vec::new();
+        let leaps = |e: &Expr| claim::comparison::may_leap(&derivation.graph, *e);
+        let mut open: Vec<usize> = claim.families.iter().map(|&f| derivation.families[f].of).collect();
+        open.extend(&claim.trajectories);
+        while let Some(at) = open.pop() {
+            match &derivation.trajectories[at].motion {
+                Motion::Integrated { system, .. } => out.push(*system),
+                Motion::Formula { states }
+                    if states.iter().flat_map(|(_, w)| &w.value).any(|e| {
+                        !derivation.scope.time().is_some_and(|time| derivation.graph.is_analytic_in(*e, time))
+                    }) =>
+                {
+                    return None;
+                }
+                Motion::Formula { .. } => {}
+                Motion::Derived { map, .. } if map.iter().flat_map(|(_, w)| &w.value).any(leaps) => return None,
+                Motion::Derived { from, .. } => open.push(*from),
+            }
+        }
+        out.sort_unstable();
+        out.dedup();
+        Some(out)
+    }
+
     /// Whether motions of a claim that names nothing obey equations that are not given: those of several systems, or one that is not
     /// written. No point refutes it then.
     pub(super) fn lacks_systems(&self) -> bool {
@@ -370,7 +398,7 @@ impl<'a> Step<'a> {
             let account = self.open(&gathered, Proving::MayLeap(self.shown(one).into()));
             return Some(Ok(IdentityAccount { evidence, ..account }));
         }
-        let mut along = if proved { self.continuation(&equations, moved, &leaping) } else { Vec::new() };
+        let mut along = if proved { self.continuation(&gathered, &equations, moved, &leaping) } else { Vec::new() };
         if proved && !self.has_values_together(&equations, &identity, &evidence) {
             along.push(standing::Exception::OneSign);
         }
@@ -382,6 +410,7 @@ impl<'a> Step<'a> {
             account.assumptions = if self.plain { None } else { self.assumptions_used(&equations, moved) };
             account.generic |= !gathered.inherited.is_empty();
             account.presupposed.clone_from(&gathered.inherited);
+            account.assumed_at_times.clone_from(&gathered.assumed_at_times);
         }
         Some(Ok(account))
     }

@@ -23,6 +23,7 @@ fn shape(word: &str) -> (Option<Shape>, bool) {
         "3" => (Some(Shape::vector(3)), false),
         "2" => (Some(Shape::vector(2)), false),
         "3x3" => (Some(Shape::matrix(3, 3)), false),
+        "2x2" => (Some(Shape::matrix(2, 2)), false),
         "2x3" => (Some(Shape::matrix(2, 3)), false),
         "diagonal 3" => (Some(Shape::matrix(3, 3)), true),
         _ => panic!("unknown shape {word}"),

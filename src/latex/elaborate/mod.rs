@@ -4,6 +4,7 @@
 //! sum stops is decided once, before anything is computed, see [`indices`].
 
 mod bracket;
+mod commutator;
 mod conjugate;
 mod differentials;
 mod indices;

@@ -4,9 +4,10 @@ use std::ops::Range;
 
 use super::super::complex::Pair;
 use super::super::name;
-use super::super::scope::{Found, Role};
+use super::super::scope::{Found, REFUSED, Role};
 use super::super::syntax::{Node, SubItem, SymbolNode};
 use super::super::tensor;
+use super::super::write::subscript;
 use super::scripts::is_integer;
 use super::{Elaborated, Elaborator, Value, refuse, stray};
 use expr::{Expr, Graph, Leaf, Shape, Symbol, Tensor};
@@ -27,10 +28,20 @@ impl<'a> Elaborator<'a> {
 
     pub(super) fn resolve(&self, s: &SymbolNode, span: &Range<usize>) -> Elaborated<Found<'a>> {
         let arguments = s.arguments.as_ref().map(|_| s.arguments_text.as_str());
-        if let Some(found) = self.scope.find(&s.name, s.sub.as_deref(), arguments) {
+        if self.scope.is_refused(&s.name, s.sub.as_deref()) {
+            return refuse("latex::unknown-symbol", REFUSED, span, "");
+        }
+        let found = self.scope.find(&s.name, s.sub.as_deref(), arguments);
+        let whole = s.sub.as_ref().and_then(|sub| self.scope.numbered(&s.name, sub, found.as_ref()));
+        if let Some(whole) = whole {
+            let message = format!("is this a component of `{whole}`, or another of several?");
+            let hint = format!("write `({whole})_…` for the component, or declare what is meant with its subscript");
+            return refuse("latex::ambiguous", message, span, hint);
+        }
+        if let Some(found) = found {
             return Ok(found);
         }
-        let shown = name::to_latex(&s.name);
+        let shown = name::to_latex(&s.name) + &s.sub.as_deref().map(subscript).unwrap_or_default();
         if self.scope.declares(&s.name) {
             let message = format!("`{shown}` is not declared with this subscript or these arguments");
             return refuse("latex::unknown-symbol", message, span, "declare it under [symbols] as it is written here");

@@ -79,7 +79,7 @@ impl Elaborator<'_> {
         })
     }
 
-    fn combine(
+    pub(super) fn combine(
         &mut self,
         x: Value,
         y: Value,
@@ -190,10 +190,14 @@ impl Elaborator<'_> {
                     written_zero |= self.is_written_zero(part, &value);
                     values.push((value, part.span.clone()));
                 }
+                self.component_is_clear(parts, &values)?;
                 self.product(values, written_zero, &node.span)
             }
             NodeKind::Dot(parts) => self.dot(parts, &node.span),
             NodeKind::Cross { left, right, bracket } => {
+                if *bracket && let Some(commutator) = self.commutator(left, right, false, &node.span)? {
+                    return Ok(commutator);
+                }
                 let (a, b) = (self.tensor(left)?, self.tensor(right)?);
                 // `3\times10^8`, `a\times b`: between numbers it is a product; components could be those of a vector product.
                 let scalars = !*bracket && a.as_scalar().is_some() && b.as_scalar().is_some();
@@ -284,7 +288,10 @@ impl Elaborator<'_> {
             }
             NodeKind::Partial { of, by, .. } => self.partial(of, by, &node.span).map(Value::Tensor),
             NodeKind::Nabla { of, action } => self.nabla(of, action, &node.span).map(Value::Tensor),
-            NodeKind::Poisson(left, right) => self.bracket(left, right, &node.span).map(Value::Tensor),
+            NodeKind::Poisson(left, right) => match self.commutator(left, right, true, &node.span)? {
+                Some(anticommutator) => Ok(anticommutator),
+                None => self.bracket(left, right, &node.span).map(Value::Tensor),
+            },
             NodeKind::Variation { of, by } => self.variation(of, by, &node.span).map(Value::Tensor),
             NodeKind::Differential { of, .. } => {
                 if let NodeKind::Symbol(s) = &of.kind
@@ -342,7 +349,7 @@ impl Elaborator<'_> {
     }
 
     /// Whether this is a 0 by its numbers, not because something is not there, as an entry of ε.
-    fn is_written_zero(&self, node: &Node, value: &Value) -> bool {
+    pub(super) fn is_written_zero(&self, node: &Node, value: &Value) -> bool {
         value.is_absent(self.graph) && (value.is_complex() || node.is_numeric())
     }
 
@@ -355,7 +362,7 @@ impl Elaborator<'_> {
     }
 
     /// Juxtaposed factors. A 0 that is written keeps its factors: they may have no value.
-    fn product(
+    pub(super) fn product(
         &mut self,
         factors: Vec<(Value, Range<usize>)>,
         written_zero: bool,
@@ -368,9 +375,9 @@ impl Elaborator<'_> {
                 Value::Tensor(t) => tensors.push((t, at)),
                 Value::Identity(s) => {
                     identity = true;
-                    let row = tensors.last().is_some_and(|(t, _)| t.shape.real_extents().len() == 1);
+                    let row = tensors.iter().any(|(t, _)| t.shape.real_extents().len() == 1);
                     if row {
-                        let hint = "write the matrix before the vector";
+                        let hint = r"write the matrix before the vector; `({\bf a}\cdot{\bf b})\mathbb{1}` for a number times the matrix";
                         return refuse("latex::shape", "no product of a vector and a matrix", span, hint);
                     }
                     // As a factor the identity matrix is a number.
@@ -402,6 +409,17 @@ impl Elaborator<'_> {
         let mut acc: Option<(Value, Range<usize>)> = None;
         let mut vectors = 0;
         let mut written_zero = false;
+        // `{\bf a}\cdot{\bf b}\,\mathbb{1}` is a multiple of the identity matrix.
+        if let [first, Node { kind: NodeKind::Product(factors), .. }] = parts
+            && let [second, Node { kind: NodeKind::Identity, .. }] = factors.as_slice()
+            && let (Value::Tensor(a), Value::Tensor(b)) = (self.value(first)?, self.value(second)?)
+            && [&a, &b].iter().all(|t| t.shape.real_extents().len() == 1)
+        {
+            self.conjugation_is_clear(&a, &b, &[first.clone(), second.clone()], span)?;
+            let number = tensor::dot(self.graph, &a, &b, span)?;
+            let identity = Value::Identity(self.graph.integer(1));
+            return self.product(vec![(Value::Tensor(number), span.clone()), (identity, span.clone())], false, span);
+        }
         for part in parts {
             let value = self.value(part)?;
             let rank = |v: &Value| if let Value::Tensor(t) = v { t.shape.real_extents().len() } else { 2 };

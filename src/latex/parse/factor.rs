@@ -8,9 +8,15 @@ use super::{Open, Parsed, Parser, decimal, refuse};
 use expr::Rational;
 
 impl Parser<'_> {
-    /// π, unless it is declared as something else.
+    /// π, unless it is declared as something else, or is part of a name: the label of `m_\pi`, the letter of `\hat\pi`.
     pub(super) fn is_pi(&self) -> bool {
-        self.is_command("pi") && !self.scope.declares("\\pi")
+        let pi = r"\pi";
+        let declared = match self.kind_after(1) {
+            Kind::Sign('_' | '(') => self.scope.declares(pi),
+            Kind::Sign('\'' | '^') if self.scope.declares(r"\pi'") => true,
+            _ => self.scope.is_known(pi, None),
+        };
+        self.is_command("pi") && !self.in_name && !self.in_subscript && !declared
     }
 
     /// Whether a factor can begin here.
@@ -277,7 +283,8 @@ impl Parser<'_> {
             return self.upright_euler(start).map(Some);
         }
         let back = self.at;
-        if let Some(name) = self.braced_word(false)? {
+        if let Some(mut name) = self.braced_word(false)? {
+            self.primes(&mut name);
             return self.symbol_named(name, 0, start).map(Some);
         }
         self.at = back;

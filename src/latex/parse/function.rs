@@ -99,7 +99,7 @@ impl Parser<'_> {
             return refuse("latex::unexpected", message, self.span(), "put parentheses around the function");
         }
         if word == "tr" {
-            let argument = self.function_argument(&word)?;
+            let argument = self.function_argument(&word, start)?;
             return Ok(self.node(NodeKind::Function(word, None, vec![argument]), start));
         }
         let span = self.span();
@@ -155,7 +155,7 @@ impl Parser<'_> {
                 }
             }
         }
-        let argument = self.function_argument(name)?;
+        let argument = self.function_argument(name, start)?;
         let arguments = std::iter::once(argument).chain(base).collect();
         Ok(self.node(NodeKind::Function(name.to_owned(), power, arguments), start))
     }
@@ -173,7 +173,7 @@ impl Parser<'_> {
 
     /// The argument of a function: in parentheses; or one factor; or a number or π and one factor; or a product of numbers
     /// and constants that ends in the time.
-    fn function_argument(&mut self, name: &str) -> Parsed<Node> {
+    fn function_argument(&mut self, name: &str, begin: usize) -> Parsed<Node> {
         let shown = spelled(name);
         let start = self.span().start;
         let bar = *self.kind() == Kind::OpenBar || (self.is('|') && self.bars == 0);
@@ -241,12 +241,17 @@ impl Parser<'_> {
         // `\sin a\,t` may be a product, or have a longer argument.
         if !clear || spaced || (followed && !grouped) {
             let message = format!("it is not clear where the argument of `{shown}` ends");
-            let hint = format!("put the argument into parentheses: `{shown}(…)`");
+            let hint = self.two_arguments(&factors, (begin, start), followed);
             return refuse("latex::ambiguous", message, start..self.last_end(), hint);
         }
         if let Some(raised) = factors.iter().find(|n| has_superscript(n)) {
             let message = format!("does the power belong to `{shown}` or to its argument?");
-            let hint = format!("write `{shown}^2 x`, or `{shown}(x^2)`");
+            let (head, argument) = (&self.text[begin..start], &self.text[start..self.last_end()]);
+            let other = match argument.split_once('^') {
+                Some((base, power)) if power == "2" => format!("({head}{base})^{power}"),
+                _ => format!("({head}(…))^{{…}}"),
+            };
+            let hint = format!("write `{}({argument})`, or `{other}`", head.trim());
             return refuse("latex::ambiguous", message, raised.span.clone(), hint);
         }
         if grouped && (self.is('^') || self.is('_')) {
@@ -264,6 +269,27 @@ impl Parser<'_> {
                 Ok(self.node(NodeKind::Product(factors), start))
             }
         }
+    }
+
+    /// The two readings of a function whose argument has no clear end: all of it, or the first factor.
+    fn two_arguments(&self, factors: &[Node], (begin, start): (usize, usize), followed: bool) -> String {
+        let text = |from: usize, to: usize| self.text.get(from..to).unwrap_or_default().trim();
+        let head = text(begin, start);
+        let (long, short, rest) = match self.closing().filter(|_| followed && self.is('(')) {
+            Some(close) => {
+                let end = self.tokens[close].span.end;
+                (text(start, end), text(start, self.last_end()), text(self.last_end(), end).trim_start_matches(r"\,"))
+            }
+            None => {
+                let first = factors.iter().position(|n| !matches!(n.kind, NodeKind::Number(_) | NodeKind::Pi));
+                let [.., last, next] = &factors[..factors.len().min(first.unwrap_or(0) + 2)] else {
+                    return format!("put the argument into parentheses: `{head}(…)`");
+                };
+                let whole = text(start, self.last_end());
+                (whole, text(start, last.span.end), text(next.span.start, self.last_end()))
+            }
+        };
+        format!("put the argument into parentheses, `{head}({long})`, or write `{rest}{head}({short})`")
     }
 
     pub(super) fn is_time(&self, node: &Node) -> bool {

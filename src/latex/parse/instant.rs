@@ -394,7 +394,9 @@ impl Parser<'_> {
                     continue;
                 }
                 Kind::Letter(c) => c.to_string(),
-                Kind::Command(c) if NAMES.contains(&c.as_str()) => format!("\\{c}"),
+                Kind::Command(c) if NAMES.contains(&c.as_str()) || c == "pi" && self.scope.declares(r"\pi") => {
+                    format!("\\{c}")
+                }
                 other => {
                     let fraction =
                         matches!(other, Kind::Command(c) if matches!(c.as_str(), "frac" | "tfrac" | "dfrac"));

@@ -55,6 +55,8 @@ pub(super) struct Parser<'a> {
     bar: Option<(usize, usize)>,
     /// Letters in a subscript are labels or indices, one by one.
     in_subscript: bool,
+    /// A name is read as such, or stands behind the command of a style: `\pi` is a letter there.
+    in_name: bool,
     /// How deep the terms of an exponent of Euler's number are that is being read.
     exponent: Option<usize>,
 }
@@ -117,6 +119,7 @@ impl<'a> Parser<'a> {
             open: None,
             bar: None,
             in_subscript: false,
+            in_name: false,
             exponent: None,
         })
     }

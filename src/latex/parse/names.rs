@@ -22,6 +22,7 @@ pub(crate) struct WrittenName {
 /// Reads a text that is nothing but a name; `None` where it is something else.
 pub(crate) fn read_name(text: &str, scope: &Scope) -> Result<Option<WrittenName>, Problem> {
     let mut parser = Parser::new(text, scope).map_err(|mut p| p.swap_remove(0))?;
+    parser.in_name = true;
     parser.whole_name().map_err(|p| *p)
 }
 
@@ -224,6 +225,14 @@ impl Parser<'_> {
                     }
                     self.bump();
                 }
+                Kind::Command(c) if matches!(c.as_str(), "+" | "-" | "*") => {
+                    items.extend(c.chars().map(SubItem::Other));
+                    self.bump();
+                }
+                Kind::Command(c) if matches!(c.as_str(), "pm" | "mp") => {
+                    let hint = "write a relation for each sign, with names such as `J_+` and `J_-`";
+                    return refuse("latex::unexpected", "± cannot stand in a subscript", self.span(), hint);
+                }
                 Kind::Sign(c @ ('(' | ')' | '-' | '+' | '*' | '/')) if braced => {
                     items.push(SubItem::Other(c));
                     self.bump();
@@ -271,7 +280,7 @@ impl Parser<'_> {
             Kind::Command(c) if name::is_difference(&c) && self.is_difference()? => {
                 self.difference()?.unwrap_or_default()
             }
-            Kind::Command(c) if NAMES.contains(&c.as_str()) => {
+            Kind::Command(c) if NAMES.contains(&c.as_str()) || c == "pi" && !self.is_pi() => {
                 self.bump();
                 format!("\\{c}")
             }
@@ -349,7 +358,9 @@ impl Parser<'_> {
         let fits = |kind: &Kind| match kind {
             Kind::Letter(_) | Kind::Number(_) => true,
             Kind::Sign(c) => matches!(c, '{' | '}' | '_' | '^' | '+' | '-'),
-            Kind::Command(c) => matches!(c.as_str(), "mathrm" | "text" | "rm") || NAMES.contains(&c.as_str()),
+            Kind::Command(c) => {
+                matches!(c.as_str(), "mathrm" | "text" | "rm" | "+" | "-") || NAMES.contains(&c.as_str())
+            }
             Kind::OpenBar | Kind::CloseBar | Kind::OpenFence | Kind::Row | Kind::End => false,
         };
         let begins =
@@ -431,8 +442,13 @@ impl Parser<'_> {
     fn styled(&mut self, style: &'static str) -> Parsed<Option<Name>> {
         let back = self.at;
         self.bump();
+        // In italics or upright it is π that is printed.
+        let outer = self.in_name;
+        self.in_name |= !matches!(style, "rm" | "it");
         let inner = self
-            .deeper(|p| if p.is('{') { p.braced_word(style == "rm") } else { Ok(p.single_name()?.map(|(n, _)| n)) })?;
+            .deeper(|p| if p.is('{') { p.braced_word(style == "rm") } else { Ok(p.single_name()?.map(|(n, _)| n)) });
+        self.in_name = outer;
+        let inner = inner?;
         if inner.is_none() {
             self.at = back;
         }
@@ -453,13 +469,21 @@ impl Parser<'_> {
                 p.bump();
             }
             let several = word || switch == Some("rm");
+            let outer = p.in_name;
+            p.in_name |= !matches!(switch, None | Some("rm" | "it"));
             let mut text = String::new();
-            while let Some((name, _)) = p.single_name()? {
-                text.push_str(&name);
-                if !several {
-                    break;
+            let read = loop {
+                match p.single_name() {
+                    Ok(Some((name, _))) => text.push_str(&name),
+                    Ok(None) => break Ok(()),
+                    Err(problem) => break Err(problem),
                 }
-            }
+                if !several {
+                    break Ok(());
+                }
+            };
+            p.in_name = outer;
+            read?;
             if text.is_empty() || !p.eat('}') {
                 p.at = back;
                 return Ok(None);

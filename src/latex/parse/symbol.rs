@@ -86,7 +86,8 @@ impl Parser<'_> {
         let built_in = matches!(name.as_str(), r"\epsilon" | r"\varepsilon" | r"\delta" | "e" | "rm:e")
             || name::is_imaginary_unit(name)
             || name.contains(':');
-        if !names || built_in || symbol.dots > 0 || self.scope.has_base(name) {
+        let known = self.scope.has_base(name) || self.scope.is_refused(name, symbol.sub.as_deref());
+        if !names || built_in || symbol.dots > 0 || known {
             return Ok(());
         }
         let (called, argument) =

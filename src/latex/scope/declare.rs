@@ -15,6 +15,9 @@ use super::{
 use diag::Problem;
 use expr::{Graph, Shape, Symbol};
 
+/// What is said of a name whose declaration was refused.
+pub const REFUSED: &str = "the declaration of this name was refused";
+
 /// Takes a key apart.
 fn read_key(key: &str, scope: &Scope) -> Result<WrittenName, DeclareError> {
     let hint = r"a name is one letter or Greek letter, perhaps styled, primed, with a label: `R`, `\Omega`, `{\bf m}`, `\psi_0`";
@@ -114,7 +117,7 @@ impl Scope {
         }
         let shape = definition.as_ref().map(|t| t.shape.clone()).or(declared);
         let shape = shape.unwrap_or_else(|| if d.complex { Shape::scalar().complexified() } else { Shape::scalar() });
-        self.no_clash(key, &name, &pattern, &shape)?;
+        let numbered = self.with_such_components(key, &name, &pattern, &shape)?;
         let arguments = match (arguments, formal.is_empty()) {
             (Some(text), _) if d.role == Role::Field => Arguments::Coordinates(text, coordinates),
             (None, true) => Arguments::None,
@@ -134,6 +137,11 @@ impl Scope {
         let indexed = !pattern.is_empty() && pattern.iter().all(|p| *p == Pattern::Index);
         let printed = if indexed { name::to_latex(&name) } else { key.to_owned() };
         let symbol = graph.declare(&printed, shape, d.diagonal && definition.is_none());
+        for whole in numbered {
+            let whole = whole.unwrap_or(symbol);
+            graph.set_numbered(whole);
+            self.numbered.push(whole);
+        }
         if d.role == Role::Coordinate {
             for component in 0..graph.component_count(symbol) as u16 {
                 graph.add_coordinate(symbol, component).ok_or_else(|| too_many(key))?;
@@ -176,12 +184,16 @@ impl Scope {
         Ok(symbol)
     }
 
-    /// Refuses a name that would have two meanings: `x_1` or `x_i` beside a vector `x`.
-    fn no_clash(&self, key: &str, name: &str, pattern: &[Pattern], shape: &Shape) -> Result<(), DeclareError> {
-        let unmarked = |n: &str| match name::split(n) {
-            (Some(style), bare) if name::marks_tensor(style) => bare.to_owned(),
-            _ => n.to_owned(),
-        };
+    /// The symbols, `None` for the one that is being declared, beside which another has the name of a component: `{\bf r}` beside a vector
+    /// `{\bf r}_1`. A subscript alone is then no component of theirs. A number `r_1` is refused beside them, unless a vector is called
+    /// `{\bf r}_1`, too: then it is clear that the subscript counts.
+    fn with_such_components(
+        &self,
+        key: &str,
+        name: &str,
+        pattern: &[Pattern],
+        shape: &Shape,
+    ) -> Result<Vec<Option<Symbol>>, DeclareError> {
         let like_indices = |sub: &[Pattern]| {
             !sub.is_empty()
                 && sub.iter().all(|p| match p {
@@ -190,18 +202,33 @@ impl Scope {
                     Pattern::Literal(SubItem::Other(_)) | Pattern::Index => false,
                 })
         };
-        let clash = self.entries.iter().find(|e| {
-            let labelled_beside = |sub: &[Pattern], rank: usize| like_indices(sub) && sub.len() == rank;
-            unmarked(&e.name) == unmarked(name)
-                && ((e.sub.is_empty() && labelled_beside(pattern, e.rank))
-                    || (pattern.is_empty() && labelled_beside(&e.sub, shape.real_extents().len())))
-        });
-        match clash {
-            None => Ok(()),
-            Some(clash) => {
-                let message = format!("`{key}` would also be a component of, or have the component, `{}`", clash.key);
-                Err(bad_key(message, key, "rename one of the two"))
+        let rank = shape.real_extents().len();
+        let mut numbered = Vec::new();
+        for e in self.entries.iter().filter(|e| name::unmarked(&e.name) == name::unmarked(name)) {
+            let component = |sub: &[Pattern], rank: usize| like_indices(sub) && sub.len() == rank;
+            let (whole, labelled, labelled_rank) = if e.sub.is_empty() && component(pattern, e.rank) {
+                (Some(e.symbol), pattern, rank)
+            } else if pattern.is_empty() && component(&e.sub, rank) {
+                (None, e.sub.as_slice(), e.rank)
+            } else {
+                continue;
+            };
+            let counts = |other: &Filed| {
+                other.rank > 0 && other.sub == labelled && name::unmarked(&other.name) == name::unmarked(name)
+            };
+            if labelled_rank == 0 && !self.entries.iter().any(counts) {
+                let message = format!("`{key}` would also be a component of, or have the component, `{}`", e.key);
+                return Err(bad_key(message, key, "rename one of the two"));
             }
+            numbered.push(whole);
+        }
+        Ok(numbered)
+    }
+
+    /// Notes a name whose declaration was refused: what names it is refused with [`REFUSED`], which need not be told.
+    pub fn note_refused(&mut self, key: &str) {
+        if let Ok(WrittenName { name, sub, .. }) = read_key(key, self) {
+            self.refused.push((name, sub));
         }
     }
 

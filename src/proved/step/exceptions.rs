@@ -94,6 +94,20 @@ impl Step<'_> {
         Identity::Proved(proof)
     }
 
+    /// Whether an operation may come from one of its branches to another, whatever has its sign at all times. What passes a pole may
+    /// have the other sign beyond, without a zero between.
+    pub(super) fn may_reach_edge(&mut self, e: Expr, gathered: &Gathered) -> bool {
+        let edges = self.graph.edges(e);
+        edges.into_iter().filter(|edge| !edge.is_pole()).any(|edge| {
+            let Some(vanishing) = edge.vanishing else { return true };
+            let mut within = vec![vanishing];
+            self.add_definitions(&mut within);
+            let mut excluded = self.poles(within);
+            excluded.push(vanishing);
+            excluded.into_iter().any(|v| self.moves(v) && !self.never_vanishes(v, gathered))
+        })
+    }
+
     /// The functions with several branches in what goes along a motion, but those whose arguments are constant.
     pub(super) fn leaping(&mut self, gathered: &Gathered, equations: &Pairs, moved: bool) -> Vec<Expr> {
         let integral = self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_)));
@@ -101,6 +115,7 @@ impl Step<'_> {
         let scope = &self.claim.scope;
         let moves = |leaf: Leaf| scope.moves(&leaf);
         let mut out = self.leaps(equations);
+        out.retain(|&e| self.may_reach_edge(e, gathered));
         let (proved_at, settled) = (self.proved_at, self.settled.take());
         out.retain(|&e| {
             let arguments: Vec<Expr> = self.graph.node(e).children().collect();

@@ -1,11 +1,12 @@
 //! What a step may use: the claims and systems that it names, assumptions, definitions.
 
-use super::{MOST_CASES, Pairs, Step, now, pairs};
-use crate::derivation::{Claim, Derivation, Form, Premise};
-use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Op};
+use super::{LEFT_OUT_NODES, MOST_CASES, Pairs, Step, now, pairs};
+use crate::derivation::{Claim, Derivation, Form, Premise, Written};
+use crate::expr::domain::{Change, EdgeOf, Need, Sign};
+use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Op, Rational};
 use crate::latex::{Relation, RelationKind, Role, Scope, Statement};
-use claim::comparison::{at_instant, may_leap, traced};
-use proof::{Premises, solve_for_arguments};
+use claim::comparison::{at_instant, may_leap, presupposed, traced};
+use proof::{Identity, Options, Premises, Reason, Wanted, solve_for_arguments};
 
 /// Which definitions of observables are used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,9 +52,13 @@ enum Continued {
 pub(super) struct Gathered {
     /// Equations of claims and assumptions, and what they say at the fixed times that occur.
     pub(super) premises: Premises,
+    /// Of these the equations and signs that hold at all times.
+    pub(super) throughout: Premises,
     pub(super) systems: Pairs,
     /// Assumptions of the claims that are named.
     pub(super) inherited: Vec<String>,
+    /// Equations that the claim assumes at some times only.
+    pub(super) assumed_at_times: Vec<String>,
     /// Whether all of it is known at all times.
     pub(super) elsewhere: bool,
     /// Whether all of it may be used of the times between others: none is left out, or motions are analytic.
@@ -68,7 +73,7 @@ fn sides(pairs: &[(Expr, Expr)]) -> impl Iterator<Item = Expr> + '_ {
     pairs.iter().flat_map(|&(l, r)| [l, r])
 }
 
-impl Step<'_> {
+impl<'a> Step<'a> {
     /// The rate of a first integral as an equation `… = 0`: it says nothing where the integral has no value.
     fn constancy(&mut self, scope: &Scope, e: Expr) -> Option<(Expr, Expr)> {
         let time = scope.time()?;
@@ -80,7 +85,13 @@ impl Step<'_> {
 
     /// What a claim says as equations; `None` where it says something else, or not at all times.
     pub(super) fn equations(&mut self, claim: &Claim) -> Option<Pairs> {
-        let mut out = Vec::new();
+        let (equations, signs) = self.said(claim)?;
+        signs.is_empty().then_some(equations)
+    }
+
+    /// What a claim says as equations, and as other relations; `None` where it says something else, or not at all times.
+    fn said<'c>(&mut self, claim: &'c Claim) -> Option<(Pairs, Vec<&'c Relation>)> {
+        let (mut out, mut signs) = (Vec::new(), Vec::new());
         if claim.at.is_some() {
             return None;
         }
@@ -94,18 +105,35 @@ impl Step<'_> {
                 out.extend(relations.flat_map(pairs));
             } else if let Form::Always(w) = form {
                 for relation in &w.value.relations {
-                    if relation.kind != RelationKind::Equal || relation.limit.is_some() {
-                        return None;
+                    match relation.kind {
+                        _ if relation.limit.is_some() => return None,
+                        RelationKind::Equal => out.extend(pairs(relation)),
+                        // A sign of another claim is not known, and what is said over a box says nothing beyond.
+                        _ if relation.has_branches || claim.region.is_some() => return None,
+                        _ => signs.push(relation),
                     }
-                    out.extend(pairs(relation));
                 }
             } else {
                 return None;
             }
         }
-        match self.sign {
-            Some(value) if std::ptr::eq(claim, self.claim) => Some(self.branch(&out, value)),
-            _ => Some(out),
+        if let Some(value) = self.sign.filter(|_| std::ptr::eq(claim, self.claim)) {
+            out = self.branch(&out, value);
+        }
+        Some((out, signs))
+    }
+
+    /// Adds a relation to what is given.
+    fn give(&mut self, relation: &Relation, premises: &mut Premises) {
+        for (l, r) in self.scalars(relation) {
+            match relation.kind {
+                RelationKind::Equal => premises.equations.push((l, r)),
+                RelationKind::NotEqual => premises.nonzero.push(self.graph.sub(l, r)),
+                RelationKind::Greater => premises.positive.push(self.graph.sub(l, r)),
+                RelationKind::Less => premises.positive.push(self.graph.sub(r, l)),
+                RelationKind::GreaterEqual => premises.not_negative.push(self.graph.sub(l, r)),
+                RelationKind::LessEqual => premises.not_negative.push(self.graph.sub(r, l)),
+            }
         }
     }
 
@@ -115,7 +143,9 @@ impl Step<'_> {
     ///
     /// Equations of fields are assumed at all places; where an equation says at which places, they are assumed there alone, and
     /// nothing is known of their derivatives.
-    fn assume(&mut self, claim: &Claim, without: &[usize], premises: &mut Premises) -> bool {
+    ///
+    /// At single times nothing is known of the rates of what is assumed there, and a point that refutes may belong to no such time.
+    fn assume(&mut self, claim: &Claim, without: &[usize], single: bool, premises: &mut Premises) -> bool {
         let used = claim.assuming.iter().enumerate().filter(|(i, _)| !without.contains(i));
         let mut complete = true;
         let before = premises.equations.len();
@@ -124,78 +154,137 @@ impl Step<'_> {
                 complete = false;
                 continue;
             }
-            for (l, r) in self.scalars(relation) {
-                match relation.kind {
-                    RelationKind::Equal => premises.equations.push((l, r)),
-                    RelationKind::NotEqual => premises.nonzero.push(self.graph.sub(l, r)),
-                    RelationKind::Greater => premises.positive.push(self.graph.sub(l, r)),
-                    RelationKind::Less => premises.positive.push(self.graph.sub(r, l)),
-                    RelationKind::GreaterEqual => premises.not_negative.push(self.graph.sub(l, r)),
-                    RelationKind::LessEqual => premises.not_negative.push(self.graph.sub(r, l)),
-                }
-            }
+            self.give(relation, premises);
         }
+        let single_places = self.may_choose_single_places(claim, without);
         let graph = &self.graph;
         let of_fields = |(l, r): &(Expr, Expr)| !graph.fields([*l, *r]).is_empty();
         let is_place = |pair: &(Expr, Expr)| {
             let leaves = graph.leaves_within([pair.0, pair.1]);
             !of_fields(pair) && leaves.iter().any(|l| graph.coordinate(*l).is_some())
         };
-        if premises.equations[before..].iter().any(is_place) {
+        if premises.equations[before..].iter().any(is_place) || single_places {
             let (there, everywhere) = premises.equations.drain(before..).partition::<Pairs, _>(of_fields);
             premises.equations.extend(everywhere);
             // Along such places they may be meant to hold together: no point refutes that.
             complete &= there.is_empty();
             premises.only_now.extend(there);
         }
-        complete
+        complete & !self.keep_for_now(before, single, premises)
     }
 
-    /// The inequalities that a claim assumes, but those with the given numbers, by which times are chosen: something moves in them. What
-    /// must not be 0 leaves out single times of a smooth motion, beyond which everything goes on.
+    /// Keeps the equations from a number on for the present time, where that is single; whether there are any that move.
+    fn keep_for_now(&self, from: usize, single: bool, premises: &mut Premises) -> bool {
+        let moves = |&(l, r): &(Expr, Expr)| self.moves(l) || self.moves(r);
+        if !single || !premises.equations[from..].iter().any(moves) {
+            return false;
+        }
+        let (moving, constant) = premises.equations.drain(from..).partition::<Pairs, _>(moves);
+        premises.equations.extend(constant);
+        premises.only_now.extend(moving);
+        true
+    }
+
+    /// The relations that a claim assumes, but those with the given numbers, by which times are chosen.
     fn choosing<'c>(&self, claim: &'c Claim, without: &[usize]) -> Vec<&'c Relation> {
-        let scope = &claim.scope;
-        let moves = |l: &Leaf| l.instant.is_none() && (scope.moves(l) || Some(*l) == scope.time());
         let used = claim.assuming.iter().enumerate().filter(|(i, _)| !without.contains(i));
         let relations = used.flat_map(|(_, w)| &w.value.relations);
-        let inequalities = relations.filter(|r| !matches!(r.kind, RelationKind::Equal | RelationKind::NotEqual));
-        let chooses = |r: &&Relation| {
-            let sides = r.left.components.iter().chain(&r.right.components).copied();
-            self.graph.leaves_within(sides).iter().any(moves)
+        relations.filter(|r| chooses(&self.graph, &claim.scope, r)).collect()
+    }
+
+    /// Whether a relation that chooses times holds around each time at which it holds: it is strict, between sides that are continuous,
+    /// and have values around each time at which they have one.
+    fn holds_for_a_while(&mut self, scope: &Scope, relation: &Relation) -> bool {
+        if matches!(relation.kind, RelationKind::Equal | RelationKind::GreaterEqual | RelationKind::LessEqual) {
+            return false;
+        }
+        let sides: Vec<Expr> = relation.left.components.iter().chain(&relation.right.components).copied().collect();
+        let sides: Vec<Expr> = sides.into_iter().map(|e| traced(&mut self.graph, scope, e)).collect();
+        let needs = self.graph.needs_below(sides.clone());
+        let nodes = self.graph.reachable(sides);
+        // At a jump a function has the value from where the term is positive.
+        let jumps = |edge: &EdgeOf| matches!(edge.change, Change::Jump(_));
+        let jumping: Vec<EdgeOf> = nodes.into_iter().flat_map(|e| self.graph.edges(e)).filter(jumps).collect();
+        let has_jumps = jumping.iter().any(|edge| !edge.vanishing.is_some_and(|e| is_sum_of_squares(&self.graph, e)));
+        let ends = |need: Need| {
+            need.sign == Sign::NotNegative && self.depends(need.value) && !is_sum_of_squares(&self.graph, need.value)
         };
-        inequalities.filter(chooses).collect()
+        !has_jumps && !needs.into_iter().any(ends)
+    }
+
+    /// Whether something changes along a motion, or from place to place.
+    fn depends(&self, e: Expr) -> bool {
+        let place = |l: &Leaf| self.graph.coordinate(*l).is_some() || self.graph.is_field(l.symbol);
+        self.moves(e) || self.graph.leaves([e]).iter().any(place)
+    }
+
+    /// Whether single times may be all that a claim chooses: nothing is known of rates then.
+    fn may_choose_single_times(&mut self, of: &Claim, without: &[usize]) -> bool {
+        let mut choosing = self.choosing(of, without);
+        // What is assumed of all times may leave single ones, if it is about the time itself.
+        let names_time = |r: &&Relation| {
+            let leaves = self.graph.leaves_within(pairs(r).flat_map(|(l, r)| [l, r]));
+            leaves.iter().any(|l| Some(*l) == of.scope.time())
+        };
+        choosing.retain(|r| !self.at_all_times || names_time(r));
+        !choosing.into_iter().all(|r| self.holds_for_a_while(&of.scope, r))
+    }
+
+    /// Whether a relation that a claim assumes may leave single places: nothing is known of derivatives there.
+    fn may_choose_single_places(&mut self, of: &Claim, without: &[usize]) -> bool {
+        let used = of.assuming.iter().enumerate().filter(|(i, _)| !without.contains(i));
+        used.flat_map(|(_, w)| &w.value.relations).any(|r| {
+            let sides = r.left.components.iter().chain(&r.right.components).copied();
+            let leaves = self.graph.leaves(sides);
+            let of_places = leaves.iter().any(|l| self.graph.coordinate(*l).is_some() || self.graph.is_field(l.symbol));
+            of_places && r.kind != RelationKind::Equal && !self.holds_for_a_while(&of.scope, r)
+        })
     }
 
     /// Whether what is so at the times that a claim chooses goes on at all others: none is left out; or it is so for a while, and motions
     /// are analytic.
     fn goes_on(&mut self, of: &Claim, without: &[usize]) -> bool {
-        let choosing = self.choosing(of, without);
-        let for_a_while = choosing.iter().all(|r| matches!(r.kind, RelationKind::Greater | RelationKind::Less));
-        self.at_all_times || choosing.is_empty() || for_a_while && self.motions_are_analytic(of)
+        let everywhere = self.at_all_times || self.choosing(of, without).is_empty();
+        everywhere || !self.may_choose_single_times(of, without) && self.motions_are_analytic(of)
     }
 
-    /// Whether systems that are given determine everything that two claims name, by equations without kinks and leaps.
+    /// Whether motions are analytic in everything that two claims name: the systems that are given determine it, by right sides that are
+    /// analytic wherever the states have values. Where none is given, the motions that are meant are such as the claim is tried on.
     pub(super) fn motions_are_analytic(&mut self, of: &Claim) -> bool {
-        let systems = self.sides_of_systems();
-        let mut given = systems.clone();
-        self.add_definitions(&mut given);
-        if systems.is_empty() || self.graph.reachable(given).into_iter().any(|e| self.is_branching(e)) {
-            return false;
-        }
-        let moved = self.graph.leaves_within(systems);
-        let has_rate = |leaf: &Leaf| moved.iter().any(|m| m.rate > 0 && m.symbol == leaf.symbol);
+        let given = self.equations_of_systems();
+        let systems = match (given.is_empty(), Step::behind(self.derivation, self.claim)) {
+            (false, _) => vec![given],
+            (true, Some(behind)) => behind.into_iter().map(|system| self.equations_of(system)).collect(),
+            (true, None) => return false,
+        };
+        !systems.is_empty() && systems.into_iter().all(|equations| self.is_analytic_along(of, equations))
+    }
+
+    fn is_analytic_along(&mut self, of: &Claim, equations: Pairs) -> bool {
+        let Some(determined) = self.determined(&equations) else { return false };
         let claim = self.claim;
-        let assumed = [of, claim].into_iter().flat_map(|c| &c.assuming).flat_map(|w| &w.value.relations);
-        let mut named: Vec<Expr> = assumed.flat_map(pairs).flat_map(|(l, r)| [l, r]).collect();
+        let named: Vec<Expr> = sides(&equations).collect();
+        let mut named: Vec<Expr> = named.into_iter().map(|e| traced(&mut self.graph, &claim.scope, e)).collect();
         for one in [of, claim] {
-            named.extend(sides(&self.equations(one).unwrap_or_default()));
+            let assumed = one.assuming.iter().flat_map(|w| &w.value.relations);
+            let (equations, signs) = self.said(one).unwrap_or_default();
+            let relations = assumed.chain(signs).flat_map(pairs);
+            let all: Vec<Expr> = relations.chain(equations).flat_map(|(l, r)| [l, r]).collect();
+            named.extend(all.into_iter().map(|e| traced(&mut self.graph, &one.scope, e)));
         }
-        self.add_definitions(&mut named);
-        let scope = &claim.scope;
-        self.graph.leaves_within(named).iter().all(|leaf| {
-            let is_defined = scope.definition(leaf.symbol).or_else(|| of.scope.definition(leaf.symbol)).is_some();
-            !(scope.moves(leaf) || of.scope.moves(leaf)) || is_defined || has_rate(leaf)
-        })
+        // Rates of what has a formula.
+        for leaf in self.graph.leaves(named.iter().copied()).into_iter().filter(|l| l.rate > 0) {
+            let scope = [&claim.scope, &of.scope].into_iter().find(|s| s.definition(leaf.symbol).is_some());
+            let Some(scope) = scope else { continue };
+            let node = self.graph.leaf(Leaf { rate: 0, ..leaf });
+            named.push(traced(&mut self.graph, scope, node));
+        }
+        let has_formula = |l: &Leaf| [claim, of].iter().any(|c| c.scope.definition(l.symbol).is_some());
+        let moves = |leaf: &Leaf| claim.scope.moves(leaf) || of.scope.moves(leaf);
+        let is_known = |leaf: &Leaf| {
+            !moves(leaf) || determined.contains(&(leaf.symbol, leaf.component)) || leaf.rate > 0 && has_formula(leaf)
+        };
+        self.graph.leaves(named).iter().all(|leaf| !self.graph.is_field(leaf.symbol) && is_known(leaf))
     }
 
     /// Whether equations that are so at the times that count are so at all others, since they go on and cannot leap.
@@ -217,7 +306,8 @@ impl Step<'_> {
         let mut premises = Premises::default();
         self.roles(&mut premises);
         let absent = without.unwrap_or(&[]);
-        out.complete &= self.assume(claim, absent, &mut premises);
+        let single = self.may_choose_single_times(claim, absent);
+        out.complete &= self.assume(claim, absent, single, &mut premises);
         // Each with the scope that says what moves in it.
         let mut always: Vec<(&Scope, Pairs)> = Vec::new();
         out.elsewhere = self.at_all_times || self.choosing(claim, absent).is_empty();
@@ -225,7 +315,12 @@ impl Step<'_> {
         if self.is_known_elsewhere(claim, absent, &premises.equations) {
             always.push((&claim.scope, premises.equations.clone()));
         }
-        let mut constant: Vec<(&Scope, Expr)> = Vec::new();
+        let mut constant = self.constants();
+        let known: Pairs = self.about_constants(claim, absent, &constant);
+        if !out.elsewhere {
+            always.push((&claim.scope, known));
+        }
+        let mut given: Vec<&Claim> = Vec::new();
         for name in Step::given(derivation, claim) {
             out.from.push(name.clone());
             let premise = match derivation.premise(&name) {
@@ -238,13 +333,20 @@ impl Step<'_> {
                 Premise::Definition => continue,
             };
             let mut at_others = true;
-            match self.equations(premise) {
-                Some(equations) => {
+            let single = single && !premise.assuming.is_empty() || self.may_choose_single_times(premise, &[]);
+            match self.said(premise) {
+                Some((equations, signs)) => {
                     let equations = self.without_branches(premise, equations, &mut out.complete);
+                    let before = premises.equations.len();
                     premises.equations.extend(&equations);
+                    out.complete &= !self.keep_for_now(before, single, &mut premises);
                     // What it assumes is known at other times if it is assumed here of all of them.
-                    at_others = self.is_known_elsewhere(premise, &[], &equations)
-                        && (premise.assuming.is_empty() || self.is_known_elsewhere(claim, absent, &equations));
+                    let of_constants = |w: &Written<Statement>| {
+                        w.value.relations.iter().all(|r| self.is_about_constants(r, &constant))
+                    };
+                    at_others = premise.assuming.iter().all(of_constants)
+                        || self.is_known_elsewhere(premise, &[], &equations)
+                            && self.is_known_elsewhere(claim, absent, &equations);
                     out.elsewhere &= at_others;
                     out.between &= at_others;
                     for form in &premise.forms {
@@ -253,6 +355,15 @@ impl Step<'_> {
                         }
                     }
                     always.extend(at_others.then_some((&premise.scope, equations)));
+                    // What it says under assumptions it may say at some times only.
+                    let throughout = self.at_all_times || premise.assuming.is_empty();
+                    out.between &= throughout || signs.is_empty();
+                    for relation in signs {
+                        self.give(relation, &mut premises);
+                        if throughout {
+                            self.give(relation, &mut out.throughout);
+                        }
+                    }
                 }
                 None => out.complete = false,
             }
@@ -262,16 +373,16 @@ impl Step<'_> {
                 |of: &Statement| without.is_some_and(|w| w.iter().any(|&i| claim.assuming[i].value.says_the_same(of)));
             let numbers: Vec<usize> =
                 (0..premise.assuming.len()).filter(|&i| dropped(&premise.assuming[i].value)).collect();
-            out.complete &= self.assume(premise, &numbers, &mut premises);
+            out.complete &= self.assume(premise, &numbers, single, &mut premises);
             let assumed = premises.equations[before..].to_vec();
             if at_others && self.is_known_elsewhere(claim, absent, &assumed) {
                 always.push((&premise.scope, assumed));
             }
-            // What a premise presupposes is presupposed here: a proof says so, and does not reach beyond it.
-            // A name may mean something else in each claim.
-            let own = |of: &Statement| claim.assuming.iter().any(|w| w.value.says_the_same(of));
-            let more = premise.assuming.iter().filter(|w| !own(&w.value)).map(|w| w.text.clone());
-            out.inherited.extend(more);
+            given.push(premise);
+        }
+        out.assumed_at_times = self.assumed_at_times(absent, &constant);
+        for premise in given {
+            out.inherited.extend(self.presupposes(premise, &out.assumed_at_times));
         }
         let mut seen = Vec::new();
         out.inherited.retain(|text| {
@@ -280,9 +391,161 @@ impl Step<'_> {
                 true
             }
         });
-        self.at_instants(&always, &constant, &mut premises);
+        out.throughout.equations.extend(always.iter().flat_map(|(_, pairs)| pairs));
+        for instant in self.instants_with_values(claim, absent) {
+            self.give_at(instant, claim, absent, &mut premises);
+        }
+        self.signs_throughout(&premises, &mut out.throughout);
+        self.at_instants(&always, &constant, &out.throughout, &mut premises);
         out.premises = premises;
         out
+    }
+
+    /// The fixed times that a claim names which are among those that it chooses wherever its own formulas have values.
+    fn instants_with_values(&mut self, claim: &Claim, without: &[usize]) -> Vec<Expr> {
+        let choosing = self.choosing(claim, without);
+        let scalar =
+            |r: &&Relation| r.kind == RelationKind::NotEqual && r.left.components.len() == 1 && !r.has_branches;
+        if self.at_all_times || choosing.is_empty() || !choosing.iter().all(scalar) {
+            return Vec::new();
+        }
+        let own: Vec<Expr> = sides(&self.equations(claim).unwrap_or_default()).collect();
+        let mut instants: Vec<Expr> =
+            self.graph.leaves_within(own.clone()).into_iter().filter_map(|l| l.instant).collect();
+        instants.sort_unstable();
+        instants.dedup();
+        let values: Vec<Expr> = own.into_iter().flat_map(|e| presupposed(&mut self.graph, &claim.scope, e)).collect();
+        let needs = self.graph.needs_below(values).into_iter().filter(|n| n.sign == Sign::NotZero && n.certain);
+        let mut known = Gathered::default();
+        known.throughout.nonzero = needs.map(|n| n.value).collect();
+        let differences: Vec<(Expr, Expr)> = choosing.into_iter().flat_map(pairs).collect();
+        instants.retain(|&instant| {
+            differences.iter().all(|&(l, r)| {
+                let difference = self.graph.sub(l, r);
+                let then = at_instant(&mut self.graph, &claim.scope, difference, instant);
+                let then = traced(&mut self.graph, &claim.scope, then);
+                self.never_vanishes(then, &known)
+            })
+        });
+        instants
+    }
+
+    /// Adds what a claim assumes at a fixed time that it chooses.
+    fn give_at(&mut self, instant: Expr, claim: &Claim, without: &[usize], premises: &mut Premises) {
+        let mut then = Premises::default();
+        self.assume(claim, without, false, &mut then);
+        let graph = &mut self.graph;
+        let mut at = |e: Expr| at_instant(graph, &claim.scope, e, instant);
+        premises.equations.extend(then.equations.into_iter().map(|(l, r)| (at(l), at(r))).filter(|(l, r)| l != r));
+        premises.nonzero.extend(then.nonzero.into_iter().map(&mut at));
+        premises.positive.extend(then.positive.into_iter().map(&mut at));
+        premises.not_negative.extend(then.not_negative.into_iter().map(&mut at));
+    }
+
+    /// Adds to the signs that hold at all times those of what does not move; all of them, if what is assumed is assumed of all times.
+    fn signs_throughout(&self, premises: &Premises, throughout: &mut Premises) {
+        let scope = &self.claim.scope;
+        let moves = |l: &Leaf| l.instant.is_none() && (scope.moves(l) || Some(*l) == scope.time());
+        let holds = |e: &&Expr| self.at_all_times || !self.graph.leaves_within([**e]).iter().any(moves);
+        throughout.nonzero.extend(premises.nonzero.iter().filter(holds));
+        throughout.positive.extend(premises.positive.iter().filter(holds));
+        throughout.not_negative.extend(premises.not_negative.iter().filter(holds));
+    }
+
+    /// Whether something vanishes at no time, by the signs that hold at all times.
+    pub(super) fn never_vanishes(&mut self, e: Expr, gathered: &Gathered) -> bool {
+        let mut premises = gathered.throughout.clone();
+        let [zero, one] = [0, 1].map(|n| self.graph.integer(n));
+        let instants: Vec<Expr> = self.graph.leaves_within([e]).into_iter().filter_map(|l| l.instant).collect();
+        for signs in [&mut premises.nonzero, &mut premises.positive, &mut premises.not_negative] {
+            for fact in signs.clone() {
+                signs.extend(instants.iter().map(|&i| at_instant(&mut self.graph, &self.claim.scope, fact, i)));
+            }
+        }
+        premises.equations.push((e, zero));
+        let loosened = self.loosened;
+        self.definitions(&Pairs::new(), &[], Definitions::All, &mut premises);
+        self.loosened = loosened;
+        self.add_positive_parameters(&Pairs::new(), &mut premises);
+        let options = Options { attempts: 1, most_nodes: LEFT_OUT_NODES, wanted: Wanted::Fault, ..Options::default() };
+        let found = self.test_only(&premises, &vec![(zero, one)], &options);
+        matches!(found, Identity::Undecided(Reason::Contradiction))
+    }
+
+    /// The first integrals that are given of all motions.
+    fn constants(&self) -> Vec<(&'a Scope, Expr)> {
+        let derivation = self.derivation;
+        let mut out: Vec<(&'a Scope, Expr)> = Vec::new();
+        for name in Step::given(derivation, self.claim) {
+            let Premise::Claim(at) = derivation.premise(&name) else { continue };
+            let premise = &derivation.claims[at];
+            for form in premise.forms.iter().filter(|_| premise.assuming.is_empty() && premise.at.is_none()) {
+                if let Form::FirstIntegral(w) = form {
+                    out.extend(w.value.components.iter().map(|&e| (&premise.scope, e)));
+                }
+            }
+        }
+        out
+    }
+
+    /// Whether a relation is an equation between constants: it holds always, if it holds once.
+    fn is_about_constants(&self, relation: &Relation, constant: &[(&Scope, Expr)]) -> bool {
+        let scope = &self.claim.scope;
+        let is_constant =
+            |l: &Leaf| constant.iter().any(|&(_, c)| matches!(self.graph.node(c), Node::Leaf(of) if of == l));
+        let moves = |l: &Leaf| l.instant.is_none() && (scope.moves(l) || Some(*l) == scope.time());
+        let rests = |e: Expr| {
+            constant.iter().any(|&(_, c)| c == e)
+                || self.graph.leaves_within([e]).iter().all(|l| !moves(l) || is_constant(l))
+        };
+        match relation.kind {
+            RelationKind::Equal => relation.limit.is_none() && pairs(relation).all(|(l, r)| rests(l) && rests(r)),
+            _ => !chooses(&self.graph, &self.claim.scope, relation),
+        }
+    }
+
+    /// The equations between constants that a claim assumes, but those with the given numbers.
+    fn about_constants(&self, claim: &Claim, without: &[usize], constant: &[(&Scope, Expr)]) -> Pairs {
+        let used = claim.assuming.iter().enumerate().filter(|(i, _)| !without.contains(i));
+        let relations = used.flat_map(|(_, w)| &w.value.relations);
+        let equations = relations.filter(|r| r.kind == RelationKind::Equal && !r.has_branches);
+        equations.filter(|r| self.is_about_constants(r, constant)).flat_map(pairs).collect()
+    }
+
+    /// The equations that the claim assumes at the times that it chooses, and that are not known at others: they do not go on, and are not
+    /// about constants.
+    fn assumed_at_times(&mut self, without: &[usize], constant: &[(&Scope, Expr)]) -> Vec<String> {
+        let claim = self.claim;
+        let mut out = Vec::new();
+        for w in &claim.assuming {
+            let equations = w.value.relations.iter().filter(|r| r.kind == RelationKind::Equal);
+            let moving = equations.filter(|r| !self.is_about_constants(r, constant)).flat_map(pairs).collect();
+            if !self.is_known_elsewhere(claim, without, &moving) && !moving.is_empty() {
+                out.push(w.text.clone());
+            }
+        }
+        out
+    }
+
+    /// The numbers of the assumptions of the claim that need not hold at all times.
+    pub(super) fn assumed_for_a_while(&self) -> Vec<usize> {
+        let constant = self.constants();
+        let stays = |w: &Written<Statement>| w.value.relations.iter().all(|r| self.is_about_constants(r, &constant));
+        let all = self.claim.assuming.iter().enumerate();
+        all.filter(|(_, w)| !stays(w)).map(|(at, _)| at).collect()
+    }
+
+    /// What a premise assumes, and the claim does not: that is presupposed here, and a proof does not reach beyond it. A name may mean
+    /// something else in each claim, and an equation that is assumed there of more times is another assumption.
+    fn presupposes(&self, premise: &Claim, assumed_at_times: &[String]) -> Vec<String> {
+        let scope = &self.claim.scope;
+        let among = |all: &[Written<Statement>], of: &Statement| all.iter().any(|w| w.value.says_the_same(of));
+        let choosing = |w: &&Written<Statement>| w.value.relations.iter().any(|r| chooses(&self.graph, scope, r));
+        let as_often = self.claim.assuming.iter().filter(choosing).all(|w| among(&premise.assuming, &w.value));
+        let own = |w: &&Written<Statement>| {
+            among(&self.claim.assuming, &w.value) && (as_often || !assumed_at_times.contains(&w.text))
+        };
+        premise.assuming.iter().filter(|w| !own(w)).map(|w| w.text.clone()).collect()
     }
 
     /// ± in a premise: at each time one of the signs holds, so the product of the two residuals vanishes.
@@ -305,7 +568,13 @@ impl Step<'_> {
     }
 
     /// What holds at all times holds at the fixed times that occur; constants have their present value there.
-    fn at_instants(&mut self, always: &[(&Scope, Pairs)], constant: &[(&Scope, Expr)], premises: &mut Premises) {
+    fn at_instants(
+        &mut self,
+        always: &[(&Scope, Pairs)],
+        constant: &[(&Scope, Expr)],
+        throughout: &Premises,
+        premises: &mut Premises,
+    ) {
         let mut roots: Vec<Expr> = always.iter().flat_map(|(_, p)| sides(p)).collect();
         roots.extend(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative));
         let own = self.equations(self.claim).unwrap_or_default();
@@ -330,9 +599,13 @@ impl Step<'_> {
                 }
             }
             let scope = &self.claim.scope;
-            let signs = [&mut premises.positive, &mut premises.not_negative].into_iter().filter(|_| self.at_all_times);
-            for list in std::iter::once(&mut premises.nonzero).chain(signs) {
-                for e in list.clone() {
+            let lists = [
+                (&mut premises.nonzero, &throughout.nonzero),
+                (&mut premises.positive, &throughout.positive),
+                (&mut premises.not_negative, &throughout.not_negative),
+            ];
+            for (list, of) in lists {
+                for &e in of {
                     if self.graph.leaves_within([e]).iter().all(|l| l.rate == 0) {
                         let then = at_instant(&mut self.graph, scope, e, instant);
                         if !list.contains(&then) {
@@ -406,6 +679,14 @@ impl Step<'_> {
         definition?.components.get(usize::from(leaf.component)).copied()
     }
 
+    /// Whether systems that are given may tie states by what they say of rates: several may name one rate, and one that does not determine
+    /// its rates may say something else.
+    fn systems_tie_states(&mut self) -> bool {
+        let given = Step::given(self.derivation, self.claim);
+        let systems = given.iter().filter(|name| matches!(self.derivation.premise(name), Premise::System(_))).count();
+        systems > 1 || systems == 1 && self.rates_of_systems().is_none()
+    }
+
     /// The definitions of the observables that occur, of those in these, and so on; where rates occur, the systems that
     /// are given join in. What does not occur is left out: a premise less can only lose a proof. Where a point may refute, the
     /// systems join in, too, where an equation that is given ties what moves, or they have one without a rate: with the rates of that
@@ -425,12 +706,14 @@ impl Step<'_> {
             |graph: &Graph, &(l, r): &(Expr, Expr)| graph.leaves_within([l, r]).iter().all(|l| l.rate == 0);
         let mut moving = which == Definitions::Everything
             && (premises.equations.iter().any(|pair| tied(&self.graph, pair))
-                || systems.iter().any(|pair| constraint(&self.graph, pair)));
+                || systems.iter().any(|pair| constraint(&self.graph, pair))
+                || self.systems_tie_states());
         let roots: Vec<Expr> = sides(equations)
             .chain(sides(&premises.equations))
             .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied())
             .collect();
         let mut open = self.graph.leaves_within(roots);
+        let mut joined = false;
         loop {
             while let Some(leaf) = open.pop() {
                 moving |= leaf.rate > 0 || self.graph.is_field(leaf.symbol);
@@ -456,10 +739,11 @@ impl Step<'_> {
                     open.extend(self.graph.leaves_within([e]));
                 }
             }
-            if !moving || systems.is_empty() || premises.equations.contains(&systems[0]) {
+            if !moving || systems.is_empty() || std::mem::replace(&mut joined, true) {
                 return;
             }
-            premises.equations.extend(systems);
+            let new: Pairs = systems.iter().filter(|p| !premises.equations.contains(p)).copied().collect();
+            premises.equations.extend(new);
             open.extend(self.graph.leaves_within(sides(systems)));
         }
     }
@@ -600,6 +884,36 @@ impl Step<'_> {
             }
         }
         None
+    }
+}
+
+/// Whether a relation chooses times: something moves in it, and it is no equation. What must not be 0, and is an analytic function of
+/// the time alone, leaves out single times, and goes on beyond.
+pub(crate) fn chooses(graph: &Graph, scope: &Scope, relation: &Relation) -> bool {
+    let sides: Vec<Expr> = relation.left.components.iter().chain(&relation.right.components).copied().collect();
+    let time = scope.time();
+    let mut moving = graph.leaves_within(sides.iter().copied());
+    moving.retain(|l| l.instant.is_none() && (scope.moves(l) || Some(*l) == time));
+    let of_time =
+        |time: Leaf| moving.iter().all(|&l| l == time) && sides.iter().all(|&e| graph.is_analytic_in(e, time));
+    match relation.kind {
+        RelationKind::Equal => false,
+        RelationKind::NotEqual => !moving.is_empty() && !time.is_some_and(of_time),
+        _ => !moving.is_empty(),
+    }
+}
+
+/// Whether something is never negative where it has a value, by its structure.
+fn is_sum_of_squares(graph: &Graph, e: Expr) -> bool {
+    match *graph.node(e) {
+        Node::Constant(_) => graph.as_constant(e).is_some_and(|r| *r >= Rational::ZERO),
+        Node::Unary(Op::Powi(n), _) if n % 2 == 0 => true,
+        Node::Unary(Op::Sqrt | Op::Abs | Op::Exp, _) => true,
+        Node::Unary(Op::Powi(_), a) => is_sum_of_squares(graph, a),
+        Node::Binary(Op::Mul, a, b) if a == b => true,
+        Node::Binary(Op::Add | Op::Mul | Op::Div, a, b) => is_sum_of_squares(graph, a) && is_sum_of_squares(graph, b),
+        Node::Pi => true,
+        Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => false,
     }
 }
 

@@ -37,10 +37,10 @@ impl Step<'_> {
         self.by_uniqueness(gathered, equations).map(|found| (found, equations.clone()))
     }
 
-    /// What is given without any assumptions, if that may be used of all times.
+    /// What is given without what is assumed of some times, if that may be used of all times.
     pub(super) fn gather_throughout(&mut self) -> Option<Gathered> {
-        let all: Vec<usize> = (0..self.claim.assuming.len()).collect();
-        let gathered = Gathered { complete: false, ..self.gather(Some(&all)) };
+        let some = self.assumed_for_a_while();
+        let gathered = Gathered { complete: false, ..self.gather(Some(&some)) };
         gathered.between.then_some(gathered)
     }
 

@@ -3,10 +3,11 @@
 //! **In:** what was proved, and the formulas of the claim and of what it is given. **Out:** what a proof does not reach, and
 //! whether what is given has values at fewer times than what is claimed.
 
+use super::gather::Gathered;
 use super::{Pairs, Step, pairs};
 use crate::derivation::{Form, Premise};
 use crate::expr::domain::{Change, EdgeOf};
-use crate::expr::{Expr, Graph, Leaf, Node, Op, Symbol};
+use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational, Symbol};
 use crate::findings::IdentityEvidence;
 use crate::findings::standing::Exception;
 use crate::latex::Role;
@@ -14,7 +15,13 @@ use proof::{Condition, Identity, domains};
 
 impl Step<'_> {
     /// What a proof that goes along a motion does not reach.
-    pub(super) fn continuation(&mut self, equations: &Pairs, moved: bool, leaping: &[Expr]) -> Vec<Exception> {
+    pub(super) fn continuation(
+        &mut self,
+        gathered: &Gathered,
+        equations: &Pairs,
+        moved: bool,
+        leaping: &[Expr],
+    ) -> Vec<Exception> {
         let integral = self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_)));
         if !(moved || integral) {
             return Vec::new();
@@ -23,12 +30,20 @@ impl Step<'_> {
         let divided = self.divided_by_systems();
         let mut roots = self.along(equations);
         self.add_definitions(&mut roots);
+        let mut beside = gathered.clone();
+        beside.throughout.nonzero.extend(&divided);
+        for (angle, hole) in self.holes(&roots) {
+            if self.moves(hole) && !self.never_vanishes(hole, &beside) {
+                out.push(Exception::Leaps(angle));
+            }
+        }
         for under in self.poles(roots) {
             let mut base = under;
             while let Node::Unary(Op::Powi(_) | Op::Sqrt | Op::Abs, a) = *self.graph.node(base) {
                 base = a;
             }
-            if divided.contains(&under) || divided.contains(&base) || !self.moves(base) {
+            let passed = divided.contains(&under) || divided.contains(&base) || !self.moves(base);
+            if passed || self.never_vanishes(base, gathered) {
                 continue;
             }
             let one = Exception::Divides(base);
@@ -155,16 +170,27 @@ impl Step<'_> {
     pub(super) fn equations_of_systems(&self) -> Pairs {
         let given = Step::given(self.derivation, self.claim);
         let systems = given.iter().filter_map(|name| match self.derivation.premise(name) {
-            Premise::System(system) => Some(&self.derivation.systems[system]),
+            Premise::System(system) => Some(system),
             Premise::Claim(_) | Premise::Definition => None,
         });
-        let relations = systems.flat_map(|s| &s.equations).flat_map(|w| &w.value.relations);
-        relations.flat_map(pairs).collect()
+        systems.flat_map(|system| self.equations_of(system)).collect()
+    }
+
+    /// The equations of a system.
+    pub(super) fn equations_of(&self, system: usize) -> Pairs {
+        let equations = &self.derivation.systems[system].equations;
+        equations.iter().flat_map(|w| &w.value.relations).flat_map(pairs).collect()
     }
 
     /// Everything that the systems among the premises divide by, as it stands and by its definition.
     fn divided_by_systems(&mut self) -> Vec<Expr> {
-        let mut roots = self.sides_of_systems();
+        let equations = self.equations_of_systems();
+        self.divided_by(&equations)
+    }
+
+    /// Everything that equations divide by.
+    pub(super) fn divided_by(&mut self, equations: &Pairs) -> Vec<Expr> {
+        let mut roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
         self.add_definitions(&mut roots);
         let mut open = self.poles(roots);
         let mut out = Vec::new();
@@ -209,6 +235,37 @@ impl Step<'_> {
             roots.extend(&found);
             open = found;
         }
+    }
+
+    /// The angles of points in some formulas, with the sums of squares that vanish where they have no value: beyond, such an angle is
+    /// another by half a turn, which is not healed.
+    fn holes(&mut self, roots: &[Expr]) -> Vec<(Expr, Expr)> {
+        let mut symbols: Vec<Symbol> =
+            self.graph.leaves_within(roots.iter().copied()).iter().map(|l| l.symbol).collect();
+        symbols.retain(|&s| self.derivation.is_angle(s));
+        symbols.sort_unstable();
+        symbols.dedup();
+        let mut open: Vec<Expr> = Vec::new();
+        for symbol in symbols {
+            open.extend(self.claim.scope.definition(symbol).into_iter().flat_map(|d| &d.components));
+        }
+        let mut out = Vec::new();
+        while let Some(e) = open.pop() {
+            let even =
+                |e: Expr| self.graph.as_constant(e).is_some_and(|r| (r / &Rational::from(2)).denominator().is_one());
+            match *self.graph.node(e) {
+                Node::Binary(Op::Arctan2, y, x) => {
+                    let squares = [y, x].map(|e| self.graph.powi(e, 2));
+                    out.push((e, self.graph.add(squares[0], squares[1])));
+                }
+                Node::Unary(Op::Neg, a) => open.push(a),
+                Node::Binary(Op::Add | Op::Sub, a, b) => open.extend([a, b]),
+                Node::Binary(Op::Mul, a, b) if even(a) || even(b) => {}
+                Node::Binary(Op::Mul, a, b) => open.extend([a, b]),
+                Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => {}
+            }
+        }
+        out
     }
 
     /// What an angle is made of, but arguments in place of atan2 that stands in it with a whole factor: its leaps by 2π are

@@ -12,32 +12,43 @@
 
 use super::gather::Gathered;
 use super::{LEFT_OUT_NODES, Pairs, Step, has_exceptions};
-use crate::expr::{Expr, FastMap, Leaf, Node, Op, Rational, Symbol};
+use crate::expr::{Expr, FastMap, FastSet, Leaf, Node, Op, Rational, Symbol};
 use claim::comparison::{at_instant, traced};
-use proof::{Identity, Options, Premises, Proof, Wanted};
+use proof::{Condition, Identity, Options, Premises, Proof, Wanted};
 
 /// More residuals are not looked at.
 const MOST_RESIDUALS: usize = 8;
 /// Residuals with more nodes are not looked at.
 const MOST_NODES: usize = 600;
+/// More rates are not solved for together.
+const MOST_TOGETHER: usize = 3;
+
+/// What systems determine.
+pub(super) struct Determined {
+    /// The highest rates of the states, by the states.
+    pub(super) rates: FastMap<Leaf, Expr>,
+    /// Constants that are divided by, and may be 0.
+    pub(super) divided: Vec<Expr>,
+}
 
 impl Step<'_> {
     /// A proof that the equations hold along every motion, since they do at one time and a motion is determined by that.
     pub(super) fn by_uniqueness(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Identity> {
-        if !gathered.between || !self.motions_are_analytic(self.claim) {
+        if !gathered.between {
             return None;
         }
         let claimed: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
         let given = gathered.premises.equations.iter().flat_map(|&(l, r)| [l, r]);
         let named = self.graph.leaves_within(claimed.into_iter().chain(given));
         let start = named.iter().find_map(|l| l.instant)?;
-        let rates = self.rates_of_systems()?;
+        let Determined { rates, divided } = self.rates_of_systems()?;
         let mut residuals = Vec::new();
         for &(l, r) in equations {
             let residual = self.graph.sub(l, r);
             residuals.push(self.of_states(residual, &rates)?);
         }
-        if self.graph.reachable(residuals.clone()).into_iter().any(|e| self.is_branching(e)) {
+        let bent = residuals.iter().chain(rates.values()).copied();
+        if self.graph.reachable(bent).into_iter().any(|e| self.is_branching(e)) {
             return None;
         }
         let options = Options { attempts: 1, most_nodes: LEFT_OUT_NODES, wanted: Wanted::Proof, ..Options::default() };
@@ -67,6 +78,8 @@ impl Step<'_> {
         match begun {
             Identity::Proved(mut all) if !has_exceptions(&all) => {
                 proof.into_iter().for_each(|one| all.absorb(one));
+                // Where one of them is 0, the systems determine less.
+                all.conditions.extend(divided.into_iter().map(Condition::Pivot));
                 Some(Identity::Proved(all))
             }
             Identity::Proved(_) | Identity::Refuted(_) | Identity::Undecided(_) => None,
@@ -74,16 +87,10 @@ impl Step<'_> {
     }
 
     /// What the highest rates of all states are, by the systems that are given; `None` where an equation is not linear in one of its own.
-    fn rates_of_systems(&mut self) -> Option<FastMap<Leaf, Expr>> {
+    pub(super) fn rates_of_systems(&mut self) -> Option<Determined> {
         let equations = self.equations_of_systems();
-        let sides = equations.iter().flat_map(|&(l, r)| [l, r]);
-        let moving = self.graph.leaves_within(sides).into_iter().filter(|l| l.rate > 0 && l.instant.is_none());
-        let mut highest: FastMap<(Symbol, u16), Leaf> = FastMap::default();
-        for leaf in moving {
-            let one = highest.entry((leaf.symbol, leaf.component)).or_insert(leaf);
-            *one = if leaf.rate > one.rate { leaf } else { *one };
-        }
-        let mut rates = FastMap::default();
+        let highest = self.highest_rates(&equations);
+        let (mut rates, mut divided) = (FastMap::default(), Vec::new());
         for (l, r) in equations {
             let residual = self.graph.sub(l, r);
             let residual = traced(&mut self.graph, &self.claim.scope, residual);
@@ -95,6 +102,9 @@ impl Step<'_> {
             if self.graph.is_zero(slope) || self.moves(slope) {
                 return None;
             }
+            if !self.is_nonzero(slope) {
+                divided.push(slope);
+            }
             let zero = self.graph.integer(0);
             let rest = self.graph.replaced(residual, |_, l| (l == leaf).then_some(zero));
             let quotient = self.graph.div(rest, slope);
@@ -105,7 +115,92 @@ impl Step<'_> {
         }
         // A motion may be continued in several ways where a rate has no value.
         let poles = self.poles(rates.values().copied().collect());
-        (!poles.into_iter().any(|under| self.moves(under))).then_some(rates)
+        (!poles.into_iter().any(|under| self.moves(under))).then_some(Determined { rates, divided })
+    }
+
+    /// The highest rate of each component that equations name.
+    fn highest_rates(&self, equations: &Pairs) -> FastMap<(Symbol, u16), Leaf> {
+        let sides = equations.iter().flat_map(|&(l, r)| [l, r]);
+        let mut highest: FastMap<(Symbol, u16), Leaf> = FastMap::default();
+        for leaf in self.graph.leaves_within(sides).into_iter().filter(|l| l.rate > 0 && l.instant.is_none()) {
+            let one = highest.entry((leaf.symbol, leaf.component)).or_insert(leaf);
+            *one = if leaf.rate > one.rate { leaf } else { *one };
+        }
+        highest
+    }
+
+    /// The components whose highest rates are determined by equations of systems, as analytic functions of the states, wherever the
+    /// equations have values; `None` where there are others, or that cannot be told. A motion does not come to where its equations have
+    /// no value.
+    pub(super) fn determined(&mut self, equations: &Pairs) -> Option<FastSet<(Symbol, u16)>> {
+        let mut residuals = Vec::new();
+        for &(l, r) in equations {
+            let residual = self.graph.sub(l, r);
+            residuals.push(traced(&mut self.graph, &self.claim.scope, residual));
+        }
+        residuals.retain(|&r| !self.graph.is_zero(r));
+        let zero = self.graph.integer(0);
+        let highest = self.highest_rates(&residuals.iter().map(|&r| (r, zero)).collect());
+        if residuals.is_empty() || residuals.len() != highest.len() {
+            return None;
+        }
+        let mut beside = Gathered::default();
+        beside.throughout.nonzero = self.divided_by(equations);
+        let nodes = self.graph.reachable(residuals.iter().copied());
+        if nodes.into_iter().any(|e| self.is_branching(e) && self.may_reach_edge(e, &beside)) {
+            return None;
+        }
+        let mut open: Vec<Leaf> = highest.values().copied().collect();
+        open.sort_unstable();
+        while !open.is_empty() {
+            let named = |this: &Self, e: Expr| -> Vec<Leaf> {
+                let leaves = this.graph.leaves([e]);
+                open.iter().copied().filter(|l| leaves.contains(l)).collect()
+            };
+            // One by one where that is possible; what is left, all together.
+            let alone = residuals.iter().position(|&r| named(self, r).len() == 1);
+            let (rows, columns) = match alone {
+                Some(at) => {
+                    let row = residuals.swap_remove(at);
+                    (vec![row], named(self, row))
+                }
+                None => (std::mem::take(&mut residuals), open.clone()),
+            };
+            if rows.len() != columns.len() || rows.len() > MOST_TOGETHER {
+                return None;
+            }
+            let mut slopes = Vec::new();
+            for &row in &rows {
+                for &column in &columns {
+                    let slope = self.graph.slope(row, column).ok()?;
+                    if !named(self, slope).is_empty() {
+                        return None;
+                    }
+                    slopes.push(slope);
+                }
+            }
+            let determinant = self.determinant(&slopes, columns.len());
+            if !self.is_nonzero(determinant) && !self.never_vanishes(determinant, &beside) {
+                return None;
+            }
+            open.retain(|l| !columns.contains(l));
+        }
+        Some(highest.into_keys().collect())
+    }
+
+    /// The determinant of a matrix, given by its rows.
+    fn determinant(&mut self, rows: &[Expr], size: usize) -> Expr {
+        if size == 1 {
+            return rows[0];
+        }
+        let mut sum = self.graph.integer(0);
+        for column in 0..size {
+            let minor: Vec<Expr> = (size..size * size).filter(|at| at % size != column).map(|at| rows[at]).collect();
+            let minor = self.determinant(&minor, size - 1);
+            let term = self.graph.mul(rows[column], minor);
+            sum = if column % 2 == 0 { self.graph.add(sum, term) } else { self.graph.sub(sum, term) };
+        }
+        sum
     }
 
     /// A formula in states alone: without observables, and without the rates that the systems determine. `None` where others are named.
