@@ -17,6 +17,7 @@ mod across;
 mod alone;
 mod book;
 mod budgets;
+mod chosen_times;
 mod circles;
 mod claims_random;
 mod cli;

@@ -392,7 +392,6 @@ fn the_comment() {
         "letter-equation/same-right-side",
         "letter-equation/along-the-motion",
         "relation-in-t10/given-the-relation",
-        "psi-constant/given-the-product",
         "psi0-formula/where-psi-is-constant",
         "psi0-formula/real-when-between",
         "psi0-formula/real-only-when-between",

@@ -37,7 +37,7 @@ mod uniqueness;
 use crate::agreement::{Signs, answer, evidence, evidence_of, reach};
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Expr, FastMap, FastSet, Graph, Leaf, Symbol, Tensor};
-use crate::findings::standing::{self, Finding};
+use crate::findings::standing::{self, Decision, Finding};
 use crate::findings::{AssumptionsUsed, IdentityAccount, IdentityEvidence};
 use crate::latex::{Relation, RelationKind, Role};
 use crate::verdict::Witness;
@@ -69,6 +69,8 @@ pub struct Step<'a> {
     loosened: bool,
     /// Whether inequalities that are assumed hold at all times.
     at_all_times: bool,
+    /// What is assumed to differ at the times that the claim chooses, and is taken to differ at all: where it does not is an exception.
+    apart: Pairs,
     /// The sign for which the claim is asked, where it stands among its assumptions.
     sign: Option<i64>,
     /// Whether the answer is all that is wanted, and not which assumptions it needs.
@@ -162,6 +164,7 @@ impl<'a> Step<'a> {
             loosened: false,
             plain: false,
             at_all_times: false,
+            apart: Pairs::new(),
         };
         let possible = !claim.forms.is_empty() && claim.at.is_none();
         (possible && (step.is_equations() || step.is_about_parameters())).then_some(step)
@@ -311,7 +314,19 @@ impl<'a> Step<'a> {
         if self.assumes_sign() {
             return self.for_each_sign();
         }
-        self.decide_equations()
+        let mut between = Step::of(self.derivation, self.claim)?.with(self.plain);
+        between.apart = if self.at_all_times { Pairs::new() } else { self.chosen_apart() };
+        let found = self.decide_equations()?;
+        // As long as what differs does so, all goes on.
+        let is_open = matches!(&found, Ok(account) if account.finding.decision() == Decision::Undecided);
+        if between.apart.is_empty() || !is_open {
+            return Some(found);
+        }
+        match between.decide_equations()? {
+            Ok(account) if account.finding.is_proved_in_part() => Some(Ok(account)),
+            Ok(_) => Some(found),
+            defect => Some(defect),
+        }
     }
 
     /// Decides a claim that consists of equations.
@@ -401,6 +416,10 @@ impl<'a> Step<'a> {
         let mut along = if proved { self.continuation(&gathered, &equations, moved, &leaping) } else { Vec::new() };
         if proved && !self.has_values_together(&equations, &identity, &evidence) {
             along.push(standing::Exception::OneSign);
+        }
+        if proved {
+            let differences = self.apart.iter().map(|&(l, r)| self.graph.sub(l, r));
+            along.extend(differences.map(standing::Exception::Vanishes));
         }
         let narrower = self.is_narrower(&identity, &equations);
         let complete = gathered.complete && !self.loosened;

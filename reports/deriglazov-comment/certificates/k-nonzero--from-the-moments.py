@@ -156,7 +156,7 @@ def numbers_agree(names, functions, definitions, variables):
 # I2 stands for I_2
 # I1 stands for I_1
 check(
-    names=["sin_theta_then", "cos_theta_then", "sin_psi", "cos_psi", "sin_theta", "cos_theta", "sin_psi_then", "cos_psi_then", "E_then", "E", "m3_then", "I3", "I2", "I1", "m3", "theta", "psi", "psi_then", "theta_then"],
+    names=["sin_psi", "cos_psi", "sin_theta", "cos_theta", "sin_psi_then", "cos_psi_then", "E_then", "E", "m3_then", "I3", "I2", "I1", "m3", "theta", "psi", "psi_then"],
     left="(1/2*m3_then*(1/I1 - 1/I2)*sin(2*psi_then))**2",
     right="m3**2*(1/I1 - 1/I3)*(1/I3 - 1/I2)",
     relations=[
@@ -176,8 +176,6 @@ check(
         "cos(psi_then)": "cos_psi_then",
     },
     variables={
-        "sin_theta_then": "sin(theta_then)",
-        "cos_theta_then": "cos(theta_then)",
         "sin_psi": "sin(psi)",
         "cos_psi": "cos(psi)",
         "sin_theta": "sin(theta)",

@@ -154,7 +154,7 @@ def numbers_agree(names, functions, definitions, variables):
 # I2 stands for I_2
 # I1 stands for I_1
 check(
-    names=["root", "sin_theta_then", "cos_theta_then", "sin_psi", "cos_psi", "sin_theta", "cos_theta", "sin_psi_then", "cos_psi_then", "E", "m3", "I3", "I2", "I1", "theta", "psi", "psi_then", "theta_then"],
+    names=["root", "sin_psi", "cos_psi", "sin_theta", "cos_theta", "sin_psi_then", "cos_psi_then", "E", "m3", "I3", "I2", "I1", "theta", "psi", "psi_then"],
     left="(1/I1 - 1/I3 - (1/I1 - 1/I2)*cos(acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))**2)*(1/I3 - 2*E/m3**2 + (1/I1 - 1/I3) - (1/I1 - 1/I2)*cos(acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))**2)",
     right="0",
     relations=[
@@ -167,8 +167,6 @@ check(
     },
     variables={
         "root": "sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))",
-        "sin_theta_then": "sin(theta_then)",
-        "cos_theta_then": "cos(theta_then)",
         "sin_psi": "sin(psi)",
         "cos_psi": "cos(psi)",
         "sin_theta": "sin(theta)",

@@ -155,7 +155,7 @@ def numbers_agree(names, functions, definitions, variables):
 # I2 stands for I_2
 # I1 stands for I_1
 check(
-    names=["root", "root_2", "sin_theta_then", "cos_theta_then", "sin_psi", "cos_psi", "sin_theta", "cos_theta", "sin_psi_then", "cos_psi_then", "m3", "I3", "I2", "I1", "theta", "psi", "psi_then", "theta_then"],
+    names=["root", "root_2", "sin_psi", "cos_psi", "sin_theta", "cos_theta", "sin_psi_then", "cos_psi_then", "m3", "I3", "I2", "I1", "theta", "psi", "psi_then"],
     left="0",
     right="-((m3/I1*sin(acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))**2 + m3/I2*cos(acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))**2)*cos(theta)) + m3/I3*cos(theta)",
     relations=[
@@ -173,8 +173,6 @@ check(
     variables={
         "root": "sqrt(1 - root_2**2)",
         "root_2": "sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))",
-        "sin_theta_then": "sin(theta_then)",
-        "cos_theta_then": "cos(theta_then)",
         "sin_psi": "sin(psi)",
         "cos_psi": "cos(psi)",
         "sin_theta": "sin(theta)",

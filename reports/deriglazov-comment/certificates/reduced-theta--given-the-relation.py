@@ -151,7 +151,7 @@ def numbers_agree(names, functions, definitions, variables):
 # I2 stands for I_2
 # I1 stands for I_1
 check(
-    names=["sin_theta_then", "cos_theta_then", "sin_psi_then", "cos_psi_then", "sin_theta", "cos_theta", "E_then", "E", "m3_then", "m3", "I3", "I2", "I1", "theta", "theta_dot", "psi_then", "theta_then"],
+    names=["sin_psi_then", "cos_psi_then", "sin_theta", "cos_theta", "E_then", "E", "m3_then", "m3", "I3", "I2", "I1", "theta", "theta_dot", "psi_then"],
     left="theta_dot",
     right="1/2*m3*(1/I1 - 1/I2)*sin(2*psi_then)*sin(theta)",
     relations=[
@@ -167,8 +167,6 @@ check(
         "sin(2*psi_then)": "sin_psi_then*cos_psi_then + sin_psi_then*cos_psi_then",
     },
     variables={
-        "sin_theta_then": "sin(theta_then)",
-        "cos_theta_then": "cos(theta_then)",
         "sin_psi_then": "sin(psi_then)",
         "cos_psi_then": "cos(psi_then)",
         "sin_theta": "sin(theta)",

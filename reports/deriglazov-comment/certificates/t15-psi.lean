@@ -14,6 +14,6 @@ theorem equation_1
   have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
   rw [top, zero_div]
 
-example (sin_theta_then cos_theta_then sin_psi_then cos_psi_then sin_theta cos_theta E_then E m3_then m3 I3 I2 I1 theta psi_then theta_then : ℝ) (hD : (1 : ℝ) ≠ 0) : (0 : ℝ) - (0) = (0) / (1) := by
+example (sin_psi_then cos_psi_then sin_theta cos_theta E_then E m3_then m3 I3 I2 I1 theta psi_then : ℝ) (hD : (1 : ℝ) ≠ 0) : (0 : ℝ) - (0) = (0) / (1) := by
   field_simp
   ring

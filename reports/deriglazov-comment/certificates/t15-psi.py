@@ -148,15 +148,13 @@ def numbers_agree(names, functions, definitions, variables):
 
 # Equation 1: 0 = 0
 check(
-    names=["sin_theta_then", "cos_theta_then", "sin_psi_then", "cos_psi_then", "sin_theta", "cos_theta", "E_then", "E", "m3_then", "m3", "I3", "I2", "I1", "theta", "psi_then", "theta_then"],
+    names=["sin_psi_then", "cos_psi_then", "sin_theta", "cos_theta", "E_then", "E", "m3_then", "m3", "I3", "I2", "I1", "theta", "psi_then"],
     left="0",
     right="0",
     relations=[
     ],
     d="1",
     variables={
-        "sin_theta_then": "sin(theta_then)",
-        "cos_theta_then": "cos(theta_then)",
         "sin_psi_then": "sin(psi_then)",
         "cos_psi_then": "cos(psi_then)",
         "sin_theta": "sin(theta)",

@@ -156,7 +156,7 @@ def numbers_agree(names, functions, definitions, variables):
 # I3 stands for I_3
 # I2 stands for I_2
 check(
-    names=["sin_2", "cos_2", "m3_then", "I3", "I2", "I1", "m3", "t", "m1_then", "m2_then", "Q12", "Q13", "Q32", "Q33", "Q11_dot"],
+    names=["sin_2", "cos_2", "m3_then", "m2_then", "m1_then", "I3", "I2", "I1", "m3", "t", "Q12", "Q13", "Q32", "Q33", "Q11_dot"],
     left="Q11_dot",
     right="-(m3/I2*Q32*Q13 + m3/I3*(-1)*Q33*Q12)",
     relations=[
@@ -190,7 +190,7 @@ check(
 # I3 stands for I_3
 # I1 stands for I_1
 check(
-    names=["sin_2", "cos_2", "m3_then", "I3", "I2", "I1", "m3", "t", "m1_then", "m2_then", "Q11", "Q13", "Q31", "Q33", "Q12_dot"],
+    names=["sin_2", "cos_2", "m3_then", "m2_then", "m1_then", "I3", "I2", "I1", "m3", "t", "Q11", "Q13", "Q31", "Q33", "Q12_dot"],
     left="Q12_dot",
     right="-(m3/I1*(-1)*Q31*Q13 + m3/I3*Q33*Q11)",
     relations=[
@@ -224,7 +224,7 @@ check(
 # I2 stands for I_2
 # I1 stands for I_1
 check(
-    names=["sin_2", "cos_2", "m3_then", "I3", "I2", "I1", "m3", "t", "m1_then", "m2_then", "Q11", "Q12", "Q31", "Q32", "Q13_dot"],
+    names=["sin_2", "cos_2", "m3_then", "m2_then", "m1_then", "I3", "I2", "I1", "m3", "t", "Q11", "Q12", "Q31", "Q32", "Q13_dot"],
     left="Q13_dot",
     right="-(m3/I1*Q31*Q12 + m3/I2*(-1)*Q32*Q11)",
     relations=[
@@ -259,7 +259,7 @@ check(
 # I3 stands for I_3
 # I2 stands for I_2
 check(
-    names=["sin_2", "cos_2", "m3_then", "I3", "I2", "I1", "m3", "t", "m1_then", "m2_then", "Q22", "Q23", "Q32", "Q33", "Q21_dot"],
+    names=["sin_2", "cos_2", "m3_then", "m2_then", "m1_then", "I3", "I2", "I1", "m3", "t", "Q22", "Q23", "Q32", "Q33", "Q21_dot"],
     left="Q21_dot",
     right="-(m3/I2*Q32*Q23 + m3/I3*(-1)*Q33*Q22)",
     relations=[
@@ -293,7 +293,7 @@ check(
 # I3 stands for I_3
 # I1 stands for I_1
 check(
-    names=["sin_2", "cos_2", "m3_then", "I3", "I2", "I1", "m3", "t", "m1_then", "m2_then", "Q21", "Q23", "Q31", "Q33", "Q22_dot"],
+    names=["sin_2", "cos_2", "m3_then", "m2_then", "m1_then", "I3", "I2", "I1", "m3", "t", "Q21", "Q23", "Q31", "Q33", "Q22_dot"],
     left="Q22_dot",
     right="-(m3/I1*(-1)*Q31*Q23 + m3/I3*Q33*Q21)",
     relations=[
@@ -327,7 +327,7 @@ check(
 # I2 stands for I_2
 # I1 stands for I_1
 check(
-    names=["sin_2", "cos_2", "m3_then", "I3", "I2", "I1", "m3", "t", "m1_then", "m2_then", "Q21", "Q22", "Q31", "Q32", "Q23_dot"],
+    names=["sin_2", "cos_2", "m3_then", "m2_then", "m1_then", "I3", "I2", "I1", "m3", "t", "Q21", "Q22", "Q31", "Q32", "Q23_dot"],
     left="Q23_dot",
     right="-(m3/I1*Q31*Q22 + m3/I2*(-1)*Q32*Q21)",
     relations=[
@@ -360,7 +360,7 @@ check(
 # I3 stands for I_3
 # I2 stands for I_2
 check(
-    names=["sin_2", "cos_2", "m3_then", "I3", "I2", "I1", "m3", "t", "m1_then", "m2_then", "Q32", "Q33", "Q31_dot"],
+    names=["sin_2", "cos_2", "m3_then", "m2_then", "m1_then", "I3", "I2", "I1", "m3", "t", "Q32", "Q33", "Q31_dot"],
     left="Q31_dot",
     right="-(m3/I2*Q32*Q33 + m3/I3*(-1)*Q33*Q32)",
     relations=[
@@ -387,7 +387,7 @@ check(
 # I3 stands for I_3
 # I1 stands for I_1
 check(
-    names=["sin_2", "cos_2", "m3_then", "I3", "I2", "I1", "m3", "t", "m1_then", "m2_then", "Q31", "Q33", "Q32_dot"],
+    names=["sin_2", "cos_2", "m3_then", "m2_then", "m1_then", "I3", "I2", "I1", "m3", "t", "Q31", "Q33", "Q32_dot"],
     left="Q32_dot",
     right="-(m3/I1*(-1)*Q31*Q33 + m3/I3*Q33*Q31)",
     relations=[
@@ -414,7 +414,7 @@ check(
 # I2 stands for I_2
 # I1 stands for I_1
 check(
-    names=["sin_2", "cos_2", "m3_then", "I3", "I2", "I1", "m3", "t", "m1_then", "m2_then", "Q31", "Q32", "Q33_dot"],
+    names=["sin_2", "cos_2", "m3_then", "m2_then", "m1_then", "I3", "I2", "I1", "m3", "t", "Q31", "Q32", "Q33_dot"],
     left="Q33_dot",
     right="-(m3/I1*Q31*Q32 + m3/I2*(-1)*Q32*Q31)",
     relations=[
@@ -436,7 +436,7 @@ check(
 # Equation 10: Q_{11}(0) = 1
 # where Q_{11}(0) = \cos(\frac{{\bf m}_3(0)}{I_3}\cdot 0)
 check(
-    names=["sin_2", "cos_2", "m3_then", "I3", "I2", "I1", "t", "m1_then", "m2_then", "Q11_then"],
+    names=["sin_2", "cos_2", "m3_then", "m2_then", "m1_then", "I3", "I2", "I1", "t", "Q11_then"],
     left="Q11_then",
     right="1",
     relations=[
@@ -458,7 +458,7 @@ check(
 # Equation 11: Q_{12}(0) = 0
 # where Q_{12}(0) = -\sin(\frac{{\bf m}_3(0)}{I_3}\cdot 0)
 check(
-    names=["sin_2", "cos_2", "m3_then", "I3", "I2", "I1", "t", "m1_then", "m2_then", "Q12_then"],
+    names=["sin_2", "cos_2", "m3_then", "m2_then", "m1_then", "I3", "I2", "I1", "t", "Q12_then"],
     left="Q12_then",
     right="0",
     relations=[
@@ -480,7 +480,7 @@ check(
 # Equation 12: Q_{21}(0) = 0
 # where Q_{21}(0) = \sin(\frac{{\bf m}_3(0)}{I_3}\cdot 0)
 check(
-    names=["sin_2", "cos_2", "m3_then", "I3", "I2", "I1", "t", "m1_then", "m2_then", "Q21_then"],
+    names=["sin_2", "cos_2", "m3_then", "m2_then", "m1_then", "I3", "I2", "I1", "t", "Q21_then"],
     left="Q21_then",
     right="0",
     relations=[
@@ -502,7 +502,7 @@ check(
 # Equation 13: Q_{22}(0) = 1
 # where Q_{22}(0) = \cos(\frac{{\bf m}_3(0)}{I_3}\cdot 0)
 check(
-    names=["sin_2", "cos_2", "m3_then", "I3", "I2", "I1", "t", "m1_then", "m2_then", "Q22_then"],
+    names=["sin_2", "cos_2", "m3_then", "m2_then", "m1_then", "I3", "I2", "I1", "t", "Q22_then"],
     left="Q22_then",
     right="1",
     relations=[

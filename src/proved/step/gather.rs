@@ -188,8 +188,22 @@ impl<'a> Step<'a> {
     /// The relations that a claim assumes, but those with the given numbers, by which times are chosen.
     fn choosing<'c>(&self, claim: &'c Claim, without: &[usize]) -> Vec<&'c Relation> {
         let used = claim.assuming.iter().enumerate().filter(|(i, _)| !without.contains(i));
-        let relations = used.flat_map(|(_, w)| &w.value.relations);
+        let apart = |r: &&Relation| r.kind == RelationKind::NotEqual && pairs(r).all(|pair| self.apart.contains(&pair));
+        let relations = used.flat_map(|(_, w)| &w.value.relations).filter(|r| !apart(r));
         relations.filter(|r| chooses(&self.graph, &claim.scope, r)).collect()
+    }
+
+    /// What the claim assumes to differ at the times that it chooses, and for a while around these.
+    pub(super) fn chosen_apart(&mut self) -> Pairs {
+        let claim = self.claim;
+        let mut out = Pairs::new();
+        for relation in self.choosing(claim, &[]) {
+            let scalar = relation.kind == RelationKind::NotEqual && relation.left.components.len() == 1;
+            if scalar && !relation.has_branches && self.holds_for_a_while(&claim.scope, relation) {
+                out.extend(pairs(relation));
+            }
+        }
+        out
     }
 
     /// Whether a relation that chooses times holds around each time at which it holds: it is strict, between sides that are continuous,
@@ -447,7 +461,7 @@ impl<'a> Step<'a> {
         let scope = &self.claim.scope;
         let moves = |l: &Leaf| l.instant.is_none() && (scope.moves(l) || Some(*l) == scope.time());
         let holds = |e: &&Expr| self.at_all_times || !self.graph.leaves_within([**e]).iter().any(moves);
-        throughout.nonzero.extend(premises.nonzero.iter().filter(holds));
+        throughout.nonzero.extend(premises.nonzero.iter().filter(|e| !self.apart.is_empty() || holds(e)));
         throughout.positive.extend(premises.positive.iter().filter(holds));
         throughout.not_negative.extend(premises.not_negative.iter().filter(holds));
     }
