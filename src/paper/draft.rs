@@ -161,7 +161,7 @@ fn repair(found: &[Diagnostic], symbols: &mut Vec<Guess>, claims: &mut [Claim], 
     for problem in found {
         let Some(span) = problem.place.as_ref().map(|l| l.span.clone()) else { continue };
         let missing = problem.code == "latex::unknown-symbol" && problem.message.ends_with("is not declared");
-        let name = problem.message.split('`').nth(1).filter(|_| missing);
+        let name = problem.message.split('`').nth(1).filter(|_| missing).map(without_subscript);
         if name.is_some_and(|name| declared.contains(name)) {
             continue;
         }
@@ -200,6 +200,16 @@ fn repair(found: &[Diagnostic], symbols: &mut Vec<Guess>, claims: &mut [Claim], 
         }
     }
     done
+}
+
+/// A name without what is behind its first `_`, but one in braces: what stands there may be an index.
+fn without_subscript(name: &str) -> &str {
+    let mut depth = 0;
+    let subscript = name.bytes().position(|c| {
+        depth += i32::from(c == b'{') - i32::from(c == b'}');
+        c == b'_' && depth == 0
+    });
+    &name[..subscript.unwrap_or(name.len())]
 }
 
 /// What a symbol may be, from how the paper uses it; `at` is where it is missed, `after` what follows.
