@@ -60,8 +60,8 @@ fn at_single_times_and_places_nothing_is_known_of_derivatives() {
     });
     let open = step("open", "follows-from = ['s']\nassuming = ['x<1', 'y=0']", "always = ['z=0']");
     let account = of_file(&(file + &claims.collect::<String>() + &open));
-    for i in 0..single.len() {
-        assert_eq!(standing(&account, &format!("c{i}")), "undecided", "{}", single[i]);
+    for (i, chooses) in single.iter().enumerate() {
+        assert_eq!(standing(&account, &format!("c{i}")), "undecided", "{chooses}");
     }
     assert_eq!(standing(&account, "open"), "proved");
     // u = x at the place x = 0.
