@@ -95,6 +95,9 @@ assuming = ['|w|-w\ne0']",
     ];
     let account = of_file(&(free + &claims.concat()));
     assert_eq!(["product", "rate"].map(|id| standing(&account, id)), ["proved except"; 2]);
+    let product = account.claims.iter().find(|c| c.id == "product").and_then(|c| c.identity.as_ref());
+    let told: Vec<String> = product.iter().flat_map(|i| &i.exceptions).map(ToString::to_string).collect();
+    assert_eq!(told, ["beyond a time at which x = 0, unless the motion is analytic there"]);
     assert_eq!(["now", "of-time"].map(|id| standing(&account, id)), ["proved"; 2]);
 }
 

@@ -64,6 +64,8 @@ pub enum Exception {
     Leaps(Expr),
     /// What lies beyond a time at which this vanishes, under something.
     Divides(Expr),
+    /// What lies beyond a time at which this vanishes, which is assumed not to.
+    Passes(Expr),
     /// Where a part has no value with the sign of ± that is proved, and another is false with the other.
     OneSign,
 }

@@ -419,7 +419,7 @@ impl<'a> Step<'a> {
         }
         if proved {
             let differences = self.apart.iter().map(|&(l, r)| self.graph.sub(l, r));
-            along.extend(differences.map(standing::Exception::Vanishes));
+            along.extend(differences.map(standing::Exception::Passes));
         }
         let narrower = self.is_narrower(&identity, &equations);
         let complete = gathered.complete && !self.loosened;

@@ -22,7 +22,7 @@ impl Step<'_> {
         for exception in exceptions {
             let one = match *exception {
                 Exception::Leaps(e) => Proviso::Leap(self.shown(e).into()),
-                Exception::Divides(e) => Proviso::Pole(self.shown(e).into()),
+                Exception::Divides(e) | Exception::Passes(e) => Proviso::Pole(self.shown(e).into()),
                 Exception::OneSign => Proviso::OtherSign,
                 Exception::Vanishes(_) => continue,
             };
