@@ -24,6 +24,8 @@
 //! Premises hold at all times. They are used at the present time and at the fixed times that the formulas name.
 
 mod account;
+mod chosen;
+mod definitions;
 mod exceptions;
 mod gather;
 mod orders;
@@ -41,8 +43,9 @@ use crate::findings::standing::{self, Decision, Finding};
 use crate::findings::{AssumptionsUsed, IdentityAccount, IdentityEvidence};
 use crate::latex::{Relation, RelationKind, Role};
 use crate::verdict::Witness;
-pub(crate) use gather::chooses;
-use gather::{Definitions, Gathered};
+pub(crate) use chosen::chooses;
+use definitions::Definitions;
+use gather::Gathered;
 use proof::{
     Branches, Condition, Identity, Memory, Options, Premises, Proof, Reason, Wanted, branches_test_after,
     identity_test_after, order,

@@ -3,7 +3,8 @@
 //! **In:** a proof, with what it divided by. **Out:** the proof without such conditions; or the refutation that one of them holds. A
 //! function with several branches leaps where it is left out: of what goes along a motion those are named.
 
-use super::gather::{Definitions, Gathered};
+use super::definitions::Definitions;
+use super::gather::Gathered;
 use super::{Pairs, Step, has_exceptions, without_exceptions};
 use crate::derivation::Form;
 use crate::expr::{Expr, Leaf, Node, Op};

@@ -4,7 +4,7 @@
 //! holds at each of the points, and a solution passes through it: they are what a question that no solution answers is refuted
 //! by, see [`identity`](proof). **Left out:** where that is not known of any point, there is none.
 
-use super::gather::Definitions;
+use super::definitions::Definitions;
 use super::{Pairs, Step};
 use crate::expr::{Graph, Leaf, Rational};
 use crate::number::{Bounded, NoValue};

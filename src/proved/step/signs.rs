@@ -3,7 +3,7 @@
 //! **In:** a step among whose assumptions or equations ± stands. **Out:** the answer for each choice, and that of both together. A sign
 //! among the assumptions is one with that of the claim; under one of the two the assumptions may not be possible.
 
-use super::gather::Definitions;
+use super::definitions::Definitions;
 use super::{Pairs, Step};
 use crate::agreement::answer;
 use crate::findings::standing::Decision;
