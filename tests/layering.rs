@@ -11,6 +11,7 @@ pub const CRATES: &[(&str, &[&str])] = &[
     ("reason", &["number"]),
     ("verdict", &["reason"]),
     ("expr", &["number"]),
+    ("checker", &["expr", "number"]),
     ("latex", &["diag", "expr"]),
     ("flow", &["expr", "number"]),
     ("proof", &["expr", "number"]),
