@@ -107,6 +107,9 @@ pub(crate) fn signs(context: &Context, e: Expr, known: &KnownSigns) -> Signs {
         };
         if let Some(zero) = zero {
             here = here.and(said(node, zero));
+            if let Some(minus) = context.graph.find(&Node::Unary(Op::Neg, node)) {
+                here = here.and(said(minus, zero).opposite());
+            }
         }
         found.insert(node, here);
     }

@@ -18,6 +18,7 @@ use crate::context::Says;
 use crate::derivative::derivative;
 use crate::draft::{Draft, Made};
 use crate::needs::{Needs, continuous, frozen, needs, smooth};
+use crate::polynomial;
 use crate::step::FactId;
 use crate::term::{Sense, Term};
 use crate::when::{Instant, When};
@@ -27,6 +28,13 @@ use expr::Expr;
 fn free_on_all(draft: &Draft, id: FactId, when: &When) -> Result<Says, String> {
     let fact = draft.equation(id).and_then(|_| draft.known_at(id, when))?;
     if fact.needs.is_empty() { Ok(fact.says) } else { Err(format!("fact {} needs something", id.0)) }
+}
+
+/// Whether two equations are about the same difference, as rational functions: where all their sides have values, they say the same.
+fn say_same(draft: &mut Draft, a: Says, b: Says) -> bool {
+    let (x, y) = (draft.context.difference(a), draft.context.difference(b));
+    let (minus, plus) = (draft.context.graph.sub(x, y), draft.context.graph.add(x, y));
+    a.is(b) || [minus, plus].into_iter().any(|e| polynomial::vanishes(&draft.context.graph, e) == Some(true))
 }
 
 /// e = e(c).
@@ -46,7 +54,8 @@ pub(super) fn conserved(
     let d = derivative(&mut draft.context, e)?;
     let vanishes = Says { left: d, sense: Sense::Equal, right: zero };
     // A derivative that is written as 0 needs no fact but those that show that the function is smooth.
-    if d != zero && !free_on_all(draft, rate, &when)?.is(vanishes) {
+    let said = free_on_all(draft, rate, &when)?;
+    if d != zero && !say_same(draft, said, vanishes) {
         return Err(format!("the fact does not say `{}`", draft.context.latex(vanishes)));
     }
     let mut asked = smooth(&mut draft.context, e);
@@ -98,7 +107,8 @@ pub(super) fn vanishes(draft: &mut Draft, linear: &Linear) -> Result<Made, Strin
         let rate = Says { left: d, sense: Sense::Equal, right: sum };
         let start = Says { left: frozen(&mut draft.context, e, c), sense: Sense::Equal, right: zero };
         for (id, wanted) in [(linear.rates[i], rate), (linear.starts[i], start)] {
-            if !free_on_all(draft, id, &when)?.is(wanted) {
+            let said = free_on_all(draft, id, &when)?;
+            if !say_same(draft, said, wanted) {
                 return Err(format!("fact {} does not say `{}`", id.0, draft.context.latex(wanted)));
             }
         }
