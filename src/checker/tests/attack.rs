@@ -288,10 +288,7 @@ fn joined(a: &Term, op: &str, b: &Term) -> Term {
     Term(nodes)
 }
 
-const TIMES: [f64; 21] = [
-    -2.0, -1.5, -1.0, -0.75, -0.5, -0.25, -0.125, -0.03125, 0.0, 0.03125, 0.125, 0.25, 0.5, 0.75, 0.96875, 1.0, 1.03125, 1.25,
-    1.5, 2.0, 2.5,
-];
+const TIMES: [f64; 15] = [-2.0, -1.5, -1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5];
 
 /// So many steps of a scene: how many are accepted.
 fn attack(scene: &Scene, seed: u64, steps: usize) -> usize {

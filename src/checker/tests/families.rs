@@ -35,7 +35,7 @@ fn s1_a_leap_in_a_definition() {
     let needs = w.0.needs(end);
     // Among them |sin 2πx| + |cos 2πx| + cos 2πx ≠ 0, which is not so at whole x; and what is always so.
     assert_eq!(needs.len(), 2, "{}", w.all());
-    assert!(needs.contains(&rel("abs(sin(2*pi*x))+(abs(cos(2*pi*x))-cos(2*pi*x))#0")), "{}", w.all());
+    assert!(needs.contains(&w.read("abs(sin(2*pi*x))+(abs(cos(2*pi*x))-cos(2*pi*x))#0")), "{}", w.all());
     let shown = w.end(&s, end);
     assert_eq!(shown.leaves_out(), needs);
 }

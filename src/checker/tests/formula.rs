@@ -226,14 +226,16 @@ impl Work {
     pub(super) fn sign(&mut self, says: &str, from: &[FactId]) -> FactId {
         self.step(Step::Sign { says: rel(says), from: from.to_vec() })
     }
-    pub(super) fn to(&mut self, fact: FactId, to: When) -> FactId {
-        self.step(Step::Restrict { fact, to, because: vec![] })
-    }
     pub(super) fn discharge(&mut self, fact: FactId, because: &[FactId]) -> FactId {
         self.step(Step::Discharge { fact, because: because.to_vec() })
     }
     pub(super) fn law(&mut self, law: Law, of: &[&str]) -> FactId {
         self.step(Step::Law { law, of: of.iter().map(|e| term(e)).collect() })
+    }
+    /// A relation as the draft writes it.
+    pub(super) fn read(&mut self, says: &str) -> Relation {
+        let says = self.0.context.relation(&rel(says)).expect("a relation");
+        self.0.context.written(says).expect("a relation")
     }
     /// Opens a case: its number.
     pub(super) fn suppose(&mut self, says: &str, manner: Manner) -> CaseId {

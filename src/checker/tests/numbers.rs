@@ -21,14 +21,16 @@ pub(super) struct Numbers {
 }
 
 /// Smaller numbers are taken for 0: times and coefficients are chosen so that what is not 0 is larger.
-const TINY: f64 = 1e-7;
+const TINY: f64 = 1e-10;
+/// Larger numbers are not told from others: nothing is said of them.
+const HUGE: f64 = 1e6;
 
 fn number(r: &expr::Rational) -> f64 {
     r.to_f64().value()
 }
 
 impl Numbers {
-    /// The value at a time; nothing where it has none.
+    /// The value at a time; nothing where it has none; NaN where it is too large to be told.
     pub(super) fn value(&self, draft: &Draft, e: Expr, t: f64) -> Option<f64> {
         let graph = &draft.context.graph;
         let mut found: BTreeMap<Expr, Option<f64>> = BTreeMap::new();
@@ -57,7 +59,17 @@ impl Numbers {
                     _ => None,
                 },
             };
-            found.insert(node, made.filter(|v| v.is_finite()));
+            // What is neither 0, up to rounding, nor a number of a usual size is not told.
+            let usual = |v: f64| v.abs() < 1e-12 || v.abs() > TINY && v.abs() < HUGE;
+            let grows = match *graph.node(node) {
+                Node::Unary(Op::Exp, _) => true,
+                Node::Unary(Op::Powi(_), a) => found[&a].is_some_and(|a| a.abs() > TINY),
+                Node::Binary(Op::Mul | Op::Div | Op::Pow, a, b) => {
+                    [a, b].iter().all(|e| found[e].is_some_and(|v| v.abs() > TINY))
+                }
+                _ => false,
+            };
+            found.insert(node, made.map(|v| if usual(v) && !(grows && v.abs() < TINY) { v } else { f64::NAN }));
         }
         found[&e]
     }
@@ -74,6 +86,9 @@ impl Numbers {
     fn is_true(&self, draft: &Draft, left: Expr, sense: Sense, right: Expr, t: f64) -> Option<bool> {
         let (l, r) = (self.value(draft, left, t)?, self.value(draft, right, t)?);
         let (d, tiny) = (l - r, TINY * (1.0 + l.abs() + r.abs()));
+        if d.is_nan() {
+            return Some(true);
+        }
         Some(match sense {
             Sense::Equal => d.abs() <= tiny,
             Sense::NotEqual => d.abs() > tiny,
@@ -109,6 +124,17 @@ impl Numbers {
         }
     }
 
+    /// Whether the suppositions of all cases have values that can be told.
+    fn is_told(&self, draft: &Draft, when: &When, t: f64) -> bool {
+        match when {
+            When::In(case, inner) => {
+                let sides = draft.cases[case.0 as usize].says.map(|s| s.sides().to_vec()).unwrap_or_default();
+                sides.iter().all(|e| self.value(draft, *e, t).is_none_or(|v| !v.is_nan())) && self.is_told(draft, inner, t)
+            }
+            When::At(_) | When::Chosen | When::ChosenOpen | When::Always => true,
+        }
+    }
+
     /// A time at which a fact is wrong.
     pub(super) fn refutes(&self, draft: &Draft, id: FactId, times: &[f64]) -> Option<f64> {
         let fact = draft.fact(id)?;
@@ -118,7 +144,9 @@ impl Numbers {
         times.iter().copied().find(|&t| {
             let applies = self.within(draft, &fact.when, t) && fact.needs.iter().all(|need| self.holds(draft, *need, t));
             let says = fact.says;
-            applies && self.is_true(draft, says.left, says.sense, says.right, t) != Some(true)
+            // A number that is too large somewhere says nothing.
+            let told = |e: &Expr| self.value(draft, *e, t).is_none_or(|v| !v.is_nan());
+            applies && self.is_told(draft, &fact.when, t) && says.sides().iter().all(told) && self.is_true(draft, says.left, says.sense, says.right, t) != Some(true)
         })
     }
 }
@@ -126,6 +154,7 @@ impl Numbers {
 fn unary(op: Op, a: f64) -> Option<f64> {
     Some(match op {
         Op::Neg => -a,
+        _ if a.is_nan() => a,
         Op::Sqrt if a >= -TINY => a.max(0.0).sqrt(),
         Op::Exp => a.exp(),
         Op::Ln if a > TINY => a.ln(),
@@ -149,6 +178,7 @@ fn binary(op: Op, a: f64, b: f64) -> Option<f64> {
         Op::Add => a + b,
         Op::Sub => a - b,
         Op::Mul => a * b,
+        _ if a.is_nan() || b.is_nan() => f64::NAN,
         Op::Div if b.abs() > TINY => a / b,
         Op::Pow if a > TINY => a.powf(b),
         Op::Pow if a.abs() <= TINY && b > TINY => 0.0,
