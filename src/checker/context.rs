@@ -11,9 +11,9 @@
 use super::derivative::rate_of;
 use super::needs::frozen;
 use super::sequent::{ConstantSign, Sequent, SymbolKind};
-use super::term::{LARGEST_TERM, Relation, Sense, Term, TermNode, operation};
+use super::term::{LARGEST_TERM, Relation, Sense, Term, TermNode, operation, rational};
 use super::when::Instant;
-use expr::{Expr, Graph, Leaf, Node, Op, Rational, Shape, Symbol};
+use expr::{Expr, Graph, Leaf, Node, Op, Shape, Symbol};
 use std::collections::BTreeMap;
 
 /// A relation between nodes.
@@ -141,7 +141,7 @@ impl Context {
         for node in &term.0 {
             let e = match node {
                 TermNode::Number(text) => {
-                    let value: Rational = text.parse().map_err(|_| format!("no rational number: {text}"))?;
+                    let value = rational(text)?;
                     self.graph.constant(value)
                 }
                 TermNode::Pi => self.graph.pi(),

@@ -36,7 +36,8 @@ pub enum Given {
 pub enum Manner {
     /// The times at which the supposition is true.
     AtTimes,
-    /// The times that have a neighbourhood in T on which it is true.
+    /// The times that have a neighbourhood in T, all times of which belong to the set that the case is taken in, and at all of which it is
+    /// true: the interior of those of [`Manner::AtTimes`].
     OnIntervals,
 }
 

@@ -4,9 +4,12 @@
 //! that no depth of a formula can exhaust a stack; [`Relation`], two terms with a sense. **Guaranteed:** a term that was read from a
 //! report is turned into an expression node by node, by [`Context`](super::context::Context), which refuses what is not declared.
 
-use expr::{Expr, Graph, Node, Op, Symbol};
+use expr::{Expr, Graph, Node, Op, Rational, Symbol};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+
+/// Most digits of a number.
+const MOST_DIGITS: usize = 20_000;
 
 /// Most nodes of a term.
 pub const LARGEST_TERM: usize = 50_000;
@@ -87,6 +90,15 @@ pub(crate) fn operation(name: &str, arity: usize) -> Option<Op> {
     }
     let has_name = |op: &Op| op.arity() == arity && !matches!(op, Op::Powi(_)) && op.spelling() == name;
     Op::EVERY.iter().copied().chain([Op::Restrict]).find(has_name)
+}
+
+/// An exact rational, written `n` or `n/d` with digits, d ≠ 0.
+pub(crate) fn rational(text: &str) -> Result<Rational, String> {
+    let (top, under) = text.split_once('/').unwrap_or((text, "1"));
+    let digits = |text: &str| !text.is_empty() && text.len() <= MOST_DIGITS && text.bytes().all(|b| b.is_ascii_digit());
+    let is_number = digits(top.strip_prefix('-').unwrap_or(top)) && digits(under) && under.bytes().any(|b| b != b'0');
+    let value = if is_number { text.parse().ok() } else { None };
+    value.ok_or_else(|| format!("no rational number: {text:.40}"))
 }
 
 impl Term {

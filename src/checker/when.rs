@@ -34,7 +34,8 @@ pub enum When {
     ChosenOpen,
     /// All times of T.
     Always,
-    /// Those times of a set at which the supposition of a case is true; or, for a case on an interval, an interval of such times.
+    /// Those times of a set at which the supposition of a case is true; or, for a case on intervals, those of them that have a
+    /// neighbourhood in T of such times.
     In(CaseId, Box<When>),
 }
 

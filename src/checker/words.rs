@@ -5,9 +5,9 @@
 
 use super::draft::{Draft, Refused};
 use super::sequent::{Claimed, ConstantSign, Declared, Sequent, SymbolKind};
-use super::term::{Relation, Sense, Term, TermNode, operation};
+use super::term::{Relation, Sense, Term, TermNode, operation, rational};
 use super::when::{Instant, When};
-use expr::{Expr, Graph, Leaf, Rational, Shape, Symbol};
+use expr::{Expr, Graph, Leaf, Shape, Symbol};
 use std::collections::BTreeMap;
 
 /// The times of a set.
@@ -47,7 +47,7 @@ impl Printer {
         for node in &term.0 {
             let e = match node {
                 TermNode::Number(text) => {
-                    let value: Rational = text.parse().ok()?;
+                    let value = rational(text).ok()?;
                     self.graph.constant(value)
                 }
                 TermNode::Pi => self.graph.pi(),

@@ -16,8 +16,8 @@ use crate::needs::{Needs, allowed, around, continuous, is_trivial, replaced};
 use crate::polynomial;
 use crate::sequent::SymbolKind;
 use crate::signs::{KnownSigns, of_sense, signs};
-use crate::term::{Sense, Term};
-use expr::{Expr, Leaf, Node, Rational, Symbol};
+use crate::term::{Sense, Term, rational};
+use expr::{Expr, Leaf, Node, Symbol};
 use std::collections::BTreeMap;
 
 /// A motion by formulas.
@@ -83,8 +83,7 @@ fn is_true(context: &mut Context, says: Says) -> bool {
 
 fn read(draft: &mut Draft, values: &[(String, u16, Term)], at: &str) -> Result<Motion, String> {
     let context = &mut draft.context;
-    let at: Rational = at.parse().map_err(|_| "the time is no rational number".to_owned())?;
-    let at = context.graph.constant(at);
+    let at = context.graph.constant(rational(at)?);
     let mut motion = Motion { formulas: BTreeMap::new(), instants: BTreeMap::new(), at, local: true };
     for (name, component, term) in values {
         let (symbol, e) = (context.symbol(name)?, context.read(term)?);

@@ -97,10 +97,13 @@ impl Numbers {
         })
     }
 
-    fn in_case(&self, draft: &Draft, case: &Case, t: f64) -> bool {
-        let at = |t: f64| match case.says {
-            Some(says) => self.is_true(draft, says.left, says.sense, says.right, t) == Some(true),
-            None => draft.claim_needs.iter().all(|need| self.holds(draft, *need, t)),
+    fn in_case(&self, draft: &Draft, case: &Case, inner: &When, t: f64) -> bool {
+        let at = |t: f64| {
+            let supposed = match case.says {
+                Some(says) => self.is_true(draft, says.left, says.sense, says.right, t) == Some(true),
+                None => draft.claim_needs.iter().all(|need| self.holds(draft, *need, t)),
+            };
+            supposed && self.within(draft, inner, t)
         };
         match case.manner {
             Manner::AtTimes => at(t),
@@ -118,9 +121,7 @@ impl Numbers {
         match when {
             When::At(_) | When::Always => true,
             When::Chosen | When::ChosenOpen => self.chosen(draft, t),
-            When::In(case, inner) => {
-                self.in_case(draft, &draft.cases[case.0 as usize], t) && self.within(draft, inner, t)
-            }
+            When::In(case, inner) => self.in_case(draft, &draft.cases[case.0 as usize], inner, t),
         }
     }
 
