@@ -188,7 +188,9 @@ impl Context {
             return Err("a fixed time that the sequent does not name".to_owned());
         }
         match (self.kinds[symbol.index()], rate, at) {
-            (SymbolKind::Constant(_), 0, None) | (SymbolKind::Time, 0, None) => Ok(self.graph.component(symbol, component)),
+            (SymbolKind::Constant(_), 0, None) | (SymbolKind::Time, 0, None) => {
+                Ok(self.graph.component(symbol, component))
+            }
             (SymbolKind::Time, 0, Some(at)) => Ok(at),
             (SymbolKind::Moves(orders), _, _) if rate <= orders => {
                 let leaf = Leaf { rate, instant: at, ..Leaf::now(symbol, component) };

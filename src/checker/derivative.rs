@@ -103,10 +103,19 @@ fn unary(g: &mut Graph, op: Op, node: Expr, a: Expr, da: Expr) -> Result<Expr, S
         Op::Abs => g.div(a, node),
         Op::Powi(0) => g.integer(0),
         Op::Powi(n) => {
-            let (factor, power) = (g.integer(i64::from(n)), g.powi(a, n.checked_sub(1).ok_or("an exponent is too large")?));
+            let (factor, power) =
+                (g.integer(i64::from(n)), g.powi(a, n.checked_sub(1).ok_or("an exponent is too large")?));
             g.mul(factor, power)
         }
-        Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Pow | Op::Arctan2 | Op::Agm | Op::DirectionCosine | Op::Restrict => {
+        Op::Add
+        | Op::Sub
+        | Op::Mul
+        | Op::Div
+        | Op::Pow
+        | Op::Arctan2
+        | Op::Agm
+        | Op::DirectionCosine
+        | Op::Restrict => {
             return Err("an operation of two arguments has one".to_owned());
         }
     };

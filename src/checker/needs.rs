@@ -179,11 +179,7 @@ pub(crate) fn frozen(context: &mut Context, e: Expr, at: Expr) -> Expr {
 }
 
 /// An expression with leaves replaced.
-pub(crate) fn replaced(
-    context: &mut Context,
-    e: Expr,
-    with: impl Fn(&mut Context, Leaf) -> Option<Expr>,
-) -> Expr {
+pub(crate) fn replaced(context: &mut Context, e: Expr, with: impl Fn(&mut Context, Leaf) -> Option<Expr>) -> Expr {
     let mut image: BTreeMap<Expr, Expr> = BTreeMap::new();
     for node in context.graph.reachable([e]) {
         let new = match *context.graph.node(node) {

@@ -131,9 +131,15 @@ fn unary(op: Op, a: Signs) -> Signs {
         Op::Powi(0) => Signs::POSITIVE,
         Op::Powi(n) if n % 2 == 0 => absolute(a),
         Op::Powi(_) => a,
-        Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Pow | Op::Arctan2 | Op::Agm | Op::DirectionCosine | Op::Restrict => {
-            Signs::ALL
-        }
+        Op::Add
+        | Op::Sub
+        | Op::Mul
+        | Op::Div
+        | Op::Pow
+        | Op::Arctan2
+        | Op::Agm
+        | Op::DirectionCosine
+        | Op::Restrict => Signs::ALL,
     }
 }
 

@@ -82,7 +82,14 @@ pub enum Step {
     /// e = e(c), since the rate of e is 0.
     Conserved { of: Term, at: Instant, rate: FactId, because: Vec<FactId> },
     /// eᵢ = 0 for all i, since ėᵢ = Σ gᵢⱼ·eⱼ and eᵢ(c) = 0. The fact is about the first of them.
-    Vanishes { of: Vec<Term>, matrix: Vec<Vec<Term>>, at: Instant, rates: Vec<FactId>, starts: Vec<FactId>, because: Vec<FactId> },
+    Vanishes {
+        of: Vec<Term>,
+        matrix: Vec<Vec<Term>>,
+        at: Instant,
+        rates: Vec<FactId>,
+        starts: Vec<FactId>,
+        because: Vec<FactId>,
+    },
     /// A relation in which equals are put for equals; without `from`, l = r whose sides become the same.
     Congruence { says: Relation, from: Option<FactId>, equal: Vec<FactId> },
     /// An identity of the list of laws.

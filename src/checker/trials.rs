@@ -28,10 +28,21 @@ const MOST_POINTS: usize = 16;
 /// log₂ of the largest degree and of the largest log of a size.
 const LARGEST: f64 = 40.0;
 
-/// log₂(2^a + 2^b).
+/// An upper bound of log₂(2^a + 2^b), the same on every machine: log₂(1 + x) ≤ 1.45x.
 pub(crate) fn sum_log2(a: f64, b: f64) -> f64 {
     let (high, low) = (a.max(b), a.min(b));
-    if low == f64::NEG_INFINITY { high } else { high + (1.0 + (low - high).exp2()).log2() }
+    if low == f64::NEG_INFINITY {
+        return high;
+    }
+    let whole = (high - low).floor().min(60.0) as u32;
+    high + (1.45 / (1u64 << whole) as f64).min(1.0)
+}
+
+/// An upper bound of log₂ x for x ≥ 1, the same on every machine: log₂ m ≤ m − 1 + 0.09 for 1 ≤ m ≤ 2.
+fn log2_above(x: f64) -> f64 {
+    let exponent = ((x.to_bits() >> 52 & 0x7ff) as i64 - 1023) as f64;
+    let mantissa = f64::from_bits(x.to_bits() & ((1 << 52) - 1) | 1023 << 52);
+    exponent + (mantissa - 1.0) + 0.09
 }
 
 /// Bounds of numerator and denominator: degree, and log₂ of the sum of the sizes of coefficients.
@@ -123,11 +134,12 @@ pub(crate) fn vanishes(context: &Context, e: Expr) -> Result<f64, String> {
     let Growth { degree: [top, under], size: [height, cleared] } = growth(graph, e);
     // What a denominator adds counts, too: those that are cleared on the way divide the last one.
     let (degree, height) = (top + under + 1.0, height + cleared + 1.0);
-    if !(degree.log2() < LARGEST && height.log2() < LARGEST) {
+    let (of_degree, of_height) = (log2_above(degree.max(1.0)), log2_above(height.max(1.0)));
+    if !(degree.is_finite() && height.is_finite() && of_degree < LARGEST && of_height < LARGEST) {
         return Err("the identity is too large to be tried".to_owned());
     }
-    let of_points = 1.0 + degree.log2() - FiniteField::LOG2_P;
-    let of_primes = (height / 61.0).log2() - FiniteField::LOG2_PRIMES;
+    let of_points = 1.0 + of_degree - FiniteField::LOG2_P;
+    let of_primes = of_height - 5.9 - FiniteField::LOG2_PRIMES;
     let one_trial = sum_log2(of_points, of_primes);
     let trials = (WANTED / one_trial).ceil();
     if !(one_trial < 0.0 && trials <= MOST_TRIALS as f64) {

@@ -146,7 +146,9 @@ impl Sequent {
             printer.relation(&Relation::equal(Term(vec![leaf]), d.formula.clone()))
         });
         let definitions: Vec<String> = definitions.collect();
-        for (list, of) in [(definitions.join(", "), "by definition"), (systems, "at all times"), (premises, "at all times")] {
+        for (list, of) in
+            [(definitions.join(", "), "by definition"), (systems, "at all times"), (premises, "at all times")]
+        {
             if !list.is_empty() {
                 parts.push(format!("{list} {of}"));
             }

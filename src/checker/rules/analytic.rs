@@ -27,7 +27,9 @@ fn leading(draft: &Draft, id: FactId) -> Result<(Leaf, Expr), String> {
     match *draft.context.graph.node(fact.says.left) {
         Node::Leaf(leaf) if leaf.instant.is_none() && fact.needs.is_empty() => match draft.context.kind(leaf) {
             SymbolKind::Moves(_) => Ok((leaf, fact.says.right)),
-            SymbolKind::Time | SymbolKind::Constant(_) | SymbolKind::Defined => Err("no rate is on the left".to_owned()),
+            SymbolKind::Time | SymbolKind::Constant(_) | SymbolKind::Defined => {
+                Err("no rate is on the left".to_owned())
+            }
         },
         _ => Err("no rate is on the left, or the fact needs something".to_owned()),
     }
@@ -35,7 +37,8 @@ fn leading(draft: &Draft, id: FactId) -> Result<(Leaf, Expr), String> {
 
 pub(super) fn smooth(draft: &mut Draft, id: FactId, because: &[FactId]) -> Result<(), String> {
     let (leaf, right) = leading(draft, id)?;
-    if draft.context.kind(leaf) != SymbolKind::Moves(leaf.rate) || draft.context.graph.component_count(leaf.symbol) > 1 {
+    if draft.context.kind(leaf) != SymbolKind::Moves(leaf.rate) || draft.context.graph.component_count(leaf.symbol) > 1
+    {
         return Err("the rate is not the highest of a symbol with one component".to_owned());
     }
     let d = derivative(&mut draft.context, right)?;

@@ -50,7 +50,9 @@ pub(super) fn given(draft: &mut Draft, given: Given, because: &[FactId]) -> Resu
     let mut needs = needs_of(draft, says);
     let when = match given {
         Given::System(_) => When::Always,
-        Given::Premise(_) => return Ok(Made { says, when: When::Always, needs, because: Because::Given(given, vec![]) }),
+        Given::Premise(_) => {
+            return Ok(Made { says, when: When::Always, needs, because: Because::Given(given, vec![]) });
+        }
         Given::Assumed(_) | Given::Selector(_) => When::Chosen,
         Given::Claimed(at) => {
             let when = claimed(draft, at, because)?;
@@ -83,7 +85,8 @@ fn claimed(draft: &mut Draft, at: u32, because: &[FactId]) -> Result<When, Strin
     for &hypothesis in &claim.hypotheses {
         let always = shows(draft, hypothesis, &When::Always)?;
         only_chosen |= !always;
-        if !always && !(same_times && shows(draft, hypothesis, &When::Chosen)?) {
+        let here = same_times && shows(draft, hypothesis, &When::Chosen)?;
+        if !(always || here) {
             return Err("a hypothesis of the claim is not known at all times at which it is assumed".to_owned());
         }
     }

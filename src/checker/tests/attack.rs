@@ -6,6 +6,7 @@
 use super::formula::*;
 use super::numbers::{Jet, Numbers};
 use crate::*;
+use expr::Op;
 use number::Draws;
 
 /// A sequent, a motion that satisfies it, and formulas to draw from.
@@ -13,6 +14,11 @@ struct Scene {
     sequent: Sequent,
     motion: Numbers,
     formulas: &'static [&'static str],
+}
+
+fn of(op: Op, t: f64) -> f64 {
+    let mut out = 0.0;
+    op.apply(&(), &mut out, &t, &t).map_or(f64::NAN, |()| out)
 }
 
 const PARABOLA: Jet = |t| [2.0 - t * t, -2.0 * t, -2.0, 0.0];
@@ -30,11 +36,12 @@ const FLAT: Jet = |t| {
     if t <= 0.0 {
         return [0.0; 4];
     }
-    let (e, u) = ((-1.0 / t).exp(), 1.0 / t);
-    [e, e * u * u, e * (u.powi(4) - 2.0 * u.powi(3)), e * (u.powi(6) - 6.0 * u.powi(5) + 6.0 * u.powi(4))]
+    let (e, u) = (of(Op::Exp, -1.0 / t), 1.0 / t);
+    let (u3, u4) = (u * u * u, u * u * u * u);
+    [e, e * u * u, e * (u4 - 2.0 * u3), e * (u3 * u3 - 6.0 * u * u4 + 6.0 * u4)]
 };
-const COSINE: Jet = |t| [t.cos(), -t.sin(), -t.cos(), t.sin()];
-const SINE: Jet = |t| [t.sin(), t.cos(), -t.sin(), -t.cos()];
+const COSINE: Jet = |t| [of(Op::Cos, t), -of(Op::Sin, t), -of(Op::Cos, t), of(Op::Sin, t)];
+const SINE: Jet = |t| [of(Op::Sin, t), of(Op::Cos, t), -of(Op::Sin, t), -of(Op::Cos, t)];
 const SHIFTED: Jet = |t| [t - 1.0, 1.0, 0.0, 0.0];
 /// (t−1)|t−1|/2
 const KINKED: Jet = |t| [(t - 1.0) * (t - 1.0).abs() / 2.0, (t - 1.0).abs(), (t - 1.0).signum(), 0.0];
@@ -45,12 +52,18 @@ const RISING: Jet = |t| {
 };
 
 fn scenes() -> Vec<Scene> {
-    let motion = |functions: &[(&'static str, Jet)]| Numbers { functions: functions.to_vec(), constants: vec![("a", 2.0)] };
+    let motion =
+        |functions: &[(&'static str, Jet)]| Numbers { functions: functions.to_vec(), constants: vec![("a", 2.0)] };
     let with_a = |s: Sequent| s.constant("a", ConstantSign::Positive);
     let floor = "x-1/2+atan2(sin(2*pi*x),-cos(2*pi*x))/(2*pi)";
     let near = |s: Sequent| s.selector("t^2<1");
     let mut claimed = with_a(sequent("x,z", 2, "z'(0)=0").instant("0").instant("2").selector("x>1"));
-    claimed.claims.push(Claimed { name: "c".into(), selectors: vec![rel("x>1")], hypotheses: vec![], says: rel("z=2") });
+    claimed.claims.push(Claimed {
+        name: "c".into(),
+        selectors: vec![rel("x>1")],
+        hypotheses: vec![],
+        says: rel("z=2"),
+    });
     vec![
         Scene {
             sequent: near(with_a(sequent("x", 2, "N=1").define("N", floor).instant("0").assuming("t*N=t"))),
@@ -60,7 +73,19 @@ fn scenes() -> Vec<Scene> {
         Scene {
             sequent: with_a(sequent("x", 2, "atan2(0,x)=0").instant("0").premise("x(0)^2=x(0)").premise("x(0)*x'=0")),
             motion: motion(&[("x", OPPOSITE)]),
-            formulas: &["x", "x(0)", "1", "0", "x'", "atan2(0,x)", "x(0)*x'", "x(0)-1", "x(0)*(x(0)-1)", "1/x(0)", "x^2"],
+            formulas: &[
+                "x",
+                "x(0)",
+                "1",
+                "0",
+                "x'",
+                "atan2(0,x)",
+                "x(0)*x'",
+                "x(0)-1",
+                "x(0)*(x(0)-1)",
+                "1/x(0)",
+                "x^2",
+            ],
         },
         Scene {
             sequent: with_a(sequent("y,z", 2, "z=1").instant("0").selector("y≥1").assuming("t*z=t")),
@@ -68,7 +93,9 @@ fn scenes() -> Vec<Scene> {
             formulas: &["z", "t", "1", "0", "y", "y'", "z'", "t*z", "t*(z-1)", "z-1", "1/t", "z(0)", "sqrt(y-1)"],
         },
         Scene {
-            sequent: with_a(sequent("x,z", 2, "z'(0)=0").instant("0").instant("2").selector("x>1").assuming("z=2").system("x'=1")),
+            sequent: with_a(
+                sequent("x,z", 2, "z'(0)=0").instant("0").instant("2").selector("x>1").assuming("z=2").system("x'=1"),
+            ),
             motion: motion(&[("x", TIME), ("z", LATE)]),
             formulas: &["z", "z'", "z(0)", "z'(0)", "2", "0", "x", "1", "x(0)", "z-2", "z(2)", "x-1", "x*z'", "t"],
         },
@@ -78,12 +105,16 @@ fn scenes() -> Vec<Scene> {
             formulas: &["z", "z'", "z(0)", "z'(0)", "2", "0", "x", "1", "x(2)", "z-2", "x-1"],
         },
         Scene {
-            sequent: with_a(sequent("y", 2, "y'=y'(1)").instant("1").instant("0").selector("y≤0").assuming("y*y'=y*y'(1)")),
+            sequent: with_a(
+                sequent("y", 2, "y'=y'(1)").instant("1").instant("0").selector("y≤0").assuming("y*y'=y*y'(1)"),
+            ),
             motion: motion(&[("y", FLAT)]),
             formulas: &["y", "y'", "y'(1)", "0", "1", "y*(y'-y'(1))", "y'-y'(1)", "1/y", "y(1)", "y(0)", "sqrt(-y)"],
         },
         Scene {
-            sequent: with_a(sequent("x,y,w", 2, "w'=0").define("r", "sqrt(x^2+y^2)").instant("0").premise("r*w=r").system("w'=1")),
+            sequent: with_a(
+                sequent("x,y,w", 2, "w'=0").define("r", "sqrt(x^2+y^2)").instant("0").premise("r*w=r").system("w'=1"),
+            ),
             motion: motion(&[("x", ZERO), ("y", ZERO), ("w", TIME)]),
             formulas: &["r", "w", "w'", "1", "0", "r*w", "r*(w-1)", "1/r", "x", "y", "x^2+y^2", "r'", "w(0)", "abs(x)"],
         },
@@ -93,22 +124,59 @@ fn scenes() -> Vec<Scene> {
             formulas: &["x(0)", "y(0)", "1", "0", "x'", "y'", "x", "y", "x(0)*(y(0)-1)", "y(0)-1", "1/x(0)", "1/x"],
         },
         Scene {
-            sequent: with_a(sequent("x,y", 2, "x^2+y^2=1").instant("0").system("x'=-y").system("y'=x").premise("x(0)=1")),
+            sequent: with_a(
+                sequent("x,y", 2, "x^2+y^2=1").instant("0").system("x'=-y").system("y'=x").premise("x(0)=1"),
+            ),
             motion: motion(&[("x", COSINE), ("y", SINE)]),
-            formulas: &["x", "y", "x'", "y'", "x^2+y^2", "x(0)", "y(0)", "0", "1", "-1", "y/x", "abs(x)", "sqrt(y)", "atan2(y,x)", "2*x", "2*y"],
+            formulas: &[
+                "x",
+                "y",
+                "x'",
+                "y'",
+                "x^2+y^2",
+                "x(0)",
+                "y(0)",
+                "0",
+                "1",
+                "-1",
+                "y/x",
+                "abs(x)",
+                "sqrt(y)",
+                "atan2(y,x)",
+                "2*x",
+                "2*y",
+            ],
         },
         Scene {
-            sequent: with_a(sequent("z,w", 1, "z'(0)=w(0)").instant("0").instant("2").system("z'=abs(w)").system("w'=1").selector("w>0").assuming("z=w^2/2")),
+            sequent: with_a(
+                sequent("z,w", 1, "z'(0)=w(0)")
+                    .instant("0")
+                    .instant("2")
+                    .system("z'=abs(w)")
+                    .system("w'=1")
+                    .selector("w>0")
+                    .assuming("z=w^2/2"),
+            ),
             motion: motion(&[("z", KINKED), ("w", SHIFTED)]),
-            formulas: &["z", "w", "z'", "w'", "w(0)", "z'(0)", "w^2/2", "abs(w)", "0", "1", "z(0)", "w(0)^2/2", "w(2)", "z(2)"],
+            formulas: &[
+                "z", "w", "z'", "w'", "w(0)", "z'(0)", "w^2/2", "abs(w)", "0", "1", "z(0)", "w(0)^2/2", "w(2)", "z(2)",
+            ],
         },
         Scene {
-            sequent: with_a(sequent("u,v", 2, "v'=0").instant("0").instant("2").premise("u*v=0").premise("u'*v=0").selector("t#1")),
-            motion: motion(&[("u", RISING), ("v", |t| {
-                let s = (1.0 - t).max(0.0);
-                [s * s * s, -3.0 * s * s, 6.0 * s, if s > 0.0 { -6.0 } else { 0.0 }]
-            })]),
-            formulas: &["u", "v", "u'", "v'", "u*v", "0", "1", "u'*v", "u*v'", "v(0)", "u(2)", "sqrt(u)", "1/v", "v(2)", "abs(v)"],
+            sequent: with_a(
+                sequent("u,v", 2, "v'=0").instant("0").instant("2").premise("u*v=0").premise("u'*v=0").selector("t#1"),
+            ),
+            motion: motion(&[
+                ("u", RISING),
+                ("v", |t| {
+                    let s = (1.0 - t).max(0.0);
+                    [s * s * s, -3.0 * s * s, 6.0 * s, if s > 0.0 { -6.0 } else { 0.0 }]
+                }),
+            ]),
+            formulas: &[
+                "u", "v", "u'", "v'", "u*v", "0", "1", "u'*v", "u*v'", "v(0)", "u(2)", "sqrt(u)", "1/v", "v(2)",
+                "abs(v)",
+            ],
         },
     ]
 }
@@ -167,7 +235,8 @@ impl Dice<'_> {
     }
     fn given(&mut self) -> Given {
         let at = self.below(3) as u32;
-        [Given::System(at), Given::Premise(at), Given::Assumed(at), Given::Selector(at), Given::Claimed(0)][self.below(5)]
+        [Given::System(at), Given::Premise(at), Given::Assumed(at), Given::Selector(at), Given::Claimed(0)]
+            [self.below(5)]
     }
     fn instant(&mut self) -> Instant {
         Instant(self.below(u64::from(self.instants)) as u32)
@@ -177,10 +246,7 @@ impl Dice<'_> {
             0 | 1 => Step::Given { given: self.given(), because: self.facts(2) },
             2 => Step::HasValue { given: self.given(), need: self.below(3) as u32 },
             3 => Step::ClaimHasValue { need: self.below(2) as u32, within: self.when() },
-            4 => Step::Suppose {
-                says: self.relation(),
-                manner: [Manner::AtTimes, Manner::OnIntervals][self.below(2)],
-            },
+            4 => Step::Suppose { says: self.relation(), manner: [Manner::AtTimes, Manner::OnIntervals][self.below(2)] },
             5 | 6 => Step::Supposition { case: CaseId(self.below(u64::from(self.cases)) as u32), within: self.when() },
             7 | 8 => Step::Restrict { fact: self.fact(), to: self.when(), because: self.facts(2) },
             9 => Step::Open { because: self.facts(2) },
@@ -321,8 +387,11 @@ fn attack(scene: &Scene, seed: u64, steps: usize) -> usize {
             if let Some(id) = made {
                 dice.facts = id.0 + 1;
                 if let Some(t) = scene.motion.refutes(&draft, id, &TIMES) {
-                    let steps: Vec<String> =
-                        (0..=id.0).map(|i| format!("{i}: {} {:?}", draft.words(FactId(i)), draft.fact(FactId(i)).unwrap().because())).collect();
+                    let steps: Vec<String> = (0..=id.0)
+                        .map(|i| {
+                            format!("{i}: {} {:?}", draft.words(FactId(i)), draft.fact(FactId(i)).unwrap().because())
+                        })
+                        .collect();
                     panic!("false at {t} (seed {seed}): {step:?}\n{}\n{:?}", steps.join("\n"), scene.sequent.claim);
                 }
             }

@@ -75,8 +75,14 @@ fn s3_premises_that_no_motion_satisfies() {
     let s = sequent("x", 1, "x=5").premise("x=5+t").premise("x=5");
     let mut w = Work::new(&s);
     let a = w.premise(1);
-    w.refuse(Step::Model { values: vec![("x".to_owned(), 0, term("5"))], at: "0".to_owned() }, "not true on the motion");
-    w.refuse(Step::Model { values: vec![("x".to_owned(), 0, term("5+t"))], at: "0".to_owned() }, "not true on the motion");
+    w.refuse(
+        Step::Model { values: vec![("x".to_owned(), 0, term("5"))], at: "0".to_owned() },
+        "not true on the motion",
+    );
+    w.refuse(
+        Step::Model { values: vec![("x".to_owned(), 0, term("5+t"))], at: "0".to_owned() },
+        "not true on the motion",
+    );
     // It follows, of no motion: the proof says that it has no model.
     assert!(!w.end(&s, a).model());
 }
@@ -134,7 +140,8 @@ fn s5_what_is_assumed_at_chosen_times_at_others() {
     w.refuse(Step::Conclude { fact: rate }, "not the claim");
     // With another claim in the place of the assumption.
     let mut s = sequent("x,z", 2, "z'(0)=0").instant("0").selector("x>1");
-    let claim = Claimed { name: "premise".to_owned(), selectors: vec![rel("x>1")], hypotheses: vec![], says: rel("z=2") };
+    let claim =
+        Claimed { name: "premise".to_owned(), selectors: vec![rel("x>1")], hypotheses: vec![], says: rel("z=2") };
     s.claims.push(claim);
     let mut w = Work::new(&s);
     w.refuse(Step::Given { given: Given::Claimed(0), because: vec![] }, "not known to be true");

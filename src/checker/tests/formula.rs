@@ -115,9 +115,8 @@ impl Parser {
         let name: String = self.rest[start..self.at].iter().collect();
         let op = match name.as_str() {
             "pi" => return self.push(TermNode::Pi),
-            "sqrt" | "exp" | "ln" | "sin" | "cos" | "tan" | "sinh" | "cosh" | "tanh" | "arcsin" | "arccos" | "arctan" => {
-                Some(format!(r"\{name}"))
-            }
+            "sqrt" | "exp" | "ln" | "sin" | "cos" | "tan" | "sinh" | "cosh" | "tanh" | "arcsin" | "arccos"
+            | "arctan" => Some(format!(r"\{name}")),
             "abs" => Some(r"|\cdot|".to_owned()),
             "atan2" | "agm" => Some(format!(r"\operatorname{{{name}}}")),
             "restrict" => Some(r"\restriction".to_owned()),
@@ -209,7 +208,11 @@ impl Work {
         }
     }
     pub(super) fn all(&self) -> String {
-        (0..1000).map(FactId).take_while(|id| self.0.fact(*id).is_some()).map(|id| format!("{}: {}\n", id.0, self.0.words(id))).collect()
+        (0..1000)
+            .map(FactId)
+            .take_while(|id| self.0.fact(*id).is_some())
+            .map(|id| format!("{}: {}\n", id.0, self.0.words(id)))
+            .collect()
     }
     pub(super) fn premise(&mut self, at: u32) -> FactId {
         self.step(Step::Given { given: Given::Premise(at), because: vec![] })

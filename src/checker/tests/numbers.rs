@@ -8,6 +8,7 @@ use crate::term::Sense;
 use crate::*;
 use expr::domain::Sign;
 use expr::{Expr, Node, Op};
+use number::NoValue;
 use std::collections::BTreeMap;
 
 /// The rates of a function at a time: f, f′, f″, f‴.
@@ -23,7 +24,9 @@ pub(super) struct Numbers {
 /// Smaller numbers are taken for 0: times and coefficients are chosen so that what is not 0 is larger.
 const TINY: f64 = 1e-10;
 /// Larger numbers are not told from others: nothing is said of them.
-const HUGE: f64 = 1e6;
+const HUGE: f64 = 1e4;
+/// A difference of this size refutes an equation.
+const DIFFERENCE: f64 = 1e-7;
 
 fn number(r: &expr::Rational) -> f64 {
     r.to_f64().value()
@@ -53,11 +56,8 @@ impl Numbers {
                         }
                     }
                 }
-                Node::Unary(op, a) => found[&a].and_then(|a| unary(op, a)),
-                Node::Binary(op, a, b) => match (op, found[&a], found[&b]) {
-                    (op, Some(a), Some(b)) => binary(op, a, b),
-                    _ => None,
-                },
+                Node::Unary(op, a) => found[&a].and_then(|a| operation(op, a, a)),
+                Node::Binary(op, a, b) => found[&a].zip(found[&b]).and_then(|(a, b)| operation(op, a, b)),
             };
             // What is neither 0, up to rounding, nor a number of a usual size is not told.
             let usual = |v: f64| v.abs() < 1e-12 || v.abs() > TINY && v.abs() < HUGE;
@@ -67,7 +67,7 @@ impl Numbers {
                 Node::Binary(Op::Mul | Op::Div | Op::Pow, a, b) => {
                     [a, b].iter().all(|e| found[e].is_some_and(|v| v.abs() > TINY))
                 }
-                _ => false,
+                Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => false,
             };
             found.insert(node, made.map(|v| if usual(v) && !(grows && v.abs() < TINY) { v } else { f64::NAN }));
         }
@@ -83,9 +83,9 @@ impl Numbers {
     }
 
     /// Whether a relation is true at a time; nothing where a side has no value.
-    fn is_true(&self, draft: &Draft, left: Expr, sense: Sense, right: Expr, t: f64) -> Option<bool> {
+    fn is_true(&self, draft: &Draft, left: Expr, sense: Sense, right: Expr, t: f64, tiny: f64) -> Option<bool> {
         let (l, r) = (self.value(draft, left, t)?, self.value(draft, right, t)?);
-        let (d, tiny) = (l - r, TINY * (1.0 + l.abs() + r.abs()));
+        let (d, tiny) = (l - r, tiny * (1.0 + l.abs() + r.abs()));
         if d.is_nan() {
             return Some(true);
         }
@@ -100,7 +100,7 @@ impl Numbers {
     fn in_case(&self, draft: &Draft, case: &Case, inner: &When, t: f64) -> bool {
         let at = |t: f64| {
             let supposed = match case.says {
-                Some(says) => self.is_true(draft, says.left, says.sense, says.right, t) == Some(true),
+                Some(says) => self.is_true(draft, says.left, says.sense, says.right, t, TINY) == Some(true),
                 None => draft.claim_needs.iter().all(|need| self.holds(draft, *need, t)),
             };
             supposed && self.within(draft, inner, t)
@@ -112,7 +112,7 @@ impl Numbers {
     }
 
     fn chosen(&self, draft: &Draft, t: f64) -> bool {
-        let selects = |s: &crate::context::Says| self.is_true(draft, s.left, s.sense, s.right, t) == Some(true);
+        let selects = |s: &crate::context::Says| self.is_true(draft, s.left, s.sense, s.right, t, TINY) == Some(true);
         let has_values = |s: &crate::context::Says| s.sides().iter().all(|e| self.value(draft, *e, t).is_some());
         draft.context.selectors.iter().all(selects) && draft.context.assumed.iter().all(has_values)
     }
@@ -130,7 +130,8 @@ impl Numbers {
         match when {
             When::In(case, inner) => {
                 let sides = draft.cases[case.0 as usize].says.map(|s| s.sides().to_vec()).unwrap_or_default();
-                sides.iter().all(|e| self.value(draft, *e, t).is_none_or(|v| !v.is_nan())) && self.is_told(draft, inner, t)
+                sides.iter().all(|e| self.value(draft, *e, t).is_none_or(|v| !v.is_nan()))
+                    && self.is_told(draft, inner, t)
             }
             When::At(_) | When::Chosen | When::ChosenOpen | When::Always => true,
         }
@@ -143,61 +144,32 @@ impl Numbers {
             return None;
         }
         times.iter().copied().find(|&t| {
-            let applies = self.within(draft, &fact.when, t) && fact.needs.iter().all(|need| self.holds(draft, *need, t));
+            let applies =
+                self.within(draft, &fact.when, t) && fact.needs.iter().all(|need| self.holds(draft, *need, t));
             let says = fact.says;
             // A number that is too large somewhere says nothing.
+            let tiny = if matches!(says.sense, Sense::Equal | Sense::LessOrEqual) { DIFFERENCE } else { TINY };
             let told = |e: &Expr| self.value(draft, *e, t).is_none_or(|v| !v.is_nan());
-            applies && self.is_told(draft, &fact.when, t) && says.sides().iter().all(told) && self.is_true(draft, says.left, says.sense, says.right, t) != Some(true)
+            applies
+                && self.is_told(draft, &fact.when, t)
+                && says.sides().iter().all(told)
+                && self.is_true(draft, says.left, says.sense, says.right, t, tiny) != Some(true)
         })
     }
 }
 
-fn unary(op: Op, a: f64) -> Option<f64> {
-    Some(match op {
-        Op::Neg => -a,
-        _ if a.is_nan() => a,
-        Op::Sqrt if a >= -TINY => a.max(0.0).sqrt(),
-        Op::Exp => a.exp(),
-        Op::Ln if a > TINY => a.ln(),
-        Op::Sin => a.sin(),
-        Op::Cos => a.cos(),
-        Op::Tan if a.cos().abs() > TINY => a.tan(),
-        Op::Arcsin if a.abs() <= 1.0 + TINY => a.clamp(-1.0, 1.0).asin(),
-        Op::Arccos if a.abs() <= 1.0 + TINY => a.clamp(-1.0, 1.0).acos(),
-        Op::Arctan => a.atan(),
-        Op::Sinh => a.sinh(),
-        Op::Cosh => a.cosh(),
-        Op::Tanh => a.tanh(),
-        Op::Abs => a.abs(),
-        Op::Powi(n) if n >= 0 || a.abs() > TINY => a.powi(n),
-        _ => return None,
-    })
-}
-
-fn binary(op: Op, a: f64, b: f64) -> Option<f64> {
-    Some(match op {
-        Op::Add => a + b,
-        Op::Sub => a - b,
-        Op::Mul => a * b,
-        _ if a.is_nan() || b.is_nan() => f64::NAN,
-        Op::Div if b.abs() > TINY => a / b,
-        Op::Pow if a > TINY => a.powf(b),
-        Op::Pow if a.abs() <= TINY && b > TINY => 0.0,
-        Op::Arctan2 if a.hypot(b) > TINY => {
-            let a = if a.abs() < TINY { 0.0 } else { a };
-            a.atan2(b)
-        }
-        Op::Agm if a >= -TINY && b >= -TINY => {
-            let (mut x, mut y) = (a.max(0.0), b.max(0.0));
-            for _ in 0..60 {
-                (x, y) = ((x + y) / 2.0, (x * y).sqrt());
-            }
-            x
-        }
-        Op::DirectionCosine if a.hypot(b) > TINY => a / a.hypot(b),
-        Op::Restrict => a,
-        _ => return None,
-    })
+/// A value of an operation; what has rounding errors beside a whole number is that number.
+fn operation(op: Op, a: f64, b: f64) -> Option<f64> {
+    if a.is_nan() || b.is_nan() {
+        return Some(f64::NAN);
+    }
+    let snapped = |v: f64| if (v - v.round()).abs() < 1e-12 { v.round() } else { v };
+    let mut out = 0.0;
+    match op.apply(&(), &mut out, &snapped(a), &snapped(b)) {
+        Ok(()) => Some(snapped(out)),
+        Err(NoValue::OutOfDomain) => None,
+        Err(NoValue::Indeterminate | NoValue::Unsupported) => Some(f64::NAN),
+    }
 }
 
 /// Every law, on numbers: where all needs hold, both sides have values, and they are equal.
@@ -235,9 +207,33 @@ fn derivatives_are_those_of_differences() {
     let other: Jet = |t| [0.7 - 0.2 * t * t, -0.4 * t, -0.4, 0.0];
     let motion = Numbers { functions: vec![("x", jet), ("y", other)], constants: vec![] };
     let texts = [
-        "-x", "sqrt(x)", "exp(x)", "ln(x)", "sin(x)", "cos(x)", "tan(x)", "arcsin(x)", "arccos(x)", "arctan(x)", "sinh(x)",
-        "cosh(x)", "tanh(x)", "abs(x)", "x^3", "1/x^2", "x+y", "x-y", "x*y", "x/y", "x^y", "y^(1/3)", "atan2(x,y)",
-        "atan2(y,x)", "restrict(x,y)", "t*x", "x^0",
+        "-x",
+        "sqrt(x)",
+        "exp(x)",
+        "ln(x)",
+        "sin(x)",
+        "cos(x)",
+        "tan(x)",
+        "arcsin(x)",
+        "arccos(x)",
+        "arctan(x)",
+        "sinh(x)",
+        "cosh(x)",
+        "tanh(x)",
+        "abs(x)",
+        "x^3",
+        "1/x^2",
+        "x+y",
+        "x-y",
+        "x*y",
+        "x/y",
+        "x^y",
+        "y^(1/3)",
+        "atan2(x,y)",
+        "atan2(y,x)",
+        "restrict(x,y)",
+        "t*x",
+        "x^0",
     ];
     for text in texts {
         let mut w = Work::new(&sequent("x,y", 2, "0=0"));

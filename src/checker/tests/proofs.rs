@@ -120,7 +120,10 @@ fn selectors_open_sets_and_rates() {
 
 #[test]
 fn roots_and_orders() {
-    let s = sequent("", 0, "a=b").constant("a", ConstantSign::Positive).constant("b", ConstantSign::NotNegative).premise("a^2=b^2");
+    let s = sequent("", 0, "a=b")
+        .constant("a", ConstantSign::Positive)
+        .constant("b", ConstantSign::NotNegative)
+        .premise("a^2=b^2");
     let mut w = Work::new(&s);
     let a = w.premise(0);
     let end = w.step(Step::Injective { fact: a, from: vec![] });
@@ -131,7 +134,8 @@ fn roots_and_orders() {
     let square = w.step(Step::Summand { sum: a, term: term("x^2"), from: vec![] });
     let again = w.suppose("x=0", Manner::AtTimes);
     let x = w.supposed(again, When::Always);
-    let end = w.step(Step::Close { within: When::Always, split: Split::Product(square), branches: vec![x], because: vec![] });
+    let end =
+        w.step(Step::Close { within: When::Always, split: Split::Product(square), branches: vec![x], because: vec![] });
     w.end(&s, end);
     let s = sequent("x", 0, "x+1/x>0").premise("x>0");
     let mut w = Work::new(&s);

@@ -5,7 +5,8 @@ use crate::*;
 
 /// A proof with many rules.
 fn recorded() -> (Sequent, Vec<Step>) {
-    let s = sequent("x,y", 1, "x^2+y^2=1").instant("0").system("x'=y").system("y'=-x").premise("x(0)=0").premise("y(0)=1");
+    let s =
+        sequent("x,y", 1, "x^2+y^2=1").instant("0").system("x'=y").system("y'=-x").premise("x(0)=0").premise("y(0)=1");
     let mut w = Work::new(&s);
     let (a, b) = (w.given(Given::System(0)), w.given(Given::System(1)));
     let (x, y) = (w.premise(0), w.premise(1));
@@ -71,7 +72,15 @@ fn a_proof_of_one_sequent_is_none_of_another() {
 
 #[test]
 fn terms_are_read_as_they_are_written() {
-    let texts = ["-x^3+y/2", "atan2(x,y)^(1/3)", "abs(sin(2*pi*x))-sqrt(1+y^2)", "restrict(x,1/y)*x'(0)", "agm(x^2,1)+x(0)", "x^y", "(x^2)^(t+1)"];
+    let texts = [
+        "-x^3+y/2",
+        "atan2(x,y)^(1/3)",
+        "abs(sin(2*pi*x))-sqrt(1+y^2)",
+        "restrict(x,1/y)*x'(0)",
+        "agm(x^2,1)+x(0)",
+        "x^y",
+        "(x^2)^(t+1)",
+    ];
     for text in texts {
         let s = sequent("x,y", 1, "x=0").instant("0");
         let mut w = Work::new(&s);

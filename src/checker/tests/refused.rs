@@ -38,8 +38,14 @@ fn a_case_is_not_left_by_restricting() {
     }
     w.refuse(Step::Conclude { fact: a }, "not known");
     w.refuse(Step::Rate { fact: a }, "single times");
-    w.refuse(Step::Close { within: always(), split: Split::Order(term("x"), term("2")), branches: vec![a], because: vec![] }, "left out");
-    w.refuse(Step::Close { within: always(), split: Split::Order(term("x"), term("0")), branches: vec![a], because: vec![] }, "something else");
+    w.refuse(
+        Step::Close { within: always(), split: Split::Order(term("x"), term("2")), branches: vec![a], because: vec![] },
+        "left out",
+    );
+    w.refuse(
+        Step::Close { within: always(), split: Split::Order(term("x"), term("0")), branches: vec![a], because: vec![] },
+        "something else",
+    );
     // A case of a number is all times or none, and nothing outside of it is known.
     let s = sequent("x", 1, "c=2").constant("c", ConstantSign::Any);
     let mut w = Work::new(&s);
@@ -66,7 +72,9 @@ fn cases_on_intervals_say_nothing_of_strict_relations() {
 
 #[test]
 fn open_wants_selectors_that_do_not_leap() {
-    for (selector, why) in [("x≥0", "single times"), ("x=0", "single times"), ("sqrt(x)<1", "not shown"), ("atan2(x,-1)>1", "not shown")] {
+    for (selector, why) in
+        [("x≥0", "single times"), ("x=0", "single times"), ("sqrt(x)<1", "not shown"), ("atan2(x,-1)>1", "not shown")]
+    {
         let s = sequent("x", 1, "x=2").selector(selector);
         Work::new(&s).refuse(Step::Open { because: vec![] }, why);
     }
@@ -226,7 +234,12 @@ fn signs_are_not_guessed() {
 
 #[test]
 fn what_is_not_injective() {
-    for (premise, why) in [("sin(x)=sin(y)", "not injective"), ("x^0=y^0", "constant"), ("tan(x)=tan(y)", "not injective"), ("exp(x)=cosh(y)", "one operation")] {
+    for (premise, why) in [
+        ("sin(x)=sin(y)", "not injective"),
+        ("x^0=y^0", "constant"),
+        ("tan(x)=tan(y)", "not injective"),
+        ("exp(x)=cosh(y)", "one operation"),
+    ] {
         let s = sequent("x,y", 1, "x=y").premise(premise);
         let mut w = Work::new(&s);
         let a = w.premise(0);
@@ -265,7 +278,12 @@ fn smooth_and_analytic_want_right_sides_that_are() {
 fn another_claim_needs_its_assumptions() {
     // "Given ẋ = 0: x = x(0)" is true; at a time at which ẋ = 0 by chance, x need not be x(0).
     let mut s = sequent("x", 1, "x=x(0)").instant("0").selector("t=1").assuming("x'=0");
-    s.claims.push(Claimed { name: "rest".into(), selectors: vec![], hypotheses: vec![rel("x'=0")], says: rel("x=x(0)") });
+    s.claims.push(Claimed {
+        name: "rest".into(),
+        selectors: vec![],
+        hypotheses: vec![rel("x'=0")],
+        says: rel("x=x(0)"),
+    });
     let mut w = Work::new(&s);
     let a = w.given(Given::Assumed(0));
     w.refuse(Step::Given { given: Given::Claimed(0), because: vec![a] }, "hypothesis");
