@@ -16,6 +16,9 @@ use super::when::Instant;
 use expr::{Expr, Graph, Leaf, Node, Op, Shape, Symbol};
 use std::collections::BTreeMap;
 
+/// Most fixed times, which may stand in each other.
+const MOST_INSTANTS: usize = 200;
+
 /// A relation between nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Says {
@@ -90,6 +93,9 @@ impl Context {
                 return Err(format!("the symbol {} is declared twice, or has no component", declared.name));
             }
             context.kinds.push(declared.kind);
+        }
+        if sequent.instants.len() > MOST_INSTANTS {
+            return Err(format!("more than {MOST_INSTANTS} fixed times"));
         }
         // Fixed times may name values at those before them, x(t₁(0)).
         for instant in &sequent.instants {

@@ -377,10 +377,11 @@ impl Draft {
         }
     }
 
-    /// Whether all cases in it are opened, and all fixed times are named.
+    /// Whether all cases in it are opened. A fixed time is not among the sets that a rule may be asked for: what is known there is a
+    /// relation between constants, which [`Step::Restrict`] makes.
     pub(crate) fn exists(&self, when: &When) -> bool {
         match when {
-            When::At(instant) => self.context.instant(*instant).is_ok(),
+            When::At(_) => false,
             When::Chosen | When::Always => true,
             When::ChosenOpen => self.opened,
             When::In(CaseId(case), inner) => (*case as usize) < self.cases.len() && self.exists(inner),

@@ -11,7 +11,8 @@
 //! **Traps.** (1) A symbol that is declared n times differentiable has n rates: a motion with a kink in the nth is not meant. Who
 //! says that a motion of a file satisfies a sequent must see to that. (2) A definition is its formula, at every time. An angle
 //! that is continued over the cut of its formula is no definition here: declare a symbol that moves, with its rate as a premise.
-//! (3) A claim of the file with assumptions of its own is given by [`Claimed`], not as a premise.
+//! (3) A claim of the file with assumptions of its own is given by [`Claimed`], not as a premise; and its symbols must not have more
+//! rates where it is shown than here.
 
 use super::term::{Relation, Term};
 use serde::{Deserialize, Serialize};

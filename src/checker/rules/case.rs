@@ -64,9 +64,6 @@ pub(super) fn supposition(draft: &mut Draft, case: CaseId, within: &When) -> Res
     if !draft.exists(within) {
         return Err("there are no such times".to_owned());
     }
-    if matches!(within, When::At(_)) {
-        return Err("a case at a fixed time is one that does not move".to_owned());
-    }
     let mut open = needs_of(draft, says);
     for need in certain_of(draft, says) {
         open.remove(&need);

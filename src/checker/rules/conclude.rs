@@ -6,6 +6,8 @@
 //! another case, or at a fixed time, do not say the claim.
 
 use crate::draft::Draft;
+use crate::needs::allowed;
+use crate::signs::{KnownSigns, Signs, signs};
 use crate::step::FactId;
 use crate::when::{CaseId, When};
 
@@ -14,6 +16,12 @@ pub(super) fn conclude(draft: &mut Draft, id: FactId) -> Result<(), String> {
     let fact = draft.known_at(id, &times)?;
     if !fact.says.is(draft.context.claim) {
         return Err(format!("`{}` is not the claim", draft.context.latex(fact.says)));
+    }
+    for need in &fact.needs {
+        let possible = signs(&draft.context, need.value, &KnownSigns::new());
+        if possible.and(allowed(need.sign)) == Signs::NONE {
+            return Err("what the fact needs is never so".to_owned());
+        }
     }
     draft.shown = Some((id, fact.needs));
     Ok(())
