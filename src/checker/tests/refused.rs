@@ -351,3 +351,43 @@ fn sequents_that_are_not_well_formed() {
         bad(s.clone(), "no rational");
     }
 }
+
+#[test]
+fn a_need_at_a_single_time_is_no_ground_for_a_rate() {
+    // y = −t², z = 1 + t: both sides have values at t = 0 only.
+    let s = sequent("y,z", 1, "z'=0").premise("sqrt(y)+z=sqrt(y)+1");
+    let mut w = Work::new(&s);
+    let a = w.premise(0);
+    let z = w.zero("z=1", "1", &[(a, "1")]);
+    assert_eq!(w.0.needs(z), [rel("0≤y")]);
+    let rate = w.rate(z);
+    assert_eq!(w.0.needs(rate), [rel("0<y")]);
+}
+
+#[test]
+fn every_factor_has_its_branch() {
+    let s = sequent("x,y", 1, "x=0").premise("2*x*y^2=0");
+    let mut w = Work::new(&s);
+    let a = w.premise(0);
+    for manner in [Manner::AtTimes, Manner::OnIntervals] {
+        let case = w.suppose("x=0", manner);
+        let x = w.supposed(case, always());
+        let close = Step::Close { within: always(), split: Split::Product(a), branches: vec![x], because: vec![] };
+        w.refuse(close, "no branch for `y=0`");
+    }
+}
+
+#[test]
+fn a_leap_of_an_angle_is_no_first_integral() {
+    // x = −1, y = t: atan2(y,x) + atan2(−y,x) is 0 but for t = 0, where it is 2π; its rate is 0.
+    let s = sequent("x,y", 1, "atan2(y,x)+atan2(-y,x)=0").instant("1").premise("x<0");
+    let mut w = Work::new(&s);
+    let a = w.premise(0);
+    let rate = w.zero("(x*y'-y*x')/(y^2+x^2)+(x*(-y')-(-y)*x')/((-y)^2+x^2)=0", "1", &[]);
+    let squares = w.sign("y^2+x^2#0", &[a]);
+    let turned = w.sign("(-y)^2+x^2#0", &[a]);
+    let rate = w.discharge(rate, &[squares, turned]);
+    assert!(w.0.fact(rate).unwrap().is_free());
+    let of = term("atan2(y,x)+atan2(-y,x)");
+    w.refuse(Step::Conserved { of, at: Instant(0), rate, because: vec![a, squares, turned] }, "not shown");
+}
