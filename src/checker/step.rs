@@ -73,8 +73,9 @@ pub enum Step {
     Everywhere { because: Vec<FactId> },
     /// The derivative by time of an equation.
     Rate { fact: FactId },
-    /// An equation l = r with d·(l − r) = Σ qᵢ·(lᵢ − rᵢ), where lᵢ = rᵢ are facts.
-    Zero { says: Relation, multiplier: Term, terms: Vec<(FactId, Term)> },
+    /// An equation l = r with d·(l − r) = Σ qᵢ·(lᵢ − rᵢ), where lᵢ = rᵢ are facts, as soon as the right side of each fact of `insert`, in
+    /// their order, is put for its left side.
+    Zero { says: Relation, multiplier: Term, terms: Vec<(FactId, Term)>, insert: Vec<FactId> },
     /// The same with fewer needs.
     Discharge { fact: FactId, because: Vec<FactId> },
     /// What is so in each of the cases.

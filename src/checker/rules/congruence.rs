@@ -15,8 +15,8 @@ use crate::term::{Relation, Sense};
 use expr::{Expr, Leaf, Node};
 use std::collections::BTreeMap;
 
-/// The expression with `u` for each `v`, at fixed times, too.
-fn identified(context: &mut Context, e: Expr, v: Expr, u: Expr) -> Expr {
+/// The expression with `u` for each `v`, at fixed times, too. Where u = v at a time, each formula in it keeps its value there.
+pub(super) fn identified(context: &mut Context, e: Expr, v: Expr, u: Expr) -> Expr {
     let mut image: BTreeMap<Expr, Expr> = BTreeMap::new();
     for node in context.graph.reachable([e]) {
         let new = match *context.graph.node(node) {

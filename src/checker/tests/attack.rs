@@ -254,7 +254,7 @@ impl Dice<'_> {
             11 | 12 => Step::Rate { fact: self.fact() },
             13 | 14 => {
                 let terms = (0..self.below(3)).map(|_| (self.fact(), self.term())).collect();
-                Step::Zero { says: self.equation(), multiplier: self.term(), terms }
+                Step::Zero { says: self.equation(), multiplier: self.term(), terms, insert: self.facts(2) }
             }
             15 => Step::Discharge { fact: self.fact(), because: self.facts(2) },
             16 => {
@@ -295,7 +295,7 @@ impl Dice<'_> {
     }
     /// Steps that belong together: a supposition, a division by a term, the closing of two cases.
     fn steps(&mut self, draft: &Draft) -> Vec<Step> {
-        match self.below(8) {
+        match self.below(9) {
             // From a product that vanishes: one factor, on the rest.
             0 => {
                 let (fact, factor) = (self.fact(), self.term());
@@ -305,6 +305,7 @@ impl Dice<'_> {
                     says: Relation::equal(left, Term::integer(0)),
                     multiplier: factor,
                     terms: vec![(fact, Term::integer(1))],
+                    insert: self.facts(1),
                 }]
             }
             // The same in two cases, on intervals or at times.

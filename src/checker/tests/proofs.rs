@@ -191,3 +191,34 @@ fn sequents_in_words() {
         r"For every motion (`x`, a function of time with 1 continuous rates; `z`, a function of time with 1 continuous rates) with `w=x^2` by definition; with `\dot{x}=1` at all times; with `z=2\cdot t` at every time at which `1<x`, on times among which are `0`: at every time at which `1<x` and the assumptions have values, `\dot{z}=2` where both sides have values."
     );
 }
+
+#[test]
+fn solved_equations_are_put_in() {
+    // a·x = b and y = sin(x²), a ≠ 0: what a solver finds, without cofactors.
+    let s =
+        sequent("x,y", 1, "a*x*y=b*sin((b/a)^2)").constant("a", ConstantSign::NotZero).constant("b", ConstantSign::Any);
+    let s = s.premise("a*x=b").premise("y=sin(x^2)");
+    let mut w = Work::new(&s);
+    let (p, q) = (w.premise(0), w.premise(1));
+    let x = w.zero("x=b/a", "a", &[(p, "1")]);
+    assert!(w.0.fact(x).unwrap().is_free());
+    w.refuse(inserted("a*x*y=b*sin((b/a)^2)", &[q]), "no identity");
+    // In the order in which they are given.
+    w.refuse(inserted("a*x*y=b*sin((b/a)^2)", &[x, q]), "no identity");
+    let end = w.step(inserted("a*x*y=b*sin((b/a)^2)", &[q, x]));
+    w.end(&s, end);
+    // A pivot that may vanish stays a need.
+    let s = sequent("x,y", 1, "y=1").premise("x*y=x");
+    let mut w = Work::new(&s);
+    let p = w.premise(0);
+    let y = w.zero("y=x/x", "x", &[(p, "1")]);
+    let end = w.step(inserted("y=1", &[y]));
+    assert_eq!(w.0.needs(end), [rel("x#0")]);
+    // Known at chosen times, it is put in there; a rate is not touched.
+    let s = sequent("x,y", 1, "x'=0").assuming("x=2");
+    let mut w = Work::new(&s);
+    let p = w.given(Given::Assumed(0));
+    let end = w.step(inserted("x*y=2*y", &[p]));
+    assert_eq!(w.0.fact(end).unwrap().when(), &When::Chosen);
+    w.refuse(inserted("x'=0", &[p]), "no identity");
+}
