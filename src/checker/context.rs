@@ -65,11 +65,23 @@ pub(crate) struct Context {
     pub(crate) selectors: Vec<Says>,
     pub(crate) assumed: Vec<Says>,
     pub(crate) claim: Says,
+    /// Whether formulas are read as they are written, to be printed: definitions are not put in.
+    as_written: bool,
 }
 
 impl Context {
     /// Reads a sequent.
     pub(crate) fn new(sequent: &Sequent) -> Result<Context, String> {
+        Context::of(sequent, false)
+    }
+
+    /// Reads the symbols of a sequent, to print its formulas as they are written.
+    pub(crate) fn as_written(sequent: &Sequent) -> Result<Context, String> {
+        let bare = Sequent::of(sequent.symbols.clone(), Relation::equal(Term::integer(0), Term::integer(0)));
+        Context::of(&bare, true)
+    }
+
+    fn of(sequent: &Sequent, as_written: bool) -> Result<Context, String> {
         let mut graph = Graph::new();
         let zero = graph.integer(0);
         let nothing = Says { left: zero, sense: Sense::Equal, right: zero };
@@ -85,6 +97,7 @@ impl Context {
             selectors: Vec::new(),
             assumed: Vec::new(),
             claim: nothing,
+            as_written,
         };
         for declared in &sequent.symbols {
             let shape = if declared.components == 1 { Shape::scalar() } else { Shape::vector(declared.components) };
@@ -187,6 +200,9 @@ impl Context {
         let symbol = self.symbol(name)?;
         if usize::from(component) >= self.graph.component_count(symbol) {
             return Err(format!("{name} has no component {component}"));
+        }
+        if self.as_written {
+            return Ok(self.graph.leaf(Leaf { rate, instant: at, ..Leaf::now(symbol, component) }));
         }
         if let Some(at) = at
             && !self.instants.contains(&at)

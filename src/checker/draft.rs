@@ -117,8 +117,39 @@ pub struct Draft {
     pub(crate) model: bool,
     pub(crate) shown: Option<(FactId, Needs)>,
     facts: Vec<Fact>,
+    /// Facts that later ones rest on without naming them: those that show that times are open, or functions analytic.
+    lasting: Vec<FactId>,
     steps: Vec<Step>,
     claim: Relation,
+}
+
+/// What a step that makes no fact rests on.
+fn lasting(step: &Step) -> Vec<FactId> {
+    match step {
+        Step::Open { because } | Step::Everywhere { because } => because.clone(),
+        Step::Smooth { fact, because } => [&[*fact], &because[..]].concat(),
+        Step::Analytic { equations, because } => [&equations[..], because].concat(),
+        Step::Given { .. }
+        | Step::HasValue { .. }
+        | Step::ClaimHasValue { .. }
+        | Step::Suppose { .. }
+        | Step::Supposition { .. }
+        | Step::Restrict { .. }
+        | Step::Rate { .. }
+        | Step::Zero { .. }
+        | Step::Discharge { .. }
+        | Step::Close { .. }
+        | Step::Conserved { .. }
+        | Step::Vanishes { .. }
+        | Step::Congruence { .. }
+        | Step::Law { .. }
+        | Step::Sign { .. }
+        | Step::Summand { .. }
+        | Step::Injective { .. }
+        | Step::Continue { .. }
+        | Step::Model { .. }
+        | Step::Conclude { .. } => Vec::new(),
+    }
 }
 
 impl Draft {
@@ -150,6 +181,7 @@ impl Draft {
             model: false,
             shown: None,
             facts: Vec::new(),
+            lasting: Vec::new(),
             steps: Vec::new(),
             claim: sequent.claim.clone(),
         })
@@ -167,6 +199,7 @@ impl Draft {
         match rules::apply(self, &step) {
             Err(why) => Err(Refused { step: Some(self.steps.len()), why }),
             Ok(made) => {
+                self.lasting.extend(lasting(&step));
                 self.steps.push(step);
                 Ok(made.map(|made| self.add(made)))
             }
@@ -242,9 +275,10 @@ impl Draft {
         Ok((recorded, Shown { claim, leaves_out, given, steps, log2_error, model }))
     }
 
-    /// The places of the sequent that a fact rests on.
+    /// The places of the sequent that a fact rests on, or may: what shows that times are open is counted always.
     fn rests_on(&self, fact: FactId) -> Vec<Given> {
-        let (mut seen, mut open, mut out) = (BTreeSet::new(), vec![fact], BTreeSet::new());
+        let (mut seen, mut open, mut out) = (BTreeSet::new(), self.lasting.clone(), BTreeSet::new());
+        open.push(fact);
         while let Some(id) = open.pop() {
             if let Some(fact) = self.fact(id).filter(|_| seen.insert(id)) {
                 open.extend(fact.because.facts());

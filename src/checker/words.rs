@@ -3,12 +3,11 @@
 //! **In:** a [`Sequent`], or a set of times. **Out:** a sentence: "For every motion with …, at every time at which …". **Guaranteed:** each list of the sequent that is not empty is
 //! named, with the times at which it is meant; formulas are in LaTeX, between backquotes, with the names of the file (definitions are not put in, but named).
 
+use super::context::Context;
 use super::draft::{Draft, Refused};
 use super::sequent::{Claimed, ConstantSign, Declared, Sequent, SymbolKind};
-use super::term::{Relation, Sense, Term, TermNode, operation, rational};
+use super::term::{Relation, Term, TermNode};
 use super::when::{Instant, When};
-use expr::{Expr, Graph, Leaf, Shape, Symbol};
-use std::collections::BTreeMap;
 
 /// The times of a set.
 pub(crate) fn when(draft: &Draft, when: &When) -> String {
@@ -35,60 +34,16 @@ pub(crate) fn when(draft: &Draft, when: &When) -> String {
     }
 }
 
-/// A graph with the symbols of a sequent, for printing.
-struct Printer {
-    graph: Graph,
-    names: BTreeMap<String, Symbol>,
-}
+/// Formulas as they are written.
+struct Printer(Context);
 
 impl Printer {
-    fn term(&mut self, term: &Term) -> Option<Expr> {
-        let mut made: Vec<Expr> = Vec::new();
-        for node in &term.0 {
-            let e = match node {
-                TermNode::Number(text) => {
-                    let value = rational(text).ok()?;
-                    self.graph.constant(value)
-                }
-                TermNode::Pi => self.graph.pi(),
-                TermNode::Leaf { name, component, rate, at } => {
-                    let symbol = *self.names.get(name)?;
-                    let instant = at.map(|at| made.get(at as usize).copied().ok_or(())).transpose().ok()?;
-                    self.graph.leaf(Leaf { rate: *rate, instant, ..Leaf::now(symbol, *component) })
-                }
-                TermNode::Apply(name, arguments) => {
-                    let op = operation(name, arguments.len())?;
-                    let argument = |at: usize| arguments.get(at).and_then(|at| made.get(*at as usize)).copied();
-                    match op.arity() {
-                        1 => {
-                            let a = argument(0)?;
-                            self.graph.unary(op, a)
-                        }
-                        _ => {
-                            let (a, b) = (argument(0)?, argument(1)?);
-                            self.graph.rebuilt(op, a, b)
-                        }
-                    }
-                }
-            };
-            made.push(e);
-        }
-        made.last().copied()
-    }
-
     fn latex(&mut self, term: &Term) -> String {
-        self.term(term).map(|e| self.graph.to_latex(e)).unwrap_or_default()
+        self.0.read(term).map(|e| self.0.graph.to_latex(e)).unwrap_or_default()
     }
 
     fn relation(&mut self, relation: &Relation) -> String {
-        let (left, right) = (self.latex(&relation.left), self.latex(&relation.right));
-        let sense = match relation.sense {
-            Sense::Equal => "=",
-            Sense::NotEqual => r"\ne ",
-            Sense::Less => "<",
-            Sense::LessOrEqual => r"\le ",
-        };
-        format!("`{left}{sense}{right}`")
+        self.0.relation(relation).map(|says| format!("`{}`", self.0.latex(says))).unwrap_or_default()
     }
 
     fn relations(&mut self, relations: &[Relation]) -> String {
@@ -129,12 +84,7 @@ impl Sequent {
     /// [`Refused`] if a term cannot be read.
     pub fn words(&self) -> Result<String, Refused> {
         Draft::new(self)?;
-        let mut printer = Printer { graph: Graph::new(), names: BTreeMap::new() };
-        for declared in &self.symbols {
-            let shape = if declared.components == 1 { Shape::scalar() } else { Shape::vector(declared.components) };
-            let symbol = printer.graph.declare(&declared.name, shape, false);
-            printer.names.insert(declared.name.clone(), symbol);
-        }
+        let mut printer = Printer(Context::as_written(self).map_err(|why| Refused { step: None, why })?);
         let symbols: Vec<String> = self.symbols.iter().filter_map(symbol_words).collect();
         let mut text = format!("For every motion ({})", symbols.join("; "));
         let mut parts = Vec::new();

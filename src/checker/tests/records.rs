@@ -102,3 +102,23 @@ fn terms_are_read_as_they_are_written() {
     let mut w = Work::new(&sequent("x", 1, "x=0"));
     w.0.context.read(&read).unwrap();
 }
+
+#[test]
+fn what_a_proof_rests_on_is_told() {
+    // The assumption is known always since another claim says that every time is chosen: the proof rests on it.
+    let mut s = sequent("x", 1, "x'=0").selector("x>1").assuming("x=2");
+    s.claims.push(Claimed { name: "above".into(), selectors: vec![], hypotheses: vec![], says: rel("x>1") });
+    let mut w = Work::new(&s);
+    let above = w.step(Step::Given { given: Given::Claimed(0), because: vec![] });
+    w.step(Step::Everywhere { because: vec![above] });
+    let a = w.given(Given::Assumed(0));
+    let always = w.step(Step::Restrict { fact: a, to: When::Always, because: vec![] });
+    let end = w.rate(always);
+    assert_eq!(w.end(&s, end).given(), [Given::Assumed(0), Given::Claimed(0)]);
+    // What was made on the way and is not used is not told.
+    let s = sequent("x,y", 1, "x'=0").premise("x=2").premise("y=3");
+    let mut w = Work::new(&s);
+    let (a, _) = (w.premise(0), w.premise(1));
+    let end = w.rate(a);
+    assert_eq!(w.end(&s, end).given(), [Given::Premise(0)]);
+}
