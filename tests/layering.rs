@@ -11,6 +11,7 @@ pub const CRATES: &[(&str, &[&str])] = &[
     ("reason", &["number"]),
     ("verdict", &["reason"]),
     ("expr", &["number"]),
+    ("checker", &["expr", "number"]),
     ("latex", &["diag", "expr"]),
     ("flow", &["expr", "number"]),
     ("proof", &["expr", "number"]),
@@ -336,6 +337,9 @@ const MOST_RECOGNISING: usize = 84;
 const EXHAUSTIVE: &[&str] = &[
     "src/expr/domain.rs",
     "src/expr/calculus.rs",
+    "src/checker/derivative.rs",
+    "src/checker/rules/sign.rs",
+    "src/checker/signs.rs",
     "src/boxes/signs.rs",
     "src/proof/conditions.rs",
     "src/flow/narrow.rs",

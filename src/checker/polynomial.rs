@@ -1,0 +1,154 @@
+//! Exact rational functions over ℚ.
+//!
+//! **In:** an expression. **Out:** whether it vanishes as a rational function, by expansion; or nothing, where that is too large. **Guaranteed:** exact, with no choice of
+//! a random point. Everything that is no sum, product, quotient or whole power is an indeterminate; a restriction counts as its formula.
+
+use dashu_int::ops::BitTest;
+use expr::{Expr, Graph, Node, Op, Rational};
+use std::collections::BTreeMap;
+
+/// Most terms of a polynomial, and most products of terms in one expansion.
+const MOST_TERMS: usize = 3_000;
+const MOST_PRODUCTS: usize = 300_000;
+/// Largest power that is expanded.
+const LARGEST_POWER: u32 = 24;
+/// Most bits of numbers that are multiplied out.
+const MOST_BITS: usize = 1 << 14;
+
+/// Indeterminates with their powers, in order.
+type Monomial = Vec<(Expr, u32)>;
+
+/// A polynomial: its terms, none of them 0.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Polynomial(BTreeMap<Monomial, Rational>);
+
+/// Work that is left.
+struct Budget(usize);
+
+impl Polynomial {
+    fn constant(r: Rational) -> Polynomial {
+        let mut out = Polynomial::default();
+        out.add_term(Monomial::new(), r);
+        out
+    }
+
+    fn variable(e: Expr) -> Polynomial {
+        let mut out = Polynomial::default();
+        out.add_term(vec![(e, 1)], Rational::ONE);
+        out
+    }
+
+    fn is_one(&self) -> bool {
+        self.0.len() == 1 && self.0.get(&Monomial::new()) == Some(&Rational::ONE)
+    }
+
+    fn add_term(&mut self, monomial: Monomial, r: Rational) {
+        let sum = self.0.remove(&monomial).unwrap_or(Rational::ZERO) + r;
+        if sum != Rational::ZERO {
+            self.0.insert(monomial, sum);
+        }
+    }
+
+    fn plus(mut self, other: &Polynomial, sign: i8) -> Option<Polynomial> {
+        for (monomial, r) in &other.0 {
+            self.add_term(monomial.clone(), if sign < 0 { -r.clone() } else { r.clone() });
+        }
+        (self.0.len() <= MOST_TERMS).then_some(self)
+    }
+
+    fn times(&self, other: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
+        if self.is_one() {
+            return Some(other.clone());
+        }
+        if other.is_one() {
+            return Some(self.clone());
+        }
+        budget.0 = budget.0.checked_sub(self.0.len() * other.0.len())?;
+        let mut out = Polynomial::default();
+        for (m, r) in &self.0 {
+            for (n, s) in &other.0 {
+                let product = r * s;
+                if bits(&product).iter().sum::<usize>() > MOST_BITS {
+                    return None;
+                }
+                out.add_term(joined(m, n)?, product);
+            }
+        }
+        (out.0.len() <= MOST_TERMS).then_some(out)
+    }
+}
+
+/// The size of a number.
+pub(crate) fn bits(r: &Rational) -> [usize; 2] {
+    [r.numerator().bit_len(), r.denominator().bit_len()]
+}
+
+fn joined(m: &Monomial, n: &Monomial) -> Option<Monomial> {
+    let mut out: BTreeMap<Expr, u32> = m.iter().copied().collect();
+    for &(e, k) in n {
+        let power = out.entry(e).or_insert(0);
+        *power = power.checked_add(k)?;
+    }
+    Some(out.into_iter().collect())
+}
+
+/// Numerator and denominator.
+#[derive(Clone)]
+struct Fraction(Polynomial, Polynomial);
+
+fn sum(a: &Fraction, b: &Fraction, sign: i8, budget: &mut Budget) -> Option<Fraction> {
+    if a.1 == b.1 {
+        return Some(Fraction(a.0.clone().plus(&b.0, sign)?, a.1.clone()));
+    }
+    let (left, right) = (a.0.times(&b.1, budget)?, b.0.times(&a.1, budget)?);
+    Some(Fraction(left.plus(&right, sign)?, a.1.times(&b.1, budget)?))
+}
+
+fn product(a: &Fraction, b: &Fraction, budget: &mut Budget) -> Option<Fraction> {
+    Some(Fraction(a.0.times(&b.0, budget)?, a.1.times(&b.1, budget)?))
+}
+
+/// 1/f; nothing for 0.
+fn inverse(a: &Fraction) -> Option<Fraction> {
+    (!a.0.0.is_empty()).then(|| Fraction(a.1.clone(), a.0.clone()))
+}
+
+fn fraction(graph: &Graph, e: Expr) -> Option<Fraction> {
+    let one = Polynomial::constant(Rational::ONE);
+    let whole = |p: Polynomial| Fraction(p, one.clone());
+    let mut budget = Budget(MOST_PRODUCTS);
+    let mut found: BTreeMap<Expr, Fraction> = BTreeMap::new();
+    for node in graph.reachable([e]) {
+        let made = match graph.node(node) {
+            Node::Constant(r) => whole(Polynomial::constant((**r).clone())),
+            Node::Unary(Op::Neg, a) => {
+                let Fraction(top, under) = &found[a];
+                Fraction(Polynomial::default().plus(top, -1)?, under.clone())
+            }
+            Node::Unary(Op::Powi(n), a) => {
+                let base = if *n < 0 { inverse(&found[a])? } else { found[a].clone() };
+                if n.unsigned_abs() > LARGEST_POWER {
+                    return None;
+                }
+                let mut out = whole(one.clone());
+                for _ in 0..n.unsigned_abs() {
+                    out = product(&out, &base, &mut budget)?;
+                }
+                out
+            }
+            Node::Binary(Op::Add, a, b) => sum(&found[a], &found[b], 1, &mut budget)?,
+            Node::Binary(Op::Sub, a, b) => sum(&found[a], &found[b], -1, &mut budget)?,
+            Node::Binary(Op::Mul, a, b) => product(&found[a], &found[b], &mut budget)?,
+            Node::Binary(Op::Div, a, b) => product(&found[a], &inverse(&found[b])?, &mut budget)?,
+            Node::Binary(Op::Restrict, a, _) => found[a].clone(),
+            Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => whole(Polynomial::variable(node)),
+        };
+        found.insert(node, made);
+    }
+    found.remove(&e)
+}
+
+/// Whether the expression is 0 as a rational function; nothing where it is too large to expand, or divides by what is 0.
+pub(crate) fn vanishes(graph: &Graph, e: Expr) -> Option<bool> {
+    fraction(graph, e).map(|Fraction(top, _)| top.0.is_empty())
+}

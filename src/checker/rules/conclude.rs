@@ -1,0 +1,28 @@
+//! Conclude: a fact is the claim.
+//!
+//! **Theorem.** If the claim is true at each time of S₀ at which it has a value, it is not false at any time of S₀. *Proof.* A relation of which a
+//! side has no value is not false. □ *Conditions.* The fact says the relation of the claim, and is known at all times of S₀, or at those in the
+//! case that the claim has a value. What the fact still needs is left out: the claim is shown where it holds. *Trap.* Facts that are known in
+//! another case, or at a fixed time, do not say the claim.
+
+use crate::draft::Draft;
+use crate::needs::allowed;
+use crate::signs::{KnownSigns, Signs, signs};
+use crate::step::FactId;
+use crate::when::{CaseId, When};
+
+pub(super) fn conclude(draft: &mut Draft, id: FactId) -> Result<(), String> {
+    let times = When::Chosen.within(CaseId::CLAIM);
+    let fact = draft.known_at(id, &times)?;
+    if !fact.says.is(draft.context.claim) {
+        return Err(format!("`{}` is not the claim", draft.context.latex(fact.says)));
+    }
+    for need in &fact.needs {
+        let possible = signs(&draft.context, need.value, &KnownSigns::new());
+        if possible.and(allowed(need.sign)) == Signs::NONE {
+            return Err("what the fact needs is never so".to_owned());
+        }
+    }
+    draft.shown = Some((id, fact.needs));
+    Ok(())
+}

@@ -1,0 +1,180 @@
+//! Signs of expressions, by the rules of signs.
+//!
+//! **In:** an expression, and what facts say of the signs of expressions. **Out:** [`Signs`], the signs that it can have. **Guaranteed:** where
+//! the expression has a value and the facts are true, the sign of the value is among them. Nothing is computed with decimals.
+
+use super::context::Context;
+use super::sequent::ConstantSign;
+use super::term::Sense;
+use expr::{Expr, Node, Op, Rational};
+use std::collections::BTreeMap;
+
+/// A set of signs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Signs(u8);
+
+impl Signs {
+    pub(crate) const NONE: Signs = Signs(0);
+    pub(crate) const NEGATIVE: Signs = Signs(1);
+    pub(crate) const ZERO: Signs = Signs(2);
+    pub(crate) const POSITIVE: Signs = Signs(4);
+    pub(crate) const ALL: Signs = Signs(7);
+
+    pub(crate) fn or(self, other: Signs) -> Signs {
+        Signs(self.0 | other.0)
+    }
+
+    pub(crate) fn and(self, other: Signs) -> Signs {
+        Signs(self.0 & other.0)
+    }
+
+    pub(crate) fn within(self, other: Signs) -> bool {
+        self.0 & !other.0 == 0
+    }
+
+    /// The signs of −e.
+    pub(crate) fn opposite(self) -> Signs {
+        Signs(self.0 & 2 | self.0 << 2 & 4 | self.0 >> 2)
+    }
+
+    /// The sign of a number.
+    pub(crate) fn of(r: &Rational) -> Signs {
+        match r.cmp(&Rational::ZERO) {
+            std::cmp::Ordering::Less => Signs::NEGATIVE,
+            std::cmp::Ordering::Equal => Signs::ZERO,
+            std::cmp::Ordering::Greater => Signs::POSITIVE,
+        }
+    }
+
+    fn pairwise(self, other: Signs, rule: impl Fn(i8, i8) -> Signs) -> Signs {
+        let each = |s: Signs| [-1i8, 0, 1].into_iter().filter(move |n| s.0 & 1 << (n + 1) != 0);
+        each(self).flat_map(|a| each(other).map(move |b| (a, b))).fold(Signs::NONE, |out, (a, b)| out.or(rule(a, b)))
+    }
+
+    fn single(n: i8) -> Signs {
+        match n.signum() {
+            -1 => Signs::NEGATIVE,
+            0 => Signs::ZERO,
+            _ => Signs::POSITIVE,
+        }
+    }
+
+    fn plus(self, other: Signs) -> Signs {
+        self.pairwise(other, |a, b| if a * b < 0 { Signs::ALL } else { Signs::single(a + b) })
+    }
+
+    fn times(self, other: Signs) -> Signs {
+        self.pairwise(other, |a, b| Signs::single(a * b))
+    }
+}
+
+/// The signs that left − right has where the relation is true.
+pub(crate) fn of_sense(sense: Sense) -> Signs {
+    match sense {
+        Sense::Equal => Signs::ZERO,
+        Sense::NotEqual => Signs::NEGATIVE.or(Signs::POSITIVE),
+        Sense::Less => Signs::NEGATIVE,
+        Sense::LessOrEqual => Signs::NEGATIVE.or(Signs::ZERO),
+    }
+}
+
+/// What facts say: of a pair of expressions (l, r), the signs of l − r.
+pub(crate) type KnownSigns = BTreeMap<(Expr, Expr), Signs>;
+
+/// The signs of an expression.
+pub(crate) fn signs(context: &Context, e: Expr, known: &KnownSigns) -> Signs {
+    let zero = context.graph.find(&Node::Constant(std::sync::Arc::new(Rational::ZERO)));
+    let said = |a: Expr, b: Expr| {
+        let one = known.get(&(a, b)).copied().unwrap_or(Signs::ALL);
+        one.and(known.get(&(b, a)).map_or(Signs::ALL, |s| s.opposite()))
+    };
+    let mut found: BTreeMap<Expr, Signs> = BTreeMap::new();
+    for node in context.graph.reachable([e]) {
+        let mut here = match context.graph.node(node) {
+            Node::Constant(r) => Signs::of(r),
+            Node::Pi => Signs::POSITIVE,
+            Node::Leaf(leaf) => match context.constant_sign(*leaf) {
+                ConstantSign::Any => Signs::ALL,
+                ConstantSign::Positive => Signs::POSITIVE,
+                ConstantSign::NotNegative => Signs::POSITIVE.or(Signs::ZERO),
+                ConstantSign::NotZero => Signs::POSITIVE.or(Signs::NEGATIVE),
+            },
+            Node::Unary(op, a) => unary(*op, found[a]),
+            Node::Binary(op, a, b) => {
+                let own = binary(*op, *a, *b, [found[a], found[b]]);
+                if *op == Op::Sub { own.and(said(*a, *b)) } else { own }
+            }
+        };
+        if let Some(zero) = zero {
+            here = here.and(said(node, zero));
+            if let Some(minus) = context.graph.find(&Node::Unary(Op::Neg, node)) {
+                here = here.and(said(minus, zero).opposite());
+            }
+        }
+        found.insert(node, here);
+    }
+    found[&e]
+}
+
+fn unary(op: Op, a: Signs) -> Signs {
+    let not_negative = Signs::POSITIVE.or(Signs::ZERO);
+    match op {
+        Op::Neg => a.opposite(),
+        // Only what has a value is asked about.
+        Op::Sqrt => a.and(not_negative),
+        Op::Exp | Op::Cosh => Signs::POSITIVE,
+        Op::Ln | Op::Sin | Op::Cos | Op::Tan => Signs::ALL,
+        // Odd, rising, 0 at 0.
+        Op::Arcsin | Op::Arctan | Op::Sinh | Op::Tanh => a,
+        Op::Arccos => not_negative,
+        Op::Abs => absolute(a),
+        Op::Powi(0) => Signs::POSITIVE,
+        Op::Powi(n) if n % 2 == 0 => absolute(a),
+        Op::Powi(_) => a,
+        Op::Add
+        | Op::Sub
+        | Op::Mul
+        | Op::Div
+        | Op::Pow
+        | Op::Arctan2
+        | Op::Agm
+        | Op::DirectionCosine
+        | Op::Restrict => Signs::ALL,
+    }
+}
+
+fn absolute(a: Signs) -> Signs {
+    a.pairwise(Signs::POSITIVE, |a, _| Signs::single(a * a))
+}
+
+fn binary(op: Op, left: Expr, right: Expr, [a, b]: [Signs; 2]) -> Signs {
+    let not_negative = Signs::POSITIVE.or(Signs::ZERO);
+    match op {
+        Op::Add => a.plus(b),
+        Op::Sub if left == right => Signs::ZERO,
+        Op::Sub => a.plus(b.opposite()),
+        Op::Mul if left == right => absolute(a),
+        Op::Mul => a.times(b),
+        Op::Div => a.times(b.and(Signs::NEGATIVE.or(Signs::POSITIVE))),
+        // a > 0 makes it positive; a = 0 makes it 0.
+        Op::Pow => a.and(not_negative),
+        Op::Agm => not_negative,
+        Op::DirectionCosine | Op::Restrict => a,
+        Op::Arctan2
+        | Op::Neg
+        | Op::Sqrt
+        | Op::Exp
+        | Op::Ln
+        | Op::Sin
+        | Op::Cos
+        | Op::Tan
+        | Op::Arcsin
+        | Op::Arccos
+        | Op::Arctan
+        | Op::Sinh
+        | Op::Cosh
+        | Op::Tanh
+        | Op::Abs
+        | Op::Powi(_) => Signs::ALL,
+    }
+}

@@ -1,0 +1,9 @@
+//! Tests of the checker: for each rule, steps that would prove something false without a condition, and proofs that replay.
+
+mod attack;
+mod families;
+mod formula;
+mod numbers;
+mod proofs;
+mod records;
+mod refused;
