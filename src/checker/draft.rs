@@ -11,7 +11,7 @@ use super::rules;
 use super::sequent::Sequent;
 use super::signs::{KnownSigns, of_sense, signs};
 use super::step::{FactId, Given, Manner, Step};
-use super::term::{Relation, Sense};
+use super::term::{Relation, Sense, Term};
 use super::when::{CaseId, When};
 use expr::domain::Sign;
 use expr::{Expr, Symbol};
@@ -242,6 +242,21 @@ impl Draft {
     /// What the claim needs to have a value, in the order of [`Step::ClaimHasValue`].
     pub fn claim_needs(&self) -> Vec<Relation> {
         self.claim_needs.iter().filter_map(|need| self.relation_of(*need)).collect()
+    }
+
+    /// The derivative of a formula by time, as rules write it.
+    ///
+    /// # Errors
+    /// A sentence: a name that is not declared, or a rate that a symbol does not have.
+    pub fn derivative(&mut self, of: &Term) -> Result<Term, String> {
+        let e = self.context.read(of)?;
+        let d = super::derivative::derivative(&mut self.context, e)?;
+        self.context.written(Says { left: d, sense: Sense::Equal, right: d }).map(|relation| relation.left)
+    }
+
+    /// The claim, with definitions put in.
+    pub fn claim_says(&self) -> Option<Relation> {
+        self.context.written(self.context.claim).ok()
     }
 
     /// A fact in words: `x=x(0)`, at all times, where `y\ne 0`.

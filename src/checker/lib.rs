@@ -31,7 +31,7 @@ pub use fact::{Because, Fact};
 pub use law::Law;
 pub use sequent::{Claimed, ConstantSign, Declared, Definition, Sequent, SymbolKind};
 pub use step::{FactId, Given, Manner, Split, Step};
-pub use term::{LARGEST_TERM, Relation, Sense, Term, TermNode};
+pub use term::{LARGEST_TERM, Relation, Sense, Term, TermNode, operation};
 pub use when::{CaseId, Instant, When};
 
 #[cfg(test)]

@@ -62,10 +62,13 @@ fn of_nodes(context: &mut Context, nodes: Vec<Expr>) -> Needs {
     let mut out = Needs::new();
     for node in nodes {
         for need in context.graph.needs(node) {
-            let need = Need { value: need.value, sign: need.sign };
-            if !is_trivial(context, need) {
-                out.insert(need);
-            }
+            // A product is not 0 exactly if no factor is; the factors have values where it has one.
+            let values = match need.sign {
+                Sign::NotZero => context.factors(need.value),
+                Sign::Positive | Sign::NotNegative => vec![need.value],
+            };
+            let parts = values.into_iter().map(|value| Need { value, sign: need.sign });
+            out.extend(parts.filter(|part| !is_trivial(context, *part)).collect::<Vec<_>>());
         }
     }
     out

@@ -82,7 +82,7 @@ fn name_of(op: Op) -> String {
 }
 
 /// The operation of a name with so many arguments.
-pub(crate) fn operation(name: &str, arity: usize) -> Option<Op> {
+pub fn operation(name: &str, arity: usize) -> Option<Op> {
     if arity == 1
         && let Some(exponent) = name.strip_prefix('^').filter(|n| !n.is_empty())
     {

@@ -1,0 +1,85 @@
+//! Elimination: what equations are solved for is put into others.
+//!
+//! **In:** a draft, and expressions. **Out:** the expressions with values put in, as the checker will see them, and how much work that took.
+
+use crate::write::Reader;
+use checker::{Draft, FactId, Relation, Sense, Step, Term};
+use expr::{Expr, Node};
+use std::collections::BTreeMap;
+
+/// Most nodes of an expression that is reduced.
+pub(crate) const MOST_NODES: usize = 6_000;
+/// Most nodes that are looked at for one relation.
+const MOST_WORK: usize = 400_000;
+
+/// A node, and what it is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Solved {
+    pub(crate) node: Expr,
+    pub(crate) value: Expr,
+}
+
+/// A search for a proof.
+pub(crate) struct Search {
+    pub(crate) reader: Reader,
+    pub(crate) draft: Draft,
+    /// Facts that are solved for something: it is their left side.
+    pub(crate) solved: Vec<FactId>,
+    /// Nodes that were looked at.
+    pub(crate) work: usize,
+}
+
+impl Search {
+    pub(crate) fn new(reader: Reader, draft: Draft) -> Search {
+        Search { reader, draft, solved: Vec::new(), work: 0 }
+    }
+
+    /// Whether the work of the search is done with.
+    pub(crate) fn is_spent(&self) -> bool {
+        self.work > MOST_WORK
+    }
+
+    /// Takes a step; the fact that it makes.
+    pub(crate) fn push(&mut self, step: Step) -> Option<FactId> {
+        self.draft.push(step).ok().flatten()
+    }
+
+    /// The sides of an equation that is a fact.
+    pub(crate) fn equation(&mut self, id: FactId) -> Option<(Expr, Expr)> {
+        let says = self.draft.says(id).filter(|says| says.sense == Sense::Equal)?;
+        self.reader.sides(&says)
+    }
+
+    /// Puts a value into an expression; whether there was room for it.
+    pub(crate) fn put_in(&mut self, e: &mut Expr, solved: Solved) -> bool {
+        let graph = &mut self.reader.graph;
+        let nodes = graph.reachable([*e]);
+        self.work += nodes.len();
+        if nodes.len() > MOST_NODES || self.work > MOST_WORK {
+            return false;
+        }
+        let mut image: BTreeMap<Expr, Expr> = BTreeMap::new();
+        for node in nodes {
+            let new = match *graph.node(node) {
+                _ if node == solved.node => solved.value,
+                Node::Constant(_) | Node::Pi | Node::Leaf(_) => node,
+                Node::Unary(op, a) => graph.unary(op, image[&a]),
+                Node::Binary(op, a, b) => graph.rebuilt(op, image[&a], image[&b]),
+            };
+            image.insert(node, new);
+        }
+        *e = image[e];
+        true
+    }
+
+    /// An equation by algebra, with all that is solved put in.
+    pub(crate) fn zero(&mut self, says: Relation, multiplier: Option<Expr>, terms: &[(FactId, Expr)]) -> Option<FactId> {
+        let multiplier = match multiplier {
+            Some(e) => self.reader.term(e)?,
+            None => Term::integer(1),
+        };
+        let terms: Option<Vec<_>> = terms.iter().map(|&(fact, q)| Some((fact, self.reader.term(q)?))).collect();
+        let step = Step::Zero { says, multiplier, terms: terms?, insert: self.solved.clone() };
+        self.push(step)
+    }
+}

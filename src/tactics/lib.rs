@@ -1,0 +1,44 @@
+//! Tactics: search for proofs that the checker replays.
+//!
+//! **In:** a claim of a derivation. **Out:** [`Recorded`]: for each component of each equation that the claim says, the sequent and the steps of a proof; or
+//! the first obstacle. **Guaranteed:** nothing by this crate: what is recorded is what [`checker::Draft`] accepted, and anyone can
+//! replay it. A wrong sequent would be a proof of something else, so [`sequent`] is the part to read.
+//!
+//! **How a proof is searched.** All that is given is taken, with the rates that the claim needs and the values at the fixed times that it
+//! names. Equations are solved one after the other for what is linear in them, highest rates first; what is solved for is put into the
+//! others and into the claim, functions by congruence. The rest has to vanish as a polynomial, with sin² + cos² = 1 and other
+//! squares divided out. A conserved quantity is carried from a fixed time by its rate.
+
+#![forbid(unsafe_code)]
+
+mod eliminate;
+mod fraction;
+mod polynomial;
+mod prove;
+mod sequent;
+mod used;
+mod write;
+
+pub use prove::prove;
+pub use sequent::sequents;
+
+use checker::{Sequent, Step};
+use derivation::{Claim, Derivation};
+use serde::{Deserialize, Serialize};
+
+/// A proof of one relation, as a report holds it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Recorded {
+    /// What is given and what is claimed.
+    pub sequent: Sequent,
+    /// The steps, for [`checker::replay`].
+    pub steps: Vec<Step>,
+}
+
+/// Proofs of all that a claim says, for the checker.
+///
+/// # Errors
+/// A sentence: the form of the claim that no sequent expresses, or the relation for which no proof was found.
+pub fn record(derivation: &Derivation, claim: &Claim) -> Result<Vec<Recorded>, String> {
+    sequents(derivation, claim)?.into_iter().map(|question| prove(&question)).collect()
+}

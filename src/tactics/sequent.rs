@@ -1,0 +1,362 @@
+//! Sequents of a file: what a claim says for all values, and what it follows from, each as the file quantifies it.
+//!
+//! **In:** a claim and its derivation. **Out:** a [`Question`] for each component of each equation: a [`Sequent`], and where the claim is a
+//! first integral, what is conserved. **Guaranteed:** what is left out of what is given makes the sequent say more; what is left out of
+//! what is claimed is an error. So limits and boxes are left out as premises, and refused as claims.
+//!
+//! **How the file is quantified.** Definitions and systems hold at all times. What the claim assumes holds at the times that its inequalities
+//! choose. Another claim is given with its own assumptions ([`Claimed`]). A first integral e is e = e(c) for every time c of T: as a claim
+//! with a constant c of which nothing is known, as a premise at each fixed time that occurs. A symbol has as many continuous
+//! rates as formulas write.
+//!
+//! **Traps.** An angle that is continued through whole turns is not its formula: it is refused. What a claim says at events is said at
+//! some times only: refused as a claim, left out as a premise.
+
+use crate::write::Writer;
+use checker::{Claimed, Definition, Relation, Sense, Sequent};
+use claim::comparison::{at_instant, may_leap};
+use derivation::{Claim, Derivation, Form, Premise};
+use expr::{Expr, Graph, Leaf, Shape, Symbol};
+use latex::{Relation as Read, RelationKind, Role};
+use std::collections::BTreeMap;
+
+/// A sequent, and how it is to be shown.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// The sequent.
+    pub sequent: Sequent,
+    /// Whether it says e = e(c), for the position of c among the fixed times.
+    pub conserved: Option<u32>,
+}
+
+/// A relation between scalars of the file.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scalar {
+    pub(crate) left: Expr,
+    pub(crate) sense: Sense,
+    pub(crate) right: Expr,
+}
+
+impl Scalar {
+    fn equal(left: Expr, right: Expr) -> Scalar {
+        Scalar { left, sense: Sense::Equal, right }
+    }
+}
+
+/// Another claim, by scalars.
+struct Other {
+    name: String,
+    selectors: Vec<Scalar>,
+    hypotheses: Vec<Scalar>,
+    says: Vec<Scalar>,
+}
+
+/// The name of the fixed time of which nothing is known.
+const ANY_TIME: &str = r"t_\ast";
+
+/// The sequents of a claim.
+///
+/// # Errors
+/// A sentence: what in the claim no sequent expresses.
+pub fn sequents(derivation: &Derivation, claim: &Claim) -> Result<Vec<Question>, String> {
+    let mut gathering = Gathering::new(derivation, claim);
+    gathering.gather()?;
+    gathering.questions()
+}
+
+/// What is given and what is claimed, in a graph of its own.
+struct Gathering<'a> {
+    derivation: &'a Derivation,
+    claim: &'a Claim,
+    graph: Graph,
+    /// The fixed time of which nothing is known, and its symbol.
+    any_time: (Expr, Symbol),
+    claimed: Vec<(Scalar, bool)>,
+    systems: Vec<Scalar>,
+    others: Vec<Other>,
+    selectors: Vec<Scalar>,
+    assumed: Vec<Scalar>,
+}
+
+/// The scalars of a relation; nothing for a limit or a relation with ±.
+fn scalars(graph: &mut Graph, relation: &Read) -> Option<Vec<Scalar>> {
+    if relation.limit.is_some() || relation.has_branches {
+        return None;
+    }
+    let pairs: Vec<(Expr, Expr)> =
+        relation.left.components.iter().copied().zip(relation.right.components.iter().copied()).collect();
+    let each = |sense: Sense, turned: bool| {
+        pairs.iter().map(move |&(l, r)| if turned { (r, sense, l) } else { (l, sense, r) }).collect::<Vec<_>>()
+    };
+    let out = match relation.kind {
+        RelationKind::Equal => each(Sense::Equal, false),
+        RelationKind::Less => each(Sense::Less, false),
+        RelationKind::LessEqual => each(Sense::LessOrEqual, false),
+        RelationKind::Greater => each(Sense::Less, true),
+        RelationKind::GreaterEqual => each(Sense::LessOrEqual, true),
+        RelationKind::NotEqual if pairs.len() == 1 => each(Sense::NotEqual, false),
+        // Some component differs: the sum of the squares is not 0.
+        RelationKind::NotEqual => {
+            let zero = graph.integer(0);
+            let mut sum = zero;
+            for &(l, r) in &pairs {
+                let difference = graph.sub(l, r);
+                let square = graph.powi(difference, 2);
+                sum = graph.add(sum, square);
+            }
+            vec![(sum, Sense::NotEqual, zero)]
+        }
+    };
+    Some(out.into_iter().map(|(left, sense, right)| Scalar { left, sense, right }).collect())
+}
+
+impl<'a> Gathering<'a> {
+    fn new(derivation: &'a Derivation, claim: &'a Claim) -> Gathering<'a> {
+        let mut graph = derivation.graph.clone();
+        let symbol = graph.declare(ANY_TIME, Shape::scalar(), false);
+        let any_time = (graph.leaf(Leaf::now(symbol, 0)), symbol);
+        Gathering {
+            derivation,
+            claim,
+            graph,
+            any_time,
+            claimed: Vec::new(),
+            systems: Vec::new(),
+            others: Vec::new(),
+            selectors: Vec::new(),
+            assumed: Vec::new(),
+        }
+    }
+
+    fn gather(&mut self) -> Result<(), String> {
+        let (derivation, claim) = (self.derivation, self.claim);
+        if claim.at.is_some() || claim.region.is_some() {
+            return Err("a claim at events, or over ranges, is no sequent".to_owned());
+        }
+        for form in &claim.forms {
+            match form {
+                Form::Always(w) => {
+                    for relation in &w.value.relations {
+                        let said = scalars(&mut self.graph, relation).ok_or("a limit, or ±")?;
+                        self.claimed.extend(said.into_iter().map(|scalar| (scalar, false)));
+                    }
+                }
+                Form::FirstIntegral(w) => {
+                    for &e in &w.value.components {
+                        let then = at_instant(&mut self.graph, &claim.scope, e, self.any_time.0);
+                        self.claimed.push((Scalar::equal(e, then), true));
+                    }
+                }
+                _ => return Err("only equations and first integrals are sequents".to_owned()),
+            }
+        }
+        (self.selectors, self.assumed) = self.assumptions(claim);
+        for name in proved_from(derivation, claim) {
+            match derivation.premise(&name) {
+                Premise::System(system) => {
+                    let equations = &derivation.systems[system].equations;
+                    for relation in equations.iter().flat_map(|w| &w.value.relations) {
+                        self.systems.extend(scalars(&mut self.graph, relation).unwrap_or_default());
+                    }
+                }
+                Premise::Claim(at) => self.other(&derivation.claims[at]),
+                Premise::Definition => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// What a claim assumes: inequalities, which choose times, and equations. A limit, or a sign ±, is left out.
+    fn assumptions(&mut self, claim: &Claim) -> (Vec<Scalar>, Vec<Scalar>) {
+        let relations = claim.assuming.iter().flat_map(|w| &w.value.relations);
+        let all: Vec<Scalar> = relations.filter_map(|r| scalars(&mut self.graph, r)).flatten().collect();
+        all.into_iter().partition(|scalar| scalar.sense != Sense::Equal)
+    }
+
+    /// A claim that is given. What is left out of its assumptions would make it say more, so that it is left out as a whole.
+    fn other(&mut self, claim: &Claim) {
+        let plain = claim.assuming.iter().flat_map(|w| &w.value.relations).all(|r| r.limit.is_none() && !r.has_branches);
+        if claim.at.is_some() || claim.region.is_some() || !plain {
+            return;
+        }
+        let mut says = Vec::new();
+        for form in &claim.forms {
+            match form {
+                Form::Always(w) => {
+                    says.extend(w.value.relations.iter().filter_map(|r| scalars(&mut self.graph, r)).flatten());
+                }
+                Form::Solves { system } => {
+                    let relations = self.derivation.systems[*system].equations.iter().flat_map(|w| &w.value.relations);
+                    says.extend(relations.filter_map(|r| scalars(&mut self.graph, r)).flatten());
+                }
+                // Without assumptions all times count.
+                Form::FirstIntegral(w) if claim.assuming.is_empty() => {
+                    let instants = self.instants();
+                    for &e in &w.value.components {
+                        for &instant in &instants {
+                            let then = at_instant(&mut self.graph, &claim.scope, e, instant);
+                            says.push(Scalar::equal(e, then));
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+        let (selectors, hypotheses) = self.assumptions(claim);
+        self.others.push(Other { name: claim.name(), selectors, hypotheses, says });
+    }
+
+    /// The fixed times of the claim, and the one of which nothing is known.
+    fn instants(&self) -> Vec<Expr> {
+        let mine = self.claimed.iter().map(|(scalar, _)| scalar).chain(&self.selectors).chain(&self.assumed);
+        let leaves = self.graph.leaves(mine.flat_map(|s| [s.left, s.right]));
+        let mut out: Vec<Expr> = leaves.into_iter().filter_map(|leaf| leaf.instant).collect();
+        out.push(self.any_time.0);
+        out.sort_unstable();
+        out.dedup();
+        out
+    }
+
+    /// The definition of a component.
+    fn definition(&self, leaf: Leaf) -> Option<Expr> {
+        let Derivation { scope, claims, .. } = self.derivation;
+        let of_claim = || claims.iter().find_map(|c| c.scope.definition(leaf.symbol));
+        let tensor = scope.definition(leaf.symbol).or_else(|| self.claim.scope.definition(leaf.symbol)).or_else(of_claim)?;
+        tensor.components.get(usize::from(leaf.component)).copied()
+    }
+
+    fn role(&self, symbol: Symbol) -> Option<Role> {
+        let Derivation { scope, claims, .. } = self.derivation;
+        let of_claim = || claims.iter().find_map(|c| c.scope.role(symbol));
+        scope.role(symbol).or_else(|| self.claim.scope.role(symbol)).or_else(of_claim)
+    }
+
+    /// All relations.
+    fn all(&self) -> Vec<Scalar> {
+        let others = self.others.iter().flat_map(|o| o.selectors.iter().chain(&o.hypotheses).chain(&o.says));
+        let own = self.claimed.iter().map(|(scalar, _)| scalar);
+        own.chain(&self.systems).chain(&self.selectors).chain(&self.assumed).chain(others).copied().collect()
+    }
+
+    /// The definitions that occur, those that others name first; and for each symbol the highest rate that is written of it, those of
+    /// the formulas in which it stands added.
+    fn definitions(&self) -> Result<(Vec<(Leaf, Expr)>, BTreeMap<Symbol, u8>), String> {
+        let roots: Vec<Expr> = self.all().iter().flat_map(|s| [s.left, s.right]).collect();
+        let (mut out, mut orders): (Vec<(Leaf, Expr)>, BTreeMap<Symbol, u8>) = Default::default();
+        let mut open: Vec<(Leaf, u8)> = self.graph.leaves(roots).into_iter().map(|leaf| (leaf, leaf.rate)).collect();
+        let mut steps = 0;
+        while let Some((leaf, rate)) = open.pop() {
+            steps += 1;
+            if steps > 20_000 {
+                return Err("the definitions are too many".to_owned());
+            }
+            let order = orders.entry(leaf.symbol).or_insert(0);
+            *order = (*order).max(rate);
+            if let Some(instant) = leaf.instant {
+                open.extend(self.graph.leaves([instant]).into_iter().map(|l| (l, l.rate)));
+            }
+            let value = Leaf { rate: 0, instant: None, ..leaf };
+            let Some(formula) = self.definition(value) else { continue };
+            if self.derivation.is_angle(leaf.symbol) && may_leap(&self.graph, formula) {
+                return Err(format!("`{}` is an angle that is continued", self.graph.name(leaf.symbol)));
+            }
+            // Definitions name what is declared before them: last found, first written.
+            out.retain(|(known, _)| *known != value);
+            out.push((value, formula));
+            let inner = self.graph.leaves([formula]).into_iter();
+            open.extend(inner.map(|l| (l, l.rate.saturating_add(rate))));
+        }
+        out.reverse();
+        Ok((self.ordered(out), orders))
+    }
+
+    /// Definitions, each after those that it names.
+    fn ordered(&self, all: Vec<(Leaf, Expr)>) -> Vec<(Leaf, Expr)> {
+        let (mut out, mut rest): (Vec<(Leaf, Expr)>, _) = (Vec::new(), all);
+        while !rest.is_empty() {
+            let (ready, later): (Vec<_>, Vec<_>) = rest.iter().partition(|(_, formula)| {
+                let named = self.graph.leaves([*formula]);
+                named.iter().all(|l| !rest.iter().any(|(of, _)| (of.symbol, of.component) == (l.symbol, l.component)))
+            });
+            if ready.is_empty() {
+                break;
+            }
+            out.extend(ready);
+            rest = later;
+        }
+        out
+    }
+
+    fn questions(self) -> Result<Vec<Question>, String> {
+        let (definitions, orders) = self.definitions()?;
+        let mut writer = Writer::new(&self.graph);
+        let positive = |symbol: Symbol| {
+            let of_claims = self.derivation.claims.iter().flat_map(|c| &c.symbols);
+            self.derivation.symbols.iter().chain(of_claims).any(|s| s.symbol == symbol && s.positive)
+        };
+        for (&symbol, &order) in &orders {
+            let defined = definitions.iter().any(|(leaf, _)| leaf.symbol == symbol);
+            let role = if symbol == self.any_time.1 { Some(Role::Parameter) } else { self.role(symbol) };
+            writer.declare(symbol, role, defined, order, positive(symbol))?;
+        }
+        let named = definitions.iter().map(|(_, formula)| *formula);
+        let roots: Vec<Expr> = self.all().iter().flat_map(|s| [s.left, s.right]).chain(named).collect();
+        let instants = writer.instants(&roots);
+        let any_time = instants.iter().position(|&c| c == self.any_time.0).map(|at| at as u32);
+        let relations = |writer: &Writer, list: &[Scalar]| -> Result<Vec<Relation>, String> {
+            list.iter().map(|s| writer.relation(*s)).collect()
+        };
+        let mut claims = Vec::new();
+        for other in &self.others {
+            for says in &other.says {
+                claims.push(Claimed {
+                    name: other.name.clone(),
+                    selectors: relations(&writer, &other.selectors)?,
+                    hypotheses: relations(&writer, &other.hypotheses)?,
+                    says: writer.relation(*says)?,
+                });
+            }
+        }
+        let mut written = Vec::new();
+        for (leaf, formula) in &definitions {
+            let name = writer.name(leaf.symbol)?;
+            written.push(Definition { name, component: leaf.component, formula: writer.term(*formula)? });
+        }
+        let shared = Sequent {
+            symbols: writer.declared(),
+            definitions: written,
+            instants: instants.iter().map(|&c| writer.term(c)).collect::<Result<_, _>>()?,
+            systems: relations(&writer, &self.systems)?,
+            premises: Vec::new(),
+            claims,
+            selectors: relations(&writer, &self.selectors)?,
+            assumed: relations(&writer, &self.assumed)?,
+            claim: writer.relation(self.claimed.first().ok_or("nothing is claimed")?.0)?,
+        };
+        let each = self.claimed.iter().map(|(scalar, conserved)| {
+            let sequent = Sequent { claim: writer.relation(*scalar)?, ..shared.clone() };
+            Ok(Question { sequent, conserved: any_time.filter(|_| *conserved) })
+        });
+        each.collect()
+    }
+}
+
+/// The names of what a claim follows from: those that it gives, or the one system of its motions.
+fn proved_from(derivation: &Derivation, claim: &Claim) -> Vec<String> {
+    if !claim.follows_from.is_empty() {
+        return claim.follows_from.clone();
+    }
+    let mut systems: Vec<usize> = Vec::new();
+    for &at in &claim.trajectories {
+        match derivation.trajectories[at].motion {
+            derivation::Motion::Integrated { system, .. } => systems.push(system),
+            derivation::Motion::Formula { .. } | derivation::Motion::Derived { .. } => {}
+        }
+    }
+    systems.sort_unstable();
+    systems.dedup();
+    match systems[..] {
+        [only] => vec![derivation.systems[only].id.clone()],
+        _ => Vec::new(),
+    }
+}
