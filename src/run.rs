@@ -131,7 +131,8 @@ impl Document {
         let data = || (self.json(), report::certificates(found.derivation(), found.account()));
         let ((json, certificates), (page, markdown)) =
             rayon::join(data, || rayon::join(|| found.page(), || found.markdown()));
-        let files = [("report.json", json), ("report.md", markdown), ("index.html", page)];
+        let proofs = report::proofs(found.derivation(), found.account());
+        let files = [("report.json", json), (report::PROOFS, proofs), ("report.md", markdown), ("index.html", page)];
         files.into_iter().map(|(name, text)| (name.to_owned(), text)).chain(certificates).collect()
     }
 }

@@ -4,6 +4,7 @@
 //! `progress`, `records` and `outputs`. Questions about a derivation go through [`Session`](rederive::Session).
 
 mod arguments;
+mod audit;
 mod check;
 mod completions;
 mod diff;
@@ -61,6 +62,8 @@ enum Command {
     Init(init::InitArguments),
     /// Makes a PDF file of a report, with LaTeX or a browser, whichever is at hand
     Report(report::ReportArguments),
+    /// Replays the recorded proofs of reports with the checker, without the prover
+    Audit(audit::AuditArguments),
     /// Compares two reports: which verdicts changed, and whether for the worse
     Diff(diff::DiffArguments),
     /// Checks a derivation file again whenever it is saved: only what the change concerns
@@ -114,6 +117,7 @@ fn command(arguments: &Arguments) -> Result<Ending, Stop> {
         Command::Merge(a) => merge::merge(a),
         Command::Init(a) => init::init(a),
         Command::Report(a) => report::report(a),
+        Command::Audit(a) => audit::audit(a),
         Command::Diff(a) => diff::diff(a),
         Command::Watch(a) => watch::watch(a),
         Command::Schema(a) => schema::schema(a),

@@ -13,6 +13,7 @@
 
 use ::{derivation, diag, expr, latex};
 
+mod audit;
 mod certificates;
 mod conditions;
 mod consequence;
@@ -41,6 +42,7 @@ mod page;
 mod paper;
 mod part;
 mod plot;
+mod proofs;
 mod proposition;
 mod region;
 mod sarif;
@@ -56,6 +58,8 @@ mod wording;
 /// The name of the program, as reports give it.
 const PROGRAM: &str = "rederive";
 
+pub use audit::{Audit, AuditedClaim, AuditedRelation, Replayed, audit};
+pub use proofs::{PROOF_SCHEMA, PROOFS, ProofFile, RecordedClaim, UnrecordedClaim, proofs};
 pub use certificates::{CERTIFICATES, certificate_text, certificates, lean_text};
 pub use contents::contents;
 pub use diff::{Change, Direction, OtherId, diff, diff_files, diff_text, is_worse};

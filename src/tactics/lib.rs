@@ -1,6 +1,6 @@
 //! Tactics: search for proofs that the checker replays.
 //!
-//! **In:** a claim of a derivation. **Out:** [`Recorded`]: for each component of each equation that the claim says, the sequent and the steps of a proof; or
+//! **In:** a claim of a derivation. **Out:** [`ProofRecord`]: for each component of each equation that the claim says, the steps of a proof; or
 //! the first obstacle. **Guaranteed:** nothing by this crate: what is recorded is what [`checker::Draft`] accepted, and anyone can
 //! replay it. A wrong sequent would be a proof of something else, so [`sequent`] is the part to read.
 //!
@@ -22,23 +22,19 @@ mod write;
 pub use prove::prove;
 pub use sequent::sequents;
 
-use checker::{Sequent, Step};
+use checker::{ProofRecord, RelationRecord};
 use derivation::{Claim, Derivation};
-use serde::{Deserialize, Serialize};
-
-/// A proof of one relation, as a report holds it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Recorded {
-    /// What is given and what is claimed.
-    pub sequent: Sequent,
-    /// The steps, for [`checker::replay`].
-    pub steps: Vec<Step>,
-}
 
 /// Proofs of all that a claim says, for the checker.
 ///
 /// # Errors
-/// A sentence: the form of the claim that no sequent expresses, or the relation for which no proof was found.
-pub fn record(derivation: &Derivation, claim: &Claim) -> Result<Vec<Recorded>, String> {
-    sequents(derivation, claim)?.into_iter().map(|question| prove(&question)).collect()
+/// A sentence: the form of the claim that no sequent expresses, or that no proof was found.
+pub fn record(derivation: &Derivation, claim: &Claim) -> Result<ProofRecord, String> {
+    let questions = sequents(derivation, claim)?;
+    let sequent = questions.first().map(|q| q.sequent.clone()).ok_or("nothing is claimed")?;
+    let mut relations = Vec::new();
+    for question in &questions {
+        relations.push(RelationRecord { claim: question.sequent.claim.clone(), steps: prove(question)? });
+    }
+    Ok(ProofRecord { sequent, relations })
 }

@@ -2,7 +2,6 @@
 //!
 //! **In:** a [`Question`]. **Out:** a proof that the checker accepted, or why none was found. **Guaranteed:** bounded: so many facts, so many nodes.
 
-use crate::Recorded;
 use crate::eliminate::{MOST_NODES, Search, Solved};
 use crate::fraction::fraction;
 use crate::polynomial::divide;
@@ -23,11 +22,11 @@ const IDENTITY: usize = 8_000;
 /// Most divisions of the rest of a claim.
 const MOST_DIVISIONS: usize = 12;
 
-/// A proof of a sequent.
+/// The steps of a proof of a sequent.
 ///
 /// # Errors
 /// A sentence: the sequent that cannot be read, or the search that ended without a proof.
-pub fn prove(question: &Question) -> Result<Recorded, String> {
+pub fn prove(question: &Question) -> Result<Vec<Step>, String> {
     let sequent = &question.sequent;
     let draft = Draft::new(sequent).map_err(|refused| refused.to_string())?;
     let mut attempt = Attempt {
@@ -40,7 +39,7 @@ pub fn prove(question: &Question) -> Result<Recorded, String> {
     let mut draft = attempt.search.draft;
     draft.push(Step::Conclude { fact: shown }).map_err(|refused| refused.to_string())?;
     let (steps, _) = draft.finish().map_err(|refused| refused.to_string())?;
-    Ok(Recorded { sequent: sequent.clone(), steps: used(steps) })
+    Ok(used(steps))
 }
 
 /// What a fact is solved for: a rate now, a value now, a value at a fixed time, a constant.

@@ -1,0 +1,44 @@
+//! Recorded proofs: what a report holds, and their replay.
+//!
+//! **In:** the sequents of a claim, which differ in what is claimed, and steps for each. **Out:** [`ProofRecord`], and what its replay shows. **Guaranteed:** a
+//! record says nothing by itself.
+
+use super::draft::{Refused, Shown, replay};
+use super::sequent::Sequent;
+use super::step::Step;
+use super::term::Relation;
+use serde::{Deserialize, Serialize};
+
+/// The proof of one relation.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct RelationRecord {
+    /// What is claimed.
+    pub claim: Relation,
+    /// The steps.
+    pub steps: Vec<Step>,
+}
+
+/// Proofs of all relations that a claim says.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ProofRecord {
+    /// What is given to all of them; its claim is that of the first.
+    pub sequent: Sequent,
+    /// The relations, each with its proof.
+    pub relations: Vec<RelationRecord>,
+}
+
+impl ProofRecord {
+    /// The sequent of a relation.
+    pub fn sequent_of(&self, relation: &RelationRecord) -> Sequent {
+        Sequent { claim: relation.claim.clone(), ..self.sequent.clone() }
+    }
+
+    /// What the replay of each relation shows.
+    ///
+    /// # Errors
+    /// The position of the relation, and the step that is refused.
+    pub fn replay(&self) -> Result<Vec<Shown>, (usize, Refused)> {
+        let each = self.relations.iter().enumerate();
+        each.map(|(at, relation)| replay(&self.sequent_of(relation), &relation.steps).map_err(|why| (at, why))).collect()
+    }
+}

@@ -1,0 +1,179 @@
+//! Audit: replays the recorded proofs of a report, without the prover.
+//!
+//! **In:** the text of a `proofs.json`. **Out:** [`Audit`]: for each claim the sequent in words, what was replayed, what the proof rests on, or the step that is
+//! refused. **Guaranteed:** nothing that the file says of a proof is believed: the checker makes each step again. What is taken on trust is
+//! named: that the sequents are what the derivation file says, and the claims of which no proof is recorded.
+
+use super::proofs::{PROOF_SCHEMA, ProofFile, UnrecordedClaim};
+use checker::{Given, Shown};
+use serde_json::{Value, json};
+
+/// The outcome of one relation.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Replayed {
+    /// The checker made every step again.
+    Shown(Box<Shown>),
+    /// A step that it refused, counted from 1; nothing for a record that cannot be read at all.
+    Refused {
+        /// The step.
+        step: Option<usize>,
+        /// The condition that is not met.
+        why: String,
+    },
+}
+
+/// One relation of a claim.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AuditedRelation {
+    /// The sequent in words.
+    pub sequent: String,
+    /// What the replay came to.
+    pub outcome: Replayed,
+}
+
+/// One claim.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AuditedClaim {
+    /// `id`, or `id/reading`.
+    pub claim: String,
+    /// What the report says of it.
+    pub standing: String,
+    /// Its relations.
+    pub relations: Vec<AuditedRelation>,
+}
+
+/// The proofs of a report, replayed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Audit {
+    /// The id of the derivation.
+    pub derivation: String,
+    /// Claims with recorded proofs.
+    pub claims: Vec<AuditedClaim>,
+    /// Claims without.
+    pub unrecorded: Vec<UnrecordedClaim>,
+}
+
+/// Replays the proofs of a file.
+///
+/// # Errors
+/// A sentence: the text is no `proofs.json`, or one of another version.
+pub fn audit(text: &[u8]) -> Result<Audit, String> {
+    let file: ProofFile = serde_json::from_slice(text).map_err(|error| format!("this is no proofs.json: {error}"))?;
+    if file.schema != PROOF_SCHEMA {
+        return Err(format!("the layout {} of proofs.json is not known", file.schema));
+    }
+    let claims = file.proofs.into_iter().map(|recorded| {
+        let relations = recorded.proof.relations.iter().map(|relation| {
+            let sequent = recorded.proof.sequent_of(relation);
+            let refused = |refused: checker::Refused| Replayed::Refused { step: refused.step.map(|s| s + 1), why: refused.why };
+            AuditedRelation {
+                sequent: sequent.words().unwrap_or_else(|refused| refused.to_string()),
+                outcome: match checker::replay(&sequent, &relation.steps) {
+                    Ok(shown) => Replayed::Shown(Box::new(shown)),
+                    Err(why) => refused(why),
+                },
+            }
+        });
+        AuditedClaim { relations: relations.collect(), claim: recorded.claim, standing: recorded.standing }
+    });
+    Ok(Audit { claims: claims.collect(), derivation: file.derivation, unrecorded: file.unrecorded })
+}
+
+impl AuditedClaim {
+    /// Whether every step of every relation was made again, and none is missing.
+    pub fn is_replayed(&self) -> bool {
+        !self.relations.is_empty() && self.relations.iter().all(|r| matches!(r.outcome, Replayed::Shown(_)))
+    }
+}
+
+/// What a proof rests on, in words.
+fn given(shown: &Shown) -> String {
+    let word = |given: &Given| match given {
+        Given::System(at) => format!("equation {} of the systems", at + 1),
+        Given::Premise(at) => format!("premise {}", at + 1),
+        Given::Assumed(at) => format!("assumption {}", at + 1),
+        Given::Selector(at) => format!("selector {}", at + 1),
+        Given::Claimed(at) => format!("given claim {}", at + 1),
+    };
+    match shown.given() {
+        [] => "the definitions alone".to_owned(),
+        all => all.iter().map(word).collect::<Vec<_>>().join(", "),
+    }
+}
+
+impl Audit {
+    /// Whether all that is recorded was replayed.
+    pub fn is_replayed(&self) -> bool {
+        self.claims.iter().all(AuditedClaim::is_replayed)
+    }
+
+    /// The audit for people.
+    pub fn text(&self) -> String {
+        let mut out = format!("{}\n", self.derivation);
+        for claim in &self.claims {
+            let word = if claim.is_replayed() { "replayed" } else { "REFUSED" };
+            out += &format!("\n  {}  {word} ({})\n", claim.claim, claim.standing);
+            for relation in &claim.relations {
+                out += &format!("    {}\n", relation.sequent);
+                out += &match &relation.outcome {
+                    Replayed::Shown(shown) => format!("      {}\n", shown_words(shown)),
+                    Replayed::Refused { step: Some(step), why } => format!("      step {step} is refused: {why}\n"),
+                    Replayed::Refused { step: None, why } => format!("      refused: {why}\n"),
+                };
+            }
+        }
+        let replayed = self.claims.iter().filter(|claim| claim.is_replayed()).count();
+        out += &format!("\n{replayed} of {} recorded claims are replayed.\n", self.claims.len());
+        out += "On trust: that the sequents say what the derivation file says; the theorems that the rules name.\n";
+        if !self.unrecorded.is_empty() {
+            out += &format!("Proved by the prover alone, with no recorded proof ({}):\n", self.unrecorded.len());
+            for UnrecordedClaim { claim, standing, why } in &self.unrecorded {
+                out += &format!("  {claim} ({standing}): {why}\n");
+            }
+        }
+        out
+    }
+
+    /// The audit as JSON.
+    pub fn json(&self) -> Value {
+        let relation = |relation: &AuditedRelation| match &relation.outcome {
+            Replayed::Shown(shown) => json!({
+                "sequent": relation.sequent,
+                "outcome": "replayed",
+                "steps": shown.steps(),
+                "rests_on": given(shown),
+                "leaves_out": shown.leaves_out().len(),
+                "exact": shown.log2_error() == f64::NEG_INFINITY,
+            }),
+            Replayed::Refused { step, why } => {
+                json!({ "sequent": relation.sequent, "outcome": "refused", "step": step, "why": why })
+            }
+        };
+        let claim = |claim: &AuditedClaim| {
+            json!({
+                "claim": claim.claim,
+                "standing": claim.standing,
+                "replayed": claim.is_replayed(),
+                "relations": claim.relations.iter().map(relation).collect::<Vec<_>>(),
+            })
+        };
+        json!({
+            "derivation": self.derivation,
+            "claims": self.claims.iter().map(claim).collect::<Vec<_>>(),
+            "unrecorded": self.unrecorded,
+        })
+    }
+}
+
+fn shown_words(shown: &Shown) -> String {
+    let mut out = format!("{} steps, from {}", shown.steps(), given(shown));
+    if shown.log2_error() > f64::NEG_INFINITY {
+        out += &format!("; an identity was tried at random, with an error probability of at most 2^{:.0}", shown.log2_error().ceil());
+    }
+    match shown.leaves_out().len() {
+        0 => {}
+        1 => out += "; a case is left out",
+        n => out += &format!("; {n} cases are left out"),
+    }
+    out
+}
