@@ -20,6 +20,9 @@ use std::collections::BTreeSet;
 /// Most steps of a proof.
 pub const MOST_STEPS: usize = 20_000;
 
+/// Cases stand in each other this deep at most: to compare sets of times takes time that grows with it.
+const DEEPEST_CASES: usize = 12;
+
 /// A step that is not accepted.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refused {
@@ -198,6 +201,9 @@ impl Draft {
         }
         match rules::apply(self, &step) {
             Err(why) => Err(Refused { step: Some(self.steps.len()), why }),
+            Ok(Some(made)) if made.when.depth() > DEEPEST_CASES => {
+                Err(Refused { step: Some(self.steps.len()), why: "cases stand too deep in each other".to_owned() })
+            }
             Ok(made) => {
                 self.lasting.extend(lasting(&step));
                 self.steps.push(step);
@@ -414,11 +420,17 @@ impl Draft {
     /// Whether all cases in it are opened. A fixed time is not among the sets that a rule may be asked for: what is known there is a
     /// relation between constants, which [`Step::Restrict`] makes.
     pub(crate) fn exists(&self, when: &When) -> bool {
+        when.depth() <= DEEPEST_CASES && self.names_only_what_there_is(when)
+    }
+
+    fn names_only_what_there_is(&self, when: &When) -> bool {
         match when {
             When::At(_) => false,
             When::Chosen | When::Always => true,
             When::ChosenOpen => self.opened,
-            When::In(CaseId(case), inner) => (*case as usize) < self.cases.len() && self.exists(inner),
+            When::In(CaseId(case), inner) => {
+                (*case as usize) < self.cases.len() && self.names_only_what_there_is(inner)
+            }
         }
     }
 
