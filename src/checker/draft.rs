@@ -43,7 +43,7 @@ impl std::fmt::Display for Refused {
 
 impl std::error::Error for Refused {}
 
-/// What a proof shows. Only [`replay`] and [`Draft::finish`] make one.
+/// The result of a proof. Only [`replay`] and [`Draft::finish`] make one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shown {
     claim: Relation,
@@ -99,7 +99,7 @@ pub(crate) struct Case {
     pub(crate) constant: bool,
 }
 
-/// What a rule makes.
+/// The fact that a rule makes.
 pub(crate) struct Made {
     pub(crate) says: Says,
     pub(crate) when: When,
@@ -126,7 +126,7 @@ pub struct Draft {
     claim: Relation,
 }
 
-/// What a step that makes no fact rests on.
+/// The facts that a step without a fact of its own rests on.
 fn lasting(step: &Step) -> Vec<FactId> {
     match step {
         Step::Open { because } | Step::Everywhere { because } => because.clone(),
@@ -239,13 +239,13 @@ impl Draft {
         self.fact(id).and_then(|fact| self.context.written(fact.says).ok())
     }
 
-    /// What a fact needs.
+    /// The needs of a fact.
     pub fn needs(&self, id: FactId) -> Vec<Relation> {
         let needs = self.fact(id).map(|fact| fact.needs.clone()).unwrap_or_default();
         needs.into_iter().filter_map(|need| self.relation_of(need)).collect()
     }
 
-    /// What the claim needs to have a value, in the order of [`Step::ClaimHasValue`].
+    /// The needs of the claim to have a value, in the order of [`Step::ClaimHasValue`].
     pub fn claim_needs(&self) -> Vec<Relation> {
         self.claim_needs.iter().filter_map(|need| self.relation_of(*need)).collect()
     }
@@ -434,7 +434,7 @@ impl Draft {
         }
     }
 
-    /// What facts say of signs, at times, and what they need.
+    /// The signs that facts say, at times, and the needs of these facts.
     pub(crate) fn known_signs(&self, facts: &[FactId], when: &When) -> Result<(KnownSigns, Needs), String> {
         let (mut known, mut needs) = (KnownSigns::new(), Needs::new());
         for id in facts {
