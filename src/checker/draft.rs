@@ -20,6 +20,9 @@ use std::collections::BTreeSet;
 /// Most steps of a proof.
 pub const MOST_STEPS: usize = 20_000;
 
+/// Cases stand in each other this deep at most: to compare sets of times takes time that grows with it.
+const DEEPEST_CASES: usize = 12;
+
 /// A step that is not accepted.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refused {
@@ -40,7 +43,7 @@ impl std::fmt::Display for Refused {
 
 impl std::error::Error for Refused {}
 
-/// What a proof shows. Only [`replay`] and [`Draft::finish`] make one.
+/// The result of a proof. Only [`replay`] and [`Draft::finish`] make one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shown {
     claim: Relation,
@@ -96,7 +99,7 @@ pub(crate) struct Case {
     pub(crate) constant: bool,
 }
 
-/// What a rule makes.
+/// The fact that a rule makes.
 pub(crate) struct Made {
     pub(crate) says: Says,
     pub(crate) when: When,
@@ -123,7 +126,7 @@ pub struct Draft {
     claim: Relation,
 }
 
-/// What a step that makes no fact rests on.
+/// The facts that a step without a fact of its own rests on.
 fn lasting(step: &Step) -> Vec<FactId> {
     match step {
         Step::Open { because } | Step::Everywhere { because } => because.clone(),
@@ -198,6 +201,9 @@ impl Draft {
         }
         match rules::apply(self, &step) {
             Err(why) => Err(Refused { step: Some(self.steps.len()), why }),
+            Ok(Some(made)) if made.when.depth() > DEEPEST_CASES => {
+                Err(Refused { step: Some(self.steps.len()), why: "cases stand too deep in each other".to_owned() })
+            }
             Ok(made) => {
                 self.lasting.extend(lasting(&step));
                 self.steps.push(step);
@@ -233,13 +239,13 @@ impl Draft {
         self.fact(id).and_then(|fact| self.context.written(fact.says).ok())
     }
 
-    /// What a fact needs.
+    /// The needs of a fact.
     pub fn needs(&self, id: FactId) -> Vec<Relation> {
         let needs = self.fact(id).map(|fact| fact.needs.clone()).unwrap_or_default();
         needs.into_iter().filter_map(|need| self.relation_of(need)).collect()
     }
 
-    /// What the claim needs to have a value, in the order of [`Step::ClaimHasValue`].
+    /// The needs of the claim to have a value, in the order of [`Step::ClaimHasValue`].
     pub fn claim_needs(&self) -> Vec<Relation> {
         self.claim_needs.iter().filter_map(|need| self.relation_of(*need)).collect()
     }
@@ -429,15 +435,21 @@ impl Draft {
     /// Whether all cases in it are opened. A fixed time is not among the sets that a rule may be asked for: what is known there is a
     /// relation between constants, which [`Step::Restrict`] makes.
     pub(crate) fn exists(&self, when: &When) -> bool {
+        when.depth() <= DEEPEST_CASES && self.names_only_what_there_is(when)
+    }
+
+    fn names_only_what_there_is(&self, when: &When) -> bool {
         match when {
             When::At(_) => false,
             When::Chosen | When::Always => true,
             When::ChosenOpen => self.opened,
-            When::In(CaseId(case), inner) => (*case as usize) < self.cases.len() && self.exists(inner),
+            When::In(CaseId(case), inner) => {
+                (*case as usize) < self.cases.len() && self.names_only_what_there_is(inner)
+            }
         }
     }
 
-    /// What facts say of signs, at times, and what they need.
+    /// The signs that facts say, at times, and the needs of these facts.
     pub(crate) fn known_signs(&self, facts: &[FactId], when: &When) -> Result<(KnownSigns, Needs), String> {
         let (mut known, mut needs) = (KnownSigns::new(), Needs::new());
         for id in facts {

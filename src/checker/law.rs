@@ -103,7 +103,7 @@ pub(crate) fn law(draft: &mut Draft, law: Law, of: &[Term]) -> Result<Made, Stri
     let of: Vec<Expr> = of.iter().map(|term| draft.context.read(term)).collect::<Result<_, _>>()?;
     let zero = draft.context.graph.integer(0);
     let at = |i: usize| of.get(i).copied().unwrap_or(zero);
-    let Row { left, right, conditions } = row(&mut draft.context.graph, law, at(0), at(1), at(2));
+    let Row { left, right, conditions } = row(&mut draft.context.graph, law, [at(0), at(1), at(2)]);
     let says = Says { left, sense: Sense::Equal, right };
     let mut needs = needs_of(draft, says);
     for condition in conditions {
@@ -113,38 +113,55 @@ pub(crate) fn law(draft: &mut Draft, law: Law, of: &[Term]) -> Result<Made, Stri
     Ok(made("law", vec![], says, When::Always, needs))
 }
 
-fn row(g: &mut Graph, law: Law, u: Expr, v: Expr, w: Expr) -> Row {
-    let one = g.integer(1);
-    let half = g.constant(Rational::ONE / Rational::from(2));
-    let pi = g.pi();
-    let quarter = g.mul(half, pi);
-    let f = |g: &mut Graph, op: Op, e: Expr| g.unary(op, e);
-    let (sin, cos) = (g.unary(Op::Sin, u), g.unary(Op::Cos, u));
-    let minus = g.neg(u);
+/// Sides of a law, and its conditions.
+type Sides = (Expr, Expr);
+
+fn row(g: &mut Graph, law: Law, [u, v, w]: [Expr; 3]) -> Row {
     let mut conditions = Vec::new();
+    let found = circular(g, law, [u, v], &mut conditions)
+        .or_else(|| exponential(g, law, [u, v, w], &mut conditions))
+        .or_else(|| root(g, law, [u, v], &mut conditions))
+        .or_else(|| inverse(g, law, u, &mut conditions));
+    // A law that no list has says nothing; a test sees that there is none.
+    let (left, right) = found.unwrap_or((u, u));
+    Row { left, right, conditions }
+}
+
+fn f(g: &mut Graph, op: Op, e: Expr) -> Expr {
+    g.unary(op, e)
+}
+
+/// π/2
+fn quarter_turn(g: &mut Graph) -> Expr {
+    let (half, pi) = (g.constant(Rational::ONE / Rational::from(2)), g.pi());
+    g.mul(half, pi)
+}
+
+/// Laws of sine, cosine, tangent and angles.
+fn circular(g: &mut Graph, law: Law, [u, v]: [Expr; 2], conditions: &mut Vec<Need>) -> Option<Sides> {
+    let one = g.integer(1);
+    let pi = g.pi();
+    let quarter = quarter_turn(g);
+    let sin = g.unary(Op::Sin, u);
+    let cos = g.unary(Op::Cos, u);
+    let minus = g.neg(u);
     let mut asks = |value: Expr, sign: Sign| conditions.push(Need { value, sign });
-    // √(1−u²) and √(u²+v²)
-    let unit = |g: &mut Graph| {
-        let square = g.powi(u, 2);
-        let under = g.sub(one, square);
-        g.unary(Op::Sqrt, under)
-    };
+    // √(u²+v²)
     let length = |g: &mut Graph| {
         let (uu, vv) = (g.powi(u, 2), g.powi(v, 2));
         let sum = g.add(uu, vv);
         g.unary(Op::Sqrt, sum)
     };
-    let sum = |g: &mut Graph, a: Expr, b: Expr| g.add(a, b);
-    let (left, right) = match law {
+    Some(match law {
         Law::Pythagoras => {
             let (a, b) = (g.powi(sin, 2), g.powi(cos, 2));
-            (sum(g, a, b), one)
+            (g.add(a, b), one)
         }
         Law::SineOfSum | Law::CosineOfSum => {
-            let (s, c, both) = (f(g, Op::Sin, v), f(g, Op::Cos, v), sum(g, u, v));
+            let (s, c, both) = (f(g, Op::Sin, v), f(g, Op::Cos, v), g.add(u, v));
             if law == Law::SineOfSum {
                 let (a, b) = (g.mul(sin, c), g.mul(cos, s));
-                (f(g, Op::Sin, both), sum(g, a, b))
+                (f(g, Op::Sin, both), g.add(a, b))
             } else {
                 let (a, b) = (g.mul(cos, c), g.mul(sin, s));
                 (f(g, Op::Cos, both), g.sub(a, b))
@@ -157,8 +174,34 @@ fn row(g: &mut Graph, law: Law, u: Expr, v: Expr, w: Expr) -> Row {
         Law::CosineOfPi => (f(g, Op::Cos, pi), g.integer(-1)),
         Law::SineOfQuarter => (f(g, Op::Sin, quarter), one),
         Law::CosineOfQuarter => (f(g, Op::Cos, quarter), g.integer(0)),
+        Law::CosineOfAngle | Law::SineOfAngle => {
+            let (angle, r) = (g.binary(Op::Arctan2, v, u), length(g));
+            let (op, side) = if law == Law::CosineOfAngle { (Op::Cos, u) } else { (Op::Sin, v) };
+            let turned = f(g, op, angle);
+            (g.mul(turned, r), side)
+        }
+        Law::AngleOnRight => {
+            asks(u, Sign::Positive);
+            let slope = g.div(v, u);
+            (g.binary(Op::Arctan2, v, u), f(g, Op::Arctan, slope))
+        }
+        Law::DirectionCosine => {
+            let (direction, r) = (g.binary(Op::DirectionCosine, u, v), length(g));
+            (g.mul(direction, r), u)
+        }
+        _ => return None,
+    })
+}
+
+/// Laws of exponentials, logarithms and powers.
+fn exponential(g: &mut Graph, law: Law, [u, v, w]: [Expr; 3], conditions: &mut Vec<Need>) -> Option<Sides> {
+    let one = g.integer(1);
+    let half = g.constant(Rational::ONE / Rational::from(2));
+    let minus = g.neg(u);
+    let mut asks = |value: Expr, sign: Sign| conditions.push(Need { value, sign });
+    Some(match law {
         Law::ExponentialOfSum => {
-            let (a, b, both) = (f(g, Op::Exp, u), f(g, Op::Exp, v), sum(g, u, v));
+            let (a, b, both) = (f(g, Op::Exp, u), f(g, Op::Exp, v), g.add(u, v));
             (f(g, Op::Exp, both), g.mul(a, b))
         }
         Law::ExponentialOfOpposite => {
@@ -185,7 +228,7 @@ fn row(g: &mut Graph, law: Law, u: Expr, v: Expr, w: Expr) -> Row {
         }
         Law::LogarithmOfProduct => {
             let (a, b, both) = (f(g, Op::Ln, u), f(g, Op::Ln, v), g.mul(u, v));
-            (f(g, Op::Ln, both), sum(g, a, b))
+            (f(g, Op::Ln, both), g.add(a, b))
         }
         Law::LogarithmOfPower | Law::Power => {
             asks(u, Sign::Positive);
@@ -198,10 +241,19 @@ fn row(g: &mut Graph, law: Law, u: Expr, v: Expr, w: Expr) -> Row {
         }
         Law::PowerOfSum => {
             asks(u, Sign::Positive);
-            let both = sum(g, v, w);
+            let both = g.add(v, w);
             let (a, b) = (g.binary(Op::Pow, u, v), g.binary(Op::Pow, u, w));
             (g.binary(Op::Pow, u, both), g.mul(a, b))
         }
+        _ => return None,
+    })
+}
+
+/// Laws of roots, absolute values and means.
+fn root(g: &mut Graph, law: Law, [u, v]: [Expr; 2], conditions: &mut Vec<Need>) -> Option<Sides> {
+    let minus = g.neg(u);
+    let mut asks = |value: Expr, sign: Sign| conditions.push(Need { value, sign });
+    Some(match law {
         Law::SquareOfRoot => {
             let a = f(g, Op::Sqrt, u);
             (g.powi(a, 2), u)
@@ -227,6 +279,27 @@ fn row(g: &mut Graph, law: Law, u: Expr, v: Expr, w: Expr) -> Row {
             asks(minus, Sign::NotNegative);
             (f(g, Op::Abs, u), minus)
         }
+        Law::MeanOfEquals => (g.binary(Op::Agm, u, u), u),
+
+        _ => return None,
+    })
+}
+
+/// Laws of the inverse functions of sine, cosine and tangent.
+fn inverse(g: &mut Graph, law: Law, u: Expr, conditions: &mut Vec<Need>) -> Option<Sides> {
+    let pi = g.pi();
+    let quarter = quarter_turn(g);
+    let sin = g.unary(Op::Sin, u);
+    let cos = g.unary(Op::Cos, u);
+    let mut asks = |value: Expr, sign: Sign| conditions.push(Need { value, sign });
+    // √(1−u²)
+    let unit = |g: &mut Graph| {
+        let square = g.powi(u, 2);
+        let (one, op) = (g.integer(1), Op::Sqrt);
+        let under = g.sub(one, square);
+        g.unary(op, under)
+    };
+    Some(match law {
         Law::SineOfArcsine | Law::CosineOfArcsine => {
             let a = f(g, Op::Arcsin, u);
             if law == Law::SineOfArcsine { (f(g, Op::Sin, a), u) } else { (f(g, Op::Cos, a), unit(g)) }
@@ -256,24 +329,8 @@ fn row(g: &mut Graph, law: Law, u: Expr, v: Expr, w: Expr) -> Row {
         }
         Law::ArcsineAndArccosine => {
             let (a, b) = (f(g, Op::Arcsin, u), f(g, Op::Arccos, u));
-            (sum(g, a, b), quarter)
+            (g.add(a, b), quarter)
         }
-        Law::CosineOfAngle | Law::SineOfAngle => {
-            let (angle, r) = (g.binary(Op::Arctan2, v, u), length(g));
-            let (op, side) = if law == Law::CosineOfAngle { (Op::Cos, u) } else { (Op::Sin, v) };
-            let turned = f(g, op, angle);
-            (g.mul(turned, r), side)
-        }
-        Law::AngleOnRight => {
-            asks(u, Sign::Positive);
-            let slope = g.div(v, u);
-            (g.binary(Op::Arctan2, v, u), f(g, Op::Arctan, slope))
-        }
-        Law::DirectionCosine => {
-            let (direction, r) = (g.binary(Op::DirectionCosine, u, v), length(g));
-            (g.mul(direction, r), u)
-        }
-        Law::MeanOfEquals => (g.binary(Op::Agm, u, u), u),
-    };
-    Row { left, right, conditions }
+        _ => return None,
+    })
 }

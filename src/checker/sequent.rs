@@ -17,7 +17,7 @@
 use super::term::{Relation, Term};
 use serde::{Deserialize, Serialize};
 
-/// What is known of the sign of a constant.
+/// The sign of a constant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ConstantSign {
@@ -80,12 +80,12 @@ pub struct Claimed {
     pub says: Relation,
 }
 
-/// What is given, and what is claimed.
+/// Definitions, equations and relations that are given, and a claim.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Sequent {
     /// All symbols.
     pub symbols: Vec<Declared>,
-    /// What defined symbols are, at all times.
+    /// The formulas of defined symbols, at all times.
     pub definitions: Vec<Definition>,
     /// The fixed times: terms of constants. T contains each of them that has a value.
     pub instants: Vec<Term>,

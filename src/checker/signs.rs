@@ -78,7 +78,7 @@ pub(crate) fn of_sense(sense: Sense) -> Signs {
     }
 }
 
-/// What facts say: of a pair of expressions (l, r), the signs of l − r.
+/// The signs that facts say: of a pair of expressions (l, r), the signs of l − r.
 pub(crate) type KnownSigns = BTreeMap<(Expr, Expr), Signs>;
 
 /// The signs of an expression.

@@ -45,6 +45,15 @@ impl When {
         When::In(case, Box::new(self))
     }
 
+    /// How many cases stand in each other.
+    pub fn depth(&self) -> usize {
+        let (mut depth, mut when) = (0, self);
+        while let When::In(_, inner) = when {
+            (depth, when) = (depth + 1, &**inner);
+        }
+        depth
+    }
+
     /// Whether the set depends on the supposition of a case.
     pub fn is_in_case(&self) -> bool {
         match self {

@@ -10,9 +10,9 @@ use expr::Op;
 use number::Draws;
 
 /// A sequent, a motion that satisfies it, and formulas to draw from.
-struct Scene {
-    sequent: Sequent,
-    motion: Numbers,
+pub(super) struct Scene {
+    pub(super) sequent: Sequent,
+    pub(super) motion: Numbers,
     formulas: &'static [&'static str],
 }
 
@@ -51,7 +51,7 @@ const RISING: Jet = |t| {
     [s * s * s, 3.0 * s * s, 6.0 * s, if s > 0.0 { 6.0 } else { 0.0 }]
 };
 
-fn scenes() -> Vec<Scene> {
+pub(super) fn scenes() -> Vec<Scene> {
     let motion =
         |functions: &[(&'static str, Jet)]| Numbers { functions: functions.to_vec(), constants: vec![("a", 2.0)] };
     let with_a = |s: Sequent| s.constant("a", ConstantSign::Positive);
@@ -355,7 +355,8 @@ fn joined(a: &Term, op: &str, b: &Term) -> Term {
     Term(nodes)
 }
 
-const TIMES: [f64; 15] = [-2.0, -1.5, -1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5];
+pub(super) const TIMES: [f64; 15] =
+    [-2.0, -1.5, -1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5];
 
 /// So many steps of a scene: how many are accepted.
 fn attack(scene: &Scene, seed: u64, steps: usize) -> usize {

@@ -391,3 +391,13 @@ fn a_leap_of_an_angle_is_no_first_integral() {
     let of = term("atan2(y,x)+atan2(-y,x)");
     w.refuse(Step::Conserved { of, at: Instant(0), rate, because: vec![a, squares, turned] }, "not shown");
 }
+
+#[test]
+fn cases_do_not_stand_too_deep_in_each_other() {
+    let mut w = Work::new(&sequent("x", 1, "x=2"));
+    let case = w.suppose("x=2", Manner::AtTimes);
+    let deep = |n: usize| (0..n).fold(When::Always, |when, _| when.within(case));
+    w.supposed(case, deep(11));
+    w.refuse(Step::Supposition { case, within: deep(12) }, "too deep");
+    w.refuse(Step::Supposition { case, within: deep(90) }, "no such times");
+}
