@@ -243,3 +243,33 @@ fn what_is_run_here_is_what_is_installed() {
     assert!(all.len() > 10, "{all:?}");
     assert_eq!(all, features(&["-p", env!("CARGO_PKG_NAME")]));
 }
+
+/// Every lane of `.ci/lanes` is one of `.ci/run`, and what brings it in is there. Neither file is in the package.
+#[test]
+fn lanes_of_ci_name_what_is_there() {
+    let Ok(lanes) = std::fs::read_to_string(root().join(".ci/lanes")) else { return };
+    let run = read(".ci/run");
+    // Up to its first `*`, a pattern is a folder and the beginning of a name.
+    let is_there = |pattern: &str| {
+        let (before, _) = pattern.split_once('*').unwrap_or((pattern, ""));
+        if before.len() == pattern.len() {
+            return root().join(pattern).exists();
+        }
+        let (folder, name) = before.rsplit_once('/').unwrap_or(("", before));
+        std::fs::read_dir(root().join(folder))
+            .is_ok_and(|mut all| all.any(|e| e.is_ok_and(|e| e.file_name().to_string_lossy().starts_with(name))))
+    };
+    let mut count = 0;
+    for line in lanes.lines().filter(|l| !l.starts_with('#') && !l.trim().is_empty()) {
+        let mut words = line.split_whitespace();
+        let lane = words.next().expect("the line has words");
+        assert!(run.contains(&format!("\nlane_{lane}() {{\n")), ".ci/run: there is no lane {lane}");
+        let patterns: Vec<&str> = words.collect();
+        assert!(!patterns.is_empty(), ".ci/lanes: nothing brings {lane} in");
+        for pattern in patterns {
+            assert!(is_there(pattern), ".ci/lanes, {lane}: there is no {pattern}");
+        }
+        count += 1;
+    }
+    assert!(count > 5 && run.matches("\nlane_").count() == count, "{count} lanes");
+}

@@ -244,7 +244,7 @@ fn decide(
         given,
         explicit: &solved.definitions,
         options,
-        examples: options.attempts,
+        examples: options.attempts.min(MOST_EXAMPLES),
         strategy: Strategy::AsGiven,
         special: false,
         seeded: true,
@@ -261,7 +261,7 @@ fn decide(
     // Where a pivot vanishes, the premises may leave more open: looked at by themselves.
     let mut pivots = Pivots::of(&mut examination, &resolved);
     let limit = examination.graph.len() + MOST_SPECIAL_NODES;
-    examination.examples = if proof.example.is_some() { 6 } else { options.attempts };
+    examination.examples = if proof.example.is_some() { 6 } else { options.attempts.min(MOST_EXAMPLES) };
     for at in 0..pivots.list.len().min(options.special_cases as usize) {
         // Where an equation of motion loses its highest rate, a point need not belong to a motion.
         let singular = own.iter().any(|&(_, derived)| derived) && pivots.rooted.contains(&pivots.list[at]);
@@ -313,6 +313,9 @@ fn decide(
     }
     Ok(proof)
 }
+
+/// Points that are tried for an example of what is proved. What fails is refuted by one, which is looked for longer.
+const MOST_EXAMPLES: u32 = 48;
 
 /// Special cases are given up when they have made this many nodes: their pivots stay conditions.
 const MOST_SPECIAL_NODES: usize = 2000;

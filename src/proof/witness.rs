@@ -5,6 +5,9 @@
 //! hold; so a mistake in the resolution can lose a witness, not forge one. Sides are computed twice: in binary64 from the
 //! formulas as given, and exactly from the lowered formulas where every root is rational.
 
+mod frame;
+
+use self::frame::Frame;
 use super::bounds::Bounds;
 use super::exact::Exact;
 use super::generators::{Generator, Generators};
@@ -146,24 +149,6 @@ fn rounded(r: &Rational) -> Option<Bounded> {
 
 pub(super) type Values = FastMap<Leaf, Bounded>;
 
-/// What all points of a scene have in common.
-pub(super) struct Frame {
-    /// The leaves of the problem as given.
-    given: Vec<Leaf>,
-    /// These and those of the lowered problem.
-    wanted: Vec<Leaf>,
-    /// Leaves that are given as positive.
-    declared: FastSet<Leaf>,
-    /// Where the leaves lie by what is given of each alone.
-    bounds: Bounds,
-    /// The leaves that a definition needs.
-    needs: FastMap<Expr, Vec<Leaf>>,
-    /// Roots by which something they are of is defined: they are chosen, and it follows.
-    chosen: Vec<Leaf>,
-    /// For arguments of generators that are multiples of a leaf, the factor and the leaf.
-    multiples: FastMap<Expr, Option<(Rational, Leaf)>>,
-}
-
 /// What was computed at one point: expressions share most of their nodes.
 #[derive(Default)]
 struct Computed {
@@ -171,6 +156,17 @@ struct Computed {
     precise: super::values::Values<Exact>,
     /// Angles that the bounds place on both sides of the cut.
     torn: Vec<Expr>,
+    /// Whether exact values are computed.
+    is_exact: bool,
+}
+
+/// The values of leaves at one point.
+#[derive(Default)]
+struct Placed {
+    values: Values,
+    exact: FastMap<Leaf, Rational>,
+    /// Cosine and sine of angles, where both are rational.
+    circles: FastMap<Leaf, (Rational, Rational)>,
 }
 
 impl Computed {
@@ -200,8 +196,11 @@ impl Computed {
         exprs.iter().map(|&e| self.decimal.of(e)?.ok().filter(|_| !torn)).collect()
     }
 
-    /// Exact values, from those of the leaves that have one: no other leaf gets one later.
+    /// Exact values, from those of the leaves that have one: no other leaf gets one later. None, where none are computed.
     fn exactly(&mut self, graph: &Graph, exprs: &[Expr], exact: &FastMap<Leaf, Rational>) -> Vec<Option<Rational>> {
+        if !self.is_exact {
+            return vec![None; exprs.len()];
+        }
         let new = self.precise.missing(graph, exprs);
         for &e in &new {
             if let Node::Leaf(leaf) = graph.node(e) {
@@ -214,76 +213,19 @@ impl Computed {
 }
 
 impl Scene<'_> {
-    /// What is the same at all points.
-    pub(super) fn frame(&self) -> Frame {
-        let all: Vec<Expr> = self.everything();
-        let given = self.graph.leaves(all.iter().copied());
-        let wanted = self.graph.leaves(all.into_iter().chain(self.lowered_exprs()));
-        let leaf = |&e: &Expr| match self.graph.node(e) {
-            Node::Leaf(l) => Some(*l),
-            _ => None,
-        };
-        let definitions = self.defined.values().chain(self.explicit.values());
-        let arguments = self.generators.list.iter().filter_map(Generator::argument);
-        Frame {
-            given,
-            wanted,
-            declared: self.positive.iter().filter_map(leaf).collect(),
-            bounds: Bounds::of(self.graph, self.positive.iter().chain(self.not_negative).copied()),
-            needs: definitions.map(|&e| (e, self.graph.leaves([e]))).collect(),
-            chosen: self.chosen(),
-            multiples: arguments.map(|e| (e, self.multiple_of_leaf(e))).collect(),
-        }
-    }
-
-    /// Tries one point.
+    /// Tries one point. Most do not satisfy the premises: exact values are computed of those that do.
     pub(super) fn attempt(&self, frame: &Frame, number: u32, draws: &mut Draws) -> Option<Found> {
-        let Frame { given, wanted, declared, .. } = frame;
+        let Frame { given, .. } = frame;
         let mut computed = Computed::default();
-        let mut exact: FastMap<Leaf, Rational> = FastMap::default();
-        let mut values = Values::default();
-        let mut circles: FastMap<Leaf, (Rational, Rational)> = FastMap::default();
-        self.angles(frame, number, draws, &mut values, &mut circles);
-        for &leaf in wanted {
-            let chosen = frame.chosen.contains(&leaf);
-            if self.generators.get(leaf).is_some_and(|g| *g != Generator::Free && !chosen)
-                || values.contains_key(&leaf)
-                || self.explicit.contains_key(&leaf)
-                || self.defined.contains_key(&leaf)
-                || self.awaited(leaf)
-            {
-                continue;
-            }
-            let mut r = if number % 3 == 2 && !declared.contains(&leaf) && !chosen {
-                ratio(SMALL[draws.below(10) as usize])
-            } else {
-                ratio(MAGNITUDES[draws.below(if number < 24 { 6 } else { 10 }) as usize])
-            };
-            if !declared.contains(&leaf) && !chosen && draws.bits() & 3 == 0 {
-                r = -r;
-            }
-            r = frame.bounds.within(leaf, r);
-            values.insert(leaf, rounded(&r)?);
-            exact.insert(leaf, r);
-        }
-        self.signs(draws, &mut values, &mut exact);
-        // What is solved for may depend on generators, whose arguments may depend on what is solved for.
-        loop {
-            let before = values.len();
-            self.generate((frame, &mut computed), &mut values, &mut exact, &circles)?;
-            self.define((frame, &mut computed), self.defined, &mut values, &mut exact)?;
-            self.invert_solved(&mut values, &exact, &mut circles, draws)?;
-            self.define((frame, &mut computed), self.explicit, &mut values, &mut exact)?;
-            if values.len() == before {
-                break;
-            }
-        }
-        if given.iter().any(|l| !values.contains_key(l)) {
+        let before = draws.clone();
+        let Placed { values, .. } = self.place(frame, &mut computed, number, draws)?;
+        if given.iter().any(|l| !values.contains_key(l)) || !self.admits(&mut computed, &values) {
             return None;
         }
-        if !self.admits(&mut computed, &values) {
-            return None;
-        }
+        // The same draws once more; what is known in decimals is not computed again.
+        *draws = before;
+        computed.is_exact = true;
+        let Placed { values, exact, circles } = self.place(frame, &mut computed, number, draws)?;
         let mut found = self.sides(&mut computed, &values, &exact)?;
         let point = given
             .iter()
@@ -301,50 +243,48 @@ impl Scene<'_> {
         Some(found)
     }
 
+    /// The values of all leaves, as far as the draws and the definitions give any.
+    fn place(&self, frame: &Frame, computed: &mut Computed, number: u32, draws: &mut Draws) -> Option<Placed> {
+        let mut placed = Placed::default();
+        let Placed { values, exact, circles } = &mut placed;
+        self.draw_angles(frame, number, draws, values, circles);
+        for &(leaf, chosen) in &frame.drawn {
+            if values.contains_key(&leaf) {
+                continue;
+            }
+            let declared = frame.declared.contains(&leaf);
+            let mut r = if number % 3 == 2 && !declared && !chosen {
+                ratio(SMALL[draws.below(10) as usize])
+            } else {
+                ratio(MAGNITUDES[draws.below(if number < 24 { 6 } else { 10 }) as usize])
+            };
+            if !declared && !chosen && draws.bits() & 3 == 0 {
+                r = -r;
+            }
+            r = frame.bounds.within(leaf, r);
+            values.insert(leaf, rounded(&r)?);
+            exact.insert(leaf, r);
+        }
+        self.signs(draws, values, exact);
+        // What is solved for may depend on generators, whose arguments may depend on what is solved for.
+        loop {
+            let before = values.len();
+            self.generate((frame, computed), values, exact, circles)?;
+            self.define((frame, computed), self.defined, values, exact)?;
+            self.invert_solved(frame, values, exact, circles, draws)?;
+            self.define((frame, computed), self.explicit, values, exact)?;
+            if values.len() == before {
+                return Some(placed);
+            }
+        }
+    }
+
     /// Whether a generator is the cosine of a leaf itself: cosine and sine of another part of it do not say what it is.
     fn is_whole_angle(&self, leaf: Leaf) -> bool {
         self.generators.list.iter().any(|g| match *g {
             Generator::Cosine(a) => matches!(self.graph.node(a), Node::Leaf(l) if *l == leaf),
             _ => false,
         })
-    }
-
-    /// The roots u^{1/n} for which a leaf of u is defined by the root.
-    fn chosen(&self) -> Vec<Leaf> {
-        let radicals = self.generators.radicals.iter();
-        let roots =
-            radicals.filter_map(|r| Some((self.generators.leaf(r.generator)?, self.generators.list.get(r.generator)?)));
-        let defining = roots.filter(|&(leaf, generator)| {
-            let own = generator.argument().map(|a| self.graph.leaves([a])).unwrap_or_default();
-            own.iter().any(|l| self.defined.get(l).is_some_and(|&e| self.graph.leaves([e]).contains(&leaf)))
-        });
-        defining.map(|(leaf, _)| leaf).collect()
-    }
-
-    fn everything(&self) -> Vec<Expr> {
-        let sides = self.claim.iter().chain(self.premises).flat_map(|&(l, r)| [l, r]);
-        let facts = self.nonzero.iter().chain(self.positive).chain(self.not_negative);
-        sides.chain(facts.copied()).collect()
-    }
-
-    fn lowered_exprs(&self) -> Vec<Expr> {
-        let sides = self.lowered.iter().flat_map(|&(l, r)| [l, r]);
-        let arguments = self.generators.list.iter().filter_map(Generator::argument);
-        sides.chain(self.defined.values().copied()).chain(self.explicit.values().copied()).chain(arguments).collect()
-    }
-
-    /// q and leaf when e = q·leaf.
-    fn multiple_of_leaf(&self, e: Expr) -> Option<(Rational, Leaf)> {
-        let combination = Combinations::default().of(self.graph, e);
-        let mut terms = combination.into_iter();
-        let (Some((m, q)), None) = (terms.next(), terms.next()) else { return None };
-        match m.as_slice() {
-            &[(base, 1)] => match self.graph.node(base) {
-                Node::Leaf(leaf) => Some((q, *leaf)),
-                _ => None,
-            },
-            _ => None,
-        }
     }
 
     fn generator_leaf(&self, at: usize) -> Option<Leaf> {
@@ -356,8 +296,8 @@ impl Scene<'_> {
         self.targets.iter().any(|t| t.leaf == leaf)
     }
 
-    /// Angles that occur only as such: half-angle tangents are rational.
-    fn angles(
+    /// Angles with rational half-angle tangents: their cosines and sines are rational.
+    fn draw_angles(
         &self,
         frame: &Frame,
         number: u32,
@@ -365,22 +305,7 @@ impl Scene<'_> {
         values: &mut Values,
         circles: &mut FastMap<Leaf, (Rational, Rational)>,
     ) {
-        for at in 0..self.generators.list.len() {
-            let Generator::Cosine(argument) = self.generators.list[at] else { continue };
-            let Some(&Some((ref q, leaf))) = frame.multiples.get(&argument) else { continue };
-            if self.awaited(leaf) || self.explicit.contains_key(&leaf) || self.defined.contains_key(&leaf) {
-                continue;
-            }
-            let others = self.generators.list.iter().enumerate().any(|(i, g)| match *g {
-                Generator::Cosine(a) | Generator::Exponential(a) | Generator::Opaque(a) if i != at => {
-                    self.graph.leaves([a]).contains(&leaf)
-                }
-                _ => false,
-            });
-            let outside = self.lowered.iter().flat_map(|&(l, r)| [l, r]).chain(self.defined.values().copied());
-            if others || self.graph.leaves(outside).contains(&leaf) {
-                continue;
-            }
+        for &(ref q, leaf) in &frame.angles {
             let t = ratio(TANGENTS[draws.below(if number < 24 { 4 } else { 8 }) as usize]);
             let square = &t * &t;
             let under = Rational::ONE + &square;
@@ -414,10 +339,7 @@ impl Scene<'_> {
         exact: &mut FastMap<Leaf, Rational>,
     ) -> Option<()> {
         let mut open: Vec<(Leaf, Expr)> = definitions.iter().map(|(&l, &e)| (l, e)).collect();
-        open.retain(|&(l, e)| {
-            let needs = || frame.needs.get(&e).is_some_and(|needs| needs.iter().all(|l| values.contains_key(l)));
-            !values.contains_key(&l) && needs()
-        });
+        open.retain(|&(l, e)| !values.contains_key(&l) && frame.has_what_it_needs(e, values));
         open.sort_unstable();
         let exprs: Vec<Expr> = open.iter().map(|&(_, e)| e).collect();
         let decimal = computed.decimals(self.graph, &exprs, values);
@@ -446,7 +368,7 @@ impl Scene<'_> {
                 Generator::Cosine(a) | Generator::Sine(a) | Generator::Exponential(a) | Generator::Opaque(a) => a,
                 Generator::Sign | Generator::Half | Generator::Free => continue,
             };
-            if !self.graph.leaves([argument]).iter().all(|l| values.contains_key(l)) {
+            if !frame.has_what_it_needs(argument, values) {
                 continue;
             }
             let value = computed.decimals(self.graph, &[argument], values)[0]?;
@@ -471,6 +393,7 @@ impl Scene<'_> {
     /// Angles whose cosine and sine, and exponents whose exponential, were solved for.
     fn invert_solved(
         &self,
+        frame: &Frame,
         values: &mut Values,
         exact: &FastMap<Leaf, Rational>,
         circles: &mut FastMap<Leaf, (Rational, Rational)>,
@@ -495,7 +418,7 @@ impl Scene<'_> {
             // The argument where the leaf is 1.
             let one = rounded(&Rational::ONE)?;
             values.insert(target.leaf, one);
-            let unit = match self.graph.leaves([argument]).iter().all(|l| values.contains_key(l)) {
+            let unit = match frame.has_what_it_needs(argument, values) {
                 true => decimals(self.graph, &[argument], values)[0],
                 false => None,
             };

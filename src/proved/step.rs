@@ -78,6 +78,8 @@ pub struct Step<'a> {
     sign: Option<i64>,
     /// Whether the answer is all that is wanted, and not which assumptions it needs.
     plain: bool,
+    /// Whether few points are tried, where an example or a refutation is looked for.
+    has_few_points: bool,
 }
 
 /// What a proof took: how many of the definitions, see [`Definitions::LEVELS`], and whether products were taken apart.
@@ -166,6 +168,7 @@ impl<'a> Step<'a> {
             sign: None,
             loosened: false,
             plain: false,
+            has_few_points: false,
             at_all_times: false,
             apart: Pairs::new(),
         };
@@ -304,6 +307,11 @@ impl<'a> Step<'a> {
         Step { plain, ..self }
     }
 
+    /// The same step, where only a proof is of interest: few points are tried for an example or a refutation.
+    pub fn with_few_points(self) -> Step<'a> {
+        Step { has_few_points: true, ..self }
+    }
+
     /// The same step, where what is assumed is assumed of all times: of a file, an inequality chooses the times that count.
     pub fn at_all_times(self) -> Step<'a> {
         Step { at_all_times: true, ..self }
@@ -317,7 +325,8 @@ impl<'a> Step<'a> {
         if self.assumes_sign() {
             return self.for_each_sign();
         }
-        let mut between = Step::of(self.derivation, self.claim)?.with(self.plain);
+        let mut between =
+            Step { has_few_points: self.has_few_points, ..Step::of(self.derivation, self.claim)?.with(self.plain) };
         between.apart = if self.at_all_times { Pairs::new() } else { self.chosen_apart() };
         let found = self.decide_equations()?;
         // As long as what differs does so, all goes on.
@@ -623,6 +632,8 @@ impl<'a> Step<'a> {
     }
 
     fn test_only(&mut self, premises: &Premises, equations: &Pairs, options: &Options) -> Identity {
+        let most = if self.has_few_points { FEW_POINTS } else { options.attempts };
+        let options = &Options { attempts: options.attempts.min(most), ..*options };
         let sign = self.claim.scope.branch_sign();
         let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
         if !self.graph.leaves_within(roots).contains(&sign) {

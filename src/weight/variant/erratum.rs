@@ -353,10 +353,15 @@ impl Search<'_> {
         };
         let held: Vec<(&Candidate, &Claim)> =
             read.iter().enumerate().filter(|(n, _)| holds(*n)).map(|(_, (c, claim, _))| (c, claim)).collect();
+        let shown = may_be_offered(&held.iter().map(|(candidate, _)| *candidate).collect::<Vec<_>>());
+        // All that is wanted is whether there is a proof: no assumption that it could do without, and no point where there is none.
+        let decided =
+            |claim: &Claim| Step::of(grown, claim).and_then(|step| step.with(true).with_few_points().decide());
         let proved: Vec<bool> = held
             .par_iter()
+            .zip(shown)
             .with_max_len(1)
-            .map(|(_, claim)| match Step::of(grown, claim).and_then(Step::decide).transpose() {
+            .map(|(&(_, claim), shown)| match shown.then(|| decided(claim)).flatten().transpose() {
                 Ok(identity) => Ok(identity.is_some_and(|i| i.finding.is_proved_in_part())),
                 Err(defect) => Err(CheckError::Defect(defect)),
             })
@@ -398,6 +403,13 @@ impl Search<'_> {
         }
         Ok(())
     }
+}
+
+/// For each of some candidates, whether it may be among those that are offered for its claim, whatever is proved.
+fn may_be_offered(held: &[&Candidate]) -> Vec<bool> {
+    let key = |c: &Candidate| (c.claim, c.formula, c.nearness.before_proofs());
+    let nearer = |c: &Candidate| held.iter().filter(|other| other.claim == c.claim && key(other) < key(c)).count();
+    held.iter().map(|c| nearer(c) < MOST_OFFERED).collect()
 }
 
 /// Candidates, the closest to the print first, without those that say nothing or what another says.

@@ -102,8 +102,12 @@ impl Nearness {
 
     /// The order when it is known which of two are proved.
     pub fn than(&self, proved: bool, other: &Nearness, other_proved: bool) -> Ordering {
-        let first = |n: &Nearness| (n.inconsistent, n.edits, n.empty, n.changed);
-        first(self).cmp(&first(other)).then(other_proved.cmp(&proved)).then_with(|| self.cmp(other))
+        self.before_proofs().cmp(&other.before_proofs()).then(other_proved.cmp(&proved)).then_with(|| self.cmp(other))
+    }
+
+    /// What counts before it is asked which are proved.
+    pub fn before_proofs(&self) -> (bool, usize, bool, usize) {
+        (self.inconsistent, self.edits, self.empty, self.changed)
     }
 }
 
