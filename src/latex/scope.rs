@@ -264,6 +264,11 @@ impl Scope {
         self.logarithm
     }
 
+    /// Whether a name with a label above is declared.
+    pub(super) fn has_labels(&self) -> bool {
+        self.entries.iter().any(|e| name::labelled(&e.name).is_some())
+    }
+
     /// Whether names of several letters are declared.
     pub(super) fn has_words(&self) -> bool {
         !self.words.is_empty()

@@ -1,5 +1,6 @@
 //! Factors: numbers, symbols, brackets, absolute values, and what a command begins.
 
+use super::super::feature;
 use super::super::lexer::Kind;
 use super::super::name::{self, NAMES};
 use super::super::syntax::{Bracket, Nabla, Node, NodeKind};
@@ -73,6 +74,11 @@ impl Parser<'_> {
                     return refuse("latex::double-script", "a script behind degrees", p.span(), "use parentheses");
                 }
             }
+            if p.prime().is_some() && !matches!(node.kind, NodeKind::Symbol(_)) {
+                let message = "a prime behind something that is no name";
+                let hint = r"a prime belongs to a name, `x'`; of a root or a fraction it is printed behind the whole; a derivative is written `\frac{d}{dx}(…)`";
+                return refuse("latex::ambiguous", message, p.span(), hint);
+            }
             if !(p.is('_') || p.is('^')) {
                 return Ok(Some(node));
             }
@@ -127,7 +133,12 @@ impl Parser<'_> {
             NodeKind::Poisson(..) => self.is('^'),
             NodeKind::Number(_) | NodeKind::Pi | NodeKind::Identity | NodeKind::At { bar: None, .. } => true,
             NodeKind::Conjugate(_) => true,
-            NodeKind::Function(..) => self.follows_whole_part(),
+            // The bar shows how far a root reaches.
+            NodeKind::Root(..) => self.is('^'),
+            NodeKind::Function(_, None, arguments) => {
+                self.follows_whole_part()
+                    || self.is('^') && matches!(arguments.as_slice(), [only] if function::is_lone(only))
+            }
             // Behind its arguments, or behind braces as in `{\dot x}_1`.
             NodeKind::Symbol(s) => s.sup.is_none() && (s.arguments.is_some() || s.sub.is_none() || self.is('^')),
             _ => false,
@@ -388,11 +399,26 @@ impl Parser<'_> {
             return refuse("latex::unbalanced", "`|` is never closed", start..start + 1, hint);
         }
         // `|a|b|c|` is |a| b |c| or | a|b|c |.
-        let later = self.tokens[self.at..].iter().any(|t| t.kind == Kind::Sign('|'));
+        let later = self.has_bar_beside();
         if later && self.begins_factor() && !self.is('|') {
             return refuse("latex::ambiguous", "it is not clear which bars belong together", start..start + 1, hint);
         }
         Ok(self.node(NodeKind::Absolute(Box::new(inner)), start))
+    }
+
+    /// Whether another bar follows that is not inside of brackets or braces, as it is in `|x|\frac1{|x|}`.
+    fn has_bar_beside(&self) -> bool {
+        let mut depth = 0usize;
+        for token in &self.tokens[self.at..] {
+            match token.kind {
+                Kind::Sign('|') if depth == 0 => return true,
+                Kind::Sign('{' | '(' | '[') => depth += 1,
+                Kind::Sign('}' | ')' | ']') if depth == 0 => return false,
+                Kind::Sign('}' | ')' | ']') => depth -= 1,
+                _ => {}
+            }
+        }
+        false
     }
 
     /// `{\rm tr}` and the like: an operator in a group of its own.
@@ -468,31 +494,11 @@ impl Parser<'_> {
                 self.bump();
                 self.acting(Nabla::Laplacian { delta: true }, start).map(Some)
             }
-            "int" | "sum" | "prod" => {
-                let message = format!("`\\{c}` is not part of the formula language");
-                let hint = "write the result of the operation, or an index sum";
-                refuse("latex::unsupported", message, self.span(), hint)
-            }
             "lim" => {
                 let hint = "take the limit of the whole left side";
                 refuse("latex::limit", "a limit stands alone on the left side", self.span(), hint)
             }
-            "infty" => refuse(
-                "latex::unsupported",
-                "infinity is not a number",
-                self.span(),
-                r"write a limit, `\lim_{t\to\infty}`",
-            ),
-            "Rightarrow" | "implies" | "Longrightarrow" | "Leftrightarrow" | "iff" | "Longleftrightarrow"
-            | "Leftarrow" => {
-                let hint = "write a claim for what is given, and one for what follows with `follows-from`; or put what is given \
-                            under `assuming`";
-                refuse("latex::unsupported", "an implication is no relation", self.span(), hint)
-            }
-            "ldots" | "dots" | "cdots" | "dotsc" | "dotsb" => {
-                let hint = "write out what is meant; for several values of a symbol a trajectory for each, a `[[family]]`, or `ranges`";
-                refuse("latex::unsupported", "dots stand for something that is not written", self.span(), hint)
-            }
+            _ if feature::of_command(c).is_some() => self.unsupported(c),
             _ if name::is_switch(c) => {
                 let hint = format!(r"write `{{\{c} …}}` around the name");
                 refuse("latex::ambiguous", format!("`\\{c}` changes all that follows"), self.span(), hint)
@@ -510,6 +516,15 @@ impl Parser<'_> {
                 None => refuse("latex::unknown-command", format!("`\\{c}` is not known"), self.span(), ""),
             },
         }
+    }
+
+    /// Refuses a command that is known, and not part of the language.
+    fn unsupported<T>(&self, command: &str) -> Parsed<T> {
+        let Some(feature) = feature::of_command(command) else {
+            return refuse("latex::unknown-command", format!("`\\{command}` is not known"), self.span(), "");
+        };
+        let message = format!("`\\{command}`: {}", feature.is_not);
+        refuse("latex::unsupported", message, self.span(), feature.instead)
     }
 
     /// `\operatorname{…}` and `\mathrm{…}`: an operator, Euler's e, or a name.

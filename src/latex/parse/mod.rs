@@ -7,6 +7,7 @@
 //! so it is refused. What is printed without a clear end, `a/b`, `\sin x`, `\frac{d}{dt}x`, must not be followed by
 //! something that could belong to it.
 
+mod call;
 mod factor;
 mod fraction;
 mod function;
@@ -18,6 +19,7 @@ mod units;
 
 use std::ops::Range;
 
+use super::expand::written_out;
 use super::invisible::without_invisible_braces;
 use super::lexer::{Kind, Token, tokens};
 use super::name;
@@ -27,6 +29,7 @@ use super::syntax::{Chain, Node, NodeKind, RelationKind, Sign, Target};
 use diag::Problem;
 use expr::Rational;
 
+pub(super) use call::{prints_as_function, prints_as_operator};
 pub use function::whole_part;
 pub(super) use function::{operation, spelled, takes_bare_argument};
 pub(super) use names::{WrittenName, read_name};
@@ -101,6 +104,24 @@ fn balanced(tokens: &[Token]) -> Parsed<()> {
     }
 }
 
+/// The relation that a command is.
+fn relation(command: &str) -> Option<RelationKind> {
+    Some(match command {
+        "equiv" | "coloneqq" => RelationKind::Equal,
+        "ne" | "neq" => RelationKind::NotEqual,
+        "lt" => RelationKind::Less,
+        "gt" => RelationKind::Greater,
+        "le" | "leq" | "leqslant" => RelationKind::LessEqual,
+        "ge" | "geq" | "geqslant" => RelationKind::GreaterEqual,
+        _ => return None,
+    })
+}
+
+/// Whether a command is a relation.
+pub(super) fn is_relation(command: &str) -> bool {
+    relation(command).is_some()
+}
+
 /// Environments that hold displayed equations.
 const DISPLAYS: &[&str] = &["equation", "eqnarray", "align", "gather", "multline", "displaymath"];
 
@@ -108,7 +129,7 @@ impl<'a> Parser<'a> {
     fn new(text: &'a str, scope: &'a Scope) -> Result<Parser<'a>, Vec<Problem>> {
         let tokens = tokens(text)?;
         balanced(&tokens).map_err(|p| vec![*p])?;
-        let tokens = without_invisible_braces(tokens).map_err(|p| vec![*p])?;
+        let tokens = written_out(tokens).and_then(without_invisible_braces).map_err(|p| vec![*p])?;
         Ok(Parser {
             text,
             scope,
@@ -261,15 +282,7 @@ impl<'a> Parser<'a> {
             Kind::Sign('=') => RelationKind::Equal,
             Kind::Sign('<') => RelationKind::Less,
             Kind::Sign('>') => RelationKind::Greater,
-            Kind::Command(c) => match c.as_str() {
-                "equiv" | "coloneqq" => RelationKind::Equal,
-                "ne" | "neq" => RelationKind::NotEqual,
-                "lt" => RelationKind::Less,
-                "gt" => RelationKind::Greater,
-                "le" | "leq" | "leqslant" => RelationKind::LessEqual,
-                "ge" | "geq" | "geqslant" => RelationKind::GreaterEqual,
-                _ => return None,
-            },
+            Kind::Command(c) => return relation(c),
             _ => return None,
         })
     }
@@ -512,6 +525,7 @@ impl<'a> Parser<'a> {
             if !factors.is_empty() {
                 self.end_is_clear()?;
             }
+            let spaced = self.is_spaced();
             let Some(factor) = self.factor()? else { break };
             let mut factor = self.with_times(factor)?;
             if self.is_bar_of_time() {
@@ -525,6 +539,9 @@ impl<'a> Parser<'a> {
             }
             if let Some(last) = factors.last() {
                 side_by_side(last, &factor)?;
+                if !spaced {
+                    Self::is_no_operator(last, &factor)?;
+                }
             }
             // `{ab}c` is printed as three factors.
             match factor.kind {
@@ -592,6 +609,11 @@ fn side_by_side(last: &Node, factor: &Node) -> Parsed<()> {
         } else if raised && last.span.end < factor.span.start {
             Ok(())
         } else {
+            // `(a+b)10^{-3}`: nothing touches a power of a number behind a parenthesis.
+            let power = matches!(&factor.kind, NodeKind::Scripted { base, .. } if number(base));
+            if power && matches!(last.kind, NodeKind::Group(..)) {
+                return Ok(());
+            }
             let hint = r"write the number first, or `\cdot` before it, or a subscript";
             refuse("latex::ambiguous", "a number stands behind a factor", span, hint)
         };

@@ -64,8 +64,15 @@ impl Parser<'_> {
             }
             self.primes(&mut name);
         }
-        let sub = if self.eat('_') { self.subscript()? } else { Vec::new() };
+        let mut sub = if self.eat('_') { self.subscript()? } else { Vec::new() };
         self.primes(&mut name);
+        if let Some((label, tokens)) = self.label_above() {
+            self.at += tokens;
+            name = format!("{name}^{label}");
+            if sub.is_empty() && self.eat('_') {
+                sub = self.subscript()?;
+            }
+        }
         let mut arguments = None;
         if self.is('(')
             && let Some(close) = self.closing()
@@ -88,9 +95,21 @@ impl Parser<'_> {
     }
 
     pub(super) fn script_pair(&mut self) -> Parsed<Scripts> {
+        self.scripts_of(None)
+    }
+
+    /// The two scripts of a symbol. A label above it that is declared, as in `\mu^{(1)}`, becomes part of its name.
+    pub(super) fn scripts_of(&mut self, mut name: Option<&mut Name>) -> Parsed<Scripts> {
         let (mut sub, mut sup, mut sup_first) = (None, None, false);
         loop {
-            if self.is('_') {
+            let labelled = sup.is_none() && name.as_deref_mut().is_some_and(|name| self.label_of(name));
+            if labelled {
+                name = None;
+                if self.is('^') {
+                    let hint = "put the name and its label into parentheses";
+                    return refuse("latex::double-script", "a power behind a label", self.span(), hint);
+                }
+            } else if self.is('_') {
                 if sub.is_some() {
                     let hint = "put all indices into one pair of braces";
                     return refuse("latex::double-script", "a second subscript", self.span(), hint);
@@ -108,6 +127,67 @@ impl Parser<'_> {
                 return Ok((sub, sup, sup_first));
             }
         }
+    }
+
+    /// A label above that stands here, and the number of its tokens: something in parentheses, a word in upright letters, or a sign,
+    /// as in `\mu^{(1)}`, `u^{\rm R}`, `x^*`, `J^+`, `p^\circ`.
+    fn label_above(&self) -> Option<(String, usize)> {
+        if !self.is('^') {
+            return None;
+        }
+        let sign = |kind: &Kind| match kind {
+            Kind::Sign(c @ ('*' | '+' | '-')) => Some(c.to_string()),
+            Kind::Command(c)
+                if matches!(c.as_str(), "circ" | "dagger" | "pm" | "mp" | "ominus" | "infty" | "star" | "ast") =>
+            {
+                Some(if c == "ast" { "*".to_owned() } else { format!("\\{c}") })
+            }
+            _ => None,
+        };
+        if *self.kind_after(1) != Kind::Sign('{') {
+            return sign(self.kind_after(1)).map(|label| (label, 2));
+        }
+        let end = (2..LONGEST_WORD).find(|&i| *self.kind_after(i) == Kind::Sign('}'))?;
+        let inside = || (2..end).map(|i| self.kind_after(i));
+        if end == 3 {
+            return sign(self.kind_after(2)).map(|label| (label, 4));
+        }
+        let text = |kind: &Kind| match kind {
+            Kind::Letter(c) => Some(c.to_string()),
+            Kind::Number(n) => Some(n.clone()),
+            Kind::Sign(c @ (',' | '+' | '-' | '(' | ')')) => Some(c.to_string()),
+            Kind::Command(c) if NAMES.contains(&c.as_str()) => Some(format!("\\{c} ")),
+            _ => None,
+        };
+        let parentheses = *self.kind_after(2) == Kind::Sign('(') && *self.kind_after(end - 1) == Kind::Sign(')');
+        if parentheses {
+            let content = inside().map(text).collect::<Option<String>>()?;
+            return Some((format!("{{{content}}}"), end + 1));
+        }
+        // A word in upright letters: a switch, or a command with braces of its own.
+        let Kind::Command(style) = self.kind_after(2) else { return None };
+        if name::style(style) != Some("rm") {
+            return None;
+        }
+        let (from, to, tokens) = match (name::is_switch(style), *self.kind_after(3) == Kind::Sign('{')) {
+            (true, _) => (3, end, end + 1),
+            (false, true) if *self.kind_after(end + 1) == Kind::Sign('}') => (4, end, end + 2),
+            _ => return None,
+        };
+        let word = (from..to).map(|i| text(self.kind_after(i))).collect::<Option<String>>()?;
+        (!word.is_empty()).then(|| (format!(r"{{\rm {word}}}"), tokens))
+    }
+
+    /// Makes a declared label that stands here part of the name.
+    pub(super) fn label_of(&mut self, name: &mut Name) -> bool {
+        let Some((label, tokens)) = self.label_above().filter(|_| self.scope.has_labels()) else { return false };
+        let whole = format!("{name}^{label}");
+        let declared = self.scope.declares(&whole);
+        if declared {
+            self.at += tokens;
+            *name = whole;
+        }
+        declared
     }
 
     /// A superscript of something that could have labels.
@@ -156,7 +236,7 @@ impl Parser<'_> {
             self.bump();
             return Ok(self.node(NodeKind::Euler { upright: false }, start));
         }
-        match self.single_name()? {
+        match self.name_without_primes()? {
             Some((name, span)) => Ok(Node { kind: NodeKind::Symbol(plain(name)), span }),
             None => {
                 let message = format!("{} stands where an exponent is expected", self.shown());
@@ -217,6 +297,10 @@ impl Parser<'_> {
                     items.extend(n.bytes().map(|b| SubItem::Digit(u16::from(b.saturating_sub(b'0')))));
                     self.bump();
                 }
+                Kind::Command(c) if c == "infty" => {
+                    items.push(SubItem::Name(r"\infty".to_owned()));
+                    self.bump();
+                }
                 Kind::Sign('}') if braced => break,
                 Kind::Sign(',') if braced => {
                     if items.is_empty() || *self.kind_after(1) == Kind::Sign('}') {
@@ -237,7 +321,8 @@ impl Parser<'_> {
                     items.push(SubItem::Other(c));
                     self.bump();
                 }
-                _ => match self.single_name()? {
+                // TeX lowers one token: `x_i'` is printed as `x'_i`.
+                _ => match if braced { self.single_name()? } else { self.name_without_primes()? } {
                     Some((name, _)) => items.push(SubItem::Name(name)),
                     None => {
                         let message = format!("{} cannot stand in a subscript", self.shown());
@@ -259,7 +344,20 @@ impl Parser<'_> {
     /// One name: a letter, a Greek letter, a styled or braced one; with its primes. Leaves its place where there is none.
     pub(super) fn single_name(&mut self) -> Parsed<Option<(Name, Range<usize>)>> {
         let start = self.span().start;
-        let mut name = match self.kind().clone() {
+        let difference = matches!(self.kind(), Kind::Command(c) if name::is_difference(c)) && self.is_difference()?;
+        let name = match difference {
+            true => self.difference()?,
+            false => self.name_without_primes()?.map(|(name, _)| name),
+        };
+        let Some(mut name) = name else { return Ok(None) };
+        self.primes(&mut name);
+        Ok(Some((name, start..self.last_end())))
+    }
+
+    /// The same without primes behind it: what TeX takes for an argument without braces, in `\sqrt x'` or `x_i'`.
+    pub(super) fn name_without_primes(&mut self) -> Parsed<Option<(Name, Range<usize>)>> {
+        let start = self.span().start;
+        let name = match self.kind().clone() {
             Kind::Sign('[') => match self.bracketed_name()? {
                 Some((name, close)) => {
                     self.at = close;
@@ -276,9 +374,6 @@ impl Parser<'_> {
             Kind::Letter(c) => {
                 self.bump();
                 c.to_string()
-            }
-            Kind::Command(c) if name::is_difference(&c) && self.is_difference()? => {
-                self.difference()?.unwrap_or_default()
             }
             Kind::Command(c) if NAMES.contains(&c.as_str()) || c == "pi" && !self.is_pi() => {
                 self.bump();
@@ -303,7 +398,6 @@ impl Parser<'_> {
             }
             _ => return Ok(None),
         };
-        self.primes(&mut name);
         Ok(Some((name, start..self.last_end())))
     }
 
@@ -445,8 +539,9 @@ impl Parser<'_> {
         // In italics or upright it is π that is printed.
         let outer = self.in_name;
         self.in_name |= !matches!(style, "rm" | "it");
-        let inner = self
-            .deeper(|p| if p.is('{') { p.braced_word(style == "rm") } else { Ok(p.single_name()?.map(|(n, _)| n)) });
+        let inner = self.deeper(|p| {
+            if p.is('{') { p.braced_word(style == "rm") } else { Ok(p.name_without_primes()?.map(|(n, _)| n)) }
+        });
         self.in_name = outer;
         let inner = inner?;
         if inner.is_none() {
@@ -552,7 +647,7 @@ fn restyle(style: &str, name: Name) -> Name {
         return name;
     }
     // `{\bf {\bf m}}` is printed as `{\bf m}`. Accents and other styles are kept: `\bar{\bar z}` has two bars.
-    let accent = matches!(style, "bar" | "hat" | "tilde" | "vec");
+    let accent = matches!(style, "bar" | "hat" | "tilde" | "vec" | "check" | "breve" | "acute" | "grave" | "mathring");
     if !accent && name.starts_with(&format!("{style}:")) { name } else { format!("{style}:{name}") }
 }
 

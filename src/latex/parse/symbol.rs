@@ -1,7 +1,7 @@
 //! Symbols with what is attached to them: dots, scripts, and parentheses that may or may not be arguments.
 
 use super::super::lexer::Kind;
-use super::super::name::{self, NAMES, canonical};
+use super::super::name::canonical;
 use super::super::syntax::{MOST_PRIMES, Name, Node, NodeKind, SubItem, SymbolNode};
 use super::{Parsed, Parser, refuse};
 use expr::HIGHEST_ORDER;
@@ -28,16 +28,17 @@ impl Parser<'_> {
         }
         let hint = r"for anything longer write `\frac{d}{dt}(…)`";
         if self.eat('{')
-            && let Some((name, _)) = self.single_name()?
-            && self.eat('_')
+            && let Some((mut name, _)) = self.single_name()?
+            && (self.is('_') || self.label_of(&mut name))
         {
-            let sub = self.subscript()?;
+            let sub = if self.eat('_') { Some(self.subscript()?) } else { None };
+            self.label_of(&mut name);
             if self.eat('}') {
-                if self.is('_') {
+                if sub.is_some() && self.is('_') {
                     let message = "a second subscript";
                     return refuse("latex::double-script", message, self.span(), "put all indices into one subscript");
                 }
-                return self.scripted_symbol(name, dots, Some(sub), start);
+                return self.scripted_symbol(name, dots, sub, start);
             }
         }
         refuse("latex::dot", format!("`\\{command}` needs one symbol"), span, hint)
@@ -72,34 +73,6 @@ impl Parser<'_> {
         primes as u8
     }
 
-    /// Refuses `f(x)` where f is not declared at all, with a hint on how a function is.
-    fn is_no_unknown_function(&self, symbol: &SymbolNode, start: usize, close: usize) -> Parsed<()> {
-        let inside = &self.tokens[self.at + 1..close];
-        let names = !inside.is_empty()
-            && inside.iter().all(|t| match &t.kind {
-                Kind::Letter(_) | Kind::Sign(',' | '_' | '{' | '}') | Kind::Number(_) => true,
-                Kind::Command(c) => NAMES.contains(&c.as_str()),
-                Kind::Sign(_) | Kind::OpenBar | Kind::CloseBar | Kind::OpenFence | Kind::Row | Kind::End => false,
-            })
-            && !matches!(inside[0].kind, Kind::Number(_));
-        let name = &symbol.name;
-        let built_in = matches!(name.as_str(), r"\epsilon" | r"\varepsilon" | r"\delta" | "e" | "rm:e")
-            || name::is_imaginary_unit(name)
-            || name.contains(':');
-        let known = self.scope.has_base(name) || self.scope.is_refused(name, symbol.sub.as_deref());
-        if !names || built_in || symbol.dots > 0 || known {
-            return Ok(());
-        }
-        let (called, argument) =
-            (self.text[start..self.last_end()].trim(), &self.text[inside[0].span.start..self.tokens[close].span.start]);
-        let message = format!("`{called}` is not declared");
-        let hint = format!(
-            "a function is declared with its formula: '{called}({argument})' = {{ role = \"abbreviation\", arguments = \
-             ['{argument}'], formula = '…' }}; what is no function is declared under [symbols]"
-        );
-        refuse("latex::unknown-symbol", message, start..self.last_end(), hint)
-    }
-
     /// `^{(4)}` behind a field of one coordinate: the order of its derivative.
     fn order_in_parentheses(&mut self, name: &Name, dots: u8) -> Parsed<Option<u8>> {
         let is_open = self.is('^') && *self.kind_after(1) == Kind::Sign('{') && *self.kind_after(2) == Kind::Sign('(');
@@ -124,11 +97,11 @@ impl Parser<'_> {
 
     fn scripted_symbol(&mut self, mut name: Name, dots: u8, under: Option<Vec<SubItem>>, start: usize) -> Parsed<Node> {
         let order = self.order_in_parentheses(&name, dots)?;
-        let (sub, mut sup, sup_first) = self.script_pair()?;
+        let (sub, mut sup, sup_first) = self.scripts_of(Some(&mut name))?;
         // `y_1''` is printed as `y''_1`.
         if sub.is_some() && sup.is_none() && self.primes(&mut name) {
             let span = self.span();
-            let (second, raised, _) = self.script_pair()?;
+            let (second, raised, _) = self.scripts_of(Some(&mut name))?;
             if second.is_some() {
                 let hint = "put all indices into one pair of braces";
                 return refuse("latex::double-script", "a second subscript", span, hint);
@@ -159,7 +132,11 @@ impl Parser<'_> {
                 self.bars = outer;
                 symbol.arguments = Some(arguments);
                 symbol.arguments_text = text;
+            } else {
+                self.is_no_call(&symbol, start, close)?;
             }
+        } else if self.is('[') {
+            self.is_no_functional(&symbol, start)?;
         }
         Ok(self.node(NodeKind::Symbol(symbol), start))
     }
