@@ -152,10 +152,13 @@ fn atom(dice: &mut Dice, depth: usize) -> Print {
     match dice.below(15) {
         0..=2 => name(dice),
         3..=5 => {
+            let nucleus = name(dice);
             let sub = dice.coin().then(|| boxed(subscript(dice)));
             let primes = dice.below(4).saturating_sub(1);
-            let sup = (dice.below(3) == 0).then(|| boxed(superscript(dice)));
-            Print::Scripts(boxed(name(dice)), sub, primes, sup)
+            // A power of a component or a component of a power: where one order is read at all, it says which.
+            let is_matrix = matches!(nucleus, Print::Sign(["R"])) && sub.is_some();
+            let sup = (dice.below(3) == 0 && !is_matrix).then(|| boxed(superscript(dice)));
+            Print::Scripts(boxed(nucleus), sub, primes, sup)
         }
         6 => Print::Fraction(within(dice), within(dice)),
         7 => Print::Fraction(boxed(digit(dice)), boxed(digit(dice))),
@@ -200,6 +203,20 @@ fn row(dice: &mut Dice, depth: usize) -> Print {
     Print::Row(parts)
 }
 
+/// How many pairs of bars there are.
+fn bars(print: &Print) -> usize {
+    let of = |parts: &[&Print]| parts.iter().map(|part| bars(part)).sum::<usize>();
+    match print {
+        Print::Sign(_) => 0,
+        Print::Scripts(nucleus, sub, _, sup) => of(&[nucleus]) + sub.iter().chain(sup).map(|s| bars(s)).sum::<usize>(),
+        Print::Fraction(top, bottom) => of(&[top, bottom]),
+        Print::Root(_, inner) | Print::Dots(_, inner) | Print::Rate(inner) => bars(inner),
+        Print::Fence(kind, inner) => usize::from(*kind >= 2) + bars(inner),
+        Print::Function(_, power, inner) => bars(inner) + power.iter().map(|p| bars(p)).sum::<usize>(),
+        Print::Row(parts) => parts.iter().map(bars).sum(),
+    }
+}
+
 /// Joins pieces; a command does not run into a letter.
 fn put(out: &mut String, piece: &str, dice: &mut Dice) {
     let tail = out.rsplit('\\').next().unwrap_or_default();
@@ -213,8 +230,8 @@ fn put(out: &mut String, piece: &str, dice: &mut Dice) {
 }
 
 /// What TeX takes as one argument: in braces, or without them where it is one token.
-fn argument(print: &Print, dice: &mut Dice) -> String {
-    let text = spelled(print, dice);
+fn argument(print: &Print, bars: usize, dice: &mut Dice) -> String {
+    let text = spelled(print, bars, dice);
     let token = text.chars().count() == 1
         || text.strip_prefix('\\').is_some_and(|c| !c.is_empty() && c.bytes().all(|b| b.is_ascii_alphabetic()));
     match dice.below(5) {
@@ -225,39 +242,39 @@ fn argument(print: &Print, dice: &mut Dice) -> String {
 }
 
 /// One of the ways in which it is written.
-fn spelled(print: &Print, dice: &mut Dice) -> String {
+fn spelled(print: &Print, bars: usize, dice: &mut Dice) -> String {
     let mut out = String::new();
     match print {
         Print::Sign(spellings) => out.push_str(dice.pick(spellings)),
         Print::Row(parts) => {
             for part in parts {
-                let piece = spelled(part, dice);
+                let piece = spelled(part, bars, dice);
                 put(&mut out, &piece, dice);
             }
         }
         Print::Scripts(nucleus, sub, primes, sup) => {
-            out = spelled(nucleus, dice);
+            out = spelled(nucleus, bars, dice);
             let prime = dice.pick(&["'", "'", "′"]);
             let above = match (primes, sup) {
                 (0, None) => String::new(),
-                (0, Some(sup)) => format!("^{}", argument(sup, dice)),
+                (0, Some(sup)) => format!("^{}", argument(sup, bars, dice)),
                 (1, None) if dice.coin() => dice.pick(&[r"^\prime", r"^{\prime}"]).to_owned(),
                 (n, None) if dice.coin() => format!("^{{{}}}", r"\prime".repeat(*n)),
                 (n, None) => prime.repeat(*n),
-                (n, Some(sup)) if dice.coin() => format!("^{{{} {}}}", r"\prime".repeat(*n), spelled(sup, dice)),
-                (n, Some(sup)) => format!("{}^{}", prime.repeat(*n), argument(sup, dice)),
+                (n, Some(sup)) if dice.coin() => format!("^{{{} {}}}", r"\prime".repeat(*n), spelled(sup, bars, dice)),
+                (n, Some(sup)) => format!("{}^{}", prime.repeat(*n), argument(sup, bars, dice)),
             };
-            let below = sub.as_ref().map(|sub| format!("_{}", argument(sub, dice))).unwrap_or_default();
+            let below = sub.as_ref().map(|sub| format!("_{}", argument(sub, bars, dice))).unwrap_or_default();
             for script in if dice.coin() { [below, above] } else { [above, below] } {
                 put(&mut out, &script, dice);
             }
         }
         Print::Fraction(top, bottom) => match dice.below(4) {
-            0 => out = format!(r"{{{}\over {}}}", spelled(top, dice), spelled(bottom, dice)),
+            0 => out = format!(r"{{{}\over {}}}", spelled(top, bars, dice), spelled(bottom, bars, dice)),
             n => {
                 out.push_str([r"\frac", r"\tfrac", r"\dfrac"][n - 1]);
                 for part in [top, bottom] {
-                    let piece = argument(part, dice);
+                    let piece = argument(part, bars, dice);
                     put(&mut out, &piece, dice);
                 }
             }
@@ -267,18 +284,20 @@ fn spelled(print: &Print, dice: &mut Dice) -> String {
             if let Some(degree) = degree {
                 out.push_str(&format!("[{degree}]"));
             }
-            let piece = argument(of, dice);
+            let piece = argument(of, bars, dice);
             put(&mut out, &piece, dice);
         }
         Print::Dots(command, of) => {
             out.push_str(command);
-            let piece = argument(of, dice);
+            let piece = argument(of, bars, dice);
             put(&mut out, &piece, dice);
         }
         Print::Fence(kind, of) => {
-            let (open, close) = FENCES[*kind][dice.below(FENCES[*kind].len())];
+            // Which of several bars belong together is seen where they say their side.
+            let sided: Vec<_> = FENCES[*kind].iter().filter(|f| bars == 1 || *kind < 2 || f.0 != f.1).collect();
+            let (open, close) = *sided[dice.below(sided.len())];
             out.push_str(open);
-            for piece in [&*spelled(of, dice), close] {
+            for piece in [&*spelled(of, bars, dice), close] {
                 put(&mut out, piece, dice);
             }
         }
@@ -288,14 +307,14 @@ fn spelled(print: &Print, dice: &mut Dice) -> String {
             if out.is_empty() {
                 out = format!(r"\{name}");
             }
-            let power = power.as_ref().map(|power| format!("^{}", argument(power, dice))).unwrap_or_default();
-            let of = format!("({})", spelled(of, dice));
+            let power = power.as_ref().map(|power| format!("^{}", argument(power, bars, dice))).unwrap_or_default();
+            let of = format!("({})", spelled(of, bars, dice));
             for piece in [power, of] {
                 put(&mut out, &piece, dice);
             }
         }
         Print::Rate(of) => {
-            let of = spelled(of, dice);
+            let of = spelled(of, bars, dice);
             out = match dice.below(5) {
                 0 => format!(r"\frac{{\mathrm d{of}}}{{\mathrm dt}}"),
                 1 => format!(r"\frac{{{{\rm d}}{of}}}{{{{\rm d}}t}}"),
@@ -332,7 +351,8 @@ fn what_prints_the_same_is_read_the_same() {
     };
     for _ in 0..rounds {
         let print = row(&mut dice, 2);
-        let (one, other) = (spelled(&print, &mut dice), spelled(&print, &mut dice));
+        let bars = bars(&print);
+        let (one, other) = (spelled(&print, bars, &mut dice), spelled(&print, bars, &mut dice));
         if one == other {
             continue;
         }

@@ -203,9 +203,9 @@ impl<'a> Expansion<'a> {
                 let message = format!("`\\{c}` without braces around what it divides");
                 refuse("latex::ambiguous", message, self.tokens[at].span.clone(), r"write `\frac{…}{…}`")
             }
-            "dv" | "derivative" => self.derivative(r"\mathrm{d}", at, end, depth, out),
-            "pdv" | "partialderivative" => self.derivative(r"\partial ", at, end, depth, out),
-            "fdv" => self.derivative(r"\delta ", at, end, depth, out),
+            "dv" | "derivative" => self.derivative((r"\mathrm{d}", 2), at, end, depth, out),
+            "pdv" | "partialderivative" => self.derivative((r"\partial ", 3), at, end, depth, out),
+            "fdv" => self.derivative((r"\delta ", 2), at, end, depth, out),
             "qty" | "quantity" if !self.is(at + 1, '{') => Ok(self.star(at + 1)),
             "qty" | "quantity" | "SI" if self.is(self.closing[at + 1] + 1, '{') || c == "SI" => {
                 self.quantity(at, end, out)
@@ -320,14 +320,21 @@ impl<'a> Expansion<'a> {
     }
 
     /// `\dv{f}{x}`, `\pdv[2]{f}{x}`, `\pdv{f}{x}{y}`, `\dv{x}`: a derivative in Leibniz' notation.
-    fn derivative(&self, d: &str, at: usize, end: usize, depth: usize, out: &mut Vec<Token>) -> Parsed<usize> {
+    fn derivative(
+        &self,
+        (d, most): (&str, usize),
+        at: usize,
+        end: usize,
+        depth: usize,
+        out: &mut Vec<Token>,
+    ) -> Parsed<usize> {
         let mut next = self.star(at + 1);
         let order = self.option(next, end);
         if let Some((_, behind)) = order {
             next = behind;
         }
         let mut arguments = Vec::new();
-        while arguments.len() < 3 && (arguments.is_empty() || self.is(next, '{')) {
+        while arguments.len() < most && (arguments.is_empty() || self.is(next, '{')) {
             let (inside, behind) = self.argument(next, end)?;
             arguments.push(inside);
             next = behind;
