@@ -15,7 +15,7 @@ use super::unicode;
 /// The tokens with all that is short for others written out.
 pub(super) fn written_out(tokens: Vec<Token>) -> Parsed<Vec<Token>> {
     let tokens = if tokens.iter().any(is_short) { Expansion::of(&tokens)? } else { tokens };
-    let tokens = double_bars(tokens)?;
+    let tokens = double_bars(styles_under_dots(tokens))?;
     Ok(primes(tokens))
 }
 
@@ -483,6 +483,34 @@ impl<'a> Expansion<'a> {
         out.extend(placed(&format!("{mark}{{{text}}}"), &place));
         Ok(next)
     }
+}
+
+/// `\mathbf{\dot x}` is printed as `\dot{\mathbf{x}}`: a dot has no style.
+fn styles_under_dots(mut tokens: Vec<Token>) -> Vec<Token> {
+    let command = |t: &Token, is: &dyn Fn(&str) -> bool| matches!(&t.kind, Kind::Command(c) if is(c));
+    let style = |t: &Token| {
+        command(t, &|c| super::name::style(c).is_some_and(super::name::marks_tensor) && !super::name::is_switch(c))
+    };
+    let dot = |t: &Token| command(t, &|c| matches!(c, "dot" | "ddot"));
+    let is = |t: Option<&Token>, c: char| t.is_some_and(|t| t.kind == Kind::Sign(c));
+    let mut at = 0;
+    while at + 5 < tokens.len() {
+        let double = usize::from(is(tokens.get(at + 2), '{'));
+        let inner = at + 2 + double;
+        // `\mathbf{\dot{x}}`, `\mathbf{{\dot{x}}}`, `\mathbf{\dot x}`.
+        let fits = style(&tokens[at]) && is(tokens.get(at + 1), '{') && tokens.get(inner).is_some_and(dot);
+        let braced = is(tokens.get(inner + 1), '{');
+        let last = inner + if braced { 4 } else { 2 };
+        let closed =
+            fits && (0..=double).all(|i| is(tokens.get(last + i), '}')) && (!braced || is(tokens.get(inner + 3), '}'));
+        if closed {
+            let (style, dot) = (tokens[at].kind.clone(), tokens[inner].kind.clone());
+            tokens[at].kind = dot;
+            tokens[inner].kind = style;
+        }
+        at += 1;
+    }
+    tokens
 }
 
 /// `\|` and `\Vert` do not say their side: two of them are a pair, more could be read in two ways.

@@ -7,6 +7,7 @@
 use super::super::lexer::Kind;
 use super::super::name::{self, NAMES};
 use super::super::syntax::{Node, NodeKind, SymbolNode};
+use super::super::write::subscript;
 use super::{Parsed, Parser, refuse};
 
 /// Names that print as functions before parentheses, whatever stands in these.
@@ -153,7 +154,7 @@ impl Parser<'_> {
         if inside.is_empty() || built_in || symbol.dots > 0 || known {
             return Ok(());
         }
-        let called = self.text[start..self.last_end()].trim();
+        let called = name::to_latex(name) + &symbol.sub.as_deref().map(subscript).unwrap_or_default();
         let message = format!("`{called}` is not declared");
         let span = start..self.last_end();
         if let Some(function) = known_function(base(name)) {

@@ -75,6 +75,9 @@ impl Parser<'_> {
                 }
             }
             if p.prime().is_some() && !matches!(node.kind, NodeKind::Symbol(_)) {
+                if let Some(by) = p.primes_are_rates().filter(|_| matches!(node.kind, NodeKind::Group(..))) {
+                    return p.primed_group(node, by).map(Some);
+                }
                 let message = "a prime behind something that is no name";
                 let hint = r"a prime belongs to a name, `x'`; of a root or a fraction it is printed behind the whole; a derivative is written `\frac{d}{dx}(…)`";
                 return refuse("latex::ambiguous", message, p.span(), hint);
@@ -83,6 +86,15 @@ impl Parser<'_> {
                 return Ok(Some(node));
             }
             p.script_is_clear(&node)?;
+            // `{\dot x}_1` is printed as `\dot x_1`.
+            if let NodeKind::Symbol(s) = &node.kind
+                && s.sub.is_none()
+                && s.sup.is_none()
+                && s.arguments.is_none()
+            {
+                let (name, dots, start) = (s.name.clone(), s.dots, node.span.start);
+                return if s.primed { p.scripted_rate(node).map(Some) } else { p.symbol_named(name, dots, start).map(Some) };
+            }
             let (sub, sup, sup_first) = p.script_pair()?;
             let start = node.span.start;
             Ok(Some(p.node(NodeKind::Scripted { base: Box::new(node), sub, sup, sup_first }, start)))
@@ -472,7 +484,7 @@ impl Parser<'_> {
                 self.bump();
                 self.matrix(start).map(Some)
             }
-            "operatorname" | "mathrm" | "mathop" => self.named_operator(start),
+            "operatorname" | "mathrm" | "mathop" | "text" | "textrm" | "textup" => self.named_operator(start),
             _ if FUNCTIONS.contains(&c) => {
                 self.bump();
                 self.function(c, start).map(Some)
@@ -519,7 +531,7 @@ impl Parser<'_> {
     }
 
     /// Refuses a command that is known, and not part of the language.
-    fn unsupported<T>(&self, command: &str) -> Parsed<T> {
+    pub(super) fn unsupported<T>(&self, command: &str) -> Parsed<T> {
         let Some(feature) = feature::of_command(command) else {
             return refuse("latex::unknown-command", format!("`\\{command}` is not known"), self.span(), "");
         };

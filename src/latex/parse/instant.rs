@@ -39,7 +39,9 @@ pub(super) struct Content {
     rate: bool,
     /// The time in a term without functions: what a time is written as, `t-r/c`, and not `k\cos t`.
     timely: bool,
-    /// One factor that needs parentheses before a power, and a power behind them: `(\dot x)^2`, `(\sqrt a)^3`.
+    /// How many names and numbers there are.
+    factors: usize,
+    /// One factor that needs parentheses before a power: `(\dot x)^2`, `(\sqrt a)^3`.
     dressed: bool,
 }
 
@@ -116,7 +118,8 @@ impl Parser<'_> {
         }
         // `m(\dot x)^2`, `A(BC)`.
         let product = content.tensor && !content.lone && self.is_applied_to_tensors(symbol);
-        if product || content.dressed && !content.time {
+        let several = content.factors > 1 && self.is_raised_at(close) && !super::prints_as_function(&symbol.name);
+        if product || (content.dressed && self.is_raised_at(close) || several) && !content.time {
             return Ok(false);
         }
         // What no function is ever given is a factor: `F(b/a)`.
@@ -346,11 +349,9 @@ impl Parser<'_> {
 
     // ---- parentheses ---------------------------------------------------------------------------------------------
 
-    /// Whether a power stands behind the parentheses around these tokens.
-    fn is_raised_behind(&self, tokens: &[Token]) -> bool {
-        let last = tokens.last().map(|t| t.span.end);
-        let close = self.tokens.iter().position(|t| t.kind == Kind::Sign(')') && Some(t.span.start) >= last);
-        close.is_some_and(|i| self.tokens.get(i + 1).is_some_and(|t| t.kind == Kind::Sign('^')))
+    /// Whether a power stands behind parentheses that are closed there.
+    fn is_raised_at(&self, close: usize) -> bool {
+        self.tokens.get(close + 1).is_some_and(|t| t.kind == Kind::Sign('^'))
     }
 
     pub(super) fn content(&self, tokens: &[Token]) -> Content {
@@ -372,7 +373,8 @@ impl Parser<'_> {
             rate: matches!(tokens, [Token { kind: Kind::Command(c), .. }, Token { kind: Kind::Sign('{'), .. },
                 Token { kind: Kind::Letter('d'), .. }, ..] if matches!(c.as_str(), "frac" | "tfrac" | "dfrac")),
             timely: false,
-            dressed: is_dressed(tokens) && self.is_raised_behind(tokens),
+            factors: 0,
+            dressed: is_dressed(tokens),
         };
         let mut names = 0;
         let mut others = 0;
@@ -429,6 +431,7 @@ impl Parser<'_> {
                     format!("\\{c}")
                 }
                 other => {
+                    content.factors += usize::from(depth == 0 && matches!(other, Kind::Number(_)));
                     within_function |= matches!(other, Kind::Command(c) if FUNCTIONS.contains(&c.as_str()));
                     let fraction =
                         matches!(other, Kind::Command(c) if matches!(c.as_str(), "frac" | "tfrac" | "dfrac"));
@@ -437,7 +440,9 @@ impl Parser<'_> {
                     continue;
                 }
             };
-            let lowered = matches!(body.get(i + 1), Some(Token { kind: Kind::Sign('_'), .. }));
+            // `\mathbf{u}_1` is printed as `\mathbf u_1`.
+            let next = body[i + 1..].iter().find(|t| t.kind != Kind::Sign('}'));
+            let lowered = matches!(next, Some(Token { kind: Kind::Sign('_'), .. }));
             names += 1;
             content.number = false;
             lowered_names += usize::from(lowered);
@@ -449,6 +454,7 @@ impl Parser<'_> {
             content.timely |= time && !within_function;
             within_function |= base == "e" && matches!(body.get(i + 1), Some(Token { kind: Kind::Sign('^'), .. }));
         }
+        content.factors += names;
         content.lone = names == 1 && others == 0;
         content.indexed = names > 1 && lowered_names == names;
         content

@@ -20,6 +20,7 @@ mod units;
 use std::ops::Range;
 
 use super::expand::written_out;
+use super::feature;
 use super::invisible::without_invisible_braces;
 use super::lexer::{Kind, Token, tokens};
 use super::name;
@@ -522,6 +523,11 @@ impl<'a> Parser<'a> {
         let start = self.span().start;
         let mut factors: Vec<Node> = Vec::new();
         while self.begins_factor() {
+            if let Kind::Command(c) = self.kind()
+                && feature::of_command(c).is_some()
+            {
+                return self.unsupported(c);
+            }
             if !factors.is_empty() {
                 self.end_is_clear()?;
             }

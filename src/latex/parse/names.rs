@@ -6,6 +6,7 @@ use super::super::lexer::{Kind, Token};
 use super::super::name::{self, NAMES, canonical};
 use super::super::scope::Scope;
 use super::super::syntax::{Name, Node, NodeKind, SubItem, SymbolNode};
+use super::super::write::subscript;
 use super::{Parsed, Parser, decimal, refuse};
 use diag::Problem;
 
@@ -297,8 +298,15 @@ impl Parser<'_> {
                     items.extend(n.bytes().map(|b| SubItem::Digit(u16::from(b.saturating_sub(b'0')))));
                     self.bump();
                 }
-                Kind::Command(c) if c == "infty" => {
-                    items.push(SubItem::Name(r"\infty".to_owned()));
+                // Labels that are no names elsewhere.
+                Kind::Command(c)
+                    if matches!(c.as_str(), "infty" | "parallel" | "perp" | "odot" | "oplus" | "star" | "circ") =>
+                {
+                    items.push(SubItem::Name(format!("\\{c}")));
+                    self.bump();
+                }
+                Kind::Command(c) if matches!(c.as_str(), "min" | "max") => {
+                    items.push(SubItem::Name(format!("rm:{c}")));
                     self.bump();
                 }
                 Kind::Sign('}') if braced => break,
@@ -323,6 +331,12 @@ impl Parser<'_> {
                 }
                 // TeX lowers one token: `x_i'` is printed as `x'_i`.
                 _ => match if braced { self.single_name()? } else { self.name_without_primes()? } {
+                    // `P_{\theta_2}`: a label with a label.
+                    Some((name, _)) if braced && self.is('_') => {
+                        self.bump();
+                        let inner = self.deeper(Self::subscript)?;
+                        items.push(SubItem::Name(name + &subscript(&inner)));
+                    }
                     Some((name, _)) => items.push(SubItem::Name(name)),
                     None => {
                         let message = format!("{} cannot stand in a subscript", self.shown());

@@ -3,6 +3,7 @@
 use super::super::lexer::Kind;
 use super::super::name::canonical;
 use super::super::syntax::{MOST_PRIMES, Name, Node, NodeKind, SubItem, SymbolNode};
+use super::names::plain;
 use super::{Parsed, Parser, refuse};
 use expr::HIGHEST_ORDER;
 
@@ -62,8 +63,7 @@ impl Parser<'_> {
             name.truncate(base.len());
             return primes as u8;
         }
-        let variable = self.scope.time_name().is_some_and(|n| !n.starts_with(['t', 'T']) && !n.starts_with(r"\tau"));
-        if !(1..=MOST_PRIMES).contains(&primes) || dots > 0 || !variable {
+        if !(1..=MOST_PRIMES).contains(&primes) || dots > 0 || self.primes_are_rates().is_none() {
             return dots;
         }
         if self.scope.declares(name) || !self.scope.is_moving(base, sub) {
@@ -71,6 +71,35 @@ impl Parser<'_> {
         }
         name.truncate(base.len());
         primes as u8
+    }
+
+    /// The independent variable, where primes are derivatives by it: where it is not called t, T or τ.
+    pub(super) fn primes_are_rates(&self) -> Option<Name> {
+        let variable = self.scope.time_name()?;
+        (!variable.starts_with(['t', 'T']) && !variable.starts_with(r"\tau")).then(|| variable.to_owned())
+    }
+
+    /// `(uv)'`: the derivative of what stands in the brackets, by the independent variable.
+    pub(super) fn primed_group(&mut self, of: Node, by: Name) -> Parsed<Node> {
+        let (start, span) = (of.span.start, self.span());
+        let mut order = 0u8;
+        while let Some(tokens) = self.prime() {
+            self.at += tokens;
+            order = order.saturating_add(1);
+        }
+        if usize::from(order) > MOST_PRIMES || self.is('^') || self.is('_') {
+            let hint = r"write `\frac{d^n}{dx^n}(…)`, in parentheses before a power";
+            return refuse("latex::ambiguous", "it is not clear what these primes are", span, hint);
+        }
+        let by = Box::new(self.node(NodeKind::Symbol(plain(by)), span.start));
+        Ok(self.node(NodeKind::Derivative { of: Box::new(of), by, order, operator: true, upright: false }, start))
+    }
+
+    /// Scripts behind braces around a symbol with primes that are derivatives.
+    pub(super) fn scripted_rate(&mut self, base: Node) -> Parsed<Node> {
+        let start = base.span.start;
+        let (sub, sup, sup_first) = self.script_pair()?;
+        Ok(self.node(NodeKind::Scripted { base: Box::new(base), sub, sup, sup_first }, start))
     }
 
     /// `^{(4)}` behind a field of one coordinate: the order of its derivative.
