@@ -84,7 +84,7 @@ const NAMES: &[&[&str]] = &[
     &["S"],
     &[r"\Gamma", "Γ"],
     &[r"\theta", "θ"],
-    &[r"{\bf u}", r"\mathbf{u}", r"\mathbf u", r"\textbf{u}"],
+    &[r"{\bf u}", r"\mathbf{u}", r"\mathbf u", r"\textbf{u}", r"\vb{u}", "𝐮"],
     &[r"\vec q", r"\vec{q}", r"{\vec q}"],
     &["R"],
     &["s"],
@@ -96,7 +96,14 @@ const JOINS: &[&[&str]] =
 
 /// Fences that open and close alike.
 const FENCES: &[&[(&str, &str)]] = &[
-    &[("(", ")"), (r"\left(", r"\right)"), (r"\bigl(", r"\bigr)"), (r"\Big(", r"\Big)"), (r"{(", r")}")],
+    &[
+        ("(", ")"),
+        (r"\left(", r"\right)"),
+        (r"\bigl(", r"\bigr)"),
+        (r"\Big(", r"\Big)"),
+        (r"{(", r")}"),
+        (r"\qty(", ")"),
+    ],
     &[("[", "]"), (r"\left[", r"\right]"), (r"\lbrack", r"\rbrack")],
     &[
         ("|", "|"),
@@ -104,6 +111,7 @@ const FENCES: &[&[(&str, &str)]] = &[
         (r"\lvert", r"\rvert"),
         (r"\left\vert", r"\right\vert"),
         (r"\bigl|", r"\bigr|"),
+        (r"\abs{", "}"),
     ],
     &[
         (r"\|", r"\|"),
@@ -111,6 +119,7 @@ const FENCES: &[&[(&str, &str)]] = &[
         (r"\lVert", r"\rVert"),
         (r"\Vert", r"\Vert"),
         (r"\left\Vert", r"\right\Vert"),
+        (r"\norm{", "}"),
     ],
 ];
 
@@ -249,11 +258,24 @@ fn spelled(print: &Print, bars: usize, dice: &mut Dice) -> String {
         Print::Row(parts) => {
             for part in parts {
                 let piece = spelled(part, bars, dice);
+                let operator = matches!(part, Print::Sign(of) if JOINS.contains(of));
+                let piece = match dice.below(16) {
+                    0 if !operator => format!(r"\ensuremath{{{piece}}}"),
+                    1 if !operator => format!(r"\textcolor{{black}}{{{piece}}}"),
+                    2 => format!(r"\color{{black}}{piece}"),
+                    3 => format!(r"\phantom{{}}{piece}"),
+                    _ => piece,
+                };
                 put(&mut out, &piece, dice);
             }
         }
         Print::Scripts(nucleus, sub, primes, sup) => {
             out = spelled(nucleus, bars, dice);
+            // A nucleus in braces has its scripts behind it as without them.
+            let single = matches!(**nucleus, Print::Sign(_) | Print::Dots(..) | Print::Fence(..));
+            if single && dice.below(4) == 0 {
+                out = format!("{{{out}}}");
+            }
             let prime = dice.pick(&["'", "'", "′"]);
             let above = match (primes, sup) {
                 (0, None) => String::new(),

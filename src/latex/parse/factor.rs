@@ -74,7 +74,22 @@ impl Parser<'_> {
                     return refuse("latex::double-script", "a script behind degrees", p.span(), "use parentheses");
                 }
             }
-            if p.prime().is_some() && !matches!(node.kind, NodeKind::Symbol(_)) {
+            let primed = p.prime().is_some();
+            if !(primed || p.is('_') || p.is('^')) {
+                return Ok(Some(node));
+            }
+            // `{\dot x}_1` is printed as `\dot x_1`.
+            if let NodeKind::Symbol(s) = &node.kind
+                && !s.primed
+                && s.sub.is_none()
+                && s.sup.is_none()
+                && s.arguments.is_none()
+            {
+                let (mut name, dots, start) = (s.name.clone(), s.dots, node.span.start);
+                p.primes(&mut name);
+                return p.symbol_named(name, dots, start).map(Some);
+            }
+            if primed {
                 if let Some(by) = p.primes_are_rates().filter(|_| matches!(node.kind, NodeKind::Group(..))) {
                     return p.primed_group(node, by).map(Some);
                 }
@@ -82,19 +97,7 @@ impl Parser<'_> {
                 let hint = r"a prime belongs to a name, `x'`; of a root or a fraction it is printed behind the whole; a derivative is written `\frac{d}{dx}(…)`";
                 return refuse("latex::ambiguous", message, p.span(), hint);
             }
-            if !(p.is('_') || p.is('^')) {
-                return Ok(Some(node));
-            }
             p.script_is_clear(&node)?;
-            // `{\dot x}_1` is printed as `\dot x_1`.
-            if let NodeKind::Symbol(s) = &node.kind
-                && s.sub.is_none()
-                && s.sup.is_none()
-                && s.arguments.is_none()
-            {
-                let (name, dots, start) = (s.name.clone(), s.dots, node.span.start);
-                return if s.primed { p.scripted_rate(node).map(Some) } else { p.symbol_named(name, dots, start).map(Some) };
-            }
             let (sub, sup, sup_first) = p.script_pair()?;
             let start = node.span.start;
             Ok(Some(p.node(NodeKind::Scripted { base: Box::new(node), sub, sup, sup_first }, start)))
@@ -361,78 +364,6 @@ impl Parser<'_> {
         found
     }
 
-    fn round(&mut self, start: usize) -> Parsed<Node> {
-        self.bump();
-        let outer = std::mem::replace(&mut self.bars, 0);
-        let first = self.sum()?;
-        let kind = if self.is(',') {
-            let mut parts = vec![first];
-            while self.eat(',') {
-                parts.push(self.sum()?);
-            }
-            NodeKind::Tuple(parts)
-        } else {
-            match first.kind {
-                NodeKind::Matrix(_) => first.kind,
-                _ => NodeKind::Group(Box::new(first), Bracket::Round),
-            }
-        };
-        self.expect(')')?;
-        self.bars = outer;
-        Ok(self.node(kind, start))
-    }
-
-    fn square(&mut self, start: usize) -> Parsed<Node> {
-        self.bump();
-        let outer = std::mem::replace(&mut self.bars, 0);
-        let first = self.sum()?;
-        let kind = if self.eat(',') {
-            let second = self.sum()?;
-            NodeKind::Cross { left: Box::new(first), right: Box::new(second), bracket: true }
-        } else {
-            match first.kind {
-                NodeKind::Matrix(_) => first.kind,
-                _ => NodeKind::Group(Box::new(first), Bracket::Square),
-            }
-        };
-        self.expect(']')?;
-        self.bars = outer;
-        Ok(self.node(kind, start))
-    }
-
-    /// `|…|` whose bars do not say which side they are on.
-    fn bars(&mut self, start: usize) -> Parsed<Node> {
-        self.bump();
-        let outer = std::mem::replace(&mut self.bars, 1);
-        let inner = self.sum()?;
-        self.bars = outer;
-        let hint = r"write `\left|` and `\right|`";
-        if !self.eat('|') {
-            return refuse("latex::unbalanced", "`|` is never closed", start..start + 1, hint);
-        }
-        // `|a|b|c|` is |a| b |c| or | a|b|c |.
-        let later = self.has_bar_beside();
-        if later && self.begins_factor() && !self.is('|') {
-            return refuse("latex::ambiguous", "it is not clear which bars belong together", start..start + 1, hint);
-        }
-        Ok(self.node(NodeKind::Absolute(Box::new(inner)), start))
-    }
-
-    /// Whether another bar follows that is not inside of brackets or braces, as it is in `|x|\frac1{|x|}`.
-    fn has_bar_beside(&self) -> bool {
-        let mut depth = 0usize;
-        for token in &self.tokens[self.at..] {
-            match token.kind {
-                Kind::Sign('|') if depth == 0 => return true,
-                Kind::Sign('{' | '(' | '[') => depth += 1,
-                Kind::Sign('}' | ')' | ']') if depth == 0 => return false,
-                Kind::Sign('}' | ')' | ']') => depth -= 1,
-                _ => {}
-            }
-        }
-        false
-    }
-
     /// `{\rm tr}` and the like: an operator in a group of its own.
     pub(super) fn switched_operator(&mut self) -> Option<String> {
         let back = self.at;
@@ -603,17 +534,6 @@ impl Parser<'_> {
             return true;
         }
         false
-    }
-
-    /// `\overline{…}` over more than a name: the complex conjugate.
-    fn overlined(&mut self, start: usize) -> Parsed<Node> {
-        self.bump();
-        self.bump();
-        let outer = std::mem::replace(&mut self.bars, 0);
-        let inner = self.sum()?;
-        self.expect('}')?;
-        self.bars = outer;
-        Ok(self.node(NodeKind::Conjugate(Box::new(inner)), start))
     }
 
     /// Whether what stands here can be the argument of a function without parentheses.

@@ -7,6 +7,8 @@
 //! so it is refused. What is printed without a clear end, `a/b`, `\sin x`, `\frac{d}{dt}x`, must not be followed by
 //! something that could belong to it.
 
+mod beside;
+mod brackets;
 mod call;
 mod factor;
 mod fraction;
@@ -14,6 +16,7 @@ mod function;
 mod instant;
 mod names;
 mod partial;
+mod scripts;
 mod symbol;
 mod units;
 
@@ -30,6 +33,8 @@ use super::syntax::{Chain, Node, NodeKind, RelationKind, Sign, Target};
 use diag::Problem;
 use expr::Rational;
 
+pub(super) use beside::is_relation;
+use beside::{relation, side_by_side};
 pub(super) use call::{prints_as_function, prints_as_operator};
 pub use function::whole_part;
 pub(super) use function::{operation, spelled, takes_bare_argument};
@@ -63,6 +68,8 @@ pub(super) struct Parser<'a> {
     in_name: bool,
     /// How deep the terms of an exponent of Euler's number are that is being read.
     exponent: Option<usize>,
+    /// A double prime stands somewhere in the text: then it is no name of another frame.
+    double_primes: bool,
 }
 
 /// Reads all chains of relations of a text; a chain may be a single expression.
@@ -105,24 +112,6 @@ fn balanced(tokens: &[Token]) -> Parsed<()> {
     }
 }
 
-/// The relation that a command is.
-fn relation(command: &str) -> Option<RelationKind> {
-    Some(match command {
-        "equiv" | "coloneqq" => RelationKind::Equal,
-        "ne" | "neq" => RelationKind::NotEqual,
-        "lt" => RelationKind::Less,
-        "gt" => RelationKind::Greater,
-        "le" | "leq" | "leqslant" => RelationKind::LessEqual,
-        "ge" | "geq" | "geqslant" => RelationKind::GreaterEqual,
-        _ => return None,
-    })
-}
-
-/// Whether a command is a relation.
-pub(super) fn is_relation(command: &str) -> bool {
-    relation(command).is_some()
-}
-
 /// Environments that hold displayed equations.
 const DISPLAYS: &[&str] = &["equation", "eqnarray", "align", "gather", "multline", "displaymath"];
 
@@ -131,6 +120,7 @@ impl<'a> Parser<'a> {
         let tokens = tokens(text)?;
         balanced(&tokens).map_err(|p| vec![*p])?;
         let tokens = written_out(tokens).and_then(without_invisible_braces).map_err(|p| vec![*p])?;
+        let double_primes = tokens.windows(2).any(|w| w.iter().all(|t| t.kind == Kind::Sign('\'')));
         Ok(Parser {
             text,
             scope,
@@ -143,6 +133,7 @@ impl<'a> Parser<'a> {
             in_subscript: false,
             in_name: false,
             exponent: None,
+            double_primes,
         })
     }
 
@@ -598,40 +589,6 @@ impl<'a> Parser<'a> {
         let kind = NodeKind::Quotient { top: Box::new(numerator), bottom: Box::new(denominator), slash: true };
         Ok(self.node(kind, start))
     }
-}
-
-/// Refuses numbers where they could be read as part of what stands before them.
-fn side_by_side(last: &Node, factor: &Node) -> Parsed<()> {
-    let span = last.span.start..factor.span.end;
-    let number = |n: &Node| matches!(n.kind, NodeKind::Number(_));
-    if factor.begins_with_number() {
-        // `r^3 4\pi^2`: the exponent ends where the line goes on. Without a space it could be `r^{34}`.
-        let raised = match &last.kind {
-            NodeKind::Symbol(s) => s.arguments.is_none() && s.sup.as_deref().is_some_and(number),
-            _ => false,
-        };
-        return if number(last) {
-            refuse("latex::ambiguous", "two numbers stand side by side", span, r"write `\cdot` between them")
-        } else if raised && last.span.end < factor.span.start {
-            Ok(())
-        } else {
-            // `(a+b)10^{-3}`: nothing touches a power of a number behind a parenthesis.
-            let power = matches!(&factor.kind, NodeKind::Scripted { base, .. } if number(base));
-            if power && matches!(last.kind, NodeKind::Group(..)) {
-                return Ok(());
-            }
-            let hint = r"write the number first, or `\cdot` before it, or a subscript";
-            refuse("latex::ambiguous", "a number stands behind a factor", span, hint)
-        };
-    }
-    if let (true, NodeKind::Quotient { top, bottom, .. }) = (number(last), &factor.kind)
-        && number(top)
-        && number(bottom)
-    {
-        let hint = r"write `\cdot` between them, or one fraction";
-        return refuse("latex::ambiguous", "a number and a fraction: a product or a sum?", span, hint);
-    }
-    Ok(())
 }
 
 /// A decimal number, exactly.

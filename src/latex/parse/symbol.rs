@@ -51,7 +51,7 @@ impl Parser<'_> {
     }
 
     /// `y'` of a field of one coordinate is its derivative, and of a function y of x, unless it is declared. Where the independent variable is the time by name,
-    /// too, rates have dots, and a prime makes another name.
+    /// too, rates have dots, and a prime makes another name; unless a text has double primes, and no name with a prime is declared.
     fn primed_rate(&self, name: &mut Name, dots: u8, sub: Option<&[SubItem]>) -> u8 {
         let base = name.trim_end_matches('\'');
         let primes = name.len() - base.len();
@@ -63,7 +63,11 @@ impl Parser<'_> {
             name.truncate(base.len());
             return primes as u8;
         }
-        if !(1..=MOST_PRIMES).contains(&primes) || dots > 0 || self.primes_are_rates().is_none() {
+        let lagrange = || {
+            let primed = |n: usize| self.scope.declares(&format!("{base}{}", "'".repeat(n)));
+            self.double_primes && !(1..=MOST_PRIMES).any(primed)
+        };
+        if !(1..=MOST_PRIMES).contains(&primes) || dots > 0 || self.primes_are_rates().is_none() && !lagrange() {
             return dots;
         }
         if self.scope.declares(name) || !self.scope.is_moving(base, sub) {
@@ -76,7 +80,8 @@ impl Parser<'_> {
     /// The independent variable, where primes are derivatives by it: where it is not called t, T or τ.
     pub(super) fn primes_are_rates(&self) -> Option<Name> {
         let variable = self.scope.time_name()?;
-        (!variable.starts_with(['t', 'T']) && !variable.starts_with(r"\tau")).then(|| variable.to_owned())
+        (self.scope.primes() || !variable.starts_with(['t', 'T']) && !variable.starts_with(r"\tau"))
+            .then(|| variable.to_owned())
     }
 
     /// `(uv)'`: the derivative of what stands in the brackets, by the independent variable.
@@ -93,13 +98,6 @@ impl Parser<'_> {
         }
         let by = Box::new(self.node(NodeKind::Symbol(plain(by)), span.start));
         Ok(self.node(NodeKind::Derivative { of: Box::new(of), by, order, operator: true, upright: false }, start))
-    }
-
-    /// Scripts behind braces around a symbol with primes that are derivatives.
-    pub(super) fn scripted_rate(&mut self, base: Node) -> Parsed<Node> {
-        let start = base.span.start;
-        let (sub, sup, sup_first) = self.script_pair()?;
-        Ok(self.node(NodeKind::Scripted { base: Box::new(base), sub, sup, sup_first }, start))
     }
 
     /// `^{(4)}` behind a field of one coordinate: the order of its derivative.
