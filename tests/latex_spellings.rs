@@ -397,3 +397,97 @@ fn what_prints_the_same_is_read_the_same() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert!(read > 300 && refused > 300, "{read} pairs were read, {refused} refused");
 }
+
+/// Names that print as functions, and what stands in their brackets.
+const CALLED: &[&str] =
+    &["f", r"\hat f", "f_1", "f'", r"{\bf f}", r"\Gamma", r"\delta", r"\Theta", r"\zeta", r"\eta", "B", r"\wp"];
+
+#[test]
+fn a_call_is_no_product() {
+    use Role::{Coordinate, Parameter, State, Time};
+    let mut w = World::empty().with("t", Time, "").with("x", State, "").with("s", Coordinate, "");
+    for name in CALLED.iter().chain(&["S", "E", r"\mathbb{E}", r"\mathcal{S}", "C", "X", "q", "a", "g", "m", "L", r"u"])
+    {
+        w = w.with(name, Parameter, "");
+    }
+    let mut refused = |text: &str| match w.try_expression(text) {
+        Err(problems) => {
+            assert!(problems[0].code == "latex::ambiguous", "{}", shown(text, &problems));
+            problems[0].hint.clone().unwrap_or_default()
+        }
+        Ok(t) => {
+            panic!("`{text}` is read as {:?}", t.components.iter().map(|e| w.graph.to_latex(*e)).collect::<Vec<_>>())
+        }
+    };
+    for name in CALLED {
+        for inside in ["a+1", "x-a", "-a", "2a", "a^2", "a/2", r"\frac a2", "a,q", r"\sqrt a", "(a+q)^2", "2", "x", "t"]
+        {
+            for (open, close) in [("(", ")"), (r"\left(", r"\right)"), (r"{\left(", r"\right)}")] {
+                refused(&format!("{name}{open}{inside}{close}"));
+            }
+        }
+    }
+    for name in ["S", "E", r"\mathbb{E}", r"\mathcal{S}", "C", "L"] {
+        for inside in ["q", "X^2", "q_1", r"\dot x", "2X", "(X-a)^2", "f(a)"] {
+            refused(&format!("{name}[{inside}]"));
+        }
+    }
+    for text in
+        ["E[X+a]", "S[q+a]", r"\mathbb{E}[(X-a)^2+q]", "L(q,x,t)", r"L(q,\dot x,t)", "u(0,t)", "g(-a)", r"\dot f(a+1)"]
+    {
+        refused(text);
+    }
+    // The hint of a refusal is read, and as a product.
+    let hint = refused(r"\Gamma(a+1)");
+    assert!(hint.contains(r"\Gamma\cdot(a+1)"), "{hint}");
+    for (text, means) in [
+        (r"\Gamma\cdot(a+1)", r"\Gamma\cdot (a+1)"),
+        (r"f\,(a+1)", r"f\cdot (a+1)"),
+        ("m(a+q)", r"m\cdot (a+q)"),
+        ("g(a-q)", r"g\cdot (a-q)"),
+        ("2(a+q)", r"2\cdot (a+q)"),
+        ("m[a+(q+1)^2]", r"m\cdot (a+(q+1)^{2})"),
+        (r"m(\dot x)^2", r"m\cdot \dot{x}^2"),
+    ] {
+        let t = w.expression(text);
+        assert_eq!(w.graph.to_latex(t.components[0]), means, "{text}");
+    }
+}
+
+#[test]
+fn what_is_no_field_has_no_gradient() {
+    let mut w = World::empty().with("s", Role::Coordinate, "").with("a", Role::Parameter, "").by(
+        "h",
+        Role::Abbreviation,
+        "a+1",
+    );
+    for text in [r"\nabla a", r"\nabla^2a", r"\nabla h", r"\nabla(a+1)", r"\grad a", "∇a"] {
+        let problems = w.try_expression(text).expect_err(text);
+        assert_eq!(problems[0].code, "latex::derivative", "{}", shown(text, &problems));
+    }
+    assert!(w.try_expression(r"\nabla(as)").is_ok());
+}
+
+#[test]
+fn what_is_missing_has_a_name() {
+    let mut w = World::empty().with("x", Role::Parameter, "").with("a", Role::Parameter, "");
+    for (text, name) in [
+        (r"x=\int a", "integral"),
+        (r"x=a\oint a", "integral"),
+        (r"x\approx a", "approximation"),
+        (r"\sin x\approx a", "approximation"),
+        ("x≈a", "approximation"),
+        (r"x\ll a", "approximation"),
+        (r"\sum x=a", "sum"),
+        ("∑x=a", "sum"),
+        (r"\langle x\rangle=a", "bra-ket"),
+        (r"\ket{x}=a", "bra-ket"),
+        (r"x\in a", "set"),
+        (r"x=\infty", "infinity"),
+        (r"x\Rightarrow a", "implication"),
+    ] {
+        let problems = w.try_read(text).expect_err(text);
+        let feature = rederive::latex::feature(text, &problems[0]).map(|f| f.name);
+        assert_eq!(feature, Some(name), "{}", shown(text, &problems));
+    }
+}

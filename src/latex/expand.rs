@@ -237,19 +237,7 @@ impl<'a> Expansion<'a> {
                 out.extend(placed(r"\end{pmatrix}", &self.tokens[close].span));
                 Ok(close + 1)
             }
-            "overset" | "underset" | "stackrel" => {
-                let (_, next) = self.argument(at + 1, end)?;
-                let (base, next) = self.argument(next, end)?;
-                let relation = matches!(self.tokens[base.clone()], [Token { kind: Kind::Sign('=' | '<' | '>'), .. }])
-                    || matches!(&self.tokens[base.clone()], [Token { kind: Kind::Command(c), .. }] if super::parse::is_relation(c));
-                if !relation {
-                    let span = self.tokens[at].span.clone();
-                    let message = format!("`\\{c}` above or below something that is no relation");
-                    return refuse("latex::unsupported", message, span, "give it a name of its own");
-                }
-                self.region(base, depth + 1, out)?;
-                Ok(next)
-            }
+            "overset" | "underset" | "stackrel" => self.above(c, at, end, depth, out),
             "div" => {
                 let clear = !out
                     .last()
@@ -270,6 +258,21 @@ impl<'a> Expansion<'a> {
                 }
             },
         }
+    }
+
+    /// `\overset{!}{=}` and the like: a relation with a remark.
+    fn above(&self, c: &str, at: usize, end: usize, depth: usize, out: &mut Vec<Token>) -> Parsed<usize> {
+        let (_, next) = self.argument(at + 1, end)?;
+        let (base, next) = self.argument(next, end)?;
+        let relation = matches!(self.tokens[base.clone()], [Token { kind: Kind::Sign('=' | '<' | '>'), .. }])
+            || matches!(&self.tokens[base.clone()], [Token { kind: Kind::Command(c), .. }] if super::parse::is_relation(c));
+        if !relation {
+            let span = self.tokens[at].span.clone();
+            let message = format!("`\\{c}` above or below something that is no relation");
+            return refuse("latex::unsupported", message, span, "give it a name of its own");
+        }
+        self.region(base, depth + 1, out)?;
+        Ok(next)
     }
 
     /// A command with its arguments, as the table says what it prints.

@@ -86,6 +86,11 @@ pub(super) fn marks_tensor(style: &str) -> bool {
     matches!(style, "bf" | "vec")
 }
 
+/// Whether a style is an accent: of these a name may have several.
+pub(super) fn is_accent(style: &str) -> bool {
+    matches!(style, "bar" | "hat" | "tilde" | "vec" | "check" | "breve" | "acute" | "grave" | "mathring")
+}
+
 /// Whether a name can be an index that runs over components. Other letters, such as the x of `v_x` or the r of `v_r`, are
 /// labels in print.
 pub(super) fn is_index(name: &str) -> bool {

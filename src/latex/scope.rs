@@ -281,6 +281,11 @@ impl Scope {
         self.entries.iter().any(|e| name::labelled(&e.name).is_some())
     }
 
+    /// Whether a name with a prime is declared.
+    pub(super) fn has_primes(&self) -> bool {
+        self.entries.iter().any(|e| e.name.ends_with('\''))
+    }
+
     /// Whether names of several letters are declared.
     pub(super) fn has_words(&self) -> bool {
         !self.words.is_empty()

@@ -33,9 +33,14 @@ fn known_function(name: &str) -> Option<&'static str> {
     })
 }
 
-/// The name without primes and without a style that marks a vector.
-fn base(name: &str) -> &str {
-    name::unmarked(name).trim_end_matches('\'')
+/// The name without primes, accents, a style that marks a vector, and a label above.
+fn base(mut name: &str) -> &str {
+    while let (Some(style), bare) = name::split(name)
+        && (name::marks_tensor(style) || name::is_accent(style))
+    {
+        name = bare;
+    }
+    name::labelled(name).map_or(name, |(bare, _)| bare).trim_end_matches('\'')
 }
 
 /// Whether a name before brackets could be taken for a function or a functional, whatever stands in them.
@@ -51,7 +56,7 @@ pub(crate) fn prints_as_operator(name: &str) -> bool {
 impl Parser<'_> {
     /// Refuses a name before parentheses that are neither its arguments nor its time, where both could be a call.
     pub(super) fn is_no_call(&self, symbol: &SymbolNode, start: usize, close: usize) -> Parsed<()> {
-        if !self.scope.is_known(&symbol.name, symbol.sub.as_deref()) || symbol.dots > 0 || self.is_spaced() {
+        if !self.scope.is_known(&symbol.name, symbol.sub.as_deref()) || self.is_spaced() {
             return Ok(());
         }
         let is_function = FUNCTIONS.contains(&base(&symbol.name));

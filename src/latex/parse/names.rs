@@ -371,8 +371,7 @@ fn restyle(style: &str, name: Name) -> Name {
         return name;
     }
     // `{\bf {\bf m}}` is printed as `{\bf m}`. Accents and other styles are kept: `\bar{\bar z}` has two bars.
-    let accent = matches!(style, "bar" | "hat" | "tilde" | "vec" | "check" | "breve" | "acute" | "grave" | "mathring");
-    if !accent && name.starts_with(&format!("{style}:")) { name } else { format!("{style}:{name}") }
+    if !name::is_accent(style) && name.starts_with(&format!("{style}:")) { name } else { format!("{style}:{name}") }
 }
 
 /// A symbol without anything attached to it.

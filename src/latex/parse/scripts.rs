@@ -30,6 +30,12 @@ impl Parser<'_> {
         let (mut sub, mut sup, mut sup_first) = (None, None, false);
         loop {
             let labelled = sup.is_none() && name.as_deref_mut().is_some_and(|name| self.label_of(name));
+            if sup.is_none()
+                && !labelled
+                && let Some(name) = name.as_deref()
+            {
+                self.is_no_unknown_label(name)?;
+            }
             if labelled {
                 name = None;
                 if self.is('^') {
@@ -103,6 +109,25 @@ impl Parser<'_> {
         };
         let word = (from..to).map(|i| text(self.kind_after(i))).collect::<Option<String>>()?;
         (!word.is_empty()).then(|| (format!(r"{{\rm {word}}}"), tokens))
+    }
+
+    /// Refuses a word above a name that is declared without it: it is no power.
+    fn is_no_unknown_label(&self, name: &str) -> Parsed<()> {
+        let Some((label, tokens)) = self.label_above() else { return Ok(()) };
+        let word = label.strip_prefix(r"{\rm ").and_then(|w| w.strip_suffix('}'));
+        // `A^{\rm T}`, `x^{\rm i}`, and the power of a declared upright name.
+        let power = |w: &str| matches!(w, "T" | "i" | "e") || self.scope.declares(&format!("rm:{w}"));
+        if word.is_none_or(power) {
+            return Ok(());
+        }
+        let message = format!("`{}^{label}` is not declared", name::to_latex(name));
+        let span = self.span().start..self.tokens[(self.at + tokens - 1).min(self.tokens.len() - 1)].span.end;
+        refuse(
+            "latex::unknown-symbol",
+            message,
+            span,
+            "declare the name under [symbols] with its label, as it is printed",
+        )
     }
 
     /// Makes a declared label that stands here part of the name.

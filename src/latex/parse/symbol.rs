@@ -63,10 +63,7 @@ impl Parser<'_> {
             name.truncate(base.len());
             return primes as u8;
         }
-        let lagrange = || {
-            let primed = |n: usize| self.scope.declares(&format!("{base}{}", "'".repeat(n)));
-            self.double_primes && !(1..=MOST_PRIMES).any(primed)
-        };
+        let lagrange = || self.double_primes && !self.scope.has_primes();
         if !(1..=MOST_PRIMES).contains(&primes) || dots > 0 || self.primes_are_rates().is_none() && !lagrange() {
             return dots;
         }
