@@ -70,6 +70,7 @@ mod latex_physics;
 mod latex_print;
 mod latex_refused;
 mod latex_robust;
+mod latex_spellings;
 mod latex_typeset;
 mod layering;
 mod maps;

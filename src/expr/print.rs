@@ -171,7 +171,10 @@ impl Graph {
                 Node::Pi => (r"\pi".to_owned(), Bond::Factor),
                 Node::Leaf(_) if self.is_branch(node) => (r"(\pm1)".to_owned(), Bond::Factor),
                 Node::Leaf(leaf) => {
-                    let plain = self.part(*leaf).is_none() && leaf.partials.is_none();
+                    let name = self.name(leaf.symbol);
+                    // `\mu^{(1)}` has its superscript already; a prime is none, nor is one in brackets.
+                    let labelled = name.contains('^') && !name.contains(r"\prime") && !name.ends_with(']');
+                    let plain = self.part(*leaf).is_none() && leaf.partials.is_none() && !labelled;
                     (self.leaf_latex(*leaf), if plain { Bond::Symbol } else { Bond::Factor })
                 }
                 Node::Binary(Op::Mul, a, b) if self.is_branch(*a) && !self.is_branch(*b) => {

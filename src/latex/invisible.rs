@@ -290,7 +290,10 @@ impl Braces<'_> {
             }
             _ => None,
         };
-        if content.len() <= 1 || bracketed == Some(true) {
+        // `{\left.x\right|}_{t=0}`
+        let fenced = content.first().is_some_and(|t| t.kind == Kind::OpenFence)
+            && content.iter().position(|t| t.kind == Kind::CloseBar) == content.len().checked_sub(1);
+        if content.len() <= 1 || bracketed == Some(true) || fenced {
             out.remove(inner - 1);
             return Ok(());
         }

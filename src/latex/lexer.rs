@@ -5,6 +5,7 @@
 
 use std::ops::Range;
 
+use super::unicode;
 use diag::Problem;
 
 /// What a token is.
@@ -49,24 +50,83 @@ const IGNORED: &[&str] = &[
     "nolimits",
     "big",
     "Big",
-    "bigl",
-    "bigr",
-    "Bigl",
-    "Bigr",
     "bigg",
     "Bigg",
-    "biggl",
-    "biggr",
-    "Biggl",
-    "Biggr",
+    "bigm",
+    "Bigm",
     "hfill",
+    "hfil",
+    "scriptstyle",
+    "scriptscriptstyle",
+    "relax",
+    "null",
+    "strut",
+    "mathstrut",
+    "allowbreak",
+    "nobreak",
+    "noindent",
+    "normalfont",
+    "thinspace",
+    "negthinspace",
+    "medspace",
+    "thickspace",
+    "enspace",
+    "enskip",
 ];
+
+/// Commands for the sizes of brackets that say on which side these are.
+fn side(command: &str) -> Option<bool> {
+    match command {
+        "left" | "bigl" | "Bigl" | "biggl" | "Biggl" => Some(true),
+        "right" | "bigr" | "Bigr" | "biggr" | "Biggr" => Some(false),
+        _ => None,
+    }
+}
+
+/// The bar with which a text begins: its length, and whether it is double.
+fn bar(text: &str) -> Option<(usize, bool)> {
+    const BARS: [(&str, bool); 8] = [
+        (r"\lvert", false),
+        (r"\rvert", false),
+        (r"\vert", false),
+        (r"\lVert", true),
+        (r"\rVert", true),
+        (r"\Vert", true),
+        (r"\|", true),
+        ("|", false),
+    ];
+    BARS.iter().find(|(bar, _)| text.starts_with(bar)).map(|(bar, double)| (bar.len(), *double))
+}
+
+/// Where the length ends that stands behind `\kern` and its kin: `3pt`, `-\!2 mu`.
+fn behind_length(text: &str) -> usize {
+    let sign = |c: char| matches!(c, ' ' | '+' | '-' | '.') || c.is_ascii_digit();
+    let digits = text.len() - text.trim_start_matches(sign).len();
+    let unit = text[digits..].get(..2).filter(|u| u.bytes().all(|b| b.is_ascii_lowercase()));
+    if text[..digits].bytes().any(|b| b.is_ascii_digit()) && unit.is_some() { digits + 2 } else { 0 }
+}
 
 /// Longest formula that is read, in bytes.
 pub(super) const LONGEST: usize = 1 << 20;
 
 fn problem(code: &'static str, message: String, span: Range<usize>, hint: &str) -> Problem {
     Problem { code, message, span, hint: (!hint.is_empty()).then(|| hint.to_owned()) }
+}
+
+/// The token that the spelling of a character is: none for a space; `None` where it is several.
+fn unicode_token(text: &str) -> Option<Option<Kind>> {
+    let mut chars = text.chars();
+    match (chars.next(), chars.as_str()) {
+        (Some(' ' | '~'), "") | (Some('\\'), "," | ":") => Some(None),
+        (Some(c), "") if c.is_ascii_alphabetic() => Some(Some(Kind::Letter(c))),
+        (Some(c), "") if c.is_ascii_digit() => Some(Some(Kind::Number(c.to_string()))),
+        (Some(c), "") if c.is_ascii() => Some(Some(Kind::Sign(c))),
+        (Some('\\'), "vert") => Some(Some(Kind::Sign('|'))),
+        (Some('\\'), name) if !name.is_empty() && name.bytes().all(|b| b.is_ascii_alphabetic()) => {
+            Some(Some(Kind::Command(name.to_owned())))
+        }
+        _ => None,
+    }
 }
 
 /// Splits a text into tokens; the last one is [`Kind::End`].
@@ -79,9 +139,8 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
     let mut problems = Vec::new();
     let bytes = text.as_bytes();
     let mut at = 0;
-    let mut pending_bar = None;
-    // Of each bar that is open by its command, whether it is double.
-    let mut bars = Vec::new();
+    // Of each bar that is open by its command, whether it is double; of `\left.`, nothing.
+    let mut bars: Vec<Option<bool>> = Vec::new();
     while let Some(c) = text[at..].chars().next() {
         let start = at;
         at += c.len_utf8();
@@ -110,11 +169,7 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                 at += 1;
                 push(Kind::Sign('='), at);
             }
-            '|' => match pending_bar.take() {
-                Some(true) => push(Kind::OpenBar, at),
-                Some(false) => push(Kind::CloseBar, at),
-                None => push(Kind::Sign('|'), at),
-            },
+            '|' => push(Kind::Sign('|'), at),
             // `J_+`: a label, no sign between terms.
             '+' | '-' | '*' if lowers => push(Kind::Command(c.to_string()), at),
             '+' | '-' | '*' | '/' | '=' | '<' | '>' | '(' | ')' | '[' | ']' | '{' | '}' | '_' | '^' | ',' | '.'
@@ -151,29 +206,37 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                 at += letters;
                 match name {
                     "cr" | "newline" => push(Kind::Row, at),
-                    "left" | "right" => {
+                    _ if side(name).is_some() => {
                         // What follows is an ordinary delimiter; only bars need to know their side.
+                        let opens = side(name) == Some(true);
                         let next = text[at..].trim_start();
-                        let (signs, bar) = match name {
-                            "left" => (['(', '[', '|', '.'], [r"\lvert", r"\lVert"]),
-                            _ => ([')', ']', '|', '.'], [r"\rvert", r"\rVert"]),
-                        };
-                        let whole = [r"\lfloor", r"\rfloor", r"\lceil", r"\rceil", r"\{", r"\}"];
-                        if whole.iter().any(|w| next.starts_with(w)) {
+                        let here = text.len() - next.len();
+                        let fence = matches!(name, "left" | "right");
+                        let signs = if opens { ['(', '[', '<'] } else { [')', ']', '>'] };
+                        if let Some((length, double)) = bar(next) {
+                            at = here + length;
+                            let kind = if opens { Kind::OpenBar } else { Kind::CloseBar };
+                            out.push(Token { kind, span: here..at });
+                            if opens {
+                                bars.push(Some(double));
+                            } else if bars.pop().flatten().is_some_and(|other| other != double) {
+                                let message = "a single and a double bar".to_owned();
+                                problems.push(problem("latex::unbalanced", message, here..at, "write two of a kind"));
+                            }
+                        } else if next.starts_with(signs) || next.starts_with(['\\', '/']) {
                             // A bracket that says by itself which side it is on.
-                        } else if !next.starts_with(signs) && !bar.iter().any(|b| next.starts_with(b)) {
+                        } else if !next.starts_with('.') || !fence {
                             problems.push(problem(
                                 "latex::unexpected",
                                 format!("`\\{name}` stands before a bracket"),
                                 start..at,
                                 "",
                             ));
-                        } else if next.starts_with('|') {
-                            pending_bar = Some(name == "left");
-                        } else if next.starts_with('.') && name == "left" {
-                            at = text.len() - next.len() + 1;
+                        } else if opens {
+                            at = here + 1;
+                            bars.push(None);
                             push(Kind::OpenFence, at);
-                        } else if next.starts_with('.') {
+                        } else {
                             problems.push(problem(
                                 "latex::invisible-delimiter",
                                 format!("`\\{name}.` has no delimiter"),
@@ -184,18 +247,22 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                     }
                     // The norm of a vector is its length, as with single bars.
                     "lvert" | "lVert" => {
-                        bars.push(name == "lVert");
+                        bars.push(Some(name == "lVert"));
                         push(Kind::OpenBar, at);
                     }
                     "rvert" | "rVert" => {
-                        if bars.pop().is_some_and(|double| double != (name == "rVert")) {
+                        if bars.pop().flatten().is_some_and(|double| double != (name == "rVert")) {
                             let message = "a single and a double bar".to_owned();
                             problems.push(problem("latex::unbalanced", message, start..at, "write two of a kind"));
                         }
                         push(Kind::CloseBar, at);
                     }
-                    "label" | "tag" | "hspace" | "vspace" | "kern" => {
-                        let group = text[at..].trim_start();
+                    "vert" => push(Kind::Sign('|'), at),
+                    "kern" | "mkern" | "hskip" | "mskip" | "vskip" if behind_length(&text[at..]) > 0 => {
+                        at += behind_length(&text[at..]);
+                    }
+                    "label" | "tag" | "hspace" | "vspace" | "kern" | "mkern" | "hskip" | "mskip" => {
+                        let group = text[at..].trim_start().trim_start_matches('*').trim_start();
                         let offset = text.len() - group.len();
                         let mut depth = 0usize;
                         let end = group.bytes().position(|b| {
@@ -217,15 +284,19 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                     _ => push(Kind::Command(name.to_owned()), at),
                 }
             }
-            other => {
-                let hint = match other {
-                    '−' | '–' => "write `-`",
-                    '·' | '×' => r"write `\cdot` or `\times`",
-                    _ => "write Greek letters and signs as LaTeX commands",
-                };
-                let message = format!("the character `{other}` is not part of the formula language");
-                problems.push(problem("latex::unknown-character", message, start..at, hint));
-            }
+            other => match unicode::spelled(other) {
+                Some(text) => match unicode_token(&text) {
+                    Some(Some(kind)) => push(kind, at),
+                    Some(None) => {}
+                    // What is several tokens is written out later.
+                    None => push(Kind::Command(other.to_string()), at),
+                },
+                None => {
+                    let message = format!("the character `{other}` is not part of the formula language");
+                    let hint = "write letters and signs as LaTeX commands";
+                    problems.push(problem("latex::unknown-character", message, start..at, hint));
+                }
+            },
         }
     }
     out.push(Token { kind: Kind::End, span: text.len()..text.len() });

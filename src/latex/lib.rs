@@ -14,8 +14,11 @@
 
 mod complex;
 mod elaborate;
+mod expand;
+mod feature;
 mod invisible;
 mod lexer;
+mod macros;
 mod name;
 mod parse;
 mod refusal;
@@ -24,8 +27,10 @@ mod statement;
 pub mod syntax;
 mod tensor;
 mod typeset;
+mod unicode;
 mod write;
 
+pub use feature::{Feature, feature};
 pub use parse::whole_part;
 pub use scope::{Declaration, DeclareError, Logarithm, REFUSED, Role, Scope, Signature};
 pub use statement::{Limit, LimitPoint, Relation, Statement};

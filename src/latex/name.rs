@@ -55,17 +55,23 @@ pub(super) const NAMES: &[&str] = &[
 /// The style that a command gives to the name after it, in canonical spelling.
 pub(super) fn style(command: &str) -> Option<&'static str> {
     Some(match command {
-        "bf" | "mathbf" | "boldsymbol" | "bm" | "pmb" => "bf",
+        "bf" | "mathbf" | "boldsymbol" | "bm" | "pmb" | "textbf" | "symbf" | "bold" => "bf",
         "vec" | "overrightarrow" => "vec",
         "hat" | "widehat" => "hat",
         "tilde" | "widetilde" => "tilde",
         "bar" | "overline" => "bar",
-        "rm" | "mathrm" | "text" | "mbox" | "operatorname" => "rm",
+        "rm" | "mathrm" | "text" | "mbox" | "operatorname" | "textrm" | "textup" | "textnormal" | "mathup" => "rm",
         "cal" | "mathcal" => "cal",
-        "sf" | "mathsf" => "sf",
+        "sf" | "mathsf" | "textsf" => "sf",
+        "mathscr" => "scr",
+        "check" | "widecheck" => "check",
+        "breve" => "breve",
+        "acute" => "acute",
+        "grave" => "grave",
+        "mathring" => "mathring",
         "frak" | "mathfrak" => "frak",
-        "it" | "mathit" => "it",
-        "mathbb" => "bb",
+        "it" | "mathit" | "textit" | "mathnormal" => "it",
+        "mathbb" | "mathds" => "bb",
         _ => return None,
     })
 }
@@ -78,6 +84,11 @@ pub(super) fn is_switch(command: &str) -> bool {
 /// Whether a style only marks a vector or a matrix: `\boldsymbol\Omega` may then stand for a declared `\Omega`.
 pub(super) fn marks_tensor(style: &str) -> bool {
     matches!(style, "bf" | "vec")
+}
+
+/// Whether a style is an accent: of these a name may have several.
+pub(super) fn is_accent(style: &str) -> bool {
+    matches!(style, "bar" | "hat" | "tilde" | "vec" | "check" | "breve" | "acute" | "grave" | "mathring")
 }
 
 /// Whether a name can be an index that runs over components. Other letters, such as the x of `v_x` or the r of `v_r`, are
@@ -109,6 +120,11 @@ pub(super) fn split(name: &str) -> (Option<&str>, &str) {
     }
 }
 
+/// The name and the label above it, as in `\mu^{(1)}`, for one that has a label.
+pub(super) fn labelled(name: &str) -> Option<(&str, &str)> {
+    if split(name).0 == Some(AMOUNT) { None } else { name.split_once('^') }
+}
+
 /// The name without a style that only marks a vector or a matrix.
 pub(super) fn unmarked(name: &str) -> &str {
     match split(name) {
@@ -119,6 +135,9 @@ pub(super) fn unmarked(name: &str) -> &str {
 
 /// The canonical spelling as LaTeX.
 pub(super) fn to_latex(name: &str) -> String {
+    if let Some((name, label)) = labelled(name) {
+        return format!("{}^{label}", to_latex(name));
+    }
     let (style, rest) = split(name);
     let base = rest.trim_end_matches('\'');
     let primes = &rest[base.len()..];
@@ -129,7 +148,7 @@ pub(super) fn to_latex(name: &str) -> String {
         Some(switch) if is_switch(switch) => format!(r"\math{switch}{{{}}}", to_latex(base)),
         Some(AMOUNT) => format!("[{}]", to_latex(base)),
         Some(sign) if is_difference(sign) => format!(r"\{sign} {}", to_latex(base)),
-        Some("bb") => format!(r"\mathbb{{{base}}}"),
+        Some(style @ ("bb" | "scr")) => format!(r"\math{style}{{{base}}}"),
         Some(accent) => format!(r"\{accent}{{{}}}", to_latex(base)),
     };
     format!("{styled}{primes}")

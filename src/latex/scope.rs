@@ -148,6 +148,8 @@ pub struct Scope {
     logarithm: Option<Logarithm>,
     /// Whether `i` is the imaginary unit by a convention of the file.
     imaginary: bool,
+    /// Whether a prime on what moves is its rate by a convention of the file.
+    primes: bool,
     /// Whether upright letters are units where they are declared.
     units: bool,
 }
@@ -221,6 +223,7 @@ impl Scope {
             signature: None,
             logarithm: None,
             imaginary: false,
+            primes: false,
             units: false,
             sign: Leaf::now(symbol, 0),
         }
@@ -234,6 +237,15 @@ impl Scope {
     /// Says that `i`, where it is not declared, is the imaginary unit.
     pub fn set_imaginary(&mut self) {
         self.imaginary = true;
+    }
+
+    /// Says that a prime on what moves, where the primed name is not declared, is the derivative by the time, however that is called.
+    pub fn set_primes(&mut self) {
+        self.primes = true;
+    }
+
+    pub(super) fn primes(&self) -> bool {
+        self.primes
     }
 
     /// Says that declared names in upright type are units: `\mathrm{m/s^2}` is then a quotient of them.
@@ -262,6 +274,16 @@ impl Scope {
 
     pub(super) fn logarithm(&self) -> Option<Logarithm> {
         self.logarithm
+    }
+
+    /// Whether a name with a label above is declared.
+    pub(super) fn has_labels(&self) -> bool {
+        self.entries.iter().any(|e| name::labelled(&e.name).is_some())
+    }
+
+    /// Whether a name with a prime is declared.
+    pub(super) fn has_primes(&self) -> bool {
+        self.entries.iter().any(|e| e.name.ends_with('\''))
     }
 
     /// Whether names of several letters are declared.

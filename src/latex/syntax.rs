@@ -74,6 +74,8 @@ pub enum Bracket {
     Round,
     /// `[ ]`.
     Square,
+    /// `\{ \}`.
+    Curly,
 }
 
 /// Kinds of nodes.

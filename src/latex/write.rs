@@ -127,6 +127,7 @@ impl Text {
                 let (open, close) = match bracket {
                     Bracket::Round => ("(", ")"),
                     Bracket::Square => ("[", "]"),
+                    Bracket::Curly => (r"\{", r"\}"),
                 };
                 self.put(open);
                 self.node(inner, Least::Sum);

@@ -171,6 +171,7 @@ impl Markup {
                 let (open, close) = match bracket {
                     Bracket::Round => ("(", ")"),
                     Bracket::Square => ("[", "]"),
+                    Bracket::Curly => ("{", "}"),
                 };
                 self.enclosed(open, inner, close);
             }

@@ -375,6 +375,7 @@ impl Elaborator<'_> {
                 return refuse("latex::derivative", message, &of.span, "declare it as a field of its coordinates");
             }
         }
+        self.depends_on_places(&value, &of.span)?;
         let n = space.len();
         let number = value.shape.real_extents().is_empty();
         let vector = |t: &Tensor| matches!(*t.shape.real_extents(), [m] if usize::from(m) == n);
@@ -466,6 +467,19 @@ impl Elaborator<'_> {
                 Ok(self.sum_of(terms).unwrap_or(value))
             }
         }
+    }
+
+    /// Refuses ∇ before what is the same everywhere by its declaration: the answer would be 0.
+    fn depends_on_places(&self, t: &Tensor, span: &Range<usize>) -> Elaborated<()> {
+        let leaves = self.graph.leaves_within(t.components.iter().copied());
+        let still =
+            |l: &Leaf| self.scope.role(l.symbol) == Some(Role::Parameter) && self.graph.coordinate(*l).is_none();
+        if leaves.iter().any(|l| !still(l)) {
+            return Ok(());
+        }
+        let Some(leaf) = leaves.first() else { return Ok(()) };
+        let message = format!("`{}` is the same everywhere, so this is 0", self.graph.leaf_latex(*leaf));
+        refuse("latex::derivative", message, span, "declare it as a field of its coordinates")
     }
 
     /// ∇×A of three components.

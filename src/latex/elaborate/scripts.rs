@@ -47,7 +47,8 @@ impl Elaborator<'_> {
         };
         let matrix = base.shape.real_extents().len() == 2;
         if matrix && (self.is_transpose(sup) || is_integer(sup, -1) || Self::conjugation(sup) == Some(true)) {
-            if !sup_first {
+            // That of a component is none.
+            if !sup_first && !self.is_transpose(sup) {
                 let message = "is this the inverse or transpose of the matrix, or of its component?";
                 let hint = r"write the superscript first, `A^{-1}_{ij}`, or a fraction `\frac{1}{A_{ij}}`";
                 return refuse("latex::ambiguous", message, span, hint);

@@ -46,6 +46,12 @@ impl<'a> Elaborator<'a> {
             let message = format!("`{shown}` is not declared with this subscript or these arguments");
             return refuse("latex::unknown-symbol", message, span, "declare it under [symbols] as it is written here");
         }
+        let base = s.name.trim_end_matches('\'');
+        if base.len() < s.name.len() && self.scope.is_moving(base, s.sub.as_deref()) {
+            let hint =
+                r"declare it under [symbols], or write the derivative by the time as `\dot x` or `\frac{dx}{dt}`";
+            return refuse("latex::unknown-symbol", format!("`{shown}` is not declared"), span, hint);
+        }
         let hint = match self.scope.nearest(&s.name) {
             Some(near) => format!("declare it under [symbols], or did you mean `{near}`?"),
             None => "declare it under [symbols]".to_owned(),

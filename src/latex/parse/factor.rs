@@ -1,5 +1,6 @@
 //! Factors: numbers, symbols, brackets, absolute values, and what a command begins.
 
+use super::super::feature;
 use super::super::lexer::Kind;
 use super::super::name::{self, NAMES};
 use super::super::syntax::{Bracket, Nabla, Node, NodeKind};
@@ -73,8 +74,28 @@ impl Parser<'_> {
                     return refuse("latex::double-script", "a script behind degrees", p.span(), "use parentheses");
                 }
             }
-            if !(p.is('_') || p.is('^')) {
+            let primed = p.prime().is_some();
+            if !(primed || p.is('_') || p.is('^')) {
                 return Ok(Some(node));
+            }
+            // `{\dot x}_1` is printed as `\dot x_1`.
+            if let NodeKind::Symbol(s) = &node.kind
+                && !s.primed
+                && s.sub.is_none()
+                && s.sup.is_none()
+                && s.arguments.is_none()
+            {
+                let (mut name, dots, start) = (s.name.clone(), s.dots, node.span.start);
+                p.primes(&mut name);
+                return p.symbol_named(name, dots, start).map(Some);
+            }
+            if primed {
+                if let Some(by) = p.primes_are_rates().filter(|_| matches!(node.kind, NodeKind::Group(..))) {
+                    return p.primed_group(node, by).map(Some);
+                }
+                let message = "a prime behind something that is no name";
+                let hint = r"a prime belongs to a name, `x'`; of a root or a fraction it is printed behind the whole; a derivative is written `\frac{d}{dx}(…)`";
+                return refuse("latex::ambiguous", message, p.span(), hint);
             }
             p.script_is_clear(&node)?;
             let (sub, sup, sup_first) = p.script_pair()?;
@@ -127,7 +148,12 @@ impl Parser<'_> {
             NodeKind::Poisson(..) => self.is('^'),
             NodeKind::Number(_) | NodeKind::Pi | NodeKind::Identity | NodeKind::At { bar: None, .. } => true,
             NodeKind::Conjugate(_) => true,
-            NodeKind::Function(..) => self.follows_whole_part(),
+            // The bar shows how far a root reaches.
+            NodeKind::Root(..) => self.is('^'),
+            NodeKind::Function(_, None, arguments) => {
+                self.follows_whole_part()
+                    || self.is('^') && matches!(arguments.as_slice(), [only] if function::is_lone(only))
+            }
             // Behind its arguments, or behind braces as in `{\dot x}_1`.
             NodeKind::Symbol(s) => s.sup.is_none() && (s.arguments.is_some() || s.sub.is_none() || self.is('^')),
             _ => false,
@@ -338,63 +364,6 @@ impl Parser<'_> {
         found
     }
 
-    fn round(&mut self, start: usize) -> Parsed<Node> {
-        self.bump();
-        let outer = std::mem::replace(&mut self.bars, 0);
-        let first = self.sum()?;
-        let kind = if self.is(',') {
-            let mut parts = vec![first];
-            while self.eat(',') {
-                parts.push(self.sum()?);
-            }
-            NodeKind::Tuple(parts)
-        } else {
-            match first.kind {
-                NodeKind::Matrix(_) => first.kind,
-                _ => NodeKind::Group(Box::new(first), Bracket::Round),
-            }
-        };
-        self.expect(')')?;
-        self.bars = outer;
-        Ok(self.node(kind, start))
-    }
-
-    fn square(&mut self, start: usize) -> Parsed<Node> {
-        self.bump();
-        let outer = std::mem::replace(&mut self.bars, 0);
-        let first = self.sum()?;
-        let kind = if self.eat(',') {
-            let second = self.sum()?;
-            NodeKind::Cross { left: Box::new(first), right: Box::new(second), bracket: true }
-        } else {
-            match first.kind {
-                NodeKind::Matrix(_) => first.kind,
-                _ => NodeKind::Group(Box::new(first), Bracket::Square),
-            }
-        };
-        self.expect(']')?;
-        self.bars = outer;
-        Ok(self.node(kind, start))
-    }
-
-    /// `|…|` whose bars do not say which side they are on.
-    fn bars(&mut self, start: usize) -> Parsed<Node> {
-        self.bump();
-        let outer = std::mem::replace(&mut self.bars, 1);
-        let inner = self.sum()?;
-        self.bars = outer;
-        let hint = r"write `\left|` and `\right|`";
-        if !self.eat('|') {
-            return refuse("latex::unbalanced", "`|` is never closed", start..start + 1, hint);
-        }
-        // `|a|b|c|` is |a| b |c| or | a|b|c |.
-        let later = self.tokens[self.at..].iter().any(|t| t.kind == Kind::Sign('|'));
-        if later && self.begins_factor() && !self.is('|') {
-            return refuse("latex::ambiguous", "it is not clear which bars belong together", start..start + 1, hint);
-        }
-        Ok(self.node(NodeKind::Absolute(Box::new(inner)), start))
-    }
-
     /// `{\rm tr}` and the like: an operator in a group of its own.
     pub(super) fn switched_operator(&mut self) -> Option<String> {
         let back = self.at;
@@ -446,7 +415,7 @@ impl Parser<'_> {
                 self.bump();
                 self.matrix(start).map(Some)
             }
-            "operatorname" | "mathrm" | "mathop" => self.named_operator(start),
+            "operatorname" | "mathrm" | "mathop" | "text" | "textrm" | "textup" => self.named_operator(start),
             _ if FUNCTIONS.contains(&c) => {
                 self.bump();
                 self.function(c, start).map(Some)
@@ -468,31 +437,11 @@ impl Parser<'_> {
                 self.bump();
                 self.acting(Nabla::Laplacian { delta: true }, start).map(Some)
             }
-            "int" | "sum" | "prod" => {
-                let message = format!("`\\{c}` is not part of the formula language");
-                let hint = "write the result of the operation, or an index sum";
-                refuse("latex::unsupported", message, self.span(), hint)
-            }
             "lim" => {
                 let hint = "take the limit of the whole left side";
                 refuse("latex::limit", "a limit stands alone on the left side", self.span(), hint)
             }
-            "infty" => refuse(
-                "latex::unsupported",
-                "infinity is not a number",
-                self.span(),
-                r"write a limit, `\lim_{t\to\infty}`",
-            ),
-            "Rightarrow" | "implies" | "Longrightarrow" | "Leftrightarrow" | "iff" | "Longleftrightarrow"
-            | "Leftarrow" => {
-                let hint = "write a claim for what is given, and one for what follows with `follows-from`; or put what is given \
-                            under `assuming`";
-                refuse("latex::unsupported", "an implication is no relation", self.span(), hint)
-            }
-            "ldots" | "dots" | "cdots" | "dotsc" | "dotsb" => {
-                let hint = "write out what is meant; for several values of a symbol a trajectory for each, a `[[family]]`, or `ranges`";
-                refuse("latex::unsupported", "dots stand for something that is not written", self.span(), hint)
-            }
+            _ if feature::of_command(c).is_some() => self.unsupported(c),
             _ if name::is_switch(c) => {
                 let hint = format!(r"write `{{\{c} …}}` around the name");
                 refuse("latex::ambiguous", format!("`\\{c}` changes all that follows"), self.span(), hint)
@@ -510,6 +459,15 @@ impl Parser<'_> {
                 None => refuse("latex::unknown-command", format!("`\\{c}` is not known"), self.span(), ""),
             },
         }
+    }
+
+    /// Refuses a command that is known, and not part of the language.
+    pub(super) fn unsupported<T>(&self, command: &str) -> Parsed<T> {
+        let Some(feature) = feature::of_command(command) else {
+            return refuse("latex::unknown-command", format!("`\\{command}` is not known"), self.span(), "");
+        };
+        let message = format!("`\\{command}`: {}", feature.is_not);
+        refuse("latex::unsupported", message, self.span(), feature.instead)
     }
 
     /// `\operatorname{…}` and `\mathrm{…}`: an operator, Euler's e, or a name.
@@ -576,17 +534,6 @@ impl Parser<'_> {
             return true;
         }
         false
-    }
-
-    /// `\overline{…}` over more than a name: the complex conjugate.
-    fn overlined(&mut self, start: usize) -> Parsed<Node> {
-        self.bump();
-        self.bump();
-        let outer = std::mem::replace(&mut self.bars, 0);
-        let inner = self.sum()?;
-        self.expect('}')?;
-        self.bars = outer;
-        Ok(self.node(NodeKind::Conjugate(Box::new(inner)), start))
     }
 
     /// Whether what stands here can be the argument of a function without parentheses.

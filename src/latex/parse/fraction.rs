@@ -44,7 +44,7 @@ impl Parser<'_> {
             self.bump();
             return Ok(self.node(NodeKind::Euler { upright: false }, start));
         }
-        match self.single_name()? {
+        match self.name_without_primes()? {
             Some((name, span)) => Ok(Node { kind: NodeKind::Symbol(plain(name)), span }),
             None => {
                 let message = format!("{} stands where an argument is expected", self.shown());
@@ -98,18 +98,19 @@ impl Parser<'_> {
         Ok(self.node(NodeKind::Quotient { top, bottom, slash: false }, start))
     }
 
-    /// Number of tokens of the d of a differential at an offset: `d`, `\mathrm d`, `\mathrm{d}`, `{\rm d}`.
+    /// Number of tokens of the d of a differential at an offset: `d`, `\mathrm d`, `\mathrm{d}`, `\text{d}`, `{\rm d}`.
     fn differential_at(&self, offset: usize) -> Option<usize> {
         let named = |i: usize| matches!(self.kind_after(i), Kind::Sign('_' | '\''));
         let d = |i: usize| *self.kind_after(offset + i) == Kind::Letter('d') && !named(offset + i + 1);
-        let command = |i: usize, name: &str| matches!(self.kind_after(offset + i), Kind::Command(c) if c == name);
+        let command = |i: usize, names: &[&str]| matches!(self.kind_after(offset + i), Kind::Command(c) if names.contains(&c.as_str()));
+        let upright: &[&str] = &["mathrm", "text", "textrm", "operatorname"];
         let sign = |i: usize, c: char| *self.kind_after(offset + i) == Kind::Sign(c);
         if d(0) {
             Some(1)
-        } else if command(0, "mathrm") && d(1) {
+        } else if command(0, upright) && d(1) {
             Some(2)
-        } else if (command(0, "mathrm") && sign(1, '{') && d(2) && sign(3, '}'))
-            || (sign(0, '{') && command(1, "rm") && d(2) && sign(3, '}'))
+        } else if (command(0, upright) && sign(1, '{') && d(2) && sign(3, '}'))
+            || (sign(0, '{') && command(1, &["rm"]) && d(2) && sign(3, '}'))
         {
             Some(4)
         } else {

@@ -181,7 +181,7 @@ impl Parser<'_> {
             let Some(argument) = self.primary()? else {
                 return refuse("latex::unexpected", format!("`{shown}` has no argument"), self.span(), "");
             };
-            if self.is('^') || self.is('_') {
+            if (self.is('^') || self.is('_')) && !(self.is('^') && is_lone(&argument)) {
                 let hint = format!("write `{shown}^2(…)`, or another pair of parentheses");
                 let message = format!("does the script belong to `{shown}` or to its argument?");
                 return refuse("latex::ambiguous", message, self.span(), hint);
@@ -324,6 +324,12 @@ impl Parser<'_> {
             _ => false,
         }
     }
+}
+
+/// One symbol in parentheses that it needs for nothing but being an argument: `\sin(x)^2` is the square of the sine.
+pub(super) fn is_lone(argument: &Node) -> bool {
+    let NodeKind::Group(inner, _) = &argument.kind else { return false };
+    matches!(&inner.kind, NodeKind::Symbol(s) if s.sup.is_none() && s.arguments.is_none())
 }
 
 /// One Latin letter without scripts or dots.

@@ -8,16 +8,17 @@
 use super::super::lexer::{Kind, Token};
 use super::super::name::NAMES;
 use super::super::syntax::{Node, NodeKind, SymbolNode};
+use super::function::FUNCTIONS;
 use super::{Parsed, Parser, refuse};
 
 /// What stands in the parentheses behind something.
-struct Content {
+pub(super) struct Content {
     /// Several parts, separated by commas.
-    tuple: bool,
+    pub(super) tuple: bool,
     /// Terms joined by signs.
-    sum: bool,
+    pub(super) sum: bool,
     /// A sign before the first term.
-    signed: bool,
+    pub(super) signed: bool,
     /// `\cdot` or `\times`.
     joined: bool,
     /// Something that depends on time, other than the time itself.
@@ -27,7 +28,7 @@ struct Content {
     /// A vector or a matrix.
     tensor: bool,
     /// Nothing but numbers.
-    number: bool,
+    pub(super) number: bool,
     /// Several factors with indices: `(w_jv_j)`.
     indexed: bool,
     /// A quotient.
@@ -36,6 +37,12 @@ struct Content {
     lone: bool,
     /// It begins with a quotient of differentials, `\frac{d…}{d…}`.
     rate: bool,
+    /// The time in a term without functions: what a time is written as, `t-r/c`, and not `k\cos t`.
+    timely: bool,
+    /// How many names and numbers there are.
+    factors: usize,
+    /// One factor that needs parentheses before a power: `(\dot x)^2`, `(\sqrt a)^3`.
+    dressed: bool,
 }
 
 /// What parentheses are.
@@ -74,8 +81,12 @@ impl Parser<'_> {
                 let hint = r"a value is taken at one time; write `\cdot` for a product";
                 return ambiguous(format!("`{shown}` is not declared with these arguments"), hint);
             }
+            if content.tensor && !content.lone && !content.sum && self.is_applied_to_tensors(symbol) {
+                return Ok(false);
+            }
             if content.sum {
-                if content.time || content.number {
+                // `\dot q(\dot q m+k\cos t)`: no time is given by what moves, unless it is one less a delay.
+                if content.timely || content.number || content.time && !content.moving {
                     let hint = r"write the time as one term, or `\cdot` for a product";
                     return ambiguous(format!("is this `{shown}` at a time, or a product?"), hint);
                 }
@@ -105,6 +116,12 @@ impl Parser<'_> {
         if content.tuple || content.sum || content.joined || (content.signed && !content.number && !content.time) {
             return Ok(false);
         }
+        // `m(\dot x)^2`, `A(BC)`.
+        let product = content.tensor && !content.lone && self.is_applied_to_tensors(symbol);
+        let several = content.factors > 1 && self.is_raised_at(close) && !super::prints_as_function(&symbol.name);
+        if product || (content.dressed && self.is_raised_at(close) || several) && !content.time {
+            return Ok(false);
+        }
         // What no function is ever given is a factor: `F(b/a)`.
         if content.quotient && !content.moving && !content.time && !content.number {
             return Ok(false);
@@ -112,6 +129,12 @@ impl Parser<'_> {
         let message =
             format!("`{shown}` does not depend on time, so this is neither a value at a time nor a clear product");
         ambiguous(message, r"leave the parentheses out, or write `\cdot`")
+    }
+
+    /// Whether a symbol is a matrix, or transposed: it stands before vectors and matrices, and is no function of them.
+    fn is_applied_to_tensors(&self, symbol: &SymbolNode) -> bool {
+        let transposed = symbol.sup.as_deref().is_some_and(|sup| sup.is_named("T") || sup.is_named(r"\top"));
+        transposed || self.scope.is_matrix(&symbol.name, symbol.sub.as_deref())
     }
 
     /// What was read, or its value at the times that stand behind it.
@@ -326,7 +349,12 @@ impl Parser<'_> {
 
     // ---- parentheses ---------------------------------------------------------------------------------------------
 
-    fn content(&self, tokens: &[Token]) -> Content {
+    /// Whether a power stands behind parentheses that are closed there.
+    fn is_raised_at(&self, close: usize) -> bool {
+        self.tokens.get(close + 1).is_some_and(|t| t.kind == Kind::Sign('^'))
+    }
+
+    pub(super) fn content(&self, tokens: &[Token]) -> Content {
         let signed = matches!(tokens, [Token { kind: Kind::Sign('-' | '+'), .. }, ..])
             || matches!(tokens, [Token { kind: Kind::Command(c), .. }, ..] if c == "pm" || c == "mp");
         let body = if signed { &tokens[1..] } else { tokens };
@@ -344,12 +372,16 @@ impl Parser<'_> {
             lone: false,
             rate: matches!(tokens, [Token { kind: Kind::Command(c), .. }, Token { kind: Kind::Sign('{'), .. },
                 Token { kind: Kind::Letter('d'), .. }, ..] if matches!(c.as_str(), "frac" | "tfrac" | "dfrac")),
+            timely: false,
+            factors: 0,
+            dressed: is_dressed(tokens),
         };
         let mut names = 0;
         let mut others = 0;
         let mut lowered_names = 0;
         let mut depth = 0usize;
         let mut bar = false;
+        let mut within_function = false;
         // A subscript, as the 0 in `t_0`, and the name of an operator are not looked at.
         let mut lowered_depth = None;
         for (i, token) in body.iter().enumerate() {
@@ -379,6 +411,7 @@ impl Parser<'_> {
                 _ if lowered_depth.is_some() || after_lower => continue,
                 Kind::Sign('-' | '+') => {
                     content.sum |= depth == 0;
+                    within_function &= depth > 0;
                     continue;
                 }
                 Kind::Sign(',') => {
@@ -398,6 +431,8 @@ impl Parser<'_> {
                     format!("\\{c}")
                 }
                 other => {
+                    content.factors += usize::from(depth == 0 && matches!(other, Kind::Number(_)));
+                    within_function |= matches!(other, Kind::Command(c) if FUNCTIONS.contains(&c.as_str()));
                     let fraction =
                         matches!(other, Kind::Command(c) if matches!(c.as_str(), "frac" | "tfrac" | "dfrac"));
                     content.quotient |= depth == 0 && (fraction || *other == Kind::Sign('/'));
@@ -405,18 +440,48 @@ impl Parser<'_> {
                     continue;
                 }
             };
-            let lowered = matches!(body.get(i + 1), Some(Token { kind: Kind::Sign('_'), .. }));
+            // `\mathbf{u}_1` is printed as `\mathbf u_1`.
+            let next = body[i + 1..].iter().find(|t| t.kind != Kind::Sign('}'));
+            let lowered = matches!(next, Some(Token { kind: Kind::Sign('_'), .. }));
             names += 1;
             content.number = false;
             lowered_names += usize::from(lowered);
             let (moves, tensor) = self.scope.kinds_of(&base, lowered);
             content.moving |= moves;
             content.tensor |= tensor;
-            content.time |= self.scope.time_name() == Some(base.as_str());
+            let time = self.scope.time_name() == Some(base.as_str());
+            content.time |= time;
+            content.timely |= time && !within_function;
+            within_function |= base == "e" && matches!(body.get(i + 1), Some(Token { kind: Kind::Sign('^'), .. }));
         }
+        content.factors += names;
         content.lone = names == 1 && others == 0;
         content.indexed = names > 1 && lowered_names == names;
         content
+    }
+}
+
+/// Whether tokens are one symbol with dots, or one root.
+fn is_dressed(tokens: &[Token]) -> bool {
+    let [Token { kind: Kind::Command(c), .. }, rest @ ..] = tokens else { return false };
+    if !matches!(c.as_str(), "dot" | "ddot" | "dddot" | "sqrt") {
+        return false;
+    }
+    let group = |tokens: &[Token]| {
+        let mut depth = 0usize;
+        tokens.iter().position(|t| {
+            depth += usize::from(t.kind == Kind::Sign('{'));
+            depth = depth.saturating_sub(usize::from(t.kind == Kind::Sign('}')));
+            depth == 0
+        })
+    };
+    let Some(end) = group(rest) else { return false };
+    match &rest[end + 1..] {
+        [] => true,
+        [Token { kind: Kind::Sign('_'), .. }, sub @ ..] => {
+            c != "sqrt" && group(sub).is_some_and(|e| e + 1 == sub.len())
+        }
+        _ => false,
     }
 }
 

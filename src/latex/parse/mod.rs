@@ -7,17 +7,23 @@
 //! so it is refused. What is printed without a clear end, `a/b`, `\sin x`, `\frac{d}{dt}x`, must not be followed by
 //! something that could belong to it.
 
+mod beside;
+mod brackets;
+mod call;
 mod factor;
 mod fraction;
 mod function;
 mod instant;
 mod names;
 mod partial;
+mod scripts;
 mod symbol;
 mod units;
 
 use std::ops::Range;
 
+use super::expand::written_out;
+use super::feature;
 use super::invisible::without_invisible_braces;
 use super::lexer::{Kind, Token, tokens};
 use super::name;
@@ -27,6 +33,9 @@ use super::syntax::{Chain, Node, NodeKind, RelationKind, Sign, Target};
 use diag::Problem;
 use expr::Rational;
 
+pub(super) use beside::is_relation;
+use beside::{relation, side_by_side};
+pub(super) use call::{prints_as_function, prints_as_operator};
 pub use function::whole_part;
 pub(super) use function::{operation, spelled, takes_bare_argument};
 pub(super) use names::{WrittenName, read_name};
@@ -59,6 +68,8 @@ pub(super) struct Parser<'a> {
     in_name: bool,
     /// How deep the terms of an exponent of Euler's number are that is being read.
     exponent: Option<usize>,
+    /// A double prime stands somewhere in the text: then it is no name of another frame.
+    double_primes: bool,
 }
 
 /// Reads all chains of relations of a text; a chain may be a single expression.
@@ -108,7 +119,8 @@ impl<'a> Parser<'a> {
     fn new(text: &'a str, scope: &'a Scope) -> Result<Parser<'a>, Vec<Problem>> {
         let tokens = tokens(text)?;
         balanced(&tokens).map_err(|p| vec![*p])?;
-        let tokens = without_invisible_braces(tokens).map_err(|p| vec![*p])?;
+        let tokens = written_out(tokens).and_then(without_invisible_braces).map_err(|p| vec![*p])?;
+        let double_primes = tokens.windows(2).any(|w| w.iter().all(|t| t.kind == Kind::Sign('\'')));
         Ok(Parser {
             text,
             scope,
@@ -121,6 +133,7 @@ impl<'a> Parser<'a> {
             in_subscript: false,
             in_name: false,
             exponent: None,
+            double_primes,
         })
     }
 
@@ -261,15 +274,7 @@ impl<'a> Parser<'a> {
             Kind::Sign('=') => RelationKind::Equal,
             Kind::Sign('<') => RelationKind::Less,
             Kind::Sign('>') => RelationKind::Greater,
-            Kind::Command(c) => match c.as_str() {
-                "equiv" | "coloneqq" => RelationKind::Equal,
-                "ne" | "neq" => RelationKind::NotEqual,
-                "lt" => RelationKind::Less,
-                "gt" => RelationKind::Greater,
-                "le" | "leq" | "leqslant" => RelationKind::LessEqual,
-                "ge" | "geq" | "geqslant" => RelationKind::GreaterEqual,
-                _ => return None,
-            },
+            Kind::Command(c) => return relation(c),
             _ => return None,
         })
     }
@@ -509,9 +514,15 @@ impl<'a> Parser<'a> {
         let start = self.span().start;
         let mut factors: Vec<Node> = Vec::new();
         while self.begins_factor() {
+            if let Kind::Command(c) = self.kind()
+                && feature::of_command(c).is_some()
+            {
+                return self.unsupported(c);
+            }
             if !factors.is_empty() {
                 self.end_is_clear()?;
             }
+            let spaced = self.is_spaced();
             let Some(factor) = self.factor()? else { break };
             let mut factor = self.with_times(factor)?;
             if self.is_bar_of_time() {
@@ -525,6 +536,9 @@ impl<'a> Parser<'a> {
             }
             if let Some(last) = factors.last() {
                 side_by_side(last, &factor)?;
+                if !spaced {
+                    Self::is_no_operator(last, &factor)?;
+                }
             }
             // `{ab}c` is printed as three factors.
             match factor.kind {
@@ -575,35 +589,6 @@ impl<'a> Parser<'a> {
         let kind = NodeKind::Quotient { top: Box::new(numerator), bottom: Box::new(denominator), slash: true };
         Ok(self.node(kind, start))
     }
-}
-
-/// Refuses numbers where they could be read as part of what stands before them.
-fn side_by_side(last: &Node, factor: &Node) -> Parsed<()> {
-    let span = last.span.start..factor.span.end;
-    let number = |n: &Node| matches!(n.kind, NodeKind::Number(_));
-    if factor.begins_with_number() {
-        // `r^3 4\pi^2`: the exponent ends where the line goes on. Without a space it could be `r^{34}`.
-        let raised = match &last.kind {
-            NodeKind::Symbol(s) => s.arguments.is_none() && s.sup.as_deref().is_some_and(number),
-            _ => false,
-        };
-        return if number(last) {
-            refuse("latex::ambiguous", "two numbers stand side by side", span, r"write `\cdot` between them")
-        } else if raised && last.span.end < factor.span.start {
-            Ok(())
-        } else {
-            let hint = r"write the number first, or `\cdot` before it, or a subscript";
-            refuse("latex::ambiguous", "a number stands behind a factor", span, hint)
-        };
-    }
-    if let (true, NodeKind::Quotient { top, bottom, .. }) = (number(last), &factor.kind)
-        && number(top)
-        && number(bottom)
-    {
-        let hint = r"write `\cdot` between them, or one fraction";
-        return refuse("latex::ambiguous", "a number and a fraction: a product or a sum?", span, hint);
-    }
-    Ok(())
 }
 
 /// A decimal number, exactly.

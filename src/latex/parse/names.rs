@@ -5,8 +5,8 @@ use std::ops::Range;
 use super::super::lexer::{Kind, Token};
 use super::super::name::{self, NAMES, canonical};
 use super::super::scope::Scope;
-use super::super::syntax::{Name, Node, NodeKind, SubItem, SymbolNode};
-use super::{Parsed, Parser, decimal, refuse};
+use super::super::syntax::{Name, SubItem, SymbolNode};
+use super::{Parsed, Parser, refuse};
 use diag::Problem;
 
 /// The name of a symbol taken apart.
@@ -27,10 +27,7 @@ pub(crate) fn read_name(text: &str, scope: &Scope) -> Result<Option<WrittenName>
 }
 
 /// Most letters of a name that is spelled in letters.
-const LONGEST_WORD: usize = 16;
-
-/// The two scripts of a symbol, and whether the superscript came first.
-pub(super) type Scripts = (Option<Vec<SubItem>>, Option<Box<Node>>, bool);
+pub(super) const LONGEST_WORD: usize = 16;
 
 impl Parser<'_> {
     fn whole_name(&mut self) -> Parsed<Option<WrittenName>> {
@@ -64,8 +61,15 @@ impl Parser<'_> {
             }
             self.primes(&mut name);
         }
-        let sub = if self.eat('_') { self.subscript()? } else { Vec::new() };
+        let mut sub = if self.eat('_') { self.subscript()? } else { Vec::new() };
         self.primes(&mut name);
+        if let Some((label, tokens)) = self.label_above() {
+            self.at += tokens;
+            name = format!("{name}^{label}");
+            if sub.is_empty() && self.eat('_') {
+                sub = self.subscript()?;
+            }
+        }
         let mut arguments = None;
         if self.is('(')
             && let Some(close) = self.closing()
@@ -77,189 +81,23 @@ impl Parser<'_> {
         Ok((*self.kind() == Kind::End).then_some(WrittenName { name, sub, arguments }))
     }
 
-    /// Primes that stand here, added to a name.
-    pub(super) fn primes(&mut self, name: &mut Name) -> bool {
-        let before = name.len();
-        while let Some(tokens) = self.prime() {
-            self.at += tokens;
-            name.push('\'');
-        }
-        name.len() > before
-    }
-
-    pub(super) fn script_pair(&mut self) -> Parsed<Scripts> {
-        let (mut sub, mut sup, mut sup_first) = (None, None, false);
-        loop {
-            if self.is('_') {
-                if sub.is_some() {
-                    let hint = "put all indices into one pair of braces";
-                    return refuse("latex::double-script", "a second subscript", self.span(), hint);
-                }
-                self.bump();
-                sub = Some(self.subscript()?);
-            } else if self.is('^') && (sup.is_some() || self.prime().is_none()) {
-                if sup.is_some() {
-                    return refuse("latex::double-script", "a second superscript", self.span(), "use parentheses");
-                }
-                self.bump();
-                sup_first = sub.is_none();
-                sup = Some(Box::new(self.superscript()?));
-            } else {
-                return Ok((sub, sup, sup_first));
-            }
-        }
-    }
-
-    /// A superscript of something that could have labels.
-    pub(super) fn superscript(&mut self) -> Parsed<Node> {
-        let node = self.raised()?;
-        if let NodeKind::Group(..) = node.kind {
-            let hint = "write a power without parentheses; other meanings of `^{(…)}` are not known";
-            return refuse("latex::ambiguous", "a superscript in parentheses", node.span, hint);
-        }
-        Ok(node)
-    }
-
-    /// What stands behind `^`.
-    pub(super) fn raised(&mut self) -> Parsed<Node> {
-        let start = self.span().start;
-        if let Some((transposed, tokens)) = self.conjugation() {
-            self.at += tokens;
-            return Ok(self.node(NodeKind::Conjugation { transposed }, start));
-        }
-        if self.eat('{') {
-            let outer = std::mem::replace(&mut self.bars, 0);
-            let node = self.sum()?;
-            self.expect('}')?;
-            self.bars = outer;
-            return Ok(node);
-        }
-        // TeX takes one token: a single digit, letter or command; a fraction or a root brings its arguments along.
-        let whole =
-            matches!(self.kind(), Kind::Command(c) if matches!(c.as_str(), "frac" | "tfrac" | "dfrac" | "sqrt"));
-        if whole && let Some(node) = self.primary()? {
-            return Ok(node);
-        }
-        if let Kind::Number(n) = self.kind().clone() {
-            if n.len() > 1 {
-                let hint = format!("write `^{{{n}}}`");
-                return refuse("latex::ambiguous", "LaTeX raises only the first digit", self.span(), hint);
-            }
-            self.bump();
-            return Ok(self.node(NodeKind::Number(decimal(&n)), start));
-        }
-        if self.is_pi() {
-            self.bump();
-            return Ok(self.node(NodeKind::Pi, start));
-        }
-        if *self.kind() == Kind::Letter('e') && !self.scope.declares("e") {
-            self.bump();
-            return Ok(self.node(NodeKind::Euler { upright: false }, start));
-        }
-        match self.single_name()? {
-            Some((name, span)) => Ok(Node { kind: NodeKind::Symbol(plain(name)), span }),
-            None => {
-                let message = format!("{} stands where an exponent is expected", self.shown());
-                refuse("latex::unexpected", message, self.span(), "put the exponent into braces")
-            }
-        }
-    }
-
-    /// `*` or `\dagger`, perhaps in braces: whether it transposes, and the number of its tokens.
-    fn conjugation(&self) -> Option<(bool, usize)> {
-        let mark = |kind: &Kind| match kind {
-            Kind::Sign('*') => Some(false),
-            Kind::Command(c) if c == "ast" => Some(false),
-            Kind::Command(c) if matches!(c.as_str(), "dagger" | "dag") => Some(true),
-            _ => None,
-        };
-        if let Some(transposed) = mark(self.kind()) {
-            return Some((transposed, 1));
-        }
-        let braced = self.is('{') && *self.kind_after(2) == Kind::Sign('}');
-        mark(self.kind_after(1)).filter(|_| braced).map(|transposed| (transposed, 3))
-    }
-
-    pub(super) fn subscript(&mut self) -> Parsed<Vec<SubItem>> {
-        let outer = std::mem::replace(&mut self.in_subscript, true);
-        let items = self.subscript_items();
-        self.in_subscript = outer;
-        items
-    }
-
-    fn subscript_items(&mut self) -> Parsed<Vec<SubItem>> {
-        let braced = self.eat('{');
-        let mut items = Vec::new();
-        if braced
-            && let Kind::Command(c) = self.kind().clone()
-            && name::is_switch(&c)
-        {
-            // `_{\rm max}`: the switch holds to the end of the braces.
-            self.bump();
-            let mut word = String::new();
-            while let Some((name, _)) = self.single_name()? {
-                word.push_str(&name);
-            }
-            if let (false, Some(style)) = (word.is_empty(), name::style(&c)) {
-                items.push(SubItem::Name(format!("{style}:{word}")));
-            }
-        }
-        loop {
-            match self.kind().clone() {
-                Kind::Number(n) => {
-                    if n.contains('.') {
-                        return refuse("latex::unexpected", "a decimal number as an index", self.span(), "");
-                    }
-                    if !braced && n.len() > 1 {
-                        let hint = format!("write `_{{{n}}}`");
-                        return refuse("latex::ambiguous", "LaTeX lowers only the first digit", self.span(), hint);
-                    }
-                    items.extend(n.bytes().map(|b| SubItem::Digit(u16::from(b.saturating_sub(b'0')))));
-                    self.bump();
-                }
-                Kind::Sign('}') if braced => break,
-                Kind::Sign(',') if braced => {
-                    if items.is_empty() || *self.kind_after(1) == Kind::Sign('}') {
-                        let hint = "write a derivative as a fraction";
-                        return refuse("latex::ambiguous", "a comma beside an index", self.span(), hint);
-                    }
-                    self.bump();
-                }
-                Kind::Command(c) if matches!(c.as_str(), "+" | "-" | "*") => {
-                    items.extend(c.chars().map(SubItem::Other));
-                    self.bump();
-                }
-                Kind::Command(c) if matches!(c.as_str(), "pm" | "mp") => {
-                    let hint = "write a relation for each sign, with names such as `J_+` and `J_-`";
-                    return refuse("latex::unexpected", "± cannot stand in a subscript", self.span(), hint);
-                }
-                Kind::Sign(c @ ('(' | ')' | '-' | '+' | '*' | '/')) if braced => {
-                    items.push(SubItem::Other(c));
-                    self.bump();
-                }
-                _ => match self.single_name()? {
-                    Some((name, _)) => items.push(SubItem::Name(name)),
-                    None => {
-                        let message = format!("{} cannot stand in a subscript", self.shown());
-                        return refuse("latex::unexpected", message, self.span(), "");
-                    }
-                },
-            }
-            if !braced {
-                return Ok(items);
-            }
-        }
-        self.expect('}')?;
-        if items.is_empty() {
-            return refuse("latex::unexpected", "an empty subscript", self.span(), "");
-        }
-        Ok(items)
-    }
-
     /// One name: a letter, a Greek letter, a styled or braced one; with its primes. Leaves its place where there is none.
     pub(super) fn single_name(&mut self) -> Parsed<Option<(Name, Range<usize>)>> {
         let start = self.span().start;
-        let mut name = match self.kind().clone() {
+        let difference = matches!(self.kind(), Kind::Command(c) if name::is_difference(c)) && self.is_difference()?;
+        let name = match difference {
+            true => self.difference()?,
+            false => self.name_without_primes()?.map(|(name, _)| name),
+        };
+        let Some(mut name) = name else { return Ok(None) };
+        self.primes(&mut name);
+        Ok(Some((name, start..self.last_end())))
+    }
+
+    /// The same without primes behind it: what TeX takes for an argument without braces, in `\sqrt x'` or `x_i'`.
+    pub(super) fn name_without_primes(&mut self) -> Parsed<Option<(Name, Range<usize>)>> {
+        let start = self.span().start;
+        let name = match self.kind().clone() {
             Kind::Sign('[') => match self.bracketed_name()? {
                 Some((name, close)) => {
                     self.at = close;
@@ -276,9 +114,6 @@ impl Parser<'_> {
             Kind::Letter(c) => {
                 self.bump();
                 c.to_string()
-            }
-            Kind::Command(c) if name::is_difference(&c) && self.is_difference()? => {
-                self.difference()?.unwrap_or_default()
             }
             Kind::Command(c) if NAMES.contains(&c.as_str()) || c == "pi" && !self.is_pi() => {
                 self.bump();
@@ -303,7 +138,6 @@ impl Parser<'_> {
             }
             _ => return Ok(None),
         };
-        self.primes(&mut name);
         Ok(Some((name, start..self.last_end())))
     }
 
@@ -422,22 +256,6 @@ impl Parser<'_> {
         Ok(Some(name.to_owned()))
     }
 
-    /// Number of tokens of a prime that stands here.
-    pub(super) fn prime(&self) -> Option<usize> {
-        let prime = |k: &Kind| matches!(k, Kind::Command(c) if c == "prime");
-        if self.is('\'') {
-            return Some(1);
-        }
-        if !self.is('^') {
-            return None;
-        }
-        if prime(self.kind_after(1)) {
-            return Some(2);
-        }
-        let braced = *self.kind_after(1) == Kind::Sign('{') && *self.kind_after(3) == Kind::Sign('}');
-        (braced && prime(self.kind_after(2))).then_some(4)
-    }
-
     /// A name behind the command of a style; leaves its place where there is none.
     fn styled(&mut self, style: &'static str) -> Parsed<Option<Name>> {
         let back = self.at;
@@ -445,8 +263,9 @@ impl Parser<'_> {
         // In italics or upright it is π that is printed.
         let outer = self.in_name;
         self.in_name |= !matches!(style, "rm" | "it");
-        let inner = self
-            .deeper(|p| if p.is('{') { p.braced_word(style == "rm") } else { Ok(p.single_name()?.map(|(n, _)| n)) });
+        let inner = self.deeper(|p| {
+            if p.is('{') { p.braced_word(style == "rm") } else { Ok(p.name_without_primes()?.map(|(n, _)| n)) }
+        });
         self.in_name = outer;
         let inner = inner?;
         if inner.is_none() {
@@ -552,8 +371,7 @@ fn restyle(style: &str, name: Name) -> Name {
         return name;
     }
     // `{\bf {\bf m}}` is printed as `{\bf m}`. Accents and other styles are kept: `\bar{\bar z}` has two bars.
-    let accent = matches!(style, "bar" | "hat" | "tilde" | "vec");
-    if !accent && name.starts_with(&format!("{style}:")) { name } else { format!("{style}:{name}") }
+    if !name::is_accent(style) && name.starts_with(&format!("{style}:")) { name } else { format!("{style}:{name}") }
 }
 
 /// A symbol without anything attached to it.

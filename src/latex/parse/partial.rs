@@ -4,7 +4,7 @@
 //! derivative, or something that cannot belong to it.
 
 use super::super::lexer::Kind;
-use super::super::syntax::{Nabla, Node, NodeKind, PartialForm};
+use super::super::syntax::{Bracket, Nabla, Node, NodeKind, PartialForm};
 use super::{Open, Parsed, Parser, refuse};
 use expr::{HIGHEST_ORDER, Rational};
 
@@ -202,7 +202,8 @@ impl Parser<'_> {
         let mut by = Vec::new();
         loop {
             let span = self.span();
-            let Some((name, span)) = self.single_name()? else {
+            let read = if braced { self.single_name()? } else { self.name_without_primes()? };
+            let Some((name, span)) = read else {
                 return refuse("latex::derivative", "a derivative is by a symbol", span, HOW);
             };
             let mut symbol = super::names::plain(name);
@@ -272,6 +273,11 @@ impl Parser<'_> {
         self.bump();
         let outer = std::mem::replace(&mut self.bars, 0);
         let left = self.sum()?;
+        if self.is_command("}") && matches!(left.kind, NodeKind::Sum(_)) {
+            self.bars = outer;
+            self.bump();
+            return Ok(self.node(NodeKind::Group(Box::new(left), Bracket::Curly), start));
+        }
         if !self.eat(',') {
             let hint = "write parentheses around a group";
             let message = "braces that are printed are a Poisson bracket, `\\{f,g\\}`";

@@ -1,8 +1,9 @@
 //! Symbols with what is attached to them: dots, scripts, and parentheses that may or may not be arguments.
 
 use super::super::lexer::Kind;
-use super::super::name::{self, NAMES, canonical};
+use super::super::name::canonical;
 use super::super::syntax::{MOST_PRIMES, Name, Node, NodeKind, SubItem, SymbolNode};
+use super::names::plain;
 use super::{Parsed, Parser, refuse};
 use expr::HIGHEST_ORDER;
 
@@ -28,16 +29,17 @@ impl Parser<'_> {
         }
         let hint = r"for anything longer write `\frac{d}{dt}(…)`";
         if self.eat('{')
-            && let Some((name, _)) = self.single_name()?
-            && self.eat('_')
+            && let Some((mut name, _)) = self.single_name()?
+            && (self.is('_') || self.label_of(&mut name))
         {
-            let sub = self.subscript()?;
+            let sub = if self.eat('_') { Some(self.subscript()?) } else { None };
+            self.label_of(&mut name);
             if self.eat('}') {
-                if self.is('_') {
+                if sub.is_some() && self.is('_') {
                     let message = "a second subscript";
                     return refuse("latex::double-script", message, self.span(), "put all indices into one subscript");
                 }
-                return self.scripted_symbol(name, dots, Some(sub), start);
+                return self.scripted_symbol(name, dots, sub, start);
             }
         }
         refuse("latex::dot", format!("`\\{command}` needs one symbol"), span, hint)
@@ -49,7 +51,7 @@ impl Parser<'_> {
     }
 
     /// `y'` of a field of one coordinate is its derivative, and of a function y of x, unless it is declared. Where the independent variable is the time by name,
-    /// too, rates have dots, and a prime makes another name.
+    /// too, rates have dots, and a prime makes another name; unless a text has double primes, and no name with a prime is declared.
     fn primed_rate(&self, name: &mut Name, dots: u8, sub: Option<&[SubItem]>) -> u8 {
         let base = name.trim_end_matches('\'');
         let primes = name.len() - base.len();
@@ -61,8 +63,8 @@ impl Parser<'_> {
             name.truncate(base.len());
             return primes as u8;
         }
-        let variable = self.scope.time_name().is_some_and(|n| !n.starts_with(['t', 'T']) && !n.starts_with(r"\tau"));
-        if !(1..=MOST_PRIMES).contains(&primes) || dots > 0 || !variable {
+        let lagrange = || self.double_primes && !self.scope.has_primes();
+        if !(1..=MOST_PRIMES).contains(&primes) || dots > 0 || self.primes_are_rates().is_none() && !lagrange() {
             return dots;
         }
         if self.scope.declares(name) || !self.scope.is_moving(base, sub) {
@@ -72,32 +74,27 @@ impl Parser<'_> {
         primes as u8
     }
 
-    /// Refuses `f(x)` where f is not declared at all, with a hint on how a function is.
-    fn is_no_unknown_function(&self, symbol: &SymbolNode, start: usize, close: usize) -> Parsed<()> {
-        let inside = &self.tokens[self.at + 1..close];
-        let names = !inside.is_empty()
-            && inside.iter().all(|t| match &t.kind {
-                Kind::Letter(_) | Kind::Sign(',' | '_' | '{' | '}') | Kind::Number(_) => true,
-                Kind::Command(c) => NAMES.contains(&c.as_str()),
-                Kind::Sign(_) | Kind::OpenBar | Kind::CloseBar | Kind::OpenFence | Kind::Row | Kind::End => false,
-            })
-            && !matches!(inside[0].kind, Kind::Number(_));
-        let name = &symbol.name;
-        let built_in = matches!(name.as_str(), r"\epsilon" | r"\varepsilon" | r"\delta" | "e" | "rm:e")
-            || name::is_imaginary_unit(name)
-            || name.contains(':');
-        let known = self.scope.has_base(name) || self.scope.is_refused(name, symbol.sub.as_deref());
-        if !names || built_in || symbol.dots > 0 || known {
-            return Ok(());
+    /// The independent variable, where primes are derivatives by it: where it is not called t, T or τ.
+    pub(super) fn primes_are_rates(&self) -> Option<Name> {
+        let variable = self.scope.time_name()?;
+        (self.scope.primes() || !variable.starts_with(['t', 'T']) && !variable.starts_with(r"\tau"))
+            .then(|| variable.to_owned())
+    }
+
+    /// `(uv)'`: the derivative of what stands in the brackets, by the independent variable.
+    pub(super) fn primed_group(&mut self, of: Node, by: Name) -> Parsed<Node> {
+        let (start, span) = (of.span.start, self.span());
+        let mut order = 0u8;
+        while let Some(tokens) = self.prime() {
+            self.at += tokens;
+            order = order.saturating_add(1);
         }
-        let (called, argument) =
-            (self.text[start..self.last_end()].trim(), &self.text[inside[0].span.start..self.tokens[close].span.start]);
-        let message = format!("`{called}` is not declared");
-        let hint = format!(
-            "a function is declared with its formula: '{called}({argument})' = {{ role = \"abbreviation\", arguments = \
-             ['{argument}'], formula = '…' }}; what is no function is declared under [symbols]"
-        );
-        refuse("latex::unknown-symbol", message, start..self.last_end(), hint)
+        if usize::from(order) > MOST_PRIMES || self.is('^') || self.is('_') {
+            let hint = r"write `\frac{d^n}{dx^n}(…)`, in parentheses before a power";
+            return refuse("latex::ambiguous", "it is not clear what these primes are", span, hint);
+        }
+        let by = Box::new(self.node(NodeKind::Symbol(plain(by)), span.start));
+        Ok(self.node(NodeKind::Derivative { of: Box::new(of), by, order, operator: true, upright: false }, start))
     }
 
     /// `^{(4)}` behind a field of one coordinate: the order of its derivative.
@@ -124,11 +121,11 @@ impl Parser<'_> {
 
     fn scripted_symbol(&mut self, mut name: Name, dots: u8, under: Option<Vec<SubItem>>, start: usize) -> Parsed<Node> {
         let order = self.order_in_parentheses(&name, dots)?;
-        let (sub, mut sup, sup_first) = self.script_pair()?;
+        let (sub, mut sup, sup_first) = self.scripts_of(Some(&mut name))?;
         // `y_1''` is printed as `y''_1`.
         if sub.is_some() && sup.is_none() && self.primes(&mut name) {
             let span = self.span();
-            let (second, raised, _) = self.script_pair()?;
+            let (second, raised, _) = self.scripts_of(Some(&mut name))?;
             if second.is_some() {
                 let hint = "put all indices into one pair of braces";
                 return refuse("latex::double-script", "a second subscript", span, hint);
@@ -159,7 +156,11 @@ impl Parser<'_> {
                 self.bars = outer;
                 symbol.arguments = Some(arguments);
                 symbol.arguments_text = text;
+            } else {
+                self.is_no_call(&symbol, start, close)?;
             }
+        } else if self.is('[') {
+            self.is_no_functional(&symbol, start)?;
         }
         Ok(self.node(NodeKind::Symbol(symbol), start))
     }

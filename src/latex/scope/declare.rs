@@ -44,6 +44,20 @@ impl Scope {
             let message = format!("`{key}` would also be a product of the declared letters");
             return Err(bad_key(message, key, r"write `\mathrm{…}` around the name"));
         }
+        // `z^*` beside a complex `z` would be its conjugate.
+        let conjugate = |name: &str, other: &str| {
+            name::labelled(name).is_some_and(|(of, label)| of == other && matches!(label, "*" | r"\dagger"))
+        };
+        let sub_is = |e: &Filed| {
+            e.sub.iter().map(|p| if let Pattern::Literal(l) = p { Some(l) } else { None }).eq(sub.iter().map(Some))
+        };
+        let clash = self.entries.iter().find(|e| {
+            conjugate(&name, &e.name) && e.complex && sub_is(e) || d.complex && conjugate(&e.name, &name) && sub_is(e)
+        });
+        if let Some(other) = clash {
+            let message = format!("`{key}` and `{}`: one would also be the conjugate of the other", other.key);
+            return Err(bad_key(message, key, "rename one of the two"));
+        }
         if d.role == Role::Time && self.entries.iter().any(|e| e.role == Role::Time) {
             return Err(bad_key("there is a time already", key, ""));
         }
@@ -197,7 +211,8 @@ impl Scope {
         let like_indices = |sub: &[Pattern]| {
             !sub.is_empty()
                 && sub.iter().all(|p| match p {
-                    Pattern::Literal(SubItem::Digit(_)) => true,
+                    // Components are counted from 1: `B_0` is none of a vector `{\bf B}`.
+                    Pattern::Literal(SubItem::Digit(digit)) => *digit > 0,
                     Pattern::Literal(SubItem::Name(letter)) => name::is_index(letter),
                     Pattern::Literal(SubItem::Other(_)) | Pattern::Index => false,
                 })

@@ -24,6 +24,9 @@ pub(super) fn between((before, bare): (&Node, bool), (after, fits): (&Node, bool
     if after.begins_with_number() || mixed || !before.is_numeric() && could_be_argument(after) {
         return r"\cdot ";
     }
+    if could_be_call(before, after) {
+        return r"\,";
+    }
     // A space that is printed ends the argument of a function.
     let ends_alike = matches!(after.kind, NodeKind::Function(..));
     if bare && ends_with_bare_argument(before) && !ends_alike { r"\," } else { "" }
@@ -143,13 +146,12 @@ pub(super) fn is_one_piece(node: &Node) -> bool {
         | NodeKind::Derivative { .. }
         | NodeKind::Variation { .. }
         | NodeKind::Quotient { .. }
-        | NodeKind::Root(..)
         | NodeKind::Exponential { .. }
         | NodeKind::Factorial(_)
         | NodeKind::Scripted { .. }
         | NodeKind::At { bar: Some(_), .. } => false,
         NodeKind::Function(name, power, _) => power.is_none() && crate::parse::whole_part(name).is_some(),
-        NodeKind::Symbol(s) => s.sup.is_none(),
+        NodeKind::Symbol(s) => s.sup.is_none() && crate::name::labelled(&s.name).is_none(),
         _ => true,
     }
 }
@@ -161,6 +163,24 @@ pub(super) fn is_raised(node: &Node) -> bool {
         NodeKind::Scripted { sup, .. } => sup.is_some(),
         _ => false,
     }
+}
+
+/// Whether a name before brackets, or before a function, would be taken for what is applied to it.
+fn could_be_call(before: &Node, after: &Node) -> bool {
+    let NodeKind::Symbol(s) = &before.kind else { return false };
+    let brackets = match &after.kind {
+        NodeKind::Scripted { base, .. } => base,
+        _ => after,
+    };
+    let called = match &brackets.kind {
+        NodeKind::Group(inner, Bracket::Square) => {
+            !matches!(inner.kind, NodeKind::Sum(_)) || crate::parse::prints_as_function(&s.name)
+        }
+        NodeKind::Tuple(_) => true,
+        NodeKind::Symbol(of) => of.arguments.is_some() && crate::parse::prints_as_operator(&s.name),
+        _ => begins_with_parenthesis(after) && crate::parse::prints_as_function(&s.name),
+    };
+    s.arguments.is_none() && called
 }
 
 /// Whether something in parentheses could be the argument of what stands before it.

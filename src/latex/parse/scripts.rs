@@ -1,0 +1,324 @@
+//! Subscripts, superscripts, primes, and labels above.
+
+use super::super::lexer::Kind;
+use super::super::name::{self, NAMES};
+use super::super::syntax::{Name, Node, NodeKind, SubItem};
+use super::super::write::subscript;
+use super::names::{LONGEST_WORD, plain};
+use super::{Parsed, Parser, decimal, refuse};
+
+/// The two scripts of a symbol, and whether the superscript came first.
+pub(super) type Scripts = (Option<Vec<SubItem>>, Option<Box<Node>>, bool);
+
+impl Parser<'_> {
+    /// Primes that stand here, added to a name.
+    pub(super) fn primes(&mut self, name: &mut Name) -> bool {
+        let before = name.len();
+        while let Some(tokens) = self.prime() {
+            self.at += tokens;
+            name.push('\'');
+        }
+        name.len() > before
+    }
+
+    pub(super) fn script_pair(&mut self) -> Parsed<Scripts> {
+        self.scripts_of(None)
+    }
+
+    /// The two scripts of a symbol. A label above it that is declared, as in `\mu^{(1)}`, becomes part of its name.
+    pub(super) fn scripts_of(&mut self, mut name: Option<&mut Name>) -> Parsed<Scripts> {
+        let (mut sub, mut sup, mut sup_first) = (None, None, false);
+        loop {
+            let labelled = sup.is_none() && name.as_deref_mut().is_some_and(|name| self.label_of(name));
+            if sup.is_none()
+                && !labelled
+                && let Some(name) = name.as_deref()
+            {
+                self.is_no_unknown_label(name)?;
+            }
+            if labelled {
+                name = None;
+                if self.is('^') {
+                    let hint = "put the name and its label into parentheses";
+                    return refuse("latex::double-script", "a power behind a label", self.span(), hint);
+                }
+            } else if self.is('_') {
+                if sub.is_some() {
+                    let hint = "put all indices into one pair of braces";
+                    return refuse("latex::double-script", "a second subscript", self.span(), hint);
+                }
+                self.bump();
+                sub = Some(self.subscript()?);
+            } else if self.is('^') && (sup.is_some() || self.prime().is_none()) {
+                if sup.is_some() {
+                    return refuse("latex::double-script", "a second superscript", self.span(), "use parentheses");
+                }
+                self.bump();
+                sup_first = sub.is_none();
+                sup = Some(Box::new(self.superscript()?));
+            } else {
+                return Ok((sub, sup, sup_first));
+            }
+        }
+    }
+
+    /// A label above that stands here, and the number of its tokens: something in parentheses, a word in upright letters, or a sign,
+    /// as in `\mu^{(1)}`, `u^{\rm R}`, `x^*`, `J^+`, `p^\circ`.
+    pub(super) fn label_above(&self) -> Option<(String, usize)> {
+        if !self.is('^') {
+            return None;
+        }
+        let sign = |kind: &Kind| match kind {
+            Kind::Sign(c @ ('*' | '+' | '-')) => Some(c.to_string()),
+            Kind::Command(c)
+                if matches!(c.as_str(), "circ" | "dagger" | "pm" | "mp" | "ominus" | "infty" | "star" | "ast") =>
+            {
+                Some(if c == "ast" { "*".to_owned() } else { format!("\\{c}") })
+            }
+            _ => None,
+        };
+        if *self.kind_after(1) != Kind::Sign('{') {
+            return sign(self.kind_after(1)).map(|label| (label, 2));
+        }
+        let end = (2..LONGEST_WORD).find(|&i| *self.kind_after(i) == Kind::Sign('}'))?;
+        let inside = || (2..end).map(|i| self.kind_after(i));
+        if end == 3 {
+            return sign(self.kind_after(2)).map(|label| (label, 4));
+        }
+        let text = |kind: &Kind| match kind {
+            Kind::Letter(c) => Some(c.to_string()),
+            Kind::Number(n) => Some(n.clone()),
+            Kind::Sign(c @ (',' | '+' | '-' | '(' | ')')) => Some(c.to_string()),
+            Kind::Command(c) if NAMES.contains(&c.as_str()) => Some(format!("\\{c} ")),
+            _ => None,
+        };
+        let parentheses = *self.kind_after(2) == Kind::Sign('(') && *self.kind_after(end - 1) == Kind::Sign(')');
+        if parentheses {
+            let content = inside().map(text).collect::<Option<String>>()?;
+            return Some((format!("{{{content}}}"), end + 1));
+        }
+        // A word in upright letters: a switch, or a command with braces of its own.
+        let Kind::Command(style) = self.kind_after(2) else { return None };
+        if name::style(style) != Some("rm") {
+            return None;
+        }
+        let (from, to, tokens) = match (name::is_switch(style), *self.kind_after(3) == Kind::Sign('{')) {
+            (true, _) => (3, end, end + 1),
+            (false, true) if *self.kind_after(end + 1) == Kind::Sign('}') => (4, end, end + 2),
+            _ => return None,
+        };
+        let word = (from..to).map(|i| text(self.kind_after(i))).collect::<Option<String>>()?;
+        (!word.is_empty()).then(|| (format!(r"{{\rm {word}}}"), tokens))
+    }
+
+    /// Refuses a word above a name that is declared without it: it is no power.
+    fn is_no_unknown_label(&self, name: &str) -> Parsed<()> {
+        let Some((label, tokens)) = self.label_above() else { return Ok(()) };
+        let word = label.strip_prefix(r"{\rm ").and_then(|w| w.strip_suffix('}'));
+        // `A^{\rm T}`, `x^{\rm i}`, and the power of a declared upright name.
+        let power = |w: &str| matches!(w, "T" | "i" | "e") || self.scope.declares(&format!("rm:{w}"));
+        if word.is_none_or(power) {
+            return Ok(());
+        }
+        let message = format!("`{}^{label}` is not declared", name::to_latex(name));
+        let span = self.span().start..self.tokens[(self.at + tokens - 1).min(self.tokens.len() - 1)].span.end;
+        refuse(
+            "latex::unknown-symbol",
+            message,
+            span,
+            "declare the name under [symbols] with its label, as it is printed",
+        )
+    }
+
+    /// Makes a declared label that stands here part of the name.
+    pub(super) fn label_of(&mut self, name: &mut Name) -> bool {
+        let Some((label, tokens)) = self.label_above().filter(|_| self.scope.has_labels()) else { return false };
+        let whole = format!("{name}^{label}");
+        let declared = self.scope.declares(&whole);
+        if declared {
+            self.at += tokens;
+            *name = whole;
+        }
+        declared
+    }
+
+    /// A superscript of something that could have labels.
+    pub(super) fn superscript(&mut self) -> Parsed<Node> {
+        let node = self.raised()?;
+        if let NodeKind::Group(..) = node.kind {
+            let hint = "write a power without parentheses; other meanings of `^{(…)}` are not known";
+            return refuse("latex::ambiguous", "a superscript in parentheses", node.span, hint);
+        }
+        Ok(node)
+    }
+
+    /// What stands behind `^`.
+    pub(super) fn raised(&mut self) -> Parsed<Node> {
+        let start = self.span().start;
+        if let Some((transposed, tokens)) = self.conjugation() {
+            self.at += tokens;
+            return Ok(self.node(NodeKind::Conjugation { transposed }, start));
+        }
+        if self.eat('{') {
+            let outer = std::mem::replace(&mut self.bars, 0);
+            let node = self.sum()?;
+            self.expect('}')?;
+            self.bars = outer;
+            return Ok(node);
+        }
+        // TeX takes one token: a single digit, letter or command; a fraction or a root brings its arguments along.
+        let whole =
+            matches!(self.kind(), Kind::Command(c) if matches!(c.as_str(), "frac" | "tfrac" | "dfrac" | "sqrt"));
+        if whole && let Some(node) = self.primary()? {
+            return Ok(node);
+        }
+        if let Kind::Number(n) = self.kind().clone() {
+            if n.len() > 1 {
+                let hint = format!("write `^{{{n}}}`");
+                return refuse("latex::ambiguous", "LaTeX raises only the first digit", self.span(), hint);
+            }
+            self.bump();
+            return Ok(self.node(NodeKind::Number(decimal(&n)), start));
+        }
+        if self.is_pi() {
+            self.bump();
+            return Ok(self.node(NodeKind::Pi, start));
+        }
+        if *self.kind() == Kind::Letter('e') && !self.scope.declares("e") {
+            self.bump();
+            return Ok(self.node(NodeKind::Euler { upright: false }, start));
+        }
+        match self.name_without_primes()? {
+            Some((name, span)) => Ok(Node { kind: NodeKind::Symbol(plain(name)), span }),
+            None => {
+                let message = format!("{} stands where an exponent is expected", self.shown());
+                refuse("latex::unexpected", message, self.span(), "put the exponent into braces")
+            }
+        }
+    }
+
+    /// `*` or `\dagger`, perhaps in braces: whether it transposes, and the number of its tokens.
+    fn conjugation(&self) -> Option<(bool, usize)> {
+        let mark = |kind: &Kind| match kind {
+            Kind::Sign('*') => Some(false),
+            Kind::Command(c) if c == "ast" => Some(false),
+            Kind::Command(c) if matches!(c.as_str(), "dagger" | "dag") => Some(true),
+            _ => None,
+        };
+        if let Some(transposed) = mark(self.kind()) {
+            return Some((transposed, 1));
+        }
+        let braced = self.is('{') && *self.kind_after(2) == Kind::Sign('}');
+        mark(self.kind_after(1)).filter(|_| braced).map(|transposed| (transposed, 3))
+    }
+
+    pub(super) fn subscript(&mut self) -> Parsed<Vec<SubItem>> {
+        let outer = std::mem::replace(&mut self.in_subscript, true);
+        let items = self.subscript_items();
+        self.in_subscript = outer;
+        items
+    }
+
+    fn subscript_items(&mut self) -> Parsed<Vec<SubItem>> {
+        let braced = self.eat('{');
+        let mut items = Vec::new();
+        if braced
+            && let Kind::Command(c) = self.kind().clone()
+            && name::is_switch(&c)
+        {
+            // `_{\rm max}`: the switch holds to the end of the braces.
+            self.bump();
+            let mut word = String::new();
+            while let Some((name, _)) = self.single_name()? {
+                word.push_str(&name);
+            }
+            if let (false, Some(style)) = (word.is_empty(), name::style(&c)) {
+                items.push(SubItem::Name(format!("{style}:{word}")));
+            }
+        }
+        loop {
+            match self.kind().clone() {
+                Kind::Number(n) => {
+                    if n.contains('.') {
+                        return refuse("latex::unexpected", "a decimal number as an index", self.span(), "");
+                    }
+                    if !braced && n.len() > 1 {
+                        let hint = format!("write `_{{{n}}}`");
+                        return refuse("latex::ambiguous", "LaTeX lowers only the first digit", self.span(), hint);
+                    }
+                    items.extend(n.bytes().map(|b| SubItem::Digit(u16::from(b.saturating_sub(b'0')))));
+                    self.bump();
+                }
+                // Labels that are no names elsewhere.
+                Kind::Command(c)
+                    if matches!(c.as_str(), "infty" | "parallel" | "perp" | "odot" | "oplus" | "star" | "circ") =>
+                {
+                    items.push(SubItem::Name(format!("\\{c}")));
+                    self.bump();
+                }
+                Kind::Command(c) if matches!(c.as_str(), "min" | "max") => {
+                    items.push(SubItem::Name(format!("rm:{c}")));
+                    self.bump();
+                }
+                Kind::Sign('}') if braced => break,
+                Kind::Sign(',') if braced => {
+                    if items.is_empty() || *self.kind_after(1) == Kind::Sign('}') {
+                        let hint = "write a derivative as a fraction";
+                        return refuse("latex::ambiguous", "a comma beside an index", self.span(), hint);
+                    }
+                    self.bump();
+                }
+                Kind::Command(c) if matches!(c.as_str(), "+" | "-" | "*") => {
+                    items.extend(c.chars().map(SubItem::Other));
+                    self.bump();
+                }
+                Kind::Command(c) if matches!(c.as_str(), "pm" | "mp") => {
+                    let hint = "write a relation for each sign, with names such as `J_+` and `J_-`";
+                    return refuse("latex::unexpected", "± cannot stand in a subscript", self.span(), hint);
+                }
+                Kind::Sign(c @ ('(' | ')' | '-' | '+' | '*' | '/')) if braced => {
+                    items.push(SubItem::Other(c));
+                    self.bump();
+                }
+                // TeX lowers one token: `x_i'` is printed as `x'_i`.
+                _ => match if braced { self.single_name()? } else { self.name_without_primes()? } {
+                    // `P_{\theta_2}`: a label with a label.
+                    Some((name, _)) if braced && self.is('_') => {
+                        self.bump();
+                        let inner = self.deeper(Self::subscript)?;
+                        items.push(SubItem::Name(name + &subscript(&inner)));
+                    }
+                    Some((name, _)) => items.push(SubItem::Name(name)),
+                    None => {
+                        let message = format!("{} cannot stand in a subscript", self.shown());
+                        return refuse("latex::unexpected", message, self.span(), "");
+                    }
+                },
+            }
+            if !braced {
+                return Ok(items);
+            }
+        }
+        self.expect('}')?;
+        if items.is_empty() {
+            return refuse("latex::unexpected", "an empty subscript", self.span(), "");
+        }
+        Ok(items)
+    }
+
+    /// Number of tokens of a prime that stands here.
+    pub(super) fn prime(&self) -> Option<usize> {
+        let prime = |k: &Kind| matches!(k, Kind::Command(c) if c == "prime");
+        if self.is('\'') {
+            return Some(1);
+        }
+        if !self.is('^') {
+            return None;
+        }
+        if prime(self.kind_after(1)) {
+            return Some(2);
+        }
+        let braced = *self.kind_after(1) == Kind::Sign('{') && *self.kind_after(3) == Kind::Sign('}');
+        (braced && prime(self.kind_after(2))).then_some(4)
+    }
+}
