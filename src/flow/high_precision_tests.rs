@@ -63,7 +63,7 @@ impl Uniform for Long {
         let (a, b) = (a.0.clone(), b.0.clone());
         // e^u of what is far below everything is 0, in a way that the crate need not be asked for.
         let exp = |u: FBig| if near(&u) < -1000.0 { long(0.0) } else { u.exp() };
-        self.0 = match op {
+        let found = match op {
             Op::Neg => -a,
             Op::Sqrt => {
                 inside(a >= zero)?;
@@ -119,6 +119,8 @@ impl Uniform for Long {
             }
             Op::Agm => return Err(NoValue::Unsupported),
         };
+        // 0 has lost its precision.
+        self.0 = found.with_precision(BITS).value();
         Ok(())
     }
 }
