@@ -27,6 +27,7 @@ mod constants;
 mod contributing;
 mod corpus;
 mod counted;
+mod decimals;
 mod derivation_docs;
 mod derivation_errors;
 mod determinism;

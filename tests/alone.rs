@@ -86,6 +86,48 @@ fn a_file_stands_on_its_postulates_and_a_conclusion_is_none() {
     assert_eq!(account.summary().unexpected, 2);
 }
 
+/// A step that is refuted is no success, whatever else is in the file; and one that is proved is.
+#[test]
+fn a_refuted_step_never_passes() {
+    let motion = |parameters: &str| {
+        format!("[[trajectory]]\nid = 'm'\nsystem = 's'\n{parameters}initial = {{ 'x' = 1, 'y' = 1 }}\nspan = [0, 1]\n")
+    };
+    let everywhere = |id: &str, rest: &str| format!("[[claim]]\nid = '{id}'\nsays = 'test'\n{rest}\n");
+    let (wrong, right) = ("always = ['(a+b)^2=a^2+b^2']", "always = ['(a+b)^2=a^2+2ab+b^2']");
+    let none = motion("");
+    let lucky = motion("parameters = { 'a' = 0, 'b' = 2 }\n");
+    // The claims, and how many hold, how many fail, and how many are not as expected.
+    for (n, (claims, sums)) in [
+        (vec![alone("c", wrong)], (0, 1, 1)),
+        (vec![alone("c", right)], (1, 0, 0)),
+        // The motion knows neither a nor b.
+        (vec![none.clone(), everywhere("c", wrong)], (0, 1, 1)),
+        (vec![none.clone(), everywhere("c", right)], (1, 0, 0)),
+        // It is true of the parameters that the motion has, and not of all.
+        (vec![lucky.clone(), everywhere("c", wrong)], (1, 1, 1)),
+        (vec![lucky.clone(), everywhere("c", &format!("trajectories = ['m']\n{wrong}"))], (1, 0, 0)),
+        (vec![lucky.clone(), everywhere("c", &format!("assuming = ['a=0']\n{wrong}"))], (1, 0, 0)),
+        // It holds by its start, and does not follow from the system.
+        (vec![none.clone(), everywhere("c", "always = ['x=1+t']")], (1, 0, 0)),
+        // A postulate, by its word, or since something follows from it.
+        (vec![alone("c", &format!("postulate = true\n{wrong}"))], (0, 0, 0)),
+        (vec![alone("c", "always = ['a=b']"), alone("d", "follows-from = ['c']\nalways = ['2a=2b']")], (1, 0, 0)),
+        (vec![alone("c", "always = ['a=b']"), alone("d", right)], (1, 1, 1)),
+        (vec![alone("c", &format!("{wrong}\nexpect = 'fails'"))], (0, 1, 0)),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let (_, account) = found(&claims);
+        let s = account.summary();
+        assert_eq!((s.holds, s.fails, s.unexpected), sums, "{n}: {claims:?}");
+    }
+    let both = alone("c", "postulate = true\nfollows-from = ['s']\nalways = ['a=b']");
+    let text = [HEAD, &both].concat();
+    let refused = parse(Source { path: "t.toml".into(), text }, "t").expect_err("a postulate that follows");
+    assert!(render(&refused, false).contains("a postulate follows from nothing"), "{}", render(&refused, false));
+}
+
 #[test]
 fn reports_tell_what_is_tried_on_nothing() {
     let claims = [

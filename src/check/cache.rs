@@ -24,7 +24,7 @@ use crate::derivation::{Derivation, Family, Motion};
 use crate::expr::FastMap;
 use claim::error::CheckError;
 use claim::options::Options;
-use findings::{Account, AloneAccount, ClaimAccount};
+use findings::{Account, AloneAccount, ClaimAccount, Premises};
 
 /// The verdicts on one file, and the content that they are of.
 #[derive(Debug, Default)]
@@ -236,7 +236,8 @@ fn affected(derivation: &Derivation, changed: BTreeSet<String>) -> Vec<String> {
 /// Brings an account into the order of the file, with its words, expectations and units.
 pub(super) fn describe(derivation: &Derivation, account: &mut Account) {
     let mut known: Vec<ClaimAccount> = std::mem::take(&mut account.claims);
-    for claim in &derivation.claims {
+    let premises = Premises::of(derivation);
+    for (position, claim) in derivation.claims.iter().enumerate() {
         let Some(at) = known.iter().position(|c| c.id == claim.id && c.reading == claim.reading) else { continue };
         let mut found = known.swap_remove(at);
         found.says.clone_from(&claim.says);
@@ -252,7 +253,7 @@ pub(super) fn describe(derivation: &Derivation, account: &mut Account) {
             let expected = tried.filter(|(f, _)| derivation.families[**f].id == of.family);
             of.expected = expected.map(|(_, e)| *e).next().flatten();
         }
-        found.alone = AloneAccount::of(claim);
+        found.alone = AloneAccount::within(derivation, &premises, position);
         if let (Some(found), Some(declared)) = (&mut found.region, &claim.region) {
             found.expected = declared.expect;
         }

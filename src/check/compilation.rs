@@ -9,7 +9,7 @@ use super::run::Run;
 use claim::error::CheckError;
 use claim::program::Program;
 use derivation::{Claim, Derivation};
-use expr::Leaf;
+use expr::{Leaf, Rational};
 use sampled::claim_program::Prepared;
 use sampled::independence::Gradients;
 use sampled::measure;
@@ -43,8 +43,10 @@ impl<'a> Compiled<'a> {
         let mut prepared: Vec<Vec<Prepared>> = Vec::new();
         for &c in &selection.claims {
             let claim = &file.claims[c];
-            let starts = selection.starts.iter();
-            let programs: Vec<Program> = starts.map(|s| Program::new(graph, &file.systems, claim, s)).collect();
+            let starts = selection.starts.iter().zip(&selection.shared);
+            let program =
+                |(s, shared): (&Rational, &Vec<_>)| Program::new(graph, &file.systems, claim, s).sharing(shared);
+            let programs: Vec<Program> = starts.map(program).collect();
             let gradients = Gradients::of_claim(graph, &file.trajectories, claim, &fields);
             let one = |program| Prepared { claim, program, gradients: gradients.clone() };
             prepared.push(programs.into_iter().map(one).collect());

@@ -15,7 +15,7 @@ use super::premises::Column;
 use super::run::Run;
 use claim::error::{CANCELLED, CheckError};
 use derivation::Derivation;
-use findings::{Account, AloneAccount, ClaimAccount, Measurement, PairAccount, PictureAccount};
+use findings::{Account, AloneAccount, ClaimAccount, Measurement, PairAccount, PictureAccount, Premises};
 use flow::Motion;
 use rayon::prelude::*;
 use sampled::claim_program::Prepared;
@@ -161,6 +161,7 @@ impl Found<'_> {
     /// The account: the verdicts by claim, with what was measured and drawn, which is taken out.
     pub fn account(&mut self, derivation: &Derivation, selection: &Selection, stage: &Stage) -> Account {
         let mut claims = Vec::new();
+        let premises = Premises::of(derivation);
         for (k, &c) in selection.claims.iter().enumerate() {
             let claim = &derivation.claims[c];
             let pair = |(column, &t): (&Column, &usize)| {
@@ -170,7 +171,7 @@ impl Found<'_> {
                 Some(PairAccount { trajectory, verdict, expected, discrimination: None })
             };
             let results = self.columns.iter().zip(&selection.tried).filter_map(pair).collect();
-            let alone = AloneAccount::of(claim);
+            let alone = AloneAccount::within(derivation, &premises, c);
             claims.push(ClaimAccount { alone, ..ClaimAccount::of(claim, results) });
         }
         let trajectories = selection.tried.iter().filter_map(|&t| stage.account(derivation, t)).collect();

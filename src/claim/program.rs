@@ -136,6 +136,8 @@ pub struct Program {
     /// The positions among the leaves of a point of everything that is needed, increasing.
     inputs: Vec<usize>,
     sign: Leaf,
+    /// Parameters with those that stand for them: see [`Program::sharing`].
+    shared: Vec<(Leaf, Leaf)>,
 }
 
 /// What a claim says, before it is compiled.
@@ -154,7 +156,7 @@ impl From<Denoted> for Program {
     fn from(of: Denoted) -> Program {
         let Denoted { selectors, hypotheses, parts, claim, at, rapid, edges, sign } = of;
         let (sides, sizes, inputs) = (None, None, Vec::new());
-        let (leaps_at, tells_apart) = (false, false);
+        let (leaps_at, tells_apart, shared) = (false, false, Vec::new());
         Program {
             selectors,
             hypotheses,
@@ -169,6 +171,7 @@ impl From<Denoted> for Program {
             sizes,
             inputs,
             sign,
+            shared,
         }
     }
 }
@@ -258,6 +261,14 @@ impl Program {
         graph.leaves(roots).into_iter().filter(|&l| l != self.sign).collect()
     }
 
+    /// The same on motions on which some parameters are given as others are, none of which is known exactly: what is equal in the file is
+    /// compared as equal, and not as two roundings.
+    #[must_use]
+    pub fn sharing(mut self, parameters: &[(Leaf, Leaf)]) -> Program {
+        self.shared = parameters.to_vec();
+        self
+    }
+
     /// Compiles everything. `known` are the leaves of a point, sorted.
     ///
     /// # Errors
@@ -267,6 +278,14 @@ impl Program {
         let sizes: Vec<Expr> = self.comparisons().map(|c| c.magnitude).collect();
         let mut sides: Vec<Expr> = compared.into_iter().flat_map(|(l, r)| [l, r, graph.sub(l, r)]).collect();
         sides.extend(self.cuts().flat_map(|(_, of)| of));
+        if !self.shared.is_empty() {
+            for side in &mut sides {
+                *side = graph.substitute(*side, |graph, leaf| {
+                    let (_, other) = self.shared.iter().find(|(of, _)| *of == leaf)?;
+                    Some(graph.leaf(*other))
+                });
+            }
+        }
         let sides = Block::new(graph, known, self.sign, &sides)?;
         let sizes = Block::new(graph, known, self.sign, &sizes)?;
         self.inputs = sides.inputs().iter().chain(sizes.inputs()).copied().collect();

@@ -65,6 +65,7 @@ impl Loader<'_> {
             printed: true,
             role: ClaimRole::Says,
             conclusion: false,
+            postulate: false,
             rests_on: Vec::new(),
             remark: table.text(problems, "remark"),
             symbols: Vec::new(),
@@ -89,6 +90,20 @@ impl Loader<'_> {
         };
         if table.get("conclusion").is_some() {
             base.conclusion = table.boolean(&mut self.problems, "conclusion").unwrap_or(false);
+        }
+        if let Some(value) = table.get("postulate") {
+            base.postulate = table.boolean(&mut self.problems, "postulate").unwrap_or(false);
+            let other = ["follows-from", "conclusion"].into_iter().find_map(|key| table.get(key));
+            if let (true, Some(other)) = (base.postulate, other) {
+                self.problems
+                    .note(
+                        "derivation::wrong-type",
+                        value.span(),
+                        "a postulate follows from nothing, and is no conclusion",
+                    )
+                    .see(other.span(), "this says something else")
+                    .hint("leave one of them out");
+            }
         }
         base.rests_on = self.rests_on(table, &base, ids);
         self.fill(&mut base, table, ids);

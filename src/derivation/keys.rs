@@ -219,6 +219,7 @@ tables! {
         "place": Text, "Where it stands in the paper";
         "label": Text, "The label of its equation in the paper's source";
         "conclusion": Flag, "true: it is something that the paper concludes";
+        "postulate": Flag, "true: it is stated, and not derived; whether it is so for all values is not asked";
         "rests-on": Texts, "Claims on which the paper's argument for it rests; nothing is proved from them";
         "reading": Parts("reading"), "The ways in which the claim can be understood";
     }

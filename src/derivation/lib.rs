@@ -36,6 +36,7 @@ mod premise;
 mod region;
 mod role;
 mod schema;
+mod shared;
 mod start;
 mod symbols;
 mod table;

@@ -313,6 +313,8 @@ pub struct Claim {
     pub role: ClaimRole,
     /// Whether it is something that the paper concludes: what its other claims are for.
     pub conclusion: bool,
+    /// Whether it says that it is a postulate: its step is not asked to be proved.
+    pub postulate: bool,
     /// Claims on which the paper's argument for it rests, in words: nothing is proved from them.
     pub rests_on: Vec<String>,
     /// What a reader should know.

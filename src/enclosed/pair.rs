@@ -162,9 +162,11 @@ pub(super) fn strengthen(
                     found => found,
                 }
             }
-            Prepared::Rank(Ok(rank)) => match near {
-                Some(witness) => refuted(rank.refuted(along, witness)),
-                None => rank.always(along),
+            // Samples do not tell a small rank from none.
+            Prepared::Rank(Ok(rank)) => match (near, rank.refuted(along)) {
+                (_, Ok((witness, refutation))) => Shown::Fails(witness, refutation.into()),
+                (Some(_), Err(reason)) => Shown::Nothing(reason),
+                (None, Err(_)) => rank.always(along),
             },
             Prepared::Same(Ok(same)) => match near {
                 Some(witness) => refuted(same.refuted(along, witness)),

@@ -19,7 +19,7 @@ use crate::verdict::{Enclosed, Witness};
 use claim::program::Part;
 use nalgebra::DMatrix;
 use reason::{Enclosing, Plain, Reason, Refutation};
-use sampled::independence::Gradients;
+use sampled::independence::{Gradients, exact_rank};
 
 /// The gradients along a motion.
 pub(super) struct Rank<'a> {
@@ -29,6 +29,7 @@ pub(super) struct Rank<'a> {
     rows: Vec<Vec<Option<usize>>>,
     /// Which functions are dependent at the start, if that is exact: rank beside the constraints, and how many there are.
     dependent: Result<(usize, usize), Reason>,
+    gradients: &'a Gradients,
 }
 
 impl<'a> Rank<'a> {
@@ -61,7 +62,7 @@ impl<'a> Rank<'a> {
         let columns = all.first().map_or(1, |row| row.len().max(1));
         let rows = of.chunks(columns).map(<[Option<usize>]>::to_vec).collect();
         let dependent = exactly(asked, along, constraints, &all);
-        Ok(Rank { ready, rows, dependent })
+        Ok(Rank { ready, rows, dependent, gradients })
     }
 
     /// At every time.
@@ -111,15 +112,14 @@ impl<'a> Rank<'a> {
     ///
     /// # Errors
     /// Why that is not certain.
-    pub fn refuted(&self, along: &mut Along, sampled: &Witness) -> Result<(Witness, Refutation), Reason> {
+    pub fn refuted(&self, along: &mut Along) -> Result<(Witness, Refutation), Reason> {
         let (rank, of) = self.dependent.clone()?;
         let t = along.enclosure.initial_time();
         let ranges = along.over(&self.ready.roots, Interval::point(t));
         if self.ready.selected(&ranges) != Some(true) {
             return Err(Enclosing::AssumedAt(t).into());
         }
-        let witness = Witness { t, left: rank as f64, right: of as f64, ..sampled.clone() };
-        Ok((witness, Refutation::Dependent { t, rank, of }))
+        Ok((self.gradients.witness(t, rank), Refutation::Dependent { t, rank, of }))
     }
 }
 
@@ -214,29 +214,6 @@ fn at_start(graph: &mut Graph, e: Expr, start: &[(Leaf, Expr)], time: Leaf, t: &
         e = next;
     }
     e
-}
-
-/// The rank of a matrix of rational numbers, by elimination.
-fn exact_rank(mut rows: Vec<Vec<Rational>>) -> usize {
-    let columns = rows.first().map_or(0, Vec::len);
-    let mut rank = 0;
-    for column in 0..columns {
-        let Some(pivot) = (rank..rows.len()).find(|&i| !rows[i][column].is_zero()) else { continue };
-        rows.swap(rank, pivot);
-        let (above, below) = rows.split_at_mut(rank + 1);
-        let pivot = &above[rank];
-        for row in below {
-            let factor = &row[column] / &pivot[column];
-            if factor.is_zero() {
-                continue;
-            }
-            for (x, p) in row.iter_mut().zip(pivot).skip(column) {
-                *x = &*x - &factor * p;
-            }
-        }
-        rank += 1;
-    }
-    rank
 }
 
 #[cfg(test)]

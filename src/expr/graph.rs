@@ -316,6 +316,12 @@ impl Graph {
         }
     }
 
+    /// Whether the node is a constant that binary64 holds without rounding.
+    pub fn is_binary64(&self, e: Expr) -> bool {
+        let held = |r: &Rational| Rational::try_from(r.to_f64().value()).is_ok_and(|back| back == *r);
+        self.as_constant(e).is_some_and(held)
+    }
+
     /// Whether the node is the constant 0.
     pub fn is_zero(&self, e: Expr) -> bool {
         self.as_constant(e).is_some_and(|r| *r == Rational::ZERO)

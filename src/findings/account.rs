@@ -1,5 +1,6 @@
 //! What a check hands to the reports: every number that a report shows, computed.
 
+use crate::alone::AloneAccount;
 use crate::conditions::ConditionsAccount;
 use crate::family::{FamilyAccount, MeasureAccount};
 use crate::identity::IdentityEvidence;
@@ -224,7 +225,7 @@ impl IdentityAccount {
     }
 
     /// Whether it is proved for all values, given postulates alone: what is left out, assumed on the way, or not proved itself, is open.
-    fn is_proved_by_postulates(&self) -> bool {
+    pub(crate) fn is_proved_by_postulates(&self) -> bool {
         let postulated = self.conditional_on.iter().all(|given| given.postulated);
         self.finding.decision() == Decision::Proved && postulated && self.presupposed.is_empty()
     }
@@ -316,48 +317,10 @@ pub struct ClaimAccount {
     pub families: Vec<FamilyAccount>,
     /// For a claim over ranges, which has no trajectories: its verdict.
     pub region: Option<RegionAccount>,
-    /// For a claim that is tried on nothing: what is expected of its step.
+    /// When what its step came to is its verdict; `None` for claims over ranges.
     pub alone: Option<AloneAccount>,
     /// What single edits of its formulas say of the evidence, where they were tried.
     pub variants: Option<VariantAccount>,
-}
-
-/// What is expected of a claim that is tried on nothing: what it says for all values is its verdict.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct AloneAccount {
-    /// The word that the derivation file expects, if it expects one.
-    #[serde(deserialize_with = "words::expected")]
-    pub expected: Option<Word>,
-    /// Whether it is stated, and not derived: nothing is given to it, nothing is expected of it, and the paper does not conclude it.
-    pub postulated: bool,
-}
-
-impl AloneAccount {
-    /// What is expected of a claim; `None` where it is tried on something.
-    pub fn of(claim: &Claim) -> Option<AloneAccount> {
-        let given = !claim.follows_from.is_empty() || !claim.assuming.is_empty();
-        let postulated = !given && claim.expect_alone.is_none() && !claim.conclusion;
-        (!claim.is_tried()).then_some(AloneAccount { expected: claim.expect_alone, postulated })
-    }
-}
-
-impl ClaimAccount {
-    /// What a claim that is tried on nothing came to: what its step did. `None` for others, and for postulates.
-    pub fn verdict_alone(&self) -> Option<&'static str> {
-        let alone = self.alone.filter(|alone| !alone.postulated)?;
-        match &self.identity {
-            Some(step) if step.is_proved_by_postulates() => Some("holds"),
-            Some(step) if step.finding.decision() == Decision::Refuted => Some("fails"),
-            // Nothing is asked of a step of which nothing is expected.
-            _ => alone.expected.map(|_| "undecided"),
-        }
-    }
-
-    /// Whether a claim that is tried on nothing is not as expected; without an expectation, whether it is refuted.
-    pub fn is_unexpected_alone(&self) -> bool {
-        let expected = self.alone.and_then(|alone| alone.expected);
-        self.verdict_alone().is_some_and(|word| expected.map_or(word == "fails", |expected| expected != word))
-    }
 }
 
 /// Everything that was found for one derivation file.
@@ -381,9 +344,9 @@ pub struct Account {
 /// Counts over all pairs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Summary {
-    /// Pairs that hold, and claims that are tried on nothing and do.
+    /// Pairs that hold, and claims that are decided by their steps and do.
     pub holds: usize,
-    /// Pairs that fail, and claims that are tried on nothing and do.
+    /// Pairs that fail, and claims that are decided by their steps and do.
     pub fails: usize,
     /// Pairs to which the claim does not apply.
     pub not_applicable: usize,

@@ -10,6 +10,7 @@
 #![forbid(unsafe_code)]
 
 mod account;
+mod alone;
 pub mod conditions;
 pub mod family;
 mod identity;
@@ -25,9 +26,10 @@ mod variant;
 mod words;
 
 pub use account::{
-    Account, AloneAccount, AssumptionsUsed, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary,
+    Account, AssumptionsUsed, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary,
     TrajectoryAccount, by_trajectory,
 };
+pub use alone::{AloneAccount, Premises, TrialScope};
 pub use family::{FailingShare, FamilyAccount, MemberAccount};
 pub use identity::{Counterexample, IdentityEvidence, Place, Proposition, Trials};
 pub use picture::{Line, LineKind, PictureAccount};

@@ -37,6 +37,8 @@ mod error;
 mod estimate;
 mod expansion;
 mod field;
+#[cfg(test)]
+mod high_precision_tests;
 mod hoist;
 mod incomplete;
 mod kinks;

@@ -122,6 +122,17 @@ impl Clone for Motion {
     }
 }
 
+/// For each parameter the first one that is given in the same way, if that is no number of binary64: what stands for the one stands for
+/// the other, so that what is equal in the file is equal, though neither is known exactly. All others stand for themselves.
+pub(super) fn shared(graph: &Graph, parameters: &[(Leaf, Expr)]) -> Vec<usize> {
+    let mut first: BTreeMap<Expr, usize> = BTreeMap::new();
+    let of = |(at, &(_, e)): (usize, &(Leaf, Expr))| match graph.is_binary64(e) {
+        true => at,
+        false => *first.entry(e).or_insert(at),
+    };
+    parameters.iter().enumerate().map(of).collect()
+}
+
 /// A motion that is set up, but not integrated.
 #[derive(Debug)]
 pub struct Draft {
@@ -178,11 +189,13 @@ impl Draft {
         }
         let time = graph.leaf(setup.time);
         core.definitions.insert(setup.time, time);
-        for &(leaf, e) in &setup.parameters {
+        let shared = shared(graph, &setup.parameters);
+        let mut constants: Vec<Expr> = Vec::new();
+        for (&(leaf, e), first) in setup.parameters.iter().zip(shared) {
             let resolved = core.resolve(graph, e)?;
             let value = core.constant_value(graph, resolved);
-            let constant = core.constant(graph, value, Origin::Given);
-            core.definitions.insert(leaf, constant);
+            constants.push(core.constant(graph, value, Origin::Given));
+            core.definitions.insert(leaf, constants[first]);
         }
         let mut orbit = None;
         match &setup.source {

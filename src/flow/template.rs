@@ -17,7 +17,7 @@ use super::core::{Constant, Core, Origin};
 use super::definitions::Definitions;
 use super::error::FlowError;
 use super::field::VectorField;
-use super::motion::{Draft, Motion};
+use super::motion::{Draft, Motion, shared};
 use super::rapid::RapidSearch;
 use super::sampler::Sampler;
 use super::search::Search;
@@ -34,6 +34,8 @@ pub struct Template {
     rapid: Arc<RapidSearch>,
     /// Its parameters: the first of its constants.
     parameters: Vec<Leaf>,
+    /// Which of them share what stands for them.
+    shared: Vec<usize>,
     /// The values of what it is given by, as far as these are numbers: most of it is the same in all motions.
     numbers: BTreeMap<Expr, Result<Bounded, NoValue>>,
 }
@@ -57,8 +59,9 @@ impl Template {
         let plain = core.orbit.is_some() && core.cuts.is_empty() && later && (0..parameters.len()).all(first);
         let closed = parameters.iter().chain(initial).map(|(_, e)| *e).filter(|e| graph.leaves([*e]).is_empty());
         let numbers = closed.map(|e| (e, core.constant_value(graph, e))).collect();
+        let shared = shared(graph, parameters);
         let parameters = parameters.iter().map(|(leaf, _)| *leaf).collect();
-        plain.then_some(Template { motion, searches, rapid, parameters, numbers })
+        plain.then_some(Template { motion, searches, rapid, parameters, shared, numbers })
     }
 
     /// What finds the leaves of such motions, where that takes their formulas alone.
@@ -69,7 +72,8 @@ impl Template {
     /// Another motion, set up; nothing where that is to be done the long way.
     pub fn draft(&self, graph: &mut Graph, field: &VectorField, (parameters, initial): Given) -> Option<Draft> {
         let of = &self.motion.core;
-        let same = parameters.iter().map(|(leaf, _)| leaf).eq(&self.parameters);
+        let same =
+            parameters.iter().map(|(leaf, _)| leaf).eq(&self.parameters) && shared(graph, parameters) == self.shared;
         let integrand = &of.orbit.as_ref().filter(|_| same)?.field;
         let mut core = of.without_values();
         for ((_, e), constant) in parameters.iter().zip(&of.constants) {

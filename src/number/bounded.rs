@@ -199,6 +199,15 @@ impl Scalar for Bounded {
     fn times(self, tangent: Bounded) -> Bounded {
         if tangent.is_exact_zero() { tangent } else { self * tangent }
     }
+    /// Two ways to it, of which the other bounds it better near 0; the value is that of the first.
+    #[inline]
+    fn flatness(self, tanh: Bounded) -> Bounded {
+        let first = scalar::by_exponential(self);
+        let one = Bounded::exact(1.0);
+        let second = (one - tanh) * (one + tanh);
+        let apart = ((first.value - second.value).abs() + second.error) * UP;
+        Bounded { value: first.value, error: first.error.min(apart) }
+    }
     #[inline(always)]
     fn poisoned_by(self, _: Bounded) -> Bounded {
         self

@@ -143,6 +143,13 @@ impl<const N: usize> Scalar for BoundedLanes<N> {
         }
         self
     }
+    #[inline]
+    fn flatness(mut self, tanh: Self) -> Self {
+        for i in 0..N {
+            self.set_lane(i, self.lane(i).flatness(tanh.lane(i)));
+        }
+        self
+    }
     #[inline(always)]
     fn poisoned_by(self, _: Self) -> Self {
         self

@@ -41,6 +41,12 @@ pub trait Scalar:
     /// `self` · `tangent`, where an exact zero tangent wins over a factor that is not a value: the derivative of a constant
     /// is 0 also where the function has no derivative.
     fn times(self, tangent: Self) -> Self;
+    /// 1/cosh² of `self`, the slope of tanh there; `tanh` is the value of that. It is known relative to its own size, also where tanh is so
+    /// close to 1 that 1 − tanh² has no digit left: a series that starts from such a rest is wrong by as much as it grows.
+    #[inline(always)]
+    fn flatness(self, _tanh: Self) -> Self {
+        by_exponential(self)
+    }
     /// Marks `self` as invalid where `other` is, for types that hold several numbers. Elsewhere nothing happens.
     fn poisoned_by(self, other: Self) -> Self;
 
@@ -80,6 +86,14 @@ pub(super) fn by_four<B: Scalar>(a: &[B], b: &[B]) -> B {
         sum = sum + x * y;
     }
     sum
+}
+
+/// 1/cosh² a = (2E/(1 + E²))² with E = e^{−|a|}, which neither overflows nor cancels.
+#[inline(always)]
+pub(super) fn by_exponential<B: Scalar>(a: B) -> B {
+    let e = value(B::exp, -value(B::abs, a));
+    let sech = (e + e) / (B::integer(1) + e * e);
+    sech * sech
 }
 
 /// The value of an operation of one argument, invalid where there is none.

@@ -405,11 +405,11 @@ impl<B: Scalar> Number for Jet<B> {
         let partner = if cx.from() == 0 { value(B::sinh, a.series[0]) } else { B::ZERO };
         self.paired(cx, a, partner, false, false)
     }
-    /// dx = (1 − x²)·da.
+    /// dx = (1 − x²)·da, where 1 − x² starts from what it is, and not from x, which may be 1 for binary64.
     fn tanh(&mut self, cx: &Orders, a: &Jet<B>) -> Result<(), NoValue> {
         self.start(cx, |x| x.tanh(&(), &a.series[0]))?;
-        let one = int::<B>(1);
-        self.by_slope(cx, a, |x, k| if k == 0 { (one - x[0]) * (one + x[0]) } else { -square(x, k) })
+        let at = a.series[0];
+        self.by_slope(cx, a, |x, k| if k == 0 { at.flatness(x[0]) } else { -square(x, k) })
     }
     fn abs(&mut self, cx: &Orders, a: &Jet<B>) -> Result<(), NoValue> {
         self.start(cx, |x| x.abs(&(), &a.series[0]))?;

@@ -27,7 +27,7 @@ pub(super) fn slope<B: Scalar>(op: Op, a: B, v: B) -> B {
         Op::Arctan => one / (one + a * a).checked().unwrap_or(B::INVALID),
         Op::Sinh => value(B::cosh, a),
         Op::Cosh => value(B::sinh, a),
-        Op::Tanh => one_minus_square(v),
+        Op::Tanh => a.flatness(v),
         Op::Abs => a.sign(),
         Op::Powi(0) => B::ZERO,
         Op::Powi(n) if n < 0 => B::integer(n) * v / a,

@@ -92,6 +92,7 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
         parent_says: None,
         role: Default::default(),
         conclusion: false,
+        postulate: false,
         rests_on: Vec::new(),
         place: None,
         label: None,

@@ -103,6 +103,8 @@ pub enum Sampling {
     SometimesDependent { count: usize, of: usize },
     #[error("the rank is unclear at t = {t}: a singular value of {size:.1e}")]
     RankUnclear { t: f64, size: f64 },
+    #[error("the rank is {rank} of {of} as far as samples tell, whose precision does not tell what is small from 0")]
+    RankBelowPrecision { rank: usize, of: usize },
     #[error("near t = {t}, between two samples, a singular value falls to {size:.1e}")]
     RankFalls { t: f64, size: f64 },
     #[error("smallest singular value that counts as nonzero: {0:.2e}")]

@@ -3,6 +3,9 @@
 //! Functions f₁ … f_k are independent at a point of the set on which constraints g hold when their gradients are linearly
 //! independent of one another and of those of the constraints: rank(∇g, ∇f) = rank(∇g) + k. The gradients are exact
 //! derivatives of the expressions; the rank is read off singular values of the matrix with normalised rows.
+//!
+//! A singular value that is 0 within rounding may be one of 10⁻²⁰: elimination with error bounds may still tell that the rank is full,
+//! and nothing but exact numbers tells that it is not. What is between the two is undecided by samples.
 
 use std::cmp::Ordering;
 
@@ -14,7 +17,7 @@ use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf, NoDerivative, Tensor};
 use crate::flow::{Rapid, VectorField};
 use crate::latex::{Role, Scope, Statement};
-use crate::number::{Bounded, NoValue};
+use crate::number::{Bounded, NoValue, Rational};
 use crate::pointwise::Tried;
 use crate::stretches::is_met;
 use crate::systems::Fields;
@@ -136,6 +139,12 @@ impl Gradients {
         (self.constraints, self.entries.chunks(self.variables.len().max(1)).collect())
     }
 
+    /// That so many of its functions are independent at a time, and not all.
+    pub fn witness(&self, t: f64, independent: usize) -> Witness {
+        let (left, right) = (independent as f64, self.functions as f64);
+        Witness { t, formula: self.text.clone(), left, right, bound: 0.0, values: vec![] }
+    }
+
     /// The leaves that must be known.
     pub fn leaves(&self, graph: &Graph) -> Vec<Leaf> {
         graph.leaves(self.entries.iter().copied())
@@ -162,7 +171,7 @@ pub(super) fn try_on(of: &Gradients, trial: &Trial, tried: &Tried) -> Finding {
     let mut evidence = Evidence::default();
     let step = (tried.points.len() / POINTS).max(1);
     let (mut unclear, mut smallest) = (None, f64::INFINITY);
-    let mut dependent = 0;
+    let (mut dependent, mut certain) = (0, 0);
     let mut selected = 0;
     // Spread over the times that count.
     let counting: Vec<usize> = (0..tried.times.len()).filter(|&i| tried.left[i] == Left::In).collect();
@@ -181,24 +190,24 @@ pub(super) fn try_on(of: &Gradients, trial: &Trial, tried: &Tried) -> Finding {
         smallest = smallest.min(full_gap);
         match (full, base) {
             (Some(full), Some(base)) if full == base + of.functions => {}
+            (Some(_), Some(_)) if is_independent(rows, n, &values) => {}
             (Some(full), Some(base)) => {
                 let found = full.saturating_sub(base);
                 dependent += 1;
-                evidence.witness.get_or_insert(Witness {
-                    t,
-                    formula: of.text.clone(),
-                    left: found as f64,
-                    right: of.functions as f64,
-                    bound: 0.0,
-                    values: vec![],
-                });
+                certain += usize::from(is_dependent(of, base, &values));
+                evidence.witness.get_or_insert_with(|| of.witness(t, found));
                 let why = Sampling::Dependent { rank: found, of: of.functions };
                 evidence.reason.get_or_insert(why.into());
             }
+            (None, _) if is_independent(rows, n, &values) => {}
             _ => unclear = Some((t, full_gap.min(base_gap))),
         }
     }
     if dependent > 0 && dependent == evidence.samples {
+        if certain < dependent {
+            let rank = evidence.witness.as_ref().map_or(0.0, |w| w.left) as usize;
+            return Finding::open(Sampling::RankBelowPrecision { rank, of: of.functions });
+        }
         // The time of an event is a number of binary64: the rank that falls there alone may be whole at the event itself.
         if trial.program.at.is_some() && !dependent_beside(of, trial, &tape, evidence.witness.as_ref()) {
             return Finding::open(Plain::RankFallsAtEvent);
@@ -355,6 +364,70 @@ fn changes(trial: &Trial, (a, b): (f64, f64)) -> bool {
         let signs = [0, 1].map(|i| series.difference(i).ok().map(|d| d.value.signum()));
         signs[0] != signs[1]
     })
+}
+
+/// Whether rows are independent for certain: by elimination with error bounds, in which every pivot is different from 0.
+fn is_independent(rows: usize, columns: usize, values: &[Bounded]) -> bool {
+    let mut left: Vec<Vec<Bounded>> = values.chunks(columns.max(1)).take(rows).map(<[Bounded]>::to_vec).collect();
+    while let Some(mut row) = left.pop() {
+        // Of the entries that are different from 0 for certain, that which is known best.
+        let known = |x: &Bounded| if x.contains_zero() { f64::INFINITY } else { x.error / x.value.abs() };
+        let pivot = (0..columns).min_by(|&i, &j| {
+            let by_size = || row[j].value.abs().total_cmp(&row[i].value.abs());
+            known(&row[i]).total_cmp(&known(&row[j])).then_with(by_size)
+        });
+        let Some(pivot) = pivot.filter(|&i| known(&row[i]).is_finite()) else { return false };
+        for other in &mut left {
+            if other[pivot] == Bounded::exact(0.0) {
+                continue;
+            }
+            let factor = other[pivot] / row[pivot];
+            for (x, of) in other.iter_mut().zip(&row) {
+                *x = *x - factor * *of;
+            }
+            other[pivot] = Bounded::exact(0.0);
+        }
+        row.clear();
+    }
+    true
+}
+
+/// Whether functions are dependent for certain, where the constraints have this rank: there are more rows than columns, a function has
+/// no gradient but 0, or all numbers are exact.
+fn is_dependent(of: &Gradients, base: usize, values: &[Bounded]) -> bool {
+    let (n, wanted) = (of.variables.len(), base + of.functions);
+    let constraints = &values[..of.constraints * n];
+    let is_zero = |row: &[Bounded]| row.iter().all(|x| *x == Bounded::exact(0.0));
+    let exact_rank = |values: &[Bounded]| {
+        let exact = |x: &Bounded| Rational::try_from(x.value).ok().filter(|_| x.error == 0.0);
+        let rows = values.chunks(n.max(1)).map(|row| row.iter().map(exact).collect());
+        rows.collect::<Option<Vec<Vec<Rational>>>>().map(exact_rank)
+    };
+    let more_than_columns =
+        wanted > n && is_independent(base.min(of.constraints), n, constraints) && base == of.constraints;
+    more_than_columns
+        || values[of.constraints * n..].chunks(n.max(1)).any(is_zero)
+        || exact_rank(values).zip(exact_rank(constraints)).is_some_and(|(full, base)| full < base + of.functions)
+}
+
+/// The rank of rows of rational numbers.
+pub fn exact_rank(mut rows: Vec<Vec<Rational>>) -> usize {
+    let columns = rows.first().map_or(0, Vec::len);
+    let mut rank = 0;
+    for column in 0..columns {
+        let Some(pivot) = (rank..rows.len()).find(|&i| rows[i][column] != Rational::ZERO) else { continue };
+        rows.swap(rank, pivot);
+        let (done, rest) = rows.split_at_mut(rank + 1);
+        let pivot = &done[rank];
+        for row in rest.iter_mut().filter(|row| row[column] != Rational::ZERO) {
+            let factor = &row[column] / &pivot[column];
+            for (x, of) in row.iter_mut().zip(pivot) {
+                *x -= &factor * of;
+            }
+        }
+        rank += 1;
+    }
+    rank
 }
 
 /// Gradients with rows scaled to length 1, and how far the whole may be off; rows of zeros stay.

@@ -12,19 +12,17 @@ use flow::{Guess, Motion, Observable, Setup, Source, Start};
 use latex::Role;
 
 /// What a motion is made from, and the symbols that it knows. `from` is the motion that a derived one comes from, with the
-/// symbols that that one knows. Parameters are rounded to binary64 unless they shall be `exact`. What is `left_out`, and what is
-/// made of it, the motion does not know.
+/// symbols that that one knows. What is `left_out`, and what is made of it, the motion does not know.
 pub fn setup<'a>(
     derivation: &Derivation,
     fields: &'a Fields,
     graph: &mut Graph,
     trajectory: &Trajectory,
     from: Option<(Arc<Motion>, &[Symbol])>,
-    exact: bool,
     left_out: &[Symbol],
 ) -> (Setup<'a>, Vec<Symbol>) {
     let Derivation { scope, systems, symbols, claims, .. } = derivation;
-    let parameters = parameters(graph, trajectory, exact);
+    let parameters = parameters(graph, trajectory);
     let mut known = vec![fields.time.symbol];
     known.extend(trajectory.parameters.iter().map(|(symbol, _)| *symbol));
     let source = match (&trajectory.motion, from) {
@@ -84,14 +82,12 @@ pub fn setup<'a>(
     (Setup { time: fields.time, span, initial_time, parameters, source, observables }, known)
 }
 
-/// The parameters of a trajectory, component by component.
-pub(crate) fn parameters(graph: &mut Graph, trajectory: &Trajectory, exact: bool) -> Vec<(Leaf, Expr)> {
+/// The parameters of a trajectory, component by component: exactly what the file says.
+pub(crate) fn parameters(graph: &Graph, trajectory: &Trajectory) -> Vec<(Leaf, Expr)> {
     let mut parameters: Vec<(Leaf, Expr)> = Vec::new();
     for (symbol, value) in &trajectory.parameters {
         parameters.retain(|(l, _)| l.symbol != *symbol);
-        let mut number = |&e: &Expr| if exact { e } else { rounded(graph, e) };
-        let values: Vec<Expr> = value.value.iter().map(&mut number).collect();
-        parameters.extend(paired(graph, *symbol, 0, &values));
+        parameters.extend(paired(graph, *symbol, 0, &value.value));
     }
     parameters
 }
@@ -99,16 +95,6 @@ pub(crate) fn parameters(graph: &mut Graph, trajectory: &Trajectory, exact: bool
 /// What is given at the initial time, component by component.
 pub(crate) fn initial_values(graph: &Graph, initial: &[(Symbol, u8, Written<Vec<Expr>>)]) -> Vec<(Leaf, Expr)> {
     initial.iter().flat_map(|(s, rate, w)| paired(graph, *s, *rate, &w.value)).collect()
-}
-
-/// A number rounded to binary64, exactly: the motion that is tried is the one with these parameters, so that what is equal
-/// in the file is equal without an error. What is too small for that would become another number, or 0.
-fn rounded(graph: &mut Graph, e: Expr) -> Expr {
-    let nearest = graph.as_constant(e).map(|r| r.to_f64().value()).filter(|x| x.abs() >= f64::MIN_POSITIVE);
-    match nearest.and_then(|x| expr::Rational::try_from(x).ok()) {
-        Some(r) => graph.constant(r),
-        None => e,
-    }
 }
 
 /// The angles that motions need not be followed for: those that are neither wanted, nor part of what is wanted or of the motions.

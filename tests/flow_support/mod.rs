@@ -97,14 +97,22 @@ impl World {
             let e = if c[*at] == ',' {
                 *at += 1;
                 let b = self.sum(c, at);
-                let op = if word == "atan2" { Op::Arctan2 } else { Op::Agm };
+                let op = match word.as_str() {
+                    "atan2" => Op::Arctan2,
+                    "pow" => Op::Pow,
+                    _ => Op::Agm,
+                };
                 self.graph.binary(op, a, b)
             } else {
                 let op = match word.as_str() {
                     "sin" => Op::Sin,
                     "cos" => Op::Cos,
                     "tan" => Op::Tan,
+                    "asin" => Op::Arcsin,
                     "acos" => Op::Arccos,
+                    "atan" => Op::Arctan,
+                    "sinh" => Op::Sinh,
+                    "cosh" => Op::Cosh,
                     "sqrt" => Op::Sqrt,
                     "exp" => Op::Exp,
                     "abs" => Op::Abs,

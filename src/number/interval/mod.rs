@@ -302,6 +302,13 @@ impl Scalar for Interval {
     fn times(self, tangent: Interval) -> Interval {
         if tangent.is_zero() { tangent } else { self * tangent }
     }
+    /// Both ways lead to intervals that hold it.
+    #[inline]
+    fn flatness(self, tanh: Interval) -> Interval {
+        let (first, one) = (scalar::by_exponential(self), Interval::point(1.0));
+        let second = (one - tanh) * (one + tanh);
+        Interval { lo: most(first.lo, second.lo), hi: least(first.hi, second.hi) }
+    }
     #[inline(always)]
     fn poisoned_by(self, _: Interval) -> Interval {
         self

@@ -53,7 +53,7 @@ objects! {
         conditions: Conditions<'a> = Conditions::of(&of.conditions),
         /// For a claim over ranges: its verdict.
         region: Option<Region<'a>> = of.region.as_ref().map(Region::of),
-        /// For a claim that is tried on nothing, and is no postulate: what its step says is its verdict.
+        /// For a claim of which the step is the verdict, as it is of one that is tried on nothing and is no postulate.
         #[serde(skip_serializing_if = "Option::is_none")]
         #[schemars(with = "Alone")]
         alone: Option<Alone> = of.verdict_alone().map(|_| Alone::of(of)),
@@ -64,7 +64,7 @@ objects! {
         families: Vec<Family<'a>> = of.families.iter().map(Family::of).collect(),
     }
 
-    /// The verdict on a claim that is tried on nothing.
+    /// The verdict on a claim of which the step is the verdict.
     Alone of (of: &findings::ClaimAccount) {
         /// What became of it.
         verdict: Verdict = Verdict(of.verdict_alone().unwrap_or("undecided")),

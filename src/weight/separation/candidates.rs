@@ -137,6 +137,7 @@ fn claim(derivation: &Derivation, number: usize, says: Says) -> Claim {
         parent_says: None,
         role: Default::default(),
         conclusion: false,
+        postulate: false,
         rests_on: Vec::new(),
         place: None,
         label: None,

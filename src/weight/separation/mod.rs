@@ -21,7 +21,7 @@ pub use crate::findings::conditions::{
 use std::collections::BTreeSet;
 
 use crate::derivation::{Claim, Derivation};
-use crate::expr::Graph;
+use crate::expr::{Graph, Rational};
 use crate::findings::{Account, PairAccount};
 use crate::verdict::Verdict;
 use ask::{Ask, Sides};
@@ -92,12 +92,12 @@ impl Probes {
         let dropped = assumptions::without_one(derivation, &selection.claims);
         let conditions = candidates.iter().map(|c| (&c.claim, true));
         let mut compiled = |(claim, tells_apart): (&Claim, bool)| -> Vec<Program> {
-            let one = |start| {
-                let mut program = Program::new(graph, &derivation.systems, claim, start);
+            let one = |(start, shared): (&Rational, &Vec<_>)| {
+                let mut program = Program::new(graph, &derivation.systems, claim, start).sharing(shared);
                 program.tells_apart = tells_apart;
                 program
             };
-            selection.starts.iter().map(one).collect()
+            selection.starts.iter().zip(&selection.shared).map(one).collect()
         };
         let programs = conditions.chain(dropped.iter().map(|d| (&d.claim, false))).map(&mut compiled).collect();
         Probes { candidates, dropped, programs }

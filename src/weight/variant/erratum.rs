@@ -26,7 +26,7 @@ use super::tree::cancelled;
 use super::vocabulary::{Vocabulary, phrases};
 use super::{Altered, Battery, Memory, Weighed};
 use crate::derivation::{Claim, Derivation, Form, FormKind, Written};
-use crate::expr::{Expr, Graph, Leaf};
+use crate::expr::{Expr, Graph, Leaf, Rational};
 use crate::findings::{ClaimAccount, Correction, EditClass, Erratum, PairAccount};
 use crate::flow::Sample;
 use crate::latex::syntax::{Chain, Node, to_latex};
@@ -324,8 +324,9 @@ impl Search<'_> {
             let claim = as_claim(&mut grown.graph, claim, &id, &candidate, manner, trajectories);
             let Some(claim) = claim else { continue };
             let (graph, systems) = (&mut grown.graph, &self.derivation.systems);
-            let starts = self.selection.starts.iter();
-            let mut programs: Vec<Program> = starts.map(|s| Program::new(graph, systems, &claim, s)).collect();
+            let starts = self.selection.starts.iter().zip(&self.selection.shared);
+            let program = |(s, shared): (&Rational, &Vec<_>)| Program::new(graph, systems, &claim, s).sharing(shared);
+            let mut programs: Vec<Program> = starts.map(program).collect();
             let known = &self.altered.known;
             if programs.iter_mut().all(|p| p.compile(graph, known).is_ok()) {
                 read.push((candidate, claim, programs));
