@@ -58,9 +58,16 @@ pub struct Desk {
 }
 
 /// Letters by which sums run, where they stand twice.
-fn index_count(names: &[PaperName]) -> BTreeMap<char, usize> {
+fn index_count(names: &[PaperName], evidence: &Evidence) -> BTreeMap<char, usize> {
     let mut out = BTreeMap::new();
-    for letter in names.iter().flat_map(PaperName::index_letters) {
+    // Beside subscripts that are no indices, `E_r` and `E_t`, the one of `E_i` is a label, too.
+    let labelled = |n: &&PaperName| {
+        evidence.subscripts.get(&n.letter).is_some_and(|all| {
+            let other = |s: &&String| s.chars().count() == 1 && s.chars().all(|c| c.is_alphabetic() && !"ijklmnpqsabcdαβμνxyz".contains(c));
+            all.iter().any(|s| other(&s))
+        })
+    };
+    for letter in names.iter().filter(|n| !labelled(n)).flat_map(PaperName::index_letters) {
         *out.entry(letter).or_insert(0) += 1;
     }
     out
@@ -69,6 +76,14 @@ fn index_count(names: &[PaperName]) -> BTreeMap<char, usize> {
 /// A side that is one name and nothing else.
 pub fn lone_name(side: &PrintedSide) -> Option<PaperName> {
     let mut all = names(side);
+    if let Some(first) = all.first()
+        && let Call::Places(places) = &first.call
+        && all.len() > 1
+        && all.len() <= places.len() + 1
+    {
+        // What stands in its parentheses are names, too.
+        all.truncate(1);
+    }
     // A derivative `dx/dt` names what it is derived by, too.
     if all.len() == 2 && all[0].derived_by.as_deref() == Some(all[1].key().as_str()) {
         let rest = without(&side.text, &[r"\frac", r"\dfrac", r"\tfrac", r"\mathrm", r"\dv"]);
@@ -132,12 +147,8 @@ const FEATURES: &[(&str, &str)] = &[
     (r"\max", "a maximum"),
     (r"\min", "a minimum"),
     (r"\otimes", "a tensor product"),
-    (r"\begin{", "a matrix or a table"),
-    (r"\otimes", "a tensor product"),
     (r"\Big|", "a bar"),
     (r"\bigg|", "a bar"),
-    (r"\bar", "a bar over a name: a mean, or a conjugate"),
-    (r"\overline", "a bar over a name: a mean, or a conjugate"),
     (r"\Re", "a real part"),
     (r"\Im", "an imaginary part"),
     (r"\mathrm{Re}", "a real part"),
@@ -182,7 +193,7 @@ fn obstacle(sides: &[&PrintedSide], all: &[PaperName], evidence: &Evidence, free
         if side.text.contains(r"\delta_{") || side.text.contains(r"\epsilon_{") || side.text.contains(r"\varepsilon_{") {
             return Some(NotRead::of("indices"));
         }
-        let indices = index_count(&names(side));
+        let indices = index_count(&names(side), evidence);
         if let Some((letter, _)) = indices.iter().find(|(l, n)| **n > 1 && !free.contains(l)) {
             return Some(NotRead::of(format!("an index that may be summed over, {letter}")));
         }
@@ -191,12 +202,18 @@ fn obstacle(sides: &[&PrintedSide], all: &[PaperName], evidence: &Evidence, free
         if name.is_difference {
             return Some(NotRead::of("a differential or a difference"));
         }
-        if name.has_hat || evidence.hats.contains(&name.letter) {
+        if name.has_hat {
             return Some(NotRead::of("a hat: an operator, or a unit vector"));
         }
         let known = evidence.calls.get(&name.key());
-        let called = known.is_some_and(|c| c.keys().any(|k| k.as_ref().is_some_and(|p| is_place(p))));
-        if name.call == Call::Other && called {
+        let count = |wanted: bool| -> usize {
+            let of = |c: &BTreeMap<Option<Vec<String>>, usize>| {
+                c.iter().filter(|(k, _)| k.as_ref().is_some_and(|p| is_place(p)) == wanted).map(|(_, n)| *n).sum()
+            };
+            known.map_or(0, of)
+        };
+        // What is printed with a place more than once, and not mostly without, is a function.
+        if name.call == Call::Other && count(true) > 0 && count(true) * 3 >= count(false) {
             return Some(NotRead::of(format!("a function of anything, {}", name.key())));
         }
     }
@@ -227,9 +244,12 @@ fn in_scripts(text: &str, feature: &str) -> bool {
 }
 
 /// The independent variable by which the names of a step are derived, if there is just one.
-fn variable(all: &[PaperName]) -> Result<Option<String>, NotRead> {
+fn variable(all: &[PaperName], evidence: &Evidence) -> Result<Option<String>, NotRead> {
     let mut found: BTreeSet<String> = BTreeSet::new();
     for name in all {
+        if let Some(by) = primed_by(name, all, evidence) {
+            found.insert(by);
+        }
         if name.dots > 0 {
             found.insert("t".to_owned());
         }
@@ -241,6 +261,36 @@ fn variable(all: &[PaperName]) -> Result<Option<String>, NotRead> {
         0 => Ok(None),
         1 => Ok(found.pop_first()),
         _ => Err(NotRead::of("derivatives by several variables")),
+    }
+}
+
+/// A name without its primes.
+fn unprimed(name: &PaperName) -> PaperName {
+    PaperName { base: name.base.trim_end_matches('\'').to_owned(), primes: 0, ..name.clone() }
+}
+
+/// The variable by which a prime derives: that of which the paper prints the name as a function, or by which it derives it. The time
+/// is none: its derivatives have dots.
+fn primed_by(name: &PaperName, all: &[PaperName], evidence: &Evidence) -> Option<String> {
+    if name.primes == 0 {
+        return None;
+    }
+    let key = unprimed(name).key();
+    let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
+    for (places, n) in evidence.calls.get(&key).into_iter().flatten() {
+        if let Some([one]) = places.as_deref() {
+            *seen.entry(one).or_default() += n;
+        }
+    }
+    for by in evidence.derived.get(&key).into_iter().flatten() {
+        *seen.entry(by).or_default() += 1;
+    }
+    seen.retain(|v, _| v.chars().count() == 1 && v.chars().all(char::is_alphabetic));
+    let here: Vec<&str> = seen.keys().copied().filter(|v| all.iter().any(|n| n.key() == *v)).collect();
+    match here.as_slice() {
+        [one] => Some((*one).to_owned()),
+        [] => seen.into_iter().max_by_key(|(v, n)| (*n, std::cmp::Reverse(*v))).map(|(v, _)| v.to_owned()),
+        _ => None,
     }
 }
 
@@ -262,7 +312,18 @@ impl Desk {
             }
             all.extend(more);
         }
-        let time = variable(&all)?;
+        let time = variable(&all, evidence)?;
+        // A prime of a function of one variable is its derivative; there, `t` has primes too.
+        let mut all: Vec<PaperName> = all
+            .iter()
+            .map(|n| match primed_by(n, &all, evidence) {
+                Some(by) => PaperName { derived_by: Some(by), is_partial: false, ..unprimed(n) },
+                None => n.clone(),
+            })
+            .collect();
+        if time.is_some() {
+            all.sort_by_key(|n| n.derived_by.is_none());
+        }
         let mut graph = Graph::new();
         let scope = Scope::new(&mut graph);
         let mut desk = Desk { graph, scope, time: None, moving: Vec::new(), is_complex: false, used: Vec::new() };

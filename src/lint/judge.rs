@@ -19,6 +19,8 @@ const MOST_SLIPS: usize = 260;
 const LONGEST: usize = 1500;
 /// Definitions that a step may need.
 const MOST_GIVEN: usize = 14;
+/// Relations since a definition, beyond which it may be another one that is meant: it refutes nothing then.
+const NEAR: usize = 25;
 /// Fewest nodes of a side whose slip is told.
 const FEWEST_NODES: usize = 5;
 
@@ -141,7 +143,7 @@ impl Judge<'_> {
                 }
             }
             out.steps.1 += 1;
-            match self.step(left, right, &free, !inline && !(defining && !self.has_rates())) {
+            match self.step([left, right], &free, at, !inline && !(defining && !self.has_rates())) {
                 Step::Follows(with) => {
                     follows += 1;
                     out.steps.0 += 1;
@@ -195,6 +197,13 @@ impl Judge<'_> {
             }
         } else {
             out.word = Word::Follows;
+        }
+        if out.word == Word::Defines && out.steps.0 > 0 {
+            out.word = Word::Follows;
+        }
+        let value = relation.sides.len() == 2 && names(&relation.sides[1]).is_empty();
+        if out.word == Word::Defines && (value || lone_name(&relation.sides[1]).is_some()) {
+            out.word = Word::Condition;
         }
     }
 
@@ -259,7 +268,8 @@ impl Judge<'_> {
     }
 
     /// Decides one step.
-    fn step(&mut self, left: &PrintedSide, right: &PrintedSide, free: &BTreeSet<char>, told: bool) -> Step {
+    fn step(&mut self, sides: [&PrintedSide; 2], free: &BTreeSet<char>, at: usize, told: bool) -> Step {
+        let [left, right] = sides;
         if self.asked > MOST_QUESTIONS {
             return Step::Open(Vec::new());
         }
@@ -281,7 +291,8 @@ impl Judge<'_> {
             return Step::Follows(given.iter().map(|g| g.relation).collect());
         }
         if told {
-            for (asked, given) in [(Some(bare), Vec::new()), (with, given.clone())] {
+            let near = given.iter().all(|g| g.relation + NEAR >= at);
+            for (asked, given) in [(Some(bare), Vec::new()), (with.filter(|_| near), given.clone())] {
                 if let Some(asked) = asked
                     && let Some(wrong) = self.slip(left, right, asked, &given, free)
                 {
@@ -369,6 +380,10 @@ impl Judge<'_> {
         if let Some((a, b)) = &slip.exchanges
             && (a == b || size(&chain.sides[k]) < 9)
         {
+            return None;
+        }
+        // With definitions, another name, or one more or fewer, may be another definition.
+        if !given.is_empty() && slip.is_of_names() {
             return None;
         }
         let statement = latex::elaborate(&altered, &desk.scope, &mut desk.graph).ok()?;

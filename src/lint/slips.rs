@@ -17,6 +17,15 @@ pub struct Slip {
     pub side: Node,
     /// One name was put for another.
     pub exchanges: Option<(String, String)>,
+    /// A factor or a term was left out.
+    pub drops: bool,
+}
+
+impl Slip {
+    /// Whether it says something of other names, or of fewer.
+    pub fn is_of_names(&self) -> bool {
+        self.exchanges.is_some() || self.drops
+    }
 }
 
 /// The number of nodes of a tree.
@@ -30,9 +39,9 @@ pub fn slips(side: &Node, names: &[SymbolNode]) -> Vec<Slip> {
         return Vec::new();
     }
     let mut out = altered(side, names);
-    out.extend([scaled(side, 2), halved(side), negated(side)].map(|side| Slip { side, exchanges: None }));
+    out.extend([scaled(side, 2), halved(side), negated(side)].map(|side| Slip { side, exchanges: None, drops: false }));
     // Exchanges of names are many: they come last.
-    out.sort_by_key(|s| s.exchanges.is_some());
+    out.sort_by_key(|s| (s.exchanges.is_some(), s.drops));
     out
 }
 
@@ -107,8 +116,8 @@ fn altered(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
     let children = of.children();
     for (k, child) in children.iter().enumerate() {
         for slip in altered(child, names) {
-            if let Some(side) = with_child(of, k, slip.side) {
-                out.push(Slip { side, exchanges: slip.exchanges });
+            if let Some(side) = with_child(of, k, slip.side.clone()) {
+                out.push(Slip { side, ..slip.clone() });
             }
         }
     }
@@ -119,6 +128,7 @@ fn altered(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
 fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
     let mut out: Vec<Node> = Vec::new();
     let mut exchanged = Vec::new();
+    let mut dropped: Vec<Node> = Vec::new();
     match &of.kind {
         NodeKind::Number(r) => {
             for other in [r.clone() + Rational::ONE, r.clone() - Rational::ONE, r.clone() + r.clone()] {
@@ -141,7 +151,7 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
                 if terms.len() > 2 {
                     let mut rest = terms.clone();
                     rest.remove(i);
-                    out.push(node(NodeKind::Sum(rest), of));
+                    dropped.push(node(NodeKind::Sum(rest), of));
                 }
             }
         }
@@ -149,7 +159,7 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
             for i in 0..parts.len() {
                 let mut rest = parts.clone();
                 rest.remove(i);
-                out.push(match rest.len() {
+                dropped.push(match rest.len() {
                     1 => rest.swap_remove(0),
                     _ => node(NodeKind::Product(rest), of),
                 });
@@ -188,6 +198,7 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
                 exchanged.push(Slip {
                     side: node(NodeKind::Symbol(symbol), of),
                     exchanges: Some((spelled(s), spelled(other))),
+                    drops: false,
                 });
             }
         }
@@ -209,7 +220,8 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
         NodeKind::Scripted { base, sub: None, .. } => out.push((**base).clone()),
         _ => {}
     }
-    out.into_iter().map(|side| Slip { side, exchanges: None }).chain(exchanged).collect()
+    let plain = out.into_iter().map(|side| Slip { side, exchanges: None, drops: false });
+    plain.chain(dropped.into_iter().map(|side| Slip { side, exchanges: None, drops: true })).chain(exchanged).collect()
 }
 
 /// A tree with another child in the place of one; `None` for kinds in which nothing is altered.

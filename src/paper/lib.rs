@@ -22,6 +22,7 @@ mod mark;
 mod names;
 mod printed;
 mod token;
+mod unicode;
 
 use std::ops::Range;
 use std::path::Path;

@@ -7,6 +7,7 @@
 use std::ops::Range;
 
 use super::mark::{self, INNER, group_text};
+use super::unicode;
 use super::span_of;
 use super::token::{Kind, Token};
 use diag::escape::shown;
@@ -201,7 +202,7 @@ pub(super) fn relations(body: &[Token], place: &Place<'_>) -> Vec<PrintedRelatio
         found.put(0, side_of(body), None);
         return found.out;
     }
-    let body = unwrapped(body);
+    let body = unicode::plain(&unwrapped(body));
     for row in rows(&body) {
         found.row(row);
     }
@@ -750,6 +751,9 @@ fn side_of(tokens: &[Token]) -> PrintedSide {
         if token.kind == Kind::Command && matches!(token.text.as_str(), "hspace" | "vspace" | "hskip" | "vskip") {
             let star = usize::from(tokens.get(at).is_some_and(|t| t.is_char("*")));
             at = group_text(tokens, at + star).1;
+        } else if token.is("text") && group_text(tokens, at) == ("d".to_owned(), at + 3) {
+            // An upright differential, whichever command makes it upright.
+            kept.push(Token { text: "mathrm".to_owned(), ..token.clone() });
         } else if token.kind == Kind::Command && is_space(token) || token.is_char("~") {
             // A space of any width is a space.
             kept.push(Token { kind: Kind::Space, text: " ".to_owned(), span: token.span.start..token.span.start });
