@@ -8,6 +8,7 @@ use paper::{Evidence, Paper, PrintedRelation, PrintedSide, names};
 use proof::{Condition, Identity, Options, Premises, Refutation, Wanted, identity_test};
 
 use super::desk::{Desk, Given, NotRead, equation, lone_name, pairs_of};
+use super::numbers::agreement;
 use super::slips::{Slip, size, slips, symbols};
 use super::{Judgement, Lint, LintWitness, Word};
 
@@ -21,6 +22,8 @@ const LONGEST: usize = 1500;
 const MOST_GIVEN: usize = 14;
 /// Relations since a definition, beyond which it may be another one that is meant: it refutes nothing then.
 const NEAR: usize = 25;
+/// Random points at which a step that is not proved is tried.
+const POINTS: usize = 40;
 /// Fewest nodes of a side whose slip is told.
 const FEWEST_NODES: usize = 5;
 
@@ -58,6 +61,8 @@ struct Judge<'p> {
 enum Step {
     /// Proved, with these relations.
     Follows(Vec<usize>),
+    /// Not proved, and true at random points.
+    Numbers,
     /// Refuted, and one slip away from what holds.
     Wrong(Box<WrongStep>),
     /// Nothing decides it; the names that have no definition.
@@ -120,8 +125,8 @@ impl Judge<'_> {
         let free = free_indices(relation);
         let first = lone_name(&relation.sides[0]);
         let inline = relation.display.is_none();
-        let (mut open, mut unread, mut follows) = (Vec::new(), None, 0);
-        let mut defines = false;
+        let (mut open, mut unread, mut follows, mut numbers) = (Vec::new(), None, 0, 0);
+        let (mut defines, mut anew) = (false, None);
         for k in 1..relation.sides.len() {
             if !EQUALS.contains(&relation.signs[k - 1].as_str()) {
                 continue;
@@ -152,6 +157,7 @@ impl Judge<'_> {
                         defines = false;
                     }
                 }
+                Step::Numbers => numbers += 1,
                 Step::Wrong(wrong) => {
                     out.word = Word::Wrong;
                     out.span = right.span.clone();
@@ -161,6 +167,13 @@ impl Judge<'_> {
                     out.with = wrong.with;
                     return;
                 }
+                // Said otherwise than before, of a name alone: it is defined anew.
+                Step::Open(_) if k == 1 && known => {
+                    out.steps.1 -= 1;
+                    defines = true;
+                    let before = self.given.iter().rev().find(|g| first.as_ref().is_some_and(|n| g.key == n.key() && !g.is_rate));
+                    anew = before.map(|g| g.relation);
+                }
                 Step::Open(names) if !defining => open.extend(names),
                 Step::Open(_) => {}
                 Step::NotRead(found) => unread = Some(found),
@@ -169,7 +182,7 @@ impl Judge<'_> {
         out.with.sort_unstable();
         out.with.dedup();
         out.with.retain(|w| *w != at);
-        let undecided = out.steps.1 - follows;
+        let undecided = out.steps.1 - follows - numbers;
         if let Some(found) = unread {
             out.why = match &found.why {
                 Some(why) => format!("{}: {why}", found.feature),
@@ -188,7 +201,7 @@ impl Judge<'_> {
                     false => format!("nothing above defines {}", open.join(", ")),
                 };
             }
-        } else if defines && out.steps.1 == follows {
+        } else if defines && undecided == 0 {
             out.word = Word::Defines;
         } else if defines {
             out.word = if out.steps.1 > 1 || relation.sides.len() > 2 { Word::NotFollowed } else { Word::Defines };
@@ -200,6 +213,14 @@ impl Judge<'_> {
         }
         if out.word == Word::Defines && out.steps.0 > 0 {
             out.word = Word::Follows;
+        }
+        if numbers > 0 && matches!(out.word, Word::Follows | Word::Defines) {
+            out.word = Word::Numbers;
+            out.why = "not proved, and true at random points".to_owned();
+        }
+        if let Some(before) = anew.filter(|_| out.word == Word::Defines) {
+            out.why = "otherwise than before".to_owned();
+            out.with.push(before);
         }
         let value = relation.sides.len() == 2 && names(&relation.sides[1]).is_empty();
         if out.word == Word::Defines && (value || lone_name(&relation.sides[1]).is_some()) {
@@ -228,7 +249,7 @@ impl Judge<'_> {
         if own.is_empty() || own.iter().any(|n| n.key() == key && (!is_rate || n.dots > 0 || n.derived_by.is_some())) {
             return;
         }
-        if matches!(name.call, paper::Call::Places(_)) {
+        if matches!(&name.call, paper::Call::Places(places) if places.len() != 1 || places[0].chars().any(|c| c.is_ascii_digit())) {
             return;
         }
         let free = free_indices(relation);
@@ -290,6 +311,12 @@ impl Judge<'_> {
         {
             return Step::Follows(given.iter().map(|g| g.relation).collect());
         }
+        if let Identity::Undecided(_) = &bare.identity
+            && let Some((valid, true)) = agreement(&bare.desk.graph, &bare.equations, POINTS)
+            && valid >= POINTS / 2
+        {
+            return Step::Numbers;
+        }
         if told {
             let near = given.iter().all(|g| g.relation + NEAR >= at);
             for (asked, given) in [(Some(bare), Vec::new()), (with.filter(|_| near), given.clone())] {
@@ -320,7 +347,7 @@ impl Judge<'_> {
             premises.equations.extend(desk.pairs(&rate.left.text, &rate.right.text)?);
         }
         let identity = tested(&mut desk.graph, &equations, &premises, Wanted::Answer);
-        Ok(Asked { desk, premises, identity })
+        Ok(Asked { desk, premises, equations, identity })
     }
 
     /// The nearest formula that holds, where a step is refuted.
@@ -388,7 +415,10 @@ impl Judge<'_> {
         }
         let statement = latex::elaborate(&altered, &desk.scope, &mut desk.graph).ok()?;
         let equations = pairs_of(&statement);
-        // Both sides one expression before anything is known: that says nothing.
+        // A look at three points spares most proofs.
+        if premises.equations.is_empty() && agreement(&desk.graph, &equations, 6).is_some_and(|(_, agree)| !agree) {
+            return None;
+        }
         self.asked += 1;
         let proved = matches!(tested(&mut desk.graph, &equations, premises, Wanted::Proof), Identity::Proved(_));
         proved.then(|| if k == 1 { new } else { format!("{new} = {other}") })
@@ -399,6 +429,7 @@ impl Judge<'_> {
 struct Asked {
     desk: Desk,
     premises: Premises,
+    equations: Vec<(Expr, Expr)>,
     identity: Identity,
 }
 

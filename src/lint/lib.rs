@@ -15,6 +15,7 @@
 
 mod desk;
 mod judge;
+mod numbers;
 mod shown;
 mod slips;
 
@@ -31,6 +32,8 @@ pub use shown::{diagnostic, explained, lint_text};
 pub enum Word {
     /// Proved, from what stands before it or outright.
     Follows,
+    /// Not proved, and true at all random points that were tried.
+    Numbers,
     /// A point refutes it, and a formula one slip away is proved.
     Wrong,
     /// The same name is defined otherwise elsewhere.
@@ -49,10 +52,11 @@ pub enum Word {
 
 impl Word {
     /// All words.
-    pub const ALL: [Word; 8] = [
+    pub const ALL: [Word; 9] = [
         Word::Wrong,
         Word::Differs,
         Word::Follows,
+        Word::Numbers,
         Word::Defines,
         Word::Condition,
         Word::Approximates,
@@ -64,6 +68,7 @@ impl Word {
     pub fn text(self) -> &'static str {
         match self {
             Word::Follows => "follows",
+            Word::Numbers => "holds in numbers",
             Word::Wrong => "wrong",
             Word::Differs => "differs",
             Word::Defines => "defines",

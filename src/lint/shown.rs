@@ -78,13 +78,13 @@ pub fn lint_text(paper: &Paper, lint: &Lint) -> String {
             false => String::new(),
         };
         let place = format!("{file}{}", line(paper, judgement));
-        let _ = writeln!(out, "{place:>6}  {:<13} {short}{more}{why}", judgement.word.text());
+        let _ = writeln!(out, "{place:>6}  {:<16} {short}{more}{why}", judgement.word.text());
     }
     for note in &paper.notes {
         let (source, span) = paper.locate(&note.span);
         let at = Diagnostic::at(source, "paper::unreadable", span, "");
         let place = at.line_and_column().map_or(0, |p| p.0);
-        let _ = writeln!(out, "{place:>6}  {:<13} {}", "note", in_one_line(&note.message));
+        let _ = writeln!(out, "{place:>6}  {:<16} {}", "note", in_one_line(&note.message));
     }
     for found in lint.judgements.iter().filter_map(|j| diagnostic(paper, j)) {
         let _ = write!(out, "\n{found}\n");
