@@ -200,13 +200,31 @@ impl<'t> Reader<'t> {
             Numbers::One => vec![body.to_vec()],
             Numbers::EachLine => numbered(body),
         };
+        // The first and the last side of the chain so far.
+        let mut chain: Option<(Vec<Token>, Vec<Token>)> = None;
         for line in lines {
             let label = line.iter().position(|t| t.is("label")).map(|i| group_text(&line, i + 1).0);
             let columns = columns(&line, environment.starts_with("eqnarray"));
-            let parts: Vec<Part> = columns.iter().flat_map(|c| joined(parts(c))).map(|p| Part::new(&p)).collect();
+            let mut all: Vec<Vec<Token>> = columns.iter().flat_map(|c| joined(parts(c))).collect();
+            let mut whole = Vec::new();
+            if let Some(part) = all.first_mut() {
+                let (mut sides, goes_on) = printed::sides_of(part);
+                let last = sides.pop().unwrap_or_default();
+                let first = match chain.take() {
+                    Some((first, before)) if goes_on => {
+                        // A line that begins with `=` says it of what stands last in the line above, and of the first side.
+                        whole = mark::marks(&[first.as_slice(), part].concat());
+                        part.splice(0..0, before);
+                        first
+                    }
+                    _ => sides.into_iter().next().unwrap_or_default(),
+                };
+                chain = (all.len() == 1).then_some((first, last));
+            }
+            let parts: Vec<Part> = all.iter().map(|p| Part::new(p)).collect();
             if !parts.is_empty() {
                 let label = label.map(|l| in_one_line(&l)).filter(|l| !l.is_empty());
-                self.equations.push(Equation { label, span: span_of(&line), parts });
+                self.equations.push(Equation { label, span: span_of(&line), parts, whole });
             }
         }
     }

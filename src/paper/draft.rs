@@ -40,8 +40,10 @@ impl Draft {
     }
 }
 
-/// The most rounds of loading: each declares a symbol or puts a formula into a comment.
+/// The most rounds of loading: each takes back a guess, or puts formulas into comments.
 const MOST_ROUNDS: usize = 2000;
+/// The most names of a formula.
+const MOST_NAMES: usize = 120;
 
 /// A formula of the draft.
 struct Formula {
@@ -50,6 +52,8 @@ struct Formula {
     refused: Option<String>,
     /// Its place in the text of the last round.
     place: Range<usize>,
+    /// The guesses that it needs.
+    needs: Vec<Guess>,
 }
 
 struct Claim {
@@ -68,30 +72,47 @@ struct Guess {
     why: &'static str,
 }
 
+impl Guess {
+    /// The name as a key of the file.
+    fn key(&self) -> String {
+        if self.name.contains('\'') { quoted(&self.name) } else { format!("'{}'", self.name) }
+    }
+}
+
 /// A derivation file for a paper, to be confirmed and completed. `name` is what the paper's file is called in it.
+///
+/// Every formula is read by itself first, with the guesses that it needs; then all together. A guess that clashes with another is
+/// taken back, and said: no formula is lost because of one that does not need it.
 pub fn draft(paper: &Paper, name: &str) -> Draft {
     let mut claims = claims(paper);
     let all: Vec<Mark> =
         paper.equations.iter().flat_map(|e| &e.parts).chain(&paper.relations).flat_map(|p| plain(&p.text)).collect();
     let time = Guess { name: "t".into(), role: "time", shape: None, why: "the usual name" };
-    let mut symbols = vec![time];
-    for _ in 0..MOST_ROUNDS {
-        let text = written(paper, name, &symbols, &mut claims);
-        let source = Source { path: "draft.toml".to_owned(), text };
-        match parse(source, "draft") {
-            Ok(_) => break,
-            Err(found) => {
-                if !repair(&found, &mut symbols, &mut claims, &all) {
-                    // A problem that belongs to no formula: nothing is kept that could be wrong.
-                    claims.iter_mut().flat_map(|c| &mut c.formulas).for_each(|f| {
-                        f.refused.get_or_insert_with(|| "the file could not be loaded with it".to_owned());
-                    });
-                    symbols.truncate(1);
+    let mut symbols = vec![time.clone()];
+    for claim in &mut claims {
+        for formula in claim.formulas.iter_mut().filter(|f| f.refused.is_none()) {
+            alone(formula, paper, name, &time, &all);
+            for guess in &formula.needs {
+                if !symbols.contains(guess) {
+                    symbols.push(guess.clone());
                 }
             }
         }
     }
-    let text = written(paper, name, &symbols, &mut claims);
+    let mut clashes = settled(&mut symbols, &mut claims);
+    for _ in 0..MOST_ROUNDS {
+        let text = written(paper, name, &symbols, &clashes, &mut claims);
+        let source = Source { path: "draft.toml".to_owned(), text };
+        let Err(found) = parse(source, "draft") else { break };
+        if !taken_back(&found, &mut symbols, &mut clashes, &mut claims) {
+            // A problem that belongs to no formula and to no guess: nothing is kept that could be wrong.
+            claims.iter_mut().flat_map(|c| &mut c.formulas).for_each(|f| {
+                f.refused.get_or_insert_with(|| "the file could not be loaded with it".to_owned());
+            });
+            symbols.truncate(1);
+        }
+    }
+    let text = written(paper, name, &symbols, &clashes, &mut claims);
     let formulas = || claims.iter().flat_map(|c| &c.formulas);
     Draft {
         text,
@@ -100,6 +121,80 @@ pub fn draft(paper: &Paper, name: &str) -> Draft {
         refused: formulas().filter(|f| f.refused.is_some()).count(),
         symbols: symbols.len(),
     }
+}
+
+/// Reads a formula by itself: what it needs, or why it is refused.
+fn alone(formula: &mut Formula, paper: &Paper, name: &str, time: &Guess, all: &[Mark]) {
+    let own = Formula { text: formula.text.clone(), refused: None, place: 0..0, needs: Vec::new() };
+    let mut claims = [Claim { id: "one".to_owned(), label: None, line: 1, formulas: vec![own] }];
+    let mut symbols = vec![time.clone()];
+    for _ in 0..MOST_NAMES {
+        let text = written(paper, name, &symbols, &[], &mut claims);
+        let source = Source { path: "draft.toml".to_owned(), text };
+        let Err(found) = parse(source, "draft") else { break };
+        if !repair(&found, &mut symbols, &mut claims, all) {
+            claims[0].formulas[0].refused.get_or_insert_with(|| "what it needs cannot be declared".to_owned());
+        }
+        if claims[0].formulas[0].refused.is_some() {
+            break;
+        }
+    }
+    formula.refused = claims[0].formulas[0].refused.take();
+    if formula.refused.is_none() {
+        formula.needs = symbols.split_off(1);
+    }
+}
+
+/// Of guesses on one name the one that most formulas need is kept; formulas that need another are refused. What was taken back.
+fn settled(symbols: &mut Vec<Guess>, claims: &mut [Claim]) -> Vec<String> {
+    let mut wanted: BTreeMap<&str, Vec<(Guess, usize)>> = BTreeMap::new();
+    let needs = |claims: &[Claim], guess: &Guess| claims.iter().flat_map(|c| &c.formulas).filter(|f| f.needs.contains(guess)).count();
+    for guess in symbols.iter() {
+        wanted.entry(&guess.name).or_default().push((guess.clone(), needs(claims, guess)));
+    }
+    let mut lost: Vec<Guess> = Vec::new();
+    for guesses in wanted.values().filter(|g| g.len() > 1) {
+        // The first of those that are needed most.
+        let most = guesses.iter().map(|g| g.1).max().unwrap_or(0);
+        let kept = guesses.iter().position(|g| g.1 == most).unwrap_or(0);
+        lost.extend(guesses.iter().enumerate().filter(|(i, _)| *i != kept).map(|(_, g)| g.0.clone()));
+    }
+    let clashes = lost.iter().map(|g| take_back(g, "another guess on this name is needed by more formulas", claims)).collect();
+    symbols.retain(|s| !lost.contains(s));
+    clashes
+}
+
+/// Refuses the formulas that need a guess; what is said of it.
+fn take_back(guess: &Guess, why: &str, claims: &mut [Claim]) -> String {
+    for formula in claims.iter_mut().flat_map(|c| &mut c.formulas).filter(|f| f.needs.contains(guess)) {
+        formula.refused.get_or_insert_with(|| format!("`{}` cannot be declared as it needs it: {why}", guess.name));
+    }
+    let shape = guess.shape.map(|s| format!(", shape {s}")).unwrap_or_default();
+    format!("{}: {}{shape}: {why}", guess.name, guess.role)
+}
+
+/// Takes back what the whole file cannot have: the guess, or the formula, at which a problem stands. Whether there was any.
+fn taken_back(found: &[Diagnostic], symbols: &mut Vec<Guess>, clashes: &mut Vec<String>, claims: &mut [Claim]) -> bool {
+    let mut done = false;
+    for problem in found {
+        let Some(span) = problem.place.as_ref().map(|l| l.span.clone()) else { continue };
+        let here = |f: &&mut Formula| f.refused.is_none() && f.place.start <= span.start && span.start <= f.place.end;
+        if let Some(formula) = claims.iter_mut().flat_map(|c| &mut c.formulas).find(here) {
+            formula.refused = Some(format!("beside the other names: {}", problem.message));
+            done = true;
+            continue;
+        }
+        let line = problem.source.text.get(..span.start).map_or(0, |t| t.matches('\n').count());
+        let text = problem.source.text.lines().nth(line).unwrap_or_default();
+        if let Some(at) = symbols.iter().skip(1).position(|s| text.starts_with(&s.key())) {
+            let guess = symbols.remove(at + 1);
+            clashes.push(take_back(&guess, &problem.message, claims));
+            done = true;
+            // Other places may mean other things now.
+            break;
+        }
+    }
+    done
 }
 
 /// Commands that choose a style: a symbol in bold is the vector of which the plain letter has the components.
@@ -133,9 +228,8 @@ fn claims(paper: &Paper) -> Vec<Claim> {
         }
         let formula = |text: &str| {
             let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-            let unquotable = text.contains("'''") || text.ends_with('\'');
-            let refused = unquotable.then(|| "it cannot stand between quotes".to_owned());
-            Formula { text, refused, place: 0..0 }
+            let refused = None;
+            Formula { text, refused, place: 0..0, needs: Vec::new() }
         };
         let formulas = equation.parts.iter().map(|p| formula(&p.text)).collect();
         out.push(Claim { id, label: equation.label.clone(), line, formulas });
@@ -221,7 +315,8 @@ fn guess(name: &str, at: &str, after: &str, all: &[Mark]) -> Guess {
     let index = |s: &&String| s.chars().all(|c| "ijklmnpqrs123".contains(c)) && (1..=2).contains(&s.chars().count());
     let indices: Vec<&String> = subscripts.iter().filter(index).collect();
     let letter = indices.iter().any(|s| s.chars().any(|c| "ijklmnpqrs".contains(c)));
-    let indexed = letter || indices.len() > 1;
+    // Digits beside each other, `N_1` and `N_2`, are several numbers, unless the letter has an index or is in bold somewhere.
+    let indexed = letter || indices.len() > 1 && is_bold;
     let counts: Vec<usize> = indices.iter().map(|s| s.chars().count()).collect();
     let shape = match counts.iter().max() {
         // With one index and with two: principal values of a matrix.
@@ -318,11 +413,16 @@ fn comment(text: &str) -> String {
 }
 
 fn formula(text: &str) -> String {
-    if text.contains('\'') { format!("'''{text}'''") } else { format!("'{text}'") }
+    match text {
+        // Three quotes would end there.
+        _ if text.contains("'''") || text.ends_with('\'') || text.contains(char::is_control) => quoted(text),
+        _ if text.contains('\'') => format!("'''{text}'''"),
+        _ => format!("'{text}'"),
+    }
 }
 
 /// The text of the draft; notes where the formulas stand.
-fn written(paper: &Paper, name: &str, symbols: &[Guess], claims: &mut [Claim]) -> String {
+fn written(paper: &Paper, name: &str, symbols: &[Guess], clashes: &[String], claims: &mut [Claim]) -> String {
     let title = paper.title.clone().unwrap_or_else(|| format!("The derivations of {name}"));
     let mut out = String::new();
     let _ = writeln!(out, "# A draft, made from {}. What is marked `confirm` is a guess.", comment(name));
@@ -338,8 +438,11 @@ fn written(paper: &Paper, name: &str, symbols: &[Guess], claims: &mut [Claim]) -
     );
     for guess in symbols {
         let shape = guess.shape.map(|s| format!(", shape = {}", quoted(s))).unwrap_or_default();
-        let key = if guess.name.contains('\'') { quoted(&guess.name) } else { format!("'{}'", guess.name) };
+        let key = guess.key();
         let _ = writeln!(out, "{key} = {{ role = {}{shape} }} # confirm: {}", quoted(guess.role), guess.why);
+    }
+    for clash in clashes {
+        let _ = writeln!(out, "# confirm: not declared, {}", comment(clash));
     }
     let states: Vec<String> = symbols.iter().filter(|s| s.role == "state").map(|s| formula(&s.name)).collect();
     let _ = write!(

@@ -107,8 +107,11 @@ pub struct Equation {
     pub label: Option<String>,
     /// Its place.
     pub span: Range<usize>,
-    /// What it consists of, between commas and breaks of lines; never empty.
+    /// What it consists of, between commas and breaks of lines; never empty. A line that goes on from the one above with a sign of
+    /// relation has the side before it, too.
     pub parts: Vec<Part>,
+    /// Of such a line: the first side of the chain, and what it says.
+    whole: Vec<Mark>,
 }
 
 /// A formula of the paper.

@@ -177,6 +177,25 @@ fn walk(tokens: &[Token], mut each: impl FnMut(usize, bool)) -> Nesting {
     nesting
 }
 
+/// The sides of a formula, and whether a sign of relation stands before the first.
+pub(super) fn sides_of(tokens: &[Token]) -> (Vec<Vec<Token>>, bool) {
+    let mut signs = Vec::new();
+    walk(tokens, |i, outside| {
+        if outside && is_relation(&tokens[i]) {
+            signs.push(i);
+        }
+    });
+    let mut out = Vec::new();
+    let mut from = 0;
+    for &sign in &signs {
+        out.push(tokens[from..sign].to_vec());
+        from = sign + 1;
+    }
+    out.push(tokens[from.min(tokens.len())..].to_vec());
+    let begins = !signs.is_empty() && out.first().is_some_and(|s| s.iter().all(is_space));
+    (out, begins)
+}
+
 /// A row of a display.
 #[derive(Default)]
 struct Row {
