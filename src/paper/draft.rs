@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::ops::Range;
 
+use super::names::{Call, Evidence, PaperName, names_of};
 use super::Paper;
 use super::mark::{Mark, marks};
 use super::token::tokens;
@@ -89,9 +90,10 @@ pub fn draft(paper: &Paper, name: &str) -> Draft {
         paper.equations.iter().flat_map(|e| &e.parts).chain(&paper.relations).flat_map(|p| plain(&p.text)).collect();
     let time = Guess { name: "t".into(), role: "time", shape: None, why: "the usual name" };
     let mut symbols = vec![time.clone()];
+    let evidence = Evidence::of(paper);
     for claim in &mut claims {
         for formula in claim.formulas.iter_mut().filter(|f| f.refused.is_none()) {
-            alone(formula, paper, name, &time, &all);
+            alone(formula, (paper, &evidence), name, &time, &all);
             for guess in &formula.needs {
                 if !symbols.contains(guess) {
                     symbols.push(guess.clone());
@@ -124,9 +126,19 @@ pub fn draft(paper: &Paper, name: &str) -> Draft {
 }
 
 /// Reads a formula by itself: what it needs, or why it is refused.
-fn alone(formula: &mut Formula, paper: &Paper, name: &str, time: &Guess, all: &[Mark]) {
+fn alone(formula: &mut Formula, (paper, evidence): (&Paper, &Evidence), name: &str, time: &Guess, all: &[Mark]) {
     let own = Formula { text: formula.text.clone(), refused: None, place: 0..0, needs: Vec::new() };
     let mut claims = [Claim { id: "one".to_owned(), label: None, line: 1, formulas: vec![own] }];
+    // As the names are printed, labels among them.
+    let named = guesses(&formula.text, evidence);
+    if !named.is_empty() {
+        let symbols: Vec<Guess> = std::iter::once(time.clone()).chain(named.iter().cloned()).collect();
+        let text = written(paper, name, &symbols, &[], &mut claims);
+        if parse(Source { path: "draft.toml".to_owned(), text }, "draft").is_ok() {
+            formula.needs = named;
+            return;
+        }
+    }
     let mut symbols = vec![time.clone()];
     for _ in 0..MOST_NAMES {
         let text = written(paper, name, &symbols, &[], &mut claims);
@@ -304,6 +316,64 @@ fn without_subscript(name: &str) -> &str {
         c == b'_' && depth == 0
     });
     &name[..subscript.unwrap_or(name.len())]
+}
+
+/// What the names of a formula may be, from what the whole paper shows; nothing where that is not enough.
+fn guesses(text: &str, evidence: &Evidence) -> Vec<Guess> {
+    let all = names_of(&tokens(text));
+    let other = |n: &PaperName| n.derived_by.as_deref().is_some_and(|by| by != "t") && !n.is_partial;
+    if all.iter().any(|n| n.has_hat || n.is_difference || other(n)) {
+        return Vec::new();
+    }
+    let mut coordinates: BTreeSet<&str> = BTreeSet::new();
+    for name in all.iter().filter(|n| n.is_partial) {
+        coordinates.extend(name.derived_by.as_deref());
+    }
+    let mut out: Vec<Guess> = Vec::new();
+    for name in &all {
+        let key = name.key();
+        let is_e = name.letter == "e" && name.base != "e";
+        if key == "t" || is_e || key == r"\pi" {
+            continue;
+        }
+        let guess = match coordinates.contains(key.as_str()) {
+            true => Guess { name: key, role: "coordinate", shape: None, why: "the paper derives by it" },
+            false => named(name, key, &all, evidence),
+        };
+        if !out.iter().any(|g| g.name == guess.name) {
+            out.push(guess);
+        }
+    }
+    // Fields stand behind their coordinates.
+    out.sort_by_key(|g| (g.role == "field", g.role != "coordinate"));
+    out
+}
+
+/// What one name may be.
+fn named(name: &PaperName, key: String, all: &[PaperName], evidence: &Evidence) -> Guess {
+    let by: BTreeSet<&str> = evidence.partial.get(&key).into_iter().flatten().map(String::as_str).collect();
+    if !by.is_empty() && all.iter().any(|n| n.is_partial) {
+        let places: Vec<&str> = by.into_iter().collect();
+        let shape = name.is_bold.then_some("3");
+        return Guess { name: format!("{key}({})", places.join(",")), role: "field", shape, why: "the paper derives it partially" };
+    }
+    let moves = evidence.moving.contains(&key)
+        || evidence.calls.get(&key).is_some_and(|c| c.contains_key(&Some(vec!["t".to_owned()])));
+    let (role, why) = match moves {
+        true => ("state", "the paper prints its rate"),
+        false => ("parameter", "the paper prints no rate of it"),
+    };
+    if evidence.has_indices(&name.letter) && !name.is_bold {
+        let two = evidence.subscripts.get(&name.letter).is_some_and(|s| s.iter().any(|s| s.chars().count() == 2));
+        let shape = if two { Some("3x3") } else { Some("3") };
+        return Guess { name: name.base.clone(), role, shape, why };
+    }
+    let why = if name.subscript.is_some() && !moves { "a subscript that is no index" } else { why };
+    let place = match &name.call {
+        Call::Places(places) if !moves && places.iter().any(|p| !p.chars().all(|c| c.is_ascii_digit())) => format!("({})", places.join(",")),
+        _ => String::new(),
+    };
+    Guess { name: format!("{key}{place}"), role, shape: name.is_bold.then_some("3"), why }
 }
 
 /// What a symbol may be, from how the paper uses it; `at` is where it is missed, `after` what follows.

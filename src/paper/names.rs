@@ -96,6 +96,14 @@ impl Evidence {
         out
     }
 
+    /// Whether the subscripts of a letter are indices of its components: all could be, and one is a letter that is used so.
+    pub fn has_indices(&self, letter: &str) -> bool {
+        let Some(all) = self.subscripts.get(letter) else { return false };
+        let could = |s: &String| (1..=2).contains(&s.chars().count()) && s.chars().all(|c| "ijklmnpqrs123".contains(c));
+        let is = |s: &String| s.chars().any(|c| "ijkl".contains(c));
+        all.iter().all(could) && all.iter().any(is)
+    }
+
     fn note(&mut self, relation: &PrintedRelation) {
         for name in relation.sides.iter().flat_map(names) {
             let key = name.key();
@@ -142,7 +150,12 @@ const FRACTIONS: &[&str] = &["frac", "dfrac", "tfrac", "cfrac"];
 
 /// The names of a side, in their order.
 pub fn names(side: &PrintedSide) -> Vec<PaperName> {
-    let mut reader = Names { marks: mark::marks(&side.tokens), out: Vec::new() };
+    names_of(&side.tokens)
+}
+
+/// The names of a formula, in their order.
+pub(super) fn names_of(tokens: &[Token]) -> Vec<PaperName> {
+    let mut reader = Names { marks: mark::marks(tokens), out: Vec::new() };
     let end = reader.marks.len();
     reader.range(0, end, &None, 0);
     reader.out
