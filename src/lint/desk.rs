@@ -393,8 +393,12 @@ impl Desk {
         }
         // A definition stands behind those that it needs.
         for one in given.iter().filter(|g| !g.is_rate) {
-            let declaration = Declaration { formula: Some(&one.right.text), ..plain(Role::Abbreviation) };
-            self.scope.declare(&mut self.graph, &one.key, declaration).map_err(refused)?;
+            let dotted = one.right.with_factors(&|letter: &str| !evidence.may_be_function(letter));
+            let mut declare = |text: &str| {
+                let declaration = Declaration { formula: Some(text), ..plain(Role::Abbreviation) };
+                self.scope.declare(&mut self.graph, &one.key, declaration)
+            };
+            declare(&one.right.text).or_else(|_| declare(&dotted)).map_err(refused)?;
             self.used.push(one.relation);
         }
         Ok(())
@@ -443,16 +447,33 @@ impl Desk {
         Ok((format!("{key}({place})"), false, false))
     }
 
-    /// Reads a relation of two sides.
+    /// Reads a relation of two sides. A name that is printed nowhere with a place behind it is a factor of what stands in parentheses
+    /// behind it.
     ///
     /// # Errors
     /// What the reader of formulas does not understand.
-    pub fn read(&mut self, left: &str, right: &str) -> Result<Statement, NotRead> {
-        let text = equation(left, right);
-        let mut found = latex::read(&text, &self.scope, &mut self.graph).map_err(|problems| refusal(&problems))?;
+    pub fn read(&mut self, sides: [&PrintedSide; 2], evidence: &Evidence) -> Result<Read, NotRead> {
+        let plain = sides.map(|s| s.text.clone());
+        match self.statement(&plain) {
+            Err((_, "latex::ambiguous")) => {
+                let is_factor = |letter: &str| !evidence.may_be_function(letter);
+                let dotted = sides.map(|s| s.with_factors(&is_factor));
+                match dotted == plain {
+                    true => self.statement(&plain).map_err(|e| e.0),
+                    false => self.statement(&dotted).map_err(|e| e.0),
+                }
+            }
+            other => other.map_err(|e| e.0),
+        }
+    }
+
+    fn statement(&mut self, texts: &[String; 2]) -> Result<Read, (NotRead, &'static str)> {
+        let text = equation(&texts[0], &texts[1]);
+        let mut found = latex::read(&text, &self.scope, &mut self.graph)
+            .map_err(|problems| (refusal(&problems), problems.first().map_or("", |p| p.code)))?;
         match (found.pop(), found.is_empty()) {
-            (Some(one), true) => Ok(one),
-            _ => Err(NotRead::of("several formulas")),
+            (Some(statement), true) => Ok(Read { statement, text }),
+            _ => Err((NotRead::of("several formulas"), "")),
         }
     }
 
@@ -460,9 +481,17 @@ impl Desk {
     ///
     /// # Errors
     /// As for [`read`](Desk::read).
-    pub fn pairs(&mut self, left: &str, right: &str) -> Result<Vec<(Expr, Expr)>, NotRead> {
-        Ok(pairs_of(&self.read(left, right)?))
+    pub fn pairs(&mut self, sides: [&PrintedSide; 2], evidence: &Evidence) -> Result<Vec<(Expr, Expr)>, NotRead> {
+        Ok(pairs_of(&self.read(sides, evidence)?.statement))
     }
+}
+
+/// A relation that was read, and the text that was.
+pub struct Read {
+    /// What it says.
+    pub statement: Statement,
+    /// Its two sides as one text.
+    pub text: String,
 }
 
 /// The pairs of scalars of a statement of one equation.
@@ -472,7 +501,7 @@ pub fn pairs_of(statement: &Statement) -> Vec<(Expr, Expr)> {
 }
 
 /// Two sides as one text.
-pub fn equation(left: &str, right: &str) -> String {
+fn equation(left: &str, right: &str) -> String {
     format!("{left} = {right}")
 }
 

@@ -7,7 +7,7 @@ use latex::syntax::{Chain, NodeKind, RelationKind, to_latex};
 use paper::{Evidence, Paper, PrintedRelation, PrintedSide, names};
 use proof::{Condition, Identity, Options, Premises, Refutation, Wanted, identity_test};
 
-use super::desk::{Desk, Given, NotRead, equation, lone_name, pairs_of};
+use super::desk::{Desk, Given, NotRead, lone_name, pairs_of};
 use super::numbers::agreement;
 use super::slips::{Slip, size, slips, symbols};
 use super::{Judgement, Lint, LintWitness, Word};
@@ -265,7 +265,7 @@ impl Judge<'_> {
 
     fn readable(&mut self, left: &PrintedSide, right: &PrintedSide, free: &BTreeSet<char>) -> Result<(), NotRead> {
         let mut desk = Desk::new(&[left, right], &[], &self.evidence, free)?;
-        desk.pairs(&left.text, &right.text).map(|_| ())
+        desk.pairs([left, right], &self.evidence).map(|_| ())
     }
 
     /// What is given that a step needs: the definitions of its names, and of theirs, and the rates.
@@ -321,7 +321,7 @@ impl Judge<'_> {
             let near = given.iter().all(|g| g.relation + NEAR >= at);
             for (asked, given) in [(Some(bare), Vec::new()), (with.filter(|_| near), given.clone())] {
                 if let Some(asked) = asked
-                    && let Some(wrong) = self.slip(left, right, asked, &given, free)
+                    && let Some(wrong) = self.slip(asked, &given, free)
                 {
                     return Step::Wrong(Box::new(wrong));
                 }
@@ -337,35 +337,34 @@ impl Judge<'_> {
         self.asked += 1;
         let list: Vec<&Given> = given.iter().collect();
         let mut desk = Desk::new(&[left, right], &list, &self.evidence, free)?;
-        let statement = desk.read(&left.text, &right.text)?;
+        let read = desk.read([left, right], &self.evidence)?;
+        let statement = &read.statement;
         if statement.relations.iter().any(|r| r.kind != RelationKind::Equal || r.has_branches || r.limit.is_some()) {
             return Err(NotRead { feature: "a sign of two branches, or a limit".to_owned(), why: None });
         }
-        let equations = pairs_of(&statement);
+        let equations = pairs_of(statement);
         let mut premises = Premises { time: desk.time, moving: desk.moving.clone(), ..Premises::default() };
         for rate in given.iter().filter(|g| g.is_rate) {
-            premises.equations.extend(desk.pairs(&rate.left.text, &rate.right.text)?);
+            premises.equations.extend(desk.pairs([&rate.left, &rate.right], &self.evidence)?);
         }
         let identity = tested(&mut desk.graph, &equations, &premises, Wanted::Answer);
-        Ok(Asked { desk, premises, equations, identity })
+        Ok(Asked { desk, premises, equations, identity, text: read.text })
     }
 
     /// The nearest formula that holds, where a step is refuted.
     fn slip(
         &mut self,
-        left: &PrintedSide,
-        right: &PrintedSide,
         asked: Asked,
         given: &[Given],
         free: &BTreeSet<char>,
     ) -> Option<WrongStep> {
         let Identity::Refuted(refutation) = &asked.identity else { return None };
-        let Asked { mut desk, premises, .. } = asked;
+        let Asked { mut desk, premises, text, .. } = asked;
         if desk.is_complex || !free.is_empty() {
             return None;
         }
         let witness = witness(&desk.graph, refutation);
-        let mut chains = latex::parse(&equation(&left.text, &right.text), &desk.scope).ok()?;
+        let mut chains = latex::parse(&text, &desk.scope).ok()?;
         let chain = chains.pop().filter(|c| chains.is_empty() && c.sides.len() == 2)?;
         if chain.sides.iter().map(size).max()? < FEWEST_NODES || chain.sides.iter().any(|s| size(s) < 3) {
             return None;
@@ -431,6 +430,8 @@ struct Asked {
     premises: Premises,
     equations: Vec<(Expr, Expr)>,
     identity: Identity,
+    /// What was read.
+    text: String,
 }
 
 /// Definitions in an order in which each stands behind those that it needs; those that need each other are left out.

@@ -10,6 +10,9 @@ use latex::syntax::{Bracket, Node, NodeKind, Sign, SymbolNode};
 /// The most nodes of a side that is altered.
 const MOST_NODES: usize = 220;
 
+/// How far a term that is a number may be from the right one.
+const FARTHEST: i64 = 9;
+
 /// A side with one place altered.
 #[derive(Clone, Debug)]
 pub struct Slip {
@@ -145,6 +148,14 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
                     node(NodeKind::Sum(terms), of)
                 };
                 let (sign, term) = &terms[i];
+                if let NodeKind::Number(r) = &term.kind {
+                    // A sum that was added up wrongly.
+                    let near = (2..=FARTHEST).flat_map(|k| [r.clone() + Rational::from(k), r.clone() - Rational::from(k)]);
+                    out.extend(near.map(|n| match n < Rational::ZERO {
+                        true => with((opposite(*sign), node(NodeKind::Number(-n), of))),
+                        false => with((*sign, node(NodeKind::Number(n), of))),
+                    }));
+                }
                 out.push(with((opposite(*sign), term.clone())));
                 out.push(with((*sign, scaled(term, 2))));
                 out.push(with((*sign, halved(term))));

@@ -82,6 +82,8 @@ pub struct Evidence {
     pub hats: BTreeSet<String>,
     /// Whether a letter is printed in bold somewhere.
     pub bold: BTreeSet<String>,
+    /// Letters, without backslash, with a place in parentheses behind them somewhere.
+    pub functions: BTreeSet<String>,
     /// Subscripts of each letter.
     pub subscripts: BTreeMap<String, BTreeSet<String>>,
 }
@@ -94,6 +96,12 @@ impl Evidence {
             out.note(relation);
         }
         out
+    }
+
+    /// Whether a letter, however it is styled and whatever stands below it, is printed with a place in parentheses behind it: it may be
+    /// a function.
+    pub fn may_be_function(&self, letter: &str) -> bool {
+        self.functions.contains(letter)
     }
 
     /// Whether the subscripts of a letter are indices of its components: all could be, and one is a letter that is used so.
@@ -121,6 +129,11 @@ impl Evidence {
             };
             if let Some(call) = call {
                 *self.calls.entry(key).or_default().entry(call).or_default() += 1;
+            }
+            if let Call::Places(places) = &name.call
+                && places.iter().any(|p| !p.chars().all(|c| c.is_ascii_digit()))
+            {
+                self.functions.insert(name.letter.trim_start_matches('\\').to_owned());
             }
             if name.has_hat {
                 self.hats.insert(name.letter.clone());
@@ -509,7 +522,8 @@ impl Names {
     }
 }
 
-fn is_letter(token: &Token) -> bool {
+/// Whether a token is a letter that names something.
+pub(super) fn is_letter(token: &Token) -> bool {
     match token.kind {
         Kind::Other => token.text.chars().all(char::is_alphabetic),
         Kind::Command => LETTERS.contains(&token.text.as_str()),

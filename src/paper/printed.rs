@@ -45,6 +45,60 @@ pub struct PrintedSide {
     pub(super) tokens: Vec<Token>,
 }
 
+impl PrintedSide {
+    /// The formula with a dot wherever a name that `is_factor` stands right before parentheses, so that it is read as a factor.
+    pub fn with_factors(&self, is_factor: &dyn Fn(&str) -> bool) -> String {
+        let mut out: Vec<Token> = Vec::with_capacity(self.tokens.len());
+        for (at, token) in self.tokens.iter().enumerate() {
+            let bracket = |t: Option<&Token>| t.is_some_and(|t| t.is_char("(") || t.is_char("["));
+            let opens = bracket(Some(token)) && !(at > 0 && is_size(&self.tokens[at - 1]))
+                || is_size(token) && bracket(self.tokens.get(at + 1));
+            if opens && base_before(&out).is_some_and(is_factor) {
+                out.push(Token { kind: Kind::Command, text: "cdot".to_owned(), span: token.span.start..token.span.start });
+            }
+            out.push(token.clone());
+        }
+        shown(&mark::text_of(&out)).into_owned()
+    }
+}
+
+fn is_size(token: &Token) -> bool {
+    token.kind == Kind::Command && matches!(token.text.as_str(), "left" | "big" | "Big" | "bigg" | "Bigg" | "bigl" | "Bigl" | "biggl" | "Biggl")
+}
+
+/// The letter to which the scripts at the end of some tokens belong, or that stands there.
+fn base_before(tokens: &[Token]) -> Option<&str> {
+    let mut end = tokens.len();
+    loop {
+        while end > 0 && tokens[end - 1].kind == Kind::Space {
+            end -= 1;
+        }
+        let last = tokens.get(end.checked_sub(1)?)?;
+        let mut start = end - 1;
+        if last.kind == Kind::Close {
+            let mut depth = 0i32;
+            start = (0..end).rev().find(|&i| {
+                depth += i32::from(tokens[i].kind == Kind::Close) - i32::from(tokens[i].kind == Kind::Open);
+                depth == 0
+            })?;
+        }
+        while start > 0 && tokens[start - 1].kind == Kind::Space {
+            start -= 1;
+        }
+        let script = start > 0 && (tokens[start - 1].is_char("^") || tokens[start - 1].is_char("_"));
+        if script {
+            end = start - 1;
+            continue;
+        }
+        let letter = match last.kind {
+            Kind::Other => last.text.chars().all(char::is_alphabetic),
+            Kind::Command => super::names::is_letter(last),
+            _ => false,
+        };
+        return (letter && start == end - 1).then_some(last.text.as_str());
+    }
+}
+
 impl PrintedRelation {
     /// From its first to its last side.
     pub fn span(&self) -> Range<usize> {
