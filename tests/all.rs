@@ -71,6 +71,7 @@ mod latex_print;
 mod latex_refused;
 mod latex_robust;
 mod latex_typeset;
+mod lint;
 mod layering;
 mod maps;
 mod measures;

@@ -82,12 +82,9 @@ fn base_before(tokens: &[Token]) -> Option<&str> {
                 depth == 0
             })?;
         }
-        while start > 0 && tokens[start - 1].kind == Kind::Space {
-            start -= 1;
-        }
-        let script = start > 0 && (tokens[start - 1].is_char("^") || tokens[start - 1].is_char("_"));
-        if script {
-            end = start - 1;
+        let before = tokens[..start].iter().rposition(|t| t.kind != Kind::Space);
+        if let Some(script) = before.filter(|&i| tokens[i].is_char("^") || tokens[i].is_char("_")) {
+            end = script;
             continue;
         }
         let letter = match last.kind {
