@@ -94,6 +94,8 @@ fn what_may_be_meant_otherwise_is_not_called_wrong() {
         r"\section{A} \[ E=ab \] \section{B} \[ E^2=a^2c^2 \]",
         r"\[ \hat x\hat p-\hat p\hat x=i\hbar \]",
         r"\[ x_ix_i=x_jx_jx_kx_k \]",
+        r"\[ E'=\frac{\hbar^2(k')^2}{2M}=\frac{\hbar^2(-k)^2}{2M}=\frac{\hbar^2k^2}{2M} \]",
+        r"\[ F=E+\frac{q}{\sqrt{\mu\epsilon}}B=E+\frac qnB \]",
         r"\[ y=f(x+1)=f(x)+1 \] \[ f(x)=x \]",
         r"\[ d(xy)=x\,dy+y\,dx \]",
         r"\[ f(x)=\sqrt{x^2}+1 = x+1 \]",

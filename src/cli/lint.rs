@@ -13,6 +13,7 @@ use super::ending::{Stop, print, say};
 
 pub const AFTER_HELP: &str = r"Every relation that the paper prints gets one word:
   follows        proved, from what stands before it or outright
+  holds in numbers  not proved, and true at random points
   wrong          a point refutes it, and with one sign, factor, exponent or name
                  altered it is proved
   defines        says what a name stands for
@@ -65,7 +66,6 @@ fn finding(paper: &Paper, judgement: &Judgement) -> Option<Finding> {
     let relation = paper.printed.get(judgement.relation)?;
     let (rule, level) = match judgement.word {
         Word::Wrong => ("lint::wrong", Level::Error),
-        Word::Differs => ("lint::differs", Level::Note),
         Word::NotFollowed if relation.display.is_some() => ("lint::not-followed", Level::Note),
         Word::NotRead if relation.display.is_some() => ("lint::not-read", Level::Note),
         _ => return None,

@@ -321,6 +321,7 @@ impl Judge<'_> {
             let near = given.iter().all(|g| g.relation + NEAR >= at);
             for (asked, given) in [(Some(bare), Vec::new()), (with.filter(|_| near), given.clone())] {
                 if let Some(asked) = asked
+                    && introduces_nothing(left, right, &given)
                     && let Some(wrong) = self.slip(asked, &given, free)
                 {
                     return Step::Wrong(Box::new(wrong));
@@ -422,6 +423,15 @@ impl Judge<'_> {
         let proved = matches!(tested(&mut desk.graph, &equations, premises, Wanted::Proof), Identity::Proved(_));
         proved.then(|| if k == 1 { new } else { format!("{new} = {other}") })
     }
+}
+
+/// Whether the later side has no name that neither the earlier side nor a definition has: what relates a new one is not known here.
+fn introduces_nothing(left: &PrintedSide, right: &PrintedSide, given: &[Given]) -> bool {
+    let mut known: BTreeSet<String> = names(left).iter().map(|n| n.key()).collect();
+    for one in given {
+        known.extend([&one.left, &one.right].into_iter().flat_map(names).map(|n| n.key()));
+    }
+    names(right).iter().all(|n| known.contains(&n.key()))
 }
 
 /// A question, and its answer.

@@ -36,8 +36,6 @@ pub enum Word {
     Numbers,
     /// A point refutes it, and a formula one slip away is proved.
     Wrong,
-    /// The same name is defined otherwise elsewhere.
-    Differs,
     /// A name is defined.
     Defines,
     /// It says what holds, or when.
@@ -52,9 +50,8 @@ pub enum Word {
 
 impl Word {
     /// All words.
-    pub const ALL: [Word; 9] = [
+    pub const ALL: [Word; 8] = [
         Word::Wrong,
-        Word::Differs,
         Word::Follows,
         Word::Numbers,
         Word::Defines,
@@ -70,7 +67,6 @@ impl Word {
             Word::Follows => "follows",
             Word::Numbers => "holds in numbers",
             Word::Wrong => "wrong",
-            Word::Differs => "differs",
             Word::Defines => "defines",
             Word::Condition => "condition",
             Word::Approximates => "approximates",
@@ -95,7 +91,7 @@ pub struct Judgement {
     pub witness: Option<LintWitness>,
     /// Of a wrong step: the side as it should be.
     pub instead: Option<String>,
-    /// The relations that it follows from, or differs from.
+    /// The relations that it follows from, or that define its name otherwise.
     pub with: Vec<usize>,
     /// How many of its steps are proved, and how many it has.
     pub steps: (usize, usize),
