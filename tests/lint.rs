@@ -96,6 +96,8 @@ fn what_may_be_meant_otherwise_is_not_called_wrong() {
         r"\[ x_ix_i=x_jx_jx_kx_k \]",
         r"\[ E'=\frac{\hbar^2(k')^2}{2M}=\frac{\hbar^2(-k)^2}{2M}=\frac{\hbar^2k^2}{2M} \]",
         r"\[ F=E+\frac{q}{\sqrt{\mu\epsilon}}B=E+\frac qnB \]",
+        r"\[ (BAB^{-1})^2=BAB^{-1}BAB^{-1}=BAIAB^{-1}=BA^2B^{-1} \]",
+        r"\[ C=AB+QD-BA=QD+2AB \]",
         r"\[ y=f(x+1)=f(x)+1 \] \[ f(x)=x \]",
         r"\[ d(xy)=x\,dy+y\,dx \]",
         r"\[ f(x)=\sqrt{x^2}+1 = x+1 \]",
@@ -149,7 +151,10 @@ fn files_that_a_paper_names_are_read_inside_of_its_folder_only() {
     write("secret.tex", r"\[ s=1 \]");
     write("paper/parts/one.tex", "Text.\n\\[ (a+b)^2+c=a^2-2ab+b^2+c \\] \\input{main}\\input{parts/one}");
     write("paper/parts/two.tex", "\\documentclass[../main]{subfiles}\n\\begin{document}\\[ t=2 \\]\\end{document}");
-    write("paper/main.tex", "\\begin{document}\\input{parts/one}\\input{../secret}\\subfile{parts/two}\\input{none}\\[ e=f \\]\\end{document}");
+    write(
+        "paper/main.tex",
+        "\\begin{document}\\input{parts/one}\\input{../secret}\\subfile{parts/two}\\input{none}\\[ e=f \\]\\end{document}",
+    );
     let run = rederive(folder.path(), &["lint", "paper/main.tex", "--format", "json"]).code(1);
     let text = String::from_utf8(run.get_output().stdout.clone()).expect("UTF-8");
     let found: serde_json::Value = serde_json::from_str(&text).expect("JSON");
@@ -192,8 +197,11 @@ fn hostile_sources_end() {
 #[test]
 fn formats_tell_the_same() {
     let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("p.md"), "# A\n\nText with `$code=1$` and 5 %.\n\n$$A=(a+b)^2+c=a^2-2ab+b^2+c$$\n\n```\n$x=y$\n```\n")
-        .expect("written");
+    fs::write(
+        folder.path().join("p.md"),
+        "# A\n\nText with `$code=1$` and 5 %.\n\n$$A=(a+b)^2+c=a^2-2ab+b^2+c$$\n\n```\n$x=y$\n```\n",
+    )
+    .expect("written");
     rederive(folder.path(), &["p.md", "--format", "github"]).code(1).stdout(
         predicate::str::starts_with("::error file=p.md,line=5,").and(predicate::str::contains("a^2+2ab+b^2+c")),
     );

@@ -110,13 +110,11 @@ fn json(paper: &Paper, found: &Lint) -> String {
     };
     let counts: serde_json::Map<String, serde_json::Value> =
         Word::ALL.iter().map(|w| (w.text().to_owned(), found.count(*w).into())).collect();
-    let notes: Vec<serde_json::Value> = paper
-        .notes
-        .iter()
-        .map(|n| serde_json::json!({ "line": paper.line(&n.span), "message": n.message }))
-        .collect();
+    let notes: Vec<serde_json::Value> =
+        paper.notes.iter().map(|n| serde_json::json!({ "line": paper.line(&n.span), "message": n.message })).collect();
     let relations: Vec<serde_json::Value> = found.judgements.iter().map(one).collect();
-    let document = serde_json::json!({ "paper": paper.file.path, "words": counts, "notes": notes, "relations": relations });
+    let document =
+        serde_json::json!({ "paper": paper.file.path, "words": counts, "notes": notes, "relations": relations });
     let text = serde_json::to_string_pretty(&document).unwrap_or_default();
     rederive::diag::escape::in_json(&text) + "\n"
 }

@@ -63,7 +63,9 @@ fn index_count(names: &[PaperName], evidence: &Evidence) -> BTreeMap<char, usize
     // Beside subscripts that are no indices, `E_r` and `E_t`, the one of `E_i` is a label, too.
     let labelled = |n: &&PaperName| {
         evidence.subscripts.get(&n.letter).is_some_and(|all| {
-            let other = |s: &&String| s.chars().count() == 1 && s.chars().all(|c| c.is_alphabetic() && !"ijklmnpqsabcdαβμνxyz".contains(c));
+            let other = |s: &&String| {
+                s.chars().count() == 1 && s.chars().all(|c| c.is_alphabetic() && !"ijklmnpqsabcdαβμνxyz".contains(c))
+            };
             all.iter().any(|s| other(&s))
         })
     };
@@ -107,7 +109,23 @@ pub fn lone_name(side: &PrintedSide) -> Option<PaperName> {
 
 /// A text without braces, spaces and the names of styles.
 fn bare(text: &str) -> String {
-    let text = without(text, &[r"\left", r"\right", r"\boldsymbol", r"\mathbf", r"\vec", r"\bm", r"\bf", r"\rm", r"\mathrm", r"\text", r"\prime", "'"]);
+    let text = without(
+        text,
+        &[
+            r"\left",
+            r"\right",
+            r"\boldsymbol",
+            r"\mathbf",
+            r"\vec",
+            r"\bm",
+            r"\bf",
+            r"\rm",
+            r"\mathrm",
+            r"\text",
+            r"\prime",
+            "'",
+        ],
+    );
     text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}' | '^')).collect()
 }
 
@@ -190,8 +208,12 @@ fn obstacle(sides: &[&PrintedSide], all: &[PaperName], evidence: &Evidence, free
             }
         }
         // `\delta_{ij}` and ε are indices in any case.
-        if side.text.contains(r"\delta_{") || side.text.contains(r"\epsilon_{") || side.text.contains(r"\varepsilon_{") {
+        if side.text.contains(r"\delta_{") || side.text.contains(r"\epsilon_{") || side.text.contains(r"\varepsilon_{")
+        {
             return Some(NotRead::of("indices"));
+        }
+        if order_counts(&side.text) {
+            return Some(NotRead::of("products whose order may count: matrices, or operators"));
         }
         let indices = index_count(&names(side), evidence);
         if let Some((letter, _)) = indices.iter().find(|(l, n)| **n > 1 && !free.contains(l)) {
@@ -220,6 +242,27 @@ fn obstacle(sides: &[&PrintedSide], all: &[PaperName], evidence: &Evidence, free
     None
 }
 
+/// Whether capital letters stand in a formula as matrices and operators do: beside their own inverse or transpose, or in both orders.
+fn order_counts(text: &str) -> bool {
+    let squeezed: Vec<char> = text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}')).collect();
+    let capital = |i: usize| squeezed.get(i).is_some_and(char::is_ascii_uppercase);
+    let command =
+        |i: usize| squeezed[..i].iter().rposition(|c| !c.is_ascii_alphabetic()).is_some_and(|k| squeezed[k] == '\\');
+    let is = |i: usize, text: &str| squeezed[i..].iter().collect::<String>().starts_with(text);
+    let mut pairs = BTreeSet::new();
+    for i in (0..squeezed.len()).filter(|&i| capital(i) && !command(i)) {
+        let own = squeezed[i];
+        let twice = squeezed.iter().filter(|c| **c == own).count() > 1;
+        if twice && ["^-1", "^T", r"^\top", r"^\mathrmT", r"^\mathsfT", "^H"].iter().any(|power| is(i + 1, power)) {
+            return true;
+        }
+        if capital(i + 1) && squeezed[i + 1] != own {
+            pairs.insert((own, squeezed[i + 1]));
+        }
+    }
+    pairs.iter().any(|(a, b)| pairs.contains(&(*b, *a)))
+}
+
 /// Whether what stands in parentheses is a place of a function: a name, or several.
 fn is_place(places: &[String]) -> bool {
     places.iter().any(|p| !p.chars().all(|c| c.is_ascii_digit()))
@@ -227,7 +270,8 @@ fn is_place(places: &[String]) -> bool {
 
 fn words_outside(text: &str) -> bool {
     [r"\text", r"\mbox"].iter().any(|w| {
-        text.match_indices(w).any(|(i, _)| !text[..i].trim_end().ends_with(['_', '^']) && !text[..i].trim_end().ends_with("_{"))
+        text.match_indices(w)
+            .any(|(i, _)| !text[..i].trim_end().ends_with(['_', '^']) && !text[..i].trim_end().ends_with("_{"))
     })
 }
 
@@ -299,7 +343,12 @@ impl Desk {
     ///
     /// # Errors
     /// The feature that is not understood.
-    pub fn new(sides: &[&PrintedSide], given: &[&Given], evidence: &Evidence, free: &BTreeSet<char>) -> Result<Desk, NotRead> {
+    pub fn new(
+        sides: &[&PrintedSide],
+        given: &[&Given],
+        evidence: &Evidence,
+        free: &BTreeSet<char>,
+    ) -> Result<Desk, NotRead> {
         let own: Vec<PaperName> = sides.iter().flat_map(|s| names(s)).collect();
         if let Some(found) = obstacle(sides, &own, evidence, free) {
             return Err(found);
@@ -341,7 +390,13 @@ impl Desk {
         Ok(desk)
     }
 
-    fn declare(&mut self, all: &[PaperName], given: &[&Given], evidence: &Evidence, time: Option<&str>) -> Result<(), NotRead> {
+    fn declare(
+        &mut self,
+        all: &[PaperName],
+        given: &[&Given],
+        evidence: &Evidence,
+        time: Option<&str>,
+    ) -> Result<(), NotRead> {
         let defined: BTreeSet<&str> = given.iter().filter(|g| !g.is_rate).map(|g| g.key.as_str()).collect();
         // By what something that is not defined is derived partially: the coordinates.
         let mut coordinates: BTreeSet<String> = BTreeSet::new();
@@ -415,7 +470,11 @@ impl Desk {
         coordinates: &BTreeSet<String>,
     ) -> Result<(String, bool, bool), NotRead> {
         if is_field(name, key, all, evidence, coordinates) {
-            let places: Vec<String> = coordinates.iter().cloned().chain(time.filter(|t| !coordinates.contains(*t)).map(str::to_owned)).collect();
+            let places: Vec<String> = coordinates
+                .iter()
+                .cloned()
+                .chain(time.filter(|t| !coordinates.contains(*t)).map(str::to_owned))
+                .collect();
             return Ok((format!("{key}({})", places.join(",")), false, true));
         }
         let here = |n: &&PaperName| n.key() == key;
@@ -496,7 +555,9 @@ pub struct Read {
 
 /// The pairs of scalars of a statement of one equation.
 pub fn pairs_of(statement: &Statement) -> Vec<(Expr, Expr)> {
-    let sides = |r: &latex::Relation| r.left.components.iter().copied().zip(r.right.components.iter().copied()).collect::<Vec<_>>();
+    let sides = |r: &latex::Relation| {
+        r.left.components.iter().copied().zip(r.right.components.iter().copied()).collect::<Vec<_>>()
+    };
     statement.relations.iter().flat_map(sides).collect()
 }
 
@@ -506,11 +567,19 @@ fn equation(left: &str, right: &str) -> String {
 }
 
 /// Whether a name is a field: derived partially here, or of what the paper derives by the coordinates of the step.
-fn is_field(name: &PaperName, key: &str, all: &[PaperName], evidence: &Evidence, coordinates: &BTreeSet<String>) -> bool {
+fn is_field(
+    name: &PaperName,
+    key: &str,
+    all: &[PaperName],
+    evidence: &Evidence,
+    coordinates: &BTreeSet<String>,
+) -> bool {
     if coordinates.is_empty() {
         return false;
     }
-    let here = all.iter().any(|n| n.key() == key && n.is_partial && n.derived_by.as_ref().is_some_and(|b| coordinates.contains(b)));
+    let here = all
+        .iter()
+        .any(|n| n.key() == key && n.is_partial && n.derived_by.as_ref().is_some_and(|b| coordinates.contains(b)));
     let paper = evidence.partial.get(key).is_some_and(|by| by.iter().any(|b| coordinates.contains(b)));
     let place = matches!(&name.call, Call::Places(p) if p.iter().any(|p| coordinates.contains(p)));
     here || paper || place

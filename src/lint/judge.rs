@@ -31,13 +31,48 @@ const FEWEST_NODES: usize = 5;
 const EQUALS: &[&str] = &["=", r"\equiv", ":=", "=:", r"\coloneqq", r"\triangleq", r"\doteq", "≡"];
 /// Signs that say that they are about equal.
 const ABOUT: &[&str] = &[
-    r"\approx", r"\sim", r"\simeq", r"\propto", r"\cong", r"\asymp", r"\approxeq", r"\eqsim", "≈", "∼", "∝", r"\ll", r"\gg", "≪", "≫",
-    r"\lesssim", r"\gtrsim", r"\thickapprox", r"\thicksim",
+    r"\approx",
+    r"\sim",
+    r"\simeq",
+    r"\propto",
+    r"\cong",
+    r"\asymp",
+    r"\approxeq",
+    r"\eqsim",
+    "≈",
+    "∼",
+    "∝",
+    r"\ll",
+    r"\gg",
+    "≪",
+    "≫",
+    r"\lesssim",
+    r"\gtrsim",
+    r"\thickapprox",
+    r"\thicksim",
 ];
 /// Signs that compare.
 const COMPARES: &[&str] = &[
-    "<", ">", r"\le", r"\leq", r"\ge", r"\geq", r"\ne", r"\neq", r"\lt", r"\gt", r"\leqslant", r"\geqslant", r"\in", r"\notin", "≤", "≥", "≠",
-    r"\not=", r"\subset", r"\subseteq",
+    "<",
+    ">",
+    r"\le",
+    r"\leq",
+    r"\ge",
+    r"\geq",
+    r"\ne",
+    r"\neq",
+    r"\lt",
+    r"\gt",
+    r"\leqslant",
+    r"\geqslant",
+    r"\in",
+    r"\notin",
+    "≤",
+    "≥",
+    "≠",
+    r"\not=",
+    r"\subset",
+    r"\subseteq",
 ];
 
 /// The words on every relation that a paper prints.
@@ -132,7 +167,9 @@ impl Judge<'_> {
                 continue;
             }
             let (left, right) = (&relation.sides[k - 1], &relation.sides[k]);
-            let known = first.as_ref().is_some_and(|n| self.given.iter().any(|g| g.key == n.key() && !g.is_rate && n.dots == 0));
+            let known = first
+                .as_ref()
+                .is_some_and(|n| self.given.iter().any(|g| g.key == n.key() && !g.is_rate && n.dots == 0));
             let defining = k == 1 && first.is_some() && !known;
             if defining {
                 // Whether it can be read is all that there is to say of it.
@@ -171,7 +208,11 @@ impl Judge<'_> {
                 Step::Open(_) if k == 1 && known => {
                     out.steps.1 -= 1;
                     defines = true;
-                    let before = self.given.iter().rev().find(|g| first.as_ref().is_some_and(|n| g.key == n.key() && !g.is_rate));
+                    let before = self
+                        .given
+                        .iter()
+                        .rev()
+                        .find(|g| first.as_ref().is_some_and(|n| g.key == n.key() && !g.is_rate));
                     anew = before.map(|g| g.relation);
                 }
                 Step::Open(names) if !defining => open.extend(names),
@@ -249,7 +290,8 @@ impl Judge<'_> {
         if own.is_empty() || own.iter().any(|n| n.key() == key && (!is_rate || n.dots > 0 || n.derived_by.is_some())) {
             return;
         }
-        if matches!(&name.call, paper::Call::Places(places) if places.len() != 1 || places[0].chars().any(|c| c.is_ascii_digit())) {
+        if matches!(&name.call, paper::Call::Places(places) if places.len() != 1 || places[0].chars().any(|c| c.is_ascii_digit()))
+        {
             return;
         }
         let free = free_indices(relation);
@@ -334,7 +376,13 @@ impl Judge<'_> {
         Step::Open(open)
     }
 
-    fn ask(&mut self, left: &PrintedSide, right: &PrintedSide, given: &[Given], free: &BTreeSet<char>) -> Result<Asked, NotRead> {
+    fn ask(
+        &mut self,
+        left: &PrintedSide,
+        right: &PrintedSide,
+        given: &[Given],
+        free: &BTreeSet<char>,
+    ) -> Result<Asked, NotRead> {
         self.asked += 1;
         let list: Vec<&Given> = given.iter().collect();
         let mut desk = Desk::new(&[left, right], &list, &self.evidence, free)?;
@@ -353,12 +401,7 @@ impl Judge<'_> {
     }
 
     /// The nearest formula that holds, where a step is refuted.
-    fn slip(
-        &mut self,
-        asked: Asked,
-        given: &[Given],
-        free: &BTreeSet<char>,
-    ) -> Option<WrongStep> {
+    fn slip(&mut self, asked: Asked, given: &[Given], free: &BTreeSet<char>) -> Option<WrongStep> {
         let Identity::Refuted(refutation) = &asked.identity else { return None };
         let Asked { mut desk, premises, text, .. } = asked;
         if desk.is_complex || !free.is_empty() {
@@ -387,7 +430,15 @@ impl Judge<'_> {
     }
 
     /// The altered relation as LaTeX, if it is proved and says something.
-    fn holds(&mut self, desk: &mut Desk, premises: &Premises, chain: &Chain, k: usize, slip: &Slip, given: &[Given]) -> Option<String> {
+    fn holds(
+        &mut self,
+        desk: &mut Desk,
+        premises: &Premises,
+        chain: &Chain,
+        k: usize,
+        slip: &Slip,
+        given: &[Given],
+    ) -> Option<String> {
         let mut altered = chain.clone();
         altered.sides[k] = slip.side.clone();
         let spelled = |n: &latex::syntax::Node| {
@@ -475,7 +526,9 @@ fn tested(graph: &mut Graph, equations: &[(Expr, Expr)], premises: &Premises, wa
     };
     match identity_test(graph, equations, premises, &options) {
         // A case that was divided by is left out: that is no proof of what is printed.
-        Identity::Proved(proof) if proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_) | Condition::Discriminant(_))) => {
+        Identity::Proved(proof)
+            if proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_) | Condition::Discriminant(_))) =>
+        {
             Identity::Undecided(proof::Reason::Degenerate)
         }
         other => other,

@@ -15,7 +15,8 @@ const WIDTH: usize = 78;
 pub fn explained(paper: &Paper, judgement: &Judgement) -> String {
     let mut out = in_one_line(&judgement.why);
     if !judgement.with.is_empty() {
-        let mut lines: Vec<usize> = judgement.with.iter().filter_map(|r| paper.printed.get(*r)).map(|r| paper.line(&r.span())).collect();
+        let mut lines: Vec<usize> =
+            judgement.with.iter().filter_map(|r| paper.printed.get(*r)).map(|r| paper.line(&r.span())).collect();
         lines.sort_unstable();
         lines.dedup();
         let many: Vec<String> = lines.iter().map(usize::to_string).collect();

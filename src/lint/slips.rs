@@ -110,8 +110,15 @@ fn opposite(sign: Sign) -> Sign {
     }
 }
 
-const PARTNERS: &[(&str, &str)] =
-    &[("sin", "cos"), ("cos", "sin"), ("sinh", "cosh"), ("cosh", "sinh"), ("tan", "cot"), ("cot", "tan"), ("tanh", "coth")];
+const PARTNERS: &[(&str, &str)] = &[
+    ("sin", "cos"),
+    ("cos", "sin"),
+    ("sinh", "cosh"),
+    ("cosh", "sinh"),
+    ("tan", "cot"),
+    ("cot", "tan"),
+    ("tanh", "coth"),
+];
 
 /// The trees with one place of this one altered.
 fn altered(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
@@ -150,7 +157,8 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
                 let (sign, term) = &terms[i];
                 if let NodeKind::Number(r) = &term.kind {
                     // A sum that was added up wrongly.
-                    let near = (2..=FARTHEST).flat_map(|k| [r.clone() + Rational::from(k), r.clone() - Rational::from(k)]);
+                    let near =
+                        (2..=FARTHEST).flat_map(|k| [r.clone() + Rational::from(k), r.clone() - Rational::from(k)]);
                     out.extend(near.map(|n| match n < Rational::ZERO {
                         true => with((opposite(*sign), node(NodeKind::Number(-n), of))),
                         false => with((*sign, node(NodeKind::Number(n), of))),
@@ -251,7 +259,11 @@ fn with_child(of: &Node, k: usize, child: Node) -> Option<Node> {
         }
         NodeKind::Scripted { base, sub, sup, sup_first } => {
             let (mut base, mut sup) = (base.clone(), sup.clone());
-            if k == 0 { base = boxed(child) } else { sup = Some(boxed(child)) }
+            if k == 0 {
+                base = boxed(child)
+            } else {
+                sup = Some(boxed(child))
+            }
             NodeKind::Scripted { base, sub: sub.clone(), sup, sup_first: *sup_first }
         }
         NodeKind::Sum(terms) => {
@@ -265,7 +277,11 @@ fn with_child(of: &Node, k: usize, child: Node) -> Option<Node> {
         NodeKind::Function(f, p, parts) => NodeKind::Function(f.clone(), *p, replaced(parts, k, child)?),
         NodeKind::Quotient { top, bottom, slash } => {
             let (mut top, mut bottom) = (top.clone(), bottom.clone());
-            if k == 0 { top = boxed(child) } else { bottom = boxed(child) }
+            if k == 0 {
+                top = boxed(child)
+            } else {
+                bottom = boxed(child)
+            }
             NodeKind::Quotient { top, bottom, slash: *slash }
         }
         NodeKind::Group(_, bracket) => NodeKind::Group(boxed(child), *bracket),

@@ -125,7 +125,8 @@ impl<'t> Reader<'t> {
             }
         }
         let paragraph = |t: &Token| t.kind == Kind::Space && t.text == "\n";
-        let more = (from..self.tokens.len()).take_while(|&i| !paragraph(&self.tokens[i]) && !self.begins_other(i)).count();
+        let more =
+            (from..self.tokens.len()).take_while(|&i| !paragraph(&self.tokens[i]) && !self.begins_other(i)).count();
         self.at = from + more;
         self.unended(from, wanted);
         self.tokens[from..self.at].to_vec()
@@ -259,7 +260,8 @@ fn columns(line: &[Token], is_table: bool) -> Vec<Vec<Token>> {
         if breaks {
             // Every column goes on in the next line.
             let span = token.span.clone();
-            out.iter_mut().for_each(|c| c.push(Token { kind: Kind::Command, text: "\\".to_owned(), span: span.clone() }));
+            out.iter_mut()
+                .for_each(|c| c.push(Token { kind: Kind::Command, text: "\\".to_owned(), span: span.clone() }));
             (cell, row) = (0, row + 1);
             continue;
         }
@@ -275,8 +277,9 @@ fn columns(line: &[Token], is_table: bool) -> Vec<Vec<Token>> {
 fn joined(parts: Vec<Vec<Token>>) -> Vec<Vec<Token>> {
     let mut out: Vec<Vec<Token>> = Vec::new();
     for part in parts {
-        let goes_on = part.iter().find(|t| t.kind != Kind::Space && !printed::is_space(t)).is_some_and(printed::is_operator)
-            && !part.iter().any(|t| t.is_char("="));
+        let goes_on =
+            part.iter().find(|t| t.kind != Kind::Space && !printed::is_space(t)).is_some_and(printed::is_operator)
+                && !part.iter().any(|t| t.is_char("="));
         match out.last_mut().filter(|_| goes_on) {
             Some(last) => {
                 let at = last.last().map_or(0, |t| t.span.end);
@@ -330,4 +333,3 @@ fn numbered(body: &[Token]) -> Vec<Vec<Token>> {
     }
     out
 }
-

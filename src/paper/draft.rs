@@ -8,9 +8,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::ops::Range;
 
-use super::names::{Call, Evidence, PaperName, names_of};
 use super::Paper;
 use super::mark::{Mark, marks};
+use super::names::{Call, Evidence, PaperName, names_of};
 use super::token::tokens;
 use derivation::parse;
 use diag::{Diagnostic, Source};
@@ -160,7 +160,9 @@ fn alone(formula: &mut Formula, (paper, evidence): (&Paper, &Evidence), name: &s
 /// Of guesses on one name the one that most formulas need is kept; formulas that need another are refused. What was taken back.
 fn settled(symbols: &mut Vec<Guess>, claims: &mut [Claim]) -> Vec<String> {
     let mut wanted: BTreeMap<&str, Vec<(Guess, usize)>> = BTreeMap::new();
-    let needs = |claims: &[Claim], guess: &Guess| claims.iter().flat_map(|c| &c.formulas).filter(|f| f.needs.contains(guess)).count();
+    let needs = |claims: &[Claim], guess: &Guess| {
+        claims.iter().flat_map(|c| &c.formulas).filter(|f| f.needs.contains(guess)).count()
+    };
     for guess in symbols.iter() {
         wanted.entry(&guess.name).or_default().push((guess.clone(), needs(claims, guess)));
     }
@@ -171,7 +173,8 @@ fn settled(symbols: &mut Vec<Guess>, claims: &mut [Claim]) -> Vec<String> {
         let kept = guesses.iter().position(|g| g.1 == most).unwrap_or(0);
         lost.extend(guesses.iter().enumerate().filter(|(i, _)| *i != kept).map(|(_, g)| g.0.clone()));
     }
-    let clashes = lost.iter().map(|g| take_back(g, "another guess on this name is needed by more formulas", claims)).collect();
+    let clashes =
+        lost.iter().map(|g| take_back(g, "another guess on this name is needed by more formulas", claims)).collect();
     symbols.retain(|s| !lost.contains(s));
     clashes
 }
@@ -355,7 +358,12 @@ fn named(name: &PaperName, key: String, all: &[PaperName], evidence: &Evidence) 
     if !by.is_empty() && all.iter().any(|n| n.is_partial) {
         let places: Vec<&str> = by.into_iter().collect();
         let shape = name.is_bold.then_some("3");
-        return Guess { name: format!("{key}({})", places.join(",")), role: "field", shape, why: "the paper derives it partially" };
+        return Guess {
+            name: format!("{key}({})", places.join(",")),
+            role: "field",
+            shape,
+            why: "the paper derives it partially",
+        };
     }
     let moves = evidence.moving.contains(&key)
         || evidence.calls.get(&key).is_some_and(|c| c.contains_key(&Some(vec!["t".to_owned()])));
@@ -370,7 +378,9 @@ fn named(name: &PaperName, key: String, all: &[PaperName], evidence: &Evidence) 
     }
     let why = if name.subscript.is_some() && !moves { "a subscript that is no index" } else { why };
     let place = match &name.call {
-        Call::Places(places) if !moves && places.iter().any(|p| !p.chars().all(|c| c.is_ascii_digit())) => format!("({})", places.join(",")),
+        Call::Places(places) if !moves && places.iter().any(|p| !p.chars().all(|c| c.is_ascii_digit())) => {
+            format!("({})", places.join(","))
+        }
         _ => String::new(),
     };
     Guess { name: format!("{key}{place}"), role, shape: name.is_bold.then_some("3"), why }

@@ -157,7 +157,18 @@ fn without_code(text: &str) -> String {
 fn fenced(line: &str, math: bool) -> Vec<u8> {
     let begin = line.len() - line.trim_start().len();
     let dollar = |i: usize| math && (begin..begin + 2).contains(&i);
-    line.bytes().enumerate().map(|(i, b)| if dollar(i) { b'$' } else if b == b'\n' { b } else { b' ' }).collect()
+    line.bytes()
+        .enumerate()
+        .map(|(i, b)| {
+            if dollar(i) {
+                b'$'
+            } else if b == b'\n' {
+                b
+            } else {
+                b' '
+            }
+        })
+        .collect()
 }
 
 /// A line of Markdown without its code; a percent sign begins no comment there.

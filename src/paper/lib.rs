@@ -37,8 +37,8 @@ pub use printed::{PrintedRelation, PrintedSide};
 
 use diag::escape::shown;
 use diag::{Diagnostic, Source};
-use files::Why;
 use document::Reader;
+use files::Why;
 use inputs::Inputs;
 use mark::{Mark, marks, text_of};
 use token::{Kind, Token};

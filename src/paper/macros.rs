@@ -367,7 +367,10 @@ mod tests {
         // A name that is let is what it was.
         assert_eq!(shown(r"\let\s\section\renewcommand\section[1]{(\s{#1})}\section{a}"), r"(\section {a})");
         assert_eq!(shown(r"\let\nc\newcommand\nc{\x}{1}\x"), "1");
-        assert_eq!(shown(r"\newenvironment{e}{\begin{equation}}{\end{equation}}\begin{e}x\end{e}"), r"\begin {equation}x\end {equation}");
+        assert_eq!(
+            shown(r"\newenvironment{e}{\begin{equation}}{\end{equation}}\begin{e}x\end{e}"),
+            r"\begin {equation}x\end {equation}"
+        );
         assert_eq!(shown(r"\NewDocumentCommand{\v}{m}{\vec{#1}}\v{x}"), r"\vec {x}");
     }
 

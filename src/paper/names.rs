@@ -150,14 +150,72 @@ impl Evidence {
 
 /// Letters of Greek that are names, with other commands that are.
 const LETTERS: &[&str] = &[
-    "alpha", "beta", "gamma", "delta", "epsilon", "varepsilon", "zeta", "eta", "theta", "vartheta", "iota", "kappa", "lambda",
-    "mu", "nu", "xi", "rho", "varrho", "sigma", "varsigma", "tau", "upsilon", "phi", "varphi", "chi", "psi", "omega", "Gamma",
-    "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Upsilon", "Phi", "Psi", "Omega", "ell", "hbar", "varpi", "aleph", "wp",
-    "imath", "jmath", "varkappa",
+    "alpha",
+    "beta",
+    "gamma",
+    "delta",
+    "epsilon",
+    "varepsilon",
+    "zeta",
+    "eta",
+    "theta",
+    "vartheta",
+    "iota",
+    "kappa",
+    "lambda",
+    "mu",
+    "nu",
+    "xi",
+    "rho",
+    "varrho",
+    "sigma",
+    "varsigma",
+    "tau",
+    "upsilon",
+    "phi",
+    "varphi",
+    "chi",
+    "psi",
+    "omega",
+    "Gamma",
+    "Delta",
+    "Theta",
+    "Lambda",
+    "Xi",
+    "Pi",
+    "Sigma",
+    "Upsilon",
+    "Phi",
+    "Psi",
+    "Omega",
+    "ell",
+    "hbar",
+    "varpi",
+    "aleph",
+    "wp",
+    "imath",
+    "jmath",
+    "varkappa",
 ];
-const BOLD: &[&str] = &["mathbf", "boldsymbol", "bm", "vec", "bf", "pmb", "vb", "va", "vectorbold", "mathbfit", "overrightarrow"];
+const BOLD: &[&str] =
+    &["mathbf", "boldsymbol", "bm", "vec", "bf", "pmb", "vb", "va", "vectorbold", "mathbfit", "overrightarrow"];
 const HATS: &[&str] = &["hat", "widehat", "vu", "uvec"];
-const STYLES: &[&str] = &["tilde", "widetilde", "bar", "overline", "mathcal", "mathrm", "mathsf", "mathfrak", "mathbb", "mathscr", "cal", "rm", "check", "breve"];
+const STYLES: &[&str] = &[
+    "tilde",
+    "widetilde",
+    "bar",
+    "overline",
+    "mathcal",
+    "mathrm",
+    "mathsf",
+    "mathfrak",
+    "mathbb",
+    "mathscr",
+    "cal",
+    "rm",
+    "check",
+    "breve",
+];
 const DOTS: &[(&str, usize)] = &[("dot", 1), ("ddot", 2), ("dddot", 3), ("ddddot", 4)];
 const FRACTIONS: &[&str] = &["frac", "dfrac", "tfrac", "cfrac"];
 
@@ -206,7 +264,10 @@ impl Names {
                 at = self.fraction(at, to, by, depth);
             } else if matches!(command, "dv" | "pdv" | "derivative" | "partialderivative" | "odv" | "fdv") {
                 at = self.physics(at, to, command != "dv" && command != "derivative" && command != "odv", depth);
-            } else if matches!(command, "text" | "mbox" | "hbox" | "textrm" | "operatorname" | "mathop" | "label" | "begin" | "end") {
+            } else if matches!(
+                command,
+                "text" | "mbox" | "hbox" | "textrm" | "operatorname" | "mathop" | "label" | "begin" | "end"
+            ) {
                 at = self.unit(at + 1);
             } else if command == "partial" {
                 at = self.partial_letter(at, to);
@@ -225,7 +286,8 @@ impl Names {
         let differential = |text: &str| matches!(text, "d" | r"\partial" | r"\mathrm" | r"\dd");
         let first = self.inner(top).0;
         let below = self.inner(middle).0;
-        let begins = differential(self.text(first)) && differential(self.text(below)) && self.text(below) == self.text(first);
+        let begins =
+            differential(self.text(first)) && differential(self.text(below)) && self.text(below) == self.text(first);
         if !begins {
             self.range(top, middle, by, depth + 1);
             self.range(middle, end, by, depth + 1);
@@ -342,7 +404,9 @@ impl Names {
         let mut out = String::new();
         for m in &self.marks[from.min(to)..to.min(self.marks.len())] {
             let letter = m.text.starts_with(|c: char| c.is_ascii_alphabetic());
-            let command = out.rfind('\\').is_some_and(|i| out.len() > i + 1 && out[i + 1..].chars().all(|c| c.is_ascii_alphabetic()));
+            let command = out
+                .rfind('\\')
+                .is_some_and(|i| out.len() > i + 1 && out[i + 1..].chars().all(|c| c.is_ascii_alphabetic()));
             if letter && command {
                 out.push(' ');
             }
@@ -386,13 +450,19 @@ impl Names {
             }
             let text = self.text(next).to_owned();
             let command = text.strip_prefix('\\').unwrap_or("");
-            if text == "{" && (!styles.is_empty() || dots > 0 || matches!(self.text(next + 1), r"\bf" | r"\rm" | r"\cal")) {
+            if text == "{"
+                && (!styles.is_empty() || dots > 0 || matches!(self.text(next + 1), r"\bf" | r"\rm" | r"\cal"))
+            {
                 closing += 1;
             } else if let Some((_, n)) = DOTS.iter().find(|(d, _)| *d == command) {
                 dots += n;
             } else if BOLD.contains(&command) {
                 bold = true;
-                styles.push(if matches!(command, "vec" | "va" | "overrightarrow") { r"\vec".into() } else { r"\mathbf".into() });
+                styles.push(if matches!(command, "vec" | "va" | "overrightarrow") {
+                    r"\vec".into()
+                } else {
+                    r"\mathbf".into()
+                });
             } else if HATS.contains(&command) {
                 hat = true;
                 styles.push(r"\hat".into());
@@ -456,13 +526,28 @@ impl Names {
         base.push_str(&"'".repeat(primes));
         let call = self.call(next, to);
         let alone = styles.is_empty() || styles == [r"\mathrm"];
-        let is_difference = alone && matches!(letter.as_str(), "d" | r"\delta" | r"\Delta") && primes == 0 && subscript.is_none()
+        let is_difference = alone
+            && matches!(letter.as_str(), "d" | r"\delta" | r"\Delta")
+            && primes == 0
+            && subscript.is_none()
             && self.begins_name(next, to);
         let (derived_by, is_partial) = match by {
             Some((by, partial)) => (Some(by.clone()), *partial),
             None => (None, false),
         };
-        let name = PaperName { base, letter, is_bold: bold, has_hat: hat, subscript, dots, primes, call, derived_by, is_partial, is_difference };
+        let name = PaperName {
+            base,
+            letter,
+            is_bold: bold,
+            has_hat: hat,
+            subscript,
+            dots,
+            primes,
+            call,
+            derived_by,
+            is_partial,
+            is_difference,
+        };
         self.out.push(name);
         Some(next)
     }
@@ -473,7 +558,10 @@ impl Names {
         let text = self.text(at);
         let command = text.strip_prefix('\\').unwrap_or("");
         let letter = text.chars().count() == 1 && text.chars().all(char::is_alphabetic);
-        let styled = BOLD.contains(&command) || HATS.contains(&command) || STYLES.contains(&command) || DOTS.iter().any(|(d, _)| *d == command);
+        let styled = BOLD.contains(&command)
+            || HATS.contains(&command)
+            || STYLES.contains(&command)
+            || DOTS.iter().any(|(d, _)| *d == command);
         at < to && (letter || text == "(" || LETTERS.contains(&command) || styled)
     }
 
@@ -579,7 +667,9 @@ mod tests {
             let all = relations.iter().flat_map(|r| &r.sides).flat_map(names);
             all.filter(|n| n.derived_by.is_some()).map(|n| (n.key(), n.derived_by.clone(), n.is_partial)).collect()
         };
-        for text in [r"\frac{dx}{dt}", r"\frac{\mathrm{d}x}{\mathrm{d}t}", r"\dv{x}{t}", r"\frac{d}{dt}x", r"\frac{d^2x}{dt^2}"] {
+        for text in
+            [r"\frac{dx}{dt}", r"\frac{\mathrm{d}x}{\mathrm{d}t}", r"\dv{x}{t}", r"\frac{d}{dt}x", r"\frac{d^2x}{dt^2}"]
+        {
             assert_eq!(seen(text), [("x".to_owned(), Some("t".to_owned()), false)], "{text}");
         }
         assert_eq!(seen(r"\pdv{u}{x}"), [("u".to_owned(), Some("x".to_owned()), true)]);

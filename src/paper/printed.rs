@@ -7,9 +7,9 @@
 use std::ops::Range;
 
 use super::mark::{self, INNER, group_text};
-use super::unicode;
 use super::span_of;
 use super::token::{Kind, Token};
+use super::unicode;
 use diag::escape::shown;
 
 /// What a reader sees as one: sides, and the signs between them.
@@ -54,7 +54,11 @@ impl PrintedSide {
             let opens = bracket(Some(token)) && !(at > 0 && is_size(&self.tokens[at - 1]))
                 || is_size(token) && bracket(self.tokens.get(at + 1));
             if opens && base_before(&out).is_some_and(is_factor) {
-                out.push(Token { kind: Kind::Command, text: "cdot".to_owned(), span: token.span.start..token.span.start });
+                out.push(Token {
+                    kind: Kind::Command,
+                    text: "cdot".to_owned(),
+                    span: token.span.start..token.span.start,
+                });
             }
             out.push(token.clone());
         }
@@ -63,7 +67,8 @@ impl PrintedSide {
 }
 
 fn is_size(token: &Token) -> bool {
-    token.kind == Kind::Command && matches!(token.text.as_str(), "left" | "big" | "Big" | "bigg" | "Bigg" | "bigl" | "Bigl" | "biggl" | "Biggl")
+    token.kind == Kind::Command
+        && matches!(token.text.as_str(), "left" | "big" | "Big" | "bigg" | "Bigg" | "bigl" | "Bigl" | "biggl" | "Biggl")
 }
 
 /// The letter to which the scripts at the end of some tokens belong, or that stands there.
@@ -121,29 +126,117 @@ impl PrintedRelation {
 
 /// Signs that relate two sides.
 const RELATIONS: &[&str] = &[
-    "equiv", "approx", "simeq", "sim", "cong", "propto", "ll", "gg", "le", "leq", "leqslant", "ge", "geq", "geqslant",
-    "ne", "neq", "lesssim", "gtrsim", "to", "rightarrow", "longrightarrow", "mapsto", "longmapsto", "in", "notin", "subset", "subseteq",
-    "doteq", "triangleq", "coloneqq", "coloneq", "eqqcolon", "asymp", "lt", "gt", "leftarrow", "perp", "parallel",
-    "rightleftharpoons", "leftrightarrow", "xrightarrow", "eqsim", "approxeq", "thickapprox", "thicksim", "prec", "succ",
+    "equiv",
+    "approx",
+    "simeq",
+    "sim",
+    "cong",
+    "propto",
+    "ll",
+    "gg",
+    "le",
+    "leq",
+    "leqslant",
+    "ge",
+    "geq",
+    "geqslant",
+    "ne",
+    "neq",
+    "lesssim",
+    "gtrsim",
+    "to",
+    "rightarrow",
+    "longrightarrow",
+    "mapsto",
+    "longmapsto",
+    "in",
+    "notin",
+    "subset",
+    "subseteq",
+    "doteq",
+    "triangleq",
+    "coloneqq",
+    "coloneq",
+    "eqqcolon",
+    "asymp",
+    "lt",
+    "gt",
+    "leftarrow",
+    "perp",
+    "parallel",
+    "rightleftharpoons",
+    "leftrightarrow",
+    "xrightarrow",
+    "eqsim",
+    "approxeq",
+    "thickapprox",
+    "thicksim",
+    "prec",
+    "succ",
 ];
 
 /// Signs between statements.
 const BETWEEN_STATEMENTS: &[&str] = &[
-    "Rightarrow", "implies", "Longrightarrow", "iff", "Leftrightarrow", "Longleftrightarrow", "therefore", "because", "impliedby",
+    "Rightarrow",
+    "implies",
+    "Longrightarrow",
+    "iff",
+    "Leftrightarrow",
+    "Longleftrightarrow",
+    "therefore",
+    "because",
+    "impliedby",
     "Leftarrow",
 ];
 
 /// Signs with which a formula goes on.
-const OPERATORS: &[&str] = &["+", "-", "/", "*", "·", "×", "−", "pm", "mp", "times", "cdot", "div", "wedge", "otimes", "oplus", "ast"];
+const OPERATORS: &[&str] =
+    &["+", "-", "/", "*", "·", "×", "−", "pm", "mp", "times", "cdot", "div", "wedge", "otimes", "oplus", "ast"];
 
 /// Commands that print words.
-const WORDS: &[&str] = &["text", "mbox", "hbox", "textrm", "textit", "textbf", "textnormal", "intertext", "shortintertext"];
+const WORDS: &[&str] =
+    &["text", "mbox", "hbox", "textrm", "textit", "textbf", "textnormal", "intertext", "shortintertext"];
 
 /// Spaces.
 const SPACES: &[&str] = &[
-    ",", ";", ":", ">", "!", " ", "\n", "\t", "thinspace", "medspace", "thickspace", "negthinspace", "enspace", "nonumber",
-    "notag", "hfill", "hfil", "allowbreak", "noindent", "par", "break", "linebreak", "pagebreak", "allowdisplaybreaks", "relax",
-    "protect", "strut", "displaystyle", "textstyle", "displaybreak", "quad", "qquad", "/", "centering", "nobreak", "null", "smallskip", "medskip",
+    ",",
+    ";",
+    ":",
+    ">",
+    "!",
+    " ",
+    "\n",
+    "\t",
+    "thinspace",
+    "medspace",
+    "thickspace",
+    "negthinspace",
+    "enspace",
+    "nonumber",
+    "notag",
+    "hfill",
+    "hfil",
+    "allowbreak",
+    "noindent",
+    "par",
+    "break",
+    "linebreak",
+    "pagebreak",
+    "allowdisplaybreaks",
+    "relax",
+    "protect",
+    "strut",
+    "displaystyle",
+    "textstyle",
+    "displaybreak",
+    "quad",
+    "qquad",
+    "/",
+    "centering",
+    "nobreak",
+    "null",
+    "smallskip",
+    "medskip",
 ];
 
 /// The most rows of a display that are looked at as one; more are told as one formula that is not read.
@@ -165,7 +258,9 @@ pub(super) fn is_operator(token: &Token) -> bool {
 
 fn is_relation(token: &Token) -> bool {
     match token.kind {
-        Kind::Other => matches!(token.text.as_str(), "=" | "<" | ">" | "≈" | "≤" | "≥" | "≠" | "≡" | "∼" | "∝" | "≪" | "≫"),
+        Kind::Other => {
+            matches!(token.text.as_str(), "=" | "<" | ">" | "≈" | "≤" | "≥" | "≠" | "≡" | "∼" | "∝" | "≪" | "≫")
+        }
         Kind::Command => RELATIONS.contains(&token.text.as_str()),
         _ => false,
     }
@@ -337,7 +432,8 @@ fn without_brace(body: &[Token]) -> Option<Vec<Token>> {
     let printed: Vec<usize> = (0..body.len()).filter(|&i| !is_space(&body[i])).collect();
     let (&first, &last) = (printed.first()?, printed.last()?);
     let brace = body.get(first)?.is("left") && body.get(printed.get(1).copied()?)?.is("{");
-    let dot = body.get(last)?.is_char(".") && body.get(printed.get(printed.len().checked_sub(2)?).copied()?)?.is("right");
+    let dot =
+        body.get(last)?.is_char(".") && body.get(printed.get(printed.len().checked_sub(2)?).copied()?)?.is("right");
     if !brace || !dot {
         return None;
     }
@@ -455,8 +551,10 @@ impl Piece {
 }
 
 /// Words behind which a condition stands.
-const CONDITIONAL: &[&str] =
-    &["for", "if", "when", "where", "with", "as", "at", "provided", "unless", "whenever", "only if", "for all", "given", "assuming", "on", "in"];
+const CONDITIONAL: &[&str] = &[
+    "for", "if", "when", "where", "with", "as", "at", "provided", "unless", "whenever", "only if", "for all", "given",
+    "assuming", "on", "in",
+];
 
 /// The pieces of a row.
 fn pieces(tokens: &[Token]) -> Vec<Piece> {
@@ -579,15 +677,21 @@ impl Relations<'_> {
             }
             let begins = piece.first().is_some_and(|t| is_relation(t) || is_operator(t));
             let operator = piece.first().is_some_and(is_operator) && !piece.relates();
-            if k == 0 && begins && (layout.left_empty || operator) && self.open[column].is_none()
+            if k == 0
+                && begins
+                && (layout.left_empty || operator)
+                && self.open[column].is_none()
                 && let Some(previous) = before
             {
                 column = previous;
             }
-            let goes_on = if k == 0 { self.goes_on(&piece, column, layout) } else { begins && !piece.implied && !piece.comma };
+            let goes_on =
+                if k == 0 { self.goes_on(&piece, column, layout) } else { begins && !piece.implied && !piece.comma };
             let list = piece.comma && !piece.wide && k > 0 && !piece.relates();
             let ended = piece.ended;
-            if (goes_on || list) && let Some(at) = self.open[column] {
+            if (goes_on || list)
+                && let Some(at) = self.open[column]
+            {
                 self.append(at, &piece.tokens, list);
             } else {
                 self.begin(&piece, column, conditional);
@@ -615,8 +719,7 @@ impl Relations<'_> {
         let last = self.out[at].sides.last();
         let unfinished = last.is_some_and(|side| {
             let printed: Vec<&Token> = side.tokens.iter().filter(|t| !is_space(t)).collect();
-            printed.last().is_none_or(|t| is_operator(t))
-                || walk(&side.tokens, |_, _| {}).brackets > 0
+            printed.last().is_none_or(|t| is_operator(t)) || walk(&side.tokens, |_, _| {}).brackets > 0
         });
         let lines = matches!(
             self.place.environment.trim_end_matches('*'),
@@ -670,8 +773,10 @@ impl Relations<'_> {
         let mut i = 0;
         while i < tokens.len() {
             let token = &tokens[i];
-            let over = matches!(token.text.as_str(), "stackrel" | "overset" | "underset") && token.kind == Kind::Command;
-            if nesting.is_outside() && over
+            let over =
+                matches!(token.text.as_str(), "stackrel" | "overset" | "underset") && token.kind == Kind::Command;
+            if nesting.is_outside()
+                && over
                 && let Some((sign, words, after)) = stacked(tokens, i)
             {
                 relation.sides.push(side_of(&std::mem::take(&mut current)));
@@ -802,7 +907,11 @@ fn without_labels(tokens: &[Token]) -> (Vec<Token>, Option<String>, Option<Strin
             let star = usize::from(tokens.get(at + 1).is_some_and(|t| t.is_char("*")));
             let (text, after) = group_text(tokens, at + 1 + star);
             let text = diag::escape::in_one_line(&text);
-            if token.is("label") { label = Some(text) } else { tag = Some(text) }
+            if token.is("label") {
+                label = Some(text)
+            } else {
+                tag = Some(text)
+            }
             at = after.max(at + 1);
             continue;
         }
@@ -849,7 +958,10 @@ mod tests {
     use super::*;
 
     fn read(environment: &str, text: &str) -> Vec<String> {
-        read_spaced(environment, text).iter().map(|r| r.replace(" +", "+").replace(" -", "-").replace(" \\times", "\\times")).collect()
+        read_spaced(environment, text)
+            .iter()
+            .map(|r| r.replace(" +", "+").replace(" -", "-").replace(" \\times", "\\times"))
+            .collect()
     }
 
     fn read_spaced(environment: &str, text: &str) -> Vec<String> {
@@ -884,10 +996,16 @@ mod tests {
         assert_eq!(read("align", r"A &= (a+b)^2 \\ &= a^2+2ab+b^2"), ["A = (a+b)^2 = a^2+2ab+b^2"]);
         assert_eq!(read("multline", r"a = b \\ + c \\ - d"), ["a = b+ c- d"]);
         assert_eq!(read("align", r"a &= b \\ -c &= d"), ["a = b", "-c = d"]);
-        assert_eq!(read("align", r"a &= \left(b \right. \\ & \left. c\right)"), [r"a = \left(b \right. \left. c\right)"]);
+        assert_eq!(
+            read("align", r"a &= \left(b \right. \\ & \left. c\right)"),
+            [r"a = \left(b \right. \left. c\right)"]
+        );
         assert_eq!(read("align", r"a &= x \\ &\quad \times y"), [r"a = x\times y"]);
         assert_eq!(read("equation", r"\begin{split} a &= b \\ &= c \end{split}"), ["a = b = c"]);
-        assert_eq!(read("equation", r"\left\{\begin{aligned} a &= b \\ c &= d \end{aligned}\right."), ["a = b", "c = d"]);
+        assert_eq!(
+            read("equation", r"\left\{\begin{aligned} a &= b \\ c &= d \end{aligned}\right."),
+            ["a = b", "c = d"]
+        );
         assert_eq!(read("equation", r"\begin{array}{rcl} a &=& b \\ &=& c \end{array}"), ["a = b = c"]);
         assert_eq!(read("gather", r"a = b \\ c = d"), ["a = b", "c = d"]);
     }
@@ -897,7 +1015,10 @@ mod tests {
         assert_eq!(read("[", r"\Phi=\left\{T, V, n\right\}"), [r"\Phi = \left\{T, V, n\right\}"]);
         assert_eq!(read("[", r"\Phi=\{T, V, n\}"), [r"\Phi = \{T, V, n\}"]);
         assert_eq!(read("[", r"f(x,y)=1, \quad g=2."), ["f(x,y) = 1", "g = 2"]);
-        assert_eq!(read("[", r"A=\begin{pmatrix}1&2\\3&4\end{pmatrix}."), [r"A = \begin{pmatrix}1&2\\3&4\end{pmatrix}"]);
+        assert_eq!(
+            read("[", r"A=\begin{pmatrix}1&2\\3&4\end{pmatrix}."),
+            [r"A = \begin{pmatrix}1&2\\3&4\end{pmatrix}"]
+        );
         assert_eq!(read("[", r"x=1.5, y=2"), ["x = 1.5", "y = 2"]);
     }
 

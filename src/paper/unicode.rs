@@ -4,12 +4,12 @@ use super::token::{Kind, Token};
 
 /// Greek letters in the order of Unicode, from alpha; the final sigma is one of them.
 const SMALL: &[&str] = &[
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu", "xi", "o", "pi", "rho",
-    "varsigma", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega",
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu", "xi",
+    "o", "pi", "rho", "varsigma", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega",
 ];
 const CAPITAL: &[&str] = &[
-    "A", "B", "Gamma", "Delta", "E", "Z", "H", "Theta", "I", "K", "Lambda", "M", "N", "Xi", "O", "Pi", "P", "Theta", "Sigma", "T",
-    "Upsilon", "Phi", "X", "Psi", "Omega",
+    "A", "B", "Gamma", "Delta", "E", "Z", "H", "Theta", "I", "K", "Lambda", "M", "N", "Xi", "O", "Pi", "P", "Theta",
+    "Sigma", "T", "Upsilon", "Phi", "X", "Psi", "Omega",
 ];
 /// Signs, each with what prints it.
 const SIGNS: &[(char, &[&str])] = &[
