@@ -83,8 +83,7 @@ fn finding(paper: &Paper, judgement: &Judgement) -> Option<Finding> {
 fn json(paper: &Paper, found: &Lint) -> String {
     let one = |j: &Judgement| {
         let relation = &paper.printed[j.relation];
-        let (source, span) = paper.locate(&j.span);
-        let region = Place::new(source, span).region();
+        let (line, column) = paper.line_and_column(&j.span);
         let witness = j.witness.as_ref().map(|w| {
             let values: serde_json::Map<String, serde_json::Value> =
                 w.values.iter().map(|(n, v)| (n.clone(), v.clone().into())).collect();
@@ -94,9 +93,9 @@ fn json(paper: &Paper, found: &Lint) -> String {
             j.with.iter().filter_map(|r| paper.printed.get(*r)).map(|r| paper.line(&r.span())).collect();
         serde_json::json!({
             "word": j.word.text(),
-            "file": source.path,
-            "line": region.map_or(0, |r| r.line),
-            "column": region.map_or(0, |r| r.column),
+            "file": paper.locate(&j.span).0.path,
+            "line": line,
+            "column": column,
             "formula": relation.text(),
             "label": relation.label,
             "inline": relation.display.is_none(),

@@ -264,7 +264,8 @@ impl Judge<'_> {
             out.with.push(before);
         }
         let value = relation.sides.len() == 2 && names(&relation.sides[1]).is_empty();
-        if out.word == Word::Defines && (value || lone_name(&relation.sides[1]).is_some()) {
+        let is_rate = first.as_ref().is_some_and(|n| n.dots > 0 || n.derived_by.is_some());
+        if out.word == Word::Defines && !is_rate && (value || lone_name(&relation.sides[1]).is_some()) {
             out.word = Word::Condition;
         }
     }

@@ -82,9 +82,7 @@ pub fn lint_text(paper: &Paper, lint: &Lint) -> String {
         let _ = writeln!(out, "{place:>6}  {:<16} {short}{more}{why}", judgement.word.text());
     }
     for note in &paper.notes {
-        let (source, span) = paper.locate(&note.span);
-        let at = Diagnostic::at(source, "paper::unreadable", span, "");
-        let place = at.line_and_column().map_or(0, |p| p.0);
+        let place = paper.line(&note.span);
         let _ = writeln!(out, "{place:>6}  {:<16} {}", "note", in_one_line(&note.message));
     }
     for found in lint.judgements.iter().filter_map(|j| diagnostic(paper, j)) {

@@ -226,14 +226,8 @@ fn claims(paper: &Paper) -> Vec<Claim> {
     // For a label that occurs often, the number that is tried next.
     let mut next: BTreeMap<String, usize> = BTreeMap::new();
     let mut out = Vec::new();
-    // Equations stand in the order of their places.
-    let (mut line, mut counted) = (1, 0);
     for (i, equation) in paper.equations.iter().enumerate() {
-        if equation.span.start < counted {
-            (line, counted) = (1, 0);
-        }
-        line += paper.file.text.get(counted..equation.span.start).map_or(0, |t| t.matches('\n').count());
-        counted = equation.span.start;
+        let line = paper.line(&equation.span);
         let base = equation.label.as_ref().map_or_else(|| format!("equation-{}", i + 1), |l| id_of(l));
         let mut id = base.clone();
         let n = next.entry(base.clone()).or_insert(2);

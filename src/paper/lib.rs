@@ -65,6 +65,8 @@ pub struct Paper {
     pub notes: Vec<PaperNote>,
     /// Files that the paper names, each with where its text begins when all are written behind each other.
     inputs: Vec<(usize, Arc<Source>)>,
+    /// Where the lines of each file begin, the paper's own first.
+    lines: Vec<Vec<usize>>,
 }
 
 /// Something of a paper that was not read.
@@ -95,8 +97,17 @@ impl Paper {
 
     /// The line of a place in its file, from 1.
     pub fn line(&self, span: &Range<usize>) -> usize {
-        let (source, span) = self.locate(span);
-        source.text.as_bytes().iter().take(span.start).filter(|b| **b == b'\n').count() + 1
+        self.line_and_column(span).0
+    }
+
+    /// Line and column of a place in its file, both from 1, the column in characters.
+    pub fn line_and_column(&self, span: &Range<usize>) -> (usize, usize) {
+        let file = self.inputs.iter().rposition(|(base, _)| *base <= span.start).map_or(0, |at| at + 1);
+        let (source, place) = self.locate(span);
+        let line = self.lines.get(file).map_or(0, |starts| starts.partition_point(|s| *s <= place.start));
+        let start = self.lines.get(file).and_then(|starts| starts.get(line.checked_sub(1)?)).copied().unwrap_or(0);
+        let column = source.text.get(start..place.start).map_or(0, |t| t.chars().count()) + 1;
+        (line.max(1), column)
     }
 }
 
@@ -179,7 +190,9 @@ fn parse_with(file: Source, sha256: String, folder: Option<&Path>) -> Result<Pap
     let title = title.map(|t| shown(&t).into_owned());
     notes.extend(inputs.notes);
     notes.sort_by_key(|n| (n.span.start, n.span.end));
-    Ok(Paper { file, sha256, title, equations, relations, printed, notes, inputs: inputs.files })
+    let starts = |text: &str| std::iter::once(0).chain(text.match_indices('\n').map(|(i, _)| i + 1)).collect();
+    let lines = std::iter::once(&file).chain(inputs.files.iter().map(|(_, f)| f)).map(|f| starts(&f.text)).collect();
+    Ok(Paper { file, sha256, title, equations, relations, printed, notes, inputs: inputs.files, lines })
 }
 
 #[cfg(test)]

@@ -113,7 +113,7 @@ impl Evidence {
     }
 
     fn note(&mut self, relation: &PrintedRelation) {
-        for name in relation.sides.iter().flat_map(names) {
+        for name in relation.sides.iter().filter(|s| s.text.len() <= LONGEST).flat_map(names) {
             let key = name.key();
             if name.dots > 0 || name.derived_by.as_deref() == Some("t") && !name.is_partial {
                 self.moving.insert(key.clone());
@@ -147,6 +147,9 @@ impl Evidence {
         }
     }
 }
+
+/// Longest side, in bytes, that is looked at.
+const LONGEST: usize = 20_000;
 
 /// Letters of Greek that are names, with other commands that are.
 const LETTERS: &[&str] = &[
