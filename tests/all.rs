@@ -73,6 +73,7 @@ mod latex_refused;
 mod latex_robust;
 mod latex_spellings;
 mod latex_typeset;
+mod lint;
 mod layering;
 mod maps;
 mod measures;

@@ -17,6 +17,7 @@ pub const CRATES: &[(&str, &[&str])] = &[
     ("proof", &["expr", "number"]),
     ("derivation", &["diag", "expr", "files", "latex"]),
     ("paper", &["derivation", "diag", "files", "latex"]),
+    ("lint", &["diag", "expr", "latex", "number", "paper", "proof"]),
     ("units", &["derivation", "expr", "latex"]),
     ("findings", &["derivation", "expr", "number", "proof", "reason", "units", "verdict"]),
     ("claim", &["derivation", "diag", "expr", "flow", "latex", "number", "reason", "verdict"]),

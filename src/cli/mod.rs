@@ -12,6 +12,7 @@ mod ending;
 mod explain;
 mod files;
 mod init;
+mod lint;
 mod list;
 mod manual;
 mod merge;
@@ -58,6 +59,9 @@ enum Command {
     /// Joins the parts of a family that `sweep` wrote: prints the verdicts, the same as `check` on one machine
     #[command(after_help = EXIT_CODES)]
     Merge(merge::MergeArguments),
+    /// Says of every formula that a paper prints whether it follows, is wrong, or was not followed
+    #[command(after_help = lint::AFTER_HELP)]
+    Lint(lint::LintArguments),
     /// Drafts a derivation file from a paper's LaTeX source
     Init(init::InitArguments),
     /// Makes a PDF file of a report, with LaTeX or a browser, whichever is at hand
@@ -78,6 +82,11 @@ enum Command {
 
 /// Runs a command line, the name of the program first; the exit code.
 pub fn run(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
+    let mut line: Vec<std::ffi::OsString> = line.into_iter().collect();
+    // A paper in the place of a command is looked through.
+    if line.get(1).is_some_and(|word| lint::is_paper(word)) {
+        line.insert(1, "lint".into());
+    }
     let arguments = match Arguments::try_parse_from(line) {
         Ok(arguments) => arguments,
         Err(error) => {
@@ -115,6 +124,7 @@ fn command(arguments: &Arguments) -> Result<Ending, Stop> {
         Command::Search(a) => search::search(a),
         Command::Sweep(a) => sweep::sweep(a),
         Command::Merge(a) => merge::merge(a),
+        Command::Lint(a) => lint::lint(a),
         Command::Init(a) => init::init(a),
         Command::Report(a) => report::report(a),
         Command::Audit(a) => audit::audit(a),

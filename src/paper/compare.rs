@@ -181,7 +181,8 @@ pub fn compare(derivation: &Derivation, paper: &Paper) -> Comparison {
         for (at, equation) in paper.equations.iter().enumerate() {
             let named = formula.label.is_some() && formula.label == equation.label.as_deref();
             // Under another label, only a whole relation that is the same to the last sign is about this equation.
-            let run = run_of(equation, &words).filter(|_| named || formula.label.is_none());
+            let whole = || words_of_whole(equation, &words);
+            let run = run_of(equation, &words).or_else(whole).filter(|_| named || formula.label.is_none());
             if let Some(run) = &run {
                 covered[at][run.clone()].fill(true);
                 if !by[at].contains(&formula.owner) {
@@ -288,6 +289,11 @@ fn runs(equation: &Equation) -> impl Iterator<Item = (Range<usize>, &[Part])> {
 /// The parts of an equation that together are these words.
 fn run_of(equation: &Equation, wanted: &[&str]) -> Option<Range<usize>> {
     runs(equation).find(|(_, parts)| words(parts.iter().flat_map(|p| &p.marks)) == wanted).map(|(run, _)| run)
+}
+
+/// The first part of an equation, where these words are the first side of its chain and what the part says of it.
+fn words_of_whole(equation: &Equation, wanted: &[&str]) -> Option<Range<usize>> {
+    (!equation.whole.is_empty() && words(equation.whole.iter()) == wanted).then_some(0..1)
 }
 
 /// The longest formula, in signs, of which the distance to another is computed.

@@ -10,6 +10,7 @@ use std::ops::Range;
 
 use super::Paper;
 use super::mark::{Mark, marks};
+use super::names::{Call, Evidence, PaperName, names_of};
 use super::token::tokens;
 use derivation::parse;
 use diag::{Diagnostic, Source};
@@ -40,8 +41,10 @@ impl Draft {
     }
 }
 
-/// The most rounds of loading: each declares a symbol or puts a formula into a comment.
+/// The most rounds of loading: each takes back a guess, or puts formulas into comments.
 const MOST_ROUNDS: usize = 2000;
+/// The most names of a formula.
+const MOST_NAMES: usize = 120;
 
 /// A formula of the draft.
 struct Formula {
@@ -50,6 +53,8 @@ struct Formula {
     refused: Option<String>,
     /// Its place in the text of the last round.
     place: Range<usize>,
+    /// The guesses that it needs.
+    needs: Vec<Guess>,
 }
 
 struct Claim {
@@ -68,30 +73,48 @@ struct Guess {
     why: &'static str,
 }
 
+impl Guess {
+    /// The name as a key of the file.
+    fn key(&self) -> String {
+        if self.name.contains('\'') { quoted(&self.name) } else { format!("'{}'", self.name) }
+    }
+}
+
 /// A derivation file for a paper, to be confirmed and completed. `name` is what the paper's file is called in it.
+///
+/// Every formula is read by itself first, with the guesses that it needs; then all together. A guess that clashes with another is
+/// taken back, and said: no formula is lost because of one that does not need it.
 pub fn draft(paper: &Paper, name: &str) -> Draft {
     let mut claims = claims(paper);
     let all: Vec<Mark> =
         paper.equations.iter().flat_map(|e| &e.parts).chain(&paper.relations).flat_map(|p| plain(&p.text)).collect();
     let time = Guess { name: "t".into(), role: "time", shape: None, why: "the usual name" };
-    let mut symbols = vec![time];
-    for _ in 0..MOST_ROUNDS {
-        let text = written(paper, name, &symbols, &mut claims);
-        let source = Source { path: "draft.toml".to_owned(), text };
-        match parse(source, "draft") {
-            Ok(_) => break,
-            Err(found) => {
-                if !repair(&found, &mut symbols, &mut claims, &all) {
-                    // A problem that belongs to no formula: nothing is kept that could be wrong.
-                    claims.iter_mut().flat_map(|c| &mut c.formulas).for_each(|f| {
-                        f.refused.get_or_insert_with(|| "the file could not be loaded with it".to_owned());
-                    });
-                    symbols.truncate(1);
+    let mut symbols = vec![time.clone()];
+    let evidence = Evidence::of(paper);
+    for claim in &mut claims {
+        for formula in claim.formulas.iter_mut().filter(|f| f.refused.is_none()) {
+            alone(formula, (paper, &evidence), name, &time, &all);
+            for guess in &formula.needs {
+                if !symbols.contains(guess) {
+                    symbols.push(guess.clone());
                 }
             }
         }
     }
-    let text = written(paper, name, &symbols, &mut claims);
+    let mut clashes = settled(&mut symbols, &mut claims);
+    for _ in 0..MOST_ROUNDS {
+        let text = written(paper, name, &symbols, &clashes, &mut claims);
+        let source = Source { path: "draft.toml".to_owned(), text };
+        let Err(found) = parse(source, "draft") else { break };
+        if !taken_back(&found, &mut symbols, &mut clashes, &mut claims) {
+            // A problem that belongs to no formula and to no guess: nothing is kept that could be wrong.
+            claims.iter_mut().flat_map(|c| &mut c.formulas).for_each(|f| {
+                f.refused.get_or_insert_with(|| "the file could not be loaded with it".to_owned());
+            });
+            symbols.truncate(1);
+        }
+    }
+    let text = written(paper, name, &symbols, &clashes, &mut claims);
     let formulas = || claims.iter().flat_map(|c| &c.formulas);
     Draft {
         text,
@@ -100,6 +123,93 @@ pub fn draft(paper: &Paper, name: &str) -> Draft {
         refused: formulas().filter(|f| f.refused.is_some()).count(),
         symbols: symbols.len(),
     }
+}
+
+/// Reads a formula by itself: what it needs, or why it is refused.
+fn alone(formula: &mut Formula, (paper, evidence): (&Paper, &Evidence), name: &str, time: &Guess, all: &[Mark]) {
+    let own = Formula { text: formula.text.clone(), refused: None, place: 0..0, needs: Vec::new() };
+    let mut claims = [Claim { id: "one".to_owned(), label: None, line: 1, formulas: vec![own] }];
+    // As the names are printed, labels among them.
+    let named = guesses(&formula.text, evidence);
+    if !named.is_empty() {
+        let symbols: Vec<Guess> = std::iter::once(time.clone()).chain(named.iter().cloned()).collect();
+        let text = written(paper, name, &symbols, &[], &mut claims);
+        if parse(Source { path: "draft.toml".to_owned(), text }, "draft").is_ok() {
+            formula.needs = named;
+            return;
+        }
+    }
+    let mut symbols = vec![time.clone()];
+    for _ in 0..MOST_NAMES {
+        let text = written(paper, name, &symbols, &[], &mut claims);
+        let source = Source { path: "draft.toml".to_owned(), text };
+        let Err(found) = parse(source, "draft") else { break };
+        if !repair(&found, &mut symbols, &mut claims, all) {
+            claims[0].formulas[0].refused.get_or_insert_with(|| "what it needs cannot be declared".to_owned());
+        }
+        if claims[0].formulas[0].refused.is_some() {
+            break;
+        }
+    }
+    formula.refused = claims[0].formulas[0].refused.take();
+    if formula.refused.is_none() {
+        formula.needs = symbols.split_off(1);
+    }
+}
+
+/// Of guesses on one name the one that most formulas need is kept; formulas that need another are refused. What was taken back.
+fn settled(symbols: &mut Vec<Guess>, claims: &mut [Claim]) -> Vec<String> {
+    let mut wanted: BTreeMap<&str, Vec<(Guess, usize)>> = BTreeMap::new();
+    let needs = |claims: &[Claim], guess: &Guess| {
+        claims.iter().flat_map(|c| &c.formulas).filter(|f| f.needs.contains(guess)).count()
+    };
+    for guess in symbols.iter() {
+        wanted.entry(&guess.name).or_default().push((guess.clone(), needs(claims, guess)));
+    }
+    let mut lost: Vec<Guess> = Vec::new();
+    for guesses in wanted.values().filter(|g| g.len() > 1) {
+        // The first of those that are needed most.
+        let most = guesses.iter().map(|g| g.1).max().unwrap_or(0);
+        let kept = guesses.iter().position(|g| g.1 == most).unwrap_or(0);
+        lost.extend(guesses.iter().enumerate().filter(|(i, _)| *i != kept).map(|(_, g)| g.0.clone()));
+    }
+    let clashes =
+        lost.iter().map(|g| take_back(g, "another guess on this name is needed by more formulas", claims)).collect();
+    symbols.retain(|s| !lost.contains(s));
+    clashes
+}
+
+/// Refuses the formulas that need a guess; what is said of it.
+fn take_back(guess: &Guess, why: &str, claims: &mut [Claim]) -> String {
+    for formula in claims.iter_mut().flat_map(|c| &mut c.formulas).filter(|f| f.needs.contains(guess)) {
+        formula.refused.get_or_insert_with(|| format!("`{}` cannot be declared as it needs it: {why}", guess.name));
+    }
+    let shape = guess.shape.map(|s| format!(", shape {s}")).unwrap_or_default();
+    format!("{}: {}{shape}: {why}", guess.name, guess.role)
+}
+
+/// Takes back what the whole file cannot have: the guess, or the formula, at which a problem stands. Whether there was any.
+fn taken_back(found: &[Diagnostic], symbols: &mut Vec<Guess>, clashes: &mut Vec<String>, claims: &mut [Claim]) -> bool {
+    let mut done = false;
+    for problem in found {
+        let Some(span) = problem.place.as_ref().map(|l| l.span.clone()) else { continue };
+        let here = |f: &&mut Formula| f.refused.is_none() && f.place.start <= span.start && span.start <= f.place.end;
+        if let Some(formula) = claims.iter_mut().flat_map(|c| &mut c.formulas).find(here) {
+            formula.refused = Some(format!("beside the other names: {}", problem.message));
+            done = true;
+            continue;
+        }
+        let line = problem.source.text.get(..span.start).map_or(0, |t| t.matches('\n').count());
+        let text = problem.source.text.lines().nth(line).unwrap_or_default();
+        if let Some(at) = symbols.iter().skip(1).position(|s| text.starts_with(&s.key())) {
+            let guess = symbols.remove(at + 1);
+            clashes.push(take_back(&guess, &problem.message, claims));
+            done = true;
+            // Other places may mean other things now.
+            break;
+        }
+    }
+    done
 }
 
 /// Commands that choose a style: a symbol in bold is the vector of which the plain letter has the components.
@@ -116,14 +226,8 @@ fn claims(paper: &Paper) -> Vec<Claim> {
     // For a label that occurs often, the number that is tried next.
     let mut next: BTreeMap<String, usize> = BTreeMap::new();
     let mut out = Vec::new();
-    // Equations stand in the order of their places.
-    let (mut line, mut counted) = (1, 0);
     for (i, equation) in paper.equations.iter().enumerate() {
-        if equation.span.start < counted {
-            (line, counted) = (1, 0);
-        }
-        line += paper.file.text.get(counted..equation.span.start).map_or(0, |t| t.matches('\n').count());
-        counted = equation.span.start;
+        let line = paper.line(&equation.span);
         let base = equation.label.as_ref().map_or_else(|| format!("equation-{}", i + 1), |l| id_of(l));
         let mut id = base.clone();
         let n = next.entry(base.clone()).or_insert(2);
@@ -133,9 +237,8 @@ fn claims(paper: &Paper) -> Vec<Claim> {
         }
         let formula = |text: &str| {
             let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-            let unquotable = text.contains("'''") || text.ends_with('\'');
-            let refused = unquotable.then(|| "it cannot stand between quotes".to_owned());
-            Formula { text, refused, place: 0..0 }
+            let refused = None;
+            Formula { text, refused, place: 0..0, needs: Vec::new() }
         };
         let formulas = equation.parts.iter().map(|p| formula(&p.text)).collect();
         out.push(Claim { id, label: equation.label.clone(), line, formulas });
@@ -212,6 +315,71 @@ fn without_subscript(name: &str) -> &str {
     &name[..subscript.unwrap_or(name.len())]
 }
 
+/// What the names of a formula may be, from what the whole paper shows; nothing where that is not enough.
+fn guesses(text: &str, evidence: &Evidence) -> Vec<Guess> {
+    let all = names_of(&tokens(text));
+    let other = |n: &PaperName| n.derived_by.as_deref().is_some_and(|by| by != "t") && !n.is_partial;
+    if all.iter().any(|n| n.has_hat || n.is_difference || other(n)) {
+        return Vec::new();
+    }
+    let mut coordinates: BTreeSet<&str> = BTreeSet::new();
+    for name in all.iter().filter(|n| n.is_partial) {
+        coordinates.extend(name.derived_by.as_deref());
+    }
+    let mut out: Vec<Guess> = Vec::new();
+    for name in &all {
+        let key = name.key();
+        let is_e = name.letter == "e" && name.base != "e";
+        if key == "t" || is_e || key == r"\pi" {
+            continue;
+        }
+        let guess = match coordinates.contains(key.as_str()) {
+            true => Guess { name: key, role: "coordinate", shape: None, why: "the paper derives by it" },
+            false => named(name, key, &all, evidence),
+        };
+        if !out.iter().any(|g| g.name == guess.name) {
+            out.push(guess);
+        }
+    }
+    // Fields stand behind their coordinates.
+    out.sort_by_key(|g| (g.role == "field", g.role != "coordinate"));
+    out
+}
+
+/// What one name may be.
+fn named(name: &PaperName, key: String, all: &[PaperName], evidence: &Evidence) -> Guess {
+    let by: BTreeSet<&str> = evidence.partial.get(&key).into_iter().flatten().map(String::as_str).collect();
+    if !by.is_empty() && all.iter().any(|n| n.is_partial) {
+        let places: Vec<&str> = by.into_iter().collect();
+        let shape = name.is_bold.then_some("3");
+        return Guess {
+            name: format!("{key}({})", places.join(",")),
+            role: "field",
+            shape,
+            why: "the paper derives it partially",
+        };
+    }
+    let moves = evidence.moving.contains(&key)
+        || evidence.calls.get(&key).is_some_and(|c| c.contains_key(&Some(vec!["t".to_owned()])));
+    let (role, why) = match moves {
+        true => ("state", "the paper prints its rate"),
+        false => ("parameter", "the paper prints no rate of it"),
+    };
+    if evidence.has_indices(&name.letter) && !name.is_bold {
+        let two = evidence.subscripts.get(&name.letter).is_some_and(|s| s.iter().any(|s| s.chars().count() == 2));
+        let shape = if two { Some("3x3") } else { Some("3") };
+        return Guess { name: name.base.clone(), role, shape, why };
+    }
+    let why = if name.subscript.is_some() && !moves { "a subscript that is no index" } else { why };
+    let place = match &name.call {
+        Call::Places(places) if !moves && places.iter().any(|p| !p.chars().all(|c| c.is_ascii_digit())) => {
+            format!("({})", places.join(","))
+        }
+        _ => String::new(),
+    };
+    Guess { name: format!("{key}{place}"), role, shape: name.is_bold.then_some("3"), why }
+}
+
 /// What a symbol may be, from how the paper uses it; `at` is where it is missed, `after` what follows.
 fn guess(name: &str, at: &str, after: &str, all: &[Mark]) -> Guess {
     let base = plain(name);
@@ -221,7 +389,8 @@ fn guess(name: &str, at: &str, after: &str, all: &[Mark]) -> Guess {
     let index = |s: &&String| s.chars().all(|c| "ijklmnpqrs123".contains(c)) && (1..=2).contains(&s.chars().count());
     let indices: Vec<&String> = subscripts.iter().filter(index).collect();
     let letter = indices.iter().any(|s| s.chars().any(|c| "ijklmnpqrs".contains(c)));
-    let indexed = letter || indices.len() > 1;
+    // Digits beside each other, `N_1` and `N_2`, are several numbers, unless the letter has an index or is in bold somewhere.
+    let indexed = letter || indices.len() > 1 && is_bold;
     let counts: Vec<usize> = indices.iter().map(|s| s.chars().count()).collect();
     let shape = match counts.iter().max() {
         // With one index and with two: principal values of a matrix.
@@ -318,11 +487,16 @@ fn comment(text: &str) -> String {
 }
 
 fn formula(text: &str) -> String {
-    if text.contains('\'') { format!("'''{text}'''") } else { format!("'{text}'") }
+    match text {
+        // Three quotes would end there.
+        _ if text.contains("'''") || text.ends_with('\'') || text.contains(char::is_control) => quoted(text),
+        _ if text.contains('\'') => format!("'''{text}'''"),
+        _ => format!("'{text}'"),
+    }
 }
 
 /// The text of the draft; notes where the formulas stand.
-fn written(paper: &Paper, name: &str, symbols: &[Guess], claims: &mut [Claim]) -> String {
+fn written(paper: &Paper, name: &str, symbols: &[Guess], clashes: &[String], claims: &mut [Claim]) -> String {
     let title = paper.title.clone().unwrap_or_else(|| format!("The derivations of {name}"));
     let mut out = String::new();
     let _ = writeln!(out, "# A draft, made from {}. What is marked `confirm` is a guess.", comment(name));
@@ -338,8 +512,11 @@ fn written(paper: &Paper, name: &str, symbols: &[Guess], claims: &mut [Claim]) -
     );
     for guess in symbols {
         let shape = guess.shape.map(|s| format!(", shape = {}", quoted(s))).unwrap_or_default();
-        let key = if guess.name.contains('\'') { quoted(&guess.name) } else { format!("'{}'", guess.name) };
+        let key = guess.key();
         let _ = writeln!(out, "{key} = {{ role = {}{shape} }} # confirm: {}", quoted(guess.role), guess.why);
+    }
+    for clash in clashes {
+        let _ = writeln!(out, "# confirm: not declared, {}", comment(clash));
     }
     let states: Vec<String> = symbols.iter().filter(|s| s.role == "state").map(|s| formula(&s.name)).collect();
     let _ = write!(

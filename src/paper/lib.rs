@@ -14,10 +14,15 @@
 #![forbid(unsafe_code)]
 
 mod compare;
+mod document;
 mod draft;
+mod inputs;
 mod macros;
 mod mark;
+mod names;
+mod printed;
 mod token;
+mod unicode;
 
 use std::ops::Range;
 use std::path::Path;
@@ -27,11 +32,15 @@ use sha2::{Digest, Sha256};
 
 pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, compare, subject};
 pub use draft::{Draft, draft};
+pub use names::{Call, Evidence, PaperName, names};
+pub use printed::{PrintedRelation, PrintedSide};
 
-use diag::escape::{in_one_line, shown};
+use diag::escape::shown;
 use diag::{Diagnostic, Source};
+use document::Reader;
 use files::Why;
-use mark::{Mark, group_text, marks, parts, text_of};
+use inputs::Inputs;
+use mark::{Mark, marks, text_of};
 use token::{Kind, Token};
 
 /// Largest size of a paper, in bytes.
@@ -50,6 +59,56 @@ pub struct Paper {
     pub equations: Vec<Equation>,
     /// Formulas of the running text that relate two sides.
     pub relations: Vec<Part>,
+    /// What the displays and the formulas of the running text print, as a reader sees it, in the order of the paper.
+    pub printed: Vec<PrintedRelation>,
+    /// What could not be read as LaTeX means it: each with its place.
+    pub notes: Vec<PaperNote>,
+    /// Files that the paper names, each with where its text begins when all are written behind each other.
+    inputs: Vec<(usize, Arc<Source>)>,
+    /// Where the lines of each file begin, the paper's own first.
+    lines: Vec<Vec<usize>>,
+}
+
+/// Something of a paper that was not read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PaperNote {
+    /// What, in a sentence without a full stop.
+    pub message: String,
+    /// Where.
+    pub span: Range<usize>,
+}
+
+impl Paper {
+    /// The file in which a place lies, and the place in it: a paper may be written in several.
+    pub fn locate(&self, span: &Range<usize>) -> (&Arc<Source>, Range<usize>) {
+        let found = self.inputs.iter().rev().find(|(base, _)| *base <= span.start);
+        match found {
+            Some((base, source)) => {
+                let end = span.end.saturating_sub(*base).min(source.text.len());
+                let start = (span.start - base).min(end);
+                (source, start..end)
+            }
+            None => {
+                let end = span.end.min(self.file.text.len());
+                (&self.file, span.start.min(end)..end)
+            }
+        }
+    }
+
+    /// The line of a place in its file, from 1.
+    pub fn line(&self, span: &Range<usize>) -> usize {
+        self.line_and_column(span).0
+    }
+
+    /// Line and column of a place in its file, both from 1, the column in characters.
+    pub fn line_and_column(&self, span: &Range<usize>) -> (usize, usize) {
+        let file = self.inputs.iter().rposition(|(base, _)| *base <= span.start).map_or(0, |at| at + 1);
+        let (source, place) = self.locate(span);
+        let line = self.lines.get(file).map_or(0, |starts| starts.partition_point(|s| *s <= place.start));
+        let start = self.lines.get(file).and_then(|starts| starts.get(line.checked_sub(1)?)).copied().unwrap_or(0);
+        let column = source.text.get(start..place.start).map_or(0, |t| t.chars().count()) + 1;
+        (line.max(1), column)
+    }
 }
 
 /// A displayed equation: what has one number in print.
@@ -59,8 +118,11 @@ pub struct Equation {
     pub label: Option<String>,
     /// Its place.
     pub span: Range<usize>,
-    /// What it consists of, between commas and breaks of lines; never empty.
+    /// What it consists of, between commas and breaks of lines; never empty. A line that goes on from the one above with a sign of
+    /// relation has the side before it, too.
     pub parts: Vec<Part>,
+    /// Of such a line: the first side of the chain, and what it says.
+    whole: Vec<Mark>,
 }
 
 /// A formula of the paper.
@@ -98,209 +160,39 @@ pub fn read(path: &Path) -> Result<Paper, Box<Diagnostic>> {
         why => refuse(format!("this file {why}")),
     })?;
     let sha256 = Sha256::digest(&bytes).iter().map(|b| format!("{b:02x}")).collect();
-    let text = String::from_utf8(bytes).unwrap_or_else(|e| e.as_bytes().iter().map(|b| char::from(*b)).collect());
-    parse(Source { path: shown, text }, sha256)
+    parse_with(Source { path: shown, text: text_from(bytes) }, sha256, path.parent())
 }
 
-/// Reads the text of a paper.
+/// The text of a file: UTF-8, or else ISO 8859-1, as older papers are.
+fn text_from(bytes: Vec<u8>) -> String {
+    String::from_utf8(bytes).unwrap_or_else(|e| e.as_bytes().iter().map(|b| char::from(*b)).collect())
+}
+
+/// Reads the text of a paper. Files that it names are not read.
 ///
 /// # Errors
 /// Macros that do not end.
 pub fn parse(file: Source, sha256: String) -> Result<Paper, Box<Diagnostic>> {
+    parse_with(file, sha256, None)
+}
+
+fn parse_with(file: Source, sha256: String, folder: Option<&Path>) -> Result<Paper, Box<Diagnostic>> {
     let file = Arc::new(file);
-    let all = macros::expanded(&file.text).map_err(|e| {
+    let mut inputs = Inputs::new(&file, folder);
+    let document = inputs::tokens_of(&file);
+    let all = macros::expanded(document, &mut |name, span| inputs.tokens(name, span)).map_err(|e| {
         let message = format!("the macro `\\{}` does not end", e.name);
         Box::new(Diagnostic::at(&file, "paper::unreadable", e.span, message))
     })?;
-    let mut reader = Reader { tokens: &all, at: 0, equations: Vec::new(), relations: Vec::new(), title: None };
+    let mut reader = Reader::new(&all);
     reader.document();
-    let Reader { equations, relations, title, .. } = reader;
+    let Reader { equations, relations, title, printed, mut notes, .. } = reader;
     let title = title.map(|t| shown(&t).into_owned());
-    Ok(Paper { file, sha256, title, equations, relations })
-}
-
-/// How the lines of a display are numbered.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Numbers {
-    /// One number for all.
-    One,
-    /// One for each line, unless the line says otherwise.
-    EachLine,
-}
-
-fn display(name: &str) -> Option<Numbers> {
-    match name {
-        "equation" | "equation*" | "displaymath" | "multline" | "multline*" | "math" | "dmath" | "dmath*"
-        | "align*" | "eqnarray*" | "gather*" | "flalign*" | "alignat*" | "dgroup" => Some(Numbers::One),
-        "align" | "eqnarray" | "gather" | "flalign" | "alignat" => Some(Numbers::EachLine),
-        _ => None,
-    }
-}
-
-/// Signs that make a formula of the running text one that says something.
-const RELATIONS: &[&str] = &[
-    "=", "<", ">", r"\le", r"\ge", r"\ne", r"\equiv", r"\approx", r"\sim", r"\simeq", r"\to", r"\propto", r"\ll",
-    r"\gg",
-];
-
-struct Reader<'t> {
-    tokens: &'t [Token],
-    at: usize,
-    equations: Vec<Equation>,
-    relations: Vec<Part>,
-    title: Option<String>,
-}
-
-impl Reader<'_> {
-    fn document(&mut self) {
-        while let Some(token) = self.tokens.get(self.at) {
-            self.at += 1;
-            match token.kind {
-                Kind::Dollar if self.tokens.get(self.at).is_some_and(|t| t.kind == Kind::Dollar) => {
-                    self.at += 1;
-                    let body = self.until_dollar();
-                    self.at += usize::from(self.tokens.get(self.at).is_some_and(|t| t.kind == Kind::Dollar));
-                    self.equation(&body, Numbers::One);
-                }
-                Kind::Dollar => {
-                    let body = self.until_dollar();
-                    self.running(&body);
-                }
-                Kind::Command => match token.text.as_str() {
-                    "[" => {
-                        let body = self.until(|tokens, i| tokens[i].is("]").then_some(i + 1));
-                        self.equation(&body, Numbers::One);
-                    }
-                    "(" => {
-                        let body = self.until(|tokens, i| tokens[i].is(")").then_some(i + 1));
-                        self.running(&body);
-                    }
-                    "title" if self.title.is_none() => {
-                        let (text, _) = group_text(self.tokens, self.at);
-                        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-                        self.title = (!text.is_empty()).then_some(text);
-                    }
-                    "begin" => {
-                        let (name, after) = group_text(self.tokens, self.at);
-                        if let Some(numbers) = display(&name) {
-                            self.at = after;
-                            if name.starts_with("alignat") {
-                                self.at = group_text(self.tokens, self.at).1;
-                            }
-                            let body = self.environment(&name);
-                            self.equation(&body, numbers);
-                        }
-                    }
-                    _ => {}
-                },
-                _ => {}
-            }
-        }
-    }
-
-    /// The tokens up to where `ends` says, which gives the position after the end.
-    fn until(&mut self, ends: impl Fn(&[Token], usize) -> Option<usize>) -> Vec<Token> {
-        let from = self.at;
-        for i in from..self.tokens.len() {
-            if let Some(after) = ends(self.tokens, i) {
-                self.at = after;
-                return self.tokens[from..i].to_vec();
-            }
-        }
-        self.at = self.tokens.len();
-        Vec::new()
-    }
-
-    fn until_dollar(&mut self) -> Vec<Token> {
-        // A dollar inside a group (of a \text) belongs to the group.
-        let from = self.at;
-        let mut depth = 0i32;
-        for i in from..self.tokens.len() {
-            match self.tokens[i].kind {
-                Kind::Open => depth += 1,
-                Kind::Close => depth -= 1,
-                Kind::Dollar if depth <= 0 => {
-                    self.at = i + 1;
-                    return self.tokens[from..i].to_vec();
-                }
-                _ => {}
-            }
-        }
-        self.at = self.tokens.len();
-        Vec::new()
-    }
-
-    /// The tokens up to the `\end` of an environment.
-    fn environment(&mut self, name: &str) -> Vec<Token> {
-        self.until(|tokens, i| {
-            let (found, after) = if tokens[i].is("end") { group_text(tokens, i + 1) } else { return None };
-            (found == name).then_some(after)
-        })
-    }
-
-    fn running(&mut self, body: &[Token]) {
-        let part = Part::new(body);
-        if part.marks.iter().any(|m| RELATIONS.contains(&m.text.as_str())) {
-            self.relations.push(part);
-        }
-    }
-
-    fn equation(&mut self, body: &[Token], numbers: Numbers) {
-        let lines = match numbers {
-            Numbers::One => vec![body.to_vec()],
-            Numbers::EachLine => numbered(body),
-        };
-        for line in lines {
-            let label = line.iter().position(|t| t.is("label")).map(|i| group_text(&line, i + 1).0);
-            let parts: Vec<Part> = parts(&line).iter().map(|p| Part::new(p)).collect();
-            if !parts.is_empty() {
-                let label = label.map(|l| in_one_line(&l)).filter(|l| !l.is_empty());
-                self.equations.push(Equation { label, span: span_of(&line), parts });
-            }
-        }
-    }
-}
-
-/// The lines of a display that have a number each: a line without one belongs to the next that has one, or to the last.
-fn numbered(body: &[Token]) -> Vec<Vec<Token>> {
-    let mut out: Vec<Vec<Token>> = vec![Vec::new()];
-    let (mut braces, mut environments) = (0i32, 0i32);
-    let mut at = 0;
-    let mut has_number = true;
-    while let Some(token) = body.get(at) {
-        at += 1;
-        match token.kind {
-            Kind::Open => braces += 1,
-            Kind::Close => braces -= 1,
-            _ if token.is("begin") => environments += 1,
-            _ if token.is("end") => environments -= 1,
-            _ if token.is("nonumber") || token.is("notag") => has_number = false,
-            _ if token.is("\\") && braces == 0 && environments == 0 => {
-                let after = mark::after_row(body, at);
-                match out.last_mut() {
-                    Some(line) if !has_number => line.extend_from_slice(&body[at - 1..after]),
-                    _ => out.push(Vec::new()),
-                }
-                at = after;
-                has_number = true;
-                continue;
-            }
-            _ => {}
-        }
-        if let Some(line) = out.last_mut() {
-            line.push(token.clone());
-        }
-    }
-    if !has_number && out.len() > 1 {
-        // The last line has no number: it ends the equation before it.
-        let last = out.pop().unwrap_or_default();
-        if let Some(before) = out.last_mut() {
-            let end = last.first().map_or(0, |t| t.span.start);
-            before.push(Token { kind: Kind::Command, text: "\\".to_owned(), span: end..end });
-            before.extend(last);
-        }
-    }
-    out
+    notes.extend(inputs.notes);
+    notes.sort_by_key(|n| (n.span.start, n.span.end));
+    let starts = |text: &str| std::iter::once(0).chain(text.match_indices('\n').map(|(i, _)| i + 1)).collect();
+    let lines = std::iter::once(&file).chain(inputs.files.iter().map(|(_, f)| f)).map(|f| starts(&f.text)).collect();
+    Ok(Paper { file, sha256, title, equations, relations, printed, notes, inputs: inputs.files, lines })
 }
 
 #[cfg(test)]
@@ -333,7 +225,7 @@ mod tests {
                 one(Some("a"), &[r"\dot q=p", r"\dot p=-\omega^2 q"]),
                 one(Some("b"), &["x=1", "y=2"]),
                 one(Some("c"), &["z=3"]),
-                one(Some("d"), &["a = b", "+c"]),
+                one(Some("d"), &["a = b +c"]),
                 one(None, &["e = f"]),
                 one(None, &["g=h"]),
                 one(None, &["i = j"]),

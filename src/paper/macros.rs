@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use super::token::{Kind, Token, tokens};
+use super::token::{Kind, Token};
 
 /// The most tokens that a paper may have when its macros are expanded.
 const MOST_TOKENS: usize = 4_000_000;
@@ -32,24 +32,59 @@ pub(super) struct Endless {
     pub span: Range<usize>,
 }
 
-/// The tokens of a document with its own macros expanded; definitions leave no token.
-pub(super) fn expanded(text: &str) -> Result<Vec<Token>, Endless> {
-    let mut macros: BTreeMap<String, Macro> = BTreeMap::new();
+/// Commands that name a file whose text stands in their place.
+const INPUTS: &[&str] = &["input", "include", "subfile", "subfileinclude"];
+
+/// What a document defines.
+#[derive(Default)]
+struct Defined {
+    macros: BTreeMap<String, Macro>,
+    /// Names that `\let` gave to commands of LaTeX: they keep their meaning, whatever becomes of these.
+    aliases: BTreeMap<String, String>,
+    /// Environments: what stands at their beginning and at their end.
+    environments: BTreeMap<String, (Macro, Macro)>,
+}
+
+/// The tokens of a document with its own macros expanded; definitions leave no token. `input` gives the tokens of a file that
+/// the document names, if it may be read.
+pub(super) fn expanded(
+    document: Vec<Token>,
+    input: &mut dyn FnMut(&str, &Range<usize>) -> Vec<Token>,
+) -> Result<Vec<Token>, Endless> {
+    let mut defined = Defined::default();
     // A stack of what is still to be read, the next token last; the depth of macros it came from beside it.
-    let mut rest: Vec<(Token, usize)> = tokens(text).into_iter().rev().map(|t| (t, 0)).collect();
+    let mut rest: Vec<(Token, usize)> = document.into_iter().rev().map(|t| (t, 0)).collect();
     let mut out: Vec<Token> = Vec::new();
     // Macros that leave nothing can call each other more often than any paper has tokens.
     let mut calls = 0;
-    while let Some((token, depth)) = rest.pop() {
+    while let Some((mut token, depth)) = rest.pop() {
+        let frozen = token.kind == Kind::Command && defined.aliases.contains_key(&token.text);
+        if frozen && let Some(meaning) = defined.aliases.get(&token.text) {
+            token.text.clone_from(meaning);
+        }
         if token.kind != Kind::Command {
             out.push(token);
         } else if token.is("end") && begins_group(&rest, "document") {
             break;
         } else if token.is("iffalse") {
             skip_branch(&mut rest);
-        } else if define(&token.text, &mut rest, &mut macros) {
+        } else if INPUTS.contains(&token.text.as_str()) && (frozen || !defined.macros.contains_key(&token.text)) {
+            calls += 1;
+            let name = file_name(&mut rest);
+            if calls > MOST_CALLS || depth >= DEEPEST {
+                return Err(Endless { name: token.text, span: token.span });
+            }
+            rest.extend(input(&name, &token.span).into_iter().rev().map(|t| (t, depth + 1)));
+        } else if define(&token.text, &mut rest, &mut defined) {
             // Nothing is printed.
-        } else if let Some(found) = macros.get(&token.text) {
+        } else if let Some(found) = environment(&token, &rest, &defined) {
+            calls += 1;
+            argument(&mut rest);
+            let room = MOST_TOKENS.saturating_sub(rest.len() + out.len());
+            let body = if depth >= DEEPEST || calls > MOST_CALLS { None } else { call(found, &token, &mut rest, room) };
+            let Some(body) = body else { return Err(Endless { name: token.text, span: token.span }) };
+            rest.extend(body.into_iter().rev().map(|t| (t, depth + 1)));
+        } else if let Some(found) = defined.macros.get(&token.text).filter(|_| !frozen) {
             calls += 1;
             let room = MOST_TOKENS.saturating_sub(rest.len() + out.len());
             let body = if depth >= DEEPEST || calls > MOST_CALLS { None } else { call(found, &token, &mut rest, room) };
@@ -67,6 +102,35 @@ pub(super) fn expanded(text: &str) -> Result<Vec<Token>, Endless> {
 }
 
 type Rest = Vec<(Token, usize)>;
+
+/// What stands at the beginning or at the end of an environment of the document's own.
+fn environment<'d>(token: &Token, rest: &Rest, defined: &'d Defined) -> Option<&'d Macro> {
+    if defined.environments.is_empty() || !(token.is("begin") || token.is("end")) {
+        return None;
+    }
+    let open = rest.last().is_some_and(|(t, _)| t.kind == Kind::Open);
+    let inside = rest.iter().rev().skip(1).map(|(t, _)| t).take_while(|t| t.kind != Kind::Close).take(MOST_NAME);
+    let name: String = inside.map(|t| t.text.as_str()).collect();
+    let (begin, end) = defined.environments.get(&name).filter(|_| open)?;
+    Some(if token.is("begin") { begin } else { end })
+}
+
+/// The most characters of the name of an environment or of a file.
+const MOST_NAME: usize = 200;
+
+/// The name of a file behind `\input`, in braces or not.
+fn file_name(rest: &mut Rest) -> String {
+    spaces(rest);
+    let text = |t: &Token| if t.kind == Kind::Command { format!("\\{}", t.text) } else { t.text.clone() };
+    if rest.last().is_some_and(|(t, _)| t.kind == Kind::Open) {
+        return argument(rest).iter().map(text).collect::<String>().trim().to_owned();
+    }
+    let mut out = String::new();
+    while rest.last().is_some_and(|(t, _)| t.kind == Kind::Other) && out.len() < MOST_NAME {
+        out.extend(rest.pop().map(|(t, _)| t.text));
+    }
+    out
+}
 
 fn begins_group(rest: &Rest, name: &str) -> bool {
     let mut next = rest.iter().rev().map(|(t, _)| t);
@@ -156,7 +220,8 @@ fn defined_name(rest: &mut Rest) -> Option<String> {
 }
 
 /// Reads a definition, if `command` begins one.
-fn define(command: &str, rest: &mut Rest, macros: &mut BTreeMap<String, Macro>) -> bool {
+fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> bool {
+    let Defined { macros, aliases, environments } = defined;
     match command {
         "newcommand" | "renewcommand" | "providecommand" | "DeclareRobustCommand" => {
             next_is(rest, "*");
@@ -167,8 +232,19 @@ fn define(command: &str, rest: &mut Rest, macros: &mut BTreeMap<String, Macro>) 
             let arguments = count.trim().parse().map_or(0, |n: usize| n.min(MOST_ARGUMENTS));
             let fresh = |name: &String| command != "providecommand" || !macros.contains_key(name);
             if let Some(name) = name.filter(fresh) {
+                aliases.remove(&name);
                 macros.insert(name, Macro { arguments, default, body });
             }
+        }
+        "newenvironment" | "renewenvironment" => {
+            next_is(rest, "*");
+            let name: String = argument(rest).iter().map(|t| t.text.as_str()).collect();
+            let count: String = optional(rest).unwrap_or_default().iter().map(|t| t.text.as_str()).collect();
+            let default = optional(rest);
+            let (begin, end) = (argument(rest), argument(rest));
+            let arguments = count.trim().parse().map_or(0, |n: usize| n.min(MOST_ARGUMENTS));
+            let end = Macro { arguments: 0, default: None, body: end };
+            environments.insert(name, (Macro { arguments, default, body: begin }, end));
         }
         "def" | "gdef" | "edef" | "xdef" => {
             let Some(name) = rest.pop().map(|(t, _)| t).filter(|t| t.kind == Kind::Command) else { return true };
@@ -186,6 +262,7 @@ fn define(command: &str, rest: &mut Rest, macros: &mut BTreeMap<String, Macro>) 
             }
             let body = argument(rest);
             if plain {
+                aliases.remove(&name.text);
                 macros.insert(name.text, Macro { arguments, default: None, body });
             }
         }
@@ -194,8 +271,20 @@ fn define(command: &str, rest: &mut Rest, macros: &mut BTreeMap<String, Macro>) 
             next_is(rest, "=");
             let Some((meaning, _)) = rest.pop() else { return true };
             let known = macros.get(&meaning.text).filter(|_| meaning.kind == Kind::Command).cloned();
-            let made = known.unwrap_or(Macro { arguments: 0, default: None, body: vec![meaning] });
-            macros.insert(name.text, made);
+            match known {
+                Some(known) => {
+                    aliases.remove(&name.text);
+                    macros.insert(name.text, known);
+                }
+                None if meaning.kind == Kind::Command => {
+                    let meaning = aliases.get(&meaning.text).cloned().unwrap_or(meaning.text);
+                    aliases.insert(name.text, meaning);
+                }
+                None => {
+                    aliases.remove(&name.text);
+                    macros.insert(name.text, Macro { arguments: 0, default: None, body: vec![meaning] });
+                }
+            }
         }
         "DeclareMathOperator" => {
             next_is(rest, "*");
@@ -252,7 +341,12 @@ fn call(found: &Macro, token: &Token, rest: &mut Rest, most: usize) -> Option<Ve
 
 #[cfg(test)]
 mod tests {
+    use super::super::token::tokens;
     use super::*;
+
+    fn expanded(text: &str) -> Result<Vec<Token>, Endless> {
+        super::expanded(tokens(text), &mut |_, _| Vec::new())
+    }
 
     fn shown(text: &str) -> String {
         let all = expanded(text).unwrap_or_else(|e| panic!("{e:?}"));
@@ -270,6 +364,13 @@ mod tests {
         assert_eq!(shown(r"\providecommand{\x}{1}\renewcommand*{\x}{2}\providecommand{\x}{3}\x"), "2");
         assert_eq!(shown(r"\newcommand{\x}{1}\iffalse\newcommand{\x}{2}\ifx a\fi\fi\x"), "1");
         assert_eq!(shown(r"a\end{document}b"), "a");
+        // A name that is let is what it was.
+        assert_eq!(shown(r"\let\s\section\renewcommand\section[1]{(\s{#1})}\section{a}"), r"(\section {a})");
+        assert_eq!(shown(r"\let\nc\newcommand\nc{\x}{1}\x"), "1");
+        assert_eq!(
+            shown(r"\newenvironment{e}{\begin{equation}}{\end{equation}}\begin{e}x\end{e}"),
+            r"\begin {equation}x\end {equation}"
+        );
         assert_eq!(shown(r"\NewDocumentCommand{\v}{m}{\vec{#1}}\v{x}"), r"\vec {x}");
     }
 

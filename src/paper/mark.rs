@@ -218,7 +218,7 @@ fn takes_more(mark: &str) -> bool {
 }
 
 /// The end of the unit that begins at `at`: one mark, or a group.
-fn unit(marks: &[Mark], at: usize) -> usize {
+pub(super) fn unit(marks: &[Mark], at: usize) -> usize {
     if marks.get(at).is_none_or(|m| m.text != "{") {
         return (at + 1).min(marks.len());
     }

@@ -13,7 +13,7 @@ pub(super) enum Kind {
     Close,
     /// `$`
     Dollar,
-    /// White space; an empty line counts as one.
+    /// White space: a blank, or a line break where a paragraph ends.
     Space,
     /// `#` and a digit, in the body of a macro: the text is the digit.
     Argument,
@@ -41,20 +41,54 @@ impl Token {
 }
 
 /// Environments in which nothing is LaTeX.
-const VERBATIM: &[&str] = &["verbatim", "verbatim*", "lstlisting", "comment", "filecontents", "minted"];
+const VERBATIM: &[&str] = &[
+    "verbatim",
+    "verbatim*",
+    "Verbatim",
+    "lstlisting",
+    "comment",
+    "filecontents",
+    "filecontents*",
+    "minted",
+    "alltt",
+    "tikzpicture",
+];
+
+/// Commands after which a character encloses verbatim texts, and those that end this.
+const SHORT_VERBATIM: &[(&str, bool)] = &[
+    ("DefineShortVerb", true),
+    ("MakeShortVerb", true),
+    ("lstMakeShortInline", true),
+    ("UndefineShortVerb", false),
+    ("DeleteShortVerb", false),
+    ("lstDeleteShortInline", false),
+];
 
 /// Splits a text; comments and verbatim texts leave no token.
 pub(super) fn tokens(text: &str) -> Vec<Token> {
     let mut out = Vec::new();
     let mut at = 0;
+    // Whether a comment ended here, so that an empty line that follows ends a paragraph.
+    let mut after_comment = false;
+    let mut short: Vec<char> = Vec::new();
     while let Some(c) = text.get(at..).and_then(|t| t.chars().next()) {
         let start = at;
         at += c.len_utf8();
+        let line_begins = std::mem::take(&mut after_comment);
+        if short.contains(&c)
+            && let Some(end) = text[at..].find([c, '\n']).filter(|i| text[at + i..].starts_with(c))
+        {
+            // Inside of a formula this is told; in the running text nobody looks at it.
+            at += end + c.len_utf8();
+            out.push(Token { kind: Kind::Command, text: "verb".to_owned(), span: start..at });
+            continue;
+        }
         let (kind, shown) = match c {
             '%' => {
                 at = text[at..].find('\n').map_or(text.len(), |i| at + i + 1);
                 // A comment takes the spaces of the next line with it.
                 at += text[at..].len() - text[at..].trim_start_matches([' ', '\t']).len();
+                after_comment = true;
                 continue;
             }
             '{' => (Kind::Open, "{"),
@@ -78,6 +112,10 @@ pub(super) fn tokens(text: &str) -> Vec<Token> {
                     at = after_verb(text, at);
                     continue;
                 }
+                if let Some((_, begins)) = SHORT_VERBATIM.iter().find(|(command, _)| *command == name) {
+                    at = short_verbatim(text, at, *begins, &mut short);
+                    continue;
+                }
                 if name == "begin"
                     && let Some(end) = after_verbatim(text, at)
                 {
@@ -92,7 +130,8 @@ pub(super) fn tokens(text: &str) -> Vec<Token> {
             }
             c if c.is_whitespace() => {
                 at += text[at..].len() - text[at..].trim_start().len();
-                (Kind::Space, " ")
+                let breaks = text[start..at].matches('\n').count() + usize::from(line_begins);
+                (Kind::Space, if breaks > 1 { "\n" } else { " " })
             }
             _ => {
                 out.push(Token { kind: Kind::Other, text: c.to_string(), span: start..at });
@@ -111,6 +150,22 @@ fn after_verb(text: &str, at: usize) -> usize {
     let Some(bar) = rest.chars().next() else { return text.len() };
     let body = from + bar.len_utf8();
     text[body..].find([bar, '\n']).map_or(text.len(), |i| body + i + 1)
+}
+
+/// Notes the character that a command of [`SHORT_VERBATIM`] names, as `{\|}`; where its argument ends.
+fn short_verbatim(text: &str, at: usize, begins: bool, short: &mut Vec<char>) -> usize {
+    let mut rest = text[at..].trim_start_matches('*');
+    if let Some((_, after)) = rest.strip_prefix('[').and_then(|r| r.split_once(']')) {
+        rest = after;
+    }
+    let inside = rest.trim_start_matches(['{', '\\', ' ']);
+    let Some(c) = inside.chars().next().filter(|c| !c.is_alphanumeric() && !"{}\\$%".contains(*c)) else { return at };
+    short.retain(|known| *known != c);
+    if begins {
+        short.push(c);
+    }
+    let after = &inside[c.len_utf8()..];
+    text.len() - after.strip_prefix('}').unwrap_or(after).len()
 }
 
 /// The end of a verbatim environment, if one begins here, after `\begin`.

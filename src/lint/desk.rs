@@ -1,0 +1,612 @@
+//! One step of a paper, read: the names that it needs are declared from what the paper shows, and nothing else is.
+//!
+//! **In:** the sides of a step, what is defined and what rates are known, and the [`Evidence`] of the paper. **Out:** a [`Desk`]: a
+//! graph and a scope of its own, so that no formula can spoil another. **Guaranteed:** what could be an operator, a function
+//! of anything, a sum over indices or a difference is not read as a product of numbers: it is [`NotRead`], with the name of the
+//! feature.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use expr::{Expr, Graph, Leaf, Shape, Symbol};
+use latex::{Declaration, Role, Scope, Statement};
+use paper::{Call, Evidence, PaperName, PrintedSide, names};
+
+/// Why a formula was not read: the feature that is not understood, and a sentence.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct NotRead {
+    /// The feature, in few words: `an integral`, `an operator`.
+    pub feature: String,
+    /// What the reader of formulas says, where it was asked.
+    pub why: Option<String>,
+}
+
+impl NotRead {
+    fn of(feature: impl Into<String>) -> NotRead {
+        NotRead { feature: feature.into(), why: None }
+    }
+}
+
+/// A formula with the key that it defines, or of which it gives the rate.
+#[derive(Clone, Debug)]
+pub struct Given {
+    /// The key of the name that is defined, or whose rate is given.
+    pub key: String,
+    /// How the left side is printed.
+    pub left: PrintedSide,
+    /// What it is.
+    pub right: PrintedSide,
+    /// The relation that says so, by its number in the paper.
+    pub relation: usize,
+    /// Whether the rate is given.
+    pub is_rate: bool,
+}
+
+/// A graph with the symbols of one step.
+pub struct Desk {
+    /// Where the formulas are.
+    pub graph: Graph,
+    /// What is declared.
+    pub scope: Scope,
+    /// The independent variable, where there is one.
+    pub time: Option<Leaf>,
+    /// What depends on it.
+    pub moving: Vec<Symbol>,
+    /// Whether the imaginary unit occurs: then the names may be complex.
+    pub is_complex: bool,
+    /// The relations whose definitions were used.
+    pub used: Vec<usize>,
+}
+
+/// Letters by which sums run, where they stand twice.
+fn index_count(names: &[PaperName], evidence: &Evidence) -> BTreeMap<char, usize> {
+    let mut out = BTreeMap::new();
+    // Beside subscripts that are no indices, `E_r` and `E_t`, the one of `E_i` is a label, too.
+    let labelled = |n: &&PaperName| {
+        evidence.subscripts.get(&n.letter).is_some_and(|all| {
+            let other = |s: &&String| {
+                s.chars().count() == 1 && s.chars().all(|c| c.is_alphabetic() && !"ijklmnpqsabcdαβμνxyz".contains(c))
+            };
+            all.iter().any(|s| other(&s))
+        })
+    };
+    for letter in names.iter().filter(|n| !labelled(n)).flat_map(PaperName::index_letters) {
+        *out.entry(letter).or_insert(0) += 1;
+    }
+    out
+}
+
+/// A side that is one name and nothing else.
+pub fn lone_name(side: &PrintedSide) -> Option<PaperName> {
+    let mut all = names(side);
+    if let Some(first) = all.first()
+        && let Call::Places(places) = &first.call
+        && all.len() > 1
+        && all.len() <= places.len() + 1
+    {
+        // What stands in its parentheses are names, too.
+        all.truncate(1);
+    }
+    // A derivative `dx/dt` names what it is derived by, too.
+    if all.len() == 2 && all[0].derived_by.as_deref() == Some(all[1].key().as_str()) {
+        let rest = without(&side.text, &[r"\frac", r"\dfrac", r"\tfrac", r"\mathrm", r"\dv"]);
+        let letters: usize = [&all[0], &all[1]].iter().map(|n| bare(&n.key()).len()).sum();
+        let plain = bare(&rest).chars().filter(|c| *c != 'd').count() == letters;
+        return plain.then(|| all.swap_remove(0));
+    }
+    let [one] = all.as_slice() else { return None };
+    if one.derived_by.is_some() || one.is_difference {
+        return None;
+    }
+    let dots = ["", r"\dot", r"\ddot", r"\dddot"].get(one.dots)?;
+    let places = match &one.call {
+        Call::None => String::new(),
+        Call::Places(places) => format!("({})", places.join(",")),
+        Call::Other => return None,
+    };
+    let wanted = bare(&format!("{dots}{}{places}", one.key()));
+    (sorted(&bare(&side.text)) == sorted(&wanted)).then(|| all.swap_remove(0))
+}
+
+/// A text without braces, spaces and the names of styles.
+fn bare(text: &str) -> String {
+    let text = without(
+        text,
+        &[
+            r"\left",
+            r"\right",
+            r"\boldsymbol",
+            r"\mathbf",
+            r"\vec",
+            r"\bm",
+            r"\bf",
+            r"\rm",
+            r"\mathrm",
+            r"\text",
+            r"\prime",
+            "'",
+        ],
+    );
+    text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}' | '^')).collect()
+}
+
+fn without(text: &str, commands: &[&str]) -> String {
+    commands.iter().fold(text.to_owned(), |text, c| text.replace(c, ""))
+}
+
+fn sorted(text: &str) -> Vec<char> {
+    let mut out: Vec<char> = text.chars().collect();
+    out.sort_unstable();
+    out
+}
+
+/// Commands that make a formula one of a kind that is not read, and the name of the feature.
+const FEATURES: &[(&str, &str)] = &[
+    (r"\int", "an integral"),
+    (r"\iint", "an integral"),
+    (r"\oint", "an integral"),
+    (r"\sum", "a sum"),
+    (r"\prod", "a product of many factors"),
+    (r"\lim", "a limit"),
+    (r"\ket", "a ket"),
+    (r"\bra", "a bra"),
+    (r"\braket", "a bra-ket"),
+    (r"\langle", "an average, or a bra-ket"),
+    (r"\expval", "an average"),
+    (r"\ldots", "dots"),
+    (r"\cdots", "dots"),
+    (r"\dots", "dots"),
+    (r"\vdots", "dots"),
+    (r"\begin{cases}", "cases"),
+    (r"\dagger", "an operator"),
+    (r"\infty", "infinity"),
+    (r"\verb", "verbatim text"),
+    (r"\mathcal{O}", "an order of magnitude"),
+    (r"\mathrm{O}", "an order of magnitude"),
+    (r"\max", "a maximum"),
+    (r"\min", "a minimum"),
+    (r"\otimes", "a tensor product"),
+    (r"\Big|", "a bar"),
+    (r"\bigg|", "a bar"),
+    (r"\Re", "a real part"),
+    (r"\Im", "an imaginary part"),
+    (r"\mathrm{Re}", "a real part"),
+    (r"\mathrm{Im}", "an imaginary part"),
+    (r"^*", "a star above: a conjugate, or a name"),
+    (r"^{*}", "a star above: a conjugate, or a name"),
+    (r"^\ast", "a star above: a conjugate, or a name"),
+    (r"\text", "words in the formula"),
+    (r"\mbox", "words in the formula"),
+];
+
+/// The feature of a formula that is not read, if one is seen.
+fn feature(text: &str) -> Option<&'static str> {
+    FEATURES.iter().find(|(command, _)| holds_command(text, command)).map(|(_, feature)| *feature)
+}
+
+fn holds_command(text: &str, command: &str) -> bool {
+    text.match_indices(command).any(|(i, _)| {
+        let next = text[i + command.len()..].chars().next();
+        !command.ends_with(|c: char| c.is_ascii_alphabetic()) || !next.is_some_and(|c| c.is_ascii_alphabetic())
+    })
+}
+
+/// What is in the names of a step that keeps it from being read.
+fn obstacle(sides: &[&PrintedSide], all: &[PaperName], evidence: &Evidence, free: &BTreeSet<char>) -> Option<NotRead> {
+    for side in sides {
+        if side.is_list {
+            return Some(NotRead::of("a list"));
+        }
+        if side.text.is_empty() {
+            return Some(NotRead::of("a side that is missing"));
+        }
+        if let Some(feature) = feature(&side.text) {
+            // Words in a subscript are a label, and are read as one.
+            let words = matches!(feature, "words in the formula") && !words_outside(&side.text);
+            let label = matches!(feature, "a maximum" | "a minimum" | "infinity") && in_scripts(&side.text, feature);
+            if !words && !label {
+                return Some(NotRead::of(feature));
+            }
+        }
+        // `\delta_{ij}` and ε are indices in any case.
+        if side.text.contains(r"\delta_{") || side.text.contains(r"\epsilon_{") || side.text.contains(r"\varepsilon_{")
+        {
+            return Some(NotRead::of("indices"));
+        }
+        if order_counts(&side.text) {
+            return Some(NotRead::of("products whose order may count: matrices, or operators"));
+        }
+        let indices = index_count(&names(side), evidence);
+        if let Some((letter, _)) = indices.iter().find(|(l, n)| **n > 1 && !free.contains(l)) {
+            return Some(NotRead::of(format!("an index that may be summed over, {letter}")));
+        }
+    }
+    for name in all {
+        if name.is_difference {
+            return Some(NotRead::of("a differential or a difference"));
+        }
+        if name.has_hat {
+            return Some(NotRead::of("a hat: an operator, or a unit vector"));
+        }
+        let known = evidence.calls.get(&name.key());
+        let count = |wanted: bool| -> usize {
+            let of = |c: &BTreeMap<Option<Vec<String>>, usize>| {
+                c.iter().filter(|(k, _)| k.as_ref().is_some_and(|p| is_place(p)) == wanted).map(|(_, n)| *n).sum()
+            };
+            known.map_or(0, of)
+        };
+        // What is printed with a place more than once, and not mostly without, is a function.
+        if name.call == Call::Other && count(true) > 0 && count(true) * 3 >= count(false) {
+            return Some(NotRead::of(format!("a function of anything, {}", name.key())));
+        }
+    }
+    None
+}
+
+/// Whether capital letters stand in a formula as matrices and operators do: beside their own inverse or transpose, or in both orders.
+fn order_counts(text: &str) -> bool {
+    let squeezed: Vec<char> = text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}')).collect();
+    let capital = |i: usize| squeezed.get(i).is_some_and(char::is_ascii_uppercase);
+    let command =
+        |i: usize| squeezed[..i].iter().rposition(|c| !c.is_ascii_alphabetic()).is_some_and(|k| squeezed[k] == '\\');
+    let is = |i: usize, text: &str| squeezed[i..].iter().collect::<String>().starts_with(text);
+    let mut pairs = BTreeSet::new();
+    for i in (0..squeezed.len()).filter(|&i| capital(i) && !command(i)) {
+        let own = squeezed[i];
+        let twice = squeezed.iter().filter(|c| **c == own).count() > 1;
+        if twice && ["^-1", "^T", r"^\top", r"^\mathrmT", r"^\mathsfT", "^H"].iter().any(|power| is(i + 1, power)) {
+            return true;
+        }
+        if capital(i + 1) && squeezed[i + 1] != own {
+            pairs.insert((own, squeezed[i + 1]));
+        }
+    }
+    pairs.iter().any(|(a, b)| pairs.contains(&(*b, *a)))
+}
+
+/// Whether what stands in parentheses is a place of a function: a name, or several.
+fn is_place(places: &[String]) -> bool {
+    places.iter().any(|p| !p.chars().all(|c| c.is_ascii_digit()))
+}
+
+fn words_outside(text: &str) -> bool {
+    [r"\text", r"\mbox"].iter().any(|w| {
+        text.match_indices(w)
+            .any(|(i, _)| !text[..i].trim_end().ends_with(['_', '^']) && !text[..i].trim_end().ends_with("_{"))
+    })
+}
+
+fn in_scripts(text: &str, feature: &str) -> bool {
+    let command = match feature {
+        "a maximum" => r"\max",
+        "a minimum" => r"\min",
+        _ => r"\infty",
+    };
+    text.match_indices(command).all(|(i, _)| {
+        let before = text[..i].trim_end();
+        before.ends_with('_') || before.ends_with("_{")
+    })
+}
+
+/// The independent variable by which the names of a step are derived, if there is just one.
+fn variable(all: &[PaperName], evidence: &Evidence) -> Result<Option<String>, NotRead> {
+    let mut found: BTreeSet<String> = BTreeSet::new();
+    for name in all {
+        if let Some(by) = primed_by(name, all, evidence) {
+            found.insert(by);
+        }
+        if name.dots > 0 {
+            found.insert("t".to_owned());
+        }
+        if let (Some(by), false) = (&name.derived_by, name.is_partial) {
+            found.insert(by.clone());
+        }
+    }
+    match found.len() {
+        0 => Ok(None),
+        1 => Ok(found.pop_first()),
+        _ => Err(NotRead::of("derivatives by several variables")),
+    }
+}
+
+/// A name without its primes.
+fn unprimed(name: &PaperName) -> PaperName {
+    PaperName { base: name.base.trim_end_matches('\'').to_owned(), primes: 0, ..name.clone() }
+}
+
+/// The variable by which a prime derives: that of which the paper prints the name as a function, or by which it derives it. The time
+/// is none: its derivatives have dots.
+fn primed_by(name: &PaperName, all: &[PaperName], evidence: &Evidence) -> Option<String> {
+    if name.primes == 0 {
+        return None;
+    }
+    let key = unprimed(name).key();
+    let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
+    for (places, n) in evidence.calls.get(&key).into_iter().flatten() {
+        if let Some([one]) = places.as_deref() {
+            *seen.entry(one).or_default() += n;
+        }
+    }
+    for by in evidence.derived.get(&key).into_iter().flatten() {
+        *seen.entry(by).or_default() += 1;
+    }
+    seen.retain(|v, _| v.chars().count() == 1 && v.chars().all(char::is_alphabetic));
+    let here: Vec<&str> = seen.keys().copied().filter(|v| all.iter().any(|n| n.key() == *v)).collect();
+    match here.as_slice() {
+        [one] => Some((*one).to_owned()),
+        [] => seen.into_iter().max_by_key(|(v, n)| (*n, std::cmp::Reverse(*v))).map(|(v, _)| v.to_owned()),
+        _ => None,
+    }
+}
+
+impl Desk {
+    /// Declares the names of a step, those of what is given among them.
+    ///
+    /// # Errors
+    /// The feature that is not understood.
+    pub fn new(
+        sides: &[&PrintedSide],
+        given: &[&Given],
+        evidence: &Evidence,
+        free: &BTreeSet<char>,
+    ) -> Result<Desk, NotRead> {
+        let own: Vec<PaperName> = sides.iter().flat_map(|s| names(s)).collect();
+        if let Some(found) = obstacle(sides, &own, evidence, free) {
+            return Err(found);
+        }
+        let mut all = own;
+        for one in given {
+            let more: Vec<PaperName> = [&one.left, &one.right].into_iter().flat_map(names).collect();
+            if let Some(found) = obstacle(&[&one.right], &more, evidence, free) {
+                return Err(found);
+            }
+            all.extend(more);
+        }
+        let time = variable(&all, evidence)?;
+        // A prime of a function of one variable is its derivative; there, `t` has primes too.
+        let mut all: Vec<PaperName> = all
+            .iter()
+            .map(|n| match primed_by(n, &all, evidence) {
+                Some(by) => PaperName { derived_by: Some(by), is_partial: false, ..unprimed(n) },
+                None => n.clone(),
+            })
+            .collect();
+        if time.is_some() {
+            all.sort_by_key(|n| n.derived_by.is_none());
+        }
+        let mut graph = Graph::new();
+        let scope = Scope::new(&mut graph);
+        let mut desk = Desk { graph, scope, time: None, moving: Vec::new(), is_complex: false, used: Vec::new() };
+        let texts = || sides.iter().map(|s| s.text.as_str());
+        // `i` beside no other use is the imaginary unit.
+        let imaginary = all.iter().any(|n| n.key() == "i");
+        if imaginary {
+            desk.is_complex = true;
+            desk.scope.set_imaginary();
+            if texts().any(|t| t.contains('|')) {
+                return Err(NotRead::of("an absolute value of what may be complex"));
+            }
+        }
+        desk.declare(&all, given, evidence, time.as_deref())?;
+        Ok(desk)
+    }
+
+    fn declare(
+        &mut self,
+        all: &[PaperName],
+        given: &[&Given],
+        evidence: &Evidence,
+        time: Option<&str>,
+    ) -> Result<(), NotRead> {
+        let defined: BTreeSet<&str> = given.iter().filter(|g| !g.is_rate).map(|g| g.key.as_str()).collect();
+        // By what something that is not defined is derived partially: the coordinates.
+        let mut coordinates: BTreeSet<String> = BTreeSet::new();
+        for name in all.iter().filter(|n| n.is_partial) {
+            let key = name.key();
+            if !defined.contains(key.as_str()) {
+                coordinates.extend(name.derived_by.clone());
+            }
+        }
+        if let Some(time) = time {
+            let declared = self.scope.declare(&mut self.graph, time, plain(Role::Time)).map_err(refused)?;
+            self.time = Some(Leaf::now(declared, 0));
+        }
+        for key in coordinates.iter().filter(|k| Some(k.as_str()) != time) {
+            if all.iter().any(|n| n.key() == *key && (n.dots > 0 || n.derived_by.is_some())) {
+                return Err(NotRead::of(format!("a derivative by {key}, which depends on others")));
+            }
+            self.scope.declare(&mut self.graph, key, plain(Role::Coordinate)).map_err(refused)?;
+        }
+        let mut seen: BTreeSet<String> = BTreeSet::new();
+        for name in all {
+            let key = name.key();
+            let skipped = key == "i" && self.is_complex
+                || Some(key.as_str()) == time
+                || coordinates.contains(&key)
+                || defined.contains(key.as_str())
+                || name.letter == "e" && name.base != "e"
+                || key == r"\pi";
+            if skipped {
+                continue;
+            }
+            let (declared, moves, is_field) = self.role_of(name, &key, all, evidence, time, &coordinates)?;
+            if !seen.insert(declared.clone()) {
+                continue;
+            }
+            let role = if is_field {
+                Role::Field
+            } else if moves {
+                Role::State
+            } else {
+                Role::Parameter
+            };
+            let shape = name.is_bold.then(|| Shape::vector(3));
+            let declaration = Declaration { shape, ..plain(role) };
+            let symbol = self.scope.declare(&mut self.graph, &declared, declaration).map_err(refused)?;
+            if role == Role::State {
+                self.moving.push(symbol);
+            }
+        }
+        // A definition stands behind those that it needs.
+        for one in given.iter().filter(|g| !g.is_rate) {
+            let dotted = one.right.with_factors(&|letter: &str| !evidence.may_be_function(letter));
+            let mut declare = |text: &str| {
+                let declaration = Declaration { formula: Some(text), ..plain(Role::Abbreviation) };
+                self.scope.declare(&mut self.graph, &one.key, declaration)
+            };
+            declare(&one.right.text).or_else(|_| declare(&dotted)).map_err(refused)?;
+            self.used.push(one.relation);
+        }
+        Ok(())
+    }
+
+    /// The key under which a name is declared, whether it depends on the independent variable, and whether it is a field.
+    fn role_of(
+        &self,
+        name: &PaperName,
+        key: &str,
+        all: &[PaperName],
+        evidence: &Evidence,
+        time: Option<&str>,
+        coordinates: &BTreeSet<String>,
+    ) -> Result<(String, bool, bool), NotRead> {
+        if is_field(name, key, all, evidence, coordinates) {
+            let places: Vec<String> = coordinates
+                .iter()
+                .cloned()
+                .chain(time.filter(|t| !coordinates.contains(*t)).map(str::to_owned))
+                .collect();
+            return Ok((format!("{key}({})", places.join(",")), false, true));
+        }
+        let here = |n: &&PaperName| n.key() == key;
+        let moves = time.is_some_and(|t| {
+            all.iter().filter(here).any(|n| n.dots > 0 || n.derived_by.as_deref() == Some(t) && !n.is_partial)
+                || t == "t" && evidence.moving.contains(key)
+                || evidence.derived.get(key).is_some_and(|by| by.contains(t))
+                || evidence.calls.get(key).is_some_and(|c| c.contains_key(&Some(vec![t.to_owned()])))
+        });
+        let places: BTreeSet<&Vec<String>> = all
+            .iter()
+            .filter(here)
+            .filter_map(|n| if let Call::Places(p) = &n.call { Some(p) } else { None })
+            .filter(|p| is_place(p))
+            .collect();
+        if places.is_empty() {
+            return Ok((key.to_owned(), moves, false));
+        }
+        if moves && places.iter().all(|p| p.len() == 1 && Some(p[0].as_str()) == time) {
+            return Ok((key.to_owned(), true, false));
+        }
+        let derives = time.is_some() || !coordinates.is_empty();
+        let bare = all.iter().filter(here).any(|n| n.call == Call::None);
+        if derives || places.len() > 1 || bare {
+            return Err(NotRead::of(format!("an unknown function, {key}")));
+        }
+        // The name with its place is a number: nothing is derived here, and it stands at no other place.
+        let place = places.into_iter().next().map(|p| p.join(",")).unwrap_or_default();
+        Ok((format!("{key}({place})"), false, false))
+    }
+
+    /// Reads a relation of two sides. A name that is printed nowhere with a place behind it is a factor of what stands in parentheses
+    /// behind it.
+    ///
+    /// # Errors
+    /// What the reader of formulas does not understand.
+    pub fn read(&mut self, sides: [&PrintedSide; 2], evidence: &Evidence) -> Result<Read, NotRead> {
+        let plain = sides.map(|s| s.text.clone());
+        match self.statement(&plain) {
+            Err((_, "latex::ambiguous")) => {
+                let is_factor = |letter: &str| !evidence.may_be_function(letter);
+                let dotted = sides.map(|s| s.with_factors(&is_factor));
+                match dotted == plain {
+                    true => self.statement(&plain).map_err(|e| e.0),
+                    false => self.statement(&dotted).map_err(|e| e.0),
+                }
+            }
+            other => other.map_err(|e| e.0),
+        }
+    }
+
+    fn statement(&mut self, texts: &[String; 2]) -> Result<Read, (NotRead, &'static str)> {
+        let text = equation(&texts[0], &texts[1]);
+        let mut found = latex::read(&text, &self.scope, &mut self.graph)
+            .map_err(|problems| (refusal(&problems), problems.first().map_or("", |p| p.code)))?;
+        match (found.pop(), found.is_empty()) {
+            (Some(statement), true) => Ok(Read { statement, text }),
+            _ => Err((NotRead::of("several formulas"), "")),
+        }
+    }
+
+    /// The pairs of scalars that an equation says to be equal.
+    ///
+    /// # Errors
+    /// As for [`read`](Desk::read).
+    pub fn pairs(&mut self, sides: [&PrintedSide; 2], evidence: &Evidence) -> Result<Vec<(Expr, Expr)>, NotRead> {
+        Ok(pairs_of(&self.read(sides, evidence)?.statement))
+    }
+}
+
+/// A relation that was read, and the text that was.
+pub struct Read {
+    /// What it says.
+    pub statement: Statement,
+    /// Its two sides as one text.
+    pub text: String,
+}
+
+/// The pairs of scalars of a statement of one equation.
+pub fn pairs_of(statement: &Statement) -> Vec<(Expr, Expr)> {
+    let sides = |r: &latex::Relation| {
+        r.left.components.iter().copied().zip(r.right.components.iter().copied()).collect::<Vec<_>>()
+    };
+    statement.relations.iter().flat_map(sides).collect()
+}
+
+/// Two sides as one text.
+fn equation(left: &str, right: &str) -> String {
+    format!("{left} = {right}")
+}
+
+/// Whether a name is a field: derived partially here, or of what the paper derives by the coordinates of the step.
+fn is_field(
+    name: &PaperName,
+    key: &str,
+    all: &[PaperName],
+    evidence: &Evidence,
+    coordinates: &BTreeSet<String>,
+) -> bool {
+    if coordinates.is_empty() {
+        return false;
+    }
+    let here = all
+        .iter()
+        .any(|n| n.key() == key && n.is_partial && n.derived_by.as_ref().is_some_and(|b| coordinates.contains(b)));
+    let paper = evidence.partial.get(key).is_some_and(|by| by.iter().any(|b| coordinates.contains(b)));
+    let place = matches!(&name.call, Call::Places(p) if p.iter().any(|p| coordinates.contains(p)));
+    here || paper || place
+}
+
+fn plain(role: Role) -> Declaration<'static> {
+    Declaration { role, shape: None, diagonal: false, formula: None, arguments: &[], complex: false, angle: false }
+}
+
+fn refused(error: latex::DeclareError) -> NotRead {
+    match error {
+        latex::DeclareError::Key(problem) => refusal(&[problem]),
+        latex::DeclareError::Formula(problems) => refusal(&problems),
+    }
+}
+
+/// A refusal of the reader of formulas as data.
+fn refusal(problems: &[diag::Problem]) -> NotRead {
+    let Some(first) = problems.first() else { return NotRead::of("something") };
+    let feature = match first.code {
+        "latex::unknown-symbol" => "a name",
+        "latex::unknown-command" => "a command",
+        "latex::bad-name" => "a name",
+        "latex::index" | "latex::double-script" => "indices",
+        "latex::shape" => "vectors and numbers in one sum, or in one product",
+        "latex::ambiguous" => "something with two readings",
+        _ => "a notation",
+    };
+    NotRead { feature: feature.to_owned(), why: Some(first.message.clone()) }
+}

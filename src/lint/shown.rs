@@ -1,0 +1,105 @@
+//! What was found, for a terminal: a line for each printed relation, and what is wrong with its place in the source.
+
+use std::fmt::Write;
+
+use diag::Diagnostic;
+use diag::escape::in_one_line;
+use paper::Paper;
+
+use super::{Judgement, Lint, LintWitness, Word, line};
+
+/// The most characters of a formula in the list.
+const WIDTH: usize = 78;
+
+/// Why a judgement is as it is, in one line; may be empty.
+pub fn explained(paper: &Paper, judgement: &Judgement) -> String {
+    let mut out = in_one_line(&judgement.why);
+    if !judgement.with.is_empty() {
+        let mut lines: Vec<usize> =
+            judgement.with.iter().filter_map(|r| paper.printed.get(*r)).map(|r| paper.line(&r.span())).collect();
+        lines.sort_unstable();
+        lines.dedup();
+        let many: Vec<String> = lines.iter().map(usize::to_string).collect();
+        let word = if many.len() == 1 { "line" } else { "lines" };
+        if !out.is_empty() {
+            out.push_str("; ");
+        }
+        let _ = write!(out, "with {word} {}", many.join(", "));
+    }
+    out
+}
+
+/// What is wrong, as a diagnostic with its place; `None` for every other word.
+pub fn diagnostic(paper: &Paper, judgement: &Judgement) -> Option<Diagnostic> {
+    if judgement.word != Word::Wrong {
+        return None;
+    }
+    let (source, span) = paper.locate(&judgement.span);
+    let mut message = "this step is wrong".to_owned();
+    if let Some(witness) = &judgement.witness {
+        message = format!("this step is wrong: {}", at_a_point(witness));
+    }
+    let mut found = Diagnostic::at(source, "lint::wrong", span, message);
+    if let Some(instead) = &judgement.instead {
+        found = found.hint(format!("this holds, and is proved: {}", in_one_line(instead)));
+    }
+    Some(found)
+}
+
+/// "for a = 2, b = 1 it says 3 = 5".
+pub fn at_a_point(witness: &LintWitness) -> String {
+    let values: Vec<String> = witness.values.iter().take(8).map(|(n, v)| format!("{} = {v}", in_one_line(n))).collect();
+    let sides = format!("it says {} = {}", number(witness.left), number(witness.right));
+    if values.is_empty() { sides } else { format!("for {} {sides}", values.join(", ")) }
+}
+
+fn number(x: f64) -> String {
+    let text = format!("{x:.6}");
+    let short = text.trim_end_matches('0').trim_end_matches('.');
+    if short.is_empty() || short == "-" { "0".to_owned() } else { short.to_owned() }
+}
+
+/// The list of all relations, then what is wrong.
+pub fn lint_text(paper: &Paper, lint: &Lint) -> String {
+    let mut out = String::new();
+    let several = paper.printed.iter().any(|r| !std::sync::Arc::ptr_eq(paper.locate(&r.span()).0, &paper.file));
+    for judgement in &lint.judgements {
+        let relation = &paper.printed[judgement.relation];
+        // A formula of the running text is shown where something is said of it.
+        if relation.display.is_none() && matches!(judgement.word, Word::NotRead | Word::Condition | Word::NotFollowed) {
+            continue;
+        }
+        let text = in_one_line(&relation.text());
+        let short: String = text.chars().take(WIDTH).collect();
+        let more = if text.chars().count() > WIDTH { "…" } else { "" };
+        let why = explained(paper, judgement);
+        let why = if why.is_empty() { String::new() } else { format!(" ({why})") };
+        let file = match several {
+            true => format!("{}:", in_one_line(&paper.locate(&judgement.span).0.path)),
+            false => String::new(),
+        };
+        let place = format!("{file}{}", line(paper, judgement));
+        let _ = writeln!(out, "{place:>6}  {:<16} {short}{more}{why}", judgement.word.text());
+    }
+    for note in &paper.notes {
+        let place = paper.line(&note.span);
+        let _ = writeln!(out, "{place:>6}  {:<16} {}", "note", in_one_line(&note.message));
+    }
+    for found in lint.judgements.iter().filter_map(|j| diagnostic(paper, j)) {
+        let _ = write!(out, "\n{found}\n");
+    }
+    let _ = writeln!(out, "\n{}", summary(lint));
+    out
+}
+
+/// "31 relations: 1 wrong, 12 follow, …".
+pub fn summary(lint: &Lint) -> String {
+    let counts: Vec<String> = Word::ALL
+        .iter()
+        .map(|w| (w, lint.count(*w)))
+        .filter(|(w, n)| *n > 0 || **w == Word::Wrong)
+        .map(|(w, n)| format!("{n} {}", w.text()))
+        .collect();
+    let noun = if lint.judgements.len() == 1 { "relation" } else { "relations" };
+    format!("{} {noun}: {}", lint.judgements.len(), counts.join(", "))
+}

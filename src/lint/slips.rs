@@ -1,0 +1,310 @@
+//! Slips: a formula with one place altered.
+//!
+//! **In:** the syntax tree of a side. **Out:** trees that differ in one place as authors and typesetters slip: a sign, a factor of 2,
+//! an exponent, a function and its partner, one name for another, a quotient upside down, what is left out. Whether
+//! one of them holds is asked elsewhere.
+
+use expr::Rational;
+use latex::syntax::{Bracket, Node, NodeKind, Sign, SymbolNode};
+
+/// The most nodes of a side that is altered.
+const MOST_NODES: usize = 220;
+
+/// How far a term that is a number may be from the right one.
+const FARTHEST: i64 = 9;
+
+/// A side with one place altered.
+#[derive(Clone, Debug)]
+pub struct Slip {
+    /// The altered side.
+    pub side: Node,
+    /// One name was put for another.
+    pub exchanges: Option<(String, String)>,
+    /// A factor or a term was left out.
+    pub drops: bool,
+}
+
+impl Slip {
+    /// Whether it says something of other names, or of fewer.
+    pub fn is_of_names(&self) -> bool {
+        self.exchanges.is_some() || self.drops
+    }
+}
+
+/// The number of nodes of a tree.
+pub fn size(node: &Node) -> usize {
+    1 + node.children().into_iter().map(size).sum::<usize>()
+}
+
+/// All slips of a side, the plain ones first; `names` are the symbols of the whole step.
+pub fn slips(side: &Node, names: &[SymbolNode]) -> Vec<Slip> {
+    if size(side) > MOST_NODES {
+        return Vec::new();
+    }
+    let mut out = altered(side, names);
+    out.extend([scaled(side, 2), halved(side), negated(side)].map(|side| Slip { side, exchanges: None, drops: false }));
+    // Exchanges of names are many: they come last.
+    out.sort_by_key(|s| (s.exchanges.is_some(), s.drops));
+    out
+}
+
+/// The symbols of a tree, each once, without what stands above them.
+pub fn symbols(node: &Node, out: &mut Vec<SymbolNode>) {
+    if let NodeKind::Symbol(s) = &node.kind {
+        let bare = SymbolNode { sup: None, sup_first: false, ..s.clone() };
+        if !out.iter().any(|o| o.name == bare.name && o.sub == bare.sub && o.dots == bare.dots) {
+            out.push(bare);
+        }
+    }
+    for child in node.children() {
+        symbols(child, out);
+    }
+}
+
+fn node(kind: NodeKind, like: &Node) -> Node {
+    Node::new(kind, like.span.clone())
+}
+
+fn number(n: i64, like: &Node) -> Node {
+    node(NodeKind::Number(Rational::from(n)), like)
+}
+
+/// In parentheses, where it is a sum.
+fn factor(of: &Node) -> Node {
+    match of.kind {
+        NodeKind::Sum(_) => node(NodeKind::Group(Box::new(of.clone()), Bracket::Round), of),
+        _ => of.clone(),
+    }
+}
+
+fn scaled(of: &Node, by: i64) -> Node {
+    let mut parts = vec![number(by, of)];
+    match &of.kind {
+        NodeKind::Product(more) if !of.begins_with_number() => parts.extend(more.iter().cloned()),
+        _ if of.begins_with_number() => {
+            return node(NodeKind::Dot(vec![number(by, of), factor(of)]), of);
+        }
+        _ => parts.push(factor(of)),
+    }
+    node(NodeKind::Product(parts), of)
+}
+
+fn halved(of: &Node) -> Node {
+    let bottom = Box::new(number(2, of));
+    node(NodeKind::Quotient { top: Box::new(of.clone()), bottom, slash: false }, of)
+}
+
+fn negated(of: &Node) -> Node {
+    match &of.kind {
+        NodeKind::Sum(terms) => node(NodeKind::Sum(terms.iter().map(|(s, n)| (opposite(*s), n.clone())).collect()), of),
+        _ => node(NodeKind::Sum(vec![(Sign::Minus, of.clone())]), of),
+    }
+}
+
+fn opposite(sign: Sign) -> Sign {
+    match sign {
+        Sign::Plus => Sign::Minus,
+        Sign::Minus => Sign::Plus,
+        Sign::PlusMinus => Sign::MinusPlus,
+        Sign::MinusPlus => Sign::PlusMinus,
+    }
+}
+
+const PARTNERS: &[(&str, &str)] = &[
+    ("sin", "cos"),
+    ("cos", "sin"),
+    ("sinh", "cosh"),
+    ("cosh", "sinh"),
+    ("tan", "cot"),
+    ("cot", "tan"),
+    ("tanh", "coth"),
+];
+
+/// The trees with one place of this one altered.
+fn altered(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
+    let mut out: Vec<Slip> = own(of, names);
+    let children = of.children();
+    for (k, child) in children.iter().enumerate() {
+        for slip in altered(child, names) {
+            if let Some(side) = with_child(of, k, slip.side.clone()) {
+                out.push(Slip { side, ..slip.clone() });
+            }
+        }
+    }
+    out
+}
+
+/// What is altered at the top of a tree.
+fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
+    let mut out: Vec<Node> = Vec::new();
+    let mut exchanged = Vec::new();
+    let mut dropped: Vec<Node> = Vec::new();
+    match &of.kind {
+        NodeKind::Number(r) => {
+            for other in [r.clone() + Rational::ONE, r.clone() - Rational::ONE, r.clone() + r.clone()] {
+                if other > Rational::ZERO {
+                    out.push(node(NodeKind::Number(other), of));
+                }
+            }
+        }
+        NodeKind::Sum(terms) => {
+            for i in 0..terms.len() {
+                let with = |term: (Sign, Node)| {
+                    let mut terms = terms.clone();
+                    terms[i] = term;
+                    node(NodeKind::Sum(terms), of)
+                };
+                let (sign, term) = &terms[i];
+                if let NodeKind::Number(r) = &term.kind {
+                    // A sum that was added up wrongly.
+                    let near =
+                        (2..=FARTHEST).flat_map(|k| [r.clone() + Rational::from(k), r.clone() - Rational::from(k)]);
+                    out.extend(near.map(|n| match n < Rational::ZERO {
+                        true => with((opposite(*sign), node(NodeKind::Number(-n), of))),
+                        false => with((*sign, node(NodeKind::Number(n), of))),
+                    }));
+                }
+                out.push(with((opposite(*sign), term.clone())));
+                out.push(with((*sign, scaled(term, 2))));
+                out.push(with((*sign, halved(term))));
+                if terms.len() > 2 {
+                    let mut rest = terms.clone();
+                    rest.remove(i);
+                    dropped.push(node(NodeKind::Sum(rest), of));
+                }
+            }
+        }
+        NodeKind::Product(parts) if parts.len() > 1 => {
+            for i in 0..parts.len() {
+                let mut rest = parts.clone();
+                rest.remove(i);
+                dropped.push(match rest.len() {
+                    1 => rest.swap_remove(0),
+                    _ => node(NodeKind::Product(rest), of),
+                });
+            }
+        }
+        NodeKind::Quotient { top, bottom, slash } => {
+            let (top, bottom) = (bottom.clone(), top.clone());
+            out.push(node(NodeKind::Quotient { top, bottom, slash: *slash }, of));
+        }
+        NodeKind::Function(name, power, arguments) => {
+            if let Some((_, partner)) = PARTNERS.iter().find(|(f, _)| f == name) {
+                out.push(node(NodeKind::Function((*partner).to_owned(), *power, arguments.clone()), of));
+            }
+            let other = match power {
+                None => Some(2),
+                Some(2) => None,
+                Some(n) => Some(n - 1),
+            };
+            out.push(node(NodeKind::Function(name.clone(), other, arguments.clone()), of));
+        }
+        NodeKind::Root(inner, 2) => out.push(node(NodeKind::Group(inner.clone(), Bracket::Round), of)),
+        NodeKind::Symbol(s) => {
+            match &s.sup {
+                None => {
+                    let sup = Some(Box::new(number(2, of)));
+                    out.push(node(NodeKind::Symbol(SymbolNode { sup, ..s.clone() }), of));
+                }
+                Some(sup) if matches!(sup.kind, NodeKind::Number(_)) => {
+                    out.push(node(NodeKind::Symbol(SymbolNode { sup: None, ..s.clone() }), of));
+                }
+                Some(_) => {}
+            }
+            for other in names.iter().filter(|n| (&n.name, &n.sub, n.dots) != (&s.name, &s.sub, s.dots)) {
+                let symbol = SymbolNode { sup: s.sup.clone(), sup_first: s.sup_first, ..other.clone() };
+                let spelled = |s: &SymbolNode| format!("{}{:?}", s.name, s.sub);
+                exchanged.push(Slip {
+                    side: node(NodeKind::Symbol(symbol), of),
+                    exchanges: Some((spelled(s), spelled(other))),
+                    drops: false,
+                });
+            }
+        }
+        NodeKind::Group(inner, bracket) => {
+            let _ = bracket;
+            if !matches!(inner.kind, NodeKind::Sum(_)) {
+                return Vec::new();
+            }
+            out.push(node(
+                NodeKind::Scripted {
+                    base: Box::new(of.clone()),
+                    sub: None,
+                    sup: Some(Box::new(number(2, of))),
+                    sup_first: false,
+                },
+                of,
+            ));
+        }
+        NodeKind::Scripted { base, sub: None, .. } => out.push((**base).clone()),
+        _ => {}
+    }
+    let plain = out.into_iter().map(|side| Slip { side, exchanges: None, drops: false });
+    plain.chain(dropped.into_iter().map(|side| Slip { side, exchanges: None, drops: true })).chain(exchanged).collect()
+}
+
+/// A tree with another child in the place of one; `None` for kinds in which nothing is altered.
+fn with_child(of: &Node, k: usize, child: Node) -> Option<Node> {
+    let boxed = |n: Node| Box::new(n);
+    let kind = match &of.kind {
+        NodeKind::Symbol(s) => {
+            let mut s = s.clone();
+            let above = usize::from(s.sup.is_some());
+            if k < above {
+                s.sup = Some(boxed(child));
+            } else {
+                *s.arguments.as_mut()?.get_mut(k - above)? = child;
+            }
+            NodeKind::Symbol(s)
+        }
+        NodeKind::Scripted { base, sub, sup, sup_first } => {
+            let (mut base, mut sup) = (base.clone(), sup.clone());
+            if k == 0 {
+                base = boxed(child)
+            } else {
+                sup = Some(boxed(child))
+            }
+            NodeKind::Scripted { base, sub: sub.clone(), sup, sup_first: *sup_first }
+        }
+        NodeKind::Sum(terms) => {
+            let mut terms = terms.clone();
+            terms.get_mut(k)?.1 = child;
+            NodeKind::Sum(terms)
+        }
+        NodeKind::Product(parts) => NodeKind::Product(replaced(parts, k, child)?),
+        NodeKind::Dot(parts) => NodeKind::Dot(replaced(parts, k, child)?),
+        NodeKind::Tuple(parts) => NodeKind::Tuple(replaced(parts, k, child)?),
+        NodeKind::Function(f, p, parts) => NodeKind::Function(f.clone(), *p, replaced(parts, k, child)?),
+        NodeKind::Quotient { top, bottom, slash } => {
+            let (mut top, mut bottom) = (top.clone(), bottom.clone());
+            if k == 0 {
+                top = boxed(child)
+            } else {
+                bottom = boxed(child)
+            }
+            NodeKind::Quotient { top, bottom, slash: *slash }
+        }
+        NodeKind::Group(_, bracket) => NodeKind::Group(boxed(child), *bracket),
+        NodeKind::Root(_, n) => NodeKind::Root(boxed(child), *n),
+        NodeKind::Absolute(_) => NodeKind::Absolute(boxed(child)),
+        NodeKind::Exponential { upright, .. } => NodeKind::Exponential { exponent: boxed(child), upright: *upright },
+        NodeKind::Derivative { of: _, by, order, operator, upright } if k == 0 => NodeKind::Derivative {
+            of: boxed(child),
+            by: by.clone(),
+            order: *order,
+            operator: *operator,
+            upright: *upright,
+        },
+        NodeKind::Partial { of: _, by, form } if k == 0 => {
+            NodeKind::Partial { of: boxed(child), by: by.clone(), form: *form }
+        }
+        _ => return None,
+    };
+    Some(Node::new(kind, of.span.clone()))
+}
+
+fn replaced(parts: &[Node], k: usize, child: Node) -> Option<Vec<Node>> {
+    let mut parts = parts.to_vec();
+    *parts.get_mut(k)? = child;
+    Some(parts)
+}

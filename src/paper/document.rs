@@ -1,0 +1,335 @@
+//! Documents → displays and formulas of the running text.
+//!
+//! **In:** the tokens of a document, macros expanded. **Out:** its displays, as what has one number in print and as
+//! [`printed`](super::printed) relations. **Guaranteed:** what has no end is read as far as its paragraph goes, and told.
+
+use super::mark::{self, group_text, parts};
+use super::printed::{self, Place, PrintedRelation};
+use super::token::{Kind, Token};
+use super::{Equation, PaperNote, Part, span_of};
+use diag::escape::in_one_line;
+
+/// How the lines of a display are numbered.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Numbers {
+    /// One number for all.
+    One,
+    /// One for each line, unless the line says otherwise.
+    EachLine,
+}
+
+fn display(name: &str) -> Option<Numbers> {
+    match name {
+        "equation" | "equation*" | "displaymath" | "multline" | "multline*" | "math" | "dmath" | "dmath*"
+        | "align*" | "eqnarray*" | "gather*" | "flalign*" | "alignat*" | "dgroup" => Some(Numbers::One),
+        "align" | "eqnarray" | "gather" | "flalign" | "alignat" => Some(Numbers::EachLine),
+        _ => None,
+    }
+}
+
+/// Signs that make a formula of the running text one that says something.
+const RELATIONS: &[&str] = &[
+    "=", "<", ">", r"\le", r"\ge", r"\ne", r"\equiv", r"\approx", r"\sim", r"\simeq", r"\to", r"\propto", r"\ll",
+    r"\gg",
+];
+
+/// Commands that begin a section.
+const SECTIONS: &[&str] = &["section", "chapter", "subsection", "part", "paragraph", "subsubsection", "appendix"];
+
+/// Reads a document, from its first to its last token.
+pub(super) struct Reader<'t> {
+    tokens: &'t [Token],
+    at: usize,
+    pub equations: Vec<Equation>,
+    pub relations: Vec<Part>,
+    pub title: Option<String>,
+    pub printed: Vec<PrintedRelation>,
+    pub notes: Vec<PaperNote>,
+    displays: usize,
+    section: usize,
+}
+
+impl<'t> Reader<'t> {
+    pub(super) fn new(tokens: &'t [Token]) -> Reader<'t> {
+        Reader {
+            tokens,
+            at: 0,
+            equations: Vec::new(),
+            relations: Vec::new(),
+            title: None,
+            printed: Vec::new(),
+            notes: Vec::new(),
+            displays: 0,
+            section: 0,
+        }
+    }
+
+    pub(super) fn document(&mut self) {
+        while let Some(token) = self.tokens.get(self.at) {
+            self.at += 1;
+            match token.kind {
+                Kind::Dollar if self.tokens.get(self.at).is_some_and(|t| t.kind == Kind::Dollar) => {
+                    self.at += 1;
+                    let body = self.until_dollar(true);
+                    self.at += usize::from(self.tokens.get(self.at).is_some_and(|t| t.kind == Kind::Dollar));
+                    self.equation(&body, Numbers::One, "$$");
+                }
+                Kind::Dollar => {
+                    let body = self.until_dollar(false);
+                    self.running(&body);
+                }
+                Kind::Command => match token.text.as_str() {
+                    "[" => {
+                        let body = self.until(r"\]", |tokens, i| tokens[i].is("]").then_some(i + 1));
+                        self.equation(&body, Numbers::One, "[");
+                    }
+                    "(" => {
+                        let body = self.until(r"\)", |tokens, i| tokens[i].is(")").then_some(i + 1));
+                        self.running(&body);
+                    }
+                    name if SECTIONS.contains(&name) => self.section += 1,
+                    "title" if self.title.is_none() => {
+                        let (text, _) = group_text(self.tokens, self.at);
+                        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+                        self.title = (!text.is_empty()).then_some(text);
+                    }
+                    "begin" => {
+                        let (name, after) = group_text(self.tokens, self.at);
+                        if let Some(numbers) = display(&name) {
+                            self.at = after;
+                            if name.starts_with("alignat") {
+                                self.at = group_text(self.tokens, self.at).1;
+                            }
+                            let body = self.environment(&name);
+                            self.equation(&body, numbers, &name);
+                        }
+                    }
+                    _ => {}
+                },
+                _ => {}
+            }
+        }
+    }
+
+    /// The tokens up to where `ends` says, which gives the position after the end. Where there is no end, they go as far as what
+    /// they stand in, and that is told.
+    fn until(&mut self, wanted: &str, ends: impl Fn(&[Token], usize) -> Option<usize>) -> Vec<Token> {
+        let from = self.at;
+        for i in from..self.tokens.len() {
+            if let Some(after) = ends(self.tokens, i) {
+                self.at = after;
+                return self.tokens[from..i].to_vec();
+            }
+            if self.begins_other(i) {
+                break;
+            }
+        }
+        let paragraph = |t: &Token| t.kind == Kind::Space && t.text == "\n";
+        let more =
+            (from..self.tokens.len()).take_while(|&i| !paragraph(&self.tokens[i]) && !self.begins_other(i)).count();
+        self.at = from + more;
+        self.unended(from, wanted);
+        self.tokens[from..self.at].to_vec()
+    }
+
+    /// Whether what begins here cannot stand inside of a display.
+    fn begins_other(&self, i: usize) -> bool {
+        let token = &self.tokens[i];
+        match token.text.as_str() {
+            _ if token.kind != Kind::Command => false,
+            "[" => true,
+            "begin" => display(&group_text(self.tokens, i + 1).0).is_some_and(|_| true),
+            name => SECTIONS.contains(&name),
+        }
+    }
+
+    fn unended(&mut self, from: usize, wanted: &str) {
+        let span = span_of(&self.tokens[from.saturating_sub(1)..self.at.max(from)]);
+        let message = format!("this has no `{wanted}`: it is read as far as its paragraph goes");
+        self.notes.push(PaperNote { message, span });
+    }
+
+    /// The tokens up to the next dollar, at most to the end of the paragraph.
+    fn until_dollar(&mut self, is_display: bool) -> Vec<Token> {
+        // A dollar inside a group (of a \text) belongs to the group.
+        let from = self.at;
+        let mut depth = 0i32;
+        for i in from..self.tokens.len() {
+            match self.tokens[i].kind {
+                Kind::Open => depth += 1,
+                Kind::Close => depth -= 1,
+                Kind::Dollar if depth <= 0 => {
+                    self.at = i + 1;
+                    return self.tokens[from..i].to_vec();
+                }
+                Kind::Space if self.tokens[i].text == "\n" => {
+                    self.at = i;
+                    self.unended(from, if is_display { "$$" } else { "$" });
+                    // What stands between is text as well as formulas.
+                    return if is_display { self.tokens[from..i].to_vec() } else { Vec::new() };
+                }
+                _ => {}
+            }
+        }
+        self.at = self.tokens.len();
+        self.unended(from, if is_display { "$$" } else { "$" });
+        Vec::new()
+    }
+
+    /// The tokens up to the `\end` of an environment.
+    fn environment(&mut self, name: &str) -> Vec<Token> {
+        self.until(&format!("\\end{{{}}}", in_one_line(name)), |tokens, i| {
+            let (found, after) = if tokens[i].is("end") { group_text(tokens, i + 1) } else { return None };
+            (found == name).then_some(after)
+        })
+    }
+
+    fn running(&mut self, body: &[Token]) {
+        let place = Place { environment: "", display: None, section: self.section };
+        self.printed.extend(printed::relations(body, &place).into_iter().filter(|r| !r.signs.is_empty()));
+        let part = Part::new(body);
+        if part.marks.iter().any(|m| RELATIONS.contains(&m.text.as_str())) {
+            self.relations.push(part);
+        }
+    }
+
+    fn equation(&mut self, body: &[Token], numbers: Numbers, environment: &str) {
+        let place = Place { environment, display: Some(self.displays), section: self.section };
+        self.printed.extend(printed::relations(body, &place));
+        self.displays += 1;
+        let lines = match numbers {
+            Numbers::One => vec![body.to_vec()],
+            Numbers::EachLine => numbered(body),
+        };
+        // The first and the last side of the chain so far.
+        let mut chain: Option<(Vec<Token>, Vec<Token>)> = None;
+        for line in lines {
+            let label = line.iter().position(|t| t.is("label")).map(|i| group_text(&line, i + 1).0);
+            let columns = columns(&line, environment.starts_with("eqnarray"));
+            let mut all: Vec<Vec<Token>> = columns.iter().flat_map(|c| joined(parts(c))).collect();
+            let mut whole = Vec::new();
+            if let Some(part) = all.first_mut() {
+                let (mut sides, goes_on) = printed::sides_of(part);
+                let last = sides.pop().unwrap_or_default();
+                let first = match chain.take() {
+                    Some((first, before)) if goes_on => {
+                        // A line that begins with `=` says it of what stands last in the line above, and of the first side.
+                        whole = mark::marks(&[first.as_slice(), part].concat());
+                        part.splice(0..0, before);
+                        first
+                    }
+                    _ => sides.into_iter().next().unwrap_or_default(),
+                };
+                chain = (all.len() == 1).then_some((first, last));
+            }
+            let parts: Vec<Part> = all.iter().map(|p| Part::new(p)).collect();
+            if !parts.is_empty() {
+                let label = label.map(|l| in_one_line(&l)).filter(|l| !l.is_empty());
+                self.equations.push(Equation { label, span: span_of(&line), parts, whole });
+            }
+        }
+    }
+}
+
+/// The columns of the lines of a display: what stands left and right of a sign of alignment belongs together, and the lines of a
+/// column, too.
+fn columns(line: &[Token], is_table: bool) -> Vec<Vec<Token>> {
+    let size = if is_table { 3 } else { 2 };
+    let mut out: Vec<Vec<Token>> = vec![Vec::new()];
+    let (mut braces, mut environments, mut cell, mut row) = (0i32, 0i32, 0usize, 0usize);
+    for (i, token) in line.iter().enumerate() {
+        match token.kind {
+            Kind::Open => braces += 1,
+            Kind::Close => braces -= 1,
+            _ if token.is("begin") || token.is("end") => {
+                let inner = mark::INNER.contains(&group_text(line, i + 1).0.as_str());
+                let step = if token.is("begin") { 1 } else { -1 };
+                environments += if inner { 0 } else { step };
+            }
+            _ => {}
+        }
+        let outside = braces == 0 && environments == 0;
+        let breaks = outside && (token.is("\\") || token.is("cr") || token.is("newline"));
+        if outside && token.is_char("&") {
+            cell += 1;
+            if out.len() <= cell / size {
+                out.push(Vec::new());
+            }
+            continue;
+        }
+        if breaks {
+            // Every column goes on in the next line.
+            let span = token.span.clone();
+            out.iter_mut()
+                .for_each(|c| c.push(Token { kind: Kind::Command, text: "\\".to_owned(), span: span.clone() }));
+            (cell, row) = (0, row + 1);
+            continue;
+        }
+        if let Some(column) = out.get_mut(cell / size) {
+            column.push(token.clone());
+        }
+    }
+    let _ = row;
+    out
+}
+
+/// Parts of which those that begin with an operator, and relate nothing, go on from the one before.
+fn joined(parts: Vec<Vec<Token>>) -> Vec<Vec<Token>> {
+    let mut out: Vec<Vec<Token>> = Vec::new();
+    for part in parts {
+        let goes_on =
+            part.iter().find(|t| t.kind != Kind::Space && !printed::is_space(t)).is_some_and(printed::is_operator)
+                && !part.iter().any(|t| t.is_char("="));
+        match out.last_mut().filter(|_| goes_on) {
+            Some(last) => {
+                let at = last.last().map_or(0, |t| t.span.end);
+                last.push(Token { kind: Kind::Space, text: " ".to_owned(), span: at..at });
+                last.extend(part);
+            }
+            None => out.push(part),
+        }
+    }
+    out
+}
+
+/// The lines of a display that have a number each: a line without one belongs to the next that has one, or to the last.
+fn numbered(body: &[Token]) -> Vec<Vec<Token>> {
+    let mut out: Vec<Vec<Token>> = vec![Vec::new()];
+    let (mut braces, mut environments) = (0i32, 0i32);
+    let mut at = 0;
+    let mut has_number = true;
+    while let Some(token) = body.get(at) {
+        at += 1;
+        match token.kind {
+            Kind::Open => braces += 1,
+            Kind::Close => braces -= 1,
+            _ if token.is("begin") => environments += 1,
+            _ if token.is("end") => environments -= 1,
+            _ if token.is("nonumber") || token.is("notag") => has_number = false,
+            _ if token.is("\\") && braces == 0 && environments == 0 => {
+                let after = mark::after_row(body, at);
+                match out.last_mut() {
+                    Some(line) if !has_number => line.extend_from_slice(&body[at - 1..after]),
+                    _ => out.push(Vec::new()),
+                }
+                at = after;
+                has_number = true;
+                continue;
+            }
+            _ => {}
+        }
+        if let Some(line) = out.last_mut() {
+            line.push(token.clone());
+        }
+    }
+    if !has_number && out.len() > 1 {
+        // The last line has no number: it ends the equation before it.
+        let last = out.pop().unwrap_or_default();
+        if let Some(before) = out.last_mut() {
+            let end = last.first().map_or(0, |t| t.span.start);
+            before.push(Token { kind: Kind::Command, text: "\\".to_owned(), span: end..end });
+            before.extend(last);
+        }
+    }
+    out
+}

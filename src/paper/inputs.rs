@@ -1,0 +1,194 @@
+//! Files that a paper names with `\\input`, `\\include` or `\\subfile`.
+//!
+//! **In:** the folder of the paper, and names. **Out:** the tokens of the files, with places behind those of the paper.
+//! **Guaranteed:** nothing outside of the paper's folder is read, links resolved; no file is read inside of itself; what is not
+//! read is told.
+
+use std::ops::Range;
+use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
+
+use super::token::{Token, tokens};
+use super::{LARGEST_PAPER, PaperNote, text_from};
+use diag::Source;
+use diag::escape::in_one_line;
+
+/// The most files of a paper.
+const MOST_FILES: usize = 400;
+/// The most bytes of all files together.
+const MOST_BYTES: u64 = 4 * LARGEST_PAPER;
+
+/// What is read beside the paper's own file.
+pub(super) struct Inputs {
+    folder: Option<PathBuf>,
+    /// Where each begins when all are written behind each other.
+    pub files: Vec<(usize, Arc<Source>)>,
+    pub notes: Vec<PaperNote>,
+    /// Files of which the text is being read, or was read.
+    seen: Vec<PathBuf>,
+    next: usize,
+    bytes: u64,
+}
+
+/// The tokens of a file: Markdown is known by its name.
+pub(super) fn tokens_of(source: &Source) -> Vec<Token> {
+    match is_markdown(&source.path) {
+        true => tokens(&without_code(&source.text)),
+        false => tokens(&source.text),
+    }
+}
+
+fn is_markdown(path: &str) -> bool {
+    Path::new(path).extension().is_some_and(|e| e.eq_ignore_ascii_case("md") || e.eq_ignore_ascii_case("markdown"))
+}
+
+impl Inputs {
+    pub(super) fn new(paper: &Source, folder: Option<&Path>) -> Inputs {
+        let here = |f: &Path| if f.as_os_str().is_empty() { PathBuf::from(".") } else { f.to_path_buf() };
+        let own = Path::new(&paper.path).file_name().map(PathBuf::from);
+        Inputs {
+            folder: folder.map(here),
+            files: Vec::new(),
+            notes: Vec::new(),
+            seen: own.into_iter().collect(),
+            next: paper.text.len() + 1,
+            bytes: 0,
+        }
+    }
+
+    /// The tokens of the file of this name; none, and a note, where it is not read.
+    pub(super) fn tokens(&mut self, name: &str, span: &Range<usize>) -> Vec<Token> {
+        let Some(folder) = self.folder.clone() else {
+            return self.refused(name, span, "files that a text names are not read");
+        };
+        let wanted = Path::new(name.trim());
+        let plain = wanted.components().all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
+        if name.trim().is_empty() || !plain {
+            return self.refused(name, span, "it lies outside of the folder of the paper");
+        }
+        let relative: PathBuf = wanted.components().filter(|c| matches!(c, Component::Normal(_))).collect();
+        let with_ending = match relative.extension() {
+            Some(_) => relative.clone(),
+            None => relative.with_extension("tex"),
+        };
+        if self.seen.contains(&with_ending) {
+            return self.refused(name, span, "it was read already");
+        }
+        if self.files.len() >= MOST_FILES || self.bytes > MOST_BYTES {
+            return self.refused(name, span, "the paper has more files than are read");
+        }
+        let path = folder.join(&with_ending);
+        if !lies_inside(&path, &folder) {
+            return self.refused(name, span, "there is no such file inside of the folder of the paper");
+        }
+        match files::read(&path, LARGEST_PAPER) {
+            Err(_) => self.refused(name, span, "it cannot be read"),
+            Ok(bytes) => {
+                self.seen.push(with_ending);
+                self.bytes += bytes.len() as u64;
+                let source = Source { path: path.display().to_string(), text: text_from(bytes) };
+                let base = self.next;
+                self.next += source.text.len() + 1;
+                let mut all = tokens_of(&source);
+                for token in &mut all {
+                    token.span = token.span.start + base..token.span.end + base;
+                }
+                self.files.push((base, Arc::new(source)));
+                document_alone(all)
+            }
+        }
+    }
+
+    fn refused(&mut self, name: &str, span: &Range<usize>, why: &str) -> Vec<Token> {
+        let message = format!("the file `{}` is not read: {why}", in_one_line(name.trim()));
+        self.notes.push(PaperNote { message, span: span.clone() });
+        Vec::new()
+    }
+}
+
+/// Whether a file lies in a folder, links resolved; what is not there lies in none.
+fn lies_inside(path: &Path, folder: &Path) -> bool {
+    match (path.canonicalize(), folder.canonicalize()) {
+        (Ok(path), Ok(folder)) => path.starts_with(folder),
+        _ => false,
+    }
+}
+
+/// Of a file that is a document of its own, what stands between its beginning and its end.
+fn document_alone(all: Vec<Token>) -> Vec<Token> {
+    let named = |i: usize, command: &str| {
+        all.get(i).is_some_and(|t| t.is(command)) && super::mark::group_text(&all, i + 1).0 == "document"
+    };
+    let begin = (0..all.len()).find(|&i| named(i, "begin"));
+    let Some(begin) = begin else { return all };
+    let end = (begin..all.len()).find(|&i| named(i, "end")).unwrap_or(all.len());
+    let from = super::mark::group_text(&all, begin + 1).1;
+    all.get(from..end).map(<[Token]>::to_vec).unwrap_or_default()
+}
+
+/// A text in Markdown with blanks in the place of code, so that all other places stay; blocks of mathematics become displays.
+fn without_code(text: &str) -> String {
+    let mut out: Vec<u8> = Vec::with_capacity(text.len());
+    let mut fence: Option<(u8, usize, bool)> = None;
+    for line in text.split_inclusive('\n') {
+        let bare = line.trim_start();
+        let mark = bare.bytes().next().filter(|b| matches!(b, b'`' | b'~'));
+        let count = mark.map_or(0, |m| bare.bytes().take_while(|b| *b == m).count());
+        let blank = |line: &str| line.bytes().map(|b| if b == b'\n' { b } else { b' ' }).collect::<Vec<u8>>();
+        match (fence, mark) {
+            (Some((m, n, math)), Some(own)) if own == m && count >= n && bare[count..].trim().is_empty() => {
+                fence = None;
+                out.extend(fenced(line, math));
+            }
+            (Some((_, _, true)), _) => out.extend(line.bytes()),
+            (Some(_), _) => out.extend(blank(line)),
+            (None, Some(own)) if count >= 3 => {
+                let math = bare[count..].trim().trim_matches(['{', '}', '`']) == "math";
+                fence = Some((own, count, math));
+                out.extend(fenced(line, math));
+            }
+            (None, _) => out.extend(without_spans(line)),
+        }
+    }
+    String::from_utf8(out).unwrap_or_default()
+}
+
+/// A line that opens or closes a block of code; of mathematics it is `$$`.
+fn fenced(line: &str, math: bool) -> Vec<u8> {
+    let begin = line.len() - line.trim_start().len();
+    let dollar = |i: usize| math && (begin..begin + 2).contains(&i);
+    line.bytes()
+        .enumerate()
+        .map(|(i, b)| {
+            if dollar(i) {
+                b'$'
+            } else if b == b'\n' {
+                b
+            } else {
+                b' '
+            }
+        })
+        .collect()
+}
+
+/// A line of Markdown without its code; a percent sign begins no comment there.
+fn without_spans(line: &str) -> Vec<u8> {
+    let mut out = Vec::with_capacity(line.len());
+    let mut rest = line;
+    while let Some(at) = rest.find('`') {
+        let count = rest[at..].bytes().take_while(|b| *b == b'`').count();
+        let body = &rest[at + count..];
+        let Some(end) = body.find(&"`".repeat(count)) else { break };
+        let whole = at + count + end + count;
+        // GitHub writes formulas as $`…`$: only the ticks go.
+        let formula = rest[..at].ends_with('$') && rest[whole..].starts_with('$');
+        out.extend(rest[..at].bytes());
+        out.extend(std::iter::repeat_n(b' ', count));
+        out.extend(body[..end].bytes().map(|b| if formula { b } else { b' ' }));
+        out.extend(std::iter::repeat_n(b' ', count));
+        rest = &rest[whole..];
+    }
+    out.extend(rest.bytes());
+    out.iter_mut().filter(|b| **b == b'%').for_each(|b| *b = b' ');
+    out
+}

@@ -1,0 +1,689 @@
+//! Names as they are printed, and what the whole paper shows of them.
+//!
+//! **In:** printed relations. **Out:** the names of each side, with dots, primes, subscripts and what stands in parentheses behind
+//! them; and the [`Evidence`] of the paper: of what the paper prints a rate, what it derives by what, which subscripts are indices.
+//! **Guaranteed:** nothing is decided here: a name is what is printed, and evidence is what was seen.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::mark::{self, Mark};
+use super::printed::PrintedRelation;
+use super::token::{Kind, Token};
+use super::{Paper, PrintedSide};
+
+/// A name of a formula, as it is printed.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct PaperName {
+    /// The letter in LaTeX, with its style and primes: `\mathbf{x}`, `\psi`, `f'`.
+    pub base: String,
+    /// The letter without style and primes.
+    pub letter: String,
+    /// Whether its style is that of vectors.
+    pub is_bold: bool,
+    /// Whether it has a hat: an operator, or a unit vector.
+    pub has_hat: bool,
+    /// The subscript, without its outer braces.
+    pub subscript: Option<String>,
+    /// How many dots stand above it.
+    pub dots: usize,
+    /// How many primes stand behind it.
+    pub primes: usize,
+    /// What stands in parentheses behind it.
+    pub call: Call,
+    /// Whether it stands in a derivative by this.
+    pub derived_by: Option<String>,
+    /// Whether the derivative is a partial one.
+    pub is_partial: bool,
+    /// A `d`, `\delta` or `\Delta` right before another name: a difference, and no factor.
+    pub is_difference: bool,
+}
+
+/// What stands in parentheses behind a name.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Call {
+    /// Nothing.
+    None,
+    /// Names and numbers, separated by commas: arguments, it may be.
+    Places(Vec<String>),
+    /// Anything else: a factor, it may be.
+    Other,
+}
+
+impl PaperName {
+    /// The name as a key of a derivation file, with its subscript.
+    pub fn key(&self) -> String {
+        match &self.subscript {
+            Some(sub) if sub.chars().count() == 1 => format!("{}_{sub}", self.base),
+            Some(sub) => format!("{}_{{{sub}}}", self.base),
+            None => self.base.clone(),
+        }
+    }
+
+    /// Whether its subscript consists of letters that are used as indices.
+    pub fn index_letters(&self) -> Vec<char> {
+        let Some(sub) = &self.subscript else { return Vec::new() };
+        let plain = !sub.is_empty() && sub.chars().all(|c| "ijklmnpqrsabαβμν,".contains(c)) && sub.chars().count() <= 4;
+        if plain { sub.chars().filter(|c| *c != ',').collect() } else { Vec::new() }
+    }
+}
+
+/// What the whole paper shows of its names.
+#[derive(Clone, Debug, Default)]
+pub struct Evidence {
+    /// Keys with a dot or a derivative by time somewhere.
+    pub moving: BTreeSet<String>,
+    /// What the names are derived by, not partially.
+    pub derived: BTreeMap<String, BTreeSet<String>>,
+    /// What they are derived by partially.
+    pub partial: BTreeMap<String, BTreeSet<String>>,
+    /// For each name what stands in parentheses behind it, and how often; with `None` how often nothing does.
+    pub calls: BTreeMap<String, BTreeMap<Option<Vec<String>>, usize>>,
+    /// Letters that are used as operators: with a hat.
+    pub hats: BTreeSet<String>,
+    /// Whether a letter is printed in bold somewhere.
+    pub bold: BTreeSet<String>,
+    /// Letters, without backslash, with a place in parentheses behind them somewhere.
+    pub functions: BTreeSet<String>,
+    /// Subscripts of each letter.
+    pub subscripts: BTreeMap<String, BTreeSet<String>>,
+}
+
+impl Evidence {
+    /// The evidence of a paper.
+    pub fn of(paper: &Paper) -> Evidence {
+        let mut out = Evidence::default();
+        for relation in &paper.printed {
+            out.note(relation);
+        }
+        out
+    }
+
+    /// Whether a letter, however it is styled and whatever stands below it, is printed with a place in parentheses behind it: it may be
+    /// a function.
+    pub fn may_be_function(&self, letter: &str) -> bool {
+        self.functions.contains(letter)
+    }
+
+    /// Whether the subscripts of a letter are indices of its components: all could be, and one is a letter that is used so.
+    pub fn has_indices(&self, letter: &str) -> bool {
+        let Some(all) = self.subscripts.get(letter) else { return false };
+        let could = |s: &String| (1..=2).contains(&s.chars().count()) && s.chars().all(|c| "ijklmnpqrs123".contains(c));
+        let is = |s: &String| s.chars().any(|c| "ijkl".contains(c));
+        all.iter().all(could) && all.iter().any(is)
+    }
+
+    fn note(&mut self, relation: &PrintedRelation) {
+        for name in relation.sides.iter().filter(|s| s.text.len() <= LONGEST).flat_map(names) {
+            let key = name.key();
+            if name.dots > 0 || name.derived_by.as_deref() == Some("t") && !name.is_partial {
+                self.moving.insert(key.clone());
+            }
+            if let Some(by) = &name.derived_by {
+                let seen = if name.is_partial { &mut self.partial } else { &mut self.derived };
+                seen.entry(key.clone()).or_default().insert(by.clone());
+            }
+            let call = match &name.call {
+                Call::Places(places) => Some(Some(places.clone())),
+                Call::None => Some(None),
+                Call::Other => None,
+            };
+            if let Some(call) = call {
+                *self.calls.entry(key).or_default().entry(call).or_default() += 1;
+            }
+            if let Call::Places(places) = &name.call
+                && places.iter().any(|p| !p.chars().all(|c| c.is_ascii_digit()))
+            {
+                self.functions.insert(name.letter.trim_start_matches('\\').to_owned());
+            }
+            if name.has_hat {
+                self.hats.insert(name.letter.clone());
+            }
+            if name.is_bold {
+                self.bold.insert(name.letter.clone());
+            }
+            if let Some(sub) = &name.subscript {
+                self.subscripts.entry(name.letter.clone()).or_default().insert(sub.clone());
+            }
+        }
+    }
+}
+
+/// Longest side, in bytes, that is looked at.
+const LONGEST: usize = 20_000;
+
+/// Letters of Greek that are names, with other commands that are.
+const LETTERS: &[&str] = &[
+    "alpha",
+    "beta",
+    "gamma",
+    "delta",
+    "epsilon",
+    "varepsilon",
+    "zeta",
+    "eta",
+    "theta",
+    "vartheta",
+    "iota",
+    "kappa",
+    "lambda",
+    "mu",
+    "nu",
+    "xi",
+    "rho",
+    "varrho",
+    "sigma",
+    "varsigma",
+    "tau",
+    "upsilon",
+    "phi",
+    "varphi",
+    "chi",
+    "psi",
+    "omega",
+    "Gamma",
+    "Delta",
+    "Theta",
+    "Lambda",
+    "Xi",
+    "Pi",
+    "Sigma",
+    "Upsilon",
+    "Phi",
+    "Psi",
+    "Omega",
+    "ell",
+    "hbar",
+    "varpi",
+    "aleph",
+    "wp",
+    "imath",
+    "jmath",
+    "varkappa",
+];
+const BOLD: &[&str] =
+    &["mathbf", "boldsymbol", "bm", "vec", "bf", "pmb", "vb", "va", "vectorbold", "mathbfit", "overrightarrow"];
+const HATS: &[&str] = &["hat", "widehat", "vu", "uvec"];
+const STYLES: &[&str] = &[
+    "tilde",
+    "widetilde",
+    "bar",
+    "overline",
+    "mathcal",
+    "mathrm",
+    "mathsf",
+    "mathfrak",
+    "mathbb",
+    "mathscr",
+    "cal",
+    "rm",
+    "check",
+    "breve",
+];
+const DOTS: &[(&str, usize)] = &[("dot", 1), ("ddot", 2), ("dddot", 3), ("ddddot", 4)];
+const FRACTIONS: &[&str] = &["frac", "dfrac", "tfrac", "cfrac"];
+
+/// The names of a side, in their order.
+pub fn names(side: &PrintedSide) -> Vec<PaperName> {
+    names_of(&side.tokens)
+}
+
+/// The names of a formula, in their order.
+pub(super) fn names_of(tokens: &[Token]) -> Vec<PaperName> {
+    let mut reader = Names { marks: mark::marks(tokens), out: Vec::new() };
+    let end = reader.marks.len();
+    reader.range(0, end, &None, 0);
+    reader.out
+}
+
+struct Names {
+    marks: Vec<Mark>,
+    out: Vec<PaperName>,
+}
+
+/// By what something is derived, and whether partially.
+type By = Option<(String, bool)>;
+
+/// Deepest nesting of groups that is looked into.
+const DEEPEST: usize = 100;
+
+impl Names {
+    fn text(&self, at: usize) -> &str {
+        self.marks.get(at).map_or("", |m| m.text.as_str())
+    }
+
+    fn unit(&self, at: usize) -> usize {
+        mark::unit(&self.marks, at)
+    }
+
+    fn range(&mut self, from: usize, to: usize, by: &By, depth: usize) {
+        if depth > DEEPEST {
+            return;
+        }
+        let mut at = from;
+        while at < to {
+            let text = self.text(at).to_owned();
+            let command = text.strip_prefix('\\').unwrap_or("");
+            if FRACTIONS.contains(&command) {
+                at = self.fraction(at, to, by, depth);
+            } else if matches!(command, "dv" | "pdv" | "derivative" | "partialderivative" | "odv" | "fdv") {
+                at = self.physics(at, to, command != "dv" && command != "derivative" && command != "odv", depth);
+            } else if matches!(
+                command,
+                "text" | "mbox" | "hbox" | "textrm" | "operatorname" | "mathop" | "label" | "begin" | "end"
+            ) {
+                at = self.unit(at + 1);
+            } else if command == "partial" {
+                at = self.partial_letter(at, to);
+            } else if let Some(next) = self.name(at, to, by) {
+                at = next;
+            } else {
+                at += 1;
+            }
+        }
+    }
+
+    /// `\frac{dx}{dt}`, `\frac{d}{dt}`, or a fraction of anything.
+    fn fraction(&mut self, at: usize, to: usize, by: &By, depth: usize) -> usize {
+        let (top, middle) = (at + 1, self.unit(at + 1));
+        let end = self.unit(middle).min(to);
+        let differential = |text: &str| matches!(text, "d" | r"\partial" | r"\mathrm" | r"\dd");
+        let first = self.inner(top).0;
+        let below = self.inner(middle).0;
+        let begins =
+            differential(self.text(first)) && differential(self.text(below)) && self.text(below) == self.text(first);
+        if !begins {
+            self.range(top, middle, by, depth + 1);
+            self.range(middle, end, by, depth + 1);
+            return end;
+        }
+        let partial = self.text(first) == r"\partial";
+        let skip = |names: &Names, at: usize| match names.text(at) {
+            r"\mathrm" => names.unit(at + 1),
+            _ => at + 1,
+        };
+        let mut next = skip(self, below);
+        let mut variables = Vec::new();
+        while next < end {
+            match self.variable(next) {
+                Some((variable, after)) => {
+                    variables.push(variable);
+                    next = after;
+                }
+                None if self.text(next) == "^" => next = self.unit(next + 1),
+                None => next += 1,
+            }
+            if differential(self.text(next)) {
+                next = skip(self, next);
+            }
+        }
+        let by = variables.first().map(|v| (v.clone(), partial)).or_else(|| by.clone());
+        let mut over = skip(self, first);
+        if self.text(over) == "^" {
+            over = self.unit(over + 1);
+        }
+        let before = self.out.len();
+        self.range(over, middle, &by, depth + 1);
+        if self.out.len() == before {
+            // What follows the operator is derived: the next factor, a group or a name.
+            let after = self.unit(end).min(to);
+            let stop = if matches!(self.text(end), "(" | "[" | "{") { self.closing(end, to) } else { after };
+            self.range(end, stop, &by, depth + 1);
+            self.note_variables(&variables);
+            return stop.max(end);
+        }
+        self.note_variables(&variables);
+        end
+    }
+
+    fn note_variables(&mut self, variables: &[String]) {
+        for v in variables {
+            self.out.push(plain(v));
+        }
+    }
+
+    /// `\dv{f}{x}`, `\dv{x}`, `\pdv[2]{f}{x}`.
+    fn physics(&mut self, at: usize, to: usize, partial: bool, depth: usize) -> usize {
+        let mut next = at + 1;
+        if self.text(next) == "*" {
+            next += 1;
+        }
+        if self.text(next) == "[" {
+            next = self.closing(next, to);
+        }
+        let middle = self.unit(next);
+        let has_second = self.text(middle) == "{" || self.variable(middle).is_some();
+        if !has_second {
+            let end = middle.min(to);
+            let variable = self.variable(self.inner(next).0).map(|v| v.0);
+            self.note_variables(&variable.into_iter().collect::<Vec<_>>());
+            return end;
+        }
+        let end = self.unit(middle).min(to);
+        let variable = self.variable(self.inner(middle).0).map(|v| v.0);
+        let by = variable.clone().map(|v| (v, partial));
+        self.range(next, middle, &by, depth + 1);
+        self.note_variables(&variable.into_iter().collect::<Vec<_>>());
+        end
+    }
+
+    /// `\partial_x f`: the letter below, and what follows.
+    fn partial_letter(&mut self, at: usize, to: usize) -> usize {
+        if self.text(at + 1) != "_" {
+            return at + 1;
+        }
+        let end = self.unit(at + 2).min(to);
+        let Some((variable, _)) = self.variable(self.inner(at + 2).0) else { return end };
+        let mut next = end;
+        if self.text(next) == "^" {
+            next = self.unit(next + 1);
+        }
+        let by = Some((variable.clone(), true));
+        self.out.push(plain(&variable));
+        self.name(next, to, &by).unwrap_or(next)
+    }
+
+    /// A variable by which something is derived, as a key, and the position after it.
+    fn variable(&self, at: usize) -> Option<(String, usize)> {
+        let text = self.text(at);
+        let is_letter = text.len() == 1 && text.as_bytes()[0].is_ascii_alphabetic()
+            || text.strip_prefix('\\').is_some_and(|c| LETTERS.contains(&c));
+        let is_styled = text.strip_prefix('\\').is_some_and(|c| BOLD.contains(&c) || DOTS.iter().any(|(d, _)| *d == c));
+        if is_styled {
+            let end = self.unit(at + 1);
+            let inner = self.spelled(at, end);
+            return Some((inner, end));
+        }
+        if !is_letter {
+            return None;
+        }
+        let mut end = at + 1;
+        if self.text(end) == "_" {
+            end = self.unit(end + 1);
+        }
+        Some((self.spelled(at, end), end))
+    }
+
+    fn spelled(&self, from: usize, to: usize) -> String {
+        let mut out = String::new();
+        for m in &self.marks[from.min(to)..to.min(self.marks.len())] {
+            let letter = m.text.starts_with(|c: char| c.is_ascii_alphabetic());
+            let command = out
+                .rfind('\\')
+                .is_some_and(|i| out.len() > i + 1 && out[i + 1..].chars().all(|c| c.is_ascii_alphabetic()));
+            if letter && command {
+                out.push(' ');
+            }
+            out.push_str(&m.text);
+        }
+        out
+    }
+
+    /// What is inside of a group: from, to.
+    fn inner(&self, at: usize) -> (usize, usize) {
+        let end = self.unit(at);
+        if self.text(at) == "{" { (at + 1, end.saturating_sub(1)) } else { (at, end) }
+    }
+
+    /// The position after the bracket that closes the one here.
+    fn closing(&self, at: usize, to: usize) -> usize {
+        let mut depth = 0i32;
+        for i in at..to {
+            match self.text(i) {
+                "(" | "[" | "{" => depth += 1,
+                ")" | "]" | "}" => depth -= 1,
+                _ => {}
+            }
+            if depth == 0 {
+                return i + 1;
+            }
+        }
+        to
+    }
+
+    /// A name that begins here, with all that belongs to it; the position after it.
+    fn name(&mut self, at: usize, to: usize, by: &By) -> Option<usize> {
+        let (mut dots, mut bold, mut hat) = (0, false, false);
+        let mut styles: Vec<String> = Vec::new();
+        let mut next = at;
+        let mut closing = 0;
+        let letter;
+        loop {
+            if next >= to {
+                return None;
+            }
+            let text = self.text(next).to_owned();
+            let command = text.strip_prefix('\\').unwrap_or("");
+            if text == "{"
+                && (!styles.is_empty() || dots > 0 || matches!(self.text(next + 1), r"\bf" | r"\rm" | r"\cal"))
+            {
+                closing += 1;
+            } else if let Some((_, n)) = DOTS.iter().find(|(d, _)| *d == command) {
+                dots += n;
+            } else if BOLD.contains(&command) {
+                bold = true;
+                styles.push(if matches!(command, "vec" | "va" | "overrightarrow") {
+                    r"\vec".into()
+                } else {
+                    r"\mathbf".into()
+                });
+            } else if HATS.contains(&command) {
+                hat = true;
+                styles.push(r"\hat".into());
+            } else if STYLES.contains(&command) {
+                styles.push(format!("\\{command}"));
+            } else {
+                let one = text.chars().count() == 1 && text.chars().all(char::is_alphabetic);
+                if !one && !LETTERS.contains(&command) {
+                    return None;
+                }
+                letter = text;
+                next += 1;
+                break;
+            }
+            next += 1;
+        }
+        let mut letter = letter;
+        let mut primes = 0;
+        let mut subscript = None;
+        while closing > 0 && next < to {
+            // Several letters in one style are one name: `\mathrm{Re}`.
+            match self.text(next) {
+                "}" => closing -= 1,
+                "'" | r"\prime" => primes += 1,
+                "_" => {
+                    let end = self.unit(next + 1);
+                    subscript = Some(self.below(next + 1, end));
+                    next = end;
+                    continue;
+                }
+                more if more.chars().count() == 1 && more.chars().all(char::is_alphanumeric) => letter.push_str(more),
+                _ => return None,
+            }
+            next += 1;
+        }
+        loop {
+            match self.text(next) {
+                "'" => primes += 1,
+                "^" if matches!(self.text(next + 1), r"\prime" | "'") => {
+                    primes += 1;
+                    next += 1;
+                }
+                "_" if subscript.is_none() && next < to => {
+                    let end = self.unit(next + 1);
+                    subscript = Some(self.below(next + 1, end));
+                    next = end;
+                    continue;
+                }
+                _ => break,
+            }
+            next += 1;
+        }
+        // Euler's number is no name, and upright d is a differential.
+        if letter == "e" && styles.is_empty() && subscript.is_none() && self.text(next) == "^" {
+            return Some(next);
+        }
+        let mut base = letter.clone();
+        for style in styles.iter().rev() {
+            base = format!("{style}{{{base}}}");
+        }
+        base.push_str(&"'".repeat(primes));
+        let call = self.call(next, to);
+        let alone = styles.is_empty() || styles == [r"\mathrm"];
+        let is_difference = alone
+            && matches!(letter.as_str(), "d" | r"\delta" | r"\Delta")
+            && primes == 0
+            && subscript.is_none()
+            && self.begins_name(next, to);
+        let (derived_by, is_partial) = match by {
+            Some((by, partial)) => (Some(by.clone()), *partial),
+            None => (None, false),
+        };
+        let name = PaperName {
+            base,
+            letter,
+            is_bold: bold,
+            has_hat: hat,
+            subscript,
+            dots,
+            primes,
+            call,
+            derived_by,
+            is_partial,
+            is_difference,
+        };
+        self.out.push(name);
+        Some(next)
+    }
+
+    /// Whether a name, or what stands in parentheses, begins here, perhaps behind a power.
+    fn begins_name(&self, at: usize, to: usize) -> bool {
+        let at = if self.text(at) == "^" { self.unit(at + 1) } else { at };
+        let text = self.text(at);
+        let command = text.strip_prefix('\\').unwrap_or("");
+        let letter = text.chars().count() == 1 && text.chars().all(char::is_alphabetic);
+        let styled = BOLD.contains(&command)
+            || HATS.contains(&command)
+            || STYLES.contains(&command)
+            || DOTS.iter().any(|(d, _)| *d == command);
+        at < to && (letter || text == "(" || LETTERS.contains(&command) || styled)
+    }
+
+    /// A subscript without its outer braces.
+    fn below(&self, from: usize, to: usize) -> String {
+        let (a, b) = self.inner(from);
+        self.spelled(a, b.min(to))
+    }
+
+    /// What stands in parentheses behind a name.
+    fn call(&self, at: usize, to: usize) -> Call {
+        if self.text(at) != "(" {
+            return Call::None;
+        }
+        let end = self.closing(at, to);
+        let inside: Vec<&str> = (at + 1..end.saturating_sub(1)).map(|i| self.text(i)).collect();
+        let mut places = vec![String::new()];
+        let mut after_command = false;
+        for text in inside {
+            match text {
+                "," => places.push(String::new()),
+                t if matches!(t, "{" | "}" | "_" | "'")
+                    || t.chars().all(char::is_alphanumeric)
+                    || t.strip_prefix('\\').is_some_and(|c| {
+                        LETTERS.contains(&c) || BOLD.contains(&c) || DOTS.iter().any(|(d, _)| *d == c)
+                    }) =>
+                {
+                    if let Some(place) = places.last_mut() {
+                        if after_command && t.starts_with(|c: char| c.is_ascii_alphabetic()) {
+                            place.push(' ');
+                        }
+                        place.push_str(t);
+                    }
+                    after_command = t.starts_with('\\');
+                }
+                _ => return Call::Other,
+            }
+        }
+        // A product of two letters is a factor, not a place.
+        let single = |p: &String| {
+            let tokens = super::token::tokens(p);
+            let letters = tokens.iter().filter(|t| is_letter(t)).count();
+            letters <= 1 || p.contains('_')
+        };
+        if places.iter().all(|p| !p.is_empty() && single(p)) { Call::Places(places) } else { Call::Other }
+    }
+}
+
+/// Whether a token is a letter that names something.
+pub(super) fn is_letter(token: &Token) -> bool {
+    match token.kind {
+        Kind::Other => token.text.chars().all(char::is_alphabetic),
+        Kind::Command => LETTERS.contains(&token.text.as_str()),
+        _ => false,
+    }
+}
+
+/// A name that is nothing but this key.
+fn plain(key: &str) -> PaperName {
+    let (base, subscript) = match key.split_once('_') {
+        Some((base, sub)) => (base, Some(sub.trim_start_matches('{').trim_end_matches('}').to_owned())),
+        None => (key, None),
+    };
+    PaperName {
+        base: base.trim().to_owned(),
+        letter: base.trim().to_owned(),
+        is_bold: BOLD.iter().any(|b| base.contains(&format!("\\{b}"))),
+        has_hat: false,
+        subscript,
+        dots: 0,
+        primes: 0,
+        call: Call::None,
+        derived_by: None,
+        is_partial: false,
+        is_difference: false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::token::tokens;
+    use super::*;
+
+    fn keys(text: &str) -> Vec<String> {
+        let place = super::super::printed::Place { environment: "", display: None, section: 0 };
+        let relations = super::super::printed::relations(&tokens(text), &place);
+        relations.iter().flat_map(|r| &r.sides).flat_map(names).map(|n| n.key()).collect()
+    }
+
+    #[test]
+    fn names_are_what_is_printed() {
+        assert_eq!(keys(r"m\ddot x_1=-k(x_1-x_2)"), ["m", "x_1", "k", "x_1", "x_2"]);
+        assert_eq!(keys(r"\frac{d\psi}{dt}=v_{\rm max}\sin\omega t"), [r"\psi", "t", r"v_{\rm max}", r"\omega", "t"]);
+        assert_eq!(keys(r"e^{x}+\mathrm{e}^y\pi"), ["x", r"\mathrm{e}", "y"]);
+        assert_eq!(keys(r"\vec a\cdot{\bf b}+\mathbf{c}'"), [r"\vec{a}", r"\mathbf{b}", r"\mathbf{c}'"]);
+    }
+
+    #[test]
+    fn derivatives_are_seen() {
+        let place = super::super::printed::Place { environment: "", display: None, section: 0 };
+        let seen = |text: &str| -> Vec<(String, Option<String>, bool)> {
+            let relations = super::super::printed::relations(&tokens(text), &place);
+            let all = relations.iter().flat_map(|r| &r.sides).flat_map(names);
+            all.filter(|n| n.derived_by.is_some()).map(|n| (n.key(), n.derived_by.clone(), n.is_partial)).collect()
+        };
+        for text in
+            [r"\frac{dx}{dt}", r"\frac{\mathrm{d}x}{\mathrm{d}t}", r"\dv{x}{t}", r"\frac{d}{dt}x", r"\frac{d^2x}{dt^2}"]
+        {
+            assert_eq!(seen(text), [("x".to_owned(), Some("t".to_owned()), false)], "{text}");
+        }
+        assert_eq!(seen(r"\pdv{u}{x}"), [("u".to_owned(), Some("x".to_owned()), true)]);
+        assert_eq!(seen(r"\partial_t u"), [("u".to_owned(), Some("t".to_owned()), true)]);
+    }
+
+    #[test]
+    fn no_text_panics() {
+        let text = r"\frac{d^2\vec{x}_{a}'}{dt^2}(a,b)\dv[2]{f}{x}\partial_{t}u\mathrm{Re}{\bf a}_";
+        for end in 0..text.len() {
+            keys(&text[..end]);
+        }
+    }
+}

@@ -1,0 +1,218 @@
+//! `rederive lint` and `rederive PAPER.TEX`: a paper as it is.
+
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use predicates::prelude::*;
+use rederive::diag::Source;
+use rederive::lint::{self, Word};
+use rederive::paper::{self, Paper};
+
+fn rederive(folder: &Path, arguments: &[&str]) -> assert_cmd::assert::Assert {
+    let mut command = Command::cargo_bin("rederive").expect("the program is built");
+    command.current_dir(folder).env_remove("CLICOLOR_FORCE").args(arguments).assert()
+}
+
+fn read(tex: &str) -> Paper {
+    let source = Source { path: "paper.tex".into(), text: tex.into() };
+    paper::parse(source, String::new()).unwrap_or_else(|d| panic!("{d}"))
+}
+
+/// The word on every relation, with the relation.
+fn words(tex: &str) -> Vec<(Word, String)> {
+    let paper = read(tex);
+    lint::lint(&paper).judgements.iter().map(|j| (j.word, paper.printed[j.relation].text())).collect()
+}
+
+#[track_caller]
+fn says(tex: &str, wanted: &[Word]) {
+    let found = words(tex);
+    assert_eq!(found.iter().map(|w| w.0).collect::<Vec<_>>(), wanted, "{found:?}");
+}
+
+/// What is shown instead of the first wrong step.
+fn instead(tex: &str) -> Option<String> {
+    let paper = read(tex);
+    lint::lint(&paper).judgements.into_iter().find_map(|j| j.instead)
+}
+
+#[test]
+fn two_planted_errors_of_a_page_are_told_in_one_command() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("page.tex"), include_str!("lint/page.tex")).expect("written");
+    let run = rederive(folder.path(), &["page.tex"]).code(1).stderr("");
+    let text = String::from_utf8(run.get_output().stdout.clone()).expect("UTF-8");
+    let wrong: Vec<&str> = text.lines().filter(|l| l.contains("  wrong  ")).collect();
+    assert_eq!(wrong.len(), 2, "{text}");
+    // The sign of the potential in the Lagrangian, and of the energy in the quartic.
+    assert!(wrong[0].contains("L=E_{\\mathrm{kin}}") && wrong[1].contains("H+\\frac{\\Lambda z^2}{2}"), "{text}");
+    assert!(text.contains("page.tex:16:") && text.contains("page.tex:38:"), "{text}");
+    assert!(text.contains("-H+\\frac{\\Lambda z^2}{2}"), "{text}");
+    assert!(text.contains("follows") && text.contains("E_{\\mathrm{pot}}=m g h"), "{text}");
+    // Said with the command's name, and again: the same bytes.
+    rederive(folder.path(), &["lint", "page.tex"]).code(1).stdout(text);
+}
+
+#[test]
+fn the_slip_of_a_chain_of_six_lines_is_told_at_its_line() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("chain.tex"), include_str!("lint/chain.tex")).expect("written");
+    let run = rederive(folder.path(), &["chain.tex"]).code(1);
+    run.stdout(predicate::str::contains("chain.tex:8:").and(predicate::str::contains("x^2+x+7")));
+    let mended = include_str!("lint/chain.tex").replace("x^2+x+1", "x^2+x+7").replace(r"\frac34", r"\frac{27}4");
+    fs::write(folder.path().join("chain.tex"), mended.replace("+3}{4}", "+27}{4}")).expect("written");
+    rederive(folder.path(), &["chain.tex"]).code(0).stdout(predicate::str::contains("follows"));
+}
+
+#[test]
+fn words_are_what_the_formulas_deserve() {
+    use Word::{Approximates, Condition, Defines, Follows, NotFollowed, NotRead};
+    says(r"\[ E=mc^2 \]", &[Defines]);
+    says(r"\[ (a+b)^2=a^2+2ab+b^2 \]", &[Follows]);
+    says(r"\[ A=(a+b)^2=a^2+2ab+b^2 \]", &[Follows]);
+    says(r"\[ h=a+b \] \[ h^2=a^2+2ab+b^2 \]", &[Defines, Follows]);
+    says(r"With $h=a+b$, \[ h^2=a^2+2ab+b^2 \]", &[Defines, Follows]);
+    says(r"\[ m\ddot x=-kx \]", &[Condition]);
+    says(r"\[ x\approx y \]", &[Approximates]);
+    says(r"\[ x>0 \]", &[Condition]);
+    says(r"\[ x=\int_0^1 y \]", &[NotRead]);
+    says(r"\[ x=1,2,3 \]", &[NotRead]);
+    says(r"\[ A=ab+c=d+\sqrt{f} \]", &[NotFollowed]);
+    says(r"\[ \dot x=-y, \quad \dot y=x, \quad N=x^2+y^2 \] \[ \dot N=0 \]", &[Defines, Defines, Defines, Follows]);
+}
+
+/// A lint that calls right formulas wrong is of no use: nothing of this is.
+#[test]
+fn what_may_be_meant_otherwise_is_not_called_wrong() {
+    for tex in [
+        r"\[ x+y=x-y \]",
+        r"\[ x^2=2x \]",
+        r"\[ L=T-V \] \[ L=T+V \]",
+        r"\[ \sin x=x \]",
+        r"\[ x_1=x_2, \quad a+b=2a \]",
+        r"\section{A} \[ E=ab \] \section{B} \[ E^2=a^2c^2 \]",
+        r"\[ \hat x\hat p-\hat p\hat x=i\hbar \]",
+        r"\[ x_ix_i=x_jx_jx_kx_k \]",
+        r"\[ E'=\frac{\hbar^2(k')^2}{2M}=\frac{\hbar^2(-k)^2}{2M}=\frac{\hbar^2k^2}{2M} \]",
+        r"\[ F=E+\frac{q}{\sqrt{\mu\epsilon}}B=E+\frac qnB \]",
+        r"\[ (BAB^{-1})^2=BAB^{-1}BAB^{-1}=BAIAB^{-1}=BA^2B^{-1} \]",
+        r"\[ C=AB+QD-BA=QD+2AB \]",
+        r"\[ y=f(x+1)=f(x)+1 \] \[ f(x)=x \]",
+        r"\[ d(xy)=x\,dy+y\,dx \]",
+        r"\[ f(x)=\sqrt{x^2}+1 = x+1 \]",
+        r"\[ \psi=e^{ikx}, \quad |\psi|^2=1 \]",
+    ] {
+        assert!(words(tex).iter().all(|w| w.0 != Word::Wrong), "{tex}: {:?}", words(tex));
+    }
+}
+
+#[test]
+fn a_wrong_step_has_the_nearest_formula_that_holds_beside_it() {
+    for (tex, right) in [
+        (r"\[ A=(a+b)^2+c=a^2-2ab+b^2+c \]", "a^2+2ab+b^2+c"),
+        (r"\[ A=\cos^2x-\sin^2x+q=2\sin^2x-1+q \]", r"2\cos^2x-1+q"),
+        (r"\[ h=a+b \] \[ h^2+c=a^2+ab+b^2+c \]", "a^2+2ab+b^2+c"),
+    ] {
+        assert_eq!(instead(tex).map(|t| t.replace(' ', "")).as_deref(), Some(right), "{tex}");
+    }
+}
+
+/// Texts that print the same, or say the same, have the same word.
+#[test]
+fn displays_are_read_as_they_are_printed() {
+    for (tex, wanted) in [
+        (r"\begin{align} u &= ab & v &= cd \end{align}", &["u=ab", "v=cd"][..]),
+        (r"\begin{align} E &= \frac12mv^2 \nonumber\\ &\quad+mgh \end{align}", &[r"E=\frac12mv^2 +mgh"]),
+        (r"\begin{align} A &= B \\ &= C \end{align}", &["A=B=C"]),
+        (r"\[\Phi=\left\{T, V, n\right\}\]", &[r"\Phi=\left\{T, V, n\right\}"]),
+        (r"\DefineShortVerb{\|} \[a=b\] The |$HOME/x| runs. \[c=d\] $y=1$", &["a=b", "c=d", "y=1"]),
+        (r"\let\s\section \renewcommand\section[1]{\s{#1}} \section{A} \[a=b\]", &["a=b"]),
+    ] {
+        let texts: Vec<String> = words(tex).into_iter().map(|w| w.1).collect();
+        assert_eq!(texts, wanted, "{tex}");
+    }
+}
+
+#[test]
+fn what_has_no_end_is_read_as_far_as_it_goes_and_told() {
+    let paper = read("\\begin{equation} a=b\n\ntext $c=d$ and $e=f\n\ntext \\[ g=h \\] \\[ i=j\n\n$k=l$");
+    let texts: Vec<String> = paper.printed.iter().map(|r| r.text()).collect();
+    assert_eq!(texts, ["a=b", "c=d", "g=h", "i=j", "k=l"]);
+    assert_eq!(paper.notes.len(), 3, "{:?}", paper.notes);
+    assert_eq!(paper.line(&paper.notes[1].span), 3);
+}
+
+#[test]
+fn files_that_a_paper_names_are_read_inside_of_its_folder_only() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("written");
+    fs::create_dir_all(folder.path().join("paper/parts")).expect("made");
+    write("secret.tex", r"\[ s=1 \]");
+    write("paper/parts/one.tex", "Text.\n\\[ (a+b)^2+c=a^2-2ab+b^2+c \\] \\input{main}\\input{parts/one}");
+    write("paper/parts/two.tex", "\\documentclass[../main]{subfiles}\n\\begin{document}\\[ t=2 \\]\\end{document}");
+    write(
+        "paper/main.tex",
+        "\\begin{document}\\input{parts/one}\\input{../secret}\\subfile{parts/two}\\input{none}\\[ e=f \\]\\end{document}",
+    );
+    let run = rederive(folder.path(), &["lint", "paper/main.tex", "--format", "json"]).code(1);
+    let text = String::from_utf8(run.get_output().stdout.clone()).expect("UTF-8");
+    let found: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let relations = found["relations"].as_array().expect("a list");
+    let formulas: Vec<&str> = relations.iter().filter_map(|r| r["formula"].as_str()).collect();
+    assert_eq!(formulas, ["(a+b)^2+c=a^2-2ab+b^2+c", "t=2", "e=f"]);
+    assert_eq!((relations[0]["file"].as_str(), relations[0]["line"].as_u64()), (Some("paper/parts/one.tex"), Some(2)));
+    let notes = found["notes"].as_array().expect("a list");
+    assert_eq!(notes.len(), 4, "{notes:?}");
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("../secret.tex", folder.path().join("paper/link.tex")).expect("a link");
+        write("paper/other.tex", r"\input{link}\[ e=f \]");
+        let run = rederive(folder.path(), &["lint", "paper/other.tex"]).code(0);
+        run.stdout(predicate::str::contains("s=1").not().and(predicate::str::contains("note")));
+    }
+}
+
+#[test]
+fn hostile_sources_end() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let run = |text: &str| {
+        fs::write(folder.path().join("p.tex"), text).expect("written");
+        rederive(folder.path(), &["lint", "p.tex"])
+    };
+    run(r"\def\a{\a}\a").code(2).stderr(predicate::str::contains("paper::unreadable"));
+    run(r"\def\a{\b\b}\def\b{\a\a}\a").code(2);
+    run(r"\newenvironment{e}{\begin{e}}{\end{e}}\begin{e}").code(2);
+    run(&format!("\\[ {} \\]", "{".repeat(10_000))).code(0);
+    run(&format!("\\[ a={}b \\]", "(".repeat(5_000))).code(0);
+    run(&format!("\\[ a={} \\]", "\\frac{".repeat(5_000))).code(0);
+    run(&format!("\\[ a=b{} \\]", "+c".repeat(100_000))).code(0);
+    run(&"\\[ a=b ".repeat(2_000)).code(0);
+    run(&"\\[ a=\\int b \\]\n".repeat(20_000)).code(0).stdout(predicate::str::contains("20000 relations"));
+    run("").code(0).stdout(predicate::str::contains("0 relations"));
+    rederive(folder.path(), &["lint", "none.tex"]).code(2);
+    rederive(folder.path(), &["none.tex"]).code(2);
+}
+
+#[test]
+fn formats_tell_the_same() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(
+        folder.path().join("p.md"),
+        "# A\n\nText with `$code=1$` and 5 %.\n\n$$A=(a+b)^2+c=a^2-2ab+b^2+c$$\n\n```\n$x=y$\n```\n",
+    )
+    .expect("written");
+    rederive(folder.path(), &["p.md", "--format", "github"]).code(1).stdout(
+        predicate::str::starts_with("::error file=p.md,line=5,").and(predicate::str::contains("a^2+2ab+b^2+c")),
+    );
+    let run = rederive(folder.path(), &["p.md", "--format", "sarif"]).code(1);
+    let log: serde_json::Value = serde_json::from_slice(&run.get_output().stdout).expect("JSON");
+    let results = log["runs"][0]["results"].as_array().expect("results");
+    assert_eq!(results.len(), 1);
+    assert_eq!(results[0]["ruleId"], "lint::wrong");
+    let run = rederive(folder.path(), &["p.md", "--format", "json"]).code(1);
+    let found: serde_json::Value = serde_json::from_slice(&run.get_output().stdout).expect("JSON");
+    assert_eq!(found["words"]["wrong"], 1);
+    assert_eq!(found["relations"][0]["line"], 5);
+    assert_eq!(found["relations"].as_array().map(Vec::len), Some(1));
+}
