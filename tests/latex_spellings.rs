@@ -400,7 +400,7 @@ fn what_prints_the_same_is_read_the_same() {
 
 /// Names that print as functions, and what stands in their brackets.
 const CALLED: &[&str] =
-    &["f", r"\hat f", "f_1", "f'", r"{\bf f}", r"\Gamma", r"\delta", r"\Theta", r"\zeta", r"\eta", "B", r"\wp"];
+    &["f", r"\hat f", "f_1", "f'", r"{\bf f}", r"\Gamma", r"\delta", r"\Theta", r"\zeta", "B", r"\wp"];
 
 #[test]
 fn a_call_is_no_product() {
@@ -445,6 +445,7 @@ fn a_call_is_no_product() {
         (r"f\,(a+1)", r"f\cdot (a+1)"),
         ("m(a+q)", r"m\cdot (a+q)"),
         ("g(a-q)", r"g\cdot (a-q)"),
+        (r"\zeta(1-\zeta)", r"\zeta\cdot (1-\zeta)"),
         ("2(a+q)", r"2\cdot (a+q)"),
         ("m[a+(q+1)^2]", r"m\cdot (a+(q+1)^{2})"),
         (r"m(\dot x)^2", r"m\cdot \dot{x}^2"),

@@ -134,15 +134,12 @@ impl<'a> Expansion<'a> {
         let mut at = range.start;
         let mut over = None;
         while at < range.end {
-            match &self.tokens[at].kind {
-                Kind::Sign('{') => at = self.closing[at],
-                Kind::Command(c) if matches!(c.as_str(), "over" | "choose") => {
-                    if over.replace(at).is_some() {
-                        let message = format!("`\\{c}` stands twice in one pair of braces");
-                        return refuse("latex::ambiguous", message, self.tokens[at].span.clone(), "use braces");
-                    }
-                }
-                _ => {}
+            let divides = matches!(&self.tokens[at].kind, Kind::Command(c) if matches!(c.as_str(), "over" | "choose"));
+            if self.is(at, '{') {
+                at = self.closing[at];
+            } else if divides && over.replace(at).is_some() {
+                let message = "two fractions in one pair of braces";
+                return refuse("latex::ambiguous", message, self.tokens[at].span.clone(), "use braces");
             }
             at += 1;
         }

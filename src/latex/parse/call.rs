@@ -11,7 +11,7 @@ use super::super::write::subscript;
 use super::{Parsed, Parser, refuse};
 
 /// Names that print as functions before parentheses, whatever stands in these.
-const FUNCTIONS: &[&str] = &["f", r"\Gamma", r"\delta", r"\Theta", r"\zeta", r"\eta", r"\wp", "B", "rm:B"];
+const FUNCTIONS: &[&str] = &["f", r"\Gamma", r"\delta", r"\Theta", r"\zeta", r"\wp", "B", "rm:B"];
 
 /// Names that print as functions where one term with a sign stands in the parentheses: `g(-x)`.
 const EVEN_OR_ODD: &[&str] = &["g", "h", "F", "G", "H"];
@@ -26,7 +26,6 @@ fn known_function(name: &str) -> Option<&'static str> {
         r"\delta" => "Dirac's δ",
         r"\Theta" => "a step",
         r"\zeta" => "the zeta function",
-        r"\eta" => "a function",
         r"\wp" => "Weierstraß's function",
         "B" | "rm:B" => "the beta function",
         _ => return None,
@@ -59,7 +58,8 @@ impl Parser<'_> {
         if !self.scope.is_known(&symbol.name, symbol.sub.as_deref()) || self.is_spaced() {
             return Ok(());
         }
-        let is_function = FUNCTIONS.contains(&base(&symbol.name));
+        // `\zeta(1-\zeta)`: no function is applied to itself.
+        let is_function = FUNCTIONS.contains(&base(&symbol.name)) && !self.holds_itself(symbol, close);
         let content = self.content(&self.tokens[self.at + 1..close]);
         let signed = content.signed && !content.sum && EVEN_OR_ODD.contains(&base(&symbol.name));
         let scalar = !self.scope.is_matrix(&symbol.name, symbol.sub.as_deref());
@@ -83,6 +83,19 @@ impl Parser<'_> {
             return Ok(());
         }
         self.two_readings(symbol, start, close)
+    }
+
+    /// Whether the parentheses hold the name before them, applied to nothing.
+    fn holds_itself(&self, symbol: &SymbolNode, close: usize) -> bool {
+        let itself = |kind: &Kind| match kind {
+            Kind::Letter(c) => symbol.name == c.to_string(),
+            Kind::Command(c) => symbol.name.strip_prefix('\\') == Some(c),
+            _ => false,
+        };
+        symbol.sub.is_none()
+            && (self.at + 1..close).any(|i| {
+                itself(&self.tokens[i].kind) && !matches!(self.tokens[i + 1].kind, Kind::Sign('(' | '_' | '[' | '\''))
+            })
     }
 
     fn two_readings(&self, symbol: &SymbolNode, start: usize, close: usize) -> Parsed<()> {
