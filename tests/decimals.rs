@@ -1,7 +1,7 @@
 //! Numbers of the file that binary64 does not hold: what is true of the decimals never fails, whatever cancels, and a motion has the
 //! same verdict alone and as a member of a family.
 
-use rederive::check::{Account, Options, check};
+use rederive::check::{Account, Options, Outcome, Strength, check};
 use rederive::derivation::parse;
 use rederive::diag::{Source, render};
 use rederive::number::Draws;
@@ -39,7 +39,7 @@ span = [0, 0.5]
 id = 'f'
 title = 'rates'
 of = 'm'
-vary = {{ 'c' = [{c}, 0.5] }}
+vary = {{ 'c' = {{ values = [{c}, 0.5] }} }}
 "
     );
     for (id, formula) in claims {
@@ -88,10 +88,14 @@ fn what_is_true_of_decimals_never_fails_and_families_agree_with_motions() {
         let text = file([&decimal(a, digits), &decimal(b, digits), c], &claims);
         for claim in &found(&text).claims {
             let (alone, family) = (claim.results[0].verdict.outcome(), claim.families[0].verdict.outcome());
-            assert_eq!(alone.word(), family.word(), "{} in {text}", claim.id);
+            // Members are tried on samples, and a motion may be enclosed, too.
+            let enclosed = matches!(alone, Outcome::Holds(s) | Outcome::Fails(s) if s > Strength::Sampled);
+            let is_open = family == Outcome::Undecided && enclosed;
+            assert!(is_open || alone.word() == family.word(), "{}: {alone:?}, {family:?} in {text}", claim.id);
+            let words = [alone.word(), family.word()];
             let is_false = claim.id.starts_with("false");
             let never = if is_false { "holds" } else { "fails" };
-            assert_ne!(alone.word(), never, "{} in {text}", claim.id);
+            assert!(!words.contains(&never), "{}: {words:?} in {text}", claim.id);
             held += usize::from(alone.word() == "holds");
             refuted += usize::from(alone.word() == "fails");
         }

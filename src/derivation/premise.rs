@@ -7,11 +7,9 @@ use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
-use super::form::Form;
 use super::load::Loader;
 use super::model::{Claim, Derivation};
-use expr::{Leaf, Symbol, Tensor};
-use latex::Role;
+use expr::{Symbol, Tensor};
 
 /// What a name under `follows-from` means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,29 +68,6 @@ impl Derivation {
             Some(Premise::System(_) | Premise::Definition) | None => None,
         };
         known.or_else(|| self.claims.iter().find(is))
-    }
-
-    /// Whether a claim speaks of all values of parameters, and not of some motions: it relates parameters alone, at all times, names no
-    /// motions, and is given nothing.
-    pub fn is_about_all_parameters(&self, claim: &Claim) -> bool {
-        let relates = |form: &Form| match form {
-            Form::Always(said) | Form::Never(said) => said.value.relations.iter().all(|relation| {
-                let sides = [&relation.left, &relation.right].into_iter().flat_map(|side| &side.components);
-                let is_parameter = |leaf: &Leaf| claim.scope.role(leaf.symbol) == Some(Role::Parameter);
-                self.graph.leaves(sides.copied()).iter().all(is_parameter)
-            }),
-            Form::Eventually(_)
-            | Form::FirstIntegral(_)
-            | Form::Defined(_)
-            | Form::Solves { .. }
-            | Form::SameMotion { .. }
-            | Form::Independent { .. }
-            | Form::Exists { .. }
-            | Form::Across(_) => false,
-        };
-        let is_given = !claim.follows_from.is_empty() || !claim.assuming.is_empty() || claim.at.is_some();
-        let is_named = claim.names_trajectories || !claim.families.is_empty();
-        !is_given && !is_named && claim.forms.iter().all(relates)
     }
 
     /// The definition of a symbol, wherever it is declared.

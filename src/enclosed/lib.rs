@@ -91,7 +91,7 @@ fn enclosure(
         }
         _ => (None, None),
     };
-    let (setup, _) = setup(request.derivation, request.fields, graph, trajectory, source, &[]);
+    let (setup, _) = setup(request.derivation, request.fields, graph, trajectory, source, true, &[]);
     let mut start = setup.parameters.clone();
     if let Source::Integrated { initial, .. } = &setup.source {
         start.extend(initial);

@@ -8,7 +8,6 @@
 //! | is a postulate | never |
 //! | is tried on nothing | always |
 //! | applies to none of the motions that it is tried on | where the step is decided |
-//! | is about parameters alone, of motions that it does not name, and is given nothing | where the step is refuted |
 //! | else | never: on motions it may hold by their starts, or by their parameters |
 //!
 //! **A postulate** is given nothing, and either something follows from it, or it says that it is one (`postulate = true`): what a file
@@ -30,8 +29,6 @@ pub enum TrialScope {
     Nothing,
     /// On motions or families.
     Motions,
-    /// On motions that it does not name, although it is about parameters alone and is given nothing: it speaks of all their values.
-    AnyMotions,
 }
 
 /// What makes the step of a claim its verdict, and what is expected then.
@@ -77,7 +74,6 @@ impl AloneAccount {
         let claim = derivation.claims.get(at).filter(|claim| claim.region.is_none())?;
         let scope = match claim.is_tried() {
             false => TrialScope::Nothing,
-            true if derivation.is_about_all_parameters(claim) => TrialScope::AnyMotions,
             true => TrialScope::Motions,
         };
         let postulated = claim.postulate || premises.0.contains(&at) && is_free(claim);
@@ -113,11 +109,8 @@ impl ClaimAccount {
         match alone.scope {
             // Nothing is asked of a step of which nothing is expected.
             TrialScope::Nothing => word.or(alone.expected.map(|_| "undecided")),
-            TrialScope::Motions | TrialScope::AnyMotions if nowhere() => word,
-            TrialScope::AnyMotions if !outcomes().any(|o| matches!(o, Outcome::Fails(_))) => {
-                word.filter(|w| *w == "fails")
-            }
-            TrialScope::Motions | TrialScope::AnyMotions => None,
+            TrialScope::Motions if nowhere() => word,
+            TrialScope::Motions => None,
         }
     }
 

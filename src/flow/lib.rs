@@ -37,8 +37,6 @@ mod error;
 mod estimate;
 mod expansion;
 mod field;
-#[cfg(test)]
-mod high_precision_tests;
 mod hoist;
 mod incomplete;
 mod kinks;
@@ -55,6 +53,8 @@ mod setup;
 mod start;
 mod taylor;
 mod template;
+#[cfg(test)]
+mod tests;
 mod trajectory;
 mod zeros;
 

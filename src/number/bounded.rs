@@ -164,8 +164,9 @@ impl Div for Bounded {
     fn div(self, b: Bounded) -> Bounded {
         let value = self.value / b.value;
         let least = b.mignitude();
-        let spread = (self.error + (value.abs() * UP + TINY) * b.error) / least;
+        // 0 stays exact, whatever it is divided by.
         let tiny = if self.is_exact_zero() { 0.0 } else { TINY };
+        let spread = (self.error + (value.abs() * UP + tiny) * b.error) / least;
         let error = if least > 0.0 { (spread + U * value.abs()) * UP + tiny } else { f64::INFINITY };
         Bounded { value, error }
     }

@@ -405,9 +405,10 @@ impl<B: Scalar> Number for Jet<B> {
         let partner = if cx.from() == 0 { value(B::sinh, a.series[0]) } else { B::ZERO };
         self.paired(cx, a, partner, false, false)
     }
-    /// dx = (1 − x²)·da, where 1 − x² starts from what it is, and not from x, which may be 1 for binary64.
+    /// dx = (1 − x²)·da.
     fn tanh(&mut self, cx: &Orders, a: &Jet<B>) -> Result<(), NoValue> {
         self.start(cx, |x| x.tanh(&(), &a.series[0]))?;
+        // 1 − x² starts from what it is, and not from x, which may be 1 for binary64.
         let at = a.series[0];
         self.by_slope(cx, a, |x, k| if k == 0 { at.flatness(x[0]) } else { -square(x, k) })
     }

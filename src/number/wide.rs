@@ -217,10 +217,10 @@ fn div<S: Simd>(simd: S, sure: &mut Sure<S>, a: Ball<S>, b: Ball<S>) -> Ball<S> 
     sure.and(simd, simd.less_than_f64s(b.1, size));
     let value = simd.div_f64s(a.0, b.0);
     let least = simd.mul_f64s(simd.sub_f64s(size, b.1), simd.splat_f64s(DOWN));
-    let shift = simd.mul_f64s(simd.add_f64s(simd.mul_f64s(simd.abs_f64s(value), up), tiny), b.1);
-    let spread = simd.div_f64s(simd.add_f64s(a.1, shift), least);
     let exact = is_exact_zero(simd, simd.add_f64s(simd.abs_f64s(a.0), a.1));
     let tiny = simd.select_f64s(exact, simd.splat_f64s(0.0), tiny);
+    let shift = simd.mul_f64s(simd.add_f64s(simd.mul_f64s(simd.abs_f64s(value), up), tiny), b.1);
+    let spread = simd.div_f64s(simd.add_f64s(a.1, shift), least);
     let spread = simd.add_f64s(spread, rounding(simd, value));
     Ball(value, simd.add_f64s(simd.mul_f64s(spread, up), tiny))
 }

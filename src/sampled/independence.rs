@@ -397,6 +397,8 @@ fn is_independent(rows: usize, columns: usize, values: &[Bounded]) -> bool {
 fn is_dependent(of: &Gradients, base: usize, values: &[Bounded]) -> bool {
     let (n, wanted) = (of.variables.len(), base + of.functions);
     let constraints = &values[..of.constraints * n];
+    // A state that no function names is no place for a gradient.
+    let used = (0..n).filter(|&j| values.iter().skip(j).step_by(n).any(|x| *x != Bounded::exact(0.0))).count();
     let is_zero = |row: &[Bounded]| row.iter().all(|x| *x == Bounded::exact(0.0));
     let exact_rank = |values: &[Bounded]| {
         let exact = |x: &Bounded| Rational::try_from(x.value).ok().filter(|_| x.error == 0.0);
@@ -404,7 +406,7 @@ fn is_dependent(of: &Gradients, base: usize, values: &[Bounded]) -> bool {
         rows.collect::<Option<Vec<Vec<Rational>>>>().map(exact_rank)
     };
     let more_than_columns =
-        wanted > n && is_independent(base.min(of.constraints), n, constraints) && base == of.constraints;
+        wanted > used && is_independent(base.min(of.constraints), n, constraints) && base == of.constraints;
     more_than_columns
         || values[of.constraints * n..].chunks(n.max(1)).any(is_zero)
         || exact_rank(values).zip(exact_rank(constraints)).is_some_and(|(full, base)| full < base + of.functions)

@@ -41,7 +41,7 @@ impl Pattern {
     ) -> Option<Pattern> {
         let of = &derivation.trajectories[trajectory];
         let Given::Integrated { system, initial, start: None } = &of.motion else { return None };
-        let (setup, known) = setup(derivation, fields, graph, of, None, requests.idle);
+        let (setup, known) = setup(derivation, fields, graph, of, None, false, requests.idle);
         let motion = Motion::new(graph, setup).ok()?;
         let built = prepare(derivation, requests, graph, trajectory, motion, known).ok()?;
         let Built { motion, known, asked, places, searches, rapid, given, .. } = built;
@@ -49,7 +49,7 @@ impl Pattern {
         let given = written.zip(given).map(|(written, (_, values))| (written, values)).collect();
         let motion = Arc::into_inner(motion)?;
         let (searched, searches): (Vec<Expr>, Vec<_>) = searches.into_iter().unzip();
-        let (parameters, initial) = (parameters(graph, of), initial_values(graph, initial));
+        let (parameters, initial) = (parameters(graph, of, false), initial_values(graph, initial));
         let template = Template::of(motion, (searches, rapid.1), graph, (&parameters, &initial))?;
         Some(Pattern { template, system: *system, known, asked, places, searched, rapid: rapid.0, given })
     }
@@ -75,7 +75,7 @@ impl Pattern {
         let of = &derivation.trajectories[trajectory];
         let Given::Integrated { system, initial, start: None } = &of.motion else { return None };
         let field = fields.fields.get(*system).filter(|_| *system == self.system)?;
-        let (parameters, initial) = (parameters(graph, of), initial_values(graph, initial));
+        let (parameters, initial) = (parameters(graph, of, false), initial_values(graph, initial));
         self.template.draft(graph, field, (&parameters, &initial))
     }
 

@@ -12,17 +12,18 @@ use flow::{Guess, Motion, Observable, Setup, Source, Start};
 use latex::Role;
 
 /// What a motion is made from, and the symbols that it knows. `from` is the motion that a derived one comes from, with the
-/// symbols that that one knows. What is `left_out`, and what is made of it, the motion does not know.
+/// symbols that that one knows. Parameters that are ends of the span are what these are in binary64, unless they shall be `exact`. What is `left_out`, and what is made of it, the motion does not know.
 pub fn setup<'a>(
     derivation: &Derivation,
     fields: &'a Fields,
     graph: &mut Graph,
     trajectory: &Trajectory,
     from: Option<(Arc<Motion>, &[Symbol])>,
+    exact: bool,
     left_out: &[Symbol],
 ) -> (Setup<'a>, Vec<Symbol>) {
     let Derivation { scope, systems, symbols, claims, .. } = derivation;
-    let parameters = parameters(graph, trajectory);
+    let parameters = parameters(graph, trajectory, exact);
     let mut known = vec![fields.time.symbol];
     known.extend(trajectory.parameters.iter().map(|(symbol, _)| *symbol));
     let source = match (&trajectory.motion, from) {
@@ -82,14 +83,25 @@ pub fn setup<'a>(
     (Setup { time: fields.time, span, initial_time, parameters, source, observables }, known)
 }
 
-/// The parameters of a trajectory, component by component: exactly what the file says.
-pub(crate) fn parameters(graph: &Graph, trajectory: &Trajectory) -> Vec<(Leaf, Expr)> {
+/// The parameters of a trajectory, component by component: what the file says.
+pub(crate) fn parameters(graph: &mut Graph, trajectory: &Trajectory, exact: bool) -> Vec<(Leaf, Expr)> {
+    let ends = [trajectory.span.0, trajectory.span.1, trajectory.initial_time];
     let mut parameters: Vec<(Leaf, Expr)> = Vec::new();
     for (symbol, value) in &trajectory.parameters {
         parameters.retain(|(l, _)| l.symbol != *symbol);
-        parameters.extend(paired(graph, *symbol, 0, &value.value));
+        let values: Vec<Expr> = value.value.iter().map(|&e| if exact { e } else { as_time(graph, e, &ends) }).collect();
+        parameters.extend(paired(graph, *symbol, 0, &values));
     }
     parameters
+}
+
+/// A number of the file that is an end of the span, too, is that end: times are numbers of binary64.
+fn as_time(graph: &mut Graph, e: Expr, ends: &[f64]) -> Expr {
+    let nearest = graph.as_constant(e).map(|r| r.to_f64().value()).filter(|x| *x != 0.0 && ends.contains(x));
+    match nearest.and_then(|x| expr::Rational::try_from(x).ok()) {
+        Some(r) => graph.constant(r),
+        None => e,
+    }
 }
 
 /// What is given at the initial time, component by component.

@@ -418,7 +418,7 @@ fn begin<'a>(
         let known = Vec::new();
         return Progress::Begun(Box::new(Begun { derivation, members, graph, first, known, pattern, draft }));
     }
-    let (setup, known) = setup(derivation, fields, &mut graph, trajectory, None, requests.idle);
+    let (setup, known) = setup(derivation, fields, &mut graph, trajectory, None, false, requests.idle);
     match Draft::new(&mut graph, setup) {
         Ok(draft) => {
             Progress::Begun(Box::new(Begun { derivation, members, graph, first, known, pattern: None, draft }))
@@ -459,7 +459,7 @@ impl Begun<'_> {
                     continue;
                 };
                 let from = Some((Arc::clone(&source.motion), source.known.as_slice()));
-                let (setup, known) = setup(derivation, fields, &mut graph, trajectory, from, requests.idle);
+                let (setup, known) = setup(derivation, fields, &mut graph, trajectory, from, false, requests.idle);
                 match Motion::new(&mut graph, setup) {
                     Ok(motion) => done.push((t, prepare(derivation, requests, &mut graph, t, motion, known)?)),
                     Err(error) => problems.push(unbuilt(derivation, trajectory, &error)),
