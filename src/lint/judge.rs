@@ -145,6 +145,11 @@ impl Judge<'_> {
             out.why = "a formula that is too long".to_owned();
             return out;
         }
+        if self.asked > MOST_QUESTIONS {
+            out.word = Word::NotFollowed;
+            out.why = "more formulas than are looked at in one paper".to_owned();
+            return out;
+        }
         self.steps(relation, at, &mut out);
         if out.word != Word::Wrong && relation.signs.iter().any(|s| is(ABOUT, s)) {
             out.word = Word::Approximates;
