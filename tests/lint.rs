@@ -47,7 +47,7 @@ fn two_planted_errors_of_a_page_are_told_in_one_command() {
     assert_eq!(wrong.len(), 2, "{text}");
     // The sign of the potential in the Lagrangian, and of the energy in the quartic.
     assert!(wrong[0].contains("L=E_{\\mathrm{kin}}") && wrong[1].contains("H+\\frac{\\Lambda z^2}{2}"), "{text}");
-    assert!(text.contains("page.tex:16:") && text.contains("page.tex:38:"), "{text}");
+    assert!(text.contains("page.tex:15:") && text.contains("page.tex:38:"), "{text}");
     assert!(text.contains("-H+\\frac{\\Lambda z^2}{2}"), "{text}");
     assert!(text.contains("follows") && text.contains("E_{\\mathrm{pot}}=m g h"), "{text}");
     // Said with the command's name, and again: the same bytes.
