@@ -105,6 +105,23 @@ enum Step {
     NotRead(NotRead),
 }
 
+/// What became of the steps of a relation.
+#[derive(Default)]
+struct Tally {
+    /// Names that nothing defines.
+    open: Vec<String>,
+    /// Why a step was not read.
+    unread: Option<NotRead>,
+    /// Steps that are proved.
+    follows: usize,
+    /// Steps that hold in numbers.
+    numbers: usize,
+    /// Whether a name is defined.
+    defines: bool,
+    /// The relation that defined it before.
+    anew: Option<usize>,
+}
+
 struct WrongStep {
     witness: LintWitness,
     instead: String,
@@ -145,6 +162,11 @@ impl Judge<'_> {
             out.why = "a formula that is too long".to_owned();
             return out;
         }
+        if self.asked > MOST_QUESTIONS {
+            out.word = Word::NotFollowed;
+            out.why = "more formulas than are looked at in one paper".to_owned();
+            return out;
+        }
         self.steps(relation, at, &mut out);
         if out.word != Word::Wrong && relation.signs.iter().any(|s| is(ABOUT, s)) {
             out.word = Word::Approximates;
@@ -160,8 +182,7 @@ impl Judge<'_> {
         let free = free_indices(relation);
         let first = lone_name(&relation.sides[0]);
         let inline = relation.display.is_none();
-        let (mut open, mut unread, mut follows, mut numbers) = (Vec::new(), None, 0, 0);
-        let (mut defines, mut anew) = (false, None);
+        let mut tally = Tally::default();
         for k in 1..relation.sides.len() {
             if !EQUALS.contains(&relation.signs[k - 1].as_str()) {
                 continue;
@@ -173,10 +194,10 @@ impl Judge<'_> {
             let defining = k == 1 && first.is_some() && !known;
             if defining {
                 // Whether it can be read is all that there is to say of it.
-                defines = true;
+                tally.defines = true;
                 let rate = first.as_ref().is_some_and(|n| n.dots > 0 || n.derived_by.is_some());
                 match self.readable(left, right, &free) {
-                    Err(found) => unread = Some(found),
+                    Err(found) => tally.unread = Some(found),
                     Ok(()) if !rate => continue,
                     Ok(()) => {}
                 }
@@ -185,16 +206,16 @@ impl Judge<'_> {
                 }
             }
             out.steps.1 += 1;
-            match self.step([left, right], &free, at, !inline && !(defining && !self.has_rates())) {
+            match self.step([left, right], &free, at, !inline && (!defining || self.has_rates())) {
                 Step::Follows(with) => {
-                    follows += 1;
+                    tally.follows += 1;
                     out.steps.0 += 1;
                     out.with.extend(with);
                     if defining {
-                        defines = false;
+                        tally.defines = false;
                     }
                 }
-                Step::Numbers => numbers += 1,
+                Step::Numbers => tally.numbers += 1,
                 Step::Wrong(wrong) => {
                     out.word = Word::Wrong;
                     out.span = right.span.clone();
@@ -207,22 +228,30 @@ impl Judge<'_> {
                 // Said otherwise than before, of a name alone: it is defined anew.
                 Step::Open(_) if k == 1 && known => {
                     out.steps.1 -= 1;
-                    defines = true;
+                    tally.defines = true;
                     let before = self
                         .given
                         .iter()
                         .rev()
                         .find(|g| first.as_ref().is_some_and(|n| g.key == n.key() && !g.is_rate));
-                    anew = before.map(|g| g.relation);
+                    tally.anew = before.map(|g| g.relation);
                 }
-                Step::Open(names) if !defining => open.extend(names),
+                Step::Open(names) if !defining => tally.open.extend(names),
                 Step::Open(_) => {}
-                Step::NotRead(found) => unread = Some(found),
+                Step::NotRead(found) => tally.unread = Some(found),
             }
         }
+        self.conclude(relation, at, tally, out);
+    }
+
+    /// The word, from what became of the steps.
+    fn conclude(&self, relation: &PrintedRelation, at: usize, tally: Tally, out: &mut Judgement) {
+        let first = lone_name(&relation.sides[0]);
+        let inline = relation.display.is_none();
         out.with.sort_unstable();
         out.with.dedup();
         out.with.retain(|w| *w != at);
+        let Tally { mut open, unread, follows, numbers, defines, anew } = tally;
         let undecided = out.steps.1 - follows - numbers;
         if let Some(found) = unread {
             out.why = match &found.why {

@@ -16,6 +16,7 @@
 mod desk;
 mod judge;
 mod numbers;
+mod obstacle;
 mod shown;
 mod slips;
 

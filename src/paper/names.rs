@@ -4,12 +4,14 @@
 //! them; and the [`Evidence`] of the paper: of what the paper prints a rate, what it derives by what, which subscripts are indices.
 //! **Guaranteed:** nothing is decided here: a name is what is printed, and evidence is what was seen.
 
-use std::collections::{BTreeMap, BTreeSet};
+mod evidence;
+#[cfg(test)]
+mod tests;
 
+use super::PrintedSide;
 use super::mark::{self, Mark};
-use super::printed::PrintedRelation;
 use super::token::{Kind, Token};
-use super::{Paper, PrintedSide};
+pub use evidence::Evidence;
 
 /// A name of a formula, as it is printed.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -66,90 +68,6 @@ impl PaperName {
         if plain { sub.chars().filter(|c| *c != ',').collect() } else { Vec::new() }
     }
 }
-
-/// What the whole paper shows of its names.
-#[derive(Clone, Debug, Default)]
-pub struct Evidence {
-    /// Keys with a dot or a derivative by time somewhere.
-    pub moving: BTreeSet<String>,
-    /// What the names are derived by, not partially.
-    pub derived: BTreeMap<String, BTreeSet<String>>,
-    /// What they are derived by partially.
-    pub partial: BTreeMap<String, BTreeSet<String>>,
-    /// For each name what stands in parentheses behind it, and how often; with `None` how often nothing does.
-    pub calls: BTreeMap<String, BTreeMap<Option<Vec<String>>, usize>>,
-    /// Letters that are used as operators: with a hat.
-    pub hats: BTreeSet<String>,
-    /// Whether a letter is printed in bold somewhere.
-    pub bold: BTreeSet<String>,
-    /// Letters, without backslash, with a place in parentheses behind them somewhere.
-    pub functions: BTreeSet<String>,
-    /// Subscripts of each letter.
-    pub subscripts: BTreeMap<String, BTreeSet<String>>,
-}
-
-impl Evidence {
-    /// The evidence of a paper.
-    pub fn of(paper: &Paper) -> Evidence {
-        let mut out = Evidence::default();
-        for relation in &paper.printed {
-            out.note(relation);
-        }
-        out
-    }
-
-    /// Whether a letter, however it is styled and whatever stands below it, is printed with a place in parentheses behind it: it may be
-    /// a function.
-    pub fn may_be_function(&self, letter: &str) -> bool {
-        self.functions.contains(letter)
-    }
-
-    /// Whether the subscripts of a letter are indices of its components: all could be, and one is a letter that is used so.
-    pub fn has_indices(&self, letter: &str) -> bool {
-        let Some(all) = self.subscripts.get(letter) else { return false };
-        let could = |s: &String| (1..=2).contains(&s.chars().count()) && s.chars().all(|c| "ijklmnpqrs123".contains(c));
-        let is = |s: &String| s.chars().any(|c| "ijkl".contains(c));
-        all.iter().all(could) && all.iter().any(is)
-    }
-
-    fn note(&mut self, relation: &PrintedRelation) {
-        for name in relation.sides.iter().filter(|s| s.text.len() <= LONGEST).flat_map(names) {
-            let key = name.key();
-            if name.dots > 0 || name.derived_by.as_deref() == Some("t") && !name.is_partial {
-                self.moving.insert(key.clone());
-            }
-            if let Some(by) = &name.derived_by {
-                let seen = if name.is_partial { &mut self.partial } else { &mut self.derived };
-                seen.entry(key.clone()).or_default().insert(by.clone());
-            }
-            let call = match &name.call {
-                Call::Places(places) => Some(Some(places.clone())),
-                Call::None => Some(None),
-                Call::Other => None,
-            };
-            if let Some(call) = call {
-                *self.calls.entry(key).or_default().entry(call).or_default() += 1;
-            }
-            if let Call::Places(places) = &name.call
-                && places.iter().any(|p| !p.chars().all(|c| c.is_ascii_digit()))
-            {
-                self.functions.insert(name.letter.trim_start_matches('\\').to_owned());
-            }
-            if name.has_hat {
-                self.hats.insert(name.letter.clone());
-            }
-            if name.is_bold {
-                self.bold.insert(name.letter.clone());
-            }
-            if let Some(sub) = &name.subscript {
-                self.subscripts.entry(name.letter.clone()).or_default().insert(sub.clone());
-            }
-        }
-    }
-}
-
-/// Longest side, in bytes, that is looked at.
-const LONGEST: usize = 20_000;
 
 /// Letters of Greek that are names, with other commands that are.
 const LETTERS: &[&str] = &[
@@ -640,50 +558,5 @@ fn plain(key: &str) -> PaperName {
         derived_by: None,
         is_partial: false,
         is_difference: false,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::token::tokens;
-    use super::*;
-
-    fn keys(text: &str) -> Vec<String> {
-        let place = super::super::printed::Place { environment: "", display: None, section: 0 };
-        let relations = super::super::printed::relations(&tokens(text), &place);
-        relations.iter().flat_map(|r| &r.sides).flat_map(names).map(|n| n.key()).collect()
-    }
-
-    #[test]
-    fn names_are_what_is_printed() {
-        assert_eq!(keys(r"m\ddot x_1=-k(x_1-x_2)"), ["m", "x_1", "k", "x_1", "x_2"]);
-        assert_eq!(keys(r"\frac{d\psi}{dt}=v_{\rm max}\sin\omega t"), [r"\psi", "t", r"v_{\rm max}", r"\omega", "t"]);
-        assert_eq!(keys(r"e^{x}+\mathrm{e}^y\pi"), ["x", r"\mathrm{e}", "y"]);
-        assert_eq!(keys(r"\vec a\cdot{\bf b}+\mathbf{c}'"), [r"\vec{a}", r"\mathbf{b}", r"\mathbf{c}'"]);
-    }
-
-    #[test]
-    fn derivatives_are_seen() {
-        let place = super::super::printed::Place { environment: "", display: None, section: 0 };
-        let seen = |text: &str| -> Vec<(String, Option<String>, bool)> {
-            let relations = super::super::printed::relations(&tokens(text), &place);
-            let all = relations.iter().flat_map(|r| &r.sides).flat_map(names);
-            all.filter(|n| n.derived_by.is_some()).map(|n| (n.key(), n.derived_by.clone(), n.is_partial)).collect()
-        };
-        for text in
-            [r"\frac{dx}{dt}", r"\frac{\mathrm{d}x}{\mathrm{d}t}", r"\dv{x}{t}", r"\frac{d}{dt}x", r"\frac{d^2x}{dt^2}"]
-        {
-            assert_eq!(seen(text), [("x".to_owned(), Some("t".to_owned()), false)], "{text}");
-        }
-        assert_eq!(seen(r"\pdv{u}{x}"), [("u".to_owned(), Some("x".to_owned()), true)]);
-        assert_eq!(seen(r"\partial_t u"), [("u".to_owned(), Some("t".to_owned()), true)]);
-    }
-
-    #[test]
-    fn no_text_panics() {
-        let text = r"\frac{d^2\vec{x}_{a}'}{dt^2}(a,b)\dv[2]{f}{x}\partial_{t}u\mathrm{Re}{\bf a}_";
-        for end in 0..text.len() {
-            keys(&text[..end]);
-        }
     }
 }

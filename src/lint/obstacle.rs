@@ -1,0 +1,177 @@
+//! What keeps a formula from being read as numbers: seen in its print, before the reader of formulas is asked.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::desk::NotRead;
+use paper::{Call, Evidence, PaperName, PrintedSide, names};
+
+/// Letters by which sums run, where they stand twice.
+fn index_count(names: &[PaperName], evidence: &Evidence) -> BTreeMap<char, usize> {
+    let mut out = BTreeMap::new();
+    // Beside subscripts that are no indices, `E_r` and `E_t`, the one of `E_i` is a label, too.
+    let labelled = |n: &&PaperName| {
+        evidence.subscripts.get(&n.letter).is_some_and(|all| {
+            let other = |s: &&String| {
+                s.chars().count() == 1 && s.chars().all(|c| c.is_alphabetic() && !"ijklmnpqsabcdαβμνxyz".contains(c))
+            };
+            all.iter().any(|s| other(&s))
+        })
+    };
+    for letter in names.iter().filter(|n| !labelled(n)).flat_map(PaperName::index_letters) {
+        *out.entry(letter).or_insert(0) += 1;
+    }
+    out
+}
+
+/// Commands that make a formula one of a kind that is not read, and the name of the feature.
+const FEATURES: &[(&str, &str)] = &[
+    (r"\int", "an integral"),
+    (r"\iint", "an integral"),
+    (r"\oint", "an integral"),
+    (r"\sum", "a sum"),
+    (r"\prod", "a product of many factors"),
+    (r"\lim", "a limit"),
+    (r"\ket", "a ket"),
+    (r"\bra", "a bra"),
+    (r"\braket", "a bra-ket"),
+    (r"\langle", "an average, or a bra-ket"),
+    (r"\expval", "an average"),
+    (r"\ldots", "dots"),
+    (r"\cdots", "dots"),
+    (r"\dots", "dots"),
+    (r"\vdots", "dots"),
+    (r"\begin{cases}", "cases"),
+    (r"\dagger", "an operator"),
+    (r"\infty", "infinity"),
+    (r"\verb", "verbatim text"),
+    (r"\mathcal{O}", "an order of magnitude"),
+    (r"\mathrm{O}", "an order of magnitude"),
+    (r"\max", "a maximum"),
+    (r"\min", "a minimum"),
+    (r"\otimes", "a tensor product"),
+    (r"\Big|", "a bar"),
+    (r"\bigg|", "a bar"),
+    (r"\Re", "a real part"),
+    (r"\Im", "an imaginary part"),
+    (r"\mathrm{Re}", "a real part"),
+    (r"\mathrm{Im}", "an imaginary part"),
+    (r"^*", "a star above: a conjugate, or a name"),
+    (r"^{*}", "a star above: a conjugate, or a name"),
+    (r"^\ast", "a star above: a conjugate, or a name"),
+    (r"\text", "words in the formula"),
+    (r"\mbox", "words in the formula"),
+];
+
+/// The feature of a formula that is not read, if one is seen.
+fn feature(text: &str) -> Option<&'static str> {
+    FEATURES.iter().find(|(command, _)| holds_command(text, command)).map(|(_, feature)| *feature)
+}
+
+fn holds_command(text: &str, command: &str) -> bool {
+    text.match_indices(command).any(|(i, _)| {
+        let next = text[i + command.len()..].chars().next();
+        !command.ends_with(|c: char| c.is_ascii_alphabetic()) || !next.is_some_and(|c| c.is_ascii_alphabetic())
+    })
+}
+
+/// What is in the names of a step that keeps it from being read.
+pub fn obstacle(
+    sides: &[&PrintedSide],
+    all: &[PaperName],
+    evidence: &Evidence,
+    free: &BTreeSet<char>,
+) -> Option<NotRead> {
+    for side in sides {
+        if side.is_list {
+            return Some(NotRead::of("a list"));
+        }
+        if side.text.is_empty() {
+            return Some(NotRead::of("a side that is missing"));
+        }
+        if let Some(feature) = feature(&side.text) {
+            // Words in a subscript are a label, and are read as one.
+            let words = matches!(feature, "words in the formula") && !words_outside(&side.text);
+            let label = matches!(feature, "a maximum" | "a minimum" | "infinity") && in_scripts(&side.text, feature);
+            if !words && !label {
+                return Some(NotRead::of(feature));
+            }
+        }
+        // `\delta_{ij}` and ε are indices in any case.
+        if side.text.contains(r"\delta_{") || side.text.contains(r"\epsilon_{") || side.text.contains(r"\varepsilon_{")
+        {
+            return Some(NotRead::of("indices"));
+        }
+        if order_counts(&side.text) {
+            return Some(NotRead::of("products whose order may count: matrices, or operators"));
+        }
+        let indices = index_count(&names(side), evidence);
+        if let Some((letter, _)) = indices.iter().find(|(l, n)| **n > 1 && !free.contains(l)) {
+            return Some(NotRead::of(format!("an index that may be summed over, {letter}")));
+        }
+    }
+    for name in all {
+        if name.is_difference {
+            return Some(NotRead::of("a differential or a difference"));
+        }
+        if name.has_hat {
+            return Some(NotRead::of("a hat: an operator, or a unit vector"));
+        }
+        let known = evidence.calls.get(&name.key());
+        let count = |wanted: bool| -> usize {
+            let of = |c: &BTreeMap<Option<Vec<String>>, usize>| {
+                c.iter().filter(|(k, _)| k.as_ref().is_some_and(|p| is_place(p)) == wanted).map(|(_, n)| *n).sum()
+            };
+            known.map_or(0, of)
+        };
+        // What is printed with a place more than once, and not mostly without, is a function.
+        if name.call == Call::Other && count(true) > 0 && count(true) * 3 >= count(false) {
+            return Some(NotRead::of(format!("a function of anything, {}", name.key())));
+        }
+    }
+    None
+}
+
+/// Whether capital letters stand in a formula as matrices and operators do: beside their own inverse or transpose, or in both orders.
+fn order_counts(text: &str) -> bool {
+    let squeezed: Vec<char> = text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}')).collect();
+    let capital = |i: usize| squeezed.get(i).is_some_and(char::is_ascii_uppercase);
+    let command =
+        |i: usize| squeezed[..i].iter().rposition(|c| !c.is_ascii_alphabetic()).is_some_and(|k| squeezed[k] == '\\');
+    let is = |i: usize, text: &str| squeezed[i..].iter().collect::<String>().starts_with(text);
+    let mut pairs = BTreeSet::new();
+    for i in (0..squeezed.len()).filter(|&i| capital(i) && !command(i)) {
+        let own = squeezed[i];
+        let twice = squeezed.iter().filter(|c| **c == own).count() > 1;
+        if twice && ["^-1", "^T", r"^\top", r"^\mathrmT", r"^\mathsfT", "^H"].iter().any(|power| is(i + 1, power)) {
+            return true;
+        }
+        if capital(i + 1) && squeezed[i + 1] != own {
+            pairs.insert((own, squeezed[i + 1]));
+        }
+    }
+    pairs.iter().any(|(a, b)| pairs.contains(&(*b, *a)))
+}
+
+/// Whether what stands in parentheses is a place of a function: a name, or several.
+pub fn is_place(places: &[String]) -> bool {
+    places.iter().any(|p| !p.chars().all(|c| c.is_ascii_digit()))
+}
+
+fn words_outside(text: &str) -> bool {
+    [r"\text", r"\mbox"].iter().any(|w| {
+        text.match_indices(w)
+            .any(|(i, _)| !text[..i].trim_end().ends_with(['_', '^']) && !text[..i].trim_end().ends_with("_{"))
+    })
+}
+
+fn in_scripts(text: &str, feature: &str) -> bool {
+    let command = match feature {
+        "a maximum" => r"\max",
+        "a minimum" => r"\min",
+        _ => r"\infty",
+    };
+    text.match_indices(command).all(|(i, _)| {
+        let before = text[..i].trim_end();
+        before.ends_with('_') || before.ends_with("_{")
+    })
+}

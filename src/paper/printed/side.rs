@@ -1,0 +1,159 @@
+//! Sides, and the signs between them.
+
+use super::super::mark::{self, group_text};
+use super::super::span_of;
+use super::super::token::{Kind, Token};
+use super::{PrintedSide, RELATIONS, is_space, walk};
+use diag::escape::shown;
+
+impl PrintedSide {
+    /// The formula with a dot wherever a name that `is_factor` stands right before parentheses, so that it is read as a factor.
+    pub fn with_factors(&self, is_factor: &dyn Fn(&str) -> bool) -> String {
+        let mut out: Vec<Token> = Vec::with_capacity(self.tokens.len());
+        for (at, token) in self.tokens.iter().enumerate() {
+            let bracket = |t: Option<&Token>| t.is_some_and(|t| t.is_char("(") || t.is_char("["));
+            let opens = bracket(Some(token)) && !(at > 0 && is_size(&self.tokens[at - 1]))
+                || is_size(token) && bracket(self.tokens.get(at + 1));
+            if opens && base_before(&out).is_some_and(is_factor) {
+                out.push(Token {
+                    kind: Kind::Command,
+                    text: "cdot".to_owned(),
+                    span: token.span.start..token.span.start,
+                });
+            }
+            out.push(token.clone());
+        }
+        shown(&mark::text_of(&out)).into_owned()
+    }
+}
+
+fn is_size(token: &Token) -> bool {
+    token.kind == Kind::Command
+        && matches!(token.text.as_str(), "left" | "big" | "Big" | "bigg" | "Bigg" | "bigl" | "Bigl" | "biggl" | "Biggl")
+}
+
+/// The letter to which the scripts at the end of some tokens belong, or that stands there.
+fn base_before(tokens: &[Token]) -> Option<&str> {
+    let mut end = tokens.len();
+    loop {
+        while end > 0 && tokens[end - 1].kind == Kind::Space {
+            end -= 1;
+        }
+        let last = tokens.get(end.checked_sub(1)?)?;
+        let mut start = end - 1;
+        if last.kind == Kind::Close {
+            let mut depth = 0i32;
+            start = (0..end).rev().find(|&i| {
+                depth += i32::from(tokens[i].kind == Kind::Close) - i32::from(tokens[i].kind == Kind::Open);
+                depth == 0
+            })?;
+        }
+        let before = tokens[..start].iter().rposition(|t| t.kind != Kind::Space);
+        if let Some(script) = before.filter(|&i| tokens[i].is_char("^") || tokens[i].is_char("_")) {
+            end = script;
+            continue;
+        }
+        let letter = match last.kind {
+            Kind::Other => last.text.chars().all(char::is_alphabetic),
+            Kind::Command => super::super::names::is_letter(last),
+            _ => false,
+        };
+        return (letter && start == end - 1).then_some(last.text.as_str());
+    }
+}
+
+pub(super) fn is_colon_equals(tokens: &[Token], at: usize) -> bool {
+    tokens[at].is_char(":") && tokens.get(at + 1).is_some_and(|t| t.is_char("="))
+}
+
+/// The sign that begins at a place, and the position after it: `:=`, `\not=`, `=`.
+pub(super) fn sign_at(tokens: &[Token], at: usize) -> (String, usize) {
+    let spelled = |t: &Token| if t.kind == Kind::Command { format!("\\{}", t.text) } else { t.text.clone() };
+    let mut next = at + 1;
+    let mut sign = spelled(&tokens[at]);
+    if is_colon_equals(tokens, at) {
+        return (":=".to_owned(), at + 2);
+    }
+    if tokens[at].is("not") {
+        while tokens.get(next).is_some_and(is_space) {
+            next += 1;
+        }
+        if let Some(t) = tokens.get(next) {
+            sign.push_str(&spelled(t));
+            next += 1;
+        }
+    }
+    // `<=` of two characters is no sign of mathematics, but `=:` is.
+    if sign == "=" && tokens.get(next).is_some_and(|t| t.is_char(":")) {
+        return ("=:".to_owned(), next + 1);
+    }
+    (sign, next)
+}
+
+/// A relation sign with something above or below it.
+pub(super) fn stacked(tokens: &[Token], at: usize) -> Option<(String, String, usize)> {
+    let (words, middle) = group_text(tokens, at + 1);
+    let (sign, end) = group_text(tokens, middle);
+    let name = sign.trim();
+    let known = matches!(name, "=" | "<" | ">") || name.strip_prefix('\\').is_some_and(|n| RELATIONS.contains(&n));
+    (middle > at + 1 && end > middle && known).then(|| {
+        // What stands above an equals sign says how it is meant: it is no plain one unless it is a reference.
+        let plain = name == "=" && words.contains(['(', 'r']);
+        (if plain { "=".to_owned() } else { format!("\\stackrel{{{words}}}{{{name}}}") }, words, end)
+    })
+}
+
+/// Takes labels and tags out of a cell.
+pub(super) fn without_labels(tokens: &[Token]) -> (Vec<Token>, Option<String>, Option<String>) {
+    let (mut label, mut tag) = (None, None);
+    let mut out = Vec::with_capacity(tokens.len());
+    let mut at = 0;
+    while let Some(token) = tokens.get(at) {
+        if token.is("label") || token.is("tag") {
+            let star = usize::from(tokens.get(at + 1).is_some_and(|t| t.is_char("*")));
+            let (text, after) = group_text(tokens, at + 1 + star);
+            let text = diag::escape::in_one_line(&text);
+            if token.is("label") {
+                label = Some(text)
+            } else {
+                tag = Some(text)
+            }
+            at = after.max(at + 1);
+            continue;
+        }
+        out.push(token.clone());
+        at += 1;
+    }
+    (out, label.filter(|l| !l.is_empty()), tag)
+}
+
+/// A side made of these tokens.
+pub(super) fn side_of(tokens: &[Token]) -> PrintedSide {
+    let mut kept: Vec<Token> = Vec::with_capacity(tokens.len());
+    let mut at = 0;
+    while let Some(token) = tokens.get(at) {
+        at += 1;
+        if token.kind == Kind::Command && matches!(token.text.as_str(), "hspace" | "vspace" | "hskip" | "vskip") {
+            let star = usize::from(tokens.get(at).is_some_and(|t| t.is_char("*")));
+            at = group_text(tokens, at + star).1;
+        } else if token.is("text") && group_text(tokens, at) == ("d".to_owned(), at + 3) {
+            // An upright differential, whichever command makes it upright.
+            kept.push(Token { text: "mathrm".to_owned(), ..token.clone() });
+        } else if token.kind == Kind::Command && is_space(token) || token.is_char("~") {
+            // A space of any width is a space.
+            kept.push(Token { kind: Kind::Space, text: " ".to_owned(), span: token.span.start..token.span.start });
+        } else {
+            kept.push(token.clone());
+        }
+    }
+    let idle = |t: &Token| t.kind == Kind::Space;
+    while kept.last().is_some_and(idle) {
+        kept.pop();
+    }
+    let begin = kept.iter().take_while(|t| idle(t)).count();
+    kept.drain(..begin);
+    let text = shown(&mark::text_of(&kept)).into_owned();
+    let mut is_list = false;
+    walk(&kept, |i, outside| is_list |= outside && kept[i].is_char(","));
+    PrintedSide { text, span: span_of(&kept), is_list, tokens: kept }
+}
