@@ -7,7 +7,7 @@ use rederive::report::{front_markdown, front_page, page, tex_summary};
 use crate::checked::checked;
 
 /// Most rows and columns of the matrix, its heads apart.
-const MATRIX: (usize, usize) = (12, 6);
+const MATRIX: (usize, usize) = (10, 6);
 /// The longest page one of a terminal, in lines.
 const LINES: usize = 60;
 
@@ -45,7 +45,7 @@ fn every_page_one_has_all_of_its_parts() {
             cards.contains("<div class=card>") && cards.contains("<math"),
             "{name}: nothing is shown of what is wrong"
         );
-        let chains = between(front, "<div class=concludes>", "<div class=unsaid>");
+        let chains = between(front, "<div class=concludes>", "<div class=foot>");
         assert!(chains.contains("<div class=chain>") || chains.contains("of no claim"), "{name}: no chain");
         assert!(front.contains("Used and not said"), "{name}: no hypotheses");
         let text = front_page(derivation, account, false);

@@ -1,11 +1,11 @@
 //! What a paper concludes, with the chain of steps under each conclusion, and where it breaks.
 //!
 //! **In:** the claims with their readings, and what rests on what. **Out:** for each conclusion its sentence, what became of it, under
-//! which condition, and the shortest chains from what breaks to the conclusion; one witness of the first break.
+//! which condition, and the shortest chain from the heaviest break to the conclusion; a witness of each break, once.
 //!
 //! A step breaks a chain if it does not stand, or if what the paper needs of it fails.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::card::RefutingMotion;
 use super::consequence::Consequences;
@@ -18,8 +18,6 @@ use crate::derivation::Derivation;
 
 /// Most conclusions that are told.
 const MOST_CONCLUSIONS: usize = 6;
-/// Most chains under a conclusion.
-const MOST_CHAINS: usize = 2;
 /// Most steps of a chain; of a longer one the middle is left out.
 const MOST_STEPS: usize = 6;
 /// Most grounds that are named of a conclusion whose chains are whole.
@@ -35,19 +33,22 @@ fn breaks(whole: &Whole<'_>) -> bool {
     whole.fate.is_against() || failing_need(whole).is_some()
 }
 
-/// The conclusions with their chains. Where a file names no conclusion, what its steps lead to.
+/// The conclusions with their chains. Where a file names no conclusion, what its steps lead to. The witness of the claim that is `shown`
+/// stands elsewhere on the page.
 pub(super) fn blocks<'a>(
     derivation: &'a Derivation,
     wholes: &[Whole<'a>],
     hangs: &Consequences<'a>,
+    shown: Option<&str>,
 ) -> Vec<StoryBlock<'a>> {
     let by_id: ById<'_, 'a> = wholes.iter().map(|w| (w.id, w)).collect();
     let named = hangs.conclusions();
     let title = if named.is_empty() { "Where the steps lead" } else { "The paper concludes" };
     let ends: Vec<&'a str> = if named.is_empty() { ends(wholes, hangs) } else { named.to_vec() };
     let mut out = vec![StoryBlock::Heading(title.to_owned())];
-    let told = ends.iter().take(MOST_CONCLUSIONS).filter_map(|id| by_id.get(id));
-    let items: Vec<StoryItem<'a>> = told.map(|whole| item(derivation, whole, &by_id, hangs)).collect();
+    let mut told: BTreeSet<&'a str> = wholes.iter().map(|w| w.id).filter(|id| Some(*id) == shown).collect();
+    let shown = ends.iter().take(MOST_CONCLUSIONS).filter_map(|id| by_id.get(id));
+    let items: Vec<StoryItem<'a>> = shown.map(|whole| item(derivation, whole, &by_id, hangs, &mut told)).collect();
     if items.is_empty() {
         let says = "The file says of no claim that it is a conclusion, or that it follows from another.";
         out.push(StoryBlock::Paragraph(vec![quiet(says)]));
@@ -75,13 +76,11 @@ fn item<'a>(
     whole: &Whole<'a>,
     by_id: &ById<'_, 'a>,
     hangs: &Consequences<'a>,
+    told: &mut BTreeSet<&'a str>,
 ) -> StoryItem<'a> {
     let scope = &derivation.scope;
     let says = whole.says.trim_end_matches('.').to_owned();
     let mut line = vec![StorySpan::Prose(says, scope, Tone::Plain), quiet(" (")];
-    if let Some(place) = whole.place {
-        line.push(StorySpan::Prose(format!("{place}, "), scope, Tone::Quiet));
-    }
     line.extend([StorySpan::Claim(whole.id.to_owned(), Tone::Plain), quiet("): ")]);
     let tone = match whole.fate {
         Fate::Fails | Fate::Partly => Tone::Bad,
@@ -94,25 +93,24 @@ fn item<'a>(
     let mut broken: Vec<&&Whole<'a>> =
         hangs.grounds_of(whole.id).into_iter().filter_map(|id| by_id.get(id)).filter(|w| breaks(w)).collect();
     broken.sort_by_cached_key(|w| (!w.fate.is_against(), std::cmp::Reverse(hangs.weight(w.id))));
+    let mark = hangs.letter(whole.id).map(String::from).unwrap_or_default();
     let below = match broken.first() {
         None => grounds(whole, by_id, hangs),
         Some(first) => {
-            let mut below: Vec<StoryBlock<'a>> = broken
-                .iter()
-                .take(MOST_CHAINS)
-                .map(|ground| StoryBlock::Paragraph(chain(&hangs.chain(ground.id, whole.id), by_id)))
-                .collect();
-            let mut witness = break_says(derivation, first);
-            let more = broken.len().saturating_sub(MOST_CHAINS);
-            if more > 0 {
-                witness.push(quiet(format!(" {} below it more.", count(more, "broken step"))));
+            let mut line = chain(&hangs.chain(first.id, whole.id), by_id);
+            if broken.len() > 1 {
+                line.push(quiet(format!("; {} below it", count(broken.len(), "broken step"))));
             }
-            below.push(StoryBlock::Paragraph(witness));
-            below
+            line.push(words(". "));
+            // A conclusion that fails itself shows its own point; each break is shown once.
+            let shown: &Whole<'a> = if whole.fate.is_against() { whole } else { first };
+            if told.insert(shown.id) {
+                line.extend(break_says(derivation, shown));
+            }
+            line
         }
     };
-    let mark = hangs.letter(whole.id).map(String::from).unwrap_or_default();
-    StoryItem { mark, line, below: vec![StoryBlock::Group("chain", below)] }
+    StoryItem { mark, line, below: vec![StoryBlock::Group("chain", vec![StoryBlock::Paragraph(below)])] }
 }
 
 /// Under which condition a sentence stands: what all its readings that hold assume.
@@ -153,11 +151,11 @@ fn chain<'a>(ids: &[&'a str], by_id: &ById<'_, 'a>) -> Vec<StorySpan<'a>> {
 }
 
 /// What a conclusion rests on, where nothing of it is broken.
-fn grounds<'a>(whole: &Whole<'a>, by_id: &ById<'_, 'a>, hangs: &Consequences<'a>) -> Vec<StoryBlock<'a>> {
+fn grounds<'a>(whole: &Whole<'a>, by_id: &ById<'_, 'a>, hangs: &Consequences<'a>) -> Vec<StorySpan<'a>> {
     let all = hangs.grounds_of(whole.id);
     let direct = hangs.direct_grounds(whole.id);
     if direct.is_empty() {
-        return vec![StoryBlock::Paragraph(vec![quiet("Rests on no other claim of the file.")])];
+        return vec![quiet("Rests on no other claim of the file.")];
     }
     let mut out = vec![quiet("Rests on ")];
     out.extend(joined(direct.iter().take(MOST_GROUNDS).map(|id| link(id, by_id)), ", "));
@@ -166,7 +164,7 @@ fn grounds<'a>(whole: &Whole<'a>, by_id: &ById<'_, 'a>, hangs: &Consequences<'a>
         out.push(quiet(format!(" and, through them or beside them, {more} more")));
     }
     out.push(quiet("; no step of the chain is refuted."));
-    vec![StoryBlock::Paragraph(out)]
+    out
 }
 
 /// One witness of why a step breaks.

@@ -57,6 +57,10 @@ impl<'a> RefutingMotion<'a> {
             let why = self.evidence.reason.as_ref().map(|r| format!(": {r}")).unwrap_or_default();
             return vec![words(format!("On {}", self.name)), StorySpan::Prose(why, scope, Tone::Plain), words(".")];
         };
+        // What is looked for at some time, and not met, may be met in one of its components.
+        if w.left == w.right && self.series().is_some_and(|s| s.sought) {
+            return vec![words(format!("On {} it is met at no time.", self.name))];
+        }
         let mut out = vec![words(format!("On {} at ", self.name)), StorySpan::Math(format!("t={}", six(w.t)), scope)];
         let label = super::wording::label(&w.formula);
         if let Some(component) = label.component {
@@ -147,8 +151,7 @@ fn right<'a>(
     };
     if let Some(reading) = order.into_iter().find_map(holds) {
         let shown = formula_of(derivation, reading.claim, 0)?;
-        let lead = if reading.role == ClaimRole::Added { "holds instead: " } else { "holds: " };
-        let mut out = vec![quiet(lead)];
+        let mut out = vec![quiet("holds: ")];
         out.extend(shown.spans(None, false));
         let says = format!(" — {}, ", reading.claim.says.trim_end_matches('.'));
         out.push(StorySpan::Prose(says, shown.scope, Tone::Quiet));
@@ -214,7 +217,7 @@ pub(super) fn blocks<'a>(
         out.push(StoryBlock::Paragraph(print));
     }
     out.extend(right(derivation, whole, claim, correction).filter(|_| fails).map(StoryBlock::Paragraph));
-    let mut why = vec![StorySpan::Prose(format!("{} ", line.reason), scope, Tone::Plain)];
+    let mut why = vec![StorySpan::Prose(format!("{} ", line.brief), scope, Tone::Plain)];
     match &motion {
         Some(motion) => why.extend(motion.says(own)),
         None => why.extend(

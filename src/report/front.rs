@@ -26,6 +26,8 @@ pub(super) struct Line {
     pub place: Option<String>,
     /// Why: a sentence.
     pub reason: String,
+    /// The same without the name of a motion, for what names one with its numbers.
+    pub brief: String,
     /// What falls with it: a sentence, or nothing.
     pub consequence: Option<String>,
 }
@@ -67,7 +69,8 @@ impl Front {
             id: whole.id.to_owned(),
             says: whole.says.clone(),
             place: whole.place.map(str::to_owned),
-            reason: reason(whole),
+            reason: reason(whole, MotionName::Said),
+            brief: reason(whole, MotionName::Left),
             consequence: consequence(whole, hangs),
         };
         let file = project_path(&derivation.file.path);
@@ -138,8 +141,15 @@ fn strength(wholes: &[Whole<'_>]) -> Option<String> {
     (!parts.is_empty()).then(|| format!("Of those that stand: {}.", parts.join("; ")))
 }
 
+/// Whether a sentence names a motion on which a claim fails.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum MotionName {
+    Said,
+    Left,
+}
+
 /// Why a claim does not stand, in a sentence.
-fn reason(whole: &Whole<'_>) -> String {
+fn reason(whole: &Whole<'_>, name: MotionName) -> String {
     let contrary = whole.readings.iter().find(|r| r.role == ClaimRole::Against && r.standing == Standing::Holds);
     let shown = contrary.map(|r| format!("the contrary holds, {}", r.basis().words()));
     let Some(failing) = whole.failing() else {
@@ -159,7 +169,7 @@ fn reason(whole: &Whole<'_>) -> String {
     let several = pairs.clone().count() > 1 || failing.claim.families.iter().any(|f| f.counts.fails > 1);
     let members = members.map(|(f, member)| format!("member {} of {}", member.number, f.family));
     let mut fails = pairs.map(|pair| pair.trajectory.clone()).chain(members);
-    if let Some(named) = fails.next() {
+    if let Some(named) = fails.next().filter(|_| name == MotionName::Said) {
         let one_of_several = if several || fails.next().is_some() { "e.g. " } else { "" };
         out.push_str(&format!(", {one_of_several}{named}"));
     }
@@ -186,9 +196,10 @@ fn consequence(whole: &Whole<'_>, hangs: &Consequences<'_>) -> Option<String> {
         let word = if conclusions.len() == 1 { "conclusion" } else { "conclusions" };
         parts.push(format!("{word} {}", conclusions.join(", ")));
     }
-    if !named.is_empty() {
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-        parts.push(format!("{}{more}", named.join(", ")));
+    if more > 0 {
+        parts.push(count(others.len(), "claim"));
+    } else if !named.is_empty() {
+        parts.push(named.join(", "));
     }
     let itself = if whole.conclusion { "This is a conclusion of the paper. " } else { "" };
     match (parts.is_empty(), itself) {

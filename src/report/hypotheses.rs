@@ -4,6 +4,7 @@
 //! own words is not among it.
 
 use super::digest::{self, Whole};
+use super::numbers::count;
 use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, quiet, words};
 use super::tally::{declared, name};
 use crate::derivation::{ClaimRole, Derivation};
@@ -13,13 +14,15 @@ use findings::conditions::Need;
 use reason::{Proviso, Term};
 
 /// Most hypotheses that are told on page one; more are folded.
-const MOST: usize = 7;
+const MOST: usize = 5;
 /// Most that are told at all.
 const MOST_FOLDED: usize = 40;
 /// Most claims that are named of each.
 const MOST_NAMED: usize = 3;
 /// Most conventions on page one.
 const MOST_CONVENTIONS: usize = 3;
+/// Longest convention on page one, in bytes.
+const LONGEST_CONVENTION: usize = 90;
 
 /// Something that steps use.
 struct Hypothesis<'a> {
@@ -39,22 +42,30 @@ pub(super) fn blocks<'a>(
     let mut all = gathered(derivation, account, wholes);
     all.sort_by_key(|h| std::cmp::Reverse(h.used.len()));
     let mut out = vec![StoryBlock::Heading("Used and not said".to_owned())];
-    let items = |of: &[Hypothesis<'a>]| of.iter().map(item).collect::<Vec<_>>();
     let shown = all.len().min(MOST);
     if all.is_empty() {
         out.push(StoryBlock::Paragraph(vec![quiet("No step uses a condition that its claim does not say.")]));
-    } else {
-        out.push(StoryBlock::List(items(&all[..shown])));
+        out.extend(conventions(derivation));
+        return out;
     }
-    let folded = &all[shown..all.len().min(MOST_FOLDED)];
-    if !folded.is_empty() {
-        out.push(StoryBlock::Fold {
-            title: format!("{} more", all.len() - shown),
-            unfolded: Some(format!("and {} more, in the report", all.len() - shown)),
-            blocks: vec![StoryBlock::List(items(folded))],
-        });
-    }
+    let mut line = joined(all[..shown].iter().map(counted), "; ");
+    let more = all.len() - shown;
+    line.push(quiet(if more > 0 { format!("; {more} more.") } else { ".".to_owned() }));
+    out.push(StoryBlock::Paragraph(line));
     out.extend(conventions(derivation));
+    let told = &all[..all.len().min(MOST_FOLDED)];
+    out.push(StoryBlock::Fold {
+        title: "Which claims use what".to_owned(),
+        unfolded: Some(String::new()),
+        blocks: vec![StoryBlock::List(told.iter().map(item).collect())],
+    });
+    out
+}
+
+/// A hypothesis, and how many claims use it.
+fn counted<'a>(of: &Hypothesis<'a>) -> Vec<StorySpan<'a>> {
+    let mut out = of.says.clone();
+    out.push(quiet(format!(" ({})", count(of.used.len(), "claim"))));
     out
 }
 
@@ -73,15 +84,17 @@ fn conventions<'a>(derivation: &'a Derivation) -> Option<StoryBlock<'a>> {
     if derivation.conventions.is_empty() {
         return None;
     }
-    let told = derivation.conventions.iter().take(MOST_CONVENTIONS).map(|(key, text)| {
+    let is_short = |(_, text): &&(String, String)| text.len() <= LONGEST_CONVENTION;
+    let told: Vec<_> = derivation.conventions.iter().filter(is_short).take(MOST_CONVENTIONS).collect();
+    let more = derivation.conventions.len() - told.len();
+    let told = told.into_iter().map(|(key, text)| {
         let text = format!("{}: {}", key.replace('-', " "), text.trim_end_matches('.'));
         vec![StorySpan::Prose(text, &derivation.scope, Tone::Quiet)]
     });
     let mut out = vec![quiet("Conventions: ")];
     out.extend(joined(told, "; "));
-    let more = derivation.conventions.len().saturating_sub(MOST_CONVENTIONS);
     out.push(quiet(if more > 0 { format!("; {more} more.") } else { ".".to_owned() }));
-    Some(StoryBlock::Paragraph(out))
+    Some(StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(out)]))
 }
 
 /// What a proof needs, as it is shown, and by which equals are found.

@@ -19,7 +19,7 @@ use crate::derivation::{ClaimRole, Derivation};
 use findings::{Account, ClaimAccount, Outcome, Strength};
 
 /// Most claims that are shown.
-pub(super) const MOST_ROWS: usize = 12;
+pub(super) const MOST_ROWS: usize = 10;
 /// Most classes of motions that are shown.
 pub(super) const MOST_COLUMNS: usize = 6;
 /// Most motions that are named of a class.
@@ -75,7 +75,11 @@ pub(super) fn blocks<'a>(
         }
     }
     let legend = VerdictShape::ALL.into_iter().filter(|s| seen.contains(s));
-    let legend = joined(legend.map(|s| vec![StorySpan::Shape(s), quiet(format!("\u{a0}{}", s.says()))]), "  ");
+    let mut legend = joined(legend.map(|s| vec![StorySpan::Shape(s), quiet(format!(" {}", s.says()))]), "  ");
+    let more = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count().saturating_sub(rows.len());
+    if more > 0 {
+        legend.push(quiet(format!("; and {}", count(more, "more claim"))));
+    }
     let keys = columns.into_iter().enumerate().map(|(at, column)| StoryItem {
         mark: letter(at),
         line: column.says,
@@ -88,13 +92,6 @@ pub(super) fn blocks<'a>(
     } else {
         out.push(StoryBlock::Paragraph(legend));
         out.push(StoryBlock::Group("keys", vec![StoryBlock::List(keys)]));
-    }
-    let told = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count().saturating_sub(rows.len());
-    if told > 0 {
-        out.push(StoryBlock::Paragraph(vec![quiet(format!(
-            "And {}, in the matrix of all.",
-            count(told, "more claim")
-        ))]));
     }
     out
 }
@@ -117,6 +114,14 @@ fn row<'a>(whole: &Whole<'a>, columns: &[MatrixColumn<'a>], hangs: &Consequences
 fn cell(whole: &Whole<'_>, column: &ColumnMotions<'_>) -> Option<VerdictShape> {
     let each: Vec<(ClaimRole, VerdictShape)> =
         whole.deciding().filter_map(|reading| Some((reading.role, of_reading(reading, column)?))).collect();
+    if each.is_empty() {
+        // What the paper says of it could not be computed: it is told by its contrary, and by what it needs.
+        let other = |role: ClaimRole| whole.readings.iter().filter(move |r| r.role == role);
+        let shown = |r: &Reading<'_>| of_reading(r, column).filter(|s| *s != VerdictShape::NotApplicable);
+        let contrary = other(ClaimRole::Against).filter_map(shown).find(|s| s.tone() == Tone::Good);
+        let needed = other(ClaimRole::Needs).filter_map(shown).find(|s| s.tone() == Tone::Bad);
+        return contrary.map(|_| VerdictShape::Certified).or(needed);
+    }
     let applies: Vec<_> = each.iter().filter(|(_, shape)| *shape != VerdictShape::NotApplicable).collect();
     let weakest = |shapes: &mut dyn Iterator<Item = VerdictShape>| shapes.max();
     let is_bad = |shape: &VerdictShape| shape.tone() == Tone::Bad;

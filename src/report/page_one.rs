@@ -19,8 +19,10 @@ use super::text::{Paint, paragraph};
 use crate::derivation::Derivation;
 use findings::Account;
 
-/// Cards on the first screen; more are folded.
+/// Cards on the first screen; more are folded. Conclusions need the room of one.
 const MOST_CARDS: usize = 3;
+/// Cards that a terminal has room for, if there are few of them; of more only the first.
+const FEW_CARDS: usize = 2;
 
 /// The page as blocks.
 pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Vec<StoryBlock<'a>> {
@@ -39,18 +41,28 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     let strip = Sketch::Strip(fields.collect());
     let mut matrix = vec![StoryBlock::Group("strip", vec![StoryBlock::Figure(strip, Vec::new())])];
     matrix.extend(motion_matrix::blocks(derivation, account, &wholes, &hangs));
-    let foot =
-        front.strength.iter().chain(&front.beside).map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet));
-    let mut foot: Vec<StorySpan<'a>> = foot.collect();
-    foot.push(StorySpan::Prose(format!("{} To repeat it: ", front.author), scope, Tone::Quiet));
+    let strength = front.strength.iter().chain(&front.beside);
+    let strength = strength.map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).collect();
+    let mut foot = vec![StorySpan::Prose(format!("{} To repeat it: ", front.author), scope, Tone::Quiet)];
     foot.extend([StorySpan::Code(front.command.clone()), quiet(format!(" ({}).", front.version))]);
     vec![
         StoryBlock::Group("head", head),
         StoryBlock::Group("matters", matrix),
-        StoryBlock::Group("cards", wrong(derivation, &wholes, &hangs, &front)),
-        StoryBlock::Group("concludes", argument::blocks(derivation, &wholes, &hangs)),
+        StoryBlock::Group(
+            "argues",
+            vec![
+                StoryBlock::Group("cards", wrong(derivation, &wholes, &hangs, &front)),
+                StoryBlock::Group(
+                    "concludes",
+                    argument::blocks(derivation, &wholes, &hangs, front.lines.first().map(|l| l.id.as_str())),
+                ),
+            ],
+        ),
         StoryBlock::Group("unsaid", hypotheses::blocks(derivation, account, &wholes)),
-        StoryBlock::Group("foot", vec![StoryBlock::Paragraph(foot)]),
+        StoryBlock::Group(
+            "foot",
+            vec![StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(strength)]), StoryBlock::Paragraph(foot)],
+        ),
     ]
 }
 
@@ -70,15 +82,22 @@ fn wrong<'a>(
             Some(StoryBlock::Group("card", card::blocks(derivation, of(line)?, line, at + 1)))
         });
     let mut cards: Vec<StoryBlock<'a>> = cards.collect();
-    let folded = cards.split_off(cards.len().min(MOST_CARDS));
+    let most = if hangs.conclusions().is_empty() { MOST_CARDS } else { MOST_CARDS - 1 };
+    let folded = cards.split_off(cards.len().min(most));
     let mut out = vec![StoryBlock::Heading("What does not stand, the heaviest first".to_owned())];
+    let on_terminal = if front.lines.len() <= MOST_CARDS { FEW_CARDS } else { 1 };
+    let roomy = cards.split_off(cards.len().min(on_terminal));
     out.extend(cards);
-    if !folded.is_empty() {
-        let ids: Vec<&str> = front.lines.iter().skip(MOST_CARDS).map(|l| l.id.as_str()).collect();
-        let more = if front.more > 0 { format!(", and {} more", front.more) } else { String::new() };
+    if !roomy.is_empty() {
+        out.push(StoryBlock::Group("roomy", roomy));
+    }
+    let ids: Vec<&str> = front.lines.iter().map(|l| l.id.as_str()).collect();
+    let more = if front.more > 0 { format!(", and {} more", front.more) } else { String::new() };
+    if ids.len() > on_terminal {
+        let hidden = ids.get(most..).unwrap_or_default();
         out.push(StoryBlock::Fold {
-            title: format!("{} more: {}{more}", ids.len(), ids.join(", ")),
-            unfolded: Some(format!("Nor do these: {}{more}.", ids.join(", "))),
+            title: format!("{} more: {}{more}", hidden.len(), hidden.join(", ")),
+            unfolded: Some(format!("Nor do these: {}{more}.", ids[on_terminal..].join(", "))),
             blocks: folded,
         });
     }

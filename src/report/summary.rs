@@ -44,7 +44,13 @@ pub fn summary(derivation: &Derivation, account: &Account, colour: bool, whole: 
     if whole {
         out.push_str(&blocks("Fails, as expected", &known("fails"), most));
     }
-    out.push_str(&blocks("Undecided", &known("undecided"), most));
+    match whole {
+        true => out.push_str(&blocks("Undecided", &known("undecided"), most)),
+        false => {
+            out.push_str(&blocks("Undecided", &|g| g.word == "undecided" && g.expected.is_none(), most));
+            out.push_str(&left_open(account, paint));
+        }
+    }
     out.push_str(&super::units::terminal(&account.units, paint));
     out.push_str(&problems(account, paint));
     if whole {
@@ -184,6 +190,23 @@ fn cell(claim: &ClaimAccount, trajectory: &str, paint: Paint) -> String {
             paint.verdict(outcome, &glyph.to_string()) + &mark
         }
     }
+}
+
+/// What is undecided as the file expects, a line for each claim.
+fn left_open(account: &Account, paint: Paint) -> String {
+    let mut lines = Vec::new();
+    for claim in &account.claims {
+        for group in groups(claim).iter().filter(|g| g.word == "undecided" && g.expected == Some("undecided")) {
+            let first = group.pairs.first().map_or("", |p| p.trajectory.as_str());
+            let of = format!("{} of {}", group.pairs.len(), count(claim.results.len(), "trajectory"));
+            lines.push(format!("  {}  on {of}, e.g. {first}\n", name(claim)));
+        }
+    }
+    let more = lines.len().saturating_sub(MOST_BLOCKS);
+    let body = lines.iter().take(MOST_BLOCKS).map(String::as_str).collect::<String>();
+    let rest = if more > 0 { format!("  and {more} more, in the report\n") } else { String::new() };
+    let title = paint.bold("Undecided, as expected");
+    if body.is_empty() { body } else { format!("{title} ({})\n\n{body}{rest}\n", lines.len()) }
 }
 
 /// One block for each group of pairs that is wanted.

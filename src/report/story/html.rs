@@ -19,6 +19,7 @@ fn put(block: &StoryBlock<'_>) -> Markup {
             StoryBlock::Paragraph(spans) => p { (line(spans)) },
             StoryBlock::Table(of) => (table(of)),
             StoryBlock::List(items) => ul.items { @for one in items { (item(one)) } },
+            StoryBlock::Fold { blocks, .. } if blocks.is_empty() => {},
             StoryBlock::Fold { title, blocks, .. } => details { summary { (title) } (html(blocks)) },
             StoryBlock::Figure(sketch, caption) => {
                 figure { (PreEscaped(sketch.svg())) @if !caption.is_empty() { figcaption { (line(caption)) } } }

@@ -22,6 +22,8 @@ fn put(block: &StoryBlock<'_>, indent: usize, link: &dyn Fn(&str) -> String, out
             items.iter().for_each(|item| put_item(item, indent, link, out));
             out.push('\n');
         }
+        StoryBlock::Fold { unfolded: Some(line), .. } if line.is_empty() => {}
+        StoryBlock::Fold { unfolded: Some(line), .. } => out.push_str(&format!("{space}{}\n\n", prose(line))),
         StoryBlock::Fold { title, blocks, .. } => {
             let mut inside = String::new();
             blocks.iter().for_each(|b| put(b, indent, link, &mut inside));

@@ -159,7 +159,7 @@ pub(super) enum StoryBlock<'a> {
     Paragraph(Vec<StorySpan<'a>>),
     Table(StoryTable<'a>),
     List(Vec<StoryItem<'a>>),
-    /// What is not shown on the first screen. Where nothing can be folded, `None` leaves it out, a line says what is there.
+    /// What is not shown on the first screen. Where a line says what is there, only a page has it.
     Fold {
         title: String,
         unfolded: Option<String>,

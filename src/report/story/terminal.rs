@@ -28,6 +28,7 @@ fn put(block: &StoryBlock<'_>, indent: usize, paint: Paint, out: &mut String) {
                 out.push_str(&format!("{}{line}\n", " ".repeat(indent)));
             }
         }
+        StoryBlock::Group("roomy", _) => {}
         StoryBlock::Group("card", blocks) => {
             // Below its first line a card stands deeper: there is no frame.
             blocks.iter().enumerate().for_each(|(at, b)| put(b, indent + if at > 0 { 3 } else { 0 }, paint, out));

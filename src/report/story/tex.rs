@@ -25,6 +25,7 @@ fn put(block: &StoryBlock<'_>, out: &mut String) {
         StoryBlock::Fold { unfolded: None, blocks, .. } => blocks.iter().for_each(|b| put(b, out)),
         // A drawing of a few lines is for a screen; what it shows is in words beside it.
         StoryBlock::Figure(..) => {}
+        StoryBlock::Group("roomy", _) => {}
         StoryBlock::Group(_, blocks) => blocks.iter().for_each(|b| put(b, out)),
     }
 }
