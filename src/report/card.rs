@@ -93,7 +93,11 @@ fn formula_of<'a>(derivation: &'a Derivation, claim: &'a ClaimAccount, at: usize
     let (_, of) = heading(claim, declared, at);
     let (lead, formula) = match of {
         Heading::Words(lead) => (lead, Some(text.clone()).filter(|t| t.len() <= LONGEST)),
-        Heading::System => (format!("The motion solves the system {text}"), None),
+        Heading::System => {
+            let system = derivation.systems.iter().find(|s| s.id == text.trim());
+            let equation = system.and_then(|s| s.equations.first()).map(|e| e.text.clone());
+            (format!("The motion solves the system {text}"), equation.filter(|t| t.len() <= LONGEST))
+        }
         Heading::Trajectory => (format!("The motion is that of {text}"), None),
     };
     Some(FormulaShown { lead, formula, scope, more: claim.formulas.len().saturating_sub(1) })

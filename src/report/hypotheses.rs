@@ -15,6 +15,8 @@ use reason::{Proviso, Term};
 
 /// Most hypotheses that are told on page one; more are folded.
 const MOST: usize = 5;
+/// Longest hypothesis that comes first, in bytes.
+const LONGEST_SHOWN: usize = 70;
 /// Most that are told at all.
 const MOST_FOLDED: usize = 40;
 /// Most claims that are named of each.
@@ -40,9 +42,11 @@ pub(super) fn blocks<'a>(
     wholes: &[Whole<'a>],
 ) -> Vec<StoryBlock<'a>> {
     let mut all = gathered(derivation, account, wholes);
-    all.sort_by_key(|h| std::cmp::Reverse(h.used.len()));
+    // What is too long for a line of page one is among the last.
+    all.sort_by_key(|h| (h.key.len() > LONGEST_SHOWN, std::cmp::Reverse(h.used.len())));
     let mut out = vec![StoryBlock::Heading("Used and not said".to_owned())];
-    let shown = all.len().min(MOST);
+    let short = all.iter().take_while(|h| h.key.len() <= LONGEST_SHOWN).count();
+    let shown = all.len().min(MOST).min(short.max(1));
     if all.is_empty() {
         out.push(StoryBlock::Paragraph(vec![quiet("No step uses a condition that its claim does not say.")]));
         out.extend(conventions(derivation));

@@ -114,7 +114,11 @@ fn nothing_wrong<'a>(
     let told = that_matter(wholes, hangs);
     let mut out = vec![StoryBlock::Heading("Nothing is refuted".to_owned())];
     let mut heaviest: Vec<&&Whole<'a>> = told.iter().collect();
-    heaviest.sort_by_cached_key(|w| (card::sketch_that_holds(w).is_none(), std::cmp::Reverse(hangs.weight(w.id))));
+    heaviest.sort_by_cached_key(|w| {
+        let drawn = card::sketch_that_holds(w);
+        let varies = drawn.as_ref().is_some_and(|(sketch, _)| sketch.varies());
+        (drawn.is_none(), !varies, std::cmp::Reverse(hangs.weight(w.id)))
+    });
     let Some(whole) = heaviest.first() else {
         out.push(StoryBlock::Paragraph(vec![quiet("The file has no claim.")]));
         return out;
@@ -139,7 +143,11 @@ fn nothing_wrong<'a>(
     inside.push(StoryBlock::Paragraph(says));
     let rest = hangs.carried_by(whole.id).len();
     if rest > 0 {
-        inside.push(StoryBlock::Paragraph(vec![quiet(format!("On it rest {}.", count(rest, "claim")))]));
+        inside.push(StoryBlock::Paragraph(vec![quiet(format!(
+            "On it {} {}.",
+            if rest == 1 { "rests" } else { "rest" },
+            count(rest, "claim")
+        ))]));
     }
     out.push(StoryBlock::Group("card", inside));
     out

@@ -34,6 +34,16 @@ impl Sketch {
         (drawn > 1).then(|| Sketch::Sides { samples, at, title: format!("Both sides along {motion}") })
     }
 
+    /// Whether a side changes by what can be seen: the picture of a constant tells little.
+    pub fn varies(&self) -> bool {
+        match self {
+            Sketch::Sides { samples, .. } => {
+                Frame::of(samples).is_some_and(|f| f.up.1 - f.up.0 > 1e-9 * f.up.0.abs().max(f.up.1.abs()))
+            }
+            Sketch::Strip(_) => true,
+        }
+    }
+
     /// One `svg` element.
     pub fn svg(&self) -> String {
         match self {
