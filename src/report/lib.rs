@@ -20,6 +20,7 @@ mod conditions;
 mod consequence;
 mod contents;
 mod diff;
+mod differing;
 mod digest;
 mod discrimination;
 mod document;

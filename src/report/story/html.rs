@@ -2,6 +2,7 @@
 
 use maud::{Markup, PreEscaped, html as markup};
 
+use super::super::differing::differing;
 use super::super::mathml;
 use super::super::page::text::{formula, prose};
 use super::{StoryBlock, StoryItem, StorySpan, StoryTable, Tone};
@@ -68,7 +69,7 @@ fn marked_formula(text: &str, beside: &str, scope: &Scope, wrong: bool) -> Marku
     let class = if wrong { "wrong" } else { "right" };
     match (mathml::inline(text, scope), mathml::inline(beside, scope)) {
         (Some(own), Some(other)) => {
-            let math = mathml::differing(&own, &other, class);
+            let math = differing(&own, &other, class);
             markup! { span.long tabindex="0" role="group" aria-label="formula" { (PreEscaped(math)) } }
         }
         _ => formula(text, scope),
