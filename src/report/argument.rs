@@ -99,7 +99,7 @@ fn item<'a>(
         Some(first) => {
             let mut line = chain(&hangs.chain(first.id, whole.id), by_id);
             if broken.len() > 1 {
-                line.push(quiet(format!("; {} below it", count(broken.len(), "broken step"))));
+                line.push(quiet(format!("; {}", count(broken.len(), "break"))));
             }
             line.push(words(". "));
             // A conclusion that fails itself shows its own point; each break is shown once.
@@ -173,13 +173,17 @@ fn break_says<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<StorySpa
     let reading = need.or_else(|| whole.failing()).or(whole.readings.first());
     let Some(reading) = reading else { return Vec::new() };
     let scope = declared(derivation, reading.claim).map_or(&derivation.scope, |d| &d.scope);
-    let mut out = vec![StorySpan::Words("It breaks at ".to_owned(), Tone::Bad)];
-    out.push(StorySpan::Claim(whole.id.to_owned(), Tone::Bad));
-    if need.is_some() {
-        let says = format!(", which needs: {}", reading.claim.says.trim_end_matches('.'));
-        out.push(StorySpan::Prose(says, scope, Tone::Plain));
+    // A conclusion that fails is said to fail: here is where.
+    let mut out = Vec::new();
+    if !whole.conclusion {
+        out.push(StorySpan::Words("It breaks at ".to_owned(), Tone::Bad));
+        out.push(StorySpan::Claim(whole.id.to_owned(), Tone::Bad));
+        if need.is_some() {
+            let says = format!(", which needs: {}", reading.claim.says.trim_end_matches('.'));
+            out.push(StorySpan::Prose(says, scope, Tone::Plain));
+        }
+        out.push(words(". "));
     }
-    out.push(words(". "));
     match RefutingMotion::of(reading.claim) {
         Some(motion) => out.extend(motion.says(scope)),
         None if whole.failing().is_none() => out.push(words("The contrary holds.")),

@@ -14,7 +14,7 @@ use findings::conditions::Need;
 use reason::{Proviso, Term};
 
 /// Most hypotheses that are told on page one; more are folded.
-const MOST: usize = 5;
+const MOST: usize = 4;
 /// Longest hypothesis that comes first, in bytes.
 const LONGEST_SHOWN: usize = 70;
 /// Most that are told at all.
