@@ -77,7 +77,7 @@ impl<'a> RefutingMotion<'a> {
 }
 
 /// The formula of a claim that is shown: that of the witness, or of the correction; else the first.
-fn shown_formula<'a>(claim: &'a ClaimAccount, correction: Option<&Correction>) -> usize {
+fn shown_formula(claim: &ClaimAccount, correction: Option<&Correction>) -> usize {
     let dense = |text: &str| text.split_whitespace().collect::<String>();
     let witness = RefutingMotion::of(claim).and_then(|m| m.witness()).map(|w| dense(&w.formula));
     let wanted = correction.map(|c| dense(&c.printed)).or(witness);

@@ -37,7 +37,9 @@ fn put(block: &StoryBlock<'_>, indent: usize, link: &dyn Fn(&str) -> String, out
             if !lines.is_empty() {
                 let body: String = lines.iter().map(|l| format!("{space}{l}\n")).collect();
                 out.push_str(&format!("{space}```text\n{body}{space}```\n\n"));
-                out.push_str(&format!("{space}{}\n\n", line(caption, link)));
+                if !caption.is_empty() {
+                    out.push_str(&format!("{space}{}\n\n", line(caption, link)));
+                }
             }
         }
         StoryBlock::Group(_, blocks) => blocks.iter().for_each(|b| put(b, indent, link, out)),
