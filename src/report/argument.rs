@@ -19,7 +19,7 @@ use crate::derivation::Derivation;
 /// Most conclusions that are told.
 const MOST_CONCLUSIONS: usize = 6;
 /// Most steps of a chain; of a longer one the middle is left out.
-const MOST_STEPS: usize = 6;
+const MOST_STEPS: usize = 5;
 /// Most grounds that are named of a conclusion whose chains are whole.
 const MOST_GROUNDS: usize = 6;
 /// Most conditions that are named.
