@@ -82,6 +82,7 @@ mod number_laws;
 mod package;
 mod package_action;
 mod page;
+mod page_one;
 mod pdf;
 mod planted;
 mod premises;

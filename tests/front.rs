@@ -151,9 +151,13 @@ always = ['x>0']
     for part in [
         "Of 3 claims 2 stand and 1 holds on some motions and fails on others; of the paper's 1 conclusion 1 rests on claims \
          that do not stand.",
-        "A All decays are alike: stands, and rests on unit-law, which does not stand.",
-        "1. The rate is minus x.",
-        "Fails on 1 of 2 motions to which it applies (certified), slow. On it rest conclusion A. [unit-law]",
+        "A All decays are alike (conclusion): stands.",
+        "unit-law ◐ → conclusion ◆.",
+        "1. The rate is minus x. (unit-law)",
+        "printed: \\dot x=-x",
+        "Fails on 1 of 2 motions to which it applies (certified)",
+        "On slow at t=",
+        "On it rest conclusion A.",
         "Encoded by a test. To repeat it: rederive check derivations/decay.toml",
     ] {
         assert!(one_line.contains(part), "`{part}` is missing:\n{text}");

@@ -341,6 +341,7 @@ fn the_table_has_every_writer() {
         "front",
         "front_markdown",
         "front_page",
+        "page_one",
         "printed_page",
         "tex_summary",
     ];

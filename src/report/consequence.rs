@@ -167,6 +167,37 @@ impl<'a> Consequences<'a> {
         &self.conclusions
     }
 
+    /// The letter of a conclusion, by which lines refer to it.
+    pub fn letter(&self, id: &str) -> Option<char> {
+        let at = self.conclusions.iter().position(|c| *c == id)?;
+        char::from_u32(u32::from('A') + u32::try_from(at).ok()?)
+    }
+
+    /// What a claim rests on directly, in the order in which the file says it.
+    pub fn direct_grounds(&self, id: &str) -> Vec<&'a str> {
+        self.names(self.at.get(id).into_iter().flat_map(|at| self.grounds[*at].iter().copied()))
+    }
+
+    /// A shortest chain of steps that leads from a ground to what rests on it, both among them; empty where there is none.
+    pub fn chain(&self, ground: &str, to: &str) -> Vec<&'a str> {
+        let (Some(&from), Some(&to)) = (self.at.get(ground), self.at.get(to)) else { return Vec::new() };
+        let mut next: Vec<Option<usize>> = vec![None; self.ids.len()];
+        let mut open = std::collections::VecDeque::from([to]);
+        while let Some(at) = open.pop_front() {
+            if at == from {
+                let steps = std::iter::successors(Some(from), |at| next[*at].filter(|_| *at != to));
+                return self.names(steps);
+            }
+            for &ground in &self.grounds[at] {
+                if ground != to && next[ground].is_none() {
+                    next[ground] = Some(at);
+                    open.push_back(ground);
+                }
+            }
+        }
+        Vec::new()
+    }
+
     /// How much falls with a claim: conclusions, itself among them, then claims. Larger is heavier.
     pub fn weight(&self, id: &str) -> (usize, usize) {
         let itself = usize::from(self.conclusions.contains(&id));
@@ -224,6 +255,9 @@ mod tests {
         assert_eq!(chain.weight("b"), (1, 2));
         assert_eq!(chain.weight("c"), (0, 0));
         assert_eq!(chain.weight("e"), (1, 0));
+        assert_eq!(chain.chain("a", "d"), ["a", "b", "d"]);
+        assert_eq!((chain.chain("a", "a"), chain.chain("c", "a")), (vec!["a"], vec![]));
+        assert_eq!((chain.letter("d"), chain.letter("e"), chain.letter("a")), (Some('A'), Some('B'), None));
         // In a circle a claim does not carry itself.
         assert_eq!(chain.weight("d"), (1, 2));
     }

@@ -294,14 +294,14 @@ pub(super) struct Whole<'a> {
     pub fate: Fate,
 }
 
-impl Whole<'_> {
+impl<'a> Whole<'a> {
     /// Whether it has readings of which the file names each.
     pub fn is_read(&self) -> bool {
         self.readings.iter().any(|r| r.claim.reading.is_some())
     }
 
     /// The readings from which its fate follows; for what is none of the paper's claims, all.
-    pub fn deciding(&self) -> impl Iterator<Item = &Reading<'_>> {
+    pub fn deciding(&self) -> impl Iterator<Item = &Reading<'a>> {
         self.readings.iter().filter(|r| r.role.decides() || !self.fate.is_of_the_paper())
     }
 
@@ -318,7 +318,7 @@ impl Whole<'_> {
     }
 
     /// The reading that does not hold, of those that decide: one that fails everywhere before one that fails somewhere.
-    pub fn failing(&self) -> Option<&Reading<'_>> {
+    pub fn failing(&self) -> Option<&Reading<'a>> {
         let with = |standing: Standing| self.deciding().find(move |r| r.standing == standing);
         with(Standing::Fails).or_else(|| with(Standing::Mixed))
     }

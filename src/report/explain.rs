@@ -2,7 +2,7 @@
 
 use super::graph::DerivationGraph;
 use super::numbers::{count, size, time, value};
-use super::summary::sides;
+use super::summary::{Digits, sides};
 use super::tally::{declared, name, says};
 use super::text::{Paint, paragraph};
 use super::wording::{one_line, slack_sentence};
@@ -82,6 +82,9 @@ fn about_claim(derivation: &Derivation, claim: &ClaimAccount, graph: &Derivation
         }
         out.push_str(&list("Refuting point", &identity.witness.iter().map(ToString::to_string).collect::<Vec<_>>()));
     }
+    if let Some(text) = super::card::correction_says(claim) {
+        out.push_str(&format!("\n{}", paragraph(&text, 2)));
+    }
     out.push('\n');
     out
 }
@@ -156,7 +159,7 @@ fn about_pair(account: &Account, pair: &PairAccount, paint: Paint) -> String {
     }
     out.push_str(&paragraph(would_change(outcome), 4));
     if let Some(w) = &evidence.witness {
-        out.push_str(&format!("    at t = {}:  {}\n{}", value(w.t), w.formula, sides(w, 6)));
+        out.push_str(&format!("    at t = {}:  {}\n{}", value(w.t), w.formula, sides(w, 6, Digits::All)));
     }
     out.push('\n');
     out

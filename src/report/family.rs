@@ -34,7 +34,7 @@ pub(super) fn compared(claim: &Claim) -> Option<String> {
                 End::MinusInfinity => "-\\infty",
             };
             let name = &across.name;
-            format!("Tends to ${limit}$ as ${name}\\rightarrow{end}$, to within {} by extrapolation", value(to))
+            format!("Tends to ${limit}$ as ${name}\\rightarrow {end}$, to within {} by extrapolation", value(to))
         }
     };
     let when = claim.at.as_ref().map_or("", |at| if at.occasion.count.is_some() { ", when" } else { ", when first" });

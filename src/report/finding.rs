@@ -178,6 +178,10 @@ fn verdict(derivation: &Derivation, claim: &ClaimAccount, group: &Group<'_>) -> 
         message.push(' ');
         message.push_str(&told);
     }
+    if let Some(text) = super::card::correction_says(claim).filter(|_| group.word == "fails") {
+        message.push(' ');
+        message.push_str(&text);
+    }
     Some(Finding {
         rule: rule(group.word),
         level: if group.unexpected { Level::Error } else { Level::Warning },

@@ -1,10 +1,9 @@
-//! The first page of a report: the verdict in one sentence, and what does not stand, the heaviest first.
+//! The sentences of page one: the verdict in one sentence, and what does not stand, the heaviest first.
 //!
-//! **In:** the derivation and its account. **Out:** [`Front`], which terminal, Markdown, page and letter draw in their ways; so
-//! that they cannot tell different stories. Its texts are those of the file and of [`digest`](super::digest); formulas stand
-//! between dollar signs.
+//! **In:** the derivation and its account. **Out:** [`Front`], of which [`page_one`](super::page_one) makes a story. Its texts are those of
+//! the file and of [`digest`](super::digest); formulas stand between dollar signs.
 //!
-//! **Guaranteed:** it fits on one printed page: so many lines are told, the rest is counted.
+//! **Guaranteed:** so many claims are told, the rest is counted.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +11,6 @@ use super::consequence::Consequences;
 use super::digest::{self, Basis, Fate, Whole};
 use super::numbers::count;
 use super::tally::{Standing, name};
-use super::text::{Paint, WIDTH, paragraph};
 use crate::derivation::{ClaimRole, Derivation};
 use findings::{Account, ClaimAccount, IdentityAccount};
 
@@ -21,18 +19,6 @@ const MOST: usize = 14;
 /// Most ids that are named in one line.
 const MOST_NAMED: usize = 4;
 
-/// What the paper concludes, and what became of it.
-pub(super) struct Conclusion {
-    /// A letter, by which lines refer to it.
-    pub letter: char,
-    pub id: String,
-    pub says: String,
-    pub place: Option<String>,
-    pub fate: Fate,
-    /// Claims on which it rests that do not stand.
-    pub without: Vec<String>,
-}
-
 /// A claim that does not stand.
 pub(super) struct Line {
     pub id: String,
@@ -40,6 +26,8 @@ pub(super) struct Line {
     pub place: Option<String>,
     /// Why: a sentence.
     pub reason: String,
+    /// The same without the name of a motion, for what names one with its numbers.
+    pub brief: String,
     /// What falls with it: a sentence, or nothing.
     pub consequence: Option<String>,
 }
@@ -50,7 +38,6 @@ pub(super) struct Front {
     pub verdict: String,
     /// With what strength the others stand: a sentence.
     pub strength: Option<String>,
-    pub conclusions: Vec<Conclusion>,
     /// The heaviest first.
     pub lines: Vec<Line>,
     /// How many more do not stand.
@@ -67,49 +54,33 @@ pub(super) struct Front {
 }
 
 impl Front {
-    /// The first page of an account.
+    /// The sentences on an account.
     pub fn new(derivation: &Derivation, account: &Account) -> Front {
-        let wholes = digest::wholes(derivation, account);
-        let hangs = Consequences::new(derivation);
-        let letter = |id: &str| {
-            let at = hangs.conclusions().iter().position(|c| *c == id)?;
-            char::from_u32(u32::from('A') + u32::try_from(at).ok()?)
-        };
+        Front::of(derivation, account, &digest::wholes(derivation, account), &Consequences::new(derivation))
+    }
+
+    /// The same, of claims that were taken together already.
+    pub fn of(derivation: &Derivation, account: &Account, wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> Front {
         let mut against: Vec<&Whole<'_>> = wholes.iter().filter(|w| w.fate.is_against()).collect();
         // The sort is stable: equals stay in the order of the paper.
         against.sort_by_cached_key(|w| (std::cmp::Reverse(hangs.weight(w.id)), w.fate));
         let more = against.len().saturating_sub(MOST);
-        let conclusion = |id: &&str| {
-            let whole = wholes.iter().find(|w| w.id == *id)?;
-            let grounds: BTreeSet<&str> = match against.is_empty() {
-                true => BTreeSet::new(),
-                false => hangs.grounds_of(id).into_iter().collect(),
-            };
-            Some(Conclusion {
-                letter: letter(id)?,
-                id: whole.id.to_owned(),
-                says: whole.says.clone(),
-                place: whole.place.map(str::to_owned),
-                fate: whole.fate,
-                without: against.iter().filter(|w| grounds.contains(w.id)).map(|w| w.id.to_owned()).collect(),
-            })
-        };
         let line = |whole: &&Whole<'_>| Line {
             id: whole.id.to_owned(),
             says: whole.says.clone(),
             place: whole.place.map(str::to_owned),
-            reason: reason(whole),
-            consequence: consequence(whole, &hangs, letter),
+            reason: reason(whole, MotionName::Said),
+            brief: reason(whole, MotionName::Left),
+            consequence: consequence(whole, hangs),
         };
         let file = project_path(&derivation.file.path);
         Front {
-            verdict: verdict(&wholes, &hangs),
-            strength: strength(&wholes),
-            conclusions: hangs.conclusions().iter().filter_map(conclusion).collect(),
+            verdict: verdict(wholes, hangs),
+            strength: strength(wholes),
             lines: against.iter().take(MOST).map(line).collect(),
             more,
             alarms: alarms(derivation, account),
-            beside: digest::beside(&wholes),
+            beside: digest::beside(wholes),
             author: match &derivation.encoded_by {
                 Some(author) => format!("Encoded by {}.", author.trim_end_matches('.')),
                 None => "Who encoded it is not said in the file.".to_owned(),
@@ -170,8 +141,15 @@ fn strength(wholes: &[Whole<'_>]) -> Option<String> {
     (!parts.is_empty()).then(|| format!("Of those that stand: {}.", parts.join("; ")))
 }
 
+/// Whether a sentence names a motion on which a claim fails.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum MotionName {
+    Said,
+    Left,
+}
+
 /// Why a claim does not stand, in a sentence.
-fn reason(whole: &Whole<'_>) -> String {
+fn reason(whole: &Whole<'_>, name: MotionName) -> String {
     let contrary = whole.readings.iter().find(|r| r.role == ClaimRole::Against && r.standing == Standing::Holds);
     let shown = contrary.map(|r| format!("the contrary holds, {}", r.basis().words()));
     let Some(failing) = whole.failing() else {
@@ -191,7 +169,7 @@ fn reason(whole: &Whole<'_>) -> String {
     let several = pairs.clone().count() > 1 || failing.claim.families.iter().any(|f| f.counts.fails > 1);
     let members = members.map(|(f, member)| format!("member {} of {}", member.number, f.family));
     let mut fails = pairs.map(|pair| pair.trajectory.clone()).chain(members);
-    if let Some(named) = fails.next() {
+    if let Some(named) = fails.next().filter(|_| name == MotionName::Said) {
         let one_of_several = if several || fails.next().is_some() { "e.g. " } else { "" };
         out.push_str(&format!(", {one_of_several}{named}"));
     }
@@ -205,7 +183,8 @@ fn reason(whole: &Whole<'_>) -> String {
 }
 
 /// What falls with a claim, in a sentence.
-fn consequence(whole: &Whole<'_>, hangs: &Consequences<'_>, letter: impl Fn(&str) -> Option<char>) -> Option<String> {
+fn consequence(whole: &Whole<'_>, hangs: &Consequences<'_>) -> Option<String> {
+    let letter = |id: &str| hangs.letter(id);
     let conclusions: Vec<String> =
         hangs.conclusions_of(whole.id).iter().filter_map(|c| letter(c)).map(String::from).collect();
     let claims = hangs.carried_by(whole.id);
@@ -217,9 +196,10 @@ fn consequence(whole: &Whole<'_>, hangs: &Consequences<'_>, letter: impl Fn(&str
         let word = if conclusions.len() == 1 { "conclusion" } else { "conclusions" };
         parts.push(format!("{word} {}", conclusions.join(", ")));
     }
-    if !named.is_empty() {
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-        parts.push(format!("{}{more}", named.join(", ")));
+    if more > 0 {
+        parts.push(count(others.len(), "claim"));
+    } else if !named.is_empty() {
+        parts.push(named.join(", "));
     }
     let itself = if whole.conclusion { "This is a conclusion of the paper. " } else { "" };
     match (parts.is_empty(), itself) {
@@ -302,155 +282,9 @@ pub(super) fn project_path(path: &str) -> String {
     if outside { path.rsplit('/').next().unwrap_or_default().to_owned() } else { path.to_owned() }
 }
 
-/// A text for a terminal: formulas without their dollars.
-fn bare(text: &str) -> String {
-    text.replace('$', "")
-}
-
-/// The first page for a terminal, with escape codes if `colour`.
-pub fn front_page(derivation: &Derivation, account: &Account, colour: bool) -> String {
-    let paint = Paint(colour);
-    let front = Front::new(derivation, account);
-    let mut out = format!("{}\n", paint.bold(&derivation.title));
-    out.push_str(&paragraph(&derivation.concerns, 2));
-    out.push_str(&format!("\n{}", paint.bold(&paragraph(&front.verdict, 0))));
-    for text in front.strength.iter().chain(&front.beside) {
-        out.push_str(&paragraph(text, 0));
-    }
-    for alarm in &front.alarms {
-        out.push_str(&paint.alarm(&paragraph(&format!("! {alarm}"), 0)));
-    }
-    let place = |place: &Option<String>| place.as_ref().map(|p| format!(" ({p})")).unwrap_or_default();
-    if !front.conclusions.is_empty() {
-        out.push_str(&format!("\n{}\n", paint.bold("The paper concludes")));
-        for c in &front.conclusions {
-            let rests = match (c.without.is_empty(), c.fate.is_against()) {
-                (false, false) => {
-                    format!(", and rests on {}, which {} not stand", c.without.join(", "), does(&c.without))
-                }
-                _ => String::new(),
-            };
-            let text = format!(
-                "{}  {}{}: {}{rests}.",
-                c.letter,
-                bare(c.says.trim_end_matches('.')),
-                place(&c.place),
-                c.fate.words(1)
-            );
-            out.push_str(&hanging(&text, 2));
-        }
-    }
-    if !front.lines.is_empty() {
-        out.push_str(&format!("\n{}\n", paint.bold("What does not stand, the heaviest first")));
-    }
-    for (i, line) in front.lines.iter().enumerate() {
-        let head = hanging(&format!("{:>2}. {}{}", i + 1, bare(&line.says), place(&line.place)), 1);
-        out.push_str(&paint.bold(&head));
-        let consequence = line.consequence.as_ref().map(|c| format!(" {c}")).unwrap_or_default();
-        out.push_str(&paragraph(&bare(&format!("{}{consequence} [{}]", line.reason, line.id)), 5));
-    }
-    if front.more > 0 {
-        out.push_str(&format!("     and {} more, in the report\n", front.more));
-    }
-    out.push('\n');
-    out.push_str(&paragraph(
-        &format!("{} To repeat it: {} ({}).", bare(&front.author), front.command, front.version),
-        0,
-    ));
-    out
-}
-
-fn does(ids: &[String]) -> &'static str {
-    if ids.len() == 1 { "does" } else { "do" }
-}
-
-/// A paragraph whose further lines stand deeper than the first.
-fn hanging(text: &str, indent: usize) -> String {
-    let deeper = indent + 3;
-    let first: String = paragraph(text, deeper);
-    let cut = first.char_indices().nth(deeper - indent).map_or(0, |(at, _)| at);
-    debug_assert!(first.lines().all(|l| l.chars().count() <= WIDTH || !l.trim().contains(' ')), "{first}");
-    first[cut..].to_owned()
-}
-
-/// The first page as Markdown.
-pub fn front_markdown(derivation: &Derivation, account: &Account) -> String {
-    use super::markdown::prose;
-    let front = Front::new(derivation, account);
-    let mut out = format!("# {}\n\nWhat is checked: {}\n\n", prose(&derivation.title), prose(&derivation.concerns));
-    out.push_str(&section(&front, |id| format!("`{id}`")));
-    out
-}
-
-/// The part of `report.md` that is the first page; `link` writes the id of a claim.
-pub(super) fn section(front: &Front, link: impl Fn(&str) -> String) -> String {
-    use super::markdown::prose;
-    let mut out = format!("**{}**\n\n", prose(&front.verdict));
-    for text in front.strength.iter().chain(&front.beside) {
-        out.push_str(&format!("{}\n\n", prose(text)));
-    }
-    for alarm in &front.alarms {
-        out.push_str(&format!("**! {}**\n\n", prose(alarm)));
-    }
-    let place = |place: &Option<String>| place.as_ref().map(|p| format!("{}, ", prose(p))).unwrap_or_default();
-    if !front.conclusions.is_empty() {
-        out.push_str("The paper concludes:\n\n");
-        for c in &front.conclusions {
-            let rests = match c.without.is_empty() || c.fate.is_against() {
-                true => String::new(),
-                false => {
-                    let ids: Vec<String> = c.without.iter().map(|id| link(id)).collect();
-                    format!(", and rests on {}, which {} not stand", ids.join(", "), does(&c.without))
-                }
-            };
-            out.push_str(&format!(
-                "- **{}** {} ({}{}): **{}**{rests}.\n",
-                c.letter,
-                prose(&c.says),
-                place(&c.place),
-                link(&c.id),
-                c.fate.words(1)
-            ));
-        }
-        out.push('\n');
-    }
-    if !front.lines.is_empty() {
-        out.push_str("What does not stand, the heaviest first:\n\n");
-    }
-    for (i, line) in front.lines.iter().enumerate() {
-        let consequence = line.consequence.as_ref().map(|c| format!(" {}", prose(c))).unwrap_or_default();
-        out.push_str(&format!(
-            "{}. **{}** ({}{}) {}{consequence}\n",
-            i + 1,
-            prose(&line.says),
-            place(&line.place),
-            link(&line.id),
-            prose(&line.reason),
-        ));
-    }
-    if front.more > 0 {
-        out.push_str(&format!("\nAnd {} more.\n", front.more));
-    }
-    out.push_str(&format!(
-        "\n{} To repeat it: `{}` ({}).\n\n",
-        prose(&front.author),
-        front.command,
-        prose(&front.version)
-    ));
-    out
-}
-
-#[cfg(all(test, debug_assertions))]
+#[cfg(test)]
 mod tests {
-    use super::super::tests::derivation;
     use super::*;
-    use findings::sample;
-
-    #[test]
-    fn the_first_page_of_a_small_account() {
-        insta::assert_snapshot!(front_page(&derivation(), &sample::account(), false));
-        insta::assert_snapshot!(front_markdown(&derivation(), &sample::account()));
-    }
 
     #[test]
     fn no_path_outside_the_project() {
@@ -459,12 +293,5 @@ mod tests {
         assert_eq!(project_path("/home/someone/a.toml"), "a.toml");
         assert_eq!(project_path("../other/a.toml"), "a.toml");
         assert_eq!(project_path("C:\\Users\\a.toml"), "a.toml");
-    }
-
-    #[test]
-    fn further_lines_stand_deeper() {
-        let text = hanging(&format!("A  {}", "word ".repeat(40)), 2);
-        let lines: Vec<&str> = text.lines().collect();
-        assert!(lines[0].starts_with("  A word") && lines[1].starts_with("     word"), "{text}");
     }
 }

@@ -269,7 +269,7 @@ impl DerivationGraph {
         let mut out = String::from(
             "## What follows from what\n\n\
              An arrow leads from what is given to what is said to follow from it. The box says whether it does, for all values: \
-             round when it is proved (“given others” where something on the way is not), six-sided when a point refutes it, with a notch when it is undecided, square when it is \
+             round when it is proved (“given others” where something on the way is not), six-sided when it is no identity, with a notch when it is undecided, square when it is \
              not a question of that kind. Systems are slanted; definitions of symbols have double sides. An arrow to a step \
              that is not proved is dotted.\n\n",
         );
@@ -288,7 +288,7 @@ impl DerivationGraph {
                 (Kind::Claim, Some("proved")) => {
                     format!("([\"{id}<br>{}\"])", node.proof.word().unwrap_or("proved"))
                 }
-                (Kind::Claim, Some("refuted")) => format!("{{{{\"{id}<br>refuted\"}}}}"),
+                (Kind::Claim, Some("refuted")) => format!("{{{{\"{id}<br>no identity\"}}}}"),
                 (Kind::Claim, Some(verdict)) => format!(">\"{id}<br>{verdict}\"]"),
                 (Kind::Claim, None) => format!("[\"{id}\"]"),
             };

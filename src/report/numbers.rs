@@ -12,6 +12,17 @@ pub(super) fn value(x: f64) -> String {
     }
 }
 
+/// A value with six digits: as many as a reader compares.
+pub(super) fn six(x: f64) -> String {
+    value(format!("{x:.5e}").parse().unwrap_or(x))
+}
+
+/// Both sides of a relation with six digits each; with all of them, where six do not tell them apart.
+pub(super) fn both(left: f64, right: f64) -> (String, String) {
+    let (short, long) = ((six(left), six(right)), (value(left), value(right)));
+    if short.0 == short.1 && long.0 != long.1 { long } else { short }
+}
+
 /// A size, of which two digits are enough: 1.2e-14, 0.25.
 pub(super) fn size(x: f64) -> String {
     match x {
@@ -50,6 +61,10 @@ mod tests {
         assert_eq!(value(1.25e-9), "1.25e-9");
         assert_eq!(value(f64::NAN), "no value");
         assert_eq!(value(f64::INFINITY), "inf");
+        assert_eq!(six(2.907906170195047), "2.90791");
+        assert_eq!(six(f64::NAN), "no value");
+        assert_eq!(both(0.1 + 0.2, 0.4), ("0.3".to_owned(), "0.4".to_owned()));
+        assert_eq!(both(1.00000001, 1.0), ("1.00000001".to_owned(), "1".to_owned()));
         assert_eq!(size(0.0), "0");
         assert_eq!(size(1.234e-14), "1.2e-14");
         assert_eq!(size(12.345), "12");

@@ -4,7 +4,6 @@
 //! the section on it.
 
 use super::digest::{self, Fate, Reading, Whole};
-use super::front::Front;
 use super::markdown::{link_to, prose, table};
 use super::numbers::count;
 use super::tally::{Standing, name};
@@ -15,8 +14,8 @@ use findings::{Account, ClaimAccount};
 pub(super) fn section(derivation: &Derivation, account: &Account) -> String {
     let wholes = digest::wholes(derivation, account);
     let of = |fate: Fate| -> Vec<&Whole<'_>> { wholes.iter().filter(|w| w.fate == fate).collect() };
-    let front = Front::new(derivation, account);
-    let mut out = format!("## What was found\n\n{}", super::front::section(&front, link_to));
+    let page_one = super::story::markdown(&super::page_one::blocks(derivation, account), &link_to);
+    let mut out = format!("## What was found\n\n{page_one}");
     if let Some(remark) = &derivation.remark {
         out.push_str(&format!("> Remark of the file: {}\n\n", prose(remark)));
     }

@@ -1,7 +1,7 @@
 //! What `rederive check` prints: the matrix of verdicts, what differs, what fails, and the counts.
 
 use super::finding::{self, Finding};
-use super::numbers::{count, size, time, value};
+use super::numbers::{both, count, six, size, time, value};
 use super::tally::{Group, glyph, groups, name, says};
 use super::text::{Paint, WIDTH, fitted, paragraph, wrapped};
 use super::{discrimination, family, region};
@@ -22,11 +22,11 @@ const OTHERS_SHOWN: usize = 6;
 /// The most trajectories of which a measurement is shown; with one more, that one is shown, too.
 const MEASURED_SHOWN: usize = 6;
 
-/// The summary of one derivation, with escape codes if `colour`: the first page, what differs, what is open, and the counts.
-/// With `whole` the matrix of verdicts, every failure, and all that was found beside the verdicts.
+/// The summary of one derivation, with escape codes if `colour`: page one, what differs, what is open, and the counts.
+/// With `whole` the matrix of all verdicts, every failure, and all that was found beside the verdicts.
 pub fn summary(derivation: &Derivation, account: &Account, colour: bool, whole: bool) -> String {
     let paint = Paint(colour);
-    let mut out = super::front::front_page(derivation, account, colour);
+    let mut out = super::page_one::front_page(derivation, account, colour);
     out.push('\n');
     let most = if whole { usize::MAX } else { MOST_BLOCKS };
     let blocks = |title: &str, wanted: &dyn Fn(&Group<'_>) -> bool, most: usize| {
@@ -36,13 +36,21 @@ pub fn summary(derivation: &Derivation, account: &Account, colour: bool, whole: 
     if whole {
         out.push_str(&matrix(account, paint));
     }
-    let told = if whole { Told::All } else { Told::Failing };
+    let told = if whole { Told::All } else { Told::Unexpected };
     out.push_str(&region::terminal(derivation, account, paint, whole || account.claims.len() <= MOST_BLOCKS));
     out.push_str(&families(derivation, account, paint, told));
     out.push_str(&blocks("Differs from what is expected", &|g| g.unexpected, usize::MAX));
     out.push_str(&alone(derivation, account, paint));
-    out.push_str(&blocks("Fails, as expected", &known("fails"), most));
-    out.push_str(&blocks("Undecided", &known("undecided"), most));
+    if whole {
+        out.push_str(&blocks("Fails, as expected", &known("fails"), most));
+    }
+    match whole {
+        true => out.push_str(&blocks("Undecided", &known("undecided"), most)),
+        false => {
+            out.push_str(&blocks("Undecided", &|g| g.word == "undecided" && g.expected.is_none(), most));
+            out.push_str(&left_open(account, paint));
+        }
+    }
     out.push_str(&super::units::terminal(&account.units, paint));
     out.push_str(&problems(account, paint));
     if whole {
@@ -99,7 +107,7 @@ pub(super) fn on_family(
         match &of.member.verdict.evidence().witness {
             Some(witness) => {
                 out.push_str(&format!("      at t = {}:  {}\n", time(witness.t), witness.formula));
-                out.push_str(&sides(witness, 6));
+                out.push_str(&sides(witness, 6, Digits::Six));
             }
             None => out.extend(of.seen.iter().map(|text| paragraph(&bare(text), 6))),
         }
@@ -118,8 +126,6 @@ pub(super) fn on_family(
 enum Told {
     /// All.
     All,
-    /// Those with a member on which the claim fails, and those that differ or are open.
-    Failing,
     /// Those that differ from what is expected, or are open without being expected to.
     Unexpected,
 }
@@ -127,10 +133,7 @@ enum Told {
 /// The families in the terminal. Where one differs, or is open without being expected to, its members are given to paste.
 fn families(derivation: &Derivation, account: &Account, paint: Paint, told: Told) -> String {
     let open = |f: &FamilyAccount| f.verdict.outcome().word() == "undecided" && f.expected.is_none();
-    let wanted = |f: &&FamilyAccount| {
-        let failing = f.counts.fails > 0 && told == Told::Failing;
-        told == Told::All || failing || f.is_unexpected() || open(f)
-    };
+    let wanted = |f: &&FamilyAccount| told == Told::All || f.is_unexpected() || open(f);
     let mut body = String::new();
     let mut number = 0;
     for claim in &account.claims {
@@ -189,6 +192,23 @@ fn cell(claim: &ClaimAccount, trajectory: &str, paint: Paint) -> String {
     }
 }
 
+/// What is undecided as the file expects, a line for each claim.
+fn left_open(account: &Account, paint: Paint) -> String {
+    let mut lines = Vec::new();
+    for claim in &account.claims {
+        for group in groups(claim).iter().filter(|g| g.word == "undecided" && g.expected == Some("undecided")) {
+            let first = group.pairs.first().map_or("", |p| p.trajectory.as_str());
+            let of = format!("{} of {}", group.pairs.len(), count(claim.results.len(), "trajectory"));
+            lines.push(format!("  {}  on {of}, e.g. {first}\n", name(claim)));
+        }
+    }
+    let more = lines.len().saturating_sub(MOST_BLOCKS);
+    let body = lines.iter().take(MOST_BLOCKS).map(String::as_str).collect::<String>();
+    let rest = if more > 0 { format!("  and {more} more, in the report\n") } else { String::new() };
+    let title = paint.bold("Undecided, as expected");
+    if body.is_empty() { body } else { format!("{title} ({})\n\n{body}{rest}\n", lines.len()) }
+}
+
 /// One block for each group of pairs that is wanted.
 fn blocks(
     derivation: &Derivation,
@@ -231,6 +251,9 @@ fn block(derivation: &Derivation, claim: &ClaimAccount, group: &Group<'_>, paint
     let place = claim.place.as_ref().map(|p| format!(" ({p})")).unwrap_or_default();
     out.push_str(&paragraph(&format!("{}{place}", says(derivation, claim)), 4));
     out.push_str(&telling_point(telling, 4));
+    if let Some(text) = super::card::correction_says(claim).filter(|_| group.word == "fails") {
+        out.push_str(&paragraph(&text, 4));
+    }
     let others: Vec<&str> =
         group.pairs.iter().map(|p| p.trajectory.as_str()).filter(|t| *t != telling.trajectory).collect();
     if !others.is_empty() {
@@ -267,7 +290,7 @@ fn telling_point(pair: &PairAccount, indent: usize) -> String {
             } else {
                 out.push_str(&format!("{space}{place}  {}\n", witness.formula));
             }
-            out.push_str(&sides(witness, indent + 2));
+            out.push_str(&sides(witness, indent + 2, Digits::Six));
         }
         (None, Some(r)) if evidence.reason.is_none() => out.push_str(&format!(
             "{space}{}: largest residual {} at t = {}, error bound {}, {}\n",
@@ -282,16 +305,20 @@ fn telling_point(pair: &PairAccount, indent: usize) -> String {
     out
 }
 
-/// Both sides of an equation at a witness, and what they depend on.
-pub(super) fn sides(witness: &Witness, indent: usize) -> String {
+/// Both sides of an equation at a witness, and what they depend on: with all digits, or with as many as tell them apart.
+pub(super) fn sides(witness: &Witness, indent: usize, digits: Digits) -> String {
     let space = " ".repeat(indent);
     let difference = format!("difference {}, ", size(witness.difference()));
-    let mut out = format!("{space}left   {}\n", value(witness.left));
-    out.push_str(&format!("{space}right  {}\n", value(witness.right)));
+    let (left, right) = match digits {
+        Digits::All => (value(witness.left), value(witness.right)),
+        Digits::Six => both(witness.left, witness.right),
+    };
+    let mut out = format!("{space}left   {left}\n{space}right  {right}\n");
     out.push_str(&format!("{space}{difference}error bound {}\n", size(witness.bound)));
+    let shown = |x: f64| if digits == Digits::All { value(x) } else { six(x) };
     if !witness.values.is_empty() {
         let mut words: Vec<String> =
-            witness.values.iter().take(VALUES_SHOWN).map(|(n, v)| format!("{n} = {};", value(*v))).collect();
+            witness.values.iter().take(VALUES_SHOWN).map(|(n, v)| format!("{n} = {};", shown(*v))).collect();
         if witness.values.len() > VALUES_SHOWN {
             words.push("…".into());
         }
@@ -300,6 +327,15 @@ pub(super) fn sides(witness: &Witness, indent: usize) -> String {
         out.push('\n');
     }
     out
+}
+
+/// How many digits of a number are printed.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Digits {
+    /// Those with which it can be computed again.
+    All,
+    /// Six, where they tell both sides apart.
+    Six,
 }
 
 fn measurements(derivation: &Derivation, account: &Account, paint: Paint) -> String {

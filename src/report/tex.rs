@@ -9,7 +9,6 @@
 
 use super::digest::{self, Fate, Whole};
 use super::form::{Heading, heading};
-use super::front::Front;
 use super::graph::DerivationGraph;
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, declared, groups, name, says};
@@ -68,7 +67,7 @@ fn findings(derivation: &Derivation, account: &Account, out: &mut String) {
     let wholes = digest::wholes(derivation, account);
     let s = account.summary();
     out.push_str("\\subsection*{What was found}\n\n");
-    front_page(derivation, account, out);
+    out.push_str(&super::story::tex(&super::page_one::blocks(derivation, account)));
     if let Some(remark) = &derivation.remark {
         out.push_str(&format!("\\emph{{Remark of the file:}} {}\n\n", prose(remark, scope)));
     }
@@ -117,58 +116,9 @@ pub fn tex_summary(derivation: &Derivation, account: &Account) -> String {
     let mut out = PREAMBLE.replace("11pt", "10pt").replace("margin=25mm", "margin=20mm");
     out.push_str(&format!("\\section*{{{}}}\n\n", prose(&derivation.title, scope)));
     out.push_str(&format!("What is checked: {}\n\n", prose(&derivation.concerns, scope)));
-    front_page(derivation, account, &mut out);
+    out.push_str(&super::story::tex(&super::page_one::blocks(derivation, account)));
     out.push_str("\\end{document}\n");
     out
-}
-
-/// The verdict, the conclusions, and what does not stand.
-fn front_page(derivation: &Derivation, account: &Account, out: &mut String) {
-    let scope = &derivation.scope;
-    let front = Front::new(derivation, account);
-    out.push_str(&format!("\\textbf{{{}}}\n\n", prose(&front.verdict, scope)));
-    for text in front.strength.iter().chain(&front.beside) {
-        out.push_str(&format!("{}\n\n", prose(text, scope)));
-    }
-    for alarm in &front.alarms {
-        out.push_str(&format!("\\textbf{{! {}}}\n\n", prose(alarm, scope)));
-    }
-    let place = |place: &Option<String>| place.as_ref().map(|p| format!(" ({})", prose(p, scope))).unwrap_or_default();
-    let tight = "\\setlength{\\itemsep}{1pt}\\setlength{\\parskip}{0pt}\n";
-    if !front.conclusions.is_empty() {
-        out.push_str(&format!("The paper concludes:\n\\begin{{itemize}}{tight}"));
-        for c in &front.conclusions {
-            let rests = match c.without.is_empty() || c.fate.is_against() {
-                true => String::new(),
-                false => format!(", and rests on {}", escaped(&c.without.join(", "))),
-            };
-            let (says, place) = (prose(&c.says, scope), place(&c.place));
-            out.push_str(&format!("\\item[{}] {says}{place}: \\textbf{{{}}}{rests}.\n", c.letter, c.fate.words(1)));
-        }
-        out.push_str("\\end{itemize}\n\n");
-    }
-    if !front.lines.is_empty() {
-        out.push_str(&format!("What does not stand, the heaviest first:\n\\begin{{enumerate}}{tight}"));
-        for line in &front.lines {
-            let consequence = line.consequence.as_ref().map(|c| format!(" {}", prose(c, scope))).unwrap_or_default();
-            out.push_str(&format!(
-                "\\item \\textbf{{{}}}{} {}{consequence}\n",
-                prose(&line.says, scope),
-                place(&line.place),
-                prose(&line.reason, scope)
-            ));
-        }
-        out.push_str("\\end{enumerate}\n");
-        if front.more > 0 {
-            out.push_str(&format!("And {} more.\n\n", front.more));
-        }
-    }
-    out.push_str(&format!(
-        "\n{} To repeat it: \\texttt{{{}}} ({}).\n\n",
-        prose(&front.author, scope),
-        escaped(&front.command),
-        escaped(&front.version)
-    ));
 }
 
 /// An item of the list of claims; for one that does not stand, what became of each reading, and why.
@@ -345,7 +295,7 @@ fn power(number: &str) -> String {
 }
 
 /// A formula inside a line.
-fn inline(text: &str, scope: &Scope) -> String {
+pub(super) fn inline(text: &str, scope: &Scope) -> String {
     match latex::parse(text, scope) {
         Ok(chains) => {
             let all: Vec<String> = chains.iter().map(|c| format!("${}$", syntax::to_latex(c))).collect();
@@ -371,7 +321,7 @@ fn label(text: &str, scope: &Scope) -> String {
 }
 
 /// A text of the file: `$…$` and `` `…` `` are formulas where they can be read as such.
-fn prose(text: &str, scope: &Scope) -> String {
+pub(super) fn prose(text: &str, scope: &Scope) -> String {
     let written = |part: &Part<'_>| match part {
         Part::Words(words) => escaped(words),
         Part::Formula(text) => inline(text, scope),
@@ -380,7 +330,7 @@ fn prose(text: &str, scope: &Scope) -> String {
 }
 
 /// Text in which nothing is a command.
-fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     let mut out = String::new();
     for c in text.chars() {
         match c {

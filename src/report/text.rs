@@ -19,13 +19,25 @@ impl Paint {
     pub fn faint(self, text: &str) -> String {
         self.with("2", text)
     }
+    /// What holds.
+    pub fn good(self, text: &str) -> String {
+        self.with("32", text)
+    }
+    /// What fails.
+    pub fn bad(self, text: &str) -> String {
+        self.with("31", text)
+    }
+    /// What is open.
+    pub fn open(self, text: &str) -> String {
+        self.with("33", text)
+    }
     /// A text in the colour of a verdict.
     pub fn verdict(self, outcome: Outcome, text: &str) -> String {
         match outcome {
-            Outcome::Holds(_) => self.with("32", text),
-            Outcome::Fails(_) => self.with("31", text),
-            Outcome::NotApplicable(_) => self.with("2", text),
-            Outcome::Undecided => self.with("33", text),
+            Outcome::Holds(_) => self.good(text),
+            Outcome::Fails(_) => self.bad(text),
+            Outcome::NotApplicable(_) => self.faint(text),
+            Outcome::Undecided => self.open(text),
         }
     }
     /// A text that asks for attention.

@@ -19,7 +19,21 @@ pub(super) fn one_line(text: &str) -> String {
     format!("{}{words}{end}", edge(text.chars().next()))
 }
 
-/// The parts of a text: `$…$` and `` `…` `` are formulas.
+/// Whether a text between backticks is an id of a file, and no formula: words of small letters, put together with strokes, points and
+/// slashes. A product of single letters is no word.
+pub(super) fn is_id(text: &str) -> bool {
+    let is_word = |part: &str| {
+        let letters = part.bytes().take_while(u8::is_ascii_lowercase).count();
+        let rest = &part[letters..];
+        letters > 2 || (letters > 0 && !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()))
+    };
+    let small = |b: u8| b.is_ascii_lowercase() || b.is_ascii_digit() || b"-./".contains(&b);
+    text.starts_with(|c: char| c.is_ascii_lowercase())
+        && text.bytes().all(small)
+        && text.split(['-', '.', '/']).any(is_word)
+}
+
+/// The parts of a text: `$…$` is a formula, and so is `` `…` ``, unless it is an id.
 pub(super) fn parts(text: &str) -> Vec<Part<'_>> {
     let mut out = Vec::new();
     let mut rest = text;
@@ -27,7 +41,8 @@ pub(super) fn parts(text: &str) -> Vec<Part<'_>> {
         let (mark, after) = (&rest[start..=start], &rest[start + 1..]);
         let Some(end) = after.find(mark).filter(|end| *end > 0) else { break };
         out.push(Part::Words(&rest[..start]));
-        out.push(Part::Formula(&after[..end]));
+        let inner = &after[..end];
+        out.push(if mark == "`" && is_id(inner) { Part::Words(inner) } else { Part::Formula(inner) });
         rest = &after[end + 1..];
     }
     out.push(Part::Words(rest));
@@ -106,6 +121,19 @@ mod tests {
         assert_eq!(parts("costs 3$ or `"), [Words("costs 3$ or `")]);
         assert_eq!(parts("$$"), [Words("$$")]);
         assert!(parts("").is_empty());
+        assert_eq!(parts("given `start-is-a-rotation`."), [Words("given "), Words("start-is-a-rotation"), Words(".")]);
+    }
+
+    #[test]
+    fn an_id_is_no_formula() {
+        for id in
+            ["start-is-a-rotation", "t10", "energy", "t8/with-unit-start", "t7.1", "reduced-phi/given-the-relation"]
+        {
+            assert!(is_id(id), "{id}");
+        }
+        for formula in ["x", "xy", "x-y", "a/b", "ab-cd", "2x", r"\alpha", "x^2", "q(0)", "X1", "x_1"] {
+            assert!(!is_id(formula), "{formula}");
+        }
     }
 
     #[test]

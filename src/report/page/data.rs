@@ -225,12 +225,15 @@ struct Data<'a> {
 /// one after the other.
 pub(super) fn json(derivation: &Derivation, account: &Account, folds: &[String]) -> String {
     let columns = account.columns();
+    let pairs: usize = account.claims.iter().map(|c| c.results.len()).sum();
+    // A page of thousands of curves is read for its verdicts: of each curve half is enough there.
+    let others = if pairs > super::MOST_PAIRS { 2 } else { 1 };
     let of_claim = |claim: &ClaimAccount| {
         let declared = declared(derivation, claim);
         let mut labels = Labels { scope: declared.map_or(&derivation.scope, |d| &d.scope), known: HashMap::new() };
         let pairs = claim.results.iter().filter_map(|pair| {
             let &at = columns.get(pair.trajectory.as_str())?;
-            Some((at.to_string(), packed(account.trajectories[at].span, declared, pair, &mut labels)?))
+            Some((at.to_string(), packed(account.trajectories[at].span, declared, pair, &mut labels, others)?))
         });
         let pairs: Vec<_> = pairs.collect();
         let event = declared.and_then(|d| Some((d, d.at.as_ref()?)));
@@ -299,6 +302,7 @@ fn packed<'a>(
     declared: Option<&Claim>,
     pair: &'a PairAccount,
     labels: &mut Labels<'a>,
+    others: usize,
 ) -> Option<Pair> {
     let evidence = pair.verdict.evidence();
     // Events are few: they are shown on the whole span of the motion, and one is enough.
@@ -307,7 +311,11 @@ fn packed<'a>(
     let drawn = evidence.series.as_deref().filter(|s| s.points.len() > usize::from(!at_events));
     // What holds is the same line twice: fewer samples say it.
     let holds = matches!(pair.verdict.outcome(), findings::Outcome::Holds(_));
-    let thin = if holds && !at_events { THIN } else { 1 };
+    let thin = match (at_events, holds) {
+        (true, _) => 1,
+        (false, true) => THIN,
+        (false, false) => others,
+    };
     let curves = drawn.map(|s| curves(s, span, labels.of(&s.formula), thin));
     let worst = evidence.residual.as_ref().map(|r| [r.at, r.max, r.bound].map(short));
     let witness = evidence.witness.as_ref().map(|w| {

@@ -3,9 +3,10 @@
 use maud::{Markup, html};
 
 use super::super::digest::{self, Fate, Reading, Whole};
-use super::super::front::Front;
 use super::super::graph::ProofStanding;
 use super::super::numbers::count;
+use super::super::page_one;
+use super::super::story;
 use super::super::tally::{Standing, name};
 use super::text::prose;
 use crate::derivation::Derivation;
@@ -19,7 +20,7 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
     html! {
         section id="/findings" {
             h2 { "What was found" }
-            (front(&Front::new(derivation, account), &derivation.scope))
+            (front(derivation, account))
             ul.counts aria-label="What became of the claims" {
                 @for fate in Fate::TOLD {
                     @let n = of(fate).len();
@@ -46,48 +47,9 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
     }
 }
 
-/// The first page: it is printed by itself.
-pub(super) fn front(front: &Front, scope: &Scope) -> Markup {
-    let link = |id: &str| html! { a href={ "#" (id) } { (id) } };
-    let place = |place: &Option<String>| html! { @if let Some(p) = place { (prose(p, scope)) ", " } };
-    html! {
-        div.front id="/front" {
-            p.headline { (prose(&front.verdict, scope)) }
-            @for text in front.strength.iter().chain(&front.beside) { p { (prose(text, scope)) } }
-            @for alarm in &front.alarms { p { strong.alarm { "! " (prose(alarm, scope)) } } }
-            @if !front.conclusions.is_empty() {
-                h3 { "The paper concludes" }
-                ul.concludes {
-                    @for c in &front.conclusions {
-                        li {
-                            b { (c.letter) } " " (prose(&c.says, scope)) " "
-                            span.quiet { "(" (place(&c.place)) (link(&c.id)) ")" } ": " b class=(c.fate.key()) { (c.fate.words(1)) }
-                            @if !c.without.is_empty() && !c.fate.is_against() {
-                                ", and rests on "
-                                @for (i, id) in c.without.iter().enumerate() { @if i > 0 { ", " } (link(id)) }
-                            }
-                            "."
-                        }
-                    }
-                }
-            }
-            @if !front.lines.is_empty() {
-                h3 { "What does not stand, the heaviest first" }
-                ol.against {
-                    @for line in &front.lines {
-                        li {
-                            b { (prose(&line.says, scope)) } " "
-                            span.quiet { "(" (place(&line.place)) a href={ "#/why/" (line.id) } { (line.id) } ")" } " "
-                            (prose(&line.reason, scope))
-                            @if let Some(c) = &line.consequence { " " (prose(c, scope)) }
-                        }
-                    }
-                }
-                @if front.more > 0 { p.quiet { "And " (front.more) " more, below." } }
-            }
-            p.quiet { (prose(&front.author, scope)) " To repeat it: " code { (front.command) } " (" (front.version) ")." }
-        }
-    }
+/// Page one: it is printed by itself.
+pub(super) fn front(derivation: &Derivation, account: &Account) -> Markup {
+    html! { div.front id="/front" { (story::html(&page_one::blocks(derivation, account))) } }
 }
 
 /// The counts of all pairs, in a sentence.

@@ -27,7 +27,7 @@ mod reasons;
 mod region;
 mod reuse;
 mod support;
-mod text;
+pub(super) mod text;
 mod tight;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -103,10 +103,9 @@ fn header(derivation: &Derivation, contents_of: Option<&Account>) -> Markup {
 
 /// The first page alone, to be printed.
 pub fn first_page(derivation: &Derivation, account: &Account) -> String {
-    let scope = &derivation.scope;
     let body = html! {
         (header(derivation, None))
-        main id="/main" { (findings::front(&super::front::Front::new(derivation, account), scope)) }
+        main id="/main" { (findings::front(derivation, account)) }
     };
     framed(derivation, &body, None)
 }

@@ -12,7 +12,7 @@ use reason::Proviso;
 const LONG: usize = 40;
 
 /// A text: `$…$` is a formula, `` `…` `` too, where it is one; everything else is shown as it is.
-pub(super) fn prose(text: &str, scope: &Scope) -> Markup {
+pub(in super::super) fn prose(text: &str, scope: &Scope) -> Markup {
     let mut out = String::new();
     for part in wording::parts(&wording::one_line(text)) {
         match part {
@@ -40,7 +40,7 @@ pub(super) fn reason(text: &str, scope: &Scope) -> Markup {
 }
 
 /// A formula inside a line; code, where the text is no formula of the language.
-pub(super) fn formula(text: &str, scope: &Scope) -> Markup {
+pub(in super::super) fn formula(text: &str, scope: &Scope) -> Markup {
     if let Some(math) = mathml::inline(text, scope) {
         // A formula is not broken into lines: on a narrow screen a long one is moved sideways.
         return match text.len() > LONG {
@@ -109,10 +109,11 @@ fn commandless(text: &str) -> String {
             "cdot" => "·",
             "sqrt" => "√",
             "ldots" => "…",
+            "rightarrow" | "to" => "→",
             "bf" | "boldsymbol" | "left" | "right" | "" => "",
             name => mathml::letter(name).unwrap_or(name),
         });
-        rest = if command == "partial" { after.trim_start() } else { after };
+        rest = if ["partial", "rightarrow", "to"].contains(&command) { after.trim_start() } else { after };
     }
     out.push_str(rest);
     out
@@ -265,6 +266,7 @@ mod tests {
             (r"\theta", "θ"),
             (r"\frac{\partial u}{\partial t}+6u=\frac{a+1}{b}", "∂u/∂t+6u=(a+1)/b"),
             (r"\nabla^2u=\frac{1", "∇²u=frac1"),
+            (r"q\rightarrow 0", "q→0"),
             ("x_", "x_"),
             ("", ""),
         ] {

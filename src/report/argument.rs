@@ -1,0 +1,193 @@
+//! What a paper concludes, with the chain of steps under each conclusion, and where it breaks.
+//!
+//! **In:** the claims with their readings, and what rests on what. **Out:** for each conclusion its sentence, what became of it, under
+//! which condition, and the shortest chain from the heaviest break to the conclusion; a witness of each break, once.
+//!
+//! A step breaks a chain if it does not stand, or if what the paper needs of it fails.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::card::RefutingMotion;
+use super::consequence::Consequences;
+use super::digest::{Fate, Whole};
+use super::motion_matrix::{failing_need, fate_shape};
+use super::numbers::count;
+use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, quiet, words};
+use super::tally::{Standing, declared};
+use crate::derivation::Derivation;
+
+/// Most conclusions that are told.
+const MOST_CONCLUSIONS: usize = 6;
+/// Most steps of a chain; of a longer one the middle is left out.
+const MOST_STEPS: usize = 5;
+/// Most grounds that are named of a conclusion whose chains are whole.
+const MOST_GROUNDS: usize = 6;
+/// Most conditions that are named.
+const MOST_CONDITIONS: usize = 3;
+
+/// The claims of a file by their ids.
+type ById<'w, 'a> = BTreeMap<&'a str, &'w Whole<'a>>;
+
+/// Whether a step breaks the chains that go through it.
+fn breaks(whole: &Whole<'_>) -> bool {
+    whole.fate.is_against() || failing_need(whole).is_some()
+}
+
+/// The conclusions with their chains. Where a file names no conclusion, what its steps lead to. The witness of the claim that is `shown`
+/// stands elsewhere on the page.
+pub(super) fn blocks<'a>(
+    derivation: &'a Derivation,
+    wholes: &[Whole<'a>],
+    hangs: &Consequences<'a>,
+    shown: Option<&str>,
+) -> Vec<StoryBlock<'a>> {
+    let by_id: ById<'_, 'a> = wholes.iter().map(|w| (w.id, w)).collect();
+    let named = hangs.conclusions();
+    let title = if named.is_empty() { "Where the steps lead" } else { "The paper concludes" };
+    let ends: Vec<&'a str> = if named.is_empty() { ends(wholes, hangs) } else { named.to_vec() };
+    let mut out = vec![StoryBlock::Heading(title.to_owned())];
+    let mut told: BTreeSet<&'a str> = wholes.iter().map(|w| w.id).filter(|id| Some(*id) == shown).collect();
+    let shown = ends.iter().take(MOST_CONCLUSIONS).filter_map(|id| by_id.get(id));
+    let items: Vec<StoryItem<'a>> = shown.map(|whole| item(derivation, whole, &by_id, hangs, &mut told)).collect();
+    if items.is_empty() {
+        let says = "The file says of no claim that it is a conclusion, or that it follows from another.";
+        out.push(StoryBlock::Paragraph(vec![quiet(says)]));
+        return out;
+    }
+    out.push(StoryBlock::List(items));
+    let more = ends.len().saturating_sub(MOST_CONCLUSIONS);
+    if more > 0 {
+        out.push(StoryBlock::Paragraph(vec![quiet(format!("And {} more.", count(more, "conclusion")))]));
+    }
+    out
+}
+
+/// What rests on something and carries nothing, the longest argument first.
+fn ends<'a>(wholes: &[Whole<'a>], hangs: &Consequences<'_>) -> Vec<&'a str> {
+    let of_paper = wholes.iter().filter(|w| w.fate.is_of_the_paper());
+    let is_end = |w: &&Whole<'_>| hangs.directly_on(w.id).is_empty() && !hangs.direct_grounds(w.id).is_empty();
+    let mut out: Vec<&Whole<'a>> = of_paper.filter(is_end).collect();
+    out.sort_by_cached_key(|w| std::cmp::Reverse(hangs.grounds_of(w.id).len()));
+    out.into_iter().map(|w| w.id).collect()
+}
+
+fn item<'a>(
+    derivation: &'a Derivation,
+    whole: &Whole<'a>,
+    by_id: &ById<'_, 'a>,
+    hangs: &Consequences<'a>,
+    told: &mut BTreeSet<&'a str>,
+) -> StoryItem<'a> {
+    let scope = &derivation.scope;
+    let says = whole.says.trim_end_matches('.').to_owned();
+    let mut line = vec![StorySpan::Prose(says, scope, Tone::Plain), quiet(" (")];
+    line.extend([StorySpan::Claim(whole.id.to_owned(), Tone::Plain), quiet("): ")]);
+    let tone = match whole.fate {
+        Fate::Fails | Fate::Partly => Tone::Bad,
+        Fate::Stands => Tone::Good,
+        _ => Tone::Open,
+    };
+    line.push(StorySpan::Words(whole.fate.words(1).to_owned(), tone));
+    line.extend(condition(derivation, whole));
+    line.push(words("."));
+    let mut broken: Vec<&&Whole<'a>> =
+        hangs.grounds_of(whole.id).into_iter().filter_map(|id| by_id.get(id)).filter(|w| breaks(w)).collect();
+    broken.sort_by_cached_key(|w| (!w.fate.is_against(), std::cmp::Reverse(hangs.weight(w.id))));
+    let mark = hangs.letter(whole.id).map(String::from).unwrap_or_default();
+    let below = match broken.first() {
+        None => grounds(whole, by_id, hangs),
+        Some(first) => {
+            let mut line = chain(&hangs.chain(first.id, whole.id), by_id);
+            if broken.len() > 1 {
+                line.push(quiet(format!("; {}", count(broken.len(), "break"))));
+            }
+            line.push(words(". "));
+            // A conclusion that fails itself shows its own point; each break is shown once.
+            let shown: &Whole<'a> = if whole.fate.is_against() { whole } else { first };
+            if told.insert(shown.id) {
+                line.extend(break_says(derivation, shown));
+            }
+            line
+        }
+    };
+    StoryItem { mark, line, below: vec![StoryBlock::Group("chain", vec![StoryBlock::Paragraph(below)])] }
+}
+
+/// Under which condition a sentence stands: what all its readings that hold assume.
+fn condition<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<StorySpan<'a>> {
+    let holding: Vec<_> = whole.deciding().filter(|r| r.standing == Standing::Holds).collect();
+    let Some(first) = holding.first().filter(|_| whole.fate == Fate::Stands) else { return Vec::new() };
+    let scope = declared(derivation, first.claim).map_or(&derivation.scope, |d| &d.scope);
+    let common = first.claim.assumptions.iter().filter(|a| holding.iter().all(|r| r.claim.assumptions.contains(a)));
+    let all: Vec<Vec<StorySpan<'a>>> =
+        common.take(MOST_CONDITIONS).map(|a| vec![StorySpan::Math(a.clone(), scope)]).collect();
+    if all.is_empty() {
+        return Vec::new();
+    }
+    let mut out = vec![words(", for ")];
+    out.extend(joined(all, ", "));
+    out
+}
+
+fn link<'a>(id: &'a str, by_id: &ById<'_, 'a>) -> Vec<StorySpan<'a>> {
+    let Some(whole) = by_id.get(id) else { return vec![StorySpan::Claim(id.to_owned(), Tone::Plain)] };
+    let tone = if breaks(whole) { Tone::Bad } else { Tone::Plain };
+    let shape = fate_shape(whole);
+    vec![StorySpan::Claim(id.to_owned(), tone), words("\u{a0}"), StorySpan::Shape(shape)]
+}
+
+/// A chain from its ground up.
+fn chain<'a>(ids: &[&'a str], by_id: &ById<'_, 'a>) -> Vec<StorySpan<'a>> {
+    let steps: Vec<Vec<StorySpan<'a>>> = match ids.len() > MOST_STEPS {
+        false => ids.iter().map(|id| link(id, by_id)).collect(),
+        true => {
+            let (first, last) = (&ids[..MOST_STEPS - 2], &ids[ids.len() - 1..]);
+            let left = vec![quiet(format!("… {} more …", ids.len() - first.len() - last.len()))];
+            let ends = |of: &[&'a str]| of.iter().map(|id| link(id, by_id)).collect::<Vec<_>>();
+            ends(first).into_iter().chain([left]).chain(ends(last)).collect()
+        }
+    };
+    joined(steps, " → ")
+}
+
+/// What a conclusion rests on, where nothing of it is broken.
+fn grounds<'a>(whole: &Whole<'a>, by_id: &ById<'_, 'a>, hangs: &Consequences<'a>) -> Vec<StorySpan<'a>> {
+    let all = hangs.grounds_of(whole.id);
+    let direct = hangs.direct_grounds(whole.id);
+    if direct.is_empty() {
+        return vec![quiet("Rests on no other claim of the file.")];
+    }
+    let mut out = vec![quiet("Rests on ")];
+    out.extend(joined(direct.iter().take(MOST_GROUNDS).map(|id| link(id, by_id)), ", "));
+    let more = all.len().saturating_sub(direct.len().min(MOST_GROUNDS));
+    if more > 0 {
+        out.push(quiet(format!(" and, through them or beside them, {more} more")));
+    }
+    out.push(quiet("; no step of the chain is refuted."));
+    out
+}
+
+/// One witness of why a step breaks.
+fn break_says<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<StorySpan<'a>> {
+    let need = failing_need(whole).filter(|_| !whole.fate.is_against());
+    let reading = need.or_else(|| whole.failing()).or(whole.readings.first());
+    let Some(reading) = reading else { return Vec::new() };
+    let scope = declared(derivation, reading.claim).map_or(&derivation.scope, |d| &d.scope);
+    // A conclusion that fails is said to fail: here is where.
+    let mut out = Vec::new();
+    if !whole.conclusion {
+        out.push(StorySpan::Words("It breaks at ".to_owned(), Tone::Bad));
+        out.push(StorySpan::Claim(whole.id.to_owned(), Tone::Bad));
+        if need.is_some() {
+            let says = format!(", which needs: {}", reading.claim.says.trim_end_matches('.'));
+            out.push(StorySpan::Prose(says, scope, Tone::Plain));
+        }
+        out.push(words(". "));
+    }
+    match RefutingMotion::of(reading.claim) {
+        Some(motion) => out.extend(motion.says(scope)),
+        None if whole.failing().is_none() => out.push(words("The contrary holds.")),
+        None => {}
+    }
+    out
+}

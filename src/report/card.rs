@@ -1,0 +1,254 @@
+//! A card of page one: a claim that does not stand, as it is printed, with the nearest right formula, the motion on which it fails, and
+//! both sides along that motion.
+//!
+//! **In:** a claim with all its readings. **Out:** blocks. What is right is found by the check: a correction, or a reading of the file that
+//! holds; that the contrary holds is no correction.
+
+use super::digest::{Reading, Whole};
+use super::discrimination::standing;
+use super::finding::{of_step, over_ranges};
+use super::form::{Heading, heading};
+use super::front::Line;
+use super::numbers::{both, six, size};
+use super::sketch::Sketch;
+use super::story::{StoryBlock, StorySpan, Tone, quiet, words};
+use super::tally::{Standing, declared};
+use crate::derivation::{ClaimRole, Derivation};
+use crate::latex::Scope;
+use findings::{ClaimAccount, Correction, Evidence, Residuals, Witness};
+
+/// Longest formula, in bytes of LaTeX, that page one prints: the whole is in the section on the claim.
+const LONGEST: usize = 600;
+
+/// A motion that refutes a claim: its name, and what was found on it.
+pub(super) struct RefutingMotion<'a> {
+    pub name: String,
+    evidence: &'a Evidence,
+}
+
+impl<'a> RefutingMotion<'a> {
+    /// The motion that tells most of why a claim fails: the largest residual, else a member of a family.
+    pub fn of(claim: &'a ClaimAccount) -> Option<RefutingMotion<'a>> {
+        let residual = |p: &&'a findings::PairAccount| p.verdict.evidence().residual.as_ref().map_or(-1.0, |r| r.max);
+        let fails = claim.results.iter().filter(|p| p.verdict.outcome().word() == "fails");
+        // Of equals the first.
+        let pair = fails.reduce(|a, b| if residual(&b) > residual(&a) { b } else { a });
+        if let Some(pair) = pair {
+            return Some(RefutingMotion { name: pair.trajectory.clone(), evidence: pair.verdict.evidence() });
+        }
+        let (family, member) = claim.families.iter().find_map(|f| Some((f, f.first_failing.as_ref()?)))?;
+        let name = format!("member {} of {}", member.number, family.family);
+        Some(RefutingMotion { name, evidence: member.verdict.evidence() })
+    }
+
+    /// The point at which it refutes.
+    pub fn witness(&self) -> Option<&'a Witness> {
+        self.evidence.witness.as_ref()
+    }
+
+    /// Both sides along it.
+    fn series(&self) -> Option<&'a Residuals> {
+        self.evidence.series.as_deref()
+    }
+
+    /// The point in a sentence, with six digits.
+    pub fn says<'s>(&self, scope: &'s Scope) -> Vec<StorySpan<'s>> {
+        let Some(w) = self.witness() else {
+            let why = self.evidence.reason.as_ref().map(|r| format!(": {r}")).unwrap_or_default();
+            return vec![words(format!("On {}", self.name)), StorySpan::Prose(why, scope, Tone::Plain), words(".")];
+        };
+        // What is looked for at some time, and not met, may be met in one of its components.
+        if w.left == w.right && self.series().is_some_and(|s| s.sought) {
+            return vec![words(format!("On {} it is met at no time.", self.name))];
+        }
+        let mut out = vec![words(format!("On {} at ", self.name)), StorySpan::Math(format!("t={}", six(w.t)), scope)];
+        let label = super::wording::label(&w.formula);
+        if let Some(component) = label.component {
+            out.push(words(" (component "));
+            out.push(StorySpan::Math(component.to_owned(), scope));
+            out.push(words(")"));
+        }
+        let (left, right) = both(w.left, w.right);
+        out.extend([words(": left "), StorySpan::Words(left, Tone::Strong)]);
+        out.extend([words(", right "), StorySpan::Words(right, Tone::Strong)]);
+        out.push(quiet(format!(" (error bound {}).", size(w.bound))));
+        out
+    }
+}
+
+/// The formula of a claim that is shown: that of the witness, or of the correction; else the first.
+fn shown_formula(claim: &ClaimAccount, correction: Option<&Correction>) -> usize {
+    let dense = |text: &str| text.split_whitespace().collect::<String>();
+    let witness = RefutingMotion::of(claim).and_then(|m| m.witness()).map(|w| dense(&w.formula));
+    let wanted = correction.map(|c| dense(&c.printed)).or(witness);
+    let is_wanted = |f: &String| wanted.as_ref().is_some_and(|w| *w == dense(f));
+    claim.formulas.iter().position(is_wanted).unwrap_or(0)
+}
+
+/// A formula of a claim with what is said of it.
+fn formula_of<'a>(derivation: &'a Derivation, claim: &'a ClaimAccount, at: usize) -> Option<FormulaShown<'a>> {
+    let declared = declared(derivation, claim);
+    let scope = declared.map_or(&derivation.scope, |d| &d.scope);
+    let text = claim.formulas.get(at)?;
+    let (_, of) = heading(claim, declared, at);
+    let (lead, formula) = match of {
+        Heading::Words(lead) => (lead, Some(text.clone()).filter(|t| t.len() <= LONGEST)),
+        Heading::System => {
+            let system = derivation.systems.iter().find(|s| s.id == text.trim());
+            let equation = system.and_then(|s| s.equations.first()).map(|e| e.text.clone());
+            (format!("The motion solves the system {text}"), equation.filter(|t| t.len() <= LONGEST))
+        }
+        Heading::Trajectory => (format!("The motion is that of {text}"), None),
+    };
+    Some(FormulaShown { lead, formula, scope, more: claim.formulas.len().saturating_sub(1) })
+}
+
+/// A formula as it is shown.
+struct FormulaShown<'a> {
+    /// What is said of it.
+    lead: String,
+    formula: Option<String>,
+    scope: &'a Scope,
+    /// How many formulas more the claim has.
+    more: usize,
+}
+
+impl<'a> FormulaShown<'a> {
+    /// The line, the formula marked where it differs from another.
+    fn spans(&self, beside: Option<&str>, wrong: bool) -> Vec<StorySpan<'a>> {
+        let mut out = Vec::new();
+        if self.lead != "At every time" || self.formula.is_none() {
+            let colon = if self.formula.is_some() { ": " } else { "" };
+            out.push(StorySpan::Prose(format!("{}{colon}", self.lead), self.scope, Tone::Quiet));
+        }
+        out.extend(self.formula.clone().map(|formula| match beside {
+            Some(beside) => StorySpan::Marked { formula, beside: beside.to_owned(), scope: self.scope, wrong },
+            None => StorySpan::Math(formula, self.scope),
+        }));
+        if self.more > 0 {
+            out.push(quiet(format!(" and {} more", self.more)));
+        }
+        out
+    }
+}
+
+/// The nearest right formula, with how it is known; what the file offers where no correction was found.
+fn right<'a>(
+    derivation: &'a Derivation,
+    whole: &Whole<'a>,
+    failing: &'a ClaimAccount,
+    correction: Option<&'a Correction>,
+) -> Option<Vec<StorySpan<'a>>> {
+    if let Some(c) = correction {
+        let scope = declared(derivation, failing).map_or(&derivation.scope, |d| &d.scope);
+        let (formula, beside) = (c.formula.clone(), c.printed.clone());
+        let mut out = vec![quiet("holds instead: "), StorySpan::Marked { formula, beside, scope, wrong: false }];
+        out.push(quiet(format!(", {}", standing(c).replace("**", ""))));
+        return Some(out);
+    }
+    let order = [ClaimRole::Added, ClaimRole::MayMean, ClaimRole::Says];
+    let holds = |role: ClaimRole| {
+        whole
+            .readings
+            .iter()
+            .find(move |r| r.role == role && r.standing == Standing::Holds && !r.claim.formulas.is_empty())
+    };
+    if let Some(reading) = order.into_iter().find_map(holds) {
+        let shown = formula_of(derivation, reading.claim, 0)?;
+        let mut out = vec![quiet("holds: ")];
+        out.extend(shown.spans(None, false));
+        let says = format!(" — {}, ", reading.claim.says.trim_end_matches('.'));
+        out.push(StorySpan::Prose(says, shown.scope, Tone::Quiet));
+        out.push(StorySpan::Prose(reading.basis().words(), shown.scope, Tone::Quiet));
+        return Some(out);
+    }
+    let erratum = failing.variants.as_ref()?.erratum.as_ref()?;
+    let tried = erratum.tried.0 + erratum.tried.1 + erratum.tried.2;
+    (tried > 0).then(|| vec![quiet(format!("no right formula is near: {tried} altered ones were tried"))])
+}
+
+/// The correction nearest to the print.
+pub(super) fn correction(claim: &ClaimAccount) -> Option<&Correction> {
+    claim.variants.as_ref()?.erratum.as_ref()?.corrections.first()
+}
+
+/// The nearest right formula of a claim that fails, in a sentence; `None` where none was found.
+pub(super) fn correction_says(claim: &ClaimAccount) -> Option<String> {
+    let c = correction(claim)?;
+    let formula = c.formula.split_whitespace().collect::<Vec<_>>().join(" ");
+    Some(format!("Holds instead: {formula}, {}.", standing(c).replace("**", "")))
+}
+
+/// The reading that a card is about: that which fails, else that which shows the contrary, else the first.
+fn subject<'w, 'a>(whole: &'w Whole<'a>) -> Option<(&'w Reading<'a>, bool)> {
+    if let Some(failing) = whole.failing() {
+        return Some((failing, true));
+    }
+    let contrary = whole.readings.iter().find(|r| r.role == ClaimRole::Against && r.standing == Standing::Holds);
+    contrary.or(whole.readings.first()).map(|r| (r, false))
+}
+
+/// Blocks of a card.
+pub(super) fn blocks<'a>(
+    derivation: &'a Derivation,
+    whole: &Whole<'a>,
+    line: &Line,
+    number: usize,
+) -> Vec<StoryBlock<'a>> {
+    let scope = &derivation.scope;
+    let mut head = vec![StorySpan::Words(format!("{number}. "), Tone::Strong)];
+    head.push(StorySpan::Prose(line.says.clone(), scope, Tone::Strong));
+    head.push(quiet(" ("));
+    if let Some(place) = &line.place {
+        head.push(StorySpan::Prose(format!("{place}, "), scope, Tone::Quiet));
+    }
+    head.extend([StorySpan::Claim(line.id.clone(), Tone::Plain), quiet(")")]);
+    let mut out = vec![StoryBlock::Paragraph(head)];
+    let Some((reading, fails)) = subject(whole) else { return out };
+    let claim = reading.claim;
+    let own = declared(derivation, claim).map_or(scope, |d| &d.scope);
+    let correction = correction(claim).filter(|_| fails);
+    let motion = RefutingMotion::of(claim).filter(|_| fails);
+    if let Some(sketch) = motion.as_ref().and_then(|m| {
+        let at = m.witness().map(|w| w.t);
+        Sketch::sides(m.series()?, at, &m.name)
+    }) {
+        out.push(StoryBlock::Figure(sketch, Vec::new()));
+    }
+    if let Some(shown) = formula_of(derivation, claim, shown_formula(claim, correction)) {
+        let mut print = vec![quiet(if fails { "printed: " } else { "the contrary, which holds: " })];
+        print.extend(shown.spans(correction.map(|c| c.formula.as_str()), true));
+        out.push(StoryBlock::Paragraph(print));
+    }
+    out.extend(right(derivation, whole, claim, correction).filter(|_| fails).map(StoryBlock::Paragraph));
+    let mut why = vec![StorySpan::Prose(format!("{} ", line.brief), scope, Tone::Plain)];
+    match &motion {
+        Some(motion) => why.extend(motion.says(own)),
+        None => why.extend(
+            over_ranges(claim)
+                .or_else(|| of_step(claim))
+                .filter(|_| fails)
+                .map(|text| StorySpan::Prose(text, own, Tone::Plain)),
+        ),
+    }
+    if let Some(text) = &line.consequence {
+        why.push(StorySpan::Prose(format!(" {text}"), scope, Tone::Quiet));
+    }
+    out.push(StoryBlock::Paragraph(why));
+    out
+}
+
+/// Both sides of a claim that holds, along the motion on which it was tried best: the picture of a paper without a failure.
+pub(super) fn sketch_that_holds(whole: &Whole<'_>) -> Option<(Sketch, String)> {
+    let pairs = whole.deciding().flat_map(|r| &r.claim.results);
+    let drawn = pairs.filter_map(|p| Some((p.verdict.evidence().series.as_deref()?, p)));
+    let (series, pair) = drawn.max_by_key(|(s, _)| s.points.len())?;
+    let sketch = Sketch::sides(series, None, &pair.trajectory)?;
+    Some((sketch, pair.trajectory.clone()))
+}
+
+/// The claim as it is checked, in a line, for what has no card.
+pub(super) fn formula_line<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Option<Vec<StorySpan<'a>>> {
+    let reading = whole.deciding().next()?;
+    Some(formula_of(derivation, reading.claim, shown_formula(reading.claim, None))?.spans(None, false))
+}

@@ -1,0 +1,175 @@
+//! What the steps of a paper use and its claims do not say: conditions of proofs, what separates motions, and conventions.
+//!
+//! **In:** the account of each claim. **Out:** a bounded list, what most claims use first. Nothing is judged: what a claim assumes by its
+//! own words is not among it.
+
+use super::digest::{self, Whole};
+use super::numbers::count;
+use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, quiet, words};
+use super::tally::{declared, name};
+use crate::derivation::{ClaimRole, Derivation};
+use crate::latex::Scope;
+use findings::Account;
+use findings::conditions::Need;
+use reason::{Proviso, Term};
+
+/// Most hypotheses that are told on page one; more are folded.
+const MOST: usize = 4;
+/// Longest hypothesis that comes first, in bytes.
+const LONGEST_SHOWN: usize = 70;
+/// Most that are told at all.
+const MOST_FOLDED: usize = 40;
+/// Most claims that are named of each.
+const MOST_NAMED: usize = 3;
+/// Most conventions on page one.
+const MOST_CONVENTIONS: usize = 3;
+/// Longest convention on page one, in bytes.
+const LONGEST_CONVENTION: usize = 90;
+
+/// Something that steps use.
+struct Hypothesis<'a> {
+    says: Vec<StorySpan<'a>>,
+    /// By which equals are found.
+    key: String,
+    /// The claims that use it.
+    used: Vec<String>,
+}
+
+/// The list of hypotheses, and of conventions.
+pub(super) fn blocks<'a>(
+    derivation: &'a Derivation,
+    account: &'a Account,
+    wholes: &[Whole<'a>],
+) -> Vec<StoryBlock<'a>> {
+    let mut all = gathered(derivation, account, wholes);
+    // What is too long for a line of page one is among the last.
+    all.sort_by_key(|h| (h.key.len() > LONGEST_SHOWN, std::cmp::Reverse(h.used.len())));
+    let mut out = vec![StoryBlock::Heading("Used and not said".to_owned())];
+    let short = all.iter().take_while(|h| h.key.len() <= LONGEST_SHOWN).count();
+    let shown = all.len().min(MOST).min(short.max(1));
+    if all.is_empty() {
+        out.push(StoryBlock::Paragraph(vec![quiet("No step uses a condition that its claim does not say.")]));
+        out.extend(conventions(derivation));
+        return out;
+    }
+    let mut line = joined(all[..shown].iter().map(counted), "; ");
+    let more = all.len() - shown;
+    line.push(quiet(if more > 0 { format!("; {more} more.") } else { ".".to_owned() }));
+    out.push(StoryBlock::Paragraph(line));
+    out.extend(conventions(derivation));
+    let told = &all[..all.len().min(MOST_FOLDED)];
+    out.push(StoryBlock::Fold {
+        title: "Which claims use what".to_owned(),
+        unfolded: Some(String::new()),
+        blocks: vec![StoryBlock::List(told.iter().map(item).collect())],
+    });
+    out
+}
+
+/// A hypothesis, and how many claims use it.
+fn counted<'a>(of: &Hypothesis<'a>) -> Vec<StorySpan<'a>> {
+    let mut out = of.says.clone();
+    out.push(quiet(format!(" ({})", count(of.used.len(), "claim"))));
+    out
+}
+
+fn item<'a>(of: &Hypothesis<'a>) -> StoryItem<'a> {
+    let mut line = of.says.clone();
+    line.push(quiet(" ("));
+    let named = of.used.iter().take(MOST_NAMED).map(|id| vec![StorySpan::Claim(id.clone(), Tone::Quiet)]);
+    line.extend(joined(named, ", "));
+    let more = of.used.len().saturating_sub(MOST_NAMED);
+    line.push(quiet(if more > 0 { format!(" and {more} more)") } else { ")".to_owned() }));
+    StoryItem { mark: String::new(), line, below: Vec::new() }
+}
+
+/// What was chosen: of the conventions of the file, the first.
+fn conventions<'a>(derivation: &'a Derivation) -> Option<StoryBlock<'a>> {
+    if derivation.conventions.is_empty() {
+        return None;
+    }
+    let is_short = |(_, text): &&(String, String)| text.len() <= LONGEST_CONVENTION;
+    let told: Vec<_> = derivation.conventions.iter().filter(is_short).take(MOST_CONVENTIONS).collect();
+    let more = derivation.conventions.len() - told.len();
+    let told = told.into_iter().map(|(key, text)| {
+        let text = format!("{}: {}", key.replace('-', " "), text.trim_end_matches('.'));
+        vec![StorySpan::Prose(text, &derivation.scope, Tone::Quiet)]
+    });
+    let mut out = vec![quiet("Conventions: ")];
+    out.extend(joined(told, "; "));
+    out.push(quiet(if more > 0 { format!("; {more} more.") } else { ".".to_owned() }));
+    Some(StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(out)]))
+}
+
+/// What a proof needs, as it is shown, and by which equals are found.
+fn of_proviso<'a>(of: &Proviso, scope: &'a Scope) -> (Vec<StorySpan<'a>>, String) {
+    let key = of.to_string();
+    let says = match of {
+        Proviso::Where { formula, is } => {
+            let (left, rest) = is.parts(formula);
+            vec![StorySpan::Math(left.into_owned(), scope), words(rest)]
+        }
+        Proviso::Written(formula) => vec![StorySpan::Math(formula.to_string(), scope)],
+        Proviso::Leap(formula) => {
+            vec![StorySpan::Math(formula.to_string(), scope), words(" does not leap")]
+        }
+        Proviso::Pole(formula) => vec![
+            StorySpan::Math(formula.to_string(), scope),
+            words(" ≠ 0, or the motion is analytic where it vanishes"),
+        ],
+        Proviso::Orders(_) | Proviso::OtherSign => vec![StorySpan::Prose(key.clone(), scope, Tone::Plain)],
+    };
+    (says, key)
+}
+
+fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whole<'a>]) -> Vec<Hypothesis<'a>> {
+    let mut out: Vec<Hypothesis<'a>> = Vec::new();
+    let mut add = |says: Vec<StorySpan<'a>>, key: String, claim: String| match out.iter_mut().find(|h| h.key == key) {
+        Some(known) if known.used.contains(&claim) => {}
+        Some(known) => known.used.push(claim),
+        None => out.push(Hypothesis { says, key, used: vec![claim] }),
+    };
+    let dense = |text: &str| text.split_whitespace().collect::<String>();
+    for unsaid in digest::unsaid(derivation, account) {
+        let text = digest::explanation(unsaid.explanation);
+        let says = || vec![StorySpan::Prose(text.clone(), &derivation.scope, Tone::Plain)];
+        for claim in &unsaid.claims {
+            add(says(), text.clone(), name(claim));
+        }
+    }
+    let argued = |role: ClaimRole| matches!(role, ClaimRole::Says | ClaimRole::MayMean | ClaimRole::Lemma);
+    for reading in wholes.iter().flat_map(|w| &w.readings).filter(|r| argued(r.role)) {
+        let claim = reading.claim;
+        let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
+        let own: Vec<String> = claim.assumptions.iter().map(|a| dense(a)).collect();
+        let Some(identity) = claim.identity.as_ref().filter(|i| i.finding.is_proved_in_part()) else { continue };
+        for (_, provisos) in identity.terms().iter().filter(|(term, _)| uses(*term)) {
+            for proviso in provisos {
+                let (says, key) = of_proviso(proviso, scope);
+                if !own.contains(&dense(&key)) {
+                    add(says, key, name(claim));
+                }
+            }
+        }
+        if let Some(branch) = &identity.evidence.branch {
+            let text = format!("of ±: it holds {branch}");
+            add(vec![StorySpan::Prose(text.clone(), scope, Tone::Plain)], text, name(claim));
+        }
+    }
+    for reading in wholes.iter().flat_map(|w| &w.readings).filter(|r| r.role == ClaimRole::MayMean) {
+        let claim = reading.claim;
+        let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
+        for needed in claim.conditions.assumptions.iter().filter(|a| a.need == Need::Needed) {
+            add(vec![StorySpan::Math(needed.text.clone(), scope)], needed.text.clone(), name(claim));
+        }
+    }
+    out
+}
+
+/// Whether a list of a proof is of what it uses, rather than of what it does without.
+fn uses(term: Term) -> bool {
+    match term {
+        Term::Condition | Term::Exception | Term::GivenOnlyWhere | Term::Presupposed => true,
+        Term::Used | Term::Unused => false,
+    }
+}

@@ -1,0 +1,343 @@
+//! The matrix of page one: the claims that matter × classes of motions.
+//!
+//! **In:** the claims of an account with all their readings. **Out:** a table of at most [`MOST_ROWS`] × [`MOST_COLUMNS`] symbols, with the
+//! legend of those that occur.
+//!
+//! **Classes.** Motions are told apart by the conditions that separate where claims hold from where they fail; where none does, by the
+//! verdicts of the claims that are shown. Families of motions have columns of their own, and what is known without a motion has one.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::consequence::Consequences;
+use super::digest::{self, Fate, Reading, Whole};
+use super::discrimination;
+use super::graph::ProofStanding;
+use super::numbers::count;
+use super::story::{StoryBlock, StoryItem, StorySpan, StoryTable, Tone, VerdictShape, joined, quiet, words};
+use super::tally::Standing;
+use crate::derivation::{ClaimRole, Derivation};
+use findings::{Account, ClaimAccount, Outcome, Strength};
+
+/// Most claims that are shown.
+pub(super) const MOST_ROWS: usize = 10;
+/// Most classes of motions that are shown.
+pub(super) const MOST_COLUMNS: usize = 6;
+/// Most motions that are named of a class.
+const MOST_NAMED: usize = 3;
+/// Conditions that tell motions apart.
+const MOST_CONDITIONS: usize = 2;
+
+/// What a column is about.
+enum ColumnMotions<'a> {
+    Motions(BTreeSet<&'a str>),
+    Families(Vec<&'a str>),
+    AllValues,
+}
+
+/// A column with what it is.
+struct MatrixColumn<'a> {
+    says: Vec<StorySpan<'a>>,
+    of: ColumnMotions<'a>,
+}
+
+/// The claims that matter, in the order of the paper: its conclusions, what does not stand, and what most rests on.
+pub(super) fn that_matter<'w, 'a>(wholes: &'w [Whole<'a>], hangs: &Consequences<'_>) -> Vec<&'w Whole<'a>> {
+    let of_paper: Vec<usize> = (0..wholes.len()).filter(|&at| wholes[at].fate.is_of_the_paper()).collect();
+    let mut all: Vec<usize> = if of_paper.is_empty() { (0..wholes.len()).collect() } else { of_paper };
+    all.sort_by_cached_key(|&at| {
+        let whole = &wholes[at];
+        (!whole.conclusion, !whole.fate.is_against(), std::cmp::Reverse(hangs.weight(whole.id)), at)
+    });
+    all.truncate(MOST_ROWS);
+    all.sort_unstable();
+    all.into_iter().map(|at| &wholes[at]).collect()
+}
+
+/// The matrix, its columns and its legend; where nothing was tried, that.
+pub(super) fn blocks<'a>(
+    derivation: &'a Derivation,
+    account: &'a Account,
+    wholes: &[Whole<'a>],
+    hangs: &Consequences<'_>,
+) -> Vec<StoryBlock<'a>> {
+    let rows = that_matter(wholes, hangs);
+    let columns = columns(derivation, account, &rows);
+    let letter = |at: usize| char::from_u32(u32::from('a') + at as u32).map(String::from).unwrap_or_default();
+    let table = StoryTable {
+        title: "Claims and classes of motions".to_owned(),
+        head: std::iter::once(Vec::new()).chain((0..columns.len()).map(|at| vec![quiet(letter(at))])).collect(),
+        rows: rows.iter().map(|whole| row(whole, &columns, hangs)).collect(),
+    };
+    let mut seen: BTreeSet<VerdictShape> = BTreeSet::new();
+    for span in table.rows.iter().flatten().flatten() {
+        if let StorySpan::Shape(shape) = span {
+            seen.insert(*shape);
+        }
+    }
+    let legend = VerdictShape::ALL.into_iter().filter(|s| seen.contains(s));
+    let mut legend = joined(legend.map(|s| vec![StorySpan::Shape(s), quiet(format!(" {}", s.says()))]), "  ");
+    let more = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count().saturating_sub(rows.len());
+    if more > 0 {
+        legend.push(quiet(format!("; and {}", count(more, "more claim"))));
+    }
+    let keys = columns.into_iter().enumerate().map(|(at, column)| StoryItem {
+        mark: letter(at),
+        line: column.says,
+        below: Vec::new(),
+    });
+    let keys: Vec<StoryItem<'a>> = keys.collect();
+    let mut out = vec![StoryBlock::Table(table)];
+    if keys.is_empty() {
+        out.push(StoryBlock::Paragraph(vec![quiet("Nothing was tried on a motion, and nothing for all values.")]));
+    } else {
+        out.push(StoryBlock::Paragraph(legend));
+        out.push(StoryBlock::Group("keys", vec![StoryBlock::List(keys)]));
+    }
+    out
+}
+
+fn row<'a>(whole: &Whole<'a>, columns: &[MatrixColumn<'a>], hangs: &Consequences<'_>) -> Vec<Vec<StorySpan<'a>>> {
+    let tone = match whole.fate {
+        Fate::Fails | Fate::Partly => Tone::Bad,
+        Fate::Reading => Tone::Open,
+        _ => Tone::Plain,
+    };
+    let mut head = vec![StorySpan::Claim(whole.id.to_owned(), tone)];
+    if let Some(letter) = hangs.letter(whole.id) {
+        head.insert(0, StorySpan::Words(format!("{letter} "), Tone::Strong));
+    }
+    let cells = columns.iter().map(|column| cell(whole, &column.of).map(StorySpan::Shape).into_iter().collect());
+    std::iter::once(head).chain(cells).collect()
+}
+
+/// What a class of motions says of a claim with all its readings.
+fn cell(whole: &Whole<'_>, column: &ColumnMotions<'_>) -> Option<VerdictShape> {
+    let each: Vec<(ClaimRole, VerdictShape)> =
+        whole.deciding().filter_map(|reading| Some((reading.role, of_reading(reading, column)?))).collect();
+    if each.is_empty() {
+        // What the paper says of it could not be computed: it is told by its contrary, and by what it needs.
+        let other = |role: ClaimRole| whole.readings.iter().filter(move |r| r.role == role);
+        let shown = |r: &Reading<'_>| of_reading(r, column).filter(|s| *s != VerdictShape::NotApplicable);
+        let contrary = other(ClaimRole::Against).filter_map(shown).find(|s| s.tone() == Tone::Good);
+        let needed = other(ClaimRole::Needs).filter_map(shown).find(|s| s.tone() == Tone::Bad);
+        return contrary.map(|_| VerdictShape::Certified).or(needed);
+    }
+    let applies: Vec<_> = each.iter().filter(|(_, shape)| *shape != VerdictShape::NotApplicable).collect();
+    let weakest = |shapes: &mut dyn Iterator<Item = VerdictShape>| shapes.max();
+    let is_bad = |shape: &VerdictShape| shape.tone() == Tone::Bad;
+    let said = |role: ClaimRole| applies.iter().filter(move |(of, _)| *of == role).map(|(_, shape)| *shape);
+    if let Some(bad) = said(ClaimRole::Says).find(is_bad) {
+        return Some(bad);
+    }
+    let meant: Vec<VerdictShape> = said(ClaimRole::MayMean).collect();
+    let (bad, good) = (meant.iter().any(is_bad), meant.iter().any(|s| !is_bad(s)));
+    match (bad, good) {
+        (true, true) => Some(VerdictShape::Meaning),
+        (true, false) => meant.into_iter().find(is_bad),
+        _ if applies.is_empty() => each.first().map(|(_, shape)| *shape),
+        _ => weakest(&mut applies.iter().map(|(_, shape)| *shape)),
+    }
+}
+
+/// What a class of motions says of one reading; `None` where it was not tried.
+fn of_reading(reading: &Reading<'_>, column: &ColumnMotions<'_>) -> Option<VerdictShape> {
+    let claim = reading.claim;
+    let mut all: Vec<VerdictShape> = Vec::new();
+    match column {
+        ColumnMotions::Motions(named) => {
+            for pair in claim.results.iter().filter(|p| named.contains(p.trajectory.as_str())) {
+                let weak = discrimination::is_weak(pair);
+                all.push(if weak { VerdictShape::Weak } else { shape(pair.verdict.outcome()) });
+            }
+        }
+        ColumnMotions::Families(named) => {
+            for family in claim.families.iter().filter(|f| named.contains(&f.family.as_str())) {
+                all.push(shape(family.verdict.outcome()));
+                if family.counts.fails > 0 && family.counts.holds > 0 {
+                    return Some(VerdictShape::Mixed);
+                }
+            }
+        }
+        ColumnMotions::AllValues => return for_all_values(reading),
+    }
+    all.retain({
+        let some = all.iter().any(|s| *s != VerdictShape::NotApplicable);
+        move |s| !some || *s != VerdictShape::NotApplicable
+    });
+    let bad = all.iter().filter(|s| s.tone() == Tone::Bad).count();
+    let open = all.contains(&VerdictShape::Undecided);
+    match (all.len(), bad) {
+        (0, _) => None,
+        (n, bad) if bad == n => all.into_iter().max(),
+        (_, 0) if open => Some(VerdictShape::Undecided),
+        // Of what holds the weakest is shown, but for verdicts that would be weak only by themselves.
+        (_, 0) => all.iter().copied().filter(|s| *s != VerdictShape::Weak).max().or(Some(VerdictShape::Weak)),
+        (..) if all.iter().all(|s| matches!(s.tone(), Tone::Bad | Tone::Open)) => Some(VerdictShape::Fails),
+        _ => Some(VerdictShape::Mixed),
+    }
+}
+
+/// What is known of a reading without a motion: over its ranges, or as a step.
+fn for_all_values(reading: &Reading<'_>) -> Option<VerdictShape> {
+    if let Some(region) = &reading.claim.region {
+        return Some(shape(region.verdict.outcome()));
+    }
+    match (&reading.proof, reading.claim.verdict_alone(), reading.claim.identity.as_ref()?.verdict()) {
+        (ProofStanding::Proved, ..) => Some(VerdictShape::Proved),
+        (ProofStanding::Given(_) | ProofStanding::Except, ..) => Some(VerdictShape::ProvedGiven),
+        (_, Some("fails"), _) => Some(VerdictShape::Certified),
+        (_, _, "refuted") => Some(VerdictShape::NoIdentity),
+        (_, Some("undecided"), _) => Some(VerdictShape::Undecided),
+        _ => None,
+    }
+}
+
+/// The symbol of a verdict.
+pub(super) fn shape(outcome: Outcome) -> VerdictShape {
+    match outcome {
+        Outcome::Holds(Strength::Proved) => VerdictShape::Proved,
+        Outcome::Holds(Strength::Enclosed) => VerdictShape::Enclosed,
+        Outcome::Holds(Strength::Sampled) => VerdictShape::Sampled,
+        Outcome::Fails(Strength::Sampled) => VerdictShape::Fails,
+        Outcome::Fails(Strength::Enclosed | Strength::Proved) => VerdictShape::Certified,
+        Outcome::NotApplicable(_) => VerdictShape::NotApplicable,
+        Outcome::Undecided => VerdictShape::Undecided,
+    }
+}
+
+/// The symbol of a claim with all its readings.
+pub(super) fn fate_shape(whole: &Whole<'_>) -> VerdictShape {
+    match whole.fate {
+        Fate::Stands if whole.is_proved() => VerdictShape::Proved,
+        Fate::Stands => VerdictShape::Sampled,
+        Fate::Reading => VerdictShape::Meaning,
+        Fate::Partly => VerdictShape::Mixed,
+        Fate::Fails => VerdictShape::Fails,
+        Fate::Open | Fate::Untested => VerdictShape::Undecided,
+        Fate::Nowhere | Fate::Choice | Fate::Lemma | Fate::Added => VerdictShape::NotApplicable,
+    }
+}
+
+/// The columns: classes of motions, families, and what needs no motion.
+fn columns<'a>(derivation: &'a Derivation, account: &'a Account, rows: &[&Whole<'a>]) -> Vec<MatrixColumn<'a>> {
+    let shown: Vec<&'a ClaimAccount> = rows.iter().flat_map(|w| w.deciding()).map(|r| r.claim).collect();
+    let known = rows.iter().flat_map(|w| w.deciding()).any(|r| for_all_values(r).is_some());
+    let mut families: Vec<&'a str> = Vec::new();
+    for family in shown.iter().flat_map(|c| &c.families) {
+        if !families.contains(&family.family.as_str()) {
+            families.push(&family.family);
+        }
+    }
+    let of_families = families.len().min(2);
+    let mut out = motions(derivation, account, &shown, MOST_COLUMNS - of_families - usize::from(known));
+    match families.as_slice() {
+        few if few.len() <= 2 => out.extend(few.iter().map(|family| MatrixColumn {
+            says: vec![words("the family "), StorySpan::Words((*family).to_owned(), Tone::Strong)],
+            of: ColumnMotions::Families(vec![family]),
+        })),
+        all => {
+            let says = format!("{}: {}", count(all.len(), "family"), named(all));
+            out.push(MatrixColumn { says: vec![words(says)], of: ColumnMotions::Families(all.to_vec()) });
+        }
+    }
+    if known {
+        out.push(MatrixColumn { says: vec![words("for all values, without a motion")], of: ColumnMotions::AllValues });
+    }
+    out
+}
+
+fn named(of: &[&str]) -> String {
+    let shown = if of.len() > MOST_NAMED + 1 { MOST_NAMED } else { of.len() };
+    let more = of.len() - shown;
+    let list = of[..shown].join(", ");
+    if more > 0 { format!("{list} and {more} more") } else { list }
+}
+
+/// What tells motions apart.
+#[derive(PartialEq)]
+enum ClassMark<'a> {
+    /// Whether each condition is met.
+    Conditions(Vec<Option<bool>>),
+    /// The verdicts of the claims that are shown.
+    Verdicts(Vec<Option<&'a str>>),
+}
+
+/// Classes of motions, at most so many: the smallest are put together.
+fn motions<'a>(
+    derivation: &'a Derivation,
+    account: &'a Account,
+    shown: &[&'a ClaimAccount],
+    most: usize,
+) -> Vec<MatrixColumn<'a>> {
+    let unsaid = digest::unsaid(derivation, account);
+    let conditions: Vec<_> = unsaid.into_iter().take(MOST_CONDITIONS).collect();
+    let met: Vec<BTreeMap<&str, bool>> = conditions
+        .iter()
+        .map(|u| {
+            let separated = u.claims.iter().filter_map(|c| c.conditions.separation.as_ref());
+            let pairs = separated.flat_map(|s| {
+                let with = |ids: &'a Vec<String>, is: bool| ids.iter().map(move |id| (id.as_str(), is));
+                with(&s.holds, true).chain(with(&s.fails, false))
+            });
+            pairs.collect()
+        })
+        .collect();
+    let verdicts: Vec<_> = shown.iter().map(|c| c.on_each()).collect();
+    let mut classes: Vec<(ClassMark<'a>, Vec<&'a str>)> = Vec::new();
+    for t in &account.trajectories {
+        let of: Vec<Option<&str>> =
+            verdicts.iter().map(|on| on.get(t.id.as_str()).map(|p| p.verdict.outcome().word())).collect();
+        if of.iter().all(Option::is_none) {
+            continue;
+        }
+        let mark = match conditions.is_empty() {
+            true => ClassMark::Verdicts(of),
+            false => ClassMark::Conditions(met.iter().map(|m| m.get(t.id.as_str()).copied()).collect()),
+        };
+        match classes.iter_mut().find(|(known, _)| *known == mark) {
+            Some((_, ids)) => ids.push(&t.id),
+            None => classes.push((mark, vec![&t.id])),
+        }
+    }
+    let mut rest: Vec<&'a str> = Vec::new();
+    let most = most.max(1);
+    while classes.len() + usize::from(!rest.is_empty()) > most {
+        let Some(least) = (0..classes.len()).rev().min_by_key(|&at| classes[at].1.len()) else { break };
+        rest.extend(classes.remove(least).1);
+    }
+    let says = |mark: &ClassMark<'a>, ids: &[&str]| -> Vec<StorySpan<'a>> {
+        let n = count(ids.len(), "motion");
+        match mark {
+            ClassMark::Verdicts(_) => vec![words(named(ids))],
+            ClassMark::Conditions(of) => {
+                let parts = of.iter().zip(&conditions).filter_map(|(is, u)| {
+                    let text = digest::explanation(u.explanation);
+                    let text = if (*is)? { text } else { format!("not: {text}") };
+                    Some(vec![StorySpan::Prose(text, &derivation.scope, Tone::Plain)])
+                });
+                let mut out = joined(parts, "; ");
+                let lead = if out.is_empty() { "neither is known: " } else { ": " };
+                out.push(quiet(format!("{lead}{n}, e.g. {}", ids.first().copied().unwrap_or_default())));
+                out
+            }
+        }
+    };
+    let mut out: Vec<MatrixColumn<'a>> = classes
+        .iter()
+        .map(|(mark, ids)| MatrixColumn {
+            says: says(mark, ids),
+            of: ColumnMotions::Motions(ids.iter().copied().collect()),
+        })
+        .collect();
+    if !rest.is_empty() {
+        let says = vec![words(format!("the other {}: {}", count(rest.len(), "motion"), named(&rest)))];
+        out.push(MatrixColumn { says, of: ColumnMotions::Motions(rest.into_iter().collect()) });
+    }
+    out
+}
+
+/// Whether a claim with all its readings has a reading that the paper needs, and that fails.
+pub(super) fn failing_need<'w, 'a>(whole: &'w Whole<'a>) -> Option<&'w Reading<'a>> {
+    let fails = |r: &&Reading<'_>| matches!(r.standing, Standing::Fails | Standing::Mixed);
+    whole.readings.iter().filter(|r| r.role == ClaimRole::Needs).find(fails)
+}

@@ -1,0 +1,241 @@
+//! Page one: what a reader asks first, on one screen, made once as a story and printed four ways.
+//!
+//! **In:** a derivation and its account. **Out:** the sentence; the matrix of the claims that matter; what is wrong, each as a card; the
+//! conclusions with the chain under each; what the steps use and do not say; how to repeat it.
+//!
+//! **Guaranteed:** every part is there and bounded, whatever the file: without motions, without a failure, with a thousand claims.
+
+use super::argument;
+use super::card;
+use super::consequence::Consequences;
+use super::digest::{self, Whole};
+use super::front::{Front, Line};
+use super::hypotheses;
+use super::motion_matrix::{self, fate_shape, that_matter};
+use super::numbers::count;
+use super::sketch::Sketch;
+use super::story::{self, StoryBlock, StorySpan, Tone, quiet, words};
+use super::text::{Paint, paragraph};
+use crate::derivation::Derivation;
+use findings::Account;
+
+/// Cards on the first screen; more are folded. Conclusions need the room of one.
+const MOST_CARDS: usize = 3;
+/// Cards that a terminal has room for, if there are few of them; of more only the first.
+const FEW_CARDS: usize = 2;
+
+/// The page as blocks.
+pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Vec<StoryBlock<'a>> {
+    let wholes = digest::wholes(derivation, account);
+    let hangs = Consequences::new(derivation);
+    let front = Front::of(derivation, account, &wholes, &hangs);
+    let scope = &derivation.scope;
+    let mut head = vec![StoryBlock::Group(
+        "headline",
+        vec![StoryBlock::Paragraph(vec![StorySpan::Prose(front.verdict.clone(), scope, Tone::Strong)])],
+    )];
+    for alarm in &front.alarms {
+        head.push(StoryBlock::Paragraph(vec![StorySpan::Prose(format!("! {alarm}"), scope, Tone::Alarm)]));
+    }
+    let fields = wholes.iter().filter(|w| w.fate.is_of_the_paper()).map(fate_shape);
+    let strip = Sketch::Strip(fields.collect());
+    let mut matrix = vec![StoryBlock::Group("strip", vec![StoryBlock::Figure(strip, Vec::new())])];
+    matrix.extend(motion_matrix::blocks(derivation, account, &wholes, &hangs));
+    let strength = front.strength.iter().chain(&front.beside);
+    let strength = strength.map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).collect();
+    let mut foot = vec![StorySpan::Prose(format!("{} To repeat it: ", front.author), scope, Tone::Quiet)];
+    foot.extend([StorySpan::Code(front.command.clone()), quiet(format!(" ({}).", front.version))]);
+    vec![
+        StoryBlock::Group("head", head),
+        StoryBlock::Group("matters", matrix),
+        StoryBlock::Group(
+            "argues",
+            vec![
+                StoryBlock::Group("cards", wrong(derivation, &wholes, &hangs, &front)),
+                StoryBlock::Group(
+                    "concludes",
+                    argument::blocks(derivation, &wholes, &hangs, front.lines.first().map(|l| l.id.as_str())),
+                ),
+            ],
+        ),
+        StoryBlock::Group("unsaid", hypotheses::blocks(derivation, account, &wholes)),
+        StoryBlock::Group(
+            "foot",
+            vec![StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(strength)]), StoryBlock::Paragraph(foot)],
+        ),
+    ]
+}
+
+/// What does not stand, as cards; where all stands, what most rests on, as it is printed.
+fn wrong<'a>(
+    derivation: &'a Derivation,
+    wholes: &[Whole<'a>],
+    hangs: &Consequences<'a>,
+    front: &Front,
+) -> Vec<StoryBlock<'a>> {
+    if front.lines.is_empty() {
+        return nothing_wrong(derivation, wholes, hangs);
+    }
+    let of = |line: &Line| wholes.iter().find(|w| w.id == line.id);
+    let cards =
+        front.lines.iter().enumerate().filter_map(|(at, line)| {
+            Some(StoryBlock::Group("card", card::blocks(derivation, of(line)?, line, at + 1)))
+        });
+    let mut cards: Vec<StoryBlock<'a>> = cards.collect();
+    let most = if hangs.conclusions().is_empty() { MOST_CARDS } else { MOST_CARDS - 1 };
+    let folded = cards.split_off(cards.len().min(most));
+    let mut out = vec![StoryBlock::Heading("What does not stand, the heaviest first".to_owned())];
+    let on_terminal = if front.lines.len() <= MOST_CARDS { FEW_CARDS } else { 1 };
+    let roomy = cards.split_off(cards.len().min(on_terminal));
+    out.extend(cards);
+    if !roomy.is_empty() {
+        out.push(StoryBlock::Group("roomy", roomy));
+    }
+    let ids: Vec<&str> = front.lines.iter().map(|l| l.id.as_str()).collect();
+    let more = if front.more > 0 { format!(", and {} more", front.more) } else { String::new() };
+    if ids.len() > on_terminal {
+        let hidden = ids.get(most..).unwrap_or_default();
+        out.push(StoryBlock::Fold {
+            title: format!("{} more: {}{more}", hidden.len(), hidden.join(", ")),
+            unfolded: Some(format!("Nor do these: {}{more}.", ids[on_terminal..].join(", "))),
+            blocks: folded,
+        });
+    }
+    out
+}
+
+/// Where nothing is wrong: the claim that most rests on, with both of its sides.
+fn nothing_wrong<'a>(
+    derivation: &'a Derivation,
+    wholes: &[Whole<'a>],
+    hangs: &Consequences<'a>,
+) -> Vec<StoryBlock<'a>> {
+    let scope = &derivation.scope;
+    let told = that_matter(wholes, hangs);
+    let mut out = vec![StoryBlock::Heading("Nothing is refuted".to_owned())];
+    let mut heaviest: Vec<&&Whole<'a>> = told.iter().collect();
+    heaviest.sort_by_cached_key(|w| {
+        let drawn = card::sketch_that_holds(w);
+        let varies = drawn.as_ref().is_some_and(|(sketch, _)| sketch.varies());
+        (drawn.is_none(), !varies, std::cmp::Reverse(hangs.weight(w.id)))
+    });
+    let Some(whole) = heaviest.first() else {
+        out.push(StoryBlock::Paragraph(vec![quiet("The file has no claim.")]));
+        return out;
+    };
+    let mut inside = vec![StoryBlock::Paragraph(vec![
+        StorySpan::Prose(whole.says.clone(), scope, Tone::Strong),
+        quiet(" ("),
+        StorySpan::Claim(whole.id.to_owned(), Tone::Plain),
+        quiet(")"),
+    ])];
+    let drawn = card::sketch_that_holds(whole);
+    if let Some((sketch, _)) = &drawn {
+        inside.push(StoryBlock::Figure(sketch.clone(), Vec::new()));
+    }
+    inside.extend(card::formula_line(derivation, whole).map(StoryBlock::Paragraph));
+    let basis = whole.basis().map(|b| format!("Holds: {}", b.words()));
+    let mut says = vec![StorySpan::Prose(basis.unwrap_or_else(|| capital(whole.fate.words(1))), scope, Tone::Plain)];
+    if let Some((_, motion)) = &drawn {
+        says.push(quiet(format!("; drawn: both sides on {motion}")));
+    }
+    says.push(words("."));
+    inside.push(StoryBlock::Paragraph(says));
+    let rest = hangs.carried_by(whole.id).len();
+    if rest > 0 {
+        inside.push(StoryBlock::Paragraph(vec![quiet(format!(
+            "On it {} {}.",
+            if rest == 1 { "rests" } else { "rest" },
+            count(rest, "claim")
+        ))]));
+    }
+    out.push(StoryBlock::Group("card", inside));
+    out
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |c| c.to_uppercase().chain(letters).collect())
+}
+
+/// Page one for a terminal, with escape codes if `colour`.
+pub fn front_page(derivation: &Derivation, account: &Account, colour: bool) -> String {
+    let paint = Paint(colour);
+    let head = format!("{}\n{}\n", paint.bold(&derivation.title), paragraph(&derivation.concerns, 2));
+    head + &story::terminal(&blocks(derivation, account), paint)
+}
+
+/// Page one as Markdown.
+pub fn front_markdown(derivation: &Derivation, account: &Account) -> String {
+    use super::markdown::prose;
+    let head = format!("# {}\n\nWhat is checked: {}\n\n", prose(&derivation.title), prose(&derivation.concerns));
+    head + &story::markdown(&blocks(derivation, account), &|id| format!("`{id}`"))
+}
+
+#[cfg(all(test, debug_assertions))]
+mod tests {
+    use super::super::tests::derivation;
+    use super::*;
+    use findings::sample;
+
+    /// The names of all groups of a story.
+    fn groups(blocks: &[StoryBlock<'_>], out: &mut Vec<&'static str>) {
+        for block in blocks {
+            match block {
+                StoryBlock::Group(name, inside) => {
+                    out.push(name);
+                    groups(inside, out);
+                }
+                StoryBlock::Fold { blocks, .. } => groups(blocks, out),
+                StoryBlock::List(items) => items.iter().for_each(|item| groups(&item.below, out)),
+                StoryBlock::Heading(_) | StoryBlock::Paragraph(_) | StoryBlock::Table(_) | StoryBlock::Figure(..) => {}
+            }
+        }
+    }
+
+    #[track_caller]
+    fn has_all_parts(account: &findings::Account) -> String {
+        let derivation = derivation();
+        let story = blocks(&derivation, account);
+        let mut found = Vec::new();
+        groups(&story, &mut found);
+        for part in ["headline", "strip", "matters", "cards", "concludes", "unsaid", "foot"] {
+            assert!(found.contains(&part), "{part} is missing: {found:?}");
+        }
+        assert!(found.iter().filter(|g| **g == "card").count() <= 14);
+        let text = front_page(&derivation, account, false);
+        assert!(text.lines().count() < 80, "{text}");
+        let page = story::html(&story).into_string();
+        assert!(page.len() < 60_000, "{}", page.len());
+        page
+    }
+
+    /// Claims that the file does not know, many of them, without motions, without a failure, or none at all.
+    #[test]
+    fn every_part_is_there_and_bounded_whatever_is_found() {
+        let whole = sample::account();
+        has_all_parts(&whole);
+        has_all_parts(&findings::Account::default());
+        let mut many = whole.clone();
+        for at in 0..1000 {
+            let mut claim = whole.claims[at % whole.claims.len()].clone();
+            claim.id = format!("<stranger-{at}>");
+            many.claims.push(claim);
+        }
+        let page = has_all_parts(&many);
+        assert!(!page.contains("<stranger"), "an id is no markup");
+        let mut without = many.clone();
+        without.trajectories.clear();
+        without.claims.iter_mut().for_each(|c| c.results.clear());
+        has_all_parts(&without);
+        let mut good = whole.clone();
+        good.claims.retain(|c| super::super::tally::Standing::of(c) == super::super::tally::Standing::Holds);
+        assert!(has_all_parts(&good).contains("Nothing is refuted"));
+    }
+
+    #[test]
+    fn page_one_of_a_small_account() {
+        insta::assert_snapshot!(front_page(&derivation(), &sample::account(), false));
+        insta::assert_snapshot!(front_markdown(&derivation(), &sample::account()));
+    }
+}

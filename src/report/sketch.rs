@@ -1,0 +1,208 @@
+//! Small drawings of page one: both sides of a relation along a motion, and a paper as a strip of its claims.
+//!
+//! **In:** the samples that the evidence keeps. **Out:** SVG of some hundred bytes, in the colours of the page, or two lines of letters for
+//! a terminal. Nothing is computed but places on the drawing.
+
+use super::mathml::escaped;
+use super::numbers::six;
+use super::story::VerdictShape;
+use findings::Residuals;
+
+/// Width and height of a drawing of both sides.
+const SIZE: (f64, f64) = (240.0, 76.0);
+/// What is left of it for the numbers at its edges.
+const EDGE: f64 = 13.0;
+/// So many letters are a line of a drawing on a terminal.
+const LETTERS: usize = 48;
+/// A strip has at most so many fields; of more claims than that, one field is the worst of several.
+const FIELDS: usize = 160;
+
+/// What is drawn.
+#[derive(Clone, Debug)]
+pub(super) enum Sketch {
+    /// Both sides at times: time, left, right; and the time of the witness.
+    Sides { samples: Vec<[f64; 3]>, at: Option<f64>, title: String },
+    /// One field for each claim, in the order of the paper.
+    Strip(Vec<VerdictShape>),
+}
+
+impl Sketch {
+    /// Both sides along a motion; `None` where there are less than two samples with values.
+    pub fn sides(series: &Residuals, at: Option<f64>, motion: &str) -> Option<Sketch> {
+        let samples: Vec<[f64; 3]> = series.points.iter().map(|p| [p.t, p.left, p.right]).collect();
+        let drawn = samples.iter().filter(|s| s.iter().all(|x| x.is_finite())).count();
+        (drawn > 1).then(|| Sketch::Sides { samples, at, title: format!("Both sides along {motion}") })
+    }
+
+    /// Whether a side changes by what can be seen: the picture of a constant tells little.
+    pub fn varies(&self) -> bool {
+        match self {
+            Sketch::Sides { samples, .. } => {
+                Frame::of(samples).is_some_and(|f| f.up.1 - f.up.0 > 1e-9 * f.up.0.abs().max(f.up.1.abs()))
+            }
+            Sketch::Strip(_) => true,
+        }
+    }
+
+    /// One `svg` element.
+    pub fn svg(&self) -> String {
+        match self {
+            Sketch::Sides { samples, at, title } => sides_svg(samples, *at, title),
+            Sketch::Strip(fields) => strip_svg(fields),
+        }
+    }
+
+    /// The same in letters, for a terminal.
+    pub fn lines(&self) -> Vec<String> {
+        match self {
+            Sketch::Sides { samples, .. } => {
+                let Some(frame) = Frame::of(samples) else { return Vec::new() };
+                let row = |side: usize| (0..LETTERS).map(|k| frame.letter(samples, k, side)).collect::<String>();
+                let (low, high) = frame.up;
+                vec![
+                    format!("left  {}  from {} to {},", row(1), six(low), six(high)),
+                    format!("right {}  t from {} to {}", row(2), six(frame.along.0), six(frame.along.1)),
+                ]
+            }
+            // The sentence above it counts them.
+            Sketch::Strip(_) => Vec::new(),
+        }
+    }
+}
+
+/// The ranges of a drawing.
+struct Frame {
+    along: (f64, f64),
+    up: (f64, f64),
+}
+
+impl Frame {
+    fn of(samples: &[[f64; 3]]) -> Option<Frame> {
+        let extent = |values: &mut dyn Iterator<Item = f64>| {
+            let start = (f64::INFINITY, f64::NEG_INFINITY);
+            values.filter(|x| x.is_finite()).fold(start, |(low, high), x| (low.min(x), high.max(x)))
+        };
+        let along = extent(&mut samples.iter().map(|s| s[0]));
+        let up = extent(&mut samples.iter().flat_map(|s| [s[1], s[2]]));
+        (along.0 < along.1 && up.0 <= up.1).then_some(Frame { along, up })
+    }
+
+    /// Where a value is between the bottom, 0, and the top, 1; what does not vary is in the middle.
+    fn height(&self, value: f64) -> f64 {
+        let width = self.up.1 - self.up.0;
+        let tiny = 1e-12 * self.up.0.abs().max(self.up.1.abs());
+        if width > tiny { (value - self.up.0) / width } else { 0.5 }
+    }
+
+    fn place(&self, t: f64, value: f64) -> (i64, i64) {
+        let x = SIZE.0 * (t - self.along.0) / (self.along.1 - self.along.0);
+        let y = EDGE + (SIZE.1 - 2.0 * EDGE) * (1.0 - self.height(value));
+        (x.round() as i64, y.round() as i64)
+    }
+
+    /// The letter of a side in a column: that of the nearest sample.
+    fn letter(&self, samples: &[[f64; 3]], column: usize, side: usize) -> char {
+        const HEIGHTS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
+        let t = self.along.0 + (self.along.1 - self.along.0) * column as f64 / (LETTERS - 1) as f64;
+        let nearest = samples.iter().min_by(|a, b| (a[0] - t).abs().total_cmp(&(b[0] - t).abs()));
+        let value = nearest.map_or(f64::NAN, |s| s[side]);
+        let step = (self.height(value) * 7.0).round();
+        if value.is_finite() { HEIGHTS.get(step as usize).copied().unwrap_or(' ') } else { ' ' }
+    }
+}
+
+fn sides_svg(samples: &[[f64; 3]], at: Option<f64>, title: &str) -> String {
+    let Some(frame) = Frame::of(samples) else { return String::new() };
+    let curve = |side: usize| {
+        let mut out = String::new();
+        let mut pen = false;
+        for s in samples {
+            if !s[side].is_finite() {
+                pen = false;
+                continue;
+            }
+            let (x, y) = frame.place(s[0], s[side]);
+            out.push_str(&format!("{}{x} {y}", if pen { "L" } else { "M" }));
+            pen = true;
+        }
+        out
+    };
+    let (width, height) = (SIZE.0 as i64, SIZE.1 as i64);
+    let mark = at.filter(|t| t.is_finite()).map(|t| {
+        let x = frame.place(t, frame.up.0).0;
+        format!("<path class=worst d=\"M{x} {}V{}\"/>", EDGE as i64, height - EDGE as i64)
+    });
+    let text = |x: i64, y: i64, more: &str, words: &str, value: f64| {
+        format!("<text x={x} y={y}{more}>{words}{}</text>", six(value).replace('-', "−"))
+    };
+    format!(
+        "<svg viewBox=\"0 0 {width} {height}\" role=img><title>{}</title>{}<path class=left d=\"{}\"/><path class=right d=\"{}\"/>{}{}{}</svg>",
+        escaped(title),
+        mark.unwrap_or_default(),
+        curve(1),
+        curve(2),
+        text(0, 9, "", "", frame.up.1),
+        text(0, height - 2, "", "", frame.up.0),
+        text(width, height - 2, " text-anchor=end", &format!("t = {} … ", six(frame.along.0)), frame.along.1),
+    )
+}
+
+/// The fields, as many as are drawn: of several the worst.
+fn gathered(fields: &[VerdictShape]) -> Vec<VerdictShape> {
+    let each = fields.len().div_ceil(FIELDS).max(1);
+    let rank = |f: &VerdictShape| match f {
+        VerdictShape::Fails | VerdictShape::Certified => 5,
+        VerdictShape::Mixed => 4,
+        VerdictShape::Meaning => 3,
+        VerdictShape::Undecided => 2,
+        VerdictShape::NotApplicable | VerdictShape::NoIdentity => 1,
+        _ => 0,
+    };
+    fields.chunks(each).filter_map(|some| some.iter().copied().max_by_key(|f| (rank(f), *f))).collect()
+}
+
+fn strip_svg(fields: &[VerdictShape]) -> String {
+    let fields = gathered(fields);
+    let mut out = format!(
+        "<svg class=strip viewBox=\"0 0 {} 8\" preserveAspectRatio=none role=img><title>The claims in the order of the paper</title>",
+        fields.len() * 8
+    );
+    // Neighbours of one colour are one path: a hundred claims are a few hundred bytes.
+    for class in ["h", "f", "m", "r", "u", "n"] {
+        let places = fields.iter().enumerate().filter(|(_, f)| f.class().split(' ').next() == Some(class));
+        let d: String = places.map(|(at, _)| format!("M{} 0h7v8h-7z", at * 8)).collect();
+        if !d.is_empty() {
+            out.push_str(&format!("<path class=\"q{class}\" d=\"{d}\"/>"));
+        }
+    }
+    out + "</svg>"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn wave() -> Sketch {
+        let samples = (0..20).map(|k| [f64::from(k), f64::from(k % 5), 1.0]).collect();
+        Sketch::Sides { samples, at: Some(3.0), title: "<b>".into() }
+    }
+
+    #[test]
+    fn both_sides_are_drawn_and_a_title_is_no_markup() {
+        let svg = wave().svg();
+        assert_eq!((svg.matches("<path").count(), svg.matches("<text").count()), (3, 3), "{svg}");
+        assert!(svg.contains("&lt;b&gt;") && svg.len() < 900, "{svg}");
+        assert!(svg.contains(">t = 0 … 19</text>"), "{svg}");
+        let lines = wave().lines();
+        assert_eq!(lines.len(), 2);
+        assert!(lines[0].contains('█') && lines[1].contains('▃'), "{lines:?}");
+    }
+
+    #[test]
+    fn a_strip_is_bounded_and_shows_the_worst() {
+        let mut fields = vec![VerdictShape::Sampled; 1000];
+        fields[500] = VerdictShape::Fails;
+        let svg = Sketch::Strip(fields).svg();
+        assert!(svg.len() < 4000 && svg.contains("class=\"qf\""), "{svg}");
+    }
+}

@@ -1,0 +1,194 @@
+//! A report as a story of blocks: a section is written once, and printed for a terminal, as Markdown, as LaTeX and as HTML.
+//!
+//! **In:** [`StoryBlock`]s, which a section makes from findings. **Out:** text of one kind, by one of four printers.
+//!
+//! No section knows its printer, and no printer knows a finding: what is said is in the blocks, how it looks is in the printer.
+//! Words of the program, texts of the file and formulas are told apart ([`StorySpan`]), so that each printer escapes what it must.
+
+mod html;
+mod markdown;
+mod terminal;
+mod tex;
+
+pub(super) use html::html;
+pub(super) use markdown::markdown;
+pub(super) use terminal::terminal;
+pub(super) use tex::tex;
+
+use super::sketch::Sketch;
+use crate::latex::Scope;
+
+/// The weight or the colour of words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tone {
+    Plain,
+    Strong,
+    /// Beside the matter.
+    Quiet,
+    /// What stands.
+    Good,
+    /// What does not.
+    Bad,
+    /// What is open.
+    Open,
+    /// What asks for attention.
+    Alarm,
+}
+
+/// A symbol for a verdict or a fate, readable without colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum VerdictShape {
+    Proved,
+    ProvedGiven,
+    Enclosed,
+    Sampled,
+    Weak,
+    Fails,
+    Certified,
+    Mixed,
+    Meaning,
+    NoIdentity,
+    NotApplicable,
+    Undecided,
+}
+
+impl VerdictShape {
+    /// All, in the order of the legend.
+    pub const ALL: [VerdictShape; 12] = [
+        VerdictShape::Proved,
+        VerdictShape::ProvedGiven,
+        VerdictShape::Enclosed,
+        VerdictShape::Sampled,
+        VerdictShape::Weak,
+        VerdictShape::Fails,
+        VerdictShape::Certified,
+        VerdictShape::Mixed,
+        VerdictShape::Meaning,
+        VerdictShape::NoIdentity,
+        VerdictShape::NotApplicable,
+        VerdictShape::Undecided,
+    ];
+
+    /// The symbol, its name in the style of the page, its command in LaTeX, and what it means.
+    fn row(self) -> (&'static str, &'static str, &'static str, &'static str) {
+        match self {
+            VerdictShape::Proved => ("◆", "h p", r"$\blacklozenge$", "holds, proved for all values"),
+            VerdictShape::ProvedGiven => ("◈", "h g", r"$\lozenge$", "holds, proved given others"),
+            VerdictShape::Enclosed => ("■", "h e", r"$\blacksquare$", "holds at every time"),
+            VerdictShape::Sampled => ("●", "h", r"$\bullet$", "holds at all samples"),
+            VerdictShape::Weak => ("○", "h w", r"$\circ$", "holds, but much else would"),
+            VerdictShape::Fails => ("✕", "f", r"$\times$", "fails at samples"),
+            VerdictShape::Certified => ("✖", "f e", r"$\boldsymbol{\times}$", "fails, certified"),
+            VerdictShape::Mixed => ("◐", "m", r"$\oslash$", "holds on some, fails on others"),
+            VerdictShape::Meaning => ("◇", "r", r"$\Diamond$", "depends on what it means"),
+            VerdictShape::NoIdentity => ("≢", "i", r"$\not\equiv$", "not for all values"),
+            VerdictShape::NotApplicable => ("–", "n", "--", "does not apply"),
+            VerdictShape::Undecided => ("?", "u", "?", "undecided"),
+        }
+    }
+
+    /// The symbol.
+    pub fn sign(self) -> &'static str {
+        self.row().0
+    }
+
+    /// Its name in the style of the page.
+    pub fn class(self) -> &'static str {
+        self.row().1
+    }
+
+    /// Its meaning.
+    pub fn says(self) -> &'static str {
+        self.row().3
+    }
+
+    /// The colour of its words.
+    pub fn tone(self) -> Tone {
+        match self.class().as_bytes().first() {
+            Some(b'h') => Tone::Good,
+            Some(b'f' | b'm') => Tone::Bad,
+            Some(b'u' | b'r') => Tone::Open,
+            _ => Tone::Quiet,
+        }
+    }
+}
+
+/// A piece of a line.
+#[derive(Clone, Debug)]
+pub(super) enum StorySpan<'a> {
+    /// Words of the program.
+    Words(String, Tone),
+    /// A text of the file, in which formulas stand between dollar signs.
+    Prose(String, &'a Scope, Tone),
+    /// A formula.
+    Math(String, &'a Scope),
+    /// A formula of which the parts are marked that another has not: `wrong` in the print, else in what is right.
+    Marked { formula: String, beside: String, scope: &'a Scope, wrong: bool },
+    /// The name of a claim, which leads to what is said of it.
+    Claim(String, Tone),
+    /// What can be typed.
+    Code(String),
+    /// A symbol.
+    Shape(VerdictShape),
+}
+
+/// A table with a head.
+#[derive(Clone, Debug)]
+pub(super) struct StoryTable<'a> {
+    /// What it shows.
+    pub title: String,
+    pub head: Vec<Vec<StorySpan<'a>>>,
+    /// The first cell of a row is its head.
+    pub rows: Vec<Vec<Vec<StorySpan<'a>>>>,
+}
+
+/// An item of a list.
+#[derive(Clone, Debug)]
+pub(super) struct StoryItem<'a> {
+    /// What stands before it: a number, a letter; empty for a dot.
+    pub mark: String,
+    pub line: Vec<StorySpan<'a>>,
+    /// What stands below the line, deeper.
+    pub below: Vec<StoryBlock<'a>>,
+}
+
+/// A block of a story.
+#[derive(Clone, Debug)]
+pub(super) enum StoryBlock<'a> {
+    Heading(String),
+    Paragraph(Vec<StorySpan<'a>>),
+    Table(StoryTable<'a>),
+    List(Vec<StoryItem<'a>>),
+    /// What is not shown on the first screen. Where a line says what is there, only a page has it.
+    Fold {
+        title: String,
+        unfolded: Option<String>,
+        blocks: Vec<StoryBlock<'a>>,
+    },
+    /// A drawing, with what it shows.
+    Figure(Sketch, Vec<StorySpan<'a>>),
+    /// Blocks that belong together, by the name that the style of the page has for them.
+    Group(&'static str, Vec<StoryBlock<'a>>),
+}
+
+/// Words without weight.
+pub(super) fn words<'a>(text: impl Into<String>) -> StorySpan<'a> {
+    StorySpan::Words(text.into(), Tone::Plain)
+}
+
+/// Words beside the matter.
+pub(super) fn quiet<'a>(text: impl Into<String>) -> StorySpan<'a> {
+    StorySpan::Words(text.into(), Tone::Quiet)
+}
+
+/// Several pieces with something between them.
+pub(super) fn joined<'a>(all: impl IntoIterator<Item = Vec<StorySpan<'a>>>, between: &str) -> Vec<StorySpan<'a>> {
+    let mut out = Vec::new();
+    for (i, one) in all.into_iter().enumerate() {
+        if i > 0 {
+            out.push(words(between));
+        }
+        out.extend(one);
+    }
+    out
+}

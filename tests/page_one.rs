@@ -1,0 +1,71 @@
+//! Page one of every derivation of this project: it has all of its parts, and fits.
+
+use std::path::Path;
+
+use rederive::report::{front_markdown, front_page, page, tex_summary};
+
+use crate::checked::checked;
+
+/// Most rows and columns of the matrix, its heads apart.
+const MATRIX: (usize, usize) = (10, 6);
+/// The longest page one of a terminal, in lines.
+const LINES: usize = 60;
+
+fn derivations() -> Vec<String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("derivations");
+    let entries = std::fs::read_dir(folder).expect("derivations").map(|entry| entry.expect("an entry").file_name());
+    let mut names: Vec<String> = entries.map(|name| name.to_string_lossy().into_owned()).collect();
+    names.retain(|name| name.ends_with(".toml"));
+    names.sort();
+    names
+}
+
+/// The part of a page between two marks.
+fn between<'a>(page: &'a str, from: &str, to: &str) -> &'a str {
+    let rest = page.split_once(from).map_or("", |(_, rest)| rest);
+    rest.split_once(to).map_or("", |(part, _)| part)
+}
+
+#[test]
+fn every_page_one_has_all_of_its_parts() {
+    let names = derivations();
+    assert!(names.len() >= 18, "{names:?}");
+    for name in names {
+        let (derivation, account) = &*checked(Path::new("derivations").join(&name));
+        let whole = page(derivation, account);
+        let front = between(&whole, "id=/front>", "<ul class=counts");
+        assert!(front.contains("<math"), "{name}: no formula");
+        let matrix = between(front, "<div class=matters>", "<div class=cards>");
+        let (rows, columns) = (matrix.matches("<th scope=row>").count(), matrix.matches("<th scope=col").count());
+        assert!((1..=MATRIX.0).contains(&rows) && (1..=MATRIX.1).contains(&columns), "{name}: {rows} × {columns}");
+        assert!(matrix.contains("class=\"mark"), "{name}: a matrix without a verdict");
+        assert!(matrix.contains("<svg"), "{name}: no picture of the paper");
+        let cards = between(front, "<div class=cards>", "<div class=concludes>");
+        assert!(
+            cards.contains("<div class=card>") && cards.contains("<math"),
+            "{name}: nothing is shown of what is wrong"
+        );
+        let chains = between(front, "<div class=concludes>", "<div class=foot>");
+        assert!(chains.contains("<div class=chain>") || chains.contains("of no claim"), "{name}: no chain");
+        assert!(front.contains("Used and not said"), "{name}: no hypotheses");
+        let text = front_page(derivation, account, false);
+        assert!(text.lines().count() <= LINES, "{name}: {} lines\n{text}", text.lines().count());
+        let too_wide = |line: &&str| line.chars().count() > 100 && line.trim().contains(' ');
+        assert_eq!(text.lines().find(too_wide), None, "{name}");
+        for part in ["Used and not said", "To repeat it:"] {
+            assert!(front_markdown(derivation, account).contains(part), "{name}: {part}");
+            assert!(tex_summary(derivation, account).contains(part), "{name}: {part}");
+        }
+    }
+}
+
+/// Where a claim fails on a motion, both of its sides are drawn along it.
+#[test]
+fn a_failure_on_a_motion_has_its_picture() {
+    for name in ["pendulum.toml", "kepler.toml"] {
+        let (derivation, account) = &*checked(Path::new("derivations").join(name));
+        let whole = page(derivation, account);
+        let cards = between(&whole, "<div class=cards>", "<div class=concludes>");
+        assert!(cards.contains("class=left d=") && cards.contains("class=right d="), "{name}");
+    }
+}
