@@ -8,6 +8,7 @@
 use super::compilation::Compiled;
 use super::memory::Known;
 use super::on_motions::{Found, OnMotions};
+use super::pieces;
 use super::premises::{counterexample, strengthen};
 use claim::error::{CANCELLED, CheckError};
 use claim::options::{Options, Rigor};
@@ -184,12 +185,14 @@ impl Work<'_, '_> {
             let step = Step::of(derivation, claim)?.with(options.plain);
             match counterexample(derivation, selection, k, run.known, columns) {
                 Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
-                None => run.recall.identity(derivation, claim, || step.decide()),
+                None => run.recall.identity(derivation, claim, || {
+                    pieces::decided(derivation, claim, &options.limits, || step.decide())
+                }),
             }
         };
         let identities: Vec<_> = selection.claims.par_iter().enumerate().with_max_len(1).map(identity).collect();
-        for (claim, identity) in self.account.claims.iter_mut().zip(identities) {
-            claim.identity = identity.transpose().map_err(CheckError::Defect)?;
+        for ((claim, identity), &c) in self.account.claims.iter_mut().zip(identities).zip(&selection.claims) {
+            claim.identity = identity.map(|found| pieces::account(derivation, &derivation.claims[c], found));
         }
         Ok(())
     }
