@@ -410,3 +410,41 @@ fn the_table_has_every_writer() {
     let missing: Vec<&&str> = found.iter().filter(|f| !in_the_table.contains(f) && !no_texts.contains(f)).collect();
     assert!(missing.is_empty(), "write these down in the table of hostile texts: {missing:?}");
 }
+
+/// Files that took minutes and gigabytes, or all verdicts with one claim: each ends with its reason.
+#[test]
+fn what_takes_too_much_work_ends_with_its_reason() {
+    let project = tempfile::tempdir().expect("a folder");
+    let check = |name: &str, text: &str| {
+        fs::write(project.path().join(name), text).expect("written");
+        let output = run(project.path(), &["check", name, "--no-reports", "--no-cache"], false);
+        let told = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).concat();
+        (output.status.code(), told)
+    };
+    let head = "[derivation]\ntitle = 'x'\nconcerns = 'y'\n[symbols]\n't' = { role = 'time' }\n'x' = { role = 'state' }\n\
+                'k' = { role = 'parameter' }\n";
+    let motion = "[system.s]\nstates = ['x']\nequations = ['\\dot x=-kx']\n[[trajectory]]\nid = 'a'\nsystem = 's'\n\
+                  parameters = { 'k' = 1 }\ninitial = { 'x' = 1 }\nspan = [0, 1]\n";
+    // A function calls another one twice, and that one another one twice: 2²³ different terms.
+    let mut calls =
+        "'f_{\\rm a}(\\alpha)' = { role = 'abbreviation', arguments = ['\\alpha'], formula = '\\sin\\alpha' }\n"
+            .to_owned();
+    for (of, name) in ('a'..='w').zip('b'..='x') {
+        calls += &format!(
+            "'f_{{\\rm {name}}}(\\alpha)' = {{ role = 'abbreviation', arguments = ['\\alpha'], formula = \
+             'f_{{\\rm {of}}}(\\alpha+1)+f_{{\\rm {of}}}(2\\alpha)' }}\n"
+        );
+    }
+    let claim = "[[claim]]\nid = 'c'\nsays = 's'\nalways = ['x=f_{\\rm x}(x)']\n";
+    let (code, told) = check("calls.toml", &[head, &calls, motion, claim].concat());
+    assert_eq!(code, Some(2), "{told}");
+    assert!(told.contains("work limit: reading a formula") && told.contains("calls.toml:"), "{told}");
+
+    // The program contradicted itself here, and no claim had a verdict.
+    let nowhere = "[[claim]]\nid = 'good'\nsays = 's'\nalways = ['\\dot x=-kx']\n[[claim]]\nid = 'c'\nsays = 's'\n\
+                   always = ['e^{\\ln k}=e^{\\ln(-k)}']\n";
+    let (code, told) = check("nowhere.toml", &[head, motion, nowhere].concat());
+    assert_eq!(code, Some(0), "{told}");
+    let output = run(project.path(), &["prove", r"e^{\ln x}=e^{\ln(-x)}", "--symbol", "x"], false);
+    assert_eq!(output.status.code(), Some(3));
+}

@@ -13,7 +13,9 @@ use super::premises::{counterexample, strengthen};
 use claim::error::{CANCELLED, CheckError};
 use claim::options::{Options, Rigor};
 use derivation::{Claim, Derivation};
+use diag::Diagnostic;
 use findings::{Account, ClaimAccount, IdentityAccount};
+use meter::{Ended, Task};
 use proved::step::Step;
 use rayon::prelude::*;
 use sampled::selection::{Selection, is_asked};
@@ -21,6 +23,9 @@ use sampled::systems::Fields;
 use sampled::witness;
 use verdict::Verdict;
 use weight::variant;
+
+/// The code of a file whose claims take too much work to be compiled.
+const TOO_LARGE: &str = "check::too-large";
 
 /// What is to be checked.
 pub(super) struct Run<'a> {
@@ -66,11 +71,18 @@ impl<'a> Run<'a> {
             Err(problems) => return Err(self.regions(file).err().unwrap_or(CheckError::Problems(problems))),
         };
         let selection = Selection::new(file, &options.claims, &options.trajectories);
-        let mut compiled = Compiled::new(self, &selection, derivation, fields);
+        let limits = &options.limits;
+        let too_large = |ended: Ended| match ended {
+            Ended::Defect(what) => CheckError::Defect(what),
+            ended => CheckError::Problems(vec![Diagnostic::of_file(&file.file.path, TOO_LARGE, ended.to_string())]),
+        };
+        let compile = || Compiled::new(self, &selection, derivation, fields);
+        let mut compiled = meter::piece(Task::Compiling, limits, compile).map_err(too_large)?;
         let altered = || (!options.plain).then(|| variant::Altered::new(&compiled.derivation, &selection));
         let (mut altered, regions) = rayon::join(altered, || self.regions(&compiled.derivation));
         let regions = regions?;
-        compiled.finish(self, &selection, altered.as_mut())?;
+        let finish = || compiled.finish(self, &selection, altered.as_mut());
+        meter::piece(Task::Compiling, limits, finish).map_err(too_large)??;
         self.unless_cancelled()?;
         let stage = compiled.build(self, &selection)?;
         self.unless_cancelled()?;

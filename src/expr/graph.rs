@@ -458,6 +458,7 @@ impl Graph {
                 open.extend(self.node(e).children());
             }
         }
+        meter::charge(seen.len() as u64 + 8 * count as u64);
         let mut found = Vec::with_capacity(count);
         for (word, mut bits) in seen.into_iter().enumerate() {
             while bits != 0 {

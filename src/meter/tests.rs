@@ -111,3 +111,17 @@ fn a_part_is_counted_with_its_piece() {
     let ten = Limits { work: Some(10), ..Limits::default() };
     assert_eq!(under(&ten, || part(Task::Formula, || charge(2 * SECOND))), Ok(Ok(())));
 }
+
+#[test]
+fn the_page_of_limits_has_the_table() {
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/limits.md");
+    let page = std::fs::read_to_string(page).expect("the page of limits");
+    for task in Task::ALL {
+        let (words, units, bytes) = (task.words(), task.units() / SECOND, task.bytes() / MEGABYTE);
+        let row = format!("\n| {words} | {units} | {bytes} |\n");
+        assert!(page.contains(&row), "docs/limits.md has no row `{}`", row.trim());
+    }
+    let rows =
+        page.lines().filter(|line| Task::ALL.iter().any(|task| line.starts_with(&format!("| {} |", task.words()))));
+    assert_eq!(rows.count(), Task::ALL.len());
+}
