@@ -47,8 +47,8 @@ fn a_piece_takes_nothing_else_with_it() {
 
 #[test]
 fn a_panic_is_a_defect_of_its_piece() {
-    let found = piece(Task::Reading, &Limits::default(), || resume_unwind(Box::new("on purpose")));
-    let Err(Ended::Defect(what)) = found.map(|()| ()) else { panic!("a defect") };
+    let found: Result<(), Ended> = piece(Task::Reading, &Limits::default(), || resume_unwind(Box::new("on purpose")));
+    let Err(Ended::Defect(what)) = found else { panic!("a defect") };
     assert!(what.contains("on purpose"), "{what}");
 }
 
@@ -94,19 +94,19 @@ fn a_limit_of_the_machine_is_reached_when_it_is() {
 #[test]
 fn a_part_is_counted_with_its_piece() {
     let limits = Limits::default();
-    let mut parts = 0;
+    let parts = Cell::new(0);
     let found: Result<(), Ended> = piece(Task::Reading, &limits, || {
         loop {
             let part = part(Task::Formula, || (0..900).for_each(|_| charge(1_000_000)));
             match part {
-                Ok(()) => parts += 1,
+                Ok(()) => parts.set(parts.get() + 1),
                 // What it used is gone for the piece, too.
                 Err(_) => charge(SECOND),
             }
         }
     });
     // Eleven of 0.9 s within 10 s; the last one ends, and so does what comes after it.
-    assert_eq!((found, parts), (Err(Ended::Work(Task::Reading)), 11));
+    assert_eq!((found, parts.get()), (Err(Ended::Work(Task::Reading)), 11));
     let alone = part(Task::Formula, || charge(2 * SECOND));
     assert_eq!(alone, Err(Ended::Work(Task::Formula)));
     let ten = Limits { work: Some(10), ..Limits::default() };
