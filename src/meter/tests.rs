@@ -115,8 +115,7 @@ fn a_part_is_counted_with_its_piece() {
 
 #[test]
 fn the_page_of_limits_has_the_table() {
-    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/limits.md");
-    let page = std::fs::read_to_string(page).expect("the page of limits");
+    let page = include_str!("../../docs/limits.md");
     for task in Task::ALL {
         let (words, units, bytes) = (task.words(), task.units() / SECOND, task.bytes() / MEGABYTE);
         let row = format!("\n| {words} | {units} | {bytes} |\n");
