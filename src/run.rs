@@ -4,6 +4,7 @@
 //! [`Format`]: a document for each file, or one for all.
 
 use crate::conclusion::{Conclusion, Demand};
+use crate::derivation::Derivation;
 use crate::diag::Diagnostic;
 use crate::paper::{Comparison, Paper, compare, subject};
 use crate::report::{self, Checked, Finding};
@@ -194,6 +195,14 @@ impl Run {
     pub fn add_problems(&mut self, found: Vec<Diagnostic>) {
         let told = report::problems(&found);
         self.problems.extend(found);
+        self.findings.extend(told.iter().cloned());
+        self.others.extend(told);
+    }
+
+    /// Adds that nothing was found of a file, since the program stopped in the middle of it.
+    pub fn add_defect(&mut self, of: &Derivation, what: &str) {
+        let message = format!("a defect of this program, not of the file: {what}");
+        let told = report::problems(&[Diagnostic::of_file(&of.file.path, "check::defect", message)]);
         self.findings.extend(told.iter().cloned());
         self.others.extend(told);
     }

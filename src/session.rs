@@ -23,6 +23,7 @@ use crate::diag::{Diagnostic, Source};
 use crate::findings::search::SearchAccount;
 use crate::report;
 use crate::verdict::Residuals;
+use meter::{Ended, Task};
 
 /// Where diagnostics place a problem with the scope of a [`Question`].
 const SCOPE: &str = "scope";
@@ -263,15 +264,15 @@ impl Session {
             rigor: ask.rigor,
             limits: ask.limits.clone(),
         };
-        let found = match store {
+        let found = meter::under(&ask.limits, || match store {
             Some(store) => check::check_recorded(&self.derivation, &options, store, progress),
             None => check::check(&self.derivation, &options, progress),
-        };
+        });
         // Whatever it says: it was not finished.
         if ask.limits.is_cancelled() {
             return Err(Failure::Cancelled);
         }
-        let mut account = found?;
+        let mut account = found.map_err(|ended| Failure::Defect(ended.to_string()))??;
         let is_asked = |c: &ClaimAccount| ask.claims.iter().any(|name| is_called(name, &c.id, c.reading.as_deref()));
         account.claims.retain(|c| ask.claims.is_empty() || is_asked(c));
         Ok(Findings { derivation: self.derivation.clone(), account })
@@ -379,7 +380,12 @@ impl Session {
             given: asked.given.iter().map(|text| shown(text).into_owned()).collect(),
             throughout: asked.throughout,
         };
-        let account = check::prove(&mut derivation, &proposition)?;
+        let found = meter::piece(Task::Proving, &Limits::default(), || check::prove(&mut derivation, &proposition));
+        let account = match found {
+            Ok(found) => found?,
+            Err(Ended::Defect(what)) => return Err(Failure::Defect(what)),
+            Err(ended) => IdentityAccount { reason: Some(ended.into()), ..IdentityAccount::default() },
+        };
         Ok(Answer { proposition, account })
     }
 

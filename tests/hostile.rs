@@ -19,6 +19,8 @@ const HOSTILE: &[&str] = &[
     r"\\input{/etc/passwd} \\write18{id} \\end{document} $\\href{javascript:alert(4)}{x}$ ^^5c",
     r"$x=a\\label{\\input{/etc/passwd}}$ `x\\tag{\\input{q}}` $\\def\\x{y}$",
     r#"\"\"\" ''' \\\" #{} {{}} \nimport os"#,
+    r#"\\`<img src=x onerror=alert(5)>` \\[l\\](javascript:alert(6)) \\*b\\* \\\\`<script>alert(7)</script>`"#,
+    r"##[error]planted ##[add-mask]x \\##[c] $a$\\`<script>` |\\| x \\",
 ];
 
 /// A derivation file with this text wherever a text may stand.
@@ -127,6 +129,56 @@ fn no_command(what: &str, text: &str) {
     }
 }
 
+/// A line of Markdown as CommonMark takes it apart: text and code in turn. Of a text the signs are gone that a backslash makes plain.
+fn spans(line: &str) -> Vec<String> {
+    let mut out = vec![String::new()];
+    let mut rest = line;
+    while let Some(c) = rest.chars().next() {
+        let run = rest.bytes().take_while(|b| *b == b'`').count();
+        let after = &rest[run..];
+        let fence = "`".repeat(run);
+        // A run of backticks ends at the next run that is as long; without one it is text.
+        let ends = || {
+            let mut from = 0;
+            while let Some(at) = after[from..].find(&fence) {
+                let length = after[from + at..].bytes().take_while(|b| *b == b'`').count();
+                if length == run {
+                    return Some(from + at);
+                }
+                from += at + length;
+            }
+            None
+        };
+        if run > 0 {
+            match ends() {
+                Some(end) => {
+                    out.extend([after[..end].to_owned(), String::new()]);
+                    rest = &after[end + run..];
+                }
+                None => {
+                    out.last_mut().expect("there is one").push_str(&fence);
+                    rest = after;
+                }
+            }
+            continue;
+        }
+        let plain = c == '\\' && rest[1..].starts_with(|next: char| next.is_ascii_punctuation());
+        let length = if plain { 2 } else { c.len_utf8() };
+        if !plain {
+            out.last_mut().expect("there is one").push(c);
+        }
+        rest = &rest[length..];
+    }
+    out
+}
+
+#[test]
+fn markdown_is_taken_apart_as_a_forge_does() {
+    assert_eq!(spans(r"a \`<b>` c"), ["a <b>` c"]);
+    assert_eq!(spans(r"a \\`<b>` ``x`y``"), ["a ", "<b>", " ", "x`y", ""]);
+    assert_eq!(spans(r"\[l\](javascript:x) `open"), ["l(javascript:x) `open"]);
+}
+
 /// What a format may not have in it besides.
 #[track_caller]
 fn plain_in(format: &str, text: &str) {
@@ -143,11 +195,9 @@ fn plain_in(format: &str, text: &str) {
             // Formulas are MathML: nothing is left of what is not set.
             assert_eq!(lower.matches("<script").count(), lower.matches("</script>").count());
         }
-        "md" => {
-            // Between backticks nothing acts; a text never has one of its own there.
-            let unescaped = lower.replace("\\]", "");
-            for line in unescaped.lines().filter(|l| !l.starts_with("```")) {
-                let parts: Vec<&str> = line.split('`').collect();
+        "md" | "markdown" => {
+            for line in lower.lines().filter(|l| !l.starts_with("```")) {
+                let parts = spans(line);
                 for (at, part) in parts.iter().enumerate() {
                     let set = at % 2 == 1 && parts[at - 1].ends_with('$');
                     let words: &[&str] = match (at % 2, set) {
@@ -185,7 +235,7 @@ fn every_hostile_text_in_every_format() {
         let project = tempfile::tempdir().expect("a folder");
         fs::create_dir(project.path().join("derivations")).expect("made");
         fs::write(project.path().join("derivations/h.toml"), derivation(text)).expect("written");
-        for format in ["text", "json", "tex", "junit", "sarif", "github"] {
+        for format in ["text", "json", "tex", "markdown", "junit", "sarif", "github"] {
             let output = run(project.path(), &["check", "--format", format], format == "text");
             let (out, told) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
             assert_eq!(output.status.code(), Some(1), "{text}: {told}");
@@ -246,7 +296,7 @@ fn every_hostile_text_in_every_format() {
             written += 1;
         }
     }
-    assert_eq!(written, HOSTILE.len() * 18);
+    assert_eq!(written, HOSTILE.len() * 19);
 }
 
 /// Problems quote the file as it is, and are shown.
@@ -360,4 +410,42 @@ fn the_table_has_every_writer() {
     ];
     let missing: Vec<&&str> = found.iter().filter(|f| !in_the_table.contains(f) && !no_texts.contains(f)).collect();
     assert!(missing.is_empty(), "write these down in the table of hostile texts: {missing:?}");
+}
+
+/// Files that took minutes and gigabytes, or all verdicts with one claim: each ends with its reason.
+#[test]
+fn what_takes_too_much_work_ends_with_its_reason() {
+    let project = tempfile::tempdir().expect("a folder");
+    let check = |name: &str, text: &str| {
+        fs::write(project.path().join(name), text).expect("written");
+        let output = run(project.path(), &["check", name, "--no-reports", "--no-cache"], false);
+        let told = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).concat();
+        (output.status.code(), told)
+    };
+    let head = "[derivation]\ntitle = 'x'\nconcerns = 'y'\n[symbols]\n't' = { role = 'time' }\n'x' = { role = 'state' }\n\
+                'k' = { role = 'parameter' }\n";
+    let motion = "[system.s]\nstates = ['x']\nequations = ['\\dot x=-kx']\n[[trajectory]]\nid = 'a'\nsystem = 's'\n\
+                  parameters = { 'k' = 1 }\ninitial = { 'x' = 1 }\nspan = [0, 1]\n";
+    // A function calls another one twice, and that one another one twice: 2²³ different terms.
+    let mut calls =
+        "'f_{\\rm a}(\\alpha)' = { role = 'abbreviation', arguments = ['\\alpha'], formula = '\\sin\\alpha' }\n"
+            .to_owned();
+    for (of, name) in ('a'..='w').zip('b'..='x') {
+        calls += &format!(
+            "'f_{{\\rm {name}}}(\\alpha)' = {{ role = 'abbreviation', arguments = ['\\alpha'], formula = \
+             'f_{{\\rm {of}}}(\\alpha+1)+f_{{\\rm {of}}}(2\\alpha)' }}\n"
+        );
+    }
+    let claim = "[[claim]]\nid = 'c'\nsays = 's'\nalways = ['x=f_{\\rm x}(x)']\n";
+    let (code, told) = check("calls.toml", &[head, &calls, motion, claim].concat());
+    assert_eq!(code, Some(2), "{told}");
+    assert!(told.contains("work limit: reading a formula") && told.contains("calls.toml:"), "{told}");
+
+    // The program contradicted itself here, and no claim had a verdict.
+    let nowhere = "[[claim]]\nid = 'good'\nsays = 's'\nalways = ['\\dot x=-kx']\n[[claim]]\nid = 'c'\nsays = 's'\n\
+                   always = ['e^{\\ln k}=e^{\\ln(-k)}']\n";
+    let (code, told) = check("nowhere.toml", &[head, motion, nowhere].concat());
+    assert_eq!(code, Some(0), "{told}");
+    let output = run(project.path(), &["prove", r"e^{\ln x}=e^{\ln(-x)}", "--symbol", "x"], false);
+    assert_eq!(output.status.code(), Some(3));
 }

@@ -109,6 +109,46 @@ fn the_action_checks_annotates_and_tells_the_result() {
     assert_eq!(action(folder.path(), "paper.tex").0, 2);
 }
 
+/// What the tree says that is checked, about cargo, toolchains or names like options, changes nothing.
+#[test]
+fn the_action_builds_a_copy_and_takes_no_name_for_an_option() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = repository(LAW);
+    let at = |name: &str| folder.path().join(name);
+    for made in ["work/rederive", "work/.cargo", "tools"] {
+        fs::create_dir_all(at(made)).expect("made");
+    }
+    fs::write(at("work/.cargo/config.toml"), "[build]\nrustc-wrapper = 'owned'\n").expect("written");
+    fs::write(at("work/rust-toolchain.toml"), "[toolchain]\nchannel = 'owned'\n").expect("written");
+    fs::write(at("work/rederive/Cargo.toml"), "").expect("written");
+    // They tell where they are, and with what they are called.
+    for tool in ["cargo", "rustup"] {
+        fs::write(at("tools").join(tool), "#!/bin/sh\necho \"$0 in $PWD: $* with $RUSTUP_TOOLCHAIN\"\n")
+            .expect("written");
+        fs::set_permissions(at("tools").join(tool), fs::Permissions::from_mode(0o755)).expect("made a program");
+    }
+    let path = format!("{}:{}", at("tools").display(), std::env::var("PATH").unwrap_or_default());
+    let source = at("work/rederive").display().to_string();
+    let inputs = [("PATH", path.as_str()), ("GITHUB_ACTION_PATH", source.as_str()), ("RUSTUP_TOOLCHAIN", "1.89.0")];
+    let (code, text) = run(folder.path(), &script("Build"), &inputs);
+    assert_eq!(code, 0, "{text}");
+    let built = text.lines().find(|l| l.contains("cargo in")).expect("cargo is called");
+    assert!(
+        built.contains("/runner/rederive-source: install --locked --path . ") && built.ends_with("1.89.0"),
+        "{built}"
+    );
+    assert!(read("action.yml").contains("RUSTUP_TOOLCHAIN: 1.89.0"), "the toolchain is fixed");
+    assert!(at("runner/rederive-source/Cargo.toml").is_file());
+
+    // A file that is called like an option, and one like a pattern.
+    fs::write(at("work/--no-reports"), "").expect("written");
+    let inputs = [("FILES", "--no-reports\n*.toml"), ("SOURCE", ""), ("SARIF", "a.sarif"), ("JUNIT", "a.xml")];
+    let (_, text) = run(folder.path(), &script("Check"), &inputs);
+    assert!(text.contains("--no-reports") && !text.contains("rust-toolchain"), "{text}");
+    let output = fs::read_to_string(folder.path().join("output")).expect("an output");
+    assert!(output.ends_with("exit-code=2\n"), "{output}");
+}
+
 #[test]
 fn the_action_compares_with_a_baseline() {
     let folder = repository(LAW);

@@ -122,8 +122,7 @@ fn checked_again(
     let following: Vec<usize> =
         (0..derivation.claims.len()).filter(|&c| rest.contains(&derivation.claims[c].id)).collect();
     let others = account.claims.len();
-    let Followed { claims, rest } =
-        follow(derivation, &following, &account.claims, before, recall).map_err(CheckError::Defect)?;
+    let Followed { claims, rest } = follow(derivation, &following, &account.claims, before, recall);
     account.claims.extend(claims);
     check_some(derivation, account, rest)?;
     let mut late = account.claims.split_off(others);

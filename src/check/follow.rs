@@ -11,6 +11,7 @@
 use rayon::prelude::*;
 
 use super::memory::Known as Recalled;
+use super::pieces;
 use super::premises::{Column, counterexample, strengthen};
 use crate::derivation::{Claim, Derivation};
 use claim::limits::Limits;
@@ -28,16 +29,13 @@ pub(super) struct Followed {
 
 /// Claims, by their positions, whose premises have changed; `known` has the accounts of all others, `before` those of an earlier
 /// state of the file.
-///
-/// # Errors
-/// A description of two computations that contradict each other.
 pub(super) fn follow(
     derivation: &Derivation,
     following: &[usize],
     known: &[ClaimAccount],
     before: &[ClaimAccount],
     recall: Recalled,
-) -> Result<Followed, String> {
+) -> Followed {
     let claim = |&c: &usize| &derivation.claims[c];
     let mut rest: Vec<String> = Vec::new();
     let mut accounts: Vec<Option<ClaimAccount>> = Vec::new();
@@ -68,17 +66,19 @@ pub(super) fn follow(
         let step = Step::of(derivation, claim)?;
         match counterexample(derivation, &selection, k, known, &columns) {
             Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
-            None => recall.identity(derivation, claim, || step.decide()),
+            None => recall.identity(derivation, claim, || {
+                pieces::decided(derivation, claim, &Limits::default(), || step.decide())
+            }),
         }
     };
     let found: Vec<_> = (0..following.len()).into_par_iter().with_max_len(1).map(identity).collect();
     let mut claims = Vec::new();
-    for (account, identity) in accounts.into_iter().zip(found) {
+    for ((account, identity), &c) in accounts.into_iter().zip(found).zip(following) {
         let Some(mut account) = account else { continue };
-        account.identity = identity.transpose()?;
+        account.identity = identity.map(|found| pieces::account(derivation, &derivation.claims[c], found));
         claims.push(account);
     }
-    Ok(Followed { claims, rest })
+    Followed { claims, rest }
 }
 
 /// Gives the verdicts of some claims the strength of the proofs behind them, once all have their accounts.

@@ -21,6 +21,7 @@ mod memory;
 mod motions;
 mod on_motions;
 mod picture;
+mod pieces;
 mod premises;
 mod record;
 mod run;

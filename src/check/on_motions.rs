@@ -10,13 +10,14 @@
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use super::compilation::Compiled;
-use super::picture;
 use super::premises::Column;
 use super::run::Run;
+use super::{picture, pieces};
 use claim::error::{CANCELLED, CheckError};
 use derivation::Derivation;
 use findings::{Account, AloneAccount, ClaimAccount, Measurement, PairAccount, PictureAccount, Premises};
 use flow::Motion;
+use meter::{Ended, Task};
 use rayon::prelude::*;
 use sampled::claim_program::Prepared;
 use sampled::same_motion;
@@ -24,7 +25,7 @@ use sampled::selection::Selection;
 use sampled::stage::Stage;
 use sampled::trace::{Trace, Trial};
 use sampled::trial::try_claim;
-use verdict::{Finding, Outcome, Verdict};
+use verdict::{Outcome, Verdict};
 use weight::separation::{Motions, OneMotion};
 use weight::variant::{self, Altered, Weighed};
 
@@ -106,22 +107,31 @@ impl<'a> OnMotions<'a, '_> {
         if limits.is_cancelled() {
             return Err(CANCELLED.to_owned());
         }
-        if let (None, Some(reached)) = (self.stage.motion(t), limits.reached()) {
+        let open = |ended: Ended| {
             let is_open = |c: &usize| derivation.claims[*c].trajectories.binary_search(&t).is_ok();
-            let open = |c: &usize| is_open(c).then(|| Verdict::of(Finding::open(reached)));
-            return Ok(OnMotion { verdicts: self.selection.claims.iter().map(open).collect(), ..OnMotion::default() });
+            let open = |c: &usize| is_open(c).then(|| pieces::undecided(ended.clone()));
+            Ok(OnMotion { verdicts: self.selection.claims.iter().map(open).collect(), ..OnMotion::default() })
+        };
+        let ended = || self.stage.ended(t).cloned().or_else(|| limits.reached());
+        if let Some(ended) = ended().filter(|_| self.stage.motion(t).is_none()) {
+            return open(ended);
         }
         // Where the two routes to the values of a motion disagree, no claim has a verdict on it; the others have theirs.
-        let (mut trace, contradiction) = self.stage.trace(&derivation.graph, t, wanted)?;
+        let trace = meter::piece(Task::Motion, limits, || self.stage.trace(&derivation.graph, t, wanted));
+        let (mut trace, contradiction) = match trace {
+            Ok(trace) => trace?,
+            Err(ended) => return open(ended),
+        };
         let verdict = |of: &Vec<Prepared>| {
             let Prepared { claim, program, gradients } = &of[start];
             claim.trajectories.binary_search(&t).is_ok().then(|| {
                 if let Some(reached) = limits.reached() {
-                    return Verdict::of(Finding::open(reached));
+                    return pieces::undecided(reached);
                 }
                 let trial = Trial { graph: &derivation.graph, claim, program, trace: &trace, shown: true };
-                let mut verdict =
-                    recall.verdict(derivation, claim, t, || try_claim(derivation, &trial, gradients.as_ref()));
+                let mut verdict = recall.verdict(derivation, claim, t, || {
+                    pieces::verdict(Task::Sampling, limits, || try_claim(derivation, &trial, gradients.as_ref()))
+                });
                 if let Some(contradiction) = &contradiction {
                     verdict.contradict(contradiction.clone());
                 }
@@ -133,17 +143,24 @@ impl<'a> OnMotions<'a, '_> {
         verdicts.iter().zip(failed).filter(|(v, _)| fails(v)).for_each(|(_, f)| f.store(true, Ordering::Relaxed));
         // The motion is at hand now. Whether it is asked depends on the others, too: most claims that fail do so on the first.
         let motion = OneMotion { prepared, start, trace: &trace, verdicts: &verdicts, failed };
-        let without = probes.without_each(derivation, &motion, recall);
+        let without = meter::piece(Task::Weighing, limits, || probes.without_each(derivation, &motion, recall));
         let weighed = self.altered.map(|altered| {
             let late = limits.reached().is_some();
             let claims = prepared.iter().zip(&verdicts).map(|(of, verdict)| {
                 let Prepared { claim, program, .. } = &of[start];
                 verdict.clone().filter(|_| !late).map(|verdict| variant::Found { claim, program, verdict })
             });
-            altered.weigh(&derivation.graph, start, &trace, &claims.collect::<Vec<_>>())
+            let claims: Vec<_> = claims.collect();
+            let weigh = |claims: &[_]| altered.weigh(&derivation.graph, start, &trace, claims);
+            let nothing = || claims.iter().map(|_| None).collect::<Vec<_>>();
+            meter::piece(Task::Weighing, limits, || weigh(&claims)).unwrap_or_else(|_| weigh(&nothing()))
         });
-        let measurements = measures.iter().filter_map(|m| m.take(derivation, &trace)).collect();
-        let pictures = if pictures.is_empty() { Vec::new() } else { picture::draw(derivation, &trace) };
+        let take = || measures.iter().filter_map(|m| m.take(derivation, &trace)).collect();
+        let measurements = meter::piece(Task::Sampling, limits, take).unwrap_or_default();
+        let draw = || picture::draw(derivation, &trace);
+        let drawn = (!pictures.is_empty()).then(|| meter::piece(Task::Sampling, limits, draw));
+        let pictures = drawn.and_then(Result::ok).unwrap_or_default();
+        let without = without.unwrap_or_else(|_| probes.without_none());
         (self.run.progress)(done.fetch_add(1, Ordering::Relaxed) + 1, self.selection.tried.len());
         // What is asked later needs few of the leaves; those of all motions at once take much memory.
         trace.keep(kept);

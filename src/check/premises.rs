@@ -8,10 +8,12 @@
 use std::collections::HashMap;
 
 use super::memory::Known;
+use super::pieces;
 use claim::comparison;
 use claim::limits::Limits;
 use derivation::{Claim, Derivation, Premise};
 use findings::ClaimAccount;
+use meter::{Ended, Task};
 use proved::conditional::premises_first;
 use proved::step::Step;
 use sampled::selection::Selection;
@@ -100,8 +102,13 @@ pub(super) fn strengthen(
         }
     }
     let by_formula = |t: usize, before: (&Claim, &Verdict), find: &mut dyn FnMut() -> Verdict| {
-        let found = recall.strengthened(("by formula", ""), derivation, t, &[before], &mut || vec![find()]);
-        found.into_iter().next().unwrap_or_else(find)
+        let mut find = || match meter::piece(Task::Proving, limits, &mut *find) {
+            Ok(found) => vec![found],
+            Err(ended @ Ended::Defect(_)) => vec![pieces::undecided(ended)],
+            Err(_) => vec![before.1.clone()],
+        };
+        let found = recall.strengthened(("by formula", ""), derivation, t, &[before], &mut find);
+        found.into_iter().next().unwrap_or_else(|| before.1.clone())
     };
     proved::by_formula::settle(derivation, claims, (claimed, tried), limits, &by_formula);
     let motion: HashMap<&str, usize> = tried.iter().map(|&t| (derivation.trajectories[t].id.as_str(), t)).collect();

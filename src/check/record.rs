@@ -29,7 +29,7 @@ const ANSWERS: &str = "answers";
 
 /// The name of a record of a file, by its id and by what is asked: of one file many may be kept.
 fn name(derivation: &Derivation, options: &Options, of: &str) -> String {
-    let asked = format!("{:?} {}", options.rigor, options.plain);
+    let asked = format!("{:?} {} {:?}", options.rigor, options.plain, options.limits.work);
     let parts = [env!("CARGO_PKG_VERSION"), of, &derivation.id, &asked].map(str::as_bytes);
     key(&parts).iter().map(|byte| format!("{byte:02x}")).collect()
 }
@@ -64,7 +64,8 @@ pub fn check_recorded(
     let memory = Memory::of(found.unwrap_or_default());
     let mut account = check_recalling(derivation, options, Known::new(&memory, &Names::of(&contents)), None, progress)?;
     describe(derivation, &mut account);
-    if options.limits.reached().is_some() {
+    // What the use of memory has ended is not to be seen any more.
+    if options.limits.memory.is_some() || options.limits.reached().is_some() {
         return Ok(account);
     }
     let record = Record { contents, account };

@@ -8,11 +8,14 @@
 use super::compilation::Compiled;
 use super::memory::Known;
 use super::on_motions::{Found, OnMotions};
+use super::pieces;
 use super::premises::{counterexample, strengthen};
 use claim::error::{CANCELLED, CheckError};
 use claim::options::{Options, Rigor};
 use derivation::{Claim, Derivation};
+use diag::Diagnostic;
 use findings::{Account, ClaimAccount, IdentityAccount};
+use meter::{Ended, Task};
 use proved::step::Step;
 use rayon::prelude::*;
 use sampled::selection::{Selection, is_asked};
@@ -20,6 +23,9 @@ use sampled::systems::Fields;
 use sampled::witness;
 use verdict::Verdict;
 use weight::variant;
+
+/// The code of a file whose claims take too much work to be compiled.
+const TOO_LARGE: &str = "check::too-large";
 
 /// What is to be checked.
 pub(super) struct Run<'a> {
@@ -65,11 +71,18 @@ impl<'a> Run<'a> {
             Err(problems) => return Err(self.regions(file).err().unwrap_or(CheckError::Problems(problems))),
         };
         let selection = Selection::new(file, &options.claims, &options.trajectories);
-        let mut compiled = Compiled::new(self, &selection, derivation, fields);
+        let limits = &options.limits;
+        let too_large = |ended: Ended| match ended {
+            Ended::Defect(what) => CheckError::Defect(what),
+            ended => CheckError::Problems(vec![Diagnostic::of_file(&file.file.path, TOO_LARGE, ended.to_string())]),
+        };
+        let compile = || Compiled::new(self, &selection, derivation, fields);
+        let mut compiled = meter::piece(Task::Compiling, limits, compile).map_err(too_large)?;
         let altered = || (!options.plain).then(|| variant::Altered::new(&compiled.derivation, &selection));
         let (mut altered, regions) = rayon::join(altered, || self.regions(&compiled.derivation));
         let regions = regions?;
-        compiled.finish(self, &selection, altered.as_mut())?;
+        let finish = || compiled.finish(self, &selection, altered.as_mut());
+        meter::piece(Task::Compiling, limits, finish).map_err(too_large)??;
         self.unless_cancelled()?;
         let stage = compiled.build(self, &selection)?;
         self.unless_cancelled()?;
@@ -185,12 +198,14 @@ impl Work<'_, '_> {
             let step = Step::of(derivation, claim)?.with(options.plain);
             match counterexample(derivation, selection, k, run.known, columns) {
                 Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
-                None => run.recall.identity(derivation, claim, || step.decide()),
+                None => run.recall.identity(derivation, claim, || {
+                    pieces::decided(derivation, claim, &options.limits, || step.decide())
+                }),
             }
         };
         let identities: Vec<_> = selection.claims.par_iter().enumerate().with_max_len(1).map(identity).collect();
-        for (claim, identity) in self.account.claims.iter_mut().zip(identities) {
-            claim.identity = identity.transpose().map_err(CheckError::Defect)?;
+        for ((claim, identity), &c) in self.account.claims.iter_mut().zip(identities).zip(&selection.claims) {
+            claim.identity = identity.map(|found| pieces::account(derivation, &derivation.claims[c], found));
         }
         Ok(())
     }

@@ -49,12 +49,15 @@ pub struct ThreadArguments {
 /// What a run may take.
 #[derive(clap::Args)]
 pub struct LimitArguments {
-    /// Begin nothing after so many seconds: what is left is undecided. Results may then differ from run to run
+    /// End after so many seconds: what is left is undecided. Results may then differ from run to run
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     deadline: Option<f64>,
-    /// Begin nothing while so many megabytes are in use: what is left is undecided (on Linux)
+    /// Go on with nothing while so many megabytes are in use: what is left is undecided (on Linux)
     #[arg(long, value_name = "MEGABYTES")]
     memory: Option<u64>,
+    /// Allow each piece of the work so many times what is counted for it: see `docs/limits.md`
+    #[arg(long, value_name = "TIMES", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    work: Option<u32>,
     #[command(flatten)]
     pub threads: ThreadArguments,
 }
@@ -63,7 +66,7 @@ impl LimitArguments {
     /// The limits, counted from now.
     pub fn begun(&self) -> Limits {
         let memory = self.memory.map(|megabytes| megabytes.saturating_mul(1_000_000));
-        Limits { deadline: Limits::after(self.deadline), memory, cancel: None }
+        Limits { deadline: Limits::after(self.deadline), memory, cancel: None, work: self.work }
     }
 }
 

@@ -8,7 +8,7 @@ use rederive::paper;
 use rederive::{Ask, Demand, Detail, Document, Ending, Failure, Format, Run, report};
 
 use super::arguments::{LimitArguments, RigorArgument, number};
-use super::ending::{Stop, answer, complain, concluded};
+use super::ending::{Stop, answer, complain, concluded, defect};
 use super::outputs::Targets;
 use super::records::RecordArguments;
 use super::{files, progress};
@@ -135,7 +135,15 @@ fn each_file(arguments: &CheckArguments, run: &mut Run) -> Result<Ending, Stop> 
     let store = arguments.records.store();
     let mut ending = if asked.is_empty() { Ending::Undecided } else { Ending::Good };
     for (i, (session, ask)) in asked.into_iter().enumerate() {
-        let Some(document) = run.add(progress::check(&session, &ask, store.as_ref()))? else { continue };
+        let document = match progress::check(&session, &ask, store.as_ref()) {
+            Err(Failure::Defect(what)) => {
+                run.add_defect(session.derivation(), &what);
+                ending = ending.max(defect(&format!("{}: {what}", session.derivation().file.path)));
+                continue;
+            }
+            found => run.add(found)?,
+        };
+        let Some(document) = document else { continue };
         show(arguments, document, i == 0)?;
         ending = ending.max(concluded(document, &demand));
     }

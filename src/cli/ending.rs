@@ -75,9 +75,9 @@ pub fn say(text: &str) -> Result<(), Stop> {
     print(&spoken(text))
 }
 
-/// Writes to standard output what is in a format: one is for people.
+/// Writes to standard output what is in a format: two are for people, who may read them in the log of a workflow.
 pub fn answer(format: Format, text: &str) -> Result<(), Stop> {
-    if format == Format::Text { say(text) } else { print(text) }
+    if matches!(format, Format::Text | Format::Markdown) { say(text) } else { print(text) }
 }
 
 /// Writes to standard output what programs read, as it is; colours are removed where they are not wanted.

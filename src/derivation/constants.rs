@@ -8,7 +8,7 @@
 
 use std::ops::Range;
 
-use super::load::Loader;
+use super::load::{Loader, declared};
 use super::model::SymbolEntry;
 use super::table::{Literal, Table, as_printed, literal_of};
 use super::unit::Unit;
@@ -194,7 +194,7 @@ impl Loader<'_> {
             complex: false,
             angle: false,
         };
-        let symbol = match scope.declare(&mut self.out.graph, name, declaration) {
+        let symbol = match declared(Some(formula.text), || scope.declare(&mut self.out.graph, name, declaration)) {
             Ok(symbol) => symbol,
             Err(error) => {
                 self.note_declaration(name, span, Some(formula), error);

@@ -12,6 +12,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::constants::exact_value;
+use super::load::declared;
 use super::model::{Derivation, SymbolEntry};
 use super::symbols::{CONSTANT, ROLES, parse_shape};
 use super::table::as_printed;
@@ -178,7 +179,7 @@ impl Derivation {
         let (shape, diagonal) = typed.shape.clone().map_or((None, false), |(shape, d)| (Some(shape), d));
         let Typed { role, complex, angle, .. } = *typed;
         let declaration = Declaration { role, shape, diagonal, formula, arguments: &names, complex, angle };
-        let symbol = self.scope.declare(&mut self.graph, name, declaration).map_err(|error| {
+        let symbol = declared(formula, || self.scope.declare(&mut self.graph, name, declaration)).map_err(|error| {
             let at = |start: usize, found: Vec<diag::Problem>| {
                 found.into_iter().map(|p| Diagnostic::of_formula(source, start, p)).collect::<Vec<_>>()
             };

@@ -13,10 +13,11 @@ use super::keys;
 use super::model::{Derivation, System, Trajectory, Unknown};
 use super::table::{Literal, Problems, Table, as_printed, check_id, text_of};
 use diag::escape::{in_one_line, shown};
-use diag::{Diagnostic, Source, sort};
+use diag::{Diagnostic, Problem, Source, sort};
 use expr::{Symbol, Tensor};
 use files::{FileError, Kind, Search, Why};
-use latex::{self, Logarithm, Relation, RelationKind, Scope, Signature, Statement};
+use latex::{self, DeclareError, Logarithm, Relation, RelationKind, Scope, Signature, Statement};
+use meter::{Ended, Task};
 
 /// Largest size of a derivation file, in bytes.
 pub const LARGEST_FILE: u64 = 4 << 20;
@@ -91,6 +92,33 @@ pub fn load_all(paths: &[PathBuf]) -> Result<Vec<Derivation>, Vec<Diagnostic>> {
 /// Every problem of the file, in the order of their places.
 pub fn parse(source: Source, stem: &str) -> Result<Derivation, Vec<Diagnostic>> {
     let source = Arc::new(source);
+    let read = meter::part(Task::Reading, || parsed(Arc::clone(&source), stem));
+    read.unwrap_or_else(|ended| Err(vec![Diagnostic::at(&source, TOO_LARGE, 0..0, ended.to_string())]))
+}
+
+/// The code of what takes too much work to be read.
+pub(super) const TOO_LARGE: &str = "latex::too-large";
+
+fn too_large(text: &str, ended: &Ended) -> Problem {
+    let hint = Some("say it with fewer calls of functions within one another, or with fewer indices".to_owned());
+    Problem { code: TOO_LARGE, message: ended.to_string(), span: 0..text.len(), hint }
+}
+
+/// Reads a formula, as far as the work of one goes.
+pub(super) fn within<T>(text: &str, read: impl FnOnce() -> Result<T, Vec<Problem>>) -> Result<T, Vec<Problem>> {
+    meter::part(Task::Formula, read).unwrap_or_else(|ended| Err(vec![too_large(text, &ended)]))
+}
+
+/// Declares a symbol, as far as the work of its formula goes.
+pub(super) fn declared<T>(
+    formula: Option<&str>,
+    declare: impl FnOnce() -> Result<T, DeclareError>,
+) -> Result<T, DeclareError> {
+    let found = meter::part(Task::Formula, declare);
+    found.unwrap_or_else(|ended| Err(DeclareError::Formula(vec![too_large(formula.unwrap_or_default(), &ended)])))
+}
+
+fn parsed(source: Arc<Source>, stem: &str) -> Result<Derivation, Vec<Diagnostic>> {
     let (root, errors) = DeTable::parse_recoverable(&source.text);
     let mut problems = Problems { source: &source, found: Vec::new() };
     if !errors.is_empty() {
@@ -259,7 +287,7 @@ impl<'s> Loader<'s> {
 
     /// The statements of a formula, each with the part of the text that says it.
     pub fn statements(&mut self, formula: &Literal<'_>, scope: &Scope) -> Vec<Written<Statement>> {
-        match latex::read(formula.text, scope, &mut self.out.graph) {
+        match within(formula.text, || latex::read(formula.text, scope, &mut self.out.graph)) {
             Ok(statements) if statements.is_empty() => {
                 self.problems.note("derivation::empty-formula", formula.span.clone(), "this formula says nothing");
                 Vec::new()
@@ -278,7 +306,7 @@ impl<'s> Loader<'s> {
 
     /// A formula without a relation.
     pub fn expression(&mut self, formula: &Literal<'_>, scope: &Scope) -> Option<Written<Tensor>> {
-        match latex::read_expression(formula.text, scope, &mut self.out.graph) {
+        match within(formula.text, || latex::read_expression(formula.text, scope, &mut self.out.graph)) {
             Ok(tensor) => Some(written(formula, 0..formula.text.len(), tensor)),
             Err(found) => {
                 self.note_formula(formula, found);
@@ -289,7 +317,7 @@ impl<'s> Loader<'s> {
 
     /// A formula that stands for one value: without ±.
     pub fn quantity(&mut self, formula: &Literal<'_>, scope: &Scope) -> Option<Written<Tensor>> {
-        match latex::read_quantity(formula.text, scope, &mut self.out.graph) {
+        match within(formula.text, || latex::read_quantity(formula.text, scope, &mut self.out.graph)) {
             Ok(tensor) => Some(written(formula, 0..formula.text.len(), tensor)),
             Err(found) => {
                 self.note_formula(formula, found);

@@ -3,7 +3,7 @@
 use toml::de::{DeTable, DeValue};
 
 use super::keys;
-use super::load::Loader;
+use super::load::{Loader, declared};
 use super::model::SymbolEntry;
 use super::table::{Literal, Table, Value, as_printed, changes_backslashes, literal_of, note_double_quoted};
 use expr::Shape;
@@ -184,7 +184,7 @@ impl Loader<'_> {
                 let text = formula.map(|f| f.text);
                 let declaration =
                     Declaration { role, shape, diagonal, formula: text, arguments: &names, complex, angle };
-                match scope.declare(&mut self.out.graph, name, declaration) {
+                match declared(text, || scope.declare(&mut self.out.graph, name, declaration)) {
                     Ok(symbol) => symbol,
                     Err(error) => {
                         self.note_declaration(name, span, formula, error);

@@ -45,6 +45,7 @@ use crate::flow::{Enclosure, Motion, Source};
 use crate::verdict::Verdict;
 use claim::comparison::Comparison;
 use cover::Along;
+use meter::{Ended, Task};
 use rayon::prelude::*;
 use reason::{Enclosing, Reason};
 pub use request::Request;
@@ -121,8 +122,22 @@ fn one_motion(
     }
     let claim = |k: usize| request.prepared[k][request.selection.start_of[t]].claim;
     let before: Vec<(&Claim, &Verdict)> = open.iter().map(|&(k, _, verdict)| (claim(k), verdict)).collect();
-    let found = (request.recall)(t, by, &before, &mut || enclose(request, known, t, &open));
+    let mut enclosed = || {
+        let found = meter::piece(Task::Enclosing, request.limits, || enclose(request, known, t, &open));
+        found.unwrap_or_else(|ended| open.iter().map(|(.., verdict)| ended_by(verdict, &ended)).collect())
+    };
+    let found = (request.recall)(t, by, &before, &mut enclosed);
     open.into_iter().zip(found).map(|((k, at, _), verdict)| (k, at, verdict)).collect()
+}
+
+/// A verdict where the enclosure ended before it was done.
+fn ended_by(verdict: &Verdict, ended: &Ended) -> Verdict {
+    let (mut verdict, reason) = (verdict.clone(), Reason::from(ended.clone()));
+    match ended {
+        Ended::Defect(_) => verdict.contradict(reason),
+        _ => pair::remark(&mut verdict, &reason),
+    }
+    verdict
 }
 
 /// The states of an integrated motion that claims ask for: where each stands among its leaves, and among the sides of its enclosure.
@@ -163,8 +178,8 @@ fn enclose(request: &Request, known: Known, t: usize, open: &[(usize, usize, &Ve
     let trajectory = &request.derivation.trajectories[t];
     let mut changes: Vec<(usize, Verdict)> = open.iter().map(|&(k, _, verdict)| (k, verdict.clone())).collect();
     let only = |changes: Vec<(usize, Verdict)>| changes.into_iter().map(|(_, verdict)| verdict).collect();
-    if let Some(reached) = request.limits.reached() {
-        changes.iter_mut().for_each(|(_, v)| pair::remark(v, &reached.into()));
+    if let Some(reached) = request.limits.reached().map(Reason::from) {
+        changes.iter_mut().for_each(|(_, v)| pair::remark(v, &reached));
         return only(changes);
     }
     let (mut graph, integrals) = (known.0.clone(), known.1);

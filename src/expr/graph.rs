@@ -147,6 +147,10 @@ fn bits(r: &Rational) -> usize {
     r.numerator().bit_len().max(r.denominator().bit_len())
 }
 
+/// The counted work of looking for a node, and the counted memory of a new one.
+const NODE_WORK: u64 = 60;
+const NODE_BYTES: u64 = 64;
+
 /// Whether a power of a constant is small enough to be written out: towers of powers must not exhaust the memory.
 fn folds(r: &Rational, n: i32) -> bool {
     bits(r).saturating_mul(n.unsigned_abs() as usize) <= 4096
@@ -275,11 +279,15 @@ impl Graph {
     }
 
     fn intern(&mut self, node: Node) -> Expr {
+        meter::charge(NODE_WORK);
         // a + b and b + a are one node, printed in the order in which it was first written.
         let (hashed, turned) = (hash(&node), turned(&node));
         match self.found(hashed, |n| *n == node || turned.as_ref() == Some(n)) {
             Some(e) => e,
-            None => self.own.push(hashed, node),
+            None => {
+                meter::grow(NODE_BYTES);
+                self.own.push(hashed, node)
+            }
         }
     }
 
@@ -456,6 +464,7 @@ impl Graph {
                 open.extend(self.node(e).children());
             }
         }
+        meter::charge(seen.len() as u64 + 8 * count as u64);
         let mut found = Vec::with_capacity(count);
         for (word, mut bits) in seen.into_iter().enumerate() {
             while bits != 0 {

@@ -235,7 +235,7 @@ impl<'a> Ensemble<'a> {
         let (first, last) = numbers.into_inner();
         let mut next = first;
         while next <= last {
-            let stopped = options.limits.reached().or_else(|| budget.reached());
+            let stopped = options.limits.reached().map(Plain::from).or_else(|| budget.reached());
             if options.limits.is_cancelled() {
                 return Err(CheckError::Defect(CANCELLED.to_owned()));
             }
@@ -318,7 +318,7 @@ impl<'a> Ensemble<'a> {
                         return Err(CheckError::Defect(CANCELLED.to_owned()));
                     }
                     let stopped = (left.members == 0 || left.steps == 0).then_some(Plain::MotionsTried);
-                    if let Some(reason) = options.limits.reached().or(stopped) {
+                    if let Some(reason) = options.limits.reached().map(Plain::from).or(stopped) {
                         return Ok(Err(reason));
                     }
                     let members: Vec<Member> = wave.iter().map(|point| self.members.at(*point)).collect();
@@ -329,7 +329,7 @@ impl<'a> Ensemble<'a> {
                     });
                     for one in some.collect::<Vec<_>>() {
                         let Some(One { steps, verdicts, .. }) = one? else {
-                            let reason = options.limits.reached().unwrap_or(Plain::Ended);
+                            let reason = options.limits.reached().map_or(Plain::Ended, Plain::from);
                             return Ok(Err(reason));
                         };
                         left.steps = left.steps.saturating_sub(steps);

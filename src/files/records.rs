@@ -79,7 +79,28 @@ impl Records {
         };
         let folder = named.or_else(usual)?;
         let program = LIBRARY.get().cloned().or_else(|| std::env::current_exe().ok())?;
-        Some(Records { of_program: of_this_program(), ..Records::new(folder, program) })
+        let records = Records { of_program: of_this_program(), ..Records::new(folder, program) };
+        (!records.is_tracked()).then_some(records)
+    }
+
+    /// Whether the repository that the folder lies in keeps something of it: whoever wrote the repository could have written records.
+    fn is_tracked(&self) -> bool {
+        let named = || std::path::absolute(&self.folder).ok();
+        let Some(folder) = self.folder.canonicalize().ok().or_else(named) else { return true };
+        let Some(top) = folder.ancestors().find(|above| above.join(".git").exists()) else { return false };
+        let Ok(within) = folder.strip_prefix(top) else { return true };
+        let git = top.join(".git");
+        // Of a further work tree, `.git` is a file that names the folder.
+        let named =
+            || fs::read_to_string(&git).ok().and_then(|text| Some(top.join(text.strip_prefix("gitdir:")?.trim())));
+        let Some(git) = git.is_dir().then(|| git.clone()).or_else(named) else { return true };
+        let Ok(index) = super::read(&git.join("index"), LARGEST) else { return git.join("index").exists() };
+        // Names are written out up to version 3 of the index; what is written otherwise is not looked into.
+        let is_written_out = index.starts_with(b"DIRC\0\0\0\x02") || index.starts_with(b"DIRC\0\0\0\x03");
+        let mut name: Vec<u8> =
+            within.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/").into();
+        name.push(b'/');
+        !is_written_out || within.as_os_str().is_empty() || index.windows(name.len()).any(|part| part == name)
     }
 
     /// The folder for such things on this system, for a program with this name, by the variables of its environment: that of the
@@ -176,6 +197,24 @@ mod tests {
 
     fn keeping(folder: PathBuf, program: PathBuf) -> Records {
         Records { quick: Duration::ZERO, ..Records::new(folder, program) }
+    }
+
+    #[test]
+    fn a_folder_that_a_repository_keeps_is_not_used() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let at = |name: &str| folder.path().join(name);
+        fs::create_dir_all(at(".git")).expect("made");
+        fs::create_dir_all(at("cache/kept")).expect("made");
+        let records = |name: &str| Records::new(at(name), program(folder.path(), "1"));
+        assert!(!records("cache/kept").is_tracked(), "nothing is tracked yet");
+        fs::write(at(".git/index"), b"DIRC\0\0\0\x02 cache/kept/x.record\0 paper.tex\0").expect("written");
+        assert!(records("cache/kept").is_tracked());
+        assert!(records("cache").is_tracked() && records("").is_tracked());
+        assert!(!records("other").is_tracked() && !records("cache/kept/new").is_tracked());
+        fs::write(at(".git/index"), b"DIRC\0\0\0\x04").expect("written");
+        assert!(records("other").is_tracked(), "it cannot be told");
+        let elsewhere = tempfile::tempdir().expect("a folder");
+        assert!(!Records::new(elsewhere.path().join("kept"), at("program")).is_tracked());
     }
 
     #[test]

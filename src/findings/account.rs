@@ -202,6 +202,8 @@ pub struct IdentityAccount {
     pub narrower: bool,
     /// Why undecided; a remark on a proof.
     pub reason: Option<Reason>,
+    /// Whether that is a defect: the program contradicts itself, or stopped in the middle of the proof.
+    pub is_defect: bool,
     /// A point at which everything given holds and the claim does not.
     pub witness: Option<Refuting>,
     /// What the verdict rests on: trials, certificates, numbers.
@@ -363,7 +365,10 @@ impl Account {
     pub fn defects(&self) -> impl Iterator<Item = (String, String, &Reason)> {
         self.claims.iter().flat_map(|claim| {
             let name = claim.reading.as_ref().map_or(claim.id.clone(), |r| format!("{}/{r}", claim.id));
-            claim.verdicts().filter_map(move |j| Some((name.clone(), j.on().to_owned(), j.verdict.defect()?)))
+            let step = claim.identity.iter().filter(|step| step.is_defect);
+            let step = step.filter_map(|step| step.reason.as_ref()).map(|why| ("all values".to_owned(), why));
+            let tried = claim.verdicts().filter_map(|j| Some((j.on().to_owned(), j.verdict.defect()?)));
+            step.chain(tried).map(move |(on, why)| (name.clone(), on, why))
         })
     }
 

@@ -10,6 +10,9 @@
 //! What kind of step comes next is asked once for all steps of a kind and an order, and all orders are one call into the code
 //! for the registers of this processor. Operations without a loop of their own are carried out on [`Jet`]s.
 
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::{Instruction, Jet, Lanes, Op, Orders, Scalar};
 use pulp::{Arch, Simd, WithSimd};
 
@@ -114,18 +117,38 @@ impl Recurrences {
     }
 }
 
-/// Products, each row with a factor in common: first the factor that most of them have.
-fn with_common_factors(mut left: Vec<[usize; 3]>) -> Vec<Row> {
+/// Products, each row with a factor in common: first the factor that most of them have, of those that occur equally often the first. In
+/// about as many operations as there are products.
+fn with_common_factors(products: Vec<[usize; 3]>) -> Vec<Row> {
+    let mut with: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for (at, &[a, b, _]) in products.iter().enumerate() {
+        with.entry(a).or_default().push(at);
+        if a != b {
+            with.entry(b).or_default().push(at);
+        }
+    }
+    let mut left: BTreeMap<usize, usize> = with.iter().map(|(&slot, all)| (slot, all.len())).collect();
+    let mut queue: BTreeSet<(Reverse<usize>, usize)> = left.iter().map(|(&slot, &n)| (Reverse(n), slot)).collect();
+    let mut done = vec![false; products.len()];
     let mut rows = Vec::new();
-    while !left.is_empty() {
-        let count = |slot: usize| left.iter().filter(|[a, b, _]| *a == slot || *b == slot).count();
-        let factors = left.iter().flat_map(|[a, b, _]| [*a, *b]);
-        // Of factors that occur equally often the first.
-        let Some(common) = factors.min_by_key(|&slot| (usize::MAX - count(slot), slot)) else { break };
-        let (with, without): (Vec<_>, Vec<_>) = left.into_iter().partition(|[a, b, _]| *a == common || *b == common);
-        left = without;
-        let turned = with.into_iter().map(|[a, b, out]| if a == common { [a, b, out] } else { [b, a, out] });
-        let turned: Vec<[usize; 3]> = turned.collect();
+    while let Some((_, common)) = queue.pop_first() {
+        let mut turned: Vec<[usize; 3]> = Vec::new();
+        for &at in with.get(&common).into_iter().flatten() {
+            if std::mem::replace(&mut done[at], true) {
+                continue;
+            }
+            let [a, b, out] = products[at];
+            let (first, other) = if a == common { (a, b) } else { (b, a) };
+            turned.push([first, other, out]);
+            let count = left.get_mut(&other).filter(|_| other != common);
+            if let Some(count) = count {
+                queue.remove(&(Reverse(*count), other));
+                *count -= 1;
+                if *count > 0 {
+                    queue.insert((Reverse(*count), other));
+                }
+            }
+        }
         rows.extend(turned.chunks(TOGETHER).map(|some| Row { kind: Kind::Product, steps: some.to_vec() }));
     }
     rows
@@ -396,6 +419,40 @@ fn grow_row<S: Simd, const N: usize>(
 mod tests {
     use super::*;
     use crate::{Draws, Number};
+
+    /// The rows, found slowly: each time the factor is looked for that most of the products have.
+    fn with_common_factors_slowly(mut left: Vec<[usize; 3]>) -> Vec<Vec<[usize; 3]>> {
+        let mut rows = Vec::new();
+        while !left.is_empty() {
+            let count = |slot: usize| left.iter().filter(|[a, b, _]| *a == slot || *b == slot).count();
+            let factors = left.iter().flat_map(|[a, b, _]| [*a, *b]);
+            let Some(common) = factors.min_by_key(|&slot| (usize::MAX - count(slot), slot)) else { break };
+            let (with, without): (Vec<_>, Vec<_>) =
+                left.into_iter().partition(|[a, b, _]| *a == common || *b == common);
+            left = without;
+            let turned: Vec<_> =
+                with.into_iter().map(|[a, b, out]| if a == common { [a, b, out] } else { [b, a, out] }).collect();
+            rows.extend(turned.chunks(TOGETHER).map(<[_]>::to_vec));
+        }
+        rows
+    }
+
+    #[test]
+    fn common_factors_are_those_that_most_products_have() {
+        let mut seed = 1_u64;
+        let mut draw = |below: u64| {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            ((seed >> 33) % below) as usize
+        };
+        for round in 0..200 {
+            let products: Vec<[usize; 3]> = (0..round).map(|out| [draw(12), draw(12), 100 + out]).collect();
+            let rows: Vec<_> = with_common_factors(products.clone()).into_iter().map(|row| row.steps).collect();
+            assert_eq!(rows, with_common_factors_slowly(products));
+        }
+        // All products of 400 factors, which took minutes.
+        let all = (0..400).flat_map(|a| (0..=a).map(move |b| [a, b, 400 + 400 * a + b])).collect();
+        assert_eq!(with_common_factors(all).iter().map(|row| row.steps.len()).sum::<usize>(), 400 * 401 / 2);
+    }
 
     const DEGREE: usize = 12;
     /// Time, states and constants.

@@ -32,6 +32,7 @@ pub(super) fn within<R>(work: u64, computation: impl FnOnce() -> R) -> (Option<R
 }
 
 fn charge(units: u64) {
+    meter::charge(units.saturating_mul(20));
     if let Some(left) = LEFT.get() {
         match left.checked_sub(units) {
             Some(rest) => LEFT.set(Some(rest)),

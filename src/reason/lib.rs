@@ -33,6 +33,7 @@ pub use shape::{Gap, Instant, Place, Sides, short};
 pub use signs::{Sign, SignRun, SignsAlong, SignsProved};
 pub use single_motion::Alone;
 
+use meter::Ended;
 use number::NoValue;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -85,3 +86,25 @@ of!(
     Ranges(Ranges),
     Decided(Arc<Decided>)
 );
+
+/// What ended a piece of work, as the reason of what is undecided for it.
+impl From<Ended> for Reason {
+    fn from(ended: Ended) -> Reason {
+        match ended {
+            Ended::Time | Ended::Memory | Ended::Cancelled => Reason::Plain(ended.into()),
+            Ended::Work(_) | Ended::Bytes(_) | Ended::Defect(_) => Reason::quoted(ended),
+        }
+    }
+}
+
+/// What ends a run, where no piece of it was under way.
+impl From<Ended> for Plain {
+    fn from(ended: Ended) -> Plain {
+        match ended {
+            Ended::Time => Plain::TimeOver,
+            Ended::Memory => Plain::MemoryUsedUp,
+            Ended::Cancelled => Plain::Cancelled,
+            Ended::Work(_) | Ended::Bytes(_) | Ended::Defect(_) => Plain::Ended,
+        }
+    }
+}

@@ -34,9 +34,9 @@ sentences! {
     NothingToTry: "the claim says nothing that could be tried",
     NoPartDecides: "no part of it decides alone",
     // Limits of a run.
-    Cancelled: "the run was cancelled before this was begun",
-    TimeOver: "work limit: the time of the run was over before this was begun",
-    MemoryUsedUp: "work limit: the memory of the run was used up before this was begun",
+    Cancelled: "the run was cancelled before this was done",
+    TimeOver: "work limit: the time of the run was over before this was done",
+    MemoryUsedUp: "work limit: the memory of the run was used up before this was done",
     Ended: "the run was ended",
     MembersTried: "work limit: the families of a file try a million members",
     MembersRejected: "work limit: the families of a file reject 100 million members",

@@ -26,6 +26,8 @@ pub(super) fn prose(text: &str) -> String {
         }
         match c {
             '<' => out.push_str("&lt;"),
+            // Before punctuation it would take away the meaning of what is written next.
+            '\\' if after.chars().next().is_none_or(|next| next.is_ascii_punctuation()) => out.push_str(r"\\"),
             '*' | '|' | '`' | '#' | '[' | ']' | '$' => out.extend(['\\', c]),
             c => out.push(c),
         }
@@ -200,6 +202,7 @@ mod tests {
         assert_eq!(math("|x|_1"), r"$`\vert x\vert _1`$");
         assert_eq!(prose("`a|b` and $x|y$, <b>*"), r"`a\|b` and $`x\vert y`$, &lt;b>\*");
         assert_eq!(prose("costs 3$ or `"), r"costs 3\$ or \`");
+        assert_eq!(prose(r"\`<b>` \[x\](y) \alpha \\* \"), r"\\`<b>` \\\[x\\\](y) \alpha \\\\\* \\");
         assert_eq!(fenced("", "a```b"), "````\na```b\n````\n\n");
         assert!(display("a=b \\cr c=d").contains("\\begin{gathered}\na=b \\\\ c=d\n"));
     }

@@ -22,6 +22,7 @@ use crate::systems::Fields;
 use claim::error::CheckError;
 use claim::limits::Limits;
 use claim::program::{Program, Values};
+use meter::Ended;
 
 /// Chebyshev points in each step of an integration.
 pub const DENSITY: usize = 6;
@@ -34,6 +35,8 @@ const TOGETHER: usize = 8;
 /// The motions of a derivation, by the position of their trajectories; only those that are needed are there.
 pub struct Stage {
     motions: Vec<Option<Built>>,
+    /// Why motions are not there, whose work was used up.
+    ended: Vec<Option<Ended>>,
     /// Whether samples are kept for a later state of the file.
     pub keeping: bool,
 }
@@ -177,25 +180,39 @@ impl Stage {
         let tasks = families.len().div_ceil(TOGETHER).max(families.len().min(4 * rayon::current_num_threads()));
         let mut dealt: Vec<Vec<&[usize]>> = vec![Vec::new(); tasks];
         families.iter().enumerate().for_each(|(i, members)| dealt[i % tasks].push(members));
-        let one = |task: &Vec<&[usize]>| {
-            together(task.iter().map(|of| (derivation, *of)), fields, requests, recall, Estimation::Companions)
+        let some = |task: &[&[usize]]| {
+            let families = task.iter().map(|of| (derivation, *of));
+            let build = || together(families, fields, requests, recall, Estimation::Companions);
+            meter::piece(meter::Task::Motion, requests.limits, build)
+        };
+        let one = |task: &Vec<&[usize]>| match (some(task), task.as_slice()) {
+            (Ok(built), _) => vec![(Vec::new(), Ok(built))],
+            (Err(ended), [alone]) => vec![(alone.to_vec(), Err(ended))],
+            // One of them takes all the work: each by itself. What ends does so whatever it was dealt with.
+            (Err(_), several) => several.iter().map(|of| (of.to_vec(), some(&[of]))).collect(),
         };
         let results: Vec<_> = dealt.par_iter().with_max_len(1).map(one).collect();
-        let results = results.into_iter().flatten();
         let mut motions: Vec<Option<Built>> = derivation.trajectories.iter().map(|_| None).collect();
+        let mut ended: Vec<Option<Ended>> = derivation.trajectories.iter().map(|_| None).collect();
         let mut problems = Vec::new();
-        for result in results {
-            match result {
-                Ok(built) => built.into_iter().flatten().for_each(|(t, b)| motions[t] = Some(b)),
-                Err(CheckError::Problems(found)) => problems.extend(found),
-                Err(defect) => return Err(defect),
+        for (members, results) in results.into_iter().flatten() {
+            let results = results.unwrap_or_else(|why| {
+                members.iter().for_each(|&t| ended[t] = Some(why.clone()));
+                Vec::new()
+            });
+            for result in results {
+                match result {
+                    Ok(built) => built.into_iter().flatten().for_each(|(t, b)| motions[t] = Some(b)),
+                    Err(CheckError::Problems(found)) => problems.extend(found),
+                    Err(defect) => return Err(defect),
+                }
             }
         }
         if !problems.is_empty() {
             crate::diag::sort(&mut problems);
             return Err(CheckError::Problems(problems));
         }
-        Ok(Stage { motions, keeping: recall.is_known() })
+        Ok(Stage { motions, ended, keeping: recall.is_known() })
     }
 
     /// A stage for each of several derivations that differ in a trajectory; nothing where a limit of the run was reached before.
@@ -219,9 +236,14 @@ impl Stage {
                 let Some(of_family) = of_family? else { return Ok(None) };
                 of_family.into_iter().for_each(|(t, b)| motions[t] = Some(b));
             }
-            Ok(Some(Stage { motions, keeping: false }))
+            Ok(Some(Stage { motions, ended: Vec::new(), keeping: false }))
         };
         derivations.iter().zip(&families).map(&mut stage).collect()
+    }
+
+    /// Why a motion is not there whose work was used up.
+    pub fn ended(&self, trajectory: usize) -> Option<&Ended> {
+        self.ended.get(trajectory).and_then(Option::as_ref)
     }
 
     pub fn built(&self, trajectory: usize) -> Option<&Built> {

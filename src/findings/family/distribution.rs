@@ -158,8 +158,11 @@ impl Distribution {
             || self.bins.iter().any(|(bin, n)| *n == 0 || ends(*bin).is_none())
         {
             Some("its bins are not those of its values")
-        } else if self.kept().any(|n| !numbers.contains(&n)) || self.bound.is_nan() || self.bound < 0.0 {
+        } else if self.kept().any(|n| !numbers.contains(&n)) {
             Some("it names members of another part")
+        } else if !self.bound.is_finite() || self.bound < 0.0 {
+            // With an infinite one every quantile would be anything.
+            Some("its error bound is none")
         } else {
             None
         }
@@ -205,6 +208,17 @@ mod tests {
                 _ => ((draws.bits() % 100_000) as f64 / 1000.0 - 30.0, 1e-9),
             })
             .collect()
+    }
+
+    #[test]
+    fn an_error_bound_that_says_nothing_is_refused() {
+        let mut one = Distribution::default();
+        one.count(0, [(1.0, 0.5)].into_iter(), false);
+        assert_eq!(one.fault(&(0..=0), false), None);
+        for bound in [f64::INFINITY, f64::NAN, -1.0] {
+            let fault = Distribution { bound, ..one.clone() }.fault(&(0..=0), false);
+            assert_eq!(fault, Some("its error bound is none"));
+        }
     }
 
     #[test]

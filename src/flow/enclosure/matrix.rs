@@ -5,6 +5,11 @@ use number::{Interval, Scalar};
 /// More than what underflow may lose in a sum of products.
 const TINY: f64 = 1e-290;
 
+/// Counts the work of a product of two matrices, or of something as long.
+fn count_cube(n: usize) {
+    meter::charge(4 * (n * n * n) as u64);
+}
+
 /// M·v.
 pub(super) fn apply(m: &[Interval], v: &[Interval]) -> Vec<Interval> {
     m.chunks_exact(v.len().max(1)).map(|row| dot(row.iter().copied(), v.iter().copied())).collect()
@@ -33,6 +38,7 @@ fn dot(a: impl Iterator<Item = Interval>, b: impl Iterator<Item = Interval>) -> 
 /// [Higham 2002, §3.1]: https://doi.org/10.1137/1.9780898718027
 /// [Rump 1999, §2]: https://doi.org/10.1023/A:1022374804152
 pub(super) fn times_point(m: &[Interval], p: &[f64], n: usize) -> Vec<Interval> {
+    count_cube(n);
     let slips = (n as f64 + 4.0) * f64::EPSILON;
     let (mut sums, mut bounds) = (vec![0.0; n], vec![0.0; n]);
     let mut out = Vec::with_capacity(n * n);
@@ -77,6 +83,7 @@ pub(super) fn identity(n: usize) -> Vec<f64> {
 ///
 /// [Lohner 1987]: https://publikationen.bibliothek.kit.edu/38889
 pub(super) fn orthogonal(m: &[f64], weights: &[f64], n: usize) -> Vec<f64> {
+    count_cube(n);
     let length = |j: usize| (0..n).map(|i| m[i * n + j] * m[i * n + j]).sum::<f64>().sqrt() * weights[j];
     let mut order: Vec<usize> = (0..n).collect();
     order.sort_by(|&a, &b| length(b).total_cmp(&length(a)));
@@ -115,6 +122,7 @@ pub(super) fn transpose(m: &[f64], n: usize) -> Vec<f64> {
 
 /// Roughly the inverse, by elimination with the largest pivot; `None` where a pivot vanishes.
 pub(super) fn rough_inverse(m: &[f64], n: usize) -> Option<Vec<f64>> {
+    count_cube(n);
     let (mut a, mut inverse) = (m.to_vec(), identity(n));
     for k in 0..n {
         let best = (k..n).max_by(|&i, &j| a[i * n + k].abs().total_cmp(&a[j * n + k].abs()))?;
@@ -158,6 +166,7 @@ pub(super) fn solve(m: &[f64], rough: &[f64], v: &[Interval]) -> Option<Vec<Inte
 
 /// The ε/(1 − ε) of [`solve`].
 fn inverse_defect(m: &[f64], rough: &[f64], n: usize) -> Option<f64> {
+    count_cube(n);
     let points: Vec<Interval> = rough.iter().map(|&x| Interval::point(x)).collect();
     let product = times_point(&points, m, n);
     let mut norm = 0.0_f64;
@@ -185,6 +194,7 @@ pub(super) fn inverse(m: &[f64], rough: &[f64], n: usize) -> Option<Vec<Interval
 
 /// M·N for matrices of intervals.
 pub(super) fn times(a: &[Interval], b: &[Interval], n: usize) -> Vec<Interval> {
+    count_cube(n);
     let mut out = vec![Interval::ZERO; n * n];
     for (row, to) in a.chunks_exact(n).zip(out.chunks_exact_mut(n)) {
         for (&x, of) in row.iter().zip(b.chunks_exact(n)) {

@@ -61,8 +61,8 @@ impl Scope {
         if d.role == Role::Time && self.entries.iter().any(|e| e.role == Role::Time) {
             return Err(bad_key("there is a time already", key, ""));
         }
-        // Formal arguments are symbols of an inner scope.
-        let mut inner = self.clone();
+        // Formal arguments are symbols of an inner scope. A copy for every symbol would take the square of their number.
+        let mut inner = (!d.arguments.is_empty()).then(|| self.clone());
         let mut formal = Vec::new();
         for argument in d.arguments {
             let declaration = Declaration {
@@ -74,6 +74,7 @@ impl Scope {
                 complex: false,
                 angle: false,
             };
+            let Some(inner) = &mut inner else { continue };
             let symbol = inner.declare(graph, argument, declaration)?;
             formal.push((symbol, Shape::scalar()));
         }
@@ -94,7 +95,7 @@ impl Scope {
         if let Some(text) = d.formula.filter(|_| scale.is_none()) {
             let letters: Vec<Name> =
                 sub.iter().filter_map(|i| if let SubItem::Name(n) = i { Some(n.clone()) } else { None }).collect();
-            let elaborator = Elaborator::new(&inner, graph);
+            let elaborator = Elaborator::new(inner.as_ref().unwrap_or(self), graph);
             let (tensor, placed) = elaborator.definition(text, &letters).map_err(DeclareError::Formula)?;
             if placed {
                 for p in &mut pattern {

@@ -155,6 +155,11 @@ impl Probes {
         self.dropped.iter().enumerate().map(verdict).collect()
     }
 
+    /// The same where nothing was tried.
+    pub fn without_none(&self) -> Vec<Option<Verdict>> {
+        self.dropped.iter().map(|_| None).collect()
+    }
+
     /// The leaves of conditions, by their positions in a point: what is asked once all verdicts are known.
     pub fn asked_later(&self) -> impl Iterator<Item = usize> + '_ {
         let programs = self.programs.get(..self.candidates.len()).unwrap_or_default();

@@ -1,0 +1,330 @@
+//! The counted work of a run: how much a piece of it may take, and how a piece ends that takes more.
+//!
+//! **In:** [`Limits`], which a user sets; the work of loops, told by [`charge`] and [`grow`] where it is done. **Out:** what a
+//! [`piece`] gave, or why it [`Ended`].
+//!
+//! **How:** a piece runs on one thread. Work is counted in units of about a nanosecond on a machine of 2024, memory in bytes of what only
+//! grows. Where either is used up, the piece is unwound to its beginning; nothing is printed. The clock, the use of memory and the flag that
+//! cancels a run are looked at every [`SLICE`] units.
+//!
+//! **Guaranteed:** what is counted depends on the input alone, so that a piece ends in the same place on every machine, whatever the
+//! number of threads. A piece that ends takes nothing else with it.
+
+#![forbid(unsafe_code)]
+
+use std::any::Any;
+use std::cell::{Cell, RefCell};
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+/// So many units pass between two looks at the clock.
+const SLICE: u64 = 1 << 24;
+
+macro_rules! tasks {
+    ($($(#[$doc:meta])* $name:ident($units:expr, $bytes:expr): $words:literal,)*) => {
+        /// What a piece of a run is about.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Task {
+            $($(#[$doc])* $name,)*
+        }
+
+        impl Task {
+            /// All of them.
+            pub const ALL: &[Task] = &[$(Task::$name,)*];
+
+            /// Its name in messages and in the table of limits.
+            pub fn words(self) -> &'static str {
+                match self {
+                    $(Task::$name => $words,)*
+                }
+            }
+
+            /// The units of work that a piece of this task may take.
+            pub fn units(self) -> u64 {
+                match self {
+                    $(Task::$name => $units,)*
+                }
+            }
+
+            /// The bytes that a piece of this task may let grow.
+            pub fn bytes(self) -> u64 {
+                match self {
+                    $(Task::$name => $bytes,)*
+                }
+            }
+        }
+    };
+}
+
+const SECOND: u64 = 1_000_000_000;
+const MEGABYTE: u64 = 1 << 20;
+
+tasks! {
+    /// One file, from its text to formulas.
+    Reading(10 * SECOND, 512 * MEGABYTE): "reading a file",
+    /// One formula of a file, with all that it calls.
+    Formula(SECOND, 64 * MEGABYTE): "reading a formula",
+    /// All claims of a file, to comparisons that can be measured.
+    Compiling(10 * SECOND, 256 * MEGABYTE): "compiling the claims of a file",
+    /// One motion, with those that come from it.
+    Motion(20 * SECOND, 256 * MEGABYTE): "computing a motion",
+    /// One claim on one motion.
+    Sampling(10 * SECOND, 256 * MEGABYTE): "trying a claim on a motion",
+    /// One claim, for all values.
+    Proving(15 * SECOND, 256 * MEGABYTE): "proving a claim",
+    /// All claims on one motion.
+    Enclosing(15 * SECOND, 256 * MEGABYTE): "enclosing a motion",
+    /// One claim over its ranges.
+    Ranges(15 * SECOND, 256 * MEGABYTE): "taking ranges apart",
+    /// Altered formulas of a claim.
+    Weighing(10 * SECOND, 256 * MEGABYTE): "trying altered formulas",
+}
+
+/// Why a piece ended before it was done.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Ended {
+    /// Its counted work is used up.
+    Work(Task),
+    /// Its counted memory is used up.
+    Bytes(Task),
+    /// The deadline of the run has passed.
+    Time,
+    /// The process holds as much memory as the run may.
+    Memory,
+    /// The run was cancelled.
+    Cancelled,
+    /// The program stopped in the middle of it: a defect, in a sentence.
+    Defect(String),
+}
+
+impl std::fmt::Display for Ended {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Ended::Work(task) => {
+                let (words, units) = (task.words(), task.units() / SECOND);
+                write!(
+                    f,
+                    "work limit: {words} takes more than about {units} s of counted work; --work 10 would allow ten times as much"
+                )
+            }
+            Ended::Bytes(task) => {
+                let (words, bytes) = (task.words(), task.bytes() / MEGABYTE);
+                write!(
+                    f,
+                    "work limit: {words} takes more than {bytes} MB of counted memory; --work 10 would allow ten times as much"
+                )
+            }
+            Ended::Time => f.write_str("work limit: the time of the run was over before this was done"),
+            Ended::Memory => f.write_str("work limit: the memory of the run was used up before this was done"),
+            Ended::Cancelled => f.write_str("the run was cancelled"),
+            Ended::Defect(what) => write!(f, "a defect of this program: {what}"),
+        }
+    }
+}
+
+impl std::error::Error for Ended {}
+
+/// Ends a run from another thread: raised once, it stays raised. Copies are the same flag.
+#[derive(Clone, Debug, Default)]
+pub struct Cancel(Arc<AtomicBool>);
+
+impl Cancel {
+    /// Ends the run: nothing is begun after this.
+    pub fn raise(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether the run is to end.
+    pub fn is_raised(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+impl PartialEq for Cancel {
+    fn eq(&self, other: &Cancel) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl Eq for Cancel {}
+
+/// When a run must end, how much memory it may take, and how much counted work.
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
+pub struct Limits {
+    /// Nothing is begun after this, and what is under way ends.
+    pub deadline: Option<Instant>,
+    /// The same while the process holds more than so many bytes; known on Linux only.
+    pub memory: Option<u64>,
+    /// The same once this is raised.
+    pub cancel: Option<Cancel>,
+    /// So many times the usual counted work and memory; once, where it is `None`.
+    pub work: Option<u32>,
+}
+
+impl Limits {
+    /// The deadline so long from now; none, where that is beyond the clock.
+    pub fn after(seconds: Option<f64>) -> Option<Instant> {
+        seconds.and_then(|s| Duration::try_from_secs_f64(s).ok()).and_then(|d| Instant::now().checked_add(d))
+    }
+
+    /// The limit of the machine that is reached.
+    pub fn reached(&self) -> Option<Ended> {
+        if self.is_cancelled() {
+            return Some(Ended::Cancelled);
+        }
+        if self.is_over() {
+            return Some(Ended::Time);
+        }
+        self.memory.is_some_and(|most| resident().is_some_and(|now| now > most)).then_some(Ended::Memory)
+    }
+
+    /// Whether the run is over: its time, or since it was ended from outside. What is so stays so, unlike the use of memory.
+    pub fn is_over(&self) -> bool {
+        self.is_cancelled() || self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
+    }
+
+    /// Whether it was ended from outside.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancel.as_ref().is_some_and(Cancel::is_raised)
+    }
+}
+
+/// The memory that this process holds, in bytes.
+fn resident() -> Option<u64> {
+    let text = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = text.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+    line.trim().trim_end_matches("kB").trim().parse::<u64>().ok().map(|kilobytes| 1024 * kilobytes)
+}
+
+/// The piece that a thread is at.
+struct UnderWay {
+    task: Task,
+    limits: Limits,
+    /// The units that it began with.
+    units: u64,
+    /// The units beyond those of the slice at hand.
+    rest: u64,
+    /// The bytes that may still grow.
+    bytes: u64,
+}
+
+thread_local! {
+    /// The units of the slice at hand; where no piece is under way, they are begun anew.
+    static LEFT: Cell<u64> = const { Cell::new(0) };
+    static PIECE: RefCell<Option<UnderWay>> = const { RefCell::new(None) };
+}
+
+/// Counts work that is done now, in units. Ends the piece that is under way, where its work is used up.
+#[inline]
+pub fn charge(units: u64) {
+    let left = LEFT.get();
+    if units <= left { LEFT.set(left - units) } else { begin_slice(units - left) }
+}
+
+/// Counts bytes that are held now, and are not given back before the piece ends.
+pub fn grow(bytes: u64) {
+    let ended = PIECE.with_borrow_mut(|piece| {
+        let piece = piece.as_mut()?;
+        match piece.bytes.checked_sub(bytes) {
+            Some(left) => piece.bytes = left,
+            None => return Some(Ended::Bytes(piece.task)),
+        }
+        None
+    });
+    ended.into_iter().for_each(end);
+}
+
+/// Takes a slice of what the piece may take, of which `units` are used already.
+#[cold]
+fn begin_slice(units: u64) {
+    let ended = PIECE.with_borrow_mut(|piece| {
+        let Some(piece) = piece else {
+            LEFT.set(SLICE);
+            return None;
+        };
+        LEFT.set(0);
+        if let Some(ended) = piece.limits.reached().filter(|_| piece.units < u64::MAX) {
+            return Some(ended);
+        }
+        let Some(rest) = piece.rest.checked_sub(units) else {
+            piece.rest = 0;
+            return Some(Ended::Work(piece.task));
+        };
+        let slice = rest.min(SLICE);
+        (piece.rest, _) = (rest - slice, LEFT.set(slice));
+        None
+    });
+    ended.into_iter().for_each(end);
+}
+
+fn end(ended: Ended) {
+    // No panic: nothing is printed, and `piece` catches it.
+    resume_unwind(Box::new(ended));
+}
+
+/// Does a piece of the work of a run, as far as it may go. Pieces within a piece are counted for themselves.
+///
+/// # Errors
+/// Why it ended before it was done. A panic in it is told by the hook of panics, and is a defect.
+pub fn piece<R>(task: Task, limits: &Limits, work: impl FnOnce() -> R) -> Result<R, Ended> {
+    let times = u64::from(limits.work.unwrap_or(1));
+    let (units, bytes) = (task.units().saturating_mul(times), task.bytes().saturating_mul(times));
+    let here = UnderWay { task, limits: limits.clone(), units, rest: units, bytes };
+    run(here, work).0.map_err(|payload| ended_by(payload.as_ref()))
+}
+
+/// Does a part of the piece that is under way on this thread: it may take what a piece of its task may, as far as the piece has that left,
+/// and is counted with it. Where none is under way, it is a piece.
+///
+/// # Errors
+/// Why it ended before it was done. A panic goes on.
+pub fn part<R>(task: Task, work: impl FnOnce() -> R) -> Result<R, Ended> {
+    let outer = PIECE.with_borrow(|outer| outer.as_ref().map(|of| (of.limits.clone(), of.rest, of.bytes)));
+    let (limits, rest, most) = outer.unwrap_or((Limits::default(), u64::MAX, u64::MAX));
+    let times = u64::from(limits.work.unwrap_or(1));
+    let units = task.units().saturating_mul(times).min(rest.saturating_add(LEFT.get()));
+    let bytes = task.bytes().saturating_mul(times).min(most);
+    let (found, used) = run(UnderWay { task, limits, units, rest: units, bytes }, work);
+    if used.0 > 0 {
+        charge(used.0);
+    }
+    grow(bytes.saturating_sub(used.1));
+    found.map_err(|payload| match payload.downcast_ref::<Ended>() {
+        Some(ended) => ended.clone(),
+        None => resume_unwind(payload),
+    })
+}
+
+/// Does work whose parts obey the limits of a run; the work itself is not limited.
+///
+/// # Errors
+/// A panic in it, which is a defect.
+pub fn under<R>(limits: &Limits, work: impl FnOnce() -> R) -> Result<R, Ended> {
+    let here =
+        UnderWay { task: Task::Reading, limits: limits.clone(), units: u64::MAX, rest: u64::MAX, bytes: u64::MAX };
+    run(here, work).0.map_err(|payload| ended_by(payload.as_ref()))
+}
+
+/// What the work gave or was unwound by; the units that it used, and the bytes that are left.
+fn run<R>(here: UnderWay, work: impl FnOnce() -> R) -> (std::thread::Result<R>, (u64, u64)) {
+    let units = here.units;
+    let outer = (LEFT.replace(0), PIECE.replace(Some(here)));
+    let found = catch_unwind(AssertUnwindSafe(work));
+    let left = LEFT.replace(outer.0);
+    let (rest, bytes) = PIECE.replace(outer.1).map_or((0, 0), |piece| (piece.rest, piece.bytes));
+    (found, (units.saturating_sub(rest.saturating_add(left)), bytes))
+}
+
+/// Why a piece was unwound.
+fn ended_by(payload: &(dyn Any + Send)) -> Ended {
+    if let Some(ended) = payload.downcast_ref::<Ended>() {
+        return ended.clone();
+    }
+    let text = payload.downcast_ref::<String>().map(String::as_str).or_else(|| payload.downcast_ref().copied());
+    Ended::Defect(format!("it stopped in the middle of its work: {}", text.unwrap_or("for no reason that is known")))
+}
+
+#[cfg(test)]
+mod tests;
