@@ -122,6 +122,7 @@ mod growth;
 mod insertion;
 mod inverse;
 mod jets;
+mod known;
 mod linear;
 mod logarithm;
 mod lowering;
@@ -143,6 +144,7 @@ mod prepare;
 mod probe;
 mod prove;
 mod range;
+mod rates;
 mod relate;
 mod restate;
 #[cfg(feature = "certificates")]
@@ -161,6 +163,10 @@ pub use apart::by_domain;
 pub use certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, Program, certify};
 pub use conditions::domains;
 pub use inverse::solve_for_arguments;
+pub use known::{Known, When};
 pub use memory::Memory;
+pub use prepare::is_never_negative;
 pub use outcome::{Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side, Wanted};
-pub use prove::{Branches, branches_test, branches_test_after, identity_test, identity_test_after};
+pub use prove::{
+    Branches, branches_test, branches_test_after, excludes_motions, identity_test, identity_test_after,
+};

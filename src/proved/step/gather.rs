@@ -5,8 +5,10 @@ use super::{LEFT_OUT_NODES, MOST_CASES, Pairs, Step, now, pairs};
 use crate::derivation::{Claim, Derivation, Form, Premise, Written};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::latex::{Relation, RelationKind, Role, Scope, Statement};
-use claim::comparison::at_instant;
-use proof::{Identity, Options, Premises, Reason, Wanted, solve_for_arguments};
+use claim::comparison::{at_instant, behind_rates, traced};
+use crate::expr::FastMap;
+use crate::expr::domain::Sign;
+use proof::{Identity, Options, Premises, Reason, Wanted, When, is_never_negative, solve_for_arguments};
 
 /// Everything that is named.
 #[derive(Clone, Debug, Default)]
@@ -84,10 +86,10 @@ impl<'a> Step<'a> {
     }
 
     /// Adds a relation to what is given.
-    pub(super) fn give(&mut self, relation: &Relation, premises: &mut Premises) {
+    pub(super) fn give(&mut self, relation: &Relation, when: When, premises: &mut Premises) {
         for (l, r) in self.scalars(relation) {
             match relation.kind {
-                RelationKind::Equal => premises.equations.push((l, r)),
+                RelationKind::Equal => premises.give([(l, r)], when),
                 RelationKind::NotEqual => premises.nonzero.push(self.graph.sub(l, r)),
                 RelationKind::Greater => premises.positive.push(self.graph.sub(l, r)),
                 RelationKind::Less => premises.positive.push(self.graph.sub(r, l)),
@@ -104,8 +106,9 @@ impl<'a> Step<'a> {
     /// Equations of fields are assumed at all places; where an equation says at which places, they are assumed there alone, and
     /// nothing is known of their derivatives.
     ///
-    /// At single times nothing is known of the rates of what is assumed there, and a point that refutes may belong to no such time.
-    pub(super) fn assume(&mut self, claim: &Claim, without: &[usize], single: bool, premises: &mut Premises) -> bool {
+    /// `when` are the times that the claim chooses. At single ones nothing is known of the rates of what is assumed there, and a point that
+    /// refutes may belong to no such time. What is about constants is known always.
+    pub(super) fn assume(&mut self, claim: &Claim, without: &[usize], when: When, premises: &mut Premises) -> bool {
         let used = claim.assuming.iter().enumerate().filter(|(i, _)| !without.contains(i));
         let mut complete = true;
         let before = premises.equations.len();
@@ -114,35 +117,52 @@ impl<'a> Step<'a> {
                 complete = false;
                 continue;
             }
-            self.give(relation, premises);
+            self.give(relation, when, premises);
         }
-        let single_places = self.may_choose_single_places(claim, without);
-        let graph = &self.graph;
-        let of_fields = |(l, r): &(Expr, Expr)| !graph.fields([*l, *r]).is_empty();
-        let is_place = |pair: &(Expr, Expr)| {
-            let leaves = graph.leaves_within([pair.0, pair.1]);
-            !of_fields(pair) && leaves.iter().any(|l| graph.coordinate(*l).is_some())
-        };
-        if premises.equations[before..].iter().any(is_place) || single_places {
-            let (there, everywhere) = premises.equations.drain(before..).partition::<Pairs, _>(of_fields);
-            premises.equations.extend(everywhere);
-            // Along such places they may be meant to hold together: no point refutes that.
-            complete &= there.is_empty();
-            premises.only_now.extend(there);
-        }
-        complete & !self.keep_for_now(before, single, premises)
+        let places = self.places_chosen(claim, without);
+        complete & self.restrict(before, [when, places], premises)
     }
 
-    /// Keeps the equations from a number on for the present time, where that is single; whether there are any that move.
-    fn keep_for_now(&self, from: usize, single: bool, premises: &mut Premises) -> bool {
-        let moves = |&(l, r): &(Expr, Expr)| self.moves(l) || self.moves(r);
-        if !single || !premises.equations[from..].iter().any(moves) {
-            return false;
+    /// Restricts the equations from a number on to chosen times, if they move, and places, if they name fields; whether a point that
+    /// satisfies them may refute.
+    fn restrict(&self, from: usize, [times, places]: [When; 2], premises: &mut Premises) -> bool {
+        let graph = &self.graph;
+        let of_fields = |pair: (Expr, Expr)| !graph.fields([pair.0, pair.1]).is_empty();
+        let mut whole = true;
+        for known in &mut premises.equations[from..] {
+            let (l, r) = known.sides();
+            let fields = of_fields((l, r));
+            known.when = match (self.moves(l) || self.moves(r), fields) {
+                (false, false) => When::Always,
+                (true, false) => times,
+                (false, true) => places,
+                (true, true) => times.and(places),
+            };
+            // Along such places they may be meant to hold together: no point refutes that.
+            whole &= known.when != When::Chosen;
         }
-        let (moving, constant) = premises.equations.drain(from..).partition::<Pairs, _>(moves);
-        premises.equations.extend(constant);
-        premises.only_now.extend(moving);
-        true
+        whole
+    }
+
+    /// The places that a claim chooses, of all at which fields are meant.
+    fn places_chosen(&mut self, claim: &Claim, without: &[usize]) -> When {
+        let used = claim.assuming.iter().enumerate().filter(|(i, _)| !without.contains(i));
+        let relations: Vec<&Relation> = used.flat_map(|(_, w)| &w.value.relations).collect();
+        let (mut chosen, mut placed) = (false, false);
+        for relation in relations {
+            let leaves = self.graph.leaves_within(pairs(relation).flat_map(|(l, r)| [l, r]));
+            let names_fields = leaves.iter().any(|l| self.graph.is_field(l.symbol));
+            let names_places = leaves.iter().any(|l| self.graph.coordinate(*l).is_some());
+            match relation.kind {
+                RelationKind::Equal => placed |= names_places && !names_fields,
+                _ => chosen |= names_places || names_fields && !self.at_all_times,
+            }
+        }
+        match placed || self.may_choose_single_places(claim, without) {
+            true => When::Chosen,
+            false if chosen => When::ChosenOpen,
+            false => When::Always,
+        }
     }
 
     /// What `follows-from` and the assumptions give; `without` some assumptions.
@@ -152,15 +172,24 @@ impl<'a> Step<'a> {
         let mut premises = Premises::default();
         self.roles(&mut premises);
         let absent = without.unwrap_or(&[]);
-        let single = self.may_choose_single_times(claim, absent);
-        out.complete &= self.assume(claim, absent, single, &mut premises);
+        let chosen = self.times_chosen(claim, absent);
+        out.complete &= self.assume(claim, absent, chosen, &mut premises);
+        premises.present = chosen.and(self.places_chosen(claim, absent));
         // Each with the scope that says what moves in it.
         let mut always: Vec<(&Scope, Pairs)> = Vec::new();
         out.elsewhere = self.at_all_times || self.choosing(claim, absent).is_empty();
         out.between = self.goes_on(claim, absent);
-        if self.is_known_elsewhere(claim, absent, &premises.equations) {
-            always.push((&claim.scope, premises.equations.clone()));
+        let own: Pairs = premises.pairs().collect();
+        if self.is_known_elsewhere(claim, absent, &own) {
+            // What is so for a while goes on.
+            if chosen == When::ChosenOpen {
+                premises.equations.iter_mut().filter(|k| self.moves(k.left) || self.moves(k.right)).for_each(|k| {
+                    k.when = When::Always;
+                });
+            }
+            always.push((&claim.scope, own));
         }
+        let assumed = premises.equations.len();
         let mut constant = self.constants();
         let known: Pairs = self.about_constants(claim, absent, &constant);
         if !out.elsewhere {
@@ -179,13 +208,20 @@ impl<'a> Step<'a> {
                 Premise::Definition => continue,
             };
             let mut at_others = true;
-            let single = single && !premise.assuming.is_empty() || self.may_choose_single_times(premise, &[]);
+            let mut when = self.times_chosen(premise, &[]);
+            // What is assumed of constants holds always, if it holds at the present.
+            let of_constants =
+                |w: &Written<Statement>| w.value.relations.iter().all(|r| self.is_about_constants(r, &constant));
+            if !premise.assuming.iter().all(of_constants) {
+                when = when.and(chosen);
+            }
+            let places = self.places_chosen(premise, &[]);
             match self.said(premise) {
                 Some((equations, signs)) => {
                     let equations = self.without_branches(premise, equations, &mut out.complete);
                     let before = premises.equations.len();
-                    premises.equations.extend(&equations);
-                    out.complete &= !self.keep_for_now(before, single, &mut premises);
+                    premises.give(equations.iter().copied(), when);
+                    out.complete &= self.restrict(before, [when, places], &mut premises);
                     // What it assumes is known at other times if it is assumed here of all of them.
                     let of_constants = |w: &Written<Statement>| {
                         w.value.relations.iter().all(|r| self.is_about_constants(r, &constant))
@@ -193,6 +229,9 @@ impl<'a> Step<'a> {
                     at_others = premise.assuming.iter().all(of_constants)
                         || self.is_known_elsewhere(premise, &[], &equations)
                             && self.is_known_elsewhere(claim, absent, &equations);
+                    for k in premises.equations[before..].iter_mut().filter(|k| at_others && k.when == When::ChosenOpen) {
+                        k.when = if self.moves(k.left) || self.moves(k.right) { places } else { k.when };
+                    }
                     out.elsewhere &= at_others;
                     out.between &= at_others;
                     for form in &premise.forms {
@@ -205,9 +244,9 @@ impl<'a> Step<'a> {
                     let throughout = self.at_all_times || premise.assuming.is_empty();
                     out.between &= throughout || signs.is_empty();
                     for relation in signs {
-                        self.give(relation, &mut premises);
+                        self.give(relation, when, &mut premises);
                         if throughout {
-                            self.give(relation, &mut out.throughout);
+                            self.give(relation, When::Always, &mut out.throughout);
                         }
                     }
                 }
@@ -219,8 +258,8 @@ impl<'a> Step<'a> {
                 |of: &Statement| without.is_some_and(|w| w.iter().any(|&i| claim.assuming[i].value.says_the_same(of)));
             let numbers: Vec<usize> =
                 (0..premise.assuming.len()).filter(|&i| dropped(&premise.assuming[i].value)).collect();
-            out.complete &= self.assume(premise, &numbers, single, &mut premises);
-            let assumed = premises.equations[before..].to_vec();
+            out.complete &= self.assume(premise, &numbers, when, &mut premises);
+            let assumed: Pairs = premises.equations[before..].iter().map(proof::Known::sides).collect();
             if at_others && self.is_known_elsewhere(claim, absent, &assumed) {
                 always.push((&premise.scope, assumed));
             }
@@ -237,11 +276,14 @@ impl<'a> Step<'a> {
                 true
             }
         });
-        out.throughout.equations.extend(always.iter().flat_map(|(_, pairs)| pairs));
+        self.signs_throughout(&premises, &mut out.throughout);
+        self.where_they_have_values(&mut premises, assumed, &mut always, &out.throughout);
+        let moving = |k: &&proof::Known| self.moves(k.left) || self.moves(k.right);
+        out.elsewhere &= chosen == When::Always && premises.equations.iter().filter(moving).all(|k| k.when == When::Always);
+        out.throughout.give(always.iter().flat_map(|(_, pairs)| pairs.iter().copied()), When::Always);
         for instant in self.instants_with_values(claim, absent) {
             self.give_at(instant, claim, absent, &mut premises);
         }
-        self.signs_throughout(&premises, &mut out.throughout);
         self.at_instants(&always, &constant, &out.throughout, &mut premises);
         out.premises = premises;
         out
@@ -250,10 +292,11 @@ impl<'a> Step<'a> {
     /// Adds what a claim assumes at a fixed time that it chooses.
     fn give_at(&mut self, instant: Expr, claim: &Claim, without: &[usize], premises: &mut Premises) {
         let mut then = Premises::default();
-        self.assume(claim, without, false, &mut then);
+        self.assume(claim, without, When::Chosen, &mut then);
         let graph = &mut self.graph;
         let mut at = |e: Expr| at_instant(graph, &claim.scope, e, instant);
-        premises.equations.extend(then.equations.into_iter().map(|(l, r)| (at(l), at(r))).filter(|(l, r)| l != r));
+        let pairs: Pairs = then.pairs().map(|(l, r)| (at(l), at(r))).filter(|(l, r)| l != r).collect();
+        premises.give(pairs, When::Always);
         premises.nonzero.extend(then.nonzero.into_iter().map(&mut at));
         premises.positive.extend(then.positive.into_iter().map(&mut at));
         premises.not_negative.extend(then.not_negative.into_iter().map(&mut at));
@@ -279,7 +322,8 @@ impl<'a> Step<'a> {
                 signs.extend(instants.iter().map(|&i| at_instant(&mut self.graph, &self.claim.scope, fact, i)));
             }
         }
-        premises.equations.push((e, zero));
+        // At some time: nothing is said of its rate.
+        premises.give([(e, zero)], When::Chosen);
         let loosened = self.loosened;
         self.definitions(&Pairs::new(), &[], Definitions::All, &mut premises);
         self.loosened = loosened;
@@ -287,6 +331,92 @@ impl<'a> Step<'a> {
         let options = Options { attempts: 1, most_nodes: LEFT_OUT_NODES, wanted: Wanted::Fault, ..Options::default() };
         let found = self.test_only(&premises, &vec![(zero, one)], &options);
         matches!(found, Identity::Undecided(Reason::Contradiction))
+    }
+
+    /// Whether something has a sign wherever what is given holds.
+    pub(super) fn is_met(&mut self, value: Expr, sign: Sign, gathered: &Gathered) -> bool {
+        if sign == Sign::NotNegative && is_never_negative(&self.graph, value) {
+            return true;
+        }
+        let mut premises = gathered.premises.clone();
+        let [zero, one] = [0, 1].map(|n| self.graph.integer(n));
+        let opposite = self.graph.neg(value);
+        match sign {
+            Sign::NotZero => premises.give([(value, zero)], When::Chosen),
+            Sign::Positive => premises.not_negative.push(opposite),
+            Sign::NotNegative => premises.positive.push(opposite),
+        }
+        let loosened = self.loosened;
+        self.definitions(&Pairs::new(), &[], Definitions::All, &mut premises);
+        self.definitions_at_instants(&Pairs::new(), Definitions::All, &mut premises);
+        self.loosened = loosened;
+        self.add_positive_parameters(&Pairs::new(), &mut premises);
+        let options = Options { attempts: 1, most_nodes: LEFT_OUT_NODES, wanted: Wanted::Fault, ..Options::default() };
+        let found = self.test_only(&premises, &vec![(zero, one)], &options);
+        matches!(found, Identity::Undecided(Reason::Contradiction))
+    }
+
+    /// What a claim says, and what is assumed, is said where it has a value: that may be at some times only, and single ones among them,
+    /// if it ends there. What is typed is given of all times.
+    fn where_they_have_values(
+        &mut self,
+        premises: &mut Premises,
+        assumed: usize,
+        always: &mut [(&Scope, Pairs)],
+        throughout: &Premises,
+    ) {
+        if self.at_all_times {
+            return;
+        }
+        let scopes: Vec<&Scope> = always.iter().map(|(scope, _)| *scope).collect();
+        let known = Gathered { throughout: throughout.clone(), ..Gathered::default() };
+        let of_systems = self.sides_of_systems();
+        let needed: Vec<Expr> = of_systems.into_iter().map(|e| traced(&mut self.graph, &self.claim.scope, e)).collect();
+        let needed: Vec<(Expr, Sign)> = self.graph.needs_below(needed).iter().map(|n| (n.value, n.sign)).collect();
+        let divided = self.divided_by_systems();
+        let mut found: FastMap<(Expr, Sign), When> = FastMap::default();
+        let mut of_pairs: Vec<((Expr, Expr), When)> = Vec::new();
+        for at in 0..premises.equations.len() {
+            let pair = premises.equations[at].sides();
+            let mut when = When::Always;
+            for mut e in [pair.0, pair.1] {
+                for scope in scopes.iter().copied().chain([&self.claim.scope]) {
+                    e = behind_rates(&mut self.graph, scope, e);
+                    e = traced(&mut self.graph, scope, e);
+                }
+                for need in self.graph.needs_below([e]) {
+                    let key = (need.value, need.sign);
+                    let one = match found.get(&key) {
+                        Some(&one) => one,
+                        None => {
+                            let squares = is_never_negative(&self.graph, need.value);
+                            let met = !self.depends(need.value)
+                                || needed.contains(&key)
+                                || need.sign == Sign::NotZero && divided.contains(&need.value)
+                                || need.sign == Sign::NotNegative && squares
+                                || need.sign != Sign::NotNegative && self.never_vanishes(need.value, &known)
+                                    && (squares || need.sign == Sign::NotZero)
+                                || throughout.positive.contains(&need.value);
+                            match (met, need.sign) {
+                                (true, _) => When::Always,
+                                (false, Sign::NotNegative) => When::Chosen,
+                                (false, Sign::Positive | Sign::NotZero) => When::ChosenOpen,
+                            }
+                        }
+                    };
+                    found.insert(key, one);
+                    when = when.and(one);
+                }
+            }
+            premises.equations[at].when = premises.equations[at].when.and(when);
+            if at < assumed {
+                premises.present = premises.present.and(when);
+            }
+            of_pairs.push((pair, when));
+        }
+        for (_, list) in always {
+            list.retain(|pair| of_pairs.iter().all(|(of, when)| of != pair || *when == When::Always));
+        }
     }
 
     /// ± in a premise: at each time one of the signs holds, so the product of the two residuals vanishes.
@@ -326,7 +456,7 @@ impl<'a> Step<'a> {
         for &instant in &instants {
             for &(scope, e) in constant {
                 let then = at_instant(&mut self.graph, scope, e, instant);
-                premises.equations.push((e, then));
+                premises.give([(e, then)], When::Always);
             }
             for (scope, list) in always {
                 for &(l, r) in list {
@@ -334,8 +464,8 @@ impl<'a> Step<'a> {
                         continue;
                     }
                     let then = [l, r].map(|e| at_instant(&mut self.graph, scope, e, instant));
-                    if then != [l, r] && then[0] != then[1] && !premises.equations.contains(&(then[0], then[1])) {
-                        premises.equations.push((then[0], then[1]));
+                    if then != [l, r] && then[0] != then[1] && !premises.says((then[0], then[1])) {
+                        premises.give([(then[0], then[1])], When::Always);
                     }
                 }
             }
@@ -383,12 +513,39 @@ impl<'a> Step<'a> {
         self.definitions_at_instants(equations, which, &mut premises);
         self.add_positive_parameters(equations, &mut premises);
         solve_for_arguments(&mut self.graph, &mut premises);
+        self.add_edges(equations, &mut premises);
         premises
+    }
+
+    /// Where the formulas of the observables that occur have edges: their rates need not exist there, whether their definitions are used
+    /// or not.
+    fn add_edges(&mut self, equations: &Pairs, premises: &mut Premises) {
+        let facts = premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied();
+        let roots: Vec<Expr> = sides(equations).chain(premises.sides()).chain(facts).collect();
+        let mut symbols: Vec<Leaf> = self.graph.leaves_within(roots).into_iter().map(|l| Leaf::now(l.symbol, l.component)).collect();
+        symbols.sort_unstable();
+        symbols.dedup();
+        for leaf in symbols {
+            let Some(formula) = self.definition(leaf, Definitions::All) else { continue };
+            if !self.edges.contains_key(&leaf) {
+                let node = self.graph.leaf(leaf);
+                let own = self.claim.scope.definition(leaf.symbol).is_some();
+                let mut roots = if own { vec![node] } else { vec![formula] };
+                self.add_definitions(&mut roots);
+                let found = self.edges_below(roots);
+                self.edges.insert(leaf, found);
+            }
+            for &edge in self.edges.get(&leaf).into_iter().flatten() {
+                if !premises.edges.contains(&(leaf.symbol, edge)) {
+                    premises.edges.push((leaf.symbol, edge));
+                }
+            }
+        }
     }
 
     /// What is positive among the parameters that occur.
     pub(super) fn add_positive_parameters(&mut self, equations: &Pairs, premises: &mut Premises) {
-        let roots: Vec<Expr> = sides(equations).chain(sides(&premises.equations)).collect();
+        let roots: Vec<Expr> = sides(equations).chain(premises.sides()).collect();
         for leaf in self.graph.leaves_within(roots) {
             if self.is_positive_parameter(leaf) {
                 let node = self.graph.leaf(leaf);
@@ -412,7 +569,7 @@ impl<'a> Step<'a> {
                     for factor in factors.into_iter().rev() {
                         let mut one = case.clone();
                         // First, so that it is solved first.
-                        one.equations.insert(0, (factor, zero));
+                        one.equations.insert(0, proof::Known::of((factor, zero), When::ChosenOpen));
                         open.push(one);
                     }
                 }
@@ -425,7 +582,7 @@ impl<'a> Step<'a> {
     pub(super) fn of_one_time(&self, mut case: Premises) -> Premises {
         let graph = &self.graph;
         let now = |e: &Expr| graph.leaves_within([*e]).iter().all(|leaf| leaf.instant.is_none());
-        case.equations.retain(|(l, r)| now(l) && now(r));
+        case.equations.retain(|k| now(&k.left) && now(&k.right));
         for facts in [&mut case.nonzero, &mut case.positive, &mut case.not_negative] {
             facts.retain(now);
         }
@@ -436,13 +593,16 @@ impl<'a> Step<'a> {
     fn factors_of_one(&mut self, case: &Premises) -> Option<Vec<Expr>> {
         let time = case.time?;
         for at in 0..case.equations.len() {
-            let (l, r) = case.equations[at];
+            let (l, r) = case.equations[at].sides();
+            if !case.equations[at].when.is_on_intervals() {
+                continue;
+            }
             let residual = self.graph.sub(l, r);
             let rate = self.graph.time_derivative(residual, time, |l| case.moving.contains(&l.symbol));
             for e in [Some(residual), rate.ok()].into_iter().flatten() {
                 let bases = bases(&self.graph, e);
                 let product = bases.len() > 1;
-                let settled = |b: &Expr| case.equations.iter().any(|&(l, r)| l == *b && self.graph.is_zero(r));
+                let settled = |b: &Expr| case.pairs().any(|(l, r)| l == *b && self.graph.is_zero(r));
                 if bases.iter().any(settled) {
                     continue;
                 }
