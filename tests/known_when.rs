@@ -121,8 +121,11 @@ fn step(id: &str, assuming: &[&str], from: &str, says: &str) -> String {
 }
 
 fn none_is_proved(head: &str, claims: &[(&[&str], &str, &str)]) {
-    let text: String =
-        claims.iter().enumerate().map(|(at, (assuming, from, says))| step(&format!("c{at}"), assuming, from, says)).collect();
+    let text: String = claims
+        .iter()
+        .enumerate()
+        .map(|(at, (assuming, from, says))| step(&format!("c{at}"), assuming, from, says))
+        .collect();
     let account = of_file(&(head.to_owned() + &text));
     for (at, claim) in claims.iter().enumerate() {
         let standing = standing(&account, &format!("c{at}"));
@@ -150,8 +153,9 @@ fn a_single_time_is_no_limit() {
 #[test]
 fn what_is_assumed_at_chosen_times_is_not_known_at_others() {
     // x = t, z = 2 + (|1 − t| + 1 − t)³
+    let formula = r"'W' = { role = 'observable', formula = '\frac{x}{|x|}' }";
     none_is_proved(
-        &states(&["x", "y", "z"]),
+        &format!("{}{formula}\n", states(&["x", "y", "z"])),
         &[
             (&["x>1", "z=2"], "", r"\dot z(0)=0"),
             (&["x>1", r"\dot z=0"], "", r"\ddot z(0)=0"),
@@ -162,6 +166,8 @@ fn what_is_assumed_at_chosen_times_is_not_known_at_others() {
             (&[r"y\le0", r"y\dot y=y\dot y(1)"], "", r"\dot y=\dot y(1)"),
             (&[r"y\le0", r"y\ddot y=y\ddot y(1)"], "", r"\ddot y=\ddot y(1)"),
             (&["x<0", "y=0"], "", r"\dot y(1)=0"),
+            // x = sin t, z = 1: what W needs at the present says nothing of time 0.
+            (&[r"x\ne0", "x(0)W=x(0)z(0)"], "", "W=z(0)"),
         ],
     );
 }
@@ -224,7 +230,8 @@ fn what_is_known_always_is_known_at_fixed_times_and_with_its_rates() {
 fn an_operation_says_where_it_ends() {
     // y = 0: the mean has a value there alone.
     let head = states(&["y"]);
-    for says in [r"\operatorname{agm}(-y^2,1)+1>0", r"\sqrt{-y^2}+1>0", r"(-y^2)^{\frac12}+1>0", r"\arccos(1+y^2)+1>0"] {
+    for says in [r"\operatorname{agm}(-y^2,1)+1>0", r"\sqrt{-y^2}+1>0", r"(-y^2)^{\frac12}+1>0", r"\arccos(1+y^2)+1>0"]
+    {
         let lemma = format!("[[claim]]\nid = 'p'\nsays = 'test'\nalways = ['{says}']\n");
         let account = of_file(&(head.clone() + &lemma + &step("c", &[], "follows-from = ['p']", r"\dot y=0")));
         assert_ne!(standing(&account, "c"), "refuted", "{says}");

@@ -261,9 +261,7 @@ impl Question {
             let text = c.label.split("   [").next().unwrap_or_default().to_owned();
             let sides = [(related.left, related.right)];
             let mut error = |premises: &Premises| match answer(graph, &sides, premises, None) {
-                Ok((Identity::Proved(proof), _))
-                    if proof.conditions.iter().all(|c| c.leaves_out().is_none()) =>
-                {
+                Ok((Identity::Proved(proof), _)) if proof.conditions.iter().all(|c| c.leaves_out().is_none()) => {
                     Some(proof.log2_error)
                 }
                 _ => None,

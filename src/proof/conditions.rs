@@ -92,8 +92,7 @@ pub(super) fn conditions(
     cases: &[Resolved],
     formulas: &[Expr],
     explicit: &[Expr],
-    pivots: &[Expr],
-    rates: &[Expr],
+    (pivots, rates): (&[Expr], &[Expr]),
 ) -> Vec<Condition> {
     let generators = &lowered.generators;
     let mut out = domains(graph, formulas);
@@ -136,7 +135,9 @@ pub(super) fn conditions(
     out.retain(|c| {
         let known = match *c {
             Condition::Pivot(e) => {
-                own.contains(&Condition::Denominator(e)) || told.contains(&e) || facts.sign(graph, generators, e).nonzero
+                own.contains(&Condition::Denominator(e))
+                    || told.contains(&e)
+                    || facts.sign(graph, generators, e).nonzero
             }
             Condition::Denominator(e) | Condition::Rate(e) => facts.sign(graph, generators, e).nonzero,
             Condition::Discriminant(e) if own.contains(&Condition::Radicand(e)) => true,

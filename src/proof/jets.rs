@@ -101,7 +101,13 @@ impl Jets {
     ///
     /// # Errors
     /// [`Reason::NoDerivative`] where a derivative cannot be written.
-    pub(super) fn of(graph: &mut Graph, given: &Premises, asked: &[Expr], is_zero: Vanishes, further: u8) -> Result<Jets, Reason> {
+    pub(super) fn of(
+        graph: &mut Graph,
+        given: &Premises,
+        asked: &[Expr],
+        is_zero: Vanishes,
+        further: u8,
+    ) -> Result<Jets, Reason> {
         let Premises { equations, time, moving, .. } = given;
         let time = *time;
         let mut out = Jets::default();
@@ -177,7 +183,13 @@ impl Jets {
     }
 
     /// The derivatives that are asked for, by what was asked and by each other; whether all were formed.
-    fn derive(&mut self, graph: &mut Graph, led: &[Led], asked: &[Expr], (time, further): (Option<Leaf>, u8)) -> Result<bool, Reason> {
+    fn derive(
+        &mut self,
+        graph: &mut Graph,
+        led: &[Led],
+        asked: &[Expr],
+        (time, further): (Option<Leaf>, u8),
+    ) -> Result<bool, Reason> {
         let mut wanted: Vec<(usize, Partials)> = Vec::new();
         // Conditions of integrability.
         for (i, a) in led.iter().enumerate() {

@@ -165,8 +165,6 @@ pub use conditions::domains;
 pub use inverse::solve_for_arguments;
 pub use known::{Known, When};
 pub use memory::Memory;
-pub use prepare::is_never_negative;
 pub use outcome::{Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side, Wanted};
-pub use prove::{
-    Branches, branches_test, branches_test_after, excludes_motions, identity_test, identity_test_after,
-};
+pub use prepare::is_never_negative;
+pub use prove::{Branches, branches_test, branches_test_after, excludes_motions, identity_test, identity_test_after};

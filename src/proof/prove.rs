@@ -347,7 +347,7 @@ fn decide_with(
     let whole = equations.iter().chain(premises.iter().zip(&is_partial).filter(|(_, p)| !**p).map(|(pair, _)| pair));
     let mut all: Vec<Expr> = whole.flat_map(|&(l, r)| [l, r]).collect();
     all.dedup();
-    proof.conditions = conditions(graph, &lowered, given, &resolved, &all, &solved.pivots, &needed, rates);
+    proof.conditions = conditions(graph, &lowered, given, &resolved, &all, &solved.pivots, (&needed, rates));
     // An example is one only if it is reached: nothing vanishes there that was divided by.
     let divided: Vec<Expr> = proof.conditions.iter().filter_map(|c| c.leaves_out()).collect();
     proof.example = proof.example.take().filter(|point| vanishing(graph, &divided, point).is_none());

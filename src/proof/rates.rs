@@ -68,11 +68,8 @@ pub(super) fn mark_partial(
     let known: Vec<Leaf> = graph.leaves_within(own);
     let mut out: Vec<Expr> = Vec::new();
     let mut open_of: FastMap<Expr, Vec<Expr>> = FastMap::default();
-    for at in 0..premises.len() {
-        if !premises[at].derived {
-            continue;
-        }
-        let sides = [premises[at].left, premises[at].right];
+    for premise in premises.iter_mut().filter(|p| p.derived) {
+        let sides = [premise.left, premise.right];
         let mut values: Vec<Expr> = Vec::new();
         for need in graph.needs_below(sides) {
             match need.sign {
@@ -103,7 +100,7 @@ pub(super) fn mark_partial(
                 }
             }
         }
-        premises[at].partial = partial;
+        premise.partial = partial;
     }
     out
 }

@@ -22,9 +22,7 @@ use super::jets::names_fields;
 use super::linear::{Combination, Combinations, Monomial, expression};
 use super::memory::Memory;
 use super::newton::{example, refutes};
-use super::outcome::{
-    Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side, Wanted,
-};
+use super::outcome::{Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side, Wanted};
 use super::polynomial::{fraction, replaced};
 use super::powers::by_logarithms;
 use super::prove::identity_at;

@@ -28,6 +28,7 @@ mod chosen;
 mod definitions;
 mod exceptions;
 mod gather;
+mod known;
 mod orders;
 mod points;
 mod rates;
@@ -47,8 +48,8 @@ pub(crate) use chosen::chooses;
 use definitions::Definitions;
 use gather::Gathered;
 use proof::{
-    Branches, Condition, Identity, Memory, Options, Premises, Proof, Reason, Wanted, When,
-    branches_test_after, excludes_motions, identity_test_after, order,
+    Branches, Condition, Identity, Memory, Options, Premises, Proof, Reason, Wanted, When, branches_test_after,
+    excludes_motions, identity_test_after, order,
 };
 use reason::{Plain, Proving, Refuting};
 use std::cell::RefCell;

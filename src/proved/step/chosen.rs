@@ -167,7 +167,8 @@ impl<'a> Step<'a> {
         let values: Vec<Expr> = own.into_iter().flat_map(|e| presupposed(&mut self.graph, &claim.scope, e)).collect();
         let needs = self.graph.needs_below(values).into_iter().filter(|n| n.sign == Sign::NotZero && n.certain);
         let mut known = Gathered::default();
-        known.throughout.nonzero = needs.map(|n| n.value).collect();
+        // What a formula needs at the present says nothing of a fixed time.
+        known.throughout.nonzero = needs.map(|n| n.value).filter(|&e| !self.moves(e)).collect();
         let differences: Vec<(Expr, Expr)> = choosing.into_iter().flat_map(pairs).collect();
         instants.retain(|&instant| {
             differences.iter().all(|&(l, r)| {

@@ -31,7 +31,8 @@ impl Step<'_> {
         let Identity::Proved(mut proof) = identity else { return identity };
         let limits = self.holds_at_limits(gathered, equations);
         let zero = self.graph.integer(0);
-        let left_out: Vec<Expr> = proof.conditions.iter().filter_map(|c| c.leaves_out()).take(MOST_EXCEPTIONS).collect();
+        let left_out: Vec<Expr> =
+            proof.conditions.iter().filter_map(|c| c.leaves_out()).take(MOST_EXCEPTIONS).collect();
         for pivot in left_out {
             // Auxiliary numbers are no part of the question.
             let leaves = self.graph.leaves_within([pivot]);
@@ -125,7 +126,13 @@ impl Step<'_> {
         }
         let of_systems = self.sides_of_systems();
         let needed: Vec<Expr> = self.graph.needs_below(of_systems).iter().map(|n| n.value).collect();
-        let ends: Vec<Expr> = self.graph.needs_below(roots).into_iter().filter(|n| n.sign == Sign::NotNegative).map(|n| n.value).collect();
+        let ends: Vec<Expr> = self
+            .graph
+            .needs_below(roots)
+            .into_iter()
+            .filter(|n| n.sign == Sign::NotNegative)
+            .map(|n| n.value)
+            .collect();
         ends.into_iter().all(|e| !self.depends(e) || needed.contains(&e) || self.is_met(e, Sign::NotNegative, gathered))
     }
 
@@ -139,8 +146,20 @@ impl Step<'_> {
         for node in self.graph.reachable(roots) {
             let new = match *self.graph.node(node) {
                 Node::Unary(Op::Sqrt | Op::Abs, a) if vanishes(&self.graph, a) => zero,
-                Node::Unary(op, a) => if image[&a] == a { node } else { self.graph.unary(op, image[&a]) },
-                Node::Binary(op, a, b) => if (image[&a], image[&b]) == (a, b) { node } else { self.graph.binary(op, image[&a], image[&b]) },
+                Node::Unary(op, a) => {
+                    if image[&a] == a {
+                        node
+                    } else {
+                        self.graph.unary(op, image[&a])
+                    }
+                }
+                Node::Binary(op, a, b) => {
+                    if (image[&a], image[&b]) == (a, b) {
+                        node
+                    } else {
+                        self.graph.binary(op, image[&a], image[&b])
+                    }
+                }
                 Node::Constant(_) | Node::Pi | Node::Leaf(_) => node,
             };
             image.insert(node, new);

@@ -5,10 +5,8 @@ use super::{LEFT_OUT_NODES, MOST_CASES, Pairs, Step, now, pairs};
 use crate::derivation::{Claim, Derivation, Form, Premise, Written};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::latex::{Relation, RelationKind, Role, Scope, Statement};
-use claim::comparison::{at_instant, behind_rates, traced};
-use crate::expr::FastMap;
-use crate::expr::domain::Sign;
-use proof::{Identity, Options, Premises, Reason, Wanted, When, is_never_negative, solve_for_arguments};
+use claim::comparison::at_instant;
+use proof::{Identity, Options, Premises, Reason, Wanted, When, solve_for_arguments};
 
 /// Everything that is named.
 #[derive(Clone, Debug, Default)]
@@ -123,48 +121,6 @@ impl<'a> Step<'a> {
         complete & self.restrict(before, [when, places], premises)
     }
 
-    /// Restricts the equations from a number on to chosen times, if they move, and places, if they name fields; whether a point that
-    /// satisfies them may refute.
-    fn restrict(&self, from: usize, [times, places]: [When; 2], premises: &mut Premises) -> bool {
-        let graph = &self.graph;
-        let of_fields = |pair: (Expr, Expr)| !graph.fields([pair.0, pair.1]).is_empty();
-        let mut whole = true;
-        for known in &mut premises.equations[from..] {
-            let (l, r) = known.sides();
-            let fields = of_fields((l, r));
-            known.when = match (self.moves(l) || self.moves(r), fields) {
-                (false, false) => When::Always,
-                (true, false) => times,
-                (false, true) => places,
-                (true, true) => times.and(places),
-            };
-            // Along such places they may be meant to hold together: no point refutes that.
-            whole &= known.when != When::Chosen;
-        }
-        whole
-    }
-
-    /// The places that a claim chooses, of all at which fields are meant.
-    fn places_chosen(&mut self, claim: &Claim, without: &[usize]) -> When {
-        let used = claim.assuming.iter().enumerate().filter(|(i, _)| !without.contains(i));
-        let relations: Vec<&Relation> = used.flat_map(|(_, w)| &w.value.relations).collect();
-        let (mut chosen, mut placed) = (false, false);
-        for relation in relations {
-            let leaves = self.graph.leaves_within(pairs(relation).flat_map(|(l, r)| [l, r]));
-            let names_fields = leaves.iter().any(|l| self.graph.is_field(l.symbol));
-            let names_places = leaves.iter().any(|l| self.graph.coordinate(*l).is_some());
-            match relation.kind {
-                RelationKind::Equal => placed |= names_places && !names_fields,
-                _ => chosen |= names_places || names_fields && !self.at_all_times,
-            }
-        }
-        match placed || self.may_choose_single_places(claim, without) {
-            true => When::Chosen,
-            false if chosen => When::ChosenOpen,
-            false => When::Always,
-        }
-    }
-
     /// What `follows-from` and the assumptions give; `without` some assumptions.
     pub(super) fn gather(&mut self, without: Option<&[usize]>) -> Gathered {
         let (derivation, claim) = (self.derivation, self.claim);
@@ -229,7 +185,8 @@ impl<'a> Step<'a> {
                     at_others = premise.assuming.iter().all(of_constants)
                         || self.is_known_elsewhere(premise, &[], &equations)
                             && self.is_known_elsewhere(claim, absent, &equations);
-                    for k in premises.equations[before..].iter_mut().filter(|k| at_others && k.when == When::ChosenOpen) {
+                    for k in premises.equations[before..].iter_mut().filter(|k| at_others && k.when == When::ChosenOpen)
+                    {
                         k.when = if self.moves(k.left) || self.moves(k.right) { places } else { k.when };
                     }
                     out.elsewhere &= at_others;
@@ -279,7 +236,8 @@ impl<'a> Step<'a> {
         self.signs_throughout(&premises, &mut out.throughout);
         self.where_they_have_values(&mut premises, assumed, &mut always, &out.throughout);
         let moving = |k: &&proof::Known| self.moves(k.left) || self.moves(k.right);
-        out.elsewhere &= chosen == When::Always && premises.equations.iter().filter(moving).all(|k| k.when == When::Always);
+        out.elsewhere &=
+            chosen == When::Always && premises.equations.iter().filter(moving).all(|k| k.when == When::Always);
         out.throughout.give(always.iter().flat_map(|(_, pairs)| pairs.iter().copied()), When::Always);
         for instant in self.instants_with_values(claim, absent) {
             self.give_at(instant, claim, absent, &mut premises);
@@ -331,92 +289,6 @@ impl<'a> Step<'a> {
         let options = Options { attempts: 1, most_nodes: LEFT_OUT_NODES, wanted: Wanted::Fault, ..Options::default() };
         let found = self.test_only(&premises, &vec![(zero, one)], &options);
         matches!(found, Identity::Undecided(Reason::Contradiction))
-    }
-
-    /// Whether something has a sign wherever what is given holds.
-    pub(super) fn is_met(&mut self, value: Expr, sign: Sign, gathered: &Gathered) -> bool {
-        if sign == Sign::NotNegative && is_never_negative(&self.graph, value) {
-            return true;
-        }
-        let mut premises = gathered.premises.clone();
-        let [zero, one] = [0, 1].map(|n| self.graph.integer(n));
-        let opposite = self.graph.neg(value);
-        match sign {
-            Sign::NotZero => premises.give([(value, zero)], When::Chosen),
-            Sign::Positive => premises.not_negative.push(opposite),
-            Sign::NotNegative => premises.positive.push(opposite),
-        }
-        let loosened = self.loosened;
-        self.definitions(&Pairs::new(), &[], Definitions::All, &mut premises);
-        self.definitions_at_instants(&Pairs::new(), Definitions::All, &mut premises);
-        self.loosened = loosened;
-        self.add_positive_parameters(&Pairs::new(), &mut premises);
-        let options = Options { attempts: 1, most_nodes: LEFT_OUT_NODES, wanted: Wanted::Fault, ..Options::default() };
-        let found = self.test_only(&premises, &vec![(zero, one)], &options);
-        matches!(found, Identity::Undecided(Reason::Contradiction))
-    }
-
-    /// What a claim says, and what is assumed, is said where it has a value: that may be at some times only, and single ones among them,
-    /// if it ends there. What is typed is given of all times.
-    fn where_they_have_values(
-        &mut self,
-        premises: &mut Premises,
-        assumed: usize,
-        always: &mut [(&Scope, Pairs)],
-        throughout: &Premises,
-    ) {
-        if self.at_all_times {
-            return;
-        }
-        let scopes: Vec<&Scope> = always.iter().map(|(scope, _)| *scope).collect();
-        let known = Gathered { throughout: throughout.clone(), ..Gathered::default() };
-        let of_systems = self.sides_of_systems();
-        let needed: Vec<Expr> = of_systems.into_iter().map(|e| traced(&mut self.graph, &self.claim.scope, e)).collect();
-        let needed: Vec<(Expr, Sign)> = self.graph.needs_below(needed).iter().map(|n| (n.value, n.sign)).collect();
-        let divided = self.divided_by_systems();
-        let mut found: FastMap<(Expr, Sign), When> = FastMap::default();
-        let mut of_pairs: Vec<((Expr, Expr), When)> = Vec::new();
-        for at in 0..premises.equations.len() {
-            let pair = premises.equations[at].sides();
-            let mut when = When::Always;
-            for mut e in [pair.0, pair.1] {
-                for scope in scopes.iter().copied().chain([&self.claim.scope]) {
-                    e = behind_rates(&mut self.graph, scope, e);
-                    e = traced(&mut self.graph, scope, e);
-                }
-                for need in self.graph.needs_below([e]) {
-                    let key = (need.value, need.sign);
-                    let one = match found.get(&key) {
-                        Some(&one) => one,
-                        None => {
-                            let squares = is_never_negative(&self.graph, need.value);
-                            let met = !self.depends(need.value)
-                                || needed.contains(&key)
-                                || need.sign == Sign::NotZero && divided.contains(&need.value)
-                                || need.sign == Sign::NotNegative && squares
-                                || need.sign != Sign::NotNegative && self.never_vanishes(need.value, &known)
-                                    && (squares || need.sign == Sign::NotZero)
-                                || throughout.positive.contains(&need.value);
-                            match (met, need.sign) {
-                                (true, _) => When::Always,
-                                (false, Sign::NotNegative) => When::Chosen,
-                                (false, Sign::Positive | Sign::NotZero) => When::ChosenOpen,
-                            }
-                        }
-                    };
-                    found.insert(key, one);
-                    when = when.and(one);
-                }
-            }
-            premises.equations[at].when = premises.equations[at].when.and(when);
-            if at < assumed {
-                premises.present = premises.present.and(when);
-            }
-            of_pairs.push((pair, when));
-        }
-        for (_, list) in always {
-            list.retain(|pair| of_pairs.iter().all(|(of, when)| of != pair || *when == When::Always));
-        }
     }
 
     /// ± in a premise: at each time one of the signs holds, so the product of the two residuals vanishes.
@@ -515,32 +387,6 @@ impl<'a> Step<'a> {
         solve_for_arguments(&mut self.graph, &mut premises);
         self.add_edges(equations, &mut premises);
         premises
-    }
-
-    /// Where the formulas of the observables that occur have edges: their rates need not exist there, whether their definitions are used
-    /// or not.
-    fn add_edges(&mut self, equations: &Pairs, premises: &mut Premises) {
-        let facts = premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied();
-        let roots: Vec<Expr> = sides(equations).chain(premises.sides()).chain(facts).collect();
-        let mut symbols: Vec<Leaf> = self.graph.leaves_within(roots).into_iter().map(|l| Leaf::now(l.symbol, l.component)).collect();
-        symbols.sort_unstable();
-        symbols.dedup();
-        for leaf in symbols {
-            let Some(formula) = self.definition(leaf, Definitions::All) else { continue };
-            if !self.edges.contains_key(&leaf) {
-                let node = self.graph.leaf(leaf);
-                let own = self.claim.scope.definition(leaf.symbol).is_some();
-                let mut roots = if own { vec![node] } else { vec![formula] };
-                self.add_definitions(&mut roots);
-                let found = self.edges_below(roots);
-                self.edges.insert(leaf, found);
-            }
-            for &edge in self.edges.get(&leaf).into_iter().flatten() {
-                if !premises.edges.contains(&(leaf.symbol, edge)) {
-                    premises.edges.push((leaf.symbol, edge));
-                }
-            }
-        }
     }
 
     /// What is positive among the parameters that occur.
