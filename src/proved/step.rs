@@ -557,7 +557,7 @@ impl<'a> Step<'a> {
         if then.iter().any(|l| l.instant != instant) {
             return Some(Identity::Undecided(Reason::NoDerivative));
         }
-        let Some(fixed) = instant else { return None };
+        let fixed = instant?;
         for leaf in then {
             let pair = [leaf, Leaf { instant: None, ..leaf }].map(|l| self.graph.leaf(l));
             premises.give([(pair[0], pair[1])], When::At(fixed));
