@@ -81,13 +81,8 @@ pub(super) fn lower(
     given.nonzero.extend(&nonzero);
     let mut lowering = Lowering::new(graph, &roots, given);
     let mut images = Vec::new();
-    let mut partial = FastSet::default();
     for (&e, premise) in residuals.iter().zip(premises) {
-        let image = lowering.lower(e)?;
-        if premise.partial {
-            partial.insert(images.len());
-        }
-        images.push((image, premise.derived));
+        images.push((lowering.lower(e)?, premise.derived));
     }
     let mut sides = Vec::new();
     for pair in claimed.chunks_exact(2) {
@@ -129,9 +124,8 @@ pub(super) fn lower(
     images.iter_mut().for_each(|(e, _)| put(e));
     sides.iter_mut().for_each(|(l, r)| [l, r].into_iter().for_each(&mut put));
     not_zero.iter_mut().chain(&mut of_definitions).for_each(&mut put);
-    // Formulas are claimed where they have a value, so their denominators are not 0 there; but for those of rates that may have none.
-    let whole = images.iter().enumerate().filter(|(at, _)| !partial.contains(at));
-    let mut lowered_roots: Vec<Expr> = whole.map(|(_, &(e, _))| e).collect();
+    // Formulas are claimed where they have a value, so their denominators are not 0 there; those of rates are told as conditions.
+    let mut lowered_roots: Vec<Expr> = images.iter().map(|&(e, _)| e).collect();
     lowered_roots.extend(sides.iter().flat_map(|&(l, r)| [l, r]));
     lowered_roots.extend(&of_definitions);
     let mut denominators = Vec::new();

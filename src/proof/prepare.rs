@@ -281,10 +281,6 @@ pub(super) fn explicit(
     loop {
         let mut found = None;
         for (at, p) in out.rest.iter().enumerate() {
-            // A formula for a rate that may have no value says nothing there.
-            if p.partial {
-                continue;
-            }
             if let Some(definition) = as_definition(graph, p.left, p.right, premises) {
                 found = Some((at, definition));
                 break;

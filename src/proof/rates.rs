@@ -14,7 +14,7 @@ use super::prepare::Premise;
 use super::restate::restated;
 use super::sign::Facts;
 use expr::domain::Sign;
-use expr::{Expr, FastMap, FastSet, Graph, Leaf};
+use expr::{Expr, FastMap, FastSet, Graph, Leaf, Node};
 
 /// What else is not 0 where a fact holds: the factors of what is not.
 fn note_nonzero(graph: &mut Graph, facts: &mut Facts, e: Expr) {
@@ -51,6 +51,22 @@ pub(super) fn mark_partial(
             known_nonzero.push(need.value);
         }
     }
+    let known: Vec<Leaf> = graph.leaves_within(own);
+    // A rate that is named has a value: then the function does not leap there.
+    for premise in premises.iter().filter(|p| p.derived) {
+        let named = [premise.left, premise.right].into_iter().any(|e| match graph.node(e) {
+            Node::Leaf(leaf) => leaf.rate > 0 && known.contains(leaf),
+            Node::Constant(_) | Node::Pi | Node::Unary(..) | Node::Binary(..) => false,
+        });
+        if named {
+            let [l, r] = [premise.left, premise.right].map(|e| graph.unrestricted(e));
+            let of_formula: FastSet<Expr> = graph.needs_below([l, r]).into_iter().map(|n| n.value).collect();
+            let beside = graph.needs_below([premise.left, premise.right]);
+            for need in beside.into_iter().filter(|n| n.sign == Sign::NotZero && !of_formula.contains(&n.value)) {
+                known_nonzero.push(need.value);
+            }
+        }
+    }
     // What a symbol stands for is not 0 where the symbol is not; and all of it in the form in which needs are told.
     let definitions: Vec<(Expr, Expr)> = premises.iter().filter(|p| !p.derived).map(|p| (p.left, p.right)).collect();
     let mut at = 0;
@@ -65,7 +81,6 @@ pub(super) fn mark_partial(
             known_nonzero.extend(new);
         }
     }
-    let known: Vec<Leaf> = graph.leaves_within(own);
     let mut out: Vec<Expr> = Vec::new();
     let mut open_of: FastMap<Expr, Vec<Expr>> = FastMap::default();
     for premise in premises.iter_mut().filter(|p| p.derived) {
