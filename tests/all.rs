@@ -64,6 +64,7 @@ mod identity_steps;
 mod identity_traps;
 mod init;
 mod interval_laws;
+mod known_when;
 mod latex_comment;
 mod latex_derivations;
 mod latex_meaning;

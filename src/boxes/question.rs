@@ -16,7 +16,7 @@ use claim::comparison::Group;
 use claim::denote::denote;
 use claim::program::Part as Compared;
 
-use proof::{Condition, Identity, Premises};
+use proof::{Identity, Premises, When};
 use proved::agreement::answer;
 
 /// Comparisons with the relations by which they are known on cells, for each sign of ±.
@@ -184,7 +184,7 @@ impl Question {
             for (related, c) in placed.relations.iter().flatten().zip(&placed.group.comparisons) {
                 let (l, r) = (related.left, related.right);
                 match c.kind {
-                    RelationKind::Equal => out.equations.push((l, r)),
+                    RelationKind::Equal => out.give([(l, r)], When::Chosen),
                     RelationKind::NotEqual => out.nonzero.push(graph.sub(l, r)),
                     RelationKind::Greater => out.positive.push(graph.sub(l, r)),
                     RelationKind::Less => out.positive.push(graph.sub(r, l)),
@@ -261,9 +261,7 @@ impl Question {
             let text = c.label.split("   [").next().unwrap_or_default().to_owned();
             let sides = [(related.left, related.right)];
             let mut error = |premises: &Premises| match answer(graph, &sides, premises, None) {
-                Ok((Identity::Proved(proof), _))
-                    if !proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_))) =>
-                {
+                Ok((Identity::Proved(proof), _)) if proof.conditions.iter().all(|c| c.leaves_out().is_none()) => {
                     Some(proof.log2_error)
                 }
                 _ => None,

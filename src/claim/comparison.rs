@@ -233,14 +233,10 @@ pub fn presupposed(graph: &mut Graph, scope: &Scope, e: Expr) -> Vec<Expr> {
     out
 }
 
-/// Whether the value of a formula may leap along a motion.
+/// Whether the value of a formula may leap along a motion: an operation needs something, or has an edge, at which it may end or leap.
 pub fn may_leap(graph: &Graph, e: Expr) -> bool {
     graph.reachable([e]).into_iter().any(|e| match *graph.node(e) {
-        Node::Unary(op, _) => {
-            matches!(op, Op::Abs | Op::Arcsin | Op::Arccos | Op::Arctan | Op::Tan | Op::Ln | Op::Sqrt)
-                || matches!(op, Op::Powi(n) if n < 0)
-        }
-        Node::Binary(op, ..) => matches!(op, Op::Arctan2 | Op::DirectionCosine | Op::Div | Op::Pow | Op::Agm),
+        Node::Unary(op, _) | Node::Binary(op, ..) => !row(op).needs.is_empty() || !row(op).edges.is_empty(),
         Node::Constant(_) | Node::Pi | Node::Leaf(_) => false,
     })
 }

@@ -99,7 +99,7 @@ impl Finding {
             Identity::Proved(proof) => {
                 let mut exceptions: Vec<Exception> = Vec::new();
                 for condition in &proof.conditions {
-                    if let Condition::Pivot(e) = *condition {
+                    if let Some(e) = condition.leaves_out() {
                         exceptions.push(Exception::Vanishes(e));
                     }
                 }
@@ -180,7 +180,7 @@ fn is_impossible(graph: &Graph, condition: &Condition) -> bool {
     let number = |e: Expr| graph.as_constant(e).cloned();
     let (zero, one) = (Rational::ZERO, Rational::ONE);
     match condition {
-        Condition::Denominator(e) | Condition::Pivot(e) => number(*e).is_some_and(|r| r == zero),
+        Condition::Denominator(e) | Condition::Pivot(e) | Condition::Rate(e) => number(*e).is_some_and(|r| r == zero),
         Condition::Radicand(e) | Condition::Discriminant(e) => number(*e).is_some_and(|r| r < zero),
         Condition::Positive(e) => number(*e).is_some_and(|r| r <= zero),
         Condition::Unit(e) => number(*e).is_some_and(|r| r > one || r < -one),

@@ -14,14 +14,6 @@ use super::outcome::{Condition, Premises};
 use super::sign::Facts;
 use expr::{Expr, FastSet, Graph};
 
-/// What a condition is about.
-fn subject(condition: Condition) -> Expr {
-    match condition {
-        Condition::Denominator(e) | Condition::Pivot(e) | Condition::Radicand(e) => e,
-        Condition::Discriminant(e) | Condition::Unit(e) | Condition::Positive(e) => e,
-    }
-}
-
 /// The conditions under which expressions have values, without those that signs which are given settle.
 pub(super) fn undeclared(graph: &mut Graph, exprs: &[Expr], given: &Premises) -> Vec<Condition> {
     let mut own = domains(graph, exprs);
@@ -34,10 +26,10 @@ pub(super) fn undeclared(graph: &mut Graph, exprs: &[Expr], given: &Premises) ->
     given.not_negative.iter().for_each(|&e| facts.note_not_negative(graph, e));
     facts.nonzero.extend(given.nonzero.iter().copied());
     own.retain(|&condition| {
-        let e = subject(condition);
+        let e = condition.subject();
         let sign = facts.sign(graph, &generators, e);
         let declared = match condition {
-            Condition::Denominator(_) | Condition::Pivot(_) => sign.nonzero,
+            Condition::Denominator(_) | Condition::Pivot(_) | Condition::Rate(_) => sign.nonzero,
             Condition::Radicand(_) | Condition::Discriminant(_) => sign.not_negative,
             Condition::Positive(_) => sign.not_negative && sign.nonzero,
             Condition::Unit(_) => false,
@@ -51,7 +43,7 @@ pub(super) fn undeclared(graph: &mut Graph, exprs: &[Expr], given: &Premises) ->
 pub fn by_domain(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises) -> Vec<Vec<usize>> {
     let all: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
     // What the premises ask for is asked of all.
-    let premises: Vec<Expr> = given.equations.iter().chain(&given.only_now).flat_map(|&(l, r)| [l, r]).collect();
+    let premises: Vec<Expr> = given.sides().collect();
     let presupposed: FastSet<Condition> = domains(graph, &premises).into_iter().collect();
     let of = |graph: &mut Graph, exprs: &[Expr]| {
         let mut own = undeclared(graph, exprs, given);

@@ -170,7 +170,8 @@ pub fn certify(
     // It says what is so wherever the formulas have values: what restricts them does not matter.
     let mut plain = |&(l, r): &(Expr, Expr)| (graph.unrestricted(l), graph.unrestricted(r));
     let equations: Vec<(Expr, Expr)> = equations.iter().map(&mut plain).collect();
-    let given = Premises { equations: given.equations.iter().map(plain).collect(), ..given.clone() };
+    let equations_given = given.equations.iter().map(|k| k.with(plain(&k.sides()))).collect();
+    let given = Premises { equations: equations_given, ..given.clone() };
     super::membership::certify(graph, &equations, &given, effort)
 }
 

@@ -20,6 +20,7 @@
 //! The derivatives that 3. asks for are also the premises of proofs: they contain the hidden constraints. Before, what vanishes as a
 //! sum of squares is replaced by its terms, and a power by its base, since everything is real.
 
+use super::known::Known;
 use super::linear::Combinations;
 use super::outcome::{Point, Reason};
 use super::witness::{Values, decimals, values_at};
@@ -40,15 +41,15 @@ const MOST_EQUATIONS: usize = 48;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Dynamics {
     /// The equations that name what moves, taken apart.
-    pub(super) parts: Vec<(Expr, Expr)>,
-    /// Their derivatives.
-    pub(super) derived: Vec<(Expr, Expr)>,
+    pub(super) parts: Vec<Known>,
+    /// Their derivatives, known when they are.
+    pub(super) derived: Vec<Known>,
     /// Whether an equation names the time.
     timely: bool,
     /// Whether something that moves is named at a fixed time.
     fixed: bool,
     /// Whether an equation is about the time alone, which no motion can help.
-    impossible: bool,
+    pub(super) impossible: bool,
     /// Whether there are more equations than variables to solve them for.
     pub(super) overdetermined: bool,
     /// For each equation, what it contributes to the columns; `None` where the assignment does not reach all equations.
@@ -78,32 +79,42 @@ impl Dynamics {
     /// [`Reason::NoDerivative`] where a derivative cannot be written.
     pub(super) fn of(
         graph: &mut Graph,
-        equations: &[(Expr, Expr)],
+        equations: &[Known],
         asked: &[Expr],
         (time, angles): (Leaf, &[Symbol]),
         moves: &impl Fn(Leaf) -> bool,
         further: u8,
     ) -> Result<Dynamics, Reason> {
         let mut out = Dynamics::default();
-        let named = equations.iter().flat_map(|&(l, r)| [l, r]).chain(asked.iter().copied());
+        let named = equations.iter().flat_map(|k| [k.left, k.right]).chain(asked.iter().copied());
         out.fixed = graph.leaves_within(named).into_iter().any(|leaf| leaf.instant.is_some());
-        for &(l, r) in equations {
+        for known in equations {
+            let (l, r) = known.sides();
             let leaves = graph.leaves_within([l, r]);
             let moving = leaves.iter().any(|&leaf| leaf.instant.is_none() && moves(leaf));
             out.timely |= leaves.contains(&time);
             if moving {
                 for pair in taken_apart(graph, l, r) {
-                    if !out.parts.contains(&pair) {
-                        out.parts.push(pair);
+                    let part = known.with(pair);
+                    if !out.parts.contains(&part) {
+                        out.parts.push(part);
                     }
                 }
-            } else {
-                out.impossible |= leaves.contains(&time);
+            } else if leaves.contains(&time) {
+                out.impossible = true;
+                // It says the same of later times.
+                let mut pair = (l, r);
+                for _ in 0..further {
+                    let mut rate = |e: Expr| graph.time_derivative(e, time, moves).map_err(|_| Reason::NoDerivative);
+                    pair = (rate(pair.0)?, rate(pair.1)?);
+                    out.derived.push(known.with(pair));
+                }
             }
         }
         let mut variables: Vec<Variable> = Vec::new();
         let mut orders: Vec<FastMap<usize, u8>> = Vec::new();
-        for &(l, r) in &out.parts {
+        for part in &out.parts {
+            let (l, r) = part.sides();
             let mut row = FastMap::default();
             for leaf in graph.leaves_within([l, r]).into_iter().filter(|l| l.instant.is_none() && moves(*l)) {
                 let variable = (leaf.symbol, leaf.component);
@@ -151,8 +162,8 @@ impl Dynamics {
                 break;
             }
         }
-        for (&(l, r), &d) in out.parts.iter().zip(&depth) {
-            let (mut l, mut r) = (l, r);
+        for (part, &d) in out.parts.iter().zip(&depth) {
+            let (mut l, mut r) = part.sides();
             for _ in 0..d {
                 let continued = [l, r].iter().any(|&e| is_one_of(graph, e, angles));
                 let mut rate = |e: Expr| -> Result<Expr, Reason> {
@@ -161,15 +172,15 @@ impl Dynamics {
                 };
                 (l, r) = (rate(l)?, rate(r)?);
                 if l != r {
-                    out.derived.push((l, r));
+                    out.derived.push(part.with((l, r)));
                 }
             }
         }
         let bounded = reach.iter().all(|&c| c < HIGHEST) && orders.len() <= MOST_EQUATIONS;
         if settled && bounded && of.iter().all(Option::is_some) {
             let mut rows = Vec::new();
-            for (i, &(l, r)) in out.parts.iter().enumerate() {
-                let residual = graph.sub(l, r);
+            for (i, part) in out.parts.iter().enumerate() {
+                let residual = graph.sub(part.left, part.right);
                 let mut row = Vec::new();
                 for (&j, &order) in &orders[i] {
                     if reach[j].checked_sub(depth[i]) == Some(order) {

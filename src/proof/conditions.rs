@@ -71,7 +71,7 @@ pub(super) fn raised(graph: &mut Graph, generators: &Generators, e: Expr) -> Exp
 fn bases(graph: &mut Graph, given: &Premises, formulas: &[Expr]) -> Vec<Expr> {
     let falls = |b: Expr| graph.as_constant(b).is_some_and(|b| *b < Rational::ZERO);
     let mut out: Vec<Expr> = Vec::new();
-    for e in graph.reachable(given.equations.iter().chain(&given.only_now).flat_map(|&(l, r)| [l, r])) {
+    for e in graph.reachable(given.sides()) {
         match *graph.node(e) {
             Node::Binary(Op::Pow, a, b) if !falls(b) => out.push(a),
             Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => {}
@@ -92,10 +92,11 @@ pub(super) fn conditions(
     cases: &[Resolved],
     formulas: &[Expr],
     explicit: &[Expr],
-    pivots: &[Expr],
+    (pivots, rates): (&[Expr], &[Expr]),
 ) -> Vec<Condition> {
     let generators = &lowered.generators;
     let mut out = domains(graph, formulas);
+    out.extend(rates.iter().map(|&e| Condition::Rate(e)));
     let mut from_cases: Vec<Condition> = pivots.iter().map(|&e| Condition::Pivot(e)).collect();
     // Of several cases none restricts the premises.
     let possible: Vec<&Resolved> = cases.iter().filter(|c| !c.empty).collect();
@@ -128,11 +129,17 @@ pub(super) fn conditions(
     let mut out: Vec<Condition> = out.into_iter().flat_map(|c| restated(graph, generators, &facts, c)).collect();
     // What a formula needs anyway need not be said of the proof.
     let own: Vec<Condition> = out.clone();
+    // Where a rate has no value is said once.
+    let told: Vec<Expr> = rates.to_vec();
     let mut seen = FastSet::default();
     out.retain(|c| {
         let known = match *c {
-            Condition::Pivot(e) => own.contains(&Condition::Denominator(e)) || facts.sign(graph, generators, e).nonzero,
-            Condition::Denominator(e) => facts.sign(graph, generators, e).nonzero,
+            Condition::Pivot(e) => {
+                own.contains(&Condition::Denominator(e))
+                    || told.contains(&e)
+                    || facts.sign(graph, generators, e).nonzero
+            }
+            Condition::Denominator(e) | Condition::Rate(e) => facts.sign(graph, generators, e).nonzero,
             Condition::Discriminant(e) if own.contains(&Condition::Radicand(e)) => true,
             Condition::Radicand(e) | Condition::Discriminant(e) => facts.sign(graph, generators, e).not_negative,
             Condition::Positive(e) => {

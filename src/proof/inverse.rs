@@ -12,10 +12,8 @@ use number::Bounded;
 
 /// Writes premises as what they say of the arguments of functions.
 pub fn solve_for_arguments(graph: &mut Graph, given: &mut Premises) {
-    for list in [&mut given.equations, &mut given.only_now] {
-        for pair in list.iter_mut() {
-            *pair = for_argument(graph, *pair).unwrap_or(*pair);
-        }
+    for known in &mut given.equations {
+        *known = known.with(for_argument(graph, known.sides()).unwrap_or(known.sides()));
     }
     let both = given.not_negative.iter().filter_map(|&e| match *graph.node(e) {
         Node::Binary(Op::Sub, a, b) => Some((a, b)),
@@ -24,7 +22,8 @@ pub fn solve_for_arguments(graph: &mut Graph, given: &mut Premises) {
     let both: Vec<(Expr, Expr)> = both.collect();
     // Of a ≤ b and b ≤ a the one that comes first is written as an equation.
     let twice = |&(at, &(a, b)): &(usize, &(Expr, Expr))| both[..at].contains(&(b, a));
-    given.equations.extend(both.iter().enumerate().filter(twice).map(|(_, &pair)| pair));
+    let equal: Vec<(Expr, Expr)> = both.iter().enumerate().filter(twice).map(|(_, &pair)| pair).collect();
+    given.give(equal, given.present);
 }
 
 /// f(u) = w as u = f⁻¹(w), and what contradicts itself as 0 = 1.

@@ -22,9 +22,11 @@
 //!
 //! Whether a point that satisfies all of them belongs to a solution is the subject of [`passive`](super::passive).
 
+use super::known::{Known, When};
 use super::outcome::{Point, Premises, Reason, Vanishes};
 use super::passive::{depends_on_all, least_common, passive};
 use super::witness::{decimals, values_at};
+use expr::domain::{self, row};
 use expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Partials, Place, Symbol};
 
 /// More derivatives are not formed: what is left out can only lose a proof.
@@ -45,6 +47,8 @@ pub(super) struct Led {
     pub(super) left: Expr,
     pub(super) right: Expr,
     pub(super) leader: Leaf,
+    /// Whether it holds at all places and times.
+    pub(super) everywhere: bool,
 }
 
 /// Equations of fields with their derivatives.
@@ -54,6 +58,8 @@ pub(super) struct Jets {
     pub(super) derived: Vec<(Expr, Expr)>,
     /// Whether a premise names a field.
     named: bool,
+    /// Whether several premises lead with derivatives of one field: further derivatives may tell more.
+    pub(super) several: bool,
     /// What is divided by when each premise is solved for its leader, where Riquier's theorem applies.
     slopes: Option<Vec<Expr>>,
     /// What holds besides where nothing of that is 0.
@@ -95,15 +101,22 @@ impl Jets {
     ///
     /// # Errors
     /// [`Reason::NoDerivative`] where a derivative cannot be written.
-    pub(super) fn of(graph: &mut Graph, given: &Premises, asked: &[Expr], is_zero: Vanishes) -> Result<Jets, Reason> {
+    pub(super) fn of(
+        graph: &mut Graph,
+        given: &Premises,
+        asked: &[Expr],
+        is_zero: Vanishes,
+        further: u8,
+    ) -> Result<Jets, Reason> {
         let Premises { equations, time, moving, .. } = given;
         let time = *time;
         let mut out = Jets::default();
         let (mut led, mut pure) = (Vec::new(), true);
-        for &(left, right) in equations {
+        for known in equations.iter().filter(|k| k.when.is_on_intervals()) {
+            let (left, right, everywhere) = (known.left, known.right, known.when == When::Always);
             let fields = graph.fields([left, right]);
             let highest = fields.iter().copied().max_by_key(|l| rank(graph, time, *l));
-            let whole = |leader: &Leaf| depends_on_all(graph, &Led { left, right, leader: *leader });
+            let whole = |leader: &Leaf| depends_on_all(graph, &Led { left, right, leader: *leader, everywhere });
             let defined = defined(graph, left, right);
             let leader = defined.filter(whole).or(highest.filter(whole)).or(defined).or(highest);
             let Some(leader) = leader else { continue };
@@ -115,7 +128,7 @@ impl Jets {
                 continue;
             }
             pure &= !graph.has_places([left, right]);
-            led.push(Led { left, right, leader });
+            led.push(Led { left, right, leader, everywhere });
         }
         if !out.named {
             return Ok(out);
@@ -128,7 +141,7 @@ impl Jets {
         let mut tied: Vec<Leaf> = led.iter().map(|p| p.leader).filter(|l| graph.place(l.symbol).is_some()).collect();
         prolong(graph, &mut tied, order);
         asked.extend(tied.into_iter().map(|l| graph.leaf(l)));
-        let complete = out.derive(graph, &led, &asked, time)?;
+        let complete = out.derive(graph, &led, &asked, (time, further))?;
         for pair in elsewhere {
             if pair.0 != pair.1 && !out.derived.contains(&pair) {
                 out.derived.push(pair);
@@ -155,10 +168,10 @@ impl Jets {
         };
         let Some(completed) = found.completed else { return Ok(Some(found.slopes)) };
         let mut more = Jets::default();
-        let complete = more.derive(graph, &completed, asked, given.time)?;
-        let known = denominators(graph, given.equations.iter().flat_map(|&(l, r)| [l, r]));
+        let complete = more.derive(graph, &completed, asked, (given.time, 0))?;
+        let known = denominators(graph, given.sides());
         for pair in completed[led.len()..].iter().map(|p| (p.left, p.right)).chain(more.derived) {
-            if given.equations.contains(&pair) || self.derived.contains(&pair) {
+            if given.says(pair) || self.derived.contains(&pair) {
                 continue;
             }
             match denominators(graph, [pair.0, pair.1]).is_subset(&known) {
@@ -170,13 +183,25 @@ impl Jets {
     }
 
     /// The derivatives that are asked for, by what was asked and by each other; whether all were formed.
-    fn derive(&mut self, graph: &mut Graph, led: &[Led], asked: &[Expr], time: Option<Leaf>) -> Result<bool, Reason> {
+    fn derive(
+        &mut self,
+        graph: &mut Graph,
+        led: &[Led],
+        asked: &[Expr],
+        (time, further): (Option<Leaf>, u8),
+    ) -> Result<bool, Reason> {
         let mut wanted: Vec<(usize, Partials)> = Vec::new();
         // Conditions of integrability.
         for (i, a) in led.iter().enumerate() {
             for (j, b) in led.iter().enumerate().skip(i + 1) {
                 if (a.leader.symbol, a.leader.component) == (b.leader.symbol, b.leader.component) {
+                    self.several = true;
                     let both = least_common(a.leader.partials, b.leader.partials);
+                    let beyond = (0..graph.coordinates().count()).filter(|_| further > 0);
+                    for by in beyond.filter(|&by| graph.depends(a.leader.symbol, by)) {
+                        let raised = Partials::NONE.raised(by);
+                        wanted.extend([i, j].into_iter().flat_map(|at| raised.map(|p| (at, p))));
+                    }
                     for (at, leader) in [(i, a.leader), (j, b.leader)] {
                         let beyond = both.and_then(|both| both.beyond(leader.partials));
                         wanted.extend(beyond.filter(|p| !p.is_none()).map(|p| (at, p)));
@@ -265,7 +290,7 @@ fn constants(graph: &Graph, given: &Premises) -> Premises {
     };
     let facts = |all: &[Expr]| all.iter().copied().filter(|&e| constant(&[e])).collect();
     Premises {
-        equations: given.equations.iter().copied().filter(|&(l, r)| constant(&[l, r])).collect(),
+        equations: given.equations.iter().copied().filter(|k| constant(&[k.left, k.right])).collect(),
         nonzero: facts(&given.nonzero),
         positive: facts(&given.positive),
         not_negative: facts(&given.not_negative),
@@ -285,21 +310,24 @@ fn instances(
     time: Option<Leaf>,
 ) -> Result<Vec<(Expr, Expr)>, Reason> {
     let facts = given.nonzero.iter().chain(&given.positive).chain(&given.not_negative).copied();
-    let others = given.equations.iter().filter(|&&pair| !names_fields(graph, pair)).chain(&given.only_now);
-    let beside: Vec<Expr> = facts.chain(others.flat_map(|&(l, r)| [l, r])).collect();
+    let pointwise = |k: &Known| !k.when.is_on_intervals();
+    let others = given.equations.iter().filter(|k| pointwise(k) || !names_fields(graph, k.sides()));
+    let beside: Vec<Expr> = facts.chain(others.flat_map(|k| [k.left, k.right])).collect();
     if graph.leaves_within(beside).into_iter().any(|l| Some(l) == time || graph.coordinate(l).is_some()) {
         return Ok(Vec::new());
     }
-    let sides = asked.iter().copied().chain(given.equations.iter().flat_map(|&(l, r)| [l, r]));
+    let sides: Vec<Expr> = asked.iter().copied().chain(given.sides()).collect();
     let fields = graph.fields(sides);
     let placed = fields.iter().filter_map(|l| Some((*l, graph.place(l.symbol)?.clone())));
     let (leaves, places): (Vec<Leaf>, Vec<Place>) = placed.unzip();
-    let here: Vec<Led> = led.iter().filter(|p| !graph.has_places([p.left, p.right])).copied().collect();
+    // What holds at the places that a claim chooses need not hold at others.
+    let everywhere = led.iter().filter(|p| p.everywhere);
+    let here: Vec<Led> = everywhere.filter(|p| !graph.has_places([p.left, p.right])).copied().collect();
     let mut own: Vec<Leaf> = leaves.into_iter().map(|l| Leaf { symbol: graph.field_of(l.symbol), ..l }).collect();
     prolong(graph, &mut own, fields.iter().map(|l| l.partials.order()).max().unwrap_or(0));
     let own: Vec<Expr> = own.into_iter().map(|l| graph.leaf(l)).collect();
     let mut derived = Jets::default();
-    derived.derive(graph, &here, &own, time)?;
+    derived.derive(graph, &here, &own, (time, 0))?;
     let mut all: Vec<(Expr, Expr)> = here.iter().map(|p| (p.left, p.right)).chain(derived.derived).collect();
     all.retain(|&(l, r)| has_values(graph, [l, r]));
     let coordinates: Vec<Leaf> = graph.coordinates().collect();
@@ -342,18 +370,12 @@ fn has_values(graph: &Graph, sides: [Expr; 2]) -> bool {
         let changes = |l: &Leaf| graph.coordinate(*l).is_some() || graph.is_field(l.symbol) || l.rate > 0;
         !graph.leaves([e]).iter().any(changes)
     };
+    let smooth = |op: Op| row(op).edges.iter().all(|edge| edge.place == domain::Place::Infinity);
     graph.reachable(sides).into_iter().all(|e| match *graph.node(e) {
         Node::Constant(_) | Node::Pi | Node::Leaf(_) => true,
-        Node::Unary(Op::Powi(n), a) => n >= 0 || fixed(a),
-        Node::Unary(op, a) => {
-            matches!(op, Op::Neg | Op::Exp | Op::Sin | Op::Cos | Op::Sinh | Op::Cosh | Op::Tanh | Op::Arctan)
-                || fixed(a)
-        }
-        Node::Binary(op, a, b) => match op {
-            Op::Add | Op::Sub | Op::Mul => true,
-            Op::Div => fixed(b),
-            _ => fixed(a) && fixed(b),
-        },
+        Node::Unary(op, a) => row(op).needs.is_empty() && smooth(op) || fixed(a),
+        Node::Binary(Op::Div, _, b) => fixed(b),
+        Node::Binary(op, a, b) => row(op).needs.is_empty() && smooth(op) || fixed(a) && fixed(b),
     })
 }
 

@@ -124,7 +124,7 @@ pub(super) fn lower(
     images.iter_mut().for_each(|(e, _)| put(e));
     sides.iter_mut().for_each(|(l, r)| [l, r].into_iter().for_each(&mut put));
     not_zero.iter_mut().chain(&mut of_definitions).for_each(&mut put);
-    // Formulas are claimed where they have a value, so their denominators are not 0 there.
+    // Formulas are claimed where they have a value, so their denominators are not 0 there; those of rates are told as conditions.
     let mut lowered_roots: Vec<Expr> = images.iter().map(|&(e, _)| e).collect();
     lowered_roots.extend(sides.iter().flat_map(|&(l, r)| [l, r]));
     lowered_roots.extend(&of_definitions);

@@ -21,6 +21,7 @@ use super::outcome::{Premises, Reason};
 use super::polynomial::{factors, fraction};
 use super::prepare::{Premise, explicit, with_rates};
 use super::prove::{Lowered, MOST_FURTHER, lower, vanishes};
+use super::rates::mark_partial;
 use super::ring::{Given, Poly, Relation, Source, System, combined, denominators, integral, is_basis, map, ratio};
 use super::solve::insert_definitions;
 use ::groebner::{LiftBasis, PolynomialExt, verify_lift};
@@ -62,9 +63,17 @@ fn certify_after(
     further: u8,
 ) -> (Result<Vec<Certificate>, NoCertificate>, bool) {
     match with_rates(graph, given, equations, vanishes, further) {
-        Ok((premises, solutions)) => {
+        Ok((mut premises, solutions)) => {
+            // A certificate holds wherever the formulas have values: rates that may have none are left out.
+            let whole = mark_partial(graph, equations, &mut premises, given).is_empty();
+            premises.retain(|p| !p.partial);
             let may_say_more = solutions.may_hide_constraints();
-            (certify_from(graph, equations, given, &premises, effort), may_say_more)
+            let found = match certify_from(graph, equations, given, &premises, effort) {
+                // What is left out may say more.
+                Err(NoCertificate::Refuted { equation }) if !whole => Err(NoCertificate::NotMember { equation }),
+                found => found,
+            };
+            (found, may_say_more)
         }
         Err(reason) => (Err(NoCertificate::NotPolynomial(reason)), false),
     }

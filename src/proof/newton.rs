@@ -52,7 +52,7 @@ pub(super) fn refutes(
     given: &Premises,
     options: &Options,
 ) -> Option<Refutation> {
-    let equations: Vec<(Expr, Expr)> = given.equations.iter().chain(&given.only_now).copied().collect();
+    let equations: Vec<(Expr, Expr)> = given.pairs().collect();
     let count = equations.len();
     // A point of a motion, or of a field, must belong to one.
     let bound = !given.moving.is_empty()

@@ -169,7 +169,7 @@ pub fn of_conditions(graph: &mut Graph, conditions: &[Condition], parameters: &[
     let mut out = Vec::new();
     for condition in conditions {
         let (requirement, e) = match *condition {
-            Condition::Denominator(e) | Condition::Pivot(e) => (Requirement::NotZero, e),
+            Condition::Denominator(e) | Condition::Pivot(e) | Condition::Rate(e) => (Requirement::NotZero, e),
             Condition::Radicand(e) | Condition::Discriminant(e) => (Requirement::NotNegative, e),
             Condition::Positive(e) => (Requirement::Positive, e),
             Condition::Unit(e) => within_unit(graph, e),

@@ -1,14 +1,15 @@
 //! What an identity test is asked and what it answers.
 
+use super::known::{Known, When};
 use expr::{Expr, Graph, Leaf, Rational, Symbol};
 
 /// What may be used in a proof.
 #[derive(Clone, Debug, Default)]
 pub struct Premises {
-    /// Equations that hold: definitions, systems, assumptions, earlier claims.
-    pub equations: Vec<(Expr, Expr)>,
-    /// Equations that hold at the present time, and perhaps at no other: they are not differentiated.
-    pub only_now: Vec<(Expr, Expr)>,
+    /// Equations that hold: definitions, systems, assumptions, earlier claims; each with the times at which it does.
+    pub equations: Vec<Known>,
+    /// The times that the question is about: the signs that follow are known at these.
+    pub present: When,
     /// Expressions that are not 0.
     pub nonzero: Vec<Expr>,
     /// Expressions that are positive (declared parameters, assumptions).
@@ -21,8 +22,33 @@ pub struct Premises {
     pub moving: Vec<Symbol>,
     /// Symbols whose values are continued through any number of turns: their definitions do not leap.
     pub angles: Vec<Symbol>,
+    /// What moves and has a formula that is not smooth: the symbol with what vanishes where the formula has an edge. Its rates are known
+    /// to exist elsewhere only.
+    pub edges: Vec<(Symbol, Expr)>,
     /// Leaves that are kept free as long as something else can be solved for: parameters of the problem.
     pub parameters: Vec<Leaf>,
+}
+
+impl Premises {
+    /// The equations, whenever they hold: what may be used at the present.
+    pub fn pairs(&self) -> impl DoubleEndedIterator<Item = (Expr, Expr)> + Clone + '_ {
+        self.equations.iter().map(Known::sides)
+    }
+
+    /// Both sides of all of them.
+    pub fn sides(&self) -> impl Iterator<Item = Expr> + Clone + '_ {
+        self.equations.iter().flat_map(|k| [k.left, k.right])
+    }
+
+    /// Whether an equation is among them.
+    pub fn says(&self, pair: (Expr, Expr)) -> bool {
+        self.equations.iter().any(|k| k.sides() == pair)
+    }
+
+    /// Adds equations.
+    pub fn give(&mut self, pairs: impl IntoIterator<Item = (Expr, Expr)>, when: When) {
+        self.equations.extend(pairs.into_iter().map(|pair| Known::of(pair, when)));
+    }
 }
 
 /// What an answer is wanted for: of answers between which it does not tell, any is given.
@@ -117,6 +143,9 @@ pub enum Condition {
     /// Divided by while solving the premises: not 0. Common solutions at which it vanishes were not tested, unless they are
     /// limits of others.
     Pivot(Expr),
+    /// Not 0, so that a rate of something given has a value, for which neither the claim asks nor what is given: where it vanishes,
+    /// nothing follows by that rate.
+    Rate(Expr),
     /// Under a square root of a formula: not negative.
     Radicand(Expr),
     /// Of a premise that is quadratic in an unknown: not negative wherever the premises hold, which nothing but they says.
@@ -125,6 +154,25 @@ pub enum Condition {
     Unit(Expr),
     /// Argument of a logarithm or base of a power: positive.
     Positive(Expr),
+}
+
+impl Condition {
+    /// What it is about.
+    pub fn subject(self) -> Expr {
+        match self {
+            Condition::Denominator(e) | Condition::Pivot(e) | Condition::Rate(e) | Condition::Radicand(e) => e,
+            Condition::Discriminant(e) | Condition::Unit(e) | Condition::Positive(e) => e,
+        }
+    }
+
+    /// Whether a case is left out where its subject vanishes.
+    pub fn leaves_out(self) -> Option<Expr> {
+        match self {
+            Condition::Pivot(e) | Condition::Rate(e) => Some(e),
+            Condition::Denominator(_) | Condition::Radicand(_) | Condition::Discriminant(_) => None,
+            Condition::Unit(_) | Condition::Positive(_) => None,
+        }
+    }
 }
 
 /// Values of leaves.

@@ -27,6 +27,7 @@
 
 use super::jets::{Led, rank};
 use super::outcome::{Premises, Reason, Vanishes};
+use expr::domain::{Change, Edge, Place, Sides, row};
 use expr::{Expr, FastMap, Graph, Leaf, Node, Op, Partials};
 
 /// More equations are not added.
@@ -81,13 +82,12 @@ pub(super) fn passive(
 }
 
 fn is_analytic(graph: &Graph, p: &Led) -> bool {
+    // Both sides of a pole belong to one analytic function, and a point has a value there only beside it.
+    let edge = |edge: &Edge| !matches!(edge.change, Change::Pole(_, Sides::Opposite | Sides::Alike));
+    let analytic = |op: Op| row(op).edges.iter().filter(|e| edge(e)).all(|e| e.place == Place::Infinity);
     graph.reachable([p.left, p.right]).into_iter().all(|e| match *graph.node(e) {
         Node::Constant(_) | Node::Pi | Node::Leaf(_) => true,
-        Node::Unary(op, _) => matches!(
-            op,
-            Op::Neg | Op::Powi(_) | Op::Exp | Op::Sin | Op::Cos | Op::Sinh | Op::Cosh | Op::Tanh | Op::Arctan
-        ),
-        Node::Binary(op, ..) => matches!(op, Op::Add | Op::Sub | Op::Mul | Op::Div),
+        Node::Unary(op, _) | Node::Binary(op, ..) => op != Op::Restrict && analytic(op),
     })
 }
 
@@ -192,7 +192,7 @@ impl Completion<'_> {
             let highest = fields.into_iter().max_by_key(|l| rank(self.graph, self.time, *l));
             let Some(leader) = highest.filter(|l| l.partials.order() <= HIGHEST_ADDED) else { return Ok(None) };
             let zero = self.graph.integer(0);
-            let led = Led { left: e, right: zero, leader };
+            let led = Led { left: e, right: zero, leader, everywhere: false };
             let slope = slope(self.graph, &led)?;
             let rest = self.graph.replaced(e, |_, l| (l == leader).then_some(zero));
             // Its terms may cancel.

@@ -30,6 +30,7 @@ impl OfLogarithms {
         match condition {
             Condition::Denominator(e) => Condition::Denominator(put(e)),
             Condition::Pivot(e) => Condition::Pivot(put(e)),
+            Condition::Rate(e) => Condition::Rate(put(e)),
             Condition::Radicand(e) => Condition::Radicand(put(e)),
             Condition::Discriminant(e) => Condition::Discriminant(put(e)),
             Condition::Unit(e) => Condition::Unit(put(e)),
@@ -44,7 +45,7 @@ pub(super) fn by_logarithms(graph: &mut Graph, equations: &[(Expr, Expr)], given
         Node::Binary(Op::Pow, _, exponent) => graph.as_constant(exponent).is_none(),
         Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => false,
     };
-    let sides = equations.iter().chain(&given.equations).chain(&given.only_now).flat_map(|&(l, r)| [l, r]);
+    let sides = equations.iter().flat_map(|&(l, r)| [l, r]).chain(given.sides());
     if !graph.reachable(sides).iter().any(|e| is_power(graph, e)) {
         return None;
     }
@@ -58,8 +59,8 @@ pub(super) fn by_logarithms(graph: &mut Graph, equations: &[(Expr, Expr)], given
     let mut products = Products { graph, facts, generators, symbol, known: Vec::new() };
     let claim: Option<Pairs> = equations.iter().map(|&pair| products.equation(pair)).collect();
     let mut out = given.clone();
-    for pair in out.equations.iter_mut().chain(&mut out.only_now) {
-        *pair = products.equation(*pair).unwrap_or(*pair);
+    for known in &mut out.equations {
+        *known = known.with(products.equation(known.sides()).unwrap_or(known.sides()));
     }
     let equations = claim?;
     let names = products.known.iter().map(|&(log, leaf)| (leaf, log)).collect();

@@ -3,10 +3,12 @@
 use super::closing::Dynamics;
 use super::insertion::put_in;
 use super::jets::Jets;
+use super::known::{Known, When};
 use super::linear::Combinations;
 use super::outcome::{Point, Premises, Reason, Vanishes};
 use super::witness::{decimals, values_at};
-use expr::{Expr, Graph, Leaf, Node, Op};
+use expr::domain::{Sign, row};
+use expr::{Expr, Graph, Leaf, Node, Op, Rational};
 use expr::{FastMap, FastSet};
 
 /// An equation among the premises.
@@ -16,6 +18,14 @@ pub(super) struct Premise {
     pub(super) right: Expr,
     /// A derivative of a given one: used to solve for rates, and for nothing else as long as others are left.
     pub(super) derived: bool,
+    /// Whether it names a rate that may have no value though the claim, and what is given, have one.
+    pub(super) partial: bool,
+}
+
+impl Premise {
+    fn of((left, right): (Expr, Expr), derived: bool) -> Premise {
+        Premise { left, right, derived, partial: false }
+    }
 }
 
 /// The solutions of the premises: which points belong to one.
@@ -38,7 +48,7 @@ const ELSEWHERE: [f64; 7] = [0.7109375, 1.3203125, -0.4140625, 2.6171875, -1.820
 impl Solutions {
     /// Whether derivatives beyond those that are asked for may tell more: there are more equations of motion than variables.
     pub(super) fn may_hide_constraints(&self) -> bool {
-        self.dynamics.overdetermined
+        self.dynamics.overdetermined || self.dynamics.impossible || self.jets.several
     }
 
     /// Whether motions, and fields, pass through a point at which the premises and their derivatives hold.
@@ -73,19 +83,22 @@ pub(super) fn with_rates(
     is_zero: Vanishes,
     further: u8,
 ) -> Result<(Vec<Premise>, Solutions), Reason> {
-    let plain = |&(left, right): &(Expr, Expr)| Premise { left, right, derived: false };
-    let mut all: Vec<Premise> = premises.equations.iter().map(plain).collect();
+    let on_intervals: Vec<Known> = premises.equations.iter().filter(|k| k.when.is_on_intervals()).copied().collect();
+    let pointwise = premises.equations.iter().filter(|k| !k.when.is_on_intervals());
+    let pointwise: Vec<Premise> = pointwise.map(|k| Premise::of(k.sides(), false)).collect();
+    let mut all: Vec<Premise> = on_intervals.iter().map(|k| Premise::of(k.sides(), false)).collect();
     let moves = |leaf: Leaf| premises.moving.contains(&leaf.symbol);
     let facts = premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied();
-    let asked: Vec<Expr> = equations.iter().chain(&premises.only_now).flat_map(|&(l, r)| [l, r]).chain(facts).collect();
+    let now = pointwise.iter().flat_map(|p| [p.left, p.right]);
+    let asked: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).chain(now).chain(facts).collect();
     let inside = strictly(graph, premises, &moves);
-    let named = asked.iter().copied().chain(premises.equations.iter().flat_map(|&(l, r)| [l, r]));
-    let apart = graph.differences_of_places(named.collect::<Vec<_>>());
-    all.extend(at_one_place(graph, asked.iter().copied().chain(premises.equations.iter().flat_map(|&(l, r)| [l, r]))));
-    let jets = Jets::of(graph, premises, &asked, is_zero)?;
-    all.extend(jets.derived.iter().map(|&(left, right)| Premise { left, right, derived: true }));
+    let named: Vec<Expr> = asked.iter().copied().chain(premises.sides()).collect();
+    let apart = graph.differences_of_places(named.clone());
+    all.extend(at_one_place(graph, named.iter().copied()));
+    let jets = Jets::of(graph, premises, &asked, is_zero, further)?;
+    all.extend(jets.derived.iter().map(|&pair| Premise::of(pair, true)));
     let Some(time) = premises.time else {
-        all.extend(premises.only_now.iter().map(plain));
+        all.extend(pointwise);
         return Ok((all, Solutions { jets, inside, apart, ..Solutions::default() }));
     };
     let place = |graph: &Graph, leaf: Leaf| leaf != time && graph.coordinate(leaf).is_some();
@@ -93,27 +106,33 @@ pub(super) fn with_rates(
         let leaves = graph.leaves_within([l, r]);
         leaves.iter().any(|&l| moves(l)) && leaves.iter().any(|&l| place(graph, l))
     };
-    let tied = premises.equations.iter().any(|pair| is_tied(graph, pair));
+    let tied = premises.pairs().any(|pair| is_tied(graph, &pair));
     // A field at a moving place moves with it.
     let here =
         |graph: &Graph, &(l, r): &(Expr, Expr)| graph.fields([l, r]).iter().any(|l| graph.place(l.symbol).is_none());
-    let of_motions = premises.equations.iter().filter(|pair| !here(graph, pair) && !is_tied(graph, pair));
-    let of_motions: Vec<(Expr, Expr)> = of_motions.copied().collect();
+    let of_motions = on_intervals.iter().filter(|k| !here(graph, &k.sides()) && !is_tied(graph, &k.sides()));
+    let of_motions: Vec<Known> = of_motions.copied().collect();
     let dynamics = Dynamics::of(graph, &of_motions, &asked, (time, &premises.angles), &moves, further)?;
-    for &pair in &dynamics.parts {
-        if !premises.equations.contains(&pair) {
-            all.push(plain(&pair));
+    for part in &dynamics.parts {
+        if !premises.says(part.sides()) {
+            all.push(Premise::of(part.sides(), false));
         }
     }
-    all.extend(dynamics.derived.iter().map(|&(left, right)| Premise { left, right, derived: true }));
-    // At the fixed times at which rates occur everything holds, too.
-    let sides = asked.iter().copied().chain(premises.equations.iter().flat_map(|&(l, r)| [l, r]));
+    all.extend(dynamics.derived.iter().map(|k| Premise::of(k.sides(), true)));
+    // At the fixed times at which rates occur everything holds that is known always, too.
+    let everywhere = |k: &&Known| k.when == When::Always;
+    let of_jets = on_intervals.iter().all(|k| everywhere(&k)).then_some(&jets.derived);
+    let mut always: Vec<Premise> =
+        on_intervals.iter().filter(everywhere).map(|k| Premise::of(k.sides(), false)).collect();
+    always.extend(of_jets.into_iter().flatten().map(|&pair| Premise::of(pair, true)));
+    always.extend(dynamics.parts.iter().filter(everywhere).map(|k| Premise::of(k.sides(), false)));
+    always.extend(dynamics.derived.iter().filter(everywhere).map(|k| Premise::of(k.sides(), true)));
     let mut instants: Vec<Expr> =
-        graph.leaves_within(sides).into_iter().filter(|l| l.rate > 0).filter_map(|l| l.instant).collect();
+        graph.leaves_within(named).into_iter().filter(|l| l.rate > 0).filter_map(|l| l.instant).collect();
     instants.sort_unstable();
     instants.dedup();
     for instant in instants {
-        for Premise { left, right, derived } in all.clone() {
+        for &Premise { left, right, derived, .. } in &always {
             let then = [left, right].map(|e| {
                 graph.substitute(e, |graph, leaf| match leaf {
                     leaf if leaf == time => Some(instant),
@@ -123,13 +142,13 @@ pub(super) fn with_rates(
                     _ => None,
                 })
             });
-            let one = Premise { left: then[0], right: then[1], derived };
+            let one = Premise::of((then[0], then[1]), derived);
             if then[0] != then[1] && !all.iter().any(|p| (p.left, p.right) == (one.left, one.right)) {
                 all.push(one);
             }
         }
     }
-    all.extend(premises.only_now.iter().map(plain));
+    all.extend(pointwise);
     Ok((all, Solutions { dynamics, jets, inside, tied, apart }))
 }
 
@@ -149,7 +168,7 @@ fn at_one_place(graph: &mut Graph, roots: impl Iterator<Item = Expr>) -> Vec<Pre
                 Combinations::default().of(graph, difference).is_empty()
             });
             if same {
-                out.push(Premise { left: graph.leaf(b), right: graph.leaf(a), derived: true });
+                out.push(Premise::of((graph.leaf(b), graph.leaf(a)), true));
             }
         }
     }
@@ -166,17 +185,36 @@ fn strictly(graph: &mut Graph, premises: &Premises, moves: &impl Fn(Leaf) -> boo
     let mut out: Vec<Expr> = premises.not_negative.iter().copied().filter(|&e| changes(graph, e)).collect();
     let facts = premises.not_negative.iter().chain(&premises.positive).chain(&premises.nonzero);
     let facts: Vec<Expr> = facts.copied().filter(|&e| changes(graph, e)).collect();
-    for e in graph.reachable(facts) {
-        match *graph.node(e) {
-            Node::Unary(Op::Sqrt | Op::Ln, a) | Node::Binary(Op::Pow, a, _) => out.push(a),
-            Node::Unary(Op::Arcsin | Op::Arccos, a) => {
-                let (one, square) = (graph.integer(1), graph.powi(a, 2));
-                out.push(graph.sub(one, square));
-            }
-            _ => {}
+    // What has a value at the point has one around it, if what may end there is positive.
+    let sides = premises.sides().filter(|&e| changes(graph, e)).collect::<Vec<_>>();
+    for need in graph.needs_below(facts.into_iter().chain(sides)) {
+        let squares = is_never_negative(graph, need.value);
+        match need.sign {
+            Sign::NotZero => {}
+            Sign::NotNegative if squares => {}
+            Sign::NotNegative | Sign::Positive => out.push(need.value),
         }
     }
     out
+}
+
+/// Whether something is never negative where it has a value, by its structure.
+pub fn is_never_negative(graph: &Graph, e: Expr) -> bool {
+    let not_negative = |op: Op| {
+        let low = row(op).range.low;
+        low.is_some_and(|low| low.whole >= 0 && low.quarter_turns >= 0)
+    };
+    match *graph.node(e) {
+        Node::Constant(_) => graph.as_constant(e).is_some_and(|r| *r >= Rational::ZERO),
+        Node::Pi => true,
+        Node::Leaf(_) => false,
+        Node::Unary(op, _) | Node::Binary(op, ..) if not_negative(op) => true,
+        Node::Unary(Op::Powi(_), a) => is_never_negative(graph, a),
+        Node::Binary(Op::Restrict, a, _) => is_never_negative(graph, a),
+        Node::Binary(Op::Mul, a, b) if a == b => true,
+        Node::Binary(Op::Add | Op::Mul | Op::Div, a, b) => is_never_negative(graph, a) && is_never_negative(graph, b),
+        Node::Unary(..) | Node::Binary(..) => false,
+    }
 }
 
 /// Leaves that stand in arguments of transcendental functions.
@@ -285,7 +323,7 @@ fn linear_argument(
     arguments: &FastSet<Leaf>,
     premises: &Premises,
 ) -> Option<(usize, (Leaf, Expr))> {
-    for (at, Premise { left, right, derived }) in out.rest.clone().into_iter().enumerate() {
+    for (at, Premise { left, right, derived, .. }) in out.rest.clone().into_iter().enumerate() {
         if derived {
             continue;
         }

@@ -10,9 +10,10 @@ use super::insertion::Insertion;
 use super::lowering::question;
 use super::memory::{Asked, Memory};
 use super::newton::{Example, example};
-use super::outcome::{Condition, Identity, Options, Premises, Proof, Reason, Wanted};
-use super::prepare::{Solutions, explicit, with_rates};
+use super::outcome::{Identity, Options, Premises, Proof, Reason, Wanted};
+use super::prepare::{Premise, Solutions, explicit, with_rates};
 use super::probe::Probe;
+use super::rates::mark_partial;
 use super::relate::{FEW_POINTS, settle};
 use super::sign::Facts;
 use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions};
@@ -111,12 +112,26 @@ pub(super) fn identity_at(
     }
 }
 
+/// Whether no motion, and no field, satisfies what is given: it contradicts itself, perhaps only in its derivatives. That x = 5 + t and
+/// x = 5 is so at one time, and on no interval.
+pub fn excludes_motions(memory: &mut Memory, graph: &mut Graph, given: &Premises) -> bool {
+    let nothing = [(graph.integer(0), graph.integer(1))];
+    let options = Options { attempts: 0, special_cases: 4, wanted: Wanted::Fault, ..Options::default() };
+    (0..=MOST_TRIED).any(|further| {
+        let found = decide(memory, graph, &nothing, given, &options, further);
+        matches!(found, Err(Stop::Undecided(Reason::Contradiction) | Stop::Empty(Reason::Contradiction, _)))
+    })
+}
+
+/// Orders of derivatives in which contradictions of what is given are looked for.
+const MOST_TRIED: u8 = 2;
+
 /// Whether an expression is 0 wherever it has a value, by premises that need not be solved.
 pub(super) fn vanishes(graph: &mut Graph, e: Expr, given: &Premises) -> bool {
     let zero = graph.integer(0);
     let options = Options { attempts: 0, special_cases: 0, ..Options::default() };
     match identity_test(graph, &[(e, zero)], given, &options) {
-        Identity::Proved(proof) => !proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_))),
+        Identity::Proved(proof) => proof.conditions.iter().all(|c| c.leaves_out().is_none()),
         Identity::Refuted(_) | Identity::Undecided(_) => false,
     }
 }
@@ -194,13 +209,50 @@ fn decide(
     options: &Options,
     further: u8,
 ) -> Result<Proof, Stop> {
-    let mut draws = Draws::new(options.seed);
     let (mut premises, solutions) = with_rates(graph, given, equations, vanishes, further)?;
     if further > 0 && !solutions.may_hide_constraints() {
         return Err(Reason::Unextended.into());
     }
+    let partial = mark_partial(graph, equations, &mut premises, given);
+    if partial.is_empty() {
+        return decide_with(memory, graph, equations, (given, premises, &solutions, &[]), options);
+    }
+    // Perhaps the rates that may have no value are not needed.
+    let whole: Vec<Premise> = premises.iter().filter(|p| !p.partial).copied().collect();
+    let without = Options { wanted: Wanted::Proof, ..*options };
+    let left_out = |proof: &Proof| proof.conditions.iter().filter(|c| c.leaves_out().is_some()).count();
+    let mut before: Option<Proof> = None;
+    match decide_with(memory, graph, equations, (given, whole, &solutions, &[]), &without) {
+        Ok(proof) if left_out(&proof) > 0 => before = Some(proof),
+        settled @ (Ok(_) | Err(Stop::Undecided(Reason::Contradiction) | Stop::Empty(Reason::Contradiction, _))) => {
+            return settled;
+        }
+        Err(Stop::Refuted(_) | Stop::Undecided(_) | Stop::Empty(..)) => {}
+    }
+    match (decide_with(memory, graph, equations, (given, premises, &solutions, &partial), options), before) {
+        (Ok(proof), Some(before)) => Ok(if left_out(&proof) < left_out(&before) { proof } else { before }),
+        (Err(Stop::Undecided(_) | Stop::Empty(..)), Some(before)) => Ok(before),
+        // Where a rate has no value, nothing contradicts anything.
+        (Err(Stop::Undecided(Reason::Contradiction | Reason::NoValue) | Stop::Empty(..)), None) => {
+            let product = partial.into_iter().reduce(|all, e| graph.mul(all, e));
+            Err(product.map_or(Reason::Degenerate, Reason::OnlyWhere).into())
+        }
+        (settled, _) => settled,
+    }
+}
+
+/// The same, with premises that are derived as far as is needed; `rates`: what must not vanish so that all of them have values.
+fn decide_with(
+    memory: &mut Memory,
+    graph: &mut Graph,
+    equations: &[(Expr, Expr)],
+    (given, mut premises, solutions, rates): (&Premises, Vec<Premise>, &Solutions, &[Expr]),
+    options: &Options,
+) -> Result<Proof, Stop> {
+    let mut draws = Draws::new(options.seed);
     // What is proved is proved where the formulas have values: what rates are restricted to asks for conditions only.
     let whole: Pairs = premises.iter().map(|p| (p.left, p.right)).collect();
+    let is_partial: Vec<bool> = premises.iter().map(|p| p.partial).collect();
     for p in &mut premises {
         (p.left, p.right) = (graph.unrestricted(p.left), graph.unrestricted(p.right));
     }
@@ -250,7 +302,7 @@ fn decide(
         seeded: true,
         limit,
         shortened: false,
-        solutions: &solutions,
+        solutions,
     };
     let own = examination.lowered.premises.clone();
     let settled = examination.generic(&own);
@@ -292,15 +344,12 @@ fn decide(
     }
     let needed = pivots.needed();
     let Examination { graph, lowered, .. } = examination;
-    let mut all: Vec<Expr> = equations.iter().chain(&premises).flat_map(|&(l, r)| [l, r]).collect();
+    let whole = equations.iter().chain(premises.iter().zip(&is_partial).filter(|(_, p)| !**p).map(|(pair, _)| pair));
+    let mut all: Vec<Expr> = whole.flat_map(|&(l, r)| [l, r]).collect();
     all.dedup();
-    proof.conditions = conditions(graph, &lowered, given, &resolved, &all, &solved.pivots, &needed);
+    proof.conditions = conditions(graph, &lowered, given, &resolved, &all, &solved.pivots, (&needed, rates));
     // An example is one only if it is reached: nothing vanishes there that was divided by.
-    let divided = proof.conditions.iter().filter_map(|c| match *c {
-        Condition::Pivot(e) => Some(e),
-        _ => None,
-    });
-    let divided: Vec<Expr> = divided.collect();
+    let divided: Vec<Expr> = proof.conditions.iter().filter_map(|c| c.leaves_out()).collect();
     proof.example = proof.example.take().filter(|point| vanishing(graph, &divided, point).is_none());
     if proof.example.is_none() && options.attempts > FEW_POINTS {
         proof.example = match example(graph, equations, &premises, given, &divided, options) {

@@ -22,9 +22,7 @@ use super::jets::names_fields;
 use super::linear::{Combination, Combinations, Monomial, expression};
 use super::memory::Memory;
 use super::newton::{example, refutes};
-use super::outcome::{
-    Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side, Wanted,
-};
+use super::outcome::{Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side, Wanted};
 use super::polynomial::{fraction, replaced};
 use super::powers::by_logarithms;
 use super::prove::identity_at;
@@ -77,9 +75,8 @@ pub(super) fn settle(
         return None;
     }
     let sides = |equations: &[(Expr, Expr)]| -> Vec<Expr> { equations.iter().flat_map(|&(l, r)| [l, r]).collect() };
-    let premises = given.equations.iter().chain(&given.only_now).flat_map(|&(l, r)| [l, r]);
-    let all: Vec<Expr> = sides(equations).into_iter().chain(premises).collect();
-    let count = given.equations.len() + given.only_now.len();
+    let all: Vec<Expr> = sides(equations).into_iter().chain(given.sides()).collect();
+    let count = given.equations.len();
     let most = match options.wanted {
         Wanted::Answer if count <= MOST_PREMISES => MOST_NODES,
         Wanted::Proof if count == 0 => MOST_ASIDE,
@@ -101,7 +98,7 @@ pub(super) fn settle(
         return Some(found);
     }
     // What else could be solved for is, now.
-    let restricted = !given.equations.is_empty() || !given.only_now.is_empty();
+    let restricted = !given.equations.is_empty();
     if restricted && !given.parameters.is_empty() {
         let free = Premises { parameters: Vec::new(), ..given.clone() };
         match identity_at(memory, graph, whole, &free, options, depth + 1) {
@@ -162,7 +159,7 @@ fn finished(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, mut
     proof.conditions.dedup();
     proof.example = proof.example.take().and_then(|mut point| {
         // What the questions that it rests on do not name is free.
-        let free = given.equations.is_empty() && given.only_now.is_empty();
+        let free = given.equations.is_empty();
         let facts: Vec<Expr> = given.positive.iter().chain(&given.not_negative).copied().collect();
         for leaf in graph.leaves(sides.iter().chain(&facts).copied()).into_iter().filter(|_| free) {
             if !point.values.iter().any(|(l, _)| *l == leaf) {
@@ -191,15 +188,11 @@ fn seen(
     proof: &Proof,
     options: &Options,
 ) -> Option<Point> {
-    let premises: Pairs = given.equations.iter().chain(&given.only_now).copied().collect();
+    let premises: Pairs = given.pairs().collect();
     if !given.moving.is_empty() || premises.iter().any(|&pair| names_fields(graph, pair)) {
         return None;
     }
-    let divided = proof.conditions.iter().filter_map(|c| match *c {
-        Condition::Pivot(e) => Some(e),
-        _ => None,
-    });
-    let divided: Vec<Expr> = divided.collect();
+    let divided: Vec<Expr> = proof.conditions.iter().filter_map(|c| c.leaves_out()).collect();
     example(graph, equations, &premises, given, &divided, options).filter(|e| e.differs.is_none()).map(|e| e.point)
 }
 
@@ -212,7 +205,7 @@ fn numbers(
 ) -> Option<Identity> {
     let sides: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
     let leaf = |&e: &Expr| matches!(graph.node(e), Node::Leaf(_));
-    let free = given.equations.is_empty() && given.only_now.is_empty() && given.nonzero.is_empty();
+    let free = given.equations.is_empty() && given.nonzero.is_empty();
     if !graph.leaves(sides.iter().copied()).is_empty()
         || !free
         || !given.positive.iter().all(leaf)
@@ -521,7 +514,7 @@ impl Related<'_> {
         let equations: &Pairs =
             &equations.iter().map(|&(l, r)| (without_powers(self.graph, l), without_powers(self.graph, r))).collect();
         let sides: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-        let premises: Vec<Expr> = self.given.equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let premises: Vec<Expr> = self.given.sides().collect();
         let mut calls: BTreeMap<Op, Vec<(Expr, Expr)>> = BTreeMap::new();
         for node in self.graph.reachable(premises.into_iter().chain(sides.iter().copied())) {
             if let Node::Unary(op, a) = *self.graph.node(node)
@@ -588,7 +581,7 @@ impl Related<'_> {
     /// Whether two expressions agree at real points: those that certainly differ somewhere are told apart quickly, where no
     /// equation restricts the points.
     fn may_agree(&mut self, u: Expr, v: Expr) -> bool {
-        if !self.given.equations.is_empty() || !self.given.only_now.is_empty() {
+        if !self.given.equations.is_empty() {
             return true;
         }
         let leaves = self.graph.leaves([u, v]);

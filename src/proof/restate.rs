@@ -25,9 +25,10 @@ pub(super) fn restated(
 ) -> Vec<Condition> {
     let mut parts = |e: Expr| -> (Rational, Vec<(Expr, i32)>) { simple_factors(graph, e) };
     match condition {
-        Condition::Denominator(e) | Condition::Pivot(e) => {
+        Condition::Denominator(e) | Condition::Pivot(e) | Condition::Rate(e) => {
             let same = |e: Expr| match condition {
                 Condition::Pivot(_) => Condition::Pivot(e),
+                Condition::Rate(_) => Condition::Rate(e),
                 _ => Condition::Denominator(e),
             };
             let (q, factors) = parts(e);

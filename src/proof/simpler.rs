@@ -20,8 +20,8 @@ const LARGEST_ZERO: i64 = 60;
 pub(super) fn simpler(graph: &mut Graph, given: &Premises) -> Option<Premises> {
     let mut out = given.clone();
     let mut changed = false;
-    for (l, r) in out.equations.iter_mut().chain(&mut out.only_now) {
-        let residual = graph.sub(*l, *r);
+    for known in &mut out.equations {
+        let residual = graph.sub(known.left, known.right);
         let (top, under) = fraction(graph, residual);
         // A denominator may bring zeros of its own.
         if graph.as_constant(under).is_none() {
@@ -30,7 +30,7 @@ pub(super) fn simpler(graph: &mut Graph, given: &Premises) -> Option<Premises> {
         let sum = Combinations::default().of(graph, top);
         let new = equal_powers(graph, given, &sum).or_else(|| by_zeros(graph, &sum));
         if let Some(pair) = new {
-            (*l, *r) = pair;
+            *known = known.with(pair);
             changed = true;
         }
     }

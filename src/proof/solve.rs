@@ -267,6 +267,8 @@ impl Solver<'_> {
             }
             match self.probe.sight(self.graph, self.generators, top) {
                 Sight::Zero => continue,
+                // A rate without a value says nothing.
+                Sight::Nowhere if one.derived => continue,
                 Sight::Nowhere => {
                     return match self.vanishing_denominator(case, one.plain) {
                         Some(denominator) => Ok(Some(Next::Void(denominator))),

@@ -28,6 +28,7 @@ mod chosen;
 mod definitions;
 mod exceptions;
 mod gather;
+mod known;
 mod orders;
 mod points;
 mod rates;
@@ -47,8 +48,8 @@ pub(crate) use chosen::chooses;
 use definitions::Definitions;
 use gather::Gathered;
 use proof::{
-    Branches, Condition, Identity, Memory, Options, Premises, Proof, Reason, Wanted, branches_test_after,
-    identity_test_after, order,
+    Branches, Condition, Identity, Memory, Options, Premises, Proof, Reason, Wanted, When, branches_test_after,
+    excludes_motions, identity_test_after, order,
 };
 use reason::{Plain, Proving, Refuting};
 use std::cell::RefCell;
@@ -74,6 +75,10 @@ pub struct Step<'a> {
     at_all_times: bool,
     /// What is assumed to differ at the times that the claim chooses, and is taken to differ at all: where it does not is an exception.
     apart: Pairs,
+    /// Where the formulas of observables have edges, as far as that was asked for.
+    edges: FastMap<Leaf, Vec<Expr>>,
+    /// The fixed time at which a proof along motions begins.
+    start: Option<Expr>,
     /// The sign for which the claim is asked, where it stands among its assumptions.
     sign: Option<i64>,
     /// Whether the answer is all that is wanted, and not which assumptions it needs.
@@ -123,7 +128,7 @@ const LEFT_OUT_NODES: usize = 8_000;
 
 /// Whether a proof leaves out the case that something divided by vanishes.
 fn has_exceptions(proof: &Proof) -> bool {
-    proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_)))
+    proof.conditions.iter().any(|c| c.leaves_out().is_some())
 }
 
 /// Whether something is proved, and no case was left out.
@@ -166,6 +171,8 @@ impl<'a> Step<'a> {
             proved_at: Level::default(),
             memory: Memory::default(),
             sign: None,
+            start: None,
+            edges: FastMap::default(),
             loosened: false,
             plain: false,
             has_few_points: false,
@@ -344,9 +351,9 @@ impl<'a> Step<'a> {
     /// Decides a claim that consists of equations.
     fn decide_equations(mut self) -> Option<Result<IdentityAccount, String>> {
         let mut gathered = self.gather(None);
-        if !gathered.between && self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_))) {
-            gathered = match self.gather_throughout() {
-                Some(throughout) => throughout,
+        if self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_))) {
+            gathered = match self.between_times(&gathered) {
+                Some(between) => between,
                 None => return Some(Ok(self.open(&gathered, Plain::OnlyRates))),
             };
         }
@@ -386,6 +393,16 @@ impl<'a> Step<'a> {
                     None => identity,
                 },
             };
+        }
+        if let (Identity::Proved(proof), true) = (&mut identity, moved) {
+            match self.open_at_start(&gathered, &equations) {
+                Some(open) => proof.conditions.extend(open.into_iter().map(Condition::Pivot)),
+                None => return Some(Ok(self.open(&gathered, Plain::Unconnected))),
+            }
+        }
+        if matches!(identity, Identity::Proved(_)) && self.is_without_motion(&gathered, &equations) {
+            self.settled = None;
+            identity = Identity::Undecided(Reason::Contradiction);
         }
         if !matches!(identity, Identity::Proved(_)) && !standing::is_empty(&identity) {
             let still = self.at_rest(&gathered, &equations);
@@ -446,10 +463,16 @@ impl<'a> Step<'a> {
         Some(Ok(account))
     }
 
+    /// Whether no motion satisfies what is given: then nothing is said, whatever follows.
+    fn is_without_motion(&mut self, gathered: &Gathered, equations: &Pairs) -> bool {
+        let premises = self.premises(gathered, equations, Definitions::Everything);
+        excludes_motions(&mut self.memory, &mut self.graph, &premises)
+    }
+
     /// Whether a step is about more than a proof has room for: what it takes grows with the square of that.
     fn is_too_large(&self, gathered: &Gathered, equations: &Pairs) -> bool {
-        let given = gathered.systems.iter().chain(&gathered.premises.equations);
-        let mut roots: Vec<Expr> = equations.iter().chain(given).flat_map(|&(l, r)| [l, r]).collect();
+        let given = gathered.systems.iter().flat_map(|&(l, r)| [l, r]).chain(gathered.premises.sides());
+        let mut roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).chain(given).collect();
         self.add_definitions(&mut roots);
         self.graph.reachable(roots).len() > MOST_NODES
     }
@@ -520,8 +543,7 @@ impl<'a> Step<'a> {
         let said = self.graph.leaves_within(sides(equations));
         let now = said.iter().any(|l| moves(l) && l.instant.is_none());
         let elsewhere = said.iter().any(|l| l.instant.is_some() || Some(*l) == scope.time());
-        let given =
-            self.graph.leaves_within(sides(&gathered.systems).into_iter().chain(sides(&gathered.premises.equations)));
+        let given = self.graph.leaves_within(sides(&gathered.systems).into_iter().chain(gathered.premises.sides()));
         now && elsewhere && given.iter().any(|l| l.rate > 0)
     }
 
@@ -531,7 +553,7 @@ impl<'a> Step<'a> {
     fn at_fixed_time(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Identity> {
         let mut premises = self.premises(gathered, equations, Definitions::Everything);
         let sides = |p: &Pairs| p.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>();
-        let leaves = self.graph.leaves_within(sides(equations).into_iter().chain(sides(&premises.equations)));
+        let leaves = self.graph.leaves_within(sides(equations).into_iter().chain(premises.sides()));
         let scope = &self.claim.scope;
         let moves = |l: &Leaf| scope.moves(l);
         // Without a present value nothing is connected.
@@ -544,19 +566,20 @@ impl<'a> Step<'a> {
         if then.iter().any(|l| l.instant != instant) {
             return Some(Identity::Undecided(Reason::NoDerivative));
         }
+        let fixed = instant?;
         for leaf in then {
             let pair = [leaf, Leaf { instant: None, ..leaf }].map(|l| self.graph.leaf(l));
-            premises.only_now.push((pair[0], pair[1]));
+            premises.give([(pair[0], pair[1])], When::At(fixed));
         }
-        if let (Some(time), Some(instant)) = (scope.time(), instant) {
-            premises.only_now.push((self.graph.leaf(time), instant));
+        if let Some(time) = scope.time() {
+            premises.give([(self.graph.leaf(time), fixed)], When::At(fixed));
         }
         Some(self.ask(&premises, equations, &Options::default(), false))
     }
 
     /// What the premises do not say already, as it stands.
     fn beyond(&mut self, equations: &Pairs, premises: &Premises) -> Pairs {
-        let mut rest: Pairs = equations.iter().filter(|p| !premises.equations.contains(p)).copied().collect();
+        let mut rest: Pairs = equations.iter().filter(|&&p| !premises.says(p)).copied().collect();
         if rest.is_empty() {
             let zero = self.graph.integer(0);
             rest.push((zero, zero));

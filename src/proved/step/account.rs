@@ -95,7 +95,7 @@ impl Step<'_> {
                 for condition in &proof.conditions {
                     let (list, e, is) = match *condition {
                         Condition::Denominator(e) => (&mut out.conditions, e, Bounded::NotZero),
-                        Condition::Pivot(e) => (&mut out.exceptions, e, Bounded::Zero),
+                        Condition::Pivot(e) | Condition::Rate(e) => (&mut out.exceptions, e, Bounded::Zero),
                         Condition::Radicand(e) => (&mut out.conditions, e, Bounded::NotNegative),
                         Condition::Discriminant(e) => (&mut out.given_only_where, e, Bounded::NotNegative),
                         Condition::Unit(e) => (&mut out.conditions, e, Bounded::ByOne),

@@ -8,9 +8,10 @@ use super::gather::{Gathered, sides};
 use super::{Pairs, Step, pairs};
 use crate::derivation::{Claim, Form, Premise, Written};
 use crate::expr::domain::{Change, EdgeOf, Need, Sign};
-use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
+use crate::expr::{Expr, Graph, Leaf, Node};
 use crate::latex::{Relation, RelationKind, Scope, Statement};
 use claim::comparison::{at_instant, may_leap, presupposed, traced};
+use proof::{When, is_never_negative};
 
 impl<'a> Step<'a> {
     /// The relations that a claim assumes, but those with the given numbers, by which times are chosen.
@@ -47,15 +48,24 @@ impl<'a> Step<'a> {
         // At a jump a function has the value from where the term is positive.
         let jumps = |edge: &EdgeOf| matches!(edge.change, Change::Jump(_));
         let jumping: Vec<EdgeOf> = nodes.into_iter().flat_map(|e| self.graph.edges(e)).filter(jumps).collect();
-        let has_jumps = jumping.iter().any(|edge| !edge.vanishing.is_some_and(|e| is_sum_of_squares(&self.graph, e)));
+        let has_jumps = jumping.iter().any(|edge| !edge.vanishing.is_some_and(|e| is_never_negative(&self.graph, e)));
         let ends = |need: Need| {
-            need.sign == Sign::NotNegative && self.depends(need.value) && !is_sum_of_squares(&self.graph, need.value)
+            need.sign == Sign::NotNegative && self.depends(need.value) && !is_never_negative(&self.graph, need.value)
         };
         !has_jumps && !needs.into_iter().any(ends)
     }
 
+    /// The times that a claim chooses.
+    pub(super) fn times_chosen(&mut self, of: &Claim, without: &[usize]) -> When {
+        match self.may_choose_single_times(of, without) {
+            true => When::Chosen,
+            false if self.at_all_times || self.choosing(of, without).is_empty() => When::Always,
+            false => When::ChosenOpen,
+        }
+    }
+
     /// Whether something changes along a motion, or from place to place.
-    fn depends(&self, e: Expr) -> bool {
+    pub(super) fn depends(&self, e: Expr) -> bool {
         let place = |l: &Leaf| self.graph.coordinate(*l).is_some() || self.graph.is_field(l.symbol);
         self.moves(e) || self.graph.leaves([e]).iter().any(place)
     }
@@ -157,7 +167,8 @@ impl<'a> Step<'a> {
         let values: Vec<Expr> = own.into_iter().flat_map(|e| presupposed(&mut self.graph, &claim.scope, e)).collect();
         let needs = self.graph.needs_below(values).into_iter().filter(|n| n.sign == Sign::NotZero && n.certain);
         let mut known = Gathered::default();
-        known.throughout.nonzero = needs.map(|n| n.value).collect();
+        // What a formula needs at the present says nothing of a fixed time.
+        known.throughout.nonzero = needs.map(|n| n.value).filter(|&e| !self.moves(e)).collect();
         let differences: Vec<(Expr, Expr)> = choosing.into_iter().flat_map(pairs).collect();
         instants.retain(|&instant| {
             differences.iter().all(|&(l, r)| {
@@ -260,19 +271,5 @@ pub(crate) fn chooses(graph: &Graph, scope: &Scope, relation: &Relation) -> bool
         RelationKind::Equal => false,
         RelationKind::NotEqual => !moving.is_empty() && !time.is_some_and(of_time),
         _ => !moving.is_empty(),
-    }
-}
-
-/// Whether something is never negative where it has a value, by its structure.
-fn is_sum_of_squares(graph: &Graph, e: Expr) -> bool {
-    match *graph.node(e) {
-        Node::Constant(_) => graph.as_constant(e).is_some_and(|r| *r >= Rational::ZERO),
-        Node::Unary(Op::Powi(n), _) if n % 2 == 0 => true,
-        Node::Unary(Op::Sqrt | Op::Abs | Op::Exp, _) => true,
-        Node::Unary(Op::Powi(_), a) => is_sum_of_squares(graph, a),
-        Node::Binary(Op::Mul, a, b) if a == b => true,
-        Node::Binary(Op::Add | Op::Mul | Op::Div, a, b) => is_sum_of_squares(graph, a) && is_sum_of_squares(graph, b),
-        Node::Pi => true,
-        Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => false,
     }
 }

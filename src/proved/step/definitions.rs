@@ -6,9 +6,10 @@
 use super::gather::sides;
 use super::{Pairs, Step};
 use crate::derivation::{Derivation, Premise};
+use crate::expr::domain::Sign;
 use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Op};
 use claim::comparison::{at_instant, may_leap};
-use proof::Premises;
+use proof::{Premises, When, is_never_negative};
 
 /// Which definitions of observables are used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,7 +52,7 @@ enum Continued {
 
 impl Step<'_> {
     /// The definition of a component, as far as definitions are used.
-    fn definition(&self, leaf: Leaf, which: Definitions) -> Option<Expr> {
+    pub(super) fn definition(&self, leaf: Leaf, which: Definitions) -> Option<Expr> {
         let Derivation { claims, scope, .. } = self.derivation;
         let in_file = || {
             scope
@@ -99,11 +100,11 @@ impl Step<'_> {
         let constraint =
             |graph: &Graph, &(l, r): &(Expr, Expr)| graph.leaves_within([l, r]).iter().all(|l| l.rate == 0);
         let mut moving = which == Definitions::Everything
-            && (premises.equations.iter().any(|pair| tied(&self.graph, pair))
+            && (premises.pairs().any(|pair| tied(&self.graph, &pair))
                 || systems.iter().any(|pair| constraint(&self.graph, pair))
                 || self.systems_tie_states());
         let roots: Vec<Expr> = sides(equations)
-            .chain(sides(&premises.equations))
+            .chain(premises.sides())
             .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied())
             .collect();
         let mut open = self.graph.leaves_within(roots);
@@ -120,12 +121,13 @@ impl Step<'_> {
                     match self.continued(value, e, equations, premises) {
                         Continued::No => {
                             let node = self.graph.leaf(value);
-                            premises.equations.push((node, e));
+                            let when = self.when_it_has_a_value(e);
+                            premises.give([(node, e)], when);
                         }
                         // Whole turns may lie between it and its formula: only its rate is that of the formula.
                         Continued::Rate(rate) => {
                             let node = self.graph.leaf(Leaf { rate: 1, ..value });
-                            premises.equations.push((node, rate));
+                            premises.give([(node, rate)], When::Always);
                             (moving, self.loosened) = (true, true);
                         }
                         Continued::Unknown => self.loosened = true,
@@ -136,10 +138,20 @@ impl Step<'_> {
             if !moving || systems.is_empty() || std::mem::replace(&mut joined, true) {
                 return;
             }
-            let new: Pairs = systems.iter().filter(|p| !premises.equations.contains(p)).copied().collect();
-            premises.equations.extend(new);
+            let new: Pairs = systems.iter().filter(|&&p| !premises.says(p)).copied().collect();
+            premises.give(new, When::Always);
             open.extend(self.graph.leaves_within(sides(systems)));
         }
+    }
+
+    /// When a formula has a value: a symbol is what it stands for there alone.
+    fn when_it_has_a_value(&mut self, e: Expr) -> When {
+        let needs = self.graph.needs_below([e]);
+        let open = needs.into_iter().any(|need| {
+            let met = need.sign == Sign::NotNegative && is_never_negative(&self.graph, need.value);
+            !met && self.depends(need.value)
+        });
+        if open { When::ChosenOpen } else { When::Always }
     }
 
     /// What an angle that is continued along motions has of its formula, where more of it occurs than its sine and cosine.
@@ -149,7 +161,7 @@ impl Step<'_> {
         }
         let node = self.graph.leaf(leaf);
         let roots = sides(equations)
-            .chain(sides(&premises.equations))
+            .chain(premises.sides())
             .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied());
         let bare = self.tells_turns(roots, node);
         let scope = &self.claim.scope;
@@ -190,7 +202,7 @@ impl Step<'_> {
     /// The values at fixed times that occur obey the definitions at these times.
     pub(super) fn definitions_at_instants(&mut self, equations: &Pairs, which: Definitions, premises: &mut Premises) {
         let roots: Vec<Expr> = sides(equations)
-            .chain(sides(&premises.equations))
+            .chain(premises.sides())
             .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied())
             .collect();
         let which = match which {
@@ -216,7 +228,7 @@ impl Step<'_> {
                 let then = at_instant(&mut self.graph, scope, e, instant);
                 open.extend(self.graph.leaves_within([then]));
                 let node = self.graph.leaf(leaf);
-                premises.equations.push((node, then));
+                premises.give([(node, then)], When::Always);
             }
         }
     }

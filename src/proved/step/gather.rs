@@ -6,7 +6,7 @@ use crate::derivation::{Claim, Derivation, Form, Premise, Written};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::latex::{Relation, RelationKind, Role, Scope, Statement};
 use claim::comparison::at_instant;
-use proof::{Identity, Options, Premises, Reason, Wanted, solve_for_arguments};
+use proof::{Identity, Options, Premises, Reason, Wanted, When, solve_for_arguments};
 
 /// Everything that is named.
 #[derive(Clone, Debug, Default)]
@@ -84,10 +84,10 @@ impl<'a> Step<'a> {
     }
 
     /// Adds a relation to what is given.
-    pub(super) fn give(&mut self, relation: &Relation, premises: &mut Premises) {
+    pub(super) fn give(&mut self, relation: &Relation, when: When, premises: &mut Premises) {
         for (l, r) in self.scalars(relation) {
             match relation.kind {
-                RelationKind::Equal => premises.equations.push((l, r)),
+                RelationKind::Equal => premises.give([(l, r)], when),
                 RelationKind::NotEqual => premises.nonzero.push(self.graph.sub(l, r)),
                 RelationKind::Greater => premises.positive.push(self.graph.sub(l, r)),
                 RelationKind::Less => premises.positive.push(self.graph.sub(r, l)),
@@ -104,8 +104,9 @@ impl<'a> Step<'a> {
     /// Equations of fields are assumed at all places; where an equation says at which places, they are assumed there alone, and
     /// nothing is known of their derivatives.
     ///
-    /// At single times nothing is known of the rates of what is assumed there, and a point that refutes may belong to no such time.
-    pub(super) fn assume(&mut self, claim: &Claim, without: &[usize], single: bool, premises: &mut Premises) -> bool {
+    /// `when` are the times that the claim chooses. At single ones nothing is known of the rates of what is assumed there, and a point that
+    /// refutes may belong to no such time. What is about constants is known always.
+    pub(super) fn assume(&mut self, claim: &Claim, without: &[usize], when: When, premises: &mut Premises) -> bool {
         let used = claim.assuming.iter().enumerate().filter(|(i, _)| !without.contains(i));
         let mut complete = true;
         let before = premises.equations.len();
@@ -114,35 +115,10 @@ impl<'a> Step<'a> {
                 complete = false;
                 continue;
             }
-            self.give(relation, premises);
+            self.give(relation, when, premises);
         }
-        let single_places = self.may_choose_single_places(claim, without);
-        let graph = &self.graph;
-        let of_fields = |(l, r): &(Expr, Expr)| !graph.fields([*l, *r]).is_empty();
-        let is_place = |pair: &(Expr, Expr)| {
-            let leaves = graph.leaves_within([pair.0, pair.1]);
-            !of_fields(pair) && leaves.iter().any(|l| graph.coordinate(*l).is_some())
-        };
-        if premises.equations[before..].iter().any(is_place) || single_places {
-            let (there, everywhere) = premises.equations.drain(before..).partition::<Pairs, _>(of_fields);
-            premises.equations.extend(everywhere);
-            // Along such places they may be meant to hold together: no point refutes that.
-            complete &= there.is_empty();
-            premises.only_now.extend(there);
-        }
-        complete & !self.keep_for_now(before, single, premises)
-    }
-
-    /// Keeps the equations from a number on for the present time, where that is single; whether there are any that move.
-    fn keep_for_now(&self, from: usize, single: bool, premises: &mut Premises) -> bool {
-        let moves = |&(l, r): &(Expr, Expr)| self.moves(l) || self.moves(r);
-        if !single || !premises.equations[from..].iter().any(moves) {
-            return false;
-        }
-        let (moving, constant) = premises.equations.drain(from..).partition::<Pairs, _>(moves);
-        premises.equations.extend(constant);
-        premises.only_now.extend(moving);
-        true
+        let places = self.places_chosen(claim, without);
+        complete & self.restrict(before, [when, places], premises)
     }
 
     /// What `follows-from` and the assumptions give; `without` some assumptions.
@@ -152,15 +128,24 @@ impl<'a> Step<'a> {
         let mut premises = Premises::default();
         self.roles(&mut premises);
         let absent = without.unwrap_or(&[]);
-        let single = self.may_choose_single_times(claim, absent);
-        out.complete &= self.assume(claim, absent, single, &mut premises);
+        let chosen = self.times_chosen(claim, absent);
+        out.complete &= self.assume(claim, absent, chosen, &mut premises);
+        premises.present = chosen.and(self.places_chosen(claim, absent));
         // Each with the scope that says what moves in it.
         let mut always: Vec<(&Scope, Pairs)> = Vec::new();
         out.elsewhere = self.at_all_times || self.choosing(claim, absent).is_empty();
         out.between = self.goes_on(claim, absent);
-        if self.is_known_elsewhere(claim, absent, &premises.equations) {
-            always.push((&claim.scope, premises.equations.clone()));
+        let own: Pairs = premises.pairs().collect();
+        if self.is_known_elsewhere(claim, absent, &own) {
+            // What is so for a while goes on.
+            if chosen == When::ChosenOpen {
+                premises.equations.iter_mut().filter(|k| self.moves(k.left) || self.moves(k.right)).for_each(|k| {
+                    k.when = When::Always;
+                });
+            }
+            always.push((&claim.scope, own));
         }
+        let assumed = premises.equations.len();
         let mut constant = self.constants();
         let known: Pairs = self.about_constants(claim, absent, &constant);
         if !out.elsewhere {
@@ -179,13 +164,20 @@ impl<'a> Step<'a> {
                 Premise::Definition => continue,
             };
             let mut at_others = true;
-            let single = single && !premise.assuming.is_empty() || self.may_choose_single_times(premise, &[]);
+            let mut when = self.times_chosen(premise, &[]);
+            // What is assumed of constants holds always, if it holds at the present.
+            let of_constants =
+                |w: &Written<Statement>| w.value.relations.iter().all(|r| self.is_about_constants(r, &constant));
+            if !premise.assuming.iter().all(of_constants) {
+                when = when.and(chosen);
+            }
+            let places = self.places_chosen(premise, &[]);
             match self.said(premise) {
                 Some((equations, signs)) => {
                     let equations = self.without_branches(premise, equations, &mut out.complete);
                     let before = premises.equations.len();
-                    premises.equations.extend(&equations);
-                    out.complete &= !self.keep_for_now(before, single, &mut premises);
+                    premises.give(equations.iter().copied(), when);
+                    out.complete &= self.restrict(before, [when, places], &mut premises);
                     // What it assumes is known at other times if it is assumed here of all of them.
                     let of_constants = |w: &Written<Statement>| {
                         w.value.relations.iter().all(|r| self.is_about_constants(r, &constant))
@@ -193,6 +185,10 @@ impl<'a> Step<'a> {
                     at_others = premise.assuming.iter().all(of_constants)
                         || self.is_known_elsewhere(premise, &[], &equations)
                             && self.is_known_elsewhere(claim, absent, &equations);
+                    for k in premises.equations[before..].iter_mut().filter(|k| at_others && k.when == When::ChosenOpen)
+                    {
+                        k.when = if self.moves(k.left) || self.moves(k.right) { places } else { k.when };
+                    }
                     out.elsewhere &= at_others;
                     out.between &= at_others;
                     for form in &premise.forms {
@@ -205,9 +201,9 @@ impl<'a> Step<'a> {
                     let throughout = self.at_all_times || premise.assuming.is_empty();
                     out.between &= throughout || signs.is_empty();
                     for relation in signs {
-                        self.give(relation, &mut premises);
+                        self.give(relation, when, &mut premises);
                         if throughout {
-                            self.give(relation, &mut out.throughout);
+                            self.give(relation, When::Always, &mut out.throughout);
                         }
                     }
                 }
@@ -219,8 +215,8 @@ impl<'a> Step<'a> {
                 |of: &Statement| without.is_some_and(|w| w.iter().any(|&i| claim.assuming[i].value.says_the_same(of)));
             let numbers: Vec<usize> =
                 (0..premise.assuming.len()).filter(|&i| dropped(&premise.assuming[i].value)).collect();
-            out.complete &= self.assume(premise, &numbers, single, &mut premises);
-            let assumed = premises.equations[before..].to_vec();
+            out.complete &= self.assume(premise, &numbers, when, &mut premises);
+            let assumed: Pairs = premises.equations[before..].iter().map(proof::Known::sides).collect();
             if at_others && self.is_known_elsewhere(claim, absent, &assumed) {
                 always.push((&premise.scope, assumed));
             }
@@ -237,11 +233,15 @@ impl<'a> Step<'a> {
                 true
             }
         });
-        out.throughout.equations.extend(always.iter().flat_map(|(_, pairs)| pairs));
+        self.signs_throughout(&premises, &mut out.throughout);
+        self.where_they_have_values(&mut premises, assumed, &mut always, &out.throughout);
+        let moving = |k: &&proof::Known| self.moves(k.left) || self.moves(k.right);
+        out.elsewhere &=
+            chosen == When::Always && premises.equations.iter().filter(moving).all(|k| k.when == When::Always);
+        out.throughout.give(always.iter().flat_map(|(_, pairs)| pairs.iter().copied()), When::Always);
         for instant in self.instants_with_values(claim, absent) {
             self.give_at(instant, claim, absent, &mut premises);
         }
-        self.signs_throughout(&premises, &mut out.throughout);
         self.at_instants(&always, &constant, &out.throughout, &mut premises);
         out.premises = premises;
         out
@@ -250,10 +250,11 @@ impl<'a> Step<'a> {
     /// Adds what a claim assumes at a fixed time that it chooses.
     fn give_at(&mut self, instant: Expr, claim: &Claim, without: &[usize], premises: &mut Premises) {
         let mut then = Premises::default();
-        self.assume(claim, without, false, &mut then);
+        self.assume(claim, without, When::Chosen, &mut then);
         let graph = &mut self.graph;
         let mut at = |e: Expr| at_instant(graph, &claim.scope, e, instant);
-        premises.equations.extend(then.equations.into_iter().map(|(l, r)| (at(l), at(r))).filter(|(l, r)| l != r));
+        let pairs: Pairs = then.pairs().map(|(l, r)| (at(l), at(r))).filter(|(l, r)| l != r).collect();
+        premises.give(pairs, When::Always);
         premises.nonzero.extend(then.nonzero.into_iter().map(&mut at));
         premises.positive.extend(then.positive.into_iter().map(&mut at));
         premises.not_negative.extend(then.not_negative.into_iter().map(&mut at));
@@ -279,7 +280,8 @@ impl<'a> Step<'a> {
                 signs.extend(instants.iter().map(|&i| at_instant(&mut self.graph, &self.claim.scope, fact, i)));
             }
         }
-        premises.equations.push((e, zero));
+        // At some time: nothing is said of its rate.
+        premises.give([(e, zero)], When::Chosen);
         let loosened = self.loosened;
         self.definitions(&Pairs::new(), &[], Definitions::All, &mut premises);
         self.loosened = loosened;
@@ -326,7 +328,7 @@ impl<'a> Step<'a> {
         for &instant in &instants {
             for &(scope, e) in constant {
                 let then = at_instant(&mut self.graph, scope, e, instant);
-                premises.equations.push((e, then));
+                premises.give([(e, then)], When::Always);
             }
             for (scope, list) in always {
                 for &(l, r) in list {
@@ -334,8 +336,8 @@ impl<'a> Step<'a> {
                         continue;
                     }
                     let then = [l, r].map(|e| at_instant(&mut self.graph, scope, e, instant));
-                    if then != [l, r] && then[0] != then[1] && !premises.equations.contains(&(then[0], then[1])) {
-                        premises.equations.push((then[0], then[1]));
+                    if then != [l, r] && then[0] != then[1] && !premises.says((then[0], then[1])) {
+                        premises.give([(then[0], then[1])], When::Always);
                     }
                 }
             }
@@ -383,12 +385,13 @@ impl<'a> Step<'a> {
         self.definitions_at_instants(equations, which, &mut premises);
         self.add_positive_parameters(equations, &mut premises);
         solve_for_arguments(&mut self.graph, &mut premises);
+        self.add_edges(equations, &mut premises);
         premises
     }
 
     /// What is positive among the parameters that occur.
     pub(super) fn add_positive_parameters(&mut self, equations: &Pairs, premises: &mut Premises) {
-        let roots: Vec<Expr> = sides(equations).chain(sides(&premises.equations)).collect();
+        let roots: Vec<Expr> = sides(equations).chain(premises.sides()).collect();
         for leaf in self.graph.leaves_within(roots) {
             if self.is_positive_parameter(leaf) {
                 let node = self.graph.leaf(leaf);
@@ -412,7 +415,7 @@ impl<'a> Step<'a> {
                     for factor in factors.into_iter().rev() {
                         let mut one = case.clone();
                         // First, so that it is solved first.
-                        one.equations.insert(0, (factor, zero));
+                        one.equations.insert(0, proof::Known::of((factor, zero), When::ChosenOpen));
                         open.push(one);
                     }
                 }
@@ -425,7 +428,7 @@ impl<'a> Step<'a> {
     pub(super) fn of_one_time(&self, mut case: Premises) -> Premises {
         let graph = &self.graph;
         let now = |e: &Expr| graph.leaves_within([*e]).iter().all(|leaf| leaf.instant.is_none());
-        case.equations.retain(|(l, r)| now(l) && now(r));
+        case.equations.retain(|k| now(&k.left) && now(&k.right));
         for facts in [&mut case.nonzero, &mut case.positive, &mut case.not_negative] {
             facts.retain(now);
         }
@@ -436,13 +439,16 @@ impl<'a> Step<'a> {
     fn factors_of_one(&mut self, case: &Premises) -> Option<Vec<Expr>> {
         let time = case.time?;
         for at in 0..case.equations.len() {
-            let (l, r) = case.equations[at];
+            let (l, r) = case.equations[at].sides();
+            if !case.equations[at].when.is_on_intervals() {
+                continue;
+            }
             let residual = self.graph.sub(l, r);
             let rate = self.graph.time_derivative(residual, time, |l| case.moving.contains(&l.symbol));
             for e in [Some(residual), rate.ok()].into_iter().flatten() {
                 let bases = bases(&self.graph, e);
                 let product = bases.len() > 1;
-                let settled = |b: &Expr| case.equations.iter().any(|&(l, r)| l == *b && self.graph.is_zero(r));
+                let settled = |b: &Expr| case.pairs().any(|(l, r)| l == *b && self.graph.is_zero(r));
                 if bases.iter().any(settled) {
                     continue;
                 }

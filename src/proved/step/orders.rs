@@ -19,11 +19,10 @@ const MOST_ORDERED: usize = 3;
 impl Step<'_> {
     /// For which orders of positive parameters conditions about them hold; nothing where there are none.
     pub(super) fn orders_of(&mut self, conditions: &[Condition]) -> Option<Proviso> {
-        let restricting: Vec<Condition> =
-            conditions.iter().filter(|c| !matches!(c, Condition::Pivot(_))).copied().collect();
+        let restricting: Vec<Condition> = conditions.iter().filter(|c| c.leaves_out().is_none()).copied().collect();
         let roots = restricting.iter().map(|c| match *c {
             Condition::Denominator(e) | Condition::Radicand(e) | Condition::Unit(e) | Condition::Positive(e) => e,
-            Condition::Pivot(e) | Condition::Discriminant(e) => e,
+            Condition::Pivot(e) | Condition::Rate(e) | Condition::Discriminant(e) => e,
         });
         let leaves = self.graph.leaves_within(roots);
         let parameters: Vec<Leaf> = leaves.into_iter().filter(|&l| self.is_positive_parameter(l)).collect();

@@ -6,19 +6,16 @@
 
 use super::gather::Gathered;
 use super::{Pairs, Step};
+use crate::expr::domain::Sign;
 use crate::expr::{Expr, Leaf, Node, Op};
-use claim::comparison::at_instant;
-use proof::Identity;
+use claim::comparison::{at_instant, traced};
+use proof::{Identity, When};
 
 impl Step<'_> {
     /// Whether both sides agree at a fixed time that the equations or the premises name, and their rates always: of the
     /// equations, or of the same in another form, see [`without_growth`](Step::without_growth).
     pub(super) fn by_rate(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<(Identity, Pairs)> {
-        // What holds at the times that are chosen says nothing of those in between.
-        let mut gathered = if gathered.between { gathered.clone() } else { self.gather_throughout()? };
-        // What holds at the present time only says nothing of rates.
-        gathered.premises.only_now.clear();
-        let gathered = &gathered;
+        let gathered = &self.between_times(gathered)?;
         let all = self.start_and_rates(gathered, equations)?;
         let proved = |i: &Identity| matches!(i, Identity::Proved(_));
         for split in [false, true] {
@@ -35,6 +32,45 @@ impl Step<'_> {
             return Some((found, even));
         }
         self.by_uniqueness(gathered, equations).map(|found| (found, equations.clone()))
+    }
+
+    /// What may be used of the times between others: what is known always; and what is known for a while, where motions are analytic, since
+    /// what is shown of rates then goes on.
+    pub(super) fn between_times(&mut self, gathered: &Gathered) -> Option<Gathered> {
+        let mut out = if gathered.between { gathered.clone() } else { self.gather_throughout()? };
+        let for_a_while = out.premises.equations.iter().any(|k| k.when == When::ChosenOpen);
+        let goes_on = for_a_while && self.motions_are_analytic(self.claim);
+        out.premises.equations.retain(|k| match k.when {
+            When::Always => true,
+            When::ChosenOpen => goes_on,
+            When::Chosen | When::At(_) => false,
+        });
+        out.complete &= out.premises.equations.len() == gathered.premises.equations.len();
+        Some(out)
+    }
+
+    /// What must not vanish so that equations have values at the time at which their proof along motions begins: what neither the claim
+    /// asks for nor what is given tells. Where they have none, the proof says nothing; `None` where they may have none for other reasons.
+    pub(super) fn open_at_start(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Vec<Expr>> {
+        let Some(start) = self.start else { return Some(Vec::new()) };
+        let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let claim = self.claim;
+        let written = |this: &mut Self, e: Expr| traced(&mut this.graph, &claim.scope, e);
+        let own: Vec<Expr> = self.equations(claim).unwrap_or_default().into_iter().flat_map(|(l, r)| [l, r]).collect();
+        let own: Vec<Expr> = own.into_iter().map(|e| written(self, e)).collect();
+        let own: Vec<(Expr, Sign)> = self.graph.needs_below(own).iter().map(|n| (n.value, n.sign)).collect();
+        let then: Vec<Expr> = roots.into_iter().map(|e| at_instant(&mut self.graph, &claim.scope, e, start)).collect();
+        let then: Vec<Expr> = then.into_iter().map(|e| written(self, e)).collect();
+        let mut out = Vec::new();
+        for need in self.graph.needs_below(then) {
+            if own.contains(&(need.value, need.sign)) || out.contains(&need.value) {
+                continue;
+            }
+            if !self.is_met(need.value, need.sign, gathered) {
+                (need.sign == Sign::NotZero).then(|| out.push(need.value))?;
+            }
+        }
+        Some(out)
     }
 
     /// What is given without what is assumed of some times, if that may be used of all times.
@@ -81,9 +117,10 @@ impl Step<'_> {
         if leaves.contains(&self.claim.scope.branch_sign()) {
             return None;
         }
-        let given: Vec<Expr> = gathered.premises.equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let given: Vec<Expr> = gathered.premises.sides().collect();
         let of_premises = self.graph.leaves_within(given);
         let start = leaves.iter().chain(&of_premises).find_map(|l| l.instant)?;
+        self.start = Some(start);
         let scope = &self.claim.scope;
         let moves = |leaf: Leaf| scope.moves(&leaf);
         let mut all = Pairs::new();

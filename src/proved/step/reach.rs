@@ -101,7 +101,7 @@ impl Step<'_> {
         let Identity::Proved(proof) = identity else { return false };
         let beyond = |c: &Condition| match *c {
             Condition::Radicand(e) | Condition::Unit(e) | Condition::Positive(e) => Some(e),
-            Condition::Denominator(_) | Condition::Pivot(_) | Condition::Discriminant(_) => None,
+            Condition::Denominator(_) | Condition::Pivot(_) | Condition::Rate(_) | Condition::Discriminant(_) => None,
         };
         let asked: Vec<Condition> =
             proof.conditions.iter().filter(|c| beyond(c).is_some_and(|e| self.moves(e))).copied().collect();
@@ -151,6 +151,21 @@ impl Step<'_> {
         })
     }
 
+    /// What vanishes where something below that moves has an edge, and a value.
+    pub(super) fn edges_below(&mut self, roots: Vec<Expr>) -> Vec<Expr> {
+        let mut out = Vec::new();
+        for e in self.graph.reachable(roots) {
+            for edge in self.graph.edges(e) {
+                let has_value = match edge.change {
+                    Change::Jump(_) | Change::Kink | Change::Steep => true,
+                    Change::Pole(..) | Change::Log => false,
+                };
+                out.extend(edge.vanishing.filter(|&v| has_value && self.moves(v) && !out.contains(&v)));
+            }
+        }
+        out
+    }
+
     /// What vanishes where something below is infinite.
     pub(super) fn poles(&mut self, roots: Vec<Expr>) -> Vec<Expr> {
         let mut out = Vec::new();
@@ -183,7 +198,7 @@ impl Step<'_> {
     }
 
     /// Everything that the systems among the premises divide by, as it stands and by its definition.
-    fn divided_by_systems(&mut self) -> Vec<Expr> {
+    pub(super) fn divided_by_systems(&mut self) -> Vec<Expr> {
         let equations = self.equations_of_systems();
         self.divided_by(&equations)
     }

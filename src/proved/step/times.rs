@@ -8,7 +8,7 @@
 use super::gather::Gathered;
 use super::{Definitions, Pairs, Step};
 use crate::expr::{Expr, Leaf};
-use proof::{Identity, Options, Premises, Wanted, identity_test_after};
+use proof::{Identity, Options, Premises, Wanted, When, identity_test_after};
 
 /// What is known of the fixed times.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -28,7 +28,7 @@ impl Step<'_> {
     /// Times that are equal, given what is said of parameters, become one.
     pub(super) fn unite_times(&mut self, gathered: &mut Gathered, equations: &mut Pairs) -> Times {
         let sides = |p: &Pairs| p.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>();
-        let roots = sides(equations).into_iter().chain(sides(&gathered.premises.equations));
+        let roots = sides(equations).into_iter().chain(gathered.premises.sides());
         let mut instants = self.instants(roots);
         let mut times = Times::default();
         let about_parameters =
@@ -43,7 +43,7 @@ impl Step<'_> {
                 .equations
                 .iter()
                 .copied()
-                .filter(|&(l, r)| about_parameters(self, [l, r]))
+                .filter(|k| about_parameters(self, [k.left, k.right]))
                 .collect(),
             nonzero: keep(self, &gathered.premises.nonzero),
             positive: keep(self, &gathered.premises.positive),
@@ -51,7 +51,7 @@ impl Step<'_> {
             ..Premises::default()
         };
         let mut premises = premises;
-        let named = instants.iter().copied().chain(premises.equations.iter().flat_map(|&(l, r)| [l, r]));
+        let named = instants.iter().copied().chain(premises.sides());
         for leaf in self.graph.leaves_within(named) {
             if self.is_positive_parameter(leaf) {
                 let node = self.graph.leaf(leaf);
@@ -89,8 +89,11 @@ impl Step<'_> {
             })
         };
         let Premises { equations: given, nonzero, positive, not_negative, .. } = &mut gathered.premises;
-        for (l, r) in equations.iter_mut().chain(given).chain(&mut gathered.systems) {
+        for (l, r) in equations.iter_mut().chain(&mut gathered.systems) {
             (*l, *r) = (put(*l), put(*r));
+        }
+        for known in given {
+            *known = known.with((put(known.left), put(known.right)));
         }
         for e in nonzero.iter_mut().chain(positive).chain(not_negative) {
             *e = put(*e);
@@ -113,19 +116,20 @@ impl Step<'_> {
         }
         let instants = self.instants(equations.iter().flat_map(|&(l, r)| [l, r]));
         let &chosen = instants.first()?;
-        let of_premises: Vec<Leaf> =
-            self.graph.leaves_within(gathered.premises.equations.iter().flat_map(|&(l, r)| [l, r]));
+        let of_premises: Vec<Leaf> = self.graph.leaves_within(gathered.premises.sides());
         let alone = instants.len() == 1 && of_premises.iter().all(|l| l.instant.is_none_or(|i| i == chosen));
         if alone {
             for leaf in of_premises.into_iter().filter(|l| l.instant.is_some()) {
                 let pair = [leaf, Leaf { instant: None, ..leaf }].map(|l| self.graph.leaf(l));
-                gathered.premises.only_now.push((pair[0], pair[1]));
+                gathered.premises.give([(pair[0], pair[1])], When::At(chosen));
             }
-            let named = gathered.premises.equations.iter().chain(&gathered.systems).flat_map(|&(l, r)| [l, r]);
+            let systems = gathered.systems.iter().flat_map(|&(l, r)| [l, r]);
+            let named: Vec<Expr> = gathered.premises.sides().chain(systems).collect();
             if self.graph.leaves_within(named).contains(&time) {
                 let now = self.graph.leaf(time);
-                gathered.premises.only_now.push((now, chosen));
+                gathered.premises.give([(now, chosen)], When::At(chosen));
             }
+            gathered.premises.present = When::At(chosen);
         }
         let mut put = |e: Expr| {
             self.graph.substitute(e, |graph, leaf| {
@@ -137,8 +141,8 @@ impl Step<'_> {
 
     /// Whether what is given ties anything that moves: else values at different times are free.
     pub(super) fn ties(&self, gathered: &Gathered) -> bool {
-        let given = gathered.premises.equations.iter().chain(&gathered.systems);
-        self.graph.leaves_within(given.flat_map(|&(l, r)| [l, r])).iter().any(|l| self.claim.scope.moves(l))
+        let systems = gathered.systems.iter().flat_map(|&(l, r)| [l, r]);
+        self.graph.leaves_within(gathered.premises.sides().chain(systems)).iter().any(|l| self.claim.scope.moves(l))
     }
 
     /// A refutation by a motion that stands still: all rates are 0, and values at all times are one. `None` if what is given names
@@ -148,9 +152,10 @@ impl Step<'_> {
         // Whatever rates occur: the motion that stands still must satisfy the systems.
         let mut gathered = gathered.clone();
         let systems = std::mem::take(&mut gathered.systems);
-        gathered.premises.equations.extend(systems);
+        gathered.premises.give(systems, When::Always);
         let mut premises = self.premises(&gathered, equations, Definitions::All);
-        premises.only_now.clear();
+        // A motion that stands still has its present values at the fixed time.
+        premises.equations.retain(|k| !matches!(k.when, When::At(_)));
         let zero = self.graph.integer(0);
         let claim = &self.claim.scope;
         let moves = |leaf: Leaf| claim.moves(&leaf);
@@ -165,15 +170,15 @@ impl Step<'_> {
                 }
             })
         };
-        for (l, r) in &mut premises.equations {
-            (*l, *r) = (put(*l), put(*r));
+        for known in &mut premises.equations {
+            *known = known.with((put(known.left), put(known.right)));
         }
         for e in premises.nonzero.iter_mut().chain(&mut premises.positive).chain(&mut premises.not_negative) {
             *e = put(*e);
         }
         let equations: Pairs = equations.iter().map(|&(l, r)| (put(l), put(r))).collect();
-        premises.equations.retain(|(l, r)| l != r);
-        let named = premises.equations.iter().flat_map(|&(l, r)| [l, r]);
+        premises.equations.retain(|k| k.left != k.right);
+        let named = premises.sides();
         if self.graph.leaves_within(named).contains(&time) || equations.iter().all(|(l, r)| l == r) {
             return None;
         }

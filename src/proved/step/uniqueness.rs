@@ -14,7 +14,7 @@ use super::gather::Gathered;
 use super::{LEFT_OUT_NODES, Pairs, Step, has_exceptions};
 use crate::expr::{Expr, FastMap, FastSet, Leaf, Node, Op, Rational, Symbol};
 use claim::comparison::{at_instant, traced};
-use proof::{Condition, Identity, Options, Premises, Proof, Wanted};
+use proof::{Condition, Identity, Known, Options, Premises, Proof, Wanted, When};
 
 /// More residuals are not looked at.
 const MOST_RESIDUALS: usize = 8;
@@ -38,9 +38,10 @@ impl Step<'_> {
             return None;
         }
         let claimed: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-        let given = gathered.premises.equations.iter().flat_map(|&(l, r)| [l, r]);
+        let given = gathered.premises.sides();
         let named = self.graph.leaves_within(claimed.into_iter().chain(given));
         let start = named.iter().find_map(|l| l.instant)?;
+        self.start = Some(start);
         let Determined { rates, divided } = self.rates_of_systems()?;
         let mut residuals = Vec::new();
         for &(l, r) in equations {
@@ -232,12 +233,13 @@ impl Step<'_> {
         let is_constant = |e: &Expr| !self.graph.leaves_within([*e]).iter().any(moves);
         let Premises { mut equations, mut nonzero, mut positive, mut not_negative, parameters, .. } =
             gathered.premises.clone();
-        equations.retain(|(l, r)| is_constant(l) && is_constant(r));
+        equations.retain(|k| is_constant(&k.left) && is_constant(&k.right));
         for facts in [&mut nonzero, &mut positive, &mut not_negative] {
             facts.retain(is_constant);
         }
         let own: Pairs = residuals.iter().map(|&r| (r, zero)).collect();
-        equations.extend(&own);
+        // Beside the motion: at a point, not for a while.
+        equations.extend(own.iter().map(|&pair| Known::of(pair, When::Chosen)));
         let mut premises = Premises { equations, nonzero, positive, not_negative, parameters, ..Premises::default() };
         self.add_positive_parameters(&own, &mut premises);
         premises

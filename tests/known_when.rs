@@ -1,0 +1,239 @@
+//! Facts that are known at some times, or in some case, and claims about others: nothing here may be proved, but for what is said to be.
+//!
+//! Beside each line stands a motion that satisfies what is given, and not the claim.
+
+use assert_cmd::Command;
+
+use crate::premises::{of_file, standing};
+
+fn word(arguments: &[&str]) -> String {
+    let mut command = Command::cargo_bin("rederive").expect("the program is built");
+    let output = command.current_dir(env!("CARGO_MANIFEST_DIR")).arg("prove").args(arguments).output();
+    let output = output.expect("the program runs");
+    let text = String::from_utf8(output.stdout).expect("text");
+    text.lines().next().unwrap_or_default().to_owned()
+}
+
+/// A claim, the symbols, what is given.
+type Line = (&'static str, &'static [&'static str], &'static [&'static str]);
+
+fn asked(line: &Line) -> String {
+    let (claim, symbols, given) = *line;
+    let mut arguments = vec![claim];
+    arguments.extend(symbols.iter().flat_map(|s| ["--symbol", s]));
+    arguments.extend(given.iter().flat_map(|g| ["--given", g]));
+    word(&arguments)
+}
+
+fn never_proved(lines: &[Line]) {
+    let wrong: Vec<&Line> = lines.iter().filter(|line| asked(line) == "proved").collect();
+    assert!(wrong.is_empty(), "proved, and false: {wrong:#?}");
+}
+
+#[test]
+fn limits_want_sides_that_do_not_leap() {
+    const N: &[&str] = &["x,y: state", r"N: observable = \lfloor x\rfloor"];
+    never_proved(&[
+        // x = 2 − t², y = t
+        ("N=1", N, &["tN=t"]),
+        ("N=1", N, &["yN=y", r"\dot y=1"]),
+        ("N=1", N, &["t^3N=t^3"]),
+        ("N=1", N, &[r"N\sin t=\sin t"]),
+        ("2N=2", N, &["tN=t"]),
+        ("N=1", &["x: state", r"N: observable = \lceil x\rceil"], &[r"N\sqrt t=\sqrt t"]),
+        ("K=2", &["x: state", r"N: observable = \lfloor x\rfloor", "K: observable = N+1"], &["tK=2t"]),
+        // x = −t², y = −t⁴
+        (r"P=0", &["x: state", r"P: observable = \operatorname{atan2}(x,-1)+\pi"], &["tP=0"]),
+    ]);
+}
+
+#[test]
+fn a_start_with_an_open_need_shows_nothing() {
+    never_proved(&[
+        // x = −t²
+        (r"\operatorname{atan2}(0,x)=0", &["x: state"], &["x(0)^2=x(0)", r"x(0)\dot x=0"]),
+        (r"\operatorname{atan2}(0,x)=0", &["x: state"], &["x(0)^3=x(0)^2", r"x(0)\dot x=0"]),
+        // x = −sin t, y = 0
+        ("x(1)=W(1)", &["x,y: state", r"W: observable = \frac{x}{|x|}"], &["x(0)x=x(0)", r"y(0)=\ddot x(0)"]),
+        (r"\frac{x}{|x|}=1", &["x: state"], &["x(0)^2=x(0)", r"x(0)\dot x=0"]),
+    ]);
+}
+
+#[test]
+fn nothing_follows_from_what_no_motion_satisfies() {
+    never_proved(&[
+        ("x=5", &["x: state"], &["x=5+t", "x=5"]),
+        ("x=5", &["x: state"], &["x=5+t^2", "x=5"]),
+        ("c=x", &["x: state", "c"], &[r"\dot x=c", "x=e^t"]),
+        ("a=t", &["a", "y: state"], &["at=t^2"]),
+        ("u=0", &["x: coordinate", "u(x): field"], &["u=x", "u=2x"]),
+        ("x=x(0)", &["x,y: state"], &[r"x\dot x=0", "y=0", "y(0)=1"]),
+    ]);
+}
+
+#[test]
+fn rates_of_functions_with_edges_exist_off_the_edges_only() {
+    const R: &[&str] = &["x,y,w: state", r"r: observable = \sqrt{x^2+y^2}"];
+    const G: &[&str] = &["x,y: state", r"G: observable = \sqrt x"];
+    const V: &[&str] = &["x,y: state", "V: observable = |x|"];
+    never_proved(&[
+        // x = y = 0, w = t
+        (r"\dot w=0", R, &["rw=r"]),
+        (r"\dot w=0", R, &["r^2w=r^2"]),
+        (r"\ddot w=1", R, &["rw=r"]),
+        (r"\dot w=0", R, &[r"w\sqrt{x^2+y^2}=\sqrt{x^2+y^2}"]),
+        // x = 0, y = t, G = 0
+        (r"\dot y=0", G, &["xy=x", r"G\ge0"]),
+        (r"\dot y=0", G, &["Gy=G"]),
+        (r"\dot y=0", V, &["Vy=V"]),
+        (r"\dot y=0", &["x,y: state"], &[r"y\left|x\right|=\left|x\right|"]),
+        (r"\dot y=0", &["x,y: state"], &[r"y\sqrt x=\sqrt x"]),
+        (r"\dot y=0", &["x,y: state"], &[r"y\arcsin(1+x)=\arcsin(1+x)", r"xy=x", r"x\le0"]),
+        (r"y=\ddot x(0)", G, &[r"xy=x\ddot x(0)", "G=G(1)"]),
+        (r"\dot y=0", &["x,y: state", "B: observable = x^{\\frac32}"], &["By=B"]),
+    ]);
+}
+
+#[test]
+fn what_vanishes_at_one_time_need_not_do_so_for_a_while() {
+    never_proved(&[
+        // x = t, y = 5
+        ("y(0)=1", &["x,y: state"], &["x(0)y(0)=x(0)", r"\dot x=1"]),
+        ("y(1)=1", &["x,y: state"], &["x(1)y(1)=x(1)", r"\dot x=1"]),
+        ("y(0)=1", &["x,y: state"], &["x(0)^2y(0)=x(0)^2", r"\dot x=1"]),
+        // x = 0 and v = 1 at time 0
+        ("v(0)=2", &["x,v: state"], &["x(0)v(0)=2x(0)", r"\dot x=v", r"v\ge1"]),
+        ("y(0)=1", &["x,y: state", "g: parameter, positive"], &["x(0)y(0)=x(0)", r"\ddot x=-g"]),
+        // x = t²
+        (r"\dot x(0)=\ddot x(0)", &["x: state"], &[r"x(0)\dot x(0)=x(0)\ddot x(0)", r"x\ge0"]),
+    ]);
+}
+
+fn states(names: &[&str]) -> String {
+    names.iter().map(|name| format!("'{name}' = {{ role = 'state' }}\n")).collect()
+}
+
+fn step(id: &str, assuming: &[&str], from: &str, says: &str) -> String {
+    let assuming: String = assuming.iter().map(|a| format!("'{a}',")).collect();
+    format!(
+        "[[claim]]\nid = '{id}'\nsays = 'test'\ntrajectories = []\nassuming = [{assuming}]\n{from}\nalways = ['{says}']\n"
+    )
+}
+
+fn none_is_proved(head: &str, claims: &[(&[&str], &str, &str)]) {
+    let text: String = claims
+        .iter()
+        .enumerate()
+        .map(|(at, (assuming, from, says))| step(&format!("c{at}"), assuming, from, says))
+        .collect();
+    let account = of_file(&(head.to_owned() + &text));
+    for (at, claim) in claims.iter().enumerate() {
+        let standing = standing(&account, &format!("c{at}"));
+        assert!(!matches!(standing, "proved" | "proved given"), "{standing}, and false: {claim:?}");
+    }
+}
+
+#[test]
+fn a_single_time_is_no_limit() {
+    // y = 1 − t², z = 0; the last: x = −t².
+    let system = "[system.s]\nstates = ['y', 'z']\nequations = ['\\dot y=-2t', '\\dot z=0']\n";
+    none_is_proved(
+        &(states(&["x", "y", "z"]) + system),
+        &[
+            (&[r"y\ge1", "tz=t"], "", "z=1"),
+            (&[r"y\ge1", "tz=t"], "follows-from = ['s']", "z=1"),
+            (&[r"y\ge1", "t^2z=t^2"], "", "z=1"),
+            (&[r"-|y-1|\ge0", "tz=t"], "", "z=1"),
+            (&[r"\sqrt x=0", "tz=t"], "", "z=1"),
+            (&[r"tz\sqrt x=t\sqrt x", "z=z(1)"], "", r"z\sqrt x=\sqrt x+x"),
+        ],
+    );
+}
+
+#[test]
+fn what_is_assumed_at_chosen_times_is_not_known_at_others() {
+    // x = t, z = 2 + (|1 − t| + 1 − t)³
+    let formula = r"'W' = { role = 'observable', formula = '\frac{x}{|x|}' }";
+    none_is_proved(
+        &format!("{}{formula}\n", states(&["x", "y", "z"])),
+        &[
+            (&["x>1", "z=2"], "", r"\dot z(0)=0"),
+            (&["x>1", r"\dot z=0"], "", r"\ddot z(0)=0"),
+            (&["x>1", "z=2"], "", r"z(0)=2"),
+            (&["x>1", "z=2"], "", r"\dot z=\dot z(0)"),
+            (&[r"x\ne1", "z=2"], "", r"\dot z(1)=0"),
+            // y = 0 before 0, e^{−1/t} behind it
+            (&[r"y\le0", r"y\dot y=y\dot y(1)"], "", r"\dot y=\dot y(1)"),
+            (&[r"y\le0", r"y\ddot y=y\ddot y(1)"], "", r"\ddot y=\ddot y(1)"),
+            (&["x<0", "y=0"], "", r"\dot y(1)=0"),
+            // x = sin t, z = 1: what W needs at the present says nothing of time 0.
+            (&[r"x\ne0", "x(0)W=x(0)z(0)"], "", "W=z(0)"),
+        ],
+    );
+}
+
+#[test]
+fn what_is_assumed_at_chosen_places_is_not_known_at_others() {
+    // v = h(−x − t), u = h(x + t), with h = 0 before 0 and e^{−1/s} behind it.
+    let head = "'x' = { role = 'coordinate' }\n'u(x,t)' = { role = 'field' }\n'v(x,t)' = { role = 'field' }\n\
+                [system.d]\nfields = ['v']\nequations = ['v_t=v_x']\n";
+    let d = "follows-from = ['d']";
+    none_is_proved(
+        head,
+        &[
+            (&[r"u\ne0", "v=0"], d, "v(-1,t)=0"),
+            (&[r"u\ne0", "v=0"], d, "v_x(-1,t)=0"),
+            (&["u>0", "v=0"], d, "v(-1,t)=0"),
+            (&["u>0", "v=0"], d, "v(x,0)=0"),
+            (&["u>1", "v=2"], d, "v(-1,t)=2"),
+            (&["u>0", "v_x=0"], d, "v_t(-1,t)=0"),
+        ],
+    );
+}
+
+#[test]
+fn what_holds_wherever_it_has_a_value_says_nothing_of_other_times() {
+    // The lemma has no value while y is 0, and x moves then.
+    let lemma = |says: &str| format!("[[claim]]\nid = 'p'\nsays = 'test'\ntrajectories = []\nalways = ['{says}']\n");
+    let p = "follows-from = ['p']";
+    for says in [r"\frac{\dot x}{y}=0", r"\dot x\ln y=0", r"\dot x\sqrt{-y^2}=0"] {
+        let head = states(&["x", "y"]) + &lemma(says);
+        none_is_proved(&head, &[(&[], p, "x=x(0)")]);
+    }
+}
+
+#[test]
+fn what_is_known_always_is_known_at_fixed_times_and_with_its_rates() {
+    let proved: &[Line] = &[
+        (r"\dot x(0)=0", &["x: state"], &[r"\dot x=0"]),
+        (r"\ddot z(1)=0", &["z: state"], &["z=2"]),
+        (r"\dot x=\dot y", &["x,y: state"], &[r"x\ge y", r"x\le y"]),
+        ("z=1", &["z: state"], &["tz=t"]),
+        ("x=x(0)", &["x: state"], &[r"x\dot x=0"]),
+        (r"\dot r=\frac{x\dot x+y\dot y}{r}", &["x,y: state", r"r: observable = \sqrt{x^2+y^2}"], &["r>0"]),
+        (r"r\dot r=x\dot x+y\dot y", &["x,y: state", r"r: observable = \sqrt{x^2+y^2}"], &["r>0"]),
+        ("E(2)=E(0)", &["x: state", r"E: observable = \dot x^2+x^2"], &[r"\ddot x=-x"]),
+    ];
+    for line in proved {
+        assert_eq!(asked(line), "proved", "{line:?}");
+    }
+    let head = states(&["x", "z"]) + "[system.s]\nstates = ['x', 'z']\nequations = ['\\dot x=1', '\\dot z=0']\n";
+    let account = of_file(
+        &(head
+            + &step("open", &["x<1", "z=0"], "", r"\dot z=0")
+            + &step("on", &["x>1", "z=2"], "follows-from = ['s']", r"\dot z(0)=0")),
+    );
+    assert_eq!([standing(&account, "open"), standing(&account, "on")], ["proved"; 2]);
+}
+
+#[test]
+fn an_operation_says_where_it_ends() {
+    // y = 0: the mean has a value there alone.
+    let head = states(&["y"]);
+    for says in [r"\operatorname{agm}(-y^2,1)+1>0", r"\sqrt{-y^2}+1>0", r"(-y^2)^{\frac12}+1>0", r"\arccos(1+y^2)+1>0"]
+    {
+        let lemma = format!("[[claim]]\nid = 'p'\nsays = 'test'\nalways = ['{says}']\n");
+        let account = of_file(&(head.clone() + &lemma + &step("c", &[], "follows-from = ['p']", r"\dot y=0")));
+        assert_ne!(standing(&account, "c"), "refuted", "{says}");
+    }
+}
