@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use expr::{Expr, Graph};
 use latex::syntax::{Chain, NodeKind, RelationKind, to_latex};
 use paper::{Evidence, Paper, PrintedRelation, PrintedSide, names};
-use proof::{Condition, Identity, Options, Premises, Refutation, Wanted, identity_test};
+use proof::{Condition, Identity, Known, Options, Premises, Refutation, Wanted, When, identity_test};
 
 use super::desk::{Desk, Given, NotRead, lone_name, pairs_of};
 use super::numbers::agreement;
@@ -424,7 +424,8 @@ impl Judge<'_> {
         let equations = pairs_of(statement);
         let mut premises = Premises { time: desk.time, moving: desk.moving.clone(), ..Premises::default() };
         for rate in given.iter().filter(|g| g.is_rate) {
-            premises.equations.extend(desk.pairs([&rate.left, &rate.right], &self.evidence)?);
+            let pairs = desk.pairs([&rate.left, &rate.right], &self.evidence)?;
+            premises.equations.extend(pairs.into_iter().map(|pair| Known::of(pair, When::Always)));
         }
         let identity = tested(&mut desk.graph, &equations, &premises, Wanted::Answer);
         Ok(Asked { desk, premises, equations, identity, text: read.text })
