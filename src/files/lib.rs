@@ -201,6 +201,14 @@ pub fn named(path: &Path) -> Result<PathBuf, FileError> {
     }
 }
 
+/// Whether a file lies in a folder, links resolved; what is not there lies in none.
+pub fn lies_inside(path: &Path, folder: &Path) -> bool {
+    match (path.canonicalize(), folder.canonicalize()) {
+        (Ok(path), Ok(folder)) => path.starts_with(folder),
+        _ => false,
+    }
+}
+
 /// The rest of a path below a folder; `.` for the folder itself.
 fn inside(path: &Path, folder: &Path) -> Option<PathBuf> {
     let rest = path.strip_prefix(folder).ok()?;

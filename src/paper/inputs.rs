@@ -78,7 +78,7 @@ impl Inputs {
             return self.refused(name, span, "the paper has more files than are read");
         }
         let path = folder.join(&with_ending);
-        if !lies_inside(&path, &folder) {
+        if !files::lies_inside(&path, &folder) {
             return self.refused(name, span, "there is no such file inside of the folder of the paper");
         }
         match files::read(&path, LARGEST_PAPER) {
@@ -103,14 +103,6 @@ impl Inputs {
         let message = format!("the file `{}` is not read: {why}", in_one_line(name.trim()));
         self.notes.push(PaperNote { message, span: span.clone() });
         Vec::new()
-    }
-}
-
-/// Whether a file lies in a folder, links resolved; what is not there lies in none.
-fn lies_inside(path: &Path, folder: &Path) -> bool {
-    match (path.canonicalize(), folder.canonicalize()) {
-        (Ok(path), Ok(folder)) => path.starts_with(folder),
-        _ => false,
     }
 }
 
