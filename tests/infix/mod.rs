@@ -2,7 +2,7 @@
 
 #![allow(dead_code, reason = "each test binary uses a part")]
 
-use rederive::check::identity::Premises;
+use rederive::check::identity::{Known, Premises, When};
 use rederive::expr::{Expr, Graph, Leaf, Op, Shape, Symbol};
 use std::collections::HashMap;
 
@@ -66,7 +66,8 @@ impl Reader {
                 let e = self.read(l);
                 out.positive.push(e);
             } else {
-                out.equations.push(self.equation(part));
+                let pair = self.equation(part);
+                out.equations.push(Known::of(pair, When::Always));
             }
         }
         if !moving.is_empty() {
