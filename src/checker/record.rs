@@ -39,6 +39,7 @@ impl ProofRecord {
     /// The position of the relation, and the step that is refused.
     pub fn replay(&self) -> Result<Vec<Shown>, (usize, Refused)> {
         let each = self.relations.iter().enumerate();
-        each.map(|(at, relation)| replay(&self.sequent_of(relation), &relation.steps).map_err(|why| (at, why))).collect()
+        each.map(|(at, relation)| replay(&self.sequent_of(relation), &relation.steps).map_err(|why| (at, why)))
+            .collect()
     }
 }

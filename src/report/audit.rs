@@ -65,7 +65,8 @@ pub fn audit(text: &[u8]) -> Result<Audit, String> {
     let claims = file.proofs.into_iter().map(|recorded| {
         let relations = recorded.proof.relations.iter().map(|relation| {
             let sequent = recorded.proof.sequent_of(relation);
-            let refused = |refused: checker::Refused| Replayed::Refused { step: refused.step.map(|s| s + 1), why: refused.why };
+            let refused =
+                |refused: checker::Refused| Replayed::Refused { step: refused.step.map(|s| s + 1), why: refused.why };
             AuditedRelation {
                 sequent: sequent.words().unwrap_or_else(|refused| refused.to_string()),
                 outcome: match checker::replay(&sequent, &relation.steps) {
@@ -168,7 +169,10 @@ impl Audit {
 fn shown_words(shown: &Shown) -> String {
     let mut out = format!("{} steps, from {}", shown.steps(), given(shown));
     if shown.log2_error() > f64::NEG_INFINITY {
-        out += &format!("; an identity was tried at random, with an error probability of at most 2^{:.0}", shown.log2_error().ceil());
+        out += &format!(
+            "; an identity was tried at random, with an error probability of at most 2^{:.0}",
+            shown.log2_error().ceil()
+        );
     }
     match shown.leaves_out().len() {
         0 => {}

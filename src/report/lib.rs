@@ -67,7 +67,6 @@ mod wording;
 const PROGRAM: &str = "rederive";
 
 pub use audit::{Audit, AuditedClaim, AuditedRelation, Replayed, audit};
-pub use proofs::{PROOF_SCHEMA, PROOFS, ProofFile, RecordedClaim, UnrecordedClaim, proofs};
 pub use certificates::{CERTIFICATES, certificate_text, certificates, lean_text};
 pub use contents::contents;
 pub use diff::{Change, Direction, OtherId, diff, diff_files, diff_text, is_worse};
@@ -83,6 +82,7 @@ pub use page::{first_page, page, printed_page};
 pub use page_one::{front_markdown, front_page};
 pub use paper::{add_paper, paper_findings, paper_summary};
 pub use part::{part_text, read_parts};
+pub use proofs::{PROOF_SCHEMA, PROOFS, ProofFile, RecordedClaim, UnrecordedClaim, proofs};
 pub use proposition::{proposition_json, proposition_text};
 pub use sarif::sarif;
 pub use schema::schema;

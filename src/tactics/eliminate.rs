@@ -73,7 +73,12 @@ impl Search {
     }
 
     /// An equation by algebra, with all that is solved put in.
-    pub(crate) fn zero(&mut self, says: Relation, multiplier: Option<Expr>, terms: &[(FactId, Expr)]) -> Option<FactId> {
+    pub(crate) fn zero(
+        &mut self,
+        says: Relation,
+        multiplier: Option<Expr>,
+        terms: &[(FactId, Expr)],
+    ) -> Option<FactId> {
         let multiplier = match multiplier {
             Some(e) => self.reader.term(e)?,
             None => Term::integer(1),

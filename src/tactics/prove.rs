@@ -8,9 +8,7 @@ use crate::polynomial::divide;
 use crate::sequent::Question;
 use crate::used::used;
 use crate::write::Reader;
-use checker::{
-    CaseId, Draft, FactId, Given, Instant, Law, Relation, Sense, Sequent, Step, SymbolKind, Term, When,
-};
+use checker::{CaseId, Draft, FactId, Given, Instant, Law, Relation, Sense, Sequent, Step, SymbolKind, Term, When};
 use expr::{Expr, Leaf, Node, Op};
 
 /// Most facts that are solved.

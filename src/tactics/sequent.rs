@@ -175,7 +175,8 @@ impl<'a> Gathering<'a> {
 
     /// A claim that is given. What is left out of its assumptions would make it say more, so that it is left out as a whole.
     fn other(&mut self, claim: &Claim) {
-        let plain = claim.assuming.iter().flat_map(|w| &w.value.relations).all(|r| r.limit.is_none() && !r.has_branches);
+        let plain =
+            claim.assuming.iter().flat_map(|w| &w.value.relations).all(|r| r.limit.is_none() && !r.has_branches);
         if claim.at.is_some() || claim.region.is_some() || !plain {
             return;
         }
@@ -221,7 +222,8 @@ impl<'a> Gathering<'a> {
     fn definition(&self, leaf: Leaf) -> Option<Expr> {
         let Derivation { scope, claims, .. } = self.derivation;
         let of_claim = || claims.iter().find_map(|c| c.scope.definition(leaf.symbol));
-        let tensor = scope.definition(leaf.symbol).or_else(|| self.claim.scope.definition(leaf.symbol)).or_else(of_claim)?;
+        let tensor =
+            scope.definition(leaf.symbol).or_else(|| self.claim.scope.definition(leaf.symbol)).or_else(of_claim)?;
         tensor.components.get(usize::from(leaf.component)).copied()
     }
 

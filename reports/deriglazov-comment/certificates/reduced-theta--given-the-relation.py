@@ -1,6 +1,6 @@
 # deriglazov-comment / reduced-theta/given-the-relation: For motions that obey the relation between E and m.
 #
-# Given: the definitions, the assumptions and t9-theta, psi-constant.
+# Given: the definitions, the assumptions and t9-theta, psi-constant/given-the-product.
 #
 # Each equation below is proved by an identity of polynomials, d*N = q1*p1 + q2*p2 + ...
 # N is the difference of its sides, without its denominator. Every p is 0 where what is given holds,

@@ -1,6 +1,6 @@
 -- deriglazov-comment / t15-psi: The closed form of ψ, for motions that obey the relation between E and m.
 --
--- Given: the definitions, the assumptions and psi-constant.
+-- Given: the definitions, the assumptions and psi-constant/given-the-product.
 --
 -- Variables stand for the functions that the comments name; what holds of them is a hypothesis. The theorem says
 -- that the difference of the sides, brought to N / D, is 0.

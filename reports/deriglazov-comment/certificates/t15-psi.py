@@ -1,6 +1,6 @@
 # deriglazov-comment / t15-psi: The closed form of ψ, for motions that obey the relation between E and m.
 #
-# Given: the definitions, the assumptions and psi-constant.
+# Given: the definitions, the assumptions and psi-constant/given-the-product.
 #
 # Each equation below is proved by an identity of polynomials, d*N = q1*p1 + q2*p2 + ...
 # N is the difference of its sides, without its denominator. Every p is 0 where what is given holds,
