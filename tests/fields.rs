@@ -671,7 +671,6 @@ fn what_mechanics_does_not_say_is_refused() {
         (r"\{V,p\}=0", "q: state; p: state, momentum of q; V(x): field"),
         // A set, a group, two vectors.
         (r"q=\{0,1\}", pair),
-        (r"\{q+p\}=0", pair),
         (r"\{q,p,q\}=0", pair),
         (r"\{q,p\}_q=1", pair),
         (r"\{{\bf q},{\bf p}\}=0", r"{\bf q}: state, 3; {\bf p}: state, 3, momentum of {\bf q}"),

@@ -126,6 +126,8 @@ fn none_is_proved(head: &str, claims: &[(&[&str], &str, &str)]) {
         .enumerate()
         .map(|(at, (assuming, from, says))| step(&format!("c{at}"), assuming, from, says))
         .collect();
+    // Fields have no motions that could be left out.
+    let text = if head.contains("'field'") { text.replace("trajectories = []\n", "") } else { text };
     let account = of_file(&(head.to_owned() + &text));
     for (at, claim) in claims.iter().enumerate() {
         let standing = standing(&account, &format!("c{at}"));

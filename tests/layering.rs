@@ -20,7 +20,8 @@ pub const CRATES: &[(&str, &[&str])] = &[
     ("paper", &["derivation", "diag", "files", "latex"]),
     ("lint", &["diag", "expr", "latex", "number", "paper", "proof"]),
     ("units", &["derivation", "expr", "latex"]),
-    ("findings", &["derivation", "expr", "number", "proof", "reason", "units", "verdict"]),
+    ("tactics", &["checker", "claim", "derivation", "expr", "latex"]),
+    ("findings", &["checker", "derivation", "expr", "number", "proof", "reason", "units", "verdict"]),
     ("claim", &["derivation", "diag", "expr", "flow", "latex", "meter", "number", "reason", "verdict"]),
     (
         "proved",
@@ -106,12 +107,13 @@ pub const CRATES: &[(&str, &[&str])] = &[
             "proved",
             "reason",
             "sampled",
+            "tactics",
             "units",
             "verdict",
             "weight",
         ],
     ),
-    ("report", &["derivation", "diag", "expr", "findings", "latex", "paper", "reason", "units", "verdict"]),
+    ("report", &["checker", "derivation", "diag", "expr", "findings", "latex", "paper", "reason", "units", "verdict"]),
 ];
 
 /// Files of `src/` that belong to no room.

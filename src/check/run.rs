@@ -11,6 +11,7 @@ use super::on_motions::{Found, OnMotions};
 use super::pieces;
 use super::premises::{counterexample, strengthen};
 use claim::error::{CANCELLED, CheckError};
+use claim::limits::Limits;
 use claim::options::{Options, Rigor};
 use derivation::{Claim, Derivation};
 use diag::Diagnostic;
@@ -71,9 +72,11 @@ impl<'a> Run<'a> {
             Err(problems) => return Err(self.regions(file).err().unwrap_or(CheckError::Problems(problems))),
         };
         let selection = Selection::new(file, &options.claims, &options.trajectories);
-        let limits = &options.limits;
+        // What is compiled decides all verdicts: a time that is over leaves these open, and not this undone.
+        let limits = &Limits { work: options.limits.work, cancel: options.limits.cancel.clone(), ..Limits::default() };
         let too_large = |ended: Ended| match ended {
             Ended::Defect(what) => CheckError::Defect(what),
+            Ended::Cancelled => CheckError::Defect(CANCELLED.to_owned()),
             ended => CheckError::Problems(vec![Diagnostic::of_file(&file.file.path, TOO_LARGE, ended.to_string())]),
         };
         let compile = || Compiled::new(self, &selection, derivation, fields);

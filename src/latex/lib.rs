@@ -13,6 +13,7 @@
 #![forbid(unsafe_code)]
 
 mod complex;
+mod convention;
 mod elaborate;
 mod expand;
 mod feature;

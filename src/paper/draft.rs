@@ -538,6 +538,8 @@ fn written(paper: &Paper, name: &str, symbols: &[Guess], clashes: &[String], cla
             let _ = writeln!(out, "{hash}label = {}", quoted(label));
         }
         let _ = writeln!(out, "{hash}says = \"confirm: what this equation says\"");
+        // Nothing is known yet of what it follows from: taken as it is, until somebody says so.
+        let _ = writeln!(out, "{hash}postulate = true");
         let _ = writeln!(out, "{hash}always = [");
         for f in claim.formulas.iter_mut().filter(|f| f.refused.is_none()) {
             let start = out.len();

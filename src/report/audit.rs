@@ -4,7 +4,7 @@
 //! refused. **Guaranteed:** nothing that the file says of a proof is believed: the checker makes each step again. What is taken on trust is
 //! named: that the sequents are what the derivation file says, and the claims of which no proof is recorded.
 
-use super::proofs::{PROOF_SCHEMA, ProofFile, UnrecordedClaim};
+use super::proof_file::{PROOF_SCHEMA, ProofFile, UnrecordedClaim};
 use checker::{Given, Shown};
 use serde_json::{Value, json};
 

@@ -11,7 +11,7 @@ use crate::derivation::{ClaimRole, Derivation};
 use crate::latex::Scope;
 use findings::Account;
 use findings::conditions::Need;
-use reason::{Proviso, Term};
+use reason::{Bounded, Proviso, Term};
 
 /// Most hypotheses that are told on page one; more are folded.
 const MOST: usize = 4;
@@ -143,9 +143,14 @@ fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whol
         let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
         let own: Vec<String> = claim.assumptions.iter().map(|a| dense(a)).collect();
         let Some(identity) = claim.identity.as_ref().filter(|i| i.finding.is_proved_in_part()) else { continue };
-        for (_, provisos) in identity.terms().iter().filter(|(term, _)| uses(*term)) {
+        for (term, provisos) in identity.terms().iter().filter(|(term, _)| uses(*term)) {
             for proviso in provisos {
-                let (says, key) = of_proviso(proviso, scope);
+                let (says, key) = match term {
+                    Term::Exception => of_proviso(&excluded(proviso), scope),
+                    Term::Condition | Term::GivenOnlyWhere | Term::Presupposed | Term::Used | Term::Unused => {
+                        of_proviso(proviso, scope)
+                    }
+                };
                 if !own.contains(&dense(&key)) {
                     add(says, key, name(claim));
                 }
@@ -164,6 +169,16 @@ fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whol
         }
     }
     out
+}
+
+/// What is used where a case is left out: that it is not so.
+fn excluded(case: &Proviso) -> Proviso {
+    match case {
+        Proviso::Where { formula, is: Bounded::Zero } => {
+            Proviso::Where { formula: formula.clone(), is: Bounded::NotZero }
+        }
+        other => other.clone(),
+    }
 }
 
 /// Whether a list of a proof is of what it uses, rather than of what it does without.

@@ -48,7 +48,7 @@ mod page_one;
 mod paper;
 mod part;
 mod plot;
-mod proofs;
+mod proof_file;
 mod proposition;
 mod region;
 mod sarif;
@@ -66,7 +66,6 @@ mod wording;
 /// The name of the program, as reports give it.
 const PROGRAM: &str = "rederive";
 
-pub use audit::{Audit, AuditedClaim, AuditedRelation, Replayed, audit};
 pub use certificates::{CERTIFICATES, certificate_text, certificates, lean_text};
 pub use contents::contents;
 pub use diff::{Change, Direction, OtherId, diff, diff_files, diff_text, is_worse};
@@ -82,13 +81,15 @@ pub use page::{first_page, page, printed_page};
 pub use page_one::{front_markdown, front_page};
 pub use paper::{add_paper, paper_findings, paper_summary};
 pub use part::{part_text, read_parts};
-pub use proofs::{PROOF_SCHEMA, PROOFS, ProofFile, RecordedClaim, UnrecordedClaim, proofs};
 pub use proposition::{proposition_json, proposition_text};
 pub use sarif::sarif;
 pub use schema::schema;
 pub use search::{search_notes, search_table};
 pub use summary::{checked_again, exceptions, summary};
 pub use tex::{tex, tex_summary};
+
+pub use audit::{Audit, AuditedClaim, AuditedRelation, Replayed, audit};
+pub use proof_file::{PROOF_SCHEMA, PROOFS, ProofFile, RecordedClaim, UnrecordedClaim, proofs};
 
 /// The path as the project sees it; nothing outside the project is named.
 fn project_path(path: &str) -> String {

@@ -18,28 +18,36 @@ pub(crate) fn coefficients(graph: &mut Graph, e: Expr, v: Expr) -> Option<Vec<Ex
         let new = match *graph.node(node) {
             _ if node == v => vec![zero, one],
             Node::Constant(_) | Node::Pi | Node::Leaf(_) => vec![node],
-            Node::Unary(op, a) if of(a).len() > 1 => match op {
-                Op::Neg => of(a).into_iter().map(|c| graph.neg(c)).collect(),
-                Op::Powi(n) if n > 0 => {
-                    let mut power = vec![one];
-                    for _ in 0..n {
-                        power = product(graph, &power, &of(a))?;
-                    }
-                    power
-                }
-                _ => return None,
-            },
-            Node::Binary(op, a, b) if of(a).len() > 1 || of(b).len() > 1 => match op {
-                Op::Add | Op::Sub => sum(graph, &of(a), &of(b), op),
-                Op::Mul => product(graph, &of(a), &of(b))?,
-                Op::Div if of(b).len() == 1 => of(a).into_iter().map(|c| graph.div(c, b)).collect(),
-                _ => return None,
-            },
+            Node::Unary(op, a) if of(a).len() > 1 => unary(graph, op, &of(a))?,
+            Node::Binary(op, a, b) if of(a).len() > 1 || of(b).len() > 1 => binary(graph, op, &of(a), (&of(b), b))?,
             Node::Unary(..) | Node::Binary(..) => vec![node],
         };
         image.insert(node, new);
     }
     image.remove(&e)
+}
+
+fn unary(graph: &mut Graph, op: Op, a: &[Expr]) -> Option<Vec<Expr>> {
+    if op == Op::Neg {
+        return Some(a.iter().map(|&c| graph.neg(c)).collect());
+    }
+    let Op::Powi(n @ 1..) = op else { return None };
+    let mut power = vec![graph.integer(1)];
+    for _ in 0..n {
+        power = product(graph, &power, a)?;
+    }
+    Some(power)
+}
+
+fn binary(graph: &mut Graph, op: Op, a: &[Expr], (b, divisor): (&[Expr], Expr)) -> Option<Vec<Expr>> {
+    if [Op::Add, Op::Sub].contains(&op) {
+        return Some(sum(graph, a, b, op));
+    }
+    if op == Op::Mul {
+        return product(graph, a, b);
+    }
+    let divides = op == Op::Div && b.len() == 1;
+    divides.then(|| a.iter().map(|&c| graph.div(c, divisor)).collect())
 }
 
 fn sum(graph: &mut Graph, p: &[Expr], q: &[Expr], op: Op) -> Vec<Expr> {

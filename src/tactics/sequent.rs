@@ -147,7 +147,14 @@ impl<'a> Gathering<'a> {
                         self.claimed.push((Scalar::equal(e, then), true));
                     }
                 }
-                _ => return Err("only equations and first integrals are sequents".to_owned()),
+                Form::Never(_)
+                | Form::Eventually(_)
+                | Form::Defined(_)
+                | Form::Solves { .. }
+                | Form::SameMotion { .. }
+                | Form::Independent { .. }
+                | Form::Exists { .. }
+                | Form::Across(_) => return Err("only equations and first integrals are sequents".to_owned()),
             }
         }
         (self.selectors, self.assumed) = self.assumptions(claim);
@@ -190,9 +197,9 @@ impl<'a> Gathering<'a> {
                     let relations = self.derivation.systems[*system].equations.iter().flat_map(|w| &w.value.relations);
                     says.extend(relations.filter_map(|r| scalars(&mut self.graph, r)).flatten());
                 }
-                // Without assumptions all times count.
-                Form::FirstIntegral(w) if claim.assuming.is_empty() => {
-                    let instants = self.instants();
+                Form::FirstIntegral(w) => {
+                    // Without assumptions all times count.
+                    let instants = if claim.assuming.is_empty() { self.instants() } else { Vec::new() };
                     for &e in &w.value.components {
                         for &instant in &instants {
                             let then = at_instant(&mut self.graph, &claim.scope, e, instant);
@@ -200,7 +207,13 @@ impl<'a> Gathering<'a> {
                         }
                     }
                 }
-                _ => {}
+                Form::Never(_)
+                | Form::Eventually(_)
+                | Form::Defined(_)
+                | Form::SameMotion { .. }
+                | Form::Independent { .. }
+                | Form::Exists { .. }
+                | Form::Across(_) => {}
             }
         }
         let (selectors, hypotheses) = self.assumptions(claim);

@@ -4,53 +4,12 @@
 //! no reader takes it for a call: `m(a+b)` is one, `f(a+b)` is not. What could be a call is refused, with both readings, however the
 //! name is declared: so no declaration makes a product of it.
 
+use super::super::convention::{BETA, EVEN_OR_ODD, FUNCTIONALS, FUNCTIONS, base, known_function, prints_as_operator};
 use super::super::lexer::Kind;
 use super::super::name::{self, NAMES};
 use super::super::syntax::{Node, NodeKind, SymbolNode};
 use super::super::write::subscript;
 use super::{Parsed, Parser, refuse};
-
-/// Names that print as functions before parentheses, whatever stands in these.
-const FUNCTIONS: &[&str] = &["f", r"\Gamma", r"\delta", r"\Theta", r"\zeta", r"\wp", "B", "rm:B"];
-
-/// Names that print as functions where one term with a sign stands in the parentheses: `g(-x)`.
-const EVEN_OR_ODD: &[&str] = &["g", "h", "F", "G", "H"];
-
-/// Names that print as functionals before square brackets, also where these hold several terms: `S[q+\eta]`, `E[X+Y]`.
-const FUNCTIONALS: &[&str] = &["S", "E", "J", "P", "bb:E", "rm:E", "cal:S", "cal:L", "cal:F", "cal:H", "cal:A"];
-
-/// Of functions that everybody knows: what they are called.
-fn known_function(name: &str) -> Option<&'static str> {
-    Some(match name {
-        r"\Gamma" => "the gamma function",
-        r"\delta" => "Dirac's δ",
-        r"\Theta" => "a step",
-        r"\zeta" => "the zeta function",
-        r"\wp" => "Weierstraß's function",
-        "B" | "rm:B" => "the beta function",
-        _ => return None,
-    })
-}
-
-/// The name without primes, accents, a style that marks a vector, and a label above.
-fn base(mut name: &str) -> &str {
-    while let (Some(style), bare) = name::split(name)
-        && (name::marks_tensor(style) || name::is_accent(style))
-    {
-        name = bare;
-    }
-    name::labelled(name).map_or(name, |(bare, _)| bare).trim_end_matches('\'')
-}
-
-/// Whether a name before brackets could be taken for a function or a functional, whatever stands in them.
-pub(crate) fn prints_as_function(name: &str) -> bool {
-    [FUNCTIONS, EVEN_OR_ODD, FUNCTIONALS].iter().any(|names| names.contains(&base(name)))
-}
-
-/// Whether a name before a function could be an operator that acts on it.
-pub(crate) fn prints_as_operator(name: &str) -> bool {
-    matches!(name, r"\Delta" | r"\delta")
-}
 
 impl Parser<'_> {
     /// Refuses a name before parentheses that are neither its arguments nor its time, where both could be a call.
@@ -61,6 +20,8 @@ impl Parser<'_> {
         // `\zeta(1-\zeta)`: no function is applied to itself.
         let is_function = FUNCTIONS.contains(&base(&symbol.name)) && !self.holds_itself(symbol, close);
         let content = self.content(&self.tokens[self.at + 1..close]);
+        // The beta function has two arguments; a field or an amplitude B before one bracket is a factor.
+        let is_function = is_function && (content.tuple || !BETA.contains(&base(&symbol.name)));
         let signed = content.signed && !content.sum && EVEN_OR_ODD.contains(&base(&symbol.name));
         let scalar = !self.scope.is_matrix(&symbol.name, symbol.sub.as_deref());
         let arguments = content.tuple && scalar && self.holds_names(close);

@@ -118,7 +118,8 @@ impl Parser<'_> {
         }
         // `m(\dot x)^2`, `A(BC)`.
         let product = content.tensor && !content.lone && self.is_applied_to_tensors(symbol);
-        let several = content.factors > 1 && self.is_raised_at(close) && !super::prints_as_function(&symbol.name);
+        let several =
+            content.factors > 1 && self.is_raised_at(close) && !crate::convention::prints_as_function(&symbol.name);
         if product || (content.dressed && self.is_raised_at(close) || several) && !content.time {
             return Ok(false);
         }

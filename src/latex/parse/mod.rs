@@ -35,7 +35,6 @@ use expr::Rational;
 
 pub(super) use beside::is_relation;
 use beside::{relation, side_by_side};
-pub(super) use call::{prints_as_function, prints_as_operator};
 pub use function::whole_part;
 pub(super) use function::{operation, spelled, takes_bare_argument};
 pub(super) use names::{WrittenName, read_name};

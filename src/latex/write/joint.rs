@@ -174,11 +174,11 @@ fn could_be_call(before: &Node, after: &Node) -> bool {
     };
     let called = match &brackets.kind {
         NodeKind::Group(inner, Bracket::Square) => {
-            !matches!(inner.kind, NodeKind::Sum(_)) || crate::parse::prints_as_function(&s.name)
+            !matches!(inner.kind, NodeKind::Sum(_)) || crate::convention::prints_as_function(&s.name)
         }
         NodeKind::Tuple(_) => true,
-        NodeKind::Symbol(of) => of.arguments.is_some() && crate::parse::prints_as_operator(&s.name),
-        _ => begins_with_parenthesis(after) && crate::parse::prints_as_function(&s.name),
+        NodeKind::Symbol(of) => of.arguments.is_some() && crate::convention::prints_as_operator(&s.name),
+        _ => begins_with_parenthesis(after) && crate::convention::prints_as_function(&s.name),
     };
     s.arguments.is_none() && called
 }

@@ -28,7 +28,7 @@ const STEPS: usize = DIGITS.len() * FINE;
 /// Of what holds, one sample in so many is drawn.
 const THIN: usize = 6;
 /// Of the second characters, so many are taken as one: what is not seen is not stored. Times are stored as they are.
-const GRAIN: Grain = Grain { time: 1, side: 3, logarithm: FINE };
+const GRAIN: Grain = Grain { time: 1, side: 4, logarithm: FINE };
 
 struct Grain {
     time: usize,

@@ -5,7 +5,7 @@
 //! a tenth of the page.
 
 /// Ends that HTML implies where templates write them.
-const IMPLIED: [&str; 8] = ["</td>", "</th>", "</tr>", "</li>", "</thead>", "</tbody>", "</dt>", "</dd>"];
+const IMPLIED: [&str; 9] = ["</td>", "</th>", "</tr>", "</li>", "</thead>", "</tbody>", "</dt>", "</dd>", "</option>"];
 
 /// The same document in fewer bytes. What stands in `script` and `style` must not be given: it is no markup.
 pub(super) fn tight(html: &str) -> String {

@@ -194,8 +194,8 @@ fn points_of(line: &str) -> Vec<(i32, i32)> {
     list.split_whitespace().filter_map(point).collect()
 }
 
-/// How far a drawn line may be from the computed one, in units of the canvas: a third of what a screen can show.
-const OFF: f64 = 1.5;
+/// How far a drawn line may be from the computed one, in units of the canvas: half of the width of a line.
+const OFF: f64 = 2.0;
 
 /// As few of the points as draw the same.
 fn simplified(points: &[(i32, i32)]) -> Vec<(i32, i32)> {
@@ -229,6 +229,15 @@ fn ends_of(line: &str) -> Option<[(i32, i32); 2]> {
 
 /// Points as a part of a path, each relative to the one before: differences are short.
 fn path(points: &[(i32, i32)], out: &mut String) {
+    // Lines of the grid and axes go across or down.
+    if let [(x, y), (to_x, to_y)] = points
+        && (x == to_x || y == to_y)
+    {
+        let way = if x == to_x { format!("v{}", to_y - y) } else { format!("h{}", to_x - x) };
+        let space = if *y < 0 { "" } else { " " };
+        out.push_str(&format!("M{x}{space}{y}{way}"));
+        return;
+    }
     let mut last = (0, 0);
     for (i, &(x, y)) in points.iter().enumerate() {
         let (across, down) = (x - last.0, y - last.1);
@@ -243,6 +252,20 @@ fn path(points: &[(i32, i32)], out: &mut String) {
         let down = if i == 0 { y } else { down };
         out.push_str(&if down < 0 { down.to_string() } else { format!(" {down}") });
     }
+}
+
+/// A label with its place as one number: how far below it its letters stand, in units of the canvas, as high as the page shows them.
+fn placed(line: &str) -> Option<String> {
+    let (before, rest) = line.strip_prefix("<text ")?.split_once("y=\"")?;
+    let (y, rest) = rest.split_once("\" dy=\"")?;
+    let (below, rest) = rest.split_once('"')?;
+    let below = match below {
+        "0.76em" => 29,
+        "0.5ex" => 10,
+        "-0.5ex" => -10,
+        _ => return None,
+    };
+    Some(format!("<text {before}y=\"{}\"{rest}", y.parse::<i32>().ok()? + below))
 }
 
 /// Lines that follow one another in one class become one path, each line with as few points as draw the same.
@@ -264,7 +287,7 @@ fn joined<'a>(lines: impl Iterator<Item = &'a str>) -> String {
             open = class.map(str::to_owned);
             match class {
                 Some(class) => out.push_str(&format!("<path class=\"{class}\" d=\"")),
-                None => out.push_str(line),
+                None => out.push_str(placed(line).as_deref().unwrap_or(line)),
             }
         }
         if class.is_some() {
@@ -297,6 +320,11 @@ fn finished(svg: &str, words: &Words<'_>) -> String {
     for repeated in [" opacity=\"1\"", " font-family=\"sans-serif\"", " fill=\"none\"", " stroke-width=\"1\""] {
         out = out.replace(repeated, "");
     }
+    // Labels stand in the middle of their places, on spheres beside them; those of the axis that goes up end there.
+    for usual in [" text-anchor=\"middle\"", " text-anchor=\"start\""] {
+        out = out.replace(usual, "");
+    }
+    out = out.replace(" text-anchor=\"end\"", " class=\"y\"");
     out = without(&out, " font-size=\"");
     for (code, class) in CLASSES {
         out = out.replace(&format!(" fill=\"{code}\" stroke=\"none\""), &format!(" class=\"{class} full\""));
@@ -336,8 +364,11 @@ mod tests {
             "<polyline class=\"c0\" points=\"0,0 7,8 9,2 \"/>",
         ];
         let expected =
-            "<path class=\"grid\" d=\"M1 2l0 7M5 2l-2-1\"/><text>t</text><path class=\"c0\" d=\"M0 0l7 8 2-6\"/>";
+            "<path class=\"grid\" d=\"M1 2v7M5 2l-2-1\"/><text>t</text><path class=\"c0\" d=\"M0 0l7 8 2-6\"/>";
         assert_eq!(joined(lines.into_iter()), expected);
+        let label = |y: &str| format!("<text x=\"5\" y=\"{y}\" transform=\"rotate(270, 5, 7)\">");
+        assert_eq!(joined([label("7\" dy=\"-0.5ex").as_str()].into_iter()), label("-3"));
+        assert_eq!(joined([label("7\" dy=\"1em").as_str()].into_iter()), label("7\" dy=\"1em"));
         // A line without a length stays what it is.
         let alone = "<polyline class=\"c0\" points=\"4,4 \"/>";
         assert_eq!(joined([alone].into_iter()), alone);
