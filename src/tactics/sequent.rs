@@ -51,6 +51,9 @@ struct Other {
     says: Vec<Scalar>,
 }
 
+/// The definitions that occur, and the highest rate that is written of each symbol.
+type Named = (Vec<(Leaf, Expr)>, BTreeMap<Symbol, u8>);
+
 /// The name of the fixed time of which nothing is known.
 const ANY_TIME: &str = r"t_\ast";
 
@@ -255,9 +258,9 @@ impl<'a> Gathering<'a> {
 
     /// The definitions that occur, those that others name first; and for each symbol the highest rate that is written of it, those of
     /// the formulas in which it stands added.
-    fn definitions(&self) -> Result<(Vec<(Leaf, Expr)>, BTreeMap<Symbol, u8>), String> {
+    fn definitions(&self) -> Result<Named, String> {
         let roots: Vec<Expr> = self.all().iter().flat_map(|s| [s.left, s.right]).collect();
-        let (mut out, mut orders): (Vec<(Leaf, Expr)>, BTreeMap<Symbol, u8>) = Default::default();
+        let (mut out, mut orders): Named = Default::default();
         let mut open: Vec<(Leaf, u8)> = self.graph.leaves(roots).into_iter().map(|leaf| (leaf, leaf.rate)).collect();
         let mut steps = 0;
         while let Some((leaf, rate)) = open.pop() {
