@@ -15,6 +15,7 @@ mod schema_support;
 
 mod across;
 mod alone;
+mod audit;
 mod book;
 mod budgets;
 mod chosen_times;
