@@ -4,7 +4,7 @@
 //! [`Format`]: a document for each file, or one for all.
 
 use crate::conclusion::{Conclusion, Demand};
-use crate::derivation::Derivation;
+use crate::derivation::{Claim, Derivation};
 use crate::diag::Diagnostic;
 use crate::paper::{Comparison, Paper, compare, subject};
 use crate::report::{self, Checked, Finding};
@@ -132,7 +132,8 @@ impl Document {
         let data = || (self.json(), report::certificates(found.derivation(), found.account()));
         let ((json, certificates), (page, markdown)) =
             rayon::join(data, || rayon::join(|| found.page(), || found.markdown()));
-        let proofs = report::proofs(found.derivation(), found.account());
+        let record = |claim: &Claim| tactics::record(found.derivation(), claim);
+        let proofs = report::proofs(found.derivation(), found.account(), record);
         let files = [("report.json", json), (report::PROOFS, proofs), ("report.md", markdown), ("index.html", page)];
         files.into_iter().map(|(name, text)| (name.to_owned(), text)).chain(certificates).collect()
     }

@@ -163,7 +163,6 @@ struct Method {
 const PLAN: &[Method] = &[
     Method { needs: &[], find: |work| work.sample() },
     Method { needs: &[], find: |work| work.prove() },
-    Method { needs: &[Need::Time], find: |work| work.record() },
     Method { needs: &[Need::EveryMotion], find: |work| work.separate() },
     Method { needs: &[], find: |work| work.lend() },
     Method { needs: &[Need::Rigor, Need::Time], find: |work| work.enclose() },
@@ -210,21 +209,6 @@ impl Work<'_, '_> {
         for ((claim, identity), &c) in self.account.claims.iter_mut().zip(identities).zip(&selection.claims) {
             claim.identity = identity.map(|found| pieces::account(derivation, &derivation.claims[c], found));
         }
-        Ok(())
-    }
-
-    /// Adds the steps of proofs, for the checker, where more is asked than verdicts.
-    fn record(&mut self) -> Result<(), CheckError> {
-        let OnMotions { run, selection, .. } = self.claims;
-        if run.options.plain {
-            return Ok(());
-        }
-        let each = self.account.claims.par_iter_mut().zip(&selection.claims).with_max_len(1);
-        each.for_each(|(account, &c)| {
-            if let Some(identity) = account.identity.as_mut().filter(|i| i.finding.is_proved_in_part()) {
-                identity.recorded = Some(tactics::record(run.file, &run.file.claims[c]));
-            }
-        });
         Ok(())
     }
 

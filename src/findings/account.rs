@@ -9,7 +9,6 @@ use crate::region::RegionAccount;
 use crate::standing::{Decision, Exception, Finding, Given};
 use crate::variant::{Discrimination, VariantAccount};
 use crate::words::{self, Word};
-use checker::ProofRecord;
 use derivation::Claim;
 use reason::{Decided, Premises, Proviso, Reason, Refuting, Term, Unproved, Way};
 use serde::{Deserialize, Serialize};
@@ -208,9 +207,6 @@ pub struct IdentityAccount {
     pub witness: Option<Refuting>,
     /// What the verdict rests on: trials, certificates, numbers.
     pub evidence: IdentityEvidence,
-    /// The proof as steps that the checker replays; or why there is none. Not kept between runs: it is found again in no time.
-    #[serde(skip)]
-    pub recorded: Option<Result<ProofRecord, String>>,
 }
 
 impl IdentityAccount {

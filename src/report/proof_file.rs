@@ -3,10 +3,11 @@
 //! **In:** an account. **Out:** a text: for each claim that is proved, the sequents and the steps of its proofs, or why there are none. **Guaranteed:**
 //! nothing of the prover is wanted to replay it: see [`checker`].
 
-use super::tally::name;
+use super::tally::{declared, name};
 use checker::ProofRecord;
-use derivation::Derivation;
-use findings::Account;
+use derivation::{Claim, Derivation};
+use findings::{Account, ClaimAccount};
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 /// The name of the file in the folder of a report.
@@ -51,8 +52,12 @@ pub struct UnrecordedClaim {
     pub why: String,
 }
 
-/// The text of `proofs.json`.
-pub fn proofs(derivation: &Derivation, account: &Account) -> String {
+/// The text of `proofs.json`; `record` finds the steps of the proof of a claim, or says why there are none.
+pub fn proofs(
+    derivation: &Derivation,
+    account: &Account,
+    record: impl Fn(&Claim) -> Result<ProofRecord, String> + Sync,
+) -> String {
     let mut file = ProofFile {
         schema: PROOF_SCHEMA,
         derivation: derivation.id.clone(),
@@ -60,12 +65,15 @@ pub fn proofs(derivation: &Derivation, account: &Account) -> String {
         proofs: Vec::new(),
         unrecorded: Vec::new(),
     };
-    for account in &account.claims {
-        let Some(identity) = &account.identity else { continue };
-        let (claim, standing) = (name(account), identity.standing().to_owned());
-        match &identity.recorded {
-            Some(Ok(proof)) => file.proofs.push(RecordedClaim { claim, standing, proof: proof.clone() }),
-            Some(Err(why)) => file.unrecorded.push(UnrecordedClaim { claim, standing, why: why.clone() }),
+    let is_proved = |account: &&ClaimAccount| account.identity.as_ref().is_some_and(|i| i.finding.is_proved_in_part());
+    let proved: Vec<&ClaimAccount> = account.claims.iter().filter(is_proved).collect();
+    let recorded: Vec<_> = proved.par_iter().with_max_len(1).map(|of| declared(derivation, of).map(&record)).collect();
+    for (account, recorded) in proved.into_iter().zip(recorded) {
+        let standing = account.identity.as_ref().map_or("", |identity| identity.standing()).to_owned();
+        let claim = name(account);
+        match recorded {
+            Some(Ok(proof)) => file.proofs.push(RecordedClaim { claim, standing, proof }),
+            Some(Err(why)) => file.unrecorded.push(UnrecordedClaim { claim, standing, why }),
             None => {}
         }
     }
