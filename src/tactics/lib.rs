@@ -2,7 +2,7 @@
 //!
 //! **In:** a claim of a derivation. **Out:** [`ProofRecord`]: for each component of each equation that the claim says, the steps of a proof; or
 //! the first obstacle. **Guaranteed:** nothing by this crate: what is recorded is what [`checker::Draft`] accepted, and anyone can
-//! replay it. A wrong sequent would be a proof of something else, so [`sequent`] is the part to read.
+//! replay it. A wrong sequent would be a proof of something else, so `sequent.rs` is the part to read.
 //!
 //! **How a proof is searched.** All that is given is taken, with the rates that the claim needs and the values at the fixed times that it
 //! names. Equations are solved one after the other for what is linear in them, highest rates first; what is solved for is put into the
