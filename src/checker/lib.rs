@@ -5,8 +5,8 @@
 //! not false at any chosen time; it rests on this crate, on the graph and the table of domains of `expr`, on `number`'s finite fields, and on the
 //! theorems that the rules name. Nothing of the prover is used.
 //!
-//! **Reading order:** [`when`] and [`fact`] (what a fact says), [`sequent`] (what a proof says), [`needs`], [`signs`] and [`derivative`], the rules
-//! ([`rules`]), [`draft`] (which takes steps). A proof is made with a [`Draft`], which tells at once what each step says, and checked with [`replay`], which is the same.
+//! **Reading order:** `when` and `fact` (what a fact says), `sequent` (what a proof says), `needs`, `signs` and `derivative`, the rules
+//! (`rules`), `draft` (which takes steps). A proof is made with a [`Draft`], which tells at once what each step says, and checked with [`replay`], which is the same.
 
 #![forbid(unsafe_code)]
 
