@@ -5,7 +5,7 @@
 //!
 //! **How:** a piece runs on one thread. Work is counted in units of about a nanosecond on a machine of 2024, memory in bytes of what only
 //! grows. Where either is used up, the piece is unwound to its beginning; nothing is printed. The clock, the use of memory and the flag that
-//! cancels a run are looked at every [`SLICE`] units.
+//! cancels a run are looked at every `SLICE` units.
 //!
 //! **Guaranteed:** what is counted depends on the input alone, so that a piece ends in the same place on every machine, whatever the
 //! number of threads. A piece that ends takes nothing else with it.
