@@ -77,6 +77,7 @@ mod latex_spellings;
 mod latex_typeset;
 mod layering;
 mod lint;
+mod lsp;
 mod maps;
 mod measures;
 mod mutants;

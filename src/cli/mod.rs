@@ -14,7 +14,9 @@ mod files;
 mod init;
 mod lint;
 mod list;
+mod lsp;
 mod manual;
+mod mcp;
 mod merge;
 mod outputs;
 mod progress;
@@ -72,6 +74,10 @@ enum Command {
     Diff(diff::DiffArguments),
     /// Checks a derivation file again whenever it is saved: only what the change concerns
     Watch(watch::WatchArguments),
+    /// Serves an editor: problems and verdicts while a paper or a derivation file is written
+    Lsp(lsp::LspArguments),
+    /// Serves agents by the model context protocol: tools that prove, look papers through, check
+    Mcp(mcp::McpArguments),
     /// Prints the JSON Schema of derivation files or of reports
     Schema(schema::SchemaArguments),
     /// Prints completions for a shell
@@ -130,6 +136,8 @@ fn command(arguments: &Arguments) -> Result<Ending, Stop> {
         Command::Audit(a) => audit::audit(a),
         Command::Diff(a) => diff::diff(a),
         Command::Watch(a) => watch::watch(a),
+        Command::Lsp(a) => lsp::lsp(a),
+        Command::Mcp(a) => mcp::mcp(a),
         Command::Schema(a) => schema::schema(a),
         Command::Completions(a) => completions::completions(a, Arguments::command()),
         Command::Manual(a) => manual::manual(a, Arguments::command()),

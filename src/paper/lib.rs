@@ -160,7 +160,7 @@ pub fn read(path: &Path) -> Result<Paper, Box<Diagnostic>> {
         why => refuse(format!("this file {why}")),
     })?;
     let sha256 = Sha256::digest(&bytes).iter().map(|b| format!("{b:02x}")).collect();
-    parse_with(Source { path: shown, text: text_from(bytes) }, sha256, path.parent())
+    parse_with(Arc::new(Source { path: shown, text: text_from(bytes) }), sha256, path.parent())
 }
 
 /// The text of a file: UTF-8, or else ISO 8859-1, as older papers are.
@@ -173,11 +173,19 @@ fn text_from(bytes: Vec<u8>) -> String {
 /// # Errors
 /// Macros that do not end.
 pub fn parse(file: Source, sha256: String) -> Result<Paper, Box<Diagnostic>> {
-    parse_with(file, sha256, None)
+    parse_with(Arc::new(file), sha256, None)
 }
 
-fn parse_with(file: Source, sha256: String, folder: Option<&Path>) -> Result<Paper, Box<Diagnostic>> {
-    let file = Arc::new(file);
+/// Reads the text of a paper as it stands in an editor: the files that it names are read in the folder, as [`read`] does.
+///
+/// # Errors
+/// Macros that do not end.
+pub fn parse_in(file: Arc<Source>, folder: Option<&Path>) -> Result<Paper, Box<Diagnostic>> {
+    let sha256 = Sha256::digest(file.text.as_bytes()).iter().map(|b| format!("{b:02x}")).collect();
+    parse_with(file, sha256, folder)
+}
+
+fn parse_with(file: Arc<Source>, sha256: String, folder: Option<&Path>) -> Result<Paper, Box<Diagnostic>> {
     let mut inputs = Inputs::new(&file, folder);
     let document = inputs::tokens_of(&file);
     let all = macros::expanded(document, &mut |name, span| inputs.tokens(name, span)).map_err(|e| {

@@ -20,7 +20,7 @@ export async function visit(options, url, work) {
   const seen = { errors: [], requests: [] };
   page.on("console", m => { if (m.type() === "error" || m.type() === "warning") seen.errors.push(m.text()); });
   page.on("pageerror", e => seen.errors.push(String(e)));
-  page.on("request", r => { if (!r.url().startsWith(url.split("#")[0])) seen.requests.push(r.url()); });
+  page.on("request", r => { if (!r.url().startsWith(url.split("#")[0]) && !r.url().startsWith("blob:")) seen.requests.push(r.url()); });
   try {
     await page.goto(url);
     await work(page);

@@ -1,0 +1,84 @@
+// The page in which texts are checked, in a real browser, from disk: nothing is fetched, verdicts come, bad texts get a clear word.
+// Usage: node web.mjs PAGE.html
+import fs from "node:fs";
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+import { gzipSync } from "node:zlib";
+import { accessible, check, done, settled, visit } from "./visit.mjs";
+
+const file = path.resolve(process.argv[2]), url = pathToFileURL(file).href;
+const size = gzipSync(fs.readFileSync(file), { level: 9 }).length;
+check(size < 5_000_000, `the page has ${size} bytes compressed`);
+
+const state = page => page.locator("#state").innerText();
+/** What stands in the page of what was found, once the program is done. */
+async function found(page, wanted, seconds = 60) {
+  const end = Date.now() + 1000 * seconds;
+  for (;;) {
+    const words = await page.frameLocator("#found").locator("body").innerText().catch(() => "");
+    if (/^Done/.test(await state(page)) && wanted.test(words)) return words;
+    if (Date.now() > end) check(false, `${wanted} is expected; ${await state(page)}; ${words.slice(0, 400)}`);
+    await new Promise(r => setTimeout(r, 50));
+  }
+}
+const put = (page, text) => page.locator("#text").fill(text);
+
+for (const viewport of [{ width: 1280, height: 900 }, { width: 390, height: 844 }]) {
+  await visit({ viewport }, url, async page => {
+    const start = Date.now();
+    await found(page, /follows/);
+    console.log(`first verdict after ${((Date.now() - start) / 1000).toFixed(1)} s at ${viewport.width} pixels`);
+    await accessible(page, `${viewport.width}`);
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    check(wide <= 0, `nothing is wider than the window: ${wide}`);
+  });
+}
+
+await visit({ viewport: { width: 1280, height: 900 } }, url, async page => {
+  await found(page, /follows/);
+  for (const name of await page.locator("#examples button").allInnerTexts()) {
+    await page.getByRole("button", { name, exact: true }).click();
+    await found(page, /follows|wrong|hold/i);
+  }
+  // Typed, and what is wrong with the right one beside it.
+  await put(page, "(a+b)^2 = a^2 + b^2 + 3ab");
+  await found(page, /wrong/);
+  // Chains, papers, derivation files that cannot be read.
+  await put(page, "x^2-y^2 &= (x-y)(x+y) \\\\ &= x(x+y) - y(x+y)");
+  await found(page, /follows/);
+  await put(page, "[derivation]\ntitle = 'Nothing'");
+  await found(page, /missing|concerns/);
+  // What strangers paste is text.
+  await put(page, "$a=<script>parent.postMessage(1)</script><img src=x onerror=alert(1)>$");
+  await found(page, /./);
+  // No text; a text without formulas.
+  await put(page, "");
+  check(/Nothing is written/.test(await settled(() => state(page), s => /Nothing/.test(s))), "an empty text gets a word");
+  await put(page, "No formula stands here $");
+  await found(page, /./);
+  // Macros without an end, braces without number, another file: the page lives on.
+  for (const bad of ["\\def\\a{\\a\\a}\\[\\a=1\\]", "\\[" + "{".repeat(30_000) + "=1\\]", "\\input{/etc/passwd} $x=x$", "\\[x=" + "\\sqrt{".repeat(20_000)]) {
+    await put(page, bad);
+    const said = await settled(() => state(page), s => /^(Done|Not done|A defect|The )/.test(s) && !/Working/.test(s));
+    check(!/defect/.test(said), `${bad.slice(0, 20)}: ${said}`);
+  }
+  await put(page, "1+1=2");
+  await found(page, /follows/);
+  // A text that takes long is given up at once when asked.
+  await put(page, "x".repeat(2_000_001));
+  check(/2000000 are taken/.test(await settled(() => state(page), s => /taken/.test(s))), "a text that is too long gets a word");
+});
+
+// A link contains the text.
+await visit({ viewport: { width: 1280, height: 900 } }, url, async page => {
+  await found(page, /follows/);
+  await put(page, "\\cos 2x = 1 - 3\\sin^2 x");
+  await found(page, /wrong/);
+  await page.locator("#link").click();
+  const hash = await settled(() => page.evaluate(() => location.hash), h => h.length > 1);
+  check(hash.length > 10, "the address has the text");
+  await page.reload();
+  await found(page, /wrong/);
+  check((await page.locator("#text").inputValue()).startsWith("\\cos 2x"), "the text is back");
+});
+await done();
