@@ -79,6 +79,7 @@ mod layering;
 mod lint;
 mod lsp;
 mod maps;
+mod mcp;
 mod measures;
 mod mutants;
 mod number_laws;
