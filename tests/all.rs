@@ -46,6 +46,7 @@ mod fields_made;
 mod fields_places;
 mod fields_traps;
 mod files;
+mod five_minutes;
 mod flow_events;
 mod flow_integration;
 mod flow_motion;
