@@ -373,9 +373,9 @@ pub(super) fn headline(wholes: &[Whole<'_>]) -> String {
     let all = count(told, "claim");
     match parts.as_slice() {
         [] => format!("{all}."),
-        [_] if told > 1 => {
+        [_] => {
             let fate = wholes.iter().map(|w| w.fate).find(|f| f.is_of_the_paper()).unwrap_or(Fate::Nowhere);
-            format!("All {all} {}.", fate.words(2))
+            if told == 1 { format!("The claim {}.", fate.words(1)) } else { format!("All {all} {}.", fate.words(2)) }
         }
         parts => format!("Of {all} {}.", listed(parts)),
     }

@@ -184,7 +184,8 @@ fn for_all_values(reading: &Reading<'_>) -> Option<VerdictShape> {
     }
     match (&reading.proof, reading.claim.verdict_alone(), reading.claim.identity.as_ref()?.verdict()) {
         (ProofStanding::Proved, ..) => Some(VerdictShape::Proved),
-        (ProofStanding::Given(_) | ProofStanding::Except, ..) => Some(VerdictShape::ProvedGiven),
+        (ProofStanding::Given(_), ..) => Some(VerdictShape::ProvedGiven),
+        (ProofStanding::Except, ..) => Some(VerdictShape::ProvedExcept),
         (_, Some("fails"), _) => Some(VerdictShape::Certified),
         (_, _, "refuted") => Some(VerdictShape::NoIdentity),
         (_, Some("undecided"), _) => Some(VerdictShape::Undecided),

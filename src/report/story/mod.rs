@@ -40,6 +40,7 @@ pub(super) enum Tone {
 pub(super) enum VerdictShape {
     Proved,
     ProvedGiven,
+    ProvedExcept,
     Enclosed,
     Sampled,
     Weak,
@@ -54,9 +55,10 @@ pub(super) enum VerdictShape {
 
 impl VerdictShape {
     /// All, in the order of the legend.
-    pub const ALL: [VerdictShape; 12] = [
+    pub const ALL: [VerdictShape; 13] = [
         VerdictShape::Proved,
         VerdictShape::ProvedGiven,
+        VerdictShape::ProvedExcept,
         VerdictShape::Enclosed,
         VerdictShape::Sampled,
         VerdictShape::Weak,
@@ -74,6 +76,7 @@ impl VerdictShape {
         match self {
             VerdictShape::Proved => ("◆", "h p", r"$\blacklozenge$", "holds, proved for all values"),
             VerdictShape::ProvedGiven => ("◈", "h g", r"$\lozenge$", "holds, proved given others"),
+            VerdictShape::ProvedExcept => ("⬖", "h g", r"$\blacklozenge^{-}$", "holds, proved, special cases apart"),
             VerdictShape::Enclosed => ("■", "h e", r"$\blacksquare$", "holds at every time"),
             VerdictShape::Sampled => ("●", "h", r"$\bullet$", "holds at all samples"),
             VerdictShape::Weak => ("○", "h w", r"$\circ$", "holds, but much else would"),
