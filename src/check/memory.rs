@@ -22,15 +22,12 @@ use super::answers::{AGES, Answers, Key, key};
 use super::motions::Family;
 use crate::derivation::{Claim, Derivation, Form, Motion, Premise};
 use crate::expr::{FastMap, Graph, Leaf};
-use crate::findings::{ClaimAccount, FamilyAccount, IdentityAccount, family::MeasureAccount};
+use crate::findings::{ClaimAccount, FamilyAccount, family::MeasureAccount};
 use crate::verdict::Verdict;
 use proved::conditional::premises_first;
 use proved::step::Step;
 use sampled::recall::Recall;
 use sampled::stage::{Built, Requests};
-
-/// What a claim says for all values, where it is a claim of that kind; or how the program contradicts itself.
-pub(super) type Identity = Option<Result<IdentityAccount, String>>;
 
 /// What was found on all families.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -47,7 +44,8 @@ pub(super) enum Question<'q> {
     Sampled { claim: &'q Claim, whole: &'q str, without: Option<usize>, motion: usize },
     /// How a condition stands on a motion, named by what it says in the notation of the whole file: `Option<bool>`.
     Condition { says: &'q [&'q str], motion: usize },
-    /// Whether a claim holds for all values: [`Identity`].
+    /// What a claim says for all values, where it is a claim of that kind; or how the program contradicts itself:
+    /// `Option<Result<IdentityAccount, String>>`.
     Identity(&'q Claim),
     /// The verdict of a claim on a motion that is given by a formula, after one from samples: [`Verdict`].
     ByFormula { claim: &'q Claim, motion: usize, before: &'q Verdict },

@@ -13,8 +13,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::cache::{Cache, contents, describe};
 use super::answers::{AGES, Answers, key};
+use super::cache::{Cache, contents, describe};
 use super::memory::{Contents, Known, Memory, Names};
 use super::{check, check_recalling};
 use crate::derivation::Derivation;

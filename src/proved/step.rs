@@ -517,6 +517,7 @@ impl<'a> Step<'a> {
             let equations = &self.beyond(equations, &premises);
             if let Identity::Proved(mut proof) = self.ask(&premises, equations, &options, split) {
                 if proof.example.is_none()
+                    && !self.has_few_points
                     && let Identity::Proved(again) = self.ask(&premises, equations, &Options::default(), split)
                 {
                     proof = again;
