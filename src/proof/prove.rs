@@ -607,10 +607,11 @@ impl Examination<'_> {
                 }))
             }
             Trials::Fail { failing, of } => {
-                // An exact point is looked for beyond the first that refutes, for a while.
+                // An exact point is looked for beyond the first that refutes, for a while; not where any will do.
+                let any = options.wanted == Wanted::Proof;
                 let enough = |f: &[Found]| {
                     refutation(f).is_some_and(|r| {
-                        f.len() > 12 || r.left.exact.is_some() && r.right.exact.is_some() && r.second.is_some()
+                        any || f.len() > 12 || r.left.exact.is_some() && r.right.exact.is_some() && r.second.is_some()
                     })
                 };
                 let mut passed_over = false;
