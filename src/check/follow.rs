@@ -10,7 +10,7 @@
 
 use rayon::prelude::*;
 
-use super::memory::Known as Recalled;
+use super::memory::{Known as Recalled, Question};
 use super::pieces;
 use super::premises::{Column, counterexample, strengthen};
 use crate::derivation::{Claim, Derivation};
@@ -66,7 +66,7 @@ pub(super) fn follow(
         let step = Step::of(derivation, claim)?;
         match counterexample(derivation, &selection, k, known, &columns) {
             Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
-            None => recall.identity(derivation, claim, || {
+            None => recall.answer(derivation, Question::Identity(claim), || {
                 pieces::decided(derivation, claim, &Limits::default(), || step.decide())
             }),
         }
@@ -106,7 +106,8 @@ fn unproved(derivation: &Derivation, claim: &Claim, before: &[ClaimAccount], rec
     let mut account = account.clone();
     for pair in &mut account.results {
         let t = derivation.trajectories.iter().position(|t| t.id == pair.trajectory)?;
-        pair.verdict = recall.known_verdict(derivation, claim, t)?;
+        let sampled = Question::Sampled { claim, whole: &claim.name(), without: None, motion: t };
+        pair.verdict = recall.known(derivation, sampled)?;
     }
     Some(account)
 }

@@ -14,6 +14,7 @@
 
 use ::{derivation, diag, expr, findings, flow, latex, number, verdict};
 
+mod answers;
 mod cache;
 mod compilation;
 mod follow;

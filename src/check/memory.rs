@@ -1,55 +1,33 @@
 //! What was found for an earlier state of a file, by content.
 //!
-//! **In:** questions, each named by everything that its answer depends on. **Out:** the answer that is known, or one that is
-//! computed and kept; and [`Found`], all answers but the motions, to be kept longer than
-//! a process lives.
+//! **In:** questions ([`Question`]), each named by everything that its answer depends on. **Out:** the answer that is known, or one that is
+//! found and kept ([`Answers`]).
 //!
-//! A verdict of a claim on a motion depends on the symbols, systems and conditions of the file, on the claim's own table, and on
-//! the motion with those that it comes from. A proof depends on the symbols and systems, on the claim, and on the claims that it
+//! A verdict of a claim on a motion depends on the symbols, systems and conditions of the file, on the claim's own table, on
+//! the motion with those that it comes from, and on what else motions are asked for, which moves the last places of error bounds. A proof
+//! depends on the symbols and systems, on the claim, and on the claims that it
 //! follows from, directly or through others. Names of questions are SHA-256 sums of these texts: two questions with one name are
 //! the same question.
 //!
-//! **Guaranteed:** an answer is the one that would be computed now. What is not asked for in [`AGES`] states of the file is
-//! forgotten.
+//! **Guaranteed:** an answer is the one that would be found now.
 
 use std::collections::{BTreeSet, HashMap};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 
+use super::answers::{AGES, Answers, Key, key};
 use super::motions::Family;
 use crate::derivation::{Claim, Derivation, Form, Motion, Premise};
 use crate::expr::{FastMap, Graph, Leaf};
-use crate::findings::{ClaimAccount, FamilyAccount, IdentityAccount, family::MeasureAccount};
+use crate::findings::{ClaimAccount, FamilyAccount, family::MeasureAccount};
 use crate::verdict::Verdict;
 use proved::conditional::premises_first;
 use proved::step::Step;
 use sampled::recall::Recall;
 use sampled::stage::{Built, Requests};
-
-/// For how many states of a file an answer is kept that is not asked for.
-const AGES: u64 = 8;
-
-/// The name of a question.
-pub(super) type Key = [u8; 32];
-
-/// The name of a question with several parts.
-pub(super) fn key(parts: &[&[u8]]) -> Key {
-    let mut sum = Sha256::new();
-    for part in parts {
-        sum.update((part.len() as u64).to_le_bytes());
-        sum.update(part);
-    }
-    sum.finalize().into()
-}
-
-/// Answers of one kind, each with the last age in which it was asked for.
-type Answers<T> = Mutex<HashMap<Key, (u64, T)>>;
-
-/// What a claim says for all values, where it is a claim of that kind; or how the program contradicts itself.
-type Identity = Option<Result<IdentityAccount, String>>;
 
 /// What was found on all families.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -59,92 +37,56 @@ pub(super) struct OnFamilies {
     pub measures: Vec<MeasureAccount>,
 }
 
-/// What was found in another process: every answer by its name. Motions are not kept.
-#[derive(Debug, Default, Serialize, Deserialize)]
-pub(super) struct Found {
-    verdicts: Vec<(Key, Verdict)>,
-    standings: Vec<(Key, Option<bool>)>,
-    identities: Vec<(Key, Identity)>,
-    on_families: Vec<(Key, OnFamilies)>,
-    strengthened: Vec<(Key, Vec<Verdict>)>,
-    asked: Option<BTreeSet<String>>,
+/// What may be asked, with what the type of its answer is.
+#[derive(Clone, Copy)]
+pub(super) enum Question<'q> {
+    /// The verdict of a claim on a motion, from samples; of the claim `whole` without one of its assumptions, by its place: [`Verdict`].
+    Sampled { claim: &'q Claim, whole: &'q str, without: Option<usize>, motion: usize },
+    /// How a condition stands on a motion, named by what it says in the notation of the whole file: `Option<bool>`.
+    Condition { says: &'q [&'q str], motion: usize },
+    /// What a claim says for all values, where it is a claim of that kind; or how the program contradicts itself:
+    /// `Option<Result<IdentityAccount, String>>`.
+    Identity(&'q Claim),
+    /// The verdict of a claim on a motion that is given by a formula, after one from samples: [`Verdict`].
+    ByFormula { claim: &'q Claim, motion: usize, before: &'q Verdict },
+    /// What an enclosure says: [`enclosed::Answer`].
+    Enclosed(enclosed::Question<'q>),
+    /// What is counted on families: [`OnFamilies`].
+    OnFamilies(&'q [ClaimAccount]),
+    /// What a claim asks of motions: the names of leaves.
+    Leaves(&'q Claim),
 }
 
 /// What was found, for several states of a file.
 #[derive(Debug, Default)]
 pub(super) struct Memory {
-    age: u64,
+    answers: Answers,
     /// Whether it serves one check: motions are not kept then.
     once: bool,
-    verdicts: Answers<Verdict>,
-    standings: Answers<Option<bool>>,
-    identities: Answers<Identity>,
-    on_families: Answers<OnFamilies>,
-    strengthened: Answers<Vec<Verdict>>,
-    families: Answers<Arc<Mutex<Family>>>,
-    wanted: Answers<BTreeSet<String>>,
-    /// What the motions were asked for when they were built; nothing before that.
-    asked: Mutex<Option<BTreeSet<String>>>,
+    families: Mutex<HashMap<Key, (u64, Arc<Mutex<Family>>)>>,
+    /// The name of what the motions are asked for in this state of the file; nothing before that is known.
+    asked: Mutex<Option<Key>>,
     /// Whether motions were asked for something else than a check of the whole file would ask for.
     other: AtomicBool,
 }
 
 impl Memory {
-    /// What was found in another process, for one check.
-    pub fn of(found: Found) -> Memory {
-        fn answers<T>(list: Vec<(Key, T)>) -> Answers<T> {
-            Mutex::new(list.into_iter().map(|(name, answer)| (name, (0, answer))).collect())
-        }
-        let Found { verdicts, standings, identities, on_families, strengthened, asked } = found;
-        Memory {
-            age: 1,
-            once: true,
-            verdicts: answers(verdicts),
-            standings: answers(standings),
-            identities: answers(identities),
-            on_families: answers(on_families),
-            strengthened: answers(strengthened),
-            asked: Mutex::new(asked),
-            ..Memory::default()
-        }
+    /// What was found in another process, for one check of a new state of the file.
+    pub fn of(mut answers: Answers) -> Memory {
+        answers.grow_older();
+        Memory { answers, once: true, ..Memory::default() }
     }
 
-    /// What was asked for in this state of the file.
-    pub fn found(self) -> Found {
-        fn inner<T>(of: Mutex<T>) -> T {
-            of.into_inner().unwrap_or_else(PoisonError::into_inner)
-        }
-        let now = self.age;
-        fn answers<T>(kept: Answers<T>, now: u64) -> Vec<(Key, T)> {
-            let asked = inner(kept).into_iter().filter(|(_, (age, _))| *age == now);
-            let mut list: Vec<(Key, T)> = asked.map(|(name, (_, answer))| (name, answer)).collect();
-            list.sort_unstable_by_key(|(name, _)| *name);
-            list
-        }
-        Found {
-            verdicts: answers(self.verdicts, now),
-            standings: answers(self.standings, now),
-            identities: answers(self.identities, now),
-            on_families: answers(self.on_families, now),
-            strengthened: answers(self.strengthened, now),
-            asked: inner(self.asked),
-        }
+    /// All answers, to be kept longer than a process lives.
+    pub fn answers(self) -> Answers {
+        self.answers
     }
 
     /// A new state of the file begins.
     pub fn grow_older(&mut self) {
-        self.age += 1;
-        let now = self.age;
-        fn forget<T>(kept: &mut Answers<T>, now: u64) {
-            kept.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| *age + AGES >= now);
-        }
-        forget(&mut self.verdicts, now);
-        forget(&mut self.standings, now);
-        forget(&mut self.families, now);
-        forget(&mut self.wanted, now);
-        forget(&mut self.identities, now);
-        forget(&mut self.on_families, now);
-        forget(&mut self.strengthened, now);
+        self.answers.grow_older();
+        let now = self.answers.age();
+        self.families.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| *age + AGES >= now);
     }
 
     /// Whether nothing is known yet.
@@ -156,25 +98,6 @@ impl Memory {
     /// their last places, on what else the motion is asked for.
     pub fn is_misled(&self) -> bool {
         self.other.load(Ordering::Relaxed)
-    }
-
-    /// The answer to a question, if it is known.
-    fn known<T: Clone>(&self, kept: &Answers<T>, name: Key) -> Option<T> {
-        let mut kept = kept.lock().unwrap_or_else(PoisonError::into_inner);
-        let (age, known) = kept.get_mut(&name)?;
-        *age = self.age;
-        Some(known.clone())
-    }
-
-    /// The answer to a question; what has no name is always computed.
-    fn answer<T: Clone>(&self, kept: &Answers<T>, name: Option<Key>, compute: impl FnOnce() -> T) -> T {
-        let Some(name) = name else { return compute() };
-        if let Some(known) = self.known(kept, name) {
-            return known;
-        }
-        let found = compute();
-        kept.lock().unwrap_or_else(PoisonError::into_inner).insert(name, (self.age, found.clone()));
-        found
     }
 }
 
@@ -234,84 +157,55 @@ impl<'a> Known<'a> {
         Known(Some(State { memory, names }))
     }
 
-    /// Where only answers are kept.
-    fn of_one_check(&self) -> Option<State<'a>> {
-        self.0.filter(|state| state.memory.once)
-    }
-
     /// Where motions are kept, too.
     fn of_motions(&self) -> Option<State<'a>> {
         self.0.filter(|state| !state.memory.once)
     }
 
-    /// The verdict of a claim on a motion.
-    pub fn verdict(
+    /// The answer to a question about a state of the file: the one that is known, or the one that is found.
+    pub fn answer<T: Serialize + DeserializeOwned>(
         &self,
         derivation: &Derivation,
-        claim: &Claim,
-        t: usize,
-        compute: impl FnOnce() -> Verdict,
-    ) -> Verdict {
-        let Some(known) = self.0 else { return compute() };
-        let name = known.of_claim(derivation, claim, &claim.name(), t, b"");
-        known.memory.answer(&known.memory.verdicts, name, compute)
+        question: Question,
+        find: impl FnOnce() -> T,
+    ) -> T {
+        let Some(state) = self.0 else { return find() };
+        state.memory.answers.answer(state.name(derivation, question), find)
     }
 
-    /// The verdict of a claim on a motion, if it is known.
-    pub fn known_verdict(&self, derivation: &Derivation, claim: &Claim, t: usize) -> Option<Verdict> {
-        let known = self.0?;
-        let name = known.of_claim(derivation, claim, &claim.name(), t, b"")?;
-        known.memory.known(&known.memory.verdicts, name)
+    /// The answer to a question, if it is known.
+    pub fn known<T: DeserializeOwned>(&self, derivation: &Derivation, question: Question) -> Option<T> {
+        let state = self.0?;
+        state.memory.answers.known(state.name(derivation, question)?)
+    }
+
+    /// Keeps the answer to a question.
+    pub fn keep<T: Serialize>(&self, derivation: &Derivation, question: Question, answer: &T) {
+        let name = self.0.and_then(|state| Some((state, state.name(derivation, question)?)));
+        if let Some((state, name)) = name {
+            state.memory.answers.keep(name, answer);
+        }
     }
 
     /// Notes what each of some claims, with those that are made from it, asks of motions, and compares what all claims ask with
     /// what motions were built for.
     pub fn asks(&self, derivation: &Derivation, claimed: &[usize], leaves: impl Fn(usize) -> BTreeSet<Leaf>) {
-        let Some(known) = self.0 else { return };
-        let mut all = BTreeSet::new();
+        let Some(state) = self.0 else { return };
+        let mut all: BTreeSet<String> = BTreeSet::new();
         for (c, claim) in derivation.claims.iter().enumerate() {
-            let content = known.claim(&claim.id).unwrap_or_default();
-            let name = key(&[b"leaves", &known.names.base, content.as_bytes(), claim.name().as_bytes()]);
-            let compute = || match claimed.binary_search(&c) {
+            let find = || match claimed.binary_search(&c) {
                 Ok(k) => leaves(k).iter().map(|leaf| named(&derivation.graph, leaf)).collect(),
                 // It was not checked before, and is not now: what it asks for is not known.
                 Err(_) => BTreeSet::from([String::new()]),
             };
-            all.extend(known.memory.answer(&known.memory.wanted, Some(name), compute));
+            all.extend(self.answer(derivation, Question::Leaves(claim), find));
         }
-        let mut asked = known.memory.asked.lock().unwrap_or_else(PoisonError::into_inner);
-        if *asked.get_or_insert_with(|| all.clone()) == all {
-            return;
+        let all = key(&all.iter().map(String::as_bytes).collect::<Vec<_>>());
+        let mut asked = state.memory.asked.lock().unwrap_or_else(PoisonError::into_inner);
+        if *asked.get_or_insert(all) != all {
+            // Motions that are kept were built for something else.
+            state.memory.other.store(true, Ordering::Relaxed);
         }
-        if !known.memory.once {
-            known.memory.other.store(true, Ordering::Relaxed);
-            return;
-        }
-        // The motions are built for what is asked now; what others gave is of no use.
-        *asked = Some(all);
-        known.memory.verdicts.lock().unwrap_or_else(PoisonError::into_inner).clear();
-        known.memory.standings.lock().unwrap_or_else(PoisonError::into_inner).clear();
-    }
-
-    /// Whether a claim holds for all values.
-    pub fn identity(&self, derivation: &Derivation, claim: &Claim, compute: impl FnOnce() -> Identity) -> Identity {
-        let Some(known) = self.0 else { return compute() };
-        known.memory.answer(&known.memory.identities, known.step(derivation, claim), compute)
-    }
-
-    /// The verdicts on claims on a motion, after a method has looked for stronger evidence: its name, and what it knows of
-    /// the rest of the file. What it finds depends on that, on the claims, on the motions, on the verdicts before, and on what motions
-    /// were built for.
-    pub fn strengthened(
-        &self,
-        method: (&str, &str),
-        derivation: &Derivation,
-        t: usize,
-        before: &[(&Claim, &Verdict)],
-        compute: &mut dyn FnMut() -> Vec<Verdict>,
-    ) -> Vec<Verdict> {
-        let Some(known) = self.of_one_check() else { return compute() };
-        known.memory.answer(&known.memory.strengthened, known.strengthened(method, derivation, t, before), compute)
     }
 
     /// Puts what is found on all families into the accounts of their claims; returns what is measured.
@@ -324,17 +218,15 @@ impl<'a> Known<'a> {
         claims: &mut [ClaimAccount],
         compute: impl FnOnce(&mut [ClaimAccount]) -> Result<Vec<MeasureAccount>, E>,
     ) -> Result<Vec<MeasureAccount>, E> {
-        let name = self.0.and_then(|known| Some((known, known.on_families(derivation, claims)?)));
-        let Some((known, name)) = name else { return compute(claims) };
-        if let Some(OnFamilies { claims: found, measures }) = known.memory.known(&known.memory.on_families, name) {
+        if let Some(OnFamilies { claims: found, measures }) = self.known(derivation, Question::OnFamilies(claims)) {
             claims.iter_mut().zip(found).for_each(|(claim, found)| claim.families = found);
             return Ok(measures);
         }
         let measures = compute(claims)?;
-        let found =
-            OnFamilies { claims: claims.iter().map(|c| c.families.clone()).collect(), measures: measures.clone() };
-        known.memory.answer(&known.memory.on_families, Some(name), || found);
-        Ok(measures)
+        let of_claims = claims.iter().map(|c| c.families.clone()).collect();
+        let found = OnFamilies { claims: of_claims, measures };
+        self.keep(derivation, Question::OnFamilies(claims), &found);
+        Ok(found.measures)
     }
 }
 
@@ -355,7 +247,7 @@ impl Recall for Known<'_> {
         let kept = {
             let mut families = known.memory.families.lock().unwrap_or_else(PoisonError::into_inner);
             let (age, family) = families.get_mut(&name)?;
-            *age = known.memory.age;
+            *age = known.memory.answers.age();
             Arc::clone(family)
         };
         let mut kept = kept.lock().unwrap_or_else(PoisonError::into_inner);
@@ -366,7 +258,7 @@ impl Recall for Known<'_> {
         let Some(known) = self.of_motions() else { return };
         if let Some(name) = known.family(derivation, members) {
             let family = Family::new(derivation, graph, members, built);
-            let kept = (known.memory.age, Arc::new(Mutex::new(family)));
+            let kept = (known.memory.answers.age(), Arc::new(Mutex::new(family)));
             known.memory.families.lock().unwrap_or_else(PoisonError::into_inner).insert(name, kept);
         }
     }
@@ -384,9 +276,7 @@ impl Recall for Known<'_> {
         t: usize,
         compute: &dyn Fn() -> Verdict,
     ) -> Verdict {
-        let Some(known) = self.0 else { return compute() };
-        let name = known.of_claim(derivation, claim, whole, t, &(place as u64 + 1).to_le_bytes());
-        known.memory.answer(&known.memory.verdicts, name, compute)
+        self.answer(derivation, Question::Sampled { claim, whole, without: Some(place), motion: t }, compute)
     }
 
     fn standing(
@@ -396,16 +286,62 @@ impl Recall for Known<'_> {
         t: usize,
         compute: &dyn Fn() -> Option<bool>,
     ) -> Option<bool> {
-        let Some(known) = self.0 else { return compute() };
-        let name = known.motion(derivation, t).map(|motion| {
-            let says = key(&says.iter().map(|text| text.as_bytes()).collect::<Vec<_>>());
-            key(&[b"condition", &known.names.base, &says, &motion])
-        });
-        known.memory.answer(&known.memory.standings, name, compute)
+        self.answer(derivation, Question::Condition { says, motion: t }, compute)
     }
 }
 
 impl State<'_> {
+    /// The name of a question: all that its answer depends on. `None` where that is not known, and the answer is found anew.
+    fn name(&self, derivation: &Derivation, question: Question) -> Option<Key> {
+        let base = &self.names.base;
+        match question {
+            Question::Sampled { claim, whole, without, motion } => {
+                if compares_motions(claim) {
+                    return None;
+                }
+                let content = self.claim(whole.split('/').next()?)?;
+                let without = without.map_or(0, |place| place as u64 + 1).to_le_bytes();
+                let (asked, motion) = (self.asked(), self.motion(derivation, motion)?);
+                Some(key(&[b"claim", base, &asked, content.as_bytes(), whole.as_bytes(), &without, &motion]))
+            }
+            Question::Condition { says, motion } => {
+                let says = key(&says.iter().map(|text| text.as_bytes()).collect::<Vec<_>>());
+                Some(key(&[b"condition", base, &self.asked(), &says, &self.motion(derivation, motion)?]))
+            }
+            Question::Identity(claim) => self.step(derivation, claim),
+            Question::ByFormula { claim, motion, before } => {
+                let (motions, about) = (self.motions(derivation, claim, motion)?, self.stands(claim, before)?);
+                Some(key(&[b"by formula", base, &self.asked(), &motions, &about]))
+            }
+            Question::Enclosed(enclosed::Question { claim, motion, before, integrals }) => {
+                let (motions, about) = (self.motions(derivation, claim, motion)?, self.stands(claim, before)?);
+                Some(key(&[b"enclosed", base, &self.asked(), integrals.as_bytes(), &motions, &about]))
+            }
+            Question::OnFamilies(claims) => self.on_families(derivation, claims),
+            Question::Leaves(claim) => {
+                let content = self.claim(&claim.id).unwrap_or_default();
+                Some(key(&[b"leaves", base, content.as_bytes(), claim.name().as_bytes()]))
+            }
+        }
+    }
+
+    /// A claim with what is known of it.
+    fn stands(&self, claim: &Claim, before: &Verdict) -> Option<Key> {
+        let before = postcard::to_allocvec(before).ok()?;
+        Some(key(&[self.claim(&claim.id)?.as_bytes(), claim.name().as_bytes(), &before]))
+    }
+
+    /// The motion that a claim is tried on; with all others, where the claim compares motions.
+    fn motions(&self, derivation: &Derivation, claim: &Claim, motion: usize) -> Option<Key> {
+        let others = if compares_motions(claim) { self.names.all_motions } else { Key::default() };
+        Some(key(&[&self.motion(derivation, motion)?, &others]))
+    }
+
+    /// What motions are asked for.
+    fn asked(&self) -> Key {
+        self.memory.asked.lock().unwrap_or_else(PoisonError::into_inner).unwrap_or_default()
+    }
+
     /// The content of a motion and of those that it comes from.
     fn motion(&self, derivation: &Derivation, mut t: usize) -> Option<Key> {
         let mut parts: Vec<&[u8]> = Vec::new();
@@ -429,40 +365,6 @@ impl State<'_> {
 
     fn claim(&self, id: &str) -> Option<&str> {
         self.names.claims.get(id).copied()
-    }
-
-    fn of_claim(&self, derivation: &Derivation, claim: &Claim, name: &str, t: usize, without: &[u8]) -> Option<Key> {
-        // It depends on another motion, too.
-        if claim.forms.iter().any(|f| matches!(f, Form::SameMotion { .. } | Form::Across(_))) {
-            return None;
-        }
-        let content = self.claim(name.split('/').next()?)?;
-        let motion = self.motion(derivation, t)?;
-        Some(key(&[b"claim", &self.names.base, content.as_bytes(), name.as_bytes(), without, &motion]))
-    }
-
-    fn strengthened(
-        &self,
-        method: (&str, &str),
-        derivation: &Derivation,
-        t: usize,
-        before: &[(&Claim, &Verdict)],
-    ) -> Option<Key> {
-        let asked = postcard::to_allocvec(&*self.memory.asked.lock().ok()?).ok()?;
-        let mut sum = key(&[
-            method.0.as_bytes(),
-            method.1.as_bytes(),
-            &self.names.base,
-            &asked,
-            // Claims may compare motions.
-            &self.names.all_motions,
-            derivation.trajectories.get(t)?.id.as_bytes(),
-        ]);
-        for (claim, verdict) in before {
-            let verdict = postcard::to_allocvec(verdict).ok()?;
-            sum = key(&[&sum, self.claim(&claim.id)?.as_bytes(), claim.name().as_bytes(), &verdict]);
-        }
-        Some(sum)
     }
 
     /// All claims that name families, with what they follow from, and the motions that members begin as.
@@ -517,4 +419,9 @@ impl State<'_> {
         }
         Some(sum)
     }
+}
+
+/// Whether a claim depends on another motion, too.
+fn compares_motions(claim: &Claim) -> bool {
+    claim.forms.iter().any(|f| matches!(f, Form::SameMotion { .. } | Form::Across(_)))
 }

@@ -10,6 +10,7 @@
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use super::compilation::Compiled;
+use super::memory::Question;
 use super::premises::Column;
 use super::run::Run;
 use super::{picture, pieces};
@@ -129,7 +130,8 @@ impl<'a> OnMotions<'a, '_> {
                     return pieces::undecided(reached);
                 }
                 let trial = Trial { graph: &derivation.graph, claim, program, trace: &trace, shown: true };
-                let mut verdict = recall.verdict(derivation, claim, t, || {
+                let sampled = Question::Sampled { claim, whole: &claim.name(), without: None, motion: t };
+                let mut verdict = recall.answer(derivation, sampled, || {
                     pieces::verdict(Task::Sampling, limits, || try_claim(derivation, &trial, gradients.as_ref()))
                 });
                 if let Some(contradiction) = &contradiction {

@@ -7,7 +7,7 @@
 
 use std::collections::HashMap;
 
-use super::memory::Known;
+use super::memory::{Known, Question};
 use super::pieces;
 use claim::comparison;
 use claim::limits::Limits;
@@ -102,13 +102,14 @@ pub(super) fn strengthen(
         }
     }
     let by_formula = |t: usize, before: (&Claim, &Verdict), find: &mut dyn FnMut() -> Verdict| {
-        let mut find = || match meter::piece(Task::Proving, limits, &mut *find) {
-            Ok(found) => vec![found],
-            Err(ended @ Ended::Defect(_)) => vec![pieces::undecided(ended)],
-            Err(_) => vec![before.1.clone()],
-        };
-        let found = recall.strengthened(("by formula", ""), derivation, t, &[before], &mut find);
-        found.into_iter().next().unwrap_or_else(|| before.1.clone())
+        let (claim, before) = before;
+        recall.answer(derivation, Question::ByFormula { claim, motion: t, before }, || {
+            match meter::piece(Task::Proving, limits, &mut *find) {
+                Ok(found) => found,
+                Err(ended @ Ended::Defect(_)) => pieces::undecided(ended),
+                Err(_) => before.clone(),
+            }
+        })
     };
     proved::by_formula::settle(derivation, claims, (claimed, tried), limits, &by_formula);
     let motion: HashMap<&str, usize> = tried.iter().map(|&t| (derivation.trajectories[t].id.as_str(), t)).collect();

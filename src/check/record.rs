@@ -3,8 +3,8 @@
 //! **In:** a derivation, what is asked of it, and where an earlier check may have left its record. **Out:** the account, and a record for
 //! later ones.
 //!
-//! Where the file says what it said, the account is the one that was kept, with the words of today. Where it says something else, it is
-//! checked, and every answer that is known by its content is recalled ([`Found`]), as [`Cache`](super::Cache) does it within one process:
+//! Where the file says what it said in one of its last states, the account is the one that was kept, with the words of today. Where it says something else, it is
+//! checked, and every answer that is known by its content is recalled ([`Answers`]), as [`Cache`](super::Cache) does it within one process:
 //! proofs with the assumptions that they need, what was counted on families, verdicts on motions, what was enclosed. Motions are made again.
 //!
 //! **Guaranteed:** the account is the one that [`check()`](super::check()) would give, but for places in the text of the file. Verdicts that are read back are decided again from
@@ -13,8 +13,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::answers::{AGES, Answers, key};
 use super::cache::{Cache, contents, describe};
-use super::memory::{Contents, Found, Known, Memory, Names, key};
+use super::memory::{Contents, Known, Memory, Names};
 use super::{check, check_recalling};
 use crate::derivation::Derivation;
 use claim::error::CheckError;
@@ -22,8 +23,10 @@ use claim::options::Options;
 use files::records::Store;
 use findings::Account;
 
-/// The record that has the account of a file.
+/// The record that has the account of one state of a file.
 const ACCOUNT: &str = "account";
+/// The record that has the names of those that are kept of a file.
+const STATES: &str = "states";
 /// The record that has the answers to all questions.
 const ANSWERS: &str = "answers";
 
@@ -56,11 +59,13 @@ pub fn check_recorded(
     let Some(contents) = contents(derivation).filter(|_| whole) else {
         return check(derivation, options, progress);
     };
-    let name = |of: &str| name(derivation, options, of);
-    if let Some(account) = recalled(derivation, &contents, &name(ACCOUNT), store) {
+    let of_account = name_of_account(derivation, options, &contents);
+    if let Some(account) = recalled(derivation, &contents, &of_account, store) {
         return Ok(account);
     }
-    let found: Option<Found> = store.read(&name(ANSWERS)).and_then(|bytes| postcard::from_bytes(&bytes).ok());
+    let states = States::of(derivation, options, store);
+    let of_answers = name(derivation, options, ANSWERS);
+    let found = store.read(&of_answers).and_then(|bytes| Answers::read(&bytes));
     let memory = Memory::of(found.unwrap_or_default());
     let mut account = check_recalling(derivation, options, Known::new(&memory, &Names::of(&contents)), None, progress)?;
     describe(derivation, &mut account);
@@ -69,12 +74,45 @@ pub fn check_recorded(
         return Ok(account);
     }
     let record = Record { contents, account };
-    for (of, bytes) in [(ACCOUNT, postcard::to_allocvec(&record)), (ANSWERS, postcard::to_allocvec(&memory.found()))] {
-        if let Ok(bytes) = bytes {
-            store.write(&name(of), &bytes);
+    states.keep(&of_account, &record, store);
+    store.write(&of_answers, &memory.answers().written());
+    Ok(record.account)
+}
+
+/// The name of the record of the account of this state of a file.
+fn name_of_account(derivation: &Derivation, options: &Options, contents: &Contents) -> String {
+    let state = postcard::to_allocvec(contents).unwrap_or_default();
+    let state: String = key(&[&state]).iter().map(|byte| format!("{byte:02x}")).collect();
+    name(derivation, options, &format!("{ACCOUNT} {state}"))
+}
+
+/// The names of the accounts that are kept of a file, the oldest first.
+struct States {
+    name: String,
+    known: Vec<String>,
+}
+
+impl States {
+    /// What is kept; asked before anything is found.
+    fn of(derivation: &Derivation, options: &Options, store: &dyn Store) -> States {
+        let name = name(derivation, options, STATES);
+        let known = store.read(&name).and_then(|bytes| postcard::from_bytes(&bytes).ok());
+        States { name, known: known.unwrap_or_default() }
+    }
+
+    /// Keeps the account of one more state, in place of that of the oldest where there are too many.
+    fn keep(mut self, of_account: &str, record: &Record, store: &dyn Store) {
+        let Ok(bytes) = postcard::to_allocvec(record) else { return };
+        self.known.retain(|state| state != of_account);
+        self.known.push(of_account.to_owned());
+        for oldest in self.known.drain(..self.known.len().saturating_sub(AGES as usize)) {
+            store.write(&oldest, &[]);
+        }
+        store.write(of_account, &bytes);
+        if let Ok(states) = postcard::to_allocvec(&self.known) {
+            store.write(&self.name, &states);
         }
     }
-    Ok(record.account)
 }
 
 /// The account that was kept of a file which says what this one says, with the words of this one.
@@ -95,14 +133,14 @@ pub fn check_again_recorded(
     store: &dyn Store,
 ) -> Result<(Account, Vec<String>), CheckError> {
     let Some(contents) = contents(derivation) else { return cache.check(derivation) };
-    let name = name(derivation, &Options::default(), ACCOUNT);
-    if let Some(account) = recalled(derivation, &contents, &name, store) {
+    let options = Options::default();
+    let of_account = name_of_account(derivation, &options, &contents);
+    if let Some(account) = recalled(derivation, &contents, &of_account, store) {
         return Ok((account, Vec::new()));
     }
+    let states = States::of(derivation, &options, store);
     let (account, checked) = cache.check(derivation)?;
     let record = Record { contents, account };
-    if let Ok(bytes) = postcard::to_allocvec(&record) {
-        store.write(&name, &bytes);
-    }
+    states.keep(&of_account, &record, store);
     Ok((record.account, checked))
 }

@@ -6,7 +6,7 @@
 //! becomes an account, which each further method completes. The file stays as it was read: what is compiled has a graph of its own.
 
 use super::compilation::Compiled;
-use super::memory::Known;
+use super::memory::{Known, Question};
 use super::on_motions::{Found, OnMotions};
 use super::pieces;
 use super::premises::{counterexample, strengthen};
@@ -22,7 +22,6 @@ use rayon::prelude::*;
 use sampled::selection::{Selection, is_asked};
 use sampled::systems::Fields;
 use sampled::witness;
-use verdict::Verdict;
 use weight::variant;
 
 /// The code of a file whose claims take too much work to be compiled.
@@ -170,6 +169,22 @@ const PLAN: &[Method] = &[
     Method { needs: &[Need::EveryMotion], find: |work| work.weigh() },
 ];
 
+/// What was enclosed of a file before.
+struct Enclosed<'e> {
+    derivation: &'e Derivation,
+    known: Known<'e>,
+}
+
+impl enclosed::Recall for Enclosed<'_> {
+    fn known(&self, question: &enclosed::Question) -> Option<enclosed::Answer> {
+        self.known.known(self.derivation, Question::Enclosed(*question))
+    }
+
+    fn keep(&self, question: &enclosed::Question, answer: &enclosed::Answer) {
+        self.known.keep(self.derivation, Question::Enclosed(*question), answer);
+    }
+}
+
 impl Work<'_, '_> {
     fn has(&self, need: Need) -> bool {
         let OnMotions { run, selection, stage, .. } = &self.claims;
@@ -200,7 +215,7 @@ impl Work<'_, '_> {
             let step = Step::of(derivation, claim)?.with(options.plain);
             match counterexample(derivation, selection, k, run.known, columns) {
                 Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
-                None => run.recall.identity(derivation, claim, || {
+                None => run.recall.answer(derivation, Question::Identity(claim), || {
                     pieces::decided(derivation, claim, &options.limits, || step.decide())
                 }),
             }
@@ -232,10 +247,7 @@ impl Work<'_, '_> {
     fn enclose(&mut self) -> Result<(), CheckError> {
         let OnMotions { run, selection, compiled, stage, .. } = self.claims;
         let Compiled { derivation, fields, prepared, .. } = compiled;
-        let recall = |t: usize, by: &str, before: &[(&Claim, &Verdict)], find: &mut dyn FnMut() -> Vec<Verdict>| {
-            run.recall.strengthened(("enclosed", by), derivation, t, before, find)
-        };
-        let (limits, recall) = (&run.options.limits, &recall);
+        let (limits, recall) = (&run.options.limits, &Enclosed { derivation, known: run.recall });
         let request = enclosed::Request { derivation, fields, stage, prepared, selection, limits, recall };
         enclosed::strengthen(&request, &mut self.account.claims);
         Ok(())

@@ -16,8 +16,6 @@ const SHORTEST: f64 = 1e-6;
 const PATIENCE: usize = 4;
 /// Most operations on models that are spent on one claim along one motion, and on a set of its presuppositions.
 const MOST: usize = 400_000;
-/// Most operations that are spent on all claims along one motion, beyond what they all share.
-const MOST_OF_ALL: usize = 8_000_000;
 
 /// Expressions of all claims, as one tape on which they share what they have in common.
 #[derive(Default)]
@@ -83,9 +81,8 @@ pub(super) struct Along {
     stretches: HashMap<Times, Rc<Stretch>>,
     shared: HashMap<Times, Rc<Reaches>>,
     middles: HashMap<Times, Rc<Vec<Result<Interval, NoValue>>>>,
-    /// Operations that may still be spent: on this claim, and on all.
+    /// Operations that may still be spent on this claim, beyond what all share.
     left: usize,
-    left_of_all: usize,
     /// What was shown of hypotheses, which is the same for every claim that presupposes them.
     presupposed: HashMap<Presupposed, Shown>,
 }
@@ -121,7 +118,6 @@ impl Along {
             shared: HashMap::new(),
             middles: HashMap::new(),
             left: MOST,
-            left_of_all: MOST_OF_ALL,
             presupposed: HashMap::new(),
         }
     }
@@ -204,7 +200,6 @@ impl Along {
         let key = key(time);
         if !self.first.contains(&key) {
             self.left = self.left.saturating_sub(part.operations());
-            self.left_of_all = self.left_of_all.saturating_sub(part.operations());
             let stretch = self.stretch(time);
             return self.enclosure.over(part, &stretch);
         }
@@ -238,7 +233,6 @@ impl Along {
         let (found, work) = self.enclosure.sharpened(sharp, &stretch);
         let work = work + sharp.operations();
         self.left = self.left.saturating_sub(work);
-        self.left_of_all = self.left_of_all.saturating_sub(work);
         let both = ranges.iter().zip(found).map(|(&known, new)| match (known, new) {
             (Ok(known), Ok(new)) => Ok(new.and(&known)),
             (known, _) => known,
@@ -293,10 +287,7 @@ impl Along {
         let mut looked = 0;
         while let Some(time) = todo.pop() {
             if self.left == 0 {
-                return Err(Enclosing::WorkLimit { operations: MOST, at: Some(time.lo()) }.into());
-            }
-            if self.left_of_all == 0 {
-                return Err(Enclosing::WorkLimit { operations: MOST_OF_ALL, at: None }.into());
+                return Err(Enclosing::WorkLimit { operations: MOST, at: time.lo() }.into());
             }
             looked += 1;
             let ranges = self.over(selection, time);

@@ -38,7 +38,7 @@ mod span;
 #[cfg(test)]
 mod tests;
 
-use crate::derivation::{Claim, Motion as Given};
+use crate::derivation::Motion as Given;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::findings::{ClaimAccount, by_trajectory};
 use crate::flow::{Enclosure, Motion, Source};
@@ -48,7 +48,7 @@ use cover::Along;
 use meter::{Ended, Task};
 use rayon::prelude::*;
 use reason::{Enclosing, Reason};
-pub use request::Request;
+pub use request::{Answer, Question, Recall, Request};
 use sampled::claim_program::Prepared;
 use sampled::setup::setup;
 
@@ -110,34 +110,47 @@ type Known<'a> = (&'a Graph, &'a [Vec<Expr>]);
 /// `here` are the results on the motion, by the positions of the claim and of the result.
 fn one_motion(
     request: &Request,
-    (known, by): (Known, &str),
-    t: usize,
+    (known, integrals): (Known, &str),
+    motion: usize,
     (claims, here): (&[ClaimAccount], &[(usize, usize)]),
 ) -> Vec<Change> {
     let found = |&(k, at): &(usize, usize)| (k, at, &claims[k].results[at].verdict);
     let open = here.iter().map(found).filter(|(.., verdict)| !pair::is_rigorous(verdict.outcome()));
     let open: Vec<(usize, usize, &Verdict)> = open.collect();
-    if open.is_empty() {
-        return Vec::new();
-    }
-    let claim = |k: usize| request.prepared[k][request.selection.start_of[t]].claim;
-    let before: Vec<(&Claim, &Verdict)> = open.iter().map(|&(k, _, verdict)| (claim(k), verdict)).collect();
-    let mut enclosed = || {
-        let found = meter::piece(Task::Enclosing, request.limits, || enclose(request, known, t, &open));
-        found.unwrap_or_else(|ended| open.iter().map(|(.., verdict)| ended_by(verdict, &ended)).collect())
+    let question = |at: usize| {
+        let (k, _, before) = open[at];
+        Question { claim: request.prepared[k][request.selection.start_of[motion]].claim, motion, before, integrals }
     };
-    let found = (request.recall)(t, by, &before, &mut enclosed);
-    open.into_iter().zip(found).map(|((k, at, _), verdict)| (k, at, verdict)).collect()
+    let mut answers: Vec<Option<Answer>> = (0..open.len()).map(|at| request.recall.known(&question(at))).collect();
+    let left: Vec<usize> = (0..open.len()).filter(|&at| answers[at].is_none()).collect();
+    let asked: Vec<(usize, &Verdict)> = left.iter().map(|&at| (open[at].0, open[at].2)).collect();
+    if !asked.is_empty() {
+        let found = meter::piece(Task::Enclosing, request.limits, || enclose(request, known, motion, &asked));
+        let found = found.unwrap_or_else(|ended| asked.iter().map(|(_, verdict)| ended_by(verdict, &ended)).collect());
+        for (at, answer) in left.into_iter().zip(found) {
+            request.recall.keep(&question(at), &answer);
+            answers[at] = Some(answer);
+        }
+    }
+    // What is rigorous stands; the sampled motion is not what its error bounds say.
+    let withdrawn = answers.iter().flatten().find_map(|answer| answer.contradiction.clone());
+    let withdrawn = withdrawn.map(|reason| Reason::from(Enclosing::Withdrawn(std::sync::Arc::new(reason))));
+    let change = |((k, at, _), answer): ((usize, usize, &Verdict), Option<Answer>)| {
+        let mut verdict = answer?.verdict;
+        withdrawn.iter().for_each(|reason| verdict.withdraw_samples(reason));
+        Some((k, at, verdict))
+    };
+    open.iter().copied().zip(answers).filter_map(change).collect()
 }
 
-/// A verdict where the enclosure ended before it was done.
-fn ended_by(verdict: &Verdict, ended: &Ended) -> Verdict {
+/// An answer where the enclosure ended before it was done.
+fn ended_by(verdict: &Verdict, ended: &Ended) -> Answer {
     let (mut verdict, reason) = (verdict.clone(), Reason::from(ended.clone()));
     match ended {
         Ended::Defect(_) => verdict.contradict(reason),
         _ => pair::remark(&mut verdict, &reason),
     }
-    verdict
+    Answer { verdict, contradiction: None }
 }
 
 /// The states of an integrated motion that claims ask for: where each stands among its leaves, and among the sides of its enclosure.
@@ -173,57 +186,59 @@ fn disagreement(request: &Request, t: usize, along: &mut Along, states: &[(usize
     })
 }
 
-/// The verdicts on some claims on one motion, by the positions of these claims.
-fn enclose(request: &Request, known: Known, t: usize, open: &[(usize, usize, &Verdict)]) -> Vec<Verdict> {
+/// What is said of some claims on one motion, by the positions of these claims.
+///
+/// Each has work of its own, and what they share is found once: so an answer does not depend on what else is asked.
+fn enclose(request: &Request, known: Known, t: usize, open: &[(usize, &Verdict)]) -> Vec<Answer> {
     let trajectory = &request.derivation.trajectories[t];
-    let mut changes: Vec<(usize, Verdict)> = open.iter().map(|&(k, _, verdict)| (k, verdict.clone())).collect();
-    let only = |changes: Vec<(usize, Verdict)>| changes.into_iter().map(|(_, verdict)| verdict).collect();
-    if let Some(reached) = request.limits.reached().map(Reason::from) {
-        changes.iter_mut().for_each(|(_, v)| pair::remark(v, &reached));
-        return only(changes);
+    let remarked = |reason: &Reason| -> Vec<Answer> {
+        let remarked = |before: &Verdict| {
+            let mut verdict = before.clone();
+            pair::remark(&mut verdict, reason);
+            Answer { verdict, contradiction: None }
+        };
+        open.iter().map(|(_, before)| remarked(before)).collect()
+    };
+    if let Some(reached) = request.limits.reached() {
+        return remarked(&reached.into());
     }
     let (mut graph, integrals) = (known.0.clone(), known.1);
     let (mut along, start) = match enclosure(request, integrals, &mut graph, t) {
         Ok((enclosure, start)) => (Along::new(enclosure, graph, trajectory.span), start),
-        Err(reason) => {
-            changes.iter_mut().for_each(|(_, v)| pair::remark(v, &reason));
-            return only(changes);
-        }
+        Err(reason) => return remarked(&reason),
     };
     let program = |k: usize| &request.prepared[k][request.selection.start_of[t]];
     let other = |other: usize, graph: &mut Graph| Ok(enclosure(request, integrals, graph, other)?.0);
     let mut parts = Vec::new();
-    for (k, _) in &changes {
+    for (k, _) in open {
         let Prepared { claim, program, gradients } = program(*k);
         let asked = pair::Asked { claim, program, gradients: gradients.as_ref(), start: &start, other: &other };
         parts.push(pair::prepare(&asked, &mut along));
     }
     let states = states(request, t, &mut along);
     if let Err(reason) = along.compile() {
-        changes.iter_mut().for_each(|(_, v)| pair::remark(v, &reason));
-        return only(changes);
+        return remarked(&reason);
     }
-    let mut withdrawn = disagreement(request, t, &mut along, &states);
-    for ((k, verdict), parts) in changes.iter_mut().zip(parts) {
-        if let Some(reached) = request.limits.reached() {
-            pair::remark(verdict, &reached.into());
-            continue;
-        }
-        let prepared = program(*k);
-        let program = &prepared.program;
+    let disagreement = disagreement(request, t, &mut along, &states);
+    let mut one = |(&(k, before), parts): (&(usize, &Verdict), Vec<_>)| {
+        let program = &program(k).program;
         let sampled = |comparison: &Comparison, time: f64| {
             let at = program.position(comparison)?;
             let values = request.stage.values(t, time);
             program.measure((&[values].into_iter().collect(), 1), 1.0).get(at)?.difference(0).ok()
         };
-        if let Err(contradiction) = pair::strengthen(program, parts, &mut along, &sampled, verdict) {
-            withdrawn.get_or_insert(contradiction);
-        }
-    }
-    // What is rigorous stands; the sampled motion is not what its error bounds say.
-    if let Some(contradiction) = withdrawn {
-        let reason = Enclosing::Withdrawn(std::sync::Arc::new(contradiction)).into();
-        changes.iter_mut().for_each(|(_, verdict)| verdict.withdraw_samples(&reason));
-    }
-    only(changes)
+        let find = || {
+            let mut verdict = before.clone();
+            let own = match request.limits.reached() {
+                Some(reached) => {
+                    pair::remark(&mut verdict, &reached.into());
+                    None
+                }
+                None => pair::strengthen(program, parts, &mut along, &sampled, &mut verdict).err(),
+            };
+            Answer { verdict, contradiction: disagreement.clone().or(own) }
+        };
+        meter::piece(Task::Enclosing, request.limits, find).unwrap_or_else(|ended| ended_by(before, &ended))
+    };
+    open.iter().zip(parts).map(&mut one).collect()
 }

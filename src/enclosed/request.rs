@@ -3,10 +3,12 @@
 use crate::derivation::{Claim, Derivation};
 use crate::verdict::Verdict;
 use claim::limits::Limits;
+use reason::Reason;
 use sampled::claim_program::Prepared;
 use sampled::selection::Selection;
 use sampled::stage::Stage;
 use sampled::systems::Fields;
+use serde::{Deserialize, Serialize};
 
 /// What is needed to enclose.
 pub struct Request<'a> {
@@ -16,11 +18,34 @@ pub struct Request<'a> {
     pub prepared: &'a [Vec<Prepared<'a>>],
     pub selection: &'a Selection,
     pub limits: &'a Limits,
-    /// Encloses, or recalls what was enclosed.
-    pub recall: Recall<'a>,
+    /// What was enclosed before.
+    pub recall: &'a dyn Recall,
 }
 
-/// Finds, or recalls, the verdicts on claims on a motion, by the verdicts before, and by the first integrals of all systems: any claim
-/// may name one.
-pub type Recall<'a> =
-    &'a (dyn Fn(usize, &str, &[(&Claim, &Verdict)], &mut dyn FnMut() -> Vec<Verdict>) -> Vec<Verdict> + Sync);
+/// One claim on one motion, with the verdict that samples gave.
+#[derive(Clone, Copy)]
+pub struct Question<'a> {
+    pub claim: &'a Claim,
+    /// The position of the trajectory.
+    pub motion: usize,
+    pub before: &'a Verdict,
+    /// The first integrals of all systems, as a text: any claim may name one.
+    pub integrals: &'a str,
+}
+
+/// What an enclosure says of one claim on one motion.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Answer {
+    pub verdict: Verdict,
+    /// Why the samples of the motion are not to be believed, for any claim.
+    pub contradiction: Option<Reason>,
+}
+
+/// What was enclosed before. **Guaranteed** by whoever keeps something: an answer is the one that would be found now.
+pub trait Recall: Sync {
+    /// The answer to a question, if it is known.
+    fn known(&self, question: &Question) -> Option<Answer>;
+
+    /// Keeps an answer.
+    fn keep(&self, question: &Question, answer: &Answer);
+}

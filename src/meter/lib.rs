@@ -74,7 +74,7 @@ tasks! {
     Sampling(10 * SECOND, 256 * MEGABYTE): "trying a claim on a motion",
     /// One claim, for all values.
     Proving(15 * SECOND, 256 * MEGABYTE): "proving a claim",
-    /// All claims on one motion.
+    /// One motion, with what all claims ask of it; then each claim.
     Enclosing(15 * SECOND, 256 * MEGABYTE): "enclosing a motion",
     /// One claim over its ranges.
     Ranges(15 * SECOND, 256 * MEGABYTE): "taking ranges apart",

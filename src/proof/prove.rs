@@ -114,13 +114,23 @@ pub(super) fn identity_at(
 
 /// Whether no motion, and no field, satisfies what is given: it contradicts itself, perhaps only in its derivatives. That x = 5 + t and
 /// x = 5 is so at one time, and on no interval.
+///
+/// Derivatives of higher order come first: a point over a finite field at which all of these hold satisfies those of lower order, too,
+/// and nothing contradicts them.
 pub fn excludes_motions(memory: &mut Memory, graph: &mut Graph, given: &Premises) -> bool {
     let nothing = [(graph.integer(0), graph.integer(1))];
     let options = Options { attempts: 0, special_cases: 4, wanted: Wanted::Fault, ..Options::default() };
-    (0..=MOST_TRIED).any(|further| {
-        let found = decide(memory, graph, &nothing, given, &options, further);
-        matches!(found, Err(Stop::Undecided(Reason::Contradiction) | Stop::Empty(Reason::Contradiction, _)))
-    })
+    let mut further = MOST_TRIED;
+    loop {
+        match decide(memory, graph, &nothing, given, &options, further) {
+            Err(Stop::Undecided(Reason::Contradiction) | Stop::Empty(Reason::Contradiction, _)) => return true,
+            Err(Stop::Undecided(Reason::Branches { .. })) => return false,
+            // No further derivative tells more.
+            Err(Stop::Undecided(Reason::Unextended)) if further > 0 => further = 0,
+            _ if further == 0 => return false,
+            _ => further -= 1,
+        }
+    }
 }
 
 /// Orders of derivatives in which contradictions of what is given are looked for.
@@ -597,10 +607,11 @@ impl Examination<'_> {
                 }))
             }
             Trials::Fail { failing, of } => {
-                // An exact point is looked for beyond the first that refutes, for a while.
+                // An exact point is looked for beyond the first that refutes, for a while; not where any will do.
+                let any = options.wanted == Wanted::Proof;
                 let enough = |f: &[Found]| {
                     refutation(f).is_some_and(|r| {
-                        f.len() > 12 || r.left.exact.is_some() && r.right.exact.is_some() && r.second.is_some()
+                        any || f.len() > 12 || r.left.exact.is_some() && r.right.exact.is_some() && r.second.is_some()
                     })
                 };
                 let mut passed_over = false;

@@ -517,6 +517,7 @@ impl<'a> Step<'a> {
             let equations = &self.beyond(equations, &premises);
             if let Identity::Proved(mut proof) = self.ask(&premises, equations, &options, split) {
                 if proof.example.is_none()
+                    && !self.has_few_points
                     && let Identity::Proved(again) = self.ask(&premises, equations, &Options::default(), split)
                 {
                     proof = again;
@@ -531,7 +532,9 @@ impl<'a> Step<'a> {
         }
         self.proved_at = Level { split, definitions: last };
         let everything = everything.unwrap_or_else(|| self.premises(gathered, equations, Definitions::LEVELS[last]));
-        self.ask(&everything, equations, &Options::default(), split)
+        // Where only a proof is of interest, no further derivatives are formed to see whether a point belongs to a motion.
+        let wanted = if self.has_few_points { Wanted::Proof } else { Wanted::Answer };
+        self.ask(&everything, equations, &Options { wanted, ..Options::default() }, split)
     }
 
     /// Whether something is said about values at several times, or as a function of the time, of which only the rates are

@@ -89,8 +89,8 @@ pub enum Enclosing {
     DirectionOpen(f64),
     #[error("whether the event at t = {0:.6} counts is not certain")]
     EventCounts(f64),
-    #[error("the work limit of {operations} operations {}was reached{}", if .at.is_none() { "for the motion " } else { "" }, .at.map_or_else(String::new, |t| format!(" at t = {t:.6}")))]
-    WorkLimit { operations: usize, at: Option<f64> },
+    #[error("the work limit of {operations} operations was reached at t = {at:.6}")]
+    WorkLimit { operations: usize, at: f64 },
     #[error("the sampled motion is withdrawn: {0}")]
     Withdrawn(Arc<Reason>),
     /// How far the sides are apart on the motion that samples see, with the error bound; and on the enclosed one.

@@ -1,0 +1,151 @@
+//! Answers, kept by the names of their questions.
+//!
+//! **In:** the name of a question, and how its answer is found. **Out:** the answer that is known, or the one that is found, and kept.
+//! All kinds of questions share one table: a name begins with what kind it is of, and an answer is kept as bytes, which are read when it
+//! is asked for. **Guaranteed:** what is not asked for in [`AGES`] states of a file is forgotten.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use sha2::{Digest, Sha256};
+
+/// For how many states of a file an answer is kept that is not asked for.
+pub(super) const AGES: u64 = 8;
+
+/// The name of a question.
+pub(super) type Key = [u8; 32];
+
+/// The name of a question with several parts.
+pub(super) fn key(parts: &[&[u8]]) -> Key {
+    let mut sum = Sha256::new();
+    for part in parts {
+        sum.update((part.len() as u64).to_le_bytes());
+        sum.update(part);
+    }
+    sum.finalize().into()
+}
+
+/// Answers by name, each with the last age in which it was asked for.
+#[derive(Debug, Default)]
+pub(super) struct Answers {
+    age: u64,
+    kept: Mutex<HashMap<Key, (u64, Arc<[u8]>)>>,
+}
+
+impl Answers {
+    /// A new state of the file begins.
+    pub fn grow_older(&mut self) {
+        self.age += 1;
+        let now = self.age;
+        self.kept.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| *age + AGES >= now);
+    }
+
+    /// How many states of the file there were.
+    pub fn age(&self) -> u64 {
+        self.age
+    }
+
+    /// The answer to a question, if it is known.
+    pub fn known<T: DeserializeOwned>(&self, name: Key) -> Option<T> {
+        let bytes = {
+            let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+            let (age, bytes) = kept.get_mut(&name)?;
+            *age = self.age;
+            Arc::clone(bytes)
+        };
+        postcard::from_bytes(&bytes).ok()
+    }
+
+    /// Keeps an answer; one that cannot be written is found again.
+    pub fn keep<T: Serialize>(&self, name: Key, answer: &T) {
+        if let Ok(bytes) = postcard::to_allocvec(answer) {
+            self.kept.lock().unwrap_or_else(PoisonError::into_inner).insert(name, (self.age, bytes.into()));
+        }
+    }
+
+    /// The answer to a question; what has no name is always found anew.
+    pub fn answer<T: Serialize + DeserializeOwned>(&self, name: Option<Key>, find: impl FnOnce() -> T) -> T {
+        let Some(name) = name else { return find() };
+        self.known(name).unwrap_or_else(|| {
+            let found = find();
+            self.keep(name, &found);
+            found
+        })
+    }
+
+    /// The table as bytes, for another process: the age, then each name with its age and answer, by name.
+    pub fn written(&self) -> Vec<u8> {
+        let kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut all: Vec<_> = kept.iter().collect();
+        all.sort_unstable_by_key(|(name, _)| **name);
+        let mut out = Vec::with_capacity(all.iter().map(|(_, (_, answer))| answer.len() + 48).sum::<usize>() + 8);
+        out.extend(self.age.to_le_bytes());
+        for (name, (age, answer)) in all {
+            out.extend(name);
+            out.extend(age.to_le_bytes());
+            out.extend((answer.len() as u64).to_le_bytes());
+            out.extend(&**answer);
+        }
+        out
+    }
+
+    /// The table that was written; `None` for other bytes.
+    pub fn read(mut bytes: &[u8]) -> Option<Answers> {
+        fn number(bytes: &mut &[u8]) -> Option<u64> {
+            let (number, rest) = bytes.split_first_chunk()?;
+            *bytes = rest;
+            Some(u64::from_le_bytes(*number))
+        }
+        let age = number(&mut bytes)?;
+        let mut kept = HashMap::new();
+        while !bytes.is_empty() {
+            let (name, rest): (&Key, _) = bytes.split_first_chunk()?;
+            bytes = rest;
+            let (age, length) = (number(&mut bytes)?, number(&mut bytes)?);
+            let (answer, rest) = bytes.split_at_checked(usize::try_from(length).ok()?)?;
+            bytes = rest;
+            kept.insert(*name, (age, answer.into()));
+        }
+        Some(Answers { age, kept: Mutex::new(kept) })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_is_read_and_what_is_damaged_is_not() {
+        let mut answers = Answers::default();
+        answers.grow_older();
+        for n in 0..20_u64 {
+            answers.keep(key(&[&n.to_le_bytes()]), &vec![n; n as usize]);
+        }
+        let bytes = answers.written();
+        let again = Answers::read(&bytes).expect("a table");
+        assert_eq!(again.written(), bytes);
+        assert_eq!(again.known::<Vec<u64>>(key(&[&3_u64.to_le_bytes()])), Some(vec![3, 3, 3]));
+        assert_eq!(again.known::<Vec<u64>>(key(&[b"other"])), None);
+        for end in 1..bytes.len().min(300) {
+            let whole = Answers::read(&bytes[..bytes.len() - end]);
+            assert!(whole.is_none_or(|found| found.written().len() < bytes.len()));
+        }
+    }
+
+    #[test]
+    fn what_is_not_asked_for_is_forgotten() {
+        let mut answers = Answers::default();
+        let [asked, idle] = [key(&[b"asked"]), key(&[b"idle"])];
+        answers.keep(asked, &1_u8);
+        answers.keep(idle, &2_u8);
+        for _ in 0..AGES {
+            answers.grow_older();
+            assert_eq!(answers.known(asked), Some(1_u8));
+        }
+        assert_eq!(answers.known(idle), Some(2_u8), "it is kept for so many states");
+        (0..=AGES).for_each(|_| answers.grow_older());
+        assert_eq!((answers.known::<u8>(asked), answers.known::<u8>(idle)), (None, None));
+    }
+}
