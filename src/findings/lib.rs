@@ -26,6 +26,7 @@ mod variant;
 mod words;
 
 pub use account::{
+    PartShown,
     Account, AssumptionsUsed, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary,
     TrajectoryAccount, by_trajectory,
 };

@@ -26,6 +26,7 @@
 mod account;
 mod chosen;
 mod definitions;
+mod denied;
 mod exceptions;
 mod gather;
 mod known;
@@ -42,11 +43,13 @@ use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Expr, FastMap, FastSet, Graph, Leaf, Symbol, Tensor};
 use crate::findings::standing::{self, Decision, Finding};
 use crate::findings::{AssumptionsUsed, IdentityAccount, IdentityEvidence};
+use crate::motions;
 use crate::latex::{Relation, RelationKind, Role};
 use crate::verdict::Witness;
+use claim::denial::denies;
 pub(crate) use chosen::chooses;
 use definitions::Definitions;
-use gather::Gathered;
+use gather::{Gathered, sides};
 use proof::{
     Branches, Condition, Identity, Memory, Options, Premises, Proof, Reason, Wanted, When, branches_test_after,
     excludes_motions, identity_test_after, order,
@@ -136,6 +139,12 @@ fn without_exceptions(identity: &Identity) -> bool {
     matches!(identity, Identity::Proved(proof) if !has_exceptions(proof))
 }
 
+/// Whether a motion may refute what is open: not where what is given contradicts itself, or the program itself.
+fn may_be_refuted(account: &IdentityAccount) -> bool {
+    let open = account.finding.decision() == Decision::Undecided;
+    open && !account.evidence.contradiction && !account.is_defect
+}
+
 impl<'a> Step<'a> {
     /// The sides of a relation that decide by themselves: components, but of ≠ between vectors or matrices, of which some
     /// component differs, the sum of the squares and 0. With the sign for which the claim is asked.
@@ -180,7 +189,7 @@ impl<'a> Step<'a> {
             apart: Pairs::new(),
         };
         let possible = !claim.forms.is_empty() && claim.at.is_none();
-        (possible && (step.is_equations() || step.is_about_parameters())).then_some(step)
+        (possible && (step.is_equations() || step.is_about_parameters() || denies(claim))).then_some(step)
     }
 
     fn is_equations(&self) -> bool {
@@ -327,7 +336,10 @@ impl<'a> Step<'a> {
     /// Decides the step; `Err` if the two routes contradict each other.
     pub fn decide(mut self) -> Option<Result<IdentityAccount, String>> {
         if !self.is_equations() {
-            return self.by_order().map(Ok);
+            return match self.is_about_parameters() {
+                true => self.by_order().map(Ok),
+                false => self.decide_denials(),
+            };
         }
         if self.assumes_sign() {
             return self.for_each_sign();
@@ -335,7 +347,18 @@ impl<'a> Step<'a> {
         let mut between =
             Step { has_few_points: self.has_few_points, ..Step::of(self.derivation, self.claim)?.with(self.plain) };
         between.apart = if self.at_all_times { Pairs::new() } else { self.chosen_apart() };
+        let (derivation, claim) = (self.derivation, self.claim);
+        let (at_all_times, searches) = (self.at_all_times, !self.has_few_points);
         let found = self.decide_equations()?;
+        let is_open = |account: &IdentityAccount| {
+            let refutable = account.finding.decision() == Decision::ProvedExcept || may_be_refuted(account);
+            searches && refutable
+        };
+        if matches!(&found, Ok(account) if is_open(account))
+            && let Some(motion) = motions::refuting(derivation, claim, at_all_times)
+        {
+            return Some(Ok(motions::account(derivation, claim, &motion)));
+        }
         // As long as what differs does so, all goes on.
         let is_open = matches!(&found, Ok(account) if account.finding.decision() == Decision::Undecided);
         if between.apart.is_empty() || !is_open {
