@@ -80,6 +80,7 @@ mod lint;
 mod maps;
 mod measures;
 mod mutants;
+mod negations;
 mod number_laws;
 mod package;
 mod package_action;

@@ -31,6 +31,7 @@ mod exceptions;
 mod gather;
 mod known;
 mod orders;
+mod places;
 mod points;
 mod rates;
 mod reach;
@@ -72,10 +73,10 @@ pub struct Step<'a> {
     proved_at: Level,
     /// What is known to be open.
     memory: Memory,
-    /// Whether something given was used in part only: then nothing is refuted.
-    loosened: bool,
-    /// Whether inequalities that are assumed hold at all times.
-    at_all_times: bool,
+    /// Of what only a part of what is given is used: where there is something, nothing is refuted.
+    in_part: Vec<Leaf>,
+    /// When an inequality that is assumed holds: of a file it chooses the times that count, what is typed is so always.
+    inequalities: When,
     /// What is assumed to differ at the times that the claim chooses, and is taken to differ at all: where it does not is an exception.
     apart: Pairs,
     /// Where the formulas of observables have edges, as far as that was asked for.
@@ -182,10 +183,10 @@ impl<'a> Step<'a> {
             sign: None,
             start: None,
             edges: FastMap::default(),
-            loosened: false,
+            in_part: Vec::new(),
             plain: false,
             has_few_points: false,
-            at_all_times: false,
+            inequalities: When::Chosen,
             apart: Pairs::new(),
         };
         let possible = !claim.forms.is_empty() && claim.at.is_none();
@@ -293,9 +294,9 @@ impl<'a> Step<'a> {
 
     /// Whether motions of a claim that names nothing obey equations that are not given: those of several systems, or one that is not
     /// written. No point refutes it then.
-    pub(super) fn lacks_systems(&self) -> bool {
-        let systems = Step::systems(self.derivation, self.claim);
-        self.claim.follows_from.is_empty() && !matches!(systems.as_slice(), [] | [Some(_)])
+    pub(crate) fn lacks_systems(derivation: &Derivation, claim: &Claim) -> bool {
+        let systems = Step::systems(derivation, claim);
+        claim.follows_from.is_empty() && !matches!(systems.as_slice(), [] | [Some(_)])
     }
 
     /// The answer where a motion gives it: one on which everything given holds, and the claim does not.
@@ -329,8 +330,8 @@ impl<'a> Step<'a> {
     }
 
     /// The same step, where what is assumed is assumed of all times: of a file, an inequality chooses the times that count.
-    pub fn at_all_times(self) -> Step<'a> {
-        Step { at_all_times: true, ..self }
+    pub fn typed(self) -> Step<'a> {
+        Step { inequalities: When::Always, ..self }
     }
 
     /// Decides the step; `Err` if the two routes contradict each other.
@@ -346,16 +347,16 @@ impl<'a> Step<'a> {
         }
         let mut between =
             Step { has_few_points: self.has_few_points, ..Step::of(self.derivation, self.claim)?.with(self.plain) };
-        between.apart = if self.at_all_times { Pairs::new() } else { self.chosen_apart() };
+        between.apart = if self.inequalities == When::Always { Pairs::new() } else { self.chosen_apart() };
         let (derivation, claim) = (self.derivation, self.claim);
-        let (at_all_times, searches) = (self.at_all_times, !self.has_few_points);
+        let (inequalities, searches) = (self.inequalities, !self.has_few_points);
         let found = self.decide_equations()?;
         let is_open = |account: &IdentityAccount| {
             let refutable = account.finding.decision() == Decision::ProvedExcept || may_be_refuted(account);
             searches && refutable
         };
         if matches!(&found, Ok(account) if is_open(account))
-            && let Some(motion) = motions::refuting(derivation, claim, at_all_times)
+            && let Some(motion) = motions::refuting(derivation, claim, inequalities)
         {
             return Some(Ok(motions::account(derivation, claim, &motion)));
         }
@@ -391,6 +392,8 @@ impl<'a> Step<'a> {
         if self.is_too_large(&gathered, &equations) {
             return Some(Ok(self.open(&gathered, Plain::TooLargeForProof)));
         }
+        self.put_in_fields(&mut gathered, &mut equations);
+        self.give_equal_places(&mut gathered, &equations);
         let times = self.unite_times(&mut gathered, &mut equations);
         let several =
             self.graph.leaves_within(equations.iter().flat_map(|&(l, r)| [l, r])).iter().any(|l| l.instant.is_some());
@@ -430,7 +433,7 @@ impl<'a> Step<'a> {
         if !matches!(identity, Identity::Proved(_)) && !standing::is_empty(&identity) {
             let still = self.at_rest(&gathered, &equations);
             let undecided = !matches!(identity, Identity::Refuted(_)) || several;
-            let complete = gathered.complete && !self.loosened;
+            let complete = gathered.complete && self.in_part.is_empty();
             if let Some(refuted) = still.filter(|_| undecided && complete) {
                 self.settled = None;
                 let evidence = match self.evidence(&refuted) {
@@ -474,9 +477,13 @@ impl<'a> Step<'a> {
             along.extend(differences.map(standing::Exception::Passes));
         }
         let narrower = self.is_narrower(&identity, &equations);
-        let complete = gathered.complete && !self.loosened;
+        let contradicts = matches!(identity, Identity::Undecided(Reason::Contradiction));
+        let complete = gathered.complete && self.in_part.is_empty();
         let account = self.account_along(identity, gathered.from.clone(), complete, along);
         let mut account = IdentityAccount { evidence, narrower, ..account };
+        if let Some((one, other)) = contradicts.then(|| self.contradicting(&equations)).flatten() {
+            account.reason = Some(Proving::Contradict(one.into(), other.into()).into());
+        }
         if account.finding.is_proved_in_part() {
             account.assumptions = if self.plain { None } else { self.assumptions_used(&equations, moved) };
             account.generic |= !gathered.inherited.is_empty();
@@ -490,6 +497,19 @@ impl<'a> Step<'a> {
     fn is_without_motion(&mut self, gathered: &Gathered, equations: &Pairs) -> bool {
         let premises = self.premises(gathered, equations, Definitions::Everything);
         excludes_motions(&mut self.memory, &mut self.graph, &premises)
+    }
+
+    /// Two assumptions that no motion satisfies together.
+    fn contradicting(&mut self, equations: &Pairs) -> Option<(String, String)> {
+        let count = self.claim.assuming.len();
+        let text = |n: usize| self.claim.assuming[n].text.clone();
+        let pairs = (0..count.min(MOST_ASSUMPTIONS)).flat_map(|i| (0..i).map(move |j| (j, i)));
+        let texts: Vec<((usize, usize), (String, String))> = pairs.map(|(j, i)| ((j, i), (text(j), text(i)))).collect();
+        texts.into_iter().find_map(|((j, i), texts)| {
+            let others: Vec<usize> = (0..count).filter(|n| *n != i && *n != j).collect();
+            let gathered = self.gather(Some(&others));
+            self.is_without_motion(&gathered, equations).then_some(texts)
+        })
     }
 
     /// Whether a step is about more than a proof has room for: what it takes grows with the square of that.

@@ -8,6 +8,7 @@ use crate::derivation::{Claim, Derivation, Form, Premise, Written};
 use crate::expr::{Expr, FastSet, Leaf, Symbol};
 use crate::latex::{Relation, RelationKind, Role, Scope, Statement};
 use crate::step::Step;
+use proof::When;
 
 /// Something that is said.
 #[derive(Clone, Copy, Debug)]
@@ -34,6 +35,8 @@ pub(super) struct Question<'a> {
     pub(super) demands: Vec<Demand<'a>>,
     /// What the claim says: refuted where one of these is false.
     pub(super) claimed: Vec<Said<'a>>,
+    /// What that names, with what chooses the times.
+    pub(super) claim_names: FastSet<(Symbol, u16)>,
     /// By what the times are chosen of which the claim speaks, and at which what is given speaks, too.
     pub(super) chosen_by: Vec<&'a Relation>,
     /// Everything that is named, in a fixed order.
@@ -155,11 +158,15 @@ fn names(derivation: &Derivation, scope: &Scope, roots: Vec<Expr>) -> Vec<Leaf> 
     out
 }
 
-/// What a claim asks of a motion that refutes it; `at_all_times`: inequalities that are assumed are assumed of all times.
-pub(super) fn question<'a>(derivation: &'a Derivation, claim: &'a Claim, at_all_times: bool) -> Option<Question<'a>> {
+/// What a claim asks of a motion that refutes it; `inequalities`: when those that are assumed hold; where that is not always, they choose the times.
+pub(super) fn question<'a>(derivation: &'a Derivation, claim: &'a Claim, inequalities: When) -> Option<Question<'a>> {
+    // Motions of several systems obey more than is given.
+    if Step::lacks_systems(derivation, claim) {
+        return None;
+    }
     let mut all = Gathering { derivation, claim, demands: Vec::new(), chosen_by: Vec::new() };
     let (selecting, others) = all.assumed(&claim.assuming, &claim.scope)?;
-    if at_all_times {
+    if inequalities == When::Always {
         for relation in selecting.into_iter().chain(others) {
             all.demand(Said::Relation(relation), &[], false);
         }
@@ -183,6 +190,9 @@ pub(super) fn question<'a>(derivation: &'a Derivation, claim: &'a Claim, at_all_
     let claimed: Vec<Said> = all.said(claim)?.into_iter().map(|(said, _)| said).collect();
     let mut roots: Vec<Expr> = claimed.iter().chain(all.demands.iter().map(|d| &d.said)).flat_map(Said::roots).collect();
     roots.extend(all.chosen_by.iter().flat_map(|r| sides(r)));
+    let mut of_claim: Vec<Expr> = claimed.iter().flat_map(Said::roots).collect();
+    of_claim.extend(all.chosen_by.iter().flat_map(|r| sides(r)));
+    let claim_names = names(derivation, &claim.scope, of_claim).into_iter().map(|l| (l.symbol, l.component)).collect();
     let names = names(derivation, &claim.scope, roots.clone());
     roots.extend(names.iter().filter_map(|l| definition(derivation, &claim.scope, *l)));
     let graph = &derivation.graph;
@@ -199,5 +209,5 @@ pub(super) fn question<'a>(derivation: &'a Derivation, claim: &'a Claim, at_all_
     numbers.sort_unstable();
     numbers.dedup();
     let Gathering { demands, chosen_by, .. } = all;
-    Some(Question { demands, claimed, chosen_by, names, instants, order, numbers })
+    Some(Question { demands, claimed, claim_names, chosen_by, names, instants, order, numbers })
 }

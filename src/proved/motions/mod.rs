@@ -18,6 +18,7 @@ use crate::derivation::{Claim, Derivation};
 use crate::findings::IdentityAccount;
 use crate::findings::standing::Finding;
 use crate::step::Step;
+use proof::When;
 use reason::{Coordinate, Point, Refuting};
 
 /// A motion on which everything given holds, and the claim does not.
@@ -32,8 +33,8 @@ pub(crate) struct Motion {
 }
 
 /// A motion that refutes a claim as a step.
-pub(crate) fn refuting(derivation: &Derivation, claim: &Claim, at_all_times: bool) -> Option<Motion> {
-    let question = demand::question(derivation, claim, at_all_times)?;
+pub(crate) fn refuting(derivation: &Derivation, claim: &Claim, inequalities: When) -> Option<Motion> {
+    let question = demand::question(derivation, claim, inequalities)?;
     search::search(derivation, claim, &question)
 }
 

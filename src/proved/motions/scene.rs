@@ -205,7 +205,7 @@ impl<'a> Scene<'a> {
         }
         let lower = |cell: usize| match self.rate(e, order - 1, cell)? {
             Value::Plain(f, k) => Ok((f, k)),
-            Value::Wave { .. } => Err(Stop::Unknown),
+            Value::Wave { .. } | Value::Root(..) => Err(Stop::Unknown),
         };
         let (f, k) = lower(cell)?;
         let made = |f: Fraction, k: i32| {

@@ -236,7 +236,7 @@ impl<'a> Search<'_, 'a> {
             };
             let mut next = Vec::new();
             for course in &all {
-                for at in self.about.iter().take(times) {
+                for at in self.about.iter().take(times).chain(self.scene.breaks().iter().take(2)) {
                     for &n in self.numbers.iter().take(numbers) {
                         let Some(one) = antiderivative(course, at, &Rational::from(n)) else { continue };
                         if !next.contains(&one) {
@@ -287,13 +287,26 @@ impl<'a> Search<'_, 'a> {
     /// Whether all demands that name a component, and nothing beyond what is chosen, are met.
     fn is_met(&mut self, component: (Symbol, u16), chosen: &FastSet<(Symbol, u16)>) -> bool {
         let question = self.question;
-        let defined = |n: &(Symbol, u16)| {
-            let leaf = Leaf::now(n.0, n.1);
-            chosen.contains(n) || !self.unknown.contains(&leaf)
-        };
+        let unknown = self.unknown.clone();
+        let defined = |n: &(Symbol, u16)| chosen.contains(n) || !unknown.contains(&Leaf::now(n.0, n.1));
         let due: Vec<&Demand> =
             question.demands.iter().filter(|d| d.names.contains(&component) && d.names.iter().all(defined)).collect();
-        due.into_iter().all(|demand| self.parted(|this| this.demanded(demand)) == Some(true))
+        if !due.into_iter().all(|demand| self.parted(|this| this.demanded(demand)) == Some(true)) {
+            return false;
+        }
+        // Once the claim is decided: it must be false somewhere.
+        let decided = question.claim_names.contains(&component) && question.claim_names.iter().all(defined);
+        !decided || self.parted(|this| this.refutes(&this.chosen(&question.chosen_by)?)).flatten().is_some()
+    }
+
+    /// A time of some cells at which the claim is false, with its sides.
+    fn refutes(&self, cells: &[usize]) -> Result<Option<(Rational, [String; 2])>, Stop> {
+        for &said in &self.question.claimed {
+            if let Some(found) = self.false_at(said, cells)? {
+                return Ok(Some(found));
+            }
+        }
+        Ok(None)
     }
 
     fn demanded(&self, demand: &Demand) -> Result<bool, Stop> {
@@ -424,12 +437,7 @@ impl<'a> Search<'_, 'a> {
                 }
                 cells = met;
             }
-            for &said in &question.claimed {
-                if let Some(found) = this.false_at(said, &cells)? {
-                    return Ok(Some(found));
-                }
-            }
-            Ok(None)
+            this.refutes(&cells)
         })??;
         let mut courses: Vec<(String, String)> = Vec::new();
         for leaf in &self.unknown {

@@ -12,6 +12,8 @@ use crate::expr::{Op, Rational};
 pub(super) enum Value {
     /// f·πᵏ; where f is 0, k is 0.
     Plain(Fraction, i32),
+    /// f·πᵏ·√u, with a polynomial u that is positive on the piece, and no square.
+    Root(Fraction, i32, Polynomial),
     /// ± the sine, or the cosine, of π·f.
     Wave { cosine: bool, negative: bool, of: Fraction },
 }
@@ -178,14 +180,63 @@ fn root(f: &Fraction, cell: &Cell) -> Found {
         return Err(Stop::Void);
     }
     let square = f.top.mul(&f.under).ok_or(Stop::Unknown)?;
-    let root = Fraction::new(square.root().ok_or(Stop::Unknown)?, f.under.clone()).ok_or(Stop::Unknown)?;
-    Ok(plain(if cell.sign(&root)?.is_lt() { root.neg() } else { root }))
+    let positive = |e: Fraction| Ok(if cell.sign(&e)?.is_lt() { e.neg() } else { e });
+    match square.root() {
+        Some(root) => Ok(plain(positive(Fraction::new(root, f.under.clone()).ok_or(Stop::Unknown)?)?)),
+        None => {
+            let one = Polynomial::constant(Rational::ONE);
+            Ok(Value::Root(positive(Fraction::new(one, f.under.clone()).ok_or(Stop::Unknown)?)?, 0, square))
+        }
+    }
+}
+
+/// An operation in which roots take part.
+fn with_roots(op: Op, a: &Value, b: &Value) -> Found {
+    let parts = |v: &Value| match v {
+        Value::Plain(f, k) => Ok((f.clone(), *k, None)),
+        Value::Root(f, k, u) => Ok((f.clone(), *k, Some(u.clone()))),
+        Value::Wave { .. } => Err(Stop::Unknown),
+    };
+    let ((f, k, u), (g, l, v)) = (parts(a)?, parts(b)?);
+    let made = |f: Option<Fraction>, k: i32, u: Option<Polynomial>| {
+        let f = f.ok_or(Stop::Unknown)?;
+        Ok(match (f.is_zero(), u) {
+            (true, _) => number(0),
+            (false, None) => Value::Plain(f, k),
+            (false, Some(u)) => Value::Root(f, k, u),
+        })
+    };
+    match (op, u, v) {
+        (Op::Add | Op::Sub, u, _) if g.is_zero() => made(Some(f), k, u),
+        (Op::Add, _, v) if f.is_zero() => made(Some(g), l, v),
+        (Op::Sub, _, v) if f.is_zero() => made(Some(g.neg()), l, v),
+        (Op::Add, u, v) if u == v && k == l => made(f.add(&g), k, u),
+        (Op::Sub, u, v) if u == v && k == l => made(f.add(&g.neg()), k, u),
+        (Op::Mul, Some(u), Some(v)) if u == v => {
+            made(f.mul(&g).and_then(|fg| fg.mul(&Fraction::of(u))), k + l, None)
+        }
+        (Op::Mul, u, None) => made(f.mul(&g), k + l, u),
+        (Op::Mul, None, v) => made(f.mul(&g), k + l, v),
+        (Op::Div, Some(u), Some(v)) if u == v => made(g.inverse().and_then(|g| f.mul(&g)), k - l, None),
+        (Op::Div, u, None) => made(g.inverse().and_then(|g| f.mul(&g)), k - l, u),
+        (Op::Div, None, Some(v)) => {
+            let under = g.mul(&Fraction::of(v.clone())).and_then(|g| g.inverse());
+            made(under.and_then(|g| f.mul(&g)), k - l, Some(v))
+        }
+        _ => Err(Stop::Unknown),
+    }
 }
 
 fn of_one(op: Op, value: &Value, cell: &Cell) -> Found {
     let (f, k) = match (op, value) {
         (Op::Neg, Value::Wave { cosine, negative, of }) => return Ok(wave(*cosine, !negative, of.clone())),
-        (_, Value::Wave { .. }) => return Err(Stop::Unknown),
+        (Op::Neg, Value::Root(f, k, u)) => return Ok(Value::Root(f.neg(), *k, u.clone())),
+        (Op::Abs, Value::Root(f, k, u)) => {
+            let f = if cell.sign(f)?.is_lt() { f.neg() } else { f.clone() };
+            return Ok(Value::Root(f, *k, u.clone()));
+        }
+        (Op::Powi(2), root @ Value::Root(..)) => return with_roots(Op::Mul, root, root),
+        (_, Value::Wave { .. } | Value::Root(..)) => return Err(Stop::Unknown),
         (_, Value::Plain(f, k)) => (f, *k),
     };
     let is = |r: Rational| k == 0 && f.as_constant() == Some(r);
@@ -221,7 +272,12 @@ pub(super) fn apply(op: Op, a: &Value, b: Option<&Value>, cell: &Cell) -> Found 
     if op == Op::Restrict {
         return Ok(a.clone());
     }
-    let (Value::Plain(f, k), Value::Plain(g, l)) = (a, b) else { return Err(Stop::Unknown) };
+    let (Value::Plain(f, k), Value::Plain(g, l)) = (a, b) else {
+        return match (op, b) {
+            (Op::Div, Value::Plain(g, _)) if cell.sign(g)?.is_eq() => Err(Stop::Void),
+            (..) => with_roots(op, a, b),
+        };
+    };
     let made = |f: Option<Fraction>, k: i32| {
         let f = f.ok_or(Stop::Unknown)?;
         let turns = if f.is_zero() { 0 } else { k };
@@ -263,6 +319,12 @@ pub(super) fn difference(left: &Value, right: &Value) -> Result<Option<Fraction>
         (Value::Plain(f, k), Value::Plain(g, l)) if k == l || f.is_zero() || g.is_zero() => {
             f.add(&g.neg()).ok_or(Stop::Unknown).map(Some)
         }
+        (Value::Root(f, k, u), Value::Root(g, l, v)) if k == l && u == v => {
+            f.add(&g.neg()).ok_or(Stop::Unknown).map(Some)
+        }
+        // A root is not 0: it is positive where its factor is.
+        (Value::Root(f, ..), Value::Plain(g, _)) if g.is_zero() => Ok(Some(f.clone())),
+        (Value::Plain(f, _), Value::Root(g, ..)) if f.is_zero() => Ok(Some(g.neg())),
         _ => Err(Stop::Unknown),
     }
 }
@@ -270,8 +332,16 @@ pub(super) fn difference(left: &Value, right: &Value) -> Result<Option<Fraction>
 impl Value {
     /// It at a time of its piece, in words.
     pub(super) fn shown(&self, t: &Rational) -> Option<String> {
-        let Value::Plain(f, k) = self else { return None };
+        let (f, k, root) = match self {
+            Value::Plain(f, k) => (f, k, String::new()),
+            Value::Root(f, k, u) => (f, k, format!(" √({})", u.at(t))),
+            Value::Wave { .. } => return None,
+        };
         let c = f.at(t)?;
+        if !root.is_empty() {
+            let turns = if *k == 0 { String::new() } else { format!(" π^{k}") };
+            return Some(format!("({c}){turns}{root}"));
+        }
         Some(match (*k, c == Rational::ONE) {
             (0, _) => c.to_string(),
             (1, true) => "π".to_owned(),

@@ -31,7 +31,7 @@ impl Step<'_> {
     /// The same question of another claim of the file, or beside it.
     fn asked_of<'c>(&'c self, claim: &'c Claim) -> Option<Step<'c>> {
         let step = Step::of(self.derivation, claim)?.with(self.plain);
-        Some(Step { at_all_times: self.at_all_times, has_few_points: self.has_few_points, ..step })
+        Some(Step { inequalities: self.inequalities, has_few_points: self.has_few_points, ..step })
     }
 
     /// Decides a claim that denies equations.
