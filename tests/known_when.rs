@@ -99,9 +99,7 @@ fn rates_of_functions_with_edges_exist_off_the_edges_only() {
         (r"y=\ddot x(0)", G, &[r"xy=x\ddot x(0)", "G=G(1)"]),
         (r"\dot y=0", &["x,y: state", "B: observable = x^{\\frac32}"], &["By=B"]),
     ]);
-    never_proved(&[
-        (r"\dot y=0", &["x,y: state"], &[r"y\arcsin(1+x)=\arcsin(1+x)", r"xy=x", r"x\le0"]),
-    ]);
+    never_proved(&[(r"\dot y=0", &["x,y: state"], &[r"y\arcsin(1+x)=\arcsin(1+x)", r"xy=x", r"x\le0"])]);
 }
 
 #[test]

@@ -45,9 +45,12 @@ fn a_proof_of_what_is_denied_decides_every_negation() {
         ("later", &format!("assuming = ['t>1']\nnever = ['{law}']\nfollows-from = ['law']")),
         ("differs", &format!("always = ['{differs}']\nfollows-from = ['s']")),
         // What the file says that it follows from is not all that the motion obeys.
-        ("vector", r"never = ['(x^2+y^2,\dot x)=(x(0.1)^2+y(0.1)^2,y)']
+        (
+            "vector",
+            r"never = ['(x^2+y^2,\dot x)=(x(0.1)^2+y(0.1)^2,y)']
 assuming = ['t>1']
-follows-from = ['law']"),
+follows-from = ['law']",
+        ),
         ("a-hole", r"never = ['\frac{x^2}{x}=x']"),
         ("a-root", "never = ['r^2=x']"),
         ("vectors", r"always = ['(x,y)\ne(x,\dot x)']"),
@@ -86,8 +89,11 @@ fn a_point_at_which_it_is_false_says_nothing_of_other_times() {
         ("never", "never = ['x=0.31']\ntrajectories = []"),
         ("happens", "eventually = ['x=0.31']\ntrajectories = []"),
         ("one-of-two", r"never = ['x=0.31', '\sin^2x+\cos^2x=1']"),
-        ("both", r"eventually = ['x=0.31', '\sin^2x+\cos^2x=1']
-trajectories = []"),
+        (
+            "both",
+            r"eventually = ['x=0.31', '\sin^2x+\cos^2x=1']
+trajectories = []",
+        ),
     ]);
     assert_eq!(standing(&account, "never"), "undecided");
     assert_eq!(standing(&account, "happens"), "undecided");

@@ -8,10 +8,10 @@
 //! Negations are carried down to the comparisons, where ¬(l < r) is l ≥ r: both say nothing where a side has no value.
 
 use crate::comparison::{Comparison, Group, at_instant, boundaries, cuts, presupposed, traced};
+use crate::denial::{Denial, denied};
 use crate::derivation::{Claim, Form, System, Written};
 use crate::expr::domain::Sign;
 use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Rational, Tensor};
-use crate::denial::{Denial, denied};
 use crate::flow::may_hide;
 use crate::label::label;
 use crate::latex::{Relation, RelationKind, Role, Scope, Statement};

@@ -95,11 +95,8 @@ pub(super) fn power(a: &Combination, n: i32) -> Option<Combination> {
 fn without_squares(graph: &Graph, of: Combination) -> Combination {
     let squared = |&(base, n): &(Expr, i32)| {
         let Node::Unary(op, a) = *graph.node(base) else { return None };
-        let (sine, sign) = match op {
-            Op::Cos => (Op::Sin, Rational::NEG_ONE),
-            Op::Cosh => (Op::Sinh, Rational::ONE),
-            _ => return None,
-        };
+        let squares = [(Op::Cos, Op::Sin, Rational::NEG_ONE), (Op::Cosh, Op::Sinh, Rational::ONE)];
+        let (_, sine, sign) = squares.into_iter().find(|(cosine, ..)| *cosine == op)?;
         let sine = graph.find(&Node::Unary(sine, a)).filter(|_| n >= 2)?;
         Some((base, sine, sign))
     };

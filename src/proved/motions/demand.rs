@@ -188,7 +188,8 @@ pub(super) fn question<'a>(derivation: &'a Derivation, claim: &'a Claim, inequal
         }
     }
     let claimed: Vec<Said> = all.said(claim)?.into_iter().map(|(said, _)| said).collect();
-    let mut roots: Vec<Expr> = claimed.iter().chain(all.demands.iter().map(|d| &d.said)).flat_map(Said::roots).collect();
+    let mut roots: Vec<Expr> =
+        claimed.iter().chain(all.demands.iter().map(|d| &d.said)).flat_map(Said::roots).collect();
     roots.extend(all.chosen_by.iter().flat_map(|r| sides(r)));
     let mut of_claim: Vec<Expr> = claimed.iter().flat_map(Said::roots).collect();
     of_claim.extend(all.chosen_by.iter().flat_map(|r| sides(r)));

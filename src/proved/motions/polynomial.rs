@@ -339,7 +339,8 @@ mod tests {
     fn zeros_between_two_numbers() {
         let [low, high] = [-3, 3].map(Rational::from);
         // (2t − 1)²(t + 2)(t² + 1)
-        let square = of(&[-1, 2]).mul(&of(&[-1, 2])).and_then(|p| p.mul(&of(&[2, 1]))).and_then(|p| p.mul(&of(&[1, 0, 1])));
+        let square =
+            of(&[-1, 2]).mul(&of(&[-1, 2])).and_then(|p| p.mul(&of(&[2, 1]))).and_then(|p| p.mul(&of(&[1, 0, 1])));
         let half = Rational::ONE / Rational::from(2);
         let zeros = square.and_then(|p| p.zeros(&low, &high));
         assert_eq!(zeros, Some(vec![Rational::from(-2), half.clone()]));

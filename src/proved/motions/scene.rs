@@ -70,13 +70,21 @@ pub(super) struct Scene<'a> {
     cells: Vec<Cell>,
     pub(super) courses: FastMap<(Symbol, u16), Course>,
     pub(super) constants: FastMap<(Symbol, u16), Rational>,
+    /// So many operations were carried out.
+    work: std::cell::Cell<usize>,
 }
 
 impl<'a> Scene<'a> {
     pub(super) fn new(derivation: &'a Derivation, scope: &'a Scope, span: (Rational, Rational)) -> Scene<'a> {
         let cells = vec![Cell::Open(span.0.clone(), span.1.clone())];
         let (courses, constants) = (FastMap::default(), FastMap::default());
-        Scene { derivation, scope, span, breaks: Vec::new(), cells, courses, constants }
+        let work = std::cell::Cell::new(0);
+        Scene { derivation, scope, span, breaks: Vec::new(), cells, courses, constants, work }
+    }
+
+    /// How many operations were carried out.
+    pub(super) fn work(&self) -> usize {
+        self.work.get()
     }
 
     pub(super) fn cells(&self) -> &[Cell] {
@@ -132,8 +140,10 @@ impl<'a> Scene<'a> {
         if order.len() > MOST_NODES {
             return Err(Stop::Unknown);
         }
+        self.work.set(self.work.get() + order.len());
         let mut known: FastMap<Expr, Found> = FastMap::default();
         for node in order {
+            let restricts = |op: &Op| *op == Op::Restrict;
             let of = |e: &Expr| known.get(e).cloned().unwrap_or(Err(Stop::Unknown));
             let found = match graph.node(node) {
                 Node::Constant(r) => Ok(plain(Fraction::constant(Rational::clone(r)))),
@@ -144,7 +154,7 @@ impl<'a> Scene<'a> {
                     (Ok(a), Ok(b)) => apply(*op, &a, Some(&b), place),
                     (_, Err(part @ Stop::Part(_))) | (Err(part @ Stop::Part(_)), _) => Err(part),
                     (_, Err(Stop::Void)) => Err(Stop::Void),
-                    (Err(Stop::Void), _) if *op != Op::Restrict => Err(Stop::Void),
+                    (Err(Stop::Void), _) if !restricts(op) => Err(Stop::Void),
                     _ => Err(Stop::Unknown),
                 },
             };

@@ -13,8 +13,10 @@ use crate::latex::{Relation, RelationKind, Role};
 const MOST_NAMES: usize = 6;
 /// Most demands.
 const MOST_DEMANDS: usize = 24;
-/// Courses and numbers that are tried in all.
-const MOST_TRIED: usize = 3_000;
+/// Operations that are carried out for a span.
+const MOST_WORK: usize = 150_000;
+/// The same for a claim that is tried on motions, too.
+const LEAST_WORK: usize = 3_000;
 /// The highest rate that is looked at.
 const MOST_ORDER: u8 = 4;
 
@@ -36,7 +38,7 @@ struct Search<'q, 'a> {
     /// Times about which courses are laid.
     about: Vec<Rational>,
     numbers: Vec<i64>,
-    left: usize,
+    most_work: usize,
 }
 
 /// A motion that refutes, if the search finds one.
@@ -76,7 +78,7 @@ pub(super) fn search<'a>(derivation: &'a Derivation, claim: &'a Claim, question:
             unknown: unknown.clone(),
             about: about.clone(),
             numbers: numbers.clone(),
-            left: MOST_TRIED,
+            most_work: if claim.is_tried() { LEAST_WORK } else { MOST_WORK },
         };
         if let Some(found) = search.choose(&FastSet::default()) {
             return Some(found);
@@ -130,7 +132,8 @@ impl<'a> Search<'_, 'a> {
         // Constants; then what follows from what is chosen; then what no equation gives.
         let constant = open.iter().find(|l| !is_state(l)).copied();
         let following = open.iter().find_map(|l| Some((*l, given(l)?)));
-        let named = |l: &&Leaf| !self.explicit.iter().any(|(of, ..)| (of.symbol, of.component) == (l.symbol, l.component));
+        let named =
+            |l: &&Leaf| !self.explicit.iter().any(|(of, ..)| (of.symbol, of.component) == (l.symbol, l.component));
         let before = self.scene.breaks().to_vec();
         let (next, courses) = match (constant, following) {
             (Some(constant), _) => return self.choose_constant(constant, chosen),
@@ -142,16 +145,20 @@ impl<'a> Search<'_, 'a> {
         let mut chosen = chosen.clone();
         chosen.insert(component);
         for course in courses {
-            if self.left == 0 {
+            if self.scene.work() > self.most_work {
                 break;
             }
-            self.left -= 1;
             let breaks: Vec<Rational> = course.pieces.iter().map(|(at, _)| at.clone()).collect();
             let smooth = course.is_smooth(self.question.order + 1);
-            let room = smooth && breaks.into_iter().all(|at| at <= self.scene.span.0 || at >= self.scene.span.1 || self.scene.part(at));
+            let room = smooth
+                && breaks
+                    .into_iter()
+                    .all(|at| at <= self.scene.span.0 || at >= self.scene.span.1 || self.scene.part(at));
             if room {
                 self.scene.courses.insert(component, course);
-                if self.is_met(component, &chosen) && let Some(found) = self.choose(&chosen) {
+                if self.is_met(component, &chosen)
+                    && let Some(found) = self.choose(&chosen)
+                {
                     return Some(found);
                 }
             }
@@ -169,12 +176,13 @@ impl<'a> Search<'_, 'a> {
         let numbers: &[i64] = if positive { &[1, 2] } else { &[1, 0, 2, -1] };
         let before = self.scene.breaks().to_vec();
         for &number in numbers {
-            if self.left == 0 {
+            if self.scene.work() > self.most_work {
                 break;
             }
-            self.left -= 1;
             self.scene.constants.insert(component, Rational::from(number));
-            if self.is_met(component, &chosen) && let Some(found) = self.choose(&chosen) {
+            if self.is_met(component, &chosen)
+                && let Some(found) = self.choose(&chosen)
+            {
                 return Some(found);
             }
             self.scene.join(before.clone());
@@ -197,8 +205,19 @@ impl<'a> Search<'_, 'a> {
             add(whole(Polynomial::integers(&[n])));
         }
         let shapes: [&[i64]; 13] = [
-            &[0, 1], &[0, -1], &[0, 0, 1], &[0, 0, -1], &[2, 0, -1], &[1, 0, -1], &[0, 2], &[0, 1, 1], &[1, 1], &[1, -1],
-            &[2, 1], &[0, 0, 0, 1], &[0, -2],
+            &[0, 1],
+            &[0, -1],
+            &[0, 0, 1],
+            &[0, 0, -1],
+            &[2, 0, -1],
+            &[1, 0, -1],
+            &[0, 2],
+            &[0, 1, 1],
+            &[1, 1],
+            &[1, -1],
+            &[2, 1],
+            &[0, 0, 0, 1],
+            &[0, -2],
         ];
         for at in self.about.iter().rev() {
             for shape in shapes {

@@ -121,10 +121,9 @@ fn angle(y: &Value, x: &Value, cell: &Cell) -> Found {
     use std::cmp::Ordering::{Equal, Greater, Less};
     let half = || Fraction::constant(ratio(1, 2));
     let (y, x) = match (y, x) {
-        (
-            Value::Wave { cosine: false, negative: down, of },
-            Value::Wave { cosine: true, negative: back, of: same },
-        ) if of == same => {
+        (Value::Wave { cosine: false, negative: down, of }, Value::Wave { cosine: true, negative: back, of: same })
+            if of == same =>
+        {
             let forward = if down == back { of.clone() } else { of.neg() };
             let one = Fraction::constant(Rational::ONE);
             let turned = if *back { forward.add(&one).ok_or(Stop::Unknown)? } else { forward };
@@ -206,24 +205,35 @@ fn with_roots(op: Op, a: &Value, b: &Value) -> Found {
             (false, Some(u)) => Value::Root(f, k, u),
         })
     };
-    match (op, u, v) {
-        (Op::Add | Op::Sub, u, _) if g.is_zero() => made(Some(f), k, u),
-        (Op::Add, _, v) if f.is_zero() => made(Some(g), l, v),
-        (Op::Sub, _, v) if f.is_zero() => made(Some(g.neg()), l, v),
-        (Op::Add, u, v) if u == v && k == l => made(f.add(&g), k, u),
-        (Op::Sub, u, v) if u == v && k == l => made(f.add(&g.neg()), k, u),
-        (Op::Mul, Some(u), Some(v)) if u == v => {
-            made(f.mul(&g).and_then(|fg| fg.mul(&Fraction::of(u))), k + l, None)
+    match op {
+        Op::Add | Op::Sub => {
+            let (g, same) = (if op == Op::Sub { g.neg() } else { g }, u == v && k == l);
+            match (f.is_zero(), g.is_zero()) {
+                (_, true) => made(Some(f), k, u),
+                (true, false) => made(Some(g), l, v),
+                (false, false) if same => made(f.add(&g), k, u),
+                (false, false) => Err(Stop::Unknown),
+            }
         }
-        (Op::Mul, u, None) => made(f.mul(&g), k + l, u),
-        (Op::Mul, None, v) => made(f.mul(&g), k + l, v),
-        (Op::Div, Some(u), Some(v)) if u == v => made(g.inverse().and_then(|g| f.mul(&g)), k - l, None),
-        (Op::Div, u, None) => made(g.inverse().and_then(|g| f.mul(&g)), k - l, u),
-        (Op::Div, None, Some(v)) => {
-            let under = g.mul(&Fraction::of(v.clone())).and_then(|g| g.inverse());
-            made(under.and_then(|g| f.mul(&g)), k - l, Some(v))
+        Op::Mul => match (u, v) {
+            (Some(u), Some(v)) if u == v => made(f.mul(&g).and_then(|fg| fg.mul(&Fraction::of(u))), k + l, None),
+            (Some(_), Some(_)) => Err(Stop::Unknown),
+            (u, v) => made(f.mul(&g), k + l, u.or(v)),
+        },
+        Op::Div => match (u, v) {
+            (Some(u), Some(v)) if u == v => made(g.inverse().and_then(|g| f.mul(&g)), k - l, None),
+            (Some(_), Some(_)) => Err(Stop::Unknown),
+            (u, None) => made(g.inverse().and_then(|g| f.mul(&g)), k - l, u),
+            (None, Some(v)) => {
+                let under = g.mul(&Fraction::of(v.clone())).and_then(|g| g.inverse());
+                made(under.and_then(|g| f.mul(&g)), k - l, Some(v))
+            }
+        },
+        Op::Pow | Op::Arctan2 | Op::Agm | Op::DirectionCosine | Op::Restrict | Op::Powi(_) | Op::Neg | Op::Sqrt => {
+            Err(Stop::Unknown)
         }
-        _ => Err(Stop::Unknown),
+        Op::Exp | Op::Ln | Op::Sin | Op::Cos | Op::Tan | Op::Arcsin | Op::Arccos | Op::Arctan => Err(Stop::Unknown),
+        Op::Sinh | Op::Cosh | Op::Tanh | Op::Abs => Err(Stop::Unknown),
     }
 }
 
@@ -251,15 +261,25 @@ fn of_one(op: Op, value: &Value, cell: &Cell) -> Found {
         Op::Ln if cell.sign(f)?.is_le() => Err(Stop::Void),
         Op::Ln if is(Rational::ONE) => Ok(number(0)),
         Op::Sin | Op::Cos if k == 1 || f.is_zero() => Ok(wave(op == Op::Cos, false, f.clone())),
-        Op::Arctan if k == 0 => {
-            at_number(f, &[(Rational::ONE, ratio(1, 4)), (Rational::NEG_ONE, ratio(-1, 4))])
-        }
+        Op::Arctan if k == 0 => at_number(f, &[(Rational::ONE, ratio(1, 4)), (Rational::NEG_ONE, ratio(-1, 4))]),
         Op::Arcsin if k == 0 => at_number(f, &[(Rational::ONE, ratio(1, 2)), (Rational::NEG_ONE, ratio(-1, 2))]),
         Op::Arccos if k == 0 => at_number(
             f,
             &[(Rational::ONE, Rational::ZERO), (Rational::ZERO, ratio(1, 2)), (Rational::NEG_ONE, Rational::ONE)],
         ),
-        _ => Err(Stop::Unknown),
+        Op::Sqrt | Op::Exp | Op::Ln | Op::Sin | Op::Cos | Op::Tan | Op::Arcsin | Op::Arccos | Op::Arctan => {
+            Err(Stop::Unknown)
+        }
+        Op::Sinh | Op::Cosh | Op::Tanh => Err(Stop::Unknown),
+        Op::Add
+        | Op::Sub
+        | Op::Mul
+        | Op::Div
+        | Op::Pow
+        | Op::Arctan2
+        | Op::Agm
+        | Op::DirectionCosine
+        | Op::Restrict => Err(Stop::Unknown),
     }
 }
 
@@ -306,7 +326,9 @@ pub(super) fn apply(op: Op, a: &Value, b: Option<&Value>, cell: &Cell) -> Found 
         Op::Agm if cell.sign(f)?.is_lt() || cell.sign(g)?.is_lt() => Err(Stop::Void),
         Op::Agm if f == g && k == l => Ok(a.clone()),
         Op::Agm if f.is_zero() || g.is_zero() => Ok(number(0)),
-        _ => Err(Stop::Unknown),
+        Op::Add | Op::Sub | Op::Pow | Op::Agm | Op::Arctan2 | Op::DirectionCosine | Op::Restrict => Err(Stop::Unknown),
+        Op::Neg | Op::Sqrt | Op::Abs | Op::Powi(_) | Op::Exp | Op::Ln | Op::Sin | Op::Cos => Err(Stop::Unknown),
+        Op::Tan | Op::Arcsin | Op::Arccos | Op::Arctan | Op::Sinh | Op::Cosh | Op::Tanh => Err(Stop::Unknown),
     }
 }
 

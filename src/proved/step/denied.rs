@@ -49,7 +49,8 @@ impl Step<'_> {
                 defect => return Some(defect),
             };
             parts.extend(one.parts.iter().copied());
-            parts_from.extend(one.parts_from.iter().filter(|name| !parts_from.contains(name)).cloned().collect::<Vec<_>>());
+            parts_from
+                .extend(one.parts_from.iter().filter(|name| !parts_from.contains(name)).cloned().collect::<Vec<_>>());
             all.push(one);
         }
         if denoted.denials.is_empty() {
