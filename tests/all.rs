@@ -83,6 +83,7 @@ mod maps;
 mod mcp;
 mod measures;
 mod mutants;
+mod negations;
 mod number_laws;
 mod package;
 mod package_action;

@@ -104,7 +104,10 @@ fn a_refuted_step_never_passes() {
         (vec![none.clone(), everywhere("c", wrong)], (0, 1, 1)),
         (vec![none.clone(), everywhere("c", right)], (1, 0, 0)),
         // It is true of the parameters that the motion has, and not of all.
-        (vec![lucky.clone(), everywhere("c", wrong)], (1, 0, 0)),
+        (vec![lucky.clone(), everywhere("c", wrong)], (1, 1, 1)),
+        (vec![lucky.clone(), everywhere("c", right)], (1, 0, 0)),
+        // It holds on the motion by its start, and is said to follow from the system.
+        (vec![none.clone(), everywhere("c", "follows-from = ['s']\nalways = ['x=1+t']")], (1, 1, 1)),
         // It holds by its start, and does not follow from the system.
         (vec![none.clone(), everywhere("c", "always = ['x=1+t']")], (1, 0, 0)),
         // A postulate, by its word, or since something follows from it.

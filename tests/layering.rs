@@ -341,6 +341,12 @@ fn what_is_no_import_is_not_found() {
 /// None is to be added; where one is taken out, the number falls with it.
 const MOST_RECOGNISING: usize = 84;
 
+/// How many `matches!` name operations or forms: each is a list of a few, which another room may have to know of, too.
+const MOST_MATCHING: usize = 39;
+
+/// How many `match`es name operations, and take all others together as `Unary(..)` or `Binary(..)`.
+const MOST_TOGETHER: usize = 43;
+
 /// Files in which every operation, and every form, has to be named.
 const EXHAUSTIVE: &[&str] = &[
     "src/expr/domain.rs",
@@ -403,8 +409,34 @@ fn patterns(body: &[char]) -> Vec<String> {
     out
 }
 
+/// Whether a text names an operation or a form. `PartialForm::` is another type.
+fn names_operations(p: &str) -> bool {
+    let names =
+        |what: &str| p.match_indices(what).any(|(at, _)| !p[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_'));
+    names("Op::") || names("Form::")
+}
+
+/// How many `matches!` over operations or forms there are.
+fn lists(text: &str) -> usize {
+    let code: Vec<char> = code_only(text).chars().collect();
+    let word: Vec<char> = "matches!(".chars().collect();
+    let starts = (0..code.len()).filter(|&i| code[i..].starts_with(&word)).map(|i| i + word.len() - 1);
+    starts.filter(|&open| names_operations(&code[open..closing(&code, open)].iter().collect::<String>())).count()
+}
+
 /// How many `match`es over operations or forms have a wildcard.
 fn wildcards(text: &str) -> usize {
+    open_matches(text, &|all| all.iter().any(|p| p == "_" || p.starts_with("_ if ")))
+}
+
+/// How many `match`es over operations have no wildcard, and take the others together by their number of arguments.
+fn together(text: &str) -> usize {
+    let wild = |all: &[String]| all.iter().any(|p| p == "_" || p.starts_with("_ if "));
+    open_matches(text, &|all| !wild(all) && all.iter().any(|p| p.contains("Unary(..)") || p.contains("Binary(..)")))
+}
+
+/// How many `match`es over operations or forms have patterns that are open in some way.
+fn open_matches(text: &str, is_open: &dyn Fn(&[String]) -> bool) -> usize {
     let code: Vec<char> = code_only(text).chars().collect();
     let word: Vec<char> = "match ".chars().collect();
     let starts = (0..code.len()).filter(|&i| code[i..].starts_with(&word));
@@ -418,13 +450,7 @@ fn wildcards(text: &str) -> usize {
             &code[(i + 1).min(code.len())
                 ..closing(&code, i.min(code.len())).saturating_sub(1).max(i + 1).min(code.len())],
         );
-        // `PartialForm::` is another type.
-        let names = |p: &str, what: &str| {
-            p.match_indices(what).any(|(at, _)| !p[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_'))
-        };
-        let over = |p: &String| names(p, "Op::") || names(p, "Form::");
-        let any = |p: &String| p == "_" || p.starts_with("_ if ");
-        all.iter().any(over) && all.iter().any(any)
+        all.iter().any(|p| names_operations(p)) && is_open(&all)
     };
     starts.filter(|&start| is_wild(start)).count()
 }
@@ -435,9 +461,12 @@ fn no_wildcard_stands_for_operations_or_forms() {
     let mut files = Vec::new();
     rust_files(&root.join("src"), &mut files);
     let (mut wrong, mut count) = (Vec::new(), 0);
+    let (mut listing, mut taken_together) = (0, 0);
     for file in files {
         let name = file.strip_prefix(root).unwrap_or(&file).to_string_lossy().replace('\\', "/");
-        let found = wildcards(&fs::read_to_string(&file).expect("a source file can be read"));
+        let text = fs::read_to_string(&file).expect("a source file can be read");
+        let found = wildcards(&text);
+        (listing, taken_together) = (listing + lists(&text), taken_together + together(&text));
         count += found;
         if found > 0 {
             wrong.push(format!("{name}: {found}"));
@@ -447,6 +476,10 @@ fn no_wildcard_stands_for_operations_or_forms() {
     assert!(EXHAUSTIVE.iter().all(named), "name every operation and every form:\n{}", wrong.join("\n"));
     assert!(EXHAUSTIVE.iter().all(|name| root.join(name).exists()), "a file has moved");
     assert!(count <= MOST_RECOGNISING, "{count} wildcards over operations or forms:\n{}", wrong.join("\n"));
+    assert!(listing <= MOST_MATCHING, "{listing} `matches!` over operations or forms: ask the table of domains");
+    assert!(taken_together <= MOST_TOGETHER, "{taken_together} matches that take operations together: ask the table");
+    assert_eq!(lists("matches!(op, Op::Sin | Op::Cos) && matches!(kind, Kind::A)"), 1);
+    assert_eq!(together("match n { Node::Unary(Op::Sin, a) => 1, Node::Unary(..) | Node::Binary(..) => 2 }"), 1);
     assert_eq!(wildcards("match op { Op::Sin => 1, _ => 2 }"), 1);
     assert_eq!(wildcards("match f { Form::Always(w) if a => { g(w) } _ => {} }"), 1);
     assert_eq!(wildcards("match op { Op::Sin => match x { A => 1, _ => 2 }, Op::Cos => { 2 } }"), 0);

@@ -12,12 +12,12 @@ use super::pieces;
 use claim::comparison;
 use claim::limits::Limits;
 use derivation::{Claim, Derivation, Premise};
-use findings::ClaimAccount;
+use findings::{ClaimAccount, PartShown};
 use meter::{Ended, Task};
 use proved::conditional::premises_first;
 use proved::step::Step;
 use sampled::selection::Selection;
-use verdict::{Outcome, Proof, Strength, Verdict, Witness};
+use verdict::{Outcome, Proof, Strength, Truth, Verdict, Witness};
 
 /// What was found on one motion: a verdict for every claim that is tried on it.
 pub(super) type Column = Vec<Option<Verdict>>;
@@ -122,18 +122,21 @@ pub(super) fn strengthen(
         .collect();
     let here = |premise: usize| claimed.binary_search(&premise).ok();
     for k in premises_first(claimed.len(), |k| premises(derivation, claimed, &claims[k], claimed[k])) {
-        let Some(identity) = claims[k].identity.as_ref().filter(|i| i.lends_strength()) else { continue };
+        let Some(identity) = claims[k].identity.as_ref().filter(|i| i.lends_strength() || i.lends_parts()) else {
+            continue;
+        };
         // Where the sign that is proved has no value, the other one may be false.
         if !identity.conditions.is_empty()
             && derivation.claims[claimed[k]].forms.iter().any(derivation::Form::has_branches)
         {
             continue;
         }
+        let from = if identity.lends_parts() { &identity.parts_from } else { &identity.from };
         let mut ready: Vec<usize> = Vec::new();
         for (at, pair) in claims[k].results.iter().enumerate() {
             let Some(&t) = motion.get(pair.trajectory.as_str()) else { continue };
             let declared = &derivation.claims[claimed[k]];
-            if !(identity.from.is_empty() && declared.assuming.is_empty()) && may_leap(derivation, t) {
+            if !(from.is_empty() && declared.assuming.is_empty()) && may_leap(derivation, t) {
                 continue;
             }
             let given = |name: &String| match derivation.premise(name) {
@@ -148,17 +151,31 @@ pub(super) fn strengthen(
             // Where something special is left out, only what is seen to hold is given the strength of the proof.
             let open = match pair.verdict.outcome() {
                 Outcome::Holds(strength) => strength < Strength::Proved,
+                Outcome::Fails(strength) if identity.lends_parts() => strength < Strength::Proved,
                 Outcome::Undecided | Outcome::Fails(_) => identity.exceptions.is_empty(),
                 Outcome::NotApplicable(_) => false,
             };
-            if open && identity.from.iter().all(given) {
+            if open && from.iter().all(given) {
                 ready.push(at);
             }
         }
-        let proof = Proof { from: identity.from.clone(), conditions: Vec::new() };
+        let proof = Proof { from: from.clone(), conditions: Vec::new() };
+        let of_parts = identity.lends_parts().then(|| identity.parts.iter().map(truth).collect::<Vec<_>>());
         for at in ready {
-            claims[k].results[at].verdict.prove_claim(&proof);
+            let verdict = &mut claims[k].results[at].verdict;
+            match &of_parts {
+                Some(parts) => verdict.prove_parts(parts, &proof),
+                None => verdict.prove_claim(&proof),
+            }
         }
+    }
+}
+
+/// What a part is wherever it has a value.
+fn truth(&(part, shown): &(usize, PartShown)) -> (usize, Truth) {
+    match shown {
+        PartShown::IsSo => (part, Truth::True),
+        PartShown::IsNotSo => (part, Truth::False),
     }
 }
 
@@ -168,6 +185,6 @@ fn premises(derivation: &Derivation, claimed: &[usize], claim: &ClaimAccount, at
         Premise::Claim(premise) => claimed.binary_search(&premise).ok(),
         Premise::System(_) | Premise::Definition => None,
     };
-    let proved = claim.identity.iter().flat_map(|i| &i.from);
+    let proved = claim.identity.iter().flat_map(|i| i.from.iter().chain(&i.parts_from));
     derivation.claims[at].follows_from.iter().chain(proved).filter_map(of).collect()
 }

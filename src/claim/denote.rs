@@ -8,40 +8,15 @@
 //! Negations are carried down to the comparisons, where ¬(l < r) is l ≥ r: both say nothing where a side has no value.
 
 use crate::comparison::{Comparison, Group, at_instant, boundaries, cuts, presupposed, traced};
+use crate::denial::{Denial, denied};
 use crate::derivation::{Claim, Form, System, Written};
 use crate::expr::domain::Sign;
-use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Part as ComplexPart, Rational, Shape, Tensor};
+use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Rational, Tensor};
 use crate::flow::may_hide;
+use crate::label::label;
 use crate::latex::{Relation, RelationKind, Role, Scope, Statement};
 use crate::program::{Assumption, Denoted, Part, Program, What};
 use crate::verdict::{Proposition, Quantifier};
-
-/// The longest formula that names each of its comparisons in full: a chain of relations has as many of them as signs.
-const LONGEST_LABEL: usize = 4_000;
-
-/// Name of a component: the formula, and the values of its free indices.
-fn label(text: &str, indices: &[String], shape: &Shape, component: usize) -> String {
-    let end = (0..=80).rev().find(|&n| text.is_char_boundary(n)).unwrap_or(0);
-    let short = format!("{} …", &text[..end.min(text.len())]);
-    let text = if text.len() > LONGEST_LABEL { short.as_str() } else { text };
-    if shape.rank() == 0 {
-        return text.to_owned();
-    }
-    let values = shape.real_indices(component);
-    let mut named: Vec<String> = values
-        .iter()
-        .enumerate()
-        .map(|(axis, value)| match indices.get(axis) {
-            Some(name) => format!("{name} = {value}"),
-            None => value.to_string(),
-        })
-        .collect();
-    named.extend(shape.part(component).map(|part| match part {
-        ComplexPart::Real => "Re".to_owned(),
-        ComplexPart::Imaginary => "Im".to_owned(),
-    }));
-    format!("{text}   [{}]", named.join(", "))
-}
 
 /// The sum of squares of left − right, which vanishes where an equation holds; left − right itself for a scalar.
 fn vanishing(graph: &mut Graph, relation: &Relation) -> Option<Expr> {
@@ -224,13 +199,14 @@ pub fn denote(graph: &mut Graph, systems: &[System], claim: &Claim, initial_time
         hypotheses: Vec::new(),
         parts: Vec::new(),
         readings: Vec::new(),
+        denials: Vec::new(),
     };
     // A sign in assumptions and in the claim is one sign: for each of the two, the claim given what is assumed then.
     match assumed && said {
         true => [1, -1].into_iter().for_each(|sign| denotation.read(Some(sign))),
         false => denotation.read(None),
     }
-    let Denotation { graph, mut selectors, mut hypotheses, mut parts, readings, .. } = denotation;
+    let Denotation { graph, mut selectors, mut hypotheses, mut parts, readings, denials, .. } = denotation;
     for part in selectors.iter_mut().chain(&mut hypotheses).map(|a| &mut a.part).chain(&mut parts) {
         part.group.one_sided = one_sided(graph, &claim.scope, &part.group);
     }
@@ -258,7 +234,7 @@ pub fn denote(graph: &mut Graph, systems: &[System], claim: &Claim, initial_time
     let assumed = selectors.iter().chain(&hypotheses).map(|a| &a.part);
     let compared = assumed.chain(&parts).flat_map(|p| &p.group.comparisons);
     let edges = edges(graph, &claim.scope, compared);
-    Denoted { selectors, hypotheses, parts, claim: whole, at, rapid, edges, sign }
+    Denoted { selectors, hypotheses, parts, denials, claim: whole, at, rapid, edges, sign }
 }
 
 /// A claim while it is read.
@@ -272,6 +248,8 @@ struct Denotation<'a> {
     parts: Vec<Part>,
     /// For each sign of ±, or for none: what is said of the parts, and the hypotheses by their positions.
     readings: Vec<(Vec<Proposition>, Vec<usize>)>,
+    /// The parts that deny equations.
+    denials: Vec<Denial>,
 }
 
 /// A relation with its text.
@@ -354,7 +332,11 @@ impl Denotation<'_> {
                     for (text, relation) in self.relations(w, sign) {
                         match (&relation.limit, relation.has_branches && !is_denied(&relation)) {
                             (None, true) => branching.push((text, relation)),
-                            _ => says.push(self.relation((text, relation), &selected)),
+                            _ => {
+                                let equal = denied(w, std::slice::from_ref(&relation), RelationKind::NotEqual);
+                                says.push(self.relation((text, relation), &selected));
+                                self.denies(equal, false);
+                            }
                         }
                     }
                 }
@@ -366,6 +348,9 @@ impl Denotation<'_> {
                     if !others.is_empty() {
                         let group = self.group(&others, true, &selected);
                         ways.push(self.part(What::Every, group));
+                        if limits.is_empty() {
+                            self.denies(denied(w, &w.value.relations, RelationKind::Equal), false);
+                        }
                         if let Some(void) = one_is_void(&limits) {
                             // What is false of the others at some time makes the whole false then, whatever the limit is.
                             let otherwise = self.sometimes_false(&others, &selected);
@@ -382,6 +367,9 @@ impl Denotation<'_> {
                     if !others.is_empty() {
                         let group = self.group(&others, true, &selected);
                         both.push(self.part(What::Denied, group).negated());
+                        if void.is_none() {
+                            self.denies(denied(w, &w.value.relations, RelationKind::Equal), true);
+                        }
                         if let Some(void) = void {
                             let otherwise = self.sometimes_false(&others, &selected);
                             both.push(Proposition::And(vec![void, otherwise]).negated());
@@ -441,6 +429,12 @@ impl Denotation<'_> {
             says.push(self.part(What::Every, group));
         }
         self.readings.push((says, given));
+    }
+
+    /// Notes that the last part denies equations.
+    fn denies(&mut self, equal: Option<Written<Statement>>, happens: bool) {
+        let part = self.parts.len().saturating_sub(1);
+        self.denials.extend(equal.map(|equal| Denial { part, equal, happens }));
     }
 
     /// The limits of a text, and its other relations.

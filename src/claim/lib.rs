@@ -12,8 +12,10 @@ use ::{derivation, expr, flow, latex, number, verdict};
 
 mod block;
 pub mod comparison;
+pub mod denial;
 pub mod denote;
 pub mod error;
+mod label;
 pub mod limits;
 pub mod mute;
 pub mod options;

@@ -5,6 +5,7 @@
 
 use crate::block::{BLOCK, Block as Wide, Evaluation, Part as Block};
 use crate::comparison::{Comparison, Group};
+use crate::denial::Denial;
 use crate::expr::tape::{Slots, Tape};
 use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::flow::{Points, Sample};
@@ -145,6 +146,8 @@ pub struct Denoted {
     pub selectors: Vec<Assumption>,
     pub hypotheses: Vec<Assumption>,
     pub parts: Vec<Part>,
+    /// Those of the parts that deny equations.
+    pub denials: Vec<Denial>,
     pub claim: Proposition,
     pub at: Option<Expr>,
     pub rapid: Vec<Expr>,
@@ -154,7 +157,7 @@ pub struct Denoted {
 
 impl From<Denoted> for Program {
     fn from(of: Denoted) -> Program {
-        let Denoted { selectors, hypotheses, parts, claim, at, rapid, edges, sign } = of;
+        let Denoted { selectors, hypotheses, parts, claim, at, rapid, edges, sign, .. } = of;
         let (sides, sizes, inputs) = (None, None, Vec::new());
         let (leaps_at, tells_apart, shared) = (false, false, Vec::new());
         Program {

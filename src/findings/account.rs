@@ -171,6 +171,15 @@ pub struct AssumptionsUsed {
     pub unused: Vec<String>,
 }
 
+/// What is shown of a part that denies equations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum PartShown {
+    /// The equations are never all true.
+    IsSo,
+    /// They are always all true.
+    IsNotSo,
+}
+
 /// A claim as a step of the derivation: whether it holds for every value of every symbol, given what it follows from.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct IdentityAccount {
@@ -201,6 +210,10 @@ pub struct IdentityAccount {
     pub narrower: bool,
     /// Why undecided; a remark on a proof.
     pub reason: Option<Reason>,
+    /// What is shown of parts of the claim that deny equations: of each, by its position, what it is wherever it has a value.
+    pub parts: Vec<(usize, PartShown)>,
+    /// What that follows from: what is given, and for motions the system that they are integrated from.
+    pub parts_from: Vec<String>,
     /// Whether that is a defect: the program contradicts itself, or stopped in the middle of the proof.
     pub is_defect: bool,
     /// A point at which everything given holds and the claim does not.
@@ -237,6 +250,11 @@ impl IdentityAccount {
             && finding.exceptions().iter().all(analytic)
             && self.presupposed.is_empty()
             && !self.narrower
+    }
+
+    /// Whether what is shown of its parts holds on every motion on which what it follows from holds exactly.
+    pub fn lends_parts(&self) -> bool {
+        !self.parts.is_empty() && self.presupposed.is_empty()
     }
 
     /// The verdict in full: `proved`, `proved except`, `proved given`, `refuted`, `undecided`.

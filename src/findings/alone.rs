@@ -8,6 +8,7 @@
 //! | is a postulate | never |
 //! | is tried on nothing | always |
 //! | applies to none of the motions that it is tried on | where the step is decided |
+//! | says what it follows from, or is about parameters alone; and fails on no motion | where the step is refuted: it holds there by the values that letters happen to have |
 //! | else | never: on motions it may hold by their starts, or by their parameters |
 //!
 //! **A postulate** is given nothing, and either something follows from it, or it says that it is one (`postulate = true`): what a file
@@ -16,7 +17,7 @@
 use crate::account::{ClaimAccount, IdentityAccount};
 use crate::standing::Decision;
 use crate::words::{self, Word};
-use derivation::{Claim, Derivation, Premise};
+use derivation::{Claim, Derivation, Form, Premise};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use verdict::Outcome;
@@ -29,6 +30,8 @@ pub enum TrialScope {
     Nothing,
     /// On motions or families.
     Motions,
+    /// On these; but it says what it follows from, or is about parameters alone.
+    AsStep,
 }
 
 /// What makes the step of a claim its verdict, and what is expected then.
@@ -74,11 +77,29 @@ impl AloneAccount {
         let claim = derivation.claims.get(at).filter(|claim| claim.region.is_none())?;
         let scope = match claim.is_tried() {
             false => TrialScope::Nothing,
-            true => TrialScope::Motions,
+            true if claim.follows_from.is_empty() && !is_about_parameters(derivation, claim) => TrialScope::Motions,
+            true => TrialScope::AsStep,
         };
         let postulated = claim.postulate || premises.0.contains(&at) && is_free(claim);
         Some(AloneAccount { expected: claim.expect_alone, postulated, scope })
     }
+}
+
+/// Whether a claim relates parameters alone, whatever moves.
+fn is_about_parameters(derivation: &Derivation, claim: &Claim) -> bool {
+    let mut sides = Vec::new();
+    for form in &claim.forms {
+        let Form::Always(w) = form else { return false };
+        let relations = w.value.relations.iter();
+        sides.extend(relations.flat_map(|r| r.left.components.iter().chain(&r.right.components).copied()));
+    }
+    let (graph, scope) = (&derivation.graph, &claim.scope);
+    let leaves = graph.leaves_within(sides);
+    let is_parameter = |l: &expr::Leaf| {
+        let placed = graph.coordinate(*l).is_some() || graph.is_field(l.symbol);
+        !placed && !scope.moves(l) && scope.time() != Some(*l) && *l != scope.branch_sign()
+    };
+    !leaves.is_empty() && claim.assuming.is_empty() && leaves.iter().all(is_parameter)
 }
 
 /// Whether nothing is given to a claim, nothing is expected of it by itself, and the paper does not conclude it.
@@ -109,8 +130,9 @@ impl ClaimAccount {
         match alone.scope {
             // Nothing is asked of a step of which nothing is expected.
             TrialScope::Nothing => word.or(alone.expected.map(|_| "undecided")),
-            TrialScope::Motions if nowhere() => word,
-            TrialScope::Motions => None,
+            TrialScope::Motions | TrialScope::AsStep if nowhere() => word,
+            TrialScope::AsStep if outcomes().all(|o| o.truth() != Some(false)) => word.filter(|word| *word == "fails"),
+            TrialScope::Motions | TrialScope::AsStep => None,
         }
     }
 

@@ -26,7 +26,7 @@ mod variant;
 mod words;
 
 pub use account::{
-    Account, AssumptionsUsed, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary,
+    Account, AssumptionsUsed, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, PartShown, Summary,
     TrajectoryAccount, by_trajectory,
 };
 pub use alone::{AloneAccount, Premises, TrialScope};

@@ -124,12 +124,28 @@ impl Finding {
         Finding { decision: Decision::Refuted, ..Finding::default() }
     }
 
+    /// A motion of so many components by formulas, on which everything given holds exactly, and the claim does not.
+    pub fn of_example(components: usize) -> Finding {
+        let decision = if components > 0 { Decision::Refuted } else { Decision::Undecided };
+        Finding { decision, ..Finding::default() }
+    }
+
     /// The signs of everything, for every order of size of positive parameters.
     pub fn of_signs(found: &order::Orders) -> Finding {
         let decision = match (found.is_proved(), found.refuting()) {
             (true, _) => Decision::Proved,
             (false, Some(_)) => Decision::Refuted,
             (false, None) => Decision::Undecided,
+        };
+        Finding { decision, ..Finding::default() }
+    }
+
+    /// The finding on the negation of what this one is about: what is proved for all values, on motions that there are, is never false.
+    #[must_use]
+    pub fn of_negation(&self) -> Finding {
+        let decision = match self.decision {
+            Decision::Proved => Decision::Refuted,
+            Decision::ProvedExcept | Decision::Refuted | Decision::Undecided => Decision::Undecided,
         };
         Finding { decision, ..Finding::default() }
     }

@@ -16,7 +16,7 @@ fn short(r: Rational) -> Result<Exact, NoValue> {
 }
 
 /// √r, if it is rational.
-pub(super) fn rational_root(r: &Rational) -> Option<Rational> {
+pub fn rational_root(r: &Rational) -> Option<Rational> {
     let (sign, top) = r.numerator().clone().into_parts();
     if sign == dashu_int::Sign::Negative {
         return None;

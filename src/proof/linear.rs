@@ -90,6 +90,29 @@ pub(super) fn power(a: &Combination, n: i32) -> Option<Combination> {
     Some(out)
 }
 
+/// The same with squares of cosines written by sines, and those of hyperbolic cosines, where the sine is there: both sum up to 1, or
+/// differ by it. So arguments that are equal by that are seen to be.
+fn without_squares(graph: &Graph, of: Combination) -> Combination {
+    let squared = |&(base, n): &(Expr, i32)| {
+        let Node::Unary(op, a) = *graph.node(base) else { return None };
+        let squares = [(Op::Cos, Op::Sin, Rational::NEG_ONE), (Op::Cosh, Op::Sinh, Rational::ONE)];
+        let (_, sine, sign) = squares.into_iter().find(|(cosine, ..)| *cosine == op)?;
+        let sine = graph.find(&Node::Unary(sine, a)).filter(|_| n >= 2)?;
+        Some((base, sine, sign))
+    };
+    let mut out = of;
+    // Each turn takes a square away from one term.
+    for _ in 0..LONGEST {
+        let next = out.keys().find_map(|m| m.iter().find_map(squared).map(|found| (m.clone(), found)));
+        let Some((monomial, (base, sine, sign))) = next else { break };
+        let q = out.remove(&monomial).unwrap_or(Rational::ZERO);
+        let rest = times(&monomial, &vec![(base, -2)]);
+        add_to(&mut out, times(&rest, &vec![(sine, 2)]), &q * sign);
+        add_to(&mut out, rest, q);
+    }
+    out
+}
+
 impl Combinations {
     /// The combination that a node stands for.
     pub(super) fn of(&mut self, graph: &Graph, e: Expr) -> Combination {
@@ -101,6 +124,7 @@ impl Combinations {
                 continue;
             }
             let value = self.step(graph, node).unwrap_or_else(|| single(node, 1));
+            let value = without_squares(graph, value);
             self.known.insert(node, value);
         }
         self.known.get(&e).cloned().unwrap_or_else(|| single(e, 1))

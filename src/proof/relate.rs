@@ -27,7 +27,7 @@ use super::polynomial::{fraction, replaced};
 use super::powers::by_logarithms;
 use super::prove::identity_at;
 use super::range::Ranges;
-use super::simpler::simpler;
+use super::simpler::{simpler, with_numbers};
 use super::squares::squared;
 use super::witness::{decimals, values_at};
 use expr::domain::{Nature, Parity, row};
@@ -96,6 +96,28 @@ pub(super) fn settle(
     let equations: Pairs = equations.iter().map(|&(l, r)| (graph.unrestricted(l), graph.unrestricted(r))).collect();
     if let Some(found) = numbers(graph, &equations, whole, given) {
         return Some(found);
+    }
+    if let Some(of) = with_numbers(graph, whole, given) {
+        let found = identity_at(memory, graph, &of.equations, &of.given, options, depth + 1);
+        let mut complete = |point: &mut Point| {
+            for &(leaf, number) in &of.numbers {
+                let value = decimals(graph, &[number], &FastMap::default()).pop().flatten();
+                let decimal = value.map(|v| PointValue { exact: None, circle: None, decimal: v.value });
+                point.values.extend(decimal.map(|value| (leaf, value)));
+            }
+        };
+        match found {
+            Identity::Proved(mut proof) => {
+                proof.example.as_mut().into_iter().for_each(&mut complete);
+                return Some(Identity::Proved(finished(graph, whole, given, proof)));
+            }
+            Identity::Refuted(mut refutation) => {
+                complete(&mut refutation.point);
+                refutation.second.iter_mut().for_each(|(point, ..)| complete(point));
+                return Some(Identity::Refuted(refutation));
+            }
+            Identity::Undecided(_) => {}
+        }
     }
     // What else could be solved for is, now.
     let restricted = !given.equations.is_empty();

@@ -9,7 +9,7 @@
 use super::linear::{Combination, Combinations, Monomial, expression};
 use super::outcome::Premises;
 use super::polynomial::fraction;
-use expr::{Expr, Graph, Node, Op, Rational};
+use expr::{Expr, Graph, Leaf, Node, Op, Rational};
 
 /// Highest degree that is looked at.
 const HIGHEST: usize = 12;
@@ -35,6 +35,41 @@ pub(super) fn simpler(graph: &mut Graph, given: &Premises) -> Option<Premises> {
         }
     }
     changed.then_some(out)
+}
+
+/// A question in which what is given as a number is put in.
+pub(super) struct WithNumbers {
+    pub(super) equations: Vec<(Expr, Expr)>,
+    pub(super) given: Premises,
+    /// What was replaced, and by which numbers.
+    pub(super) numbers: Vec<(Leaf, Expr)>,
+}
+
+/// The question with numbers put in for what is given as one, `x = \sqrt[3]2`; `None` where nothing is.
+pub(super) fn with_numbers(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises) -> Option<WithNumbers> {
+    let mut numbers: Vec<(Leaf, Expr)> = Vec::new();
+    let mut rest = given.clone();
+    rest.equations.retain(|known| {
+        let found = [(known.left, known.right), (known.right, known.left)].into_iter().find_map(|(l, r)| {
+            let Node::Leaf(leaf) = *graph.node(l) else { return None };
+            (graph.leaves_within([r]).is_empty() && !numbers.iter().any(|(of, _)| *of == leaf)).then_some((leaf, r))
+        });
+        numbers.extend(found);
+        found.is_none()
+    });
+    if numbers.is_empty() {
+        return None;
+    }
+    let mut put = |e: Expr| graph.substitute(e, |_, leaf| numbers.iter().find(|(of, _)| *of == leaf).map(|(_, r)| *r));
+    let equations = equations.iter().map(|&(l, r)| (put(l), put(r))).collect();
+    for known in &mut rest.equations {
+        *known = known.with((put(known.left), put(known.right)));
+    }
+    rest.equations.retain(|known| known.left != known.right);
+    for e in rest.nonzero.iter_mut().chain(&mut rest.positive).chain(&mut rest.not_negative) {
+        *e = put(*e);
+    }
+    Some(WithNumbers { equations, given: rest, numbers })
 }
 
 /// aⁿ = bⁿ.

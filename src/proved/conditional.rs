@@ -47,10 +47,12 @@ pub fn conditional(derivation: &Derivation, claims: &mut [ClaimAccount], known: 
         let own = at(account);
         let (Some(own), Some(identity)) = (own, account.identity.as_mut()) else { continue };
         let mut out: Vec<Given> = Vec::new();
-        if identity.finding.is_proved_in_part() {
+        if identity.finding.is_proved_in_part() || !identity.parts.is_empty() {
             let inherited = assumptions.presupposed[own].iter().map(|&n| assumptions.text(n));
             let inherited: Vec<String> = inherited.filter(|text| !identity.presupposed.contains(text)).collect();
             identity.presupposed.extend(inherited);
+        }
+        if identity.finding.is_proved_in_part() {
             for at in gathered(&open, &premises(derivation, &identity.from), own) {
                 let standing = match at == own {
                     true => Some("itself what is to be proved"),

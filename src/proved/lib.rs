@@ -14,5 +14,6 @@ use ::{derivation, diag, expr, findings, latex, number, verdict};
 pub mod agreement;
 pub mod by_formula;
 pub mod conditional;
+mod motions;
 pub mod proposition;
 pub mod step;

@@ -120,7 +120,7 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
     if !others.is_empty() && Step::of(derivation, &claim).is_none() {
         return Err(CheckError::Problems(others));
     }
-    match Step::of(derivation, &claim).map(Step::at_all_times).and_then(Step::decide) {
+    match Step::of(derivation, &claim).map(Step::typed).and_then(Step::decide) {
         Some(account) => account.map_err(CheckError::Defect).map(|mut account| {
             if account.finding.is_proved_in_part() {
                 account.presupposed = presupposed(derivation, &claim);
@@ -129,7 +129,7 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
         }),
         // Both sides are one expression: all that is left to see is whether it has a value, where what is given holds.
         None => {
-            let step = Step::of(derivation, &claim).map(Step::at_all_times);
+            let step = Step::of(derivation, &claim).map(Step::typed);
             let step = step.ok_or_else(|| CheckError::Defect("an equation is no equation".to_owned()))?;
             step.of_one_expression(&pairs).map_err(CheckError::Defect)
         }

@@ -26,11 +26,14 @@
 mod account;
 mod chosen;
 mod definitions;
+mod denied;
 mod exceptions;
 mod gather;
 mod known;
 mod orders;
+mod places;
 mod points;
+mod questions;
 mod rates;
 mod reach;
 mod signs;
@@ -43,14 +46,13 @@ use crate::expr::{Expr, FastMap, FastSet, Graph, Leaf, Symbol, Tensor};
 use crate::findings::standing::{self, Decision, Finding};
 use crate::findings::{AssumptionsUsed, IdentityAccount, IdentityEvidence};
 use crate::latex::{Relation, RelationKind, Role};
+use crate::motions;
 use crate::verdict::Witness;
 pub(crate) use chosen::chooses;
+use claim::denial::denies;
 use definitions::Definitions;
-use gather::Gathered;
-use proof::{
-    Branches, Condition, Identity, Memory, Options, Premises, Proof, Reason, Wanted, When, branches_test_after,
-    excludes_motions, identity_test_after, order,
-};
+use gather::{Gathered, sides};
+use proof::{Condition, Identity, Memory, Options, Premises, Proof, Reason, Wanted, When, excludes_motions, order};
 use reason::{Plain, Proving, Refuting};
 use std::cell::RefCell;
 
@@ -69,10 +71,10 @@ pub struct Step<'a> {
     proved_at: Level,
     /// What is known to be open.
     memory: Memory,
-    /// Whether something given was used in part only: then nothing is refuted.
-    loosened: bool,
-    /// Whether inequalities that are assumed hold at all times.
-    at_all_times: bool,
+    /// Of what only a part of what is given is used: where there is something, nothing is refuted.
+    in_part: Vec<Leaf>,
+    /// When an inequality that is assumed holds: of a file it chooses the times that count, what is typed is so always.
+    inequalities: When,
     /// What is assumed to differ at the times that the claim chooses, and is taken to differ at all: where it does not is an exception.
     apart: Pairs,
     /// Where the formulas of observables have edges, as far as that was asked for.
@@ -136,6 +138,12 @@ fn without_exceptions(identity: &Identity) -> bool {
     matches!(identity, Identity::Proved(proof) if !has_exceptions(proof))
 }
 
+/// Whether a motion may refute what is open: not where what is given contradicts itself, or the program itself.
+fn may_be_refuted(account: &IdentityAccount) -> bool {
+    let open = account.finding.decision() == Decision::Undecided;
+    open && !account.evidence.contradiction && !account.is_defect
+}
+
 impl<'a> Step<'a> {
     /// The sides of a relation that decide by themselves: components, but of ≠ between vectors or matrices, of which some
     /// component differs, the sum of the squares and 0. With the sign for which the claim is asked.
@@ -173,14 +181,14 @@ impl<'a> Step<'a> {
             sign: None,
             start: None,
             edges: FastMap::default(),
-            loosened: false,
+            in_part: Vec::new(),
             plain: false,
             has_few_points: false,
-            at_all_times: false,
+            inequalities: When::Chosen,
             apart: Pairs::new(),
         };
         let possible = !claim.forms.is_empty() && claim.at.is_none();
-        (possible && (step.is_equations() || step.is_about_parameters())).then_some(step)
+        (possible && (step.is_equations() || step.is_about_parameters() || denies(claim))).then_some(step)
     }
 
     fn is_equations(&self) -> bool {
@@ -284,9 +292,9 @@ impl<'a> Step<'a> {
 
     /// Whether motions of a claim that names nothing obey equations that are not given: those of several systems, or one that is not
     /// written. No point refutes it then.
-    pub(super) fn lacks_systems(&self) -> bool {
-        let systems = Step::systems(self.derivation, self.claim);
-        self.claim.follows_from.is_empty() && !matches!(systems.as_slice(), [] | [Some(_)])
+    pub(crate) fn lacks_systems(derivation: &Derivation, claim: &Claim) -> bool {
+        let systems = Step::systems(derivation, claim);
+        claim.follows_from.is_empty() && !matches!(systems.as_slice(), [] | [Some(_)])
     }
 
     /// The answer where a motion gives it: one on which everything given holds, and the claim does not.
@@ -320,22 +328,36 @@ impl<'a> Step<'a> {
     }
 
     /// The same step, where what is assumed is assumed of all times: of a file, an inequality chooses the times that count.
-    pub fn at_all_times(self) -> Step<'a> {
-        Step { at_all_times: true, ..self }
+    pub fn typed(self) -> Step<'a> {
+        Step { inequalities: When::Always, ..self }
     }
 
     /// Decides the step; `Err` if the two routes contradict each other.
     pub fn decide(mut self) -> Option<Result<IdentityAccount, String>> {
         if !self.is_equations() {
-            return self.by_order().map(Ok);
+            return match self.is_about_parameters() {
+                true => self.by_order().map(Ok),
+                false => self.decide_denials(),
+            };
         }
         if self.assumes_sign() {
             return self.for_each_sign();
         }
         let mut between =
             Step { has_few_points: self.has_few_points, ..Step::of(self.derivation, self.claim)?.with(self.plain) };
-        between.apart = if self.at_all_times { Pairs::new() } else { self.chosen_apart() };
+        between.apart = if self.inequalities == When::Always { Pairs::new() } else { self.chosen_apart() };
+        let (derivation, claim) = (self.derivation, self.claim);
+        let (inequalities, searches) = (self.inequalities, !self.has_few_points);
         let found = self.decide_equations()?;
+        let is_open = |account: &IdentityAccount| {
+            let refutable = account.finding.decision() == Decision::ProvedExcept || may_be_refuted(account);
+            searches && refutable
+        };
+        if matches!(&found, Ok(account) if is_open(account))
+            && let Some(motion) = motions::refuting(derivation, claim, inequalities)
+        {
+            return Some(Ok(motions::account(derivation, claim, &motion)));
+        }
         // As long as what differs does so, all goes on.
         let is_open = matches!(&found, Ok(account) if account.finding.decision() == Decision::Undecided);
         if between.apart.is_empty() || !is_open {
@@ -368,6 +390,8 @@ impl<'a> Step<'a> {
         if self.is_too_large(&gathered, &equations) {
             return Some(Ok(self.open(&gathered, Plain::TooLargeForProof)));
         }
+        self.put_in_fields(&mut gathered, &mut equations);
+        self.give_equal_places(&mut gathered, &equations);
         let times = self.unite_times(&mut gathered, &mut equations);
         let several =
             self.graph.leaves_within(equations.iter().flat_map(|&(l, r)| [l, r])).iter().any(|l| l.instant.is_some());
@@ -407,7 +431,7 @@ impl<'a> Step<'a> {
         if !matches!(identity, Identity::Proved(_)) && !standing::is_empty(&identity) {
             let still = self.at_rest(&gathered, &equations);
             let undecided = !matches!(identity, Identity::Refuted(_)) || several;
-            let complete = gathered.complete && !self.loosened;
+            let complete = gathered.complete && self.in_part.is_empty();
             if let Some(refuted) = still.filter(|_| undecided && complete) {
                 self.settled = None;
                 let evidence = match self.evidence(&refuted) {
@@ -451,9 +475,13 @@ impl<'a> Step<'a> {
             along.extend(differences.map(standing::Exception::Passes));
         }
         let narrower = self.is_narrower(&identity, &equations);
-        let complete = gathered.complete && !self.loosened;
+        let contradicts = matches!(identity, Identity::Undecided(Reason::Contradiction));
+        let complete = gathered.complete && self.in_part.is_empty();
         let account = self.account_along(identity, gathered.from.clone(), complete, along);
         let mut account = IdentityAccount { evidence, narrower, ..account };
+        if let Some((one, other)) = contradicts.then(|| self.contradicting(&equations)).flatten() {
+            account.reason = Some(Proving::Contradict(one.into(), other.into()).into());
+        }
         if account.finding.is_proved_in_part() {
             account.assumptions = if self.plain { None } else { self.assumptions_used(&equations, moved) };
             account.generic |= !gathered.inherited.is_empty();
@@ -467,6 +495,19 @@ impl<'a> Step<'a> {
     fn is_without_motion(&mut self, gathered: &Gathered, equations: &Pairs) -> bool {
         let premises = self.premises(gathered, equations, Definitions::Everything);
         excludes_motions(&mut self.memory, &mut self.graph, &premises)
+    }
+
+    /// Two assumptions that no motion satisfies together.
+    fn contradicting(&mut self, equations: &Pairs) -> Option<(String, String)> {
+        let count = self.claim.assuming.len();
+        let text = |n: usize| self.claim.assuming[n].text.clone();
+        let pairs = (0..count.min(MOST_ASSUMPTIONS)).flat_map(|i| (0..i).map(move |j| (j, i)));
+        let texts: Vec<((usize, usize), (String, String))> = pairs.map(|(j, i)| ((j, i), (text(j), text(i)))).collect();
+        texts.into_iter().find_map(|((j, i), texts)| {
+            let others: Vec<usize> = (0..count).filter(|n| *n != i && *n != j).collect();
+            let gathered = self.gather(Some(&others));
+            self.is_without_motion(&gathered, equations).then_some(texts)
+        })
     }
 
     /// Whether a step is about more than a proof has room for: what it takes grows with the square of that.
@@ -498,184 +539,6 @@ impl<'a> Step<'a> {
         }
         let signs = Signs { leaf: sign, throughout: self.claim.branches_throughout };
         answer(&mut self.graph, &equations, &premises, Some(signs)).map(|(_, evidence)| evidence)
-    }
-
-    /// One question, with more and more definitions.
-    fn levels(&mut self, gathered: &Gathered, equations: &Pairs, split: bool) -> Identity {
-        let mut tried: Option<Premises> = None;
-        let last = Definitions::LEVELS.len() - 1;
-        let mut everything = None;
-        for (definitions, which) in Definitions::LEVELS.into_iter().enumerate().take(last) {
-            let premises = self.premises(gathered, equations, which);
-            if definitions + 1 == last {
-                everything = Some(self.premises(gathered, equations, Definitions::LEVELS[last]));
-            }
-            if [&tried, &everything].into_iter().flatten().any(|t| t.equations == premises.equations) {
-                continue;
-            }
-            let options = Options { attempts: FEW_POINTS, wanted: Wanted::Proof, ..Options::default() };
-            let equations = &self.beyond(equations, &premises);
-            if let Identity::Proved(mut proof) = self.ask(&premises, equations, &options, split) {
-                if proof.example.is_none()
-                    && !self.has_few_points
-                    && let Identity::Proved(again) = self.ask(&premises, equations, &Options::default(), split)
-                {
-                    proof = again;
-                }
-                self.proved_at = Level { split, definitions };
-                let settled = self.settled.take();
-                let identity = self.with_all_definitions(proof, gathered, &premises, equations, split);
-                self.settled = settled;
-                return identity;
-            }
-            tried = Some(premises);
-        }
-        self.proved_at = Level { split, definitions: last };
-        let everything = everything.unwrap_or_else(|| self.premises(gathered, equations, Definitions::LEVELS[last]));
-        // Where only a proof is of interest, no further derivatives are formed to see whether a point belongs to a motion.
-        let wanted = if self.has_few_points { Wanted::Proof } else { Wanted::Answer };
-        self.ask(&everything, equations, &Options { wanted, ..Options::default() }, split)
-    }
-
-    /// Whether something is said about values at several times, or as a function of the time, of which only the rates are
-    /// given: then a point that satisfies everything given need not belong to a motion.
-    fn joins_times(&self, gathered: &Gathered, equations: &Pairs) -> bool {
-        let sides = |p: &Pairs| p.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>();
-        let scope = &self.claim.scope;
-        let moves = |l: &Leaf| scope.moves(l);
-        let said = self.graph.leaves_within(sides(equations));
-        let now = said.iter().any(|l| moves(l) && l.instant.is_none());
-        let elsewhere = said.iter().any(|l| l.instant.is_some() || Some(*l) == scope.time());
-        let given = self.graph.leaves_within(sides(&gathered.systems).into_iter().chain(gathered.premises.sides()));
-        now && elsewhere && given.iter().any(|l| l.rate > 0)
-    }
-
-    /// A refutation at the fixed time that premises name, where present and fixed values are the same; `None` where no
-    /// premise names one. Other values need not belong to one motion: what connects them are rates, or that a motion
-    /// does not leap from one solution of the premises to another.
-    fn at_fixed_time(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Identity> {
-        let mut premises = self.premises(gathered, equations, Definitions::Everything);
-        let sides = |p: &Pairs| p.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>();
-        let leaves = self.graph.leaves_within(sides(equations).into_iter().chain(premises.sides()));
-        let scope = &self.claim.scope;
-        let moves = |l: &Leaf| scope.moves(l);
-        // Without a present value nothing is connected.
-        let now = self.graph.leaves_within(sides(equations)).iter().any(|l| moves(l) && l.instant.is_none());
-        let then: Vec<Leaf> = leaves.into_iter().filter(|l| moves(l) && l.instant.is_some()).collect();
-        let instant = then.first()?.instant;
-        if !now {
-            return None;
-        }
-        if then.iter().any(|l| l.instant != instant) {
-            return Some(Identity::Undecided(Reason::NoDerivative));
-        }
-        let fixed = instant?;
-        for leaf in then {
-            let pair = [leaf, Leaf { instant: None, ..leaf }].map(|l| self.graph.leaf(l));
-            premises.give([(pair[0], pair[1])], When::At(fixed));
-        }
-        if let Some(time) = scope.time() {
-            premises.give([(self.graph.leaf(time), fixed)], When::At(fixed));
-        }
-        Some(self.ask(&premises, equations, &Options::default(), false))
-    }
-
-    /// What the premises do not say already, as it stands.
-    fn beyond(&mut self, equations: &Pairs, premises: &Premises) -> Pairs {
-        let mut rest: Pairs = equations.iter().filter(|&&p| !premises.says(p)).copied().collect();
-        if rest.is_empty() {
-            let zero = self.graph.integer(0);
-            rest.push((zero, zero));
-        }
-        rest
-    }
-
-    /// A proof that used a part of the definitions, in the light of all: they may contradict what is given, and a point may
-    /// lie among the exceptions of the proof.
-    fn with_all_definitions(
-        &mut self,
-        proof: Proof,
-        gathered: &Gathered,
-        part: &Premises,
-        equations: &Pairs,
-        split: bool,
-    ) -> Identity {
-        let premises = self.premises(gathered, equations, Definitions::All);
-        if premises.equations == part.equations {
-            // Nothing was left out.
-            return Identity::Proved(proof);
-        }
-        let options = Options { attempts: FEW_POINTS, wanted: Wanted::Fault, ..Options::default() };
-        let generic = has_exceptions(&proof);
-        match self.ask(&premises, equations, &options, split) {
-            contradiction @ Identity::Undecided(Reason::Contradiction) => contradiction,
-            refuted @ Identity::Refuted(_) if generic => refuted,
-            Identity::Refuted(_) => {
-                let what = "a step is proved without definitions, and refuted with them".to_owned();
-                Identity::Undecided(Reason::Defect(what))
-            }
-            _ => Identity::Proved(proof),
-        }
-    }
-
-    /// The test of one set of premises; with `split`, of every choice of factors of those that are products.
-    fn ask(&mut self, premises: &Premises, equations: &Pairs, options: &Options, split: bool) -> Identity {
-        if !split {
-            return self.test(premises, equations, options);
-        }
-        let mut all: Option<Proof> = None;
-        // Which factor vanishes may change with time: a case is about one time, and what is near it.
-        let conclusion: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-        if self.graph.leaves_within(conclusion).iter().any(|leaf| leaf.instant.is_some()) {
-            return self.test(premises, equations, options);
-        }
-        let cases = self.cases(premises);
-        let several = cases.len() > 1;
-        for case in cases {
-            let found = self.test(&case, equations, options);
-            if several {
-                self.settled = None;
-            }
-            match found {
-                Identity::Proved(proof) => match &mut all {
-                    None => all = Some(proof),
-                    Some(sum) => sum.absorb(proof),
-                },
-                Identity::Undecided(Reason::Contradiction) => {}
-                other => return other,
-            }
-        }
-        all.map_or(Identity::Undecided(Reason::Contradiction), Identity::Proved)
-    }
-
-    fn test(&mut self, premises: &Premises, equations: &Pairs, options: &Options) -> Identity {
-        let identity = self.test_only(premises, equations, options);
-        self.settled = match &identity {
-            Identity::Undecided(_) => None,
-            _ => Some(Settled { premises: premises.clone(), equations: equations.clone(), identity: identity.clone() }),
-        };
-        identity
-    }
-
-    fn test_only(&mut self, premises: &Premises, equations: &Pairs, options: &Options) -> Identity {
-        let most = if self.has_few_points { FEW_POINTS } else { options.attempts };
-        let options = &Options { attempts: options.attempts.min(most), ..*options };
-        let sign = self.claim.scope.branch_sign();
-        let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-        if !self.graph.leaves_within(roots).contains(&sign) {
-            return identity_test_after(&mut self.memory, &mut self.graph, equations, premises, options);
-        }
-        let branches = [1, -1].map(|value| self.branch(equations, value));
-        let Branches { throughout: mut each, pointwise } =
-            branches_test_after(&mut self.memory, &mut self.graph, &branches, premises, options);
-        if !self.claim.branches_throughout {
-            return pointwise;
-        }
-        // Proved if one branch is; a refutation needs both.
-        let first = |wanted: fn(&Identity) -> bool| each.iter().position(wanted);
-        let proved = first(|i| matches!(i, Identity::Proved(_)));
-        let open = || first(|i| matches!(i, Identity::Undecided(_)));
-        each.swap_remove(proved.or_else(open).unwrap_or(0))
     }
 
     /// The assumptions of the claim that its proof needs; `None` where it has none. One is not needed only if

@@ -103,6 +103,9 @@ sentences! {
     MeasureUnknown: "the measure depends on something that motions do not have",
     NothingToShow: "what it shows has no value on this motion",
     // Proofs.
+    DeniedIsProved: "what it denies is proved to be so wherever it has a value",
+    DeniedIsExcluded: "what it denies contradicts what is given, at every time that counts",
+    DeniedIsOpen: "what it denies is neither shown to be so always, nor excluded",
     EqualNowhere: "both sides are equal wherever they have values, but no real point was found that satisfies what is given and at which they have some",
     OnlySpecialCases: "it was proved outside of special cases only, and no real point was found outside of them",
     GivenHasNoValue: "what is given makes a formula have no value",

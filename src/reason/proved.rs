@@ -19,6 +19,8 @@ pub enum Proving {
     Differ { equation: bool, t: f64, unseen: bool },
     #[error("what is given holds at most where {formula} = 0,{} which was not decided", if *.base { " the base of a power," } else { "" })]
     OnlyWhere { formula: Arc<str>, base: bool },
+    #[error("{0} and {1} contradict each other: nothing satisfies both, and nothing follows from them")]
+    Contradict(Arc<str>, Arc<str>),
     #[error("a premise could not be solved for any of its unknowns: {0} = 0")]
     Unsolved(Arc<str>),
     #[error(

@@ -194,7 +194,7 @@ impl Attempt<'_> {
     fn carry(&mut self, of: &Term, at: u32) -> Option<FactId> {
         let rate = self.search.draft.derivative(of).ok()?;
         let d = self.search.reader.read(&rate)?;
-        let because = self.values_at_all_times();
+        let because = self.values_throughout();
         let fact = if self.search.reader.graph.is_zero(d) {
             self.search.solved.clear();
             self.search.zero(Relation::equal(Term::integer(0), Term::integer(0)), None, &[])?
@@ -210,7 +210,7 @@ impl Attempt<'_> {
         (0..).map_while(|need| self.search.push(Step::HasValue { given, need })).collect()
     }
 
-    fn values_at_all_times(&mut self) -> Vec<FactId> {
+    fn values_throughout(&mut self) -> Vec<FactId> {
         (0..self.sequent.systems.len() as u32).flat_map(|at| self.values_of(Given::System(at))).collect()
     }
 
@@ -219,7 +219,7 @@ impl Attempt<'_> {
         let within = When::Chosen.within(CaseId::CLAIM);
         let fact = self.search.push(Step::Restrict { fact, to: within, because: vec![] })?;
         let mut because = self.assumptions.clone();
-        because.extend(self.values_at_all_times());
+        because.extend(self.values_throughout());
         for need in 0..self.search.draft.claim_needs().len() as u32 {
             because.extend(self.search.push(Step::ClaimHasValue { need, within: When::Chosen }));
         }

@@ -254,14 +254,25 @@ impl Verdict {
 
     /// A proof of all that the claim says, on this motion: given what it presupposes, which is not proved by that.
     pub fn prove_claim(&mut self, proof: &Proof) {
-        for part in self.claim.said() {
+        let said: Vec<(usize, Truth)> = self.claim.said().into_iter().map(|part| (part, Truth::True)).collect();
+        self.prove_parts(&said, proof);
+    }
+
+    /// A proof that parts are so, or are not so, on this motion, wherever they have a value. What is said to be false needs a time at which
+    /// it has one: the comparison there is the witness.
+    pub fn prove_parts(&mut self, parts: &[(usize, Truth)], proof: &Proof) {
+        for &(part, truth) in parts {
             let Some(finding) = self.findings.get_mut(part) else { continue };
-            if finding.known(Strength::Sampled) != Some(Possible::TRUE) {
+            if truth == Truth::False {
+                let Some(witness) = finding.evidence.compared() else { continue };
+                finding.evidence.witness = Some(witness);
+                finding.evidence.reason = Some(Plain::DeniedIsProved.into());
+            } else if finding.known(Strength::Sampled) != Some(Possible::TRUE) {
                 // Why it was open is of no interest any more.
                 finding.evidence.reason = None;
             }
             finding.evidence.proof = Some(proof.clone());
-            finding.proved = Possible::TRUE_OR_VOID;
+            finding.proved = Possible::only(truth).or_else(Possible::VOID);
         }
         self.fold();
     }
@@ -333,17 +344,21 @@ impl Verdict {
             // A witness is one against the claim.
             self.evidence.witness = None;
         }
-        // "True wherever it has a value" was shown: that it has one somewhere may be seen by weaker means.
-        if let Some((Truth::True, weaker)) = decided {
+        // "So wherever it has a value" was shown: that it has one somewhere may be seen by weaker means.
+        if let Some((truth @ (Truth::True | Truth::False), weaker)) = decided {
             for strength in [Strength::Proved, Strength::Enclosed].into_iter().filter(|s| *s > weaker) {
-                let with_value = |f: &Finding| match f.known(Strength::Sampled).and_then(Possible::decided) {
-                    Some(Truth::True) if f.known(strength) == Some(Possible::TRUE_OR_VOID) => Some(Possible::TRUE),
-                    _ => f.known(strength),
+                let with_value = |f: &Finding| {
+                    let known = f.known(strength)?;
+                    let seen = f.known(Strength::Sampled).and_then(Possible::decided).map(Possible::only);
+                    Some(seen.filter(|seen| known == seen.or_else(Possible::VOID)).unwrap_or(known))
                 };
                 let known: Option<Vec<Possible>> = self.findings.iter().map(with_value).collect();
                 let value = known.map(|k| self.claim.value(&mut |n| k.get(n).copied().unwrap_or(Possible::ANY)));
-                if value == Some(Possible::TRUE) {
-                    self.outcome = Outcome::Holds(strength);
+                if value == Some(Possible::only(truth)) {
+                    self.outcome = match truth {
+                        Truth::True => Outcome::Holds(strength),
+                        Truth::False | Truth::Void => Outcome::Fails(strength),
+                    };
                     break;
                 }
             }

@@ -179,6 +179,15 @@ pub struct Evidence {
 }
 
 impl Evidence {
+    /// A time at which both sides have values, with these: where they come closest, if that was kept.
+    pub fn compared(&self) -> Option<Witness> {
+        let series = self.series.as_ref()?;
+        let worst = self.residual.as_ref().map(|r| r.at);
+        let point = series.points.iter().find(|p| Some(p.t) == worst).or(series.points.first())?;
+        let ResidualPoint { t, left, right, bound, .. } = *point;
+        Some(Witness { t, formula: series.formula.clone(), left, right, bound, values: Vec::new() })
+    }
+
     /// Nothing but a reason.
     pub fn because(reason: impl Into<Reason>) -> Evidence {
         Evidence { reason: Some(reason.into()), ..Evidence::default() }

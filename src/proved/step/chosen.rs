@@ -59,7 +59,7 @@ impl<'a> Step<'a> {
     pub(super) fn times_chosen(&mut self, of: &Claim, without: &[usize]) -> When {
         match self.may_choose_single_times(of, without) {
             true => When::Chosen,
-            false if self.at_all_times || self.choosing(of, without).is_empty() => When::Always,
+            false if self.inequalities == When::Always || self.choosing(of, without).is_empty() => When::Always,
             false => When::ChosenOpen,
         }
     }
@@ -78,7 +78,7 @@ impl<'a> Step<'a> {
             let leaves = self.graph.leaves_within(pairs(r).flat_map(|(l, r)| [l, r]));
             leaves.iter().any(|l| Some(*l) == of.scope.time())
         };
-        choosing.retain(|r| !self.at_all_times || names_time(r));
+        choosing.retain(|r| self.inequalities != When::Always || names_time(r));
         !choosing.into_iter().all(|r| self.holds_for_a_while(&of.scope, r))
     }
 
@@ -96,7 +96,7 @@ impl<'a> Step<'a> {
     /// Whether what is so at the times that a claim chooses goes on at all others: none is left out; or it is so for a while, and motions
     /// are analytic.
     pub(super) fn goes_on(&mut self, of: &Claim, without: &[usize]) -> bool {
-        let everywhere = self.at_all_times || self.choosing(of, without).is_empty();
+        let everywhere = self.inequalities == When::Always || self.choosing(of, without).is_empty();
         everywhere || !self.may_choose_single_times(of, without) && self.motions_are_analytic(of)
     }
 
@@ -141,7 +141,7 @@ impl<'a> Step<'a> {
 
     /// Whether equations that are so at the times that count are so at all others, since they go on and cannot leap.
     pub(super) fn is_known_elsewhere(&mut self, of: &Claim, without: &[usize], equations: &Pairs) -> bool {
-        if self.at_all_times || self.choosing(of, without).is_empty() {
+        if self.inequalities == When::Always || self.choosing(of, without).is_empty() {
             return true;
         }
         let mut leaps = |e: Expr| {
@@ -156,7 +156,7 @@ impl<'a> Step<'a> {
         let choosing = self.choosing(claim, without);
         let scalar =
             |r: &&Relation| r.kind == RelationKind::NotEqual && r.left.components.len() == 1 && !r.has_branches;
-        if self.at_all_times || choosing.is_empty() || !choosing.iter().all(scalar) {
+        if self.inequalities == When::Always || choosing.is_empty() || !choosing.iter().all(scalar) {
             return Vec::new();
         }
         let own: Vec<Expr> = sides(&self.equations(claim).unwrap_or_default()).collect();

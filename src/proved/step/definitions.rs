@@ -128,9 +128,10 @@ impl Step<'_> {
                         Continued::Rate(rate) => {
                             let node = self.graph.leaf(Leaf { rate: 1, ..value });
                             premises.give([(node, rate)], When::Always);
-                            (moving, self.loosened) = (true, true);
+                            moving = true;
+                            self.in_part.push(value);
                         }
-                        Continued::Unknown => self.loosened = true,
+                        Continued::Unknown => self.in_part.push(value),
                     }
                     open.extend(self.graph.leaves_within([e]));
                 }
@@ -222,7 +223,7 @@ impl Step<'_> {
             }
             if let Some(e) = self.definition(Leaf { instant: None, ..leaf }, which) {
                 if self.derivation.is_angle(leaf.symbol) && may_leap(&self.graph, e) {
-                    self.loosened = true;
+                    self.in_part.push(leaf);
                     continue;
                 }
                 let then = at_instant(&mut self.graph, scope, e, instant);

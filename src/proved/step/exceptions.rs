@@ -70,7 +70,7 @@ impl Step<'_> {
                     clean
                 }
                 Identity::Undecided(Reason::Contradiction) => true,
-                Identity::Refuted(refutation) if refutes && gathered.complete && !self.loosened => {
+                Identity::Refuted(refutation) if refutes && gathered.complete && self.in_part.is_empty() => {
                     self.settled = None;
                     return Identity::Refuted(refutation);
                 }
@@ -79,7 +79,7 @@ impl Step<'_> {
                     case.premises.equations.insert(0, Known::of((pivot, zero), When::Always));
                     if refutes
                         && gathered.complete
-                        && !self.loosened
+                        && self.in_part.is_empty()
                         && let Some(refuted) = self.at_rest(&case, equations)
                     {
                         self.settled = None;

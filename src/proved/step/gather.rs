@@ -20,10 +20,10 @@ pub(super) struct Gathered {
     pub(super) inherited: Vec<String>,
     /// Equations that the claim assumes at some times only.
     pub(super) assumed_at_times: Vec<String>,
-    /// Whether all of it is known at all times.
-    pub(super) elsewhere: bool,
-    /// Whether all of it may be used of the times between others: none is left out, or motions are analytic.
-    pub(super) between: bool,
+    /// When all of it is known.
+    pub(super) known: When,
+    /// When what is so at the times that count may be used: also between them, if none is left out, or motions are analytic.
+    pub(super) lasting: When,
     /// The names.
     pub(super) from: Vec<String>,
     /// Whether all could be used: a refutation needs that.
@@ -33,6 +33,11 @@ pub(super) struct Gathered {
 pub(super) fn sides(pairs: &[(Expr, Expr)]) -> impl Iterator<Item = Expr> + '_ {
     pairs.iter().flat_map(|&(l, r)| [l, r])
 }
+/// Always, or at the times that a claim chooses.
+fn always_if(all: bool) -> When {
+    if all { When::Always } else { When::Chosen }
+}
+
 impl<'a> Step<'a> {
     /// The rate of a first integral as an equation `… = 0`: it says nothing where the integral has no value.
     fn constancy(&mut self, scope: &Scope, e: Expr) -> Option<(Expr, Expr)> {
@@ -124,7 +129,7 @@ impl<'a> Step<'a> {
     /// What `follows-from` and the assumptions give; `without` some assumptions.
     pub(super) fn gather(&mut self, without: Option<&[usize]>) -> Gathered {
         let (derivation, claim) = (self.derivation, self.claim);
-        let mut out = Gathered { complete: !self.lacks_systems(), ..Gathered::default() };
+        let mut out = Gathered { complete: !Step::lacks_systems(self.derivation, self.claim), ..Gathered::default() };
         let mut premises = Premises::default();
         self.roles(&mut premises);
         let absent = without.unwrap_or(&[]);
@@ -133,8 +138,8 @@ impl<'a> Step<'a> {
         premises.present = chosen.and(self.places_chosen(claim, absent));
         // Each with the scope that says what moves in it.
         let mut always: Vec<(&Scope, Pairs)> = Vec::new();
-        out.elsewhere = self.at_all_times || self.choosing(claim, absent).is_empty();
-        out.between = self.goes_on(claim, absent);
+        out.known = always_if(self.inequalities == When::Always || self.choosing(claim, absent).is_empty());
+        out.lasting = always_if(self.goes_on(claim, absent));
         let own: Pairs = premises.pairs().collect();
         if self.is_known_elsewhere(claim, absent, &own) {
             // What is so for a while goes on.
@@ -148,7 +153,7 @@ impl<'a> Step<'a> {
         let assumed = premises.equations.len();
         let mut constant = self.constants();
         let known: Pairs = self.about_constants(claim, absent, &constant);
-        if !out.elsewhere {
+        if out.known != When::Always {
             always.push((&claim.scope, known));
         }
         let mut given: Vec<&Claim> = Vec::new();
@@ -189,8 +194,8 @@ impl<'a> Step<'a> {
                     {
                         k.when = if self.moves(k.left) || self.moves(k.right) { places } else { k.when };
                     }
-                    out.elsewhere &= at_others;
-                    out.between &= at_others;
+                    out.known = out.known.and(always_if(at_others));
+                    out.lasting = out.lasting.and(always_if(at_others));
                     for form in &premise.forms {
                         if let (Form::FirstIntegral(w), true) = (form, at_others) {
                             constant.extend(w.value.components.iter().map(|&e| (&premise.scope, e)));
@@ -198,8 +203,8 @@ impl<'a> Step<'a> {
                     }
                     always.extend(at_others.then_some((&premise.scope, equations)));
                     // What it says under assumptions it may say at some times only.
-                    let throughout = self.at_all_times || premise.assuming.is_empty();
-                    out.between &= throughout || signs.is_empty();
+                    let throughout = self.inequalities == When::Always || premise.assuming.is_empty();
+                    out.lasting = out.lasting.and(always_if(throughout || signs.is_empty()));
                     for relation in signs {
                         self.give(relation, when, &mut premises);
                         if throughout {
@@ -236,8 +241,8 @@ impl<'a> Step<'a> {
         self.signs_throughout(&premises, &mut out.throughout);
         self.where_they_have_values(&mut premises, assumed, &mut always, &out.throughout);
         let moving = |k: &&proof::Known| self.moves(k.left) || self.moves(k.right);
-        out.elsewhere &=
-            chosen == When::Always && premises.equations.iter().filter(moving).all(|k| k.when == When::Always);
+        let moving = premises.equations.iter().filter(moving).map(|k| k.when);
+        out.known = moving.fold(out.known.and(chosen), When::and);
         out.throughout.give(always.iter().flat_map(|(_, pairs)| pairs.iter().copied()), When::Always);
         for instant in self.instants_with_values(claim, absent) {
             self.give_at(instant, claim, absent, &mut premises);
@@ -264,7 +269,7 @@ impl<'a> Step<'a> {
     fn signs_throughout(&self, premises: &Premises, throughout: &mut Premises) {
         let scope = &self.claim.scope;
         let moves = |l: &Leaf| l.instant.is_none() && (scope.moves(l) || Some(*l) == scope.time());
-        let holds = |e: &&Expr| self.at_all_times || !self.graph.leaves_within([**e]).iter().any(moves);
+        let holds = |e: &&Expr| self.inequalities == When::Always || !self.graph.leaves_within([**e]).iter().any(moves);
         throughout.nonzero.extend(premises.nonzero.iter().filter(|e| !self.apart.is_empty() || holds(e)));
         throughout.positive.extend(premises.positive.iter().filter(holds));
         throughout.not_negative.extend(premises.not_negative.iter().filter(holds));
@@ -282,9 +287,9 @@ impl<'a> Step<'a> {
         }
         // At some time: nothing is said of its rate.
         premises.give([(e, zero)], When::Chosen);
-        let loosened = self.loosened;
+        let used = self.in_part.len();
         self.definitions(&Pairs::new(), &[], Definitions::All, &mut premises);
-        self.loosened = loosened;
+        self.in_part.truncate(used);
         self.add_positive_parameters(&Pairs::new(), &mut premises);
         let options = Options { attempts: 1, most_nodes: LEFT_OUT_NODES, wanted: Wanted::Fault, ..Options::default() };
         let found = self.test_only(&premises, &vec![(zero, one)], &options);

@@ -53,7 +53,7 @@ impl Step<'_> {
             let names_places = leaves.iter().any(|l| self.graph.coordinate(*l).is_some());
             match relation.kind {
                 RelationKind::Equal => placed |= names_places && !names_fields,
-                _ => chosen |= names_places || names_fields && !self.at_all_times,
+                _ => chosen |= names_places || names_fields && self.inequalities != When::Always,
             }
         }
         match placed || self.may_choose_single_places(claim, without) {
@@ -76,10 +76,10 @@ impl Step<'_> {
             Sign::Positive => premises.not_negative.push(opposite),
             Sign::NotNegative => premises.positive.push(opposite),
         }
-        let loosened = self.loosened;
+        let used = self.in_part.len();
         self.definitions(&Pairs::new(), &[], Definitions::All, &mut premises);
         self.definitions_at_instants(&Pairs::new(), Definitions::All, &mut premises);
-        self.loosened = loosened;
+        self.in_part.truncate(used);
         self.add_positive_parameters(&Pairs::new(), &mut premises);
         let options = Options { attempts: 1, most_nodes: LEFT_OUT_NODES, wanted: Wanted::Fault, ..Options::default() };
         let found = self.test_only(&premises, &vec![(zero, one)], &options);
@@ -95,7 +95,7 @@ impl Step<'_> {
         always: &mut [(&Scope, Pairs)],
         throughout: &Premises,
     ) {
-        if self.at_all_times {
+        if self.inequalities == When::Always {
             return;
         }
         let scopes: Vec<&Scope> = always.iter().map(|(scope, _)| *scope).collect();

@@ -33,7 +33,7 @@ impl Step<'_> {
         }
         let question: Pairs = vec![(sum, self.graph.integer(1))];
         let premises = self.premises(&gathered, &question, Definitions::Everything);
-        if !gathered.complete || self.loosened {
+        if !gathered.complete || !self.in_part.is_empty() {
             return Vec::new();
         }
         let mut out = Vec::new();

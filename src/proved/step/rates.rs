@@ -37,7 +37,7 @@ impl Step<'_> {
     /// What may be used of the times between others: what is known always; and what is known for a while, where motions are analytic, since
     /// what is shown of rates then goes on.
     pub(super) fn between_times(&mut self, gathered: &Gathered) -> Option<Gathered> {
-        let mut out = if gathered.between { gathered.clone() } else { self.gather_throughout()? };
+        let mut out = if gathered.lasting == When::Always { gathered.clone() } else { self.gather_throughout()? };
         let for_a_while = out.premises.equations.iter().any(|k| k.when == When::ChosenOpen);
         let goes_on = for_a_while && self.motions_are_analytic(self.claim);
         out.premises.equations.retain(|k| match k.when {
@@ -77,7 +77,7 @@ impl Step<'_> {
     pub(super) fn gather_throughout(&mut self) -> Option<Gathered> {
         let some = self.assumed_for_a_while();
         let gathered = Gathered { complete: false, ..self.gather(Some(&some)) };
-        gathered.between.then_some(gathered)
+        (gathered.lasting == When::Always).then_some(gathered)
     }
 
     /// The equations, both sides divided by an exponential in time that one of them has: what decays like it is then constant.

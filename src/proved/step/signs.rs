@@ -73,7 +73,7 @@ impl Step<'_> {
         let mut all: Option<IdentityAccount> = None;
         for value in [1, -1] {
             let mut step = Step::of(self.derivation, self.claim)?.with(self.plain);
-            (step.sign, step.at_all_times) = (Some(value), self.at_all_times);
+            (step.sign, step.inequalities) = (Some(value), self.inequalities);
             let one = match step.decide_equations()? {
                 Ok(account) => account,
                 Err(defect) => return Some(Err(defect)),

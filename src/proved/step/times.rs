@@ -107,7 +107,7 @@ impl Step<'_> {
     /// A claim without present values, as one about the present; `None` where it has present values, or names the time.
     pub(super) fn at_present(&mut self, gathered: &mut Gathered, equations: &Pairs) -> Option<Pairs> {
         let time = self.claim.scope.time()?;
-        if !gathered.elsewhere {
+        if gathered.known != When::Always {
             return None;
         }
         let said: Vec<Leaf> = self.graph.leaves_within(equations.iter().flat_map(|&(l, r)| [l, r]));

@@ -34,7 +34,7 @@ pub(super) struct Determined {
 impl Step<'_> {
     /// A proof that the equations hold along every motion, since they do at one time and a motion is determined by that.
     pub(super) fn by_uniqueness(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Identity> {
-        if !gathered.between {
+        if gathered.lasting != When::Always {
             return None;
         }
         let claimed: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();

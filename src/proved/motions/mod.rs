@@ -1,0 +1,53 @@
+//! A motion that refutes a step: everything given holds on it, exactly, and the claim does not.
+//!
+//! **In:** a claim, and what it is said to follow from. **Out:** polynomials for the states, by pieces, numbers for the parameters, and a
+//! time at which the claim is false; or none, where a bounded search finds none. **Guaranteed:** everything given is looked at, and what is
+//! not known exactly is no refutation; the states are as smooth as the formulas ask, and once more; the fixed times that are named belong
+//! to the span.
+//!
+//! **Why beside the points of [`proof`]:** a point refutes where a motion passes through it. Where what is given vanishes at single times, or
+//! says something at chosen times only, that is seen on a motion: x = 2 − t² has ⌊x⌋ = 2 at one time, and t⌊x⌋ = t at all.
+
+mod demand;
+mod polynomial;
+mod scene;
+mod search;
+mod value;
+
+use crate::derivation::{Claim, Derivation};
+use crate::findings::IdentityAccount;
+use crate::findings::standing::Finding;
+use crate::step::Step;
+use proof::When;
+use reason::{Coordinate, Point, Refuting};
+
+/// A motion on which everything given holds, and the claim does not.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Motion {
+    /// What moves, and what is constant, by name.
+    pub(crate) courses: Vec<(String, String)>,
+    /// A time at which the claim is false.
+    pub(crate) t: String,
+    /// What its sides are then.
+    pub(crate) sides: [String; 2],
+}
+
+/// A motion that refutes a claim as a step.
+pub(crate) fn refuting(derivation: &Derivation, claim: &Claim, inequalities: When) -> Option<Motion> {
+    let question = demand::question(derivation, claim, inequalities)?;
+    search::search(derivation, claim, &question)
+}
+
+/// The account of a step that a motion refutes.
+pub(crate) fn account(derivation: &Derivation, claim: &Claim, motion: &Motion) -> IdentityAccount {
+    let [left, right] = motion.sides.clone();
+    let value = |(name, value): &(String, String)| Coordinate::Value(name.clone(), value.clone());
+    let time = Coordinate::Value("t".to_owned(), motion.t.clone());
+    let at = motion.courses.iter().map(value).chain([time]).collect();
+    IdentityAccount {
+        finding: Finding::of_example(motion.courses.len()),
+        from: Step::given(derivation, claim),
+        witness: Some(Refuting::Point { first: Point { left, right, at }, second: None }),
+        ..IdentityAccount::default()
+    }
+}

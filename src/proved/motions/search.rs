@@ -1,0 +1,539 @@
+//! The search: courses of what moves, one after the other, each step checked by what is given.
+
+use super::Motion;
+use super::demand::{Demand, Question, Said};
+use super::polynomial::{Fraction, Polynomial};
+use super::scene::{Course, Scene, definition};
+use super::value::{Cell, Stop, Value, difference};
+use crate::derivation::{Claim, Derivation};
+use crate::expr::{Expr, FastSet, Leaf, Node, Rational, Symbol};
+use crate::latex::{Relation, RelationKind, Role};
+
+/// Most components that are looked for.
+const MOST_NAMES: usize = 6;
+/// Most demands.
+const MOST_DEMANDS: usize = 24;
+/// Operations that are carried out for a span.
+const MOST_WORK: usize = 150_000;
+/// The same for a claim that is tried on motions, too.
+const LEAST_WORK: usize = 3_000;
+/// The highest rate that is looked at.
+const MOST_ORDER: u8 = 4;
+
+/// What is known of something said on a cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Truth {
+    True,
+    False,
+    Void,
+}
+
+struct Search<'q, 'a> {
+    scene: Scene<'a>,
+    question: &'q Question<'a>,
+    /// Equations that give a rate of a component: the component, the order, the formula, and what that names.
+    explicit: Vec<(Leaf, Expr, FastSet<(Symbol, u16)>)>,
+    positive: FastSet<Symbol>,
+    unknown: Vec<Leaf>,
+    /// Times about which courses are laid.
+    about: Vec<Rational>,
+    numbers: Vec<i64>,
+    most_work: usize,
+}
+
+/// A motion that refutes, if the search finds one.
+pub(super) fn search<'a>(derivation: &'a Derivation, claim: &'a Claim, question: &Question<'a>) -> Option<Motion> {
+    let scope = &claim.scope;
+    let is_free = |l: &&Leaf| definition(derivation, scope, **l).is_none();
+    let mut unknown: Vec<Leaf> = question.names.iter().filter(is_free).copied().collect();
+    let known_role = |l: &Leaf| matches!(scope.role(l.symbol), Some(Role::State | Role::Parameter));
+    let too_many = unknown.len() > MOST_NAMES || question.demands.len() > MOST_DEMANDS || question.order > MOST_ORDER;
+    if too_many || unknown.is_empty() || !unknown.iter().all(known_role) {
+        return None;
+    }
+    // Constants first.
+    unknown.sort_by_key(|l| scope.role(l.symbol) == Some(Role::State));
+    let of_claims = derivation.claims.iter().flat_map(|c| &c.symbols);
+    let symbols = derivation.symbols.iter().chain(of_claims);
+    let positive = symbols.filter(|s| s.positive && s.role == Role::Parameter).map(|s| s.symbol).collect();
+    let constant = |e: &Expr| derivation.graph.as_constant(*e).cloned();
+    let mut about: Vec<Rational> = question.instants.iter().filter_map(constant).collect();
+    about.push(Rational::ZERO);
+    about.sort();
+    about.dedup();
+    if about.len() > 4 {
+        return None;
+    }
+    let mut numbers = vec![0, 1, 2, -1];
+    numbers.extend(question.numbers.iter().copied().filter(|n| !(-1..=2).contains(n) && n.abs() < 100).take(3));
+    let explicit = explicit(derivation, question);
+    let (first, last) = (about.first()?.clone(), about.last()?.clone());
+    for room in [Rational::ONE / Rational::from(2), Rational::from(2)] {
+        let span = (&first - &room, &last + &room);
+        let mut search = Search {
+            scene: Scene::new(derivation, scope, span),
+            question,
+            explicit: explicit.clone(),
+            positive: FastSet::clone(&positive),
+            unknown: unknown.clone(),
+            about: about.clone(),
+            numbers: numbers.clone(),
+            most_work: if claim.is_tried() { LEAST_WORK } else { MOST_WORK },
+        };
+        if let Some(found) = search.choose(&FastSet::default()) {
+            return Some(found);
+        }
+    }
+    None
+}
+
+/// The equations that give a rate, or a value, of a component by others, at all times.
+fn explicit(derivation: &Derivation, question: &Question) -> Vec<(Leaf, Expr, FastSet<(Symbol, u16)>)> {
+    let graph = &derivation.graph;
+    let mut out = Vec::new();
+    for demand in question.demands.iter().filter(|d| d.chosen_by.is_empty()) {
+        let Said::Relation(relation) = demand.said else { continue };
+        if relation.kind != RelationKind::Equal {
+            continue;
+        }
+        let pairs = relation.left.components.iter().zip(&relation.right.components);
+        for (&l, &r) in pairs.flat_map(|(l, r)| [(l, r), (r, l)]) {
+            let Node::Leaf(leaf) = *graph.node(l) else { continue };
+            if leaf.instant.is_some() || !question.names.contains(&Leaf::now(leaf.symbol, leaf.component)) {
+                continue;
+            }
+            let mut names = demand.names.clone();
+            let own = (leaf.symbol, leaf.component);
+            let itself = graph.leaves_within([r]).iter().any(|l| (l.symbol, l.component) == own);
+            names.remove(&own);
+            if !itself {
+                out.push((leaf, r, names));
+            }
+        }
+    }
+    out
+}
+
+impl<'a> Search<'_, 'a> {
+    /// Chooses the course of one more component, and all after it.
+    fn choose(&mut self, chosen: &FastSet<(Symbol, u16)>) -> Option<Motion> {
+        let open: Vec<Leaf> =
+            self.unknown.iter().filter(|l| !chosen.contains(&(l.symbol, l.component))).copied().collect();
+        if open.is_empty() {
+            return self.refuted();
+        }
+        let is_state = |l: &Leaf| self.scene.scope.role(l.symbol) == Some(Role::State);
+        let given = |l: &Leaf| {
+            let of = |(leaf, _, names): &&(Leaf, Expr, FastSet<(Symbol, u16)>)| {
+                (leaf.symbol, leaf.component) == (l.symbol, l.component) && names.iter().all(|n| chosen.contains(n))
+            };
+            self.explicit.iter().find(of).map(|(leaf, e, _)| (*leaf, *e))
+        };
+        // Constants; then what follows from what is chosen; then what no equation gives.
+        let constant = open.iter().find(|l| !is_state(l)).copied();
+        let following = open.iter().find_map(|l| Some((*l, given(l)?)));
+        let named =
+            |l: &&Leaf| !self.explicit.iter().any(|(of, ..)| (of.symbol, of.component) == (l.symbol, l.component));
+        let before = self.scene.breaks().to_vec();
+        let (next, courses) = match (constant, following) {
+            (Some(constant), _) => return self.choose_constant(constant, chosen),
+            (None, Some((leaf, (rate, formula)))) => (leaf, self.integrated(rate.rate, formula)),
+            (None, None) => (open.iter().find(named).or(open.first()).copied()?, self.free()),
+        };
+        self.scene.join(before.clone());
+        let component = (next.symbol, next.component);
+        let mut chosen = chosen.clone();
+        chosen.insert(component);
+        for course in courses {
+            if self.scene.work() > self.most_work {
+                break;
+            }
+            let breaks: Vec<Rational> = course.pieces.iter().map(|(at, _)| at.clone()).collect();
+            let smooth = course.is_smooth(self.question.order + 1);
+            let room = smooth
+                && breaks
+                    .into_iter()
+                    .all(|at| at <= self.scene.span.0 || at >= self.scene.span.1 || self.scene.part(at));
+            if room {
+                self.scene.courses.insert(component, course);
+                if self.is_met(component, &chosen)
+                    && let Some(found) = self.choose(&chosen)
+                {
+                    return Some(found);
+                }
+            }
+            self.scene.join(before.clone());
+        }
+        self.scene.courses.remove(&component);
+        None
+    }
+
+    fn choose_constant(&mut self, leaf: Leaf, chosen: &FastSet<(Symbol, u16)>) -> Option<Motion> {
+        let component = (leaf.symbol, leaf.component);
+        let mut chosen = chosen.clone();
+        chosen.insert(component);
+        let positive = self.positive.contains(&leaf.symbol);
+        let numbers: &[i64] = if positive { &[1, 2] } else { &[1, 0, 2, -1] };
+        let before = self.scene.breaks().to_vec();
+        for &number in numbers {
+            if self.scene.work() > self.most_work {
+                break;
+            }
+            self.scene.constants.insert(component, Rational::from(number));
+            if self.is_met(component, &chosen)
+                && let Some(found) = self.choose(&chosen)
+            {
+                return Some(found);
+            }
+            self.scene.join(before.clone());
+        }
+        self.scene.constants.remove(&component);
+        None
+    }
+
+    /// Courses of what is free: polynomials of low degree, and such as vanish on one side of a time.
+    fn free(&self) -> Vec<Course> {
+        let numbers: Vec<i64> = self.numbers.clone();
+        let mut out: Vec<Course> = Vec::new();
+        let mut add = |course: Course| {
+            if !out.contains(&course) {
+                out.push(course);
+            }
+        };
+        let whole = |p: Polynomial| Course::polynomial(p);
+        for &n in &numbers {
+            add(whole(Polynomial::integers(&[n])));
+        }
+        let shapes: [&[i64]; 13] = [
+            &[0, 1],
+            &[0, -1],
+            &[0, 0, 1],
+            &[0, 0, -1],
+            &[2, 0, -1],
+            &[1, 0, -1],
+            &[0, 2],
+            &[0, 1, 1],
+            &[1, 1],
+            &[1, -1],
+            &[2, 1],
+            &[0, 0, 0, 1],
+            &[0, -2],
+        ];
+        for at in self.about.iter().rev() {
+            for shape in shapes {
+                add(whole(shifted(shape, at)));
+            }
+        }
+        // As smooth as is asked, and no more.
+        let power = usize::from(self.question.order) + 2;
+        let mut single = vec![0; power + 1];
+        single[power] = 1;
+        let one = Rational::ONE;
+        let mut times: Vec<Rational> = self.about.iter().flat_map(|at| [at.clone(), at - &one, at + &one]).collect();
+        times.sort();
+        times.dedup();
+        for n in numbers.iter().copied().filter(|n| *n >= 0) {
+            for at in &times {
+                let p = shifted(&single, at).add(&Polynomial::integers(&[n]));
+                let flat = Polynomial::integers(&[n]);
+                add(Course { pieces: vec![(at.clone(), flat.clone())], last: p.clone() });
+                add(Course { pieces: vec![(at.clone(), p)], last: flat });
+            }
+        }
+        out
+    }
+
+    /// The courses of which a rate is a formula of what is chosen.
+    fn integrated(&mut self, order: u8, formula: Expr) -> Vec<Course> {
+        let Some(course) = self.course(formula) else { return Vec::new() };
+        let mut all = vec![course];
+        for further in (0..order).rev() {
+            // Of the first rates only a few starts.
+            let (times, numbers) = match further {
+                0 => (self.about.len(), self.numbers.len()),
+                _ => (1, 3),
+            };
+            let mut next = Vec::new();
+            for course in &all {
+                for at in self.about.iter().take(times).chain(self.scene.breaks().iter().take(2)) {
+                    for &n in self.numbers.iter().take(numbers) {
+                        let Some(one) = antiderivative(course, at, &Rational::from(n)) else { continue };
+                        if !next.contains(&one) {
+                            next.push(one);
+                        }
+                    }
+                }
+            }
+            all = next;
+        }
+        all
+    }
+
+    /// A formula as a course, where it is a polynomial on each piece.
+    fn course(&mut self, formula: Expr) -> Option<Course> {
+        let values = self.parted(|this| {
+            let open = (0..this.scene.cells().len()).step_by(2);
+            open.map(|cell| this.scene.value(formula, cell)).collect::<Result<Vec<Value>, Stop>>()
+        });
+        let mut pieces: Vec<Polynomial> = Vec::new();
+        for value in values? {
+            let Value::Plain(f, 0) = value else { return None };
+            pieces.push(f.as_polynomial()?.clone());
+        }
+        let last = pieces.pop()?;
+        let mut out = Course { pieces: Vec::new(), last };
+        for (at, p) in self.scene.breaks().iter().zip(pieces).rev() {
+            let next = out.pieces.last().map_or(&out.last, |(_, p)| p);
+            if p != *next {
+                out.pieces.push((at.clone(), p));
+            }
+        }
+        out.pieces.reverse();
+        Some(out)
+    }
+
+    /// An answer of pieces in which nothing changes its sign; `None` if it is not known.
+    fn parted<T>(&mut self, mut ask: impl FnMut(&Self) -> Result<T, Stop>) -> Option<T> {
+        loop {
+            match ask(self) {
+                Ok(found) => return Some(found),
+                Err(Stop::Part(at)) if !self.scene.breaks().contains(&at) && self.scene.part(at.clone()) => {}
+                Err(_) => return None,
+            }
+        }
+    }
+
+    /// Whether all demands that name a component, and nothing beyond what is chosen, are met.
+    fn is_met(&mut self, component: (Symbol, u16), chosen: &FastSet<(Symbol, u16)>) -> bool {
+        let question = self.question;
+        let unknown = self.unknown.clone();
+        let defined = |n: &(Symbol, u16)| chosen.contains(n) || !unknown.contains(&Leaf::now(n.0, n.1));
+        let due: Vec<&Demand> =
+            question.demands.iter().filter(|d| d.names.contains(&component) && d.names.iter().all(defined)).collect();
+        if !due.into_iter().all(|demand| self.parted(|this| this.demanded(demand)) == Some(true)) {
+            return false;
+        }
+        // Once the claim is decided: it must be false somewhere.
+        let decided = question.claim_names.contains(&component) && question.claim_names.iter().all(defined);
+        !decided || self.parted(|this| this.refutes(&this.chosen(&question.chosen_by)?)).flatten().is_some()
+    }
+
+    /// A time of some cells at which the claim is false, with its sides.
+    fn refutes(&self, cells: &[usize]) -> Result<Option<(Rational, [String; 2])>, Stop> {
+        for &said in &self.question.claimed {
+            if let Some(found) = self.false_at(said, cells)? {
+                return Ok(Some(found));
+            }
+        }
+        Ok(None)
+    }
+
+    fn demanded(&self, demand: &Demand) -> Result<bool, Stop> {
+        let cells = self.chosen(&demand.chosen_by)?;
+        if let Said::Constant(e) = demand.said {
+            return Ok(self.changes(e, &cells)?.is_none());
+        }
+        let mut met = demand.chosen_by.is_empty();
+        for &cell in &cells {
+            match self.truth(demand.said, cell)? {
+                Truth::True => met = true,
+                Truth::False => return Ok(false),
+                Truth::Void if demand.asserted => return Ok(false),
+                Truth::Void => {}
+            }
+        }
+        Ok(met || cells.is_empty())
+    }
+
+    /// The cells at which all of some relations are true.
+    fn chosen(&self, by: &[&Relation]) -> Result<Vec<usize>, Stop> {
+        let mut out = Vec::new();
+        for cell in 0..self.scene.cells().len() {
+            let mut all = true;
+            for relation in by {
+                all &= self.truth(Said::Relation(relation), cell)? == Truth::True;
+            }
+            if all {
+                out.push(cell);
+            }
+        }
+        Ok(out)
+    }
+
+    fn truth(&self, said: Said, cell: usize) -> Result<Truth, Stop> {
+        let Said::Relation(relation) = said else { return Err(Stop::Unknown) };
+        let place = self.scene.cells().get(cell).ok_or(Stop::Unknown)?;
+        let mut same = true;
+        for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
+            let (left, right) = match (self.scene.value(l, cell), self.scene.value(r, cell)) {
+                (Err(part @ Stop::Part(_)), _) | (_, Err(part @ Stop::Part(_))) => return Err(part),
+                (Err(Stop::Void), _) | (_, Err(Stop::Void)) => return Ok(Truth::Void),
+                (Ok(left), Ok(right)) => (left, right),
+                _ => return Err(Stop::Unknown),
+            };
+            let apart = difference(&left, &right)?.filter(|d| !d.is_zero());
+            if relation.kind == RelationKind::Equal {
+                same &= apart.is_none();
+                continue;
+            }
+            let sign = place.sign(&apart.unwrap_or_else(|| Fraction::constant(Rational::ZERO)))?;
+            let holds = match relation.kind {
+                RelationKind::Equal => true,
+                RelationKind::NotEqual => {
+                    same &= sign.is_eq();
+                    continue;
+                }
+                RelationKind::Less => sign.is_lt(),
+                RelationKind::LessEqual => sign.is_le(),
+                RelationKind::Greater => sign.is_gt(),
+                RelationKind::GreaterEqual => sign.is_ge(),
+            };
+            if !holds {
+                return Ok(Truth::False);
+            }
+        }
+        let is_so = match relation.kind {
+            RelationKind::NotEqual => !same,
+            _ => same,
+        };
+        Ok(if is_so { Truth::True } else { Truth::False })
+    }
+
+    /// Two values of something at times of some cells, if they differ, and one of the times.
+    fn changes(&self, e: Expr, cells: &[usize]) -> Result<Option<(Rational, [String; 2])>, Stop> {
+        let mut first: Option<Value> = None;
+        for &cell in cells {
+            let place = self.scene.cells().get(cell).ok_or(Stop::Unknown)?;
+            let value = match self.scene.value(e, cell) {
+                Err(Stop::Void) => continue,
+                found => found?,
+            };
+            let Value::Plain(f, k) = &value else { return Err(Stop::Unknown) };
+            let shown = |v: &Value, t: &Rational| v.shown(t).ok_or(Stop::Unknown);
+            if f.as_constant().is_none() {
+                let Cell::Open(low, high) = place else { return Err(Stop::Unknown) };
+                let quarter = (high - low) / Rational::from(4);
+                let (t, s) = (low + &quarter, high - &quarter);
+                if f.at(&t) != f.at(&s) {
+                    return Ok(Some((t.clone(), [shown(&value, &t)?, shown(&value, &s)?])));
+                }
+                return Err(Stop::Unknown);
+            }
+            let t = place.inside();
+            match &first {
+                Some(Value::Plain(g, l)) if g != f || k != l => {
+                    let before = first.as_ref().ok_or(Stop::Unknown)?;
+                    return Ok(Some((t.clone(), [shown(&value, &t)?, shown(before, &t)?])));
+                }
+                Some(_) => {}
+                None => first = Some(value.clone()),
+            }
+        }
+        Ok(None)
+    }
+
+    /// A time at which the claim is false, of those of which it speaks, and at which all that is given is so.
+    fn refuted(&mut self) -> Option<Motion> {
+        let question = self.question;
+        let (t, sides) = self.parted(|this| {
+            // Everything given, once more and together: nothing may be left out.
+            for demand in &question.demands {
+                if !this.demanded(demand)? {
+                    return Ok(None);
+                }
+            }
+            let mut cells = this.chosen(&question.chosen_by)?;
+            for demand in &question.demands {
+                let mut met = Vec::new();
+                for &cell in &cells {
+                    let is_so = match demand.said {
+                        Said::Relation(_) => this.truth(demand.said, cell)? == Truth::True,
+                        Said::Constant(e) => this.scene.value(e, cell).is_ok(),
+                    };
+                    if is_so {
+                        met.push(cell);
+                    }
+                }
+                cells = met;
+            }
+            this.refutes(&cells)
+        })??;
+        let mut courses: Vec<(String, String)> = Vec::new();
+        for leaf in &self.unknown {
+            let component = (leaf.symbol, leaf.component);
+            let name = self.scene.derivation.graph.leaf_latex(*leaf);
+            let shown = match (self.scene.courses.get(&component), self.scene.constants.get(&component)) {
+                (Some(course), _) => course.shown(),
+                (None, Some(number)) => number.to_string(),
+                (None, None) => return None,
+            };
+            courses.push((name, shown));
+        }
+        Some(Motion { courses, t: t.to_string(), sides })
+    }
+
+    fn false_at(&self, said: Said, cells: &[usize]) -> Result<Option<(Rational, [String; 2])>, Stop> {
+        let relation = match said {
+            Said::Relation(relation) => relation,
+            Said::Constant(e) => return self.changes(e, cells),
+        };
+        for &cell in cells {
+            let place = self.scene.cells().get(cell).ok_or(Stop::Unknown)?;
+            let truth = match self.truth(said, cell) {
+                Err(Stop::Unknown) => continue,
+                found => found?,
+            };
+            if truth != Truth::False || relation.kind == RelationKind::NotEqual {
+                continue;
+            }
+            // Different functions differ at some of a few times.
+            for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
+                let (left, right) = (self.scene.value(l, cell)?, self.scene.value(r, cell)?);
+                for share in [2, 3, 5, 7] {
+                    let t = match place {
+                        Cell::At(t) => t.clone(),
+                        Cell::Open(low, high) => low + (high - low) / Rational::from(share),
+                    };
+                    let apart = difference(&left, &right)?.and_then(|d| d.at(&t)).filter(|d| *d != Rational::ZERO);
+                    if let (Some(_), Some(left), Some(right)) = (apart, left.shown(&t), right.shown(&t)) {
+                        return Ok(Some((t, [left, right])));
+                    }
+                }
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// A polynomial of the time since another one.
+fn shifted(shape: &[i64], at: &Rational) -> Polynomial {
+    let since = Polynomial::new(vec![-at.clone(), Rational::ONE]);
+    shape.iter().rev().fold(Polynomial::integers(&[]), |sum, &c| {
+        // Shapes are of low degree.
+        sum.mul(&since).unwrap_or_else(|| Polynomial::integers(&[])).add(&Polynomial::integers(&[c]))
+    })
+}
+
+/// The antiderivative that has a value at a time; `None` if degrees grow too high.
+fn antiderivative(course: &Course, at: &Rational, value: &Rational) -> Option<Course> {
+    let mut pieces: Vec<(Rational, Polynomial)> = Vec::new();
+    let mut level: Option<(Rational, Rational)> = None;
+    let meet = |p: &Polynomial, level: &Option<(Rational, Rational)>| {
+        let p = p.integral();
+        let lift = level.as_ref().map_or(Rational::ZERO, |(t, v)| v - p.at(t));
+        p.add(&Polynomial::constant(lift))
+    };
+    for (until, p) in &course.pieces {
+        let p = meet(p, &level);
+        level = Some((until.clone(), p.at(until)));
+        pieces.push((until.clone(), p));
+    }
+    let last = meet(&course.last, &level);
+    if last.coefficients().len() > 12 {
+        return None;
+    }
+    let there = pieces.iter().find(|(until, _)| at < until).map_or(&last, |(_, p)| p).at(at);
+    let lift = Polynomial::constant(value - there);
+    let pieces = pieces.into_iter().map(|(until, p)| (until, p.add(&lift))).collect();
+    Some(Course { pieces, last: last.add(&lift) })
+}

@@ -1,0 +1,179 @@
+//! Negations: what is shown of equations is shown of the parts of a claim that deny them.
+//!
+//! **In:** a claim with `never`, `eventually` or `\ne`. **Out:** its account, made of those of the equations that it denies.
+//!
+//! | of the equations R | `never` R, `\ne` | `eventually` R |
+//! |---|---|---|
+//! | proved: always so, wherever they have values, and there are motions | refuted | proved |
+//! | excluded: they contradict what is given, of which there are motions | proved | refuted |
+//! | else, also where a point refutes them | undecided | undecided |
+//!
+//! A point at which R is false says nothing of other times, so it decides no negation. What is shown of each part is told beside the
+//! decision: a motion on which what is given holds has it, see [`PartShown`]. This is the one rule for all of them.
+
+use super::{Pairs, Step, sides};
+use crate::agreement::answer;
+use crate::derivation::{Claim, Form};
+use crate::expr::Rational;
+use crate::findings::standing::{Decision, Finding};
+use crate::findings::{IdentityAccount, PartShown};
+use crate::latex::RelationKind;
+use claim::denial::{Denial, without_denials};
+use claim::denote::denote;
+use proof::{Identity, Options, Reason, Wanted, When};
+use reason::Plain;
+
+use super::definitions::Definitions;
+
+type Decided = Result<IdentityAccount, String>;
+
+impl Step<'_> {
+    /// The same question of another claim of the file, or beside it.
+    fn asked_of<'c>(&'c self, claim: &'c Claim) -> Option<Step<'c>> {
+        let step = Step::of(self.derivation, claim)?.with(self.plain);
+        Some(Step { inequalities: self.inequalities, has_few_points: self.has_few_points, ..step })
+    }
+
+    /// Decides a claim that denies equations.
+    pub(super) fn decide_denials(mut self) -> Option<Decided> {
+        if self.assumes_sign() {
+            return None;
+        }
+        let denoted = denote(&mut self.graph, &self.derivation.systems, self.claim, &Rational::ZERO);
+        let mut all: Vec<IdentityAccount> = Vec::new();
+        let mut parts: Vec<(usize, PartShown)> = Vec::new();
+        let mut parts_from: Vec<String> = Vec::new();
+        for denial in &denoted.denials {
+            let one = match self.of_denial(denial)? {
+                Ok(one) => one,
+                defect => return Some(defect),
+            };
+            parts.extend(one.parts.iter().copied());
+            parts_from
+                .extend(one.parts_from.iter().filter(|name| !parts_from.contains(name)).cloned().collect::<Vec<_>>());
+            all.push(one);
+        }
+        if denoted.denials.is_empty() {
+            return None;
+        }
+        if let Some(rest) = without_denials(self.claim) {
+            match self.asked_of(&rest).and_then(Step::decide) {
+                Some(Ok(one)) => all.push(one),
+                Some(defect) => return Some(defect),
+                None => all.push(IdentityAccount::default()),
+            }
+        }
+        // Texts of which nothing was asked: limits, signs, inequalities.
+        if denoted.denials.len() < self.denying_texts() {
+            all.push(IdentityAccount::default());
+        }
+        let finding = all.iter().map(|one| one.finding.clone()).reduce(Finding::and)?;
+        let telling = all.iter().position(|one| one.finding.decision() == finding.decision())?;
+        let told = all.swap_remove(telling);
+        let reason = match finding.decision() {
+            Decision::Undecided => told.reason.or(Some(Plain::DeniedIsOpen.into())),
+            Decision::Proved | Decision::ProvedExcept | Decision::Refuted => told.reason,
+        };
+        Some(Ok(IdentityAccount { finding, parts, parts_from, reason, ..told }))
+    }
+
+    fn denying_texts(&self) -> usize {
+        let differing = |r: &&crate::latex::Relation| r.kind == RelationKind::NotEqual && r.limit.is_none();
+        let texts = self.claim.forms.iter().map(|form| match form {
+            Form::Never(_) | Form::Eventually(_) => 1,
+            Form::Always(w) => w.value.relations.iter().filter(differing).count(),
+            Form::FirstIntegral(_) | Form::Defined(_) | Form::Solves { .. } | Form::SameMotion { .. } => 0,
+            Form::Independent { .. } | Form::Exists { .. } | Form::Across(_) => 0,
+        });
+        texts.sum()
+    }
+
+    /// What follows for one part.
+    fn of_denial(&self, denial: &Denial) -> Option<Decided> {
+        let positive = denial.positive(self.claim);
+        let decided = match self.asked_of(&positive)?.decide() {
+            Some(decided) => decided,
+            None => {
+                let equations: Pairs = denial.equal.value.relations.iter().flat_map(super::pairs).collect();
+                self.asked_of(&positive)?.of_one_expression(&equations)
+            }
+        };
+        let (is_so, of) = match decided {
+            Ok(account) if account.finding.is_proved_in_part() => (true, account),
+            Ok(open) => match self.asked_of(&positive)?.excluded() {
+                Some(Ok(account)) if account.finding.is_proved() => (false, account),
+                Some(Err(defect)) => return Some(Err(defect)),
+                Some(Ok(_)) | None => {
+                    let IdentityAccount { from, .. } = open;
+                    let reason = Some(Plain::DeniedIsOpen.into());
+                    let (parts, parts_from) = self.on_motions(denial, &positive)?;
+                    return Some(Ok(IdentityAccount { from, parts, parts_from, reason, ..IdentityAccount::default() }));
+                }
+            },
+            defect => return Some(defect),
+        };
+        let shown = if is_so { PartShown::IsNotSo } else { PartShown::IsSo };
+        let parts = if of.lends_strength() { vec![(denial.part, shown)] } else { Vec::new() };
+        let parts_from = of.from.clone();
+        let finding = match (is_so, denial.happens) {
+            (true, true) | (false, false) => of.finding.clone(),
+            (true, false) | (false, true) => of.finding.of_negation(),
+        };
+        let reason = match (finding.decision(), is_so) {
+            (Decision::Refuted, true) => Some(Plain::DeniedIsProved.into()),
+            (Decision::Refuted, false) | (Decision::Proved, false) => Some(Plain::DeniedIsExcluded.into()),
+            (Decision::Undecided, _) => Some(Plain::DeniedIsOpen.into()),
+            (Decision::Proved | Decision::ProvedExcept, _) => of.reason.clone(),
+        };
+        Some(Ok(IdentityAccount { finding, parts, parts_from, reason, ..of }))
+    }
+
+    /// What follows of a part on the motions of the claim: they obey their system, whether the claim is said to follow from it or not.
+    fn on_motions(&self, denial: &Denial, positive: &Claim) -> Option<(Vec<(usize, PartShown)>, Vec<String>)> {
+        let nothing = Some((Vec::new(), Vec::new()));
+        let systems = Step::systems(self.derivation, self.claim);
+        let [Some(only)] = systems.as_slice() else { return nothing };
+        let system = &self.derivation.systems[*only].id;
+        if positive.follows_from.is_empty() || positive.follows_from.contains(system) {
+            return nothing;
+        }
+        let mut positive = positive.clone();
+        positive.follows_from.push(system.clone());
+        match self.asked_of(&positive).and_then(Step::decide) {
+            Some(Ok(account)) if account.lends_strength() => {
+                Some((vec![(denial.part, PartShown::IsNotSo)], account.from))
+            }
+            Some(_) | None => nothing,
+        }
+    }
+
+    /// Whether the equations of the claim contradict what is given at every time that counts, and something satisfies what is given.
+    fn excluded(mut self) -> Option<Decided> {
+        let mut gathered = self.gather(None);
+        let equations = self.equations(self.claim)?;
+        if self.is_too_large(&gathered, &equations) || !self.apart.is_empty() {
+            return None;
+        }
+        let given = gathered.clone();
+        // At one time: nothing is said of rates.
+        gathered.premises.give(equations.iter().copied(), When::Chosen);
+        let premises = self.premises(&gathered, &equations, Definitions::All);
+        let nothing: Pairs = vec![(self.graph.integer(0), self.graph.integer(1))];
+        let options = Options { attempts: 1, wanted: Wanted::Fault, ..Options::default() };
+        let found = self.test_only(&premises, &nothing, &options);
+        if !matches!(found, Identity::Undecided(Reason::Contradiction)) || self.is_without_motion(&given, &equations) {
+            return None;
+        }
+        // Something satisfies what is given, and both sides have values there.
+        let premises = self.premises(&given, &equations, Definitions::All);
+        let valued: Pairs = sides(&equations).map(|e| (e, e)).collect();
+        let (identity, evidence) = match answer(&mut self.graph, &valued, &premises, None) {
+            Ok(found) => found,
+            Err(defect) => return Some(Err(defect)),
+        };
+        let narrower = self.is_narrower(&identity, &equations);
+        let account = self.account(identity, given.from.clone(), given.complete);
+        let (presupposed, assumed_at_times) = (given.inherited, given.assumed_at_times);
+        Some(Ok(IdentityAccount { evidence, narrower, presupposed, assumed_at_times, ..account }))
+    }
+}
