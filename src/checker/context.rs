@@ -55,6 +55,8 @@ pub(crate) struct ClaimedSays {
 #[derive(Clone, Debug)]
 pub(crate) struct Context {
     pub(crate) graph: Graph,
+    /// The node 0.
+    pub(crate) zero: Expr,
     kinds: Vec<SymbolKind>,
     names: BTreeMap<String, Symbol>,
     definitions: Vec<(Symbol, u16, Expr)>,
@@ -87,6 +89,7 @@ impl Context {
         let nothing = Says { left: zero, sense: Sense::Equal, right: zero };
         let mut context = Context {
             graph,
+            zero,
             kinds: Vec::new(),
             names: BTreeMap::new(),
             definitions: Vec::new(),

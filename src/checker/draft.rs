@@ -9,7 +9,7 @@ use super::fact::{Because, Fact};
 use super::needs::{Need, Needs, allowed, certain, is_trivial, needs};
 use super::rules;
 use super::sequent::Sequent;
-use super::signs::{KnownSigns, of_sense, signs};
+use super::signs::{KnownSigns, Signs, of_sense, signs};
 use super::step::{FactId, Given, Manner, Step};
 use super::term::{Relation, Sense, Term};
 use super::when::{CaseId, When};
@@ -313,7 +313,7 @@ impl Draft {
 
     /// A need as a relation; its zero is a node from the beginning.
     pub(crate) fn says_of(&self, need: Need) -> Option<Says> {
-        let zero = self.context.graph.find(&expr::Node::Constant(std::sync::Arc::new(expr::Rational::ZERO)))?;
+        let zero = self.context.zero;
         Some(match need.sign {
             Sign::Positive => Says { left: zero, sense: Sense::Less, right: need.value },
             Sign::NotNegative => Says { left: zero, sense: Sense::LessOrEqual, right: need.value },
@@ -455,8 +455,14 @@ impl Draft {
         for id in facts {
             let fact = self.known_at(*id, when)?;
             let (l, r, signs) = (fact.says.left, fact.says.right, of_sense(fact.says.sense));
-            let old = known.get(&(l, r)).copied().unwrap_or(super::signs::Signs::ALL);
-            known.insert((l, r), old.and(signs));
+            let mut learn = |pair, signs: Signs| {
+                let old = known.get(&pair).copied().unwrap_or(Signs::ALL);
+                known.insert(pair, old.and(signs));
+            };
+            learn((l, r), signs);
+            for (part, signs) in super::signs::of_parts(&self.context, fact.says) {
+                learn((part, self.context.zero), signs);
+            }
             needs.extend(fact.needs);
         }
         Ok((known, needs))

@@ -1,7 +1,10 @@
 //! Exact rational functions over ℚ.
 //!
-//! **In:** an expression. **Out:** whether it vanishes as a rational function, by expansion; or nothing, where that is too large. **Guaranteed:** exact, with no choice of
-//! a random point. Everything that is no sum, product, quotient or whole power is an indeterminate; a restriction counts as its formula.
+//! **In:** an expression, and relations that vanish. **Out:** whether its numerator is a sum of multiples of these, by expansion and by division; or nothing, where that is too
+//! large. **Guaranteed:** exact, with no choice of a random point. Everything that is no sum, product, quotient or whole power is an indeterminate; a restriction counts as its formula.
+//!
+//! **Division.** A relation whose numerator has a term n·vᵏ with a number n ≠ 0, and no other term of degree k or more in v, says vᵏ = R. Where vᵏ is replaced by R, a multiple of the relation is taken
+//! away. So whatever the order, and whether or not the replacing ends, what becomes 0 is such a sum.
 
 use dashu_int::ops::BitTest;
 use expr::{Expr, Graph, Node, Op, Rational};
@@ -96,6 +99,78 @@ fn joined(m: &Monomial, n: &Monomial) -> Option<Monomial> {
 #[derive(Clone)]
 struct Fraction(Polynomial, Polynomial);
 
+/// A relation, solved for a power of an indeterminate: vᵏ = R.
+pub(crate) struct Rewrite {
+    v: Expr,
+    degree: u32,
+    rest: Polynomial,
+}
+
+impl Rewrite {
+    /// The relation `difference` = 0 as one; nothing if it does not begin with a number times a power of v.
+    pub(crate) fn of(graph: &Graph, difference: Expr, v: Expr) -> Option<Rewrite> {
+        let Fraction(top, _) = fraction(graph, difference, &[])?;
+        let power = |m: &Monomial| m.iter().find(|(e, _)| *e == v).map_or(0, |(_, k)| *k);
+        let degree = top.0.keys().map(power).max().filter(|k| *k > 0)?;
+        let lead = top.0.get(&vec![(v, degree)])?.clone();
+        let others = top.0.iter().filter(|(m, _)| **m != vec![(v, degree)]);
+        let mut rest = Polynomial::default();
+        for (monomial, r) in others {
+            if power(monomial) >= degree {
+                return None;
+            }
+            rest.add_term(monomial.clone(), -r.clone() / lead.clone());
+        }
+        Some(Rewrite { v, degree, rest })
+    }
+
+    /// u, if the relation says v² = u and v does not stand in u.
+    pub(crate) fn square(&self, graph: &mut Graph) -> Option<Expr> {
+        if self.degree != 2 || self.rest.0.keys().any(|m| m.iter().any(|(e, _)| *e == self.v)) {
+            return None;
+        }
+        let mut sum = graph.integer(0);
+        for (monomial, r) in &self.rest.0 {
+            let mut term = graph.constant(r.clone());
+            for &(e, k) in monomial {
+                let power = graph.powi(e, i32::try_from(k).ok()?);
+                term = graph.mul(term, power);
+            }
+            sum = graph.add(sum, term);
+        }
+        Some(sum)
+    }
+
+    /// The indeterminate.
+    pub(crate) fn v(&self) -> Expr {
+        self.v
+    }
+}
+
+/// A polynomial with powers replaced, as far as there are any.
+fn reduced(mut p: Polynomial, rewrites: &[Rewrite], budget: &mut Budget) -> Option<Polynomial> {
+    for rewrite in rewrites.iter().rev() {
+        loop {
+            let power = |m: &Monomial| m.iter().find(|(e, _)| *e == rewrite.v).map_or(0, |(_, k)| *k);
+            let high: Vec<Monomial> = p.0.keys().filter(|m| power(m) >= rewrite.degree).cloned().collect();
+            if high.is_empty() {
+                break;
+            }
+            for monomial in high {
+                let Some(r) = p.0.remove(&monomial) else { continue };
+                let lower = monomial.iter().filter_map(|&(e, k)| {
+                    let k = if e == rewrite.v { k - rewrite.degree } else { k };
+                    (k > 0).then_some((e, k))
+                });
+                let mut factor = Polynomial::default();
+                factor.add_term(lower.collect(), r);
+                p = p.plus(&factor.times(&rewrite.rest, budget)?, 1)?;
+            }
+        }
+    }
+    Some(p)
+}
+
 fn sum(a: &Fraction, b: &Fraction, sign: i8, budget: &mut Budget) -> Option<Fraction> {
     if a.1 == b.1 {
         return Some(Fraction(a.0.clone().plus(&b.0, sign)?, a.1.clone()));
@@ -113,7 +188,7 @@ fn inverse(a: &Fraction) -> Option<Fraction> {
     (!a.0.0.is_empty()).then(|| Fraction(a.1.clone(), a.0.clone()))
 }
 
-fn fraction(graph: &Graph, e: Expr) -> Option<Fraction> {
+fn fraction(graph: &Graph, e: Expr, rewrites: &[Rewrite]) -> Option<Fraction> {
     let one = Polynomial::constant(Rational::ONE);
     let whole = |p: Polynomial| Fraction(p, one.clone());
     let mut budget = Budget(MOST_PRODUCTS);
@@ -143,6 +218,11 @@ fn fraction(graph: &Graph, e: Expr) -> Option<Fraction> {
             Node::Binary(Op::Restrict, a, _) => found[a].clone(),
             Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => whole(Polynomial::variable(node)),
         };
+        let Fraction(top, under) = made;
+        let made = match rewrites {
+            [] => Fraction(top, under),
+            _ => Fraction(reduced(top, rewrites, &mut budget)?, reduced(under, rewrites, &mut budget)?),
+        };
         found.insert(node, made);
     }
     found.remove(&e)
@@ -150,5 +230,10 @@ fn fraction(graph: &Graph, e: Expr) -> Option<Fraction> {
 
 /// Whether the expression is 0 as a rational function; nothing where it is too large to expand, or divides by what is 0.
 pub(crate) fn vanishes(graph: &Graph, e: Expr) -> Option<bool> {
-    fraction(graph, e).map(|Fraction(top, _)| top.0.is_empty())
+    vanishes_modulo(graph, e, &[])
+}
+
+/// Whether the numerator of the expression is a sum of multiples of relations, as far as dividing shows it.
+pub(crate) fn vanishes_modulo(graph: &Graph, e: Expr, rewrites: &[Rewrite]) -> Option<bool> {
+    fraction(graph, e, rewrites).map(|Fraction(top, _)| top.0.is_empty())
 }

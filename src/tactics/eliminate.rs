@@ -3,7 +3,7 @@
 //! **In:** a draft, and expressions. **Out:** the expressions with values put in, as the checker will see them, and how much work that took.
 
 use crate::write::Reader;
-use checker::{Draft, FactId, Relation, Sense, Step, Term};
+use checker::{Draft, FactId, Law, Relation, Sense, Step, Term};
 use expr::{Expr, Node};
 use std::collections::BTreeMap;
 
@@ -27,11 +27,13 @@ pub(crate) struct Search {
     pub(crate) solved: Vec<FactId>,
     /// Nodes that were looked at.
     pub(crate) work: usize,
+    /// The sides of facts that were asked for.
+    pub(crate) sides_of: BTreeMap<FactId, (Expr, Expr)>,
 }
 
 impl Search {
     pub(crate) fn new(reader: Reader, draft: Draft) -> Search {
-        Search { reader, draft, solved: Vec::new(), work: 0 }
+        Search { reader, draft, solved: Vec::new(), work: 0, sides_of: BTreeMap::new() }
     }
 
     /// Whether the work of the search is done with.
@@ -46,8 +48,21 @@ impl Search {
 
     /// The sides of an equation that is a fact.
     pub(crate) fn equation(&mut self, id: FactId) -> Option<(Expr, Expr)> {
+        if let Some(known) = self.sides_of.get(&id) {
+            return Some(*known);
+        }
         let says = self.draft.says(id).filter(|says| says.sense == Sense::Equal)?;
-        self.reader.sides(&says)
+        let sides = self.reader.sides(&says)?;
+        self.sides_of.insert(id, sides);
+        Some(sides)
+    }
+
+    /// A law, and its sides.
+    pub(crate) fn law(&mut self, law: Law, of: &[Expr]) -> Option<(FactId, Expr, Expr)> {
+        let of: Option<Vec<Term>> = of.iter().map(|e| self.reader.term(*e)).collect();
+        let fact = self.push(Step::Law { law, of: of? })?;
+        let (l, r) = self.equation(fact)?;
+        Some((fact, l, r))
     }
 
     /// Puts a value into an expression; whether there was room for it.
@@ -78,13 +93,17 @@ impl Search {
         says: Relation,
         multiplier: Option<Expr>,
         terms: &[(FactId, Expr)],
+        modulo: &[(FactId, Expr)],
     ) -> Option<FactId> {
         let multiplier = match multiplier {
             Some(e) => self.reader.term(e)?,
             None => Term::integer(1),
         };
-        let terms: Option<Vec<_>> = terms.iter().map(|&(fact, q)| Some((fact, self.reader.term(q)?))).collect();
-        let step = Step::Zero { says, multiplier, terms: terms?, insert: self.solved.clone() };
+        let with_terms = |list: &[(FactId, Expr)]| -> Option<Vec<(FactId, Term)>> {
+            list.iter().map(|&(fact, e)| Some((fact, self.reader.term(e)?))).collect()
+        };
+        let (terms, modulo) = (with_terms(terms)?, with_terms(modulo)?);
+        let step = Step::Zero { says, multiplier, terms, insert: self.solved.clone(), modulo };
         self.push(step)
     }
 }

@@ -13,10 +13,12 @@
 
 mod eliminate;
 mod fraction;
+mod normal;
 mod polynomial;
 mod prove;
 mod sequent;
 mod used;
+mod vanish;
 mod write;
 
 pub use prove::prove;

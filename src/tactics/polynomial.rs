@@ -1,16 +1,16 @@
-//! Polynomials in one node, with coefficients on the graph: division by an equation of a higher degree.
+//! Polynomials in one node, with coefficients on the graph.
 //!
-//! **In:** an expression e, a node v and an expression p whose highest power of v has a factor that does not vanish. **Out:** a quotient q and a rest of lower
-//! degree with e = q·p + rest. **Used for:** sin² + cos² = 1, (√u)² = u, and constraints such as x² + y² = ℓ².
+//! **In:** an expression and a node. **Out:** the coefficients of its powers; whether the highest one is a number, so that the checker can divide by it.
 
+use crate::fraction::fraction;
 use expr::{Expr, Graph, Node, Op};
 use std::collections::BTreeMap;
 
-/// Highest degree that is divided.
+/// Highest degree that is looked at.
 const HIGHEST: usize = 24;
 
 /// The coefficients of the powers of a node, from the lowest; nothing if it stands below a function or in a denominator.
-pub(crate) fn coefficients(graph: &mut Graph, e: Expr, v: Expr) -> Option<Vec<Expr>> {
+fn coefficients(graph: &mut Graph, e: Expr, v: Expr) -> Option<Vec<Expr>> {
     let (zero, one) = (graph.integer(0), graph.integer(1));
     let mut image: BTreeMap<Expr, Vec<Expr>> = BTreeMap::new();
     for node in graph.reachable([e]) {
@@ -72,39 +72,9 @@ fn product(graph: &mut Graph, p: &[Expr], q: &[Expr]) -> Option<Vec<Expr>> {
     Some(out)
 }
 
-/// A quotient and a rest.
-pub(crate) struct Division {
-    pub(crate) quotient: Expr,
-    pub(crate) rest: Expr,
-}
-
-/// Divides e by p, as polynomials in v; nothing if there is nothing to divide, or the leading coefficient of p is no number.
-pub(crate) fn divide(graph: &mut Graph, e: Expr, p: Expr, v: Expr) -> Option<Division> {
-    let divisor = coefficients(graph, p, v)?;
-    let mut rest = coefficients(graph, e, v)?;
-    let (lead, degree) = (*divisor.last()?, divisor.len() - 1);
-    if degree == 0 || rest.len() <= degree || graph.as_constant(lead).is_none_or(|_| graph.is_zero(lead)) {
-        return None;
-    }
-    let mut quotient = graph.integer(0);
-    while rest.len() > degree {
-        let top = rest.len() - 1;
-        let factor = graph.div(rest[top], lead);
-        let power = graph.powi(v, (top - degree) as i32);
-        let term = graph.mul(factor, power);
-        quotient = graph.add(quotient, term);
-        for (i, &c) in divisor.iter().enumerate().take(degree) {
-            let at = top - degree + i;
-            let taken = graph.mul(factor, c);
-            rest[at] = graph.sub(rest[at], taken);
-        }
-        rest.pop();
-    }
-    let mut sum = graph.integer(0);
-    for (i, &c) in rest.iter().enumerate() {
-        let power = graph.powi(v, i as i32);
-        let term = graph.mul(c, power);
-        sum = graph.add(sum, term);
-    }
-    Some(Division { quotient, rest: sum })
+/// Whether the numerator of an expression begins with a number times a power of a node.
+pub(crate) fn leads(graph: &mut Graph, e: Expr, v: Expr) -> bool {
+    let Some(quotient) = fraction(graph, e) else { return false };
+    let Some(all) = coefficients(graph, quotient.numerator, v) else { return false };
+    all.len() > 1 && all.last().is_some_and(|&lead| graph.as_constant(lead).is_some() && !graph.is_zero(lead))
 }

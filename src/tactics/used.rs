@@ -26,8 +26,8 @@ fn each_fact(step: &mut Step, mut see: impl FnMut(&mut FactId)) {
             see(fact);
             because.iter_mut().for_each(see);
         }
-        Step::Zero { terms, insert, .. } => {
-            terms.iter_mut().map(|(fact, _)| fact).chain(insert).for_each(see);
+        Step::Zero { terms, insert, modulo, .. } => {
+            terms.iter_mut().chain(modulo).map(|(fact, _)| fact).chain(insert).for_each(see);
         }
         Step::Close { split, branches, because, .. } => {
             if let Split::Product(fact) = split {

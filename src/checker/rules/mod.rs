@@ -37,7 +37,9 @@ pub(crate) fn apply(draft: &mut Draft, step: &Step) -> Result<Option<Made>, Stri
         Step::Open { because } => times::open(draft, because).map(|()| None),
         Step::Everywhere { because } => times::everywhere(draft, because).map(|()| None),
         Step::Rate { fact } => rate::rate(draft, *fact).map(Some),
-        Step::Zero { says, multiplier, terms, insert } => zero::zero(draft, says, multiplier, terms, insert).map(Some),
+        Step::Zero { says, multiplier, terms, insert, modulo } => {
+            zero::zero(draft, says, multiplier, terms, insert, modulo).map(Some)
+        }
         Step::Discharge { fact, because } => discharge::discharge(draft, *fact, because).map(Some),
         Step::Close { within, split, branches, because } => {
             case::close(draft, within, split, branches, because).map(Some)

@@ -1,0 +1,257 @@
+//! Elimination: facts are solved one after the other, and put into what is to vanish.
+//!
+//! **In:** an expression, and the facts of an [`Attempt`]. **Out:** the steps that show that it is 0, or nothing. **Guaranteed:** bounded: so many rounds, so many nodes.
+
+use crate::eliminate::{MOST_NODES, Solved};
+use crate::polynomial::leads;
+use crate::prove::Attempt;
+use checker::{FactId, Law, Relation, SymbolKind, Term};
+use expr::{Expr, Leaf, Node, Op};
+
+/// Most rounds of elimination.
+const MOST_ROUNDS: usize = 120;
+/// The work of a test for an identity, beside its nodes.
+const IDENTITY: usize = 2_000;
+
+/// What a fact is solved for: a rate now, a value now, a value at a fixed time, a constant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Kind {
+    Rate,
+    Value,
+    Fixed,
+    Constant,
+}
+
+/// What is divided by: a number, a constant, something that moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Divisor {
+    Number,
+    Constant,
+    Moving,
+}
+
+/// A way to solve a fact for a leaf: the less, the better. The highest rate goes first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Cost {
+    divisor: Divisor,
+    kind: Kind,
+    lower: u8,
+    nodes: usize,
+}
+
+/// A fact l = r that is not solved yet: e = l − r, with what is solved put in.
+pub(crate) struct Open {
+    pub(crate) fact: FactId,
+    pub(crate) e: Expr,
+}
+
+/// What is put in before facts are solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Beginning {
+    /// Nothing.
+    Plain,
+    /// Sides of facts that stand as they are in other formulas, as the formulas of definitions do.
+    Wholes,
+}
+
+impl Attempt<'_> {
+    /// The claim `says`, whose sides differ by `goal`, as far as facts can be solved: first for what they say without dividing by anything that moves.
+    pub(crate) fn algebra(&mut self, says: &Relation, goal: Expr, beginning: Beginning) -> Option<FactId> {
+        self.search.solved.clear();
+        let mut rest: Vec<Open> = Vec::new();
+        for &fact in &self.facts.clone() {
+            let Some((l, r)) = self.search.equation(fact) else { continue };
+            rest.push(Open { fact, e: self.search.reader.graph.sub(l, r) });
+        }
+        let mut e = goal;
+        if beginning == Beginning::Wholes {
+            self.put_in_wholes(&mut e, &mut rest)?;
+        }
+        self.normalise(&mut e, &mut rest)?;
+        for divisor in [Divisor::Number, Divisor::Constant, Divisor::Moving] {
+            for kind in [Kind::Rate, Kind::Value, Kind::Fixed, Kind::Constant] {
+                if let Some(found) = self.vanishes(says, e, &rest) {
+                    return Some(found);
+                }
+                for _ in 0..MOST_ROUNDS {
+                    let leaves = self.search.reader.graph.leaves([e]);
+                    let Some((at, leaf)) = self.best(&rest, &leaves, divisor, kind) else { break };
+                    let open = rest.remove(at);
+                    let Some(solved) = self.solve(&open, leaf) else { continue };
+                    if !self.search.put_in(&mut e, solved) {
+                        return None;
+                    }
+                    rest.retain_mut(|open| self.search.put_in(&mut open.e, solved));
+                }
+            }
+        }
+        self.normalise(&mut e, &mut [])?;
+        self.vanishes(says, e, &rest)
+    }
+
+    /// Puts one side of a fact for the other where that is a formula which stands in what is to vanish.
+    fn put_in_wholes(&mut self, e: &mut Expr, rest: &mut Vec<Open>) -> Option<()> {
+        for _ in 0..MOST_ROUNDS {
+            let graph = &self.search.reader.graph;
+            let below = graph.reachable([*e]);
+            let is_whole = |x: &Expr| matches!(graph.node(*x), Node::Unary(..) | Node::Binary(..)) && below.contains(x);
+            let mut found = None;
+            for (at, open) in rest.iter().enumerate() {
+                let Some((l, r)) = self.search.sides_of.get(&open.fact).copied() else { continue };
+                let size = |x: Expr| graph.reachable([x]).len();
+                let mut ways = [(l, r), (r, l)].into_iter().filter(|(from, to)| is_whole(from) && size(*to) <= size(*from) && !graph.reachable([*to]).contains(from));
+                if let Some((from, to)) = ways.next() {
+                    found = Some((at, from, to));
+                    break;
+                }
+            }
+            let Some((at, from, to)) = found else { break };
+            let open = rest.remove(at);
+            let says = self.search.reader.equation(from, to)?;
+            let inserted = std::mem::take(&mut self.search.solved);
+            let one = self.search.reader.graph.integer(1);
+            let minus = self.search.reader.graph.integer(-1);
+            let fact = [one, minus].into_iter().find_map(|sign| self.search.zero(says.clone(), None, &[(open.fact, sign)], &[]));
+            self.search.solved = inserted;
+            let Some(fact) = fact else { continue };
+            self.search.solved.push(fact);
+            let solved = Solved { node: from, value: to };
+            self.search.put_in(e, solved).then_some(())?;
+            rest.retain_mut(|open| self.search.put_in(&mut open.e, solved));
+        }
+        Some(())
+    }
+
+    /// The claim, if the expression vanishes as it stands, or divided by laws of the functions in it and by facts of a higher degree.
+    fn vanishes(&mut self, says: &Relation, e: Expr, rest: &[Open]) -> Option<FactId> {
+        self.search.work += IDENTITY + self.search.reader.graph.reachable([e]).len() * 10;
+        if self.search.is_spent() {
+            return None;
+        }
+        let found = self.search.zero(says.clone(), None, &[], &[]);
+        if found.is_some() || self.search.reader.graph.is_zero(e) {
+            return found;
+        }
+        let laws = self.laws(e);
+        if laws.is_empty() && rest.is_empty() {
+            return None;
+        }
+        let found = self.search.zero(says.clone(), None, &[], &laws);
+        if found.is_some() {
+            return found;
+        }
+        let facts = self.of_higher_degree(e, rest);
+        if facts.is_empty() { None } else { self.search.zero(says.clone(), None, &[], &[facts, laws].concat()) }
+    }
+
+    /// Laws of the functions below an expression that say something of their powers, each with the node in which it divides: those of what stands inside first.
+    pub(crate) fn laws(&mut self, e: Expr) -> Vec<(FactId, Expr)> {
+        let mut out = Vec::new();
+        for node in self.search.reader.graph.reachable([e]) {
+            let (law, argument) = match *self.search.reader.graph.node(node) {
+                Node::Unary(Op::Cos, a) => (Law::Pythagoras, a),
+                Node::Unary(Op::Sqrt, a) => (Law::SquareOfRoot, a),
+                Node::Unary(Op::Abs, a) => (Law::SquareOfAbsolute, a),
+                Node::Unary(..) | Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => continue,
+            };
+            out.extend(self.search.law(law, &[argument]).map(|(fact, ..)| (fact, node)));
+        }
+        out
+    }
+
+    /// Facts that begin with a power of something in an expression, each with that.
+    fn of_higher_degree(&mut self, e: Expr, rest: &[Open]) -> Vec<(FactId, Expr)> {
+        let wanted = self.search.reader.graph.leaves([e]);
+        let mut out: Vec<(FactId, Expr)> = Vec::new();
+        for open in rest {
+            let size = self.search.reader.graph.reachable([open.e]).len();
+            self.search.work += size;
+            if size > MOST_NODES / 10 || self.search.is_spent() {
+                continue;
+            }
+            for leaf in self.search.reader.graph.leaves([open.e]).into_iter().filter(|leaf| wanted.contains(leaf)) {
+                let v = self.search.reader.graph.leaf(leaf);
+                if out.iter().any(|(_, known)| *known == v) || !leads(&mut self.search.reader.graph, open.e, v) {
+                    continue;
+                }
+                // The fact with all that is solved put in, as the expression has it.
+                let zero = Term::integer(0);
+                let Some(left) = self.search.reader.term(open.e) else { continue };
+                let one = self.search.reader.graph.integer(1);
+                let fact = self.search.zero(Relation::equal(left, zero), None, &[(open.fact, one)], &[]);
+                out.extend(fact.map(|fact| (fact, v)));
+                break;
+            }
+        }
+        out
+    }
+
+    /// The fact that is solved most easily for one of these leaves, as costly as is allowed.
+    fn best(&mut self, rest: &[Open], leaves: &[Leaf], divisor: Divisor, kind: Kind) -> Option<(usize, Leaf)> {
+        let mut best: Option<(Cost, usize, Leaf)> = None;
+        for (at, open) in rest.iter().enumerate() {
+            let ways = self.ways(open.e, leaves);
+            let allowed = ways.into_iter().filter(|(cost, _)| cost.divisor <= divisor && cost.kind <= kind);
+            if let Some((cost, leaf)) = allowed.min_by_key(|(cost, _)| *cost)
+                && best.as_ref().is_none_or(|b| cost < b.0)
+            {
+                best = Some((cost, at, leaf));
+            }
+        }
+        best.map(|(_, at, leaf)| (at, leaf))
+    }
+
+    fn kind_of(&self, leaf: Leaf) -> Option<Kind> {
+        let name = self.search.reader.graph.name(leaf.symbol);
+        let declared = self.sequent.symbols.iter().find(|d| d.name == name)?;
+        match (declared.kind, leaf.instant, leaf.rate) {
+            (SymbolKind::Time, ..) => None,
+            (SymbolKind::Constant(_), ..) => Some(Kind::Constant),
+            (SymbolKind::Moves(_) | SymbolKind::Defined, Some(_), _) => Some(Kind::Fixed),
+            (SymbolKind::Moves(_) | SymbolKind::Defined, None, 0) => Some(Kind::Value),
+            (SymbolKind::Moves(_) | SymbolKind::Defined, None, _) => Some(Kind::Rate),
+        }
+    }
+
+    /// The leaves, of those that are wanted, for which an expression can be solved.
+    fn ways(&mut self, e: Expr, wanted: &[Leaf]) -> Vec<(Cost, Leaf)> {
+        let nodes = self.search.reader.graph.reachable([e]).len();
+        self.search.work += nodes;
+        let mut out = Vec::new();
+        if nodes > MOST_NODES || self.search.is_spent() {
+            return out;
+        }
+        for leaf in self.search.reader.graph.leaves([e]) {
+            let Some(kind) = self.kind_of(leaf).filter(|_| wanted.contains(&leaf)) else { continue };
+            self.search.work += nodes;
+            let Ok(factor) = self.search.reader.graph.slope(e, leaf) else { continue };
+            let below = self.search.reader.graph.leaves([factor]);
+            if self.search.reader.graph.is_zero(factor) || below.contains(&leaf) {
+                continue;
+            }
+            let moves = |l: &Leaf| matches!(self.kind_of(*l), None | Some(Kind::Rate | Kind::Value));
+            let divisor = match below.iter().any(moves) {
+                true => Divisor::Moving,
+                false if below.is_empty() => Divisor::Number,
+                false => Divisor::Constant,
+            };
+            out.push((Cost { divisor, kind, lower: u8::MAX - leaf.rate, nodes }, leaf));
+        }
+        out
+    }
+
+    /// Solves e for a leaf: e = d·x + rest.
+    fn solve(&mut self, open: &Open, leaf: Leaf) -> Option<Solved> {
+        let graph = &mut self.search.reader.graph;
+        let factor = graph.slope(open.e, leaf).ok()?;
+        let (zero, one) = (graph.integer(0), graph.integer(1));
+        let rest = graph.replaced(open.e, |_, l| (l == leaf).then_some(zero));
+        let ratio = graph.div(rest, factor);
+        let value = graph.neg(ratio);
+        let node = graph.leaf(leaf);
+        let says = self.search.reader.equation(node, value)?;
+        let fact = self.search.zero(says, Some(factor), &[(open.fact, one)], &[])?;
+        self.search.solved.push(fact);
+        Some(Solved { node, value })
+    }
+}
