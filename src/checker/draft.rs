@@ -139,6 +139,7 @@ fn lasting(step: &Step) -> Vec<FactId> {
         | Step::Supposition { .. }
         | Step::Restrict { .. }
         | Step::Rate { .. }
+        | Step::Partial { .. }
         | Step::Zero { .. }
         | Step::Discharge { .. }
         | Step::Close { .. }

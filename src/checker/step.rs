@@ -73,6 +73,8 @@ pub enum Step {
     Everywhere { because: Vec<FactId> },
     /// The derivative by time of an equation.
     Rate { fact: FactId },
+    /// The derivative by a coordinate of an equation.
+    Partial { fact: FactId, by: String, component: u16 },
     /// An equation l = r with d·(l − r) = Σ qᵢ·(lᵢ − rᵢ), where lᵢ = rᵢ are facts, as soon as the right side of each fact of `insert`, in
     /// their order, is put for its left side; and as soon as multiples of facts of `modulo` are taken away, each of which begins with a power of what stands beside it.
     Zero {

@@ -60,6 +60,18 @@ impl Attempt<'_> {
             self.search.solved.push(fact);
             return Some(Solved { node, value: r });
         }
+        // f·g = r, solved for f.
+        if let Node::Binary(Op::Mul, f, g) = *self.search.reader.graph.node(l)
+            && f == node
+        {
+            let value = self.search.reader.graph.div(r, g);
+            let says = self.search.reader.equation(node, value)?;
+            let (one, before) = (self.search.reader.graph.integer(1), std::mem::take(&mut self.search.solved));
+            let found = self.search.zero(says, Some(g), &[(fact, one)], &[]);
+            self.search.solved = before;
+            self.search.solved.push(found?);
+            return Some(Solved { node, value });
+        }
         let same = self.same_value(node, l)?;
         let one = self.search.reader.graph.integer(1);
         let says = self.search.reader.equation(node, r)?;
@@ -168,11 +180,13 @@ impl Attempt<'_> {
             Op::Sin => match inner {
                 Node::Unary(Op::Arcsin, u) => Some((Law::SineOfArcsine, vec![u])),
                 Node::Unary(Op::Arccos, u) => Some((Law::SineOfArccosine, vec![u])),
+                Node::Binary(Op::Arctan2, v, u) => Some((Law::SineOfAngle, vec![u, v])),
                 _ => self.of_sum(a, [Law::SineOfSum, Law::SineOfOpposite], units),
             },
             Op::Cos => match inner {
                 Node::Unary(Op::Arcsin, u) => Some((Law::CosineOfArcsine, vec![u])),
                 Node::Unary(Op::Arccos, u) => Some((Law::CosineOfArccosine, vec![u])),
+                Node::Binary(Op::Arctan2, v, u) => Some((Law::CosineOfAngle, vec![u, v])),
                 _ => self.of_sum(a, [Law::CosineOfSum, Law::CosineOfOpposite], units),
             },
             Op::Exp => match inner {

@@ -5,9 +5,9 @@
 use crate::eliminate::Search;
 use crate::sequent::Question;
 use crate::used::used;
-use crate::vanish::Beginning;
+use crate::vanish::{Beginning, order};
 use crate::write::Reader;
-use checker::{CaseId, Draft, FactId, Given, Instant, Relation, Sense, Sequent, Step, Term, When};
+use checker::{CaseId, Draft, FactId, Given, Instant, Relation, Sense, Sequent, Step, SymbolKind, Term, When};
 use expr::Expr;
 
 /// Most facts that are solved.
@@ -125,7 +125,7 @@ impl Attempt<'_> {
 
     fn highest_rate(&mut self, relation: &Relation) -> u8 {
         let Some((l, r)) = self.search.reader.sides(relation) else { return 0 };
-        self.search.reader.graph.leaves([l, r]).into_iter().map(|leaf| leaf.rate).max().unwrap_or(0)
+        self.search.reader.graph.leaves([l, r]).into_iter().map(order).max().unwrap_or(0)
     }
 
     /// Adds the rates of facts, as far as the claim and the facts name rates.
@@ -133,17 +133,35 @@ impl Attempt<'_> {
         let claim = self.search.draft.claim_says();
         let says: Vec<_> = self.facts.iter().filter_map(|&id| self.search.draft.says(id)).chain(claim).collect();
         let wanted = says.iter().map(|relation| self.highest_rate(relation)).max().unwrap_or(0).max(more);
-        let mut open = self.facts.clone();
-        while let Some(id) = open.pop() {
+        // A fact, and the last of the variables by which it was derived: others are for those before.
+        let variables = self.variables();
+        let mut open: Vec<(FactId, usize)> = self.facts.iter().map(|&id| (id, 0)).collect();
+        while let Some((id, last)) = open.pop() {
             let Some(relation) = self.search.draft.says(id) else { continue };
-            if self.highest_rate(&relation) >= wanted || self.facts.len() >= MOST_FACTS {
+            if self.highest_rate(&relation) >= wanted {
                 continue;
             }
-            if let Some(rate) = self.search.push(Step::Rate { fact: id }) {
-                self.facts.push(rate);
-                open.push(rate);
+            for (at, variable) in variables.iter().enumerate().skip(last) {
+                if self.facts.len() >= MOST_FACTS {
+                    return;
+                }
+                let step = match variable {
+                    None => Step::Rate { fact: id },
+                    Some((by, component)) => Step::Partial { fact: id, by: by.clone(), component: *component },
+                };
+                if let Some(rate) = self.search.push(step) {
+                    self.facts.push(rate);
+                    open.push((rate, at));
+                }
             }
         }
+    }
+
+    /// The time, and the coordinates by their names and components.
+    fn variables(&self) -> Vec<Option<(String, u16)>> {
+        let coordinates = self.sequent.symbols.iter().filter(|d| d.kind == SymbolKind::Coordinate);
+        let each = coordinates.flat_map(|d| (0..d.components).map(|component| Some((d.name.clone(), component))));
+        [None].into_iter().chain(each).collect()
     }
 
     /// Adds what facts say at fixed times.

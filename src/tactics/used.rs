@@ -17,7 +17,7 @@ fn each_fact(step: &mut Step, mut see: impl FnMut(&mut FactId)) {
         | Step::Supposition { .. }
         | Step::Law { .. }
         | Step::Model { .. } => {}
-        Step::Rate { fact } | Step::Conclude { fact } => see(fact),
+        Step::Rate { fact } | Step::Partial { fact, .. } | Step::Conclude { fact } => see(fact),
         Step::Restrict { fact, because, .. }
         | Step::Discharge { fact, because }
         | Step::Smooth { fact, because }
@@ -68,6 +68,7 @@ fn makes_fact(step: &Step) -> bool {
         | Step::Supposition { .. }
         | Step::Restrict { .. }
         | Step::Rate { .. }
+        | Step::Partial { .. }
         | Step::Zero { .. }
         | Step::Discharge { .. }
         | Step::Close { .. }

@@ -45,6 +45,11 @@ pub(crate) struct Open {
     pub(crate) e: Expr,
 }
 
+/// The order of a derivative.
+pub(crate) fn order(leaf: Leaf) -> u8 {
+    leaf.rate.saturating_add(u8::try_from(leaf.partials.order()).unwrap_or(u8::MAX))
+}
+
 /// What is put in before facts are solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Beginning {
@@ -204,12 +209,12 @@ impl Attempt<'_> {
     fn kind_of(&self, leaf: Leaf) -> Option<Kind> {
         let name = self.search.reader.graph.name(leaf.symbol);
         let declared = self.sequent.symbols.iter().find(|d| d.name == name)?;
-        match (declared.kind, leaf.instant, leaf.rate) {
-            (SymbolKind::Time, ..) => None,
+        match (declared.kind, leaf.instant, order(leaf)) {
+            (SymbolKind::Time | SymbolKind::Coordinate, ..) => None,
             (SymbolKind::Constant(_), ..) => Some(Kind::Constant),
-            (SymbolKind::Moves(_) | SymbolKind::Defined, Some(_), _) => Some(Kind::Fixed),
-            (SymbolKind::Moves(_) | SymbolKind::Defined, None, 0) => Some(Kind::Value),
-            (SymbolKind::Moves(_) | SymbolKind::Defined, None, _) => Some(Kind::Rate),
+            (SymbolKind::Moves(_) | SymbolKind::Field(_) | SymbolKind::Defined, Some(_), _) => Some(Kind::Fixed),
+            (SymbolKind::Moves(_) | SymbolKind::Field(_) | SymbolKind::Defined, None, 0) => Some(Kind::Value),
+            (SymbolKind::Moves(_) | SymbolKind::Field(_) | SymbolKind::Defined, None, _) => Some(Kind::Rate),
         }
     }
 
@@ -235,7 +240,7 @@ impl Attempt<'_> {
                 false if below.is_empty() => Divisor::Number,
                 false => Divisor::Constant,
             };
-            out.push((Cost { divisor, kind, lower: u8::MAX - leaf.rate, nodes }, leaf));
+            out.push((Cost { divisor, kind, lower: u8::MAX.saturating_sub(order(leaf)), nodes }, leaf));
         }
         out
     }
