@@ -261,6 +261,19 @@ impl Draft {
         self.context.written(Says { left: d, sense: Sense::Equal, right: d }).map(|relation| relation.left)
     }
 
+    /// A formula, expanded, and divided by facts as [`Step::Zero`] does; nothing where it is too large.
+    pub fn normal_form(&mut self, of: &Term, modulo: &[FactId]) -> Option<Term> {
+        let e = self.context.read(of).ok()?;
+        let mut rewrites = Vec::new();
+        for id in modulo {
+            let says = self.fact(*id).filter(|fact| fact.says.sense == Sense::Equal)?.says;
+            let difference = self.context.difference(says);
+            rewrites.extend(super::polynomial::Rewrite::of(&self.context.graph, difference));
+        }
+        let e = super::polynomial::normal_form(&mut self.context.graph, e, &rewrites)?;
+        self.context.written(Says { left: e, sense: Sense::Equal, right: e }).ok().map(|relation| relation.left)
+    }
+
     /// The claim, with definitions put in.
     pub fn claim_says(&self) -> Option<Relation> {
         self.context.written(self.context.claim).ok()

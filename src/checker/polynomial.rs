@@ -3,8 +3,8 @@
 //! **In:** an expression, and relations that vanish. **Out:** whether its numerator is a sum of multiples of these, by expansion and by division; or nothing, where that is too
 //! large. **Guaranteed:** exact, with no choice of a random point. Everything that is no sum, product, quotient or whole power is an indeterminate; a restriction counts as its formula.
 //!
-//! **Division.** A relation whose numerator has a term n·vᵏ with a number n ≠ 0, and no other term of degree k or more in v, says vᵏ = R. Where vᵏ is replaced by R, a multiple of the relation is taken
-//! away. So whatever the order, and whether or not the replacing ends, what becomes 0 is such a sum.
+//! **Division.** A relation whose numerator is n·m − …, with a monomial m and a number n ≠ 0, says what m is. Where a multiple of m is replaced by that, a multiple of the relation is taken
+//! away. So whatever the order, and whether or not the replacing ends, what becomes 0 is such a sum; and each formula keeps its value where the relations are true.
 
 use dashu_int::ops::BitTest;
 use expr::{Expr, Graph, Node, Op, Rational};
@@ -13,6 +13,8 @@ use std::collections::BTreeMap;
 /// Most terms of a polynomial, and most products of terms in one expansion.
 const MOST_TERMS: usize = 3_000;
 const MOST_PRODUCTS: usize = 300_000;
+/// The same where relations are divided by.
+const MOST_DIVISIONS: usize = 60_000;
 /// Largest power that is expanded.
 const LARGEST_POWER: u32 = 24;
 /// Most bits of numbers that are multiplied out.
@@ -99,38 +101,46 @@ fn joined(m: &Monomial, n: &Monomial) -> Option<Monomial> {
 #[derive(Clone)]
 struct Fraction(Polynomial, Polynomial);
 
-/// A relation, solved for a power of an indeterminate: vᵏ = R.
+/// A relation that vanishes, solved for its first monomial.
 pub(crate) struct Rewrite {
-    v: Expr,
-    degree: u32,
+    lead: Monomial,
     rest: Polynomial,
 }
 
+/// The order of monomials: by values of functions, the last made first; then by degree; then by the others.
+fn rank(graph: &Graph, monomial: &Monomial) -> (Vec<(Expr, u32)>, u32, Vec<(Expr, u32)>) {
+    let is_function = |e: Expr| !matches!(graph.node(e), Node::Leaf(_) | Node::Pi);
+    let turned = |functions: bool| monomial.iter().rev().copied().filter(move |(e, _)| is_function(*e) == functions);
+    (turned(true).collect(), monomial.iter().map(|(_, k)| *k).sum(), turned(false).collect())
+}
+
 impl Rewrite {
-    /// The relation `difference` = 0 as one; nothing if it does not begin with a number times a power of v.
-    pub(crate) fn of(graph: &Graph, difference: Expr, v: Expr) -> Option<Rewrite> {
-        let Fraction(top, _) = fraction(graph, difference, &[])?;
-        let power = |m: &Monomial| m.iter().find(|(e, _)| *e == v).map_or(0, |(_, k)| *k);
-        let degree = top.0.keys().map(power).max().filter(|k| *k > 0)?;
-        let lead = top.0.get(&vec![(v, degree)])?.clone();
-        let others = top.0.iter().filter(|(m, _)| **m != vec![(v, degree)]);
+    /// The numerator of `difference`, which vanishes, as one; nothing if it is too large, a number or 0.
+    pub(crate) fn of(graph: &Graph, difference: Expr) -> Option<Rewrite> {
+        let Fraction(mut top, _) = fraction(graph, difference, &[])?;
+        let lead = top.0.keys().max_by_key(|monomial| rank(graph, monomial))?.clone();
+        let number = top.0.remove(&lead)?;
         let mut rest = Polynomial::default();
-        for (monomial, r) in others {
-            if power(monomial) >= degree {
-                return None;
-            }
-            rest.add_term(monomial.clone(), -r.clone() / lead.clone());
+        for (monomial, r) in top.0 {
+            rest.add_term(monomial, -r / number.clone());
         }
-        Some(Rewrite { v, degree, rest })
+        (!lead.is_empty()).then_some(Rewrite { lead, rest })
     }
 
-    /// u, if the relation says v² = u and v does not stand in u.
-    pub(crate) fn square(&self, graph: &mut Graph) -> Option<Expr> {
-        if self.degree != 2 || self.rest.0.keys().any(|m| m.iter().any(|(e, _)| *e == self.v)) {
+    /// v and u, if the relation says v² = u and v does not stand in u.
+    pub(crate) fn square(&self, graph: &mut Graph) -> Option<(Expr, Expr)> {
+        let [(v, 2)] = self.lead[..] else { return None };
+        if self.rest.0.keys().any(|m| m.iter().any(|(e, _)| *e == v)) {
             return None;
         }
+        Some((v, self.rest.written(graph)?))
+    }
+}
+
+impl Polynomial {
+    fn written(&self, graph: &mut Graph) -> Option<Expr> {
         let mut sum = graph.integer(0);
-        for (monomial, r) in &self.rest.0 {
+        for (monomial, r) in &self.0 {
             let mut term = graph.constant(r.clone());
             for &(e, k) in monomial {
                 let power = graph.powi(e, i32::try_from(k).ok()?);
@@ -140,35 +150,38 @@ impl Rewrite {
         }
         Some(sum)
     }
-
-    /// The indeterminate.
-    pub(crate) fn v(&self) -> Expr {
-        self.v
-    }
 }
 
-/// A polynomial with powers replaced, as far as there are any.
+/// m/n, if n divides m.
+fn divided(m: &Monomial, n: &Monomial) -> Option<Monomial> {
+    let mut out = m.clone();
+    for (e, k) in n {
+        let (_, power) = out.iter_mut().find(|(other, _)| other == e)?;
+        *power = power.checked_sub(*k)?;
+    }
+    out.retain(|(_, k)| *k > 0);
+    Some(out)
+}
+
+/// A polynomial without multiples of relations, as far as dividing takes them away.
 fn reduced(mut p: Polynomial, rewrites: &[Rewrite], budget: &mut Budget) -> Option<Polynomial> {
-    for rewrite in rewrites.iter().rev() {
-        loop {
-            let power = |m: &Monomial| m.iter().find(|(e, _)| *e == rewrite.v).map_or(0, |(_, k)| *k);
-            let high: Vec<Monomial> = p.0.keys().filter(|m| power(m) >= rewrite.degree).cloned().collect();
-            if high.is_empty() {
-                break;
+    let mut out = Polynomial::default();
+    while let Some((monomial, r)) = p.0.pop_last() {
+        let found = rewrites.iter().find_map(|rewrite| Some((divided(&monomial, &rewrite.lead)?, rewrite)));
+        let Some((factor, rewrite)) = found else {
+            out.add_term(monomial, r);
+            continue;
+        };
+        budget.0 = budget.0.checked_sub(1 + rewrite.rest.0.len())?;
+        for (m, s) in &rewrite.rest.0 {
+            let product = &r * s;
+            if bits(&product).iter().sum::<usize>() > MOST_BITS || p.0.len() > MOST_TERMS {
+                return None;
             }
-            for monomial in high {
-                let Some(r) = p.0.remove(&monomial) else { continue };
-                let lower = monomial.iter().filter_map(|&(e, k)| {
-                    let k = if e == rewrite.v { k - rewrite.degree } else { k };
-                    (k > 0).then_some((e, k))
-                });
-                let mut factor = Polynomial::default();
-                factor.add_term(lower.collect(), r);
-                p = p.plus(&factor.times(&rewrite.rest, budget)?, 1)?;
-            }
+            p.add_term(joined(m, &factor)?, product);
         }
     }
-    Some(p)
+    Some(out)
 }
 
 fn sum(a: &Fraction, b: &Fraction, sign: i8, budget: &mut Budget) -> Option<Fraction> {
@@ -191,7 +204,7 @@ fn inverse(a: &Fraction) -> Option<Fraction> {
 fn fraction(graph: &Graph, e: Expr, rewrites: &[Rewrite]) -> Option<Fraction> {
     let one = Polynomial::constant(Rational::ONE);
     let whole = |p: Polynomial| Fraction(p, one.clone());
-    let mut budget = Budget(MOST_PRODUCTS);
+    let mut budget = Budget(if rewrites.is_empty() { MOST_PRODUCTS } else { MOST_DIVISIONS });
     let mut found: BTreeMap<Expr, Fraction> = BTreeMap::new();
     for node in graph.reachable([e]) {
         let made = match graph.node(node) {
@@ -236,4 +249,11 @@ pub(crate) fn vanishes(graph: &Graph, e: Expr) -> Option<bool> {
 /// Whether the numerator of the expression is a sum of multiples of relations, as far as dividing shows it.
 pub(crate) fn vanishes_modulo(graph: &Graph, e: Expr, rewrites: &[Rewrite]) -> Option<bool> {
     fraction(graph, e, rewrites).map(|Fraction(top, _)| top.0.is_empty())
+}
+
+/// An expression, expanded and divided by relations: numerator by denominator; nothing where it is too large.
+pub(crate) fn normal_form(graph: &mut Graph, e: Expr, rewrites: &[Rewrite]) -> Option<Expr> {
+    let Fraction(top, under) = fraction(graph, e, rewrites)?;
+    let (top, under) = (top.written(graph)?, under.written(graph)?);
+    Some(graph.div(top, under))
 }

@@ -76,14 +76,14 @@ pub enum Step {
     /// The derivative by a coordinate of an equation.
     Partial { fact: FactId, by: String, component: u16 },
     /// An equation l = r with d·(l − r) = Σ qᵢ·(lᵢ − rᵢ), where lᵢ = rᵢ are facts, as soon as the right side of each fact of `insert`, in
-    /// their order, is put for its left side; and as soon as multiples of facts of `modulo` are taken away, each of which begins with a power of what stands beside it.
+    /// their order, is put for its left side; and as soon as multiples of facts of `modulo` are taken away.
     Zero {
         says: Relation,
         multiplier: Term,
         terms: Vec<(FactId, Term)>,
         insert: Vec<FactId>,
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
-        modulo: Vec<(FactId, Term)>,
+        modulo: Vec<FactId>,
     },
     /// The same with fewer needs.
     Discharge { fact: FactId, because: Vec<FactId> },

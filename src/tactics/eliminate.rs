@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 /// Most nodes of an expression that is reduced.
 pub(crate) const MOST_NODES: usize = 6_000;
 /// Most nodes that are looked at for one relation.
-const MOST_WORK: usize = 400_000;
+const MOST_WORK: usize = 250_000;
 
 /// A node, and what it is.
 #[derive(Clone, Copy, Debug)]
@@ -93,17 +93,14 @@ impl Search {
         says: Relation,
         multiplier: Option<Expr>,
         terms: &[(FactId, Expr)],
-        modulo: &[(FactId, Expr)],
+        modulo: &[FactId],
     ) -> Option<FactId> {
         let multiplier = match multiplier {
             Some(e) => self.reader.term(e)?,
             None => Term::integer(1),
         };
-        let with_terms = |list: &[(FactId, Expr)]| -> Option<Vec<(FactId, Term)>> {
-            list.iter().map(|&(fact, e)| Some((fact, self.reader.term(e)?))).collect()
-        };
-        let (terms, modulo) = (with_terms(terms)?, with_terms(modulo)?);
-        let step = Step::Zero { says, multiplier, terms, insert: self.solved.clone(), modulo };
+        let terms: Option<Vec<_>> = terms.iter().map(|&(fact, q)| Some((fact, self.reader.term(q)?))).collect();
+        let step = Step::Zero { says, multiplier, terms: terms?, insert: self.solved.clone(), modulo: modulo.to_vec() };
         self.push(step)
     }
 }

@@ -133,6 +133,9 @@ impl Attempt<'_> {
         let claim = self.search.draft.claim_says();
         let says: Vec<_> = self.facts.iter().filter_map(|&id| self.search.draft.says(id)).chain(claim).collect();
         let wanted = says.iter().map(|relation| self.highest_rate(relation)).max().unwrap_or(0).max(more);
+        // A field that is a derivative of another one stands in the claim with derivatives of its own.
+        let claimed = says.last().map_or(0, |relation| self.highest_rate(relation));
+        let wanted = if self.variables().len() > 1 { wanted.max(claimed + 1) } else { wanted };
         // A fact, and the last of the variables by which it was derived: others are for those before.
         let variables = self.variables();
         let mut open: Vec<(FactId, usize)> = self.facts.iter().map(|&id| (id, 0)).collect();

@@ -68,6 +68,18 @@ pub fn sequents(derivation: &Derivation, claim: &Claim) -> Result<Vec<Question>,
     gathering.questions()
 }
 
+/// The same, where assumptions are premises of all times.
+///
+/// # Errors
+/// As for [`sequents`].
+pub(crate) fn sequents_throughout(derivation: &Derivation, claim: &Claim) -> Result<Vec<Question>, String> {
+    let mut gathering = Gathering::new(derivation, claim);
+    gathering.gather()?;
+    let assumed = std::mem::take(&mut gathering.assumed);
+    gathering.premises.extend(std::mem::take(&mut gathering.selectors).into_iter().chain(assumed));
+    gathering.questions()
+}
+
 /// What is given and what is claimed, in a graph of its own.
 struct Gathering<'a> {
     derivation: &'a Derivation,
@@ -347,7 +359,11 @@ impl<'a> Gathering<'a> {
             let of_claims = self.derivation.claims.iter().flat_map(|c| &c.symbols);
             self.derivation.symbols.iter().chain(of_claims).any(|s| s.symbol == symbol && s.positive)
         };
+        // Fields are as smooth as is wanted: two orders more than what is written.
+        let of_fields = |s: &Symbol| matches!(self.role(*s), Some(Role::Field));
+        let smooth = orders.iter().filter(|(s, _)| of_fields(s)).map(|(_, n)| n.saturating_add(2)).max().unwrap_or(0);
         for (&symbol, &order) in &orders {
+            let order = if of_fields(&symbol) { smooth } else { order };
             let defined = definitions.iter().any(|(leaf, _)| leaf.symbol == symbol);
             let role = if symbol == self.any_time.1 { Some(Role::Parameter) } else { self.role(symbol) };
             writer.declare(symbol, role, defined, order, positive(symbol))?;

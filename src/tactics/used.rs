@@ -27,7 +27,7 @@ fn each_fact(step: &mut Step, mut see: impl FnMut(&mut FactId)) {
             because.iter_mut().for_each(see);
         }
         Step::Zero { terms, insert, modulo, .. } => {
-            terms.iter_mut().chain(modulo).map(|(fact, _)| fact).chain(insert).for_each(see);
+            terms.iter_mut().map(|(fact, _)| fact).chain(insert).chain(modulo).for_each(see);
         }
         Step::Close { split, branches, because, .. } => {
             if let Split::Product(fact) = split {

@@ -3,19 +3,23 @@
 //! **In:** an expression, and the facts of an [`Attempt`]. **Out:** the steps that show that it is 0, or nothing. **Guaranteed:** bounded: so many rounds, so many nodes.
 
 use crate::eliminate::{MOST_NODES, Solved};
-use crate::polynomial::leads;
 use crate::prove::Attempt;
 use checker::{FactId, Law, Relation, SymbolKind, Term};
 use expr::{Expr, Leaf, Node, Op};
 
 /// Most rounds of elimination.
 const MOST_ROUNDS: usize = 120;
+/// Largest fact that is divided by, in nodes, and most of them.
+const LARGEST_DIVISOR: usize = 120;
+const MOST_DIVISORS: usize = 24;
+/// The work of a division by facts.
+const DIVISION: usize = 60_000;
 /// The work of a test for an identity, beside its nodes.
 const IDENTITY: usize = 2_000;
 
 /// What a fact is solved for: a rate now, a value now, a value at a fixed time, a constant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Kind {
+pub(crate) enum Kind {
     Rate,
     Value,
     Fixed,
@@ -43,6 +47,13 @@ struct Cost {
 pub(crate) struct Open {
     pub(crate) fact: FactId,
     pub(crate) e: Expr,
+}
+
+/// What is divided by: laws of functions, or facts, too.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Depth {
+    Laws,
+    Facts,
 }
 
 /// The order of a derivative.
@@ -74,8 +85,14 @@ impl Attempt<'_> {
         }
         self.normalise(&mut e, &mut rest)?;
         for divisor in [Divisor::Number, Divisor::Constant, Divisor::Moving] {
+            if divisor == Divisor::Constant {
+                if let Some(found) = self.vanishes(says, e, &rest, Depth::Facts) {
+                    return Some(found);
+                }
+                self.solve_block(&mut e, &mut rest)?;
+            }
             for kind in [Kind::Rate, Kind::Value, Kind::Fixed, Kind::Constant] {
-                if let Some(found) = self.vanishes(says, e, &rest) {
+                if let Some(found) = self.vanishes(says, e, &rest, Depth::Laws) {
                     return Some(found);
                 }
                 for _ in 0..MOST_ROUNDS {
@@ -91,7 +108,7 @@ impl Attempt<'_> {
             }
         }
         self.normalise(&mut e, &mut [])?;
-        self.vanishes(says, e, &rest)
+        self.vanishes(says, e, &rest, Depth::Facts)
     }
 
     /// Puts one side of a fact for the other where that is a formula which stands in what is to vanish.
@@ -128,7 +145,7 @@ impl Attempt<'_> {
     }
 
     /// The claim, if the expression vanishes as it stands, or divided by laws of the functions in it and by facts of a higher degree.
-    fn vanishes(&mut self, says: &Relation, e: Expr, rest: &[Open]) -> Option<FactId> {
+    fn vanishes(&mut self, says: &Relation, e: Expr, rest: &[Open], depth: Depth) -> Option<FactId> {
         self.search.work += IDENTITY + self.search.reader.graph.reachable([e]).len() * 10;
         if self.search.is_spent() {
             return None;
@@ -142,15 +159,16 @@ impl Attempt<'_> {
             return None;
         }
         let found = self.search.zero(says.clone(), None, &[], &laws);
-        if found.is_some() {
+        if found.is_some() || depth == Depth::Laws {
             return found;
         }
+        self.search.work += DIVISION;
         let facts = self.of_higher_degree(e, rest);
         if facts.is_empty() { None } else { self.search.zero(says.clone(), None, &[], &[facts, laws].concat()) }
     }
 
     /// Laws of the functions below an expression that say something of their powers, each with the node in which it divides: those of what stands inside first.
-    pub(crate) fn laws(&mut self, e: Expr) -> Vec<(FactId, Expr)> {
+    pub(crate) fn laws(&mut self, e: Expr) -> Vec<FactId> {
         let mut out = Vec::new();
         for node in self.search.reader.graph.reachable([e]) {
             let (law, argument) = match *self.search.reader.graph.node(node) {
@@ -159,34 +177,26 @@ impl Attempt<'_> {
                 Node::Unary(Op::Abs, a) => (Law::SquareOfAbsolute, a),
                 Node::Unary(..) | Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => continue,
             };
-            out.extend(self.search.law(law, &[argument]).map(|(fact, ..)| (fact, node)));
+            out.extend(self.search.law(law, &[argument]).map(|(fact, ..)| fact));
         }
         out
     }
 
-    /// Facts that begin with a power of something in an expression, each with that.
-    fn of_higher_degree(&mut self, e: Expr, rest: &[Open]) -> Vec<(FactId, Expr)> {
+    /// Facts about what stands in an expression, as the expression has it, with all that is solved put in.
+    fn of_higher_degree(&mut self, e: Expr, rest: &[Open]) -> Vec<FactId> {
         let wanted = self.search.reader.graph.leaves([e]);
-        let mut out: Vec<(FactId, Expr)> = Vec::new();
+        let mut out: Vec<FactId> = Vec::new();
         for open in rest {
             let size = self.search.reader.graph.reachable([open.e]).len();
             self.search.work += size;
-            if size > MOST_NODES / 10 || self.search.is_spent() {
+            let leaves = self.search.reader.graph.leaves([open.e]);
+            let concerns = leaves.iter().any(|leaf| wanted.contains(leaf));
+            if !concerns || size > LARGEST_DIVISOR || out.len() >= MOST_DIVISORS || self.search.is_spent() {
                 continue;
             }
-            for leaf in self.search.reader.graph.leaves([open.e]).into_iter().filter(|leaf| wanted.contains(leaf)) {
-                let v = self.search.reader.graph.leaf(leaf);
-                if out.iter().any(|(_, known)| *known == v) || !leads(&mut self.search.reader.graph, open.e, v) {
-                    continue;
-                }
-                // The fact with all that is solved put in, as the expression has it.
-                let zero = Term::integer(0);
-                let Some(left) = self.search.reader.term(open.e) else { continue };
-                let one = self.search.reader.graph.integer(1);
-                let fact = self.search.zero(Relation::equal(left, zero), None, &[(open.fact, one)], &[]);
-                out.extend(fact.map(|fact| (fact, v)));
-                break;
-            }
+            let Some(left) = self.search.reader.term(open.e) else { continue };
+            let one = self.search.reader.graph.integer(1);
+            out.extend(self.search.zero(Relation::equal(left, Term::integer(0)), None, &[(open.fact, one)], &[]));
         }
         out
     }
@@ -206,7 +216,7 @@ impl Attempt<'_> {
         best.map(|(_, at, leaf)| (at, leaf))
     }
 
-    fn kind_of(&self, leaf: Leaf) -> Option<Kind> {
+    pub(crate) fn kind_of(&self, leaf: Leaf) -> Option<Kind> {
         let name = self.search.reader.graph.name(leaf.symbol);
         let declared = self.sequent.symbols.iter().find(|d| d.name == name)?;
         match (declared.kind, leaf.instant, order(leaf)) {

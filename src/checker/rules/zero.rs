@@ -9,8 +9,7 @@
 //! value of any formula in it at t, nor whether it has one: see [`congruence`](super::congruence). □ So an equation that is solved for something is
 //! put in as it is, and no cofactors are wanted.
 //!
-//! **Modulo.** Nor are they for facts whose numerator begins with a number times a power of an indeterminate, sin²u + cos²u = 1 in cos u: what is left after all is put in may be the
-//! sum of multiples of such. *Proof.* At t they vanish, and so do their multiples; the value of each formula is that of its numerator by its denominator, and stays so where multiples are taken from either. □
+//! **Modulo.** Nor are they for facts by which is divided, as by sin²u + cos²u = 1: what is left after all is put in may be the sum of multiples of such. *Proof.* At t they vanish, and so do their multiples; the value of each formula is that of its numerator by its denominator, and stays so where multiples are taken from either. □
 //!
 //! **Conditions.** The facts are known at one set of times. Needs: those of l, r, d, qᵢ, and d ≠ 0. The identity is checked by expansion ([`polynomial`](crate::polynomial)), or,
 //! where that is too large, by trials ([`trials`](crate::trials)), whose error is added to that of the proof.
@@ -33,14 +32,13 @@ pub(super) fn zero(
     multiplier: &Term,
     terms: &[(FactId, Term)],
     insert: &[FactId],
-    modulo: &[(FactId, Term)],
+    modulo: &[FactId],
 ) -> Result<Made, String> {
     let says = draft.context.relation(says)?;
     if says.sense != Sense::Equal {
         return Err("algebra shows equations".to_owned());
     }
-    let divisors = modulo.iter().map(|(id, _)| *id);
-    let facts: Vec<FactId> = terms.iter().map(|(id, _)| *id).chain(insert.iter().copied()).chain(divisors).collect();
+    let facts: Vec<FactId> = terms.iter().map(|(id, _)| *id).chain(insert.iter().copied()).chain(modulo.iter().copied()).collect();
     let when = draft.common(&facts)?;
     let d = draft.context.read(multiplier)?;
     let mut open = needs_of(draft, says);
@@ -63,16 +61,16 @@ pub(super) fn zero(
         open.extend(fact.needs);
     }
     let (mut rewrites, mut squares) = (Vec::new(), Vec::new());
-    for (id, v) in modulo {
+    for id in modulo {
         let fact = draft.equation(*id)?;
-        let (v, difference) = (draft.context.read(v)?, draft.context.difference(fact.says));
-        let rewrite = Rewrite::of(&draft.context.graph, difference, v)
-            .ok_or_else(|| format!("fact {} begins with no power of an indeterminate", id.0))?;
-        let of = rewrite.square(&mut draft.context.graph);
-        squares.extend(of.map(|of| Square { v: rewrite.v(), of }));
+        let difference = draft.context.difference(fact.says);
+        let rewrite =
+            Rewrite::of(&draft.context.graph, difference).ok_or_else(|| format!("nothing is divided by fact {}", id.0))?;
+        squares.extend(rewrite.square(&mut draft.context.graph).map(|(v, of)| Square { v, of }));
         rewrites.push(rewrite);
         open.extend(fact.needs);
     }
+    squares.sort_unstable_by_key(|square| square.v);
     let all_squares = squares.len() == rewrites.len();
     if all_squares && trials::is_refuted(&draft.context.graph, residual, &squares) {
         return Err(format!("no identity: `{}` does not follow", draft.context.latex(says)));

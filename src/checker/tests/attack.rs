@@ -254,7 +254,7 @@ impl Dice<'_> {
             11 | 12 => Step::Rate { fact: self.fact() },
             13 | 14 => {
                 let terms = (0..self.below(3)).map(|_| (self.fact(), self.term())).collect();
-                let modulo = (0..self.below(3)).map(|_| (self.fact(), self.term())).collect();
+                let modulo = (0..self.below(3)).map(|_| self.fact()).collect();
                 Step::Zero { says: self.equation(), multiplier: self.term(), terms, insert: self.facts(2), modulo }
             }
             15 => Step::Discharge { fact: self.fact(), because: self.facts(2) },
