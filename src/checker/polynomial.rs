@@ -15,6 +15,8 @@ const MOST_TERMS: usize = 3_000;
 const MOST_PRODUCTS: usize = 300_000;
 /// The same where relations are divided by.
 const MOST_DIVISIONS: usize = 60_000;
+/// The same for a relation that is divided by.
+const MOST_OF_A_RELATION: usize = 6_000;
 /// Largest power that is expanded.
 const LARGEST_POWER: u32 = 24;
 /// Most bits of numbers that are multiplied out.
@@ -117,7 +119,7 @@ fn rank(graph: &Graph, monomial: &Monomial) -> (Vec<(Expr, u32)>, u32, Vec<(Expr
 impl Rewrite {
     /// The numerator of `difference`, which vanishes, as one; nothing if it is too large, a number or 0.
     pub(crate) fn of(graph: &Graph, difference: Expr) -> Option<Rewrite> {
-        let Fraction(mut top, _) = fraction(graph, difference, &[])?;
+        let Fraction(mut top, _) = fraction(graph, difference, &[], MOST_OF_A_RELATION)?;
         let lead = top.0.keys().max_by_key(|monomial| rank(graph, monomial))?.clone();
         let number = top.0.remove(&lead)?;
         let mut rest = Polynomial::default();
@@ -201,10 +203,10 @@ fn inverse(a: &Fraction) -> Option<Fraction> {
     (!a.0.0.is_empty()).then(|| Fraction(a.1.clone(), a.0.clone()))
 }
 
-fn fraction(graph: &Graph, e: Expr, rewrites: &[Rewrite]) -> Option<Fraction> {
+fn fraction(graph: &Graph, e: Expr, rewrites: &[Rewrite], budget: usize) -> Option<Fraction> {
     let one = Polynomial::constant(Rational::ONE);
     let whole = |p: Polynomial| Fraction(p, one.clone());
-    let mut budget = Budget(if rewrites.is_empty() { MOST_PRODUCTS } else { MOST_DIVISIONS });
+    let mut budget = Budget(budget);
     let mut found: BTreeMap<Expr, Fraction> = BTreeMap::new();
     for node in graph.reachable([e]) {
         let made = match graph.node(node) {
@@ -248,12 +250,13 @@ pub(crate) fn vanishes(graph: &Graph, e: Expr) -> Option<bool> {
 
 /// Whether the numerator of the expression is a sum of multiples of relations, as far as dividing shows it.
 pub(crate) fn vanishes_modulo(graph: &Graph, e: Expr, rewrites: &[Rewrite]) -> Option<bool> {
-    fraction(graph, e, rewrites).map(|Fraction(top, _)| top.0.is_empty())
+    let budget = if rewrites.is_empty() { MOST_PRODUCTS } else { MOST_DIVISIONS };
+    fraction(graph, e, rewrites, budget).map(|Fraction(top, _)| top.0.is_empty())
 }
 
 /// An expression, expanded and divided by relations: numerator by denominator; nothing where it is too large.
 pub(crate) fn normal_form(graph: &mut Graph, e: Expr, rewrites: &[Rewrite]) -> Option<Expr> {
-    let Fraction(top, under) = fraction(graph, e, rewrites)?;
+    let Fraction(top, under) = fraction(graph, e, rewrites, MOST_DIVISIONS)?;
     let (top, under) = (top.written(graph)?, under.written(graph)?);
     Some(graph.div(top, under))
 }

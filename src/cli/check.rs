@@ -137,7 +137,7 @@ fn each_file(arguments: &CheckArguments, run: &mut Run) -> Result<Ending, Stop> 
     for (i, (session, ask)) in asked.into_iter().enumerate() {
         let mut found = progress::check(&session, &ask, store.as_ref());
         if let (Ok(found), Some(_)) = (&mut found, arguments.folder(session.derivation())) {
-            found.record(None);
+            found.record(None, store.as_ref().map(|s| s as &dyn rederive::check::Store));
         }
         let document = match found {
             Err(Failure::Defect(what)) => {

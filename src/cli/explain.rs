@@ -30,7 +30,7 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Stop> {
     let ask = Ask { rigor: rigor.rigor, ..Ask::default() };
     for (session, _) in files.sessions_with(claim, on)? {
         let mut found = progress::check(&session, &ask, store.as_ref())?;
-        found.record(Some(claim));
+        found.record(Some(claim), store.as_ref().map(|s| s as &dyn rederive::check::Store));
         if let Some(text) = found.explanation(claim, on, true) {
             say(&text)?;
             shown = true;

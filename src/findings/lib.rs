@@ -15,7 +15,7 @@ pub mod conditions;
 pub mod family;
 mod identity;
 mod picture;
-mod recorded;
+pub mod recorded;
 pub mod region;
 #[cfg(debug_assertions)]
 #[doc(hidden)]

@@ -14,6 +14,24 @@ pub enum Recorded {
     Not(String),
 }
 
+/// What searches came to, by the names of claims.
+pub type Found = Vec<(String, Result<ProofRecord, String>)>;
+
+/// What was kept of searches; nothing where the bytes are no record.
+pub fn kept(bytes: &[u8]) -> Found {
+    serde_json::from_slice(bytes).unwrap_or_default()
+}
+
+/// What is to be kept of searches.
+pub fn to_keep<'a>(all: impl Iterator<Item = (String, &'a Recorded)>) -> Vec<u8> {
+    let found = |recorded: &Recorded| match recorded {
+        Recorded::Proof(proof, _) => Ok(ProofRecord::clone(proof)),
+        Recorded::Not(why) => Err(why.clone()),
+    };
+    let found: Found = all.map(|(name, recorded)| (name, found(recorded))).collect();
+    serde_json::to_vec(&found).unwrap_or_default()
+}
+
 impl Recorded {
     /// The outcome of a search for steps, which are replayed.
     pub fn of(found: Result<ProofRecord, String>) -> Recorded {

@@ -41,6 +41,11 @@ impl Search {
         self.work > MOST_WORK
     }
 
+    /// Another way is tried: of what was spent, half is free again, so that all ways together take no more than a few times the first.
+    pub(crate) fn renew(&mut self) {
+        self.work = self.work.min(MOST_WORK) / 2;
+    }
+
     /// Takes a step; the fact that it makes.
     pub(crate) fn push(&mut self, step: Step) -> Option<FactId> {
         self.draft.push(step).ok().flatten()

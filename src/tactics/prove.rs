@@ -63,7 +63,7 @@ impl Attempt<'_> {
     /// The claim, by one way after the other: by algebra alone, with values at fixed times, with formulas as wholes, by squares.
     fn show(&mut self, claim: &Relation, left: Expr, right: Expr, goal: Expr) -> Option<FactId> {
         for beginning in [Beginning::Plain, Beginning::Wholes] {
-            self.search.work = 0;
+            self.search.renew();
             if let Some(fact) = self.algebra(claim, goal, beginning) {
                 return Some(fact);
             }
@@ -79,13 +79,13 @@ impl Attempt<'_> {
                 }
                 self.take_values(&instants);
                 self.facts.extend(carried);
-                self.search.work = 0;
+                self.search.renew();
                 if let Some(fact) = self.algebra(claim, goal, beginning) {
                     return Some(fact);
                 }
             }
         }
-        self.search.work = 0;
+        self.search.renew();
         self.by_squares(claim, left, right)
     }
 
@@ -114,6 +114,11 @@ impl Attempt<'_> {
         for given in others.chain(count(sequent.premises.len()).map(Given::Premise)) {
             let fact = self.search.push(Step::Given { given, because: vec![] });
             self.facts.extend(fact);
+            if let Given::Premise(at) = given
+                && sequent.premises[at as usize].sense != Sense::Equal
+            {
+                self.assumptions.extend(fact);
+            }
         }
         for given in count(sequent.claims.len()).map(Given::Claimed) {
             let because = self.assumptions.clone();
@@ -199,7 +204,7 @@ impl Attempt<'_> {
     fn rate_vanishes(&mut self, says: &Relation, d: Expr) -> Option<FactId> {
         let ways = [Beginning::Plain, Beginning::Wholes].into_iter();
         ways.into_iter().find_map(|beginning| {
-            self.search.work = 0;
+            self.search.renew();
             self.algebra(says, d, beginning)
         })
     }

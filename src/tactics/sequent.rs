@@ -10,14 +10,14 @@
 //! rates as formulas write.
 //!
 //! **Traps.** An angle that is continued through whole turns is not its formula: it is a function of its own, with the sine, the cosine and, at all times at which the formula has one, the rate of
-//! its formula; T is an interval on which it has values. What a claim says at events is said at some times only: refused as a claim, left out as a premise.
+//! its formula; T is an interval on which it has values and, if rates are written, rates. Where it may have a kink between two times, nothing is said of both. What a claim says at events is said at some times only: refused as a claim, left out as a premise.
 
 use crate::vanish::order;
 use crate::write::Writer;
 use checker::{Claimed, Definition, Relation, Sense, Sequent};
 use claim::comparison::{at_instant, may_leap};
 use derivation::{Claim, Derivation, Form, Premise};
-use expr::{Expr, Graph, Leaf, Op, Shape, Symbol};
+use expr::{Expr, Graph, Leaf, Node, Op, Shape, Symbol};
 use latex::{Relation as Read, RelationKind, Role};
 use std::collections::BTreeMap;
 
@@ -92,6 +92,8 @@ struct Gathering<'a> {
     premises: Vec<Scalar>,
     /// Angles that are continued, and whether their rates are told.
     angles: Vec<(Leaf, bool)>,
+    /// Whether the formula of such an angle may have no rate where it has a value, beside its leaps.
+    has_kinks: bool,
     others: Vec<Other>,
     selectors: Vec<Scalar>,
     assumed: Vec<Scalar>,
@@ -143,6 +145,7 @@ impl<'a> Gathering<'a> {
             systems: Vec::new(),
             premises: Vec::new(),
             angles: Vec::new(),
+            has_kinks: false,
             others: Vec::new(),
             selectors: Vec::new(),
             assumed: Vec::new(),
@@ -179,7 +182,7 @@ impl<'a> Gathering<'a> {
             }
         }
         (self.selectors, self.assumed) = self.assumptions(claim);
-        for name in proved_from(derivation, claim) {
+        for name in derivation.given_to(claim) {
             match derivation.premise(&name) {
                 Premise::System(system) => {
                     let equations = &derivation.systems[system].equations;
@@ -326,6 +329,10 @@ impl<'a> Gathering<'a> {
             }
         }
         self.angles.push((angle, moves));
+        self.has_kinks |= self.graph.reachable([formula]).into_iter().any(|node| {
+            let is_turn = matches!(self.graph.node(node), Node::Binary(Op::Arctan2, ..));
+            !is_turn && !self.graph.edges(node).is_empty()
+        });
         let Some(time) = self.claim.scope.time().filter(|_| moves) else { return 0 };
         let scope = &self.claim.scope;
         let Ok(rate) = self.graph.time_derivative(formula, time, |leaf| scope.moves(&leaf)) else { return 0 };
@@ -360,7 +367,7 @@ impl<'a> Gathering<'a> {
             self.derivation.symbols.iter().chain(of_claims).any(|s| s.symbol == symbol && s.positive)
         };
         // Fields are as smooth as is wanted: two orders more than what is written.
-        let of_fields = |s: &Symbol| matches!(self.role(*s), Some(Role::Field));
+        let of_fields = |s: &Symbol| self.graph.is_field(*s);
         let smooth = orders.iter().filter(|(s, _)| of_fields(s)).map(|(_, n)| n.saturating_add(2)).max().unwrap_or(0);
         for (&symbol, &order) in &orders {
             let order = if of_fields(&symbol) { smooth } else { order };
@@ -371,6 +378,10 @@ impl<'a> Gathering<'a> {
         let named = definitions.iter().map(|(_, formula)| *formula);
         let roots: Vec<Expr> = self.all().iter().flat_map(|s| [s.left, s.right]).chain(named).collect();
         let instants = writer.instants(&roots);
+        let is_named = |c: &Expr| *c != self.any_time.0 || self.claimed.iter().any(|(_, conserved)| *conserved);
+        if self.has_kinks && instants.iter().any(is_named) {
+            return Err("an angle that is continued may have a kink between the time and a fixed one".to_owned());
+        }
         let any_time = instants.iter().position(|&c| c == self.any_time.0).map(|at| at as u32);
         let relations = |writer: &Writer, list: &[Scalar]| -> Result<Vec<Relation>, String> {
             list.iter().map(|s| writer.relation(*s)).collect()
@@ -407,25 +418,5 @@ impl<'a> Gathering<'a> {
             Ok(Question { sequent, conserved: any_time.filter(|_| *conserved) })
         });
         each.collect()
-    }
-}
-
-/// The names of what a claim follows from: those that it gives, or the one system of its motions.
-fn proved_from(derivation: &Derivation, claim: &Claim) -> Vec<String> {
-    if !claim.follows_from.is_empty() {
-        return claim.follows_from.clone();
-    }
-    let mut systems: Vec<usize> = Vec::new();
-    for &at in &claim.trajectories {
-        match derivation.trajectories[at].motion {
-            derivation::Motion::Integrated { system, .. } => systems.push(system),
-            derivation::Motion::Formula { .. } | derivation::Motion::Derived { .. } => {}
-        }
-    }
-    systems.sort_unstable();
-    systems.dedup();
-    match systems[..] {
-        [only] => vec![derivation.systems[only].id.clone()],
-        _ => Vec::new(),
     }
 }

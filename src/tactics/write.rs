@@ -39,6 +39,7 @@ impl<'a> Writer<'a> {
             _ if defined => SymbolKind::Defined,
             Some(Role::Time) => SymbolKind::Time,
             Some(Role::Parameter | Role::Argument) => SymbolKind::Constant(sign),
+            Some(Role::State | Role::Observable) if self.graph.is_field(symbol) => SymbolKind::Field(order),
             Some(Role::State | Role::Observable) => SymbolKind::Moves(order),
             Some(Role::Coordinate) => SymbolKind::Coordinate,
             Some(Role::Field) => SymbolKind::Field(order),
