@@ -90,7 +90,7 @@
 //! | [`units`] | whether formulas are consistent in their units | derivation, expr, latex |
 //! | [`reason`] | why a verdict is as it is, as data; the only place where reasons become words | number |
 //! | [`verdict`] | the kernel: what is true, what is known, what is said; alone makes verdicts | reason |
-//! | [`findings`] | what was found, as plain data | derivation, expr, proof, reason, units, verdict |
+//! | [`findings`] | what was found, as plain data | checker, derivation, expr, proof, reason, units, verdict |
 //! | [`claim`] | a claim, compiled to comparisons | derivation, diag, expr, flow, latex, number, reason, verdict |
 //! | [`proved`] | claims for all values | claim, findings, proof, units, and what these use |
 //! | [`boxes`] | claims over ranges of values | claim, findings, proof, proved, and what these use |

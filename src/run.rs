@@ -4,7 +4,7 @@
 //! [`Format`]: a document for each file, or one for all.
 
 use crate::conclusion::{Conclusion, Demand};
-use crate::derivation::{Claim, Derivation};
+use crate::derivation::Derivation;
 use crate::diag::Diagnostic;
 use crate::paper::{Comparison, Paper, compare, subject};
 use crate::report::{self, Checked, Finding};
@@ -126,14 +126,13 @@ impl Document {
         }
     }
 
-    /// The files of the folder of its report, by name.
+    /// The files of the folder of its report, by name. For proofs as steps, see [`Findings::record`].
     pub fn files(&self) -> Vec<(String, String)> {
         let found = &self.findings;
         let data = || (self.json(), report::certificates(found.derivation(), found.account()));
         let ((json, certificates), (page, markdown)) =
             rayon::join(data, || rayon::join(|| found.page(), || found.markdown()));
-        let record = |claim: &Claim| tactics::record(found.derivation(), claim);
-        let proofs = report::proofs(found.derivation(), found.account(), record);
+        let proofs = report::proofs(found.derivation(), found.account());
         let files = [("report.json", json), (report::PROOFS, proofs), ("report.md", markdown), ("index.html", page)];
         files.into_iter().map(|(name, text)| (name.to_owned(), text)).chain(certificates).collect()
     }

@@ -20,10 +20,12 @@ use crate::check::{
 use crate::derivation::{Derivation, is_called, parse};
 use crate::diag::escape::shown;
 use crate::diag::{Diagnostic, Source};
+use crate::findings::recorded::{self, Recorded};
 use crate::findings::search::SearchAccount;
 use crate::report;
 use crate::verdict::Residuals;
 use meter::{Ended, Task};
+use rayon::prelude::*;
 
 /// Where diagnostics place a problem with the scope of a [`Question`].
 const SCOPE: &str = "scope";
@@ -386,6 +388,7 @@ impl Session {
             Err(Ended::Defect(what)) => return Err(Failure::Defect(what)),
             Err(ended) => IdentityAccount { reason: Some(ended.into()), ..IdentityAccount::default() },
         };
+        let account = with_steps(&mut derivation, &proposition, account);
         Ok(Answer { proposition, account })
     }
 
@@ -434,6 +437,16 @@ impl Session {
         let (account, checked) = check::check_again_recorded(&mut self.cache, &self.derivation, store)?;
         Ok((Findings { derivation: self.derivation.clone(), account }, checked))
     }
+}
+
+/// An answer with its proof as steps, if it is proved.
+fn with_steps(derivation: &mut Derivation, proposition: &Proposition, account: IdentityAccount) -> IdentityAccount {
+    if !account.finding.is_proved_in_part() {
+        return account;
+    }
+    let stated = check::stated(derivation, proposition).map_err(|_| "it cannot be read".to_owned());
+    let found = stated.and_then(|claim| tactics::record_throughout(derivation, &claim));
+    IdentityAccount { recorded: Some(Recorded::of(found)), ..account }
 }
 
 impl Answer {
@@ -506,6 +519,31 @@ impl Findings {
         let stands_alone = |c: &ClaimAccount| c.alone.is_some() && c.identity.is_some();
         of.any(|c| c.verdicts().any(is_on) || on.is_empty() && stands_alone(c))
             .then(|| report::explain(&self.derivation, &self.account, &[claim.to_owned()], on, colour))
+    }
+
+    /// Looks for proofs as steps that the checker replays, of what is proved and called so, `id` or `id/reading`; of all that is proved, if `only` names nothing.
+    /// What was found of the same file before is taken from the store, and replayed.
+    pub fn record(&mut self, only: Option<&str>, store: Option<&dyn Store>) {
+        let derivation = &self.derivation;
+        let kept = store.and_then(|store| store.read(&derivation.sha256));
+        let known = kept.map(|bytes| recorded::kept(&bytes)).unwrap_or_default();
+        let is_meant = |c: &ClaimAccount| only.is_none_or(|name| is_called(name, &c.id, c.reading.as_deref()));
+        self.account.claims.par_iter_mut().with_max_len(1).filter(|c| is_meant(c)).for_each(|of| {
+            let declared = derivation.claim(&of.id, of.reading.as_deref());
+            let proved = of.identity.as_mut().filter(|i| i.finding.is_proved_in_part() && i.recorded.is_none());
+            if let (Some(claim), Some(identity)) = (declared, proved) {
+                let before = known.iter().find(|(name, _)| *name == claim.name()).map(|(_, found)| found.clone());
+                identity.recorded = Some(Recorded::of(before.unwrap_or_else(|| tactics::record(derivation, claim))));
+            }
+        });
+        if let (Some(store), None, true) = (store, only, known.is_empty()) {
+            let names = |c: &ClaimAccount| derivation.claim(&c.id, c.reading.as_deref()).map(|claim| claim.name());
+            let found = self.account.claims.iter().filter_map(|c| {
+                let recorded = c.identity.as_ref()?.recorded.as_ref()?;
+                Some((names(c)?, recorded))
+            });
+            store.write(&derivation.sha256, &recorded::to_keep(found));
+        }
     }
 
     /// Whether every verdict is as the file expects.

@@ -239,3 +239,27 @@ fn the_reading_guide_names_every_file_that_a_verdict_rests_on() {
         .collect();
     assert!(missing.is_empty(), "docs/soundness.md does not name {missing:?}");
 }
+
+/// Lines of Rust that are neither empty nor comments, without what is compiled for tests only.
+fn lines_of_code(folder: &Path) -> usize {
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).expect("sources can be listed") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() && !path.ends_with("tests") {
+            count += lines_of_code(&path);
+        }
+        if path.extension().is_some_and(|e| e == "rs") {
+            let text = read(&path);
+            let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+            count += code.lines().map(str::trim).filter(|l| !l.is_empty() && !l.starts_with("//")).count();
+        }
+    }
+    count
+}
+
+#[test]
+fn what_a_recorded_proof_rests_on_is_small() {
+    let [checker, kernel] = ["src/checker", "src/verdict"].map(|folder| lines_of_code(&root().join(folder)));
+    assert!(checker > 1_000 && kernel > 300, "{checker}, {kernel}");
+    assert!(checker + kernel <= 4_500, "{checker} + {kernel} lines of code");
+}

@@ -21,7 +21,7 @@ pub const CRATES: &[(&str, &[&str])] = &[
     ("lint", &["diag", "expr", "latex", "number", "paper", "proof"]),
     ("units", &["derivation", "expr", "latex"]),
     ("tactics", &["checker", "claim", "derivation", "expr", "latex"]),
-    ("findings", &["derivation", "expr", "number", "proof", "reason", "units", "verdict"]),
+    ("findings", &["checker", "derivation", "expr", "number", "proof", "reason", "units", "verdict"]),
     ("claim", &["derivation", "diag", "expr", "flow", "latex", "meter", "number", "reason", "verdict"]),
     (
         "proved",

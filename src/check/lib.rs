@@ -49,7 +49,7 @@ pub use findings::{
     standing,
 };
 pub use proved::agreement::agree;
-pub use proved::proposition::{prove, with_symbols_of};
+pub use proved::proposition::{prove, stated, with_symbols_of};
 pub use record::{check_again_recorded, check_recorded};
 pub use verdict::{
     Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, ResidualPoint, Residuals, Strength,

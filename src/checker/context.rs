@@ -8,7 +8,7 @@
 //! The rate of a defined symbol is the derivative of its formula, restricted to where the formula has a value and nothing in it
 //! touches an edge, see [`derivative`](super::derivative).
 
-use super::derivative::rate_of;
+use super::derivative::{By, rate_of};
 use super::needs::frozen;
 use super::sequent::{ConstantSign, Sequent, SymbolKind};
 use super::term::{LARGEST_TERM, Relation, Sense, Term, TermNode, operation, rational};
@@ -55,6 +55,8 @@ pub(crate) struct ClaimedSays {
 #[derive(Clone, Debug)]
 pub(crate) struct Context {
     pub(crate) graph: Graph,
+    /// The node 0.
+    pub(crate) zero: Expr,
     kinds: Vec<SymbolKind>,
     names: BTreeMap<String, Symbol>,
     definitions: Vec<(Symbol, u16, Expr)>,
@@ -67,6 +69,11 @@ pub(crate) struct Context {
     pub(crate) claim: Says,
     /// Whether formulas are read as they are written, to be printed: definitions are not put in.
     as_written: bool,
+}
+
+/// The order of a derivative.
+pub(crate) fn order(leaf: Leaf) -> u32 {
+    u32::from(leaf.rate) + leaf.partials.order()
 }
 
 impl Context {
@@ -87,6 +94,7 @@ impl Context {
         let nothing = Says { left: zero, sense: Sense::Equal, right: zero };
         let mut context = Context {
             graph,
+            zero,
             kinds: Vec::new(),
             names: BTreeMap::new(),
             definitions: Vec::new(),
@@ -106,6 +114,14 @@ impl Context {
                 return Err(format!("the symbol {} is declared twice, or has no component", declared.name));
             }
             context.kinds.push(declared.kind);
+            if declared.kind == SymbolKind::Coordinate {
+                for component in 0..declared.components {
+                    context.graph.add_coordinate(symbol, component).ok_or("too many coordinates")?;
+                }
+            }
+        }
+        if context.has_fields() && !sequent.instants.is_empty() {
+            return Err("fields have no fixed times".to_owned());
         }
         if sequent.instants.len() > MOST_INSTANTS {
             return Err(format!("more than {MOST_INSTANTS} fixed times"));
@@ -168,6 +184,7 @@ impl Context {
                     let at = at.map(|at| made.get(at as usize).copied().ok_or("no such node")).transpose()?;
                     self.leaf(name, *component, *rate, at)?
                 }
+                TermNode::Partial { name, component, rate, by } => self.partial(name, *component, *rate, by)?,
                 TermNode::Apply(name, arguments) => {
                     let op = operation(name, arguments.len()).ok_or_else(|| format!("no operation {name}"))?;
                     let argument = |at: usize| {
@@ -218,11 +235,13 @@ impl Context {
                 let leaf = Leaf { rate, instant: at, ..Leaf::now(symbol, component) };
                 Ok(self.graph.leaf(leaf))
             }
+            (SymbolKind::Coordinate, 0, None) => Ok(self.graph.component(symbol, component)),
+            (SymbolKind::Field(_), _, None) => self.partial(name, component, rate, &[]),
             (SymbolKind::Defined, _, _) => {
                 let known = self.definitions.iter().find(|d| (d.0, d.1) == (symbol, component));
                 let mut e = known.map(|d| d.2).ok_or_else(|| format!("{name} is used before it is defined"))?;
                 for _ in 0..rate {
-                    e = rate_of(self, e)?;
+                    e = rate_of(self, e, By::Time)?;
                 }
                 Ok(match at {
                     Some(at) => frozen(self, e, at),
@@ -231,6 +250,52 @@ impl Context {
             }
             _ => Err(format!("{name} has no such rate, or no value at a time")),
         }
+    }
+
+    /// A derivative of a field, or of what is defined by fields.
+    fn partial(&mut self, name: &str, component: u16, rate: u8, by: &[(String, u16, u8)]) -> Result<Expr, String> {
+        let symbol = self.symbol(name)?;
+        if usize::from(component) >= self.graph.component_count(symbol) {
+            return Err(format!("{name} has no component {component}"));
+        }
+        let mut leaf = Leaf { rate, ..Leaf::now(symbol, component) };
+        let mut along = vec![By::Time; usize::from(rate)];
+        for (coordinate, of, order) in by {
+            let coordinate = Leaf::now(self.symbol(coordinate)?, *of);
+            if self.kind(coordinate) == SymbolKind::Time {
+                leaf.rate = leaf.rate.checked_add(*order).ok_or("a derivative of too high an order")?;
+                along.extend(vec![By::Time; usize::from(*order)]);
+                continue;
+            }
+            let at = self.graph.coordinate(coordinate).ok_or("no such coordinate")?;
+            for _ in 0..*order {
+                leaf.partials = leaf.partials.raised(at).ok_or("a derivative of too high an order")?;
+                along.push(By::Coordinate(at));
+            }
+        }
+        match self.kinds[symbol.index()] {
+            _ if self.as_written => Ok(self.graph.leaf(leaf)),
+            SymbolKind::Field(orders) if order(leaf) <= u32::from(orders) => Ok(self.graph.leaf(leaf)),
+            SymbolKind::Defined => {
+                let known = self.definitions.iter().find(|d| (d.0, d.1) == (symbol, component));
+                let mut e = known.map(|d| d.2).ok_or_else(|| format!("{name} is used before it is defined"))?;
+                for by in along {
+                    e = rate_of(self, e, by)?;
+                }
+                Ok(e)
+            }
+            _ => Err(format!("{name} has no such derivative")),
+        }
+    }
+
+    /// Whether there are places, and not times alone.
+    pub(crate) fn has_fields(&self) -> bool {
+        self.kinds.iter().any(|kind| matches!(kind, SymbolKind::Coordinate | SymbolKind::Field(_)))
+    }
+
+    /// Refuses a theorem about intervals of times where there are places.
+    pub(crate) fn is_of_times(&self) -> Result<(), String> {
+        if self.has_fields() { Err("fields are no functions of the time alone".to_owned()) } else { Ok(()) }
     }
 
     /// A fixed time.
@@ -247,14 +312,16 @@ impl Context {
     pub(crate) fn constant_sign(&self, leaf: Leaf) -> ConstantSign {
         match self.kind(leaf) {
             SymbolKind::Constant(sign) => sign,
-            SymbolKind::Time | SymbolKind::Moves(_) | SymbolKind::Defined => ConstantSign::Any,
+            SymbolKind::Time | SymbolKind::Moves(_) | SymbolKind::Coordinate | SymbolKind::Field(_) | SymbolKind::Defined => {
+                ConstantSign::Any
+            }
         }
     }
 
     /// Whether a leaf moves: a state now, or the time.
     pub(crate) fn leaf_moves(&self, leaf: Leaf) -> bool {
         match self.kind(leaf) {
-            SymbolKind::Time => true,
+            SymbolKind::Time | SymbolKind::Coordinate | SymbolKind::Field(_) => true,
             SymbolKind::Moves(_) | SymbolKind::Defined => leaf.instant.is_none(),
             SymbolKind::Constant(_) => false,
         }

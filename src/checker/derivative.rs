@@ -8,20 +8,34 @@
 //! `smooth` asks for them. At an edge (|x| at 0, √x at 0, atan2 on its cut) the formula may have a value though the function has no
 //! derivative, or the other way round: `smooth` excludes edges. The mean agm has no derivative among the operations.
 
-use super::context::Context;
+use super::context::{Context, order};
 use super::needs::edges;
 use super::sequent::SymbolKind;
 use expr::{Expr, Graph, Leaf, Node, Op};
 use std::collections::BTreeMap;
 
+/// What is derived by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum By {
+    /// The time.
+    Time,
+    /// A coordinate, by its position; what is no field does not depend on it.
+    Coordinate(usize),
+}
+
 /// de/dt.
 pub(crate) fn derivative(context: &mut Context, e: Expr) -> Result<Expr, String> {
+    derivative_by(context, e, By::Time)
+}
+
+/// The derivative by the time or a coordinate, the others held fixed.
+pub(crate) fn derivative_by(context: &mut Context, e: Expr, by: By) -> Result<Expr, String> {
     let zero = context.graph.integer(0);
     let mut known: BTreeMap<Expr, Expr> = BTreeMap::new();
     for node in context.graph.reachable([e]) {
         let d = match *context.graph.node(node) {
             Node::Constant(_) | Node::Pi => zero,
-            Node::Leaf(leaf) => rate_of_leaf(context, leaf)?,
+            Node::Leaf(leaf) => rate_of_leaf(context, leaf, by)?,
             Node::Unary(op, a) => {
                 let da = known[&a];
                 if da == zero { zero } else { unary(&mut context.graph, op, node, a, da)? }
@@ -38,8 +52,8 @@ pub(crate) fn derivative(context: &mut Context, e: Expr) -> Result<Expr, String>
 
 /// The rate of a function that is given by a formula: the derivative, where the function has a value and touches no edge. Where the
 /// function has a value and this has none, it is not known whether the function has a rate.
-pub(crate) fn rate_of(context: &mut Context, formula: Expr) -> Result<Expr, String> {
-    let mut d = derivative(context, formula)?;
+pub(crate) fn rate_of(context: &mut Context, formula: Expr, by: By) -> Result<Expr, String> {
+    let mut d = derivative_by(context, formula, by)?;
     let zero = context.graph.integer(0);
     for edge in edges(context, formula, |_| true) {
         let guard = context.graph.div(zero, edge);
@@ -48,14 +62,32 @@ pub(crate) fn rate_of(context: &mut Context, formula: Expr) -> Result<Expr, Stri
     Ok(context.graph.binary(Op::Restrict, d, formula))
 }
 
-fn rate_of_leaf(context: &mut Context, leaf: Leaf) -> Result<Expr, String> {
+fn rate_of_leaf(context: &mut Context, leaf: Leaf, by: By) -> Result<Expr, String> {
     if !context.leaf_moves(leaf) {
         return Ok(context.graph.integer(0));
     }
-    match context.kind(leaf) {
-        SymbolKind::Time => Ok(context.graph.integer(1)),
-        SymbolKind::Moves(orders) if leaf.rate < orders => Ok(context.graph.leaf(Leaf { rate: leaf.rate + 1, ..leaf })),
-        SymbolKind::Moves(_) | SymbolKind::Constant(_) | SymbolKind::Defined => {
+    match (context.kind(leaf), by) {
+        (SymbolKind::Time, By::Time) => Ok(context.graph.integer(1)),
+        (SymbolKind::Coordinate, By::Coordinate(at)) => {
+            let same = context.graph.coordinate(leaf) == Some(at);
+            Ok(context.graph.integer(i64::from(same)))
+        }
+        (SymbolKind::Coordinate, By::Time) | (SymbolKind::Time | SymbolKind::Moves(_), By::Coordinate(_)) => {
+            Ok(context.graph.integer(0))
+        }
+        (SymbolKind::Moves(orders), By::Time) if leaf.rate < orders => {
+            Ok(context.graph.leaf(Leaf { rate: leaf.rate + 1, ..leaf }))
+        }
+        (SymbolKind::Field(orders), _) if order(leaf) < u32::from(orders) => {
+            let further = match by {
+                By::Time => Leaf { rate: leaf.rate + 1, ..leaf },
+                By::Coordinate(at) => {
+                    Leaf { partials: leaf.partials.raised(at).ok_or("a derivative of too high an order")?, ..leaf }
+                }
+            };
+            Ok(context.graph.leaf(further))
+        }
+        (SymbolKind::Moves(_) | SymbolKind::Field(_) | SymbolKind::Constant(_) | SymbolKind::Defined, _) => {
             Err(format!("{} has no further rate", context.graph.leaf_latex(leaf)))
         }
     }

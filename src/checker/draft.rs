@@ -9,7 +9,7 @@ use super::fact::{Because, Fact};
 use super::needs::{Need, Needs, allowed, certain, is_trivial, needs};
 use super::rules;
 use super::sequent::Sequent;
-use super::signs::{KnownSigns, of_sense, signs};
+use super::signs::{KnownSigns, Signs, of_sense, signs};
 use super::step::{FactId, Given, Manner, Step};
 use super::term::{Relation, Sense, Term};
 use super::when::{CaseId, When};
@@ -139,6 +139,7 @@ fn lasting(step: &Step) -> Vec<FactId> {
         | Step::Supposition { .. }
         | Step::Restrict { .. }
         | Step::Rate { .. }
+        | Step::Partial { .. }
         | Step::Zero { .. }
         | Step::Discharge { .. }
         | Step::Close { .. }
@@ -260,6 +261,19 @@ impl Draft {
         self.context.written(Says { left: d, sense: Sense::Equal, right: d }).map(|relation| relation.left)
     }
 
+    /// A formula, expanded, and divided by facts as [`Step::Zero`] does; nothing where it is too large.
+    pub fn normal_form(&mut self, of: &Term, modulo: &[FactId]) -> Option<Term> {
+        let e = self.context.read(of).ok()?;
+        let mut rewrites = Vec::new();
+        for id in modulo {
+            let says = self.fact(*id).filter(|fact| fact.says.sense == Sense::Equal)?.says;
+            let difference = self.context.difference(says);
+            rewrites.extend(super::polynomial::Rewrite::of(&self.context.graph, difference));
+        }
+        let e = super::polynomial::normal_form(&mut self.context.graph, e, &rewrites)?;
+        self.context.written(Says { left: e, sense: Sense::Equal, right: e }).ok().map(|relation| relation.left)
+    }
+
     /// The claim, with definitions put in.
     pub fn claim_says(&self) -> Option<Relation> {
         self.context.written(self.context.claim).ok()
@@ -313,7 +327,7 @@ impl Draft {
 
     /// A need as a relation; its zero is a node from the beginning.
     pub(crate) fn says_of(&self, need: Need) -> Option<Says> {
-        let zero = self.context.graph.find(&expr::Node::Constant(std::sync::Arc::new(expr::Rational::ZERO)))?;
+        let zero = self.context.zero;
         Some(match need.sign {
             Sign::Positive => Says { left: zero, sense: Sense::Less, right: need.value },
             Sign::NotNegative => Says { left: zero, sense: Sense::LessOrEqual, right: need.value },
@@ -455,8 +469,14 @@ impl Draft {
         for id in facts {
             let fact = self.known_at(*id, when)?;
             let (l, r, signs) = (fact.says.left, fact.says.right, of_sense(fact.says.sense));
-            let old = known.get(&(l, r)).copied().unwrap_or(super::signs::Signs::ALL);
-            known.insert((l, r), old.and(signs));
+            let mut learn = |pair, signs: Signs| {
+                let old = known.get(&pair).copied().unwrap_or(Signs::ALL);
+                known.insert(pair, old.and(signs));
+            };
+            learn((l, r), signs);
+            for (part, signs) in super::signs::of_parts(&self.context, fact.says) {
+                learn((part, self.context.zero), signs);
+            }
             needs.extend(fact.needs);
         }
         Ok((known, needs))

@@ -68,6 +68,8 @@ laws! {
     SquareOfRoot 1 "(√u)² = u";
     RootOfSquare 1 "√(u²) = |u|";
     RootOfProduct 2 "√(uv) = √u √v";
+    RootOfQuotient 2 "√(u/v) = √u/√v";
+    LogarithmOfQuotient 2 "ln(u/v) = ln u − ln v";
     SquareOfAbsolute 1 "|u|² = u²";
     AbsoluteOfPositive 1 "|u| = u, for u ≥ 0";
     AbsoluteOfNegative 1 "|u| = −u, for −u ≥ 0";
@@ -230,6 +232,10 @@ fn exponential(g: &mut Graph, law: Law, [u, v, w]: [Expr; 3], conditions: &mut V
             let (a, b, both) = (f(g, Op::Ln, u), f(g, Op::Ln, v), g.mul(u, v));
             (f(g, Op::Ln, both), g.add(a, b))
         }
+        Law::LogarithmOfQuotient => {
+            let (a, b, ratio) = (f(g, Op::Ln, u), f(g, Op::Ln, v), g.div(u, v));
+            (f(g, Op::Ln, ratio), g.sub(a, b))
+        }
         Law::LogarithmOfPower | Law::Power => {
             asks(u, Sign::Positive);
             let (power, log) = (g.binary(Op::Pow, u, v), f(g, Op::Ln, u));
@@ -266,6 +272,10 @@ fn root(g: &mut Graph, law: Law, [u, v]: [Expr; 2], conditions: &mut Vec<Need>) 
             let op = if law == Law::RootOfProduct { Op::Sqrt } else { Op::Abs };
             let (a, b, both) = (f(g, op, u), f(g, op, v), g.mul(u, v));
             (f(g, op, both), g.mul(a, b))
+        }
+        Law::RootOfQuotient => {
+            let (a, b, ratio) = (f(g, Op::Sqrt, u), f(g, Op::Sqrt, v), g.div(u, v));
+            (f(g, Op::Sqrt, ratio), g.div(a, b))
         }
         Law::SquareOfAbsolute => {
             let a = f(g, Op::Abs, u);

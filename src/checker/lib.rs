@@ -23,6 +23,7 @@ mod sequent;
 mod signs;
 mod step;
 mod term;
+mod told;
 mod trials;
 mod when;
 mod words;
@@ -33,6 +34,7 @@ pub use law::Law;
 pub use record::{ProofRecord, RelationRecord};
 pub use sequent::{Claimed, ConstantSign, Declared, Definition, Sequent, SymbolKind};
 pub use step::{FactId, Given, Manner, Split, Step};
+pub use told::Told;
 pub use term::{LARGEST_TERM, Relation, Sense, Term, TermNode, operation};
 pub use when::{CaseId, Instant, When};
 

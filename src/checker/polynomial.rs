@@ -1,7 +1,10 @@
 //! Exact rational functions over ℚ.
 //!
-//! **In:** an expression. **Out:** whether it vanishes as a rational function, by expansion; or nothing, where that is too large. **Guaranteed:** exact, with no choice of
-//! a random point. Everything that is no sum, product, quotient or whole power is an indeterminate; a restriction counts as its formula.
+//! **In:** an expression, and relations that vanish. **Out:** whether its numerator is a sum of multiples of these, by expansion and by division; or nothing, where that is too
+//! large. **Guaranteed:** exact, with no choice of a random point. Everything that is no sum, product, quotient or whole power is an indeterminate; a restriction counts as its formula.
+//!
+//! **Division.** A relation whose numerator is n·m − …, with a monomial m and a number n ≠ 0, says what m is. Where a multiple of m is replaced by that, a multiple of the relation is taken
+//! away. So whatever the order, and whether or not the replacing ends, what becomes 0 is such a sum; and each formula keeps its value where the relations are true.
 
 use dashu_int::ops::BitTest;
 use expr::{Expr, Graph, Node, Op, Rational};
@@ -10,6 +13,10 @@ use std::collections::BTreeMap;
 /// Most terms of a polynomial, and most products of terms in one expansion.
 const MOST_TERMS: usize = 3_000;
 const MOST_PRODUCTS: usize = 300_000;
+/// The same where relations are divided by.
+const MOST_DIVISIONS: usize = 60_000;
+/// The same for a relation that is divided by.
+const MOST_OF_A_RELATION: usize = 6_000;
 /// Largest power that is expanded.
 const LARGEST_POWER: u32 = 24;
 /// Most bits of numbers that are multiplied out.
@@ -96,6 +103,89 @@ fn joined(m: &Monomial, n: &Monomial) -> Option<Monomial> {
 #[derive(Clone)]
 struct Fraction(Polynomial, Polynomial);
 
+/// A relation that vanishes, solved for its first monomial.
+pub(crate) struct Rewrite {
+    lead: Monomial,
+    rest: Polynomial,
+}
+
+/// The order of monomials: by values of functions, the last made first; then by degree; then by the others.
+fn rank(graph: &Graph, monomial: &Monomial) -> (Vec<(Expr, u32)>, u32, Vec<(Expr, u32)>) {
+    let is_function = |e: Expr| !matches!(graph.node(e), Node::Leaf(_) | Node::Pi);
+    let turned = |functions: bool| monomial.iter().rev().copied().filter(move |(e, _)| is_function(*e) == functions);
+    (turned(true).collect(), monomial.iter().map(|(_, k)| *k).sum(), turned(false).collect())
+}
+
+impl Rewrite {
+    /// The numerator of `difference`, which vanishes, as one; nothing if it is too large, a number or 0.
+    pub(crate) fn of(graph: &Graph, difference: Expr) -> Option<Rewrite> {
+        let Fraction(mut top, _) = fraction(graph, difference, &[], MOST_OF_A_RELATION)?;
+        let lead = top.0.keys().max_by_key(|monomial| rank(graph, monomial))?.clone();
+        let number = top.0.remove(&lead)?;
+        let mut rest = Polynomial::default();
+        for (monomial, r) in top.0 {
+            rest.add_term(monomial, -r / number.clone());
+        }
+        (!lead.is_empty()).then_some(Rewrite { lead, rest })
+    }
+
+    /// v and u, if the relation says v² = u and v does not stand in u.
+    pub(crate) fn square(&self, graph: &mut Graph) -> Option<(Expr, Expr)> {
+        let [(v, 2)] = self.lead[..] else { return None };
+        if self.rest.0.keys().any(|m| m.iter().any(|(e, _)| *e == v)) {
+            return None;
+        }
+        Some((v, self.rest.written(graph)?))
+    }
+}
+
+impl Polynomial {
+    fn written(&self, graph: &mut Graph) -> Option<Expr> {
+        let mut sum = graph.integer(0);
+        for (monomial, r) in &self.0 {
+            let mut term = graph.constant(r.clone());
+            for &(e, k) in monomial {
+                let power = graph.powi(e, i32::try_from(k).ok()?);
+                term = graph.mul(term, power);
+            }
+            sum = graph.add(sum, term);
+        }
+        Some(sum)
+    }
+}
+
+/// m/n, if n divides m.
+fn divided(m: &Monomial, n: &Monomial) -> Option<Monomial> {
+    let mut out = m.clone();
+    for (e, k) in n {
+        let (_, power) = out.iter_mut().find(|(other, _)| other == e)?;
+        *power = power.checked_sub(*k)?;
+    }
+    out.retain(|(_, k)| *k > 0);
+    Some(out)
+}
+
+/// A polynomial without multiples of relations, as far as dividing takes them away.
+fn reduced(mut p: Polynomial, rewrites: &[Rewrite], budget: &mut Budget) -> Option<Polynomial> {
+    let mut out = Polynomial::default();
+    while let Some((monomial, r)) = p.0.pop_last() {
+        let found = rewrites.iter().find_map(|rewrite| Some((divided(&monomial, &rewrite.lead)?, rewrite)));
+        let Some((factor, rewrite)) = found else {
+            out.add_term(monomial, r);
+            continue;
+        };
+        budget.0 = budget.0.checked_sub(1 + rewrite.rest.0.len())?;
+        for (m, s) in &rewrite.rest.0 {
+            let product = &r * s;
+            if bits(&product).iter().sum::<usize>() > MOST_BITS || p.0.len() > MOST_TERMS {
+                return None;
+            }
+            p.add_term(joined(m, &factor)?, product);
+        }
+    }
+    Some(out)
+}
+
 fn sum(a: &Fraction, b: &Fraction, sign: i8, budget: &mut Budget) -> Option<Fraction> {
     if a.1 == b.1 {
         return Some(Fraction(a.0.clone().plus(&b.0, sign)?, a.1.clone()));
@@ -113,10 +203,10 @@ fn inverse(a: &Fraction) -> Option<Fraction> {
     (!a.0.0.is_empty()).then(|| Fraction(a.1.clone(), a.0.clone()))
 }
 
-fn fraction(graph: &Graph, e: Expr) -> Option<Fraction> {
+fn fraction(graph: &Graph, e: Expr, rewrites: &[Rewrite], budget: usize) -> Option<Fraction> {
     let one = Polynomial::constant(Rational::ONE);
     let whole = |p: Polynomial| Fraction(p, one.clone());
-    let mut budget = Budget(MOST_PRODUCTS);
+    let mut budget = Budget(budget);
     let mut found: BTreeMap<Expr, Fraction> = BTreeMap::new();
     for node in graph.reachable([e]) {
         let made = match graph.node(node) {
@@ -143,6 +233,11 @@ fn fraction(graph: &Graph, e: Expr) -> Option<Fraction> {
             Node::Binary(Op::Restrict, a, _) => found[a].clone(),
             Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => whole(Polynomial::variable(node)),
         };
+        let Fraction(top, under) = made;
+        let made = match rewrites {
+            [] => Fraction(top, under),
+            _ => Fraction(reduced(top, rewrites, &mut budget)?, reduced(under, rewrites, &mut budget)?),
+        };
         found.insert(node, made);
     }
     found.remove(&e)
@@ -150,5 +245,18 @@ fn fraction(graph: &Graph, e: Expr) -> Option<Fraction> {
 
 /// Whether the expression is 0 as a rational function; nothing where it is too large to expand, or divides by what is 0.
 pub(crate) fn vanishes(graph: &Graph, e: Expr) -> Option<bool> {
-    fraction(graph, e).map(|Fraction(top, _)| top.0.is_empty())
+    vanishes_modulo(graph, e, &[])
+}
+
+/// Whether the numerator of the expression is a sum of multiples of relations, as far as dividing shows it.
+pub(crate) fn vanishes_modulo(graph: &Graph, e: Expr, rewrites: &[Rewrite]) -> Option<bool> {
+    let budget = if rewrites.is_empty() { MOST_PRODUCTS } else { MOST_DIVISIONS };
+    fraction(graph, e, rewrites, budget).map(|Fraction(top, _)| top.0.is_empty())
+}
+
+/// An expression, expanded and divided by relations: numerator by denominator; nothing where it is too large.
+pub(crate) fn normal_form(graph: &mut Graph, e: Expr, rewrites: &[Rewrite]) -> Option<Expr> {
+    let Fraction(top, under) = fraction(graph, e, rewrites, MOST_DIVISIONS)?;
+    let (top, under) = (top.written(graph)?, under.written(graph)?);
+    Some(graph.div(top, under))
 }

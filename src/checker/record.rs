@@ -3,7 +3,6 @@
 //! **In:** the sequents of a claim, which differ in what is claimed, and steps for each. **Out:** [`ProofRecord`], and what its replay shows. **Guaranteed:** a
 //! record says nothing by itself.
 
-use super::draft::{Refused, Shown, replay};
 use super::sequent::Sequent;
 use super::step::Step;
 use super::term::Relation;
@@ -31,15 +30,5 @@ impl ProofRecord {
     /// The sequent of a relation.
     pub fn sequent_of(&self, relation: &RelationRecord) -> Sequent {
         Sequent { claim: relation.claim.clone(), ..self.sequent.clone() }
-    }
-
-    /// What the replay of each relation shows.
-    ///
-    /// # Errors
-    /// The position of the relation, and the step that is refused.
-    pub fn replay(&self) -> Result<Vec<Shown>, (usize, Refused)> {
-        let each = self.relations.iter().enumerate();
-        each.map(|(at, relation)| replay(&self.sequent_of(relation), &relation.steps).map_err(|why| (at, why)))
-            .collect()
     }
 }

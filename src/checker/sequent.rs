@@ -6,6 +6,8 @@
 //! for each constant, of its sign; and for each symbol that moves a function on T, as often continuously differentiable as it is
 //! declared to be (one-sided at the ends). *Proved* means: on every motion on which all that is given is true as it is quantified, the
 //! claim is not false at any time of S₀, the times at which all selectors are true and all assumed equations have values. A relation
+//! of which a side has no value is not false. **Fields.** Where coordinates are declared, T is an open connected set of values of the time and the coordinates, and a time of T is a point of it; there are no
+//! fixed times, and no rule that goes along an interval of times. A relation
 //! of which a side has no value is not false. Whether there is such a motion is another question, see [`Shown::model`](super::Shown).
 //!
 //! **Traps.** (1) A symbol that is declared n times differentiable has n rates: a motion with a kink in the nth is not meant. Who
@@ -41,6 +43,10 @@ pub enum SymbolKind {
     Constant(ConstantSign),
     /// A function of time that has so many continuous rates.
     Moves(u8),
+    /// A coordinate of places.
+    Coordinate,
+    /// A function of the time and the coordinates, whose derivatives up to this order are continuous.
+    Field(u8),
     /// A formula, see [`Definition`].
     Defined,
 }

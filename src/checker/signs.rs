@@ -3,7 +3,7 @@
 //! **In:** an expression, and what facts say of the signs of expressions. **Out:** [`Signs`], the signs that it can have. **Guaranteed:** where
 //! the expression has a value and the facts are true, the sign of the value is among them. Nothing is computed with decimals.
 
-use super::context::Context;
+use super::context::{Context, Says};
 use super::sequent::ConstantSign;
 use super::term::Sense;
 use expr::{Expr, Node, Op, Rational};
@@ -83,7 +83,7 @@ pub(crate) type KnownSigns = BTreeMap<(Expr, Expr), Signs>;
 
 /// The signs of an expression.
 pub(crate) fn signs(context: &Context, e: Expr, known: &KnownSigns) -> Signs {
-    let zero = context.graph.find(&Node::Constant(std::sync::Arc::new(Rational::ZERO)));
+    let zero = context.zero;
     let said = |a: Expr, b: Expr| {
         let one = known.get(&(a, b)).copied().unwrap_or(Signs::ALL);
         one.and(known.get(&(b, a)).map_or(Signs::ALL, |s| s.opposite()))
@@ -105,15 +105,41 @@ pub(crate) fn signs(context: &Context, e: Expr, known: &KnownSigns) -> Signs {
                 if *op == Op::Sub { own.and(said(*a, *b)) } else { own }
             }
         };
-        if let Some(zero) = zero {
-            here = here.and(said(node, zero));
-            if let Some(minus) = context.graph.find(&Node::Unary(Op::Neg, node)) {
-                here = here.and(said(minus, zero).opposite());
-            }
+        here = here.and(said(node, zero));
+        if let Some(minus) = context.graph.find(&Node::Unary(Op::Neg, node)) {
+            here = here.and(said(minus, zero).opposite());
         }
         found.insert(node, here);
     }
     found[&e]
+}
+
+/// What a relation e ≠ 0, e > 0 or e < 0 says of parts of e. *Theorem.* Where a product, a quotient, a power with an exponent above 0, |a| or −a is not 0, its factors, its numerator, its base, a are not 0; where √a is not 0, a > 0. (The
+/// relation is true, so that all parts have values.)
+pub(crate) fn of_parts(context: &Context, says: Says) -> Vec<(Expr, Signs)> {
+    let not_zero = Signs::NEGATIVE.or(Signs::POSITIVE);
+    let whole = match says.sides() {
+        [e, z] | [z, e] if z == context.zero && of_sense(says.sense).within(not_zero) => e,
+        _ => return Vec::new(),
+    };
+    let (mut open, mut out) = (vec![whole], Vec::new());
+    while let Some(e) = open.pop() {
+        match *context.graph.node(e) {
+            Node::Binary(Op::Mul, a, b) => open.extend([a, b]),
+            Node::Binary(Op::Div, a, _) | Node::Unary(Op::Neg | Op::Abs, a) => open.push(a),
+            Node::Unary(Op::Powi(n), a) if n > 0 => open.push(a),
+            Node::Unary(Op::Sqrt, a) => {
+                out.push((a, Signs::POSITIVE));
+                open.push(a);
+                continue;
+            }
+            Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => {}
+        }
+        if e != whole {
+            out.push((e, not_zero));
+        }
+    }
+    out
 }
 
 fn unary(op: Op, a: Signs) -> Signs {

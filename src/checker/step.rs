@@ -73,9 +73,18 @@ pub enum Step {
     Everywhere { because: Vec<FactId> },
     /// The derivative by time of an equation.
     Rate { fact: FactId },
+    /// The derivative by a coordinate of an equation.
+    Partial { fact: FactId, by: String, component: u16 },
     /// An equation l = r with d·(l − r) = Σ qᵢ·(lᵢ − rᵢ), where lᵢ = rᵢ are facts, as soon as the right side of each fact of `insert`, in
-    /// their order, is put for its left side.
-    Zero { says: Relation, multiplier: Term, terms: Vec<(FactId, Term)>, insert: Vec<FactId> },
+    /// their order, is put for its left side; and as soon as multiples of facts of `modulo` are taken away.
+    Zero {
+        says: Relation,
+        multiplier: Term,
+        terms: Vec<(FactId, Term)>,
+        insert: Vec<FactId>,
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        modulo: Vec<FactId>,
+    },
     /// The same with fewer needs.
     Discharge { fact: FactId, because: Vec<FactId> },
     /// What is so in each of the cases.

@@ -33,6 +33,17 @@ pub enum TermNode {
         /// The position of the fixed time.
         at: Option<u32>,
     },
+    /// A component of a field, derived by the time and by coordinates, each with its name, its component and the order.
+    Partial {
+        /// The field.
+        name: String,
+        /// Its component, counted from 0.
+        component: u16,
+        /// The order of the derivative by time.
+        rate: u8,
+        /// The orders of the others.
+        by: Vec<(String, u16, u8)>,
+    },
     /// An operation, by its name, and its arguments.
     Apply(String, Vec<u32>),
 }
@@ -110,7 +121,7 @@ impl Term {
     /// An expression of a graph, with the names of symbols that `name` gives.
     ///
     /// # Errors
-    /// A sentence: a symbol without a name, a derivative of a field by a coordinate, or a field at another place.
+    /// A sentence: a symbol without a name, or a field at another place.
     pub fn of(graph: &Graph, e: Expr, name: impl Fn(Symbol) -> Option<String>) -> Result<Term, String> {
         // Fixed times are older than the leaves that are taken at them.
         let mut roots = vec![e];
@@ -130,12 +141,22 @@ impl Term {
                 Node::Constant(r) => TermNode::Number(r.to_string()),
                 Node::Pi => TermNode::Pi,
                 Node::Leaf(leaf) => {
-                    if !leaf.partials.is_none() || graph.place(leaf.symbol).is_some() {
-                        return Err("fields are not among the terms of recorded proofs".to_owned());
+                    if graph.place(leaf.symbol).is_some() {
+                        return Err("fields at other places are not among the terms of recorded proofs".to_owned());
                     }
-                    let name = name(leaf.symbol).ok_or("a symbol without a name")?;
-                    let instant = leaf.instant.map(|c| at[&c]);
-                    TermNode::Leaf { name, component: leaf.component, rate: leaf.rate, at: instant }
+                    let own = name(leaf.symbol).ok_or("a symbol without a name")?;
+                    let mut by = Vec::new();
+                    for (coordinate, order) in graph.coordinates().zip(leaf.partials.orders()).filter(|(_, n)| *n > 0) {
+                        let of = name(coordinate.symbol).ok_or("a symbol without a name")?;
+                        by.push((of, coordinate.component, order));
+                    }
+                    match by.is_empty() {
+                        true => {
+                            let instant = leaf.instant.map(|c| at[&c]);
+                            TermNode::Leaf { name: own, component: leaf.component, rate: leaf.rate, at: instant }
+                        }
+                        false => TermNode::Partial { name: own, component: leaf.component, rate: leaf.rate, by },
+                    }
                 }
                 Node::Unary(op, a) => TermNode::Apply(name_of(*op), vec![at[a]]),
                 Node::Binary(op, a, b) => TermNode::Apply(name_of(*op), vec![at[a], at[b]]),

@@ -4,7 +4,13 @@
 //! for 0 though it is not. **Guaranteed** (Schwartz 1980, Zippel 1979): let P be the numerator that the expression has when its fractions are put over a common
 //! denominator step by step, of degree ≤ D, with integer coefficients whose sizes add up to at most 2ʰ after denominators of numbers are cleared. If P ≠ 0,
 //! fewer than h/61 primes above 2⁶¹ divide all its coefficients, of more than 2⁵⁴ from which one is drawn; for another prime p, P vanishes at a random point of GF(p) with
-//! probability ≤ D/p. A point at which a denominator vanishes is drawn again, which multiplies that by at most 1/(1 − D/p) ≤ 2. Trials are independent.
+//! probability ≤ D/p. A point at which a denominator vanishes is drawn again, of at most n points: that one of them is such a zero has a probability ≤ nD/p. Trials are independent.
+//!
+//! **Modulo squares.** Of indeterminates v₁, …, vₖ it may be known that vᵢ² = uᵢ, where uᵢ is made of others and of v₁, …, vᵢ₋₁. *Theorem.* P, reduced by vᵢ² → uᵢ, is Σ c_m·v^m over sets m of
+//! the vᵢ, with polynomials c_m of the other indeterminates. If c_m ≠ 0 for some m, and no c_m vanishes at a point x that has c_m ≠ 0 there for one m, and all vᵢ ≠ 0 there, P is not 0 for some choice of the
+//! signs of the roots vᵢ. *Proof.* By the last one: P = A + B·vₖ; if both signs of vₖ give 0, A = B = 0 for that choice of the other signs; so by induction all c_m are 0. □ So a point is tried with
+//! all signs. It is drawn again where a root is 0, or is not in GF(p²). *Degrees.* A root counts with half the degree and half the size of its square, cleared of denominators: reducing enlarges neither, so that D and h
+//! are bounds of the c_m, too.
 //!
 //! **The draws** are made from the SHA-256 sum of the expression: a proof that was made to pass would have to be searched for among some 2¹⁰⁰.
 //!
@@ -23,8 +29,11 @@ use std::collections::BTreeMap;
 const WANTED: f64 = -100.0;
 /// Most trials.
 const MOST_TRIALS: usize = 64;
-/// Points drawn in one trial until no denominator vanishes.
-const MOST_POINTS: usize = 16;
+/// Points drawn in one trial until no denominator and no root vanishes, and log₂ of their number.
+const MOST_POINTS: usize = 64;
+const LOG2_POINTS: f64 = 6.0;
+/// Most squares modulo which is tried.
+const MOST_SQUARES: usize = 6;
 /// log₂ of the largest degree and of the largest log of a size.
 const LARGEST: f64 = 40.0;
 
@@ -75,10 +84,20 @@ impl Growth {
     }
 }
 
-fn growth(graph: &Graph, e: Expr) -> Growth {
+/// What is known of an indeterminate: that `difference` = 0 says v² = u.
+#[derive(Clone, Copy)]
+pub(crate) struct Square {
+    /// The indeterminate.
+    pub(crate) v: Expr,
+    /// u, as an expression.
+    pub(crate) of: Expr,
+}
+
+fn growth(graph: &Graph, e: Expr, roots: &BTreeMap<Expr, Growth>) -> Growth {
     let mut found: BTreeMap<Expr, Growth> = BTreeMap::new();
     for node in graph.reachable([e]) {
         let made = match graph.node(node) {
+            _ if roots.contains_key(&node) => roots[&node],
             Node::Constant(r) => Growth { degree: [0.0; 2], size: bits(r).map(|n| n as f64) },
             Node::Unary(Op::Neg, a) | Node::Binary(Op::Restrict, a, _) => found[a],
             Node::Unary(Op::Powi(n), a) => {
@@ -97,11 +116,29 @@ fn growth(graph: &Graph, e: Expr) -> Growth {
     found[&e]
 }
 
-/// The value at a random point; nothing where a denominator vanishes.
-fn value(graph: &Graph, e: Expr, field: &FiniteField, draws: &mut Draws) -> Option<Finite> {
+/// Bounds of roots of squares: with u = n/d, v is w/d, where w² = n·d.
+fn roots(graph: &Graph, squares: &[Square]) -> BTreeMap<Expr, Growth> {
+    let mut out = BTreeMap::new();
+    for square in squares {
+        let Growth { degree: [top, under], size: [height, cleared] } = growth(graph, square.of, &out);
+        let root = Growth { degree: [(top + under) / 2.0, under], size: [(height + cleared) / 2.0, cleared] };
+        out.insert(square.v, root);
+    }
+    out
+}
+
+/// The value where indeterminates have these values, and new ones are drawn; nothing where a denominator vanishes.
+fn value(
+    graph: &Graph,
+    e: Expr,
+    field: &FiniteField,
+    draws: &mut Draws,
+    point: &mut BTreeMap<Expr, Finite>,
+) -> Option<Finite> {
     let mut found: BTreeMap<Expr, Finite> = BTreeMap::new();
     for node in graph.reachable([e]) {
         let made = match graph.node(node) {
+            _ if point.contains_key(&node) => point[&node],
             Node::Constant(r) => field.of_rational(r)?,
             Node::Unary(Op::Neg, a) => field.difference(Finite::default(), found[a]),
             Node::Unary(Op::Powi(n), a) => {
@@ -121,26 +158,61 @@ fn value(graph: &Graph, e: Expr, field: &FiniteField, draws: &mut Draws) -> Opti
             Node::Binary(Op::Mul, a, b) => field.product(found[a], found[b]),
             Node::Binary(Op::Div, a, b) => field.product(found[a], field.inverse(found[b])?),
             Node::Binary(Op::Restrict, a, _) => found[a],
-            Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => field.draw_element(draws),
+            Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => {
+                let drawn = field.draw_element(draws);
+                point.insert(node, drawn);
+                drawn
+            }
         };
         found.insert(node, made);
     }
     found.remove(&e)
 }
 
-/// log₂ of the bound of the error, if the expression vanishes in all trials.
-pub(crate) fn vanishes(context: &Context, e: Expr) -> Result<f64, String> {
-    let graph = &context.graph;
-    let Growth { degree: [top, under], size: [height, cleared] } = growth(graph, e);
-    // What a denominator adds counts, too: those that are cleared on the way divide the last one.
-    let (degree, height) = (top + under + 1.0, height + cleared + 1.0);
-    let (of_degree, of_height) = (log2_above(degree.max(1.0)), log2_above(height.max(1.0)));
-    if !(degree.is_finite() && height.is_finite() && of_degree < LARGEST && of_height < LARGEST) {
-        return Err("the identity is too large to be tried".to_owned());
+/// Whether the expression vanishes at a random point, for all signs of roots; nothing for a point that does not count.
+fn vanishes_at_point(
+    graph: &Graph,
+    e: Expr,
+    squares: &[Square],
+    field: &FiniteField,
+    draws: &mut Draws,
+) -> Option<bool> {
+    let mut point = BTreeMap::new();
+    for signs in 0..1u32 << squares.len() {
+        for (at, square) in squares.iter().enumerate() {
+            point.remove(&square.v);
+            for later in &squares[at..] {
+                point.remove(&later.v);
+            }
+            let u = value(graph, square.of, field, draws, &mut point)?;
+            let root = field.square_root(u).filter(|root| !root.is_zero())?;
+            let negative = signs >> at & 1 == 1;
+            point.insert(square.v, if negative { field.difference(Finite::default(), root) } else { root });
+        }
+        if !value(graph, e, field, draws, &mut point)?.is_zero() {
+            return Some(false);
+        }
     }
-    let of_points = 1.0 + of_degree - FiniteField::LOG2_P;
-    let of_primes = of_height - 5.9 - FiniteField::LOG2_PRIMES;
-    let one_trial = sum_log2(of_points, of_primes);
+    Some(true)
+}
+
+/// Whether squares are of expressions in which only roots before them stand, each once.
+fn are_in_order(graph: &Graph, squares: &[Square]) -> bool {
+    squares.len() <= MOST_SQUARES
+        && squares.iter().enumerate().all(|(at, square)| {
+            let below = graph.reachable([square.of]);
+            squares[at..].iter().all(|later| !below.contains(&later.v))
+                && squares[..at].iter().all(|before| before.v != square.v && !graph.reachable([before.v]).contains(&square.v))
+        })
+}
+
+/// log₂ of the bound of the error, if the expression vanishes in all trials modulo squares.
+pub(crate) fn vanishes(context: &Context, e: Expr, squares: &[Square]) -> Result<f64, String> {
+    let graph = &context.graph;
+    if !are_in_order(graph, squares) {
+        return Err("the identity is too large to be expanded, and no trial modulo these relations is known".to_owned());
+    }
+    let one_trial = error_of_a_trial(graph, e, squares)?;
     let trials = (WANTED / one_trial).ceil();
     if !(one_trial < 0.0 && trials <= MOST_TRIALS as f64) {
         return Err("the identity is too large to be tried".to_owned());
@@ -148,17 +220,40 @@ pub(crate) fn vanishes(context: &Context, e: Expr) -> Result<f64, String> {
     let written = Term::of(graph, e, |symbol| Some(graph.name(symbol).to_owned()))?;
     let sum = Sha256::digest(format!("{written:?}"));
     for trial in 0..trials as u64 {
-        let seed = |word: usize| {
-            let bytes = sum.iter().skip(8 * word).take(8);
-            bytes.fold(0u64, |out, byte| out << 8 | u64::from(*byte))
-        };
-        let mut primes = Draws::new(seed(0) ^ Draws::new(seed(1).wrapping_add(trial)).bits());
-        let mut points = Draws::new(seed(2) ^ Draws::new(seed(3).wrapping_add(trial)).bits());
-        let field = FiniteField::draw(&mut primes);
-        let found = (0..MOST_POINTS).find_map(|_| value(graph, e, &field, &mut points));
-        if !found.ok_or("a denominator vanishes")?.is_zero() {
+        if !one(graph, e, squares, &sum, trial)? {
             return Err("the equation does not follow".to_owned());
         }
     }
     Ok(trials * one_trial)
+}
+
+/// log₂ of a bound of the probability that an expression which does not vanish does so in one trial.
+fn error_of_a_trial(graph: &Graph, e: Expr, squares: &[Square]) -> Result<f64, String> {
+    let Growth { degree: [top, under], size: [height, cleared] } = growth(graph, e, &roots(graph, squares));
+    // What a denominator adds counts, too: those that are cleared on the way divide the last one.
+    let (degree, height) = (top + under + 1.0, height + cleared + 1.0);
+    let (of_degree, of_height) = (log2_above(degree.max(1.0)), log2_above(height.max(1.0)));
+    if !(degree.is_finite() && height.is_finite() && of_degree < LARGEST && of_height < LARGEST) {
+        return Err("the identity is too large to be tried".to_owned());
+    }
+    let of_points = LOG2_POINTS + of_degree - FiniteField::LOG2_P;
+    let of_primes = of_height - 5.9 - FiniteField::LOG2_PRIMES;
+    Ok(sum_log2(of_points, of_primes))
+}
+
+fn one(graph: &Graph, e: Expr, squares: &[Square], sum: &[u8], trial: u64) -> Result<bool, String> {
+    let seed = |word: usize| {
+        let bytes = sum.iter().skip(8 * word).take(8);
+        bytes.fold(0u64, |out, byte| out << 8 | u64::from(*byte))
+    };
+    let mut primes = Draws::new(seed(0) ^ Draws::new(seed(1).wrapping_add(trial)).bits());
+    let mut points = Draws::new(seed(2) ^ Draws::new(seed(3).wrapping_add(trial)).bits());
+    let field = FiniteField::draw(&mut primes);
+    let found = (0..MOST_POINTS).find_map(|_| vanishes_at_point(graph, e, squares, &field, &mut points));
+    found.ok_or_else(|| "a denominator vanishes".to_owned())
+}
+
+/// Whether one trial shows that an expression does not vanish modulo squares: cheap, and no proof of the contrary.
+pub(crate) fn is_refuted(graph: &Graph, e: Expr, squares: &[Square]) -> bool {
+    are_in_order(graph, squares) && one(graph, e, squares, &[0; 32], 0) == Ok(false)
 }

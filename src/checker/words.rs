@@ -64,7 +64,10 @@ impl Printer {
 
 fn symbol_words(declared: &Declared) -> Option<String> {
     let of = match declared.kind {
-        SymbolKind::Time | SymbolKind::Defined => return None,
+        SymbolKind::Time | SymbolKind::Coordinate | SymbolKind::Defined => return None,
+        SymbolKind::Field(orders) => {
+            return Some(format!("`{}`, a field with continuous derivatives up to order {orders}", declared.name));
+        }
         SymbolKind::Constant(ConstantSign::Any) => "a number",
         SymbolKind::Constant(ConstantSign::Positive) => "a positive number",
         SymbolKind::Constant(ConstantSign::NotNegative) => "a number that is not negative",
@@ -85,6 +88,10 @@ impl Sequent {
     pub fn words(&self) -> Result<String, Refused> {
         Draft::new(self)?;
         let mut printer = Printer(Context::as_written(self).map_err(|why| Refused { step: None, why })?);
+        let (time, times) = match printer.0.has_fields() {
+            true => ("place and time", "places and times"),
+            false => ("time", "times"),
+        };
         let symbols: Vec<String> = self.symbols.iter().filter_map(symbol_words).collect();
         let mut text = format!("For every motion ({})", symbols.join("; "));
         let mut parts = Vec::new();
@@ -96,8 +103,9 @@ impl Sequent {
             printer.relation(&Relation::equal(Term(vec![leaf]), d.formula.clone()))
         });
         let definitions: Vec<String> = definitions.collect();
+        let always = format!("at all {times}");
         for (list, of) in
-            [(definitions.join(", "), "by definition"), (systems, "at all times"), (premises, "at all times")]
+            [(definitions.join(", "), "by definition".to_owned()), (systems, always.clone()), (premises, always)]
         {
             if !list.is_empty() {
                 parts.push(format!("{list} {of}"));
@@ -105,13 +113,13 @@ impl Sequent {
         }
         parts.extend(claims);
         let (selectors, assumed) = (printer.relations(&self.selectors), printer.relations(&self.assumed));
-        let times = if selectors.is_empty() {
-            "at every time".to_owned()
+        let chosen = if selectors.is_empty() {
+            format!("at every {time}")
         } else {
-            format!("at every time at which {selectors}")
+            format!("at every {time} at which {selectors}")
         };
         if !assumed.is_empty() {
-            parts.push(format!("{assumed} {times}"));
+            parts.push(format!("{assumed} {chosen}"));
         }
         if !parts.is_empty() {
             text += &format!(" with {}", parts.join("; with "));
@@ -121,7 +129,7 @@ impl Sequent {
             text += &format!(", on times among which are {}", instants.join(", "));
         }
         let void = if assumed.is_empty() { "" } else { " and the assumptions have values" };
-        text += &format!(": {times}{void}, {} where both sides have values.", printer.relation(&self.claim));
+        text += &format!(": {chosen}{void}, {} where both sides have values.", printer.relation(&self.claim));
         Ok(text)
     }
 }

@@ -29,7 +29,9 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Stop> {
     // What is explained is what `check` says, and it is what `check` may have left.
     let ask = Ask { rigor: rigor.rigor, ..Ask::default() };
     for (session, _) in files.sessions_with(claim, on)? {
-        if let Some(text) = progress::check(&session, &ask, store.as_ref())?.explanation(claim, on, true) {
+        let mut found = progress::check(&session, &ask, store.as_ref())?;
+        found.record(Some(claim), store.as_ref().map(|s| s as &dyn rederive::check::Store));
+        if let Some(text) = found.explanation(claim, on, true) {
             say(&text)?;
             shown = true;
         }

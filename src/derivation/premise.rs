@@ -8,7 +8,7 @@ use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 use super::load::Loader;
-use super::model::{Claim, Derivation};
+use super::model::{Claim, Derivation, Motion};
 use expr::{Symbol, Tensor};
 
 /// What a name under `follows-from` means.
@@ -93,6 +93,46 @@ impl Derivation {
         }
         let angles = self.symbols.iter().chain(self.claims.iter().flat_map(|c| &c.symbols)).filter(|s| s.angle);
         self.index = Index { names, angles: angles.map(|s| s.symbol).collect() };
+    }
+
+    /// What a claim is said to follow from: the names that it gives, or the one system of its motions.
+    pub fn given_to(&self, claim: &Claim) -> Vec<String> {
+        if !claim.follows_from.is_empty() {
+            return claim.follows_from.clone();
+        }
+        match self.systems_of_motions(claim).as_slice() {
+            // Two systems that move the same states contradict each other, and everything would follow.
+            [Some(only)] => vec![self.systems[*only].id.clone()],
+            _ => Vec::new(),
+        }
+    }
+
+    /// The systems of the motions on which a claim is tried, members of families among them; `None` for one that is not written: that
+    /// of motions which are computed from those of a system.
+    pub fn systems_of_motions(&self, claim: &Claim) -> Vec<Option<usize>> {
+        let motion = |t: usize| &self.trajectories[t].motion;
+        let of_families = claim.families.iter().map(|&f| self.families[f].of);
+        let mut systems: Vec<Option<usize>> = Vec::new();
+        let mut computed = false;
+        for at in claim.trajectories.iter().copied().chain(of_families) {
+            match motion(at) {
+                Motion::Integrated { system, .. } => systems.push(Some(*system)),
+                Motion::Formula { .. } => {}
+                Motion::Derived { from, .. } => {
+                    let mut source = *from;
+                    while let Motion::Derived { from, .. } = motion(source) {
+                        source = *from;
+                    }
+                    computed |= matches!(motion(source), Motion::Integrated { .. });
+                }
+            }
+        }
+        if systems.is_empty() && computed {
+            systems.push(None);
+        }
+        systems.sort_unstable();
+        systems.dedup();
+        systems
     }
 
     /// Whether a symbol of the file is an angle, which is continued along a motion.

@@ -11,6 +11,7 @@ use crate::variant::{Discrimination, VariantAccount};
 use crate::words::{self, Word};
 use derivation::Claim;
 use reason::{Decided, Premises, Proviso, Reason, Refuting, Term, Unproved, Way};
+use crate::recorded::Recorded;
 use serde::{Deserialize, Serialize};
 use units::UnitsAccount;
 use verdict::{Outcome, Strength, Verdict};
@@ -220,6 +221,9 @@ pub struct IdentityAccount {
     pub witness: Option<Refuting>,
     /// What the verdict rests on: trials, certificates, numbers.
     pub evidence: IdentityEvidence,
+    /// The proof as steps that anybody can replay, or why there is none; nothing where none was looked for.
+    #[serde(skip)]
+    pub recorded: Option<Recorded>,
 }
 
 impl IdentityAccount {

@@ -15,6 +15,7 @@ pub mod conditions;
 pub mod family;
 mod identity;
 mod picture;
+pub mod recorded;
 pub mod region;
 #[cfg(debug_assertions)]
 #[doc(hidden)]
@@ -33,6 +34,7 @@ pub use alone::{AloneAccount, Premises, TrialScope};
 pub use family::{FailingShare, FamilyAccount, MemberAccount};
 pub use identity::{Counterexample, IdentityEvidence, Place, Proposition, Trials};
 pub use picture::{Line, LineKind, PictureAccount};
+pub use recorded::Recorded;
 pub use proof::{Certificate, Cofactor, Origin};
 pub use units;
 pub use variant::{ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Survivor, VariantAccount, WEAK};

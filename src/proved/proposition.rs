@@ -39,6 +39,33 @@ pub fn with_symbols_of(derivation: &mut Derivation, claim: &str, shown: &str) ->
 /// [`CheckError::Problems`] for formulas and names that are not understood, with their places;
 /// [`CheckError::Defect`] when the two routes contradict each other.
 pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<IdentityAccount, CheckError> {
+    let claim = stated(derivation, proposition)?;
+    match Step::of(derivation, &claim).map(Step::typed).and_then(Step::decide) {
+        Some(account) => account.map_err(CheckError::Defect).map(|mut account| {
+            if account.finding.is_proved_in_part() {
+                account.presupposed = presupposed(derivation, &claim);
+            }
+            account
+        }),
+        // Both sides are one expression: all that is left to see is whether it has a value, where what is given holds.
+        None => {
+            let relations = claim.forms.iter().filter_map(|form| match form {
+                Form::Always(w) => Some(&w.value.relations),
+                _ => None,
+            });
+            let pairs: Vec<_> = relations.flatten().flat_map(sides).collect();
+            let step = Step::of(derivation, &claim).map(Step::typed);
+            let step = step.ok_or_else(|| CheckError::Defect("an equation is no equation".to_owned()))?;
+            step.of_one_expression(&pairs).map_err(CheckError::Defect)
+        }
+    }
+}
+
+/// A proposition as a claim that follows from its premises.
+///
+/// # Errors
+/// [`CheckError::Problems`] for formulas and names that are not understood, with their places.
+pub fn stated(derivation: &mut Derivation, proposition: &Proposition) -> Result<Claim, CheckError> {
     let mut problems = Vec::new();
     let scope = derivation.scope.clone();
     let source = typed("the formula", &proposition.formula);
@@ -83,7 +110,6 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
             Diagnostic::at(&source, "prove::units", whole, "the two sides differ in their units, or terms of a sum do");
         return Err(CheckError::Problems(vec![d.hint("see the units that the file declares")]));
     }
-    let pairs: Vec<_> = conclusion.iter().flat_map(|w| &w.value.relations).flat_map(sides).collect();
     let formulas = vec![Formula { text: proposition.formula.clone(), kind: FormKind::Always }];
     let claim = Claim {
         id: NAME.to_owned(),
@@ -120,20 +146,7 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
     if !others.is_empty() && Step::of(derivation, &claim).is_none() {
         return Err(CheckError::Problems(others));
     }
-    match Step::of(derivation, &claim).map(Step::typed).and_then(Step::decide) {
-        Some(account) => account.map_err(CheckError::Defect).map(|mut account| {
-            if account.finding.is_proved_in_part() {
-                account.presupposed = presupposed(derivation, &claim);
-            }
-            account
-        }),
-        // Both sides are one expression: all that is left to see is whether it has a value, where what is given holds.
-        None => {
-            let step = Step::of(derivation, &claim).map(Step::typed);
-            let step = step.ok_or_else(|| CheckError::Defect("an equation is no equation".to_owned()))?;
-            step.of_one_expression(&pairs).map_err(CheckError::Defect)
-        }
-    }
+    Ok(claim)
 }
 
 fn sides(relation: &Relation) -> Vec<(expr::Expr, expr::Expr)> {

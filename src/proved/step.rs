@@ -223,44 +223,9 @@ impl<'a> Step<'a> {
         self.positive.contains(&leaf.symbol)
     }
 
-    /// What a claim is said to follow from: the names that it gives, or the one system of its motions.
+    /// What a claim is said to follow from, see [`Derivation::given_to`].
     pub fn given(derivation: &Derivation, claim: &Claim) -> Vec<String> {
-        if !claim.follows_from.is_empty() {
-            return claim.follows_from.clone();
-        }
-        match Step::systems(derivation, claim).as_slice() {
-            // Two systems that move the same states contradict each other, and everything would follow.
-            [Some(only)] => vec![derivation.systems[*only].id.clone()],
-            _ => Vec::new(),
-        }
-    }
-
-    /// The systems of the motions on which a claim is tried, members of families among them; `None` for one that is not written: that
-    /// of motions which are computed from those of a system.
-    fn systems(derivation: &Derivation, claim: &Claim) -> Vec<Option<usize>> {
-        let motion = |t: usize| &derivation.trajectories[t].motion;
-        let of_families = claim.families.iter().map(|&f| derivation.families[f].of);
-        let mut systems: Vec<Option<usize>> = Vec::new();
-        let mut computed = false;
-        for at in claim.trajectories.iter().copied().chain(of_families) {
-            match motion(at) {
-                Motion::Integrated { system, .. } => systems.push(Some(*system)),
-                Motion::Formula { .. } => {}
-                Motion::Derived { from, .. } => {
-                    let mut source = *from;
-                    while let Motion::Derived { from, .. } = motion(source) {
-                        source = *from;
-                    }
-                    computed |= matches!(motion(source), Motion::Integrated { .. });
-                }
-            }
-        }
-        if systems.is_empty() && computed {
-            systems.push(None);
-        }
-        systems.sort_unstable();
-        systems.dedup();
-        systems
+        derivation.given_to(claim)
     }
 
     /// The systems of the motions on which a claim is tried, if all of these are integrated, or are analytic functions of such, or of the
@@ -293,7 +258,7 @@ impl<'a> Step<'a> {
     /// Whether motions of a claim that names nothing obey equations that are not given: those of several systems, or one that is not
     /// written. No point refutes it then.
     pub(crate) fn lacks_systems(derivation: &Derivation, claim: &Claim) -> bool {
-        let systems = Step::systems(derivation, claim);
+        let systems = derivation.systems_of_motions(claim);
         claim.follows_from.is_empty() && !matches!(systems.as_slice(), [] | [Some(_)])
     }
 

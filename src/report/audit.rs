@@ -4,8 +4,9 @@
 //! refused. **Guaranteed:** nothing that the file says of a proof is believed: the checker makes each step again. What is taken on trust is
 //! named: that the sequents are what the derivation file says, and the claims of which no proof is recorded.
 
-use super::proof_file::{PROOF_SCHEMA, ProofFile, UnrecordedClaim};
-use checker::{Given, Shown};
+use super::proof_file::{PROOF_SCHEMA, ProofFile, RecordedClaim, UnrecordedClaim};
+use super::recorded::shown_words;
+use checker::Shown;
 use serde_json::{Value, json};
 
 /// The outcome of one relation.
@@ -62,20 +63,16 @@ pub fn audit(text: &[u8]) -> Result<Audit, String> {
     if file.schema != PROOF_SCHEMA {
         return Err(format!("the layout {} of proofs.json is not known", file.schema));
     }
-    let claims = file.proofs.into_iter().map(|recorded| {
-        let relations = recorded.proof.relations.iter().map(|relation| {
-            let sequent = recorded.proof.sequent_of(relation);
-            let refused =
-                |refused: checker::Refused| Replayed::Refused { step: refused.step.map(|s| s + 1), why: refused.why };
-            AuditedRelation {
-                sequent: sequent.words().unwrap_or_else(|refused| refused.to_string()),
-                outcome: match checker::replay(&sequent, &relation.steps) {
-                    Ok(shown) => Replayed::Shown(Box::new(shown)),
-                    Err(why) => refused(why),
-                },
-            }
+    let claims = file.proofs.into_iter().map(|RecordedClaim { claim, standing, proof }| {
+        let relations = proof.relations.iter().map(|relation| {
+            let sequent = proof.sequent_of(relation);
+            let outcome = checker::replay(&sequent, &relation.steps).map_or_else(
+                |refused| Replayed::Refused { step: refused.step.map(|s| s + 1), why: refused.why },
+                |shown| Replayed::Shown(Box::new(shown)),
+            );
+            AuditedRelation { sequent: sequent.words().unwrap_or_else(|refused| refused.to_string()), outcome }
         });
-        AuditedClaim { relations: relations.collect(), claim: recorded.claim, standing: recorded.standing }
+        AuditedClaim { relations: relations.collect(), claim, standing }
     });
     Ok(Audit { claims: claims.collect(), derivation: file.derivation, unrecorded: file.unrecorded })
 }
@@ -84,21 +81,6 @@ impl AuditedClaim {
     /// Whether every step of every relation was made again, and none is missing.
     pub fn is_replayed(&self) -> bool {
         !self.relations.is_empty() && self.relations.iter().all(|r| matches!(r.outcome, Replayed::Shown(_)))
-    }
-}
-
-/// What a proof rests on, in words.
-fn given(shown: &Shown) -> String {
-    let word = |given: &Given| match given {
-        Given::System(at) => format!("equation {} of the systems", at + 1),
-        Given::Premise(at) => format!("premise {}", at + 1),
-        Given::Assumed(at) => format!("assumption {}", at + 1),
-        Given::Selector(at) => format!("selector {}", at + 1),
-        Given::Claimed(at) => format!("given claim {}", at + 1),
-    };
-    match shown.given() {
-        [] => "the definitions alone".to_owned(),
-        all => all.iter().map(word).collect::<Vec<_>>().join(", "),
     }
 }
 
@@ -127,7 +109,7 @@ impl Audit {
         out += &format!("\n{replayed} of {} recorded claims are replayed.\n", self.claims.len());
         out += "On trust: that the sequents say what the derivation file says; the theorems that the rules name.\n";
         if !self.unrecorded.is_empty() {
-            out += &format!("Proved by the prover alone, with no recorded proof ({}):\n", self.unrecorded.len());
+            out += &format!("Proved, and not recorded: these rest on the prover alone ({}):\n", self.unrecorded.len());
             for UnrecordedClaim { claim, standing, why } in &self.unrecorded {
                 out += &format!("  {claim} ({standing}): {why}\n");
             }
@@ -142,7 +124,7 @@ impl Audit {
                 "sequent": relation.sequent,
                 "outcome": "replayed",
                 "steps": shown.steps(),
-                "rests_on": given(shown),
+                "rests_on": shown.rests_on(),
                 "leaves_out": shown.leaves_out().len(),
                 "exact": shown.log2_error() == f64::NEG_INFINITY,
             }),
@@ -164,20 +146,4 @@ impl Audit {
             "unrecorded": self.unrecorded,
         })
     }
-}
-
-fn shown_words(shown: &Shown) -> String {
-    let mut out = format!("{} steps, from {}", shown.steps(), given(shown));
-    if shown.log2_error() > f64::NEG_INFINITY {
-        out += &format!(
-            "; an identity was tried at random, with an error probability of at most 2^{:.0}",
-            shown.log2_error().ceil()
-        );
-    }
-    match shown.leaves_out().len() {
-        0 => {}
-        1 => out += "; a case is left out",
-        n => out += &format!("; {n} cases are left out"),
-    }
-    out
 }

@@ -42,11 +42,10 @@ pub fn certificates(derivation: &Derivation, account: &Account) -> Vec<(String, 
         let identity = claim.identity.as_ref()?;
         let title = format!("{} / {}: {}", derivation.id, name(claim), claim.says);
         let (file, found) = (file_name(claim)?, &identity.evidence.certificates);
-        let lean = file.replace(&format!(".{SYMPY}"), ".lean");
-        Some([
-            (file, certificate_text(&title, &identity.from, found)),
-            (lean, lean_text(&title, &identity.from, found)),
-        ])
+        let lean = found.iter().any(says_something).then(|| {
+            (file.replace(&format!(".{SYMPY}"), ".lean"), lean_text(&title, &identity.from, found))
+        });
+        Some([(file, certificate_text(&title, &identity.from, found))].into_iter().chain(lean))
     };
     account.claims.iter().filter_map(one).flatten().collect()
 }
@@ -149,6 +148,16 @@ fn quoted(text: &str) -> String {
     format!("\"{}\"", text.chars().filter(|c| plain(*c)).collect::<String>())
 }
 
+/// Whether a theorem about real numbers says something of an equation: it has premises, or its sides are fractions of the variables.
+/// Where all was in the bringing of sides to N / D, what is left is 0 / D = 0.
+fn says_something(certificate: &Certificate) -> bool {
+    !certificate.terms.is_empty() || is_of_fractions(certificate)
+}
+
+fn is_of_fractions(certificate: &Certificate) -> bool {
+    certificate.program.functions.is_empty() && certificate.program.definitions.is_empty()
+}
+
 /// The same proofs for Lean 4 with Mathlib: one theorem for each equation, about real numbers.
 ///
 /// The steps are those of the certificate, and each is closed by a tactic that decides it: `linear_combination` expands
@@ -163,7 +172,7 @@ pub fn lean_text(title: &str, given: &[String], certificates: &[Certificate]) ->
          \n\
          import Mathlib\n",
     );
-    for certificate in certificates {
+    for certificate in certificates.iter().filter(|c| says_something(c)) {
         lean_equation(&mut out, certificate);
     }
     out
@@ -191,8 +200,7 @@ fn lean_equation(out: &mut String, certificate: &Certificate) {
     out.push_str(&format!("  have key : ({d} : ℝ) * ({n}) = 0 := by {combination}\n"));
     out.push_str(&format!("  have top : ({n} : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd\n"));
     out.push_str("  rw [top, zero_div]\n");
-    let polynomial = program.functions.is_empty() && program.definitions.is_empty();
-    if polynomial {
+    if is_of_fractions(certificate) {
         // The sides are polynomials or fractions of the same variables, so Lean can be asked for them as well.
         let (left, right) = (lean(&program.sides.0), lean(&program.sides.1));
         out.push_str(&format!(

@@ -67,6 +67,9 @@ fn about_claim(derivation: &Derivation, claim: &ClaimAccount, graph: &Derivation
     if let Some(identity) = &claim.identity {
         out.push('\n');
         out.push_str(&paragraph(&super::graph::sentence(identity, &graph.proof_of(claim)), 2));
+        if let Some(recorded) = &identity.recorded {
+            out.push_str(&super::recorded::text(recorded));
+        }
         if let Some(trials) = &identity.evidence.trials {
             out.push_str(&format!(
                 "  {} of random evaluation, in {}\n",

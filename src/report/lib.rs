@@ -50,6 +50,7 @@ mod part;
 mod plot;
 mod proof_file;
 mod proposition;
+mod recorded;
 mod region;
 mod sarif;
 mod schema;

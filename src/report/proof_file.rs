@@ -3,11 +3,10 @@
 //! **In:** an account. **Out:** a text: for each claim that is proved, the sequents and the steps of its proofs, or why there are none. **Guaranteed:**
 //! nothing of the prover is wanted to replay it: see [`checker`].
 
-use super::tally::{declared, name};
+use super::tally::name;
 use checker::ProofRecord;
-use derivation::{Claim, Derivation};
-use findings::{Account, ClaimAccount};
-use rayon::prelude::*;
+use derivation::Derivation;
+use findings::{Account, Recorded};
 use serde::{Deserialize, Serialize};
 
 /// The name of the file in the folder of a report.
@@ -52,12 +51,8 @@ pub struct UnrecordedClaim {
     pub why: String,
 }
 
-/// The text of `proofs.json`; `record` finds the steps of the proof of a claim, or says why there are none.
-pub fn proofs(
-    derivation: &Derivation,
-    account: &Account,
-    record: impl Fn(&Claim) -> Result<ProofRecord, String> + Sync,
-) -> String {
+/// The text of `proofs.json`, of an account for which proofs were looked for.
+pub fn proofs(derivation: &Derivation, account: &Account) -> String {
     let mut file = ProofFile {
         schema: PROOF_SCHEMA,
         derivation: derivation.id.clone(),
@@ -65,15 +60,14 @@ pub fn proofs(
         proofs: Vec::new(),
         unrecorded: Vec::new(),
     };
-    let is_proved = |account: &&ClaimAccount| account.identity.as_ref().is_some_and(|i| i.finding.is_proved_in_part());
-    let proved: Vec<&ClaimAccount> = account.claims.iter().filter(is_proved).collect();
-    let recorded: Vec<_> = proved.par_iter().with_max_len(1).map(|of| declared(derivation, of).map(&record)).collect();
-    for (account, recorded) in proved.into_iter().zip(recorded) {
-        let standing = account.identity.as_ref().map_or("", |identity| identity.standing()).to_owned();
-        let claim = name(account);
-        match recorded {
-            Some(Ok(proof)) => file.proofs.push(RecordedClaim { claim, standing, proof }),
-            Some(Err(why)) => file.unrecorded.push(UnrecordedClaim { claim, standing, why }),
+    for of in &account.claims {
+        let Some(identity) = &of.identity else { continue };
+        let (claim, standing) = (name(of), identity.standing().to_owned());
+        match &identity.recorded {
+            Some(Recorded::Proof(proof, _)) => {
+                file.proofs.push(RecordedClaim { claim, standing, proof: ProofRecord::clone(proof) });
+            }
+            Some(Recorded::Not(why)) => file.unrecorded.push(UnrecordedClaim { claim, standing, why: why.clone() }),
             None => {}
         }
     }

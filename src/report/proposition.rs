@@ -39,6 +39,9 @@ pub fn proposition_text(
             if let Some(reason) = &account.reason {
                 out.push_str(&paragraph(&format!("But note: {reason}."), 2));
             }
+            if let Some(recorded) = &account.recorded {
+                out.push_str(&paragraph(&recorded.sentence(), 2));
+            }
             out.push_str(&routes(account));
             for (title, list) in account.terms() {
                 out.push_str(&format!("  {title}\n{}", lines(&list, 4)));

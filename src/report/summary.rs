@@ -59,6 +59,7 @@ pub fn summary(derivation: &Derivation, account: &Account, colour: bool, whole: 
         out.push_str(&measurements(derivation, account, paint));
     }
     out.push_str(&counts(account, paint));
+    out.push_str(&super::recorded::count(account));
     if !whole {
         out.push_str("--matrix prints the matrix of verdicts and all that was found\n");
     }

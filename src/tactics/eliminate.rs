@@ -3,14 +3,14 @@
 //! **In:** a draft, and expressions. **Out:** the expressions with values put in, as the checker will see them, and how much work that took.
 
 use crate::write::Reader;
-use checker::{Draft, FactId, Relation, Sense, Step, Term};
+use checker::{Draft, FactId, Law, Relation, Sense, Step, Term};
 use expr::{Expr, Node};
 use std::collections::BTreeMap;
 
 /// Most nodes of an expression that is reduced.
 pub(crate) const MOST_NODES: usize = 6_000;
 /// Most nodes that are looked at for one relation.
-const MOST_WORK: usize = 400_000;
+const MOST_WORK: usize = 250_000;
 
 /// A node, and what it is.
 #[derive(Clone, Copy, Debug)]
@@ -27,16 +27,23 @@ pub(crate) struct Search {
     pub(crate) solved: Vec<FactId>,
     /// Nodes that were looked at.
     pub(crate) work: usize,
+    /// The sides of facts that were asked for.
+    pub(crate) sides_of: BTreeMap<FactId, (Expr, Expr)>,
 }
 
 impl Search {
     pub(crate) fn new(reader: Reader, draft: Draft) -> Search {
-        Search { reader, draft, solved: Vec::new(), work: 0 }
+        Search { reader, draft, solved: Vec::new(), work: 0, sides_of: BTreeMap::new() }
     }
 
     /// Whether the work of the search is done with.
     pub(crate) fn is_spent(&self) -> bool {
         self.work > MOST_WORK
+    }
+
+    /// Another way is tried: of what was spent, half is free again, so that all ways together take no more than a few times the first.
+    pub(crate) fn renew(&mut self) {
+        self.work = self.work.min(MOST_WORK) / 2;
     }
 
     /// Takes a step; the fact that it makes.
@@ -46,8 +53,21 @@ impl Search {
 
     /// The sides of an equation that is a fact.
     pub(crate) fn equation(&mut self, id: FactId) -> Option<(Expr, Expr)> {
+        if let Some(known) = self.sides_of.get(&id) {
+            return Some(*known);
+        }
         let says = self.draft.says(id).filter(|says| says.sense == Sense::Equal)?;
-        self.reader.sides(&says)
+        let sides = self.reader.sides(&says)?;
+        self.sides_of.insert(id, sides);
+        Some(sides)
+    }
+
+    /// A law, and its sides.
+    pub(crate) fn law(&mut self, law: Law, of: &[Expr]) -> Option<(FactId, Expr, Expr)> {
+        let of: Option<Vec<Term>> = of.iter().map(|e| self.reader.term(*e)).collect();
+        let fact = self.push(Step::Law { law, of: of? })?;
+        let (l, r) = self.equation(fact)?;
+        Some((fact, l, r))
     }
 
     /// Puts a value into an expression; whether there was room for it.
@@ -78,13 +98,14 @@ impl Search {
         says: Relation,
         multiplier: Option<Expr>,
         terms: &[(FactId, Expr)],
+        modulo: &[FactId],
     ) -> Option<FactId> {
         let multiplier = match multiplier {
             Some(e) => self.reader.term(e)?,
             None => Term::integer(1),
         };
         let terms: Option<Vec<_>> = terms.iter().map(|&(fact, q)| Some((fact, self.reader.term(q)?))).collect();
-        let step = Step::Zero { says, multiplier, terms: terms?, insert: self.solved.clone() };
+        let step = Step::Zero { says, multiplier, terms: terms?, insert: self.solved.clone(), modulo: modulo.to_vec() };
         self.push(step)
     }
 }

@@ -11,15 +11,18 @@
 
 #![forbid(unsafe_code)]
 
+mod block;
 mod eliminate;
 mod fraction;
-mod polynomial;
+mod normal;
 mod prove;
 mod sequent;
 mod used;
+mod vanish;
 mod write;
 
 pub use prove::prove;
+use sequent::Question;
 pub use sequent::sequents;
 
 use checker::{ProofRecord, RelationRecord};
@@ -30,10 +33,21 @@ use derivation::{Claim, Derivation};
 /// # Errors
 /// A sentence: the form of the claim that no sequent expresses, or that no proof was found.
 pub fn record(derivation: &Derivation, claim: &Claim) -> Result<ProofRecord, String> {
-    let questions = sequents(derivation, claim)?;
+    recorded(&sequents(derivation, claim)?)
+}
+
+/// The same, of a claim that is asked with premises of all times: its assumptions choose none.
+///
+/// # Errors
+/// As for [`record`].
+pub fn record_throughout(derivation: &Derivation, claim: &Claim) -> Result<ProofRecord, String> {
+    recorded(&sequent::sequents_throughout(derivation, claim)?)
+}
+
+fn recorded(questions: &[Question]) -> Result<ProofRecord, String> {
     let sequent = questions.first().map(|q| q.sequent.clone()).ok_or("nothing is claimed")?;
     let mut relations = Vec::new();
-    for question in &questions {
+    for question in questions {
         relations.push(RelationRecord { claim: question.sequent.claim.clone(), steps: prove(question)? });
     }
     Ok(ProofRecord { sequent, relations })

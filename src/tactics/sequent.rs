@@ -9,14 +9,15 @@
 //! with a constant c of which nothing is known, as a premise at each fixed time that occurs. A symbol has as many continuous
 //! rates as formulas write.
 //!
-//! **Traps.** An angle that is continued through whole turns is not its formula: it is refused. What a claim says at events is said at
-//! some times only: refused as a claim, left out as a premise.
+//! **Traps.** An angle that is continued through whole turns is not its formula: it is a function of its own, with the sine, the cosine and, at all times at which the formula has one, the rate of
+//! its formula; T is an interval on which it has values and, if rates are written, rates. Where it may have a kink between two times, nothing is said of both. What a claim says at events is said at some times only: refused as a claim, left out as a premise.
 
+use crate::vanish::order;
 use crate::write::Writer;
 use checker::{Claimed, Definition, Relation, Sense, Sequent};
 use claim::comparison::{at_instant, may_leap};
 use derivation::{Claim, Derivation, Form, Premise};
-use expr::{Expr, Graph, Leaf, Shape, Symbol};
+use expr::{Expr, Graph, Leaf, Node, Op, Shape, Symbol};
 use latex::{Relation as Read, RelationKind, Role};
 use std::collections::BTreeMap;
 
@@ -67,6 +68,18 @@ pub fn sequents(derivation: &Derivation, claim: &Claim) -> Result<Vec<Question>,
     gathering.questions()
 }
 
+/// The same, where assumptions are premises of all times.
+///
+/// # Errors
+/// As for [`sequents`].
+pub(crate) fn sequents_throughout(derivation: &Derivation, claim: &Claim) -> Result<Vec<Question>, String> {
+    let mut gathering = Gathering::new(derivation, claim);
+    gathering.gather()?;
+    let assumed = std::mem::take(&mut gathering.assumed);
+    gathering.premises.extend(std::mem::take(&mut gathering.selectors).into_iter().chain(assumed));
+    gathering.questions()
+}
+
 /// What is given and what is claimed, in a graph of its own.
 struct Gathering<'a> {
     derivation: &'a Derivation,
@@ -76,6 +89,11 @@ struct Gathering<'a> {
     any_time: (Expr, Symbol),
     claimed: Vec<(Scalar, bool)>,
     systems: Vec<Scalar>,
+    premises: Vec<Scalar>,
+    /// Angles that are continued, and whether their rates are told.
+    angles: Vec<(Leaf, bool)>,
+    /// Whether the formula of such an angle may have no rate where it has a value, beside its leaps.
+    has_kinks: bool,
     others: Vec<Other>,
     selectors: Vec<Scalar>,
     assumed: Vec<Scalar>,
@@ -125,6 +143,9 @@ impl<'a> Gathering<'a> {
             any_time,
             claimed: Vec::new(),
             systems: Vec::new(),
+            premises: Vec::new(),
+            angles: Vec::new(),
+            has_kinks: false,
             others: Vec::new(),
             selectors: Vec::new(),
             assumed: Vec::new(),
@@ -133,8 +154,8 @@ impl<'a> Gathering<'a> {
 
     fn gather(&mut self) -> Result<(), String> {
         let (derivation, claim) = (self.derivation, self.claim);
-        if claim.at.is_some() || claim.region.is_some() {
-            return Err("a claim at events, or over ranges, is no sequent".to_owned());
+        if claim.at.is_some() {
+            return Err("a claim at events is no sequent".to_owned());
         }
         for form in &claim.forms {
             match form {
@@ -161,7 +182,7 @@ impl<'a> Gathering<'a> {
             }
         }
         (self.selectors, self.assumed) = self.assumptions(claim);
-        for name in proved_from(derivation, claim) {
+        for name in derivation.given_to(claim) {
             match derivation.premise(&name) {
                 Premise::System(system) => {
                     let equations = &derivation.systems[system].equations;
@@ -187,7 +208,8 @@ impl<'a> Gathering<'a> {
     fn other(&mut self, claim: &Claim) {
         let plain =
             claim.assuming.iter().flat_map(|w| &w.value.relations).all(|r| r.limit.is_none() && !r.has_branches);
-        if claim.at.is_some() || claim.region.is_some() || !plain {
+        // Over ranges of values it says nothing of others.
+        if claim.at.is_some() || claim.is_over_ranges() || !plain {
             return;
         }
         let mut says = Vec::new();
@@ -253,39 +275,71 @@ impl<'a> Gathering<'a> {
     fn all(&self) -> Vec<Scalar> {
         let others = self.others.iter().flat_map(|o| o.selectors.iter().chain(&o.hypotheses).chain(&o.says));
         let own = self.claimed.iter().map(|(scalar, _)| scalar);
-        own.chain(&self.systems).chain(&self.selectors).chain(&self.assumed).chain(others).copied().collect()
+        own.chain(&self.systems).chain(&self.premises).chain(&self.selectors).chain(&self.assumed).chain(others).copied().collect()
     }
 
     /// The definitions that occur, those that others name first; and for each symbol the highest rate that is written of it, those of
     /// the formulas in which it stands added.
-    fn definitions(&self) -> Result<Named, String> {
+    fn definitions(&mut self) -> Result<Named, String> {
         let roots: Vec<Expr> = self.all().iter().flat_map(|s| [s.left, s.right]).collect();
         let (mut out, mut orders): Named = Default::default();
-        let mut open: Vec<(Leaf, u8)> = self.graph.leaves(roots).into_iter().map(|leaf| (leaf, leaf.rate)).collect();
+        let mut open: Vec<(Leaf, u8)> = self.graph.leaves(roots).into_iter().map(|leaf| (leaf, order(leaf))).collect();
         let mut steps = 0;
         while let Some((leaf, rate)) = open.pop() {
             steps += 1;
             if steps > 20_000 {
                 return Err("the definitions are too many".to_owned());
             }
-            let order = orders.entry(leaf.symbol).or_insert(0);
-            *order = (*order).max(rate);
-            if let Some(instant) = leaf.instant {
-                open.extend(self.graph.leaves([instant]).into_iter().map(|l| (l, l.rate)));
+            let highest = orders.entry(leaf.symbol).or_insert(0);
+            *highest = (*highest).max(rate);
+            for (coordinate, _) in self.graph.coordinates().zip(leaf.partials.orders()).filter(|(_, n)| *n > 0) {
+                orders.entry(coordinate.symbol).or_insert(0);
             }
-            let value = Leaf { rate: 0, instant: None, ..leaf };
+            if let Some(instant) = leaf.instant {
+                open.extend(self.graph.leaves([instant]).into_iter().map(|l| (l, order(l))));
+            }
+            let value = Leaf::now(leaf.symbol, leaf.component);
             let Some(formula) = self.definition(value) else { continue };
             if self.derivation.is_angle(leaf.symbol) && may_leap(&self.graph, formula) {
-                return Err(format!("`{}` is an angle that is continued", self.graph.name(leaf.symbol)));
+                let further = self.continue_angle(value, formula, rate > 0);
+                let inner = self.graph.leaves([formula]).into_iter();
+                open.extend(inner.map(|l| (l, order(l).saturating_add(rate.max(further)))));
+                continue;
             }
             // Definitions name what is declared before them: last found, first written.
             out.retain(|(known, _)| *known != value);
             out.push((value, formula));
             let inner = self.graph.leaves([formula]).into_iter();
-            open.extend(inner.map(|l| (l, l.rate.saturating_add(rate))));
+            open.extend(inner.map(|l| (l, order(l).saturating_add(rate))));
         }
         out.reverse();
         Ok((self.ordered(out), orders))
+    }
+
+    /// An angle that is continued through whole turns has the sine, the cosine and the rate of its formula, and not its value. The order of the rates of the formula that this takes.
+    fn continue_angle(&mut self, angle: Leaf, formula: Expr, moves: bool) -> u8 {
+        let node = self.graph.leaf(angle);
+        if self.angles.iter().any(|(known, with_rate)| *known == angle && (*with_rate || !moves)) {
+            return u8::from(moves);
+        }
+        if !self.angles.iter().any(|(known, _)| *known == angle) {
+            for op in [Op::Sin, Op::Cos] {
+                let [left, right] = [node, formula].map(|e| self.graph.unary(op, e));
+                self.systems.push(Scalar::equal(left, right));
+            }
+        }
+        self.angles.push((angle, moves));
+        self.has_kinks |= self.graph.reachable([formula]).into_iter().any(|node| {
+            let is_turn = matches!(self.graph.node(node), Node::Binary(Op::Arctan2, ..));
+            !is_turn && !self.graph.edges(node).is_empty()
+        });
+        let Some(time) = self.claim.scope.time().filter(|_| moves) else { return 0 };
+        let scope = &self.claim.scope;
+        let Ok(rate) = self.graph.time_derivative(formula, time, |leaf| scope.moves(&leaf)) else { return 0 };
+        let rate = self.graph.continued(formula, rate);
+        let left = self.graph.leaf(Leaf { rate: 1, ..angle });
+        self.premises.push(Scalar::equal(left, rate));
+        1
     }
 
     /// Definitions, each after those that it names.
@@ -305,14 +359,18 @@ impl<'a> Gathering<'a> {
         out
     }
 
-    fn questions(self) -> Result<Vec<Question>, String> {
+    fn questions(mut self) -> Result<Vec<Question>, String> {
         let (definitions, orders) = self.definitions()?;
         let mut writer = Writer::new(&self.graph);
         let positive = |symbol: Symbol| {
             let of_claims = self.derivation.claims.iter().flat_map(|c| &c.symbols);
             self.derivation.symbols.iter().chain(of_claims).any(|s| s.symbol == symbol && s.positive)
         };
+        // Fields are as smooth as is wanted: two orders more than what is written.
+        let of_fields = |s: &Symbol| self.graph.is_field(*s);
+        let smooth = orders.iter().filter(|(s, _)| of_fields(s)).map(|(_, n)| n.saturating_add(2)).max().unwrap_or(0);
         for (&symbol, &order) in &orders {
+            let order = if of_fields(&symbol) { smooth } else { order };
             let defined = definitions.iter().any(|(leaf, _)| leaf.symbol == symbol);
             let role = if symbol == self.any_time.1 { Some(Role::Parameter) } else { self.role(symbol) };
             writer.declare(symbol, role, defined, order, positive(symbol))?;
@@ -320,6 +378,10 @@ impl<'a> Gathering<'a> {
         let named = definitions.iter().map(|(_, formula)| *formula);
         let roots: Vec<Expr> = self.all().iter().flat_map(|s| [s.left, s.right]).chain(named).collect();
         let instants = writer.instants(&roots);
+        let is_named = |c: &Expr| *c != self.any_time.0 || self.claimed.iter().any(|(_, conserved)| *conserved);
+        if self.has_kinks && instants.iter().any(is_named) {
+            return Err("an angle that is continued may have a kink between the time and a fixed one".to_owned());
+        }
         let any_time = instants.iter().position(|&c| c == self.any_time.0).map(|at| at as u32);
         let relations = |writer: &Writer, list: &[Scalar]| -> Result<Vec<Relation>, String> {
             list.iter().map(|s| writer.relation(*s)).collect()
@@ -345,7 +407,7 @@ impl<'a> Gathering<'a> {
             definitions: written,
             instants: instants.iter().map(|&c| writer.term(c)).collect::<Result<_, _>>()?,
             systems: relations(&writer, &self.systems)?,
-            premises: Vec::new(),
+            premises: relations(&writer, &self.premises)?,
             claims,
             selectors: relations(&writer, &self.selectors)?,
             assumed: relations(&writer, &self.assumed)?,
@@ -356,25 +418,5 @@ impl<'a> Gathering<'a> {
             Ok(Question { sequent, conserved: any_time.filter(|_| *conserved) })
         });
         each.collect()
-    }
-}
-
-/// The names of what a claim follows from: those that it gives, or the one system of its motions.
-fn proved_from(derivation: &Derivation, claim: &Claim) -> Vec<String> {
-    if !claim.follows_from.is_empty() {
-        return claim.follows_from.clone();
-    }
-    let mut systems: Vec<usize> = Vec::new();
-    for &at in &claim.trajectories {
-        match derivation.trajectories[at].motion {
-            derivation::Motion::Integrated { system, .. } => systems.push(system),
-            derivation::Motion::Formula { .. } | derivation::Motion::Derived { .. } => {}
-        }
-    }
-    systems.sort_unstable();
-    systems.dedup();
-    match systems[..] {
-        [only] => vec![derivation.systems[only].id.clone()],
-        _ => Vec::new(),
     }
 }

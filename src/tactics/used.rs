@@ -17,7 +17,7 @@ fn each_fact(step: &mut Step, mut see: impl FnMut(&mut FactId)) {
         | Step::Supposition { .. }
         | Step::Law { .. }
         | Step::Model { .. } => {}
-        Step::Rate { fact } | Step::Conclude { fact } => see(fact),
+        Step::Rate { fact } | Step::Partial { fact, .. } | Step::Conclude { fact } => see(fact),
         Step::Restrict { fact, because, .. }
         | Step::Discharge { fact, because }
         | Step::Smooth { fact, because }
@@ -26,8 +26,8 @@ fn each_fact(step: &mut Step, mut see: impl FnMut(&mut FactId)) {
             see(fact);
             because.iter_mut().for_each(see);
         }
-        Step::Zero { terms, insert, .. } => {
-            terms.iter_mut().map(|(fact, _)| fact).chain(insert).for_each(see);
+        Step::Zero { terms, insert, modulo, .. } => {
+            terms.iter_mut().map(|(fact, _)| fact).chain(insert).chain(modulo).for_each(see);
         }
         Step::Close { split, branches, because, .. } => {
             if let Split::Product(fact) = split {
@@ -68,6 +68,7 @@ fn makes_fact(step: &Step) -> bool {
         | Step::Supposition { .. }
         | Step::Restrict { .. }
         | Step::Rate { .. }
+        | Step::Partial { .. }
         | Step::Zero { .. }
         | Step::Discharge { .. }
         | Step::Close { .. }

@@ -39,8 +39,11 @@ impl<'a> Writer<'a> {
             _ if defined => SymbolKind::Defined,
             Some(Role::Time) => SymbolKind::Time,
             Some(Role::Parameter | Role::Argument) => SymbolKind::Constant(sign),
+            Some(Role::State | Role::Observable) if self.graph.is_field(symbol) => SymbolKind::Field(order),
             Some(Role::State | Role::Observable) => SymbolKind::Moves(order),
-            Some(Role::Abbreviation | Role::Coordinate | Role::Field) | None => {
+            Some(Role::Coordinate) => SymbolKind::Coordinate,
+            Some(Role::Field) => SymbolKind::Field(order),
+            Some(Role::Abbreviation) | None => {
                 return Err(format!("`{name}` is no function of time"));
             }
         };
@@ -93,7 +96,13 @@ impl Reader {
         let (mut graph, mut names) = (Graph::new(), BTreeMap::new());
         for one in declared {
             let shape = if one.components == 1 { Shape::scalar() } else { Shape::vector(one.components) };
-            names.insert(one.name.clone(), graph.declare(&one.name, shape, false));
+            let symbol = graph.declare(&one.name, shape, false);
+            if one.kind == SymbolKind::Coordinate {
+                for component in 0..one.components {
+                    graph.add_coordinate(symbol, component);
+                }
+            }
+            names.insert(one.name.clone(), symbol);
         }
         Reader { graph, names }
     }
@@ -115,6 +124,21 @@ impl Reader {
                         None => None,
                     };
                     self.graph.leaf(Leaf { rate: *rate, instant, ..Leaf::now(symbol, *component) })
+                }
+                TermNode::Partial { name, component, rate, by } => {
+                    let mut leaf = Leaf { rate: *rate, ..Leaf::now(*self.names.get(name)?, *component) };
+                    for (coordinate, of, order) in by {
+                        let coordinate = Leaf::now(*self.names.get(coordinate)?, *of);
+                        let Some(at) = self.graph.coordinate(coordinate) else {
+                            // The time.
+                            leaf.rate = leaf.rate.checked_add(*order)?;
+                            continue;
+                        };
+                        for _ in 0..*order {
+                            leaf.partials = leaf.partials.raised(at)?;
+                        }
+                    }
+                    self.graph.leaf(leaf)
                 }
                 TermNode::Apply(name, arguments) => {
                     let op = checker::operation(name, arguments.len())?;

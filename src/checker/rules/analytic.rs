@@ -23,11 +23,12 @@ use std::collections::BTreeSet;
 
 /// A fact x⁽ᵏ⁾ = r that is known at all times and needs nothing.
 fn leading(draft: &Draft, id: FactId) -> Result<(Leaf, Expr), String> {
+    draft.context.is_of_times()?;
     let fact = draft.equation(id).and_then(|_| draft.known_at(id, &When::Always))?;
     match *draft.context.graph.node(fact.says.left) {
         Node::Leaf(leaf) if leaf.instant.is_none() && fact.needs.is_empty() => match draft.context.kind(leaf) {
             SymbolKind::Moves(_) => Ok((leaf, fact.says.right)),
-            SymbolKind::Time | SymbolKind::Constant(_) | SymbolKind::Defined => {
+            SymbolKind::Time | SymbolKind::Constant(_) | SymbolKind::Coordinate | SymbolKind::Field(_) | SymbolKind::Defined => {
                 Err("no rate is on the left".to_owned())
             }
         },

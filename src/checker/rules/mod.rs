@@ -19,6 +19,7 @@ mod times;
 mod zero;
 
 use super::context::Says;
+use super::derivative::By;
 use super::draft::{Draft, Made};
 use super::fact::Because;
 use super::needs::{Needs, needs};
@@ -36,8 +37,11 @@ pub(crate) fn apply(draft: &mut Draft, step: &Step) -> Result<Option<Made>, Stri
         Step::Restrict { fact, to, because } => times::restrict(draft, *fact, to, because).map(Some),
         Step::Open { because } => times::open(draft, because).map(|()| None),
         Step::Everywhere { because } => times::everywhere(draft, because).map(|()| None),
-        Step::Rate { fact } => rate::rate(draft, *fact).map(Some),
-        Step::Zero { says, multiplier, terms, insert } => zero::zero(draft, says, multiplier, terms, insert).map(Some),
+        Step::Rate { fact } => rate::rate(draft, *fact, By::Time).map(Some),
+        Step::Partial { fact, by, component } => rate::partial(draft, *fact, by, *component).map(Some),
+        Step::Zero { says, multiplier, terms, insert, modulo } => {
+            zero::zero(draft, says, multiplier, terms, insert, modulo).map(Some)
+        }
         Step::Discharge { fact, because } => discharge::discharge(draft, *fact, because).map(Some),
         Step::Close { within, split, branches, because } => {
             case::close(draft, within, split, branches, because).map(Some)

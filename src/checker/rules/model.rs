@@ -82,6 +82,7 @@ fn is_true(context: &mut Context, says: Says) -> bool {
 }
 
 fn read(draft: &mut Draft, values: &[(String, u16, Term)], at: &str) -> Result<Motion, String> {
+    draft.context.is_of_times()?;
     let context = &mut draft.context;
     let at = context.graph.constant(rational(at)?);
     let mut motion = Motion { formulas: BTreeMap::new(), instants: BTreeMap::new(), at, local: true };

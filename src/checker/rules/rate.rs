@@ -8,17 +8,26 @@
 //! need that holds at t only is no ground; to them come the needs of the derivatives and the edges of both sides. The symbols
 //! have the rates that are written.
 //!
+//! **By a coordinate.** The same, in a neighbourhood in T, along the coordinate alone: T is open, so that it contains a segment around each point.
+//!
 //! **Traps.** At a fixed time, or at chosen times that may be single, an equation has no rate. r = √(x² + y²) has none where r = 0,
 //! though the equation rw = r holds there.
 
 use super::made;
 use crate::context::Says;
-use crate::derivative::derivative;
+use crate::derivative::{By, derivative_by};
 use crate::draft::{Draft, Made};
 use crate::needs::{Needs, around, needs, smooth};
 use crate::step::FactId;
+use expr::Leaf;
 
-pub(super) fn rate(draft: &mut Draft, id: FactId) -> Result<Made, String> {
+pub(super) fn partial(draft: &mut Draft, id: FactId, by: &str, component: u16) -> Result<Made, String> {
+    let coordinate = Leaf::now(draft.context.symbol(by)?, component);
+    let at = draft.context.graph.coordinate(coordinate).ok_or("no such coordinate")?;
+    rate(draft, id, By::Coordinate(at))
+}
+
+pub(super) fn rate(draft: &mut Draft, id: FactId, by: By) -> Result<Made, String> {
     let fact = draft.equation(id)?;
     if !draft.is_open(&fact.when) {
         return Err("an equation that is known at single times has no rate".to_owned());
@@ -28,7 +37,7 @@ pub(super) fn rate(draft: &mut Draft, id: FactId) -> Result<Made, String> {
     let mut sides = [fact.says.left, fact.says.right];
     for side in &mut sides {
         open.extend(smooth(context, *side));
-        *side = derivative(context, *side)?;
+        *side = derivative_by(context, *side, by)?;
         open.extend(needs(context, *side));
     }
     let says = Says { left: sides[0], sense: fact.says.sense, right: sides[1] };

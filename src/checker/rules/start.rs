@@ -45,6 +45,7 @@ pub(super) fn conserved(
     rate: FactId,
     because: &[FactId],
 ) -> Result<Made, String> {
+    draft.context.is_of_times()?;
     let e = draft.context.read(of)?;
     let when = draft.common(&[&[rate], because].concat())?;
     if !draft.is_whole(&when) {
@@ -80,6 +81,7 @@ pub(super) struct Linear<'a> {
 
 /// e₁ = 0.
 pub(super) fn vanishes(draft: &mut Draft, linear: &Linear) -> Result<Made, String> {
+    draft.context.is_of_times()?;
     let n = linear.of.len();
     let square = linear.matrix.len() == n && linear.matrix.iter().all(|row| row.len() == n);
     if n == 0 || !square || linear.rates.len() != n || linear.starts.len() != n {

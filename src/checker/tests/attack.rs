@@ -254,7 +254,8 @@ impl Dice<'_> {
             11 | 12 => Step::Rate { fact: self.fact() },
             13 | 14 => {
                 let terms = (0..self.below(3)).map(|_| (self.fact(), self.term())).collect();
-                Step::Zero { says: self.equation(), multiplier: self.term(), terms, insert: self.facts(2) }
+                let modulo = (0..self.below(3)).map(|_| self.fact()).collect();
+                Step::Zero { says: self.equation(), multiplier: self.term(), terms, insert: self.facts(2), modulo }
             }
             15 => Step::Discharge { fact: self.fact(), because: self.facts(2) },
             16 => {
@@ -306,6 +307,7 @@ impl Dice<'_> {
                     multiplier: factor,
                     terms: vec![(fact, Term::integer(1))],
                     insert: self.facts(1),
+                    modulo: vec![],
                 }]
             }
             // The same in two cases, on intervals or at times.

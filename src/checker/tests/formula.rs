@@ -263,10 +263,10 @@ impl Work {
 /// A step of algebra.
 pub(super) fn zero(says: &str, d: &str, terms: &[(FactId, &str)]) -> Step {
     let terms = terms.iter().map(|(id, q)| (*id, term(q))).collect();
-    Step::Zero { says: rel(says), multiplier: term(d), terms, insert: vec![] }
+    Step::Zero { says: rel(says), multiplier: term(d), terms, insert: vec![], modulo: vec![] }
 }
 
 /// An equation that is an identity when others are put in.
 pub(super) fn inserted(says: &str, insert: &[FactId]) -> Step {
-    Step::Zero { says: rel(says), multiplier: term("1"), terms: vec![], insert: insert.to_vec() }
+    Step::Zero { says: rel(says), multiplier: term("1"), terms: vec![], insert: insert.to_vec(), modulo: vec![] }
 }

@@ -3,6 +3,7 @@
 mod attack;
 mod families;
 mod formula;
+mod modulo;
 mod mutated;
 mod numbers;
 mod proofs;

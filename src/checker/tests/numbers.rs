@@ -50,6 +50,7 @@ impl Numbers {
                     match draft.context.kind(leaf) {
                         SymbolKind::Time => Some(time),
                         SymbolKind::Constant(_) => self.constants.iter().find(|c| c.0 == name).map(|c| c.1),
+                        SymbolKind::Coordinate | SymbolKind::Field(_) => None,
                         SymbolKind::Moves(_) | SymbolKind::Defined => {
                             let f = self.functions.iter().find(|f| f.0 == name)?.1;
                             f(time).get(usize::from(leaf.rate)).copied()

@@ -113,6 +113,19 @@ objects! {
         certificate: Option<String> = file_name(claim),
         /// Why there is none, where one was looked for.
         no_certificate: Option<&'a str> = of.evidence.no_certificate.as_deref(),
+        /// Whether the proof is recorded as steps; there where it was looked for.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        recorded: Option<RecordedProof<'a>> = of.recorded.as_ref().map(RecordedProof::of),
+    }
+
+    /// Whether a proof is recorded as steps that the checker replays.
+    RecordedProof<'a> of (of: &'a findings::Recorded) {
+        /// The number of steps; null where none are recorded, and the proof rests on the prover alone.
+        steps: Option<usize> = of.steps(),
+        /// The number of cases that the steps leave out.
+        leaves_out: usize = of.left_out(),
+        /// Why none are recorded.
+        why_not: Option<&'a str> = of.why_not(),
     }
 
     /// A claim that a proof is given.

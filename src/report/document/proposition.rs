@@ -1,7 +1,7 @@
 //! The answer to a proposition.
 
 use super::Tool;
-use super::claim::{AssumptionsUsed, Trials};
+use super::claim::{AssumptionsUsed, RecordedProof, Trials};
 use super::value::{Named, StepStanding, StepVerdict, objects};
 use crate::certificates::{certificate_text, is_certified};
 use findings::{Counterexample, IdentityAccount, Place, Proposition};
@@ -54,6 +54,12 @@ objects! {
             .then(|| certificate_text(&asked.formula, &asked.given, &evidence.certificates)),
         /// Why there is none, where one was looked for.
         no_certificate: Option<&'a str> = evidence.no_certificate.as_deref(),
+        /// Whether the proof is recorded as steps; there where it was looked for.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        recorded: Option<RecordedProof<'a>> = of.recorded.as_ref().map(RecordedProof::of),
+        /// The sequent and the steps, as they stand in proofs.json of a report.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        proof: Option<serde_json::Value> = of.recorded.as_ref().and_then(findings::Recorded::json),
     }
 
     /// A point at which the premises hold, and an equation does not.

@@ -54,6 +54,7 @@ fn listed(parts: impl IntoIterator<Item = Markup>) -> Markup {
 pub(super) fn certificate(claim: &ClaimAccount, identity: &IdentityAccount, scope: &Scope) -> Markup {
     html! {
         @if let Some(branch) = &identity.evidence.branch { " ± holds " (branch.to_string()) "." }
+        @if let Some(recorded) = &identity.recorded { " " (recorded.sentence()) }
         @if let Some(file) = file_name(claim) {
             " Exact, too: the certificate " a href=(file) { (file) } " can be expanded by hand."
         } @else if identity.finding.is_proved_in_part() {
@@ -74,6 +75,7 @@ pub(super) fn behind(graph: &DerivationGraph, claim: &ClaimAccount, scope: &Scop
     let inside = html! {
         @if let Some(identity) = &claim.identity { (terms(identity, scope)) }
         (rests(graph, claim, scope))
+        @if let Some(recorded) = claim.identity.as_ref().and_then(|i| i.recorded.as_ref()) { (super::super::recorded::fold(recorded, scope)) }
         (conditions(claim, scope))
         (discrimination(claim, scope))
     };

@@ -1,0 +1,306 @@
+//! Functions in a form in which equal ones look the same: by laws of the checker.
+//!
+//! **In:** what is to vanish, and the facts that are not solved. **Out:** the same, with sines and exponentials of sums taken apart, functions of functions put together, and functions of
+//! equal arguments written alike. **Guaranteed:** each change is a fact, which is put in after those that are solved.
+
+use crate::eliminate::Solved;
+use crate::fraction::fraction;
+use crate::prove::Attempt;
+use crate::vanish::Open;
+use checker::{ConstantSign, FactId, Law, Relation, Step, SymbolKind, Term};
+use expr::{Expr, Node, Op, Rational};
+use std::collections::BTreeSet;
+
+/// Most changes of one expression.
+const MOST_CHANGES: usize = 80;
+/// Largest whole multiple of an argument that is taken apart.
+const LARGEST_MULTIPLE: i64 = 12;
+
+/// A node as another: by a law of certain expressions.
+type Change = (Law, Vec<Expr>);
+
+impl Attempt<'_> {
+    /// Changes functions as far as laws do; nothing where that is too large.
+    pub(crate) fn normalise(&mut self, e: &mut Expr, rest: &mut [Open]) -> Option<()> {
+        let mut refused: BTreeSet<Expr> = BTreeSet::new();
+        for _ in 0..MOST_CHANGES {
+            let roots: Vec<Expr> = rest.iter().map(|open| open.e).chain([*e]).collect();
+            let nodes = self.search.reader.graph.reachable(roots);
+            self.search.work += nodes.len();
+            let units = self.units(&nodes);
+            let found = nodes.into_iter().filter(|node| !refused.contains(node)).find_map(|node| {
+                let (law, of) = self.change(node, &units)?;
+                Some((node, law, of))
+            });
+            let changed = match found {
+                Some((node, law, of)) => match self.by_law(node, law, &of) {
+                    Some(changed) => changed,
+                    None => {
+                        refused.insert(node);
+                        continue;
+                    }
+                },
+                None => match self.equal_functions(*e, &mut refused) {
+                    Some(changed) => changed,
+                    None => return Some(()),
+                },
+            };
+            self.search.put_in(e, changed).then_some(())?;
+            for open in rest.iter_mut() {
+                self.search.put_in(&mut open.e, changed).then_some(())?;
+            }
+        }
+        Some(())
+    }
+
+    /// The node as the right side of a law, whose left side is the node, or the same function of an argument that is equal.
+    fn by_law(&mut self, node: Expr, law: Law, of: &[Expr]) -> Option<Solved> {
+        let (fact, l, r) = self.search.law(law, of)?;
+        if l == node {
+            self.search.solved.push(fact);
+            return Some(Solved { node, value: r });
+        }
+        // f·g = r, solved for f.
+        if let Node::Binary(Op::Mul, f, g) = *self.search.reader.graph.node(l)
+            && f == node
+        {
+            let value = self.search.reader.graph.div(r, g);
+            let says = self.search.reader.equation(node, value)?;
+            let (one, before) = (self.search.reader.graph.integer(1), std::mem::take(&mut self.search.solved));
+            let found = self.search.zero(says, Some(g), &[(fact, one)], &[]);
+            self.search.solved = before;
+            self.search.solved.push(found?);
+            return Some(Solved { node, value });
+        }
+        let same = self.same_value(node, l)?;
+        let one = self.search.reader.graph.integer(1);
+        let says = self.search.reader.equation(node, r)?;
+        let before = std::mem::take(&mut self.search.solved);
+        let found = self.search.zero(says, None, &[(same, one), (fact, one)], &[]);
+        self.search.solved = before;
+        self.search.solved.push(found?);
+        Some(Solved { node, value: r })
+    }
+
+    /// f(a) = f(b), where a = b by algebra.
+    fn same_value(&mut self, node: Expr, other: Expr) -> Option<FactId> {
+        let argument = |e: Expr| match *self.search.reader.graph.node(e) {
+            Node::Unary(op, a) => Some((op, a)),
+            Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => None,
+        };
+        let ((f, a), (g, b)) = (argument(node)?, argument(other)?);
+        if f != g {
+            return None;
+        }
+        let says = self.search.reader.equation(a, b)?;
+        let before = std::mem::take(&mut self.search.solved);
+        let equal = self.search.zero(says.clone(), None, &[], &[]).or_else(|| {
+            let difference = self.search.reader.graph.sub(a, b);
+            let laws = self.laws(difference);
+            self.search.zero(says, None, &[], &laws)
+        });
+        self.search.solved = before;
+        let says = self.search.reader.equation(node, other)?;
+        self.search.push(Step::Congruence { says, from: None, equal: vec![equal?] })
+    }
+
+    /// Two functions whose arguments are equal by algebra: the later one becomes the earlier.
+    fn equal_functions(&mut self, e: Expr, refused: &mut BTreeSet<Expr>) -> Option<Solved> {
+        let graph = &self.search.reader.graph;
+        let is_function = |n: &Expr| match graph.node(*n) {
+            Node::Unary(op, _) => !matches!(op, Op::Neg | Op::Powi(_)),
+            Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => false,
+        };
+        let functions: Vec<Expr> = graph.reachable([e]).into_iter().filter(is_function).collect();
+        for (at, &later) in functions.iter().enumerate() {
+            for &earlier in &functions[..at] {
+                if refused.contains(&later) || self.search.is_spent() {
+                    break;
+                }
+                if let Some(same) = self.same_value(later, earlier) {
+                    self.search.solved.push(same);
+                    return Some(Solved { node: later, value: earlier });
+                }
+            }
+            refused.insert(later);
+        }
+        None
+    }
+
+    /// The arguments of circular functions and of exponentials, each as a number times something, by what they are numbers of; with the least common denominator of the numbers.
+    fn units(&mut self, nodes: &[Expr]) -> Vec<(Expr, Rational)> {
+        let mut out: Vec<(Expr, Rational)> = Vec::new();
+        for &node in nodes {
+            let Node::Unary(Op::Sin | Op::Cos | Op::Exp, a) = *self.search.reader.graph.node(node) else { continue };
+            let (number, unit) = self.multiple(a);
+            let denominator = Rational::from_parts(number.denominator().clone().into(), 1u8.into());
+            match out.iter_mut().find(|(known, _)| *known == unit) {
+                Some((_, common)) => {
+                    let ratio = denominator.clone() / common.clone();
+                    *common = common.clone() * Rational::from_parts(ratio.numerator().clone(), 1u8.into());
+                }
+                None => out.push((unit, denominator)),
+            }
+        }
+        out
+    }
+
+    /// An expression as a number times another one.
+    fn multiple(&self, e: Expr) -> (Rational, Expr) {
+        let graph = &self.search.reader.graph;
+        let (mut number, mut unit) = (Rational::ONE, e);
+        loop {
+            match *graph.node(unit) {
+                Node::Unary(Op::Neg, a) => (number, unit) = (-number, a),
+                Node::Binary(Op::Mul, a, b) => match (graph.as_constant(a), graph.as_constant(b)) {
+                    (Some(r), _) => (number, unit) = (number * r.clone(), b),
+                    (_, Some(r)) => (number, unit) = (number * r.clone(), a),
+                    (None, None) => return (number, unit),
+                },
+                Node::Binary(Op::Div, a, b) => match graph.as_constant(b) {
+                    Some(r) if *r != Rational::ZERO => (number, unit) = (number / r.clone(), a),
+                    _ => return (number, unit),
+                },
+                Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => {
+                    return (number, unit);
+                }
+            }
+        }
+    }
+
+    /// How a function is changed.
+    fn change(&mut self, node: Expr, units: &[(Expr, Rational)]) -> Option<Change> {
+        let Node::Unary(op, a) = *self.search.reader.graph.node(node) else { return None };
+        let inner = self.search.reader.graph.node(a).clone();
+        match op {
+            Op::Tan => Some((Law::Tangent, vec![a])),
+            Op::Sinh => Some((Law::HyperbolicSine, vec![a])),
+            Op::Cosh => Some((Law::HyperbolicCosine, vec![a])),
+            Op::Tanh => Some((Law::HyperbolicTangent, vec![a])),
+            Op::Sin => match inner {
+                Node::Unary(Op::Arcsin, u) => Some((Law::SineOfArcsine, vec![u])),
+                Node::Unary(Op::Arccos, u) => Some((Law::SineOfArccosine, vec![u])),
+                Node::Binary(Op::Arctan2, v, u) => Some((Law::SineOfAngle, vec![u, v])),
+                _ => self.of_sum(a, [Law::SineOfSum, Law::SineOfOpposite], units),
+            },
+            Op::Cos => match inner {
+                Node::Unary(Op::Arcsin, u) => Some((Law::CosineOfArcsine, vec![u])),
+                Node::Unary(Op::Arccos, u) => Some((Law::CosineOfArccosine, vec![u])),
+                Node::Binary(Op::Arctan2, v, u) => Some((Law::CosineOfAngle, vec![u, v])),
+                _ => self.of_sum(a, [Law::CosineOfSum, Law::CosineOfOpposite], units),
+            },
+            Op::Exp => match inner {
+                Node::Unary(Op::Ln, u) => Some((Law::ExponentialOfLogarithm, vec![u])),
+                _ => self.of_sum(a, [Law::ExponentialOfSum, Law::ExponentialOfOpposite], units),
+            },
+            Op::Ln => match inner {
+                Node::Unary(Op::Exp, u) => Some((Law::LogarithmOfExponential, vec![u])),
+                Node::Binary(Op::Mul, u, v) => Some((Law::LogarithmOfProduct, vec![u, v])),
+                Node::Binary(Op::Div, u, v) => Some((Law::LogarithmOfQuotient, vec![u, v])),
+                _ => None,
+            },
+            Op::Abs => self.is_positive(a).then_some((Law::AbsoluteOfPositive, vec![a])),
+            Op::Sqrt => self.root(a),
+            Op::Neg | Op::Arcsin | Op::Arccos | Op::Arctan | Op::Powi(_) => None,
+            Op::Add
+            | Op::Sub
+            | Op::Mul
+            | Op::Div
+            | Op::Pow
+            | Op::Arctan2
+            | Op::Agm
+            | Op::DirectionCosine
+            | Op::Restrict => None,
+        }
+    }
+
+    /// The function of a sum, of an opposite, or of a whole multiple of the unit of its argument.
+    fn of_sum(&mut self, a: Expr, [sum, opposite]: [Law; 2], units: &[(Expr, Rational)]) -> Option<Change> {
+        let inner = self.search.reader.graph.node(a).clone();
+        match inner {
+            Node::Binary(Op::Add, u, v) => return Some((sum, vec![u, v])),
+            Node::Binary(Op::Sub, u, v) => return Some((sum, vec![u, self.search.reader.graph.neg(v)])),
+            Node::Unary(..) | Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => {}
+        }
+        let (number, unit) = self.multiple(a);
+        let common = units.iter().find(|(known, _)| *known == unit).map_or(Rational::ONE, |(_, n)| n.clone());
+        let times = number * common.clone();
+        if !times.denominator().is_one() {
+            return None;
+        }
+        let times = i64::try_from(times.numerator()).ok().filter(|n| n.abs() <= LARGEST_MULTIPLE)?;
+        let graph = &mut self.search.reader.graph;
+        let divisor = graph.constant(common);
+        let one = if graph.as_constant(divisor) == Some(&Rational::ONE) { unit } else { graph.div(unit, divisor) };
+        match times {
+            0 | 1 => None,
+            n if n < 0 => {
+                let (factor, base) = (graph.integer(-n), one);
+                let positive = graph.mul(factor, base);
+                Some((opposite, vec![if n == -1 { one } else { positive }]))
+            }
+            n => {
+                let factor = graph.integer(n - 1);
+                let others = if n == 2 { one } else { graph.mul(factor, one) };
+                Some((sum, vec![one, others]))
+            }
+        }
+    }
+
+    /// How a root is changed: of a square, of a product or quotient with a positive factor, of a sum of fractions.
+    fn root(&mut self, a: Expr) -> Option<Change> {
+        let inner = self.search.reader.graph.node(a).clone();
+        match inner {
+            Node::Unary(Op::Powi(2), u) => return Some((Law::RootOfSquare, vec![u])),
+            Node::Unary(Op::Powi(n), u) if n > 2 && self.is_positive(u) => {
+                let (two, rest) = (self.search.reader.graph.powi(u, 2), self.search.reader.graph.powi(u, n - 2));
+                return Some((Law::RootOfProduct, vec![two, rest]));
+            }
+            Node::Binary(Op::Mul, u, v) if u == v => return Some((Law::RootOfSquare, vec![u])),
+            Node::Binary(Op::Mul, u, v) if self.is_positive(u) || self.is_positive(v) => {
+                return Some((Law::RootOfProduct, vec![u, v]));
+            }
+            Node::Binary(Op::Div, u, v) if self.is_positive(u) || self.is_positive(v) => {
+                return Some((Law::RootOfQuotient, vec![u, v]));
+            }
+            Node::Unary(..) | Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => {}
+        }
+        let quotient = fraction(&mut self.search.reader.graph, a)?;
+        if quotient.is_whole() {
+            return None;
+        }
+        let under = quotient.denominator(&mut self.search.reader.graph);
+        self.is_positive(under).then_some((Law::RootOfQuotient, vec![quotient.numerator, under]))
+    }
+
+    /// Whether an expression is positive since all in it is.
+    pub(crate) fn is_positive(&self, e: Expr) -> bool {
+        let graph = &self.search.reader.graph;
+        match *graph.node(e) {
+            Node::Constant(ref r) => **r > Rational::ZERO,
+            Node::Pi => true,
+            Node::Leaf(leaf) => {
+                let name = graph.name(leaf.symbol);
+                let declared = self.sequent.symbols.iter().find(|d| d.name == name);
+                declared.is_some_and(|d| d.kind == SymbolKind::Constant(ConstantSign::Positive))
+            }
+            Node::Binary(Op::Add | Op::Mul | Op::Div, a, b) => self.is_positive(a) && self.is_positive(b),
+            Node::Unary(Op::Powi(_) | Op::Sqrt, a) => self.is_positive(a),
+            Node::Unary(Op::Exp | Op::Cosh, _) => true,
+            Node::Unary(..) | Node::Binary(..) => false,
+        }
+    }
+
+    /// l = r, since l² = r², and neither is negative.
+    pub(crate) fn by_squares(&mut self, claim: &Relation, left: Expr, right: Expr) -> Option<FactId> {
+        let graph = &mut self.search.reader.graph;
+        let [l, r] = [left, right].map(|e| graph.powi(e, 2));
+        let goal = graph.sub(l, r);
+        let says = self.search.reader.equation(l, r)?;
+        let fact = self.algebra(&says, goal, crate::vanish::Beginning::Plain)?;
+        let found = self.search.push(Step::Injective { fact, from: self.assumptions.clone() })?;
+        let one = Term::integer(1);
+        let step = Step::Zero { says: claim.clone(), multiplier: one.clone(), terms: vec![(found, one)], insert: vec![], modulo: vec![] };
+        self.search.push(step)
+    }
+}
