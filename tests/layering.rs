@@ -18,7 +18,7 @@ pub const CRATES: &[(&str, &[&str])] = &[
     ("proof", &["expr", "meter", "number"]),
     ("derivation", &["diag", "expr", "files", "latex", "meter"]),
     ("paper", &["derivation", "diag", "files", "latex"]),
-    ("lint", &["diag", "expr", "latex", "number", "paper", "proof"]),
+    ("lint", &["diag", "expr", "latex", "meter", "number", "paper", "proof"]),
     ("units", &["derivation", "expr", "latex"]),
     ("tactics", &["checker", "claim", "derivation", "expr", "latex"]),
     ("findings", &["derivation", "expr", "number", "proof", "reason", "units", "verdict"]),

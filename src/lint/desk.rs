@@ -41,6 +41,8 @@ pub struct Given {
     pub relation: usize,
     /// Whether the rate is given.
     pub is_rate: bool,
+    /// The section in which it is.
+    pub section: usize,
 }
 
 /// A graph with the symbols of one step.
@@ -53,6 +55,8 @@ pub struct Desk {
     pub time: Option<Leaf>,
     /// What depends on it.
     pub moving: Vec<Symbol>,
+    /// Every number that is declared, by its key, and whether it is a parameter.
+    pub scalars: Vec<(String, Symbol, bool)>,
     /// Whether the imaginary unit occurs: then the names may be complex.
     pub is_complex: bool,
     /// The relations whose definitions were used.
@@ -144,6 +148,22 @@ fn variable(all: &[PaperName], evidence: &Evidence) -> Result<Option<String>, No
     }
 }
 
+/// A name by which something is derived, `\partial L/\partial\dot x`, with its dots apart.
+fn undotted(name: PaperName) -> PaperName {
+    let dots = [(r"\dot", 1), (r"\ddot", 2)];
+    let found = dots.into_iter().find_map(|(command, n)| {
+        let rest = name.base.strip_prefix(command)?;
+        (name.dots == 0 && !rest.starts_with(|c: char| c.is_ascii_alphabetic())).then_some((rest, n))
+    });
+    match found {
+        Some((rest, dots)) => {
+            let base = rest.trim().trim_start_matches('{').trim_end_matches('}').trim().to_owned();
+            PaperName { letter: base.clone(), base, dots, ..name }
+        }
+        None => name,
+    }
+}
+
 /// A name without its primes.
 fn unprimed(name: &PaperName) -> PaperName {
     PaperName { base: name.base.trim_end_matches('\'').to_owned(), primes: 0, ..name.clone() }
@@ -185,13 +205,13 @@ impl Desk {
         evidence: &Evidence,
         free: &BTreeSet<char>,
     ) -> Result<Desk, NotRead> {
-        let own: Vec<PaperName> = sides.iter().flat_map(|s| names(s)).collect();
+        let own: Vec<PaperName> = sides.iter().flat_map(|s| names(s)).map(undotted).collect();
         if let Some(found) = obstacle(sides, &own, evidence, free) {
             return Err(found);
         }
         let mut all = own;
         for one in given {
-            let more: Vec<PaperName> = [&one.left, &one.right].into_iter().flat_map(names).collect();
+            let more: Vec<PaperName> = [&one.left, &one.right].into_iter().flat_map(names).map(undotted).collect();
             if let Some(found) = obstacle(&[&one.right], &more, evidence, free) {
                 return Err(found);
             }
@@ -211,7 +231,15 @@ impl Desk {
         }
         let mut graph = Graph::new();
         let scope = Scope::new(&mut graph);
-        let mut desk = Desk { graph, scope, time: None, moving: Vec::new(), is_complex: false, used: Vec::new() };
+        let mut desk = Desk {
+            graph,
+            scope,
+            time: None,
+            moving: Vec::new(),
+            scalars: Vec::new(),
+            is_complex: false,
+            used: Vec::new(),
+        };
         let texts = || sides.iter().map(|s| s.text.as_str());
         // `i` beside no other use is the imaginary unit.
         let imaginary = all.iter().any(|n| n.key() == "i");
@@ -276,10 +304,17 @@ impl Desk {
                 Role::Parameter
             };
             let shape = name.is_bold.then(|| Shape::vector(3));
-            let declaration = Declaration { shape, ..plain(role) };
+            let declaration = Declaration { shape: shape.clone(), ..plain(role) };
             let symbol = self.scope.declare(&mut self.graph, &declared, declaration).map_err(refused)?;
             if role == Role::State {
                 self.moving.push(symbol);
+            }
+            if shape.is_none() && !is_field {
+                let varies = evidence.moving.contains(&key)
+                    || evidence.derived.contains_key(&key)
+                    || evidence.partial.contains_key(&key)
+                    || evidence.calls.get(&key).is_some_and(|c| c.keys().flatten().any(|p| is_place(p)));
+                self.scalars.push((key, symbol, role == Role::Parameter && !varies));
             }
         }
         // A definition stands behind those that it needs.

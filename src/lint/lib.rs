@@ -14,11 +14,18 @@
 #![forbid(unsafe_code)]
 
 mod desk;
+mod facts;
 mod judge;
+mod nearest;
 mod numbers;
 mod obstacle;
+mod question;
+mod sentence;
 mod shown;
+mod signs;
 mod slips;
+#[cfg(test)]
+mod tests;
 
 use std::ops::Range;
 
