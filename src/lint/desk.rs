@@ -148,6 +148,28 @@ fn variable(all: &[PaperName], evidence: &Evidence) -> Result<Option<String>, No
     }
 }
 
+/// Whether a definition has something in it that varies with the independent variable: of what has nothing, that a rate is taken shows
+/// that some name of it is not a constant, and it is not known which.
+fn varies(one: &Given, given: &[&Given], evidence: &Evidence, time: &str) -> bool {
+    let mut keys: Vec<String> = names(&one.right).into_iter().map(|n| n.key()).collect();
+    let mut at = 0;
+    while let Some(key) = keys.get(at).cloned() {
+        at += 1;
+        let moves = key == time
+            || time == "t" && evidence.moving.contains(&key)
+            || evidence.derived.get(&key).is_some_and(|by| by.contains(time))
+            || evidence.calls.get(&key).is_some_and(|c| c.contains_key(&Some(vec![time.to_owned()])));
+        let is_defined = given.iter().any(|g| g.key == key && !g.is_rate);
+        if moves && !is_defined || given.iter().any(|g| g.key == key && g.is_rate) {
+            return true;
+        }
+        let more = given.iter().filter(|g| g.key == key && !g.is_rate).flat_map(|g| names(&g.right)).map(|n| n.key());
+        let more: Vec<String> = more.filter(|k| !keys.contains(k)).collect();
+        keys.extend(more);
+    }
+    false
+}
+
 /// A name by which something is derived, `\partial L/\partial\dot x`, with its dots apart.
 fn undotted(name: PaperName) -> PaperName {
     let dots = [(r"\dot", 1), (r"\ddot", 2)];
@@ -218,6 +240,15 @@ impl Desk {
             all.extend(more);
         }
         let time = variable(&all, evidence)?;
+        if let Some(time) = &time {
+            for one in given.iter().filter(|g| !g.is_rate) {
+                let is_derived =
+                    |n: &PaperName| n.key() == one.key && (n.dots > 0 || n.derived_by.as_deref() == Some(time));
+                if all.iter().any(is_derived) && !varies(one, given, evidence, time) {
+                    return Err(NotRead::of(format!("a rate of {}, which is defined by what has none", one.key)));
+                }
+            }
+        }
         // A prime of a function of one variable is its derivative; there, `t` has primes too.
         let mut all: Vec<PaperName> = all
             .iter()

@@ -11,7 +11,7 @@ use super::facts::{Facts, PositiveName, Reach, Stated};
 use super::nearest::{WrongStep, introduces_nothing, nearest};
 use super::numbers::agreement;
 use super::question::{Asked, Positive, Rests, TOO_LONG, ask};
-use super::sentence::{Sentence, explains, is_supposed};
+use super::sentence::{Sentence, explains, is_supposed, parts};
 use super::signs::{ABOUT, COMPARES, EQUALS, is_one_of};
 use super::{Judgement, Lint, Word};
 
@@ -30,7 +30,9 @@ const MOST_EXPLAINED: usize = 8;
 pub fn lint(paper: &Paper) -> Lint {
     let evidence = Evidence::of(paper);
     let facts = Facts::default();
-    let mut judge = Judge { paper, evidence, facts, section: 0, asked: 0, exhausted: 0, display: None, earlier: None };
+    let parts = parts(paper);
+    let mut judge =
+        Judge { paper, evidence, facts, parts, section: 0, asked: 0, exhausted: 0, display: None, earlier: None };
     let judgements = (0..paper.printed.len()).map(|at| judge.relation(at)).collect();
     Lint { judgements }
 }
@@ -39,6 +41,9 @@ struct Judge<'p> {
     paper: &'p Paper,
     evidence: Evidence,
     facts: Facts,
+    /// The part of each relation in which its names mean the same.
+    parts: Vec<usize>,
+    /// The part that is looked at.
     section: usize,
     asked: usize,
     /// Questions that took too much work.
@@ -106,7 +111,7 @@ struct Place<'a> {
 impl Judge<'_> {
     fn relation(&mut self, at: usize) -> Judgement {
         let relation = &self.paper.printed[at];
-        self.section = relation.section;
+        self.section = self.parts[at];
         let mut out = Judgement {
             relation: at,
             word: Word::NotRead,
@@ -195,7 +200,7 @@ impl Judge<'_> {
             let all = names(larger);
             let lone = lone_name(larger).into_iter().map(|n| n.key()).collect::<Vec<_>>();
             let keys = if larger.is_list { all.iter().map(|n| n.key()).collect() } else { lone };
-            let section = relation.section;
+            let section = self.parts[at];
             self.facts.positive.extend(keys.into_iter().map(|key| PositiveName { key, relation: at, section }));
         }
     }
@@ -208,7 +213,7 @@ impl Judge<'_> {
             keys.extend(names(right).iter().map(|n| n.key()));
             let is_value = names(right).is_empty() && lone_name(left).is_some();
             if !is_value && !left.is_list && !right.is_list {
-                let (left, right, section) = (left.clone(), right.clone(), relation.section);
+                let (left, right, section) = (left.clone(), right.clone(), self.parts[at]);
                 self.facts.stated.push(Stated { left, right, relation: at, section, names: keys });
             }
         }
@@ -408,7 +413,7 @@ impl Judge<'_> {
             right: right.clone(),
             relation: at,
             is_rate,
-            section: relation.section,
+            section: self.parts[at],
         };
         self.facts.given.push(given);
     }

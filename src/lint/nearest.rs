@@ -79,7 +79,7 @@ pub fn nearest(
     if chain.sides.iter().map(size).max()? < FEWEST_NODES || chain.sides.iter().any(|s| size(s) < 3) {
         return None;
     }
-    if takes_in(&asked, &rests.given) {
+    if takes_in(&asked, &rests.given) || is_evaluated(&chain) || is_reordered(&chain) {
         return None;
     }
     let mut all = Vec::new();
@@ -187,6 +187,40 @@ impl Search<'_> {
         }
         None
     }
+}
+
+/// Whether the later side is a number: it may be the value for values that words give.
+fn is_evaluated(chain: &Chain) -> bool {
+    let mut all = [Vec::new(), Vec::new()];
+    chain.sides.iter().zip(&mut all).for_each(|(s, out)| symbols(s, out));
+    all[1].is_empty() && !all[0].is_empty()
+}
+
+/// Whether both sides are products of the same names in another order: their order may count.
+fn is_reordered(chain: &Chain) -> bool {
+    let sequence = |side: &Node| {
+        let mut out = Vec::new();
+        sequence_of(side, &mut out);
+        out
+    };
+    let [a, b] = chain.sides.as_slice() else { return false };
+    let is_product = |n: &Node| match &n.kind {
+        NodeKind::Sum(terms) => terms.len() == 1,
+        _ => true,
+    };
+    let (first, second) = (sequence(a), sequence(b));
+    let mut sorted = (first.clone(), second.clone());
+    sorted.0.sort();
+    sorted.1.sort();
+    is_product(a) && is_product(b) && first.len() > 1 && first != second && sorted.0 == sorted.1
+}
+
+/// The names of a side in their order.
+fn sequence_of(side: &Node, out: &mut Vec<String>) {
+    if let NodeKind::Symbol(s) = &side.kind {
+        out.push(format!("{}{:?}", s.name, s.sub));
+    }
+    side.children().into_iter().for_each(|c| sequence_of(c, out));
 }
 
 /// A side as LaTeX.

@@ -107,11 +107,9 @@ pub fn ask(
         Ended::Defect(what) => NotRead { feature: "a defect of this program".to_owned(), why: Some(what) },
         _ => NotRead::of(TOO_LONG),
     })?;
-    // Equations that nothing satisfies imply everything.
+    // What nothing satisfies implies everything, and what has no real value is equal to anything.
     let identity = match identity {
-        Identity::Proved(proof) if !rests.stated.is_empty() && proof.example.is_none() => {
-            Identity::Undecided(proof::Reason::Degenerate)
-        }
+        Identity::Proved(proof) if proof.example.is_none() => Identity::Undecided(proof::Reason::NoValue),
         other => other,
     };
     Ok(Asked { desk, premises, equations, identity, text: read.text })

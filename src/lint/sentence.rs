@@ -199,6 +199,19 @@ const SUPPOSES: &[&str] = &[
     "only",
     "like",
     "e.g.",
+    "choose",
+    "choosing",
+    "suppose",
+    "supposing",
+    "assume",
+    "assuming",
+    "take",
+    "taking",
+    "setting",
+    "putting",
+    "consider",
+    "pick",
+    "say",
 ];
 
 /// Whether a formula of the running text says when something holds, and not what a name stands for.
@@ -208,6 +221,69 @@ pub fn is_supposed(paper: &Paper, relation: &PrintedRelation) -> bool {
     let words = before.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, '$' | '(' | '\\' | '~'));
     let last = words.rsplit(|c: char| c.is_whitespace() || c == '~' || c == '(').next().unwrap_or("");
     SUPPOSES.contains(&last)
+}
+
+/// Environments whose names are their own.
+const OWN_NAMES: &[&str] = &[
+    "example",
+    "examples",
+    "exercise",
+    "exercises",
+    "problem",
+    "question",
+    "theorem",
+    "lemma",
+    "proposition",
+    "corollary",
+    "remark",
+    "definition",
+    "ex",
+    "exer",
+    "thm",
+    "prob",
+    "task",
+    "myexample",
+    "exbox",
+];
+/// Environments that go on from the one before.
+const GOES_ON: &[&str] = &["solution", "proof", "answer", "sol", "soln"];
+
+/// For each printed relation the number of the part in which its names mean the same: its section, or an example or a theorem with its
+/// solution or proof.
+pub fn parts(paper: &Paper) -> Vec<usize> {
+    let mut out = Vec::with_capacity(paper.printed.len());
+    // The borders of the file that is looked at.
+    let mut known: Option<(std::sync::Arc<diag::Source>, Vec<usize>)> = None;
+    for relation in &paper.printed {
+        let (file, span) = paper.locate(&relation.span());
+        if known.as_ref().is_none_or(|(f, _)| !std::sync::Arc::ptr_eq(f, file)) {
+            known = Some((file.clone(), borders(&file.text)));
+        }
+        let passed = known.as_ref().map_or(0, |(_, b)| b.partition_point(|at| *at <= span.start));
+        out.push(relation.section * BORDERS + passed);
+    }
+    out
+}
+
+/// More borders than that are not told apart.
+const BORDERS: usize = 1 << 24;
+
+/// Where environments with names of their own begin and end.
+fn borders(text: &str) -> Vec<usize> {
+    let mut out = Vec::new();
+    for (at, command) in text.match_indices(r"\begin{").chain(text.match_indices(r"\end{")) {
+        let name = text[at + command.len()..].split('}').next().unwrap_or("").trim_end_matches('*').to_lowercase();
+        let own = OWN_NAMES.contains(&name.as_str());
+        let ends = command == r"\end{" && (own || GOES_ON.contains(&name.as_str()));
+        // A solution goes on from its example.
+        let after = text[at + command.len()..].split_once('}').map_or("", |(_, rest)| rest.trim_start());
+        let next = after.strip_prefix(r"\begin{").and_then(|r| r.split('}').next()).unwrap_or("").to_lowercase();
+        if command == r"\begin{" && own || ends && !GOES_ON.contains(&next.as_str()) {
+            out.push(at);
+        }
+    }
+    out.sort_unstable();
+    out
 }
 
 fn window(text: &str, from: usize, to: usize) -> &str {
