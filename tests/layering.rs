@@ -112,7 +112,10 @@ pub const CRATES: &[(&str, &[&str])] = &[
             "weight",
         ],
     ),
-    ("report", &["checker", "derivation", "diag", "expr", "findings", "latex", "paper", "reason", "units", "verdict"]),
+    (
+        "report",
+        &["checker", "derivation", "diag", "expr", "findings", "latex", "lint", "paper", "reason", "units", "verdict"],
+    ),
 ];
 
 /// Files of `src/` that belong to no room.

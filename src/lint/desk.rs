@@ -187,7 +187,7 @@ fn undotted(name: PaperName) -> PaperName {
 }
 
 /// A name without its primes.
-fn unprimed(name: &PaperName) -> PaperName {
+pub fn unprimed(name: &PaperName) -> PaperName {
     PaperName { base: name.base.trim_end_matches('\'').to_owned(), primes: 0, ..name.clone() }
 }
 

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use paper::{PrintedSide, names};
 
-use super::desk::Given;
+use super::desk::{Given, unprimed};
 
 /// Definitions that a step may need.
 const MOST_GIVEN: usize = 14;
@@ -30,6 +30,8 @@ pub struct Stated {
     pub section: usize,
     /// The keys of its names.
     pub names: BTreeSet<String>,
+    /// Whether it stands in the running text: it proves, and refutes nothing.
+    pub in_text: bool,
 }
 
 /// What is known of the sign of a name.
@@ -83,7 +85,10 @@ pub struct Facts {
 impl Facts {
     /// The definitions that some sides need: of their names, and of the names of these; and their rates, where these are wanted.
     pub fn definitions(&self, sides: &[&PrintedSide], reach: Reach, rates: bool) -> Vec<Given> {
-        let mut wanted: Vec<String> = sides.iter().flat_map(|s| names(s)).map(|n| n.key()).collect();
+        // What has a prime may be a derivative.
+        let own = sides.iter().flat_map(|s| names(s));
+        let mut wanted: Vec<String> = own.flat_map(|n| [n.key(), unprimed(&n).key()]).collect();
+        wanted.dedup();
         let mut found: BTreeMap<usize, Given> = BTreeMap::new();
         let mut at = 0;
         while let Some(key) = wanted.get(at).cloned() {

@@ -6,7 +6,7 @@ use std::ops::Range;
 use paper::{Evidence, Paper, PrintedRelation, PrintedSide, names};
 use proof::Identity;
 
-use super::desk::{Desk, Given, NotRead, lone_name};
+use super::desk::{Desk, Given, NotRead, lone_name, unprimed};
 use super::facts::{Facts, PositiveName, Reach, Stated};
 use super::nearest::{WrongStep, introduces_nothing, nearest};
 use super::numbers::agreement;
@@ -35,6 +35,16 @@ pub fn lint(paper: &Paper) -> Lint {
         Judge { paper, evidence, facts, parts, section: 0, asked: 0, exhausted: 0, display: None, earlier: None };
     let judgements = (0..paper.printed.len()).map(|at| judge.relation(at)).collect();
     Lint { judgements }
+}
+
+/// For each printed relation the scope in which its sides can be typeset; `None` where they are not read.
+pub fn scopes(paper: &Paper) -> Vec<Option<latex::Scope>> {
+    let evidence = Evidence::of(paper);
+    let scope = |relation: &PrintedRelation| {
+        let sides: Vec<&PrintedSide> = relation.sides.iter().filter(|s| s.text.len() <= LONGEST).collect();
+        Desk::new(&sides, &[], &evidence, &free_indices(relation)).ok().map(|desk| desk.scope)
+    };
+    paper.printed.iter().map(scope).collect()
 }
 
 struct Judge<'p> {
@@ -119,6 +129,7 @@ impl Judge<'_> {
             why: String::new(),
             witness: None,
             instead: None,
+            picture: None,
             with: Vec::new(),
             steps: (0, 0),
         };
@@ -155,7 +166,8 @@ impl Judge<'_> {
         } else if out.word != Word::Wrong && relation.signs.iter().any(|s| is(COMPARES, s)) {
             out.word = Word::Condition;
         }
-        if out.word != Word::Wrong && relation.display.is_some() && !sentence.loosens {
+        let inline = relation.display.is_none();
+        if out.word != Word::Wrong && !sentence.loosens && !(inline && is_supposed(self.paper, relation)) {
             self.state(relation, at, &open);
         }
         self.define(relation, at);
@@ -181,7 +193,7 @@ impl Judge<'_> {
         let paper = self.paper;
         let behind = paper.printed.iter().enumerate().skip(at + 1).take(MOST_EXPLAINED);
         for (k, other) in behind.skip_while(|(_, r)| r.display == relation.display) {
-            if other.display.is_some() || !explains(paper, relation, other) {
+            if other.display.is_some() || self.parts[k] != self.parts[at] || !explains(paper, relation, other) {
                 break;
             }
             self.define(other, k);
@@ -214,7 +226,8 @@ impl Judge<'_> {
             let is_value = names(right).is_empty() && lone_name(left).is_some();
             if !is_value && !left.is_list && !right.is_list {
                 let (left, right, section) = (left.clone(), right.clone(), self.parts[at]);
-                self.facts.stated.push(Stated { left, right, relation: at, section, names: keys });
+                let in_text = relation.display.is_none();
+                self.facts.stated.push(Stated { left, right, relation: at, section, names: keys, in_text });
             }
         }
     }
@@ -243,7 +256,7 @@ impl Judge<'_> {
             if defining {
                 // Whether it can be read is all that there is to say of it.
                 tally.defines = true;
-                let rate = first.as_ref().is_some_and(|n| n.dots > 0 || n.derived_by.is_some());
+                let rate = self.is_rate(first.as_ref());
                 match self.readable(left, right, &free) {
                     Err(found) => tally.unread = Some(found),
                     Ok(()) if !rate && !(concludes && !inline) => continue,
@@ -255,8 +268,7 @@ impl Judge<'_> {
             }
             out.steps.1 += 1;
             let told = !inline && !sentence.loosens && (!defining || self.has_rates());
-            let is_rate = first.as_ref().is_some_and(|n| n.dots > 0 || n.derived_by.is_some());
-            let solves = defining && !is_rate;
+            let solves = defining && !self.is_rate(first.as_ref());
             let alone = relation.sides.len() == 2 && (first.is_none() || defining);
             let reach = if alone { Reach::Near(at) } else { Reach::Paper };
             let place = Place { at, free: &free, named: named.clone(), told, reach, solves };
@@ -277,6 +289,7 @@ impl Judge<'_> {
                     out.why = "a point refutes it, and one slip away it holds".to_owned();
                     out.witness = Some(wrong.witness);
                     out.instead = Some(wrong.instead);
+                    out.picture = wrong.picture;
                     out.with = wrong.with;
                     return Vec::new();
                 }
@@ -294,6 +307,11 @@ impl Judge<'_> {
                 Step::Open(_) => out.steps.1 -= 1,
                 Step::NotRead(found) => tally.unread = Some(found),
             }
+        }
+        // The second rate of a name is an equation of motion.
+        let is_second = first.as_ref().is_some_and(|n| n.dots > 1 || n.primes > 1);
+        if tally.defines && is_second && tally.unread.is_none() && open.is_empty() {
+            open.push(1);
         }
         self.conclude(relation, at, tally, out);
         open
@@ -373,6 +391,15 @@ impl Judge<'_> {
         if out.word == Word::Defines && !is_rate && (value || lone_name(&relation.sides[1]).is_some()) {
             out.word = Word::Condition;
         }
+    }
+
+    /// Whether a name is a derivative: with a dot, in a quotient, or with a prime behind what is defined.
+    fn is_rate(&self, name: Option<&paper::PaperName>) -> bool {
+        name.is_some_and(|n| {
+            n.dots > 0
+                || n.derived_by.is_some()
+                || n.primes > 0 && self.facts.given.iter().any(|g| g.key == unprimed(n).key())
+        })
     }
 
     fn has_rates(&self) -> bool {
@@ -489,7 +516,10 @@ impl Judge<'_> {
         if self.exhausted > MOST_EXHAUSTED {
             return out;
         }
-        let stated = self.facts.equations(sides, &plain, place.at, self.section, &place.named);
+        let mut stated = self.facts.equations(sides, &plain, place.at, self.section, &place.named);
+        if matches!(reach, Reach::Here { .. }) {
+            stated.retain(|s| !s.in_text);
+        }
         // Definitions of what only the equations name, too.
         let with_definitions = |stated: Vec<Stated>| {
             let mut all: Vec<&PrintedSide> = sides.to_vec();

@@ -32,8 +32,8 @@ use std::ops::Range;
 use paper::Paper;
 
 pub use desk::NotRead;
-pub use judge::lint;
-pub use shown::{diagnostic, explained, lint_text};
+pub use judge::{lint, scopes};
+pub use shown::{at_a_point, diagnostic, explained, lint_text, summary};
 
 /// What is said of a printed relation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -99,6 +99,8 @@ pub struct Judgement {
     pub witness: Option<LintWitness>,
     /// Of a wrong step: the side as it should be.
     pub instead: Option<String>,
+    /// Of a wrong step: both sides along one name.
+    pub picture: Option<LintPicture>,
     /// The relations that it follows from, or that define its name otherwise.
     pub with: Vec<usize>,
     /// How many of its steps are proved, and how many it has.
@@ -114,6 +116,15 @@ pub struct LintWitness {
     pub left: f64,
     /// The later side.
     pub right: f64,
+}
+
+/// Two sides along one name, all others being as in the witness.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LintPicture {
+    /// The name, in LaTeX.
+    pub name: String,
+    /// Its values, in their order, with both sides where they have a value.
+    pub points: Vec<(f64, Option<f64>, Option<f64>)>,
 }
 
 /// What was found of a paper.

@@ -12,12 +12,12 @@ use proof::{Identity, Point, Refutation, Wanted};
 
 use expr::{Graph, Leaf};
 
-use super::LintWitness;
 use super::desk::{Given, pairs_of};
 use super::facts::squeezed;
-use super::numbers::{absorbs, agreement, holds_at, ratio};
+use super::numbers::{absorbs, agreement, curves, holds_at, ratio};
 use super::question::{Asked, Rests, tested};
 use super::slips::{Alteration, Slip, size, slips, symbols};
+use super::{LintPicture, LintWitness};
 
 /// Slips that are tried of one side.
 const MOST_SLIPS: usize = 260;
@@ -55,6 +55,8 @@ pub struct WrongStep {
     pub witness: LintWitness,
     /// The later side as it should be, or the whole relation.
     pub instead: String,
+    /// Both sides along a name.
+    pub picture: Option<LintPicture>,
     /// The relations that it contradicts.
     pub with: Vec<usize>,
 }
@@ -72,6 +74,7 @@ pub fn nearest(
         return None;
     }
     let witness = witness(&asked.desk.graph, refutation);
+    let picture = drawn(&asked, &refutation.point);
     let points: Vec<Point> =
         std::iter::once(&refutation.point).chain(refutation.second.as_ref().map(|s| &s.0)).cloned().collect();
     let mut chains = latex::parse(&asked.text, &asked.desk.scope).ok()?;
@@ -101,7 +104,7 @@ pub fn nearest(
     let instead = instead.or_else(|| search.scaled())?;
     let mut with: Vec<usize> = rests.given.iter().map(|g| g.relation).collect();
     with.extend(rests.stated.iter().map(|s| s.relation));
-    Some(WrongStep { witness, instead, with })
+    Some(WrongStep { witness, instead, picture, with })
 }
 
 struct Search<'a> {
@@ -187,6 +190,19 @@ impl Search<'_> {
         }
         None
     }
+}
+
+/// Both sides along the first name in which they differ, where nothing else is fixed by it.
+fn drawn(asked: &Asked, point: &Point) -> Option<LintPicture> {
+    let [equation] = asked.equations.as_slice() else { return None };
+    if !asked.premises.equations.is_empty() {
+        return None;
+    }
+    let at: Vec<(Leaf, f64)> = point.values.iter().map(|(leaf, v)| (*leaf, v.decimal)).collect();
+    at.iter().find_map(|(leaf, _)| {
+        let points = curves(&asked.desk.graph, *equation, &at, *leaf)?;
+        Some(LintPicture { name: asked.desk.graph.leaf_latex(*leaf), points })
+    })
 }
 
 /// Whether the later side is a number: it may be the value for values that words give.

@@ -136,3 +136,34 @@ pub fn ratio(graph: &Graph, equation: (Expr, Expr)) -> Option<f64> {
     }
     found.filter(|_| points >= 3 && !leaves.is_empty())
 }
+
+/// Points of a picture.
+const DRAWN: i32 = 60;
+
+/// Both sides along one name, the others being as they are at a point; `None` where they are the same all along, or a side has no values.
+pub fn curves(
+    graph: &Graph,
+    equation: (Expr, Expr),
+    point: &[(Leaf, f64)],
+    along: Leaf,
+) -> Option<Vec<(f64, Option<f64>, Option<f64>)>> {
+    let roots = [equation.0, equation.1];
+    let leaves = graph.leaves_within(roots);
+    let at = leaves.iter().position(|l| *l == along)?;
+    let fixed: Vec<f64> =
+        leaves.iter().map(|l| point.iter().find(|(p, _)| p == l).map(|(_, v)| *v)).collect::<Option<_>>()?;
+    let tape = Tape::compile(graph, &leaves, &roots).ok()?;
+    let mut slots = tape.slots::<f64>(&());
+    let width = 2.0 * fixed[at].abs().max(1.0);
+    let mut value = |x: f64| {
+        let inputs: Vec<Result<f64, number::NoValue>> =
+            fixed.iter().enumerate().map(|(k, v)| Ok(if k == at { x } else { *v })).collect();
+        let mut out = tape.evaluate(&(), &inputs, &mut slots).into_iter().map(|v| v.ok().filter(|v| v.is_finite()));
+        (x, out.next().flatten(), out.next().flatten())
+    };
+    let points: Vec<_> =
+        (0..=DRAWN).map(|k| value(fixed[at] + width * f64::from(2 * k - DRAWN) / f64::from(2 * DRAWN))).collect();
+    let both = points.iter().filter_map(|(_, l, r)| Some((*l)? - (*r)?));
+    let differ = both.clone().filter(|d| d.abs() > 1e-9).count();
+    (differ > 10).then_some(points)
+}

@@ -168,13 +168,18 @@ pub fn explains(paper: &Paper, display: &PrintedRelation, relation: &PrintedRela
     let words = between.to_lowercase();
     // Up to the first word: the end of the display, and signs.
     let text = words.replace(r"\end{", " \\").replace(r"\]", " ").replace("$$", " ");
-    let first = text.split(|c: char| c.is_whitespace() || matches!(c, ',' | '.' | '}' | '{' | '~' | '*'));
+    let stops = text.trim_start().starts_with('.');
+    if text.trim_start().trim_start_matches('.').contains(". ") {
+        return false;
+    }
+    let all = text.split(|c: char| c.is_whitespace() || matches!(c, ',' | '.' | '}' | '{' | '~' | '*'));
     let ends = ["equation", "align", "gather", "multline", "eqnarray", "displaymath", "split", "aligned", "nonumber"];
-    let mut plain = first.filter(|w| {
+    let mut plain = all.filter(|w| {
         let bare = w.trim_start_matches('\\');
         !bare.is_empty() && !ends.contains(&bare) && !w.starts_with('\\')
     });
-    plain.next().is_some_and(|w| WHERE.contains(&w)) && !last_sentence(&words).contains(" if ")
+    // Behind a full stop "With" begins another thought.
+    plain.next().is_some_and(|w| WHERE.contains(&w) && !(stops && w == "with")) && !words.contains(" if ")
 }
 
 /// Words right before a formula of the running text that make it a case, not a definition: "at $x=a$".

@@ -211,6 +211,14 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
                 Some(n) => Some(n - 1),
             };
             out.push(node(NodeKind::Function(name.clone(), other, arguments.clone()), of));
+            if let [one] = arguments.as_slice() {
+                let with = |argument| node(NodeKind::Function(name.clone(), *power, vec![argument]), of);
+                out.extend([scaled(one, 2), halved(one), negated(one)].map(with));
+            }
+        }
+        NodeKind::Exponential { exponent, upright } => {
+            let with = |e| node(NodeKind::Exponential { exponent: Box::new(e), upright: *upright }, of);
+            out.extend([scaled(exponent, 2), halved(exponent), negated(exponent)].map(with));
         }
         NodeKind::Root(inner, 2) => out.push(node(NodeKind::Group(inner.clone(), Bracket::Round), of)),
         NodeKind::Symbol(s) => {
