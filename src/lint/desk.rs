@@ -10,7 +10,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::obstacle::{is_place, obstacle};
 use expr::{Expr, Graph, Leaf, Shape, Symbol};
 use latex::{Declaration, Role, Scope, Statement};
-use paper::{Call, Evidence, PaperName, PrintedSide, names};
+use paper::{Call, Evidence, Paper, PaperName, PrintedSide, names};
+
+use super::facts::squeezed;
+
+/// Longest side, in bytes, that is looked at for evidence.
+const LONGEST_SIDE: usize = 20_000;
 
 /// Why a formula was not read: the feature that is not understood, and a sentence.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -148,6 +153,55 @@ fn variable(all: &[PaperName], evidence: &Evidence) -> Result<Option<String>, No
     }
 }
 
+/// Takes the derivative from what only stands inside of one, `\frac{d}{dt}\left(\frac12m\dot x^2\right)`: a name of which the paper prints no
+/// rate is a constant there, where another one varies.
+fn constants_apart(all: &mut [PaperName], evidence: &Evidence, by: &str) {
+    let varies = |n: &PaperName| {
+        n.dots > 0
+            || by != "t" && evidence.derived.get(&n.key()).is_some_and(|v| v.contains(by))
+            || by == "t" && evidence.moving.contains(&n.key())
+            || evidence.calls.get(&n.key()).is_some_and(|c| c.contains_key(&Some(vec![by.to_owned()])))
+            || n.key() == by
+    };
+    if all.iter().any(|n| n.key() != by && varies(n)) {
+        let inside = |n: &&mut PaperName| n.derived_by.as_deref() == Some(by) && !n.is_partial && !varies(n);
+        all.iter_mut().filter(inside).for_each(|n| n.derived_by = None);
+    }
+}
+
+/// The evidence of a paper for rates: names with a dot, and those right behind the `d` of a derivative. What stands in parentheses behind
+/// `d/dt` may be constant.
+pub fn evidence_of(paper: &Paper) -> Evidence {
+    let mut evidence = Evidence::of(paper);
+    let mut dotted: BTreeSet<String> = BTreeSet::new();
+    let mut direct: BTreeSet<(String, String)> = BTreeSet::new();
+    for side in paper.printed.iter().flat_map(|r| &r.sides).filter(|s| s.text.len() <= LONGEST_SIDE) {
+        let text = bare(&squeezed(&side.text));
+        for name in names(side) {
+            let key = name.key();
+            if name.dots > 0 {
+                dotted.insert(key.clone());
+            }
+            if let (Some(by), false) = (&name.derived_by, name.is_partial) {
+                let (k, v) = (bare(&squeezed(&key)), squeezed(by));
+                let printed = [
+                    format!("fracd{k}d{v}"),
+                    format!("fracd2{k}d{v}"),
+                    format!("fracdd{v}{k}"),
+                    format!(r"\dv{k}{v}"),
+                    format!("d{k}/d{v}"),
+                ];
+                if printed.iter().any(|p| text.contains(p)) {
+                    direct.insert((key, by.clone()));
+                }
+            }
+        }
+    }
+    let is_direct = |key: &String, by: &str| direct.contains(&(key.clone(), by.to_owned()));
+    evidence.moving.retain(|key| dotted.contains(key) || is_direct(key, "t"));
+    evidence
+}
+
 /// Whether a definition has something in it that varies with the independent variable: of what has nothing, that a rate is taken shows
 /// that some name of it is not a constant, and it is not known which.
 fn varies(one: &Given, given: &[&Given], evidence: &Evidence, time: &str) -> bool {
@@ -240,6 +294,9 @@ impl Desk {
             all.extend(more);
         }
         let time = variable(&all, evidence)?;
+        if let Some(time) = &time {
+            constants_apart(&mut all, evidence, time);
+        }
         if let Some(time) = &time {
             for one in given.iter().filter(|g| !g.is_rate) {
                 let is_derived =
@@ -383,7 +440,7 @@ impl Desk {
         let moves = time.is_some_and(|t| {
             all.iter().filter(here).any(|n| n.dots > 0 || n.derived_by.as_deref() == Some(t) && !n.is_partial)
                 || t == "t" && evidence.moving.contains(key)
-                || evidence.derived.get(key).is_some_and(|by| by.contains(t))
+                || t != "t" && evidence.derived.get(key).is_some_and(|by| by.contains(t))
                 || evidence.calls.get(key).is_some_and(|c| c.contains_key(&Some(vec![t.to_owned()])))
         });
         let places: BTreeSet<&Vec<String>> = all

@@ -6,7 +6,7 @@ use std::ops::Range;
 use paper::{Evidence, Paper, PrintedRelation, PrintedSide, names};
 use proof::Identity;
 
-use super::desk::{Desk, Given, NotRead, lone_name, unprimed};
+use super::desk::{Desk, Given, NotRead, evidence_of, lone_name, unprimed};
 use super::facts::{Facts, PositiveName, Reach, Stated};
 use super::nearest::{WrongStep, introduces_nothing, nearest};
 use super::numbers::agreement;
@@ -28,7 +28,7 @@ const MOST_EXPLAINED: usize = 8;
 
 /// The words on every relation that a paper prints.
 pub fn lint(paper: &Paper) -> Lint {
-    let evidence = Evidence::of(paper);
+    let evidence = evidence_of(paper);
     let facts = Facts::default();
     let parts = parts(paper);
     let mut judge =
@@ -37,14 +37,29 @@ pub fn lint(paper: &Paper) -> Lint {
     Lint { judgements }
 }
 
-/// For each printed relation the scope in which its sides can be typeset; `None` where they are not read.
-pub fn scopes(paper: &Paper) -> Vec<Option<latex::Scope>> {
-    let evidence = Evidence::of(paper);
-    let scope = |relation: &PrintedRelation| {
+/// How a printed relation can be typeset.
+pub struct Typeset {
+    /// The scope in which its sides are read.
+    pub scope: latex::Scope,
+    /// The sides, with a sign of multiplication where a bracket behind a name could be a call.
+    pub sides: Vec<String>,
+}
+
+/// For each printed relation how it can be typeset; `None` where its names are not read.
+pub fn typesetting(paper: &Paper) -> Vec<Option<Typeset>> {
+    let evidence = evidence_of(paper);
+    let is_factor = |letter: &str| !evidence.may_be_function(letter);
+    let one = |relation: &PrintedRelation| {
         let sides: Vec<&PrintedSide> = relation.sides.iter().filter(|s| s.text.len() <= LONGEST).collect();
-        Desk::new(&sides, &[], &evidence, &free_indices(relation)).ok().map(|desk| desk.scope)
+        let scope = Desk::new(&sides, &[], &evidence, &free_indices(relation)).ok()?.scope;
+        let text = |s: &PrintedSide| match latex::parse(&s.text, &scope) {
+            Ok(_) => s.text.clone(),
+            Err(_) => s.with_factors(&is_factor),
+        };
+        let sides = relation.sides.iter().map(text).collect();
+        Some(Typeset { scope, sides })
     };
-    paper.printed.iter().map(scope).collect()
+    paper.printed.iter().map(one).collect()
 }
 
 struct Judge<'p> {

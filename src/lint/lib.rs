@@ -32,8 +32,8 @@ use std::ops::Range;
 use paper::Paper;
 
 pub use desk::NotRead;
-pub use judge::{lint, scopes};
-pub use shown::{at_a_point, diagnostic, explained, lint_text, summary};
+pub use judge::{Typeset, lint, typesetting};
+pub use shown::{at_a_point, decimal, diagnostic, explained, lint_text, summary};
 
 /// What is said of a printed relation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -10,7 +10,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use paper::{Paper, PrintedRelation};
 
 use super::mathml;
-use lint::{Judgement, Lint, LintPicture, Word};
+use lint::{Judgement, Lint, LintPicture, Typeset, Word};
 
 const STYLE: &str = include_str!("lint_page.css");
 
@@ -43,7 +43,7 @@ const SIGNS: &[(&str, &str)] = &[
 /// The page.
 pub fn lint_page(paper: &Paper, found: &Lint) -> String {
     let title = paper.title.clone().unwrap_or_else(|| paper.file.path.clone());
-    let scopes = lint::scopes(paper);
+    let typeset = lint::typesetting(paper);
     let wrong: Vec<&Judgement> = found.judgements.iter().filter(|j| j.word == Word::Wrong).collect();
     let page = html! {
         (DOCTYPE)
@@ -80,7 +80,7 @@ pub fn lint_page(paper: &Paper, found: &Lint) -> String {
                 }
                 main {
                     h2 { "Formulas" }
-                    (displays(paper, found, &scopes))
+                    (displays(paper, found, &typeset))
                     @if !paper.notes.is_empty() {
                         h2 { "Notes" }
                         ul { @for note in &paper.notes { li { "line " (paper.line(&note.span)) ": " (note.message) } } }
@@ -93,7 +93,7 @@ pub fn lint_page(paper: &Paper, found: &Lint) -> String {
 }
 
 /// The formulas, those of a display together.
-fn displays(paper: &Paper, found: &Lint, scopes: &[Option<Scope>]) -> Markup {
+fn displays(paper: &Paper, found: &Lint, typeset: &[Option<Typeset>]) -> Markup {
     let told = found.judgements.iter().filter(|j| {
         let inline = paper.printed.get(j.relation).is_some_and(|r| r.display.is_none());
         !inline || matches!(j.word, Word::Wrong | Word::Defines | Word::Follows | Word::Numbers)
@@ -108,14 +108,14 @@ fn displays(paper: &Paper, found: &Lint, scopes: &[Option<Scope>]) -> Markup {
     }
     html! {
         @for (_, group) in &groups {
-            div.display { @for judgement in group { (one(paper, judgement, scopes)) } }
+            div.display { @for judgement in group { (one(paper, judgement, typeset)) } }
         }
     }
 }
 
-fn one(paper: &Paper, judgement: &Judgement, scopes: &[Option<Scope>]) -> Markup {
+fn one(paper: &Paper, judgement: &Judgement, typeset: &[Option<Typeset>]) -> Markup {
     let Some(relation) = paper.printed.get(judgement.relation) else { return html! {} };
-    let scope = scopes.get(judgement.relation).and_then(Option::as_ref);
+    let how = typeset.get(judgement.relation).and_then(Option::as_ref);
     let class = match judgement.word {
         Word::Wrong => "relation wrong",
         Word::Follows | Word::Numbers => "relation follows",
@@ -130,16 +130,18 @@ fn one(paper: &Paper, judgement: &Judgement, scopes: &[Option<Scope>]) -> Markup
                 @if !why.is_empty() { " – " (why) }
             }
             div.formula tabindex="0" role="group" aria-label=(format!("formula of line {}", lint::line(paper, judgement))) {
-                (typeset(relation, scope))
+                (sides(relation, how))
             }
-            @if judgement.word == Word::Wrong { (wrong(relation, judgement, scope)) }
+            @if judgement.word == Word::Wrong { (wrong(relation, judgement, how)) }
         }
     }
 }
 
 /// The side that is wrong, what holds in its place, a point, a picture.
-fn wrong(relation: &PrintedRelation, judgement: &Judgement, scope: Option<&Scope>) -> Markup {
-    let printed = relation.sides.iter().find(|s| s.span == judgement.span).map_or("", |s| s.text.as_str());
+fn wrong(relation: &PrintedRelation, judgement: &Judgement, how: Option<&Typeset>) -> Markup {
+    let scope = how.map(|h| &h.scope);
+    let at = relation.sides.iter().position(|s| s.span == judgement.span);
+    let printed = at.map_or("", |k| text_of(relation, how, k));
     html! {
         div.sides {
             div { h3 { "As printed" } div.formula tabindex="0" role="group" aria-label="as printed" { (formula(printed, scope)) } }
@@ -148,26 +150,34 @@ fn wrong(relation: &PrintedRelation, judgement: &Judgement, scope: Option<&Scope
             }
         }
         @if let Some(witness) = &judgement.witness {
-            p { (capital(&lint::at_a_point(witness))) "." }
+            p {
+                "For "
+                @for (k, (name, value)) in witness.values.iter().take(8).enumerate() {
+                    @if k > 0 { ", " }
+                    (formula(name, scope)) " = " (value)
+                }
+                " it says " (lint::decimal(witness.left)) " = " (lint::decimal(witness.right)) "."
+            }
         }
         @if let Some(picture) = &judgement.picture { (drawing(picture)) }
     }
 }
 
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |c| c.to_uppercase().chain(letters).collect())
-}
-
 /// All sides of a relation, with the signs between them.
-fn typeset(relation: &PrintedRelation, scope: Option<&Scope>) -> Markup {
+fn sides(relation: &PrintedRelation, how: Option<&Typeset>) -> Markup {
     html! {
-        @for (k, side) in relation.sides.iter().enumerate() {
+        @for k in 0..relation.sides.len() {
             @if let Some(sign) = k.checked_sub(1).and_then(|k| relation.signs.get(k)) { " " (character(sign)) " " }
-            (formula(&side.text, scope))
+            (formula(text_of(relation, how, k), how.map(|h| &h.scope)))
         }
         @if let Some(label) = &relation.label { span.quiet { "  (" (label) ")" } }
     }
+}
+
+/// A side as it can be read.
+fn text_of<'a>(relation: &'a PrintedRelation, how: Option<&'a Typeset>, k: usize) -> &'a str {
+    let printed = relation.sides.get(k).map_or("", |s| s.text.as_str());
+    how.and_then(|h| h.sides.get(k)).map_or(printed, String::as_str)
 }
 
 fn character(sign: &str) -> &str {
