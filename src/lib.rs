@@ -100,7 +100,7 @@
 //! | [`weight`] | what the evidence is worth | boxes, claim, findings, proved, sampled, and what these use |
 //! | [`check`] | the methods in their order, and what is known from before | all above |
 //! | [`paper`] | the paper's LaTeX source beside the derivation file | diag, derivation, files, latex |
-//! | [`lint`] | what follows, and what is wrong, of what a paper prints | diag, expr, latex, number, paper, proof |
+//! | [`lint`] | what follows, and what is wrong, of what a paper prints | diag, expr, latex, meter, number, paper, proof |
 //! | [`report`] | verdicts → text, JSON, Markdown, HTML, LaTeX; no arithmetic | diag, expr, latex, derivation, findings, paper, reason |
 //!
 //! `ARCHITECTURE.md` has the map in full; `tests/layering.rs` keeps these rules.

@@ -18,7 +18,7 @@ pub const CRATES: &[(&str, &[&str])] = &[
     ("proof", &["expr", "meter", "number"]),
     ("derivation", &["diag", "expr", "files", "latex", "meter"]),
     ("paper", &["derivation", "diag", "files", "latex"]),
-    ("lint", &["diag", "expr", "latex", "number", "paper", "proof"]),
+    ("lint", &["diag", "expr", "latex", "meter", "number", "paper", "proof"]),
     ("units", &["derivation", "expr", "latex"]),
     ("tactics", &["checker", "claim", "derivation", "expr", "latex"]),
     ("findings", &["checker", "derivation", "expr", "number", "proof", "reason", "units", "verdict"]),
@@ -112,7 +112,10 @@ pub const CRATES: &[(&str, &[&str])] = &[
             "weight",
         ],
     ),
-    ("report", &["checker", "derivation", "diag", "expr", "findings", "latex", "paper", "reason", "units", "verdict"]),
+    (
+        "report",
+        &["checker", "derivation", "diag", "expr", "findings", "latex", "lint", "paper", "reason", "units", "verdict"],
+    ),
 ];
 
 /// Files of `src/` that belong to no room.

@@ -8,6 +8,7 @@ use rederive::paper;
 use rederive::{Ask, Demand, Detail, Document, Ending, Failure, Format, Run, report};
 
 use super::arguments::{LimitArguments, RigorArgument, number};
+use super::config::Config;
 use super::ending::{Stop, answer, complain, concluded, defect};
 use super::outputs::Targets;
 use super::records::RecordArguments;
@@ -85,6 +86,16 @@ impl CheckArguments {
             rigor: self.rigor.rigor,
             only_verdicts: self.only_verdicts,
             limits: self.limits.begun(),
+        }
+    }
+
+    /// Takes what the command line does not say from the configuration.
+    pub fn configure(&mut self, config: &Config, paths: bool, rigor: bool) {
+        if paths && !config.files.is_empty() {
+            self.paths.clone_from(&config.files);
+        }
+        if let (true, Some(named)) = (rigor, config.rigor) {
+            self.rigor.rigor = named;
         }
     }
 

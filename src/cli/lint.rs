@@ -1,15 +1,18 @@
 //! `rederive lint`.
 
+use std::io::Read;
 use std::path::PathBuf;
 
 use clap::ArgAction;
+use rederive::diag::Source;
 use rederive::lint::{self, Judgement, Lint, Word};
 use rederive::paper::{self, Paper};
-use rederive::report::{Finding, Level, Place, github, sarif};
+use rederive::report::{self, Finding, Level, Place, github, sarif};
 use rederive::{Ending, Failure, Format, files};
 
 use super::arguments::printed_as;
-use super::ending::{Stop, print, say};
+use super::config::Config;
+use super::ending::{Stop, print, say, say_problems};
 
 pub const AFTER_HELP: &str = r"Every relation that the paper prints gets one word:
   follows        proved, from what stands before it or outright
@@ -30,25 +33,111 @@ pub const AFTER_HELP: &str = r"Every relation that the paper prints gets one wor
 
 #[derive(clap::Args)]
 pub struct LintArguments {
-    /// The LaTeX source of a paper, or a Markdown file with formulas between dollars
+    /// The LaTeX source of a paper, or a Markdown file with formulas between dollars; `-` is standard input. Without one, the
+    /// `sources` of `rederive.toml`
     #[arg(value_name = "PAPER.TEX")]
-    paper: PathBuf,
+    papers: Vec<PathBuf>,
+    /// Write a page with every formula, the wrong ones beside the right ones
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
+    /// Look through it again whenever it is saved
+    #[arg(long, conflicts_with = "html")]
+    watch: bool,
+    /// With --watch, stop after so many times
+    #[arg(long, value_name = "N", requires = "watch")]
+    checks: Option<usize>,
     /// What is printed
     #[arg(long, action = ArgAction::Set, value_parser = printed_as(&[Format::Text, Format::Json, Format::Sarif, Format::Github]), default_value = "text")]
     format: Format,
 }
 
 pub fn lint(arguments: &LintArguments) -> Result<Ending, Stop> {
-    let path = files::named(&arguments.paper)?;
-    let paper = paper::read(&path).map_err(Failure::from)?;
-    let found = lint::lint(&paper);
-    match arguments.format {
-        Format::Json => print(&json(&paper, &found))?,
-        Format::Sarif => print(&sarif(&findings(&paper, &found)))?,
-        Format::Github => print(&github(&findings(&paper, &found)))?,
-        _ => say(&lint::lint_text(&paper, &found))?,
+    let papers = match arguments.papers.as_slice() {
+        [] => Config::find()?.sources,
+        named => named.to_vec(),
+    };
+    if papers.is_empty() {
+        return Err("no paper is named, and no `rederive.toml` here or above has `sources = [\"paper.tex\"]`".into());
     }
-    Ok(if found.count(Word::Wrong) > 0 { Ending::Different } else { Ending::Good })
+    if arguments.watch {
+        return watch(arguments, &papers);
+    }
+    if arguments.html.is_some() && papers.len() > 1 {
+        return Err("--html writes the page of one paper: name one".into());
+    }
+    once(arguments, &papers)
+}
+
+/// Looks through papers, and says what was found.
+fn once(arguments: &LintArguments, papers: &[PathBuf]) -> Result<Ending, Stop> {
+    let mut all = Vec::new();
+    for path in papers {
+        let paper = read(path)?;
+        let found = lint::lint(&paper);
+        all.push((paper, found));
+    }
+    if let Some(page) = &arguments.html {
+        files::write::check_outputs(std::slice::from_ref(page), papers, &[])?;
+        for (paper, found) in &all {
+            files::write::write_file(page, report::lint_page(paper, found).as_bytes())?;
+        }
+    }
+    let told = || all.iter().flat_map(|(paper, found)| findings(paper, found)).collect::<Vec<_>>();
+    match arguments.format {
+        Format::Json => print(&json(&all))?,
+        Format::Sarif => print(&sarif(&told()))?,
+        Format::Github => print(&github(&told()))?,
+        _ => {
+            for (k, (paper, found)) in all.iter().enumerate() {
+                if all.len() > 1 {
+                    let space = if k > 0 { "\n" } else { "" };
+                    say(&format!("{space}{}\n", rederive::diag::escape::in_one_line(&paper.file.path)))?;
+                }
+                say(&lint::lint_text(paper, found))?;
+            }
+        }
+    }
+    let wrong = all.iter().any(|(_, found)| found.count(Word::Wrong) > 0);
+    Ok(if wrong { Ending::Different } else { Ending::Good })
+}
+
+/// Looks through a paper whenever it is saved.
+fn watch(arguments: &LintArguments, papers: &[PathBuf]) -> Result<Ending, Stop> {
+    let [paper] = papers else { return Err("--watch looks at one paper: name one".into()) };
+    if paper.as_os_str() == "-" {
+        return Err("--watch looks at a file, and standard input is none".into());
+    }
+    let path = files::named(paper)?;
+    let times = arguments.checks.map_or(usize::MAX, |n| n.max(1));
+    for () in files::changes(&path, paper::LARGEST_PAPER).take(times) {
+        match once(arguments, papers) {
+            Ok(_) => {}
+            // What cannot be read now may be read when it is saved again.
+            Err(stop) => match stop.downcast::<Failure>() {
+                Ok(failure) => match *failure {
+                    Failure::Problems(found) => say_problems(found),
+                    other => return Err(other.into()),
+                },
+                Err(stop) => return Err(stop),
+            },
+        }
+    }
+    Ok(Ending::Good)
+}
+
+/// A paper: a file, or standard input.
+fn read(path: &std::path::Path) -> Result<Paper, Stop> {
+    if path.as_os_str() != "-" {
+        return Ok(paper::read(&files::named(path)?).map_err(Failure::from)?);
+    }
+    let mut bytes = Vec::new();
+    std::io::stdin().lock().take(paper::LARGEST_PAPER + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > paper::LARGEST_PAPER {
+        return Err("standard input is too large for a paper".into());
+    }
+    let text = String::from_utf8(bytes).map_err(|_| "standard input is not UTF-8")?;
+    let source = Source { path: "-".to_owned(), text };
+    Ok(paper::parse(source, String::new()).map_err(Failure::from)?)
 }
 
 /// Whether a command line names a paper where a command is expected.
@@ -79,8 +168,18 @@ fn finding(paper: &Paper, judgement: &Judgement) -> Option<Finding> {
     Some(Finding { rule, level, message, place: Place::new(source, span), related: Vec::new(), identity })
 }
 
+/// The document of a paper; of several a list of them.
+fn json(all: &[(Paper, Lint)]) -> String {
+    let documents: Vec<serde_json::Value> = all.iter().map(|(paper, found)| document(paper, found)).collect();
+    let text = match documents.as_slice() {
+        [one] => serde_json::to_string_pretty(one),
+        several => serde_json::to_string_pretty(several),
+    };
+    rederive::diag::escape::in_json(&text.unwrap_or_default()) + "\n"
+}
+
 /// One object for each relation, in the order of the paper.
-fn json(paper: &Paper, found: &Lint) -> String {
+fn document(paper: &Paper, found: &Lint) -> serde_json::Value {
     let one = |j: &Judgement| {
         let relation = &paper.printed[j.relation];
         let (line, column) = paper.line_and_column(&j.span);
@@ -112,8 +211,5 @@ fn json(paper: &Paper, found: &Lint) -> String {
     let notes: Vec<serde_json::Value> =
         paper.notes.iter().map(|n| serde_json::json!({ "line": paper.line(&n.span), "message": n.message })).collect();
     let relations: Vec<serde_json::Value> = found.judgements.iter().map(one).collect();
-    let document =
-        serde_json::json!({ "paper": paper.file.path, "words": counts, "notes": notes, "relations": relations });
-    let text = serde_json::to_string_pretty(&document).unwrap_or_default();
-    rederive::diag::escape::in_json(&text) + "\n"
+    serde_json::json!({ "paper": paper.file.path, "words": counts, "notes": notes, "relations": relations })
 }

@@ -7,6 +7,7 @@ mod arguments;
 mod audit;
 mod check;
 mod completions;
+mod config;
 mod diff;
 mod ending;
 mod explain;
@@ -28,7 +29,8 @@ mod search;
 mod sweep;
 mod watch;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::parser::ValueSource;
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use ending::{EXIT_CODES, Stop, complain, guarded};
 use rederive::Ending;
 
@@ -93,7 +95,11 @@ pub fn run(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
     if line.get(1).is_some_and(|word| lint::is_paper(word)) {
         line.insert(1, "lint".into());
     }
-    let arguments = match Arguments::try_parse_from(line) {
+    let parsed = Arguments::command().try_get_matches_from(line).and_then(|matches| {
+        let arguments = Arguments::from_arg_matches(&matches)?;
+        Ok((arguments, matches))
+    });
+    let (mut arguments, matches) = match parsed {
         Ok(arguments) => arguments,
         Err(error) => {
             // Help and version come here too, with exit code 0. If they cannot be printed, nobody reads them.
@@ -101,6 +107,17 @@ pub fn run(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
             return if error.use_stderr() { Ending::BadInput.code() } else { Ending::Good.code() };
         }
     };
+    // What the command line does not say, the configuration does.
+    if let (Command::Check(check), Some(("check", given))) = (&mut arguments.command, matches.subcommand()) {
+        let is_default = |id: &str| given.value_source(id) == Some(ValueSource::DefaultValue);
+        let configured = guarded(|| {
+            check.configure(&config::Config::find()?, is_default("paths"), is_default("rigor"));
+            Ok(Ending::Good)
+        });
+        if configured != Ending::Good {
+            return configured.code();
+        }
+    }
     with_threads(&arguments, || guarded(|| command(&arguments))).code()
 }
 

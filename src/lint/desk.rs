@@ -10,7 +10,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::obstacle::{is_place, obstacle};
 use expr::{Expr, Graph, Leaf, Shape, Symbol};
 use latex::{Declaration, Role, Scope, Statement};
-use paper::{Call, Evidence, PaperName, PrintedSide, names};
+use paper::{Call, Evidence, Paper, PaperName, PrintedSide, names};
+
+use super::facts::squeezed;
+
+/// Longest side, in bytes, that is looked at for evidence.
+const LONGEST_SIDE: usize = 20_000;
 
 /// Why a formula was not read: the feature that is not understood, and a sentence.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -41,6 +46,8 @@ pub struct Given {
     pub relation: usize,
     /// Whether the rate is given.
     pub is_rate: bool,
+    /// The section in which it is.
+    pub section: usize,
 }
 
 /// A graph with the symbols of one step.
@@ -53,6 +60,8 @@ pub struct Desk {
     pub time: Option<Leaf>,
     /// What depends on it.
     pub moving: Vec<Symbol>,
+    /// Every number that is declared, by its key, and whether it is a parameter.
+    pub scalars: Vec<(String, Symbol, bool)>,
     /// Whether the imaginary unit occurs: then the names may be complex.
     pub is_complex: bool,
     /// The relations whose definitions were used.
@@ -144,8 +153,95 @@ fn variable(all: &[PaperName], evidence: &Evidence) -> Result<Option<String>, No
     }
 }
 
+/// Takes the derivative from what only stands inside of one, `\frac{d}{dt}\left(\frac12m\dot x^2\right)`: a name of which the paper prints no
+/// rate is a constant there, where another one varies.
+fn constants_apart(all: &mut [PaperName], evidence: &Evidence, by: &str) {
+    let varies = |n: &PaperName| {
+        n.dots > 0
+            || by != "t" && evidence.derived.get(&n.key()).is_some_and(|v| v.contains(by))
+            || by == "t" && evidence.moving.contains(&n.key())
+            || evidence.calls.get(&n.key()).is_some_and(|c| c.contains_key(&Some(vec![by.to_owned()])))
+            || n.key() == by
+    };
+    if all.iter().any(|n| n.key() != by && varies(n)) {
+        let inside = |n: &&mut PaperName| n.derived_by.as_deref() == Some(by) && !n.is_partial && !varies(n);
+        all.iter_mut().filter(inside).for_each(|n| n.derived_by = None);
+    }
+}
+
+/// The evidence of a paper for rates: names with a dot, and those right behind the `d` of a derivative. What stands in parentheses behind
+/// `d/dt` may be constant.
+pub fn evidence_of(paper: &Paper) -> Evidence {
+    let mut evidence = Evidence::of(paper);
+    let mut dotted: BTreeSet<String> = BTreeSet::new();
+    let mut direct: BTreeSet<(String, String)> = BTreeSet::new();
+    for side in paper.printed.iter().flat_map(|r| &r.sides).filter(|s| s.text.len() <= LONGEST_SIDE) {
+        let text = bare(&squeezed(&side.text));
+        for name in names(side) {
+            let key = name.key();
+            if name.dots > 0 {
+                dotted.insert(key.clone());
+            }
+            if let (Some(by), false) = (&name.derived_by, name.is_partial) {
+                let (k, v) = (bare(&squeezed(&key)), squeezed(by));
+                let printed = [
+                    format!("fracd{k}d{v}"),
+                    format!("fracd2{k}d{v}"),
+                    format!("fracdd{v}{k}"),
+                    format!(r"\dv{k}{v}"),
+                    format!("d{k}/d{v}"),
+                ];
+                if printed.iter().any(|p| text.contains(p)) {
+                    direct.insert((key, by.clone()));
+                }
+            }
+        }
+    }
+    let is_direct = |key: &String, by: &str| direct.contains(&(key.clone(), by.to_owned()));
+    evidence.moving.retain(|key| dotted.contains(key) || is_direct(key, "t"));
+    evidence
+}
+
+/// Whether a definition has something in it that varies with the independent variable: of what has nothing, that a rate is taken shows
+/// that some name of it is not a constant, and it is not known which.
+fn varies(one: &Given, given: &[&Given], evidence: &Evidence, time: &str) -> bool {
+    let mut keys: Vec<String> = names(&one.right).into_iter().map(|n| n.key()).collect();
+    let mut at = 0;
+    while let Some(key) = keys.get(at).cloned() {
+        at += 1;
+        let moves = key == time
+            || time == "t" && evidence.moving.contains(&key)
+            || evidence.derived.get(&key).is_some_and(|by| by.contains(time))
+            || evidence.calls.get(&key).is_some_and(|c| c.contains_key(&Some(vec![time.to_owned()])));
+        let is_defined = given.iter().any(|g| g.key == key && !g.is_rate);
+        if moves && !is_defined || given.iter().any(|g| g.key == key && g.is_rate) {
+            return true;
+        }
+        let more = given.iter().filter(|g| g.key == key && !g.is_rate).flat_map(|g| names(&g.right)).map(|n| n.key());
+        let more: Vec<String> = more.filter(|k| !keys.contains(k)).collect();
+        keys.extend(more);
+    }
+    false
+}
+
+/// A name by which something is derived, `\partial L/\partial\dot x`, with its dots apart.
+fn undotted(name: PaperName) -> PaperName {
+    let dots = [(r"\dot", 1), (r"\ddot", 2)];
+    let found = dots.into_iter().find_map(|(command, n)| {
+        let rest = name.base.strip_prefix(command)?;
+        (name.dots == 0 && !rest.starts_with(|c: char| c.is_ascii_alphabetic())).then_some((rest, n))
+    });
+    match found {
+        Some((rest, dots)) => {
+            let base = rest.trim().trim_start_matches('{').trim_end_matches('}').trim().to_owned();
+            PaperName { letter: base.clone(), base, dots, ..name }
+        }
+        None => name,
+    }
+}
+
 /// A name without its primes.
-fn unprimed(name: &PaperName) -> PaperName {
+pub fn unprimed(name: &PaperName) -> PaperName {
     PaperName { base: name.base.trim_end_matches('\'').to_owned(), primes: 0, ..name.clone() }
 }
 
@@ -185,19 +281,31 @@ impl Desk {
         evidence: &Evidence,
         free: &BTreeSet<char>,
     ) -> Result<Desk, NotRead> {
-        let own: Vec<PaperName> = sides.iter().flat_map(|s| names(s)).collect();
+        let own: Vec<PaperName> = sides.iter().flat_map(|s| names(s)).map(undotted).collect();
         if let Some(found) = obstacle(sides, &own, evidence, free) {
             return Err(found);
         }
         let mut all = own;
         for one in given {
-            let more: Vec<PaperName> = [&one.left, &one.right].into_iter().flat_map(names).collect();
+            let more: Vec<PaperName> = [&one.left, &one.right].into_iter().flat_map(names).map(undotted).collect();
             if let Some(found) = obstacle(&[&one.right], &more, evidence, free) {
                 return Err(found);
             }
             all.extend(more);
         }
         let time = variable(&all, evidence)?;
+        if let Some(time) = &time {
+            constants_apart(&mut all, evidence, time);
+        }
+        if let Some(time) = &time {
+            for one in given.iter().filter(|g| !g.is_rate) {
+                let is_derived =
+                    |n: &PaperName| n.key() == one.key && (n.dots > 0 || n.derived_by.as_deref() == Some(time));
+                if all.iter().any(is_derived) && !varies(one, given, evidence, time) {
+                    return Err(NotRead::of(format!("a rate of {}, which is defined by what has none", one.key)));
+                }
+            }
+        }
         // A prime of a function of one variable is its derivative; there, `t` has primes too.
         let mut all: Vec<PaperName> = all
             .iter()
@@ -211,7 +319,15 @@ impl Desk {
         }
         let mut graph = Graph::new();
         let scope = Scope::new(&mut graph);
-        let mut desk = Desk { graph, scope, time: None, moving: Vec::new(), is_complex: false, used: Vec::new() };
+        let mut desk = Desk {
+            graph,
+            scope,
+            time: None,
+            moving: Vec::new(),
+            scalars: Vec::new(),
+            is_complex: false,
+            used: Vec::new(),
+        };
         let texts = || sides.iter().map(|s| s.text.as_str());
         // `i` beside no other use is the imaginary unit.
         let imaginary = all.iter().any(|n| n.key() == "i");
@@ -276,10 +392,17 @@ impl Desk {
                 Role::Parameter
             };
             let shape = name.is_bold.then(|| Shape::vector(3));
-            let declaration = Declaration { shape, ..plain(role) };
+            let declaration = Declaration { shape: shape.clone(), ..plain(role) };
             let symbol = self.scope.declare(&mut self.graph, &declared, declaration).map_err(refused)?;
             if role == Role::State {
                 self.moving.push(symbol);
+            }
+            if shape.is_none() && !is_field {
+                let varies = evidence.moving.contains(&key)
+                    || evidence.derived.contains_key(&key)
+                    || evidence.partial.contains_key(&key)
+                    || evidence.calls.get(&key).is_some_and(|c| c.keys().flatten().any(|p| is_place(p)));
+                self.scalars.push((key, symbol, role == Role::Parameter && !varies));
             }
         }
         // A definition stands behind those that it needs.
@@ -317,7 +440,7 @@ impl Desk {
         let moves = time.is_some_and(|t| {
             all.iter().filter(here).any(|n| n.dots > 0 || n.derived_by.as_deref() == Some(t) && !n.is_partial)
                 || t == "t" && evidence.moving.contains(key)
-                || evidence.derived.get(key).is_some_and(|by| by.contains(t))
+                || t != "t" && evidence.derived.get(key).is_some_and(|by| by.contains(t))
                 || evidence.calls.get(key).is_some_and(|c| c.contains_key(&Some(vec![t.to_owned()])))
         });
         let places: BTreeSet<&Vec<String>> = all

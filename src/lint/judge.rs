@@ -1,101 +1,88 @@
 //! The words: relation by relation, in the order of the paper.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
+use std::ops::Range;
 
-use expr::{Expr, Graph};
-use latex::syntax::{Chain, NodeKind, RelationKind, to_latex};
 use paper::{Evidence, Paper, PrintedRelation, PrintedSide, names};
-use proof::{Condition, Identity, Known, Options, Premises, Refutation, Wanted, When, identity_test};
+use proof::Identity;
 
-use super::desk::{Desk, Given, NotRead, lone_name, pairs_of};
+use super::desk::{Desk, Given, NotRead, evidence_of, lone_name, unprimed};
+use super::facts::{Facts, PositiveName, Reach, Stated};
+use super::nearest::{WrongStep, introduces_nothing, nearest};
 use super::numbers::agreement;
-use super::slips::{Slip, size, slips, symbols};
-use super::{Judgement, Lint, LintWitness, Word};
+use super::question::{Asked, Positive, Rests, TOO_LONG, ask};
+use super::sentence::{Sentence, explains, is_supposed, parts};
+use super::signs::{ABOUT, COMPARES, EQUALS, is_one_of};
+use super::{Judgement, Lint, Word};
 
 /// Questions that may be asked of one paper: what is beyond is *not followed*.
 const MOST_QUESTIONS: usize = 60_000;
-/// Slips that are tried of one side.
-const MOST_SLIPS: usize = 260;
 /// Longest side, in bytes, that is looked at.
 const LONGEST: usize = 1500;
-/// Definitions that a step may need.
-const MOST_GIVEN: usize = 14;
-/// Relations since a definition, beyond which it may be another one that is meant: it refutes nothing then.
-const NEAR: usize = 25;
 /// Random points at which a step that is not proved is tried.
 const POINTS: usize = 40;
-/// Fewest nodes of a side whose slip is told.
-const FEWEST_NODES: usize = 5;
-
-/// Signs that say that two sides are equal.
-const EQUALS: &[&str] = &["=", r"\equiv", ":=", "=:", r"\coloneqq", r"\triangleq", r"\doteq", "≡"];
-/// Signs that say that they are about equal.
-const ABOUT: &[&str] = &[
-    r"\approx",
-    r"\sim",
-    r"\simeq",
-    r"\propto",
-    r"\cong",
-    r"\asymp",
-    r"\approxeq",
-    r"\eqsim",
-    "≈",
-    "∼",
-    "∝",
-    r"\ll",
-    r"\gg",
-    "≪",
-    "≫",
-    r"\lesssim",
-    r"\gtrsim",
-    r"\thickapprox",
-    r"\thicksim",
-];
-/// Signs that compare.
-const COMPARES: &[&str] = &[
-    "<",
-    ">",
-    r"\le",
-    r"\leq",
-    r"\ge",
-    r"\geq",
-    r"\ne",
-    r"\neq",
-    r"\lt",
-    r"\gt",
-    r"\leqslant",
-    r"\geqslant",
-    r"\in",
-    r"\notin",
-    "≤",
-    "≥",
-    "≠",
-    r"\not=",
-    r"\subset",
-    r"\subseteq",
-];
+/// Steps that may take too much work before equations that the paper states are left alone.
+const MOST_EXHAUSTED: usize = 4;
+/// Relations behind a display that may explain its names.
+const MOST_EXPLAINED: usize = 8;
 
 /// The words on every relation that a paper prints.
 pub fn lint(paper: &Paper) -> Lint {
-    let evidence = Evidence::of(paper);
-    let mut judge = Judge { paper, evidence, given: Vec::new(), section: 0, asked: 0 };
+    let evidence = evidence_of(paper);
+    let facts = Facts::default();
+    let parts = parts(paper);
+    let mut judge =
+        Judge { paper, evidence, facts, parts, section: 0, asked: 0, exhausted: 0, display: None, earlier: None };
     let judgements = (0..paper.printed.len()).map(|at| judge.relation(at)).collect();
     Lint { judgements }
+}
+
+/// How a printed relation can be typeset.
+pub struct Typeset {
+    /// The scope in which its sides are read.
+    pub scope: latex::Scope,
+    /// The sides, with a sign of multiplication where a bracket behind a name could be a call.
+    pub sides: Vec<String>,
+}
+
+/// For each printed relation how it can be typeset; `None` where its names are not read.
+pub fn typesetting(paper: &Paper) -> Vec<Option<Typeset>> {
+    let evidence = evidence_of(paper);
+    let is_factor = |letter: &str| !evidence.may_be_function(letter);
+    let one = |relation: &PrintedRelation| {
+        let sides: Vec<&PrintedSide> = relation.sides.iter().filter(|s| s.text.len() <= LONGEST).collect();
+        let scope = Desk::new(&sides, &[], &evidence, &free_indices(relation)).ok()?.scope;
+        let text = |s: &PrintedSide| match latex::parse(&s.text, &scope) {
+            Ok(_) => s.text.clone(),
+            Err(_) => s.with_factors(&is_factor),
+        };
+        let sides = relation.sides.iter().map(text).collect();
+        Some(Typeset { scope, sides })
+    };
+    paper.printed.iter().map(one).collect()
 }
 
 struct Judge<'p> {
     paper: &'p Paper,
     evidence: Evidence,
-    /// What is defined in this section so far, the latest last.
-    given: Vec<Given>,
+    facts: Facts,
+    /// The part of each relation in which its names mean the same.
+    parts: Vec<usize>,
+    /// The part that is looked at.
     section: usize,
     asked: usize,
+    /// Questions that took too much work.
+    exhausted: usize,
+    /// The display that is looked at, and what the words around it say.
+    display: Option<(usize, Sentence)>,
+    /// The place of the last relation of a display.
+    earlier: Option<Range<usize>>,
 }
 
 /// What became of a step.
 enum Step {
-    /// Proved, with these relations.
-    Follows(Vec<usize>),
+    /// Proved.
+    Follows(Support),
     /// Not proved, and true at random points.
     Numbers,
     /// Refuted, and one slip away from what holds.
@@ -103,6 +90,14 @@ enum Step {
     /// Nothing decides it; the names that have no definition.
     Open(Vec<String>),
     NotRead(NotRead),
+}
+
+/// What a proof rests on.
+struct Support {
+    /// Relations.
+    with: Vec<usize>,
+    /// Whether all that does not depend on time was taken to be positive.
+    of_positive: bool,
 }
 
 /// What became of the steps of a relation.
@@ -116,25 +111,32 @@ struct Tally {
     follows: usize,
     /// Steps that hold in numbers.
     numbers: usize,
+    /// Whether a proof is one for positive names.
+    of_positive: bool,
     /// Whether a name is defined.
     defines: bool,
     /// The relation that defined it before.
     anew: Option<usize>,
 }
 
-struct WrongStep {
-    witness: LintWitness,
-    instead: String,
-    with: Vec<usize>,
+/// Where a step stands.
+struct Place<'a> {
+    at: usize,
+    free: &'a BTreeSet<char>,
+    /// The equations that its sentence names.
+    named: Vec<usize>,
+    /// Whether *wrong* may be said.
+    told: bool,
+    /// How far back a proof may reach.
+    reach: Reach,
+    /// The value of a name is found: its sign is part of what is said.
+    solves: bool,
 }
 
 impl Judge<'_> {
     fn relation(&mut self, at: usize) -> Judgement {
         let relation = &self.paper.printed[at];
-        if relation.section != self.section {
-            self.section = relation.section;
-            self.given.clear();
-        }
+        self.section = self.parts[at];
         let mut out = Judgement {
             relation: at,
             word: Word::NotRead,
@@ -142,6 +144,7 @@ impl Judge<'_> {
             why: String::new(),
             witness: None,
             instead: None,
+            picture: None,
             with: Vec::new(),
             steps: (0, 0),
         };
@@ -149,13 +152,14 @@ impl Judge<'_> {
             out.why = "a formula that relates nothing".to_owned();
             return out;
         }
-        let is = |list: &[&str], sign: &String| list.contains(&sign.as_str());
+        let is = |list: &[&str], sign: &String| is_one_of(list, sign);
         if let Some(sign) = relation.signs.iter().find(|s| !is(EQUALS, s) && !is(ABOUT, s) && !is(COMPARES, s)) {
             out.why = format!("the sign `{}`", diag::escape::in_one_line(sign));
             return out;
         }
         if relation.signs.iter().all(|s| is(COMPARES, s)) || relation.is_condition {
             out.word = Word::Condition;
+            self.note_signs(relation, at);
             return out;
         }
         if relation.sides.iter().any(|s| s.text.len() > LONGEST) {
@@ -167,50 +171,128 @@ impl Judge<'_> {
             out.why = "more formulas than are looked at in one paper".to_owned();
             return out;
         }
-        self.steps(relation, at, &mut out);
+        let sentence = self.sentence(relation);
+        let before = self.facts.given.len();
+        self.explain(relation, at);
+        let open = self.steps(relation, at, &sentence, &mut out);
+        self.facts.given.truncate(before);
         if out.word != Word::Wrong && relation.signs.iter().any(|s| is(ABOUT, s)) {
             out.word = Word::Approximates;
         } else if out.word != Word::Wrong && relation.signs.iter().any(|s| is(COMPARES, s)) {
             out.word = Word::Condition;
         }
+        let inline = relation.display.is_none();
+        if out.word != Word::Wrong && !sentence.loosens && !(inline && is_supposed(self.paper, relation)) {
+            self.state(relation, at, &open);
+        }
         self.define(relation, at);
         out
     }
 
-    /// Decides the steps of a relation from side to side.
-    fn steps(&mut self, relation: &PrintedRelation, at: usize, out: &mut Judgement) {
+    /// What the words around the display of a relation say; a formula of the running text has none.
+    fn sentence(&mut self, relation: &PrintedRelation) -> Sentence {
+        let Some(display) = relation.display else { return Sentence::default() };
+        if self.display.as_ref().is_none_or(|(known, _)| *known != display) {
+            let found = Sentence::of(self.paper, &relation.span(), self.earlier.as_ref());
+            self.display = Some((display, found));
+        }
+        self.earlier = Some(relation.span());
+        self.display.as_ref().map(|(_, s)| s.clone()).unwrap_or_default()
+    }
+
+    /// Takes the definitions that a "where" behind a display gives of its names.
+    fn explain(&mut self, relation: &PrintedRelation, at: usize) {
+        if relation.display.is_none() {
+            return;
+        }
+        let paper = self.paper;
+        let behind = paper.printed.iter().enumerate().skip(at + 1).take(MOST_EXPLAINED);
+        for (k, other) in behind.skip_while(|(_, r)| r.display == relation.display) {
+            if other.display.is_some() || self.parts[k] != self.parts[at] || !explains(paper, relation, other) {
+                break;
+            }
+            self.define(other, k);
+        }
+    }
+
+    /// Notes names that are said to be positive.
+    fn note_signs(&mut self, relation: &PrintedRelation, at: usize) {
+        for (k, sign) in relation.signs.iter().enumerate() {
+            let (left, right) = (&relation.sides[k], &relation.sides[k + 1]);
+            let larger = match sign.as_str() {
+                ">" | r"\gt" if right.text.trim() == "0" => left,
+                "<" | r"\lt" if left.text.trim() == "0" => right,
+                _ => continue,
+            };
+            let all = names(larger);
+            let lone = lone_name(larger).into_iter().map(|n| n.key()).collect::<Vec<_>>();
+            let keys = if larger.is_list { all.iter().map(|n| n.key()).collect() } else { lone };
+            let section = self.parts[at];
+            self.facts.positive.extend(keys.into_iter().map(|key| PositiveName { key, relation: at, section }));
+        }
+    }
+
+    /// Notes the equations that a relation states and that are not proved.
+    fn state(&mut self, relation: &PrintedRelation, at: usize, open: &[usize]) {
+        for &k in open {
+            let (left, right) = (&relation.sides[k - 1], &relation.sides[k]);
+            let mut keys: BTreeSet<String> = names(left).iter().map(|n| n.key()).collect();
+            keys.extend(names(right).iter().map(|n| n.key()));
+            let is_value = names(right).is_empty() && lone_name(left).is_some();
+            if !is_value && !left.is_list && !right.is_list {
+                let (left, right, section) = (left.clone(), right.clone(), self.parts[at]);
+                let in_text = relation.display.is_none();
+                self.facts.stated.push(Stated { left, right, relation: at, section, names: keys, in_text });
+            }
+        }
+    }
+
+    /// Decides the steps of a relation from side to side. The later sides of those that are read and that nothing decides.
+    fn steps(&mut self, relation: &PrintedRelation, at: usize, sentence: &Sentence, out: &mut Judgement) -> Vec<usize> {
         let free = free_indices(relation);
         let first = lone_name(&relation.sides[0]);
         let inline = relation.display.is_none();
+        let named = self.named(sentence, at);
+        let concludes = sentence.concludes || relation.remark.as_deref().is_some_and(|r| r.contains('⇒'));
         let mut tally = Tally::default();
+        let mut open = Vec::new();
         for k in 1..relation.sides.len() {
             if !EQUALS.contains(&relation.signs[k - 1].as_str()) {
                 continue;
             }
             let (left, right) = (&relation.sides[k - 1], &relation.sides[k]);
-            let known = first
-                .as_ref()
-                .is_some_and(|n| self.given.iter().any(|g| g.key == n.key() && !g.is_rate && n.dots == 0));
+            let known = first.as_ref().is_some_and(|n| {
+                self.facts
+                    .given
+                    .iter()
+                    .any(|g| g.key == n.key() && !g.is_rate && n.dots == 0 && g.section == self.section)
+            });
             let defining = k == 1 && first.is_some() && !known;
             if defining {
                 // Whether it can be read is all that there is to say of it.
                 tally.defines = true;
-                let rate = first.as_ref().is_some_and(|n| n.dots > 0 || n.derived_by.is_some());
+                let rate = self.is_rate(first.as_ref());
                 match self.readable(left, right, &free) {
                     Err(found) => tally.unread = Some(found),
-                    Ok(()) if !rate => continue,
+                    Ok(()) if !rate && !(concludes && !inline) => continue,
                     Ok(()) => {}
                 }
-                if !rate || self.given.is_empty() || inline {
+                if inline || !(rate && !self.facts.given.is_empty() || concludes && self.is_stated(first.as_ref())) {
                     continue;
                 }
             }
             out.steps.1 += 1;
-            match self.step([left, right], &free, at, !inline && (!defining || self.has_rates())) {
-                Step::Follows(with) => {
+            let told = !inline && !sentence.loosens && (!defining || self.has_rates());
+            let solves = defining && !self.is_rate(first.as_ref());
+            let alone = relation.sides.len() == 2 && (first.is_none() || defining);
+            let reach = if alone { Reach::Near(at) } else { Reach::Paper };
+            let place = Place { at, free: &free, named: named.clone(), told, reach, solves };
+            match self.step([left, right], &place) {
+                Step::Follows(support) => {
                     tally.follows += 1;
                     out.steps.0 += 1;
-                    out.with.extend(with);
+                    tally.of_positive |= support.of_positive;
+                    out.with.extend(support.with);
                     if defining {
                         tally.defines = false;
                     }
@@ -222,26 +304,49 @@ impl Judge<'_> {
                     out.why = "a point refutes it, and one slip away it holds".to_owned();
                     out.witness = Some(wrong.witness);
                     out.instead = Some(wrong.instead);
+                    out.picture = wrong.picture;
                     out.with = wrong.with;
-                    return;
+                    return Vec::new();
                 }
                 // Said otherwise than before, of a name alone: it is defined anew.
                 Step::Open(_) if k == 1 && known => {
                     out.steps.1 -= 1;
                     tally.defines = true;
-                    let before = self
-                        .given
-                        .iter()
-                        .rev()
-                        .find(|g| first.as_ref().is_some_and(|n| g.key == n.key() && !g.is_rate));
-                    tally.anew = before.map(|g| g.relation);
+                    let same = |g: &&Given| first.as_ref().is_some_and(|n| g.key == n.key() && !g.is_rate);
+                    tally.anew = self.facts.given.iter().rev().find(same).map(|g| g.relation);
                 }
-                Step::Open(names) if !defining => tally.open.extend(names),
-                Step::Open(_) => {}
+                Step::Open(names) if !defining => {
+                    open.push(k);
+                    tally.open.extend(names);
+                }
+                Step::Open(_) => out.steps.1 -= 1,
                 Step::NotRead(found) => tally.unread = Some(found),
             }
         }
+        // The second rate of a name is an equation of motion.
+        let is_second = first.as_ref().is_some_and(|n| n.dots > 1 || n.primes > 1);
+        if tally.defines && is_second && tally.unread.is_none() && open.is_empty() {
+            open.push(1);
+        }
         self.conclude(relation, at, tally, out);
+        open
+    }
+
+    /// The relations that a sentence names by their labels or numbers.
+    fn named(&self, sentence: &Sentence, at: usize) -> Vec<usize> {
+        let is_named = |r: &PrintedRelation| {
+            [&r.label, &r.tag]
+                .into_iter()
+                .flatten()
+                .any(|l| sentence.names.iter().any(|n| n == l || l.trim_matches(['(', ')']) == n))
+        };
+        let all = self.paper.printed.iter().enumerate();
+        all.filter(|(k, r)| *k != at && r.display.is_some() && is_named(r)).map(|(k, _)| k).collect()
+    }
+
+    /// Whether an equation before, in this section, has a name in it.
+    fn is_stated(&self, name: Option<&paper::PaperName>) -> bool {
+        name.is_some_and(|n| self.facts.stated.iter().any(|s| s.section == self.section && s.names.contains(&n.key())))
     }
 
     /// The word, from what became of the steps.
@@ -251,7 +356,7 @@ impl Judge<'_> {
         out.with.sort_unstable();
         out.with.dedup();
         out.with.retain(|w| *w != at);
-        let Tally { mut open, unread, follows, numbers, defines, anew } = tally;
+        let Tally { mut open, unread, follows, numbers, of_positive, defines, anew } = tally;
         let undecided = out.steps.1 - follows - numbers;
         if let Some(found) = unread {
             out.why = match &found.why {
@@ -292,6 +397,10 @@ impl Judge<'_> {
             out.why = "otherwise than before".to_owned();
             out.with.push(before);
         }
+        if of_positive && matches!(out.word, Word::Follows | Word::NotFollowed) {
+            let more = "where what is constant is positive".to_owned();
+            out.why = if out.why.is_empty() { more } else { format!("{}; {more}", out.why) };
+        }
         let value = relation.sides.len() == 2 && names(&relation.sides[1]).is_empty();
         let is_rate = first.as_ref().is_some_and(|n| n.dots > 0 || n.derived_by.is_some());
         if out.word == Word::Defines && !is_rate && (value || lone_name(&relation.sides[1]).is_some()) {
@@ -299,14 +408,24 @@ impl Judge<'_> {
         }
     }
 
+    /// Whether a name is a derivative: with a dot, in a quotient, or with a prime behind what is defined.
+    fn is_rate(&self, name: Option<&paper::PaperName>) -> bool {
+        name.is_some_and(|n| {
+            n.dots > 0
+                || n.derived_by.is_some()
+                || n.primes > 0 && self.facts.given.iter().any(|g| g.key == unprimed(n).key())
+        })
+    }
+
     fn has_rates(&self) -> bool {
-        self.given.iter().any(|g| g.is_rate)
+        self.facts.given.iter().any(|g| g.is_rate)
     }
 
     /// Notes what a relation defines.
     fn define(&mut self, relation: &PrintedRelation, at: usize) {
         let Some(name) = lone_name(&relation.sides[0]) else { return };
-        if !EQUALS.contains(&relation.signs[0].as_str()) || relation.is_condition {
+        let is_equal = relation.signs.first().is_some_and(|s| EQUALS.contains(&s.as_str()));
+        if !is_equal || relation.is_condition || relation.display.is_none() && is_supposed(self.paper, relation) {
             return;
         }
         let right = &relation.sides[1];
@@ -327,260 +446,180 @@ impl Judge<'_> {
         let free = free_indices(relation);
         if self.readable(&relation.sides[0], right, &free).is_err() {
             // What was defined before is defined no more: by what, was not read.
-            self.given.retain(|g| g.key != key || g.is_rate != is_rate);
+            self.facts.given.retain(|g| g.key != key || g.is_rate != is_rate);
             return;
         }
-        self.given.retain(|g| g.key != key || g.is_rate != is_rate);
-        let given = Given { key, left: relation.sides[0].clone(), right: right.clone(), relation: at, is_rate };
-        self.given.push(given);
+        let given = Given {
+            key,
+            left: relation.sides[0].clone(),
+            right: right.clone(),
+            relation: at,
+            is_rate,
+            section: self.parts[at],
+        };
+        self.facts.given.push(given);
     }
 
-    fn readable(&mut self, left: &PrintedSide, right: &PrintedSide, free: &BTreeSet<char>) -> Result<(), NotRead> {
-        let mut desk = Desk::new(&[left, right], &[], &self.evidence, free)?;
-        desk.pairs([left, right], &self.evidence).map(|_| ())
-    }
-
-    /// What is given that a step needs: the definitions of its names, and of theirs, and the rates.
-    fn needed(&self, sides: [&PrintedSide; 2]) -> Vec<Given> {
-        let mut wanted: Vec<String> = sides.into_iter().flat_map(names).map(|n| n.key()).collect();
-        let has_rates = sides.into_iter().flat_map(names).any(|n| n.dots > 0 || n.derived_by.is_some());
-        let mut found: BTreeMap<usize, Given> = BTreeMap::new();
-        let mut at = 0;
-        while let Some(key) = wanted.get(at).cloned() {
-            at += 1;
-            for (k, given) in self.given.iter().enumerate().filter(|(_, g)| g.key == key && (!g.is_rate || has_rates)) {
-                if found.insert(k, given.clone()).is_none() {
-                    wanted.extend(names(&given.right).iter().map(|n| n.key()));
-                }
-            }
-            if found.len() > MOST_GIVEN {
-                return Vec::new();
-            }
-        }
-        in_order(found.into_values().collect())
+    fn readable(&self, left: &PrintedSide, right: &PrintedSide, free: &BTreeSet<char>) -> Result<(), NotRead> {
+        let read = |given: &[Given]| {
+            let list: Vec<&Given> = given.iter().collect();
+            let mut desk = Desk::new(&[left, right], &list, &self.evidence, free)?;
+            desk.pairs([left, right], &self.evidence).map(|_| ())
+        };
+        // A derivative by a rate needs the formula that is derived.
+        read(&[]).or_else(|found| match self.facts.definitions(&[left, right], Reach::Paper, false) {
+            given if given.is_empty() => Err(found),
+            given => read(&given).map_err(|_| found),
+        })
     }
 
     /// Decides one step.
-    fn step(&mut self, sides: [&PrintedSide; 2], free: &BTreeSet<char>, at: usize, told: bool) -> Step {
-        let [left, right] = sides;
+    fn step(&mut self, sides: [&PrintedSide; 2], place: &Place) -> Step {
         if self.asked > MOST_QUESTIONS {
             return Step::Open(Vec::new());
         }
-        let bare = match self.ask(left, right, &[], free) {
-            Err(found) => return Step::NotRead(found),
-            Ok(asked) => asked,
-        };
-        if matches!(bare.identity, Identity::Proved(_)) {
-            return Step::Follows(Vec::new());
-        }
-        let given = self.needed([left, right]);
-        let with = match given.is_empty() {
-            true => None,
-            false => self.ask(left, right, &given, free).ok(),
-        };
-        if let Some(asked) = &with
-            && matches!(asked.identity, Identity::Proved(_))
-        {
-            return Step::Follows(given.iter().map(|g| g.relation).collect());
-        }
-        if let Identity::Undecided(_) = &bare.identity
-            && let Some((valid, true)) = agreement(&bare.desk.graph, &bare.equations, POINTS)
-            && valid >= POINTS / 2
-        {
-            return Step::Numbers;
-        }
-        if told {
-            let near = given.iter().all(|g| g.relation + NEAR >= at);
-            for (asked, given) in [(Some(bare), Vec::new()), (with.filter(|_| near), given.clone())] {
-                if let Some(asked) = asked
-                    && introduces_nothing(left, right, &given)
-                    && let Some(wrong) = self.slip(asked, &given, free)
-                {
-                    return Step::Wrong(Box::new(wrong));
+        let mut first_refusal = None;
+        let mut asked: Vec<(Asked, Rests)> = Vec::new();
+        for rests in self.supports(sides, place, place.reach) {
+            match self.ask(sides, &rests, place.free) {
+                Err(found) => {
+                    first_refusal.get_or_insert(found);
                 }
+                Ok(answer) if answer.is_proved() => return Step::Follows(support(&rests)),
+                Ok(answer) => asked.push((answer, rests)),
             }
         }
-        let defined: BTreeSet<String> = given.iter().map(|g| g.key.clone()).collect();
-        let mut open: Vec<String> = [left, right].into_iter().flat_map(names).map(|n| n.key()).collect();
+        if asked.is_empty() {
+            return Step::NotRead(first_refusal.unwrap_or_else(|| NotRead::of("something")));
+        }
+        let needs_signs = sides.iter().any(|s| has_roots(&s.text)) || asked.iter().any(|(_, r)| !r.stated.is_empty());
+        if needs_signs
+            && !place.solves
+            && let Some(found) = self.of_positive(sides, &asked, place)
+        {
+            return found;
+        }
+        let defined: BTreeSet<String> = asked.iter().flat_map(|(_, r)| r.given.iter().map(|g| g.key.clone())).collect();
+        if asked.iter().any(|(answer, _)| holds_in_numbers(answer)) {
+            return Step::Numbers;
+        }
+        if place.told
+            && let Some(wrong) = self.wrong(sides, place, &mut asked)
+        {
+            return Step::Wrong(Box::new(wrong));
+        }
+        let mut open: Vec<String> = sides.into_iter().flat_map(names).map(|n| n.key()).collect();
         open.retain(|key| !defined.contains(key));
         Step::Open(open)
     }
 
-    fn ask(
-        &mut self,
-        left: &PrintedSide,
-        right: &PrintedSide,
-        given: &[Given],
-        free: &BTreeSet<char>,
-    ) -> Result<Asked, NotRead> {
-        self.asked += 1;
-        let list: Vec<&Given> = given.iter().collect();
-        let mut desk = Desk::new(&[left, right], &list, &self.evidence, free)?;
-        let read = desk.read([left, right], &self.evidence)?;
-        let statement = &read.statement;
-        if statement.relations.iter().any(|r| r.kind != RelationKind::Equal || r.has_branches || r.limit.is_some()) {
-            return Err(NotRead { feature: "a sign of two branches, or a limit".to_owned(), why: None });
+    /// What a step is tried with, one after the other: nothing, the definitions of its names, their rates, what the paper states.
+    fn supports(&self, sides: [&PrintedSide; 2], place: &Place, reach: Reach) -> Vec<Rests> {
+        let here = self.facts.positive.iter().filter(|p| p.section == self.section);
+        let positive = Positive::Named(here.map(|p| p.key.clone()).collect());
+        let rests = |given, stated| Rests { given, stated, positive: positive.clone() };
+        let mut out = vec![rests(Vec::new(), Vec::new())];
+        let has_rates = sides.into_iter().flat_map(names).any(|n| n.dots > 0 || n.derived_by.is_some());
+        let plain = self.facts.definitions(&sides, reach, false);
+        let with_rates = self.facts.definitions(&sides, reach, has_rates);
+        if !plain.is_empty() {
+            out.push(rests(plain.clone(), Vec::new()));
         }
-        let equations = pairs_of(statement);
-        let mut premises = Premises { time: desk.time, moving: desk.moving.clone(), ..Premises::default() };
-        for rate in given.iter().filter(|g| g.is_rate) {
-            let pairs = desk.pairs([&rate.left, &rate.right], &self.evidence)?;
-            premises.equations.extend(pairs.into_iter().map(|pair| Known::of(pair, When::Always)));
+        if with_rates.len() > plain.len() {
+            out.push(rests(with_rates, Vec::new()));
         }
-        let identity = tested(&mut desk.graph, &equations, &premises, Wanted::Answer);
-        Ok(Asked { desk, premises, equations, identity, text: read.text })
+        if self.exhausted > MOST_EXHAUSTED {
+            return out;
+        }
+        let mut stated = self.facts.equations(sides, &plain, place.at, self.section, &place.named);
+        if matches!(reach, Reach::Here { .. }) {
+            stated.retain(|s| !s.in_text);
+        }
+        // Definitions of what only the equations name, too.
+        let with_definitions = |stated: Vec<Stated>| {
+            let mut all: Vec<&PrintedSide> = sides.to_vec();
+            all.extend(stated.iter().flat_map(|s| [&s.left, &s.right]));
+            rests(self.facts.definitions(&all, reach, false), stated.clone())
+        };
+        if !stated.is_empty() {
+            out.push(with_definitions(stated.clone()));
+        }
+        if stated.len() > 1 {
+            out.extend(stated.into_iter().map(|one| with_definitions(vec![one])));
+        }
+        out
     }
 
-    /// The nearest formula that holds, where a step is refuted.
-    fn slip(&mut self, asked: Asked, given: &[Given], free: &BTreeSet<char>) -> Option<WrongStep> {
-        let Identity::Refuted(refutation) = &asked.identity else { return None };
-        let Asked { mut desk, premises, text, .. } = asked;
-        if desk.is_complex || !free.is_empty() {
-            return None;
-        }
-        let witness = witness(&desk.graph, refutation);
-        let mut chains = latex::parse(&text, &desk.scope).ok()?;
-        let chain = chains.pop().filter(|c| chains.is_empty() && c.sides.len() == 2)?;
-        if chain.sides.iter().map(size).max()? < FEWEST_NODES || chain.sides.iter().any(|s| size(s) < 3) {
-            return None;
-        }
-        let mut all = Vec::new();
-        chain.sides.iter().for_each(|s| symbols(s, &mut all));
-        for k in [1, 0] {
-            let others = slips(&chain.sides[k], &all);
-            for slip in others.into_iter().take(MOST_SLIPS) {
-                if self.asked > MOST_QUESTIONS {
-                    return None;
-                }
-                if let Some(instead) = self.holds(&mut desk, &premises, &chain, k, &slip, given) {
-                    return Some(WrongStep { witness, instead, with: given.iter().map(|g| g.relation).collect() });
-                }
+    fn ask(&mut self, sides: [&PrintedSide; 2], rests: &Rests, free: &BTreeSet<char>) -> Result<Asked, NotRead> {
+        self.asked += 1;
+        let found = ask(sides, rests, &self.evidence, free);
+        self.exhausted += usize::from(found.as_ref().is_err_and(|e| e.feature == TOO_LONG));
+        found
+    }
+
+    /// The same questions for names that are positive, where roots and logarithms need that.
+    fn of_positive(&mut self, sides: [&PrintedSide; 2], asked: &[(Asked, Rests)], place: &Place) -> Option<Step> {
+        for (_, rests) in asked {
+            let rests = Rests { positive: Positive::Parameters, ..rests.clone() };
+            if let Ok(answer) = self.ask(sides, &rests, place.free)
+                && answer.is_proved()
+            {
+                return Some(Step::Follows(Support { of_positive: true, ..support(&rests) }));
             }
         }
         None
     }
 
-    /// The altered relation as LaTeX, if it is proved and says something.
-    fn holds(
-        &mut self,
-        desk: &mut Desk,
-        premises: &Premises,
-        chain: &Chain,
-        k: usize,
-        slip: &Slip,
-        given: &[Given],
-    ) -> Option<String> {
-        let mut altered = chain.clone();
-        altered.sides[k] = slip.side.clone();
-        let spelled = |n: &latex::syntax::Node| {
-            let one = Chain { sides: vec![n.clone()], relations: Vec::new(), ..chain.clone() };
-            to_latex(&one)
-        };
-        let (new, other) = (spelled(&altered.sides[k]), spelled(&altered.sides[1 - k]));
-        // What becomes the other side, or a definition, letter by letter, is no slip of it.
-        if new == other || given.iter().any(|g| squeezed(&g.right.text) == squeezed(&new)) {
-            return None;
+    /// What is wrong, if something is: refuted by what this section says, and one slip away from what it proves.
+    fn wrong(&mut self, sides: [&PrintedSide; 2], place: &Place, asked: &mut Vec<(Asked, Rests)>) -> Option<WrongStep> {
+        for rests in self.supports(sides, place, Reach::Here { section: self.section, at: place.at }) {
+            if !introduces_nothing(sides, &rests) {
+                continue;
+            }
+            let known = asked.iter().position(|(_, r)| r.rests_on_the_same(&rests));
+            let answer = match known {
+                Some(k) => asked.swap_remove(k).0,
+                None => match self.ask(sides, &rests, place.free) {
+                    Ok(answer) => answer,
+                    Err(_) => continue,
+                },
+            };
+            if !matches!(answer.identity, Identity::Refuted(_)) {
+                continue;
+            }
+            // Where signs matter, it has to fail for positive names, too, and what holds is looked for among these.
+            let mut answer = answer;
+            if sides.iter().any(|s| has_roots(&s.text)) || !rests.stated.is_empty() {
+                let positive = Rests { positive: Positive::Parameters, ..rests.clone() };
+                match self.ask(sides, &positive, place.free) {
+                    Ok(again) if matches!(again.identity, Identity::Refuted(_)) => answer = again,
+                    _ => continue,
+                }
+            }
+            if let Some(found) = nearest(answer, &rests, place.free, &mut self.asked, MOST_QUESTIONS) {
+                return Some(found);
+            }
         }
-        // Beside a lone name, or a number, anything could be meant.
-        let plain = |n: &latex::syntax::Node| matches!(n.kind, NodeKind::Symbol(_) | NodeKind::Number(_));
-        if plain(&altered.sides[k]) || plain(&chain.sides[k]) {
-            return None;
-        }
-        if let Some((a, b)) = &slip.exchanges
-            && (a == b || size(&chain.sides[k]) < 9)
-        {
-            return None;
-        }
-        // With definitions, another name, or one more or fewer, may be another definition.
-        if !given.is_empty() && slip.is_of_names() {
-            return None;
-        }
-        let statement = latex::elaborate(&altered, &desk.scope, &mut desk.graph).ok()?;
-        let equations = pairs_of(&statement);
-        // A look at three points spares most proofs.
-        if premises.equations.is_empty() && agreement(&desk.graph, &equations, 6).is_some_and(|(_, agree)| !agree) {
-            return None;
-        }
-        self.asked += 1;
-        let proved = matches!(tested(&mut desk.graph, &equations, premises, Wanted::Proof), Identity::Proved(_));
-        proved.then(|| if k == 1 { new } else { format!("{new} = {other}") })
+        None
     }
 }
 
-/// Whether the later side has no name that neither the earlier side nor a definition has: what relates a new one is not known here.
-fn introduces_nothing(left: &PrintedSide, right: &PrintedSide, given: &[Given]) -> bool {
-    let mut known: BTreeSet<String> = names(left).iter().map(|n| n.key()).collect();
-    for one in given {
-        known.extend([&one.left, &one.right].into_iter().flat_map(names).map(|n| n.key()));
-    }
-    names(right).iter().all(|n| known.contains(&n.key()))
+fn support(rests: &Rests) -> Support {
+    let mut with: Vec<usize> = rests.given.iter().map(|g| g.relation).collect();
+    with.extend(rests.stated.iter().map(|s| s.relation));
+    Support { with, of_positive: false }
 }
 
-/// A question, and its answer.
-struct Asked {
-    desk: Desk,
-    premises: Premises,
-    equations: Vec<(Expr, Expr)>,
-    identity: Identity,
-    /// What was read.
-    text: String,
+/// Whether a question without premises that is not decided has both sides equal at random points.
+fn holds_in_numbers(asked: &Asked) -> bool {
+    asked.premises.equations.is_empty()
+        && matches!(asked.identity, Identity::Undecided(_))
+        && agreement(&asked.desk.graph, &asked.equations, POINTS).is_some_and(|(valid, all)| all && valid >= POINTS / 2)
 }
 
-/// Definitions in an order in which each stands behind those that it needs; those that need each other are left out.
-fn in_order(given: Vec<Given>) -> Vec<Given> {
-    let (rates, mut rest): (Vec<Given>, Vec<Given>) = given.into_iter().partition(|g| g.is_rate);
-    let mut out: Vec<Given> = Vec::new();
-    while !rest.is_empty() {
-        let keys: BTreeSet<String> = rest.iter().map(|g| g.key.clone()).collect();
-        let ready = |g: &Given| !names(&g.right).iter().any(|n| keys.contains(&n.key()));
-        let (now, later): (Vec<Given>, Vec<Given>) = rest.into_iter().partition(ready);
-        if now.is_empty() {
-            break;
-        }
-        out.extend(now);
-        rest = later;
-    }
-    out.extend(rates);
-    out
-}
-
-/// The answer, with a bound on the work.
-fn tested(graph: &mut Graph, equations: &[(Expr, Expr)], premises: &Premises, wanted: Wanted) -> Identity {
-    let proof = wanted == Wanted::Proof;
-    let options = Options {
-        attempts: if proof { 0 } else { 60 },
-        special_cases: 0,
-        most_signs: 6,
-        most_nodes: 4000,
-        wanted,
-        ..Options::default()
-    };
-    match identity_test(graph, equations, premises, &options) {
-        // A case that was divided by is left out: that is no proof of what is printed.
-        Identity::Proved(proof)
-            if proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_) | Condition::Discriminant(_))) =>
-        {
-            Identity::Undecided(proof::Reason::Degenerate)
-        }
-        other => other,
-    }
-}
-
-fn squeezed(text: &str) -> String {
-    text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}')).collect()
-}
-
-fn witness(graph: &Graph, refutation: &Refutation) -> LintWitness {
-    let [named, _] = refutation.parted(&refutation.point);
-    let value = |v: &proof::PointValue| match &v.exact {
-        Some(exact) => exact.to_string(),
-        None => format!("{:.6}", v.decimal),
-    };
-    LintWitness {
-        values: named.iter().map(|(leaf, v)| (graph.leaf_latex(*leaf), value(v))).collect(),
-        left: refutation.left.decimal,
-        right: refutation.right.decimal,
-    }
+/// Whether a formula has something that needs signs: a root, a logarithm, a power that is a fraction.
+fn has_roots(text: &str) -> bool {
+    [r"\sqrt", r"\ln", r"\log", "|", r"\lvert", "/2}", r"^{\frac", "^{1/", "^{-1/"].iter().any(|w| text.contains(w))
 }
 
 /// Index letters that stand once in a lone name on the left: they are free, and nothing is summed over them.

@@ -14,19 +14,26 @@
 #![forbid(unsafe_code)]
 
 mod desk;
+mod facts;
 mod judge;
+mod nearest;
 mod numbers;
 mod obstacle;
+mod question;
+mod sentence;
 mod shown;
+mod signs;
 mod slips;
+#[cfg(test)]
+mod tests;
 
 use std::ops::Range;
 
 use paper::Paper;
 
 pub use desk::NotRead;
-pub use judge::lint;
-pub use shown::{diagnostic, explained, lint_text};
+pub use judge::{Typeset, lint, typesetting};
+pub use shown::{at_a_point, decimal, diagnostic, explained, lint_text, summary};
 
 /// What is said of a printed relation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -92,6 +99,8 @@ pub struct Judgement {
     pub witness: Option<LintWitness>,
     /// Of a wrong step: the side as it should be.
     pub instead: Option<String>,
+    /// Of a wrong step: both sides along one name.
+    pub picture: Option<LintPicture>,
     /// The relations that it follows from, or that define its name otherwise.
     pub with: Vec<usize>,
     /// How many of its steps are proved, and how many it has.
@@ -107,6 +116,15 @@ pub struct LintWitness {
     pub left: f64,
     /// The later side.
     pub right: f64,
+}
+
+/// Two sides along one name, all others being as in the witness.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LintPicture {
+    /// The name, in LaTeX.
+    pub name: String,
+    /// Its values, in their order, with both sides where they have a value.
+    pub points: Vec<(f64, Option<f64>, Option<f64>)>,
 }
 
 /// What was found of a paper.

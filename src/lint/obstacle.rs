@@ -101,6 +101,9 @@ pub fn obstacle(
         {
             return Some(NotRead::of("indices"));
         }
+        if has_derivative_at(&side.text) {
+            return Some(NotRead::of("a derivative with a place behind it, or a product"));
+        }
         if order_counts(&side.text) {
             return Some(NotRead::of("products whose order may count: matrices, or operators"));
         }
@@ -126,6 +129,43 @@ pub fn obstacle(
         // What is printed with a place more than once, and not mostly without, is a function.
         if name.call == Call::Other && count(true) > 0 && count(true) * 3 >= count(false) {
             return Some(NotRead::of(format!("a function of anything, {}", name.key())));
+        }
+    }
+    None
+}
+
+/// Whether a derivative has more behind it in parentheses than its variable, with a sum in it: `\frac{d\phi}{dt}(t+T)` is a value at a
+/// place, and no product.
+fn has_derivative_at(text: &str) -> bool {
+    let squeezed: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    [r"\frac{", r"\dfrac{", r"\tfrac{"].iter().any(|command| {
+        squeezed.match_indices(command).any(|(at, _)| {
+            let rest = &squeezed[at + command.len()..];
+            let Some((_, below)) = group(rest) else { return false };
+            let Some((below, after)) = below.strip_prefix('{').and_then(group) else { return false };
+            let by = [r"\mathrm{d}", r"\partial", r"\dd", "d"].iter().find_map(|d| below.strip_prefix(d));
+            let (Some(by), Some(inside)) = (by, after.strip_prefix("\\left").unwrap_or(after).strip_prefix('(')) else {
+                return false;
+            };
+            let inside = inside.split(')').next().unwrap_or("");
+            let by = by.trim_matches(['{', '}']).trim_start_matches('\\');
+            let letters = |c: char| c.is_ascii_alphabetic();
+            !by.is_empty() && by.chars().all(letters) && inside.split(|c| !letters(c)).any(|word| word == by)
+        })
+    })
+}
+
+/// What stands in a group whose brace is open, and what stands behind it.
+fn group(text: &str) -> Option<(&str, &str)> {
+    let mut depth = 1;
+    for (i, c) in text.char_indices() {
+        depth += match c {
+            '{' => 1,
+            '}' => -1,
+            _ => 0,
+        };
+        if depth == 0 {
+            return Some((&text[..i], &text[i + 1..]));
         }
     }
     None

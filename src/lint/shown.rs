@@ -49,11 +49,12 @@ pub fn diagnostic(paper: &Paper, judgement: &Judgement) -> Option<Diagnostic> {
 /// "for a = 2, b = 1 it says 3 = 5".
 pub fn at_a_point(witness: &LintWitness) -> String {
     let values: Vec<String> = witness.values.iter().take(8).map(|(n, v)| format!("{} = {v}", in_one_line(n))).collect();
-    let sides = format!("it says {} = {}", number(witness.left), number(witness.right));
+    let sides = format!("it says {} = {}", decimal(witness.left), decimal(witness.right));
     if values.is_empty() { sides } else { format!("for {} {sides}", values.join(", ")) }
 }
 
-fn number(x: f64) -> String {
+/// A number in at most six digits behind the point.
+pub fn decimal(x: f64) -> String {
     let text = format!("{x:.6}");
     let short = text.trim_end_matches('0').trim_end_matches('.');
     if short.is_empty() || short == "-" { "0".to_owned() } else { short.to_owned() }

@@ -18,17 +18,26 @@ const FARTHEST: i64 = 9;
 pub struct Slip {
     /// The altered side.
     pub side: Node,
-    /// One name was put for another.
-    pub exchanges: Option<(String, String)>,
-    /// A factor or a term was left out.
-    pub drops: bool,
+    /// The way in which it is altered.
+    pub way: Alteration,
 }
 
-impl Slip {
-    /// Whether it says something of other names, or of fewer.
-    pub fn is_of_names(&self) -> bool {
-        self.exchanges.is_some() || self.drops
-    }
+/// The way in which a place is altered; the plain ones come first.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Alteration {
+    /// A sign, a number, an exponent, a function: the same names stand there.
+    Value,
+    /// A factor is left out.
+    LostFactor,
+    /// A term is left out.
+    LostTerm,
+    /// One name is put for another.
+    Exchange {
+        /// The name that was printed.
+        of: String,
+        /// The name that is put there.
+        by: String,
+    },
 }
 
 /// The number of nodes of a tree.
@@ -42,9 +51,13 @@ pub fn slips(side: &Node, names: &[SymbolNode]) -> Vec<Slip> {
         return Vec::new();
     }
     let mut out = altered(side, names);
-    out.extend([scaled(side, 2), halved(side), negated(side)].map(|side| Slip { side, exchanges: None, drops: false }));
+    out.extend([scaled(side, 2), halved(side), negated(side)].map(|side| Slip { side, way: Alteration::Value }));
     // Exchanges of names are many: they come last.
-    out.sort_by_key(|s| (s.exchanges.is_some(), s.drops));
+    out.sort_by_key(|s| match s.way {
+        Alteration::Value => 0,
+        Alteration::LostFactor | Alteration::LostTerm => 1,
+        Alteration::Exchange { .. } => 2,
+    });
     out
 }
 
@@ -198,6 +211,14 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
                 Some(n) => Some(n - 1),
             };
             out.push(node(NodeKind::Function(name.clone(), other, arguments.clone()), of));
+            if let [one] = arguments.as_slice() {
+                let with = |argument| node(NodeKind::Function(name.clone(), *power, vec![argument]), of);
+                out.extend([scaled(one, 2), halved(one), negated(one)].map(with));
+            }
+        }
+        NodeKind::Exponential { exponent, upright } => {
+            let with = |e| node(NodeKind::Exponential { exponent: Box::new(e), upright: *upright }, of);
+            out.extend([scaled(exponent, 2), halved(exponent), negated(exponent)].map(with));
         }
         NodeKind::Root(inner, 2) => out.push(node(NodeKind::Group(inner.clone(), Bracket::Round), of)),
         NodeKind::Symbol(s) => {
@@ -216,8 +237,7 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
                 let spelled = |s: &SymbolNode| format!("{}{:?}", s.name, s.sub);
                 exchanged.push(Slip {
                     side: node(NodeKind::Symbol(symbol), of),
-                    exchanges: Some((spelled(s), spelled(other))),
-                    drops: false,
+                    way: Alteration::Exchange { of: spelled(s), by: spelled(other) },
                 });
             }
         }
@@ -239,8 +259,9 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
         NodeKind::Scripted { base, sub: None, .. } => out.push((**base).clone()),
         _ => {}
     }
-    let plain = out.into_iter().map(|side| Slip { side, exchanges: None, drops: false });
-    plain.chain(dropped.into_iter().map(|side| Slip { side, exchanges: None, drops: true })).chain(exchanged).collect()
+    let lost = if matches!(of.kind, NodeKind::Sum(_)) { Alteration::LostTerm } else { Alteration::LostFactor };
+    let plain = out.into_iter().map(|side| Slip { side, way: Alteration::Value });
+    plain.chain(dropped.into_iter().map(|side| Slip { side, way: lost.clone() })).chain(exchanged).collect()
 }
 
 /// A tree with another child in the place of one; `None` for kinds in which nothing is altered.

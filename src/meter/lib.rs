@@ -80,6 +80,8 @@ tasks! {
     Ranges(15 * SECOND, 256 * MEGABYTE): "taking ranges apart",
     /// Altered formulas of a claim.
     Weighing(10 * SECOND, 256 * MEGABYTE): "trying altered formulas",
+    /// One step of a formula that a paper prints.
+    Step(SECOND, 64 * MEGABYTE): "deciding a step of a paper",
 }
 
 /// Why a piece ended before it was done.

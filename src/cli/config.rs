@@ -1,0 +1,113 @@
+//! `rederive.toml`: what a project is checked with, when the command line does not say.
+//!
+//! **In:** the folder in which the program runs. **Out:** a [`Config`]: the nearest `rederive.toml`, or table `[tool.rederive]` of a
+//! `pyproject.toml`, in it or in a folder above it. **Guaranteed:** a key that is not known, and a value of another kind, is a problem
+//! with its place; what the command line says wins.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::ending::Stop;
+use rederive::Failure;
+use rederive::check::Rigor;
+use rederive::diag::{Diagnostic, Source};
+use rederive::files;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Largest size of a configuration, in bytes.
+const LARGEST: u64 = 1 << 20;
+
+/// What a project is checked with.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Config {
+    /// The papers that `rederive lint` looks through.
+    pub sources: Vec<PathBuf>,
+    /// The derivation files, or folders of them, that `rederive check` checks.
+    pub files: Vec<PathBuf>,
+    /// How much is asked of a verdict.
+    pub rigor: Option<Rigor>,
+}
+
+impl Config {
+    /// The configuration of the folder in which the program runs; nothing is set where there is none.
+    ///
+    /// # Errors
+    /// A file that cannot be read, and problems of what is in it, with their places.
+    pub fn find() -> Result<Config, Stop> {
+        let Ok(here) = std::env::current_dir() else { return Ok(Config::default()) };
+        for folder in here.ancestors() {
+            for (name, table) in [("rederive.toml", &[][..]), ("pyproject.toml", &["tool", "rederive"][..])] {
+                let path = folder.join(name);
+                if !path.is_file() {
+                    continue;
+                }
+                let text = files::read_text(&path, LARGEST)?;
+                if let Some(config) = read(&path, text, table, relative(folder, &here).as_deref())? {
+                    return Ok(config);
+                }
+            }
+        }
+        Ok(Config::default())
+    }
+}
+
+/// How a folder above another one is written from there.
+fn relative(folder: &Path, here: &Path) -> Option<PathBuf> {
+    let below = here.strip_prefix(folder).ok()?;
+    Some(below.components().map(|_| "..").collect())
+}
+
+/// Reads a configuration; `None` where the file does not have the table.
+fn read(path: &Path, text: String, table: &[&str], folder: Option<&Path>) -> Result<Option<Config>, Stop> {
+    let source = Arc::new(Source { path: path.display().to_string(), text });
+    let problem = |span: std::ops::Range<usize>, message: String| -> Stop {
+        Failure::Problems(vec![Diagnostic::at(&source, "config::unreadable", span, message)]).into()
+    };
+    let parsed =
+        DeTable::parse(&source.text).map_err(|e| problem(e.span().unwrap_or_default(), e.message().to_owned()))?;
+    let mut at = parsed.get_ref();
+    for key in table {
+        match at.get(*key).map(Spanned::get_ref) {
+            Some(DeValue::Table(inner)) => at = inner,
+            _ => return Ok(None),
+        }
+    }
+    let mut config = Config::default();
+    for (key, value) in at {
+        let span = value.span();
+        match key.get_ref().as_ref() {
+            "sources" => config.sources = paths(value, folder).map_err(|(s, m)| problem(s, m))?,
+            "files" => config.files = paths(value, folder).map_err(|(s, m)| problem(s, m))?,
+            "rigor" => {
+                let named = |r: &Rigor| value.get_ref().as_str() == Some(r.words().0);
+                let names: Vec<&str> = Rigor::ALL.iter().map(|r| r.words().0).collect();
+                let found = Rigor::ALL.into_iter().find(named);
+                config.rigor =
+                    Some(found.ok_or_else(|| problem(span, format!("`rigor` is one of {}", names.join(", "))))?);
+            }
+            other => {
+                let other = rederive::diag::escape::in_one_line(other);
+                let message = format!("the key `{other}` is not known; there are `sources`, `files`, `rigor`");
+                return Err(problem(key.span(), message));
+            }
+        }
+    }
+    Ok(Some(config))
+}
+
+/// A list of paths, or one; they are those of the folder of the configuration.
+fn paths(
+    value: &Spanned<DeValue<'_>>,
+    folder: Option<&Path>,
+) -> Result<Vec<PathBuf>, (std::ops::Range<usize>, String)> {
+    let one = |v: &Spanned<DeValue<'_>>| {
+        let text = v.get_ref().as_str().ok_or((v.span(), "a path is a text".to_owned()))?;
+        Ok(folder.map_or_else(|| PathBuf::from(text), |f| f.join(text)))
+    };
+    match value.get_ref() {
+        DeValue::Array(all) => all.iter().map(one).collect(),
+        DeValue::String(_) => Ok(vec![one(value)?]),
+        _ => Err((value.span(), "this is a list of paths".to_owned())),
+    }
+}

@@ -1,0 +1,179 @@
+//! What a paper has said so far: definitions, equations that it states, signs of its names.
+//!
+//! **In:** relations, one by one, in the order of the paper. **Out:** for a step, the definitions of its names and of theirs, and
+//! the equations that have to do with it. **Guaranteed:** nothing is taken from behind the step, but what a "where" explains; of a
+//! name that is defined twice the later definition counts.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use paper::{PrintedSide, names};
+
+use super::desk::{Given, unprimed};
+
+/// Definitions that a step may need.
+const MOST_GIVEN: usize = 14;
+/// Equations beside definitions that a step may rest on.
+const MOST_STATED: usize = 4;
+/// Relations since something was said, beyond which it may be another thing that is meant.
+pub const NEAR: usize = 25;
+
+/// An equation that a paper states, and that is not proved from what stands before it.
+#[derive(Clone, Debug)]
+pub struct Stated {
+    /// Its left side.
+    pub left: PrintedSide,
+    /// Its right side.
+    pub right: PrintedSide,
+    /// The relation that states it.
+    pub relation: usize,
+    /// The section in which it does.
+    pub section: usize,
+    /// The keys of its names.
+    pub names: BTreeSet<String>,
+    /// Whether it stands in the running text: it proves, and refutes nothing.
+    pub in_text: bool,
+}
+
+/// What is known of the sign of a name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PositiveName {
+    /// Its key.
+    pub key: String,
+    /// The relation that says so.
+    pub relation: usize,
+    /// The section in which it does.
+    pub section: usize,
+}
+
+/// How far back what was said is used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reach {
+    /// Anywhere before: a step of a chain that is proved names the lines.
+    Paper,
+    /// Some relations back: an equation that stands alone is one that is assumed, it may be, and what is far may be another problem.
+    Near(usize),
+    /// In this section, and near: what refutes must be sure to mean the same names.
+    Here {
+        /// The number of the section.
+        section: usize,
+        /// The relation from which is looked back.
+        at: usize,
+    },
+}
+
+impl Reach {
+    fn reaches(self, given: &Given) -> bool {
+        match self {
+            Reach::Paper => true,
+            Reach::Near(at) => given.relation + NEAR >= at,
+            Reach::Here { section, at } => given.section == section && given.relation + NEAR >= at,
+        }
+    }
+}
+
+/// What was said so far.
+#[derive(Clone, Debug, Default)]
+pub struct Facts {
+    /// Definitions and rates, the latest last.
+    pub given: Vec<Given>,
+    /// Equations that are not definitions.
+    pub stated: Vec<Stated>,
+    /// Names that are positive.
+    pub positive: Vec<PositiveName>,
+}
+
+impl Facts {
+    /// The definitions that some sides need: of their names, and of the names of these; and their rates, where these are wanted.
+    pub fn definitions(&self, sides: &[&PrintedSide], reach: Reach, rates: bool) -> Vec<Given> {
+        // What has a prime may be a derivative.
+        let own = sides.iter().flat_map(|s| names(s));
+        let mut wanted: Vec<String> = own.flat_map(|n| [n.key(), unprimed(&n).key()]).collect();
+        wanted.dedup();
+        let mut found: BTreeMap<usize, Given> = BTreeMap::new();
+        let mut at = 0;
+        while let Some(key) = wanted.get(at).cloned() {
+            at += 1;
+            for is_rate in [false, true] {
+                let fits = |g: &Given| g.key == key && g.is_rate == is_rate && (!is_rate || rates) && reach.reaches(g);
+                if let Some((k, given)) = self.given.iter().enumerate().rev().find(|(_, g)| fits(g))
+                    && found.len() < MOST_GIVEN
+                    && found.insert(k, given.clone()).is_none()
+                {
+                    wanted.extend(names(&given.right).iter().map(|n| n.key()));
+                }
+            }
+        }
+        in_order(found.into_values().collect())
+    }
+
+    /// The equations that have to do with a step, the nearest first: those of the `named` relations, and those with a name that stands
+    /// on one side of the step only, and with none that is foreign to it.
+    pub fn equations(
+        &self,
+        sides: [&PrintedSide; 2],
+        given: &[Given],
+        at: usize,
+        section: usize,
+        named: &[usize],
+    ) -> Vec<Stated> {
+        let own = sides.map(|s| closure(s, given));
+        let apart: BTreeSet<&String> = own[0].symmetric_difference(&own[1]).collect();
+        let all: BTreeSet<&String> = own[0].union(&own[1]).collect();
+        // What is said again proves nothing.
+        let again = |s: &Stated| {
+            squeezed(&s.left.text) == squeezed(&sides[0].text) && squeezed(&s.right.text) == squeezed(&sides[1].text)
+        };
+        let near = |s: &&Stated| s.section == section && s.relation + NEAR >= at && s.relation != at;
+        let fits = |s: &&Stated| {
+            let touches = s.names.iter().any(|n| apart.contains(n)) || apart.is_empty() && s.names.len() > 1;
+            touches && s.names.iter().all(|n| all.contains(n))
+        };
+        let mut out: Vec<Stated> = Vec::new();
+        let chosen = self.stated.iter().rev().filter(|s| named.contains(&s.relation) && s.relation != at);
+        for one in chosen.chain(self.stated.iter().rev().filter(near).filter(fits)) {
+            let known = |o: &Stated| o.relation == one.relation && o.left.span == one.left.span;
+            if out.len() < MOST_STATED && !out.iter().any(known) && !again(one) {
+                out.push(one.clone());
+            }
+        }
+        out
+    }
+}
+
+/// A text without spaces and braces.
+pub fn squeezed(text: &str) -> String {
+    text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}')).collect()
+}
+
+/// The keys of a side, and of what its names are defined by.
+fn closure(side: &PrintedSide, given: &[Given]) -> BTreeSet<String> {
+    let mut out: BTreeSet<String> = names(side).iter().map(|n| n.key()).collect();
+    for _ in 0..given.len() {
+        let more: Vec<String> = given
+            .iter()
+            .filter(|g| !g.is_rate && out.contains(&g.key))
+            .flat_map(|g| names(&g.right))
+            .map(|n| n.key())
+            .collect();
+        out.extend(more);
+    }
+    out
+}
+
+/// Definitions in an order in which each stands behind those that it needs; those that need each other are left out.
+fn in_order(given: Vec<Given>) -> Vec<Given> {
+    let (rates, mut rest): (Vec<Given>, Vec<Given>) = given.into_iter().partition(|g| g.is_rate);
+    let mut out: Vec<Given> = Vec::new();
+    while !rest.is_empty() {
+        let keys: BTreeSet<String> = rest.iter().map(|g| g.key.clone()).collect();
+        let ready = |g: &Given| !names(&g.right).iter().any(|n| keys.contains(&n.key()));
+        let (now, later): (Vec<Given>, Vec<Given>) = rest.into_iter().partition(ready);
+        if now.is_empty() {
+            break;
+        }
+        out.extend(now);
+        rest = later;
+    }
+    out.extend(rates);
+    out
+}

@@ -1,0 +1,285 @@
+//! The nearest right formula: what should stand where a step is refuted.
+//!
+//! **In:** a refuted question. **Out:** a [`WrongStep`], where a formula that is one slip away is proved from the same things.
+//! **Guaranteed:** what an author may mean is not called wrong: a constant that takes in a factor, a term that is neglected on
+//! the earlier side, units in which a constant of nature is 1, another definition of a name, another branch of a solution.
+
+use std::collections::BTreeSet;
+
+use latex::syntax::{Chain, Node, NodeKind, to_latex};
+use paper::{PrintedSide, names};
+use proof::{Identity, Point, Refutation, Wanted};
+
+use expr::{Graph, Leaf};
+
+use super::desk::{Given, pairs_of};
+use super::facts::squeezed;
+use super::numbers::{absorbs, agreement, curves, holds_at, ratio};
+use super::question::{Asked, Rests, tested};
+use super::slips::{Alteration, Slip, size, slips, symbols};
+use super::{LintPicture, LintWitness};
+
+/// Slips that are tried of one side.
+const MOST_SLIPS: usize = 260;
+/// Fewest nodes of a side whose slip is told.
+const FEWEST_NODES: usize = 5;
+
+/// Letters that stand for any constant: from one line to the next they may stand for another one.
+const ANY_CONSTANT: &[&str] = &["C", "K", "A", "B", "D", "N", "c", "k", r"\mathcal{N}", r"\mathcal{C}", r"\tilde{C}"];
+
+/// Numbers by which a side may have been multiplied wrongly, beside 2: as they are printed.
+const FACTORS: &[(&str, f64)] = &[
+    (r"\pi", std::f64::consts::PI),
+    (r"2\pi", 2.0 * std::f64::consts::PI),
+    (r"4\pi", 4.0 * std::f64::consts::PI),
+    (r"\frac{1}{\pi}", 1.0 / std::f64::consts::PI),
+    (r"\frac{1}{2\pi}", 0.5 / std::f64::consts::PI),
+    (r"\frac{1}{4\pi}", 0.25 / std::f64::consts::PI),
+    (r"\sqrt{2}", std::f64::consts::SQRT_2),
+    (r"\frac{1}{\sqrt{2}}", std::f64::consts::FRAC_1_SQRT_2),
+    ("3", 3.0),
+    (r"\frac{1}{3}", 1.0 / 3.0),
+    ("4", 4.0),
+    (r"\frac{1}{4}", 0.25),
+    (r"\frac{2}{3}", 2.0 / 3.0),
+    (r"\frac{3}{2}", 1.5),
+    (r"\frac{1}{6}", 1.0 / 6.0),
+    ("6", 6.0),
+    ("8", 8.0),
+    (r"\frac{1}{8}", 0.125),
+];
+
+/// A step that is wrong.
+pub struct WrongStep {
+    /// A point at which it fails.
+    pub witness: LintWitness,
+    /// The later side as it should be, or the whole relation.
+    pub instead: String,
+    /// Both sides along a name.
+    pub picture: Option<LintPicture>,
+    /// The relations that it contradicts.
+    pub with: Vec<usize>,
+}
+
+/// The nearest formula that holds, where a step is refuted; `asked` counts the questions.
+pub fn nearest(
+    asked: Asked,
+    rests: &Rests,
+    free: &BTreeSet<char>,
+    count: &mut usize,
+    most: usize,
+) -> Option<WrongStep> {
+    let Identity::Refuted(refutation) = &asked.identity else { return None };
+    if asked.desk.is_complex || !free.is_empty() {
+        return None;
+    }
+    let witness = witness(&asked.desk.graph, refutation);
+    let picture = drawn(&asked, &refutation.point);
+    let points: Vec<Point> =
+        std::iter::once(&refutation.point).chain(refutation.second.as_ref().map(|s| &s.0)).cloned().collect();
+    let mut chains = latex::parse(&asked.text, &asked.desk.scope).ok()?;
+    let chain = chains.pop().filter(|c| chains.is_empty() && c.sides.len() == 2)?;
+    if chain.sides.iter().map(size).max()? < FEWEST_NODES || chain.sides.iter().any(|s| size(s) < 3) {
+        return None;
+    }
+    if takes_in(&asked, &rests.given) || is_evaluated(&chain) || is_reordered(&chain) {
+        return None;
+    }
+    let mut all = Vec::new();
+    chain.sides.iter().for_each(|s| symbols(s, &mut all));
+    let mut search = Search { asked, rests, chain, points, count };
+    let mut instead = None;
+    'sides: for k in [1, 0] {
+        let others = slips(&search.chain.sides[k], &all);
+        for slip in others.into_iter().take(MOST_SLIPS).filter(|s| k == 1 || s.way != Alteration::LostTerm) {
+            if *search.count > most {
+                return None;
+            }
+            instead = search.holds(k, &slip);
+            if instead.is_some() {
+                break 'sides;
+            }
+        }
+    }
+    let instead = instead.or_else(|| search.scaled())?;
+    let mut with: Vec<usize> = rests.given.iter().map(|g| g.relation).collect();
+    with.extend(rests.stated.iter().map(|s| s.relation));
+    Some(WrongStep { witness, instead, picture, with })
+}
+
+struct Search<'a> {
+    asked: Asked,
+    rests: &'a Rests,
+    chain: Chain,
+    /// Points at which what is given holds.
+    points: Vec<Point>,
+    count: &'a mut usize,
+}
+
+impl Search<'_> {
+    /// The altered relation as LaTeX, if it is proved and says something.
+    fn holds(&mut self, k: usize, slip: &Slip) -> Option<String> {
+        let chain = &self.chain;
+        let mut altered = chain.clone();
+        altered.sides[k] = slip.side.clone();
+        let (new, other) = (spelled(chain, &altered.sides[k]), spelled(chain, &altered.sides[1 - k]));
+        // What becomes the other side, or what is given letter by letter, is no slip of it.
+        let same = |side: &PrintedSide| squeezed(&side.text) == squeezed(&new);
+        if new == other
+            || self.rests.given.iter().any(|g| same(&g.right))
+            || self.rests.stated.iter().any(|s| same(&s.left) || same(&s.right))
+        {
+            return None;
+        }
+        // Beside a lone name, or a number, anything could be meant.
+        let plain = |n: &Node| matches!(n.kind, NodeKind::Symbol(_) | NodeKind::Number(_));
+        if plain(&altered.sides[k]) || plain(&chain.sides[k]) {
+            return None;
+        }
+        if let Alteration::Exchange { of, by } = &slip.way
+            && (of == by || size(&chain.sides[k]) < 9)
+        {
+            return None;
+        }
+        // With definitions, another name, or one more or fewer, may be another definition.
+        if (!self.rests.given.is_empty() || !self.rests.stated.is_empty()) && slip.way != Alteration::Value {
+            return None;
+        }
+        self.proved(&altered)?;
+        Some(if k == 1 { new } else { format!("{new} = {other}") })
+    }
+
+    fn proved(&mut self, altered: &Chain) -> Option<()> {
+        let desk = &mut self.asked.desk;
+        let statement = latex::elaborate(altered, &desk.scope, &mut desk.graph).ok()?;
+        let equations = pairs_of(&statement);
+        let premises = &self.asked.premises;
+        // A look at three points spares most proofs.
+        if premises.equations.is_empty() && agreement(&desk.graph, &equations, 6).is_some_and(|(_, agree)| !agree) {
+            return None;
+        }
+        // What is given holds at the points that refute the step, so what follows does, too.
+        if self.points.iter().any(|p| holds_at(&desk.graph, &equations, p) == Some(false)) {
+            return None;
+        }
+        *self.count += 1;
+        let found = tested(&mut desk.graph, &equations, premises, Wanted::Proof);
+        matches!(found, Ok(Identity::Proved(_))).then_some(())
+    }
+
+    /// The later side times a number, where that is proved.
+    fn scaled(&mut self) -> Option<String> {
+        let [equation] = self.asked.equations.as_slice() else { return None };
+        let measured = match self.asked.premises.equations.is_empty() {
+            true => Some(ratio(&self.asked.desk.graph, *equation)?),
+            false => None,
+        };
+        let (left, right) = (spelled(&self.chain, &self.chain.sides[0]), spelled(&self.chain, &self.chain.sides[1]));
+        for (text, factor) in FACTORS {
+            for (sign, signed) in [("", *factor), ("-", -factor)] {
+                if measured.is_some_and(|m| (m - signed).abs() > 1e-9 * signed.abs()) {
+                    continue;
+                }
+                let instead = format!(r"{sign}{text}\cdot\left({right}\right)");
+                let mut chains = latex::parse(&format!("{left} = {instead}"), &self.asked.desk.scope).ok()?;
+                let altered = chains.pop()?;
+                if self.proved(&altered).is_some() {
+                    return Some(instead);
+                }
+            }
+        }
+        None
+    }
+}
+
+/// Both sides along the first name in which they differ, where nothing else is fixed by it.
+fn drawn(asked: &Asked, point: &Point) -> Option<LintPicture> {
+    let [equation] = asked.equations.as_slice() else { return None };
+    if !asked.premises.equations.is_empty() {
+        return None;
+    }
+    let at: Vec<(Leaf, f64)> = point.values.iter().map(|(leaf, v)| (*leaf, v.decimal)).collect();
+    at.iter().find_map(|(leaf, _)| {
+        let points = curves(&asked.desk.graph, *equation, &at, *leaf)?;
+        Some(LintPicture { name: asked.desk.graph.leaf_latex(*leaf), points })
+    })
+}
+
+/// Whether the later side is a number: it may be the value for values that words give.
+fn is_evaluated(chain: &Chain) -> bool {
+    let mut all = [Vec::new(), Vec::new()];
+    chain.sides.iter().zip(&mut all).for_each(|(s, out)| symbols(s, out));
+    all[1].is_empty() && !all[0].is_empty()
+}
+
+/// Whether both sides are products of the same names in another order: their order may count.
+fn is_reordered(chain: &Chain) -> bool {
+    let sequence = |side: &Node| {
+        let mut out = Vec::new();
+        sequence_of(side, &mut out);
+        out
+    };
+    let [a, b] = chain.sides.as_slice() else { return false };
+    let is_product = |n: &Node| match &n.kind {
+        NodeKind::Sum(terms) => terms.len() == 1,
+        _ => true,
+    };
+    let (first, second) = (sequence(a), sequence(b));
+    let mut sorted = (first.clone(), second.clone());
+    sorted.0.sort();
+    sorted.1.sort();
+    is_product(a) && is_product(b) && first.len() > 1 && first != second && sorted.0 == sorted.1
+}
+
+/// The names of a side in their order.
+fn sequence_of(side: &Node, out: &mut Vec<String>) {
+    if let NodeKind::Symbol(s) = &side.kind {
+        out.push(format!("{}{:?}", s.name, s.sub));
+    }
+    side.children().into_iter().for_each(|c| sequence_of(c, out));
+}
+
+/// A side as LaTeX.
+fn spelled(chain: &Chain, side: &Node) -> String {
+    to_latex(&Chain { sides: vec![side.clone()], relations: Vec::new(), ..chain.clone() })
+}
+
+/// Whether a letter that stands for any constant could take in the difference.
+fn takes_in(asked: &Asked, given: &[Given]) -> bool {
+    let [equation] = asked.equations.as_slice() else { return false };
+    let constants = asked.desk.scalars.iter().filter(|(key, _, is_parameter)| {
+        let (letter, below) = key.split_once('_').unwrap_or((key.as_str(), ""));
+        let numbered = below.trim_matches(['{', '}']).chars().all(|c| c.is_ascii_digit());
+        *is_parameter
+            && numbered
+            && ANY_CONSTANT.contains(&letter)
+            && (letter != "c" && letter != "k" || !below.is_empty())
+            && !given.iter().any(|g| g.key == *key)
+    });
+    let leaves: Vec<Leaf> = constants.map(|(_, symbol, _)| Leaf::now(*symbol, 0)).collect();
+    // Several of them could each take in something.
+    leaves.len() > 1 || leaves.into_iter().any(|leaf| absorbs(&asked.desk.graph, *equation, leaf))
+}
+
+/// Whether the later side has no name that neither the earlier side nor what is given has: what relates a new one is not known here.
+pub fn introduces_nothing(sides: [&PrintedSide; 2], rests: &Rests) -> bool {
+    let mut known: BTreeSet<String> = names(sides[0]).iter().map(|n| n.key()).collect();
+    let given = rests.given.iter().flat_map(|g| [&g.left, &g.right]);
+    for side in given.chain(rests.stated.iter().flat_map(|s| [&s.left, &s.right])) {
+        known.extend(names(side).iter().map(|n| n.key()));
+    }
+    names(sides[1]).iter().all(|n| known.contains(&n.key()))
+}
+
+fn witness(graph: &Graph, refutation: &Refutation) -> LintWitness {
+    let [named, _] = refutation.parted(&refutation.point);
+    let value = |v: &proof::PointValue| match &v.exact {
+        Some(exact) => exact.to_string(),
+        None => format!("{:.6}", v.decimal),
+    };
+    LintWitness {
+        values: named.iter().map(|(leaf, v)| (graph.leaf_latex(*leaf), value(v))).collect(),
+        left: refutation.left.decimal,
+        right: refutation.right.decimal,
+    }
+}

@@ -1,0 +1,147 @@
+//! One question: does a step hold, given some definitions and equations, for all names or for positive ones?
+//!
+//! **In:** two sides, what they may rest on. **Out:** an [`Asked`]: the answer of the prover, with the graph that it is about.
+//! **Guaranteed:** a proof that leaves out a case that was divided by is none; nor is one from equations that no real point was seen to
+//! satisfy, since these would imply anything.
+
+use std::collections::BTreeSet;
+
+use expr::{Expr, Graph, Leaf};
+use latex::syntax::RelationKind;
+use meter::{Ended, Limits, Task};
+use paper::{Evidence, PrintedSide};
+use proof::{Condition, Identity, Known, Options, Premises, Wanted, When, identity_test};
+
+use super::desk::{Desk, Given, NotRead, pairs_of};
+use super::facts::Stated;
+
+/// Names that are taken to be positive.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Positive {
+    /// Those that the paper says to be.
+    Named(BTreeSet<String>),
+    /// All that do not depend on the time.
+    Parameters,
+}
+
+/// What a step may rest on.
+#[derive(Clone, Debug)]
+pub struct Rests {
+    /// Definitions and rates.
+    pub given: Vec<Given>,
+    /// Equations.
+    pub stated: Vec<Stated>,
+    /// Signs.
+    pub positive: Positive,
+}
+
+/// What is said of a step whose proof takes more work than one of a paper may.
+pub const TOO_LONG: &str = "a step that takes too much work";
+
+impl Rests {
+    /// Whether both rest on the same relations.
+    pub fn rests_on_the_same(&self, other: &Rests) -> bool {
+        let given = |r: &Rests| r.given.iter().map(|g| (g.relation, g.is_rate)).collect::<Vec<_>>();
+        let stated = |r: &Rests| r.stated.iter().map(|s| (s.relation, s.left.span.clone())).collect::<Vec<_>>();
+        given(self) == given(other) && stated(self) == stated(other)
+    }
+}
+
+/// A question, and its answer.
+pub struct Asked {
+    /// The graph and the scope.
+    pub desk: Desk,
+    /// What was given.
+    pub premises: Premises,
+    /// The pairs of scalars that are asked to be equal.
+    pub equations: Vec<(Expr, Expr)>,
+    /// The answer.
+    pub identity: Identity,
+    /// The relation that was read.
+    pub text: String,
+}
+
+impl Asked {
+    /// Whether it is proved.
+    pub fn is_proved(&self) -> bool {
+        matches!(self.identity, Identity::Proved(_))
+    }
+}
+
+/// Asks whether two sides are equal.
+///
+/// # Errors
+/// The feature that is not understood.
+pub fn ask(
+    sides: [&PrintedSide; 2],
+    rests: &Rests,
+    evidence: &Evidence,
+    free: &BTreeSet<char>,
+) -> Result<Asked, NotRead> {
+    let list: Vec<&Given> = rests.given.iter().collect();
+    let mut all: Vec<&PrintedSide> = sides.to_vec();
+    all.extend(rests.stated.iter().flat_map(|s| [&s.left, &s.right]));
+    let mut desk = Desk::new(&all, &list, evidence, free)?;
+    let read = desk.read(sides, evidence)?;
+    let statement = &read.statement;
+    if statement.relations.iter().any(|r| r.kind != RelationKind::Equal || r.has_branches || r.limit.is_some()) {
+        return Err(NotRead::of("a sign of two branches, or a limit"));
+    }
+    let equations = pairs_of(statement);
+    let mut premises = Premises { time: desk.time, moving: desk.moving.clone(), ..Premises::default() };
+    let rates = rests.given.iter().filter(|g| g.is_rate).map(|g| [&g.left, &g.right]);
+    for [left, right] in rates.chain(rests.stated.iter().map(|s| [&s.left, &s.right])) {
+        let pairs = desk.pairs([left, right], evidence)?;
+        premises.equations.extend(pairs.into_iter().map(|pair| Known::of(pair, When::Always)));
+    }
+    if !desk.is_complex {
+        let positive = |key: &String, is_parameter: bool| match &rests.positive {
+            Positive::Named(keys) => keys.contains(key),
+            Positive::Parameters => is_parameter,
+        };
+        let chosen = desk.scalars.iter().filter(|(key, _, parameter)| positive(key, *parameter));
+        let leaves: Vec<Leaf> = chosen.map(|(_, symbol, _)| Leaf::now(*symbol, 0)).collect();
+        premises.positive = leaves.into_iter().map(|l| desk.graph.leaf(l)).collect();
+    }
+    let identity = tested(&mut desk.graph, &equations, &premises, Wanted::Answer).map_err(|ended| match ended {
+        Ended::Defect(what) => NotRead { feature: "a defect of this program".to_owned(), why: Some(what) },
+        _ => NotRead::of(TOO_LONG),
+    })?;
+    // What nothing satisfies implies everything, and what has no real value is equal to anything.
+    let identity = match identity {
+        Identity::Proved(proof) if proof.example.is_none() => Identity::Undecided(proof::Reason::NoValue),
+        other => other,
+    };
+    Ok(Asked { desk, premises, equations, identity, text: read.text })
+}
+
+/// The answer, with a bound on the work.
+///
+/// # Errors
+/// The work was used up before there was an answer.
+pub fn tested(
+    graph: &mut Graph,
+    equations: &[(Expr, Expr)],
+    premises: &Premises,
+    wanted: Wanted,
+) -> Result<Identity, Ended> {
+    let proof = wanted == Wanted::Proof;
+    let options = Options {
+        attempts: if proof { 0 } else { 60 },
+        special_cases: 0,
+        most_signs: 6,
+        most_nodes: 4000,
+        wanted,
+        ..Options::default()
+    };
+    let answer = meter::piece(Task::Step, &Limits::default(), || identity_test(graph, equations, premises, &options))?;
+    Ok(match answer {
+        // A case that was divided by is left out: that is no proof of what is printed.
+        Identity::Proved(proof)
+            if proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_) | Condition::Discriminant(_))) =>
+        {
+            Identity::Undecided(proof::Reason::Degenerate)
+        }
+        other => other,
+    })
+}

@@ -1,0 +1,393 @@
+//! The words around a display: which equations its sentence names, whether it concludes, approximates or renames.
+//!
+//! **In:** the source text before and behind a display. **Out:** a [`Sentence`]. **Guaranteed:** words only ever choose which
+//! equations a step is tried with, or keep *wrong* from being said; no word makes a formula hold. The tables are short: what is not
+//! in them is text.
+
+use std::ops::Range;
+
+use paper::{Paper, PrintedRelation};
+
+/// The longest text before a display that is looked at, in bytes.
+const BEFORE: usize = 500;
+/// The longest text behind it.
+const BEHIND: usize = 200;
+
+/// Words with which a sentence concludes from the formula before it.
+const CONCLUDES: &[&str] = &[
+    "hence",
+    "thus",
+    "therefore",
+    "consequently",
+    "accordingly",
+    "it follows",
+    "so that",
+    "which gives",
+    "which implies",
+    "this gives",
+    "this implies",
+    "gives",
+    "yields",
+    "implies",
+    "we get",
+    "we obtain",
+    "we find",
+    "we have",
+    "leads to",
+    "or equivalently",
+    "equivalently",
+    "that is",
+    "i.e.",
+    "simplifies",
+    "reduces to",
+    "solving",
+    "rearranging",
+    "so ",
+    "⇒",
+];
+
+/// Words of a sentence whose equations need not be exact, or whose constants may change from line to line.
+const LOOSENS: &[&str] = &[
+    "approx",
+    "neglect",
+    "leading order",
+    "to first order",
+    "at first order",
+    "first order in",
+    "to second order",
+    "second order in",
+    "lowest order",
+    "higher order",
+    "higher-order",
+    "zeroth order",
+    "to order",
+    "linear order",
+    "ignor",
+    "dropping",
+    "drop the",
+    "we drop",
+    "discard",
+    "omit",
+    "linearis",
+    "lineariz",
+    "expansion",
+    "taylor",
+    "asymptotic",
+    "in the limit",
+    "for small",
+    "for large",
+    "is small",
+    "is large",
+    "are small",
+    "are large",
+    "small compared",
+    "large compared",
+    "sufficiently small",
+    "sufficiently large",
+    "roughly",
+    "absorb",
+    "redefin",
+    "re-defin",
+    "rescal",
+    "renam",
+    "relabel",
+    "natural units",
+    "units in which",
+    "units where",
+    "units such that",
+    "nondimension",
+    "non-dimension",
+    "dimensionless",
+    "up to a",
+    "up to an",
+    "modulo",
+    "of integration",
+    "integration constant",
+    "arbitrary constant",
+    "on average",
+    "mistake",
+    "incorrect",
+    "erroneous",
+    "wrong",
+    "contradict",
+    "suppose instead",
+    "if instead",
+    "would have",
+    "would be",
+    "not equal",
+];
+
+/// Words with which a formula behind a display says what its names stand for.
+const WHERE: &[&str] = &["where", "with", "here", "in which", "wherein"];
+
+/// What the words around a display say.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Sentence {
+    /// Labels, and numbers given with `\tag`, of the equations that the sentence names.
+    pub names: Vec<String>,
+    /// It concludes from what stands before it.
+    pub concludes: bool,
+    /// Its equations need not be exact.
+    pub loosens: bool,
+}
+
+impl Sentence {
+    /// The sentence of a relation; `earlier` is the place of the display before it.
+    pub fn of(paper: &Paper, place: &Range<usize>, earlier: Option<&Range<usize>>) -> Sentence {
+        let (file, span) = paper.locate(place);
+        let from = match earlier.map(|e| paper.locate(e)) {
+            Some((other, e)) if std::sync::Arc::ptr_eq(other, file) && e.end <= span.start => e.end,
+            _ => 0,
+        };
+        let before = window(&file.text, from.max(span.start.saturating_sub(BEFORE)), span.start);
+        let behind = window(&file.text, span.end, (span.end + BEHIND).min(file.text.len()));
+        let before = uncommented(before.rsplit("\n\n").next().unwrap_or(""));
+        let behind = uncommented(behind.split("\n\n").next().unwrap_or(""));
+        let lower = before.to_lowercase();
+        let last = last_sentence(&lower);
+        let loose = |text: &str| LOOSENS.iter().any(|w| text.contains(w));
+        Sentence {
+            names: named(&before),
+            concludes: CONCLUDES.iter().any(|w| last.contains(w)),
+            loosens: loose(&lower) || loose(&first_sentence(&behind.to_lowercase())),
+        }
+    }
+}
+
+/// Whether a relation of the running text says what a name of the display before it stands for: "where $k=2\pi/\lambda$".
+pub fn explains(paper: &Paper, display: &PrintedRelation, relation: &PrintedRelation) -> bool {
+    let (file, first) = paper.locate(&display.span());
+    let (other, second) = paper.locate(&relation.span());
+    if !std::sync::Arc::ptr_eq(file, other) || second.start < first.end || second.start > first.end + BEFORE {
+        return false;
+    }
+    let between = uncommented(window(&file.text, first.end, second.start));
+    if between.contains("\n\n") {
+        return false;
+    }
+    let words = between.to_lowercase();
+    // Up to the first word: the end of the display, and signs.
+    let text = words.replace(r"\end{", " \\").replace(r"\]", " ").replace("$$", " ");
+    let stops = text.trim_start().starts_with('.');
+    if text.trim_start().trim_start_matches('.').contains(". ") {
+        return false;
+    }
+    let all = text.split(|c: char| c.is_whitespace() || matches!(c, ',' | '.' | '}' | '{' | '~' | '*'));
+    let ends = ["equation", "align", "gather", "multline", "eqnarray", "displaymath", "split", "aligned", "nonumber"];
+    let mut plain = all.filter(|w| {
+        let bare = w.trim_start_matches('\\');
+        !bare.is_empty() && !ends.contains(&bare) && !w.starts_with('\\')
+    });
+    // Behind a full stop "With" begins another thought.
+    plain.next().is_some_and(|w| WHERE.contains(&w) && !(stops && w == "with")) && !words.contains(" if ")
+}
+
+/// Words right before a formula of the running text that make it a case, not a definition: "at $x=a$".
+const SUPPOSES: &[&str] = &[
+    "at",
+    "for",
+    "when",
+    "if",
+    "near",
+    "as",
+    "unless",
+    "until",
+    "than",
+    "case",
+    "whenever",
+    "provided",
+    "condition",
+    "limit",
+    "from",
+    "to",
+    "between",
+    "only",
+    "like",
+    "e.g.",
+    "choose",
+    "choosing",
+    "suppose",
+    "supposing",
+    "assume",
+    "assuming",
+    "take",
+    "taking",
+    "setting",
+    "putting",
+    "consider",
+    "pick",
+    "say",
+];
+
+/// Whether a formula of the running text says when something holds, and not what a name stands for.
+pub fn is_supposed(paper: &Paper, relation: &PrintedRelation) -> bool {
+    let (file, span) = paper.locate(&relation.span());
+    let before = uncommented(window(&file.text, span.start.saturating_sub(60), span.start)).to_lowercase();
+    let words = before.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, '$' | '(' | '\\' | '~'));
+    let last = words.rsplit(|c: char| c.is_whitespace() || c == '~' || c == '(').next().unwrap_or("");
+    SUPPOSES.contains(&last)
+}
+
+/// Environments whose names are their own.
+const OWN_NAMES: &[&str] = &[
+    "example",
+    "examples",
+    "exercise",
+    "exercises",
+    "problem",
+    "question",
+    "theorem",
+    "lemma",
+    "proposition",
+    "corollary",
+    "remark",
+    "definition",
+    "ex",
+    "exer",
+    "thm",
+    "prob",
+    "task",
+    "myexample",
+    "exbox",
+];
+/// Environments that go on from the one before.
+const GOES_ON: &[&str] = &["solution", "proof", "answer", "sol", "soln"];
+
+/// For each printed relation the number of the part in which its names mean the same: its section, or an example or a theorem with its
+/// solution or proof.
+pub fn parts(paper: &Paper) -> Vec<usize> {
+    let mut out = Vec::with_capacity(paper.printed.len());
+    // The borders of the file that is looked at.
+    let mut known: Option<(std::sync::Arc<diag::Source>, Vec<usize>)> = None;
+    for relation in &paper.printed {
+        let (file, span) = paper.locate(&relation.span());
+        if known.as_ref().is_none_or(|(f, _)| !std::sync::Arc::ptr_eq(f, file)) {
+            known = Some((file.clone(), borders(&file.text)));
+        }
+        let passed = known.as_ref().map_or(0, |(_, b)| b.partition_point(|at| *at <= span.start));
+        out.push(relation.section * BORDERS + passed);
+    }
+    out
+}
+
+/// More borders than that are not told apart.
+const BORDERS: usize = 1 << 24;
+
+/// Where environments with names of their own begin and end.
+fn borders(text: &str) -> Vec<usize> {
+    let mut out = Vec::new();
+    for (at, command) in text.match_indices(r"\begin{").chain(text.match_indices(r"\end{")) {
+        let name = text[at + command.len()..].split('}').next().unwrap_or("").trim_end_matches('*').to_lowercase();
+        let own = OWN_NAMES.contains(&name.as_str());
+        let ends = command == r"\end{" && (own || GOES_ON.contains(&name.as_str()));
+        // A solution goes on from its example.
+        let after = text[at + command.len()..].split_once('}').map_or("", |(_, rest)| rest.trim_start());
+        let next = after.strip_prefix(r"\begin{").and_then(|r| r.split('}').next()).unwrap_or("").to_lowercase();
+        if command == r"\begin{" && own || ends && !GOES_ON.contains(&next.as_str()) {
+            out.push(at);
+        }
+    }
+    out.sort_unstable();
+    out
+}
+
+fn window(text: &str, from: usize, to: usize) -> &str {
+    let near = |mut i: usize| {
+        while i < text.len() && !text.is_char_boundary(i) {
+            i += 1;
+        }
+        i.min(text.len())
+    };
+    text.get(near(from)..near(to)).unwrap_or("")
+}
+
+/// A text without the comments of LaTeX.
+fn uncommented(text: &str) -> String {
+    let line = |l: &str| {
+        let mut end = l.len();
+        for (i, _) in l.match_indices('%') {
+            if !l[..i].ends_with('\\') {
+                end = i;
+                break;
+            }
+        }
+        l[..end].to_owned()
+    };
+    text.lines().map(line).collect::<Vec<_>>().join("\n")
+}
+
+/// What stands behind the last full stop before a capital letter.
+fn last_sentence(lower: &str) -> &str {
+    let abbreviated = ["eq", "eqs", "fig", "ref", "refs", "sec", "e.g", "i.e", "cf", "eqn", "eqns"];
+    let stop = lower.rmatch_indices(". ").find(|(i, _)| {
+        let word = lower[..*i].rsplit(|c: char| c.is_whitespace() || c == '(' || c == '~').next().unwrap_or("");
+        !abbreviated.contains(&word)
+    });
+    stop.map_or(lower, |(i, _)| &lower[i + 2..])
+}
+
+fn first_sentence(lower: &str) -> String {
+    lower.split(". ").next().unwrap_or("").to_owned()
+}
+
+/// The labels that a text refers to, and the numbers behind "Eq." or "from".
+fn named(text: &str) -> Vec<String> {
+    let mut out = Vec::new();
+    for command in [r"\eqref{", r"\ref{", r"\cref{", r"\Cref{", r"\autoref{", r"\eqrefs{", r"\Eqref{"] {
+        for (i, _) in text.match_indices(command) {
+            let inside = text[i + command.len()..].split('}').next().unwrap_or("");
+            out.extend(inside.split(',').map(|l| l.trim().to_owned()).filter(|l| !l.is_empty()));
+        }
+    }
+    // "(3)", by hand.
+    for (i, _) in text.match_indices('(') {
+        let inside = text[i + 1..].split(')').next().unwrap_or("");
+        let number = !inside.is_empty()
+            && inside.len() <= 6
+            && inside.starts_with(|c: char| c.is_ascii_alphanumeric())
+            && inside.chars().any(|c| c.is_ascii_digit())
+            && inside.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '.' | '-'));
+        if number {
+            out.push(inside.to_owned());
+        }
+    }
+    out.sort();
+    out.dedup();
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use diag::Source;
+
+    fn sentence(tex: &str) -> Sentence {
+        let paper = paper::parse(Source { path: "p.tex".into(), text: tex.into() }, String::new()).expect("read");
+        let shown: Vec<&PrintedRelation> = paper.printed.iter().filter(|r| r.display.is_some()).collect();
+        let [.., before, last] = shown.as_slice() else { panic!("two displays") };
+        Sentence::of(&paper, &last.span(), Some(&before.span()))
+    }
+
+    #[test]
+    fn the_words_of_a_sentence_are_found() {
+        let found = sentence(r"\[ a=b \] Inserting \eqref{one} into Eq.~(2) we obtain \[ c=d \]");
+        assert_eq!(found, Sentence { names: vec!["2".into(), "one".into()], concludes: true, loosens: false });
+        assert!(sentence(r"\[ a=b \] Neglecting the last term, \[ c=d \]").loosens);
+        assert!(sentence(r"\[ a=b \] So we have \[ c=d \] where the constant is absorbed.").loosens);
+        assert!(!sentence("\\[ a=b \\] We neglect nothing.\n\nThus % approximately\n\\[ c=d \\]").loosens);
+        assert!(!sentence(r"\[ a=b \] Thus it ends. The other one is \[ c=d \]").concludes);
+    }
+
+    #[test]
+    fn what_stands_behind_where_explains() {
+        for (tex, wanted) in [
+            (r"\[ a=b \] where $b=2c$", true),
+            (r"\begin{equation} a=b, \end{equation} with the width $b=2c$", true),
+            ("\\[ a=b \\]\n\nwhere $b=2c$", false),
+            (r"\[ a=b \] Then $b=2c$", false),
+        ] {
+            let paper = paper::parse(Source { path: "p.tex".into(), text: tex.into() }, String::new()).expect("read");
+            assert_eq!(explains(&paper, &paper.printed[0], &paper.printed[1]), wanted, "{tex}");
+        }
+    }
+}

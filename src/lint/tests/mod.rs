@@ -1,0 +1,70 @@
+//! Papers in which nothing is wrong, and papers with one slip each.
+
+use diag::Source;
+
+use crate::{Lint, Word, lint};
+
+fn linted(tex: &str) -> (paper::Paper, Lint) {
+    let paper = paper::parse(Source { path: "p.tex".into(), text: tex.into() }, String::new()).expect("it is read");
+    let found = lint(&paper);
+    (paper, found)
+}
+
+/// The texts of a file, each behind a line that says what it is about.
+fn texts(file: &'static str) -> Vec<(&'static str, &'static str)> {
+    file.split("%% ").skip(1).filter_map(|t| t.split_once('\n')).collect()
+}
+
+fn all(found: &Lint, paper: &paper::Paper) -> String {
+    let one =
+        |j: &crate::Judgement| format!("{} {} {:?}\n", j.word.text(), paper.printed[j.relation].text(), j.instead);
+    found.judgements.iter().map(one).collect()
+}
+
+#[test]
+fn nothing_is_wrong_in_derivations_that_are_right() {
+    let texts = texts(include_str!("right.tex"));
+    assert!(texts.len() >= 60, "{}", texts.len());
+    let mut failures = String::new();
+    for (about, tex) in texts {
+        let (paper, found) = linted(tex);
+        if found.count(Word::Wrong) > 0 {
+            failures += &format!("{about}:\n{}", all(&found, &paper));
+        }
+    }
+    assert!(failures.is_empty(), "{failures}");
+}
+
+#[test]
+fn a_slip_is_found_where_the_paper_says_what_its_names_are() {
+    for (about, tex) in texts(include_str!("slips.tex")) {
+        let (wanted, tex) = tex.split_once('\n').expect("what is right, then the text");
+        let (paper, found) = linted(tex);
+        let instead: Vec<String> = found.judgements.iter().filter_map(|j| j.instead.clone()).collect();
+        let plain = |t: &str| t.replace(' ', "");
+        let wanted = wanted.trim_start_matches("% ");
+        assert!(
+            found.count(Word::Wrong) == 1 && plain(&instead[0]).contains(&plain(wanted)),
+            "{about}: {instead:?}\n{}",
+            all(&found, &paper)
+        );
+    }
+}
+
+#[test]
+fn what_stands_before_it_proves_a_step() {
+    for (about, tex) in texts(include_str!("follows.tex")) {
+        let (paper, found) = linted(tex);
+        let last = found.judgements.iter().rev().find(|j| paper.printed[j.relation].display.is_some());
+        assert!(last.is_some_and(|j| j.word == Word::Follows), "{about}\n{}", all(&found, &paper));
+    }
+}
+
+#[test]
+fn what_does_not_follow_is_not_said_to() {
+    for (about, tex) in texts(include_str!("open.tex")) {
+        let (paper, found) = linted(tex);
+        let last = found.judgements.iter().rev().find(|j| paper.printed[j.relation].display.is_some());
+        assert!(last.is_some_and(|j| j.word != Word::Follows), "{about}\n{}", all(&found, &paper));
+    }
+}

@@ -1,0 +1,246 @@
+//! The page of a paper that was looked through: its formulas in their order, each with its word, the wrong one beside the right one.
+//!
+//! **In:** a paper, and what was found of it. **Out:** one HTML page that needs nothing beside itself: formulas as MathML, a picture of
+//! both sides of a wrong step as SVG, no script. **Guaranteed:** every text of the paper is escaped; a formula that is not read is shown
+//! as it is written. A word is told by itself, not by its colour alone.
+
+use expr::Graph;
+use latex::Scope;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use paper::{Paper, PrintedRelation};
+
+use super::mathml;
+use lint::{Judgement, Lint, LintPicture, Typeset, Word};
+
+const STYLE: &str = include_str!("lint_page.css");
+
+/// Signs of relation as characters.
+const SIGNS: &[(&str, &str)] = &[
+    (r"\equiv", "≡"),
+    (r"\approx", "≈"),
+    (r"\simeq", "≃"),
+    (r"\sim", "∼"),
+    (r"\cong", "≅"),
+    (r"\propto", "∝"),
+    (r"\ll", "≪"),
+    (r"\gg", "≫"),
+    (r"\le", "≤"),
+    (r"\leq", "≤"),
+    (r"\ge", "≥"),
+    (r"\geq", "≥"),
+    (r"\ne", "≠"),
+    (r"\neq", "≠"),
+    (r"\in", "∈"),
+    (r"\to", "→"),
+    (r"\rightarrow", "→"),
+    (r"\mapsto", "↦"),
+    (r"\coloneqq", "≔"),
+    (r"\triangleq", "≜"),
+    (r"\lt", "<"),
+    (r"\gt", ">"),
+];
+
+/// The page.
+pub fn lint_page(paper: &Paper, found: &Lint) -> String {
+    let title = paper.title.clone().unwrap_or_else(|| paper.file.path.clone());
+    let typeset = lint::typesetting(paper);
+    let wrong: Vec<&Judgement> = found.judgements.iter().filter(|j| j.word == Word::Wrong).collect();
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                // Whatever a paper says, the page loads nothing and sends nothing.
+                meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'";
+                title { (title) }
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                header {
+                    p.quiet { "A paper as it is" }
+                    h1 { (title) }
+                    p.quiet { (paper.file.path) }
+                    ul.counts {
+                        @for word in Word::ALL {
+                            @if found.count(word) > 0 || word == Word::Wrong {
+                                li { b { (found.count(word)) } " " (word.text()) }
+                            }
+                        }
+                    }
+                    @if !wrong.is_empty() {
+                        p { "Wrong: "
+                            @for (k, j) in wrong.iter().enumerate() {
+                                @if k > 0 { ", " }
+                                a href=(format!("#f{}", j.relation)) { "line " (lint::line(paper, j)) }
+                            }
+                        }
+                    }
+                }
+                main {
+                    h2 { "Formulas" }
+                    (displays(paper, found, &typeset))
+                    @if !paper.notes.is_empty() {
+                        h2 { "Notes" }
+                        ul { @for note in &paper.notes { li { "line " (paper.line(&note.span)) ": " (note.message) } } }
+                    }
+                }
+            }
+        }
+    };
+    page.into_string() + "\n"
+}
+
+/// The formulas, those of a display together.
+fn displays(paper: &Paper, found: &Lint, typeset: &[Option<Typeset>]) -> Markup {
+    let told = found.judgements.iter().filter(|j| {
+        let inline = paper.printed.get(j.relation).is_some_and(|r| r.display.is_none());
+        !inline || matches!(j.word, Word::Wrong | Word::Defines | Word::Follows | Word::Numbers)
+    });
+    let mut groups: Vec<(Option<usize>, Vec<&Judgement>)> = Vec::new();
+    for judgement in told {
+        let display = paper.printed.get(judgement.relation).and_then(|r| r.display);
+        match groups.last_mut() {
+            Some((of, group)) if display.is_some() && *of == display => group.push(judgement),
+            _ => groups.push((display, vec![judgement])),
+        }
+    }
+    html! {
+        @for (_, group) in &groups {
+            div.display { @for judgement in group { (one(paper, judgement, typeset)) } }
+        }
+    }
+}
+
+fn one(paper: &Paper, judgement: &Judgement, typeset: &[Option<Typeset>]) -> Markup {
+    let Some(relation) = paper.printed.get(judgement.relation) else { return html! {} };
+    let how = typeset.get(judgement.relation).and_then(Option::as_ref);
+    let class = match judgement.word {
+        Word::Wrong => "relation wrong",
+        Word::Follows | Word::Numbers => "relation follows",
+        Word::NotFollowed | Word::NotRead => "relation open",
+        Word::Defines | Word::Condition | Word::Approximates => "relation",
+    };
+    let why = lint::explained(paper, judgement);
+    html! {
+        div class=(class) id=(format!("f{}", judgement.relation)) {
+            p.quiet {
+                "line " (lint::line(paper, judgement)) ": " span.word { (judgement.word.text()) }
+                @if !why.is_empty() { " – " (why) }
+            }
+            div.formula tabindex="0" role="group" aria-label=(format!("formula of line {}", lint::line(paper, judgement))) {
+                (sides(relation, how))
+            }
+            @if judgement.word == Word::Wrong { (wrong(relation, judgement, how)) }
+        }
+    }
+}
+
+/// The side that is wrong, what holds in its place, a point, a picture.
+fn wrong(relation: &PrintedRelation, judgement: &Judgement, how: Option<&Typeset>) -> Markup {
+    let scope = how.map(|h| &h.scope);
+    let at = relation.sides.iter().position(|s| s.span == judgement.span);
+    let printed = at.map_or("", |k| text_of(relation, how, k));
+    html! {
+        div.sides {
+            div { h3 { "As printed" } div.formula tabindex="0" role="group" aria-label="as printed" { (formula(printed, scope)) } }
+            @if let Some(instead) = &judgement.instead {
+                div { h3 { "Holds" } div.formula tabindex="0" role="group" aria-label="what holds" { (formula(instead, scope)) } }
+            }
+        }
+        @if let Some(witness) = &judgement.witness {
+            p {
+                "For "
+                @for (k, (name, value)) in witness.values.iter().take(8).enumerate() {
+                    @if k > 0 { ", " }
+                    (formula(name, scope)) " = " (value)
+                }
+                " it says " (lint::decimal(witness.left)) " = " (lint::decimal(witness.right)) "."
+            }
+        }
+        @if let Some(picture) = &judgement.picture { (drawing(picture)) }
+    }
+}
+
+/// All sides of a relation, with the signs between them.
+fn sides(relation: &PrintedRelation, how: Option<&Typeset>) -> Markup {
+    html! {
+        @for k in 0..relation.sides.len() {
+            @if let Some(sign) = k.checked_sub(1).and_then(|k| relation.signs.get(k)) { " " (character(sign)) " " }
+            (formula(text_of(relation, how, k), how.map(|h| &h.scope)))
+        }
+        @if let Some(label) = &relation.label { span.quiet { "  (" (label) ")" } }
+    }
+}
+
+/// A side as it can be read.
+fn text_of<'a>(relation: &'a PrintedRelation, how: Option<&'a Typeset>, k: usize) -> &'a str {
+    let printed = relation.sides.get(k).map_or("", |s| s.text.as_str());
+    how.and_then(|h| h.sides.get(k)).map_or(printed, String::as_str)
+}
+
+fn character(sign: &str) -> &str {
+    SIGNS.iter().find(|(command, _)| *command == sign).map_or(sign, |(_, c)| c)
+}
+
+/// A formula as MathML; as it is written, where it is not read.
+fn formula(text: &str, scope: Option<&Scope>) -> Markup {
+    let found = match scope {
+        Some(scope) => mathml::inline(text, scope),
+        None => mathml::inline(text, &Scope::new(&mut Graph::new())),
+    };
+    match found {
+        Some(math) => PreEscaped(math),
+        None => html! { code { (text) } },
+    }
+}
+
+const WIDTH: f64 = 360.0;
+const HEIGHT: f64 = 180.0;
+const MARGIN: f64 = 34.0;
+
+/// Both sides as curves.
+fn drawing(picture: &LintPicture) -> Markup {
+    let values = || picture.points.iter().flat_map(|(_, l, r)| [*l, *r]).flatten();
+    let (low, high) = values().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
+    let (Some(first), Some(last)) = (picture.points.first(), picture.points.last()) else { return html! {} };
+    let (low, high) = if high > low { (low, high) } else { (low - 1.0, high + 1.0) };
+    let x = |v: f64| MARGIN + (v - first.0) / (last.0 - first.0) * (WIDTH - 2.0 * MARGIN);
+    let y = |v: f64| HEIGHT - MARGIN - (v - low) / (high - low) * (HEIGHT - 2.0 * MARGIN);
+    let curve = |side: &dyn Fn(&(f64, Option<f64>, Option<f64>)) -> Option<f64>| {
+        let mut path = String::new();
+        let mut pen = 'M';
+        for point in &picture.points {
+            match side(point) {
+                Some(v) => {
+                    path += &format!("{pen}{:.1} {:.1}", x(point.0), y(v));
+                    pen = 'L';
+                }
+                None => pen = 'M',
+            }
+        }
+        path
+    };
+    let label =
+        format!("The earlier side and the printed one for {} from {:.3} to {:.3}", picture.name, first.0, last.0);
+    html! {
+        svg viewBox=(format!("0 0 {WIDTH} {HEIGHT}")) width=(WIDTH) height=(HEIGHT) role="img" aria-label=(label) {
+            path.axis d=(format!("M{MARGIN} {MARGIN}V{0}H{1}", HEIGHT - MARGIN, WIDTH - MARGIN)) {}
+            path.left d=(curve(&|p| p.1)) {}
+            path.right d=(curve(&|p| p.2)) {}
+            text x=(MARGIN) y=(HEIGHT - 16.0) { (short(first.0)) }
+            text x=(WIDTH - MARGIN) y=(HEIGHT - 16.0) text-anchor="end" { (short(last.0)) }
+            text x=(WIDTH / 2.0) y=(HEIGHT - 16.0) text-anchor="middle" { (picture.name) }
+            text x=(MARGIN) y=(MARGIN - 6.0) { (short(high)) }
+            text x=(MARGIN + 4.0) y=(HEIGHT - MARGIN - 4.0) { (short(low)) }
+        }
+        p.quiet { "Solid: the side before. Dashed: the side that is printed." }
+    }
+}
+
+fn short(v: f64) -> String {
+    let text = format!("{v:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
