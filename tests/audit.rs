@@ -114,7 +114,9 @@ fn each_changed_byte_of_a_record_is_refused_or_changes_nothing_that_is_proved() 
             Err(_) => refused += 1,
             Ok(audit) if !audit.is_replayed() => refused += 1,
             // Another name, or another identity, whose words say so.
-            Ok(audit) => assert!(words(&audit) != words(&right) || changes_no_word(&text, at), "byte {at}: {}", words(&audit)),
+            Ok(audit) => {
+                assert!(words(&audit) != words(&right) || changes_no_word(&text, at), "byte {at}: {}", words(&audit))
+            }
         }
     }
     assert!(refused > text.len() / 2, "{refused} of {}", text.len());
@@ -163,7 +165,8 @@ always = ['x^2+y^2=1']
 /// Whether steps are found of a claim, which leave no case out.
 fn is_recorded(claim: &str) -> bool {
     let text = format!("{FALSE}\n[[claim]]\nid='c'\nsays='c'\n{claim}\n");
-    let session = rederive::Session::open("false.toml", text).unwrap_or_else(|problems| panic!("{claim}: {problems:?}"));
+    let session =
+        rederive::Session::open("false.toml", text).unwrap_or_else(|problems| panic!("{claim}: {problems:?}"));
     let derivation = session.derivation();
     let claim = derivation.claim("c", None).expect("the claim");
     let found = tactics::record(derivation, claim).map(|proof| rederive::findings::Recorded::of(Ok(proof)));

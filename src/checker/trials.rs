@@ -202,7 +202,9 @@ fn are_in_order(graph: &Graph, squares: &[Square]) -> bool {
         && squares.iter().enumerate().all(|(at, square)| {
             let below = graph.reachable([square.of]);
             squares[at..].iter().all(|later| !below.contains(&later.v))
-                && squares[..at].iter().all(|before| before.v != square.v && !graph.reachable([before.v]).contains(&square.v))
+                && squares[..at]
+                    .iter()
+                    .all(|before| before.v != square.v && !graph.reachable([before.v]).contains(&square.v))
         })
 }
 

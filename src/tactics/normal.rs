@@ -300,7 +300,13 @@ impl Attempt<'_> {
         let fact = self.algebra(&says, goal, crate::vanish::Beginning::Plain)?;
         let found = self.search.push(Step::Injective { fact, from: self.assumptions.clone() })?;
         let one = Term::integer(1);
-        let step = Step::Zero { says: claim.clone(), multiplier: one.clone(), terms: vec![(found, one)], insert: vec![], modulo: vec![] };
+        let step = Step::Zero {
+            says: claim.clone(),
+            multiplier: one.clone(),
+            terms: vec![(found, one)],
+            insert: vec![],
+            modulo: vec![],
+        };
         self.search.push(step)
     }
 }

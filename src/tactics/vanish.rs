@@ -121,7 +121,9 @@ impl Attempt<'_> {
             for (at, open) in rest.iter().enumerate() {
                 let Some((l, r)) = self.search.sides_of.get(&open.fact).copied() else { continue };
                 let size = |x: Expr| graph.reachable([x]).len();
-                let mut ways = [(l, r), (r, l)].into_iter().filter(|(from, to)| is_whole(from) && size(*to) <= size(*from) && !graph.reachable([*to]).contains(from));
+                let mut ways = [(l, r), (r, l)].into_iter().filter(|(from, to)| {
+                    is_whole(from) && size(*to) <= size(*from) && !graph.reachable([*to]).contains(from)
+                });
                 if let Some((from, to)) = ways.next() {
                     found = Some((at, from, to));
                     break;
@@ -133,7 +135,9 @@ impl Attempt<'_> {
             let inserted = std::mem::take(&mut self.search.solved);
             let one = self.search.reader.graph.integer(1);
             let minus = self.search.reader.graph.integer(-1);
-            let fact = [one, minus].into_iter().find_map(|sign| self.search.zero(says.clone(), None, &[(open.fact, sign)], &[]));
+            let fact = [one, minus]
+                .into_iter()
+                .find_map(|sign| self.search.zero(says.clone(), None, &[(open.fact, sign)], &[]));
             self.search.solved = inserted;
             let Some(fact) = fact else { continue };
             self.search.solved.push(fact);

@@ -131,7 +131,7 @@ impl Step<'_> {
     /// What follows of a part on the motions of the claim: they obey their system, whether the claim is said to follow from it or not.
     fn on_motions(&self, denial: &Denial, positive: &Claim) -> Option<(Vec<(usize, PartShown)>, Vec<String>)> {
         let nothing = Some((Vec::new(), Vec::new()));
-        let systems = Step::systems(self.derivation, self.claim);
+        let systems = self.derivation.systems_of_motions(self.claim);
         let [Some(only)] = systems.as_slice() else { return nothing };
         let system = &self.derivation.systems[*only].id;
         if positive.follows_from.is_empty() || positive.follows_from.contains(system) {
