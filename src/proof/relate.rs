@@ -27,11 +27,12 @@ use super::polynomial::{fraction, replaced};
 use super::powers::by_logarithms;
 use super::prove::identity_at;
 use super::range::Ranges;
-use super::simpler::{simpler, with_numbers};
+use super::simpler::{numbers_given, simpler, with_numbers};
 use super::squares::squared;
 use super::witness::{decimals, values_at};
 use expr::domain::{Nature, Parity, row};
-use expr::{Expr, FastMap, FastSet, Graph, Node, Op, Rational};
+use expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Rational};
+use number::Bounded;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
@@ -97,27 +98,17 @@ pub(super) fn settle(
     if let Some(found) = numbers(graph, &equations, whole, given) {
         return Some(found);
     }
-    if let Some(of) = with_numbers(graph, whole, given) {
-        let found = identity_at(memory, graph, &of.equations, &of.given, options, depth + 1);
-        let mut complete = |point: &mut Point| {
-            for &(leaf, number) in &of.numbers {
-                let value = decimals(graph, &[number], &FastMap::default()).pop().flatten();
-                let decimal = value.map(|v| PointValue { exact: None, circle: None, decimal: v.value });
-                point.values.extend(decimal.map(|value| (leaf, value)));
-            }
+    let known = numbers_given(graph, given);
+    if let Some(put) = with_numbers(graph, whole, &known)
+        && let Identity::Proved(mut proof) = identity_at(memory, graph, &put, &Premises::default(), options, depth + 1)
+    {
+        proof.example = None;
+        let mut proof = finished(graph, whole, given, proof);
+        proof.example = match known.len() == given.equations.len() && !has_signs(given) {
+            true => point_of(graph, &known),
+            false => seen(graph, whole, given, &proof, options),
         };
-        match found {
-            Identity::Proved(mut proof) => {
-                proof.example.as_mut().into_iter().for_each(&mut complete);
-                return Some(Identity::Proved(finished(graph, whole, given, proof)));
-            }
-            Identity::Refuted(mut refutation) => {
-                complete(&mut refutation.point);
-                refutation.second.iter_mut().for_each(|(point, ..)| complete(point));
-                return Some(Identity::Refuted(refutation));
-            }
-            Identity::Undecided(_) => {}
-        }
+        return Some(Identity::Proved(proof));
     }
     // What else could be solved for is, now.
     let restricted = !given.equations.is_empty();
@@ -200,6 +191,20 @@ fn finished(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, mut
         })
     });
     proof
+}
+
+fn has_signs(given: &Premises) -> bool {
+    !(given.nonzero.is_empty() && given.positive.is_empty() && given.not_negative.is_empty())
+}
+
+/// The point at which leaves have values that are given.
+fn point_of(graph: &Graph, known: &[(Leaf, Expr)]) -> Option<Point> {
+    let numbers: Vec<Expr> = known.iter().map(|(_, number)| *number).collect();
+    let value = |((leaf, _), value): (&(Leaf, Expr), Option<Bounded>)| {
+        Some((*leaf, PointValue { exact: None, circle: None, decimal: value?.value }))
+    };
+    let decimals = decimals(graph, &numbers, &FastMap::default());
+    Some(Point { values: known.iter().zip(decimals).map(value).collect::<Option<Vec<_>>>()? })
 }
 
 /// A point that satisfies what is given, where nothing of it moves and no field is named, outside of the special cases of a proof.
@@ -615,7 +620,7 @@ impl Related<'_> {
                 let steps = [0.375, 1.25, 2.5, 0.625, 1.75, 0.875, 3.25, 0.5];
                 let size = steps[(3 * i + 5 * point as usize) % steps.len()] + 0.03125 * i as f64;
                 let negative = !positive.contains(&e) && (i as u32 + point) % 3 == 1;
-                values.insert(leaf, number::Bounded::exact(if negative { -size } else { size }));
+                values.insert(leaf, Bounded::exact(if negative { -size } else { size }));
             }
             let facts: Vec<Expr> = self.given.positive.iter().chain(&self.given.not_negative).copied().collect();
             let admitted = decimals(self.graph, &facts, &values);

@@ -37,39 +37,33 @@ pub(super) fn simpler(graph: &mut Graph, given: &Premises) -> Option<Premises> {
     changed.then_some(out)
 }
 
-/// A question in which what is given as a number is put in.
-pub(super) struct WithNumbers {
-    pub(super) equations: Vec<(Expr, Expr)>,
-    pub(super) given: Premises,
-    /// What was replaced, and by which numbers.
-    pub(super) numbers: Vec<(Leaf, Expr)>,
+/// What is given as a number, `x = \sqrt[3]2`.
+pub(super) fn numbers_given(graph: &Graph, given: &Premises) -> Vec<(Leaf, Expr)> {
+    let mut out: Vec<(Leaf, Expr)> = Vec::new();
+    for (left, right) in given.pairs() {
+        for (l, r) in [(left, right), (right, left)] {
+            let Node::Leaf(leaf) = *graph.node(l) else { continue };
+            if graph.leaves_within([r]).is_empty() && !out.iter().any(|(of, _)| *of == leaf) {
+                out.push((leaf, r));
+            }
+        }
+    }
+    out
 }
 
-/// The question with numbers put in for what is given as one, `x = \sqrt[3]2`; `None` where nothing is.
-pub(super) fn with_numbers(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises) -> Option<WithNumbers> {
-    let mut numbers: Vec<(Leaf, Expr)> = Vec::new();
-    let mut rest = given.clone();
-    rest.equations.retain(|known| {
-        let found = [(known.left, known.right), (known.right, known.left)].into_iter().find_map(|(l, r)| {
-            let Node::Leaf(leaf) = *graph.node(l) else { return None };
-            (graph.leaves_within([r]).is_empty() && !numbers.iter().any(|(of, _)| *of == leaf)).then_some((leaf, r))
-        });
-        numbers.extend(found);
-        found.is_none()
-    });
+/// Equations with numbers put in for what is given as one, where nothing but numbers is left: then they are equations between numbers, and
+/// whatever else is given does not matter. It is put into nothing that is given: that may be known at other times, and with its rates.
+pub(super) fn with_numbers(
+    graph: &mut Graph,
+    equations: &[(Expr, Expr)],
+    numbers: &[(Leaf, Expr)],
+) -> Option<Vec<(Expr, Expr)>> {
     if numbers.is_empty() {
         return None;
     }
     let mut put = |e: Expr| graph.substitute(e, |_, leaf| numbers.iter().find(|(of, _)| *of == leaf).map(|(_, r)| *r));
-    let equations = equations.iter().map(|&(l, r)| (put(l), put(r))).collect();
-    for known in &mut rest.equations {
-        *known = known.with((put(known.left), put(known.right)));
-    }
-    rest.equations.retain(|known| known.left != known.right);
-    for e in rest.nonzero.iter_mut().chain(&mut rest.positive).chain(&mut rest.not_negative) {
-        *e = put(*e);
-    }
-    Some(WithNumbers { equations, given: rest, numbers })
+    let out: Vec<(Expr, Expr)> = equations.iter().map(|&(l, r)| (put(l), put(r))).collect();
+    graph.leaves_within(out.iter().flat_map(|&(l, r)| [l, r])).is_empty().then_some(out)
 }
 
 /// aⁿ = bⁿ.

@@ -456,6 +456,14 @@ impl<'a> Search<'_, 'a> {
                 }
                 cells = met;
             }
+            let valued = this.valued()?;
+            let mut reached = Vec::new();
+            for cell in cells {
+                if this.reaches(cell, &valued)? {
+                    reached.push(cell);
+                }
+            }
+            let cells = reached;
             this.refutes(&cells)
         })??;
         let mut courses: Vec<(String, String)> = Vec::new();
@@ -470,6 +478,48 @@ impl<'a> Search<'_, 'a> {
             courses.push((name, shown));
         }
         Some(Motion { courses, t: t.to_string(), sides })
+    }
+
+    /// The cells at which all that is given has values, as far as it speaks of them.
+    fn valued(&self) -> Result<Vec<bool>, Stop> {
+        let mut out = vec![true; self.scene.cells().len()];
+        for demand in &self.question.demands {
+            for cell in self.chosen(&demand.chosen_by)? {
+                out[cell] &= match demand.said {
+                    Said::Relation(_) => self.truth(demand.said, cell)? != Truth::Void,
+                    Said::Constant(e) => match self.scene.value(e, cell) {
+                        Ok(_) => true,
+                        Err(Stop::Void) => false,
+                        Err(stop) => return Err(stop),
+                    },
+                };
+            }
+        }
+        Ok(out)
+    }
+
+    /// Whether an interval of times around a cell, with the fixed times that are named, is one on which all that is given has values: the
+    /// motion is one on that interval.
+    fn reaches(&self, cell: usize, valued: &[bool]) -> Result<bool, Stop> {
+        if !valued[cell] {
+            return Ok(false);
+        }
+        let low = (0..=cell).rev().take_while(|&c| valued[c]).last().unwrap_or(cell);
+        let high = (cell..valued.len()).take_while(|&c| valued[c]).last().unwrap_or(cell);
+        let is_open = |c: usize| matches!(self.scene.cells().get(c), Some(Cell::Open(..)));
+        if !(low..=high).any(is_open) {
+            return Ok(false);
+        }
+        for &instant in &self.question.instants {
+            let Value::Plain(at, 0) = self.scene.value(instant, cell)? else { return Err(Stop::Unknown) };
+            let at = at.as_constant().ok_or(Stop::Unknown)?;
+            match self.scene.breaks().binary_search(&at) {
+                Ok(number) if (low..=high).contains(&(2 * number + 1)) => {}
+                Ok(_) => return Ok(false),
+                Err(_) => return Err(Stop::Part(at)),
+            }
+        }
+        Ok(true)
     }
 
     fn false_at(&self, said: Said, cells: &[usize]) -> Result<Option<(Rational, [String; 2])>, Stop> {
