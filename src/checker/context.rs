@@ -312,9 +312,11 @@ impl Context {
     pub(crate) fn constant_sign(&self, leaf: Leaf) -> ConstantSign {
         match self.kind(leaf) {
             SymbolKind::Constant(sign) => sign,
-            SymbolKind::Time | SymbolKind::Moves(_) | SymbolKind::Coordinate | SymbolKind::Field(_) | SymbolKind::Defined => {
-                ConstantSign::Any
-            }
+            SymbolKind::Time
+            | SymbolKind::Moves(_)
+            | SymbolKind::Coordinate
+            | SymbolKind::Field(_)
+            | SymbolKind::Defined => ConstantSign::Any,
         }
     }
 

@@ -34,8 +34,8 @@ pub use law::Law;
 pub use record::{ProofRecord, RelationRecord};
 pub use sequent::{Claimed, ConstantSign, Declared, Definition, Sequent, SymbolKind};
 pub use step::{FactId, Given, Manner, Split, Step};
-pub use told::Told;
 pub use term::{LARGEST_TERM, Relation, Sense, Term, TermNode, operation};
+pub use told::Told;
 pub use when::{CaseId, Instant, When};
 
 #[cfg(test)]

@@ -34,8 +34,8 @@ pub use alone::{AloneAccount, Premises, TrialScope};
 pub use family::{FailingShare, FamilyAccount, MemberAccount};
 pub use identity::{Counterexample, IdentityEvidence, Place, Proposition, Trials};
 pub use picture::{Line, LineKind, PictureAccount};
-pub use recorded::Recorded;
 pub use proof::{Certificate, Cofactor, Origin};
+pub use recorded::Recorded;
 pub use units;
 pub use variant::{ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Survivor, VariantAccount, WEAK};
 pub use verdict::{

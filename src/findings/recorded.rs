@@ -84,10 +84,17 @@ impl Recorded {
     /// A sentence, beside the word *proved*.
     pub fn sentence(&self) -> String {
         match (self.steps(), self.left_out()) {
-            (None, _) => format!("The proof is not recorded: it rests on the prover alone ({}).", self.why_not().unwrap_or_default()),
+            (None, _) => format!(
+                "The proof is not recorded: it rests on the prover alone ({}).",
+                self.why_not().unwrap_or_default()
+            ),
             (Some(steps), 0) => format!("The proof is recorded: the checker replayed its {steps} steps."),
-            (Some(steps), 1) => format!("The proof is recorded, but for 1 case: the checker replayed its {steps} steps."),
-            (Some(steps), n) => format!("The proof is recorded, but for {n} cases: the checker replayed its {steps} steps."),
+            (Some(steps), 1) => {
+                format!("The proof is recorded, but for 1 case: the checker replayed its {steps} steps.")
+            }
+            (Some(steps), n) => {
+                format!("The proof is recorded, but for {n} cases: the checker replayed its {steps} steps.")
+            }
         }
     }
 }

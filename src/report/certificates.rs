@@ -42,9 +42,10 @@ pub fn certificates(derivation: &Derivation, account: &Account) -> Vec<(String, 
         let identity = claim.identity.as_ref()?;
         let title = format!("{} / {}: {}", derivation.id, name(claim), claim.says);
         let (file, found) = (file_name(claim)?, &identity.evidence.certificates);
-        let lean = found.iter().any(says_something).then(|| {
-            (file.replace(&format!(".{SYMPY}"), ".lean"), lean_text(&title, &identity.from, found))
-        });
+        let lean = found
+            .iter()
+            .any(says_something)
+            .then(|| (file.replace(&format!(".{SYMPY}"), ".lean"), lean_text(&title, &identity.from, found)));
         Some([(file, certificate_text(&title, &identity.from, found))].into_iter().chain(lean))
     };
     account.claims.iter().filter_map(one).flatten().collect()

@@ -74,7 +74,9 @@ impl Attempt<'_> {
             let chosen: Vec<&Row> = choice.iter().map(|&i| &rows[i]).collect();
             let matrix: Vec<Vec<Expr>> = chosen.iter().map(|row| row.slopes.clone()).collect();
             let det = determinant(&mut self.search.reader.graph, &matrix);
-            let Some(divisor) = self.simplified(det).filter(|d| !self.search.reader.graph.is_zero(*d)) else { continue };
+            let Some(divisor) = self.simplified(det).filter(|d| !self.search.reader.graph.is_zero(*d)) else {
+                continue;
+            };
             let solved: Option<Vec<(FactId, Solved)>> =
                 (0..wanted.len()).map(|i| self.by_cramer(wanted[i], i, &chosen, &matrix, divisor, rest)).collect();
             let Some(solved) = solved else { continue };

@@ -275,7 +275,13 @@ impl<'a> Gathering<'a> {
     fn all(&self) -> Vec<Scalar> {
         let others = self.others.iter().flat_map(|o| o.selectors.iter().chain(&o.hypotheses).chain(&o.says));
         let own = self.claimed.iter().map(|(scalar, _)| scalar);
-        own.chain(&self.systems).chain(&self.premises).chain(&self.selectors).chain(&self.assumed).chain(others).copied().collect()
+        own.chain(&self.systems)
+            .chain(&self.premises)
+            .chain(&self.selectors)
+            .chain(&self.assumed)
+            .chain(others)
+            .copied()
+            .collect()
     }
 
     /// The definitions that occur, those that others name first; and for each symbol the highest rate that is written of it, those of

@@ -28,9 +28,11 @@ fn leading(draft: &Draft, id: FactId) -> Result<(Leaf, Expr), String> {
     match *draft.context.graph.node(fact.says.left) {
         Node::Leaf(leaf) if leaf.instant.is_none() && fact.needs.is_empty() => match draft.context.kind(leaf) {
             SymbolKind::Moves(_) => Ok((leaf, fact.says.right)),
-            SymbolKind::Time | SymbolKind::Constant(_) | SymbolKind::Coordinate | SymbolKind::Field(_) | SymbolKind::Defined => {
-                Err("no rate is on the left".to_owned())
-            }
+            SymbolKind::Time
+            | SymbolKind::Constant(_)
+            | SymbolKind::Coordinate
+            | SymbolKind::Field(_)
+            | SymbolKind::Defined => Err("no rate is on the left".to_owned()),
         },
         _ => Err("no rate is on the left, or the fact needs something".to_owned()),
     }

@@ -38,7 +38,8 @@ pub(super) fn zero(
     if says.sense != Sense::Equal {
         return Err("algebra shows equations".to_owned());
     }
-    let facts: Vec<FactId> = terms.iter().map(|(id, _)| *id).chain(insert.iter().copied()).chain(modulo.iter().copied()).collect();
+    let facts: Vec<FactId> =
+        terms.iter().map(|(id, _)| *id).chain(insert.iter().copied()).chain(modulo.iter().copied()).collect();
     let when = draft.common(&facts)?;
     let d = draft.context.read(multiplier)?;
     let mut open = needs_of(draft, says);
@@ -64,8 +65,8 @@ pub(super) fn zero(
     for id in modulo {
         let fact = draft.equation(*id)?;
         let difference = draft.context.difference(fact.says);
-        let rewrite =
-            Rewrite::of(&draft.context.graph, difference).ok_or_else(|| format!("nothing is divided by fact {}", id.0))?;
+        let rewrite = Rewrite::of(&draft.context.graph, difference)
+            .ok_or_else(|| format!("nothing is divided by fact {}", id.0))?;
         squares.extend(rewrite.square(&mut draft.context.graph).map(|(v, of)| Square { v, of }));
         rewrites.push(rewrite);
         open.extend(fact.needs);

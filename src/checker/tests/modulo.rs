@@ -69,7 +69,8 @@ fn what_is_too_large_to_expand_is_tried_with_all_signs() {
     let laws = root_law(&mut w, &["x^2+y+1", "y^2+z+2"]);
     let (u, v) = ("sqrt(x^2+y+1)", "sqrt(y^2+z+2)");
     let large = format!("(({u}+{v}+x+y+z+1)^2)^24");
-    let end = w.step(modulo(&format!("{large}=((x^2+y+1)+(y^2+z+2)+(x+y+z+1)^2+2*{u}*{v}+2*({u}+{v})*(x+y+z+1))^24"), &laws));
+    let end =
+        w.step(modulo(&format!("{large}=((x^2+y+1)+(y^2+z+2)+(x+y+z+1)^2+2*{u}*{v}+2*({u}+{v})*(x+y+z+1))^24"), &laws));
     assert!(w.0.log2_error > f64::NEG_INFINITY && w.0.log2_error < -99.0, "{}", w.0.log2_error);
     assert!(!w.0.needs(end).is_empty());
     // One sign of a root differs: true for that choice of signs only.

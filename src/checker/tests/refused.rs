@@ -116,7 +116,10 @@ fn algebra_divides_by_nothing_that_vanishes() {
     assert_eq!(w.0.needs(end), [w.read("x-x#0")]);
     w.refuse(zero("1=2", "1", &[]), "no identity");
     w.refuse(zero("1=2", "1/(x-x)", &[]), "denominator");
-    w.refuse(Step::Zero { says: rel("1<2"), multiplier: term("1"), terms: vec![], insert: vec![], modulo: vec![] }, "equations");
+    w.refuse(
+        Step::Zero { says: rel("1<2"), multiplier: term("1"), terms: vec![], insert: vec![], modulo: vec![] },
+        "equations",
+    );
     // Sine and cosine are indeterminates; so are logarithms of different arguments.
     w.refuse(zero("sin(x)^2+cos(x)^2=1", "1", &[]), "no identity");
     w.refuse(zero("sqrt(x^2)=x", "1", &[]), "no identity");
@@ -136,7 +139,13 @@ fn nothing_is_conserved_across_gaps_edges_and_poles() {
         let says = w.0.context.written(says).unwrap();
         let law = w.law(Law::SquareOfAbsolute, &["x"]);
         let (q, d) = if of.contains("abs") { ("x'/(x^2*abs(x))*0", "1") } else { ("0", "1") };
-        let made = w.0.push(Step::Zero { says, multiplier: term(d), terms: vec![(law, term(q))], insert: vec![], modulo: vec![] });
+        let made = w.0.push(Step::Zero {
+            says,
+            multiplier: term(d),
+            terms: vec![(law, term(q))],
+            insert: vec![],
+            modulo: vec![],
+        });
         if let Ok(Some(rate)) = made {
             w.refuse(conserved(of, rate, vec![]), "needs something");
         }
