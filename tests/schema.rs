@@ -76,6 +76,7 @@ fn what_a_report_always_has_is_required() {
         "slack",
         "conditional_on_more",
         "more_conclusions",
+        "recorded",
     ];
     let objects = schema["definitions"].as_object().expect("definitions").values().chain([&schema]);
     for object in objects {

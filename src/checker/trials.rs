@@ -96,8 +96,11 @@ pub(crate) struct Square {
 fn growth(graph: &Graph, e: Expr, roots: &BTreeMap<Expr, Growth>) -> Growth {
     let mut found: BTreeMap<Expr, Growth> = BTreeMap::new();
     for node in graph.reachable([e]) {
+        if let Some(root) = roots.get(&node) {
+            found.insert(node, *root);
+            continue;
+        }
         let made = match graph.node(node) {
-            _ if roots.contains_key(&node) => roots[&node],
             Node::Constant(r) => Growth { degree: [0.0; 2], size: bits(r).map(|n| n as f64) },
             Node::Unary(Op::Neg, a) | Node::Binary(Op::Restrict, a, _) => found[a],
             Node::Unary(Op::Powi(n), a) => {
@@ -137,8 +140,11 @@ fn value(
 ) -> Option<Finite> {
     let mut found: BTreeMap<Expr, Finite> = BTreeMap::new();
     for node in graph.reachable([e]) {
+        if let Some(known) = point.get(&node) {
+            found.insert(node, *known);
+            continue;
+        }
         let made = match graph.node(node) {
-            _ if point.contains_key(&node) => point[&node],
             Node::Constant(r) => field.of_rational(r)?,
             Node::Unary(Op::Neg, a) => field.difference(Finite::default(), found[a]),
             Node::Unary(Op::Powi(n), a) => {

@@ -171,34 +171,29 @@ impl Attempt<'_> {
     /// How a function is changed.
     fn change(&mut self, node: Expr, units: &[(Expr, Rational)]) -> Option<Change> {
         let Node::Unary(op, a) = *self.search.reader.graph.node(node) else { return None };
-        let inner = self.search.reader.graph.node(a).clone();
         match op {
             Op::Tan => Some((Law::Tangent, vec![a])),
             Op::Sinh => Some((Law::HyperbolicSine, vec![a])),
             Op::Cosh => Some((Law::HyperbolicCosine, vec![a])),
             Op::Tanh => Some((Law::HyperbolicTangent, vec![a])),
-            Op::Sin => match inner {
-                Node::Unary(Op::Arcsin, u) => Some((Law::SineOfArcsine, vec![u])),
-                Node::Unary(Op::Arccos, u) => Some((Law::SineOfArccosine, vec![u])),
-                Node::Binary(Op::Arctan2, v, u) => Some((Law::SineOfAngle, vec![u, v])),
-                _ => self.of_sum(a, [Law::SineOfSum, Law::SineOfOpposite], units),
-            },
-            Op::Cos => match inner {
-                Node::Unary(Op::Arcsin, u) => Some((Law::CosineOfArcsine, vec![u])),
-                Node::Unary(Op::Arccos, u) => Some((Law::CosineOfArccosine, vec![u])),
-                Node::Binary(Op::Arctan2, v, u) => Some((Law::CosineOfAngle, vec![u, v])),
-                _ => self.of_sum(a, [Law::CosineOfSum, Law::CosineOfOpposite], units),
-            },
-            Op::Exp => match inner {
-                Node::Unary(Op::Ln, u) => Some((Law::ExponentialOfLogarithm, vec![u])),
-                _ => self.of_sum(a, [Law::ExponentialOfSum, Law::ExponentialOfOpposite], units),
-            },
-            Op::Ln => match inner {
-                Node::Unary(Op::Exp, u) => Some((Law::LogarithmOfExponential, vec![u])),
-                Node::Binary(Op::Mul, u, v) => Some((Law::LogarithmOfProduct, vec![u, v])),
-                Node::Binary(Op::Div, u, v) => Some((Law::LogarithmOfQuotient, vec![u, v])),
-                _ => None,
-            },
+            Op::Sin => {
+                let inverses = [(Op::Arcsin, Law::SineOfArcsine), (Op::Arccos, Law::SineOfArccosine)];
+                let found = self.of_inverse(a, &inverses, Some(Law::SineOfAngle));
+                found.or_else(|| self.of_sum(a, [Law::SineOfSum, Law::SineOfOpposite], units))
+            }
+            Op::Cos => {
+                let inverses = [(Op::Arcsin, Law::CosineOfArcsine), (Op::Arccos, Law::CosineOfArccosine)];
+                let found = self.of_inverse(a, &inverses, Some(Law::CosineOfAngle));
+                found.or_else(|| self.of_sum(a, [Law::CosineOfSum, Law::CosineOfOpposite], units))
+            }
+            Op::Exp => {
+                let found = self.of_inverse(a, &[(Op::Ln, Law::ExponentialOfLogarithm)], None);
+                found.or_else(|| self.of_sum(a, [Law::ExponentialOfSum, Law::ExponentialOfOpposite], units))
+            }
+            Op::Ln => {
+                let found = self.of_inverse(a, &[(Op::Exp, Law::LogarithmOfExponential)], None);
+                found.or_else(|| self.of_product(a, Law::LogarithmOfProduct, Law::LogarithmOfQuotient))
+            }
             Op::Abs => self.is_positive(a).then_some((Law::AbsoluteOfPositive, vec![a])),
             Op::Sqrt => self.root(a),
             Op::Neg | Op::Arcsin | Op::Arccos | Op::Arctan | Op::Powi(_) => None,
@@ -212,6 +207,29 @@ impl Attempt<'_> {
             | Op::DirectionCosine
             | Op::Restrict => None,
         }
+    }
+
+    /// A function of the value of another one, by the law of the list; of an angle, by its own.
+    fn of_inverse(&self, a: Expr, laws: &[(Op, Law)], of_angle: Option<Law>) -> Option<Change> {
+        let node = self.search.reader.graph.node(a);
+        if let Node::Unary(inner, u) = *node {
+            return laws.iter().find(|(op, _)| *op == inner).map(|(_, law)| (*law, vec![u]));
+        }
+        if let Node::Binary(Op::Arctan2, v, u) = *node {
+            return of_angle.map(|law| (law, vec![u, v]));
+        }
+        None
+    }
+
+    fn of_product(&self, a: Expr, product: Law, quotient: Law) -> Option<Change> {
+        let node = self.search.reader.graph.node(a);
+        if let Node::Binary(Op::Mul, u, v) = *node {
+            return Some((product, vec![u, v]));
+        }
+        if let Node::Binary(Op::Div, u, v) = *node {
+            return Some((quotient, vec![u, v]));
+        }
+        None
     }
 
     /// The function of a sum, of an opposite, or of a whole multiple of the unit of its argument.

@@ -117,18 +117,18 @@ impl Attempt<'_> {
             let graph = &self.search.reader.graph;
             let below = graph.reachable([*e]);
             let is_whole = |x: &Expr| matches!(graph.node(*x), Node::Unary(..) | Node::Binary(..)) && below.contains(x);
-            let mut found = None;
+            // The smallest goes in first.
+            let mut found: Option<(usize, usize, Expr, Expr)> = None;
             for (at, open) in rest.iter().enumerate() {
                 let Some((l, r)) = self.search.sides_of.get(&open.fact).copied() else { continue };
                 let size = |x: Expr| graph.reachable([x]).len();
-                let mut ways = [(l, r), (r, l)].into_iter().filter(|(from, to)| {
-                    is_whole(from) && size(*to) <= size(*from) && !graph.reachable([*to]).contains(from)
-                });
-                if let Some((from, to)) = ways.next() {
-                    found = Some((at, from, to));
-                    break;
+                for (from, to) in [(l, r), (r, l)] {
+                    if is_whole(&from) && !graph.reachable([to]).contains(&from) {
+                        found = found.into_iter().chain([(size(to), at, from, to)]).min();
+                    }
                 }
             }
+            let found = found.map(|(_, at, from, to)| (at, from, to));
             let Some((at, from, to)) = found else { break };
             let open = rest.remove(at);
             let says = self.search.reader.equation(from, to)?;
