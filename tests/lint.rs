@@ -113,6 +113,10 @@ fn a_wrong_step_has_the_nearest_formula_that_holds_beside_it() {
         (r"\[ A=(a+b)^2+c=a^2-2ab+b^2+c \]", "a^2+2ab+b^2+c"),
         (r"\[ A=\cos^2x-\sin^2x+q=2\sin^2x-1+q \]", r"2\cos^2x-1+q"),
         (r"\[ h=a+b \] \[ h^2+c=a^2+ab+b^2+c \]", "a^2+2ab+b^2+c"),
+        (
+            r"\[ \omega=\sqrt{\frac g\ell} \] \[ T=\frac{2\pi}\omega=\sqrt{\frac\ell g} \]",
+            r"2\pi\cdot\left(\sqrt{\frac{\ell}{g}}\right)",
+        ),
     ] {
         assert_eq!(instead(tex).map(|t| t.replace(' ', "")).as_deref(), Some(right), "{tex}");
     }
@@ -215,4 +219,73 @@ fn formats_tell_the_same() {
     assert_eq!(found["words"]["wrong"], 1);
     assert_eq!(found["relations"][0]["line"], 5);
     assert_eq!(found["relations"].as_array().map(Vec::len), Some(1));
+}
+
+#[test]
+fn a_page_shows_the_wrong_step_beside_what_holds() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = r"\title{A <b>page</b>} \[ A=(a+b)^2+c=a^2-2ab+b^2+c \] \[ q=\int x \] <script>";
+    fs::write(folder.path().join("p.tex"), text).expect("written");
+    rederive(folder.path(), &["p.tex", "--html", "p.html"]).code(1);
+    let page = fs::read_to_string(folder.path().join("p.html")).expect("the page");
+    assert!(
+        page.contains("As printed") && page.contains("Holds") && page.contains("<math>") && page.contains("<svg"),
+        "{page}"
+    );
+    assert!(!page.contains("<script") && !page.contains("<b>page") && page.contains("default-src 'none'"), "{page}");
+    assert!(page.contains("not read"), "{page}");
+    let first = page.clone();
+    rederive(folder.path(), &["p.tex", "--html", "p.html"]).code(1);
+    assert_eq!(fs::read_to_string(folder.path().join("p.html")).expect("the page"), first);
+    // The paper itself is not written over.
+    rederive(folder.path(), &["p.tex", "--html", "p.tex"]).code(2);
+    assert_eq!(fs::read_to_string(folder.path().join("p.tex")).expect("the paper"), text);
+}
+
+#[test]
+fn a_configuration_says_what_is_looked_through() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("written");
+    fs::create_dir_all(folder.path().join("text/deep")).expect("made");
+    write("text/a.tex", r"\[ (a+b)^2=a^2+2ab+b^2 \]");
+    write("b.tex", r"\[ h=a+b \]");
+    let deep = folder.path().join("text/deep");
+    rederive(&deep, &["lint"]).code(2).stderr(predicate::str::contains("rederive.toml"));
+    write("rederive.toml", "sources = [\"text/a.tex\", \"b.tex\"]\nrigor = \"sampled\"\n");
+    for place in [folder.path(), &deep] {
+        rederive(place, &["lint"])
+            .code(0)
+            .stdout(predicate::str::contains("1 follows").and(predicate::str::contains("1 defines")));
+    }
+    let run = rederive(folder.path(), &["lint", "--format", "json"]).code(0);
+    let found: serde_json::Value = serde_json::from_slice(&run.get_output().stdout).expect("JSON");
+    assert_eq!(found.as_array().map(Vec::len), Some(2));
+    // What the command line says wins.
+    rederive(folder.path(), &["lint", "b.tex"]).code(0).stdout(predicate::str::contains("1 follows").not());
+    for (text, wanted) in [
+        ("sorces = []\n", "rederive.toml:1:1"),
+        ("sources = 3\n", "rederive.toml:1:11"),
+        ("sources = [\"a\"]\nrigor = \"much\"\n", "rederive.toml:2:9"),
+        ("sources = [\n", "config::unreadable"),
+    ] {
+        write("rederive.toml", text);
+        rederive(folder.path(), &["lint"]).code(2).stderr(predicate::str::contains(wanted));
+        rederive(folder.path(), &["check"]).code(2).stderr(predicate::str::contains(wanted));
+    }
+    fs::remove_file(folder.path().join("rederive.toml")).expect("removed");
+    write("pyproject.toml", "[project]\nname = \"x\"\n[tool.rederive]\nsources = \"b.tex\"\n");
+    rederive(&deep, &["lint"]).code(0).stdout(predicate::str::contains("1 defines"));
+}
+
+#[test]
+fn standard_input_and_a_paper_that_is_saved_again_are_looked_through() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut command = Command::cargo_bin("rederive").expect("the program is built");
+    command.current_dir(folder.path()).args(["lint", "-", "--format", "github"]);
+    let run = command.write_stdin("\\[ A=(a+b)^2+c=a^2-2ab+b^2+c \\]").assert().code(1);
+    run.stdout(predicate::str::contains("a^2+2ab+b^2+c"));
+    fs::write(folder.path().join("p.tex"), r"\[ h=a+b \]").expect("written");
+    let run = rederive(folder.path(), &["lint", "p.tex", "--watch", "--checks", "1"]).code(0);
+    run.stdout(predicate::str::contains("1 defines"));
+    rederive(folder.path(), &["lint", "-", "--watch"]).code(2);
 }

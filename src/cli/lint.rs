@@ -19,6 +19,7 @@ pub const AFTER_HELP: &str = r"Every relation that the paper prints gets one wor
   holds in numbers  not proved, and true at random points
   wrong          a point refutes it, and with one sign, factor, exponent or name
                  altered it is proved
+  differs        a name that was defined before is defined again, one slip away
   defines        says what a name stands for
   condition      says what holds, or when
   approximates   about equal, proportional, of this order
@@ -155,6 +156,7 @@ fn finding(paper: &Paper, judgement: &Judgement) -> Option<Finding> {
     let relation = paper.printed.get(judgement.relation)?;
     let (rule, level) = match judgement.word {
         Word::Wrong => ("lint::wrong", Level::Error),
+        Word::Differs => ("lint::differs", Level::Note),
         Word::NotFollowed if relation.display.is_some() => ("lint::not-followed", Level::Note),
         Word::NotRead if relation.display.is_some() => ("lint::not-read", Level::Note),
         _ => return None,

@@ -8,7 +8,7 @@ use proof::Identity;
 
 use super::desk::{Desk, Given, NotRead, evidence_of, lone_name, unprimed};
 use super::facts::{Facts, PositiveName, Reach, Stated};
-use super::nearest::{WrongStep, introduces_nothing, nearest};
+use super::nearest::{WrongStep, introduces_nothing, is_slip_of, nearest};
 use super::numbers::agreement;
 use super::question::{Asked, Positive, Rests, TOO_LONG, ask};
 use super::sentence::{Sentence, explains, is_supposed, parts};
@@ -117,6 +117,8 @@ struct Tally {
     defines: bool,
     /// The relation that defined it before.
     anew: Option<usize>,
+    /// That definition, where this one is a slip away from it.
+    differs: Option<String>,
 }
 
 /// Where a step stands.
@@ -313,7 +315,14 @@ impl Judge<'_> {
                     out.steps.1 -= 1;
                     tally.defines = true;
                     let same = |g: &&Given| first.as_ref().is_some_and(|n| g.key == n.key() && !g.is_rate);
-                    tally.anew = self.facts.given.iter().rev().find(same).map(|g| g.relation);
+                    let before = self.facts.given.iter().rev().find(same).cloned();
+                    tally.anew = before.as_ref().map(|g| g.relation);
+                    if told
+                        && !sentence.changes
+                        && first.as_ref().is_some_and(|n| n.dots + n.primes == 0 && n.derived_by.is_none())
+                    {
+                        tally.differs = before.and_then(|g| self.slip_of(&g, right, &place));
+                    }
                 }
                 Step::Open(names) if !defining => {
                     open.push(k);
@@ -356,7 +365,7 @@ impl Judge<'_> {
         out.with.sort_unstable();
         out.with.dedup();
         out.with.retain(|w| *w != at);
-        let Tally { mut open, unread, follows, numbers, of_positive, defines, anew } = tally;
+        let Tally { mut open, unread, follows, numbers, of_positive, defines, anew, differs } = tally;
         let undecided = out.steps.1 - follows - numbers;
         if let Some(found) = unread {
             out.why = match &found.why {
@@ -394,7 +403,10 @@ impl Judge<'_> {
             out.why = "not proved, and true at random points".to_owned();
         }
         if let Some(before) = anew.filter(|_| out.word == Word::Defines) {
-            out.why = "otherwise than before".to_owned();
+            (out.word, out.why) = match differs {
+                Some(instead) => (Word::Differs, format!("before it was {instead}")),
+                None => (out.word, "otherwise than before".to_owned()),
+            };
             out.with.push(before);
         }
         if of_positive && matches!(out.word, Word::Follows | Word::NotFollowed) {
@@ -568,6 +580,18 @@ impl Judge<'_> {
             }
         }
         None
+    }
+
+    /// The right side of an earlier definition as this one should be, where this one has the same names and is a slip away from it.
+    fn slip_of(&mut self, before: &Given, right: &PrintedSide, place: &Place) -> Option<String> {
+        let keys = |s: &PrintedSide| names(s).iter().map(|n| n.key()).collect::<BTreeSet<String>>();
+        if keys(&before.right) != keys(right) {
+            return None;
+        }
+        let positive = Positive::Named(BTreeSet::new());
+        let rests = Rests { given: Vec::new(), stated: Vec::new(), positive };
+        let asked = self.ask([&before.right, right], &rests, place.free).ok()?;
+        is_slip_of(&asked).then(|| before.right.text.clone())
     }
 
     /// What is wrong, if something is: refuted by what this section says, and one slip away from what it proves.

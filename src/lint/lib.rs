@@ -44,6 +44,8 @@ pub enum Word {
     Numbers,
     /// A point refutes it, and a formula one slip away is proved.
     Wrong,
+    /// A name is defined, one slip away from how it was defined before in the same part.
+    Differs,
     /// A name is defined.
     Defines,
     /// It says what holds, or when.
@@ -58,10 +60,11 @@ pub enum Word {
 
 impl Word {
     /// All words.
-    pub const ALL: [Word; 8] = [
+    pub const ALL: [Word; 9] = [
         Word::Wrong,
         Word::Follows,
         Word::Numbers,
+        Word::Differs,
         Word::Defines,
         Word::Condition,
         Word::Approximates,
@@ -75,6 +78,7 @@ impl Word {
             Word::Follows => "follows",
             Word::Numbers => "holds in numbers",
             Word::Wrong => "wrong",
+            Word::Differs => "differs",
             Word::Defines => "defines",
             Word::Condition => "condition",
             Word::Approximates => "approximates",

@@ -10,7 +10,7 @@ use latex::syntax::{Chain, Node, NodeKind, to_latex};
 use paper::{PrintedSide, names};
 use proof::{Identity, Point, Refutation, Wanted};
 
-use expr::{Graph, Leaf};
+use expr::{Graph, Leaf, Rational};
 
 use super::desk::{Given, pairs_of};
 use super::facts::squeezed;
@@ -79,10 +79,15 @@ pub fn nearest(
         std::iter::once(&refutation.point).chain(refutation.second.as_ref().map(|s| &s.0)).cloned().collect();
     let mut chains = latex::parse(&asked.text, &asked.desk.scope).ok()?;
     let chain = chains.pop().filter(|c| chains.is_empty() && c.sides.len() == 2)?;
-    if chain.sides.iter().map(size).max()? < FEWEST_NODES || chain.sides.iter().any(|s| size(s) < 3) {
+    // What is said to be conserved, and is not.
+    let conserves = matches!(chain.sides.first()?.kind, NodeKind::Derivative { .. })
+        && !asked.premises.equations.is_empty()
+        && chain.sides.last().is_some_and(|s| matches!(&s.kind, NodeKind::Number(n) if *n == Rational::ZERO));
+    let smallest = if conserves { size(&chain.sides[0]) } else { chain.sides.iter().map(size).min()? };
+    if chain.sides.iter().map(size).max()? < FEWEST_NODES || smallest < 3 {
         return None;
     }
-    if takes_in(&asked, &rests.given) || is_evaluated(&chain) || is_reordered(&chain) {
+    if takes_in(&asked, &rests.given) || !conserves && is_evaluated(&chain) || is_reordered(&chain) {
         return None;
     }
     let mut all = Vec::new();
@@ -105,6 +110,19 @@ pub fn nearest(
     let mut with: Vec<usize> = rests.given.iter().map(|g| g.relation).collect();
     with.extend(rests.stated.iter().map(|s| s.relation));
     Some(WrongStep { witness, instead, picture, with })
+}
+
+/// Whether two sides that differ are one sign, number, exponent or function apart, as they are printed.
+pub fn is_slip_of(asked: &Asked) -> bool {
+    let Ok(chains) = latex::parse(&asked.text, &asked.desk.scope) else { return false };
+    let [chain] = chains.as_slice() else { return false };
+    let [before, now] = chain.sides.as_slice() else { return false };
+    if !matches!(asked.identity, Identity::Refuted(_)) || size(before).min(size(now)) < FEWEST_NODES {
+        return false;
+    }
+    let wanted = spelled(chain, before);
+    let altered = slips(now, &[]);
+    altered.iter().any(|s| s.way == Alteration::Value && spelled(chain, &s.side) == wanted)
 }
 
 struct Search<'a> {

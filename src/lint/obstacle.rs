@@ -141,7 +141,12 @@ fn has_derivative_at(text: &str) -> bool {
     [r"\frac{", r"\dfrac{", r"\tfrac{"].iter().any(|command| {
         squeezed.match_indices(command).any(|(at, _)| {
             let rest = &squeezed[at + command.len()..];
-            let Some((_, below)) = group(rest) else { return false };
+            let Some((above, below)) = group(rest) else { return false };
+            // `\frac{d}{dx}(…)` is an operator on what stands behind it.
+            let bare = above.trim_matches(|c: char| c.is_ascii_digit() || matches!(c, '^' | '{' | '}'));
+            if matches!(bare, "d" | r"\mathrm{d" | r"\partial" | r"\dd" | "") {
+                return false;
+            }
             let Some((below, after)) = below.strip_prefix('{').and_then(group) else { return false };
             let by = [r"\mathrm{d}", r"\partial", r"\dd", "d"].iter().find_map(|d| below.strip_prefix(d));
             let (Some(by), Some(inside)) = (by, after.strip_prefix("\\left").unwrap_or(after).strip_prefix('(')) else {

@@ -117,6 +117,40 @@ const LOOSENS: &[&str] = &[
     "not equal",
 ];
 
+/// Words of a sentence that gives a name another meaning, or another case.
+const CHANGES: &[&str] = &[
+    "now",
+    "instead",
+    "becomes",
+    "case",
+    "if",
+    "when",
+    "for",
+    "let",
+    "choose",
+    "another",
+    "different",
+    "new",
+    "modified",
+    "corrected",
+    "second",
+    "other",
+    "replace",
+    "replaced",
+    "alternatively",
+    "respectively",
+    "generally",
+    "general",
+    "with",
+    "without",
+    "at",
+    "in",
+    "while",
+    "whereas",
+    "but",
+    "or",
+];
+
 /// Words with which a formula behind a display says what its names stand for.
 const WHERE: &[&str] = &["where", "with", "here", "in which", "wherein"];
 
@@ -129,6 +163,8 @@ pub struct Sentence {
     pub concludes: bool,
     /// Its equations need not be exact.
     pub loosens: bool,
+    /// It gives a name another meaning, or treats another case.
+    pub changes: bool,
 }
 
 impl Sentence {
@@ -149,6 +185,7 @@ impl Sentence {
         Sentence {
             names: named(&before),
             concludes: CONCLUDES.iter().any(|w| last.contains(w)),
+            changes: last.split(|c: char| !c.is_alphabetic()).any(|w| CHANGES.contains(&w)),
             loosens: loose(&lower) || loose(&first_sentence(&behind.to_lowercase())),
         }
     }
@@ -371,7 +408,10 @@ mod tests {
     #[test]
     fn the_words_of_a_sentence_are_found() {
         let found = sentence(r"\[ a=b \] Inserting \eqref{one} into Eq.~(2) we obtain \[ c=d \]");
-        assert_eq!(found, Sentence { names: vec!["2".into(), "one".into()], concludes: true, loosens: false });
+        assert_eq!(
+            found,
+            Sentence { names: vec!["2".into(), "one".into()], concludes: true, loosens: false, changes: false }
+        );
         assert!(sentence(r"\[ a=b \] Neglecting the last term, \[ c=d \]").loosens);
         assert!(sentence(r"\[ a=b \] So we have \[ c=d \] where the constant is absorbed.").loosens);
         assert!(!sentence("\\[ a=b \\] We neglect nothing.\n\nThus % approximately\n\\[ c=d \\]").loosens);

@@ -154,11 +154,12 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
     let mut dropped: Vec<Node> = Vec::new();
     match &of.kind {
         NodeKind::Number(r) => {
-            for other in [r.clone() + Rational::ONE, r.clone() - Rational::ONE, r.clone() + r.clone()] {
-                if other > Rational::ZERO {
-                    out.push(node(NodeKind::Number(other), of));
-                }
-            }
+            let near = [Rational::ONE, -Rational::ONE, r.clone()].map(|d| r.clone() + d);
+            // A larger number that was reckoned wrongly.
+            let is_large = *r > Rational::from(FARTHEST);
+            let far = (2..=FARTHEST).flat_map(|k| [r.clone() + Rational::from(k), r.clone() - Rational::from(k)]);
+            let all = near.into_iter().chain(far.filter(|_| is_large));
+            out.extend(all.filter(|n| *n > Rational::ZERO).map(|n| node(NodeKind::Number(n), of)));
         }
         NodeKind::Sum(terms) => {
             for i in 0..terms.len() {

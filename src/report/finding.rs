@@ -380,6 +380,7 @@ pub fn rule_says(rule: &str) -> &'static str {
         "paper::unknown-label" => "The paper has no equation with this label.",
         "paper::not-covered" => "No claim covers an equation of the paper.",
         "lint::wrong" => "A step of the paper is wrong: a point refutes it, and one slip away it is proved.",
+        "lint::differs" => "A name is defined again, one slip away from before.",
         "lint::not-followed" => "Nothing that stands above a step decides it.",
         "lint::not-read" => "A formula of the paper is not read.",
         "paper::unreadable" => "The paper's source cannot be read.",

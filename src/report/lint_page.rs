@@ -96,7 +96,7 @@ pub fn lint_page(paper: &Paper, found: &Lint) -> String {
 fn displays(paper: &Paper, found: &Lint, typeset: &[Option<Typeset>]) -> Markup {
     let told = found.judgements.iter().filter(|j| {
         let inline = paper.printed.get(j.relation).is_some_and(|r| r.display.is_none());
-        !inline || matches!(j.word, Word::Wrong | Word::Defines | Word::Follows | Word::Numbers)
+        !inline || matches!(j.word, Word::Wrong | Word::Defines | Word::Differs | Word::Follows | Word::Numbers)
     });
     let mut groups: Vec<(Option<usize>, Vec<&Judgement>)> = Vec::new();
     for judgement in told {
@@ -119,7 +119,7 @@ fn one(paper: &Paper, judgement: &Judgement, typeset: &[Option<Typeset>]) -> Mar
     let class = match judgement.word {
         Word::Wrong => "relation wrong",
         Word::Follows | Word::Numbers => "relation follows",
-        Word::NotFollowed | Word::NotRead => "relation open",
+        Word::NotFollowed | Word::NotRead | Word::Differs => "relation open",
         Word::Defines | Word::Condition | Word::Approximates => "relation",
     };
     let why = lint::explained(paper, judgement);

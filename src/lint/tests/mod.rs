@@ -68,3 +68,16 @@ fn what_does_not_follow_is_not_said_to() {
         assert!(last.is_some_and(|j| j.word != Word::Follows), "{about}\n{}", all(&found, &paper));
     }
 }
+
+#[test]
+fn a_definition_that_differs_by_a_slip_is_told() {
+    let word = |tex: &str| linted(tex).1.judgements.last().map(|j| j.word);
+    let first = r"\[ E=\frac12mv^2+mgh \] ";
+    let again = r"\[ E=\frac12mv^2-mgh \]";
+    assert_eq!(word(&format!("{first} Its energy is, again, {again}")), Some(Word::Differs));
+    assert_eq!(word(&format!("{first} If it falls upwards, {again}")), Some(Word::Defines));
+    assert_eq!(word(&format!(r"{first} \section{{Another}} {again}")), Some(Word::Defines));
+    assert_eq!(word(&format!("{first} Neglecting much, {again}")), Some(Word::Defines));
+    assert_eq!(word(r"\[ L=T-V \] \[ L=T+V \]"), Some(Word::Defines));
+    assert_eq!(word(r"\[ E=\frac12mv^2+mgh \] \[ E=mgh+\frac12mv^2 \]"), Some(Word::Follows));
+}
