@@ -137,7 +137,9 @@ fn what_may_be_a_sum_or_a_matrix_is_no_number() {
 
 #[test]
 fn a_first_motion_is_that_of_the_printed_rates() {
-    let draft = loads(r"\[ \dot q=p \] \[ \dot p=-kq \] \[ \dot z=w \] \[ \ddot\theta=-g\sin\theta \]");
+    let draft = loads(
+        r"\[ \dot q=p \] \[ \dot p=-kq \] \[ \dot z=w \] \[ \ddot\theta=-g\sin\theta \] \[ \partial_tu=c\partial_xu \] \[ \dot a=\frac{da}{dt} \]",
+    );
     let file = of_the_file(&draft);
     assert!(file.contains("states = ['\\theta', 'p', 'q', 'z']"), "{file}");
     assert!(file.contains("'\\dot \\theta' = "), "{file}");

@@ -116,9 +116,7 @@ impl<'a> Run<'a> {
 
     /// What is about ranges: it needs no motion.
     fn regions(&self, derivation: &Derivation) -> Result<Regions, CheckError> {
-        // What is stated of fields, and not derived, is not asked.
-        let is_asked = |c: &Claim| is_asked(&self.options.claims, &c.id) && !(c.postulate && c.is_of_fields());
-        boxes::decide_all(derivation, is_asked).map_err(CheckError::Problems)
+        boxes::decide_all(derivation, |c| is_asked(&self.options.claims, &c.id)).map_err(CheckError::Problems)
     }
 
     /// Adds what altered formulas say of claims that need no motion.

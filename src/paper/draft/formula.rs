@@ -123,6 +123,12 @@ fn rate_of(sides: &[&PrintedSide], signs: &[String]) -> Option<(String, usize)> 
     let all = names(left);
     let plain = |factor: &str| left.text.contains(factor);
     let name = all.first().filter(|n| n.primes == 0 && n.call == Call::None && !plain("+") && !plain("-"))?;
+    // A rate on the right could be its own, or that of another: only the first rate beside a second one is none of these.
+    let right = sides.get(1).map(|s| names(s)).unwrap_or_default();
+    let most = usize::from(name.dots == 2);
+    if right.iter().any(|n| n.derived_by.is_some() || n.dots > most) {
+        return None;
+    }
     match all.len() {
         1 if matches!(name.dots, 1 | 2) && is_alone(left) => Some((name.key(), name.dots)),
         2 if all[1].is_variable && name.derived_by.as_deref() == Some("t") && !name.is_partial && name.dots == 0 => {

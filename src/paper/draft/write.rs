@@ -177,9 +177,10 @@ fn claims(out: &mut String, name: &str, (settled, system): (&Settled, Option<&Sy
         out.push_str("says = \"confirm: what this equation says\"\n");
         // Nothing is known yet of what it follows from: taken as it is, until somebody says so.
         out.push_str("postulate = true\n");
-        // What the motion has no values of is not tried on it.
+        // What the motion has no values of is not tried on it; what is said of fields is tried on none anyway.
         let all = || formulas.iter().flat_map(|&i| &printed.formulas[i].needs.symbols).collect::<Vec<_>>();
-        if system.is_some_and(|s| !symbols.is_empty() || !s.has(&all())) {
+        let is_of_fields = all().iter().any(|g| matches!(g.role, "field" | "coordinate"));
+        if !is_of_fields && system.is_some_and(|s| !symbols.is_empty() || !s.has(&all())) {
             out.push_str("trajectories = []\n");
         }
         for condition in [true, false] {
