@@ -253,3 +253,53 @@ fn places_that_are_the_same_and_places_in_places() {
         ("refuted", r"\frac{\partial}{\partial q}f(g(q))=f'(g(q))", "f(x), g(x): field; q: state", ""),
     ]);
 }
+
+#[test]
+fn functions_of_what_moves() {
+    let lagrange = r"t: time; q: state; L(q,\dot q,t): field";
+    let hamilton = r"t: time; q, p: state; H(q,p): field";
+    let motion = r"\dot q=\frac{\partial H}{\partial p}; \dot p=-\frac{\partial H}{\partial q}";
+    all(&[
+        ("refuted", r"\frac{\partial L}{\partial q}=\frac{\partial L}{\partial\dot q}", lagrange, ""),
+        ("refuted", r"\frac{\partial L}{\partial\dot q}=0", lagrange, ""),
+        (
+            "proved",
+            r"\frac{dL}{dt}=\frac{\partial L}{\partial q}\dot q+\frac{\partial L}{\partial\dot q}\ddot q+\frac{\partial L}{\partial t}",
+            lagrange,
+            "",
+        ),
+        (
+            "refuted",
+            r"\frac{dL}{dt}=\frac{\partial L}{\partial q}\dot q+\frac{\partial L}{\partial\dot q}\ddot q",
+            lagrange,
+            "",
+        ),
+        ("proved", r"L(q,\dot q,t)=L", lagrange, ""),
+        ("refuted", r"L(\dot q,q,t)=L", lagrange, ""),
+        ("proved", r"\frac{dH}{dt}=0", hamilton, motion),
+        ("unproved", r"\frac{dH}{dt}=0", r"t: time; q, p: state; H(q,p,t): field", motion),
+        ("refuted", r"\frac{dH}{dt}=0", hamilton, ""),
+    ]);
+}
+
+#[test]
+fn functions_share_no_places() {
+    let moving = r"t: time; r, s: state; V(r): field";
+    let beside = r"t: time; x: coordinate; f(x): field; r: state; V(r): field";
+    let number = r"x: coordinate; f(x): field; a: parameter; k(a): field";
+    all(&[
+        ("proved", r"V(r)=V", moving, ""),
+        ("refuted", r"V(s)=V", moving, ""),
+        ("proved", r"V'(r)=\frac{\partial V}{\partial r}", moving, ""),
+        ("refuted", r"V'(s)=V'", moving, ""),
+        ("proved", r"\frac{d}{dt}V(r)=V'\dot r", moving, ""),
+        ("refuted", r"\dot V=V'", moving, ""),
+        ("refuted", r"V(r)=f(r)", beside, ""),
+        ("refuted", r"V'=f'", beside, ""),
+        ("refuted", r"V'=0", beside, ""),
+        ("proved", r"V'(x)=\partial_xV(x)", beside, ""),
+        ("refuted", r"k=f", number, ""),
+        ("refuted", r"k(x)=f(x)", number, ""),
+        ("refuted", r"k'=0", number, ""),
+    ]);
+}

@@ -77,12 +77,90 @@ fn the_command_writes_a_file_once_and_the_file_can_be_checked() {
     rederive(folder.path(), &["init", "paper.tex"]).code(2).stderr(predicate::str::contains("is there already"));
     assert_eq!(fs::read_to_string(&path).expect("still there"), text);
     rederive(folder.path(), &["init", "paper.tex", "--output", "-"]).code(0).stdout(text);
-    // It decides nothing, and says so; every formula is as printed.
-    let run = rederive(folder.path(), &["check", "--source", "paper.tex", "--no-reports"]).code(3);
-    run.stderr(predicate::str::contains("no claim was decided")).stdout(predicate::str::contains("0 not the same"));
+    // It has a motion, on which what it speaks of is tried; every formula is as printed.
+    let run = rederive(folder.path(), &["check", "--source", "paper.tex", "--no-reports"]);
+    run.stdout(predicate::str::contains("0 not the same"));
     fs::write(folder.path().join("empty.tex"), "no formula").expect("written");
     rederive(folder.path(), &["init", "empty.tex"]).code(2).stderr(predicate::str::contains("displays no equation"));
     rederive(folder.path(), &["init", "none.tex"]).code(2).stderr(predicate::str::contains("paper::unreadable"));
+}
+
+/// The lines of a draft below `[symbols]`, before the first claim.
+fn of_the_file(draft: &paper::Draft) -> String {
+    let rest = draft.text.split("\n[symbols]\n").nth(1).unwrap_or_default();
+    rest.split("[[claim]]").next().unwrap_or_default().to_owned()
+}
+
+#[test]
+fn no_formula_is_lost_or_changed_by_another() {
+    let draft = loads(
+        r"\[ \dot x=v \] \[ \frac{dy}{dx}=ky \] \[ F=eE \] \[ y=e^{kx} \] \[ \int_0^1 y\,dx=1 \] \[ \sum_n a_n=1 \] \[ x\approx vt \]
+           \[ g^{\mu\nu}=0 \] \[ a=\langle b\rangle \] \[ \hat H=c \]",
+    );
+    assert_eq!((draft.formulas, draft.refused), (4, 6), "{}", draft.text);
+    // A charge is one where it is printed; elsewhere e is Euler's number.
+    assert!(!of_the_file(&draft).contains("'e' ="), "{}", draft.text);
+    assert_eq!(draft.text.matches("'e' = ").count(), 1, "{}", draft.text);
+    for name in ["`integral`", "`sum`", "approximation", "an upper index", "`bra-ket`", "a hat"] {
+        assert!(draft.text.contains(name), "{name} in {}", draft.text);
+    }
+}
+
+#[test]
+fn a_prime_is_a_derivative_only_where_the_paper_shows_it() {
+    // Two primes, or a place behind a prime: derivatives.
+    let draft = loads(r"\[ y''+p(x)y'+q(x)y=0 \]");
+    assert!(draft.text.contains("'y(x)' = { role = \"field\" }"), "{}", draft.text);
+    // Beside dots, other axes.
+    let draft = loads(r"\[ x'=x\cos a+z\sin a \] \[ \dot x=z \]");
+    assert!(draft.text.contains("\"x'\" = { role = \"parameter\" }"), "{}", draft.text);
+    // A function elsewhere, and one prime: it is not known.
+    let draft = loads(r"\[ n(s)=a \] \[ n\sin b=n'\sin c \]");
+    assert_eq!(draft.refused, 1, "{}", draft.text);
+    assert!(draft.text.contains("a derivative, or another name"), "{}", draft.text);
+}
+
+#[test]
+fn what_may_be_a_sum_or_a_matrix_is_no_number() {
+    for tex in [
+        r"\[ T=m_iv_iv_i+v_{\rm max} \]",
+        r"\[ AB-BA=C \]",
+        r"\[ \Gamma^r_{\theta\theta}=ar \]",
+        r"\[ E=e^2 \] \[ y=e^{ax} \] \[ F=eE \]",
+        r"\[ \frac{d(ct)}{d\tau}=a \]",
+        r"\[ a=\{b,c\} \]",
+    ] {
+        let draft = loads(tex);
+        assert!(draft.refused > 0, "{tex}: {}", draft.text);
+    }
+}
+
+#[test]
+fn a_first_motion_is_that_of_the_printed_rates() {
+    let draft = loads(
+        r"\[ \dot q=p \] \[ \dot p=-kq \] \[ \dot z=w \] \[ \ddot\theta=-g\sin\theta \] \[ \partial_tu=c\partial_xu \] \[ \dot a=\frac{da}{dt} \]",
+    );
+    let file = of_the_file(&draft);
+    assert!(file.contains("states = ['\\theta', 'p', 'q', 'z']"), "{file}");
+    assert!(file.contains("'\\dot \\theta' = "), "{file}");
+    let numbers = file.lines().filter(|l| l.starts_with("parameters") || l.starts_with("initial"));
+    assert!(
+        numbers.clone().count() == 2 && numbers.clone().all(|l| !l.contains("= 1 ") && !l.contains("= 1,")),
+        "{file}"
+    );
+}
+
+#[test]
+fn what_was_guessed_is_told_name_by_name() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("p.tex"), r"\[ m\ddot x=-kx \] \[ V \]").expect("written");
+    let run = rederive(folder.path(), &["init", "p.tex"]).code(0);
+    run.stderr(predicate::str::contains("x: state: the paper prints its rate"))
+        .stderr(predicate::str::contains("1 expressions"));
+    let run = rederive(folder.path(), &["init", "p.tex", "-o", "-", "--format", "json"]).code(0);
+    let found: serde_json::Value = serde_json::from_slice(&run.get_output().stdout).expect("JSON");
+    assert_eq!((found["formulas"].as_u64(), found["expressions"].as_u64()), (Some(1), Some(1)), "{found}");
+    assert!(found["draft"].as_str().is_some_and(|d| d.contains("[system.motion]")), "{found}");
 }
 
 #[test]

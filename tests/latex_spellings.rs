@@ -491,3 +491,36 @@ fn what_is_missing_has_a_name() {
         assert_eq!(feature, Some(name), "{}", shown(text, &problems));
     }
 }
+
+#[test]
+fn braces_that_print_nothing_and_upright_transposes() {
+    let mut w = World::empty()
+        .with("t", Role::Time, "")
+        .with("a", Role::Parameter, "")
+        .with("x", Role::State, "")
+        .with("s", Role::Coordinate, "")
+        .with("g(s)", Role::Field, "")
+        .with("R", Role::Parameter, "3x3")
+        .with(r"{\bf u}", Role::State, "3");
+    let pairs = [
+        (r"\frac{d{}}{dt}(ax)", r"\frac{d}{dt}(ax)"),
+        (r"\frac{d^2{}}{dt^2}(ax)", r"\frac{d^2}{dt^2}(ax)"),
+        (r"\frac{\partial{}}{\partial{s}}g", r"\frac{\partial}{\partial s}g"),
+        (r"{}a+{}x", "a+x"),
+        (r"R^{\rm T}", r"R^T"),
+        (r"R^\mathrm{T}", r"R^T"),
+        (r"R^{\text{T}}", r"R^T"),
+        (r"R^{{\mathsf{T}}}", r"R^T"),
+        (r"R^\intercal", r"R^\top"),
+        (r"{\bf u}^{\rm T}R{\bf u}", r"{\bf u}^TR{\bf u}"),
+        (r"\begin{psmallmatrix}a&1\\0&a\end{psmallmatrix}", r"\begin{pmatrix}a&1\\0&a\end{pmatrix}"),
+    ];
+    for (one, other) in pairs {
+        let other = w.expression(other);
+        assert_eq!(w.expression(one), other, "{one}");
+    }
+    // What could be an argument stays.
+    for text in [r"\frac a{}x", r"\sqrt{}x"] {
+        assert!(w.try_expression(text).is_err(), "{text}");
+    }
+}

@@ -97,7 +97,8 @@ pub(super) fn strengthen(
     proved::conditional::conditional(derivation, claims, known);
     for (claim, &at) in claims.iter_mut().zip(claimed) {
         let declared = &derivation.claims[at];
-        if let Some(region) = declared.region.as_ref().filter(|_| declared.is_of_fields()) {
+        // What is stated of fields, and not derived, is not asked.
+        if let Some(region) = declared.region.as_ref().filter(|_| declared.is_of_fields() && !declared.postulate) {
             claim.region = Some(boxes::of_step(declared, region, claim.identity.as_ref()));
         }
     }

@@ -15,6 +15,18 @@ pub struct InitArguments {
     /// The derivation file, `-` for standard output; without it derivations/PAPER.toml. No file is replaced
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
+    /// `json` prints what was found and guessed on standard output, and the draft in it where no file is named
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
+    format: InitFormat,
+}
+
+/// How `init` says what it found.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum InitFormat {
+    /// Lines on standard error.
+    Text,
+    /// An object on standard output.
+    Json,
 }
 
 pub fn init(arguments: &InitArguments) -> Result<Ending, Stop> {
@@ -26,10 +38,24 @@ pub fn init(arguments: &InitArguments) -> Result<Ending, Stop> {
     let draft = paper::draft(&paper, &path.file_name().unwrap_or_default().to_string_lossy());
     let usual = || PathBuf::from("derivations").join(path.with_extension("toml").file_name().unwrap_or_default());
     let output = arguments.output.clone().unwrap_or_else(usual);
-    if output.as_os_str() == "-" {
+    let is_printed = output.as_os_str() == "-";
+    if !is_printed {
+        write::write_new(&output, draft.text.as_bytes())?;
+    }
+    if arguments.format == InitFormat::Json {
+        let paper::Draft { equations, formulas, refused, expressions, symbols, guesses, text } = &draft;
+        let file = (!is_printed).then(|| output.display().to_string());
+        let found = serde_json::json!({
+            "file": file, "equations": equations, "formulas": formulas, "refused": refused, "expressions": expressions,
+            "symbols": symbols, "guesses": guesses, "draft": is_printed.then_some(text),
+        });
+        print(&format!("{}\n", serde_json::to_string_pretty(&found).map_err(|error| error.to_string())?))?;
+    } else if is_printed {
         print(&draft.text)?;
     } else {
-        write::write_new(&output, draft.text.as_bytes())?;
+        for guess in &draft.guesses {
+            complain(guess);
+        }
         complain(&format!("{}: {}", output.display(), draft.summary()));
     }
     Ok(Ending::Good)

@@ -141,7 +141,9 @@ impl Derivation {
                     let among = |list: &[(Arc<Source>, Typed)]| {
                         list.iter().any(|(_, t)| t.names.iter().any(|(known, _)| *known == one))
                     };
-                    if one.is_empty() || self.scope.symbol(&one).is_some() || among(all) || among(&out) {
+                    // A rate is no coordinate, but a place of a function of what moves.
+                    let is_rate = one.starts_with(r"\dot") || one.starts_with(r"\ddot");
+                    if one.is_empty() || is_rate || self.scope.symbol(&one).is_some() || among(all) || among(&out) {
                         continue;
                     }
                     let timeless = self.scope.time().is_none() && !all.iter().any(|(_, t)| t.role == Role::Time);

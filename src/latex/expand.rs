@@ -7,6 +7,7 @@
 
 use std::ops::Range;
 
+use super::alike::{double_bars, primes, styles_under_dots, transposes, without_empty_braces};
 use super::lexer::{Kind, Token, tokens};
 use super::macros::{self, Macro};
 use super::refusal::{DEEPEST, Parsed, refuse};
@@ -14,9 +15,10 @@ use super::unicode;
 
 /// The tokens with all that is short for others written out.
 pub(super) fn written_out(tokens: Vec<Token>) -> Parsed<Vec<Token>> {
+    let tokens = without_empty_braces(tokens);
     let tokens = if tokens.iter().any(is_short) { Expansion::of(&tokens)? } else { tokens };
     let tokens = double_bars(styles_under_dots(tokens))?;
-    Ok(primes(tokens))
+    Ok(primes(transposes(tokens)))
 }
 
 /// Whether a token is short for others.
@@ -64,7 +66,7 @@ fn placed(text: &str, span: &Range<usize>) -> Vec<Token> {
     inside.map(|t| Token { kind: t.kind, span: span.clone() }).collect()
 }
 
-fn sign(c: char, span: &Range<usize>) -> Token {
+pub(super) fn sign(c: char, span: &Range<usize>) -> Token {
     Token { kind: Kind::Sign(c), span: span.clone() }
 }
 
@@ -483,86 +485,4 @@ impl<'a> Expansion<'a> {
         out.extend(placed(&format!("{mark}{{{text}}}"), &place));
         Ok(next)
     }
-}
-
-/// `\mathbf{\dot x}` is printed as `\dot{\mathbf{x}}`: a dot has no style.
-fn styles_under_dots(mut tokens: Vec<Token>) -> Vec<Token> {
-    let command = |t: &Token, is: &dyn Fn(&str) -> bool| matches!(&t.kind, Kind::Command(c) if is(c));
-    let style = |t: &Token| {
-        command(t, &|c| super::name::style(c).is_some_and(super::name::marks_tensor) && !super::name::is_switch(c))
-    };
-    let dot = |t: &Token| command(t, &|c| matches!(c, "dot" | "ddot"));
-    let is = |t: Option<&Token>, c: char| t.is_some_and(|t| t.kind == Kind::Sign(c));
-    let mut at = 0;
-    while at + 5 < tokens.len() {
-        let double = usize::from(is(tokens.get(at + 2), '{'));
-        let inner = at + 2 + double;
-        // `\mathbf{\dot{x}}`, `\mathbf{{\dot{x}}}`, `\mathbf{\dot x}`.
-        let fits = style(&tokens[at]) && is(tokens.get(at + 1), '{') && tokens.get(inner).is_some_and(dot);
-        let braced = is(tokens.get(inner + 1), '{');
-        let last = inner + if braced { 4 } else { 2 };
-        let closed =
-            fits && (0..=double).all(|i| is(tokens.get(last + i), '}')) && (!braced || is(tokens.get(inner + 3), '}'));
-        if closed {
-            let (style, dot) = (tokens[at].kind.clone(), tokens[inner].kind.clone());
-            tokens[at].kind = dot;
-            tokens[inner].kind = style;
-        }
-        at += 1;
-    }
-    tokens
-}
-
-/// `\|` and `\Vert` do not say their side: two of them are a pair, more could be read in two ways.
-fn double_bars(mut tokens: Vec<Token>) -> Parsed<Vec<Token>> {
-    let double = |t: &Token| matches!(&t.kind, Kind::Command(c) if c == "|" || c == "Vert");
-    let Some(first) = tokens.iter().position(double) else { return Ok(tokens) };
-    if tokens.iter().any(|t| t.kind == Kind::Sign('|')) {
-        let hint = r"write `\left\|…\right\|` and `\left|…\right|`";
-        return refuse(
-            "latex::ambiguous",
-            "single and double bars that do not say their side",
-            tokens[first].span.clone(),
-            hint,
-        );
-    }
-    for token in tokens.iter_mut().filter(|t| double(t)) {
-        token.kind = Kind::Sign('|');
-    }
-    Ok(tokens)
-}
-
-/// Primes in one form: `x^\prime`, `x^{\prime2}` and `x^{''}` as `x'`, `x'^{2}` and `x''`.
-fn primes(tokens: Vec<Token>) -> Vec<Token> {
-    let prime = |t: &Token| t.kind == Kind::Sign('\'') || matches!(&t.kind, Kind::Command(c) if c == "prime");
-    let raised =
-        |w: &[Token]| w[0].kind == Kind::Sign('^') && (prime(&w[1]) || w[1].kind == Kind::Sign('{') && prime(&w[2]));
-    if !tokens.windows(3).any(raised) {
-        return tokens;
-    }
-    let mut out = Vec::with_capacity(tokens.len());
-    let mut at = 0;
-    while at < tokens.len() {
-        if !tokens.get(at..at + 3).is_some_and(raised) {
-            out.push(tokens[at].clone());
-            at += 1;
-            continue;
-        }
-        let braced = tokens[at + 1].kind == Kind::Sign('{');
-        let mut next = at + 1 + usize::from(braced);
-        while prime(&tokens[next]) && (braced || next == at + 1) {
-            out.push(sign('\'', &tokens[next].span));
-            next += 1;
-        }
-        if !braced {
-            at = next;
-        } else if tokens[next].kind == Kind::Sign('}') {
-            at = next + 1;
-        } else {
-            out.push(tokens[at].clone());
-            out.push(tokens[at + 1].clone());
-            at = next;
-        }
-    }
-    out
 }

@@ -187,6 +187,11 @@ pub(super) fn of_command(command: &str) -> Option<&'static Feature> {
     FEATURES.iter().find(|f| f.commands.contains(&command))
 }
 
+/// The feature that a command shows, wherever it stands.
+pub fn feature_of(command: &str) -> Option<&'static Feature> {
+    of_command(command)
+}
+
 /// What is missing in the language, where a text was refused for that: the feature that stands at the place of the problem.
 pub fn feature(text: &str, problem: &Problem) -> Option<&'static Feature> {
     let at = text.get(problem.span.start..)?;

@@ -12,6 +12,7 @@
 
 #![forbid(unsafe_code)]
 
+mod alike;
 mod complex;
 mod convention;
 mod elaborate;
@@ -31,12 +32,13 @@ mod typeset;
 mod unicode;
 mod write;
 
-pub use feature::{Feature, feature};
+pub use feature::{Feature, feature, feature_of};
 pub use parse::whole_part;
 pub use scope::{Declaration, DeclareError, Logarithm, REFUSED, Role, Scope, Signature};
 pub use statement::{Limit, LimitPoint, Relation, Statement};
 pub use syntax::RelationKind;
 pub use typeset::printed;
+pub use unicode::{script as raised_or_lowered, spelled};
 
 use diag::Problem;
 use elaborate::Elaborator;

@@ -77,7 +77,8 @@ enum Arguments {
     Literal(String),
     /// Formal arguments of a function.
     Formal(Vec<(Symbol, Shape)>),
-    /// The coordinates of a field, as they are written; they may be left out.
+    /// The coordinates of a field, as they are written; they may be left out. Of a function of anything else, `L(q,\dot q,t)`, they are
+    /// coordinates that nothing names.
     Coordinates(String, Vec<Leaf>),
 }
 
@@ -96,6 +97,8 @@ struct Entry {
     angle: bool,
     /// Of a coordinate that is not Cartesian.
     scale: Option<Expr>,
+    /// Of a function of what is no coordinate: where it is taken, where nothing else is written.
+    place: Vec<Expr>,
 }
 
 /// A declaration with what it is looked for by: scopes are copied often, and asked very often.
@@ -187,6 +190,8 @@ pub(super) struct Found<'s> {
     pub literal_arguments: bool,
     /// Its coordinates, for a field.
     pub coordinates: &'s [Leaf],
+    /// Where it is taken, for a function of what is no coordinate; else empty.
+    pub place: &'s [Expr],
     /// The same as written.
     places_text: &'s str,
     /// Coordinates in the subscript of a scalar field: by these it is derived, as in `u_{xx}`.
@@ -537,6 +542,7 @@ impl Scope {
                 Arguments::Coordinates(_, coordinates) => coordinates,
                 Arguments::None | Arguments::Literal(_) | Arguments::Formal(_) => &[],
             },
+            place: &entry.place,
             places_text: match &entry.arguments {
                 Arguments::Coordinates(text, _) => text,
                 Arguments::None | Arguments::Literal(_) | Arguments::Formal(_) => "",

@@ -178,7 +178,7 @@ pub(super) fn accent(mark: &str) -> Option<&'static str> {
 }
 
 /// What a small raised or lowered sign stands for: whether it is raised, and the sign.
-pub(super) fn script(sign: &str) -> Option<(bool, &'static str)> {
+pub fn script(sign: &str) -> Option<(bool, &'static str)> {
     const RAISED: [(&str, &str); 14] = [
         ("⁰", "0"),
         ("¹", "1"),
@@ -216,7 +216,7 @@ pub(super) fn script(sign: &str) -> Option<(bool, &'static str)> {
 
 /// A character as LaTeX writes it; `None` for one that has no meaning in a formula. Raised and lowered signs, and marks on letters, are
 /// left as they are: what stands before them matters.
-pub(super) fn spelled(c: char) -> Option<String> {
+pub fn spelled(c: char) -> Option<String> {
     let styled =
         |style: &str, letter: &str| if style.is_empty() { letter.to_owned() } else { format!(r"\{style}{{{letter}}}") };
     if let Some((_, text)) = SIGNS.iter().find(|(sign, _)| *sign == c) {

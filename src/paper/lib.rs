@@ -32,7 +32,7 @@ use sha2::{Digest, Sha256};
 
 pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, compare, subject};
 pub use draft::{Draft, draft};
-pub use names::{Call, Evidence, PaperName, names};
+pub use names::{Call, Evidence, PaperName, names, order_counts};
 pub use printed::{PrintedRelation, PrintedSide};
 
 use diag::escape::shown;

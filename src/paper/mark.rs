@@ -71,8 +71,20 @@ const NO_PRINT: &[&str] = &[
     "allowdisplaybreaks",
 ];
 /// The same with an argument in braces.
-const NO_PRINT_WITH_ARGUMENT: &[&str] =
-    &["label", "tag", "hspace", "vspace", "hskip", "vskip", "intertext", "shortintertext", "phantom", "vphantom"];
+const NO_PRINT_WITH_ARGUMENT: &[&str] = &[
+    "label",
+    "tag",
+    "hspace",
+    "vspace",
+    "hskip",
+    "vskip",
+    "intertext",
+    "shortintertext",
+    "phantom",
+    "vphantom",
+    "hphantom",
+    "color",
+];
 /// Two spellings of one sign.
 const SAME: &[(&str, &str)] = &[
     ("leq", "le"),

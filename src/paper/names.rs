@@ -4,14 +4,21 @@
 //! them; and the [`Evidence`] of the paper: of what the paper prints a rate, what it derives by what, which subscripts are indices.
 //! **Guaranteed:** nothing is decided here: a name is what is printed, and evidence is what was seen.
 
-mod evidence;
+mod braces;
+pub mod evidence;
+pub mod letters;
+mod order;
 #[cfg(test)]
 mod tests;
 
 use super::PrintedSide;
 use super::mark::{self, Mark};
 use super::token::{Kind, Token};
+use braces::without_braces_of_names;
 pub use evidence::Evidence;
+pub use evidence::{Primes, is_variable, unprimed};
+use letters::{BOLD, DOTS, FRACTIONS, HATS, LETTERS, STYLES, is_switch};
+pub use order::order_counts;
 
 /// A name of a formula, as it is printed.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -38,6 +45,12 @@ pub struct PaperName {
     pub is_partial: bool,
     /// A `d`, `\delta` or `\Delta` right before another name: a difference, and no factor.
     pub is_difference: bool,
+    /// A label above it, without its outer braces: `(1)`, `*`, `\rm R`.
+    pub above: Option<String>,
+    /// Whether it is derived together with other names, `\frac{d}{dt}(mv)`: some of them may not change.
+    pub is_in_group: bool,
+    /// Whether something is derived by it here.
+    pub is_variable: bool,
 }
 
 /// What stands in parentheses behind a name.
@@ -52,13 +65,17 @@ pub enum Call {
 }
 
 impl PaperName {
-    /// The name as a key of a derivation file, with its subscript.
+    /// The name as a key of a derivation file, with its labels below and above.
     pub fn key(&self) -> String {
-        match &self.subscript {
+        let mut key = match &self.subscript {
             Some(sub) if sub.chars().count() == 1 => format!("{}_{sub}", self.base),
             Some(sub) => format!("{}_{{{sub}}}", self.base),
             None => self.base.clone(),
+        };
+        if let Some(above) = &self.above {
+            key.push_str(&format!("^{{{above}}}"));
         }
+        key
     }
 
     /// Whether its subscript consists of letters that are used as indices.
@@ -69,77 +86,6 @@ impl PaperName {
     }
 }
 
-/// Letters of Greek that are names, with other commands that are.
-const LETTERS: &[&str] = &[
-    "alpha",
-    "beta",
-    "gamma",
-    "delta",
-    "epsilon",
-    "varepsilon",
-    "zeta",
-    "eta",
-    "theta",
-    "vartheta",
-    "iota",
-    "kappa",
-    "lambda",
-    "mu",
-    "nu",
-    "xi",
-    "rho",
-    "varrho",
-    "sigma",
-    "varsigma",
-    "tau",
-    "upsilon",
-    "phi",
-    "varphi",
-    "chi",
-    "psi",
-    "omega",
-    "Gamma",
-    "Delta",
-    "Theta",
-    "Lambda",
-    "Xi",
-    "Pi",
-    "Sigma",
-    "Upsilon",
-    "Phi",
-    "Psi",
-    "Omega",
-    "ell",
-    "hbar",
-    "varpi",
-    "aleph",
-    "wp",
-    "imath",
-    "jmath",
-    "varkappa",
-];
-const BOLD: &[&str] =
-    &["mathbf", "boldsymbol", "bm", "vec", "bf", "pmb", "vb", "va", "vectorbold", "mathbfit", "overrightarrow"];
-const HATS: &[&str] = &["hat", "widehat", "vu", "uvec"];
-const STYLES: &[&str] = &[
-    "tilde",
-    "widetilde",
-    "bar",
-    "overline",
-    "mathcal",
-    "mathrm",
-    "mathsf",
-    "mathfrak",
-    "mathbb",
-    "mathscr",
-    "cal",
-    "rm",
-    "check",
-    "breve",
-];
-const DOTS: &[(&str, usize)] = &[("dot", 1), ("ddot", 2), ("dddot", 3), ("ddddot", 4)];
-const FRACTIONS: &[&str] = &["frac", "dfrac", "tfrac", "cfrac"];
-
 /// The names of a side, in their order.
 pub fn names(side: &PrintedSide) -> Vec<PaperName> {
     names_of(&side.tokens)
@@ -147,7 +93,7 @@ pub fn names(side: &PrintedSide) -> Vec<PaperName> {
 
 /// The names of a formula, in their order.
 pub(super) fn names_of(tokens: &[Token]) -> Vec<PaperName> {
-    let mut reader = Names { marks: mark::marks(tokens), out: Vec::new() };
+    let mut reader = Names { marks: without_braces_of_names(mark::marks(tokens)), out: Vec::new() };
     let end = reader.marks.len();
     reader.range(0, end, &None, 0);
     reader.out
@@ -241,11 +187,13 @@ impl Names {
         }
         let before = self.out.len();
         self.range(over, middle, &by, depth + 1);
+        self.note_group(before);
         if self.out.len() == before {
             // What follows the operator is derived: the next factor, a group or a name.
             let after = self.unit(end).min(to);
             let stop = if matches!(self.text(end), "(" | "[" | "{") { self.closing(end, to) } else { after };
             self.range(end, stop, &by, depth + 1);
+            self.note_group(before);
             self.note_variables(&variables);
             return stop.max(end);
         }
@@ -255,7 +203,14 @@ impl Names {
 
     fn note_variables(&mut self, variables: &[String]) {
         for v in variables {
-            self.out.push(plain(v));
+            self.out.push(PaperName { is_variable: true, ..plain(v) });
+        }
+    }
+
+    /// Several names that are derived together.
+    fn note_group(&mut self, from: usize) {
+        if self.out.len() > from + 1 {
+            self.out[from..].iter_mut().for_each(|n| n.is_in_group = true);
         }
     }
 
@@ -279,7 +234,9 @@ impl Names {
         let end = self.unit(middle).min(to);
         let variable = self.variable(self.inner(middle).0).map(|v| v.0);
         let by = variable.clone().map(|v| (v, partial));
+        let before = self.out.len();
         self.range(next, middle, &by, depth + 1);
+        self.note_group(before);
         self.note_variables(&variable.into_iter().collect::<Vec<_>>());
         end
     }
@@ -296,7 +253,7 @@ impl Names {
             next = self.unit(next + 1);
         }
         let by = Some((variable.clone(), true));
-        self.out.push(plain(&variable));
+        self.note_variables(std::slice::from_ref(&variable));
         self.name(next, to, &by).unwrap_or(next)
     }
 
@@ -402,7 +359,7 @@ impl Names {
         }
         let mut letter = letter;
         let mut primes = 0;
-        let mut subscript = None;
+        let (mut subscript, mut above) = (None, None);
         while closing > 0 && next < to {
             // Several letters in one style are one name: `\mathrm{Re}`.
             match self.text(next) {
@@ -427,11 +384,19 @@ impl Names {
                     next += 1;
                 }
                 "_" if subscript.is_none() && next < to => {
-                    let end = self.unit(next + 1);
+                    let end = self.script_end(next + 1);
                     subscript = Some(self.below(next + 1, end));
                     next = end;
                     continue;
                 }
+                "^" if above.is_none() => match self.label_above(next + 1) {
+                    Some((label, end)) if end <= to => {
+                        above = Some(label);
+                        next = end;
+                        continue;
+                    }
+                    _ => break,
+                },
                 _ => break,
             }
             next += 1;
@@ -453,7 +418,7 @@ impl Names {
             && subscript.is_none()
             && self.begins_name(next, to);
         let (derived_by, is_partial) = match by {
-            Some((by, partial)) => (Some(by.clone()), *partial),
+            Some((by, partial)) => (Some(if by.starts_with(r"\d") { by.clone() } else { plain(by).key() }), *partial),
             None => (None, false),
         };
         let name = PaperName {
@@ -468,6 +433,9 @@ impl Names {
             derived_by,
             is_partial,
             is_difference,
+            above,
+            is_in_group: false,
+            is_variable: false,
         };
         self.out.push(name);
         Some(next)
@@ -486,9 +454,38 @@ impl Names {
         at < to && (letter || text == "(" || LETTERS.contains(&command) || styled)
     }
 
+    /// The end of a script that begins here: a command of style takes its argument with it, `p_\mathrm{max}`.
+    fn script_end(&self, at: usize) -> usize {
+        let command = self.text(at).strip_prefix('\\').unwrap_or("");
+        let takes = matches!(command, "text" | "textrm" | "mbox" | "operatorname")
+            || [BOLD, HATS, STYLES].iter().any(|s| s.contains(&command)) && !is_switch(command);
+        self.unit(if takes { at + 1 } else { at })
+    }
+
+    /// A label above a name, and the position after it: a number in parentheses, a sign alone, upright letters. Anything else is a power,
+    /// or an index; an upright T is a transpose.
+    fn label_above(&self, at: usize) -> Option<(String, usize)> {
+        let end = self.unit(at);
+        let (from, to) = self.inner(at);
+        let inside: Vec<&str> = (from..to).map(|i| self.text(i)).collect();
+        let digits = |t: &[&str]| !t.is_empty() && t.iter().all(|t| t.len() == 1 && t.as_bytes()[0].is_ascii_digit());
+        let label = match inside.as_slice() {
+            ["(", inner @ .., ")"] => digits(inner),
+            [one] => matches!(*one, "*" | "+" | "-" | r"\ast" | r"\circ" | r"\star"),
+            [r"\mathrm" | r"\text" | r"\rm" | r"\textrm", rest @ ..] => {
+                let word: String = rest.iter().filter(|t| !matches!(**t, "{" | "}")).copied().collect();
+                !word.is_empty()
+                    && word.chars().all(|c| c.is_ascii_alphanumeric())
+                    && !matches!(word.as_str(), "T" | "t" | "H" | "tr" | "d")
+            }
+            _ => false,
+        };
+        label.then(|| (self.spelled(from, to), end))
+    }
+
     /// A subscript without its outer braces.
     fn below(&self, from: usize, to: usize) -> String {
-        let (a, b) = self.inner(from);
+        let (a, b) = if self.text(from) == "{" { self.inner(from) } else { (from, to) };
         self.spelled(a, b.min(to))
     }
 
@@ -527,7 +524,12 @@ impl Names {
             let letters = tokens.iter().filter(|t| is_letter(t)).count();
             letters <= 1 || p.contains('_')
         };
-        if places.iter().all(|p| !p.is_empty() && single(p)) { Call::Places(places) } else { Call::Other }
+        let one = |p: String| if is_variable(&p) || p.contains('_') { plain(&p).key() } else { p };
+        if places.iter().all(|p| !p.is_empty() && single(p)) {
+            Call::Places(places.into_iter().map(one).collect())
+        } else {
+            Call::Other
+        }
     }
 }
 
@@ -540,10 +542,18 @@ pub(super) fn is_letter(token: &Token) -> bool {
     }
 }
 
-/// A name that is nothing but this key.
+/// A name that is nothing but this key, perhaps with dots.
 fn plain(key: &str) -> PaperName {
+    let dotted = DOTS.iter().rev().find_map(|(d, n)| {
+        let rest = key.strip_prefix('\\')?.strip_prefix(d)?;
+        (!rest.starts_with(|c: char| c.is_ascii_alphabetic())).then_some((rest, *n))
+    });
+    let (key, dots) = dotted.map_or((key, 0), |(rest, n)| (rest.trim_matches(['{', '}', ' ']), n));
     let (base, subscript) = match key.split_once('_') {
-        Some((base, sub)) => (base, Some(sub.trim_start_matches('{').trim_end_matches('}').to_owned())),
+        Some((base, sub)) => {
+            let inside = sub.strip_prefix('{').and_then(|s| s.strip_suffix('}')).unwrap_or(sub);
+            (base, Some(inside.to_owned()))
+        }
         None => (key, None),
     };
     PaperName {
@@ -552,11 +562,14 @@ fn plain(key: &str) -> PaperName {
         is_bold: BOLD.iter().any(|b| base.contains(&format!("\\{b}"))),
         has_hat: false,
         subscript,
-        dots: 0,
+        dots,
         primes: 0,
         call: Call::None,
         derived_by: None,
         is_partial: false,
         is_difference: false,
+        above: None,
+        is_in_group: false,
+        is_variable: false,
     }
 }

@@ -293,6 +293,25 @@ pub(super) fn sides_of(tokens: &[Token]) -> (Vec<Vec<Token>>, bool) {
     (out, begins)
 }
 
+/// The terms of a side: what stands between plus and minus, outside of all brackets.
+pub(super) fn terms(tokens: &[Token]) -> Vec<Vec<Token>> {
+    let mut signs = Vec::new();
+    let sign = |t: &Token| t.is_char("+") || t.is_char("-") || t.is("pm") || t.is("mp");
+    walk(tokens, |i, outside| {
+        if outside && sign(&tokens[i]) {
+            signs.push(i);
+        }
+    });
+    let mut out = Vec::new();
+    let mut from = 0;
+    for end in signs.into_iter().chain([tokens.len()]) {
+        out.push(tokens[from..end].to_vec());
+        from = end + 1;
+    }
+    out.retain(|t| !t.iter().all(is_space));
+    out
+}
+
 /// What is known of a display.
 pub(super) struct Place<'p> {
     /// The name of its environment; empty in the running text.

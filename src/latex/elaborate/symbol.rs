@@ -98,6 +98,11 @@ impl<'a> Elaborator<'a> {
         let (symbol, role, conjugate) = (found.symbol, found.role, found.conjugate);
         let (items, formal, derivatives) = (found.indices, found.formal, found.derivatives);
         let literal = found.literal_arguments;
+        // A function of what is no coordinate is taken at its own places, where nothing else is written.
+        let own_place: Vec<(Leaf, Expr)> = match s.arguments.is_some() && !literal {
+            true => Vec::new(),
+            false => found.coordinates.iter().copied().zip(found.place.iter().copied()).collect(),
+        };
         // What is not applied to anything is the same wherever it stands: with indices it is asked for very often.
         let keeps = formal.is_empty() && role != Role::Field;
         let known = self.bases.get(&(symbol, s.dots)).filter(|_| keeps).cloned();
@@ -117,11 +122,18 @@ impl<'a> Elaborator<'a> {
                         return refuse("latex::dot", "the rate of the time is 1", span, "leave it out");
                     }
                 }
+                if !own_place.is_empty() && !s.primed {
+                    base = self.taken_at(base, &own_place, span)?;
+                }
                 for _ in 0..s.dots {
                     base = match role {
+                        Role::Field if !s.primed && !found.place.is_empty() => self.time_derivative(base, span)?,
                         Role::Field => self.derivative_of_field(base, (found.coordinates, s.primed), span)?,
                         _ => self.time_derivative(base, span)?,
                     };
+                }
+                if !own_place.is_empty() && s.primed {
+                    base = self.taken_at(base, &own_place, span)?;
                 }
                 if keeps {
                     self.bases.insert((symbol, s.dots), base.clone());

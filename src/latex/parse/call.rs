@@ -7,7 +7,7 @@
 use super::super::convention::{BETA, EVEN_OR_ODD, FUNCTIONALS, FUNCTIONS, base, known_function, prints_as_operator};
 use super::super::lexer::Kind;
 use super::super::name::{self, NAMES};
-use super::super::syntax::{Node, NodeKind, SymbolNode};
+use super::super::syntax::{Bracket, Node, NodeKind, SymbolNode};
 use super::super::write::subscript;
 use super::{Parsed, Parser, refuse};
 
@@ -121,6 +121,43 @@ impl Parser<'_> {
         let message = "a difference of values of what follows, or a product?";
         let hint = r"write `\cdot` for the product; a difference is written out";
         refuse("latex::ambiguous", message, last.span.start..factor.span.end, hint)
+    }
+
+    /// Refuses `\frac{df}{dx}(a)` and `\frac{\partial u}{\partial t}(x,0)`: the derivative at a place, or a product. What holds a field, or a rate, is no
+    /// place, and a factor.
+    pub(super) fn is_no_place(&self, last: &Node, factor: &Node) -> Parsed<()> {
+        let mut of = last;
+        let mut derived = false;
+        while let NodeKind::Partial { of: inner, .. }
+        | NodeKind::Derivative { of: inner, .. }
+        | NodeKind::Nabla { of: inner, .. } = &of.kind
+        {
+            derived = true;
+            of = inner;
+        }
+        let field = match &of.kind {
+            NodeKind::Symbol(s) => s.arguments.is_none() && self.scope.is_field(&s.name, s.sub.as_deref()),
+            _ => false,
+        };
+        let place = match &factor.kind {
+            NodeKind::Group(inner, Bracket::Round) => !self.holds_a_field(inner),
+            NodeKind::Tuple(_) => true,
+            _ => false,
+        };
+        if !derived || !field || !place {
+            return Ok(());
+        }
+        let message = "is this the derivative at a place, or a product?";
+        let hint = r"write `\cdot` for the product, and `f'(a)`, `u_t(x,0)` or `\left.\partial_tu\right|_{t=0}` for the derivative at a place";
+        refuse("latex::ambiguous", message, last.span.start..factor.span.end, hint)
+    }
+
+    fn holds_a_field(&self, node: &Node) -> bool {
+        match &node.kind {
+            NodeKind::Partial { .. } | NodeKind::Derivative { .. } | NodeKind::Nabla { .. } => true,
+            NodeKind::Symbol(s) if self.scope.is_field(&s.name, s.sub.as_deref()) => true,
+            _ => node.children().into_iter().any(|n| self.holds_a_field(n)),
+        }
     }
 
     /// Refuses `f(…)` where f is not declared at all, with a hint on how a function is.

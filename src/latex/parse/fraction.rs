@@ -342,7 +342,7 @@ impl Parser<'_> {
                 }
                 self.expect('}')?;
             }
-            "pmatrix" | "bmatrix" | "matrix" => {}
+            "pmatrix" | "bmatrix" | "matrix" | "psmallmatrix" | "bsmallmatrix" | "smallmatrix" => {}
             _ => {
                 let message = format!("the environment `{environment}` is not known");
                 return refuse("latex::unsupported", message, span, "use `pmatrix`");

@@ -537,6 +537,7 @@ impl<'a> Parser<'a> {
                 side_by_side(last, &factor)?;
                 if !spaced {
                     Self::is_no_operator(last, &factor)?;
+                    self.is_no_place(last, &factor)?;
                 }
             }
             // `{ab}c` is printed as three factors.

@@ -78,8 +78,19 @@ impl Scope {
             let symbol = inner.declare(graph, argument, declaration)?;
             formal.push((symbol, Shape::scalar()));
         }
+        let mut place = Vec::new();
         let coordinates = match d.role {
-            Role::Field => self.coordinates_of(graph, key, arguments.as_deref())?,
+            Role::Field => match self.places_of(graph, key, arguments.as_deref())? {
+                Some(_) if d.formula.is_some() => {
+                    let hint = "declare what has a formula as an abbreviation";
+                    return Err(bad_key("a field with a formula depends on coordinates", key, hint));
+                }
+                Some((coordinates, at)) => {
+                    place = at;
+                    coordinates
+                }
+                None => self.coordinates_of(graph, key, arguments.as_deref())?,
+            },
             Role::Coordinate if d.complex || arguments.is_some() => {
                 return Err(bad_key("a coordinate is a real number, and nothing else", key, ""));
             }
@@ -189,6 +200,7 @@ impl Scope {
             complex: d.complex,
             angle: d.angle,
             scale,
+            place,
         };
         // The same name again hides the earlier one.
         let same =

@@ -6,7 +6,7 @@
 
 use super::super::elaborate::Elaborator;
 use super::super::syntax::{Name, SubItem};
-use super::{Arguments, DeclareError, Entry, Filed, Role, Scope, bad_key};
+use super::{Arguments, DeclareError, Entry, Filed, Role, Scope, bad_key, too_many};
 use diag::Problem;
 use expr::{Expr, Graph, Leaf, Shape, Symbol, Tensor};
 
@@ -39,6 +39,48 @@ impl Scope {
             }
         }
         Ok(out)
+    }
+
+    /// For an unknown function of what is no coordinate, `V(r)` or `L(q,\dot q,t)`: coordinates that stand for its places, and what stands in
+    /// them: states, their rates, the time, parameters, coordinates. `None` for a field of coordinates.
+    ///
+    /// The coordinates are the first of the graph, whatever they are called: the function is never taken at them, but at its places.
+    pub(super) fn places_of(
+        &self,
+        graph: &mut Graph,
+        key: &str,
+        arguments: Option<&str>,
+    ) -> Result<Option<(Vec<Leaf>, Vec<Expr>)>, DeclareError> {
+        let Some(text) = arguments else { return Ok(None) };
+        let is_coordinate = |name: &str| {
+            let named = self.entries.iter().rev().find(|e| e.name == name && e.sub.is_empty());
+            let symbol = self.symbol(name).or_else(|| named.map(|e| e.symbol));
+            symbol.is_none_or(|s| matches!(self.role(s), Some(Role::Coordinate | Role::Time)))
+        };
+        let dotted = |name: &str| name.starts_with(r"\dot") || name.starts_with(r"\ddot");
+        if text.split(',').all(|name| is_coordinate(name) && !dotted(name)) {
+            return Ok(None);
+        }
+        let mut places = Vec::new();
+        for part in text.split(',') {
+            let read = Elaborator::new(self, graph).quantity(part);
+            let value = read.ok().and_then(|t| t.as_scalar());
+            let leaf = value.filter(|e| matches!(graph.node(*e), expr::Node::Leaf(l) if l.instant.is_none()));
+            let Some(leaf) = leaf.filter(|e| !places.contains(e)) else {
+                let message = format!("`{part}` is no place of a function");
+                let hint = "a place is a coordinate, the time, a state or its rate, or a parameter, each once: `L(q,\\dot q,t)`";
+                return Err(bad_key(message, key, hint));
+            };
+            places.push(leaf);
+        }
+        let mut known: Vec<Leaf> = graph.coordinates().collect();
+        while known.len() < places.len() {
+            let symbol = graph.declare(&format!(r"\xi_{{{}}}", known.len() + 1), Shape::scalar(), false);
+            graph.add_coordinate(symbol, 0).ok_or_else(|| too_many(key))?;
+            known.push(Leaf::now(symbol, 0));
+        }
+        known.truncate(places.len());
+        Ok(Some((known, places)))
     }
 
     /// Refuses a field's formula that names something that changes and is not among its coordinates.
@@ -159,7 +201,8 @@ impl Scope {
     /// be declared.
     pub(super) fn derivatives(&self, entry: &Entry, subscript: &[SubItem]) -> Option<Vec<Leaf>> {
         let Arguments::Coordinates(_, coordinates) = &entry.arguments else { return None };
-        if subscript.is_empty() || entry.rank > 0 {
+        // The coordinates of a function of what is no coordinate are nobody's names.
+        if subscript.is_empty() || entry.rank > 0 || !entry.place.is_empty() {
             return None;
         }
         let named = |letter: &Name| {

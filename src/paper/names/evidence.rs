@@ -3,8 +3,14 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::Paper;
-use super::super::printed::PrintedRelation;
-use super::{Call, names};
+use super::super::mark;
+use super::super::printed::{PrintedRelation, PrintedSide};
+use super::super::token::{Kind, Token};
+use super::{Call, PaperName, names};
+
+/// Letters of unknown functions, whose primes derive them where two stand behind them somewhere.
+const FUNCTIONS: &[&str] =
+    &["x", "y", "z", "u", "v", "w", "f", "g", "h", "X", "Y", r"\phi", r"\psi", r"\varphi", r"\theta"];
 
 /// Longest side, in bytes, that is looked at.
 const LONGEST: usize = 20_000;
@@ -28,6 +34,24 @@ pub struct Evidence {
     pub functions: BTreeSet<String>,
     /// Subscripts of each letter.
     pub subscripts: BTreeMap<String, BTreeSet<String>>,
+    /// How often each name is printed, without its primes.
+    pub keys: BTreeMap<String, usize>,
+    /// The most primes that a name is printed with.
+    pub primes: BTreeMap<String, usize>,
+    /// Whether the unknown function of an equation has two primes somewhere.
+    pub has_double_primes: bool,
+    /// Names with dots somewhere.
+    pub dotted: BTreeSet<String>,
+    /// Of names with primes: the single places that are printed behind them.
+    pub primed_places: BTreeMap<String, BTreeMap<String, usize>>,
+    /// Of names that are equal to a matrix somewhere: its rows and columns, and how often.
+    pub sizes: BTreeMap<String, BTreeMap<(usize, usize), usize>>,
+    /// Whether `i` stands where the imaginary unit does: in an exponent, or before ħ.
+    pub is_complex: bool,
+    /// The same of `j`.
+    pub has_complex_j: bool,
+    /// Whether `e` is raised to anything but a bare number.
+    pub has_exponentials: bool,
 }
 
 impl Evidence {
@@ -55,12 +79,42 @@ impl Evidence {
     }
 
     fn note(&mut self, relation: &PrintedRelation) {
+        let sizes: Vec<Option<(usize, usize)>> = relation.sides.iter().map(|s| size(&s.tokens)).collect();
+        for (i, side) in relation.sides.iter().enumerate().filter(|(_, s)| s.text.len() <= LONGEST) {
+            self.note_units(side);
+            let beside = [i.checked_sub(1), Some(i + 1)].into_iter().flatten();
+            let found = beside.filter_map(|k| sizes.get(k).copied().flatten()).next();
+            if let (Some(size), [name]) = (found, names(side).as_slice())
+                && sizes[i].is_none()
+                && (name.derived_by.is_some() || is_alone(side))
+            {
+                *self.sizes.entry(name.key()).or_default().entry(size).or_default() += 1;
+            }
+        }
         for name in relation.sides.iter().filter(|s| s.text.len() <= LONGEST).flat_map(names) {
             let key = name.key();
-            if name.dots > 0 || name.derived_by.as_deref() == Some("t") && !name.is_partial {
+            let bare = unprimed(&name);
+            *self.keys.entry(bare.clone()).or_default() += 1;
+            if name.dots > 0 {
+                self.dotted.insert(bare.clone());
+            }
+            if name.primes > 0 {
+                let letter = name.base.trim_end_matches('\'');
+                self.has_double_primes |= name.primes > 1 && ["x", "y", "u", "f"].contains(&letter);
+                let most = self.primes.entry(bare.clone()).or_default();
+                *most = name.primes.max(*most);
+                if let Call::Places(places) = &name.call
+                    && let [one] = places.as_slice()
+                    && is_variable(one)
+                {
+                    *self.primed_places.entry(unprimed(&name)).or_default().entry(one.clone()).or_default() += 1;
+                }
+            }
+            let is_derived = name.derived_by.is_some() && !name.is_in_group;
+            if name.dots > 0 || is_derived && name.derived_by.as_deref() == Some("t") && !name.is_partial {
                 self.moving.insert(key.clone());
             }
-            if let Some(by) = &name.derived_by {
+            if let Some(by) = name.derived_by.as_ref().filter(|_| is_derived) {
                 let seen = if name.is_partial { &mut self.partial } else { &mut self.derived };
                 seen.entry(key.clone()).or_default().insert(by.clone());
             }
@@ -88,4 +142,161 @@ impl Evidence {
             }
         }
     }
+
+    /// What stands in exponents of `e`, and before ħ.
+    fn note_units(&mut self, side: &PrintedSide) {
+        let marks = mark::marks(&side.tokens);
+        let text = |i: usize| marks.get(i).map_or("", |m| m.text.as_str());
+        for at in 0..marks.len() {
+            let exponent = match text(at) {
+                "e" | r"\mathrm" if text(at + 1) == "^" => at + 2..mark::unit(&marks, at + 2),
+                "e" if text(at + 1) == "}" && text(at + 2) == "^" => at + 3..mark::unit(&marks, at + 3),
+                r"\exp" => at + 1..(at + 12).min(marks.len()),
+                _ => continue,
+            };
+            let inside: Vec<&str> = exponent.map(text).collect();
+            self.has_exponentials |= inside.iter().any(|t| t.starts_with('\\') || t.chars().all(char::is_alphabetic));
+            let unit = |letter: &str| {
+                (0..inside.len()).any(|i| inside[i] == letter && (i == 0 || !matches!(inside[i - 1], "_" | "^")))
+            };
+            self.is_complex |= unit("i");
+            self.has_complex_j |= unit("j");
+        }
+        self.is_complex |= (0..marks.len())
+            .any(|i| text(i) == "i" && text(i + 1) == r"\hbar" && (i == 0 || !matches!(text(i - 1), "_" | "^")));
+    }
+
+    /// What the primes of a name are.
+    ///
+    /// Two primes somewhere in the paper, or a prime before a place, `f'(x)`, show that primes derive: by the variable of which the paper
+    /// prints the name as a function, or by which it derives it. Beside dots for rates a prime is part of a name: a system of axes that is
+    /// turned. Of a function elsewhere, or of a wave function, it could be either.
+    pub fn primes_of(&self, bare: &str) -> Primes {
+        let Some(&primes) = self.primes.get(bare) else { return Primes::Name };
+        let called = self.primed_places.get(bare);
+        if self.dotted.contains(bare) && called.is_none() {
+            return Primes::Name;
+        }
+        let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
+        for (places, n) in self.calls.get(bare).into_iter().flatten() {
+            if let Some([one]) = places.as_deref()
+                && is_variable(one)
+            {
+                *seen.entry(one).or_default() += n;
+            }
+        }
+        for (by, n) in called.into_iter().flatten() {
+            *seen.entry(by).or_default() += n;
+        }
+        // A second medium has the index n′, whatever n is derived by.
+        for by in self.derived.get(bare).into_iter().flatten().filter(|by| primes > 1 && is_variable(by)) {
+            *seen.entry(by).or_default() += 1;
+        }
+        let letter = bare.split('_').next().unwrap_or_default();
+        let is_function = FUNCTIONS.contains(&letter);
+        let derive = called.is_some() || primes > 1 || self.has_double_primes;
+        if self.is_complex && matches!(letter, r"\psi" | r"\Psi" | r"\phi" | r"\varphi" | r"\chi") {
+            return Primes::Unclear;
+        }
+        match seen.into_iter().max_by_key(|(v, n)| (*n, std::cmp::Reverse(*v))) {
+            Some((by, _)) if derive => Primes::Derive(by.to_owned()),
+            Some(_) => Primes::Unclear,
+            // The letter of an unknown function, in a paper whose primes derive, and no dots on that letter.
+            None if is_function
+                && (primes > 1 || self.has_double_primes)
+                && !self.dotted.iter().any(|d| d.split('_').next() == Some(letter)) =>
+            {
+                let usual = if matches!(letter, "x" | r"\theta" | r"\phi" | r"\varphi") { "t" } else { "x" };
+                Primes::Usual(usual.to_owned())
+            }
+            None if bare.contains("\\mathbf") || bare.contains("\\vec") => Primes::Name,
+            None if primes > 1 || self.has_double_primes => Primes::Unclear,
+            None => Primes::Name,
+        }
+    }
+
+    /// The variable by which primes derive a name.
+    pub fn primed_by(&self, bare: &str) -> Option<String> {
+        match self.primes_of(bare) {
+            Primes::Derive(by) | Primes::Usual(by) => Some(by),
+            Primes::Name | Primes::Unclear => None,
+        }
+    }
+
+    /// The rows and columns of what a name is equal to, where that is always the same.
+    pub fn size(&self, key: &str) -> Option<(usize, usize)> {
+        let sizes = self.sizes.get(key)?;
+        (sizes.len() == 1).then(|| sizes.keys().next().copied()).flatten()
+    }
+}
+
+/// What the primes of a name are.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Primes {
+    /// A part of the name.
+    Name,
+    /// Derivatives by this.
+    Derive(String),
+    /// Derivatives, by what is usual: the paper does not show it.
+    Usual(String),
+    /// Either.
+    Unclear,
+}
+
+/// A single letter that stands for a number.
+pub fn is_variable(text: &str) -> bool {
+    let mut letters = text.strip_prefix('\\').unwrap_or(text).chars();
+    let one = text.starts_with('\\') || text.chars().count() == 1;
+    one && letters.all(char::is_alphabetic) && !text.is_empty()
+}
+
+/// The key of a name without its primes.
+pub fn unprimed(name: &PaperName) -> String {
+    PaperName { base: name.base.trim_end_matches('\'').to_owned(), ..name.clone() }.key()
+}
+
+/// Whether a side is one name, with dots and labels, and nothing else.
+pub fn is_alone(side: &PrintedSide) -> bool {
+    let signs = ["+", "-", "(", "[", "=", r"\frac", r"\cdot", r"\times", "|"];
+    mark::marks(&side.tokens)
+        .iter()
+        .all(|m| !signs.contains(&m.text.as_str()) && !m.text.starts_with(|c: char| c.is_ascii_digit()))
+}
+
+/// Rows and columns of a product, or a sum, of matrices that are written out: those of its first, and of its last.
+pub fn size(tokens: &[Token]) -> Option<(usize, usize)> {
+    let (mut first, mut last) = (None, None);
+    let mut at = 0;
+    while at < tokens.len() {
+        at += 1;
+        if !tokens[at - 1].is("begin") {
+            continue;
+        }
+        let (name, mut next) = mark::group_text(tokens, at);
+        if !name.ends_with("matrix") || matches!(name.as_str(), "vmatrix" | "Vmatrix") {
+            continue;
+        }
+        let (mut rows, mut columns, mut most, mut printed, mut depth) = (1, 1, 1, false, 0);
+        while let Some(token) = tokens.get(next) {
+            next += 1;
+            match token.text.as_str() {
+                "end" if token.kind == Kind::Command && depth == 0 => break,
+                "begin" if token.kind == Kind::Command => depth += 1,
+                "end" if token.kind == Kind::Command => depth -= 1,
+                "&" if depth == 0 => columns += 1,
+                "\\" if token.kind == Kind::Command && depth == 0 => {
+                    rows += 1;
+                    most = most.max(columns);
+                    (columns, printed) = (1, false);
+                }
+                _ => printed |= token.kind != Kind::Space,
+            }
+        }
+        most = most.max(columns);
+        rows -= usize::from(!printed && columns == 1 && rows > 1);
+        first.get_or_insert(rows);
+        last = Some(most);
+        at = next;
+    }
+    Some((first?, last?))
 }

@@ -1,0 +1,248 @@
+//! Displays → formulas, each with what it needs.
+//!
+//! **In:** the printed relations of a paper. **Out:** for each display, or each label of one, its formulas: a chain as a whole where it can
+//! be read so, else step by step. **Guaranteed:** what is drafted was loaded by itself, with these guesses and no others.
+
+use std::ops::Range;
+
+use super::super::names::evidence::is_alone;
+use super::super::names::{Call, Evidence, names};
+use super::super::printed::{PrintedRelation, PrintedSide};
+use super::super::{Paper, token};
+use super::readings::{Reading, readings};
+use super::write;
+use derivation::{Derivation, parse};
+use diag::{Diagnostic, Source};
+
+/// A formula of the draft.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Formula {
+    /// Its text.
+    pub text: String,
+    /// How many relations between two sides it has.
+    pub steps: usize,
+    /// Whether it says when another holds.
+    pub is_condition: bool,
+    /// Why it stands in a comment.
+    pub refused: Option<String>,
+    /// What it needs.
+    pub needs: Reading,
+    /// Other readings, for where the file cannot have what it needs; not yet tried.
+    pub others: Vec<Reading>,
+    /// The state whose rate it gives, and the order of the rate: `\ddot q=…`.
+    pub rate: Option<(String, usize)>,
+    /// Its place in the text of the last round.
+    pub place: Range<usize>,
+    /// The place of the symbols of its claim there.
+    pub symbols: Range<usize>,
+}
+
+/// What a paper prints under one number.
+#[derive(Clone, Debug)]
+pub(super) struct Printed {
+    /// The id of its claim.
+    pub id: String,
+    /// Its label.
+    pub label: Option<String>,
+    /// Its line.
+    pub line: usize,
+    /// Its formulas.
+    pub formulas: Vec<Formula>,
+    /// What relates nothing.
+    pub expressions: Vec<String>,
+    /// What stands beside it in words.
+    pub remarks: Vec<String>,
+    relations: Vec<PrintedRelation>,
+}
+
+/// The displays of a paper, in its order, those with several labels in parts.
+pub(super) fn displays(paper: &Paper) -> Vec<Printed> {
+    let mut out: Vec<Printed> = Vec::new();
+    let mut ids = write::Ids::default();
+    let mut last = None;
+    for relation in paper.printed.iter().filter(|r| r.display.is_some()) {
+        let own = (relation.display, relation.label.clone());
+        if last.as_ref() != Some(&own) {
+            let number = out.len() + 1;
+            out.push(Printed {
+                id: ids.next(relation.label.as_deref(), number),
+                label: relation.label.clone(),
+                line: paper.line(&relation.span()),
+                formulas: Vec::new(),
+                expressions: Vec::new(),
+                remarks: Vec::new(),
+                relations: Vec::new(),
+            });
+            last = Some(own);
+        }
+        if let Some(printed) = out.last_mut() {
+            printed.remarks.extend(relation.remark.clone().filter(|r| !r.is_empty()));
+            match relation.sides.as_slice() {
+                [one] if one.text.is_empty() => {}
+                [one] => printed.expressions.push(one.text.clone()),
+                _ => printed.relations.push(relation.clone()),
+            }
+        }
+    }
+    out
+}
+
+impl Printed {
+    /// Reads its relations: each as a whole, or step by step.
+    pub fn read(&mut self, read: &mut impl FnMut(&[&PrintedSide], &str) -> Result<Vec<Reading>, String>) {
+        for relation in &self.relations {
+            let mut take = |sides: &[&PrintedSide], signs: &[String]| {
+                let text = text_of(sides, signs);
+                let found = read(sides, &text);
+                let (mut others, refused) = match found {
+                    Ok(readings) => (readings, None),
+                    Err(why) => (Vec::new(), Some(why)),
+                };
+                let needs = if others.is_empty() { Reading::default() } else { others.remove(0) };
+                let (steps, is_condition) = (signs.len(), relation.is_condition);
+                let rate = rate_of(sides, signs);
+                Formula { text, steps, is_condition, refused, needs, others, rate, ..Formula::default() }
+            };
+            let sides: Vec<&PrintedSide> = relation.sides.iter().collect();
+            let whole = take(&sides, &relation.signs);
+            if whole.refused.is_none() || relation.signs.len() < 2 {
+                self.formulas.push(whole);
+                continue;
+            }
+            for (pair, sign) in sides.windows(2).zip(relation.signs.chunks(1)) {
+                self.formulas.push(take(pair, sign));
+            }
+        }
+        self.relations = Vec::new();
+    }
+}
+
+/// The state of which the left side is a rate and nothing else, and the order.
+fn rate_of(sides: &[&PrintedSide], signs: &[String]) -> Option<(String, usize)> {
+    let left = sides.first().filter(|_| signs.len() == 1 && signs[0] == "=")?;
+    let all = names(left);
+    let plain = |factor: &str| left.text.contains(factor);
+    let name = all.first().filter(|n| n.primes == 0 && n.call == Call::None && !plain("+") && !plain("-"))?;
+    // A rate on the right could be its own, or that of another: only the first rate beside a second one is none of these.
+    let right = sides.get(1).map(|s| names(s)).unwrap_or_default();
+    let most = usize::from(name.dots == 2);
+    if right.iter().any(|n| n.derived_by.is_some() || n.dots > most) {
+        return None;
+    }
+    match all.len() {
+        1 if matches!(name.dots, 1 | 2) && is_alone(left) => Some((name.key(), name.dots)),
+        2 if all[1].is_variable && name.derived_by.as_deref() == Some("t") && !name.is_partial && name.dots == 0 => {
+            let order = if plain("^2") || plain("^{2}") { 2 } else { 1 };
+            let bare = left.text.trim_start().starts_with(r"\frac") && !plain("(") && !plain(r"\cdot");
+            bare.then(|| (name.key(), order))
+        }
+        _ => None,
+    }
+}
+
+/// Sides and signs as one text.
+fn text_of(sides: &[&PrintedSide], signs: &[String]) -> String {
+    let mut out = String::new();
+    for (k, side) in sides.iter().enumerate() {
+        if let Some(sign) = k.checked_sub(1).and_then(|k| signs.get(k)) {
+            out.push_str(sign);
+            let letter = side.text.starts_with(|c: char| c.is_ascii_alphabetic());
+            if sign.starts_with('\\') && letter {
+                out.push(' ');
+            }
+        }
+        out.push_str(&side.text);
+    }
+    one_line(&out)
+}
+
+/// A text in one line, with single spaces, and no prime at its end or three in a row, which would end a text of TOML: they print the same
+/// written above.
+fn one_line(text: &str) -> String {
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text.as_str();
+    while let Some(at) = rest.find('\'') {
+        let (before, from) = rest.split_at(at);
+        let count = from.bytes().take_while(|b| *b == b'\'').count();
+        let after = &from[count..];
+        out.push_str(before);
+        let raised = after.trim_start().starts_with(['^', '_']);
+        if (count > 2 || after.is_empty()) && !raised && !out.is_empty() {
+            out.push_str("^{");
+            out.push_str(&r"\prime".repeat(count));
+            out.push('}');
+        } else {
+            out.push_str(&from[..count]);
+        }
+        rest = after;
+    }
+    out.push_str(rest);
+    out
+}
+
+/// Longest formula that is read, in bytes.
+const LONGEST: usize = 20_000;
+
+/// Reads a formula by itself: a reading with which it was loaded, and others that were not tried; or why it is refused.
+pub(super) fn alone(
+    sides: &[&PrintedSide],
+    text: &str,
+    evidence: &Evidence,
+    is_of_indices: bool,
+) -> Result<Vec<Reading>, String> {
+    if text.len() > LONGEST {
+        return Err("a formula of more than 20000 bytes".to_owned());
+    }
+    if sides.iter().any(|s| s.is_list) {
+        return Err("a list: several formulas where one is read".to_owned());
+    }
+    if let Some(feature) = feature(sides) {
+        return Err(feature);
+    }
+    let mut first: Option<String> = None;
+    for ways in readings(sides, evidence, is_of_indices)? {
+        match load(&write::single(text, &ways[0])) {
+            Ok(_) => return Ok(ways),
+            Err(found) => {
+                first.get_or_insert_with(|| found.first().map_or_else(String::new, |d| d.message.clone()));
+            }
+        }
+    }
+    Err(first.unwrap_or_default())
+}
+
+/// Loads a file.
+pub(super) fn load(text: &str) -> Result<Box<Derivation>, Vec<Diagnostic>> {
+    parse(Source { path: "draft.toml".to_owned(), text: text.to_owned() }, "draft").map(Box::new)
+}
+
+/// What is known and not part of the language, where a command outside of all subscripts shows it.
+fn feature(sides: &[&PrintedSide]) -> Option<String> {
+    let commands = sides.iter().flat_map(|s| {
+        let below = |at: usize| at.checked_sub(1).and_then(|i| s.tokens.get(i)).is_some_and(|t| t.is_char("_"));
+        let mut depth = 0usize;
+        let mut hidden: Option<usize> = None;
+        let mut out = Vec::new();
+        for (at, t) in s.tokens.iter().enumerate() {
+            match t.kind {
+                token::Kind::Open => {
+                    depth += 1;
+                    if hidden.is_none() && below(at) {
+                        hidden = Some(depth);
+                    }
+                }
+                token::Kind::Close => {
+                    if hidden == Some(depth) {
+                        hidden = None;
+                    }
+                    depth = depth.saturating_sub(1);
+                }
+                token::Kind::Command if hidden.is_none() && !below(at) => out.push(t.text.as_str()),
+                _ => {}
+            }
+        }
+        out
+    });
+    commands.filter_map(latex::feature_of).map(|f| format!("`{}`", f.name)).next()
+}

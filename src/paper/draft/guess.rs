@@ -1,0 +1,66 @@
+//! Guesses: what a name of a paper may be, as a line of `[symbols]`.
+//!
+//! **In:** a role, a shape, why. **Out:** the line. **Guaranteed:** every guess is marked `confirm`, and says why.
+
+use super::write::quoted;
+
+/// A guessed symbol.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Guess {
+    /// The name as a key of `[symbols]`, with its places: `u(x,t)`.
+    pub name: String,
+    /// Its role.
+    pub role: &'static str,
+    /// Its shape, unless it is a number.
+    pub shape: Option<String>,
+    /// Whether its values are complex.
+    pub is_complex: bool,
+    /// What the paper shows of it.
+    pub why: &'static str,
+}
+
+impl Guess {
+    /// A number that does not change.
+    pub fn parameter(name: impl Into<String>, why: &'static str) -> Guess {
+        Guess { name: name.into(), role: "parameter", shape: None, is_complex: false, why }
+    }
+
+    /// The name as a key of the file.
+    pub fn key(&self) -> String {
+        if self.name.contains('\'') { quoted(&self.name) } else { format!("'{}'", self.name) }
+    }
+
+    /// The name without its places.
+    pub fn bare(&self) -> &str {
+        match self.role {
+            "field" => self.name.split_once('(').map_or(self.name.as_str(), |(bare, _)| bare),
+            _ => &self.name,
+        }
+    }
+
+    /// What a field depends on: names, without dots.
+    pub fn places(&self) -> Vec<&str> {
+        let inside = self.name.split_once('(').and_then(|(_, rest)| rest.strip_suffix(')')).unwrap_or_default();
+        inside.split(',').map(super::readings::bare).collect()
+    }
+
+    /// Whether the role can be declared for the whole file only.
+    pub fn is_of_the_file(&self) -> bool {
+        matches!(self.role, "time" | "state" | "coordinate")
+    }
+
+    /// Whether it would change what another formula means that does not name it: `e` is Euler's number elsewhere, `d` a differential.
+    pub fn is_of_its_formula(&self) -> bool {
+        matches!(
+            self.name.as_str(),
+            "e" | "d" | "i" | "D" | r"\delta" | r"\Delta" | r"\epsilon" | r"\varepsilon" | r"\pi"
+        )
+    }
+
+    /// The line that declares it.
+    pub fn line(&self) -> String {
+        let shape = self.shape.as_ref().map(|s| format!(", shape = {}", quoted(s))).unwrap_or_default();
+        let complex = if self.is_complex { ", complex = true" } else { "" };
+        format!("{} = {{ role = {}{shape}{complex} }} # confirm: {}", self.key(), quoted(self.role), self.why)
+    }
+}
