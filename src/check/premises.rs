@@ -101,7 +101,7 @@ pub(super) fn strengthen(
             claim.region = Some(boxes::of_step(declared, region, claim.identity.as_ref()));
         }
     }
-    let by_formula = |t: usize, before: (&Claim, &Verdict), find: &mut dyn FnMut() -> Verdict| {
+    let by_formula = |t: usize, before: (&Claim, &Verdict), limits: &Limits, find: &mut dyn FnMut() -> Verdict| {
         let mut find = || match meter::piece(Task::Proving, limits, &mut *find) {
             Ok(found) => vec![found],
             Err(ended @ Ended::Defect(_)) => vec![pieces::undecided(ended)],

@@ -34,6 +34,13 @@ fn name(derivation: &Derivation, options: &Options, of: &str) -> String {
     key(&parts).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
+/// The answers to questions about a file, and the counted work of finding them, at most.
+#[derive(Default, Serialize, Deserialize)]
+struct Answers {
+    work: u64,
+    found: Found,
+}
+
 /// What is kept of one file.
 #[derive(Serialize, Deserialize)]
 struct Record {
@@ -60,16 +67,26 @@ pub fn check_recorded(
     if let Some(account) = recalled(derivation, &contents, &name(ACCOUNT), store) {
         return Ok(account);
     }
-    let found: Option<Found> = store.read(&name(ANSWERS)).and_then(|bytes| postcard::from_bytes(&bytes).ok());
-    let memory = Memory::of(found.unwrap_or_default());
-    let mut account = check_recalling(derivation, options, Known::new(&memory, &Names::of(&contents)), None, progress)?;
+    let found = store.read(&name(ANSWERS)).and_then(|bytes| postcard::from_bytes::<Answers>(&bytes).ok());
+    let Answers { mut work, found } = found.unwrap_or_default();
+    let names = Names::of(&contents);
+    let mut memory = Memory::of(found);
+    let mut account = check_recalling(derivation, options, Known::new(&memory, &names), None, progress)?;
+    let mut total = options.limits.total.clone();
+    if work > total.left() {
+        // With the work of all that was recalled, the file might have come to its end: then it does.
+        let anew = Options { limits: options.limits.of_file(derivation.work), ..options.clone() };
+        (work, memory, total) = (0, Memory::of(Found::default()), anew.limits.total.clone());
+        account = check_recalling(derivation, &anew, Known::new(&memory, &names), None, progress)?;
+    }
     describe(derivation, &mut account);
-    // What the use of memory has ended is not to be seen any more.
-    if options.limits.memory.is_some() || options.limits.reached().is_some() {
+    // What the use of memory has ended is not to be seen any more, and what comes too late in a file may come earlier in another.
+    if options.limits.memory.is_some() || options.limits.reached().is_some() || total.left() == 0 {
         return Ok(account);
     }
+    let answers = Answers { work: work.saturating_add(total.used()), found: memory.found() };
     let record = Record { contents, account };
-    for (of, bytes) in [(ACCOUNT, postcard::to_allocvec(&record)), (ANSWERS, postcard::to_allocvec(&memory.found()))] {
+    for (of, bytes) in [(ACCOUNT, postcard::to_allocvec(&record)), (ANSWERS, postcard::to_allocvec(&answers))] {
         if let Ok(bytes) = bytes {
             store.write(&name(of), &bytes);
         }

@@ -45,8 +45,7 @@ use crate::flow::{Enclosure, Motion, Source};
 use crate::verdict::Verdict;
 use claim::comparison::Comparison;
 use cover::Along;
-use meter::{Ended, Task};
-use rayon::prelude::*;
+use meter::{Ended, Limits, Task};
 use reason::{Enclosing, Reason};
 pub use request::Request;
 use sampled::claim_program::Prepared;
@@ -68,11 +67,11 @@ pub fn strengthen(request: &Request, claims: &mut [ClaimAccount]) {
     let mut order = request.selection.tried.clone();
     order.sort_by_key(|&t| std::cmp::Reverse(request.stage.motion(t).map_or(0, Motion::steps)));
     let results = by_trajectory(claims);
-    let one = |&t: &usize| {
+    let one = |&t: &usize, limits: &Limits| {
         let here = results.get(request.derivation.trajectories[t].id.as_str());
-        one_motion(request, (known, &by), t, (claims, here.map_or(&[], Vec::as_slice)))
+        one_motion((request, limits), (known, &by), t, (claims, here.map_or(&[], Vec::as_slice)))
     };
-    let changes: Vec<Vec<Change>> = order.par_iter().with_max_len(1).map(one).collect();
+    let changes: Vec<Vec<Change>> = meter::each(request.limits, &order, one);
     for (k, at, verdict) in changes.into_iter().flatten() {
         claims[k].results[at].verdict = verdict;
     }
@@ -109,7 +108,7 @@ type Known<'a> = (&'a Graph, &'a [Vec<Expr>]);
 
 /// `here` are the results on the motion, by the positions of the claim and of the result.
 fn one_motion(
-    request: &Request,
+    (request, limits): (&Request, &Limits),
     (known, by): (Known, &str),
     t: usize,
     (claims, here): (&[ClaimAccount], &[(usize, usize)]),
@@ -123,7 +122,7 @@ fn one_motion(
     let claim = |k: usize| request.prepared[k][request.selection.start_of[t]].claim;
     let before: Vec<(&Claim, &Verdict)> = open.iter().map(|&(k, _, verdict)| (claim(k), verdict)).collect();
     let mut enclosed = || {
-        let found = meter::piece(Task::Enclosing, request.limits, || enclose(request, known, t, &open));
+        let found = meter::piece(Task::Enclosing, limits, || enclose(request, known, t, &open));
         found.unwrap_or_else(|ended| open.iter().map(|(.., verdict)| ended_by(verdict, &ended)).collect())
     };
     let found = (request.recall)(t, by, &before, &mut enclosed);

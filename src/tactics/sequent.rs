@@ -157,6 +157,7 @@ impl<'a> Gathering<'a> {
                 | Form::SameMotion { .. }
                 | Form::Independent { .. }
                 | Form::Exists { .. }
+                | Form::Unread { .. }
                 | Form::Across(_) => return Err("only equations and first integrals are sequents".to_owned()),
             }
         }
@@ -216,6 +217,7 @@ impl<'a> Gathering<'a> {
                 | Form::SameMotion { .. }
                 | Form::Independent { .. }
                 | Form::Exists { .. }
+                | Form::Unread { .. }
                 | Form::Across(_) => {}
             }
         }
