@@ -259,12 +259,13 @@ impl Session {
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Findings, Failure> {
         ask.check_names(std::iter::once(&self.derivation))?;
+        let limits = ask.limits.of_file(self.derivation.work);
         let options = Options {
             claims: ask.claims.iter().map(|name| name.split('/').next().unwrap_or(name).to_owned()).collect(),
             trajectories: ask.trajectories.clone(),
             plain: ask.only_verdicts,
             rigor: ask.rigor,
-            limits: ask.limits.clone(),
+            limits,
         };
         let found = meter::under(&ask.limits, || match store {
             Some(store) => check::check_recorded(&self.derivation, &options, store, progress),

@@ -16,6 +16,7 @@ mod schema_support;
 mod across;
 mod alone;
 mod audit;
+mod bombs;
 mod book;
 mod budgets;
 mod chosen_times;

@@ -439,10 +439,22 @@ fn what_takes_too_much_work_ends_with_its_reason() {
              'f_{{\\rm {of}}}(\\alpha+1)+f_{{\\rm {of}}}(2\\alpha)' }}\n"
         );
     }
-    let claim = "[[claim]]\nid = 'c'\nsays = 's'\nalways = ['x=f_{\\rm x}(x)']\n";
+    let claim = "[[claim]]\nid = 'c'\nsays = 's'\nalways = ['x=f_{\\rm x}(x)']\n[[claim]]\nid = 'good'\nsays = 's'\n\
+                 always = ['\\dot x=-kx']\n[[claim]]\nid = 'from'\nsays = 's'\nalways = ['x=-x']\nfollows-from = ['c']\n";
     let (code, told) = check("calls.toml", &[head, &calls, motion, claim].concat());
+    assert_eq!(code, Some(1), "{told}");
+    assert!(told.contains("work limit: reading a formula") && told.contains("--work 10"), "{told}");
+    assert!(told.contains("1 hold, 1 fail, 0 do not apply, 1 undecided"), "{told}");
+    // What motions need is needed by the whole file.
+    let needed = motion.replace("-kx", "-kx+f_{\\rm x}(x)");
+    let (code, told) = check("needed.toml", &[head, &calls, &needed, claim].concat());
     assert_eq!(code, Some(2), "{told}");
-    assert!(told.contains("work limit: reading a formula") && told.contains("calls.toml:"), "{told}");
+    assert!(told.contains("work limit: reading a formula") && told.contains("needed.toml:"), "{told}");
+    // Over ranges, and over all fields, it is undecided, too.
+    let over = claim
+        .replace("'s'\nalways = ['x=f_{\\rm x}(x)']", "'s'\nalways = ['k=f_{\\rm x}(k)']\nranges = { 'k' = [0, 1] }");
+    let (code, told) = check("over.toml", &[head, &calls, motion, &over].concat());
+    assert!(code == Some(1) && told.contains("1 undecided"), "{told}");
 
     // The program contradicted itself here, and no claim had a verdict.
     let nowhere = "[[claim]]\nid = 'good'\nsays = 's'\nalways = ['\\dot x=-kx']\n[[claim]]\nid = 'c'\nsays = 's'\n\

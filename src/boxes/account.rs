@@ -33,6 +33,9 @@ pub fn of_step(claim: &Claim, region: &Region, step: Option<&IdentityAccount>) -
             _ => (Possible::ANY, Arc::new(step.decided()).into()),
         },
     };
+    if let Some(why) = claim.unread() {
+        return RegionAccount { verdict: Verdict::of(Finding::open(Reason::quoted(why))), ..empty(region) };
+    }
     let strength = if known == Possible::TRUE { Strength::Proved } else { Strength::Enclosed };
     RegionAccount { verdict: Verdict::over_ranges(known, strength, 1, Some(&[]), reason), ..empty(region) }
 }

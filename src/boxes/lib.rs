@@ -41,11 +41,13 @@ use crate::expr::{Expr, Graph, Leaf, Node, Rational};
 use crate::findings::ClaimAccount;
 use crate::latex::RelationKind;
 use crate::number::{Bounded, Draws, Interval};
-use crate::verdict::Strength;
+use crate::verdict::{Finding, Strength, Verdict};
 use ends::{enclosed, nearest};
+use meter::Limits;
 use portrait::portraits;
 use question::{Insertion, Question};
 use rayon::prelude::*;
+use reason::Reason;
 use signs::{Cell, Scratch, Variable};
 use solutions::Solver;
 use subdivide::{Division, Judge, MOST_CELLS, MOST_WORK, subdivide};
@@ -70,6 +72,9 @@ impl Judge for Question {
 /// The work that all claims of a file may take, in operations on intervals.
 const MOST_WORK_OF_A_FILE: u64 = 4_000_000_000;
 
+/// An operation on intervals is so many units of counted work.
+const UNITS: u64 = 6;
+
 /// The work that a claim may take that is only a proposal.
 const MOST_WORK_OF_ONE: u64 = 50_000_000;
 
@@ -84,6 +89,7 @@ const MOST_DRAWN: usize = 400;
 pub fn decide_all(
     derivation: &Derivation,
     asked: impl Fn(&Claim) -> bool,
+    limits: &Limits,
 ) -> Result<Vec<(usize, ClaimAccount)>, Vec<Diagnostic>> {
     let asked: Vec<(usize, &Claim, &Region)> = derivation
         .claims
@@ -93,12 +99,19 @@ pub fn decide_all(
         .filter_map(|(at, claim)| Some((at, claim, claim.region.as_ref()?)))
         .filter(|(_, claim, _)| asked(claim))
         .collect();
-    let most_work = MOST_WORK.min(MOST_WORK_OF_A_FILE / asked.len().max(1) as u64);
-    let decided: Vec<Result<(usize, ClaimAccount), Box<Diagnostic>>> = asked
+    let of_a_file = MOST_WORK_OF_A_FILE.saturating_mul(u64::from(limits.work.unwrap_or(1)));
+    let most_work = MOST_WORK.min(of_a_file.min(limits.total.left() / UNITS) / asked.len().max(1) as u64);
+    type Decided = Result<(usize, ClaimAccount), Box<Diagnostic>>;
+    let decided: Vec<(Decided, u64)> = asked
         .par_iter()
         .with_max_len(1)
-        .map(|&(at, claim, region)| Ok((at, account::of_region(claim, decide(derivation, claim, region, most_work)?))))
+        .map(|&(at, claim, region)| match decide(derivation, claim, region, most_work) {
+            Ok((account, work)) => (Ok((at, account::of_region(claim, account))), work),
+            Err(problem) => (Err(problem), 0),
+        })
         .collect();
+    limits.total.spend(decided.iter().map(|(_, work)| work.saturating_mul(UNITS)).sum());
+    let decided = decided.into_iter().map(|(decided, _)| decided);
     let (mut out, mut problems) = (Vec::new(), Vec::new());
     for one in decided {
         match one {
@@ -111,7 +124,7 @@ pub fn decide_all(
 
 /// One claim by itself; `None` where a range is none.
 pub fn decide_one(derivation: &Derivation, claim: &Claim, region: &Region) -> Option<RegionAccount> {
-    decide(derivation, claim, region, MOST_WORK_OF_ONE).ok()
+    decide(derivation, claim, region, MOST_WORK_OF_ONE).ok().map(|(account, _)| account)
 }
 
 /// The ranges that are no single values, enclosed from outside and inside.
@@ -135,17 +148,22 @@ fn variables(derivation: &Derivation, graph: &Graph, ranges: &[Ranged]) -> Resul
     Ok(out)
 }
 
+/// What is found of a claim, and the work of it.
 fn decide(
     derivation: &Derivation,
     claim: &Claim,
     region: &Region,
     most_work: u64,
-) -> Result<RegionAccount, Box<Diagnostic>> {
+) -> Result<(RegionAccount, u64), Box<Diagnostic>> {
     let mut graph = derivation.graph.clone();
     let mut variables = variables(derivation, &graph, &region.ranges)?;
     fix(&graph, claim, &mut variables);
     let put = Insertion::new(&mut graph, &claim.scope, &region.ranges);
     let mut account = account::blank(region, &graph, &put, &variables);
+    if let Some(why) = claim.unread() {
+        account.verdict = Verdict::of(Finding::open(Reason::quoted(why)));
+        return Ok((account, 0));
+    }
     let problem = |graph: &Graph, leaf: Leaf| {
         let message = format!("`{}` has no value in the claim `{}`", graph.leaf_latex(leaf), claim.name());
         Box::new(Diagnostic::at(&derivation.file, "check::no-range", claim.span.clone(), message))
@@ -174,7 +192,7 @@ fn decide(
         account::measure(&mut account, &division);
         solver.describe(&division, &mut account);
         account::conclude(&mut account, &division, Strength::Enclosed);
-        return Ok(account);
+        return Ok((account, division.work));
     }
     let division = subdivide(&question, &variables, MOST_CELLS, most_work);
     account::measure(&mut account, &division);
@@ -182,7 +200,7 @@ fn decide(
     account::identities(&mut account, &question);
     account.portraits = portraits(&mut graph, (claim, &region.ranges, question.identical), &put, &variables);
     account::conclude(&mut account, &division, if question.identical { Strength::Proved } else { Strength::Enclosed });
-    Ok(account)
+    Ok((account, division.work))
 }
 
 /// Notes the values that assumptions give single variables: `\\theta=1`. Points at which a claim applies are looked for there.

@@ -79,6 +79,8 @@ pub(super) struct Division {
     pub met: bool,
     /// Whether the work was used up before all cells were judged.
     pub exhausted: bool,
+    /// The work, in operations on intervals.
+    pub work: u64,
 }
 
 /// The point of the ranges that is nearest to the middle of a cell, with the values that are given.
@@ -193,6 +195,7 @@ pub(super) fn subdivide<J: Judge>(judge: &J, variables: &[Variable], most_cells:
             judged.extend(found.into_iter().map(|(judged, _)| judged));
         }
         out.judged += judged.len();
+        out.work = work;
         out.exhausted |= work > most_work || judged.len() < generation.len();
         // What was not looked at is not known.
         judged.resize_with(generation.len(), || (Part::Undecided, None));

@@ -31,7 +31,7 @@ fn derivation(claim: &str) -> Derivation {
 fn account(claim: &str) -> RegionAccount {
     let derivation = derivation(claim);
     let of = &derivation.claims[0];
-    decide(&derivation, of, of.region.as_ref().expect("ranges"), MOST_WORK).expect("a verdict")
+    decide(&derivation, of, of.region.as_ref().expect("ranges"), MOST_WORK).expect("a verdict").0
 }
 
 /// The account on this thread alone, with a part of the method broken.

@@ -25,6 +25,7 @@ use crate::expr::FastMap;
 use claim::error::CheckError;
 use claim::options::Options;
 use findings::{Account, AloneAccount, ClaimAccount, Premises};
+use verdict::Outcome;
 
 /// The verdicts on one file, and the content that they are of.
 #[derive(Debug, Default)]
@@ -61,7 +62,8 @@ impl Cache {
         let mut checked = ids(derivation);
         let mut account = match known {
             Some(known) if known.contents.base == contents.base && known.contents.motions == contents.motions => {
-                let changed = changed(&known.contents.claims, &contents.claims);
+                let mut changed = changed(&known.contents.claims, &contents.claims);
+                changed.extend(corrected_otherwise(&known, &contents));
                 checked = affected(derivation, changed.clone());
                 let mut account = known.account;
                 if !checked.is_empty() {
@@ -135,9 +137,20 @@ fn checked_again(
 /// something else without them.
 fn changed(then: &[(String, String)], now: &[(String, String)]) -> BTreeSet<String> {
     let missing = |of: &[(String, String)], among: &[(String, String)]| -> Vec<String> {
+        let among: BTreeSet<&(String, String)> = among.iter().collect();
         of.iter().filter(|claim| !among.contains(claim)).map(|(id, _)| id.clone()).collect()
     };
     missing(now, then).into_iter().chain(missing(then, now)).collect()
+}
+
+/// The claims that do not hold everywhere, and of which the file expects something else than before: where a correction must hold is said
+/// by that.
+fn corrected_otherwise(known: &Known, now: &Contents) -> Vec<String> {
+    let holds = |c: &ClaimAccount| c.results.iter().all(|p| matches!(p.verdict.outcome(), Outcome::Holds(_)));
+    let failing: BTreeSet<&str> = known.account.claims.iter().filter(|c| !holds(c)).map(|c| c.id.as_str()).collect();
+    let then: BTreeSet<&(String, String)> = known.contents.expected.iter().collect();
+    let other = now.expected.iter().filter(|of| !then.contains(of) && failing.contains(of.0.as_str()));
+    other.map(|(id, _)| id.clone()).collect()
 }
 
 /// The words of a claim and of its readings: they are shown, and no verdict depends on them.
@@ -161,9 +174,12 @@ pub(super) fn contents(derivation: &Derivation) -> Option<Contents> {
     let conventions = format!("{:?}\n", ["log", "i", "units", "signature"].map(meant));
     root.remove("conventions");
     let id = |table: &toml::Value| Some(table.get("id")?.as_str()?.to_owned());
-    let mut symbols = String::new();
+    let (mut symbols, mut expected) = (String::new(), Vec::new());
     let mut one = |mut claim: toml::Value| {
         let name = id(&claim)?;
+        let readings = claim.get("reading").and_then(toml::Value::as_array).into_iter().flatten();
+        let says: Vec<_> = std::iter::once(&claim).chain(readings).map(|of| of.get("expect")).collect();
+        expected.push((name.clone(), format!("{says:?}")));
         taken_apart(claim.as_table_mut()?, &name, &mut symbols);
         for reading in claim.get_mut("reading").and_then(toml::Value::as_array_mut).into_iter().flatten() {
             let name = format!("{name}/{}", id(reading)?);
@@ -177,7 +193,7 @@ pub(super) fn contents(derivation: &Derivation) -> Option<Contents> {
     let all = derivation.trajectories.iter().map(|t| &t.motion).chain(derivation.families.iter().map(Family::motion));
     let unknowns = all.filter_map(Motion::start).flat_map(|start| &start.unknowns);
     let unknowns: Vec<usize> = unknowns.map(|u| u.leaf.symbol.index()).collect();
-    Some(Contents { base: format!("{conventions}{root}{symbols}{unknowns:?}"), motions, claims })
+    Some(Contents { base: format!("{conventions}{root}{symbols}{unknowns:?}"), motions, claims, expected })
 }
 
 /// A value of the file with its numbers as they are written, in place of their nearest numbers in binary: a number has exactly the

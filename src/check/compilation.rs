@@ -62,12 +62,7 @@ impl<'a> Compiled<'a> {
     ///
     /// # Errors
     /// A leaf that is needed was not asked for: a defect of this program.
-    pub fn finish(
-        &mut self,
-        run: &Run,
-        selection: &Selection,
-        altered: Option<&mut Altered>,
-    ) -> Result<(), CheckError> {
+    pub fn finish(&mut self, run: &Run, selection: &Selection, altered: Option<&Altered>) -> Result<(), CheckError> {
         let Compiled { derivation, prepared, probes, .. } = &*self;
         let (starts, sign) = (selection.starts.len(), derivation.scope.branch_sign());
         let graph = &derivation.graph;
@@ -92,9 +87,6 @@ impl<'a> Compiled<'a> {
                 let name = graph.leaf_latex(leaf);
                 return Err(CheckError::Defect(format!("{name} is needed by a claim, but was not asked for")));
             }
-        }
-        if let Some(altered) = altered {
-            altered.compile(starts, sign, &wanted);
         }
         self.measures = std::mem::take(&mut self.measures).into_iter().map(|m| m.on(graph, &wanted)).collect();
         self.wanted = wanted;

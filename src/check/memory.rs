@@ -110,6 +110,8 @@ pub(super) struct Contents {
     pub motions: Vec<(String, String)>,
     /// Id and content of every claim.
     pub claims: Vec<(String, String)>,
+    /// Id and expectations of every claim: no verdict depends on them, but what is corrected does.
+    pub expected: Vec<(String, String)>,
 }
 
 /// What is known, for one state of a file. Without a memory everything is computed.

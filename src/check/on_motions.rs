@@ -18,8 +18,7 @@ use claim::error::{CANCELLED, CheckError};
 use derivation::Derivation;
 use findings::{Account, AloneAccount, ClaimAccount, Measurement, PairAccount, PictureAccount, Premises};
 use flow::Motion;
-use meter::{Ended, Task};
-use rayon::prelude::*;
+use meter::{Ended, Limits, Task};
 use sampled::claim_program::Prepared;
 use sampled::same_motion;
 use sampled::selection::Selection;
@@ -82,8 +81,8 @@ impl<'a> OnMotions<'a, '_> {
         // Long motions first: what is left at the end is short.
         let mut order: Vec<usize> = (0..tried.len()).collect();
         order.sort_by_key(|&at| std::cmp::Reverse(self.stage.motion(tried[at]).map_or(0, Motion::steps)));
-        let one = |&at: &usize| (at, self.one(tried[at], &kept, &failed, &done));
-        let mut found: Vec<_> = order.par_iter().with_max_len(1).map(one).collect();
+        let one = |&at: &usize, limits: &Limits| (at, self.one(tried[at], limits, &kept, (&failed, &done)));
+        let mut found = meter::each(&self.run.options.limits, &order, one);
         found.sort_by_key(|(at, _)| *at);
         let mut out = Found::default();
         for (_, one) in found {
@@ -101,9 +100,15 @@ impl<'a> OnMotions<'a, '_> {
 
     /// Tries all claims on the motion of a trajectory. `kept` are the leaves whose values are asked for later, by their positions;
     /// `failed` marks the claims that have failed on some motion.
-    fn one(&self, t: usize, kept: &[usize], failed: &[AtomicBool], done: &AtomicUsize) -> Result<OnMotion<'a>, String> {
+    fn one(
+        &self,
+        t: usize,
+        limits: &Limits,
+        kept: &[usize],
+        (failed, done): (&[AtomicBool], &AtomicUsize),
+    ) -> Result<OnMotion<'a>, String> {
         let Compiled { derivation, prepared, probes, measures, pictures, wanted, .. } = self.compiled;
-        let (limits, recall) = (&self.run.options.limits, &self.run.recall);
+        let recall = &self.run.recall;
         let start = self.selection.start_of[t];
         if limits.is_cancelled() {
             return Err(CANCELLED.to_owned());
@@ -163,7 +168,9 @@ impl<'a> OnMotions<'a, '_> {
         let drawn = (!pictures.is_empty()).then(|| meter::piece(Task::Sampling, limits, draw));
         let pictures = drawn.and_then(Result::ok).unwrap_or_default();
         let without = without.unwrap_or_else(|_| probes.without_none());
-        (self.run.progress)(done.fetch_add(1, Ordering::Relaxed) + 1, self.selection.tried.len());
+        // One that is tried once more is not one more.
+        let count = self.selection.tried.len();
+        (self.run.progress)(count.min(done.fetch_add(1, Ordering::Relaxed) + 1), count);
         // What is asked later needs few of the leaves; those of all motions at once take much memory.
         trace.keep(kept);
         let trace = (!probes.is_empty() || self.altered.is_some()).then_some(trace);

@@ -102,7 +102,7 @@ pub(super) fn strengthen(
             claim.region = Some(boxes::of_step(declared, region, claim.identity.as_ref()));
         }
     }
-    let by_formula = |t: usize, before: (&Claim, &Verdict), find: &mut dyn FnMut() -> Verdict| {
+    let by_formula = |t: usize, before: (&Claim, &Verdict), limits: &Limits, find: &mut dyn FnMut() -> Verdict| {
         let (claim, before) = before;
         recall.answer(derivation, Question::ByFormula { claim, motion: t, before }, || {
             match meter::piece(Task::Proving, limits, &mut *find) {

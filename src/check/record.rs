@@ -29,6 +29,8 @@ const ACCOUNT: &str = "account";
 const STATES: &str = "states";
 /// The record that has the answers to all questions.
 const ANSWERS: &str = "answers";
+/// The record that has the counted work of finding them, at most.
+const WORK: &str = "work";
 
 /// The name of a record of a file, by its id and by what is asked: of one file many may be kept.
 fn name(derivation: &Derivation, options: &Options, of: &str) -> String {
@@ -64,18 +66,31 @@ pub fn check_recorded(
         return Ok(account);
     }
     let states = States::of(derivation, options, store);
-    let of_answers = name(derivation, options, ANSWERS);
-    let found = store.read(&of_answers).and_then(|bytes| Answers::read(&bytes));
-    let memory = Memory::of(found.unwrap_or_default());
-    let mut account = check_recalling(derivation, options, Known::new(&memory, &Names::of(&contents)), None, progress)?;
+    let (of_answers, of_work) = (name(derivation, options, ANSWERS), name(derivation, options, WORK));
+    let work = store.read(&of_work).and_then(|bytes| postcard::from_bytes::<u64>(&bytes).ok());
+    let found = work.and_then(|work| Some((work, Answers::read(&store.read(&of_answers)?)?)));
+    let (mut work, found) = found.unwrap_or_default();
+    let names = Names::of(&contents);
+    let mut memory = Memory::of(found);
+    let mut account = check_recalling(derivation, options, Known::new(&memory, &names), None, progress)?;
+    let mut total = options.limits.total.clone();
+    if work > total.left() {
+        // With the work of all that was recalled, the file might have come to its end: then it does.
+        let anew = Options { limits: options.limits.of_file(derivation.work), ..options.clone() };
+        (work, memory, total) = (0, Memory::of(Answers::default()), anew.limits.total.clone());
+        account = check_recalling(derivation, &anew, Known::new(&memory, &names), None, progress)?;
+    }
     describe(derivation, &mut account);
-    // What the use of memory has ended is not to be seen any more.
-    if options.limits.memory.is_some() || options.limits.reached().is_some() {
+    // What the use of memory has ended is not to be seen any more, and what comes too late in a file may come earlier in another.
+    if options.limits.memory.is_some() || options.limits.reached().is_some() || total.left() == 0 {
         return Ok(account);
     }
     let record = Record { contents, account };
     states.keep(&of_account, &record, store);
     store.write(&of_answers, &memory.answers().written());
+    if let Ok(bytes) = postcard::to_allocvec(&work.saturating_add(total.used())) {
+        store.write(&of_work, &bytes);
+    }
     Ok(record.account)
 }
 

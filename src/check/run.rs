@@ -18,7 +18,6 @@ use diag::Diagnostic;
 use findings::{Account, ClaimAccount, IdentityAccount};
 use meter::{Ended, Task};
 use proved::step::Step;
-use rayon::prelude::*;
 use sampled::selection::{Selection, is_asked};
 use sampled::systems::Fields;
 use sampled::witness;
@@ -72,7 +71,7 @@ impl<'a> Run<'a> {
         };
         let selection = Selection::new(file, &options.claims, &options.trajectories);
         // What is compiled decides all verdicts: a time that is over leaves these open, and not this undone.
-        let limits = &Limits { work: options.limits.work, cancel: options.limits.cancel.clone(), ..Limits::default() };
+        let limits = &Limits { deadline: None, memory: None, ..options.limits.clone() };
         let too_large = |ended: Ended| match ended {
             Ended::Defect(what) => CheckError::Defect(what),
             Ended::Cancelled => CheckError::Defect(CANCELLED.to_owned()),
@@ -80,11 +79,18 @@ impl<'a> Run<'a> {
         };
         let compile = || Compiled::new(self, &selection, derivation, fields);
         let mut compiled = meter::piece(Task::Compiling, limits, compile).map_err(too_large)?;
-        let altered = || (!options.plain).then(|| variant::Altered::new(&compiled.derivation, &selection));
-        let (mut altered, regions) = rayon::join(altered, || self.regions(&compiled.derivation));
-        let regions = regions?;
-        let finish = || compiled.finish(self, &selection, altered.as_mut());
+        let regions = self.regions(&compiled.derivation)?;
+        let mut altered = match options.plain {
+            true => None,
+            false => Some(variant::Altered::new(&compiled.derivation, &selection, limits)?),
+        };
+        let finish = || compiled.finish(self, &selection, altered.as_ref());
         meter::piece(Task::Compiling, limits, finish).map_err(too_large)??;
+        if let Some(altered) = &mut altered {
+            altered.compile(selection.starts.len(), compiled.derivation.scope.branch_sign(), &compiled.wanted, limits);
+        }
+        // Every claim is proved in a copy of its own.
+        compiled.derivation.graph.share();
         self.unless_cancelled()?;
         let stage = compiled.build(self, &selection)?;
         self.unless_cancelled()?;
@@ -115,7 +121,8 @@ impl<'a> Run<'a> {
 
     /// What is about ranges: it needs no motion.
     fn regions(&self, derivation: &Derivation) -> Result<Regions, CheckError> {
-        boxes::decide_all(derivation, |c| is_asked(&self.options.claims, &c.id)).map_err(CheckError::Problems)
+        let asked = |c: &Claim| is_asked(&self.options.claims, &c.id);
+        boxes::decide_all(derivation, asked, &self.options.limits).map_err(CheckError::Problems)
     }
 
     /// Adds what altered formulas say of claims that need no motion.
@@ -207,20 +214,21 @@ impl Work<'_, '_> {
     fn prove(&mut self) -> Result<(), CheckError> {
         let OnMotions { run, selection, compiled, .. } = self.claims;
         let (derivation, options, columns) = (&compiled.derivation, run.options, &self.found.columns);
-        let identity = |(k, &c): (usize, &usize)| -> Option<Result<IdentityAccount, String>> {
+        let identity = |&(k, c): &(usize, usize), limits: &Limits| -> Option<Result<IdentityAccount, String>> {
             let claim = &derivation.claims[c];
-            if options.limits.reached().is_some() {
+            if limits.reached().is_some() {
                 return None;
             }
             let step = Step::of(derivation, claim)?.with(options.plain);
             match counterexample(derivation, selection, k, run.known, columns) {
                 Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
                 None => run.recall.answer(derivation, Question::Identity(claim), || {
-                    pieces::decided(derivation, claim, &options.limits, || step.decide())
+                    pieces::decided(derivation, claim, limits, || step.decide())
                 }),
             }
         };
-        let identities: Vec<_> = selection.claims.par_iter().enumerate().with_max_len(1).map(identity).collect();
+        let claims: Vec<(usize, usize)> = selection.claims.iter().copied().enumerate().collect();
+        let identities = meter::each(&options.limits, &claims, identity);
         for ((claim, identity), &c) in self.account.claims.iter_mut().zip(identities).zip(&selection.claims) {
             claim.identity = identity.map(|found| pieces::account(derivation, &derivation.claims[c], found));
         }
@@ -231,7 +239,7 @@ impl Work<'_, '_> {
     fn separate(&mut self) -> Result<(), CheckError> {
         let OnMotions { run, selection, compiled, .. } = self.claims;
         let motions = self.found.motions(selection);
-        compiled.probes.separate(&compiled.derivation, &motions, &run.recall, &mut self.account);
+        compiled.probes.separate(&compiled.derivation, &motions, &run.recall, &run.options.limits, &mut self.account);
         Ok(())
     }
 
@@ -265,9 +273,15 @@ impl Work<'_, '_> {
 
     /// Weighs the evidence by what altered formulas would do, where that is asked.
     fn weigh(&mut self) -> Result<(), CheckError> {
-        let OnMotions { selection, compiled, altered, .. } = self.claims;
+        let OnMotions { run, selection, compiled, altered, .. } = self.claims;
         let Some(altered) = altered else { return Ok(()) };
         let Found { weighed, traces, .. } = &self.found;
-        altered.conclude(&compiled.derivation, selection, &mut self.account.claims, weighed, traces)
+        altered.conclude(
+            &compiled.derivation,
+            selection,
+            &mut self.account.claims,
+            weighed,
+            (traces, &run.options.limits),
+        )
     }
 }

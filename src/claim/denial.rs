@@ -47,7 +47,7 @@ pub fn denies(claim: &Claim) -> bool {
         Form::Never(_) | Form::Eventually(_) => true,
         Form::Always(w) => w.value.relations.iter().any(|r| r.kind == RelationKind::NotEqual && r.limit.is_none()),
         Form::FirstIntegral(_) | Form::Defined(_) | Form::Solves { .. } | Form::SameMotion { .. } => false,
-        Form::Independent { .. } | Form::Exists { .. } | Form::Across(_) => false,
+        Form::Independent { .. } | Form::Exists { .. } | Form::Across(_) | Form::Unread { .. } => false,
     })
 }
 
@@ -61,7 +61,7 @@ pub fn without_denials(claim: &Claim) -> Option<Claim> {
             !w.value.relations.is_empty()
         }
         Form::FirstIntegral(_) | Form::Defined(_) | Form::Solves { .. } | Form::SameMotion { .. } => true,
-        Form::Independent { .. } | Form::Exists { .. } | Form::Across(_) => true,
+        Form::Independent { .. } | Form::Exists { .. } | Form::Across(_) | Form::Unread { .. } => true,
     });
     (!rest.forms.is_empty()).then_some(rest)
 }

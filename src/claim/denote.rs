@@ -421,6 +421,7 @@ impl Denotation<'_> {
                 }
                 // Over ranges of values, and not along motions.
                 Form::Exists { .. } => {}
+                Form::Unread { why, .. } => says.push(self.part(What::Unread(why.clone()), Group::default())),
             }
         }
         if !branching.is_empty() {

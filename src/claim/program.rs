@@ -41,6 +41,8 @@ pub enum What {
     Independent,
     /// Of members of a family: the left side is compared between them.
     Across,
+    /// Of what took too much work to be read: nothing is known of it, for this reason.
+    Unread(String),
 }
 
 /// One part of a claim, which speaks of all times that count at once.
@@ -57,7 +59,7 @@ impl Part {
     /// value at the samples, so that it may have one where an alternative is met.
     pub fn boundaries(&self, void: bool) -> impl Iterator<Item = (usize, RelationKind, Expr)> + '_ {
         let compared = match self.what {
-            What::Limit(_) | What::Value | What::Across => &[][..],
+            What::Limit(_) | What::Value | What::Across | What::Unread(_) => &[][..],
             What::Every | What::Denied | What::Defined | What::Constant | What::SameMotion(..) | What::Independent => {
                 &self.group.comparisons[..]
             }
@@ -72,7 +74,12 @@ impl Part {
     pub fn is_compared(&self) -> bool {
         match self.what {
             What::Every | What::Denied | What::Defined | What::Constant => true,
-            What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent | What::Across => false,
+            What::Value
+            | What::Limit(_)
+            | What::SameMotion(..)
+            | What::Independent
+            | What::Across
+            | What::Unread(_) => false,
         }
     }
 
@@ -95,7 +102,9 @@ impl Part {
         match self.what {
             What::Independent | What::Denied | What::Defined => true,
             What::Every => self.group.comparisons.iter().any(|c| strict(c.kind)),
-            What::Constant | What::Value | What::Limit(_) | What::SameMotion(..) | What::Across => false,
+            What::Constant | What::Value | What::Limit(_) | What::SameMotion(..) | What::Across | What::Unread(_) => {
+                false
+            }
         }
     }
 }

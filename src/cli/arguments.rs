@@ -66,7 +66,7 @@ impl LimitArguments {
     /// The limits, counted from now.
     pub fn begun(&self) -> Limits {
         let memory = self.memory.map(|megabytes| megabytes.saturating_mul(1_000_000));
-        Limits { deadline: Limits::after(self.deadline), memory, cancel: None, work: self.work }
+        Limits { deadline: Limits::after(self.deadline), memory, work: self.work, ..Limits::default() }
     }
 }
 

@@ -133,11 +133,12 @@ fn each_file(arguments: &CheckArguments, run: &mut Run) -> Result<Ending, Stop> 
     let inputs: Vec<PathBuf> = derivations.iter().chain(&source).cloned().collect();
     let outputs = arguments.targets.files();
     write::check_outputs(&outputs, &inputs, &[])?;
-    let sessions = files::sessions(&derivations)?;
+    let ask = arguments.ask();
+    let sessions = files::sessions(&derivations, &ask.limits)?;
     if let Some(path) = &source {
         run.compare(paper::read(path).map_err(Failure::from)?, &sessions)?;
     }
-    let asked = arguments.ask().of_each(sessions)?;
+    let asked = ask.of_each(sessions)?;
     let reports: Vec<PathBuf> =
         asked.iter().filter_map(|(session, _)| arguments.folder(session.derivation())).collect();
     write::check_outputs(&outputs, &inputs, &reports)?;

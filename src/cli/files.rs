@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use meter::Limits;
 use rederive::derivation::{self, load, load_all};
 use rederive::{Ask, Failure, Session, files};
 
@@ -30,15 +31,16 @@ pub fn session(path: &Path) -> Result<Session, Stop> {
     Ok(Session::of(load(&files::named(path)?).map_err(Failure::from)?))
 }
 
-/// The derivations in several files.
-pub fn sessions(paths: &[PathBuf]) -> Result<Vec<Session>, Failure> {
-    Ok(load_all(paths)?.into_iter().map(Session::of).collect())
+/// The derivations in several files, read as far as the limits of a run allow.
+pub fn sessions(paths: &[PathBuf], limits: &Limits) -> Result<Vec<Session>, Failure> {
+    let read = meter::under(limits, || load_all(paths)).map_err(|ended| Failure::Defect(ended.to_string()))?;
+    Ok(read?.into_iter().map(Session::of).collect())
 }
 
 impl FileArguments {
     /// The derivations that are meant.
     pub fn sessions(&self) -> Result<Vec<Session>, Stop> {
-        Ok(sessions(&find(std::slice::from_ref(&self.path))?)?)
+        Ok(sessions(&find(std::slice::from_ref(&self.path))?, &Limits::default())?)
     }
 
     /// Those that have a claim, each with what is asked of it.

@@ -35,6 +35,13 @@ fn names_of(table: &Table<'_, '_>, id: &str) -> Vec<String> {
     [id.to_owned()].into_iter().chain(readings.iter().filter_map(name)).collect()
 }
 
+/// Keeps a claim whose formulas took too much work to be read, without them.
+fn leave_unread(claim: &mut Claim, why: &str) {
+    let kind = claim.formulas.first().map_or(FormKind::Always, |formula| formula.kind);
+    claim.forms = vec![Form::Unread { kind, why: why.to_owned() }];
+    (claim.assuming, claim.at) = (Vec::new(), None);
+}
+
 impl Loader<'_> {
     /// Reads every `[[claim]]`; `follows-from` is resolved when all ids are known.
     pub fn claims(&mut self, root: &Table<'_, '_>) {
@@ -49,7 +56,11 @@ impl Loader<'_> {
         }
         let ids: Vec<String> = tables.iter().flat_map(|(table, id, _)| names_of(table, id)).collect();
         for (table, id, span) in tables {
+            let (before, claims) = (self.problems.found.len(), self.out.claims.len());
             self.one_claim(&table, id, span, &ids);
+            if let Some(why) = self.only_too_large(before) {
+                self.out.claims[claims..].iter_mut().for_each(|claim| leave_unread(claim, &why));
+            }
         }
     }
 

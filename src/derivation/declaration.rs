@@ -34,6 +34,7 @@ impl Derivation {
             encoded_by: None,
             file: Arc::new(Source { path: String::new(), text: String::new() }),
             sha256: String::new(),
+            work: 0,
             conventions: Vec::new(),
             symbols: Vec::new(),
             graph,

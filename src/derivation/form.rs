@@ -112,6 +112,13 @@ pub enum Form {
     },
     /// How a quantity depends on what a family varies.
     Across(Box<Across>),
+    /// The formulas of the claim take too much work to be read: nothing is known of it.
+    Unread {
+        /// What the first of them is there for.
+        kind: FormKind,
+        /// Why they were not read.
+        why: String,
+    },
 }
 
 /// What a claim says of members that differ in one symbol.
@@ -153,6 +160,7 @@ impl Form {
             Form::SameMotion { .. } => FormKind::SameMotion,
             Form::Independent { .. } => FormKind::Independent,
             Form::Exists { .. } => FormKind::Exists,
+            Form::Unread { kind, .. } => *kind,
             Form::Across(across) => match across.dependence {
                 Dependence::Independent => FormKind::IndependentOf,
                 Dependence::Increasing | Dependence::Decreasing => FormKind::Monotone,
@@ -190,7 +198,7 @@ impl Form {
                 std::iter::once(FormFormula::Quantity(&across.of)).chain(limit).collect()
             }
             // A system has its own; another motion has none.
-            Form::Solves { .. } | Form::SameMotion { .. } => Vec::new(),
+            Form::Solves { .. } | Form::SameMotion { .. } | Form::Unread { .. } => Vec::new(),
         }
     }
 

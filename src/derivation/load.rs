@@ -92,12 +92,13 @@ pub fn load_all(paths: &[PathBuf]) -> Result<Vec<Derivation>, Vec<Diagnostic>> {
 /// Every problem of the file, in the order of their places.
 pub fn parse(source: Source, stem: &str) -> Result<Derivation, Vec<Diagnostic>> {
     let source = Arc::new(source);
-    let read = meter::part(Task::Reading, || parsed(Arc::clone(&source), stem));
-    read.unwrap_or_else(|ended| Err(vec![Diagnostic::at(&source, TOO_LARGE, 0..0, ended.to_string())]))
+    let (read, work) = meter::counted(Task::Reading, || parsed(Arc::clone(&source), stem));
+    let read = read.unwrap_or_else(|ended| Err(vec![Diagnostic::at(&source, TOO_LARGE, 0..0, ended.to_string())]))?;
+    Ok(Derivation { work, ..read })
 }
 
 /// The code of what takes too much work to be read.
-pub(super) const TOO_LARGE: &str = "latex::too-large";
+pub(super) const TOO_LARGE: &str = "derivation::work-limit";
 
 fn too_large(text: &str, ended: &Ended) -> Problem {
     let hint = Some("say it with fewer calls of functions within one another, or with fewer indices".to_owned());
@@ -133,7 +134,7 @@ fn parsed(source: Arc<Source>, stem: &str) -> Result<Derivation, Vec<Diagnostic>
 
     let mut loader = Loader::new(problems);
     loader.header(&root, stem);
-    loader.symbols(&root);
+    loader.small_symbols(&root);
     loader.systems(&root);
     loader.trajectories(&root);
     loader.families(&root);
@@ -179,6 +180,8 @@ pub(super) struct Loader<'s> {
     pub has_units: bool,
     /// Initial values that are guessed, where guesses are taken.
     pub guesses: Option<Vec<Unknown>>,
+    /// Symbols whose formulas take too much work to be read: that is no problem of the file, unless something else than a claim needs them.
+    too_large: Vec<Diagnostic>,
 }
 
 impl<'s> Loader<'s> {
@@ -194,6 +197,33 @@ impl<'s> Loader<'s> {
             in_si: Vec::new(),
             has_units: false,
             guesses: None,
+            too_large: Vec::new(),
+        }
+    }
+
+    /// Takes back the problems since some number of them, where all say that formulas take too much work, or need a symbol that does:
+    /// why, in words.
+    pub fn only_too_large(&mut self, before: usize) -> Option<String> {
+        let found = self.problems.found.get(before..)?;
+        let of_large = |d: &Diagnostic| d.code == "latex::unknown-symbol" && d.message == latex::REFUSED;
+        let is_one = |d: &Diagnostic| d.code == TOO_LARGE || !self.too_large.is_empty() && of_large(d);
+        if found.is_empty() || !found.iter().all(is_one) {
+            return None;
+        }
+        let why = found.iter().chain(&self.too_large).find(|d| d.code == TOO_LARGE)?.message.clone();
+        self.problems.found.truncate(before);
+        Some(why)
+    }
+
+    /// The symbols of the file; those that take too much work are not there.
+    fn small_symbols(&mut self, root: &Table<'_, '_>) {
+        let before = self.problems.found.len();
+        self.symbols(root);
+        // What was refused for another reason is told, and so is what needs it.
+        let large = self.problems.found.get(before..).unwrap_or_default().iter().filter(|d| d.code == TOO_LARGE);
+        self.too_large = large.cloned().collect();
+        if self.only_too_large(before).is_none() {
+            self.too_large.clear();
         }
     }
 
@@ -202,6 +232,7 @@ impl<'s> Loader<'s> {
         if found.is_empty() {
             return Ok(self.out);
         }
+        found.extend(self.too_large);
         sort(&mut found);
         // A name that is not declared is told once, and one whose declaration was refused was told there.
         let mut told = BTreeSet::new();

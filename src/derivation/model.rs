@@ -34,6 +34,8 @@ pub struct Derivation {
     pub file: Arc<Source>,
     /// SHA-256 of the file's bytes, in lower-case hexadecimal.
     pub sha256: String,
+    /// The counted work of reading it, which counts for the total of the file: see [`meter`].
+    pub work: u64,
     /// Conventions: name and text, in the order of the file.
     pub conventions: Vec<(String, String)>,
     /// The symbols of the whole file, in its order.
@@ -369,6 +371,14 @@ impl Claim {
     /// Whether it is tried on motions or families, or has a verdict over ranges or for all fields.
     pub fn is_tried(&self) -> bool {
         !self.trajectories.is_empty() || !self.families.is_empty() || self.region.is_some()
+    }
+
+    /// Why its formulas were not read, if they took too much work: nothing is known of it then.
+    pub fn unread(&self) -> Option<&str> {
+        self.forms.iter().find_map(|form| match form {
+            Form::Unread { why, .. } => Some(why.as_str()),
+            _ => None,
+        })
     }
 
     /// Whether it is decided at all points of a box.

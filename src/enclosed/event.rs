@@ -155,7 +155,13 @@ fn confined(ready: &Ready, (place, rate): (usize, usize), along: &mut Along, str
 pub(super) fn always(ready: &Ready, event: (usize, usize), along: &mut Along) -> Shown {
     match ready.part.what {
         What::Every | What::Denied | What::Defined => {}
-        What::Constant | What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent | What::Across => {
+        What::Constant
+        | What::Value
+        | What::Limit(_)
+        | What::SameMotion(..)
+        | What::Independent
+        | What::Across
+        | What::Unread(_) => {
             return Shown::Nothing(Plain::FormAtEvents.into());
         }
     }

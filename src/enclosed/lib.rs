@@ -45,8 +45,7 @@ use crate::flow::{Enclosure, Motion, Source};
 use crate::verdict::Verdict;
 use claim::comparison::Comparison;
 use cover::Along;
-use meter::{Ended, Task};
-use rayon::prelude::*;
+use meter::{Ended, Limits, Task};
 use reason::{Enclosing, Reason};
 pub use request::{Answer, Question, Recall, Request};
 use sampled::claim_program::Prepared;
@@ -68,11 +67,11 @@ pub fn strengthen(request: &Request, claims: &mut [ClaimAccount]) {
     let mut order = request.selection.tried.clone();
     order.sort_by_key(|&t| std::cmp::Reverse(request.stage.motion(t).map_or(0, Motion::steps)));
     let results = by_trajectory(claims);
-    let one = |&t: &usize| {
+    let one = |&t: &usize, limits: &Limits| {
         let here = results.get(request.derivation.trajectories[t].id.as_str());
-        one_motion(request, (known, &by), t, (claims, here.map_or(&[], Vec::as_slice)))
+        one_motion((request, limits), (known, &by), t, (claims, here.map_or(&[], Vec::as_slice)))
     };
-    let changes: Vec<Vec<Change>> = order.par_iter().with_max_len(1).map(one).collect();
+    let changes: Vec<Vec<Change>> = meter::each(request.limits, &order, one);
     for (k, at, verdict) in changes.into_iter().flatten() {
         claims[k].results[at].verdict = verdict;
     }
@@ -109,7 +108,7 @@ type Known<'a> = (&'a Graph, &'a [Vec<Expr>]);
 
 /// `here` are the results on the motion, by the positions of the claim and of the result.
 fn one_motion(
-    request: &Request,
+    (request, limits): (&Request, &Limits),
     (known, integrals): (Known, &str),
     motion: usize,
     (claims, here): (&[ClaimAccount], &[(usize, usize)]),
@@ -125,7 +124,7 @@ fn one_motion(
     let left: Vec<usize> = (0..open.len()).filter(|&at| answers[at].is_none()).collect();
     let asked: Vec<(usize, &Verdict)> = left.iter().map(|&at| (open[at].0, open[at].2)).collect();
     if !asked.is_empty() {
-        let found = meter::piece(Task::Enclosing, request.limits, || enclose(request, known, motion, &asked));
+        let found = meter::piece(Task::Enclosing, limits, || enclose(request, known, motion, &asked));
         let found = found.unwrap_or_else(|ended| asked.iter().map(|(_, verdict)| ended_by(verdict, &ended)).collect());
         for (at, answer) in left.into_iter().zip(found) {
             request.recall.keep(&question(at), &answer);

@@ -81,9 +81,14 @@ pub(super) fn prepare<'a>(asked: &Asked<'a, '_>, along: &mut Along) -> Vec<Prepa
             Some(Err(reason)) => Err(reason.clone()),
             None => Err(Plain::NoGradients.into()),
         }),
-        What::Every | What::Denied | What::Defined | What::Constant | What::Value | What::Limit(_) | What::Across => {
-            Prepared::Compared(Ready::new(program, part, along, claim))
-        }
+        What::Every
+        | What::Denied
+        | What::Defined
+        | What::Constant
+        | What::Value
+        | What::Limit(_)
+        | What::Across
+        | What::Unread(_) => Prepared::Compared(Ready::new(program, part, along, claim)),
     };
     let mut all: Vec<Prepared> = Vec::new();
     for (position, part) in program.parts.iter().enumerate() {
@@ -311,6 +316,7 @@ fn shown(ready: &mut Ready, near: Option<&Witness>, along: &mut Along) -> Shown 
             None => Shown::Nothing(Plain::WhetherTimesCountUncertain.into()),
         },
         (_, Some(event)) => event::always(ready, event, along),
+        (What::Unread(why), None) => Shown::Nothing(Reason::quoted(why)),
         (What::Across, None) => Shown::Nothing(Plain::FamilyNotEnclosed.into()),
         (What::Value, None) => span::constant(ready, along),
         (

@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 use std::sync::{Mutex, PoisonError};
 
+use meter::{Ended, Limits, Task};
 use rayon::prelude::*;
 
 use super::account::Otherwise;
@@ -26,7 +27,6 @@ use crate::flow::{Estimation, Motion};
 use crate::latex::RelationKind;
 use crate::verdict::Verdict;
 use claim::error::{CANCELLED, CheckError};
-use claim::limits::Limits;
 use claim::options::Options;
 use claim::program::{Part, Program, What};
 use proved::by_formula;
@@ -245,10 +245,20 @@ impl<'a> Ensemble<'a> {
             let end = (next + WAVE.min(budget.members)).min(last + 1);
             let numbers: Vec<u64> = (next..end).collect();
             // Those that are integrated together, whatever the number of threads.
-            let some = numbers.par_chunks(TOGETHER).with_max_len(1);
-            let found = some.flat_map_iter(|some| self.some(some, &prepared, &options.limits)).collect::<Vec<_>>();
-            let mut late = false;
-            for (number, one) in numbers.into_iter().zip(found) {
+            let chunks: Vec<&[u64]> = numbers.chunks(TOGETHER).collect();
+            let found = meter::each(&options.limits, &chunks, |some: &&[u64], limits: &Limits| {
+                let found = meter::piece(Task::Members, limits, || self.some(some, &prepared, limits));
+                found.map_err(|ended| (ended, some.len()))
+            });
+            let (mut late, mut ended) = (false, None);
+            let found = found.into_iter().flat_map(|some| {
+                some.unwrap_or_else(|(why, count)| {
+                    ended.get_or_insert(why);
+                    (0..count).map(|_| Ok(None)).collect()
+                })
+            });
+            let found: Vec<_> = found.collect();
+            for (&number, one) in numbers.iter().zip(found) {
                 let Some(One { values, rejected, steps, verdicts, measured }) = one? else {
                     late = true;
                     break;
@@ -276,9 +286,12 @@ impl<'a> Ensemble<'a> {
                     }
                 }
             }
-            if late {
+            match ended {
+                Some(Ended::Defect(what)) => return Err(CheckError::Defect(what)),
+                Some(ended) => return Ok((sums, Some(ended.into()))),
                 // The time is over, which the next look tells.
-                continue;
+                None if late => continue,
+                None => {}
             }
             next = end;
             let told = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
@@ -322,12 +335,20 @@ impl<'a> Ensemble<'a> {
                         return Ok(Err(reason));
                     }
                     let members: Vec<Member> = wave.iter().map(|point| self.members.at(*point)).collect();
-                    let some = members.par_chunks(TOGETHER).with_max_len(1);
-                    let some = some.flat_map_iter(|some| {
+                    let chunks: Vec<&[Member]> = members.chunks(TOGETHER).collect();
+                    let found = meter::each(&options.limits, &chunks, |some: &&[Member], limits: &Limits| {
                         let some = some.iter().map(|member| (1, member.clone())).collect();
-                        self.tried(some, &prepared, &options.limits, false)
+                        meter::piece(Task::Members, limits, || self.tried(some, &prepared, limits, false))
                     });
-                    for one in some.collect::<Vec<_>>() {
+                    let mut all = Vec::new();
+                    for some in found {
+                        match some {
+                            Ok(some) => all.extend(some),
+                            Err(Ended::Defect(what)) => return Err(CheckError::Defect(what)),
+                            Err(ended) => return Ok(Err(ended.into())),
+                        }
+                    }
+                    for one in all {
                         let Some(One { steps, verdicts, .. }) = one? else {
                             let reason = options.limits.reached().map_or(Plain::Ended, Plain::from);
                             return Ok(Err(reason));
@@ -566,7 +587,7 @@ impl<'a> Ensemble<'a> {
             accounts.push(ClaimAccount::of(claim, vec![pair]));
         }
         let claimed: Vec<usize> = (0..accounts.len()).collect();
-        by_formula::settle(derivation, &mut accounts, (&claimed, &[slot]), limits, &|_, _, find| find());
+        by_formula::settle(derivation, &mut accounts, (&claimed, &[slot]), limits, &|_, _, _, find| find());
         let points = witness::Points {
             derivation,
             stage,

@@ -11,9 +11,12 @@ use super::member::{Member, Members};
 use super::separate::{Checker, separations};
 use crate::derivation::{Claim, Derivation, Measure};
 use crate::findings::ClaimAccount;
-use crate::findings::family::{Joined, MeasureAccount};
+use crate::findings::family::{Joined, MeasureAccount, Sums, Tally};
+use crate::verdict::Outcome;
 use claim::error::CheckError;
 use claim::options::Options;
+use sha2::{Digest, Sha256};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Whether a claim is tried on a family in this run.
 fn is_chosen(options: &Options, claim: &Claim, id: &str) -> bool {
@@ -29,6 +32,36 @@ pub fn measured<'d>(derivation: &'d Derivation, at: usize, options: &Options) ->
         options.claims.is_empty() && (options.trajectories.is_empty() || options.trajectories.contains(id))
     };
     of_family.filter(|_| is_asked()).collect()
+}
+
+/// So many members of a family that was counted elsewhere are tried here, beside those that its parts name.
+const TRIED_AGAIN: u64 = 16;
+
+/// Some members, by the hash of all that the parts say and of the file: who makes a part up does not choose them.
+fn picked(derivation: &Derivation, sums: &Sums, size: u64) -> BTreeSet<u64> {
+    let one = |k: u64| {
+        let sum = Sha256::digest(format!("{k} {} {sums:?}", derivation.sha256));
+        let drawn = sum.iter().take(8).fold(0u64, |all, byte| all << 8 | u64::from(*byte));
+        1 + drawn % size.max(1)
+    };
+    (0..TRIED_AGAIN).map(one).collect()
+}
+
+/// A member that was tried here and is not among those that were counted of the n-th claim: of its outcome there are more here than there,
+/// or it comes before the first of them.
+fn miscounted(tally: &Tally, n: usize, again: &BTreeMap<u64, One>) -> Option<u64> {
+    let (mut holds, mut fails, mut not_applicable, mut undecided) = (0u64, 0u64, 0u64, 0u64);
+    let is_before = |number: u64, first: Option<u64>| first.is_none_or(|first| number < first);
+    again.iter().filter(|(_, one)| one.values.is_some()).find_map(|(&number, one)| {
+        let (here, there, before) = match one.verdicts.get(n)?.outcome() {
+            Outcome::Holds(_) => (&mut holds, tally.counts.holds, false),
+            Outcome::Fails(_) => (&mut fails, tally.counts.fails, is_before(number, tally.first_failing)),
+            Outcome::NotApplicable(_) => (&mut not_applicable, tally.counts.not_applicable, false),
+            Outcome::Undecided => (&mut undecided, tally.counts.undecided, is_before(number, tally.first_undecided)),
+        };
+        *here += 1;
+        (*here > there || before).then_some(number)
+    })
 }
 
 /// A derivation whose claims name families, as it was read: what is found of the motions of the file is not in its graph yet.
@@ -129,7 +162,12 @@ impl Families {
                 Some(_) => vec![None; asked.len()],
                 None => separations(checker, derivation, members, &asked, tallies, options)?,
             };
-            let again = ensemble.again(sums.kept())?;
+            let picked = joined.map_or_else(BTreeSet::new, |j| picked(derivation, &j.sums, members.family.size()));
+            let again = ensemble.again(sums.kept().into_iter().chain(picked).collect())?;
+            if joined.is_some() {
+                let other = tallies.iter().enumerate().find_map(|(n, tally)| miscounted(tally, n, &again));
+                other.map_or(Ok(()), |number| Err(ensemble.otherwise(Otherwise(number), true)))?;
+            }
             for (place, (n, (tally, claim))) in places.into_iter().zip(tallies.iter().zip(&asked).enumerate()) {
                 let expected = claim.families.iter().position(|f| *f == at).and_then(|i| claim.expect_of_families[i]);
                 let (size, precision) = (members.family.size(), claim.precision);

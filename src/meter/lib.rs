@@ -1,7 +1,7 @@
 //! The counted work of a run: how much a piece of it may take, and how a piece ends that takes more.
 //!
 //! **In:** [`Limits`], which a user sets; the work of loops, told by [`charge`] and [`grow`] where it is done. **Out:** what a
-//! [`piece`] gave, or why it [`Ended`].
+//! [`piece`] gave, or why it [`Ended`]. All pieces of a file have one total, see [`mod@total`].
 //!
 //! **How:** a piece runs on one thread. Work is counted in units of about a nanosecond on a machine of 2024, memory in bytes of what only
 //! grows. Where either is used up, the piece is unwound to its beginning; nothing is printed. The clock, the use of memory and the flag that
@@ -18,6 +18,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
+
+pub mod total;
+
+pub use total::{Total, each};
 
 /// So many units pass between two looks at the clock.
 const SLICE: u64 = 1 << 24;
@@ -82,6 +86,8 @@ tasks! {
     Weighing(10 * SECOND, 256 * MEGABYTE): "trying altered formulas",
     /// One step of a formula that a paper prints.
     Step(SECOND, 64 * MEGABYTE): "deciding a step of a paper",
+    /// Some members of a family, which are integrated together.
+    Members(20 * SECOND, 256 * MEGABYTE): "trying members of a family",
 }
 
 /// Why a piece ended before it was done.
@@ -91,6 +97,8 @@ pub enum Ended {
     Work(Task),
     /// Its counted memory is used up.
     Bytes(Task),
+    /// The counted work of the file is used up.
+    File(Task),
     /// The deadline of the run has passed.
     Time,
     /// The process holds as much memory as the run may.
@@ -116,6 +124,14 @@ impl std::fmt::Display for Ended {
                 write!(
                     f,
                     "work limit: {words} takes more than {bytes} MB of counted memory; --work 10 would allow ten times as much"
+                )
+            }
+            Ended::File(task) => {
+                let (words, units) = (task.words(), total::OF_A_FILE / SECOND);
+                write!(
+                    f,
+                    "work limit: the file takes more than about {units} s of counted work in all, and {words} comes after that; \
+                     --work 10 would allow ten times as much"
                 )
             }
             Ended::Time => f.write_str("work limit: the time of the run was over before this was done"),
@@ -163,6 +179,8 @@ pub struct Limits {
     pub cancel: Option<Cancel>,
     /// So many times the usual counted work and memory; once, where it is `None`.
     pub work: Option<u32>,
+    /// What is left of the work of the file at hand.
+    pub total: Total,
 }
 
 impl Limits {
@@ -208,6 +226,8 @@ struct UnderWay {
     units: u64,
     /// The units beyond those of the slice at hand.
     rest: u64,
+    /// Those of the slice at hand, when it was taken.
+    slice: u64,
     /// The bytes that may still grow.
     bytes: u64,
 }
@@ -254,8 +274,16 @@ fn begin_slice(units: u64) {
             piece.rest = 0;
             return Some(Ended::Work(piece.task));
         };
-        let slice = rest.min(SLICE);
-        (piece.rest, _) = (rest - slice, LEFT.set(slice));
+        let total = &piece.limits.total;
+        total.spend(std::mem::take(&mut piece.slice).saturating_add(units));
+        let left = total.left();
+        if left == 0 {
+            piece.rest = rest;
+            total.refuse();
+            return Some(Ended::File(piece.task));
+        }
+        piece.slice = rest.min(SLICE).min(left);
+        (piece.rest, _) = (rest - piece.slice, LEFT.set(piece.slice));
         None
     });
     ended.into_iter().for_each(end);
@@ -273,7 +301,11 @@ fn end(ended: Ended) {
 pub fn piece<R>(task: Task, limits: &Limits, work: impl FnOnce() -> R) -> Result<R, Ended> {
     let times = u64::from(limits.work.unwrap_or(1));
     let (units, bytes) = (task.units().saturating_mul(times), task.bytes().saturating_mul(times));
-    let here = UnderWay { task, limits: limits.clone(), units, rest: units, bytes };
+    if limits.total.left() == 0 {
+        limits.total.refuse();
+        return Err(Ended::File(task));
+    }
+    let here = UnderWay { task, limits: limits.clone(), units, rest: units, slice: 0, bytes };
     run(here, work).0.map_err(|payload| ended_by(payload.as_ref()))
 }
 
@@ -283,20 +315,28 @@ pub fn piece<R>(task: Task, limits: &Limits, work: impl FnOnce() -> R) -> Result
 /// # Errors
 /// Why it ended before it was done. A panic goes on.
 pub fn part<R>(task: Task, work: impl FnOnce() -> R) -> Result<R, Ended> {
+    counted(task, work).0
+}
+
+/// The same, with the units that were used.
+pub fn counted<R>(task: Task, work: impl FnOnce() -> R) -> (Result<R, Ended>, u64) {
     let outer = PIECE.with_borrow(|outer| outer.as_ref().map(|of| (of.limits.clone(), of.rest, of.bytes)));
     let (limits, rest, most) = outer.unwrap_or((Limits::default(), u64::MAX, u64::MAX));
+    // What is used counts for the total when it counts for the piece.
+    let limits = Limits { total: Total::default(), ..limits };
     let times = u64::from(limits.work.unwrap_or(1));
     let units = task.units().saturating_mul(times).min(rest.saturating_add(LEFT.get()));
     let bytes = task.bytes().saturating_mul(times).min(most);
-    let (found, used) = run(UnderWay { task, limits, units, rest: units, bytes }, work);
+    let (found, used) = run(UnderWay { task, limits, units, rest: units, slice: 0, bytes }, work);
     if used.0 > 0 {
         charge(used.0);
     }
     grow(bytes.saturating_sub(used.1));
-    found.map_err(|payload| match payload.downcast_ref::<Ended>() {
+    let found = found.map_err(|payload| match payload.downcast_ref::<Ended>() {
         Some(ended) => ended.clone(),
         None => resume_unwind(payload),
-    })
+    });
+    (found, used.0)
 }
 
 /// Does work whose parts obey the limits of a run; the work itself is not limited.
@@ -304,8 +344,8 @@ pub fn part<R>(task: Task, work: impl FnOnce() -> R) -> Result<R, Ended> {
 /// # Errors
 /// A panic in it, which is a defect.
 pub fn under<R>(limits: &Limits, work: impl FnOnce() -> R) -> Result<R, Ended> {
-    let here =
-        UnderWay { task: Task::Reading, limits: limits.clone(), units: u64::MAX, rest: u64::MAX, bytes: u64::MAX };
+    let limits = Limits { total: Total::default(), ..limits.clone() };
+    let here = UnderWay { task: Task::Reading, limits, units: u64::MAX, rest: u64::MAX, slice: 0, bytes: u64::MAX };
     run(here, work).0.map_err(|payload| ended_by(payload.as_ref()))
 }
 
@@ -315,7 +355,10 @@ fn run<R>(here: UnderWay, work: impl FnOnce() -> R) -> (std::thread::Result<R>, 
     let outer = (LEFT.replace(0), PIECE.replace(Some(here)));
     let found = catch_unwind(AssertUnwindSafe(work));
     let left = LEFT.replace(outer.0);
-    let (rest, bytes) = PIECE.replace(outer.1).map_or((0, 0), |piece| (piece.rest, piece.bytes));
+    let (rest, bytes) = PIECE.replace(outer.1).map_or((0, 0), |piece| {
+        piece.limits.total.spend(piece.slice.saturating_sub(left));
+        (piece.rest, piece.bytes)
+    });
     (found, (units.saturating_sub(rest.saturating_add(left)), bytes))
 }
 

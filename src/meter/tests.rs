@@ -124,4 +124,6 @@ fn the_page_of_limits_has_the_table() {
     let rows =
         page.lines().filter(|line| Task::ALL.iter().any(|task| line.starts_with(&format!("| {} |", task.words()))));
     assert_eq!(rows.count(), Task::ALL.len());
+    let whole = format!("All pieces of a file together take at most {},", total::OF_A_FILE / SECOND);
+    assert!(page.contains(&whole), "docs/limits.md does not say `{whole}`");
 }

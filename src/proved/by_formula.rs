@@ -22,12 +22,11 @@ use claim::limits::Limits;
 use claim::program::{Assumption, Part, What};
 use claim::system;
 use proof::{Along, Apart, InTime, Memory, Refuted, along};
-use rayon::prelude::*;
 use reason::Proving;
 use std::cmp::Ordering;
 
 /// Finds the verdict on a claim on a motion, after this one, or recalls it.
-pub type Recall<'a> = &'a (dyn Fn(usize, (&Claim, &Verdict), &mut dyn FnMut() -> Verdict) -> Verdict + Sync);
+pub type Recall<'a> = &'a (dyn Fn(usize, (&Claim, &Verdict), &Limits, &mut dyn FnMut() -> Verdict) -> Verdict + Sync);
 
 /// Settles what can be settled; `tried` are the motions of the results. What a limit of the run is reached before stays as it is.
 pub fn settle(
@@ -38,7 +37,7 @@ pub fn settle(
     recall: Recall,
 ) {
     let results = by_trajectory(claims);
-    let column = |&t: &usize| -> Vec<(usize, usize, Verdict)> {
+    let column = |&t: &usize, limits: &Limits| -> Vec<(usize, usize, Verdict)> {
         let mut setting = Setting::of(derivation, t, None);
         let mut start: Option<Option<Setting>> = None;
         let mut out = Vec::new();
@@ -70,11 +69,11 @@ pub fn settle(
                 }
                 verdict
             };
-            out.push((k, at, recall(t, (claim, found), &mut compute)));
+            out.push((k, at, recall(t, (claim, found), limits, &mut compute)));
         }
         out
     };
-    let found: Vec<_> = tried.par_iter().with_max_len(1).map(column).collect();
+    let found = meter::each(limits, tried, column);
     for (k, at, verdict) in found.into_iter().flatten() {
         claims[k].results[at].verdict = verdict;
     }
@@ -482,7 +481,12 @@ impl<'a> Setting<'a> {
                 let all = !formulas.is_empty() && formulas.into_iter().all(&mut everywhere);
                 return all.then_some(Ok(()));
             }
-            What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent | What::Across => return None,
+            What::Value
+            | What::Limit(_)
+            | What::SameMotion(..)
+            | What::Independent
+            | What::Across
+            | What::Unread(_) => return None,
         }
         let mut holds = true;
         for c in &group.comparisons {

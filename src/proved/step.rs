@@ -167,6 +167,9 @@ impl<'a> Step<'a> {
     /// The step that a claim makes, if it is one: all its forms are equations without limits, or first integrals; or it is
     /// about parameters only.
     pub fn of(derivation: &'a Derivation, claim: &'a Claim) -> Option<Step<'a>> {
+        if claim.unread().is_some() {
+            return None;
+        }
         let of_claims = derivation.claims.iter().flat_map(|c| &c.symbols);
         let symbols = derivation.symbols.iter().chain(of_claims);
         let step = Step {

@@ -46,7 +46,8 @@ pub fn times_of_both(trial: &Trial) -> Option<(Vec<f64>, Arc<Points>)> {
         | What::Value
         | What::Limit(_)
         | What::Independent
-        | What::Across => None,
+        | What::Across
+        | What::Unread(_) => None,
     });
     let (from, to) = trace.stage.span(trace.trajectory);
     let theirs: Vec<f64> = others.flat_map(stage::sample_times).filter(|t| (from..=to).contains(t)).collect();

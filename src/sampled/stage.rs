@@ -7,8 +7,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, OnceLock};
 
-use rayon::prelude::*;
-
 use crate::derivation::{Claim, Derivation, Form, Motion as Given, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Symbol};
@@ -31,6 +29,9 @@ const MOST_SAMPLES: usize = 1_500;
 
 /// So many motions are integrated together: as many as there are lanes.
 const TOGETHER: usize = 8;
+/// So many tasks there are at least, where there are as many motions: enough for a few processors. The counted work depends on it, so it
+/// is the same on every machine.
+const FEWEST_TASKS: usize = 8;
 
 /// The motions of a derivation, by the position of their trajectories; only those that are needed are there.
 pub struct Stage {
@@ -177,21 +178,21 @@ impl Stage {
         let longest = |members: &Vec<usize>| members.iter().map(length).fold(0.0, f64::max);
         families.sort_by(|a, b| longest(b).total_cmp(&longest(a)));
         // Some of them are integrated together, each task with long ones and short ones.
-        let tasks = families.len().div_ceil(TOGETHER).max(families.len().min(4 * rayon::current_num_threads()));
+        let tasks = families.len().div_ceil(TOGETHER).max(families.len().min(FEWEST_TASKS));
         let mut dealt: Vec<Vec<&[usize]>> = vec![Vec::new(); tasks];
         families.iter().enumerate().for_each(|(i, members)| dealt[i % tasks].push(members));
-        let some = |task: &[&[usize]]| {
+        let some = |task: &[&[usize]], limits: &Limits| {
             let families = task.iter().map(|of| (derivation, *of));
             let build = || together(families, fields, requests, recall, Estimation::Companions);
-            meter::piece(meter::Task::Motion, requests.limits, build)
+            meter::piece(meter::Task::Motion, limits, build)
         };
-        let one = |task: &Vec<&[usize]>| match (some(task), task.as_slice()) {
+        let one = |task: &Vec<&[usize]>, limits: &Limits| match (some(task, limits), task.as_slice()) {
             (Ok(built), _) => vec![(Vec::new(), Ok(built))],
             (Err(ended), [alone]) => vec![(alone.to_vec(), Err(ended))],
             // One of them takes all the work: each by itself. What ends does so whatever it was dealt with.
-            (Err(_), several) => several.iter().map(|of| (of.to_vec(), some(&[of]))).collect(),
+            (Err(_), several) => several.iter().map(|of| (of.to_vec(), some(&[of], limits))).collect(),
         };
-        let results: Vec<_> = dealt.par_iter().with_max_len(1).map(one).collect();
+        let results = meter::each(requests.limits, &dealt, one);
         let mut motions: Vec<Option<Built>> = derivation.trajectories.iter().map(|_| None).collect();
         let mut ended: Vec<Option<Ended>> = derivation.trajectories.iter().map(|_| None).collect();
         let mut problems = Vec::new();

@@ -96,7 +96,7 @@ pub(super) fn look(trial: &Trial) -> Search {
     let others = program.parts.iter().filter_map(|part| match part.what {
         What::SameMotion(other, _) => trace.stage.motion(other),
         What::Every | What::Denied | What::Defined | What::Constant | What::Value | What::Limit(_) => None,
-        What::Independent | What::Across => None,
+        What::Independent | What::Across | What::Unread(_) => None,
     });
     for other in others {
         any = true;

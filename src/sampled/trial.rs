@@ -42,7 +42,9 @@ pub fn try_claim(derivation: &Derivation, trial: &Trial, gradients: Option<&Resu
     }
     let mut met = stretches::look(trial);
     // Other motions and gradients need more values than the comparisons of the claim.
-    let special = |p: &claim::program::Part| matches!(p.what, What::SameMotion(..) | What::Independent | What::Across);
+    let special = |p: &claim::program::Part| {
+        matches!(p.what, What::SameMotion(..) | What::Independent | What::Across | What::Unread(_))
+    };
     if program.parts.iter().any(special) && met.more.take().is_some() {
         met.open.get_or_insert(Sampling::MetBetween);
     }
@@ -210,6 +212,7 @@ fn part(
         What::Limit(point) => limit_where(trial, tried, &|m| &m.parts[position], point),
         What::SameMotion(other, of) => same_motion::try_on(derivation, trial, tried, *other, of),
         What::Across => across::try_on(derivation, trial, tried, position),
+        What::Unread(why) => Finding::open(Reason::quoted(why)),
         What::Independent => match gradients {
             Some(Ok(gradients)) => independence::try_on(gradients, trial, tried),
             Some(Err(reason)) => Finding::open(reason.clone()),

@@ -178,6 +178,7 @@ impl<'a> Gathering<'a> {
                 | Form::SameMotion { .. }
                 | Form::Independent { .. }
                 | Form::Exists { .. }
+                | Form::Unread { .. }
                 | Form::Across(_) => return Err("only equations and first integrals are sequents".to_owned()),
             }
         }
@@ -238,6 +239,7 @@ impl<'a> Gathering<'a> {
                 | Form::SameMotion { .. }
                 | Form::Independent { .. }
                 | Form::Exists { .. }
+                | Form::Unread { .. }
                 | Form::Across(_) => {}
             }
         }

@@ -384,7 +384,9 @@ impl Field {
         let starts = set.radii();
         let mut reason = String::new();
         let mut found: Option<(f64, Tube)> = None;
-        while step >= smallest {
+        // Of a span of the smallest numbers a part may be 0.
+        while step >= smallest.max(f64::from_bits(1)) {
+            meter::charge(1_000);
             let to = if step >= remaining { end } else { on_grid(time + direction * step, step) };
             match self.hold(bench, &set.centre, &starts, time, to) {
                 Ok(tube) => {

@@ -112,7 +112,7 @@ impl<'a> Gathering<'a> {
                 Form::FirstIntegral(w) => out.extend(w.value.components.iter().map(|&e| (Said::Constant(e), false))),
                 Form::Solves { system } => out.extend(self.system(*system).map(|said| (said, true))),
                 Form::Never(_) | Form::Eventually(_) | Form::Defined(_) | Form::SameMotion { .. } => return None,
-                Form::Independent { .. } | Form::Exists { .. } | Form::Across(_) => return None,
+                Form::Independent { .. } | Form::Exists { .. } | Form::Across(_) | Form::Unread { .. } => return None,
             }
         }
         Some(out)

@@ -83,7 +83,7 @@ impl Step<'_> {
             Form::Never(_) | Form::Eventually(_) => 1,
             Form::Always(w) => w.value.relations.iter().filter(differing).count(),
             Form::FirstIntegral(_) | Form::Defined(_) | Form::Solves { .. } | Form::SameMotion { .. } => 0,
-            Form::Independent { .. } | Form::Exists { .. } | Form::Across(_) => 0,
+            Form::Independent { .. } | Form::Exists { .. } | Form::Across(_) | Form::Unread { .. } => 0,
         });
         texts.sum()
     }

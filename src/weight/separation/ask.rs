@@ -10,14 +10,13 @@
 
 use std::collections::BTreeSet;
 
-use rayon::prelude::*;
-
 use super::candidates::Candidate;
 use crate::derivation::{Claim, Derivation};
 use crate::flow::Points;
 use crate::verdict::Possible;
 use claim::comparison::judge;
 use claim::program::{Program, What};
+use meter::{Limits, Task};
 use sampled::recall::Recall;
 use sampled::trace::{Trace, Trial};
 use sampled::trial::try_claim;
@@ -42,6 +41,7 @@ pub(super) struct Ask<'a> {
     pub programs: &'a [Vec<Program>],
     pub start_of: &'a [usize],
     pub recall: &'a dyn Recall,
+    pub limits: &'a Limits,
 }
 
 /// How every condition stands on every motion.
@@ -60,13 +60,18 @@ pub(super) struct Sides {
 impl Ask<'_> {
     /// Tries every condition at a few points of every motion.
     pub fn first(&self, traces: &[Trace]) -> Stands {
-        let on_one = |trace: &Trace| -> Vec<Stand> {
+        let try_all = |trace: &Trace| -> Vec<Stand> {
             let few = few(trace);
             let refuted = |k: usize| self.program(k, trace).is_some_and(|p| is_refuted(p, &few));
             let each = (0..self.candidates.len()).map(refuted);
             each.map(|refuted| if refuted { Stand::Judged(Some(false)) } else { Stand::Open }).collect()
         };
-        let columns: Vec<Vec<Stand>> = traces.par_iter().with_max_len(1).map(on_one).collect();
+        // What is not looked at is not known.
+        let on_one = |trace: &Trace, limits: &Limits| {
+            let found = meter::piece(Task::Weighing, limits, || try_all(trace));
+            found.unwrap_or_else(|_| vec![Stand::Judged(None); self.candidates.len()])
+        };
+        let columns = meter::each(self.limits, traces, on_one);
         let of = |k: usize| columns.iter().map(|column| column[k]).collect();
         Stands { all: (0..self.candidates.len()).map(of).collect() }
     }
@@ -80,8 +85,10 @@ impl Ask<'_> {
         // Long motions first: what is left at the end is short.
         let mut order: Vec<(usize, usize)> = asked.iter().copied().collect();
         order.sort_by_key(|(_, column)| std::cmp::Reverse(traces[*column].motion.steps()));
-        let judged = |&(k, column): &(usize, usize)| self.standing(k, &traces[column]);
-        let found: Vec<Option<bool>> = order.par_iter().with_max_len(1).map(judged).collect();
+        let judged = |&(k, column): &(usize, usize), limits: &Limits| {
+            meter::piece(Task::Weighing, limits, || self.standing(k, &traces[column])).unwrap_or_default()
+        };
+        let found: Vec<Option<bool>> = meter::each(self.limits, &order, judged);
         for ((k, column), met) in order.into_iter().zip(found) {
             stands.all[k][column] = Stand::Judged(met);
         }

@@ -28,6 +28,7 @@ use ask::{Ask, Sides};
 use assumptions::Dropped;
 use candidates::Candidate;
 use claim::program::Program;
+use meter::Limits;
 use sampled::claim_program::Prepared;
 use sampled::recall::Recall;
 use sampled::selection::Selection;
@@ -168,10 +169,17 @@ impl Probes {
 
     /// Adds to every claim of an account what separates its trajectories, and which of its assumptions it needs. Only claims that fail
     /// nowhere are asked what they need.
-    pub fn separate(&self, derivation: &Derivation, motions: &Motions, recall: &dyn Recall, account: &mut Account) {
+    pub fn separate(
+        &self,
+        derivation: &Derivation,
+        motions: &Motions,
+        recall: &dyn Recall,
+        limits: &Limits,
+        account: &mut Account,
+    ) {
         let &Motions { without, traces, start_of } = motions;
         if account.claims.iter().any(explain::is_split) {
-            self.explain(derivation, start_of, recall, traces, account);
+            self.explain(derivation, (start_of, limits), recall, traces, account);
         }
         for (d, drop) in self.dropped.iter().enumerate() {
             let Some(claim) = account.claims.get_mut(drop.of).filter(|c| assumptions::is_asked(c)) else { continue };
@@ -189,13 +197,13 @@ impl Probes {
     fn explain(
         &self,
         derivation: &Derivation,
-        start_of: &[usize],
+        (start_of, limits): (&[usize], &Limits),
         recall: &dyn Recall,
         traces: &[Trace],
         account: &mut Account,
     ) {
         let programs = self.programs.get(..self.candidates.len()).unwrap_or_default();
-        let ask = Ask { derivation, candidates: &self.candidates, programs, start_of, recall };
+        let ask = Ask { derivation, candidates: &self.candidates, programs, start_of, recall, limits };
         let ids: Vec<String> = traces.iter().map(|c| derivation.trajectories[c.trajectory].id.clone()).collect();
         let split: Vec<usize> = (0..account.claims.len()).filter(|&k| explain::is_split(&account.claims[k])).collect();
         let sides: Vec<Sides> = split.iter().map(|&k| explain::sides(&account.claims[k], &ids)).collect();

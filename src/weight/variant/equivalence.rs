@@ -138,6 +138,7 @@ impl ClaimVariants {
         let variant = &self.variants[v];
         let formula = &self.formulas[variant.formula];
         let constant = formula.manner == Manner::Constant;
+        let points = if constant { fixed } else { free };
         let fixed = self.rows(v, fixed);
         let rows = if constant { fixed.clone() } else { self.rows(v, free) };
         if rows.iter().any(|r| r.len() < 3) {
@@ -177,9 +178,9 @@ impl ClaimVariants {
             g != variant.formula
                 && self.formulas[g].manner == formula.manner
                 && self.formulas[g].parts.iter().all(|p| p.kind == RelationKind::Equal)
-                && rows
-                    .iter()
-                    .all(|row| zero(row) || (0..parts).any(|p| proportional(&altered(row), &sibling(row, g, p), false)))
+                && rows.iter().all(|row| {
+                    zero(row) || (0..parts).any(|p| proportional(&altered(row), &sibling(row, points, g, p), false))
+                })
         };
         if equations && whole && (0..self.formulas.len()).any(said) {
             return Sight::Said;
@@ -195,17 +196,12 @@ impl ClaimVariants {
     fn rows(&self, v: usize, points: &[Point]) -> Vec<Row> {
         let variant = &self.variants[v];
         let mut rows: Vec<Row> = vec![Row::new(); variant.altered.len()];
-        for point in points {
+        for (at, point) in points.iter().enumerate() {
             let minus = point.minus.as_ref().unwrap_or(&point.plus);
-            let others = |o: &Outputs| -> Vec<Vec<Option<Bounded>>> {
-                let parts = |f: usize| (0..self.formulas[f].parts.len()).map(move |p| o.own(f, p).ok());
-                (0..self.formulas.len()).map(|f| parts(f).collect()).collect()
-            };
-            let others = if self.formulas.len() > 1 { others(&point.plus) } else { Vec::new() };
             let row = |(n, (part, _)): (usize, &(usize, _))| -> Result<Seen, NoValue> {
                 let own = |o: &Outputs| o.own(variant.formula, *part);
                 let altered = [point.plus.altered(v, n)?, minus.altered(v, n)?];
-                Ok(Seen { altered, print: [own(&point.plus)?, own(minus)?], others: others.clone() })
+                Ok(Seen { altered, print: [own(&point.plus)?, own(minus)?], at })
             };
             if let Ok(row) = variant.altered.iter().enumerate().map(row).collect::<Result<Vec<_>, _>>() {
                 rows.iter_mut().zip(row).for_each(|(all, one)| all.push(one));
@@ -220,8 +216,8 @@ impl ClaimVariants {
 struct Seen {
     altered: [Bounded; 2],
     print: [Bounded; 2],
-    /// Those of all formulas of the claim, where there are several.
-    others: Vec<Vec<Option<Bounded>>>,
+    /// The point, by its position.
+    at: usize,
 }
 
 type Row = Vec<Seen>;
@@ -240,8 +236,9 @@ fn print(row: &Row, turned: bool) -> Vec<Bounded> {
 
 /// A part of another formula, as often as both signs of ± need it; nothing that anything is proportional to where it has no
 /// value.
-fn sibling(row: &Row, formula: usize, part: usize) -> Vec<Bounded> {
-    let value = |x: &Seen| x.others.get(formula).and_then(|f| f.get(part)).copied().flatten();
+fn sibling(row: &Row, points: &[Point], formula: usize, part: usize) -> Vec<Bounded> {
+    meter::charge(10 * row.len() as u64);
+    let value = |x: &Seen| points.get(x.at)?.plus.own(formula, part).ok();
     let values: Option<Vec<Bounded>> = row.iter().map(value).collect();
     let values = values.filter(|v| v.iter().any(|x| !is_zero(*x)));
     values.map_or_else(Vec::new, |v| [v.clone(), v].concat())

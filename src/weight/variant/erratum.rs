@@ -11,7 +11,7 @@
 //! print do; one that is true by the definitions alone comes after those that are not. In which order they are offered is said
 //! in `nearness`.
 
-use rayon::prelude::*;
+use meter::{Ended, Limits, Task};
 
 use super::atom::atoms;
 use super::completion::{Points, completions};
@@ -65,6 +65,7 @@ pub(super) struct Search<'a> {
     pub selection: &'a Selection,
     /// What was found on each of the motions that were tried.
     pub weighed: &'a [Weighed],
+    pub limits: &'a Limits,
 }
 
 /// A formula that may be what was meant.
@@ -116,7 +117,7 @@ impl Search<'_> {
         let corrected: Vec<usize> = (0..wanted.len()).filter(|&k| wanted[k].contains(&true)).collect();
         let last = corrected.get(MOST_CORRECTED - 1).copied().unwrap_or(usize::MAX);
         let columns = self.selection.columns(self.derivation);
-        let of_claim = |(k, account): (usize, &mut ClaimAccount)| {
+        let of_claim = |k: usize, account: &ClaimAccount| {
             let asked = &wanted[k];
             let on: Vec<usize> = account
                 .results
@@ -125,19 +126,30 @@ impl Search<'_> {
                 .filter(|(_, asked)| **asked)
                 .filter_map(|(p, _)| columns.get(p.trajectory.as_str()).copied())
                 .collect();
-            let mut candidates = Vec::new();
-            if !on.is_empty() && k <= last {
-                let mut erratum = Erratum::default();
-                let absent = account.results.iter().any(is_absent);
-                candidates = self.candidates(k, &Asked { on: on.clone(), absent }, &mut erratum);
-                if let Some(variants) = &mut account.variants {
-                    variants.erratum = Some(erratum);
-                }
+            if on.is_empty() || k > last {
+                return (Vec::new(), None, on);
             }
-            (candidates, on)
+            let mut erratum = Erratum::default();
+            let absent = account.results.iter().any(is_absent);
+            let candidates = self.candidates(k, &Asked { on: on.clone(), absent }, &mut erratum);
+            (candidates, Some(erratum), on)
         };
-        let found: Vec<_> = accounts.par_iter_mut().enumerate().with_max_len(1).map(of_claim).collect();
-        let (candidates, motions): (Vec<Vec<Candidate>>, Vec<Vec<usize>>) = found.into_iter().unzip();
+        let one = |&k: &usize, limits: &Limits| {
+            meter::piece(Task::Weighing, limits, || of_claim(k, &accounts[k])).unwrap_or_else(|ended| {
+                let remark = Some(ended.to_string());
+                (Vec::new(), Some(Erratum { remark, ..Erratum::default() }), Vec::new())
+            })
+        };
+        let all: Vec<usize> = (0..accounts.len()).collect();
+        let found = meter::each(self.limits, &all, one);
+        let (mut candidates, mut motions) = (Vec::new(), Vec::new());
+        for ((of_claim, erratum, on), account) in found.into_iter().zip(accounts.iter_mut()) {
+            candidates.push(of_claim);
+            motions.push(on);
+            if let (Some(variants), Some(erratum)) = (&mut account.variants, erratum) {
+                variants.erratum = Some(erratum);
+            }
+        }
         self.confirm(accounts, candidates.into_iter().flatten().collect(), &motions, traces)
     }
 
@@ -333,7 +345,7 @@ impl Search<'_> {
             }
         }
         let grown = &grown;
-        let on_one = |(t, trace): (usize, &Trace)| -> Vec<Option<bool>> {
+        let try_all = |t: usize, trace: &Trace| -> Vec<Option<bool>> {
             let here = read.iter().filter(|(candidate, ..)| motions[candidate.claim].contains(&t));
             let programs =
                 here.filter_map(|(_, _, programs)| programs.get(self.selection.start_of[self.selection.tried[t]]));
@@ -347,7 +359,14 @@ impl Search<'_> {
             };
             read.iter().map(holds).collect()
         };
-        let found: Vec<Vec<Option<bool>>> = traces.par_iter().enumerate().with_max_len(1).map(on_one).collect();
+        let on_one = |&t: &usize, limits: &Limits| {
+            // What was not tried on a motion on which it must hold is not offered.
+            let untried = |(candidate, ..): &(Candidate, _, _)| motions[candidate.claim].contains(&t).then_some(false);
+            let found = meter::piece(Task::Weighing, limits, || try_all(t, &traces[t]));
+            found.unwrap_or_else(|_| read.iter().map(untried).collect())
+        };
+        let all: Vec<usize> = (0..traces.len()).collect();
+        let found: Vec<Vec<Option<bool>>> = meter::each(self.limits, &all, on_one);
         let holds = |n: usize| {
             let mut tried = found.iter().filter_map(|column| column[n]).peekable();
             tried.peek().is_some() && tried.all(|holds| holds)
@@ -358,15 +377,16 @@ impl Search<'_> {
         // All that is wanted is whether there is a proof: no assumption that it could do without, and no point where there is none.
         let decided =
             |claim: &Claim| Step::of(grown, claim).and_then(|step| step.with(true).with_few_points().decide());
-        let proved: Vec<bool> = held
-            .par_iter()
-            .zip(shown)
-            .with_max_len(1)
-            .map(|(&(_, claim), shown)| match shown.then(|| decided(claim)).flatten().transpose() {
-                Ok(identity) => Ok(identity.is_some_and(|i| i.finding.is_proved_in_part())),
-                Err(defect) => Err(CheckError::Defect(defect)),
-            })
-            .collect::<Result<_, _>>()?;
+        let decided = |&((_, claim), shown): &((&Candidate, &Claim), bool), limits: &Limits| {
+            let decided = || shown.then(|| decided(claim)).flatten().transpose();
+            match meter::piece(Task::Proving, limits, decided) {
+                Ok(Ok(identity)) => Ok(identity.is_some_and(|i| i.finding.is_proved_in_part())),
+                Ok(Err(defect)) | Err(Ended::Defect(defect)) => Err(CheckError::Defect(defect)),
+                Err(_) => Ok(false),
+            }
+        };
+        let asked: Vec<_> = held.iter().copied().zip(shown).collect();
+        let proved: Vec<bool> = meter::each(self.limits, &asked, decided).into_iter().collect::<Result<_, _>>()?;
         let mut order: Vec<usize> = (0..held.len()).collect();
         order.sort_by(|&a, &b| {
             let key = |i: usize| (held[i].0.claim, held[i].0.formula);
@@ -390,7 +410,7 @@ impl Search<'_> {
         }
         for (k, account) in accounts.iter_mut().enumerate() {
             let Some(erratum) = account.variants.as_mut().and_then(|v| v.erratum.as_mut()) else { continue };
-            if erratum.corrections.is_empty() {
+            if erratum.corrections.is_empty() && erratum.remark.is_none() {
                 let formulas = &self.altered.claims[k].formulas;
                 erratum.remark = Some(match formulas.is_empty() {
                     true => "the claim has no formula that could be altered".to_owned(),

@@ -35,6 +35,7 @@ pub use motionless::weigh_still;
 
 use std::ops::Range;
 
+use meter::{Ended, Limits, Task};
 use rayon::prelude::*;
 
 use crate::derivation::{Claim, Derivation};
@@ -152,7 +153,10 @@ pub struct Altered {
 
 impl Altered {
     /// Makes the variants of the chosen claims.
-    pub fn new(derivation: &Derivation, selection: &Selection) -> Altered {
+    ///
+    /// # Errors
+    /// The program stopped in the middle of it: a defect.
+    pub fn new(derivation: &Derivation, selection: &Selection, limits: &Limits) -> Result<Altered, CheckError> {
         let Selection { claims: claimed, starts, .. } = selection;
         let shared = derivation.graph.len();
         let together = claimed.len().div_ceil(MOST_COPIES).max(TOGETHER);
@@ -169,10 +173,22 @@ impl Altered {
             }
             (graph, out)
         };
-        let made: Vec<(Graph, Vec<ClaimVariants>)> = claimed.par_chunks(together).map(several).collect();
+        // What takes too long is left out, and the report says so.
+        let left_out = |c: &usize, ended: &Ended| {
+            let formulas = derivation.claims[*c].formulas.iter();
+            let skipped = formulas.map(|formula| (formula.text.clone(), ended.to_string())).collect();
+            ClaimVariants { skipped, ..ClaimVariants::default() }
+        };
+        let chunks: Vec<&[usize]> = claimed.chunks(together).collect();
+        let one = |some: &&[usize], limits: &Limits| match meter::piece(Task::Weighing, limits, || several(some)) {
+            Ok(made) => Ok(made),
+            Err(Ended::Defect(what)) => Err(CheckError::Defect(what)),
+            Err(ended) => Ok((derivation.graph.clone(), some.iter().map(|c| left_out(c, &ended)).collect())),
+        };
+        let made = meter::each(limits, &chunks, one).into_iter().collect::<Result<Vec<_>, _>>()?;
         let (graphs, claims): (Vec<_>, Vec<_>) = made.into_iter().unzip();
         let claims = claims.into_iter().flatten().collect();
-        Altered { graphs, together, claims, placed: Vec::new(), known: Vec::new() }
+        Ok(Altered { graphs, together, claims, placed: Vec::new(), known: Vec::new() })
     }
 
     /// The graph of the k-th claim.
@@ -214,15 +230,18 @@ impl Altered {
     }
 
     /// Compiles them for points with values of these leaves, which are sorted.
-    pub fn compile(&mut self, starts: usize, sign: Leaf, known: &[Leaf]) {
+    pub fn compile(&mut self, starts: usize, sign: Leaf, known: &[Leaf], limits: &Limits) {
         self.known = known.to_vec();
-        let one = |(k, claim): (usize, &ClaimVariants)| -> Vec<Placed> {
-            let graph = self.graph(k);
+        let compiled = |k: usize| -> Vec<Placed> {
+            let (graph, claim) = (self.graph(k), &self.claims[k]);
             let all = || (0..claim.variants.len()).collect();
             let battery = |start| Battery::new(graph, claim, start, all(), sign).map(|b| Placed::new(b, known));
             if claim.variants.is_empty() { Vec::new() } else { (0..starts).filter_map(battery).collect() }
         };
-        self.placed = self.claims.par_iter().enumerate().map(one).collect();
+        let one =
+            |&k: &usize, limits: &Limits| meter::piece(Task::Weighing, limits, || compiled(k)).unwrap_or_default();
+        let all: Vec<usize> = (0..self.claims.len()).collect();
+        self.placed = meter::each(limits, &all, one);
     }
 
     /// Tries all variants on one motion; `found` has an entry for each claim that was tried there.
@@ -307,13 +326,13 @@ impl Altered {
         selection: &Selection,
         accounts: &mut [ClaimAccount],
         weighed: &[Weighed],
-        traces: &[Trace],
+        (traces, limits): (&[Trace], &Limits),
     ) -> Result<(), CheckError> {
         let columns = selection.columns(derivation);
         accounts.par_iter_mut().zip(&self.claims).enumerate().for_each(|(k, (account, variants))| {
             account.variants = Some(self.account(k, account, variants, weighed, &columns));
         });
-        erratum::Search { derivation, altered: self, selection, weighed }.offer(accounts, traces)
+        erratum::Search { derivation, altered: self, selection, weighed, limits }.offer(accounts, traces)
     }
 
     fn account(

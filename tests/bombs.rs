@@ -1,0 +1,176 @@
+//! Inputs that grow: every generator of much work, at n, 2n and 4n, ends under the meter.
+//!
+//! The library checks each in this process. It must give an account, or problems with places; what is undecided has its reason. Nothing
+//! is measured by the clock: what does not end does not pass. What a run may take is tested in `budgets`.
+
+use std::fmt::Write as _;
+
+use rederive::check::Outcome;
+use rederive::{Ask, Failure, Session};
+
+const HEAD: &str = "[derivation]\ntitle = 'x'\nconcerns = 'y'\n[symbols]\n";
+const SYMBOLS: &str = "'t' = { role = 'time' }\n'x' = { role = 'state' }\n'k' = { role = 'parameter' }\n";
+const SYSTEM: &str = "[system.s]\nstates = ['x']\nequations = ['\\dot x=-kx']\n";
+const MOTION: &str =
+    "[[trajectory]]\nid = 'a'\nsystem = 's'\nparameters = { 'k' = 1 }\ninitial = { 'x' = 1 }\nspan = [0, 1]\n";
+
+fn claim(id: usize, formula: &str, more: &str) -> String {
+    format!("[[claim]]\nid = 'c{id}'\nsays = 's'\nalways = ['{formula}']\n{more}\n")
+}
+
+/// A file with more symbols, and with claims.
+fn file(symbols: &str, claims: &str) -> String {
+    [HEAD, SYMBOLS, symbols, SYSTEM, MOTION, claims].concat()
+}
+
+fn one(formula: &str) -> String {
+    file("", &claim(0, formula, ""))
+}
+
+/// The n-th name of a row of names.
+fn name(n: usize) -> String {
+    let letters: String = n.to_string().bytes().map(|digit| char::from(b'a' + digit - b'0')).collect();
+    format!("y_{{\\rm {letters}}}")
+}
+
+fn sum(terms: impl Iterator<Item = String>) -> String {
+    terms.collect::<Vec<_>>().join("+")
+}
+
+fn list(of: impl Iterator<Item = String>) -> String {
+    of.collect::<Vec<_>>().join(", ")
+}
+
+/// Functions, each of which calls the one before it twice.
+fn calls(n: usize) -> String {
+    let mut all = format!(
+        "'{}(\\alpha)' = {{ role = 'abbreviation', arguments = ['\\alpha'], formula = '\\sin\\alpha' }}\n",
+        name(0)
+    );
+    for i in 1..=n {
+        let (this, before) = (name(i), name(i - 1));
+        let _ = writeln!(
+            all,
+            "'{this}(\\alpha)' = {{ role = 'abbreviation', arguments = ['\\alpha'], formula = '{before}(\\alpha+1)+{before}(2\\alpha)' }}"
+        );
+    }
+    file(&all, &claim(0, &format!("x={}(x)", name(n)), ""))
+}
+
+/// Brackets of Poisson within one another.
+fn brackets(n: usize) -> String {
+    let symbols = "'q' = { role = 'state' }\n'p' = { role = 'state', momentum-of = 'q' }\n'H' = { role = 'observable', formula = \
+                   'p^2q^2\\sin q' }\n";
+    let formula = format!("{}q{}=0", "\\{H,".repeat(n), "\\}".repeat(n));
+    [HEAD, "'t' = { role = 'time' }\n", symbols, &claim(0, &formula, "")].concat()
+}
+
+fn matrices(n: usize) -> String {
+    file(&format!("'A' = {{ role = 'parameter', shape = '{n}x{n}' }}\n"), &claim(0, "AAAA=AAA", "follows-from = []"))
+}
+
+fn ranges(n: usize) -> String {
+    let names = || (0..n).map(name);
+    let symbols: String = names().map(|of| format!("'{of}' = {{ role = 'parameter' }}\n")).collect();
+    let terms = sum(names().flat_map(|a| (0..n).map(move |b| format!("\\sin({a}{})", name(b)))));
+    let over = list(names().map(|of| format!("'{of}' = [-10, 10]")));
+    [HEAD, &symbols, &claim(0, &format!("{terms}<{}", n * n), &format!("ranges = {{ {over} }}"))].concat()
+}
+
+fn units(n: usize) -> String {
+    let unit = ["m", "s^{-1}", "kg"].repeat(n).join("\\,");
+    let symbols = format!("'t' = {{ role = 'time' }}\n'x' = {{ role = 'parameter', unit = '{unit}' }}\n");
+    [HEAD.replace("[symbols]", "[conventions]\nunits = 'SI'\n[symbols]").as_str(), &symbols, &claim(0, "x=x", "")]
+        .concat()
+}
+
+fn steps(n: usize) -> String {
+    let from = |i: usize| if i == 0 { String::new() } else { format!("'c{}'", i - 1) };
+    file(
+        "",
+        &(0..n)
+            .map(|i| claim(i, &format!("k+{i}=k+{i}"), &format!("follows-from = [{}]", from(i))))
+            .collect::<String>(),
+    )
+}
+
+fn premises(n: usize) -> String {
+    let symbols: String = (0..n).map(|i| format!("'{}' = {{ role = 'parameter' }}\n", name(i))).collect();
+    let given = |i: usize| claim(i, &format!("{}^2={}+1", name(i), name((i + 1) % n)), "postulate = true");
+    let all = list((0..n).map(|i| format!("'c{i}'")));
+    let last = claim(n, &format!("{}^8={}^2+7", name(0), name(3 % n)), &format!("follows-from = [{all}]"));
+    file(&symbols, &((0..n).map(given).collect::<String>() + &last))
+}
+
+fn formulas(n: usize) -> String {
+    let all = list((0..n).map(|i| format!("'x<{}'", i + 2)));
+    file("", &format!("[[claim]]\nid = 'c'\nsays = 's'\nalways = [{all}]\n"))
+}
+
+fn motions(n: usize) -> String {
+    let all: String = (0..n).map(|i| MOTION.replace("'a'", &format!("'a{i}'"))).collect();
+    [HEAD, SYMBOLS, SYSTEM, &all, &claim(0, "x>0", "")].concat()
+}
+
+/// A name, what it makes of a size, and the first of the three sizes.
+type Generator = (&'static str, fn(usize) -> String, usize);
+
+const GENERATORS: &[Generator] = &[
+    ("calls", calls, 8),
+    ("brackets", brackets, 3),
+    ("matrices", matrices, 4),
+    ("sums", |n| one(&format!("\\sum_{{j=1}}^{{{n}}}\\sin(jx)=x")), 25),
+    ("products", |n| one(&format!("\\prod_{{j=1}}^{{{n}}}(x+j)=x")), 25),
+    ("powers", |n| one(&format!("(x+k+1)^{{{}}}=x", 10_usize.pow((n / 4) as u32))), 8),
+    ("ranges", ranges, 2),
+    ("units", units, 20),
+    ("steps", steps, 50),
+    ("premises", premises, 4),
+    ("formulas", formulas, 100),
+    ("motions", motions, 25),
+    ("nested", |n| one(&format!("x={}x{}", "\\sin(".repeat(n), ")".repeat(n))), 20),
+    ("chains", |n| one(&vec!["x"; n].join("=")), 250),
+    ("fractions", |n| one(&format!("x={}", sum((1..n).map(|i| format!("\\frac1{{x+{i}}}"))))), 25),
+    ("roots", |n| one(&format!("x={}", sum((1..n).map(|i| format!("\\sqrt{{x+{i}}}"))))), 10),
+    ("spans", |n| one("x>0").replace("[0, 1]", &format!("[0, 1e{n}]")), 75),
+];
+
+/// Checks a file to its end: verdicts that are undecided have a reason.
+fn ends(name: &str, text: String) {
+    let session = match Session::open("f.toml", text) {
+        Ok(session) => session,
+        Err(problems) => return assert!(problems.iter().all(|p| !p.message.is_empty()), "{name}"),
+    };
+    match session.check(&Ask::default(), &|_, _| {}) {
+        Ok(findings) => {
+            for found in findings.all() {
+                assert!(found.outcome != Outcome::Undecided || found.reason.is_some(), "{name}: {found:?}");
+            }
+        }
+        Err(Failure::Problems(problems)) => assert!(!problems.is_empty(), "{name}"),
+        Err(other) => panic!("{name}: {other:?}"),
+    }
+}
+
+#[test]
+fn every_generator_ends() {
+    for (name, make, first) in GENERATORS {
+        for size in [*first, 2 * first, 4 * first] {
+            ends(&format!("{name} {size}"), make(size));
+        }
+    }
+}
+
+#[test]
+fn every_number_is_read_or_refused() {
+    let range = [HEAD, "'y' = { role = 'parameter' }\n", &claim(0, "y^2>-1", "ranges = { 'y' = [0, 1] }")].concat();
+    let motion = file("", &claim(0, "x>0", "precision = 0.1"));
+    let places = [("span = [0, 1]", "span = [0, N]"), ("'k' = 1", "'k' = N"), ("'x' = 1", "'x' = N"), ("0.1", "N")];
+    for number in ["nan", "inf", "-inf", "1e-320", "5e-324", "2e-308", "1e308", "-0.0", "1e-300", "9223372036854775807"]
+    {
+        for (at, by) in places {
+            ends(&format!("{by} {number}"), motion.replace(at, &by.replace('N', number)));
+        }
+        ends(&format!("range {number}"), range.replace("[0, 1]", &format!("[0, {number}]")));
+    }
+}
