@@ -341,6 +341,28 @@ fn problems_are_shown_too() {
     }
 }
 
+#[test]
+fn a_paper_of_strangers_is_text_on_its_page() {
+    let texts = [
+        "<script>alert(1)</script>",
+        "<img src=x onerror=alert(1)>",
+        "\" onload=\"alert(1)",
+        "&lt;script>",
+        "</title><b>",
+    ];
+    for text in texts {
+        let source = format!(
+            "\\title{{{text}}}$x={text}$\\begin{{equation}}\\label{{{text}}} a=\\text{{{text}}}b \\end{{equation}}"
+        );
+        let source = rederive::diag::Source { path: text.to_owned(), text: source };
+        let Ok(paper) = rederive::paper::parse(source, String::new()) else { continue };
+        let page = rederive::report::lint_page(&paper, &rederive::lint::lint(&paper));
+        for command in ["<script", "<img", "<b>", "\" onload"] {
+            assert!(!page.contains(command), "{text}: {page}");
+        }
+    }
+}
+
 /// The writers of `report`: each is in the table above, or makes nothing of a file's texts.
 #[test]
 fn the_table_has_every_writer() {

@@ -27,10 +27,8 @@ use findings::Account;
 const ACCOUNT: &str = "account";
 /// The record that has the names of those that are kept of a file.
 const STATES: &str = "states";
-/// The record that has the answers to all questions.
+/// The record that has the counted work of finding the answers to all questions, at most, and these.
 const ANSWERS: &str = "answers";
-/// The record that has the counted work of finding them, at most.
-const WORK: &str = "work";
 
 /// The name of a record of a file, by its id and by what is asked: of one file many may be kept.
 fn name(derivation: &Derivation, options: &Options, of: &str) -> String {
@@ -66,9 +64,11 @@ pub fn check_recorded(
         return Ok(account);
     }
     let states = States::of(derivation, options, store);
-    let (of_answers, of_work) = (name(derivation, options, ANSWERS), name(derivation, options, WORK));
-    let work = store.read(&of_work).and_then(|bytes| postcard::from_bytes::<u64>(&bytes).ok());
-    let found = work.and_then(|work| Some((work, Answers::read(&store.read(&of_answers)?)?)));
+    let of_answers = name(derivation, options, ANSWERS);
+    let found = store.read(&of_answers).and_then(|bytes| {
+        let (work, answers) = bytes.split_first_chunk()?;
+        Some((u64::from_le_bytes(*work), Answers::read(answers)?))
+    });
     let (mut work, found) = found.unwrap_or_default();
     let names = Names::of(&contents);
     let mut memory = Memory::of(found);
@@ -87,10 +87,8 @@ pub fn check_recorded(
     }
     let record = Record { contents, account };
     states.keep(&of_account, &record, store);
-    store.write(&of_answers, &memory.answers().written());
-    if let Ok(bytes) = postcard::to_allocvec(&work.saturating_add(total.used())) {
-        store.write(&of_work, &bytes);
-    }
+    let work = work.saturating_add(total.used()).to_le_bytes();
+    store.write(&of_answers, &[&work[..], &memory.answers().written()].concat());
     Ok(record.account)
 }
 

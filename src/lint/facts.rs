@@ -50,8 +50,13 @@ pub struct PositiveName {
 pub enum Reach {
     /// Anywhere before: a step of a chain that is proved names the lines.
     Paper,
-    /// Some relations back: an equation that stands alone is one that is assumed, it may be, and what is far may be another problem.
-    Near(usize),
+    /// Some relations back in this section: an equation that stands alone is one that is assumed, it may be, and what is far may be another problem.
+    Near {
+        /// The number of the section.
+        section: usize,
+        /// The relation from which is looked back.
+        at: usize,
+    },
     /// In this section, and near: what refutes must be sure to mean the same names.
     Here {
         /// The number of the section.
@@ -65,8 +70,9 @@ impl Reach {
     fn reaches(self, given: &Given) -> bool {
         match self {
             Reach::Paper => true,
-            Reach::Near(at) => given.relation + NEAR >= at,
-            Reach::Here { section, at } => given.section == section && given.relation + NEAR >= at,
+            Reach::Near { section, at } | Reach::Here { section, at } => {
+                given.section == section && given.relation + NEAR >= at
+            }
         }
     }
 }

@@ -287,7 +287,7 @@ impl Judge<'_> {
             let told = !inline && !sentence.loosens && (!defining || self.has_rates());
             let solves = defining && !self.is_rate(first.as_ref());
             let alone = relation.sides.len() == 2 && (first.is_none() || defining);
-            let reach = if alone { Reach::Near(at) } else { Reach::Paper };
+            let reach = if alone { Reach::Near { section: self.section, at } } else { Reach::Paper };
             let place = Place { at, free: &free, named: named.clone(), told, reach, solves };
             match self.step([left, right], &place) {
                 Step::Follows(support) => {

@@ -9,8 +9,7 @@
 
 use std::io::{Read, Write};
 
-use rederive::paper::{self, Paper};
-use rederive::{Ask, Session, diag, lint};
+use rederive::{Ask, Session, diag, lint, paper, report};
 
 fn main() -> std::io::Result<()> {
     let mut bytes = Vec::new();
@@ -37,13 +36,9 @@ fn of_derivation(text: &str) -> String {
 fn of_paper(text: &str) -> String {
     let source = diag::Source { path: "text.tex".into(), text: in_displays(text) };
     match paper::parse(source, String::new()) {
-        Ok(paper) => of_lint(&paper),
+        Ok(paper) => report::lint_page(&paper, &lint::lint(&paper)),
         Err(problem) => words(&diag::render(&[*problem], false)),
     }
-}
-
-fn of_lint(paper: &Paper) -> String {
-    words(&lint::lint_text(paper, &lint::lint(paper)))
 }
 
 /// A text in which nothing says where formulas begin is formulas: each paragraph is a display. Lines stay where they are.

@@ -136,8 +136,10 @@ pub(super) struct Workbench {
 
 impl Workbench {
     pub(super) fn new(folder: Option<&Path>, seconds: f64) -> Result<Workbench, Stop> {
-        let folder = folder.map(|f| f.canonicalize().map_err(|e| format!("`{}`: {e}", f.display()))).transpose()?;
-        Ok(Workbench { folder, seconds })
+        if let Some(none) = folder.filter(|f| !f.is_dir()) {
+            return Err(format!("`{}` is no folder", none.display()).into());
+        }
+        Ok(Workbench { folder: folder.map(Path::to_path_buf), seconds })
     }
 
     /// Calls a tool; what it finds, or why it finds nothing.

@@ -85,9 +85,9 @@ impl Scope {
                     let hint = "declare what has a formula as an abbreviation";
                     return Err(bad_key("a field with a formula depends on coordinates", key, hint));
                 }
-                Some((coordinates, at)) => {
-                    place = at;
-                    coordinates
+                Some(at) => {
+                    place = at.values;
+                    at.coordinates
                 }
                 None => self.coordinates_of(graph, key, arguments.as_deref())?,
             },

@@ -10,6 +10,14 @@ use super::{Arguments, DeclareError, Entry, Filed, Role, Scope, bad_key, too_man
 use diag::Problem;
 use expr::{Expr, Graph, Leaf, Shape, Symbol, Tensor};
 
+/// The places of an unknown function of what is no coordinate.
+pub(super) struct FunctionPlaces {
+    /// The coordinates that stand for its places.
+    pub coordinates: Vec<Leaf>,
+    /// What stands in them.
+    pub values: Vec<Expr>,
+}
+
 impl Scope {
     /// The coordinates that stand in the parentheses of a field's name.
     pub(super) fn coordinates_of(
@@ -50,7 +58,7 @@ impl Scope {
         graph: &mut Graph,
         key: &str,
         arguments: Option<&str>,
-    ) -> Result<Option<(Vec<Leaf>, Vec<Expr>)>, DeclareError> {
+    ) -> Result<Option<FunctionPlaces>, DeclareError> {
         let Some(text) = arguments else { return Ok(None) };
         let is_coordinate = |name: &str| {
             let named = self.entries.iter().rev().find(|e| e.name == name && e.sub.is_empty());
@@ -80,7 +88,7 @@ impl Scope {
             known.push(Leaf::now(symbol, 0));
         }
         known.truncate(places.len());
-        Ok(Some((known, places)))
+        Ok(Some(FunctionPlaces { coordinates: known, values: places }))
     }
 
     /// Refuses a field's formula that names something that changes and is not among its coordinates.
