@@ -15,13 +15,10 @@ use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
 use rederive::check::{Cancel, Limits, Proposition};
-use rederive::derivation::LARGEST_FILE;
 use rederive::diag::{Diagnostic, sort};
 use rederive::files::records::{Records, are_of_library};
-use rederive::files::{self, Why};
 use rederive::{Ask, Failure, Question, Rigor};
 
 /// How often a call looks for signals, and says how far it is.
@@ -172,12 +169,8 @@ impl Session {
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Findings> {
         let wait = Wait { progress, ..Wait::default() };
-        let limits = Limits {
-            deadline: Limits::after(deadline),
-            memory,
-            cancel: Some(wait.cancel.clone()),
-            ..Limits::default()
-        };
+        let limits =
+            Limits { deadline: Limits::after(deadline), memory, cancel: Some(wait.cancel.clone()), ..Limits::default() };
         let rigor = if sampled { Rigor::Sampled } else { Rigor::Enclosed };
         let ask = Ask { claims, trajectories, rigor, only_verdicts, limits };
         let (session, tell) = (Arc::clone(&self.0), wait.teller());
@@ -242,17 +235,6 @@ impl Findings {
     }
 }
 
-/// The text of a derivation file, read as the command line reads it: a regular file, and no link that leads out of the current folder.
-#[pyfunction]
-fn read(py: Python<'_>, path: std::path::PathBuf) -> PyResult<String> {
-    let read = || files::read_text(&files::named(&path)?, LARGEST_FILE);
-    py.detach(read).map_err(|error| match error.why {
-        Why::Unreadable(of) => of.into(),
-        Why::NoText => PyValueError::new_err(error.to_string()),
-        _ => PyOSError::new_err(error.to_string()),
-    })
-}
-
 /// Runs the command `rederive`, its name first; the exit code.
 #[pyfunction]
 fn command(py: Python<'_>, line: Vec<std::ffi::OsString>) -> u8 {
@@ -266,7 +248,6 @@ fn _rederive(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Session>()?;
     module.add_class::<Findings>()?;
     module.add_function(wrap_pyfunction!(command, module)?)?;
-    module.add_function(wrap_pyfunction!(read, module)?)?;
     parts::register(module)?;
     module.add("__version__", env!("CARGO_PKG_VERSION"))
 }

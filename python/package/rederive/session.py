@@ -17,7 +17,6 @@ from .report import Report
 __all__ = ["Session", "check", "prove"]
 
 Text = Union[str, "os.PathLike[str]", Derivation]
-Path_ = Union[str, "os.PathLike[str]"]
 Rigor = Literal["enclosed", "sampled"]
 Cache = Union[None, Literal[False], str, "os.PathLike[str]"]
 
@@ -68,32 +67,18 @@ class Session:
     """A derivation that was read, for several questions about it.
 
     ``derivation`` is a path, the text of a derivation file (with line breaks), or a :class:`Derivation`; nothing for
-    :meth:`prove` alone. Where it comes from somebody else, say which it is: ``text=`` is always a text, ``path=`` always a
-    path. Raises :class:`DerivationError` with every problem of the text.
+    :meth:`prove` alone. Raises :class:`DerivationError` with every problem of the text.
     """
 
-    def __init__(
-        self,
-        derivation: Optional[Text] = None,
-        name: Optional[str] = None,
-        *,
-        text: Optional[str] = None,
-        path: Optional[Path_] = None,
-    ) -> None:
+    def __init__(self, derivation: Optional[Text] = None, name: Optional[str] = None) -> None:
         self._name: str = ""
         self._text: Optional[str] = None
-        if sum(one is not None for one in (derivation, text, path)) > 1:
-            raise TypeError("a derivation is given once: as `derivation`, `text` or `path`")
-        if text is not None:
-            self._name, self._text = name or "derivation", text
-        elif path is not None:
-            self._name, self._text = name or str(path), _rederive.read(os.fspath(path))
-        elif derivation is not None:
+        if derivation is not None:
             self._name, self._text = _read(derivation, name)
         self._read = _rederive.Session(self._name, self._text)
 
     def __reduce__(self) -> tuple[object, ...]:
-        return (_session, (self._text, self._name))
+        return (Session, (self._text, self._name))
 
     @property
     def source(self) -> tuple[str, str]:
@@ -186,13 +171,8 @@ class Session:
         return Proof.of(document, text)
 
 
-def _session(text: Optional[str], name: str) -> Session:
-    """The session of a text, whatever it looks like."""
-    return Session(text=text, name=name)
-
-
 def check(
-    derivation: Optional[Text] = None,
+    derivation: Text,
     claims: Union[str, Iterable[str]] = (),
     trajectories: Union[str, Iterable[str]] = (),
     rigor: Rigor = "enclosed",
@@ -202,14 +182,10 @@ def check(
     memory: Optional[int] = None,
     cache: Cache = None,
     progress: Progress = None,
-    text: Optional[str] = None,
-    path: Optional[Path_] = None,
 ) -> Report:
     """Tries the claims of a derivation on its motions.
 
     ``derivation``: a path, the text of a derivation file (with line breaks), or a :class:`Derivation`.
-    ``text``, ``path``: in its place, what is a text, or a path, whatever it looks like. A path is read as the command line reads
-    it: a regular file, and no link that leads out of the current folder.
     ``claims``, ``trajectories``: only these, by name; all when empty. Families count among the trajectories.
     ``rigor``: ``"enclosed"`` looks at every time of the span where it is possible, ``"sampled"`` at finitely many.
     ``only_verdicts``: no altered formulas, no corrections, nothing that separates the motions.
@@ -221,9 +197,7 @@ def check(
 
     Raises :class:`DerivationError` with every problem of the text, and :class:`UnknownName`.
     """
-    if derivation is None and text is None and path is None:
-        raise TypeError("there is nothing to check: give a derivation, `text` or `path`")
-    return Session(derivation, text=text, path=path).check(
+    return Session(derivation).check(
         claims,
         trajectories,
         rigor,
@@ -291,4 +265,4 @@ def _read(derivation: Text, name: Optional[str]) -> tuple[str, str]:
     if isinstance(derivation, str) and "\n" in derivation:
         return name or "derivation", derivation
     path = Path(derivation)
-    return name or str(path), _rederive.read(str(path))
+    return name or str(path), path.read_text(encoding="utf-8")

@@ -7,13 +7,6 @@
 
 import Mathlib
 
--- {\bf m}_1(0) = I_1\cdot \omega_1(0)
-theorem equation_1
-    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (1) = 0 := by
-  have key : (1 : ℝ) * (0) = 0 := by ring
-  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
-  rw [top, zero_div]
-
 -- \dot{\bf m}_1 = 0
 -- Omega3_dot stands for \dot{\Omega}_3
 -- Omega2_dot stands for \dot{\Omega}_2
@@ -34,13 +27,6 @@ theorem equation_2 (Omega3_dot Omega2_dot Omega1_dot Omega3 Omega2 Omega1 R13 R1
     (hd : (1 : ℝ) ≠ 0) : (-Omega3*Omega1*R12*I3 + Omega3*Omega2*R11*I3 + Omega2*Omega1*R13*I2 - Omega3*Omega2*R11*I2 - Omega2*Omega1*R13*I1 + Omega3*Omega1*R12*I1 + Omega3_dot*R13*I3 + Omega2_dot*R12*I2 + Omega1_dot*R11*I1 : ℝ) / (1) = 0 := by
   have key : (1 : ℝ) * (-Omega3*Omega1*R12*I3 + Omega3*Omega2*R11*I3 + Omega2*Omega1*R13*I2 - Omega3*Omega2*R11*I2 - Omega2*Omega1*R13*I1 + Omega3*Omega1*R12*I1 + Omega3_dot*R13*I3 + Omega2_dot*R12*I2 + Omega1_dot*R11*I1) = 0 := by linear_combination (R11) * h1 + (R12) * h2 + (R13) * h3
   have top : (-Omega3*Omega1*R12*I3 + Omega3*Omega2*R11*I3 + Omega2*Omega1*R13*I2 - Omega3*Omega2*R11*I2 - Omega2*Omega1*R13*I1 + Omega3*Omega1*R12*I1 + Omega3_dot*R13*I3 + Omega2_dot*R12*I2 + Omega1_dot*R11*I1 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
-  rw [top, zero_div]
-
--- {\bf m}_2(0) = I_2\cdot \omega_2(0)
-theorem equation_3
-    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (1) = 0 := by
-  have key : (1 : ℝ) * (0) = 0 := by ring
-  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
   rw [top, zero_div]
 
 -- \dot{\bf m}_2 = 0
@@ -65,13 +51,6 @@ theorem equation_4 (Omega3_dot Omega2_dot Omega1_dot Omega3 Omega2 Omega1 R23 R2
   have top : (-Omega3*Omega1*R22*I3 + Omega3*Omega2*R21*I3 + Omega2*Omega1*R23*I2 - Omega3*Omega2*R21*I2 - Omega2*Omega1*R23*I1 + Omega3*Omega1*R22*I1 + Omega3_dot*R23*I3 + Omega2_dot*R22*I2 + Omega1_dot*R21*I1 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
   rw [top, zero_div]
 
--- {\bf m}_3(0) = I_3\cdot \omega_3(0)
-theorem equation_5
-    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (1) = 0 := by
-  have key : (1 : ℝ) * (0) = 0 := by ring
-  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
-  rw [top, zero_div]
-
 -- \dot{\bf m}_3 = 0
 -- Omega3_dot stands for \dot{\Omega}_3
 -- Omega2_dot stands for \dot{\Omega}_2
@@ -92,25 +71,4 @@ theorem equation_6 (Omega3_dot Omega2_dot Omega1_dot Omega3 Omega2 Omega1 R33 R3
     (hd : (1 : ℝ) ≠ 0) : (-Omega3*Omega1*R32*I3 + Omega3*Omega2*R31*I3 + Omega2*Omega1*R33*I2 - Omega3*Omega2*R31*I2 - Omega2*Omega1*R33*I1 + Omega3*Omega1*R32*I1 + Omega3_dot*R33*I3 + Omega2_dot*R32*I2 + Omega1_dot*R31*I1 : ℝ) / (1) = 0 := by
   have key : (1 : ℝ) * (-Omega3*Omega1*R32*I3 + Omega3*Omega2*R31*I3 + Omega2*Omega1*R33*I2 - Omega3*Omega2*R31*I2 - Omega2*Omega1*R33*I1 + Omega3*Omega1*R32*I1 + Omega3_dot*R33*I3 + Omega2_dot*R32*I2 + Omega1_dot*R31*I1) = 0 := by linear_combination (R31) * h1 + (R32) * h2 + (R33) * h3
   have top : (-Omega3*Omega1*R32*I3 + Omega3*Omega2*R31*I3 + Omega2*Omega1*R33*I2 - Omega3*Omega2*R31*I2 - Omega2*Omega1*R33*I1 + Omega3*Omega1*R32*I1 + Omega3_dot*R33*I3 + Omega2_dot*R32*I2 + Omega1_dot*R31*I1 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
-  rw [top, zero_div]
-
--- I_1\cdot \omega_1(0) = I_1\cdot \Omega_1(0)
-theorem equation_7
-    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (1) = 0 := by
-  have key : (1 : ℝ) * (0) = 0 := by ring
-  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
-  rw [top, zero_div]
-
--- I_2\cdot \omega_2(0) = I_2\cdot \Omega_2(0)
-theorem equation_8
-    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (1) = 0 := by
-  have key : (1 : ℝ) * (0) = 0 := by ring
-  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
-  rw [top, zero_div]
-
--- I_3\cdot \omega_3(0) = I_3\cdot \Omega_3(0)
-theorem equation_9
-    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (1) = 0 := by
-  have key : (1 : ℝ) * (0) = 0 := by ring
-  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
   rw [top, zero_div]

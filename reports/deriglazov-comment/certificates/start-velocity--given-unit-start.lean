@@ -7,14 +7,6 @@
 
 import Mathlib
 
--- \Omega_1(0) = \frac{1}{I_1}\cdot {\bf m}_1(0)
--- I1 stands for I_1
-theorem equation_1 (I1 : ℝ)
-    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (I1) = 0 := by
-  have key : (1 : ℝ) * (0) = 0 := by ring
-  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
-  rw [top, zero_div]
-
 -- 0 = \frac{1}{I_1}\cdot \dot{\bf m}_1
 -- Omega3_dot stands for \dot{\Omega}_3
 -- Omega2_dot stands for \dot{\Omega}_2
@@ -37,14 +29,6 @@ theorem equation_2 (Omega3_dot Omega2_dot Omega1_dot Omega3 Omega2 Omega1 R13 R1
   have top : (Omega3*Omega1*R12*I3 - Omega3*Omega2*R11*I3 - Omega2*Omega1*R13*I2 + Omega3*Omega2*R11*I2 + Omega2*Omega1*R13*I1 - Omega3*Omega1*R12*I1 - Omega3_dot*R13*I3 - Omega2_dot*R12*I2 - Omega1_dot*R11*I1 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
   rw [top, zero_div]
 
--- \Omega_2(0) = \frac{1}{I_2}\cdot {\bf m}_2(0)
--- I2 stands for I_2
-theorem equation_3 (I2 : ℝ)
-    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (I2) = 0 := by
-  have key : (1 : ℝ) * (0) = 0 := by ring
-  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
-  rw [top, zero_div]
-
 -- 0 = \frac{1}{I_2}\cdot \dot{\bf m}_2
 -- Omega3_dot stands for \dot{\Omega}_3
 -- Omega2_dot stands for \dot{\Omega}_2
@@ -65,14 +49,6 @@ theorem equation_4 (Omega3_dot Omega2_dot Omega1_dot Omega3 Omega2 Omega1 R23 R2
     (hd : (1 : ℝ) ≠ 0) : (Omega3*Omega1*R22*I3 - Omega3*Omega2*R21*I3 - Omega2*Omega1*R23*I2 + Omega3*Omega2*R21*I2 + Omega2*Omega1*R23*I1 - Omega3*Omega1*R22*I1 - Omega3_dot*R23*I3 - Omega2_dot*R22*I2 - Omega1_dot*R21*I1 : ℝ) / (I2) = 0 := by
   have key : (1 : ℝ) * (Omega3*Omega1*R22*I3 - Omega3*Omega2*R21*I3 - Omega2*Omega1*R23*I2 + Omega3*Omega2*R21*I2 + Omega2*Omega1*R23*I1 - Omega3*Omega1*R22*I1 - Omega3_dot*R23*I3 - Omega2_dot*R22*I2 - Omega1_dot*R21*I1) = 0 := by linear_combination (-R21) * h1 + (-R22) * h2 + (-R23) * h3
   have top : (Omega3*Omega1*R22*I3 - Omega3*Omega2*R21*I3 - Omega2*Omega1*R23*I2 + Omega3*Omega2*R21*I2 + Omega2*Omega1*R23*I1 - Omega3*Omega1*R22*I1 - Omega3_dot*R23*I3 - Omega2_dot*R22*I2 - Omega1_dot*R21*I1 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
-  rw [top, zero_div]
-
--- \Omega_3(0) = \frac{1}{I_3}\cdot {\bf m}_3(0)
--- I3 stands for I_3
-theorem equation_5 (I3 : ℝ)
-    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (I3) = 0 := by
-  have key : (1 : ℝ) * (0) = 0 := by ring
-  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
   rw [top, zero_div]
 
 -- 0 = \frac{1}{I_3}\cdot \dot{\bf m}_3

@@ -81,27 +81,3 @@ theorem equation_3 (m3_then m2_then m1_then R33 R32 R31 R23 R22 R21 R13 R12 R11 
   have key : (1 : ℝ) * (-m3_then*R33^2*I3*I2*I1 - m3_then*R32^2*I3*I2*I1 - m3_then*R31^2*I3*I2*I1 - m2_then*R33*R23*I3*I2*I1 - m2_then*R32*R22*I3*I2*I1 - m2_then*R31*R21*I3*I2*I1 - m1_then*R33*R13*I3*I2*I1 - m1_then*R32*R12*I3*I2*I1 - m1_then*R31*R11*I3*I2*I1 + m3_then*I3*I2*I1) = 0 := by linear_combination (-m1_then*I3*I2*I1) * h1 + (-m2_then*I3*I2*I1) * h2 + (-m3_then*I3*I2*I1) * h3
   have top : (-m3_then*R33^2*I3*I2*I1 - m3_then*R32^2*I3*I2*I1 - m3_then*R31^2*I3*I2*I1 - m2_then*R33*R23*I3*I2*I1 - m2_then*R32*R22*I3*I2*I1 - m2_then*R31*R21*I3*I2*I1 - m1_then*R33*R13*I3*I2*I1 - m1_then*R32*R12*I3*I2*I1 - m1_then*R31*R11*I3*I2*I1 + m3_then*I3*I2*I1 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
   rw [top, zero_div]
-
--- \Omega_1 = \frac{1}{I_1}\cdot (R_{11}\cdot {\bf m}_1+R_{21}\cdot {\bf m}_2+R_{31}\cdot {\bf m}_3)
--- I1 stands for I_1
-theorem equation_4 (I1 : ℝ)
-    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (I1) = 0 := by
-  have key : (1 : ℝ) * (0) = 0 := by ring
-  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
-  rw [top, zero_div]
-
--- \Omega_2 = \frac{1}{I_2}\cdot (R_{12}\cdot {\bf m}_1+R_{22}\cdot {\bf m}_2+R_{32}\cdot {\bf m}_3)
--- I2 stands for I_2
-theorem equation_5 (I2 : ℝ)
-    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (I2) = 0 := by
-  have key : (1 : ℝ) * (0) = 0 := by ring
-  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
-  rw [top, zero_div]
-
--- \Omega_3 = \frac{1}{I_3}\cdot (R_{13}\cdot {\bf m}_1+R_{23}\cdot {\bf m}_2+R_{33}\cdot {\bf m}_3)
--- I3 stands for I_3
-theorem equation_6 (I3 : ℝ)
-    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (I3) = 0 := by
-  have key : (1 : ℝ) * (0) = 0 := by ring
-  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
-  rw [top, zero_div]

@@ -18,11 +18,3 @@ theorem equation_1 (I3 : ℝ)
 example (E_then varphi_then E m3_then t I3 I2 I1 : ℝ) (hD : (I3 : ℝ) ≠ 0) : (varphi_then : ℝ) - (m3_then/I3*0 + varphi_then) = (0) / (I3) := by
   field_simp
   ring
-
--- \dot{\varphi} = \frac{\dot{\bf m}_3}{I_3}\cdot t+\frac{{\bf m}_3}{I_3}
--- I3 stands for I_3
-theorem equation_2 (I3 : ℝ)
-    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (I3) = 0 := by
-  have key : (1 : ℝ) * (0) = 0 := by ring
-  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
-  rw [top, zero_div]

@@ -27,14 +27,6 @@ theorem equation_1 (r_ddot theta_ddot r_dot theta_dot sin_theta cos_theta M G m 
   have top : (2*r_dot*theta_dot*sin_theta^2*m*r^3 + 2*r_dot*theta_dot*cos_theta^2*m*r^3 + theta_ddot*sin_theta^2*m*r^4 + theta_ddot*cos_theta^2*m*r^4 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
   rw [top, zero_div]
 
--- r\cdot \cos(\theta)\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot \sin(\theta))-r\cdot \sin(\theta)\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot \cos(\theta)) = 0
--- r stands for r
-theorem equation_2 (r : ℝ)
-    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (r^2) = 0 := by
-  have key : (1 : ℝ) * (0) = 0 := by ring
-  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
-  rw [top, zero_div]
-
 -- (an expression of 137 operations) = 0
 -- r_ddot stands for \ddot{r}
 -- theta_ddot stands for \ddot{\theta}

@@ -7,14 +7,6 @@
 
 import Mathlib
 
--- {\bf A}_1\cdot {\bf L}_1+{\bf A}_2\cdot {\bf L}_2+{\bf A}_3\cdot {\bf L}_3 = 0
--- root stands for \sqrt{{\bf r}_1\cdot {\bf r}_1+{\bf r}_2\cdot {\bf r}_2+{\bf r}_3\cdot {\bf r}_3}
-theorem equation_1 (root : ℝ)
-    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (root) = 0 := by
-  have key : (1 : ℝ) * (0) = 0 := by ring
-  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
-  rw [top, zero_div]
-
 -- \dot{\bf A}_1 = 0
 -- root stands for \sqrt{{\bf r}_1\cdot {\bf r}_1+{\bf r}_2\cdot {\bf r}_2+{\bf r}_3\cdot {\bf r}_3}
 -- r1_dot stands for \dot{\bf r}_1

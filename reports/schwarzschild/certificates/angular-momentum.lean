@@ -7,13 +7,6 @@
 
 import Mathlib
 
--- \frac{1}{2}\cdot (r^2\cdot (2\cdot \dot{\varphi})) = \ell
-theorem equation_1
-    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (2) = 0 := by
-  have key : (1 : ℝ) * (0) = 0 := by ring
-  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
-  rw [top, zero_div]
-
 -- \dot{\ell} = 0
 -- varphi_ddot stands for \ddot{\varphi}
 -- varphi_dot stands for \dot{\varphi}

@@ -7,14 +7,6 @@
 
 import Mathlib
 
--- \frac{1}{2}\cdot (-(1-\frac{2\cdot M}{r})\cdot (2\cdot \dot{T})) = -E
--- r stands for r
-theorem equation_1 (r : ℝ)
-    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (2*r^2) = 0 := by
-  have key : (1 : ℝ) * (0) = 0 := by ring
-  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
-  rw [top, zero_div]
-
 -- \dot{E} = 0
 -- T_ddot stands for \ddot{T}
 -- r_dot stands for \dot{r}
