@@ -169,8 +169,8 @@ impl Session {
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Findings> {
         let wait = Wait { progress, ..Wait::default() };
-        let limits =
-            Limits { deadline: Limits::after(deadline), memory, cancel: Some(wait.cancel.clone()), ..Limits::default() };
+        let cancel = Some(wait.cancel.clone());
+        let limits = Limits { deadline: Limits::after(deadline), memory, cancel, ..Limits::default() };
         let rigor = if sampled { Rigor::Sampled } else { Rigor::Enclosed };
         let ask = Ask { claims, trajectories, rigor, only_verdicts, limits };
         let (session, tell) = (Arc::clone(&self.0), wait.teller());
