@@ -97,8 +97,8 @@ fn check(text: &str, arguments: &[&str], megabytes: u64) -> Ran {
     let all = [&["check", "f.toml"][..], arguments].concat();
     let ran = run(folder.path(), &all, Duration::from_secs(600));
     if let Some(peak) = ran.peak {
-        // A quarter for the program itself, which is larger where it has assertions, and for threads that are many.
-        assert!(peak <= megabytes + megabytes / 4, "{peak} MB: {}", ran.err);
+        // Half as much again and a hundred: where the machine is busy, threads keep what others have freed.
+        assert!(peak <= megabytes + megabytes / 2 + 100, "{peak} MB: {}", ran.err);
     }
     ran
 }
