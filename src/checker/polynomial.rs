@@ -109,8 +109,11 @@ pub(crate) struct Rewrite {
     rest: Polynomial,
 }
 
+/// Factors with their powers.
+type Factors = Vec<(Expr, u32)>;
+
 /// The order of monomials: by values of functions, the last made first; then by degree; then by the others.
-fn rank(graph: &Graph, monomial: &Monomial) -> (Vec<(Expr, u32)>, u32, Vec<(Expr, u32)>) {
+fn rank(graph: &Graph, monomial: &Monomial) -> (Factors, u32, Factors) {
     let is_function = |e: Expr| !matches!(graph.node(e), Node::Leaf(_) | Node::Pi);
     let turned = |functions: bool| monomial.iter().rev().copied().filter(move |(e, _)| is_function(*e) == functions);
     (turned(true).collect(), monomial.iter().map(|(_, k)| *k).sum(), turned(false).collect())
