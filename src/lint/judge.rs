@@ -276,7 +276,7 @@ impl Judge<'_> {
                 let rate = self.is_rate(first.as_ref());
                 match self.readable(left, right, &free) {
                     Err(found) => tally.unread = Some(found),
-                    Ok(()) if !rate && !(concludes && !inline) => continue,
+                    Ok(()) if (inline || !concludes) && !rate => continue,
                     Ok(()) => {}
                 }
                 if inline || !(rate && !self.facts.given.is_empty() || concludes && self.is_stated(first.as_ref())) {

@@ -38,7 +38,7 @@ fn without<T: Clone>(list: &[T], at: usize) -> Vec<T> {
 fn cofactor(graph: &mut Graph, rows: &[Vec<Expr>], i: usize, j: usize) -> Expr {
     let minor: Vec<Vec<Expr>> = without(rows, i).iter().map(|row| without(row, j)).collect();
     let minor = determinant(graph, &minor);
-    if (i + j) % 2 == 0 { minor } else { graph.neg(minor) }
+    if (i + j).is_multiple_of(2) { minor } else { graph.neg(minor) }
 }
 
 /// Choices of n of the numbers below m, in order.
@@ -82,7 +82,9 @@ impl Attempt<'_> {
             let Some(solved) = solved else { continue };
             let mut used: Vec<usize> = chosen.iter().map(|row| row.at).collect();
             used.sort_unstable();
-            used.into_iter().rev().for_each(|at| drop(rest.remove(at)));
+            for at in used.into_iter().rev() {
+                rest.remove(at);
+            }
             for (fact, solved) in solved {
                 self.search.solved.push(fact);
                 self.search.put_in(e, solved).then_some(())?;

@@ -404,7 +404,7 @@ impl Names<'_> {
         }
         let standing = |v: &&String| self.all.iter().any(|n| n.key() == **v);
         let mut free: Vec<&String> = candidates.iter().filter(|v| !primed.contains(v)).collect();
-        if free.len() > 1 && free.iter().any(|v| standing(v)) {
+        if free.len() > 1 && free.iter().any(&standing) {
             free.retain(standing);
         }
         match free.as_slice() {
