@@ -27,11 +27,14 @@ pub(super) fn key(parts: &[&[u8]]) -> Key {
     sum.finalize().into()
 }
 
+/// Something that is kept, with the last age in which it was asked for.
+pub(super) type Aged<T> = (u64, Arc<T>);
+
 /// Answers by name, each with the last age in which it was asked for.
 #[derive(Debug, Default)]
 pub(super) struct Answers {
     age: u64,
-    kept: Mutex<HashMap<Key, (u64, Arc<[u8]>)>>,
+    kept: Mutex<HashMap<Key, Aged<[u8]>>>,
 }
 
 impl Answers {

@@ -18,7 +18,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use super::answers::{AGES, Answers, Key, key};
+use super::answers::{AGES, Aged, Answers, Key, key};
 use super::motions::Family;
 use crate::derivation::{Claim, Derivation, Form, Motion, Premise};
 use crate::expr::{FastMap, Graph, Leaf};
@@ -63,7 +63,7 @@ pub(super) struct Memory {
     answers: Answers,
     /// Whether it serves one check: motions are not kept then.
     once: bool,
-    families: Mutex<HashMap<Key, (u64, Arc<Mutex<Family>>)>>,
+    families: Mutex<HashMap<Key, Aged<Mutex<Family>>>>,
     /// The name of what the motions are asked for in this state of the file; nothing before that is known.
     asked: Mutex<Option<Key>>,
     /// Whether motions were asked for something else than a check of the whole file would ask for.

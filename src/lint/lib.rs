@@ -122,13 +122,16 @@ pub struct LintWitness {
     pub right: f64,
 }
 
+/// A value of the name, and both sides there, where they have a value.
+pub type PicturePoint = (f64, Option<f64>, Option<f64>);
+
 /// Two sides along one name, all others being as in the witness.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LintPicture {
     /// The name, in LaTeX.
     pub name: String,
     /// Its values, in their order, with both sides where they have a value.
-    pub points: Vec<(f64, Option<f64>, Option<f64>)>,
+    pub points: Vec<PicturePoint>,
 }
 
 /// What was found of a paper.

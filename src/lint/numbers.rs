@@ -146,7 +146,7 @@ pub fn curves(
     equation: (Expr, Expr),
     point: &[(Leaf, f64)],
     along: Leaf,
-) -> Option<Vec<(f64, Option<f64>, Option<f64>)>> {
+) -> Option<Vec<super::PicturePoint>> {
     let roots = [equation.0, equation.1];
     let leaves = graph.leaves_within(roots);
     let at = leaves.iter().position(|l| *l == along)?;

@@ -10,7 +10,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use paper::{Paper, PrintedRelation};
 
 use super::mathml;
-use lint::{Judgement, Lint, LintPicture, Typeset, Word};
+use lint::{Judgement, Lint, LintPicture, PicturePoint, Typeset, Word};
 
 const STYLE: &str = include_str!("lint_page.css");
 
@@ -208,7 +208,7 @@ fn drawing(picture: &LintPicture) -> Markup {
     let (low, high) = if high > low { (low, high) } else { (low - 1.0, high + 1.0) };
     let x = |v: f64| MARGIN + (v - first.0) / (last.0 - first.0) * (WIDTH - 2.0 * MARGIN);
     let y = |v: f64| HEIGHT - MARGIN - (v - low) / (high - low) * (HEIGHT - 2.0 * MARGIN);
-    let curve = |side: &dyn Fn(&(f64, Option<f64>, Option<f64>)) -> Option<f64>| {
+    let curve = |side: &dyn Fn(&PicturePoint) -> Option<f64>| {
         let mut path = String::new();
         let mut pen = 'M';
         for point in &picture.points {

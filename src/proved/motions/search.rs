@@ -28,11 +28,14 @@ enum Truth {
     Void,
 }
 
+/// A component with the order of its rate, its formula, and what that names.
+type ExplicitRate = (Leaf, Expr, FastSet<(Symbol, u16)>);
+
 struct Search<'q, 'a> {
     scene: Scene<'a>,
     question: &'q Question<'a>,
     /// Equations that give a rate of a component: the component, the order, the formula, and what that names.
-    explicit: Vec<(Leaf, Expr, FastSet<(Symbol, u16)>)>,
+    explicit: Vec<ExplicitRate>,
     positive: FastSet<Symbol>,
     unknown: Vec<Leaf>,
     /// Times about which courses are laid.
@@ -88,7 +91,7 @@ pub(super) fn search<'a>(derivation: &'a Derivation, claim: &'a Claim, question:
 }
 
 /// The equations that give a rate, or a value, of a component by others, at all times.
-fn explicit(derivation: &Derivation, question: &Question) -> Vec<(Leaf, Expr, FastSet<(Symbol, u16)>)> {
+fn explicit(derivation: &Derivation, question: &Question) -> Vec<ExplicitRate> {
     let graph = &derivation.graph;
     let mut out = Vec::new();
     for demand in question.demands.iter().filter(|d| d.chosen_by.is_empty()) {

@@ -27,6 +27,9 @@ use super::definitions::Definitions;
 
 type Decided = Result<IdentityAccount, String>;
 
+/// Parts of a claim by their positions, with what is shown of each.
+type ShownParts = Vec<(usize, PartShown)>;
+
 impl Step<'_> {
     /// The same question of another claim of the file, or beside it.
     fn asked_of<'c>(&'c self, claim: &'c Claim) -> Option<Step<'c>> {
@@ -129,7 +132,7 @@ impl Step<'_> {
     }
 
     /// What follows of a part on the motions of the claim: they obey their system, whether the claim is said to follow from it or not.
-    fn on_motions(&self, denial: &Denial, positive: &Claim) -> Option<(Vec<(usize, PartShown)>, Vec<String>)> {
+    fn on_motions(&self, denial: &Denial, positive: &Claim) -> Option<(ShownParts, Vec<String>)> {
         let nothing = Some((Vec::new(), Vec::new()));
         let systems = self.derivation.systems_of_motions(self.claim);
         let [Some(only)] = systems.as_slice() else { return nothing };
