@@ -63,6 +63,11 @@ pub(super) const NAMES: &[&str] = &[
     "top",
 ];
 
+/// Whether a command is a letter that names a symbol.
+pub fn is_letter_command(command: &str) -> bool {
+    NAMES.contains(&command)
+}
+
 /// The style that a command gives to the name after it, in canonical spelling.
 pub(super) fn style(command: &str) -> Option<&'static str> {
     Some(match command {

@@ -17,7 +17,7 @@ use super::token::{Kind, Token};
 use braces::without_braces_of_names;
 pub use evidence::Evidence;
 pub use evidence::{Primes, is_variable, unprimed};
-use letters::{BOLD, DOTS, FRACTIONS, HATS, LETTERS, STYLES, is_switch};
+use letters::{BOLD, DOTS, FRACTIONS, HATS, STYLES, is_letter_command, is_switch};
 pub use order::order_counts;
 
 /// A name of a formula, as it is printed.
@@ -261,7 +261,7 @@ impl Names {
     fn variable(&self, at: usize) -> Option<(String, usize)> {
         let text = self.text(at);
         let is_letter = text.len() == 1 && text.as_bytes()[0].is_ascii_alphabetic()
-            || text.strip_prefix('\\').is_some_and(|c| LETTERS.contains(&c));
+            || text.strip_prefix('\\').is_some_and(is_letter_command);
         let is_styled = text.strip_prefix('\\').is_some_and(|c| BOLD.contains(&c) || DOTS.iter().any(|(d, _)| *d == c));
         if is_styled {
             let end = self.unit(at + 1);
@@ -348,7 +348,7 @@ impl Names {
                 styles.push(format!("\\{command}"));
             } else {
                 let one = text.chars().count() == 1 && text.chars().all(char::is_alphabetic);
-                if !one && !LETTERS.contains(&command) {
+                if !one && !is_letter_command(command) {
                     return None;
                 }
                 letter = text;
@@ -451,7 +451,7 @@ impl Names {
             || HATS.contains(&command)
             || STYLES.contains(&command)
             || DOTS.iter().any(|(d, _)| *d == command);
-        at < to && (letter || text == "(" || LETTERS.contains(&command) || styled)
+        at < to && (letter || text == "(" || is_letter_command(command) || styled)
     }
 
     /// The end of a script that begins here: a command of style takes its argument with it, `p_\mathrm{max}`.
@@ -504,7 +504,7 @@ impl Names {
                 t if matches!(t, "{" | "}" | "_" | "'")
                     || t.chars().all(char::is_alphanumeric)
                     || t.strip_prefix('\\').is_some_and(|c| {
-                        LETTERS.contains(&c) || BOLD.contains(&c) || DOTS.iter().any(|(d, _)| *d == c)
+                        is_letter_command(c) || BOLD.contains(&c) || DOTS.iter().any(|(d, _)| *d == c)
                     }) =>
                 {
                     if let Some(place) = places.last_mut() {
@@ -537,7 +537,7 @@ impl Names {
 pub(super) fn is_letter(token: &Token) -> bool {
     match token.kind {
         Kind::Other => token.text.chars().all(char::is_alphabetic),
-        Kind::Command => LETTERS.contains(&token.text.as_str()),
+        Kind::Command => is_letter_command(&token.text),
         _ => false,
     }
 }

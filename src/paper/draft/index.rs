@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::names::letters::LETTERS;
+use super::super::names::letters::is_letter_command;
 use super::super::names::{Evidence, PaperName, is_variable, names_of};
 use super::super::printed::{PrintedRelation, PrintedSide, terms};
 
@@ -70,7 +70,7 @@ pub(super) fn upper(side: &PrintedSide) -> Option<String> {
         let maybe = |t: &&str| matches!(*t, "k" | "l" | "m" | "n") && below.contains(*t);
         let all = !inside.is_empty() && inside.len() <= 4 && inside.iter().all(|t| sure(t) || maybe(t));
         // `\Gamma^r_{\theta\theta}`, `g^{tt}`: no power is printed so.
-        let letter = |t: &str| is_variable(t) && t.strip_prefix('\\').is_none_or(|c| LETTERS.contains(&c));
+        let letter = |t: &str| is_variable(t) && t.strip_prefix('\\').is_none_or(is_letter_command);
         let below_it = (0..i).rev().find(|&k| text(k) == "_" && end(k + 1) == i).map_or(0, |k| {
             let inside = (k + 2..i - 1).map(text);
             if inside.clone().any(|t| matches!(t, r"\rm" | r"\mathrm" | r"\text")) { 0 } else { inside.filter(|t| letter(t)).count() }

@@ -2,66 +2,11 @@
 //!
 //! **In:** –. **Out:** tables. **Why:** what is a name is decided by what is printed, and this is all that prints one.
 
-/// Letters of Greek that are names, with other commands that are.
-pub const LETTERS: &[&str] = &[
-    "alpha",
-    "beta",
-    "gamma",
-    "delta",
-    "epsilon",
-    "varepsilon",
-    "zeta",
-    "eta",
-    "theta",
-    "vartheta",
-    "iota",
-    "kappa",
-    "lambda",
-    "mu",
-    "nu",
-    "xi",
-    "rho",
-    "varrho",
-    "sigma",
-    "varsigma",
-    "tau",
-    "upsilon",
-    "phi",
-    "varphi",
-    "chi",
-    "psi",
-    "omega",
-    "Gamma",
-    "Delta",
-    "Theta",
-    "Lambda",
-    "Xi",
-    "Pi",
-    "Sigma",
-    "Upsilon",
-    "Phi",
-    "Psi",
-    "Omega",
-    "varGamma",
-    "varDelta",
-    "varTheta",
-    "varLambda",
-    "varXi",
-    "varPi",
-    "varSigma",
-    "varUpsilon",
-    "varPhi",
-    "varPsi",
-    "varOmega",
-    "ell",
-    "hbar",
-    "varpi",
-    "aleph",
-    "wp",
-    "imath",
-    "jmath",
-    "varkappa",
-];
+/// Whether a command is a letter as a paper prints one: `\top` stands for a transpose more often than for a name.
+pub fn is_letter_command(command: &str) -> bool {
+    command == "varkappa" || command != "top" && latex::is_letter_command(command)
+}
+
 pub const BOLD: &[&str] =
     &["mathbf", "boldsymbol", "bm", "vec", "bf", "pmb", "vb", "va", "vectorbold", "mathbfit", "overrightarrow"];
 pub const HATS: &[&str] = &["hat", "widehat", "vu", "uvec"];
