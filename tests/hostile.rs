@@ -356,7 +356,10 @@ fn a_paper_of_strangers_is_text_on_its_page() {
         );
         let source = rederive::diag::Source { path: text.to_owned(), text: source };
         let Ok(paper) = rederive::paper::parse(source, String::new()) else { continue };
-        let page = rederive::report::lint_page(&paper, &rederive::lint::lint(&paper));
+        let found = rederive::lint::lint(&paper);
+        let told = rederive::report::lint_findings(&paper, &found);
+        inert("github", &rederive::report::github(&told));
+        let page = rederive::report::lint_page(&paper, &found);
         for command in ["<script", "<img", "</title><b>", "\" onload"] {
             assert!(!page.contains(command), "{text}: {page}");
         }
@@ -377,6 +380,7 @@ fn the_table_has_every_writer() {
     found.sort_unstable();
     found.dedup();
     let in_the_table = [
+        "lint_findings",
         "lint_page",
         "certificate_text",
         "contents",

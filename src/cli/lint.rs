@@ -7,7 +7,7 @@ use clap::ArgAction;
 use rederive::diag::Source;
 use rederive::lint::{self, Judgement, Lint, Word};
 use rederive::paper::{self, Paper};
-use rederive::report::{self, Finding, Level, Place, github, sarif};
+use rederive::report::{self, github, lint_findings, sarif};
 use rederive::{Ending, Failure, Format, files};
 
 use super::arguments::printed_as;
@@ -83,7 +83,7 @@ fn once(arguments: &LintArguments, papers: &[PathBuf]) -> Result<Ending, Stop> {
             files::write::write_file(page, report::lint_page(paper, found).as_bytes())?;
         }
     }
-    let told = || all.iter().flat_map(|(paper, found)| findings(paper, found)).collect::<Vec<_>>();
+    let told = || all.iter().flat_map(|(paper, found)| lint_findings(paper, found)).collect::<Vec<_>>();
     match arguments.format {
         Format::Json => print(&json(&all))?,
         Format::Sarif => print(&sarif(&told()))?,
@@ -145,29 +145,6 @@ fn read(path: &std::path::Path) -> Result<Paper, Stop> {
 pub fn is_paper(word: &std::ffi::OsStr) -> bool {
     let path = std::path::Path::new(word);
     path.extension().is_some_and(|e| e == "tex" || e == "md") && !word.to_string_lossy().starts_with('-')
-}
-
-/// What is wrong as an error, everything else that a reader may want to look at as a note.
-fn findings(paper: &Paper, found: &Lint) -> Vec<Finding> {
-    found.judgements.iter().filter_map(|j| finding(paper, j)).collect()
-}
-
-fn finding(paper: &Paper, judgement: &Judgement) -> Option<Finding> {
-    let relation = paper.printed.get(judgement.relation)?;
-    let (rule, level) = match judgement.word {
-        Word::Wrong => ("lint::wrong", Level::Error),
-        Word::Differs => ("lint::differs", Level::Note),
-        Word::NotFollowed if relation.display.is_some() => ("lint::not-followed", Level::Note),
-        Word::NotRead if relation.display.is_some() => ("lint::not-read", Level::Note),
-        _ => return None,
-    };
-    let (source, span) = paper.locate(&judgement.span);
-    let message = match lint::diagnostic(paper, judgement) {
-        Some(d) => format!("{}{}", d.message, d.hint.map(|h| format!("; {h}")).unwrap_or_default()),
-        None => format!("{}: {}", judgement.word.text(), lint::explained(paper, judgement)),
-    };
-    let identity = format!("{}\n{}", source.path, relation.text());
-    Some(Finding { rule, level, message, place: Place::new(source, span), related: Vec::new(), identity })
 }
 
 /// The document of a paper; of several a list of them.

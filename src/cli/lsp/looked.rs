@@ -8,8 +8,8 @@ use std::sync::Arc;
 
 use rederive::diag::escape::in_one_line;
 use rederive::diag::{Diagnostic, Source};
-use rederive::lint::{self, Word};
-use rederive::report::{self, Level, Place};
+use rederive::lint;
+use rederive::report;
 use rederive::{Failure, Findings, Session, paper};
 
 /// What is said of a place beside findings.
@@ -150,30 +150,18 @@ fn of_paper(source: &Arc<Source>, folder: Option<&Path>) -> Looked {
         Err(problem) => return with_problems(source, &[*problem]),
     };
     let found = lint::lint(&paper);
-    let (mut findings, mut remarks) = (Vec::new(), Vec::new());
+    // Other files have places of their own.
+    let mut findings = report::lint_findings(&paper, &found);
+    findings.retain(|f| Arc::ptr_eq(&f.place.source, source));
+    let mut remarks = Vec::new();
     for judgement in &found.judgements {
         let (file, span) = paper.locate(&judgement.span);
-        // Other files have places of their own.
-        if !Arc::ptr_eq(file, &paper.file) {
+        if !Arc::ptr_eq(file, source) {
             continue;
         }
-        let why = in_one_line(&lint::explained(&paper, judgement));
-        let mut more = format!("**{}** {why}", judgement.word.text());
+        let mut more = format!("**{}** {}", judgement.word.text(), in_one_line(&lint::explained(&paper, judgement)));
         if let Some(problem) = lint::diagnostic(&paper, judgement) {
-            let of_problem = report::problems(&[problem]);
-            more.extend(of_problem.iter().map(|f| format!("\n\n{}", fenced(&f.message))));
-            findings.extend(of_problem);
-        } else if judgement.word == Word::NotRead {
-            let (rule, message) = ("lint::not-read", format!("Not read: {why}"));
-            let place = Place::new(source, span.clone());
-            findings.push(report::Finding {
-                rule,
-                level: Level::Note,
-                message,
-                place,
-                related: Vec::new(),
-                identity: String::new(),
-            });
+            more.extend(report::problems(&[problem]).iter().map(|f| format!("\n\n{}", fenced(&f.message))));
         }
         let instead = judgement.instead.clone().map(|formula| (formula, "This holds, and is proved".to_owned()));
         remarks.push(Remark { span, word: judgement.word.text().to_owned(), more, instead });
@@ -188,6 +176,7 @@ fn of_paper(source: &Arc<Source>, folder: Option<&Path>) -> Looked {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use rederive::report::Level;
 
     fn looked(uri: &str, text: &str) -> Vec<Looked> {
         let mut all = Vec::new();
