@@ -184,7 +184,9 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
         }
         if let Some(identity) = &claim.identity {
             let certificate = super::certificates::file_name(claim).map(|f| format!(" [Certificate]({f})."));
-            let recorded = identity.recorded.as_ref().map(|r| format!(" {}", r.sentence())).unwrap_or_default();
+            // Why others are not is in the page: here it is said of what is.
+            let recorded = identity.recorded.as_ref().filter(|r| r.steps().is_some());
+            let recorded = recorded.map(|r| format!(" {}", r.sentence())).unwrap_or_default();
             let sentence = prose(&(super::graph::brief(identity, &graph.proof_of(claim)) + &recorded));
             out.push_str(&format!("**For all values:** {sentence}{}\n\n", certificate.unwrap_or_default()));
         }

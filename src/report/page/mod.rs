@@ -40,8 +40,10 @@ use text::{formula, prose, unit};
 const STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("script.js");
 
-/// Pages with more pairs keep what is folded out of the document until it is unfolded.
+/// Pages with more pairs are large.
 const MOST_PAIRS: usize = 1_000;
+/// So are pages of which what may be folded has more bytes.
+const MOST_FOLDED: usize = 400_000;
 
 /// The page.
 pub fn page(derivation: &Derivation, account: &Account) -> String {
@@ -50,7 +52,9 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
     let folding = html! { (claims) (motions) (measures(derivation, account)) };
     let folding = reuse::drawn_once(&tight::tight(&folding.into_string()));
     let pairs: usize = account.claims.iter().map(|c| c.results.len()).sum();
-    let (folding, folds) = if pairs > MOST_PAIRS { details::taken_out(&folding) } else { (folding, Vec::new()) };
+    // A large page keeps what is folded out of the document until it is unfolded.
+    let is_large = pairs > MOST_PAIRS || folding.len() > MOST_FOLDED;
+    let (folding, folds) = if is_large { details::taken_out(&folding) } else { (folding, Vec::new()) };
     let data = compression::packed(&data::json(derivation, account, &folds));
     let rest = html! {
         (PreEscaped(folding))
