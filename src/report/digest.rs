@@ -451,6 +451,18 @@ fn refuted(claim: &ClaimAccount) -> &'static str {
     }
 }
 
+/// The shape of a standing on a page: that of a pair, and a half circle for what holds in part.
+pub(super) fn mark(reading: &Reading<'_>) -> &'static str {
+    match reading.standing {
+        Standing::Holds if reading.proof == ProofStanding::Proved => "h p",
+        Standing::Holds => "h",
+        Standing::Mixed => "m",
+        Standing::Fails => "f",
+        Standing::Open => "u",
+        Standing::Nowhere => "n",
+    }
+}
+
 /// Where a reading holds, in a few words; the beginning of a sentence.
 pub(super) fn verdict(reading: &Reading<'_>) -> String {
     if let Some(region) = &reading.claim.region {

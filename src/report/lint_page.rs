@@ -10,6 +10,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use paper::{Paper, PrintedRelation};
 
 use super::mathml;
+use super::page::FONT;
 use lint::{Judgement, Lint, LintPicture, PicturePoint, Typeset, Word};
 
 const STYLE: &str = include_str!("lint_page.css");
@@ -53,9 +54,9 @@ pub fn lint_page(paper: &Paper, found: &Lint) -> String {
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="color-scheme" content="light dark";
                 // Whatever a paper says, the page loads nothing and sends nothing.
-                meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'";
+                meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; font-src data:";
                 title { (title) }
-                style { (PreEscaped(STYLE)) }
+                style { (PreEscaped(FONT)) (PreEscaped(STYLE)) }
             }
             body {
                 header {

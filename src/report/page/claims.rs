@@ -2,19 +2,20 @@
 
 use maud::{Markup, html};
 
+use super::super::digest::{self, Reading};
 use super::super::discrimination::is_weak;
 use super::super::form::{Heading, heading};
 use super::super::graph::{DerivationGraph, ProofStanding};
 use super::super::letters::{LEGEND, letters};
 use super::super::markdown::whose;
 use super::super::numbers::{count, size, time, value};
-use super::super::tally::{Group, declared, groups, name};
+use super::super::tally::{Group, Standing, declared, groups, name};
 use super::super::wording::slack_sentence;
 use super::matrix::{anchors, class};
 use super::reasons::{Told, told};
 use super::text::{display, formula, identifier, label, prose, reason};
 use super::{family, region, support};
-use crate::derivation::{DEFAULT_PRECISION, Derivation};
+use crate::derivation::{ClaimRole, DEFAULT_PRECISION, Derivation};
 use crate::latex::Scope;
 use findings::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 
@@ -65,7 +66,6 @@ fn readings(derivation: &Derivation, account: &Account, graph: &DerivationGraph,
                         tr {
                             th { "reading" }
                             th { "whose" }
-                            th { "says" }
                             th { "verdicts" }
                         }
                     }
@@ -76,7 +76,6 @@ fn readings(derivation: &Derivation, account: &Account, graph: &DerivationGraph,
                                     a href={ "#" (name(claim)) } { (claim.reading.as_deref().unwrap_or("the claim itself")) }
                                 }
                                 td { (declared(derivation, claim).map(|d| d.role).unwrap_or_default().word()) }
-                                td { (prose(&claim.says, scope_of(derivation, claim))) }
                                 td.number { (tally(claim)) }
                             }
                         }
@@ -127,19 +126,37 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
             @if let Some(at) = declared.and_then(|d| d.at.as_ref()) {
                 p { "Tried when " (formula(&at.equation.text, scope)) (at.occasion.words()) "." }
             }
-            @if let Some(remark) = &claim.remark {
-                p.remark { span.quiet { "Remark of the file: " } (prose(remark, scope)) }
-            }
             (support::units_of(account, claim, scope))
-            @if let Some(identity) = &claim.identity { (for_all_values(claim, identity, &graph.proof_of(claim), scope)) }
-            (support::separation(claim, scope))
-            (support::erratum(claim, scope))
-            (support::behind(graph, claim, scope))
-            @for group in groups(claim) { (verdicts(account, claim, &group, scope)) }
-            (family::blocks(claim, scope))
-            (region::block(claim, scope))
+            (found(derivation, account, graph, claim))
         }
     }
+}
+
+/// What was found of a claim. Of one that stands, and of what is no reading of the paper's, a sentence is read, and the rest is
+/// folded: few ask how it is known.
+fn found(derivation: &Derivation, account: &Account, graph: &DerivationGraph, claim: &ClaimAccount) -> Markup {
+    let scope = scope_of(derivation, claim);
+    let role = declared(derivation, claim).map(|d| d.role).unwrap_or_default();
+    let reading = Reading { claim, standing: Standing::of(claim), role, proof: graph.proof_of(claim) };
+    let groups = groups(claim);
+    let evidence = html! {
+        @if let Some(remark) = &claim.remark {
+            p.remark { span.quiet { "Remark of the file: " } (prose(remark, scope)) }
+        }
+        @if let Some(identity) = &claim.identity { (for_all_values(claim, identity, &reading.proof, scope)) }
+        (support::separation(claim, scope))
+        (support::erratum(claim, scope))
+        (support::behind(graph, claim, scope))
+        @for group in &groups { (verdicts(account, claim, group, scope)) }
+        (family::blocks(claim, scope))
+        (region::block(claim, scope))
+    };
+    let beside = claim.reading.is_some() && !role.decides() && role != ClaimRole::Needs;
+    if groups.iter().any(|g| g.unexpected) || reading.standing != Standing::Holds && !beside {
+        return evidence;
+    }
+    let verdict = digest::verdict(&reading);
+    html! { details.evidence { summary { span class={ "mark " (digest::mark(&reading)) } aria-hidden="true" {} " " (prose(&verdict, scope)) } (evidence) } }
 }
 
 /// The claims as they are printed. What is folded on a screen is shown; the verdicts of pairs are in the [matrix](printed_matrix),

@@ -2,12 +2,11 @@
 
 use maud::{Markup, html};
 
-use super::super::digest::{self, Fate, Reading, Whole};
-use super::super::graph::ProofStanding;
+use super::super::digest::{self, Fate, Whole};
 use super::super::numbers::count;
 use super::super::page_one;
 use super::super::story;
-use super::super::tally::{Standing, name};
+use super::super::tally::name;
 use super::text::prose;
 use crate::derivation::Derivation;
 use crate::latex::Scope;
@@ -39,7 +38,9 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
                 @if !found.is_empty() {
                     h3 id={ "/found/" (fate.key()) } { (count(found.len(), "claim")) " " (fate.words(found.len())) }
                     p.quiet { (fate.meaning()) }
-                    @if fate == Fate::Stands { (standing(&found, &derivation.scope)) } @else { (reasons(derivation, &found)) }
+                    @if fate == Fate::Stands {
+                        details { summary { "All of them" } (standing(&found, &derivation.scope)) }
+                    } @else { (reasons(derivation, &found)) }
                 }
             }
             (unsaid(derivation, account))
@@ -92,6 +93,7 @@ fn in_order(wholes: &[Whole<'_>], scope: &Scope) -> Markup {
     let told: Vec<&Whole<'_>> = wholes.iter().filter(|w| w.fate.is_of_the_paper()).collect();
     html! {
         h3 id="/order" { "The claims in their order" }
+        details { summary { "All of them" }
         ul.legend aria-label="Shapes" {
             @for (c, text) in words.iter().filter(|(c, _)| told.iter().any(|w| class(w) == *c)) {
                 li { span class={ "mark " (c) } aria-hidden="true" {} " " (text) }
@@ -107,22 +109,8 @@ fn in_order(wholes: &[Whole<'_>], scope: &Scope) -> Markup {
                     span.unseen { ", " (whole.fate.words(1)) }
                 }
             }
-        }
+        } }
     }
-}
-
-/// The shape of a standing: that of a pair, and a half circle for what holds in part.
-fn mark(reading: &Reading<'_>) -> Markup {
-    let proved = reading.proof == ProofStanding::Proved;
-    let class = match reading.standing {
-        Standing::Holds if proved => "h p",
-        Standing::Holds => "h",
-        Standing::Mixed => "m",
-        Standing::Fails => "f",
-        Standing::Open => "u",
-        Standing::Nowhere => "n",
-    };
-    html! { span class={ "mark " (class) } aria-hidden="true" {} }
 }
 
 fn link(claim: &ClaimAccount) -> Markup {
@@ -166,7 +154,7 @@ fn reasons(derivation: &Derivation, found: &[&Whole<'_>]) -> Markup {
                 ul {
                     @for reading in &whole.readings {
                         li {
-                            (mark(reading)) " "
+                            span class={ "mark " (digest::mark(reading)) } aria-hidden="true" {} " "
                             @let whose = reading.whose(whole);
                             @if !whose.is_empty() { span.added { (whose) } " " }
                             @if whole.is_read() {

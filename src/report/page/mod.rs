@@ -38,6 +38,8 @@ use ::findings::Account;
 use text::{formula, prose, unit};
 
 const STYLE: &str = include_str!("style.css");
+/// The letters of formulas: without them dots sit in the letters where no font for mathematics is installed.
+pub(super) const FONT: &str = include_str!("../font/formulas.css");
 const SCRIPT: &str = include_str!("script.js");
 
 /// Pages with more pairs are large.
@@ -125,9 +127,9 @@ fn framed(derivation: &Derivation, body: &Markup, data: Option<&str>) -> String 
                 meta name="color-scheme" content="light dark";
                 // Whatever a file says, the page loads nothing and sends nothing.
                 meta http-equiv="Content-Security-Policy"
-                    content="default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
+                    content="default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; font-src data:";
                 title { (derivation.title) }
-                style { (PreEscaped(STYLE)) }
+                style { (PreEscaped(FONT)) (PreEscaped(STYLE)) }
             }
             body {
                 (body)

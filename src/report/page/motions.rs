@@ -16,10 +16,13 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
         section id="/trajectories" hidden[account.trajectories.is_empty()] {
             h2 { "Trajectories" }
             (what_is_drawn(derivation))
-            @for t in &account.trajectories { (article(derivation, account, t)) }
+            @for (at, t) in account.trajectories.iter().enumerate() { (article(derivation, account, t, at >= SHOWN)) }
         }
     }
 }
+
+/// So many motions are shown; of the others what they are, and the rest is folded.
+const SHOWN: usize = 3;
 
 /// The trajectories as they are printed: a line for each.
 pub(super) fn listed(derivation: &Derivation, account: &Account) -> Markup {
@@ -83,58 +86,68 @@ fn what_is_drawn(derivation: &Derivation) -> Markup {
     }
 }
 
-fn article(derivation: &Derivation, account: &Account, t: &TrajectoryAccount) -> Markup {
+fn article(derivation: &Derivation, account: &Account, t: &TrajectoryAccount, folded: bool) -> Markup {
     let scope = &derivation.scope;
     let declared = derivation.trajectories.iter().find(|d| d.id == t.id);
     html! {
         article.trajectory id={ "/trajectory/" (t.id) } {
             h3 { (t.id) @if t.title != t.id { ": " (prose(&t.title, scope)) } }
             @if let Some(says) = declared.and_then(|d| d.says.as_ref()) { p { (prose(says, scope)) } }
-            p.quiet {
-                @match declared.map(|d| &d.motion) {
-                    Some(Motion::Integrated { system, .. }) => {
-                        @if let Some(s) = derivation.systems.get(*system) {
-                            "Integrated from the system " a href={ "#/system/" (s.id) } { (s.id) } ", "
-                        }
-                    },
-                    Some(Motion::Derived { from, .. }) => {
-                        @if let Some(s) = derivation.trajectories.get(*from) {
-                            "Computed from " a href={ "#/trajectory/" (s.id) } { (s.id) } ", "
-                        }
-                    },
-                    Some(Motion::Formula { .. }) => { "Given by formulas, " },
-                    None => {},
-                }
-                "t from " (time(t.span.0)) " to " (time(t.span.1))
-                @if t.steps > 0 { ", " (count(t.steps, "step")) }
-                "; error of a state at most " (size(t.error)) "."
-            }
-            @if let Some(start) = declared.and_then(|d| d.motion.start()) {
-                p.quiet {
-                    "Initial values are the solution of "
-                    @for (k, w) in start.equations.iter().enumerate() {
-                        @if k > 0 { ", " }
-                        (formula(&w.text, scope))
-                    }
-                    "."
-                }
-            }
             @if let Some(problem) = &t.problem { p.alarm { (problem) } }
-            @if !t.given.is_empty() {
-                details { summary { "Parameters and initial values" }
-                ul.given aria-label={ "Parameters and initial values of " (t.id) } {
-                    @for (name, values) in &t.given {
-                        li {
-                            (given_name(name, scope)) " = "
-                            @if let [one] = values.as_slice() { (value(*one)) }
-                            @else { "(" (values.iter().map(|v| value(*v)).collect::<Vec<_>>().join(", ")) ")" }
-                        }
-                    }
-                } }
-            }
-            (integrals(derivation, account, t))
-            (pictures(derivation, account, t))
+            @if folded { details { summary { "Its numbers and pictures" } (told(derivation, account, t)) } }
+            @else { (told(derivation, account, t)) }
         }
+    }
+}
+
+/// What is told of a motion: from where and how it is integrated, its numbers, and what it looks like.
+fn told(derivation: &Derivation, account: &Account, t: &TrajectoryAccount) -> Markup {
+    let scope = &derivation.scope;
+    let declared = derivation.trajectories.iter().find(|d| d.id == t.id);
+    html! {
+        p.quiet {
+            @match declared.map(|d| &d.motion) {
+                Some(Motion::Integrated { system, .. }) => {
+                    @if let Some(s) = derivation.systems.get(*system) {
+                        "Integrated from the system " a href={ "#/system/" (s.id) } { (s.id) } ", "
+                    }
+                },
+                Some(Motion::Derived { from, .. }) => {
+                    @if let Some(s) = derivation.trajectories.get(*from) {
+                        "Computed from " a href={ "#/trajectory/" (s.id) } { (s.id) } ", "
+                    }
+                },
+                Some(Motion::Formula { .. }) => { "Given by formulas, " },
+                None => {},
+            }
+            "t from " (time(t.span.0)) " to " (time(t.span.1))
+            @if t.steps > 0 { ", " (count(t.steps, "step")) }
+            "; error of a state at most " (size(t.error)) "."
+        }
+        @if let Some(start) = declared.and_then(|d| d.motion.start()) {
+            p.quiet {
+                "Initial values are the solution of "
+                @for (k, w) in start.equations.iter().enumerate() {
+                    @if k > 0 { ", " }
+                    (formula(&w.text, scope))
+                }
+                "."
+            }
+        }
+        @if !t.given.is_empty() {
+            details { summary { "Parameters and initial values" }
+            ul.given aria-label={ "Parameters and initial values of " (t.id) } {
+                @for (name, values) in &t.given {
+                    li {
+                        (given_name(name, scope)) " = "
+                        @if let [one] = values.as_slice() { (value(*one)) }
+                        @else { "(" (values.iter().map(|v| value(*v)).collect::<Vec<_>>().join(", ")) ")" }
+                    }
+                }
+            } }
+        }
+        (integrals(derivation, account, t))
+        (pictures(derivation, account, t))
     }
 }
 
