@@ -143,10 +143,22 @@ for (const id of fs.readdirSync(reports).sort()) {
       check(await detail.isVisible(), `${id}: an address opens its pair: ${address}`);
       check(await detail.locator("svg").count() === 2, `${id}: a pair has two drawings`);
       check(await detail.locator("svg title").count() === 2, `${id}: drawings have titles`);
-      const lines = await detail.locator("path.curve").evaluateAll(l => l.map(p => p.getAttribute("d")));
+      const lines = await detail.locator("path.curve:not(.pass)").evaluateAll(l => l.map(p => p.getAttribute("d")));
       check(lines.every(l => l.length > 0 && !/NaN|Infinity/.test(l)), `${id}: curves have finite points`);
       const enough = Math.min(30, failing.samples);
       check((lines[0].match(/C/g) ?? []).length + 1 >= enough, `${id}: a curve has ${lines[0].length} characters, too few of ${failing.samples} samples`);
+      // A drawing can be asked: a value under the keys, a stretch, a line less.
+      const drawing = detail.locator("svg").nth(1), curves = drawing.locator("path.curve");
+      const whole = await curves.first().getAttribute("d");
+      await drawing.focus();
+      for (const key of ["ArrowRight", "ArrowRight"]) await page.keyboard.press(key);
+      check(/^t = .+: left side .+, right side /.test(await detail.locator("output").nth(1).innerText()), `${id}: a drawing tells its values`);
+      await page.keyboard.press("+");
+      check(await curves.first().getAttribute("d") !== whole, `${id}: a stretch can be looked at`);
+      await page.keyboard.press("Escape");
+      check(await curves.first().getAttribute("d") === whole, `${id}: and all again`);
+      await detail.locator(".keys button").nth(2).click();
+      check(await curves.count() === 1, `${id}: a line can be put away`);
       await detail.locator("details summary").click();
       await detail.locator("details tbody tr").first().waitFor();
       check(await detail.locator("details tbody tr").count() === (lines[0].match(/C/g) ?? []).length + 1, `${id}: the points of a curve are there as numbers`);

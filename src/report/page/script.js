@@ -197,8 +197,8 @@ const nice = (low, high, n) => {
 const shown = x => { const a = Math.abs(x); return x === 0 ? "0" : a >= 1e5 || a < 1e-3 ? x.toExponential(1).replace("e+", "e") : String(+x.toPrecision(4)); };
 // On a narrow screen the drawing is narrow, not its letters small.
 const W = Math.min(640, Math.max(340, innerWidth - 50)), H = 300, L = 76, R = 14, T = 12, B = 46;
-function frame(figure, title, describe, time, range, ticks, label) {
-  const svg = add(figure, "svg", { viewBox: `0 0 ${W} ${H}`, role: "img" });
+function frame(svg, { title, describe, label }, time, range, ticks) {
+  svg.replaceChildren();
   add(svg, "title", {}, title);
   add(svg, "desc", {}, describe);
   const X = t => L + (W - L - R) * (t - time[0]) / (time[1] - time[0] || 1);
@@ -215,6 +215,70 @@ function frame(figure, title, describe, time, range, ticks, label) {
   add(svg, "text", { x: (L + W - R) / 2, y: H - 8, "text-anchor": "middle", "font-size": 13 }, "t" + (data.unit ? ` (${data.unit})` : ""));
   add(svg, "text", { x: 14, y: (T + H - B) / 2, "text-anchor": "middle", "font-size": 13, transform: `rotate(-90 14 ${(T + H - B) / 2})` }, label);
   return { svg, X, Y };
+}
+let clips = 0;
+// A drawing that can be asked: values under the pointer or the arrow keys, a stretch by dragging or + and −, lines one by one.
+// `lines` are [name, words, values, value as text]; `paint` draws all else.
+function plot(box, words, whole, range, ticks, t, lines, draw, paint) {
+  const figure = element(box, "figure"), svg = add(figure, "svg", { viewBox: `0 0 ${W} ${H}`, role: "img", tabindex: 0 });
+  const legend = element(figure, "p", { class: "keys" }), told = element(figure, "output", { class: "quiet" });
+  const clip = "/clip" + ++clips;
+  let time = whole, p, at = -1, from = null;
+  const off = new Set();
+  const redraw = () => {
+    p = frame(svg, words, time, range, ticks);
+    paint(p, time);
+    const inside = t.map((x, i) => i).filter(i => (i + 1 < t.length ? t[i + 1] : t[i]) >= time[0] && (i ? t[i - 1] : t[i]) <= time[1]);
+    for (const [name, , ys] of lines) if (!off.has(name)) draw(p, inside.map(i => t[i]), inside.map(i => ys[i]), name);
+    add(add(svg, "clipPath", { id: clip }), "rect", { x: L, width: W - L - R, y: 0, height: H });
+    for (const e of svg.querySelectorAll(".curve, .event")) e.setAttribute("clip-path", `url(#${clip})`);
+    if (at >= 0) tell(at);
+  };
+  const tell = i => {
+    at = Math.min(t.length - 1, Math.max(0, i));
+    svg.querySelector(".here")?.remove();
+    if (t[at] >= time[0] && t[at] <= time[1]) add(svg, "line", { class: "here", x1: p.X(t[at]), x2: p.X(t[at]), y1: T, y2: H - B });
+    told.textContent = `t = ${shown(+t[at].toPrecision(4))}: ` + lines.filter(l => !off.has(l[0])).map(l => `${l[1]} ${l[3](l[2][at])}`).join(", ");
+  };
+  const timeAt = e => {
+    const r = svg.getBoundingClientRect(), x = (e.clientX - r.left) * W / r.width;
+    return time[0] + (time[1] - time[0]) * Math.min(1, Math.max(0, (x - L) / (W - L - R)));
+  };
+  const nearest = x => t.reduce((best, v, i) => Math.abs(v - x) < Math.abs(t[best] - x) ? i : best, 0);
+  const zoom = stretch => { time = stretch && stretch[1] - stretch[0] > (whole[1] - whole[0]) / 1e4 ? stretch : whole; redraw(); };
+  const about = factor => {
+    const middle = at < 0 ? (time[0] + time[1]) / 2 : t[at], half = (time[1] - time[0]) * factor / 2;
+    const left = Math.max(whole[0], Math.min(middle - half, whole[1] - 2 * half));
+    zoom(factor > 1 && 2 * half >= whole[1] - whole[0] ? null : [left, left + 2 * half]);
+  };
+  svg.addEventListener("pointerdown", e => { from = timeAt(e); });
+  svg.addEventListener("pointermove", e => tell(nearest(timeAt(e))));
+  svg.addEventListener("pointerup", e => {
+    const to = timeAt(e), [a, b] = [Math.min(from ?? to, to), Math.max(from ?? to, to)];
+    from = null;
+    if (b - a > (time[1] - time[0]) / 50) zoom([a, b]);
+  });
+  svg.addEventListener("dblclick", () => zoom(null));
+  svg.addEventListener("keydown", e => {
+    const keys = { ArrowLeft: () => tell(at < 0 ? t.length - 1 : at - 1), ArrowRight: () => tell(at + 1), "+": () => about(.5), "-": () => about(2), Escape: () => zoom(null) };
+    if (!keys[e.key]) return;
+    keys[e.key]();
+    e.preventDefault();
+  });
+  for (const [name, text] of lines) {
+    const key = element(legend, "button", { type: "button", "aria-pressed": "true" });
+    element(key, "span", { class: "key " + name, "aria-hidden": "true" });
+    key.append(text);
+    key.addEventListener("click", () => {
+      const hide = !off.has(name);
+      if (hide) off.add(name); else off.delete(name);
+      key.setAttribute("aria-pressed", String(!hide));
+      redraw();
+    });
+  }
+  element(legend, "span", { class: "quiet" }, "Point or ← → for values, drag or + for a stretch, Esc for all.");
+  redraw();
+  return figure;
 }
 const grey = (p, stretches, time) => {
   for (const [a, b] of stretches || []) {
@@ -280,31 +344,33 @@ function curves(box, [packed, w, found, left_out], id) {
   let bottom = Math.floor(Math.min(...all) - .3), top = Math.ceil(Math.max(...all, bottom + 2) + .3);
   const every = Math.max(1, Math.ceil((top - bottom) / 7)), ticks = [];
   for (let e = Math.ceil(bottom / every) * every; e <= top; e += every) ticks.push([e, "10" + [...String(e)].map(c => c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]).join("")]);
-  let figure = element(box, "figure");
   const what = event === undefined ? "samples" : "events";
   const worst = !w ? "" : sought ? `The sides come closest at t = ${shown(w[0])}: ${shown(w[1])} apart, error bound ${shown(w[2])}.`
     : `The worst point, in units of its bound, is at t = ${shown(w[0])}: residual ${shown(w[1])}, bound ${shown(w[2])}.`;
   const drawn = `${t.length} of ${samples} ${what} are drawn${stored(formula).includes("±") ? ", with the sign of ± that does best at each" : ""}`;
   const when = event !== undefined ? ` Upright lines mark the events: t = ${t.map(shown).join(", ")}.` : times.length ? ` The upright line marks where it was found, t = ${shown(times[0])}.` : "";
-  const p = frame(figure, "Residual of " + id, `${drawn}, on a logarithmic scale. ${worst}${when}`, time, [bottom, top], ticks, sought ? "distance" : "residual");
-  grey(p, left_out, time);
-  marked(p, times);
-  draw(p, t, d, "left");
-  draw(p, t, b, "bound");
-  if (pass) line(p, time, [log(pass), log(pass)], "pass");
-  if (w && w[1] > 0) add(p.svg, "circle", { class: "worst", cx: p.X(w[0]), cy: p.Y(log(w[1])), r: 6 });
+  const power = x => Number.isFinite(x) ? (10 ** x).toExponential(1).replace("e+", "e") : "0", short = x => shown(+x.toPrecision(3));
+  const name = sought ? "distance" : "residual";
+  let words = { title: "Residual of " + id, describe: `${drawn}, on a logarithmic scale. ${worst}${when}`, label: name };
+  const lines = [["left", name, d, power], ["bound", "error bound", b, power]];
+  let figure = plot(box, words, time, [bottom, top], ticks, t, lines, draw, (p, time) => {
+    grey(p, left_out, time);
+    marked(p, times.filter(x => x >= time[0] && x <= time[1]));
+    if (pass) line(p, time, [log(pass), log(pass)], "pass");
+    if (w && w[1] > 0 && w[0] >= time[0] && w[0] <= time[1]) add(p.svg, "circle", { class: "worst", cx: p.X(w[0]), cy: p.Y(log(w[1])), r: 6 });
+  });
   const [one, two] = event === undefined ? ["solid", "dashed"] : ["circles", "crosses"];
   const rule = sought ? `How far the sides are apart (${one}) and the error bound of that (${two}): the relation is looked for, so a small distance is a find.`
     : `Residual (${one}) and its error bound (${two})` + (pass ? "; an equation passes where the residual is below its bound and the bound below the dotted line, the precision asked for." : ".");
   element(figure, "figcaption", {}, `${rule} ${worst}${when}${left_out ? " Grey: times left out." : ""} ${drawn}.`);
-  figure = element(box, "figure");
   const l = unpack(lefts, low, high), r = rights === null ? l : unpack(rights, low, high);
   const pad = (high - low) * .06 || Math.abs(high) * .1 || 1, range = [low - pad, high + pad];
-  const q = frame(figure, "Both sides of " + id, `The left side (${one}), the right side (${two}).`, time, range, nice(range[0], range[1], 5).map(y => [y, shown(y)]), "both sides");
-  grey(q, left_out, time);
-  marked(q, times);
-  draw(q, t, l, "left");
-  draw(q, t, r, "right");
+  words = { title: "Both sides of " + id, describe: `The left side (${one}), the right side (${two}).`, label: "both sides" };
+  const sides = [["left", "left side", l, short], ["right", "right side", r, short]];
+  figure = plot(box, words, time, range, nice(range[0], range[1], 5).map(y => [y, shown(y)]), t, sides, draw, (q, time) => {
+    grey(q, left_out, time);
+    marked(q, times.filter(x => x >= time[0] && x <= time[1]));
+  });
   element(figure, "figcaption", {}, `Left side (${one}) and right side (${two})` + (l === r ? ": they agree to the width of the line." : "."));
   numbersOf(box, t, l, r, d, b, what);
 }
