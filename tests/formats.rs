@@ -129,6 +129,43 @@ fn sarif_has_what_is_not_as_expected_with_its_place() {
     assert!(!text.contains(&project.path().display().to_string()), "no path outside the project");
 }
 
+/// A text with the first fix of a log in it.
+fn mended(log: &str, text: &str) -> String {
+    let found = sarif(log).expect("valid");
+    let fix = found.iter().find_map(|r| r["fixes"].get(0)).expect("a fix");
+    let replacement = &fix["artifactChanges"][0]["replacements"][0];
+    let at =
+        |key: &str| usize::try_from(replacement["deletedRegion"][key].as_u64().expect("a place")).expect("small") - 1;
+    assert_eq!(at("startLine"), at("endLine"));
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    let line: Vec<u16> = lines[at("startLine")].encode_utf16().collect();
+    let part = |units: &[u16]| String::from_utf16(units).expect("whole");
+    let inserted = replacement["insertedContent"]["text"].as_str().expect("a text");
+    lines[at("startLine")] = part(&line[..at("startColumn")]) + inserted + &part(&line[at("endColumn")..]);
+    lines.join("\n") + "\n"
+}
+
+#[test]
+fn a_fix_makes_right_what_was_wrong() {
+    let wrong = FILE.split("[[claim]]").next().expect("a head").to_owned()
+        + "[[claim]]\nid = \"solved\"\nsays = \"𝒳 decays\"\nalways = ['x=x(0)e^{t}']\n";
+    let text = printed(project(&wrong).path(), "sarif", 1);
+    let right = mended(&text, &wrong);
+    assert!(right.contains(r"'x=x(0)e^{-t}'"), "{right}");
+    printed(project(&right).path(), "sarif", 0);
+    let paper = "𝒳 \\(u\\)\n\\begin{align}\n (a+b)^2 &= a^2+2ab+b^2 \\\\\n &= a^2+b(3a+b).\n\\end{align}\n";
+    let folder = tempfile::tempdir().expect("a folder");
+    let lint = |text: &str, code: i32| {
+        fs::write(folder.path().join("a.tex"), text).expect("written");
+        let mut run = Command::cargo_bin("rederive").expect("the program");
+        let run = run.current_dir(folder.path()).args(["lint", "a.tex", "--format", "sarif"]).assert().code(code);
+        String::from_utf8(run.get_output().stdout.clone()).expect("text")
+    };
+    let right = mended(&lint(paper, 1), paper);
+    assert!(right.contains("a^2+b(2a+b)."), "{right}");
+    lint(&right, 0);
+}
+
 #[test]
 fn fingerprints_stay_when_lines_move_and_numbers_change() {
     let prints = |file: &str| -> Vec<(Value, Value)> {

@@ -104,6 +104,31 @@ pub struct Finding {
     pub related: Vec<(Place, String)>,
     /// What it is about, without lines and numbers: two runs have the same finding if this is the same.
     pub identity: String,
+    /// What is right there, where that is known.
+    pub fix: Option<Fix>,
+}
+
+/// A text that is right, and the place where it belongs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fix {
+    /// What it replaces.
+    pub place: Place,
+    /// The text, as it is written in that file.
+    pub text: String,
+    /// How it is known, in a sentence without its end.
+    pub says: String,
+}
+
+/// The nearest right formula in the place of the printed one; `None` where the file writes that in other characters.
+fn fix(derivation: &Derivation, claim: &ClaimAccount) -> Option<Fix> {
+    let found = super::card::correction(claim)?;
+    let forms = declared(derivation, claim)?.forms.iter().flat_map(Form::written);
+    let is_it = |(text, span): &(&str, Range<usize>)| {
+        *text == found.printed && derivation.file.text.get(span.clone()) == Some(*text)
+    };
+    let (_, span) = forms.filter(|_| !found.formula.contains(['\'', '\n'])).find(is_it)?;
+    let says = format!("This is {}", super::discrimination::standing(found).replace("**", ""));
+    Some(Fix { place: Place::new(&derivation.file, span), text: found.formula.clone(), says })
 }
 
 impl Finding {
@@ -139,6 +164,7 @@ pub fn findings(derivation: &Derivation, account: &Account) -> Vec<Finding> {
             place: Place { source: Arc::clone(&derivation.file), span: None },
             related: Vec::new(),
             identity: derivation.id.clone(),
+            fix: None,
         });
     }
     out
@@ -189,6 +215,7 @@ fn verdict(derivation: &Derivation, claim: &ClaimAccount, group: &Group<'_>) -> 
         place: Place::new(&derivation.file, place_of(derivation, claim, pair)),
         related: Vec::new(),
         identity: format!("{}\n{}\n{}", derivation.id, name(claim), group.expected.unwrap_or("nothing")),
+        fix: fix(derivation, claim).filter(|_| group.word == "fails"),
     })
 }
 
@@ -215,6 +242,7 @@ fn family(derivation: &Derivation, claim: &ClaimAccount, of: &FamilyAccount) -> 
         place: Place::new(&derivation.file, place_of_claim(derivation, claim)),
         related: Vec::new(),
         identity: format!("{}\n{}\n{}\n{}", derivation.id, name(claim), of.family, of.expected.unwrap_or("nothing")),
+        fix: None,
     })
 }
 
@@ -261,6 +289,7 @@ fn region(derivation: &Derivation, claim: &ClaimAccount) -> Option<Finding> {
         place: Place::new(&derivation.file, place),
         related: Vec::new(),
         identity: format!("{}\n{}\n{}", derivation.id, name(claim), judged.expected.unwrap_or("nothing")),
+        fix: None,
     })
 }
 
@@ -282,6 +311,7 @@ pub(super) fn alone(derivation: &Derivation, claim: &ClaimAccount) -> Option<Fin
         place: Place::new(&derivation.file, place_of_claim(derivation, claim)),
         related: Vec::new(),
         identity: format!("{}\n{}\n{}", derivation.id, name(claim), expected.unwrap_or("nothing")),
+        fix: fix(derivation, claim).filter(|_| word == "fails"),
     })
 }
 
@@ -365,6 +395,7 @@ fn problem(diagnostic: &Diagnostic) -> Finding {
         related: other.collect(),
         identity: format!("{}\n{}", diagnostic.source.path, diagnostic.message),
         message,
+        fix: None,
     }
 }
 

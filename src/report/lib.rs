@@ -73,7 +73,7 @@ pub use certificates::{CERTIFICATES, certificate_text, certificates, lean_text};
 pub use contents::contents;
 pub use diff::{Change, Direction, OtherId, diff, diff_files, diff_text, is_worse};
 pub use explain::explain;
-pub use finding::{Finding, Level, Place, Region, findings, problems, rule_says};
+pub use finding::{Finding, Fix, Level, Place, Region, findings, problems, rule_says};
 pub use front::alarms;
 pub use github::github;
 pub use json::{json, json_with_paper};

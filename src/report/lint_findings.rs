@@ -6,7 +6,7 @@
 use lint::{Judgement, Lint, Word};
 use paper::Paper;
 
-use super::finding::{Finding, Level, Place};
+use super::finding::{Finding, Fix, Level, Place};
 
 /// What is wrong as an error, everything else that a reader may want to look at as a note.
 pub fn lint_findings(paper: &Paper, found: &Lint) -> Vec<Finding> {
@@ -28,5 +28,8 @@ fn finding(paper: &Paper, judgement: &Judgement) -> Option<Finding> {
         None => format!("{}: {}", judgement.word.text(), lint::explained(paper, judgement)),
     };
     let identity = format!("{}\n{}", source.path, relation.text());
-    Some(Finding { rule, level, message, place: Place::new(source, span), related: Vec::new(), identity })
+    let place = Place::new(source, span);
+    let says = "This holds, and is proved".to_owned();
+    let fix = judgement.instead.clone().map(|text| Fix { place: place.clone(), text, says });
+    Some(Finding { rule, level, message, place, related: Vec::new(), identity, fix })
 }

@@ -21,6 +21,7 @@ pub fn paper_findings(derivation: &Derivation, comparison: &Comparison) -> Vec<F
         place: here(&d.here),
         related: vec![(there(&d.there), format!("printed under `{}`", d.label))],
         identity: format!("{}\n{}\n{}", derivation.id, d.owner, d.label),
+        fix: None,
     });
     let unknown = comparison.unknown.iter().map(|u| {
         let hint = u.near.as_ref().map(|n| format!(" Did you mean `{n}`?")).unwrap_or_default();
@@ -31,6 +32,7 @@ pub fn paper_findings(derivation: &Derivation, comparison: &Comparison) -> Vec<F
             place: here(&u.span),
             related: Vec::new(),
             identity: format!("{}\n{}\n{}", derivation.id, u.owner, u.label),
+            fix: None,
         }
     });
     let open = comparison.equations.iter().filter(|e| !e.is_covered()).map(|e| Finding {
@@ -40,6 +42,7 @@ pub fn paper_findings(derivation: &Derivation, comparison: &Comparison) -> Vec<F
         place: there(&e.span),
         related: Vec::new(),
         identity: format!("{}\n{}", derivation.id, e.label.as_ref().unwrap_or(&e.text)),
+        fix: None,
     });
     differs.chain(unknown).chain(open).collect()
 }

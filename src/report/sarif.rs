@@ -13,7 +13,7 @@ use serde::Serialize;
 
 use diag::escape::in_json;
 
-use super::finding::{Finding, Level, Place, rule_says};
+use super::finding::{Finding, Fix, Level, Place, rule_says};
 
 /// What is said, as the standard has every text.
 #[derive(Serialize)]
@@ -84,6 +84,30 @@ struct Outcome {
     partial_fingerprints: Fingerprints,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     related_locations: Vec<Location>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    fixes: Vec<Mending>,
+}
+
+/// A `fix` of the standard.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Mending {
+    description: Message,
+    artifact_changes: [ArtifactChange; 1],
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct ArtifactChange {
+    artifact_location: ArtifactLocation,
+    replacements: [Replacement; 1],
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Replacement {
+    deleted_region: Region,
+    inserted_content: Message,
 }
 
 #[derive(Serialize)]
@@ -207,6 +231,16 @@ fn outcome(finding: &Finding, rules: &[&str], fingerprint: &str) -> Outcome {
         locations: [location(&finding.place, None)],
         partial_fingerprints: Fingerprints { line: fingerprint.to_owned(), own: fingerprint.to_owned() },
         related_locations: related,
+        fixes: finding.fix.iter().map(mending).collect(),
+    }
+}
+
+fn mending(fix: &Fix) -> Mending {
+    let PhysicalLocation { artifact_location, region } = location(&fix.place, None).physical_location;
+    let replacement = Replacement { deleted_region: region, inserted_content: Message::new(fix.text.clone()) };
+    Mending {
+        description: Message::new(escaped(&format!("{}: {}", fix.says, fix.text))),
+        artifact_changes: [ArtifactChange { artifact_location, replacements: [replacement] }],
     }
 }
 

@@ -1,7 +1,7 @@
 //! Checks of the formats for machines that share no code with what writes them.
 //!
 //! The published schemas are not copied into this project. What is checked here is what they ask of the parts that are
-//! used: the SARIF 2.1.0 standard (sections 3.13 to 3.30) with what code scanning demands beyond it, and the elements and
+//! used: the SARIF 2.1.0 standard (sections 3.13 to 3.30, and 3.55 to 3.57 on fixes) with what code scanning demands beyond it, and the elements and
 //! attributes of JUnit XML that the readers of continuous-integration systems agree on.
 
 use std::collections::BTreeMap;
@@ -202,7 +202,8 @@ pub fn sarif(text: &str) -> Result<Vec<Value>, String> {
 }
 
 fn one_result(result: &Value, ids: &[&str]) -> Result<(), String> {
-    let known = ["ruleId", "ruleIndex", "level", "message", "locations", "partialFingerprints", "relatedLocations"];
+    let known =
+        ["ruleId", "ruleIndex", "level", "message", "locations", "partialFingerprints", "relatedLocations", "fixes"];
     keys(result, &known, &known[..6])?;
     let id = string(&result["ruleId"])?;
     let index = result["ruleIndex"].as_u64().and_then(|i| usize::try_from(i).ok()).ok_or("no ruleIndex")?;
@@ -223,20 +224,18 @@ fn one_result(result: &Value, ids: &[&str]) -> Result<(), String> {
         keys(location, &["id", "message", "physicalLocation"], &["physicalLocation"])?;
         let physical = &location["physicalLocation"];
         keys(physical, &["artifactLocation", "region"], &["artifactLocation", "region"])?;
-        let artifact = &physical["artifactLocation"];
-        keys(artifact, &["uri", "uriBaseId"], &["uri"])?;
-        let uri = string(&artifact["uri"])?;
-        let plain = |c: char| c.is_ascii_alphanumeric() || "-._~/%:".contains(c);
-        if uri.is_empty() || !uri.chars().all(plain) || uri.contains(':') != uri.starts_with("file:///") {
-            return Err(format!("{uri} is no URI"));
-        }
-        let region = &physical["region"];
-        keys(region, &["startLine", "startColumn", "endLine", "endColumn"], &["startLine"])?;
-        let number =
-            |key: &str| region.get(key).map_or(Some(1), Value::as_u64).filter(|n| *n > 0).ok_or(key.to_owned());
-        let start = (number("startLine")?, number("startColumn")?);
-        if region.get("endLine").is_some() && (number("endLine")?, number("endColumn")?) < start {
-            return Err("a region ends before it begins".to_owned());
+        one_place(&physical["artifactLocation"], &physical["region"])?;
+    }
+    for fix in result.get("fixes").map_or(Ok(&[][..]), list)? {
+        keys(fix, &["description", "artifactChanges"], &["artifactChanges"])?;
+        message(string(&fix["description"]["text"])?, &[])?;
+        for change in list(&fix["artifactChanges"])? {
+            keys(change, &["artifactLocation", "replacements"], &["artifactLocation", "replacements"])?;
+            for replacement in list(&change["replacements"])? {
+                keys(replacement, &["deletedRegion", "insertedContent"], &["deletedRegion"])?;
+                one_place(&change["artifactLocation"], &replacement["deletedRegion"])?;
+                string(&replacement["insertedContent"]["text"])?;
+            }
         }
     }
     if list(&result["locations"])?.len() != 1 {
@@ -245,6 +244,23 @@ fn one_result(result: &Value, ids: &[&str]) -> Result<(), String> {
     let prints = result["partialFingerprints"].as_object().ok_or("no fingerprints")?;
     if prints.get("primaryLocationLineHash").and_then(Value::as_str).is_none_or(str::is_empty) {
         return Err("no fingerprint for code scanning".to_owned());
+    }
+    Ok(())
+}
+
+/// A location of an artifact and a region in it (sections 3.4 and 3.30).
+fn one_place(artifact: &Value, region: &Value) -> Result<(), String> {
+    keys(artifact, &["uri", "uriBaseId"], &["uri"])?;
+    let uri = string(&artifact["uri"])?;
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-._~/%:".contains(c);
+    if uri.is_empty() || !uri.chars().all(plain) || uri.contains(':') != uri.starts_with("file:///") {
+        return Err(format!("{uri} is no URI"));
+    }
+    keys(region, &["startLine", "startColumn", "endLine", "endColumn"], &["startLine"])?;
+    let number = |key: &str| region.get(key).map_or(Some(1), Value::as_u64).filter(|n| *n > 0).ok_or(key.to_owned());
+    let start = (number("startLine")?, number("startColumn")?);
+    if region.get("endLine").is_some() && (number("endLine")?, number("endColumn")?) < start {
+        return Err("a region ends before it begins".to_owned());
     }
     Ok(())
 }

@@ -73,9 +73,9 @@ pub(super) fn actions(of: &Looked, params: &Value) -> Value {
         let edit = json!({ "range": range(region), "newText": text });
         Some(json!({ "title": title, "kind": "quickfix", "edit": { "changes": { uri: [edit] } } }))
     };
-    let right = of.remarks.iter().filter(|r| touches(&r.span)).filter_map(|r| {
-        let (formula, why) = r.instead.as_ref()?;
-        action(format!("{why}: {}", in_one_line(formula)), r.span.clone(), formula)
+    let right = of.findings.iter().filter_map(|f| f.fix.as_ref()).filter_map(|fix| {
+        let span = fix.place.span.clone().filter(touches)?;
+        action(format!("{}: {}", fix.says, in_one_line(&fix.text)), span, &fix.text)
     });
     let undeclared = of.findings.iter().filter(|f| f.rule == "latex::unknown-symbol").filter_map(|f| {
         let span = f.place.span.clone().filter(touches)?;

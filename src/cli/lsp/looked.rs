@@ -19,8 +19,6 @@ pub(super) struct Remark {
     pub word: String,
     /// More, in Markdown.
     pub more: String,
-    /// What could stand there, and why it should.
-    pub instead: Option<(String, String)>,
 }
 
 /// A name that the text declares.
@@ -128,7 +126,7 @@ fn with_verdicts(source: &Arc<Source>, session: &Session, found: &Findings) -> L
         let said: Vec<String> = words.iter().map(|(word, n)| format!("{word} on {n}")).collect();
         let word = if said.is_empty() { "on no motion".to_owned() } else { said.join(", ") };
         let more = found.explanation(&claim.name(), &[], false).map(|text| fenced(&text)).unwrap_or_default();
-        Remark { span: claim.span.clone(), word, more, instead: None }
+        Remark { span: claim.span.clone(), word, more }
     };
     let derivation = session.derivation();
     Looked {
@@ -163,8 +161,7 @@ fn of_paper(source: &Arc<Source>, folder: Option<&Path>) -> Looked {
         if let Some(problem) = lint::diagnostic(&paper, judgement) {
             more.extend(report::problems(&[problem]).iter().map(|f| format!("\n\n{}", fenced(&f.message))));
         }
-        let instead = judgement.instead.clone().map(|formula| (formula, "This holds, and is proved".to_owned()));
-        remarks.push(Remark { span, word: judgement.word.text().to_owned(), more, instead });
+        remarks.push(Remark { span, word: judgement.word.text().to_owned(), more });
     }
     for note in &paper.notes {
         let (_, span) = paper.locate(&note.span);
