@@ -17,15 +17,16 @@ use crate::check::{
     self, Account, Cache, CheckError, ClaimAccount, IdentityAccount, Limits, Options, Outcome, Proposition, Store,
     Witness,
 };
-use crate::derivation::{Derivation, is_called, parse};
+use crate::derivation::{Claim, Derivation, is_called, parse};
 use crate::diag::escape::shown;
 use crate::diag::{Diagnostic, Source};
-use crate::findings::recorded::{self, Recorded};
+use crate::findings::recorded::{self, Recorded, Searches};
 use crate::findings::search::SearchAccount;
 use crate::report;
 use crate::verdict::Residuals;
 use meter::{Ended, Task};
 use rayon::prelude::*;
+use std::sync::{Mutex, PoisonError};
 
 /// Where diagnostics place a problem with the scope of a [`Question`].
 const SCOPE: &str = "scope";
@@ -523,27 +524,31 @@ impl Findings {
     }
 
     /// Looks for proofs as steps that the checker replays, of what is proved and called so, `id` or `id/reading`; of all that is proved, if `only` names nothing.
-    /// What was found of the same file before is taken from the store, and replayed.
+    /// What was found for one of the last states of the file is taken from the store, and replayed.
     pub fn record(&mut self, only: Option<&str>, store: Option<&dyn Store>) {
         let derivation = &self.derivation;
-        let kept = store.and_then(|store| store.read(&derivation.sha256));
-        let known = kept.map(|bytes| recorded::kept(&bytes)).unwrap_or_default();
+        let name = recorded::name_of(&derivation.id);
+        let kept = store.and_then(|store| store.read(&name));
+        let known = kept.map(|bytes| Searches::read(&bytes)).unwrap_or_default();
+        let all = Mutex::new(Vec::new());
+        let search = |claim: &Claim| {
+            let asked = tactics::Asked::of(derivation, claim)?;
+            let name = asked.name();
+            let found = known.known(&name).cloned().unwrap_or_else(|| asked.record());
+            all.lock().unwrap_or_else(PoisonError::into_inner).push((name, found.clone()));
+            found
+        };
         let is_meant = |c: &ClaimAccount| only.is_none_or(|name| is_called(name, &c.id, c.reading.as_deref()));
         self.account.claims.par_iter_mut().with_max_len(1).filter(|c| is_meant(c)).for_each(|of| {
             let declared = derivation.claim(&of.id, of.reading.as_deref());
             let proved = of.identity.as_mut().filter(|i| i.finding.is_proved_in_part() && i.recorded.is_none());
             if let (Some(claim), Some(identity)) = (declared, proved) {
-                let before = known.iter().find(|(name, _)| *name == claim.name()).map(|(_, found)| found.clone());
-                identity.recorded = Some(Recorded::of(before.unwrap_or_else(|| tactics::record(derivation, claim))));
+                identity.recorded = Some(Recorded::of(search(claim)));
             }
         });
-        if let (Some(store), None, true) = (store, only, known.is_empty()) {
-            let names = |c: &ClaimAccount| derivation.claim(&c.id, c.reading.as_deref()).map(|claim| claim.name());
-            let found = self.account.claims.iter().filter_map(|c| {
-                let recorded = c.identity.as_ref()?.recorded.as_ref()?;
-                Some((names(c)?, recorded))
-            });
-            store.write(&derivation.sha256, &recorded::to_keep(found));
+        let asked = all.into_inner().unwrap_or_else(PoisonError::into_inner);
+        if let (Some(store), None, Some(bytes)) = (store, only, known.with(asked)) {
+            store.write(&name, &bytes);
         }
     }
 

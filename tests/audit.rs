@@ -160,7 +160,9 @@ fn is_recorded(claim: &str) -> bool {
         rederive::Session::open("false.toml", text).unwrap_or_else(|problems| panic!("{claim}: {problems:?}"));
     let derivation = session.derivation();
     let claim = derivation.claim("c", None).expect("the claim");
-    let found = tactics::record(derivation, claim).map(|proof| rederive::findings::Recorded::of(Ok(proof)));
+    let found = tactics::Asked::of(derivation, claim)
+        .and_then(|asked| asked.record())
+        .map(|proof| rederive::findings::Recorded::of(Ok(proof)));
     found.is_ok_and(|recorded| recorded.steps().is_some() && recorded.left_out() == 0)
 }
 

@@ -3,6 +3,9 @@
 //! **In:** what a search for steps came to. **Out:** [`Recorded`]. **Guaranteed:** what is called recorded was replayed by the checker; the word is made here and nowhere else.
 
 use checker::{ProofRecord, Told};
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Whether a proof is recorded.
@@ -14,22 +17,47 @@ pub enum Recorded {
     Not(String),
 }
 
-/// What searches came to, by the names of claims.
-pub type Found = Vec<(String, Result<ProofRecord, String>)>;
+/// For how many states of a file it is kept what a search came to that is not asked for.
+const AGES: u64 = 8;
 
-/// What was kept of searches; nothing where the bytes are no record.
-pub fn kept(bytes: &[u8]) -> Found {
-    serde_json::from_slice(bytes).unwrap_or_default()
+/// What a search for steps came to.
+pub type Found = Result<ProofRecord, String>;
+
+/// What searches for the last states of a file came to, by the names of their questions.
+#[derive(Debug, Default, Serialize, Deserialize)]
+pub struct Searches {
+    age: u64,
+    found: BTreeMap<String, (u64, Found)>,
 }
 
-/// What is to be kept of searches.
-pub fn to_keep<'a>(all: impl Iterator<Item = (String, &'a Recorded)>) -> Vec<u8> {
-    let found = |recorded: &Recorded| match recorded {
-        Recorded::Proof(proof, _) => Ok(ProofRecord::clone(proof)),
-        Recorded::Not(why) => Err(why.clone()),
-    };
-    let found: Found = all.map(|(name, recorded)| (name, found(recorded))).collect();
-    serde_json::to_vec(&found).unwrap_or_default()
+/// The name under which the searches for a file are kept, by its id.
+pub fn name_of(id: &str) -> String {
+    let sum = Sha256::digest(format!("proofs of {id}"));
+    sum.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+impl Searches {
+    /// What was kept; nothing where the bytes are no record.
+    pub fn read(bytes: &[u8]) -> Searches {
+        serde_json::from_slice(bytes).unwrap_or_default()
+    }
+
+    /// What a search came to.
+    pub fn known(&self, name: &str) -> Option<&Found> {
+        self.found.get(name).map(|(_, found)| found)
+    }
+
+    /// One more state of the file, with all that was asked for it, as bytes; `None` where all of it is kept already.
+    pub fn with(mut self, asked: Vec<(String, Found)>) -> Option<Vec<u8>> {
+        if asked.iter().all(|(name, _)| self.found.contains_key(name)) {
+            return None;
+        }
+        self.age += 1;
+        let now = self.age;
+        self.found.extend(asked.into_iter().map(|(name, found)| (name, (now, found))));
+        self.found.retain(|_, (age, _)| *age + AGES > now);
+        serde_json::to_vec(&self).ok()
+    }
 }
 
 impl Recorded {

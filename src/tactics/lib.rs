@@ -27,19 +27,44 @@ pub use sequent::sequents;
 
 use checker::{ProofRecord, RelationRecord};
 use derivation::{Claim, Derivation};
+use sha2::{Digest, Sha256};
 
-/// Proofs of all that a claim says, for the checker.
-///
-/// # Errors
-/// A sentence: the form of the claim that no sequent expresses, or that no proof was found.
-pub fn record(derivation: &Derivation, claim: &Claim) -> Result<ProofRecord, String> {
-    recorded(&sequents(derivation, claim)?)
+/// All that a claim says, as questions for the checker.
+#[derive(Debug)]
+pub struct Asked(Vec<Question>);
+
+impl Asked {
+    /// What a claim asks.
+    ///
+    /// # Errors
+    /// A sentence: the form of the claim that no sequent expresses.
+    pub fn of(derivation: &Derivation, claim: &Claim) -> Result<Asked, String> {
+        sequents(derivation, claim).map(Asked)
+    }
+
+    /// A name that no other questions have: the SHA-256 of all that is given and claimed, in hexadecimal digits.
+    pub fn name(&self) -> String {
+        let mut sum = Sha256::new();
+        for question in &self.0 {
+            sum.update(serde_json::to_vec(&question.sequent).unwrap_or_default());
+            sum.update(format!("{:?}\n", question.conserved));
+        }
+        sum.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+    }
+
+    /// Proofs, for the checker.
+    ///
+    /// # Errors
+    /// A sentence: that no proof was found.
+    pub fn record(&self) -> Result<ProofRecord, String> {
+        recorded(&self.0)
+    }
 }
 
-/// The same, of a claim that is asked with premises of all times: its assumptions choose none.
+/// The same, at once, of a claim that is asked with premises of all times: its assumptions choose none.
 ///
 /// # Errors
-/// As for [`record`].
+/// As for [`Asked::of`] and [`Asked::record`].
 pub fn record_throughout(derivation: &Derivation, claim: &Claim) -> Result<ProofRecord, String> {
     recorded(&sequent::sequents_throughout(derivation, claim)?)
 }
