@@ -171,7 +171,7 @@ fn atom(dice: &mut Dice, depth: usize) -> Print {
         }
         6 => Print::Fraction(within(dice), within(dice)),
         7 => Print::Fraction(boxed(digit(dice)), boxed(digit(dice))),
-        8 => Print::Root(Some("3").filter(|_| dice.coin()), within(dice)),
+        8 => Print::Root(dice.coin().then_some("3"), within(dice)),
         9 => {
             let dotted = Print::Dots([r"\dot", r"\ddot"][dice.below(2)], boxed(name(dice)));
             match dice.below(3) {

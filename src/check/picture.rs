@@ -266,7 +266,7 @@ fn inside(line: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
         open = within;
         if let Some(part) = out.last_mut() {
             part.extend(rim);
-            part.extend(Some(*p).filter(|_| within));
+            part.extend(within.then_some(*p));
         }
     }
     out.retain(|part| part.len() > 1);

@@ -114,12 +114,9 @@ fn watch(arguments: &LintArguments, papers: &[PathBuf]) -> Result<Ending, Stop> 
         match once(arguments, papers) {
             Ok(_) => {}
             // What cannot be read now may be read when it is saved again.
-            Err(stop) => match stop.downcast::<Failure>() {
-                Ok(failure) => match *failure {
-                    Failure::Problems(found) => say_problems(found),
-                    other => return Err(other.into()),
-                },
-                Err(stop) => return Err(stop),
+            Err(stop) => match *stop.downcast::<Failure>()? {
+                Failure::Problems(found) => say_problems(found),
+                other => return Err(other.into()),
             },
         }
     }

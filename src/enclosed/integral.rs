@@ -91,7 +91,7 @@ fn of_system(request: &Request, graph: &mut Graph, field: &VectorField, candidat
     for ((e, rate), values) in kept.into_iter().zip(values.chunks(states.len() + 1)) {
         let Ok(values) = values.iter().copied().collect::<Result<Vec<Finite>, _>>() else { continue };
         let Some((&moves, slopes)) = values.split_last() else { continue };
-        let Some(row) = Some(slopes).filter(|_| moves.is_zero()).and_then(|s| reduced(&finite, &rows, s)) else {
+        let Some(row) = moves.is_zero().then_some(slopes).and_then(|s| reduced(&finite, &rows, s)) else {
             continue;
         };
         let zero = graph.integer(0);

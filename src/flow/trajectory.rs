@@ -393,7 +393,7 @@ fn beside(flow: &Flow, constants: &[f64], (from, to): (f64, f64), state: Vec<f64
     if flow.expand(&mut slots, 2, from, &state, &mut series).is_err() {
         return state;
     }
-    let rows = || series.chunks_exact(3);
+    let rows = || series.as_chunks::<3>().0.iter();
     // How long states take to become others, as far as two coefficients tell.
     let times = rows().filter(|c| c[0] != 0.0 && c[1] != 0.0).map(|c| (c[0] / c[1]).abs());
     let time = times.fold((to - from).abs() / 64.0, f64::min);

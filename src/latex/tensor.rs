@@ -61,8 +61,7 @@ impl Entry for Expr {
 impl Entry for Pair {
     fn entries(graph: &mut Graph, t: &Tensor) -> Vec<Pair> {
         if t.shape.is_complex() {
-            let parts = t.components.chunks_exact(2);
-            return parts.filter_map(|p| if let &[re, im] = p { Some(Pair { re, im }) } else { None }).collect();
+            return t.components.as_chunks().0.iter().map(|&[re, im]| Pair { re, im }).collect();
         }
         t.components.iter().map(|&re| Pair::real(graph, re)).collect()
     }

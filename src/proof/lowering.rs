@@ -85,8 +85,8 @@ pub(super) fn lower(
         images.push((lowering.lower(e)?, premise.derived));
     }
     let mut sides = Vec::new();
-    for pair in claimed.chunks_exact(2) {
-        sides.push((lowering.lower(pair[0])?, lowering.lower(pair[1])?));
+    for &[left, right] in claimed.as_chunks().0 {
+        sides.push((lowering.lower(left)?, lowering.lower(right)?));
     }
     let mut facts = Facts::default();
     for e in positive {

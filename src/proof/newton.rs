@@ -115,7 +115,7 @@ pub(super) fn example(
             return None;
         }
         let at: Option<Vec<Bounded>> = decimals(graph, &sides, &values).into_iter().collect();
-        let differs = at?.chunks_exact(2).position(|pair| are_apart(pair[0], pair[1]));
+        let differs = at?.as_chunks().0.iter().position(|&[l, r]| are_apart(l, r));
         Some(Example { point: system.point(&place), differs })
     })
 }
@@ -399,7 +399,7 @@ fn judged(
     }
     let sides: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
     let at = decimals(graph, &sides, &values);
-    let pairs: Option<Vec<(Bounded, Bounded)>> = at.chunks_exact(2).map(|p| Some((p[0]?, p[1]?))).collect();
+    let pairs: Option<Vec<(Bounded, Bounded)>> = at.as_chunks().0.iter().map(|&[l, r]| Some((l?, r?))).collect();
     let (equation, (l, r)) = pairs?.into_iter().enumerate().find(|&(_, (l, r))| are_apart(l, r))?;
     let side = |v: Bounded| Side { exact: None, decimal: v.value };
     Some(Refutation {

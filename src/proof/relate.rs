@@ -185,7 +185,7 @@ fn finished(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, mut
     });
     proof.example = proof.example.take().filter(|point| {
         let at = decimals(graph, &sides, &values_at(point));
-        at.chunks_exact(2).all(|pair| match (pair[0], pair[1]) {
+        at.as_chunks().0.iter().all(|&[l, r]| match (l, r) {
             (Some(l), Some(r)) => (l.value - r.value).abs() <= 4.0 * (l.error + r.error),
             _ => false,
         })

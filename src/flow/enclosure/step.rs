@@ -471,8 +471,8 @@ impl Field {
         let terms = if faults::short_series() { 8 } else { POINT_ORDER };
         let from_zero =
             |c: &[DoubleDouble]| PreciseModel::close_to(&[&[DoubleDouble::ZERO], &c[1..=terms]].concat(), h);
-        let point = bench.point_coefficients.chunks_exact(POINT_ORDER + 1);
-        let moved: Vec<PreciseModel> = point.map(from_zero).collect::<Result<_, _>>().map_err(shape)?;
+        let point = bench.point_coefficients.as_chunks::<{ POINT_ORDER + 1 }>().0.iter();
+        let moved: Vec<PreciseModel> = point.map(|c| from_zero(c)).collect::<Result<_, _>>().map_err(shape)?;
         let from = |(m, &c): (&PreciseModel, &DoubleDouble)| {
             let mut sum = PreciseModel::ZERO;
             sum.add(&(), m, &PreciseModel::constant(&Precise::new(c, 0.0))).map(|()| sum).map_err(shape)
@@ -579,12 +579,12 @@ impl Field {
             }
         };
         let most = (REMAINDER * size).max(REMAINDER_TO_WIDTH * width);
-        let rows = || bench.point_coefficients.chunks_exact(POINT_ORDER + 1);
+        let rows = || bench.point_coefficients.as_chunks::<{ POINT_ORDER + 1 }>().0.iter();
         // Around its middle a step reaches half as far.
         for (k, reach) in [(PreciseModel::DEGREE + 1, 2.0), (POINT_ORDER - 1, 1.0), (POINT_ORDER, 1.0)] {
             limit(rows().map(|c| c[k].high().abs()).fold(0.0, f64::max), most, k, reach);
         }
-        let rows = || bench.coefficients.chunks_exact(ORDER + 1).skip(self.dimension());
+        let rows = || bench.coefficients.as_chunks::<{ ORDER + 1 }>().0.iter().skip(self.dimension());
         for (k, reach) in [(ORDER - 1, 1.0), (ORDER, 1.0)] {
             limit(rows().map(|c| c[k].abs()).fold(0.0, f64::max), REMAINDER_OF_DERIVATIVE, k, reach);
         }

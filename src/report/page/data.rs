@@ -307,7 +307,7 @@ fn packed<'a>(
     let evidence = pair.verdict.evidence();
     // Events are few: they are shown on the whole span of the motion, and one is enough.
     let at_events = declared.is_some_and(|d| d.at.is_some());
-    let span = Some(span).filter(|_| at_events);
+    let span = at_events.then_some(span);
     let drawn = evidence.series.as_deref().filter(|s| s.points.len() > usize::from(!at_events));
     // What holds is the same line twice: fewer samples say it.
     let holds = matches!(pair.verdict.outcome(), findings::Outcome::Holds(_));
