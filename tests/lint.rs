@@ -124,6 +124,44 @@ fn a_wrong_step_has_the_nearest_formula_that_holds_beside_it() {
 
 /// Texts that print the same, or say the same, have the same word.
 #[test]
+fn derivatives_chains_and_lost_terms_are_claims() {
+    for (tex, right) in [
+        (r"Let $f(x)=x^2e^{-x}$. \[f'(x)=(2x+x^2)e^{-x}\]", r"(2x-x^2)e^{-x}"),
+        (r"Let $y=x^3$. Then $\frac{dy}{dx}=3x$.", "3x^2"),
+        (r"With $x=A\cos\omega t$ we have \[\ddot x=\omega^2x.\]", r"-\omega^2x"),
+        (r"Here $\cos2x=\cos^2x-\sin^2x=2\cos^2x+1$.", r"2\cos^2x-1"),
+        (r"Thus $\frac{1}{1-x}=1+x+\frac{x^2}{1+x}$.", r"1+x+\frac{x^2}{1-x}"),
+        (r"We have \[(a+b)^2=a^2+b^2.\]", "a^2+b^2+2ab"),
+        (r"Let $F=ma$ and $a=\frac{v^2}{r}$. Then \[F=\frac{mv}{r}.\]", r"\frac{mv^2}{r}"),
+    ] {
+        assert_eq!(instead(tex).as_deref(), Some(right), "{tex}");
+    }
+    for tex in [
+        // Another case, another item of a list, a condition, an unknown that takes the difference in.
+        r"Let $F=ma$ and $a=\frac{v^2}{r}$. If it is thrown in another case then \[F=\frac{mv}{r}.\]",
+        r"\begin{itemize}\item Let \[r=\frac{b}{a-c}.\] \item Thus let \[r=\frac{b}{c-a}.\]\end{itemize}",
+        r"Suppose $\frac{1}{1-x}=1+x+\frac{x^2}{1+x}$.",
+        r"The vectors are orthogonal where \[(a+b)^2=a^2+b^2.\]",
+        r"Let $x=A\cos\omega t$. In a moving frame \[\bar x=\omega^2x.\]",
+    ] {
+        assert_eq!(instead(tex), None, "{tex}");
+    }
+}
+
+#[test]
+fn a_case_of_the_running_text_proves_nothing_later() {
+    for case in [
+        r"\begin{figure}\caption{The body for $\theta=\alpha$}\end{figure}",
+        r"Of this kind are bodies of which $\theta=\alpha$.",
+        r"\begin{itemize}\item $\theta=\alpha+b$: a top.\end{itemize}",
+        r"当$\theta=2\alpha$。",
+    ] {
+        let found = words(&format!(r"{case} The angle is \[\tan(\theta-\alpha)=\sin(2\theta-2\alpha)=\tan b.\]"));
+        assert!(found.iter().all(|(word, _)| *word != Word::Follows && *word != Word::Wrong), "{case}: {found:?}");
+    }
+}
+
+#[test]
 fn displays_are_read_as_they_are_printed() {
     for (tex, wanted) in [
         (r"\begin{align} u &= ab & v &= cd \end{align}", &["u=ab", "v=cd"][..]),

@@ -8,7 +8,7 @@ use proof::Identity;
 
 use super::desk::{Desk, Given, NotRead, evidence_of, lone_name, unprimed};
 use super::facts::{Facts, PositiveName, Reach, Stated};
-use super::nearest::{WrongStep, introduces_nothing, is_slip_of, nearest};
+use super::nearest::{Sureness, WrongStep, introduces_nothing, is_slip_of, nearest};
 use super::numbers::agreement;
 use super::question::{Asked, Positive, Rests, TOO_LONG, ask};
 use super::sentence::{Sentence, explains, is_supposed, parts};
@@ -121,14 +121,27 @@ struct Tally {
     differs: Option<String>,
 }
 
+/// Of what *wrong* may be said.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Blame {
+    /// Of nothing: what is defined here, or need not be exact.
+    Nothing,
+    /// Of what is wrong whatever its names stand for: in the running text much is a case, or a condition.
+    Identities,
+    /// Of everything that this section refutes.
+    Steps,
+}
+
 /// Where a step stands.
 struct Place<'a> {
     at: usize,
     free: &'a BTreeSet<char>,
     /// The equations that its sentence names.
     named: Vec<usize>,
-    /// Whether *wrong* may be said.
-    told: bool,
+    /// Of what *wrong* may be said.
+    blame: Blame,
+    /// How sure it is that something is claimed.
+    sureness: Sureness,
     /// How far back a proof may reach.
     reach: Reach,
     /// The value of a name is found: its sign is part of what is said.
@@ -187,7 +200,10 @@ impl Judge<'_> {
         if out.word != Word::Wrong && !sentence.loosens && !(inline && is_supposed(self.paper, relation)) {
             self.state(relation, at, &open);
         }
-        self.define(relation, at);
+        // One name for another in the running text is a case more often than a definition.
+        if !(inline && lone_name(&relation.sides[1]).is_some()) {
+            self.define(relation, at);
+        }
         out
     }
 
@@ -270,6 +286,7 @@ impl Judge<'_> {
                     .any(|g| g.key == n.key() && !g.is_rate && n.dots == 0 && g.section == self.section)
             });
             let defining = k == 1 && first.is_some() && !known;
+            let derived = k == 1 && self.is_derived(first.as_ref());
             if defining {
                 // Whether it can be read is all that there is to say of it.
                 tally.defines = true;
@@ -279,16 +296,32 @@ impl Judge<'_> {
                     Ok(()) if (inline || !concludes) && !rate => continue,
                     Ok(()) => {}
                 }
-                if inline || !(rate && !self.facts.given.is_empty() || concludes && self.is_stated(first.as_ref())) {
+                let is_asked = rate && !self.facts.given.is_empty() || concludes && self.is_stated(first.as_ref());
+                if !derived && (inline || !is_asked) {
                     continue;
                 }
             }
             out.steps.1 += 1;
-            let told = !inline && !sentence.loosens && (!defining || self.has_rates());
+            let blame = match (sentence.loosens, inline) {
+                (true, _) => Blame::Nothing,
+                (false, _) if derived => Blame::Steps,
+                (false, true) if defining || is_supposed(self.paper, relation) => Blame::Nothing,
+                (false, true) => Blame::Identities,
+                (false, false) if defining && !self.has_rates() => Blame::Nothing,
+                (false, false) => Blame::Steps,
+            };
             let solves = defining && !self.is_rate(first.as_ref());
             let alone = relation.sides.len() == 2 && (first.is_none() || defining);
             let reach = if alone { Reach::Near { section: self.section, at } } else { Reach::Paper };
-            let place = Place { at, free: &free, named: named.clone(), told, reach, solves };
+            let sureness = match () {
+                () if derived => Sureness::Derives,
+                () if concludes && !sentence.changes && self.is_the_same_case(first.as_ref(), at) => {
+                    Sureness::Concludes
+                }
+                () if k > 1 => Sureness::Chain,
+                () => Sureness::Stands,
+            };
+            let place = Place { at, free: &free, named: named.clone(), blame, sureness, reach, solves };
             match self.step([left, right], &place) {
                 Step::Follows(support) => {
                     tally.follows += 1;
@@ -317,7 +350,7 @@ impl Judge<'_> {
                     let same = |g: &&Given| first.as_ref().is_some_and(|n| g.key == n.key() && !g.is_rate);
                     let before = self.facts.given.iter().rev().find(same).cloned();
                     tally.anew = before.as_ref().map(|g| g.relation);
-                    if told
+                    if blame == Blame::Steps
                         && !sentence.changes
                         && first.as_ref().is_some_and(|n| n.dots + n.primes == 0 && n.derived_by.is_none())
                     {
@@ -429,6 +462,24 @@ impl Judge<'_> {
         })
     }
 
+    /// Whether a name is a derivative of what this section defines by a formula: what it is is no choice any more.
+    fn is_derived(&self, name: Option<&paper::PaperName>) -> bool {
+        name.is_some_and(|n| {
+            let is_it = |g: &Given| !g.is_rate && g.section == self.section && g.key == unprimed(n).key();
+            (n.dots > 0 || n.primes > 0 || n.derived_by.is_some()) && self.facts.given.iter().any(is_it)
+        })
+    }
+
+    /// Whether no item of a list begins between the definition of a name and a relation: a list may be one of cases.
+    fn is_the_same_case(&self, name: Option<&paper::PaperName>, at: usize) -> bool {
+        let defines = |g: &&Given| name.is_some_and(|n| g.key == n.key());
+        let Some(before) = self.facts.given.iter().rev().find(defines) else { return true };
+        let place = |k: usize| self.paper.locate(&self.paper.printed[k].span());
+        let ((file, from), (other, to)) = (place(before.relation), place(at));
+        std::sync::Arc::ptr_eq(file, other)
+            && file.text.get(from.end..to.start).is_some_and(|between| !between.contains(r"\item"))
+    }
+
     fn has_rates(&self) -> bool {
         self.facts.given.iter().any(|g| g.is_rate)
     }
@@ -515,7 +566,7 @@ impl Judge<'_> {
         if asked.iter().any(|(answer, _)| holds_in_numbers(answer)) {
             return Step::Numbers;
         }
-        if place.told
+        if place.blame != Blame::Nothing
             && let Some(wrong) = self.wrong(sides, place, &mut asked)
         {
             return Step::Wrong(Box::new(wrong));
@@ -597,7 +648,8 @@ impl Judge<'_> {
     /// What is wrong, if something is: refuted by what this section says, and one slip away from what it proves.
     fn wrong(&mut self, sides: [&PrintedSide; 2], place: &Place, asked: &mut Vec<(Asked, Rests)>) -> Option<WrongStep> {
         for rests in self.supports(sides, place, Reach::Here { section: self.section, at: place.at }) {
-            if !introduces_nothing(sides, &rests) {
+            let is_bare = rests.given.is_empty() && rests.stated.is_empty();
+            if !introduces_nothing(sides, &rests) || place.blame == Blame::Identities && !is_bare {
                 continue;
             }
             let known = asked.iter().position(|(_, r)| r.rests_on_the_same(&rests));
@@ -620,7 +672,8 @@ impl Judge<'_> {
                     _ => continue,
                 }
             }
-            if let Some(found) = nearest(answer, &rests, place.free, &mut self.asked, MOST_QUESTIONS) {
+            if let Some(found) = nearest(answer, &rests, place.free, (&mut self.asked, MOST_QUESTIONS), place.sureness)
+            {
                 return Some(found);
             }
         }

@@ -61,13 +61,26 @@ pub struct WrongStep {
     pub with: Vec<usize>,
 }
 
-/// The nearest formula that holds, where a step is refuted; `asked` counts the questions.
+/// How sure it is that a relation claims something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Sureness {
+    /// It stands there: it may be an equation that is assumed.
+    Stands,
+    /// It is a step of a chain: a term may have been lost.
+    Chain,
+    /// Its sentence concludes: one side may be a name that was defined before.
+    Concludes,
+    /// It says what the derivative is of what was defined: its constants are those of the definition.
+    Derives,
+}
+
+/// The nearest formula that holds, where a step is refuted; `count` counts the questions.
 pub fn nearest(
     asked: Asked,
     rests: &Rests,
     free: &BTreeSet<char>,
-    count: &mut usize,
-    most: usize,
+    (count, most): (&mut usize, usize),
+    sureness: Sureness,
 ) -> Option<WrongStep> {
     let Identity::Refuted(refutation) = &asked.identity else { return None };
     if asked.desk.is_complex || !free.is_empty() {
@@ -84,10 +97,15 @@ pub fn nearest(
         && !asked.premises.equations.is_empty()
         && chain.sides.last().is_some_and(|s| matches!(&s.kind, NodeKind::Number(n) if *n == Rational::ZERO));
     let smallest = if conserves { size(&chain.sides[0]) } else { chain.sides.iter().map(size).min()? };
-    if chain.sides.iter().map(size).max()? < FEWEST_NODES || smallest < 3 {
+    let least = if sureness >= Sureness::Concludes && !rests.given.is_empty() { 1 } else { 3 };
+    let fewest = if sureness == Sureness::Derives { 3 } else { FEWEST_NODES };
+    if chain.sides.iter().map(size).max()? < fewest || smallest < least {
         return None;
     }
-    if takes_in(&asked, &rests.given) || !conserves && is_evaluated(&chain) || is_reordered(&chain) {
+    if sureness < Sureness::Derives && takes_in(&asked, &rests.given)
+        || !conserves && is_evaluated(&chain)
+        || is_reordered(&chain)
+    {
         return None;
     }
     let mut all = Vec::new();
@@ -96,7 +114,12 @@ pub fn nearest(
     let mut instead = None;
     'sides: for k in [1, 0] {
         let others = slips(&search.chain.sides[k], &all);
-        for slip in others.into_iter().take(MOST_SLIPS).filter(|s| k == 1 || s.way != Alteration::LostTerm) {
+        let is_meant = |s: &Slip| match s.way {
+            Alteration::LostTerm => k == 1,
+            Alteration::MissingTerm => k == 1 && sureness >= Sureness::Chain,
+            _ => true,
+        };
+        for slip in others.into_iter().filter(is_meant).take(MOST_SLIPS) {
             if *search.count > most {
                 return None;
             }

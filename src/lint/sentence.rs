@@ -16,6 +16,7 @@ const BEHIND: usize = 200;
 /// Words with which a sentence concludes from the formula before it.
 const CONCLUDES: &[&str] = &[
     "hence",
+    "then",
     "thus",
     "therefore",
     "consequently",
@@ -250,11 +251,29 @@ const SUPPOSES: &[&str] = &[
     "take",
     "taking",
     "setting",
+    "try",
+    "trying",
+    "guess",
+    "guessing",
+    "ansatz",
+    "form",
     "putting",
     "consider",
     "pick",
     "say",
+    r"\item",
+    "für",
+    "wenn",
+    "falls",
+    "bei",
+    "pour",
+    "si",
+    "quand",
+    "lorsque",
 ];
+
+/// The same in languages that put no space between words.
+const SUPPOSES_AT_THE_END: &[&str] = &["当", "若", "如果", "对于", "在", "取"];
 
 /// Whether a formula of the running text says when something holds, and not what a name stands for.
 pub fn is_supposed(paper: &Paper, relation: &PrintedRelation) -> bool {
@@ -263,6 +282,23 @@ pub fn is_supposed(paper: &Paper, relation: &PrintedRelation) -> bool {
     let words = before.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, '$' | '(' | '\\' | '~'));
     let last = words.rsplit(|c: char| c.is_whitespace() || c == '~' || c == '(').next().unwrap_or("");
     SUPPOSES.contains(&last)
+        || SUPPOSES_AT_THE_END.iter().any(|w| words.ends_with(w))
+        || is_caption(&file.text, span.start)
+}
+
+/// Whether a place stands in the caption of a figure: what it says is what the figure shows.
+fn is_caption(text: &str, at: usize) -> bool {
+    let before = window(text, at.saturating_sub(BEFORE), at);
+    let Some(begin) = before.rfind(r"\caption") else { return false };
+    let mut depth = 0_i32;
+    for c in before[begin..].chars() {
+        depth += match c {
+            '{' => 1,
+            '}' => -1,
+            _ => 0,
+        };
+    }
+    depth > 0
 }
 
 /// Environments whose names are their own.

@@ -31,6 +31,8 @@ pub enum Alteration {
     LostFactor,
     /// A term is left out.
     LostTerm,
+    /// A term is put in: the print lost it.
+    MissingTerm,
     /// One name is put for another.
     Exchange {
         /// The name that was printed.
@@ -50,14 +52,46 @@ pub fn slips(side: &Node, names: &[SymbolNode]) -> Vec<Slip> {
     if size(side) > MOST_NODES {
         return Vec::new();
     }
-    let mut out = altered(side, names);
-    out.extend([scaled(side, 2), halved(side), negated(side)].map(|side| Slip { side, way: Alteration::Value }));
+    let value = |side| Slip { side, way: Alteration::Value };
+    // A sign is put in front of all where it can be.
+    let mut out = vec![value(negated(side))];
+    out.extend(altered(side, names));
+    out.extend([scaled(side, 2), halved(side)].map(value));
+    out.extend(with_a_term(side, names));
     // Exchanges of names are many: they come last.
     out.sort_by_key(|s| match s.way {
         Alteration::Value => 0,
         Alteration::LostFactor | Alteration::LostTerm => 1,
         Alteration::Exchange { .. } => 2,
+        Alteration::MissingTerm => 3,
     });
+    out
+}
+
+/// The most names of which products are put in as a term.
+const MOST_NAMES: usize = 6;
+
+/// Sums with one term more: a name, or a product of two, once or twice.
+fn with_a_term(side: &Node, names: &[SymbolNode]) -> Vec<Slip> {
+    let NodeKind::Sum(terms) = &side.kind else { return Vec::new() };
+    if terms.len() < 2 || names.len() > MOST_NAMES {
+        return Vec::new();
+    }
+    let symbol = |s: &SymbolNode| node(NodeKind::Symbol(s.clone()), side);
+    let mut more: Vec<Node> = names.iter().map(symbol).collect();
+    for (k, a) in names.iter().enumerate() {
+        more.extend(names[k + 1..].iter().map(|b| node(NodeKind::Product(vec![symbol(a), symbol(b)]), side)));
+    }
+    let mut out = Vec::new();
+    for term in more {
+        for term in [scaled(&term, 2), term] {
+            for sign in [Sign::Plus, Sign::Minus] {
+                let mut terms = terms.clone();
+                terms.push((sign, term.clone()));
+                out.push(Slip { side: node(NodeKind::Sum(terms), side), way: Alteration::MissingTerm });
+            }
+        }
+    }
     out
 }
 
@@ -109,6 +143,7 @@ fn halved(of: &Node) -> Node {
 
 fn negated(of: &Node) -> Node {
     match &of.kind {
+        NodeKind::Sum(terms) if matches!(terms.as_slice(), [(Sign::Minus, _)]) => terms[0].1.clone(),
         NodeKind::Sum(terms) => node(NodeKind::Sum(terms.iter().map(|(s, n)| (opposite(*s), n.clone())).collect()), of),
         _ => node(NodeKind::Sum(vec![(Sign::Minus, of.clone())]), of),
     }
