@@ -24,6 +24,7 @@ mod sentence;
 mod shown;
 mod signs;
 mod slips;
+mod step;
 #[cfg(test)]
 mod tests;
 

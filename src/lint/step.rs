@@ -1,0 +1,231 @@
+//! One step, from side to side: what it is tried with, and whether it is wrong.
+//!
+//! **In:** two sides, and their [`Place`]. **Out:** a [`Step`]. **Guaranteed:** what follows was proved from what it names; what is wrong is
+//! refuted by what this section says, and a formula that is one slip away is proved from the same.
+
+use std::collections::BTreeSet;
+
+use paper::{PrintedSide, names};
+use proof::Identity;
+
+use super::desk::{Given, NotRead};
+use super::facts::{Reach, Stated};
+use super::judge::{Judge, MOST_EXHAUSTED, MOST_QUESTIONS};
+use super::nearest::{Sureness, WrongStep, introduces_nothing, is_slip_of, nearest};
+use super::numbers::agreement;
+use super::question::{Asked, Positive, Rests, TOO_LONG, ask};
+
+/// Random points at which a step that is not proved is tried.
+const POINTS: usize = 40;
+
+/// What became of a step.
+pub(super) enum Step {
+    /// Proved.
+    Follows(Support),
+    /// Not proved, and true at random points.
+    Numbers,
+    /// Refuted, and one slip away from what holds.
+    Wrong(Box<WrongStep>),
+    /// Nothing decides it; the names that have no definition.
+    Open(Vec<String>),
+    NotRead(NotRead),
+}
+
+/// What a proof rests on.
+pub(super) struct Support {
+    /// Relations.
+    pub(super) with: Vec<usize>,
+    /// Whether all that does not depend on time was taken to be positive.
+    pub(super) of_positive: bool,
+}
+
+/// Of what *wrong* may be said.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Blame {
+    /// Of nothing: what is defined here, or need not be exact.
+    Nothing,
+    /// Of what is wrong whatever its names stand for: in the running text much is a case, or a condition.
+    Identities,
+    /// Of everything that this section refutes.
+    Steps,
+}
+
+/// Where a step stands.
+pub(super) struct Place<'a> {
+    pub(super) at: usize,
+    pub(super) free: &'a BTreeSet<char>,
+    /// The equations that its sentence names.
+    pub(super) named: Vec<usize>,
+    /// Of what *wrong* may be said.
+    pub(super) blame: Blame,
+    /// How sure it is that something is claimed.
+    pub(super) sureness: Sureness,
+    /// How far back a proof may reach.
+    pub(super) reach: Reach,
+    /// The value of a name is found: its sign is part of what is said.
+    pub(super) solves: bool,
+}
+
+impl Judge<'_> {
+    /// Decides one step.
+    pub(super) fn step(&mut self, sides: [&PrintedSide; 2], place: &Place) -> Step {
+        if self.asked > MOST_QUESTIONS {
+            return Step::Open(Vec::new());
+        }
+        let mut first_refusal = None;
+        let mut asked: Vec<(Asked, Rests)> = Vec::new();
+        for rests in self.supports(sides, place, place.reach) {
+            match self.ask(sides, &rests, place.free) {
+                Err(found) => {
+                    first_refusal.get_or_insert(found);
+                }
+                Ok(answer) if answer.is_proved() => return Step::Follows(support(&rests)),
+                Ok(answer) => asked.push((answer, rests)),
+            }
+        }
+        if asked.is_empty() {
+            return Step::NotRead(first_refusal.unwrap_or_else(|| NotRead::of("something")));
+        }
+        let needs_signs = sides.iter().any(|s| has_roots(&s.text)) || asked.iter().any(|(_, r)| !r.stated.is_empty());
+        if needs_signs
+            && !place.solves
+            && let Some(found) = self.of_positive(sides, &asked, place)
+        {
+            return found;
+        }
+        let defined: BTreeSet<String> = asked.iter().flat_map(|(_, r)| r.given.iter().map(|g| g.key.clone())).collect();
+        if asked.iter().any(|(answer, _)| holds_in_numbers(answer)) {
+            return Step::Numbers;
+        }
+        if place.blame != Blame::Nothing
+            && let Some(wrong) = self.wrong(sides, place, &mut asked)
+        {
+            return Step::Wrong(Box::new(wrong));
+        }
+        let mut open: Vec<String> = sides.into_iter().flat_map(names).map(|n| n.key()).collect();
+        open.retain(|key| !defined.contains(key));
+        Step::Open(open)
+    }
+
+    /// What a step is tried with, one after the other: nothing, the definitions of its names, their rates, what the paper states.
+    fn supports(&self, sides: [&PrintedSide; 2], place: &Place, reach: Reach) -> Vec<Rests> {
+        let here = self.facts.positive.iter().filter(|p| p.section == self.section);
+        let positive = Positive::Named(here.map(|p| p.key.clone()).collect());
+        let rests = |given, stated| Rests { given, stated, positive: positive.clone() };
+        let mut out = vec![rests(Vec::new(), Vec::new())];
+        let has_rates = sides.into_iter().flat_map(names).any(|n| n.dots > 0 || n.derived_by.is_some());
+        let plain = self.facts.definitions(&sides, reach, false);
+        let with_rates = self.facts.definitions(&sides, reach, has_rates);
+        if !plain.is_empty() {
+            out.push(rests(plain.clone(), Vec::new()));
+        }
+        if with_rates.len() > plain.len() {
+            out.push(rests(with_rates, Vec::new()));
+        }
+        if self.exhausted > MOST_EXHAUSTED {
+            return out;
+        }
+        let mut stated = self.facts.equations(sides, &plain, place.at, self.section, &place.named);
+        if matches!(reach, Reach::Here { .. }) {
+            stated.retain(|s| !s.in_text);
+        }
+        // Definitions of what only the equations name, too.
+        let with_definitions = |stated: Vec<Stated>| {
+            let mut all: Vec<&PrintedSide> = sides.to_vec();
+            all.extend(stated.iter().flat_map(|s| [&s.left, &s.right]));
+            rests(self.facts.definitions(&all, reach, false), stated.clone())
+        };
+        if !stated.is_empty() {
+            out.push(with_definitions(stated.clone()));
+        }
+        if stated.len() > 1 {
+            out.extend(stated.into_iter().map(|one| with_definitions(vec![one])));
+        }
+        out
+    }
+
+    fn ask(&mut self, sides: [&PrintedSide; 2], rests: &Rests, free: &BTreeSet<char>) -> Result<Asked, NotRead> {
+        self.asked += 1;
+        let found = ask(sides, rests, &self.evidence, free);
+        self.exhausted += usize::from(found.as_ref().is_err_and(|e| e.feature == TOO_LONG));
+        found
+    }
+
+    /// The same questions for names that are positive, where roots and logarithms need that.
+    fn of_positive(&mut self, sides: [&PrintedSide; 2], asked: &[(Asked, Rests)], place: &Place) -> Option<Step> {
+        for (_, rests) in asked {
+            let rests = Rests { positive: Positive::Parameters, ..rests.clone() };
+            if let Ok(answer) = self.ask(sides, &rests, place.free)
+                && answer.is_proved()
+            {
+                return Some(Step::Follows(Support { of_positive: true, ..support(&rests) }));
+            }
+        }
+        None
+    }
+
+    /// The right side of an earlier definition as this one should be, where this one has the same names and is a slip away from it.
+    pub(super) fn slip_of(&mut self, before: &Given, right: &PrintedSide, place: &Place) -> Option<String> {
+        let keys = |s: &PrintedSide| names(s).iter().map(|n| n.key()).collect::<BTreeSet<String>>();
+        if keys(&before.right) != keys(right) {
+            return None;
+        }
+        let positive = Positive::Named(BTreeSet::new());
+        let rests = Rests { given: Vec::new(), stated: Vec::new(), positive };
+        let asked = self.ask([&before.right, right], &rests, place.free).ok()?;
+        is_slip_of(&asked).then(|| before.right.text.clone())
+    }
+
+    /// What is wrong, if something is: refuted by what this section says, and one slip away from what it proves.
+    fn wrong(&mut self, sides: [&PrintedSide; 2], place: &Place, asked: &mut Vec<(Asked, Rests)>) -> Option<WrongStep> {
+        for rests in self.supports(sides, place, Reach::Here { section: self.section, at: place.at }) {
+            let is_bare = rests.given.is_empty() && rests.stated.is_empty();
+            if !introduces_nothing(sides, &rests) || place.blame == Blame::Identities && !is_bare {
+                continue;
+            }
+            let known = asked.iter().position(|(_, r)| r.rests_on_the_same(&rests));
+            let answer = match known {
+                Some(k) => asked.swap_remove(k).0,
+                None => match self.ask(sides, &rests, place.free) {
+                    Ok(answer) => answer,
+                    Err(_) => continue,
+                },
+            };
+            if !matches!(answer.identity, Identity::Refuted(_)) {
+                continue;
+            }
+            // Where signs matter, it has to fail for positive names, too, and what holds is looked for among these.
+            let mut answer = answer;
+            if sides.iter().any(|s| has_roots(&s.text)) || !rests.stated.is_empty() {
+                let positive = Rests { positive: Positive::Parameters, ..rests.clone() };
+                match self.ask(sides, &positive, place.free) {
+                    Ok(again) if matches!(again.identity, Identity::Refuted(_)) => answer = again,
+                    _ => continue,
+                }
+            }
+            if let Some(found) = nearest(answer, &rests, place.free, (&mut self.asked, MOST_QUESTIONS), place.sureness)
+            {
+                return Some(found);
+            }
+        }
+        None
+    }
+}
+
+fn support(rests: &Rests) -> Support {
+    let mut with: Vec<usize> = rests.given.iter().map(|g| g.relation).collect();
+    with.extend(rests.stated.iter().map(|s| s.relation));
+    Support { with, of_positive: false }
+}
+
+/// Whether a question without premises that is not decided has both sides equal at random points.
+fn holds_in_numbers(asked: &Asked) -> bool {
+    asked.premises.equations.is_empty()
+        && matches!(asked.identity, Identity::Undecided(_))
+        && agreement(&asked.desk.graph, &asked.equations, POINTS).is_some_and(|(valid, all)| all && valid >= POINTS / 2)
+}
+
+/// Whether a formula has something that needs signs: a root, a logarithm, a power that is a fraction.
+fn has_roots(text: &str) -> bool {
+    [r"\sqrt", r"\ln", r"\log", "|", r"\lvert", "/2}", r"^{\frac", "^{1/", "^{-1/"].iter().any(|w| text.contains(w))
+}
