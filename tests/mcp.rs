@@ -50,7 +50,7 @@ fn a_verdict_has_its_strength_in_its_name() {
         panic!("one")
     };
     assert_eq!(wrong["verdict"], "wrong_refuted_by_a_point");
-    assert!(wrong["proved_instead"].is_string() && wrong["message"].is_string());
+    assert!(wrong["instead"].is_string() && wrong["message"].is_string());
     assert_eq!(found[4]["result"]["isError"], true);
 }
 

@@ -20,6 +20,7 @@ mod inputs;
 mod macros;
 mod mark;
 mod names;
+mod pasted;
 mod printed;
 mod token;
 mod unicode;
@@ -33,6 +34,7 @@ use sha2::{Digest, Sha256};
 pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, compare, subject};
 pub use draft::{Draft, draft};
 pub use names::{Call, Evidence, PaperName, names, order_counts};
+pub use pasted::in_displays;
 pub use printed::{PrintedRelation, PrintedSide};
 
 use diag::escape::shown;
