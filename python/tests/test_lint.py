@@ -91,6 +91,9 @@ def test_expressions_of_sympy_are_asked_to_be_zero() -> None:
     t, x, y = sp.symbols("t x y", real=True)
     assert rederive.prove(sp.sin(2 * x) - 2 * sp.sin(x) * sp.cos(x)).verdict is Decision.PROVED
     assert rederive.prove(x - y).verdict is Decision.REFUTED
+    # Beside texts, whose symbols are told.
+    mixed = rederive.prove([r"\sin 2x=2\sin x\cos x", sp.sin(x) ** 2 + sp.cos(x) ** 2 - 1], "x")
+    assert [one.verdict for one in mixed] == [Decision.PROVED] * 2
     assert rederive.prove(x - y, given=[sp.Eq(x, y)]).verdict is Decision.PROVED
     turn = sp.Matrix([[sp.cos(x), -sp.sin(x)], [sp.sin(x), sp.cos(x)]])
     assert rederive.prove(turn * turn.T - sp.diag(1, 1)).verdict is Decision.PROVED

@@ -261,7 +261,8 @@ def prove(
     SymPy, which is asked to be zero: its symbols are declared with their assumptions then, and premises may be relations of SymPy.
     Functions in it are fields, and what they are functions of, or derived by, are coordinates. Or a list of such formulas: then
     the answer is :class:`Proofs`, one of each, in their order; a formula that cannot be read ends it.
-    ``symbols``: declarations, in the words of ``rederive prove --symbol``: ``"x"``, ``"x, y: positive"``, ``"q: state"``.
+    ``symbols``: declarations, in the words of ``rederive prove --symbol``: ``"x"``, ``"x, y: positive"``, ``"q: state"``;
+    in a list those of the texts, since expressions of SymPy bring theirs along.
     ``given``: premises, relations in LaTeX.
     ``throughout``: of ± one sign must serve all points.
     ``deadline``: after so many seconds :class:`DeadlineReached` is raised; of a list each formula has so many.
@@ -275,7 +276,9 @@ def prove(
     found = []
     with shown(progress, "prove", "formulas") as tell:
         for one in formula:
-            found.append(session.prove(one, symbols, given, throughout=throughout, deadline=deadline))
+            # Expressions of SymPy bring their symbols along.
+            words = () if is_sympy(one) else symbols
+            found.append(session.prove(one, words, given, throughout=throughout, deadline=deadline))
             if tell is not None:
                 tell(len(found), len(formula))
     return Proofs(found)
