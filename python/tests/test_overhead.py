@@ -49,7 +49,7 @@ def crossing() -> float:
 class Answers:
     """In the place of the library: it has every answer already."""
 
-    def __init__(self, found: _rederive.Findings, proof: tuple[str, str]) -> None:
+    def __init__(self, found: _rederive.Findings, proof: tuple[str, str, Optional[str]]) -> None:
         self.found, self.proof, self.document_ = found, proof, found.document("json")
 
     def check(self, *_: object) -> Any:
@@ -58,7 +58,7 @@ class Answers:
     def document(self, _: str) -> str:
         return self.document_
 
-    def prove(self, *_: object) -> tuple[str, str]:
+    def prove(self, *_: object) -> tuple[str, str, Optional[str]]:
         return self.proof
 
 

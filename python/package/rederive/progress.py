@@ -6,6 +6,7 @@ import sys
 import time
 import warnings
 from contextlib import contextmanager
+from importlib import import_module
 from typing import Any, Callable, Iterator, Optional, Union
 
 Progress = Union[None, bool, Callable[[int, int], object]]
@@ -28,10 +29,10 @@ def _bar() -> Optional[Any]:
         with warnings.catch_warnings():
             # Without widgets it is a bar of letters, which will do.
             warnings.simplefilter("ignore")
-            from tqdm.auto import tqdm
+            # It has no types, and need not be installed where this package is looked at.
+            return import_module("tqdm.auto").tqdm
     except ImportError:
         return None
-    return tqdm
 
 
 @contextmanager

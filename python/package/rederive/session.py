@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable, Iterable, Literal, Optional, Sequence, Union, overload
+from typing import Any, Callable, Iterable, Literal, Optional, Union, overload
 
 from . import _rederive
 from .derivation import Derivation
@@ -227,8 +227,8 @@ def check(
 
 
 @overload
-def prove(
-    formula: Sequence[Any],
+def prove(  # pyright: ignore[reportOverlappingOverload]  # whatever else a formula may be, it is no list
+    formula: Union[list[Any], tuple[Any, ...]],
     symbols: Union[str, Iterable[str]] = (),
     given: Union[str, Iterable[Any]] = (),
     *,
