@@ -12,8 +12,11 @@ async function found(frame, seconds = 60) {
   const end = Date.now() + 1000 * seconds;
   for (;;) {
     const state = await frame.locator("#state").innerText().catch(() => "");
-    if (/^Done/.test(state)) return frame.frameLocator("#found").locator("body").innerText();
-    if (!/^(|Loading …|Working …)$/.test(state) || Date.now() > end) return `not done: ${state}`;
+    // What was found is in the page a moment after it is told that it is.
+    const words = await frame.frameLocator("#found").locator("body").innerText().catch(() => "");
+    if (/^Done/.test(state) && words.trim()) return words;
+    if (!/^Done/.test(state) && !/^(|Loading …|Working …)$/.test(state)) return `not done: ${state}`;
+    if (Date.now() > end) return `not done within ${seconds} seconds: ${state}`;
     await new Promise(r => setTimeout(r, 50));
   }
 }
