@@ -70,6 +70,7 @@ pub struct Question {
 pub struct Answer {
     proposition: Proposition,
     account: IdentityAccount,
+    scope: latex::Scope,
 }
 
 /// Why nothing was found.
@@ -391,7 +392,7 @@ impl Session {
             Err(ended) => IdentityAccount { reason: Some(ended.into()), ..IdentityAccount::default() },
         };
         let account = with_steps(&mut derivation, &proposition, account);
-        Ok(Answer { proposition, account })
+        Ok(Answer { proposition, account, scope: derivation.scope })
     }
 
     /// Searches for a motion on which a claim fails. `progress` is told how many of how many motions are tried.
@@ -475,6 +476,11 @@ impl Answer {
     /// The answer as JSON.
     pub fn json(&self) -> String {
         report::proposition_json(&self.proposition, &self.account)
+    }
+
+    /// The formula as MathML; `None` where it is not read.
+    pub fn mathml(&self) -> Option<String> {
+        report::formula_mathml(&self.proposition.formula, &self.scope)
     }
 }
 

@@ -1,4 +1,4 @@
-//! The pages "in five minutes": what they show is what the program prints.
+//! The pages "in five minutes", and the gallery: what they show is what the program prints.
 //!
 //! A block after `<!-- file: NAME -->` is a file. In a block of a console a line with `$` is a command; the lines below it occur in what
 //! it prints, in their order, `…` standing for anything; `[exit N]` is its exit code.
@@ -91,6 +91,7 @@ fn follow(page: &str) -> usize {
 
 #[test]
 fn what_the_pages_show_is_what_is_printed() {
-    let found = ["as-a-referee.md", "as-an-author.md", "as-a-student.md", "as-a-maintainer.md"].map(follow);
-    assert_eq!(found, [3, 2, 4, 2]);
+    let found =
+        ["as-a-referee.md", "as-an-author.md", "as-a-student.md", "as-a-maintainer.md", "gallery.md"].map(follow);
+    assert_eq!(found, [3, 2, 4, 2, 5]);
 }

@@ -360,9 +360,22 @@ fn a_paper_of_strangers_is_text_on_its_page() {
         let told = rederive::report::lint_findings(&paper, &found);
         inert("github", &rederive::report::github(&told));
         let page = rederive::report::lint_page(&paper, &found);
+        let formulas = rederive::report::lint_formulas(&paper, &found).concat();
+        let answer = rederive::Session::blank().prove(&rederive::Question {
+            proposition: rederive::check::Proposition { formula: format!("{text}=1"), ..Default::default() },
+            symbols: vec!["x".to_owned()],
+            scope: None,
+        });
+        let typeset = answer.ok().and_then(|a| a.mathml()).unwrap_or_default();
         for command in ["<script", "<img", "</title><b>", "\" onload"] {
-            assert!(!page.contains(command), "{text}: {page}");
+            for shown in [&page, &formulas, &typeset] {
+                assert!(!shown.contains(command), "{text}: {shown}");
+            }
         }
+        // The document is data: a text of the paper is a string in it, and nothing else.
+        let document = rederive::report::lint_document(&paper, &found);
+        assert_eq!(document["paper"], text);
+        assert_eq!(document["relations"].as_array().map(Vec::len), Some(found.judgements.len()));
     }
 }
 
@@ -381,7 +394,12 @@ fn the_table_has_every_writer() {
     found.dedup();
     let in_the_table = [
         "lint_findings",
+        "lint_document",
+        "lint_formulas",
+        "lint_json",
         "lint_page",
+        "formula_mathml",
+        "mathml",
         "certificate_text",
         "contents",
         "certificates",

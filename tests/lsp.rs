@@ -190,3 +190,25 @@ fn what_an_editor_gets_wrong_ends_nothing() {
     editor.tell("textDocument/didClose", json!({ "textDocument": { "uri": uri } }));
     editor.stop();
 }
+
+/// The settings for Helix are tables as its documentation has them: servers by name, each with a command and its arguments; languages
+/// that name their servers. The program itself was not at hand.
+#[test]
+fn the_settings_for_helix_name_the_server_that_they_define() {
+    let page = include_str!("../docs/editors.md");
+    let (_, block) = page.split_once("```toml\n").expect("a block");
+    let (block, _) = block.split_once("```").expect("its end");
+    let settings: toml::Table = block.parse().expect("TOML");
+    let server = &settings["language-server"]["rederive"];
+    assert_eq!(server["command"].as_str(), Some("rederive"));
+    let arguments: Vec<&str> = server["args"].as_array().expect("a list").iter().filter_map(|a| a.as_str()).collect();
+    let help = Command::new(env!("CARGO_BIN_EXE_rederive")).args(&arguments).arg("--help").output().expect("it runs");
+    assert!(help.status.success(), "{arguments:?}");
+    let languages = settings["language"].as_array().expect("languages");
+    let names: Vec<_> = languages.iter().filter_map(|l| l["name"].as_str()).collect();
+    assert_eq!(names, ["latex", "toml"]);
+    for language in languages {
+        let servers = language["language-servers"].as_array().expect("servers");
+        assert!(servers.iter().any(|s| s.as_str() == Some("rederive")), "{language}");
+    }
+}

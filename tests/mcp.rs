@@ -50,7 +50,7 @@ fn a_verdict_has_its_strength_in_its_name() {
         panic!("one")
     };
     assert_eq!(wrong["verdict"], "wrong_refuted_by_a_point");
-    assert!(wrong["proved_instead"].is_string() && wrong["message"].is_string());
+    assert!(wrong["instead"].is_string() && wrong["message"].is_string());
     assert_eq!(found[4]["result"]["isError"], true);
 }
 
@@ -100,4 +100,34 @@ fn no_file_is_read_beyond_the_folder() {
     }
     let relations = found[3]["result"]["structuredContent"]["relations"].as_array().expect("relations");
     assert_eq!(relations.len(), 1, "{:?}", found[3]);
+}
+
+/// A text of formulas alone is read, a text that is too long gets a clear word, and what a tool says is what `lint` prints.
+#[test]
+fn a_text_is_looked_through_as_the_command_does() {
+    let text = "(a+b)^2=a^2-2ab+b^2";
+    let found = answers(
+        &[],
+        &[
+            call(1, "lint", &json!({ "text": text })),
+            call(2, "lint", &json!({ "text": format!("\\[{text}\\]") })),
+            call(3, "lint", &json!({ "text": "\\[x=x\\]\n".repeat(1_250_000) })),
+        ],
+    );
+    let document = |at: usize| &found[at]["result"]["structuredContent"];
+    for at in 0..2 {
+        assert_eq!(document(at)["words"]["wrong"], 1);
+        assert_eq!(document(at)["relations"][0]["instead"], "a^2+2ab+b^2");
+    }
+    let told = found[2]["result"]["content"][0]["text"].as_str().unwrap_or_default();
+    assert!(told.contains("longer than can be read"), "{told}");
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("text.tex"), format!("\\[{text}\\]")).expect("written");
+    let printed = std::process::Command::new(env!("CARGO_BIN_EXE_rederive"))
+        .args(["lint", "--format", "json", "text.tex"])
+        .current_dir(folder.path())
+        .output()
+        .expect("it runs");
+    let printed: Value = serde_json::from_slice(&printed.stdout).expect("JSON");
+    assert_eq!(&printed, document(1));
 }

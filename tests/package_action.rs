@@ -53,9 +53,36 @@ fn repository(text: &str) -> tempfile::TempDir {
     fs::create_dir_all(at("work/derivations")).expect("made");
     fs::create_dir_all(at("runner/rederive/bin")).expect("made");
     fs::write(at("work/derivations/decay.toml"), text).expect("written");
-    let program = at("runner/rederive/bin/rederive");
-    std::os::unix::fs::symlink(env!("CARGO_BIN_EXE_rederive"), program).expect("a link");
+    put_program(folder.path());
     folder
+}
+
+/// The program of this test, where the action would have put it.
+fn put_program(folder: &Path) {
+    let program = folder.join("runner/rederive/bin/rederive");
+    std::os::unix::fs::symlink(env!("CARGO_BIN_EXE_rederive"), program).expect("a link");
+}
+
+/// Whether this is the repository: how the program is had is not in the package.
+fn in_the_repository() -> bool {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(".ci").is_dir()
+}
+
+/// What of the action's repository says how the program is had.
+fn copy_of_the_action(to: &Path) {
+    fs::create_dir_all(to.join(".ci")).expect("made");
+    let from = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for name in [".ci/program", ".ci/hook", "Cargo.toml"] {
+        fs::copy(from.join(name), to.join(name)).expect("copied");
+    }
+}
+
+/// A program of a shell, which is all that a tool or a released program is here.
+fn script_at(path: &Path, text: &str) {
+    use std::os::unix::fs::PermissionsExt;
+    fs::create_dir_all(path.parent().expect("a folder")).expect("made");
+    fs::write(path, format!("#!/bin/sh\n{text}\n")).expect("written");
+    fs::set_permissions(path, fs::Permissions::from_mode(0o755)).expect("made a program");
 }
 
 /// Runs a script as a runner does; the exit code and what it printed.
@@ -112,7 +139,9 @@ fn the_action_checks_annotates_and_tells_the_result() {
 /// What the tree says that is checked, about cargo, toolchains or names like options, changes nothing.
 #[test]
 fn the_action_builds_a_copy_and_takes_no_name_for_an_option() {
-    use std::os::unix::fs::PermissionsExt;
+    if !in_the_repository() {
+        return;
+    }
     let folder = repository(LAW);
     let at = |name: &str| folder.path().join(name);
     for made in ["work/rederive", "work/.cargo", "tools"] {
@@ -120,25 +149,29 @@ fn the_action_builds_a_copy_and_takes_no_name_for_an_option() {
     }
     fs::write(at("work/.cargo/config.toml"), "[build]\nrustc-wrapper = 'owned'\n").expect("written");
     fs::write(at("work/rust-toolchain.toml"), "[toolchain]\nchannel = 'owned'\n").expect("written");
-    fs::write(at("work/rederive/Cargo.toml"), "").expect("written");
+    copy_of_the_action(&at("work/rederive"));
     // They tell where they are, and with what they are called.
     for tool in ["cargo", "rustup"] {
-        fs::write(at("tools").join(tool), "#!/bin/sh\necho \"$0 in $PWD: $* with $RUSTUP_TOOLCHAIN\"\n")
-            .expect("written");
-        fs::set_permissions(at("tools").join(tool), fs::Permissions::from_mode(0o755)).expect("made a program");
+        script_at(&at("tools").join(tool), r#"echo "$0 in $PWD: $* with $RUSTUP_TOOLCHAIN""#);
     }
     let path = format!("{}:{}", at("tools").display(), std::env::var("PATH").unwrap_or_default());
     let source = at("work/rederive").display().to_string();
-    let inputs = [("PATH", path.as_str()), ("GITHUB_ACTION_PATH", source.as_str()), ("RUSTUP_TOOLCHAIN", "1.89.0")];
-    let (code, text) = run(folder.path(), &script("Build"), &inputs);
+    fs::remove_file(at("runner/rederive/bin/rederive")).expect("removed");
+    let inputs = [
+        ("PATH", path.as_str()),
+        ("GITHUB_ACTION_PATH", source.as_str()),
+        ("RUSTUP_TOOLCHAIN", "1.89.0"),
+        ("REPOSITORY", ""),
+        ("REF", ""),
+        ("SERVER", ""),
+    ];
+    let (code, text) = run(folder.path(), &script("Program"), &inputs);
     assert_eq!(code, 0, "{text}");
     let built = text.lines().find(|l| l.contains("cargo in")).expect("cargo is called");
-    assert!(
-        built.contains("/runner/rederive-source: install --locked --path . ") && built.ends_with("1.89.0"),
-        "{built}"
-    );
+    assert!(built.contains("/runner/rederive/sources.") && built.contains(": install --locked --path . "), "{built}");
+    assert!(built.ends_with("1.89.0"), "{built}");
     assert!(read("action.yml").contains("RUSTUP_TOOLCHAIN: 1.89.0"), "the toolchain is fixed");
-    assert!(at("runner/rederive-source/Cargo.toml").is_file());
+    put_program(folder.path());
 
     // A file that is called like an option, and one like a pattern.
     fs::write(at("work/--no-reports"), "").expect("written");
@@ -163,22 +196,117 @@ fn the_action_compares_with_a_baseline() {
     assert!(summary.contains("law") && summary.contains("fails"), "{summary}");
 }
 
+/// A release is taken if it is what its checksums say and of this version; otherwise the program is compiled.
+#[test]
+fn a_released_program_is_taken_if_it_is_whole() {
+    if !in_the_repository() {
+        return;
+    }
+    let (folder, version) = (tempfile::tempdir().expect("a folder"), env!("CARGO_PKG_VERSION"));
+    let at = |name: &str| folder.path().join(name);
+    fs::create_dir_all(at("work")).expect("made");
+    copy_of_the_action(&at("action"));
+    script_at(&at("tools/cargo"), "echo compiled");
+    let target = match std::env::consts::ARCH {
+        "aarch64" if cfg!(target_os = "linux") => "aarch64-unknown-linux-musl",
+        "aarch64" => "aarch64-apple-darwin",
+        _ if cfg!(target_os = "linux") => "x86_64-unknown-linux-musl",
+        _ => "x86_64-apple-darwin",
+    };
+    let released = |says: &str, sum: &str| {
+        script_at(&at(&format!("release/rederive-{target}/rederive")), &format!("echo {says}"));
+        let pack = format!(
+            "cd release && tar -czf rederive-{target}.tgz rederive-{target} && \
+             {{ sha256sum *.tgz || shasum -a 256 *.tgz; }} > SHA256SUMS && {sum}"
+        );
+        let done = Command::new("bash").args(["-c", &pack]).current_dir(folder.path()).status().expect("bash runs");
+        assert!(done.success());
+        let _ = fs::remove_dir_all(at("to"));
+        let path = format!("{}:{}", at("tools").display(), std::env::var("PATH").unwrap_or_default());
+        let line = format!("{0}/action/.ci/program {0}/to file://{0}/release", folder.path().display());
+        run(folder.path(), &line, &[("PATH", &path)])
+    };
+    let own = format!("rederive {version}");
+    let (code, text) = released(&own, "true");
+    assert_eq!((code, text.contains("compiled")), (0, false), "{text}");
+    assert!(text.trim_end().ends_with("/to/bin/rederive") && at("to/bin/rederive").is_file(), "{text}");
+    // Nothing is left beside it.
+    assert_eq!(fs::read_dir(at("to")).expect("listed").count(), 1);
+    // Other bytes than those of the checksums; another version; no archive.
+    let other = "sed -i.old 's/^./x/; s/^x[0-9a-f]/00/' SHA256SUMS";
+    let (_, text) = released(&own, other);
+    assert!(text.contains("not the one of its checksums") && text.contains("is compiled"), "{text}");
+    let (_, text) = released("rederive 99.0.0", "true");
+    assert!(text.contains("is compiled") && !at("to/bin/rederive").exists(), "{text}");
+    let (_, text) = released(&own, "rm *.tgz");
+    assert!(text.contains("is compiled"), "{text}");
+}
+
+#[test]
+fn the_action_looks_through_papers() {
+    let folder = repository(LAW);
+    let at = |name: &str| folder.path().join("work").join(name);
+    fs::create_dir_all(at("notes")).expect("made");
+    fs::write(at("a.tex"), "\\[1+1=2\\]\n").expect("written");
+    fs::write(at("notes/b.tex"), "Text.\n\\[(a+b)^2=a^2-2ab+b^2\\]\n").expect("written");
+    let papers = |names: &str| {
+        let inputs = [("PAPERS", names), ("SARIF", "papers.sarif"), ("PAGES", "pages")];
+        let (code, text) = run(folder.path(), &script("Papers"), &inputs);
+        assert_eq!(code, 0, "the step itself goes on: {text}");
+        let output = fs::read_to_string(folder.path().join("output")).expect("an output");
+        let found = output.lines().next_back().and_then(|l| l.strip_prefix("exit-code=")).expect("an exit code");
+        let (code, _) = run(folder.path(), &script("Result"), &[("CODE", ""), ("PAPERS", found)]);
+        (code, text)
+    };
+    assert_eq!(papers("a.tex").0, 0);
+    let (code, text) = papers("a.tex ./notes/b.tex");
+    assert_eq!(code, 1);
+    assert!(text.contains("::error") && text.contains("notes/b.tex") && text.contains("line=2"), "{text}");
+    assert!(fs::read_to_string(at("papers.sarif")).expect("written").contains("lint::wrong"));
+    assert!(at("pages/a.tex.html").is_file() && at("pages/notes-b.tex.html").is_file());
+    assert_eq!(papers("nowhere.tex").0, 2);
+    // What derivation files say comes first.
+    assert_eq!(run(folder.path(), &script("Result"), &[("CODE", "3"), ("PAPERS", "1")]).0, 3);
+}
+
+/// The entry of a hook, as it is run in the folder of the action's repository.
+fn hook(folder: &Path, id: &str, files: &str) -> (i32, String) {
+    let hooks = read(".pre-commit-hooks.yaml");
+    let (_, own) = hooks.split_once(&format!("- id: {id}\n")).unwrap_or_else(|| panic!("no hook {id}"));
+    let entry = own.lines().find_map(|l| l.trim().strip_prefix("entry:")).expect("an entry").trim();
+    let path =
+        format!("{}:{}", folder.join("runner/rederive/bin").display(), std::env::var("PATH").unwrap_or_default());
+    // pre-commit puts the files that are committed behind the entry, which is of its copy of this repository.
+    let line = format!("{}/{entry} {files}", env!("CARGO_MANIFEST_DIR"));
+    run(folder, &line, &[("PATH", &path)])
+}
+
 #[test]
 fn the_hook_stops_a_commit_with_a_wrong_claim() {
-    let hook = read(".pre-commit-hooks.yaml");
-    let value =
-        |key: &str| hook.lines().find_map(|l| l.trim_start_matches("- ").trim().strip_prefix(key)).map(str::trim);
-    let entry = value("entry:").expect("an entry");
-    assert_eq!(value("files:"), Some("^derivations/"));
-    let program = entry.replacen("rederive", "\"$RUNNER_TEMP/rederive/bin/rederive\"", 1);
+    if !in_the_repository() {
+        return;
+    }
     let folder = repository(LAW);
-    // pre-commit puts the files that are committed behind the entry.
-    let commit = format!("{program} derivations/decay.toml");
-    assert_eq!(run(folder.path(), &commit, &[]).0, 0);
+    assert_eq!(hook(folder.path(), "rederive", "derivations/decay.toml").0, 0);
     assert!(!folder.path().join("work/reports").exists(), "a commit writes nothing");
     let wrong = LAW.replace(r"always = ['\dot x=-x']", r"always = ['\dot x=x']");
     fs::write(folder.path().join("work/derivations/decay.toml"), wrong).expect("written");
-    let (code, text) = run(folder.path(), &commit, &[]);
+    let (code, text) = hook(folder.path(), "rederive", "derivations/decay.toml");
     assert_eq!(code, 1, "{text}");
     assert!(text.contains("law"), "{text}");
+}
+
+#[test]
+fn the_hook_stops_a_commit_with_a_wrong_step_of_a_paper() {
+    if !in_the_repository() {
+        return;
+    }
+    let folder = repository(LAW);
+    let at = |name: &str| folder.path().join("work").join(name);
+    fs::write(at("a.tex"), "\\[1+1=2\\]\n").expect("written");
+    fs::write(at("b.tex"), "\\[(a+b)^2=a^2-2ab+b^2\\]\n").expect("written");
+    assert_eq!(hook(folder.path(), "rederive-lint", "a.tex").0, 0);
+    let (code, text) = hook(folder.path(), "rederive-lint", "a.tex b.tex");
+    assert_eq!(code, 1, "{text}");
+    assert!(text.contains("b.tex:1") && text.contains("a^2+2ab+b^2"), "{text}");
 }

@@ -12,6 +12,8 @@ const through = async (bytes, stream) => new Uint8Array(await new Response(new B
 
 const say = (words, bad = false) => { state.textContent = words; state.className = bad ? "bad" : ""; };
 
+const tooLong = length => say(`The text has ${length} characters; ${LARGEST} are taken.`, true);
+
 let program, worker, asked = 0, clock;
 
 /** A worker that knows the program; the one before is thrown away with what it is at. */
@@ -30,7 +32,7 @@ function check() {
   if (!program) return;
   const what = text.value;
   if (!what.trim()) { ended(); found.srcdoc = ""; return say("Nothing is written."); }
-  if (what.length > LARGEST) return say(`The text has ${what.length} characters; ${LARGEST} are taken.`, true);
+  if (what.length > LARGEST) return tooLong(what.length);
   if (!stop.hidden) fresh();
   ended();
   asked++;
@@ -61,6 +63,11 @@ byId("link").onclick = async () => {
 };
 let typed;
 text.oninput = () => { clearTimeout(typed); typed = setTimeout(check, QUIET); };
+// What is much too long does not get into the field, which would take a browser long to show.
+text.addEventListener("beforeinput", e => {
+  const pasted = e.data ?? e.dataTransfer?.getData("text/plain") ?? "";
+  if (pasted.length > LARGEST) { e.preventDefault(); tooLong(pasted.length); }
+});
 text.onkeydown = e => { if (e.key === "Enter" && (e.ctrlKey || e.metaKey)) { e.preventDefault(); check(); } };
 for (const [name, example] of EXAMPLES) {
   const button = document.createElement("button");

@@ -8,6 +8,7 @@
 
 #![forbid(unsafe_code)]
 
+mod papers;
 mod parts;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -129,10 +130,9 @@ struct Session(Arc<rederive::Session>);
 impl Session {
     /// Reads the text of a derivation file; without one, nothing is declared.
     #[new]
-    #[pyo3(signature = (name="", text=None))]
-    fn new(py: Python<'_>, name: &str, text: Option<String>) -> PyResult<Session> {
+    #[pyo3(signature = (name=String::new(), text=None))]
+    fn new(py: Python<'_>, name: String, text: Option<String>) -> PyResult<Session> {
         let Some(text) = text else { return Ok(Session(Arc::new(rederive::Session::blank()))) };
-        let name = name.to_owned();
         let read = Wait::default().compute(py, move || rederive::Session::open(&name, text))?;
         read.map(|s| Session(Arc::new(s))).map_err(|found| problems(py, found))
     }
@@ -182,7 +182,7 @@ impl Session {
         found.map(|f| Findings(Arc::new(f))).map_err(|e| failure(py, e))
     }
 
-    /// The answer as JSON, and as a person reads it.
+    /// The answer as JSON, and as a person reads it; the formula as MathML.
     #[pyo3(signature = (formula, symbols, given, throughout, scope=None, deadline=None))]
     #[expect(clippy::too_many_arguments, reason = "they are named in Python")]
     fn prove(
@@ -194,12 +194,12 @@ impl Session {
         throughout: bool,
         scope: Option<String>,
         deadline: Option<f64>,
-    ) -> PyResult<(String, String)> {
+    ) -> PyResult<(String, String, Option<String>)> {
         let question = Question { proposition: Proposition { formula, given, throughout }, symbols, scope };
         let (session, until) = (Arc::clone(&self.0), Limits::after(deadline));
         let answer = Wait { until, ..Wait::default() }.compute(py, move || session.prove(&question))?;
         answer
-            .map(|a| (a.json(), a.text(false, false)))
+            .map(|a| (a.json(), a.text(false, false), a.mathml()))
             .map_err(|e| failure(py, e.where_symbols_are_declared("declare it in `symbols=`")))
     }
 }
@@ -249,5 +249,6 @@ fn _rederive(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Findings>()?;
     module.add_function(wrap_pyfunction!(command, module)?)?;
     parts::register(module)?;
+    papers::register(module)?;
     module.add("__version__", env!("CARGO_PKG_VERSION"))
 }

@@ -55,4 +55,4 @@ def test_a_record_of_something_else_is_not_read(tmp_path: Path, derivations: Pat
 
 def test_what_is_no_folder_is_refused(spring: str) -> None:
     with pytest.raises(TypeError):
-        rederive.check(spring, cache=True)  # type: ignore[arg-type]
+        rederive.check(text=spring, cache=True)  # type: ignore[arg-type]

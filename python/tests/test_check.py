@@ -13,7 +13,7 @@ from rederive import Strength, Verdict
 
 @pytest.fixture(scope="module")
 def report(spring: str) -> rederive.Report:
-    return rederive.check(spring)
+    return rederive.check(text=spring)
 
 
 def test_verdicts_are_found(report: rederive.Report) -> None:
@@ -40,13 +40,13 @@ def test_names_that_are_not_there(report: rederive.Report, spring: str) -> None:
     with pytest.raises(rederive.UnknownName, match="rest/begin"):
         report["rest"]
     with pytest.raises(rederive.UnknownName, match="nowhere"):
-        rederive.check(spring, trajectories="nowhere")
+        rederive.check(text=spring, trajectories="nowhere")
     with pytest.raises(ValueError, match="sampled"):
-        rederive.check(spring, rigor="certain")  # type: ignore[arg-type]
+        rederive.check(text=spring, rigor="certain")  # type: ignore[arg-type]
 
 
 def test_a_part_can_be_asked_for(spring: str) -> None:
-    part = rederive.check(spring, claims=["rest/begin"], trajectories="pushed", rigor="sampled")
+    part = rederive.check(text=spring, claims=["rest/begin"], trajectories="pushed", rigor="sampled")
     assert [(r.claim, r.trajectory) for r in part.results] == [("rest/begin", "pushed")]
     assert part["rest/begin", "pushed"].strength is Strength.SAMPLED
 
@@ -57,13 +57,27 @@ def test_nothing_has_a_truth_value(report: rederive.Report) -> None:
             bool(value)
 
 
-def test_a_path_and_a_text_are_the_same(tmp_path: Path, spring: str, report: rederive.Report) -> None:
+def test_a_path_and_a_text_are_two_things(tmp_path: Path, spring: str, report: rederive.Report) -> None:
     path = tmp_path / "derivation"
     path.write_text(spring, encoding="utf-8")
-    for given in (path, str(path)):
-        assert [r.verdict for r in rederive.check(given).results] == [r.verdict for r in report.results]
+    for given in (rederive.check(path), rederive.check(str(path)), rederive.check(path=path), rederive.check(path=str(path))):
+        assert [r.verdict for r in given.results] == [r.verdict for r in report.results]
     with pytest.raises(FileNotFoundError):
         rederive.check("no/such/file.toml")
+    # A text is not taken for a path, not even where it is the path of a file that is there; and no path for a text.
+    with pytest.raises(rederive.DerivationError):
+        rederive.check(text=str(path))
+    for wrong in (rederive.check, rederive.Session, rederive.Session(path).change):
+        with pytest.raises(TypeError, match="text="):
+            wrong(spring)
+    with pytest.raises(TypeError, match="is one of"):
+        rederive.check(text=spring, path=path)
+    with pytest.raises(TypeError, match="is one of"):
+        rederive.check(path, text=spring)
+    with pytest.raises(TypeError, match="not PosixPath|not WindowsPath"):
+        rederive.check(text=path)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="nothing to check"):
+        rederive.check()
 
 
 def test_copies_are_equal(report: rederive.Report, spring: str) -> None:
@@ -71,8 +85,8 @@ def test_copies_are_equal(report: rederive.Report, spring: str) -> None:
     assert copy == report and hash(copy) == hash(report) and copy is not report
     assert copy.results == report.results and copy.curve("energy", "pulled").formula == report.curve("energy", "pulled").formula
     assert copy.page() == report.page()
-    assert report != rederive.check(spring, rigor="sampled")
-    again = pickle.loads(pickle.dumps(rederive.Session(spring)))
+    assert report != rederive.check(text=spring, rigor="sampled")
+    again = pickle.loads(pickle.dumps(rederive.Session(text=spring)))
     assert again.claims == ("energy", "rest/at-once", "rest/begin")
 
 
@@ -111,22 +125,25 @@ def test_tables_and_pictures(report: rederive.Report) -> None:
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
     axes = report.plot("energy", "pulled")
+    assert axes.get_xlabel() == "t" and axes.get_ylabel()
     assert [line.get_label() for line in axes.get_lines()] == ["left side", "right side"]
 
 
 def test_html_is_one_piece_and_harmless(spring: str) -> None:
     text = spring.replace("A spring", "<script>alert(1)</script>")
-    shown = rederive.check(text)._repr_html_()
+    shown = rederive.check(text=text)._repr_html_()
     assert "<script" not in shown and "&lt;script" in shown
+    # The picture has axes with numbers.
+    assert shown.count("<text") >= 5 and ">10</text>" in shown
     assert "<svg" in shown and "prefers-color-scheme:dark" in shown and "not as expected" in shown
     assert "http:" not in shown and "https:" not in shown
-    assert "fails" in rederive.check(spring)["rest/begin", "pushed"]._repr_html_()
+    assert "fails" in rederive.check(text=spring)["rest/begin", "pushed"]._repr_html_()
 
 
 def test_problems_have_places() -> None:
     text = "[derivation]\ntitle = 'Decay'\nconcerns = 'x'\n[symbols]\n't' = { role = 'tim' }\n"
     with pytest.raises(rederive.DerivationError) as e:
-        rederive.Session(text, name="decay.toml")
+        rederive.Session(text=text, name="decay.toml")
     problem = e.value.problems[0]
     assert (problem.path, problem.line) == ("decay.toml", 5) and problem.column is not None
     assert "^" in problem.text and "decay.toml:5:" in str(e.value)
@@ -135,18 +152,18 @@ def test_problems_have_places() -> None:
 
 
 def test_a_session_takes_another_state(spring: str) -> None:
-    session = rederive.Session(spring)
+    session = rederive.Session(text=spring)
     assert ("rest/begin", "pushed") in session.pairs and len(session.pairs) == 6
     with pytest.raises(rederive.DerivationError):
-        session.change("[derivation]\n")
+        session.change(text="[derivation]\n")
     assert len(session.claims) == 3
-    session.change(spring.replace("'v(0)=0'", "'v(0)<2'"))
+    session.change(text=spring.replace("'v(0)=0'", "'v(0)<2'"))
     assert session.check(["rest/begin"]).summary.fails == 0
     assert session.prove("x^2=v", scope=None).verdict is rederive.Decision.REFUTED
 
 
 def _unexpected(text: str) -> int:
-    return rederive.check(text).summary.unexpected
+    return rederive.check(text=text).summary.unexpected
 
 
 @pytest.mark.skipif("fork" not in multiprocessing.get_all_start_methods(), reason="no fork on this system")

@@ -67,10 +67,10 @@ def test_a_worker_that_dies_loses_nothing(
 
     with distributed.Client(address) as client:
         client.wait_for_workers(2, timeout=60)
-        found = sweep(client, text, "amplitudes", PARTS, progress=progress)
+        found = sweep(client, rederive.Session(text=text), "amplitudes", PARTS, progress=progress)
         assert len(client.scheduler_info()["workers"]) == 1
     assert told == [(done, PARTS) for done in range(1, PARTS + 1)]
-    alone = rederive.check(text, trajectories="amplitudes", only_verdicts=True)
+    alone = rederive.check(text=text, trajectories="amplitudes", only_verdicts=True)
     assert found.json() == alone.json()
 
 
@@ -79,6 +79,6 @@ def test_problems_come_from_the_worker(derivations: Path) -> None:
 
     with distributed.Client(n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None) as client:
         with pytest.raises(rederive.DerivationError, match="not divided into 9999 parts"):
-            sweep(client, family(derivations), "amplitudes", 9999, retries=0)
+            sweep(client, rederive.Session(text=family(derivations)), "amplitudes", 9999, retries=0)
         with pytest.raises(rederive.PartError):
-            sweep(client, family(derivations), "amplitudes", 0)
+            sweep(client, rederive.Session(text=family(derivations)), "amplitudes", 0)

@@ -26,6 +26,7 @@ def test_the_table_of_front_ends() -> None:
     rows = re.findall(r"\[`([^`]+)`\]\(\.\./\1\)[^|]*\| (\d+) \|", page)
     assert [path for path, _ in rows] == [
         "python/src/lib.rs",
+        "python/src/papers.rs",
         "python/src/parts.rs",
         "python/package/rederive/__main__.py",
         "python/package/rederive/notebook.py",

@@ -34,13 +34,27 @@ def test_the_tutorial_runs_and_shows_what_it_says() -> None:
     assert len(rows) == 7 and all(" proved" in row for row in rows), rows
     assert "harmonic on wide: fails" in text and "['holds', 'holds']" in text
     assert "Summary(holds=1, fails=0" in text
-    # A proof, the report with the curves of what fails, and the report of the cell.
-    assert len(pages) == 3 and all(page.startswith("<style>") and "http" not in page for page in pages)
+    # A proof, the report with the curves of what fails, the report of a cell, the page of LaTeX, a list, a table.
+    assert "this step is wrong" in pages[3] and "<math" in pages[3] and pages[4].count("<tr>") == 4 and "proved" in pages[5]
+    pages = pages[:5]
+    assert len(pages) == 5 and all(page.startswith("<style>") and "http" not in page for page in pages)
     assert pages[1].count("<svg") == 2 and '<span class="fails wrong">F</span>' in pages[1]
     # For a browser: see `python/test`.
     if place := os.environ.get("REDERIVE_CELLS"):
         Path(place).write_text(json.dumps(pages), encoding="utf-8")
     assert any("image/png" in o.get("data", {}) for cell in cells for o in cell.outputs)
+
+
+def kinds(cells: list[Any]) -> list[list[str]]:
+    """Of each cell the kinds of what it shows."""
+    return [sorted({kind for o in cell.outputs for kind in o.get("data", {"stream": ""})}) for cell in cells]
+
+
+def test_what_cells_show_is_stored() -> None:
+    for name in ("tutorial.ipynb", "identities.ipynb"):
+        stored = nbformat.read(BOOKS / name, as_version=4)
+        shown = kinds([cell for cell in stored.cells if cell.cell_type == "code"])
+        assert shown == kinds(run(stored)) and any(shown), f"{name}: run python/notebooks"
 
 
 def test_the_seven_identities_of_the_bench() -> None:

@@ -49,7 +49,7 @@ def crossing() -> float:
 class Answers:
     """In the place of the library: it has every answer already."""
 
-    def __init__(self, found: _rederive.Findings, proof: tuple[str, str]) -> None:
+    def __init__(self, found: _rederive.Findings, proof: tuple[str, str, Optional[str]]) -> None:
         self.found, self.proof, self.document_ = found, proof, found.document("json")
 
     def check(self, *_: object) -> Any:
@@ -58,7 +58,7 @@ class Answers:
     def document(self, _: str) -> str:
         return self.document_
 
-    def prove(self, *_: object) -> tuple[str, str]:
+    def prove(self, *_: object) -> tuple[str, str, Optional[str]]:
         return self.proof
 
 
@@ -83,9 +83,9 @@ def test_a_proof_costs_little_beside_the_work(answers: Answers) -> None:
 
 
 def test_a_check_costs_little_beside_the_work(answers: Answers) -> None:
-    report = rederive.check(TINY)
+    report = rederive.check(text=TINY)
     assert report["equation", "one"].verdict is rederive.Verdict.HOLDS
     # The text is read, it is checked, and the document is written.
-    python, over = least(lambda: rederive.check(TINY)), 3 * crossing()
+    python, over = least(lambda: rederive.check(text=TINY)), 3 * crossing()
     print(f"check: {1e6 * python:.0f} µs in Python, {1e6 * over:.0f} µs to the library and back")
     assert python + over < BOUND

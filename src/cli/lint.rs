@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::ArgAction;
 use rederive::diag::Source;
-use rederive::lint::{self, Judgement, Lint, Word};
+use rederive::lint::{self, Lint, Word};
 use rederive::paper::{self, Paper};
 use rederive::report::{self, github, lint_findings, sarif};
 use rederive::{Ending, Failure, Format, files};
@@ -146,46 +146,11 @@ pub fn is_paper(word: &std::ffi::OsStr) -> bool {
 
 /// The document of a paper; of several a list of them.
 fn json(all: &[(Paper, Lint)]) -> String {
-    let documents: Vec<serde_json::Value> = all.iter().map(|(paper, found)| document(paper, found)).collect();
+    let documents: Vec<serde_json::Value> =
+        all.iter().map(|(paper, found)| report::lint_document(paper, found)).collect();
     let text = match documents.as_slice() {
         [one] => serde_json::to_string_pretty(one),
         several => serde_json::to_string_pretty(several),
     };
     rederive::diag::escape::in_json(&text.unwrap_or_default()) + "\n"
-}
-
-/// One object for each relation, in the order of the paper.
-fn document(paper: &Paper, found: &Lint) -> serde_json::Value {
-    let one = |j: &Judgement| {
-        let relation = &paper.printed[j.relation];
-        let (line, column) = paper.line_and_column(&j.span);
-        let witness = j.witness.as_ref().map(|w| {
-            let values: serde_json::Map<String, serde_json::Value> =
-                w.values.iter().map(|(n, v)| (n.clone(), v.clone().into())).collect();
-            serde_json::json!({ "values": values, "left": w.left, "right": w.right })
-        });
-        let lines: Vec<usize> =
-            j.with.iter().filter_map(|r| paper.printed.get(*r)).map(|r| paper.line(&r.span())).collect();
-        serde_json::json!({
-            "word": j.word.text(),
-            "file": paper.locate(&j.span).0.path,
-            "line": line,
-            "column": column,
-            "formula": relation.text(),
-            "label": relation.label,
-            "inline": relation.display.is_none(),
-            "why": j.why,
-            "instead": j.instead,
-            "witness": witness,
-            "with_lines": lines,
-            "steps": j.steps.1,
-            "steps_proved": j.steps.0,
-        })
-    };
-    let counts: serde_json::Map<String, serde_json::Value> =
-        Word::ALL.iter().map(|w| (w.text().to_owned(), found.count(*w).into())).collect();
-    let notes: Vec<serde_json::Value> =
-        paper.notes.iter().map(|n| serde_json::json!({ "line": paper.line(&n.span), "message": n.message })).collect();
-    let relations: Vec<serde_json::Value> = found.judgements.iter().map(one).collect();
-    serde_json::json!({ "paper": paper.file.path, "words": counts, "notes": notes, "relations": relations })
 }

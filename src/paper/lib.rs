@@ -20,6 +20,7 @@ mod inputs;
 mod macros;
 mod mark;
 mod names;
+mod pasted;
 mod printed;
 mod token;
 mod unicode;
@@ -33,6 +34,7 @@ use sha2::{Digest, Sha256};
 pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, compare, subject};
 pub use draft::{Draft, draft};
 pub use names::{Call, Evidence, PaperName, names, order_counts};
+pub use pasted::in_displays;
 pub use printed::{PrintedRelation, PrintedSide};
 
 use diag::escape::shown;
@@ -189,7 +191,10 @@ fn parse_with(file: Arc<Source>, sha256: String, folder: Option<&Path>) -> Resul
     let mut inputs = Inputs::new(&file, folder);
     let document = inputs::tokens_of(&file);
     let all = macros::expanded(document, &mut |name, span| inputs.tokens(name, span)).map_err(|e| {
-        let message = format!("the macro `\\{}` does not end", e.name);
+        let message = match e.name.as_str() {
+            "" => format!("the paper is longer than can be read: more than {} words and signs", macros::MOST_TOKENS),
+            name => format!("the macro `\\{name}` does not end"),
+        };
         Box::new(Diagnostic::at(&file, "paper::unreadable", e.span, message))
     })?;
     let mut reader = Reader::new(&all);

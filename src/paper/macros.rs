@@ -8,7 +8,7 @@ use std::ops::Range;
 use super::token::{Kind, Token};
 
 /// The most tokens that a paper may have when its macros are expanded.
-const MOST_TOKENS: usize = 4_000_000;
+pub(super) const MOST_TOKENS: usize = 4_000_000;
 /// The most calls of macros.
 const MOST_CALLS: usize = 1_000_000;
 /// The most arguments of a macro, as TeX has it.

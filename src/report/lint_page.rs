@@ -93,6 +93,16 @@ pub fn lint_page(paper: &Paper, found: &Lint) -> String {
     page.into_string() + "\n"
 }
 
+/// Each relation that was judged as markup, in the order of [`Lint::judgements`].
+pub fn lint_formulas(paper: &Paper, found: &Lint) -> Vec<String> {
+    let typeset = lint::typesetting(paper);
+    let one = |j: &Judgement| {
+        let how = typeset.get(j.relation).and_then(Option::as_ref);
+        paper.printed.get(j.relation).map_or_else(String::new, |r| sides(r, how).into_string())
+    };
+    found.judgements.iter().map(one).collect()
+}
+
 /// The formulas, those of a display together.
 fn displays(paper: &Paper, found: &Lint, typeset: &[Option<Typeset>]) -> Markup {
     let told = found.judgements.iter().filter(|j| {

@@ -31,6 +31,11 @@ pub(super) fn inline(text: &str, scope: &Scope) -> Option<String> {
     Some(format!("<math>{}</math>", all.join("<mo separator=\"true\">,</mo><mspace width=\"0.5em\"/>")))
 }
 
+/// A formula inside a line, for those who show it elsewhere; `None` where it is not read.
+pub fn formula_mathml(text: &str, scope: &Scope) -> Option<String> {
+    inline(text, scope)
+}
+
 /// A formula on its own: each relation one `math` element. Its LaTeX is in `report.md`, and in the derivation file.
 pub(super) fn display(text: &str, scope: &Scope) -> Option<Vec<String>> {
     let chains = latex::parse(text, scope).ok()?;

@@ -57,11 +57,11 @@ async def main(program):
 
         chain = r"\begin{align} K &= \tfrac12 m(\dot x^2+\dot y^2) \\ &= \tfrac12 m\dot x^2 - \tfrac12 m\dot y^2 \end{align}"
         found = await ask(session, "lint", text=chain)
-        assert found["wrong"] == 1, found
+        assert found["words"]["wrong"] == 1, found
         [wrong] = [r for r in found["relations"] if r["verdict"] == "wrong_refuted_by_a_point"]
-        assert wrong["proved_instead"] and wrong["line"] == 1, wrong
+        assert wrong["instead"] and wrong["line"] == 1, wrong
         found = await ask(session, "lint", path="tests/lint/page.tex")
-        assert found["wrong"] == 2, found
+        assert found["words"]["wrong"] == 2, found
 
         found = await ask(session, "check", path="derivations/rabi.toml")
         assert found["as_expected"] and any(v["verdict"] == "holds_proved" for v in found["verdicts"]), found

@@ -13,14 +13,16 @@ let checks = 0;
 export const check = (good, what) => { checks++; assert.ok(good, what); };
 const browser = await chromium.launch({ executablePath, args, headless: true });
 
-/** Opens a page as someone new, who remembers nothing; every console error and every request beside the file itself is kept. */
-export async function visit(options, url, work) {
+/** Opens a page as someone new, who remembers nothing; every console error is kept, and every request for what does not begin with
+    `within`: the file itself, unless given. */
+export async function visit({ within, ...options }, url, work) {
+  const own = within ?? url.split("#")[0];
   const context = await browser.newContext({ offline: true, ...options });
   const page = await context.newPage();
   const seen = { errors: [], requests: [] };
   page.on("console", m => { if (m.type() === "error" || m.type() === "warning") seen.errors.push(m.text()); });
   page.on("pageerror", e => seen.errors.push(String(e)));
-  page.on("request", r => { if (!r.url().startsWith(url.split("#")[0]) && !r.url().startsWith("blob:")) seen.requests.push(r.url()); });
+  page.on("request", r => { if (!r.url().startsWith(own) && !r.url().startsWith("blob:")) seen.requests.push(r.url()); });
   try {
     await page.goto(url);
     await work(page);

@@ -69,6 +69,52 @@ await visit({ viewport: { width: 1280, height: 900 } }, url, async page => {
   check(/2000000 are taken/.test(await settled(() => state(page), s => /taken/.test(s))), "a text that is too long gets a word");
 });
 
+// Three texts as a new user has them, on a phone: a chain with a slip, a page of LaTeX, a derivation. What is found can be read there, by
+// everybody, and what is wrong has the right one beside it.
+const root = new URL("../..", import.meta.url).pathname;
+const THREE = [
+  ["(x+h)^3 - x^3 &= 3x^2h + 3xh^2 + h^3 \\\\\n &= h(3x^2 + 3xh - h^2)", /wrong[^]*Holds/],
+  [fs.readFileSync(path.join(root, "tests/lint/page.tex"), "utf8"), /2 wrong/],
+  [fs.readFileSync(path.join(root, "derivations/lorentz.toml"), "utf8"), /velocit/i],
+];
+await visit({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }, url, async page => {
+  await found(page, /follows/);
+  for (const [text, wanted] of THREE) {
+    const start = Date.now();
+    await put(page, text);
+    await page.locator("#check").tap();
+    await found(page, wanted);
+    console.log(`a new user's text of ${text.length} characters: ${((Date.now() - start) / 1000).toFixed(1)} s`);
+    await accessible(page, `a text of ${text.length} characters`);
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    check(wide <= 0, `nothing is wider than the phone: ${wide}`);
+    const inside = await page.frameLocator("#found").locator("html").evaluate(e => e.scrollWidth - e.clientWidth);
+    check(inside <= 0, `nor in what was found: ${inside}`);
+  }
+});
+
+// Ten megabytes; a text that takes longer than it is given; stopped in the middle: a word each time, and the page lives on.
+await visit({ viewport: { width: 1280, height: 900 } }, url, async page => {
+  await found(page, /follows/);
+  await page.locator("#text").focus();
+  await page.keyboard.insertText("\\[x=x\\]\n".repeat(1_250_000));
+  check(/^The text has 10000000 characters; 2000000 are taken/.test(await settled(() => state(page), s => /taken/.test(s))), "ten megabytes get a word");
+  check((await page.locator("#text").inputValue()).length < 1000, "and do not get into the field");
+  const heavy = fs.readFileSync(path.join(root, "derivations/deriglazov-comment.toml"), "utf8");
+  await put(page, heavy);
+  await page.locator("#check").click();
+  await page.locator("#stop").click();
+  check(/Stopped/.test(await settled(() => state(page), s => /Stopped/.test(s))), "what works is stopped");
+  await put(page, heavy);
+  const end = Date.now() + 45_000;
+  let said = "";
+  while (Date.now() < end && !/^(Done|Not done)/.test(said)) { await new Promise(r => setTimeout(r, 200)); said = await state(page); }
+  check(/^(Done|Not done within 30 seconds)/.test(said), `a derivation that takes long: ${said}`);
+  console.log(`a derivation of ${heavy.length} characters: ${said}`);
+  await put(page, "1+1=2");
+  await found(page, /follows/);
+});
+
 // A link contains the text.
 await visit({ viewport: { width: 1280, height: 900 } }, url, async page => {
   await found(page, /follows/);

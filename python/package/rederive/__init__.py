@@ -4,8 +4,9 @@
 >>> rederive.prove(r"\\sin 2x=2\\sin x\\cos x", symbols=["x"]).verdict
 <Decision.PROVED: 'proved'>
 
-:func:`check` tries the claims of a derivation file on its motions; :class:`Session` answers several questions about one;
-:class:`Derivation` writes such a file in Python, with formulas in LaTeX or of SymPy.
+:func:`lint` looks through a paper as it is; :func:`check` tries the claims of a derivation file on its motions;
+:class:`Session` answers several questions about one; :class:`Derivation` writes such a file in Python, with formulas in
+LaTeX or of SymPy.
 """
 
 from __future__ import annotations
@@ -24,7 +25,8 @@ from .errors import (
     UnknownName,
 )
 from .notebook import load_ipython_extension
-from .proof import Counterexample, Proof
+from .paper import Lint, Relation, lint
+from .proof import Counterexample, Proof, Proofs
 from .report import Claim, Curve, Exclusion, Members, Report, Residual, Result, Summary, Witness
 from .session import Session, check, prove
 from .verdict import Decision, Strength, Verdict
@@ -41,11 +43,14 @@ __all__ = [
     "DerivationError",
     "Error",
     "Exclusion",
+    "Lint",
     "Members",
     "NoCounterpart",
     "PartError",
     "Problem",
     "Proof",
+    "Proofs",
+    "Relation",
     "Report",
     "Residual",
     "Result",
@@ -57,6 +62,7 @@ __all__ = [
     "Witness",
     "__version__",
     "check",
+    "lint",
     "load_ipython_extension",
     "prove",
 ]

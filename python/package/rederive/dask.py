@@ -8,24 +8,24 @@ threads as its process may: start workers with ``RAYON_NUM_THREADS=1`` where the
 from __future__ import annotations
 
 from importlib import import_module
-from typing import Any
+from typing import Any, Union
 
 from .errors import PartError
 from .progress import Progress, shown
 from .report import Report
-from .session import Session, Text
+from .session import Session, Where
 
 __all__ = ["sweep"]
 
 
 def _part(number: int, of: int, text: str, name: str, family: str) -> str:
     """One part; a function of its own, so that a worker finds it by its name."""
-    return Session(text, name).sweep(family, (number, of), progress=False)
+    return Session(text=text, name=name).sweep(family, (number, of), progress=False)
 
 
 def sweep(
     client: Any,
-    derivation: Text,
+    derivation: Union[Where, Session],
     family: str,
     parts: int,
     *,
@@ -35,7 +35,7 @@ def sweep(
     """Tries the claims on a family of motions, in parts, on the workers of a Dask cluster.
 
     ``client``: a ``distributed.Client``.
-    ``derivation``: as for :func:`rederive.check`.
+    ``derivation``: a path, a :class:`Derivation`, or a :class:`Session` that has read one.
     ``parts``: how many; several for each worker, so that none waits long for the last.
     ``retries``: how often a part is begun again after an exception; one whose worker died is begun again in any case.
 
@@ -44,7 +44,7 @@ def sweep(
     """
     # It has no types, and need not be installed where this package is looked at.
     distributed: Any = import_module("distributed")
-    session = Session(derivation)
+    session = derivation if isinstance(derivation, Session) else Session(derivation)
     text, name = session.source
     # Of unknown purity, since another version may be on the workers: the parts say which, and are refused then.
     futures: list[Any] = client.map(

@@ -10,11 +10,13 @@ from copy import deepcopy
 from typing import Any, Mapping, Optional
 
 from . import toml_text
-from .formula import Names, is_sympy
+from .formula import Names, is_sympy, relation
 
 __all__ = ["Derivation"]
 
 Data = dict[str, Any]
+# What of a claim is a relation, so that an expression of SymPy says that it is zero.
+RELATIONS = frozenset("always never eventually".split())
 # What of a claim is a list, so that one alone may be given without brackets.
 SEVERAL = frozenset(
     "always never eventually first_integral defined assuming trajectories families follows_from rests_on".split()
@@ -104,7 +106,8 @@ class Derivation:
         return self._names.latex(expression)
 
     def _forms(self, keys: Mapping[str, Any]) -> Data:
-        return self._keys({key: _several(value) if key in SEVERAL else value for key, value in keys.items()})
+        several = {key: _several(value) if key in SEVERAL else value for key, value in keys.items()}
+        return self._keys({key: _related(value) if key in RELATIONS else value for key, value in several.items()})
 
     def _keys(self, keys: Mapping[str, Any]) -> Data:
         # A word of Python's own is written with an underscore after it, `from_`.
@@ -136,6 +139,11 @@ class Derivation:
         count = {kind: len(of) for kind, of in self._data.items() if kind != "derivation"}
         parts = ", ".join(f"{kind}: {n}" for kind, n in count.items())
         return f"<Derivation {self._data['derivation']['title']!r}{'; ' if parts else ''}{parts}>"
+
+
+def _related(values: list[Any]) -> list[Any]:
+    """Of SymPy's expressions the equations that they are zero."""
+    return [relation(one) if is_sympy(one) else one for one in values]
 
 
 def _several(value: Any) -> list[Any]:

@@ -8,14 +8,17 @@ from __future__ import annotations
 
 import html
 import math
-from typing import TYPE_CHECKING, Callable, Optional
+from typing import TYPE_CHECKING, Callable, Iterable, Optional
 
 if TYPE_CHECKING:
+    from .paper import Lint, Relation
     from .proof import Proof
     from .report import Report, Result, Rows, Side, Witness
 
 SHOWN = 12
 """The most curves, and the most columns of a matrix."""
+# The words of a paper as the style has them.
+TONE = {"follows_proved": "holds", "holds_in_numbers": "holds", "wrong_refuted_by_a_point": "fails", "not_followed": "undecided"}
 MARK = {"holds": "H", "fails": "F", "not-applicable": "–", "undecided": "?"}
 
 STYLE = """<style>
@@ -116,8 +119,8 @@ def _matrix(report: Report) -> str:
 
 
 def _curve(rows: list[list[float]]) -> str:
-    """Both sides along a motion."""
-    width, height = 320.0, 90.0
+    """Both sides along a motion, with axes."""
+    width, height, left_edge, foot = 380.0, 150.0, 64.0, 22.0
     points = [(t, left, right) for t, left, right, *_ in rows if all(map(math.isfinite, (t, left, right)))]
     if len(points) < 2:
         return ""
@@ -126,19 +129,28 @@ def _curve(rows: list[list[float]]) -> str:
     low, high = min(values), max(values)
     flat = high - low <= 1e-12 * max(abs(low), abs(high), 1e-300)
     low, high = (low - 1, high + 1) if flat else (low, high)
+    across, down = width - left_edge - 8, height - foot - 8
 
     def line(column: int, style: str) -> str:
-        x = [4 + (width - 8) * (t - times[0]) / ((times[-1] - times[0]) or 1) for t in times]
-        y = [4 + (height - 8) * (high - point[column]) / (high - low) for point in points]
+        x = [left_edge + across * (t - times[0]) / ((times[-1] - times[0]) or 1) for t in times]
+        y = [8 + down * (high - point[column]) / (high - low) for point in points]
         path = " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(x, y))
         return f'<polyline points="{path}" fill="none" {style}/>'
 
+    def text(x: float, y: float, anchor: str, words: str) -> str:
+        return f'<text x="{x:.0f}" y="{y:.0f}" text-anchor="{anchor}" font-size="11" fill="currentColor">{words}</text>'
+
     left = line(1, 'stroke="currentColor" stroke-width="1.5"')
     right = line(2, 'stroke="var(--fail)" stroke-width="1.5" stroke-dasharray="5 3"')
+    axes = f'<path d="M{left_edge:.0f} 8V{8 + down:.0f}H{width - 8:.0f}" fill="none" stroke="var(--quiet)"/>'
+    below, beside = height - 6, left_edge - 5
+    axes += text(left_edge, below, "middle", f"{times[0]:.4g}") + text(width - 8, below, "end", f"{times[-1]:.4g}")
+    axes += text(left_edge + across / 2, below, "middle", "t")
+    axes += text(beside, 16, "end", f"{high:.4g}") + text(beside, 8 + down, "end", f"{low:.4g}")
     return (
         f'<svg viewBox="0 0 {width:.0f} {height:.0f}" width="{width:.0f}" height="{height:.0f}" role="img" '
         f'aria-label="left side and right side from t = {times[0]:.6g} to {times[-1]:.6g}, values from {low:.6g} to {high:.6g}">'
-        f"{left}{right}</svg>"
+        f"{axes}{left}{right}</svg>"
     )
 
 
@@ -166,8 +178,62 @@ def result_html(result: Result) -> str:
     return _page(f'<pre class="{result.verdict}">{html.escape(result_text(result))}</pre>')
 
 
+def latex(formula: str) -> str:
+    """LaTeX as notebooks typeset it: what could end the formula, or act in a page, is taken out."""
+    return f"$\\displaystyle {formula.replace('$', '')}$"
+
+
+def _formula(proof: Proof) -> str:
+    """The formula as it was read; as it is written, where it was not."""
+    return proof.mathml or f"<code>{html.escape(proof.formula)}</code>"
+
+
 def proof_html(proof: Proof) -> str:
     """The verdict, the formula and what the proof needs."""
-    body = [f"<p>{_span(str(proof.verdict).split()[-1], str(proof.verdict), 'wrong')}: <code>{html.escape(proof.formula)}</code></p>"]
+    body = [f"<p>{_span(str(proof.verdict).split()[-1], str(proof.verdict), 'wrong')}: {_formula(proof)}</p>"]
     body.append(f'<pre class="quiet">{html.escape(proof.text)}</pre>')
     return _page("".join(body))
+
+
+def proofs_html(proofs: Iterable[Proof]) -> str:
+    """A row for each formula, with the point at which it fails, or why it is open."""
+
+    def row(proof: Proof) -> str:
+        found = proof.counterexample
+        point = ", ".join(f"{name} = {value}" for name, value in found.point.items()) if found else ""
+        more = f"{point}: {found.left} ≠ {found.right}" if found else "; ".join(proof.exceptions) or proof.reason or ""
+        verdict = _span(str(proof.verdict).split()[-1], str(proof.verdict))
+        return f"<tr><td>{verdict}</td><td>{_formula(proof)}</td><td>{html.escape(more)}</td></tr>"
+
+    return _page(f"<table><tr><th>verdict</th><th>formula</th><th>but</th></tr>{''.join(map(row, proofs))}</table>")
+
+
+def _words(lint: Lint) -> str:
+    return ", ".join(f"{count} {word}" for word, count in lint.words.items() if count) or "no formula"
+
+
+def _why(relation: Relation) -> str:
+    return relation.message or relation.why
+
+
+def lint_text(lint: Lint) -> str:
+    """A line for each relation; under a wrong one what holds."""
+    lines = []
+    for one in lint:
+        lines.append(f"{one.line:6}  {one.verdict:24}  {one.formula}" + (f" ({_why(one)})" if _why(one) else ""))
+        if one.instead is not None:
+            lines.append(f"{'':34}holds, and is proved: {one.instead}")
+    return "\n".join([*lines, _words(lint)])
+
+
+def lint_html(lint: Lint) -> str:
+    """A row for each relation; what a browser typesets is made by the library, and nothing of a text acts in it."""
+
+    def row(one: Relation) -> str:
+        tone = TONE.get(one.verdict, "quiet")
+        holds = f"<br>holds, and is proved: <code>{html.escape(one.instead)}</code>" if one.instead is not None else ""
+        verdict = _span(tone, one.verdict.replace("_", " "), "wrong" if tone == "fails" else "")
+        return f"<tr><td>{one.line}</td><td>{verdict}</td><td>{one.markup}</td><td>{html.escape(_why(one))}{holds}</td></tr>"
+
+    head = "<tr><th>line</th><th>verdict</th><th>formula</th><th>why</th></tr>"
+    return _page(f"<b>{html.escape(lint.name)}</b><table>{head}{''.join(map(row, lint))}</table><p>{html.escape(_words(lint))}</p>")

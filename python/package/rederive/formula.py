@@ -11,7 +11,7 @@ from typing import Any, Optional
 
 from .errors import NoCounterpart
 
-__all__ = ["Names", "is_sympy"]
+__all__ = ["Names", "is_sympy", "relation"]
 
 GREEK = frozenset(
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi rho sigma tau upsilon phi chi psi omega "
@@ -38,6 +38,16 @@ def is_sympy(value: object) -> bool:
     """Whether something is of SymPy, which is not imported for that."""
     sympy = sys.modules.get("sympy")
     return sympy is not None and isinstance(value, (sympy.Basic, sympy.MatrixBase))
+
+
+def relation(value: Any) -> Any:
+    """A relation of SymPy as it is; an expression, of numbers or of a matrix, as the equation that it is zero."""
+    sympy = sys.modules["sympy"]
+    if isinstance(value, sympy.MatrixBase):
+        return sympy.Eq(value, sympy.zeros(*value.shape), evaluate=False)
+    if value == 0:
+        raise NoCounterpart("SymPy has made 0 of this expression while it was built, so that nothing is left to check")
+    return sympy.Eq(value, 0, evaluate=False) if isinstance(value, sympy.Expr) else value
 
 
 class Names:

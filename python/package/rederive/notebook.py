@@ -1,20 +1,24 @@
-"""``%load_ext rederive``: a cell that begins with ``%%rederive`` holds the text of a derivation, and shows its report.
+"""``%load_ext rederive``: a cell that begins with ``%%rederive`` is checked, and what was found is shown.
 
-    %%rederive NAME --claim ID --trajectory ID --sampled
+    %%rederive NAME --claim ID --trajectory ID --sampled --deadline SECONDS
 
-The report is kept as NAME, ``report`` unless given.
+A cell with the line ``[derivation]`` is the text of a derivation file; its :class:`Report` is kept as NAME, ``report`` unless
+given. Every other cell is LaTeX, of which :class:`Lint` says what follows and what is wrong; it is kept as NAME, ``found`` unless given.
 """
 
 from __future__ import annotations
 
 import argparse
-from typing import Any, NoReturn, Optional
+from typing import Any, NoReturn, Union
 
 from .errors import Error
+from .paper import Lint, lint
 from .report import Report
 from .session import Session
 
 __all__ = ["load_ipython_extension"]
+
+Found = Union[Report, Lint]
 
 
 class _Words(argparse.ArgumentParser):
@@ -32,7 +36,7 @@ def _name(text: str) -> str:
 
 def _arguments(line: str) -> argparse.Namespace:
     parser = _Words(prog="%%rederive", add_help=False)
-    parser.add_argument("name", nargs="?", default="report", type=_name)
+    parser.add_argument("name", nargs="?", type=_name)
     parser.add_argument("--claim", action="append", default=[])
     parser.add_argument("--trajectory", action="append", default=[])
     parser.add_argument("--sampled", action="store_true")
@@ -40,26 +44,37 @@ def _arguments(line: str) -> argparse.Namespace:
     return parser.parse_args(line.split())
 
 
-def run(line: str, cell: str, namespace: dict[str, Any]) -> Optional[Report]:
+def run(line: str, cell: str, namespace: dict[str, Any]) -> Found:
     """Checks the text of a cell."""
+    derivation = any(one.strip() == "[derivation]" for one in cell.splitlines())
     try:
         asked = _arguments(line)
-        report = Session(cell + "\n", name=f"{asked.name}.toml").check(
-            asked.claim, asked.trajectory, "sampled" if asked.sampled else "enclosed", deadline=asked.deadline
-        )
+        name = asked.name or ("report" if derivation else "found")
+        namespace[name] = _checked(asked, f"{name}.toml", cell) if derivation else _looked_through(asked, cell)
     except Error as e:
         # As a notebook shows it: no trace of calls.
         shown = [str(e)]
         e._render_traceback_ = lambda: shown  # type: ignore[attr-defined]
         raise
-    namespace[asked.name] = report
-    return report
+    found: Found = namespace[name]
+    return found
+
+
+def _checked(asked: argparse.Namespace, name: str, cell: str) -> Report:
+    rigor: Any = "sampled" if asked.sampled else "enclosed"
+    return Session(text=cell, name=name).check(asked.claim, asked.trajectory, rigor, deadline=asked.deadline)
+
+
+def _looked_through(asked: argparse.Namespace, cell: str) -> Lint:
+    if asked.claim or asked.trajectory or asked.sampled:
+        raise Error("a cell of LaTeX has no claims and no trajectories: those are of a derivation file, with its line [derivation]")
+    return lint(text=cell, deadline=asked.deadline)
 
 
 def load_ipython_extension(ipython: Any) -> None:
     """Makes the magic known; Python calls this for ``%load_ext rederive``."""
 
-    def rederive(line: str, cell: str) -> Optional[Report]:
+    def rederive(line: str, cell: str) -> Found:
         return run(line, cell, ipython.user_ns)
 
     ipython.register_magic_function(rederive, "cell", "rederive")

@@ -22,6 +22,7 @@ def draw(curve: Curve, title: str, axes: Optional[Axes] = None) -> Axes:
     axes.plot(curve.t, curve.right, "--", label="right side")
     axes.fill_between(curve.t, curve.right - curve.bound, curve.right + curve.bound, alpha=0.3)
     axes.set_xlabel("t")
+    axes.set_ylabel("value of each side")
     axes.set_title(title)
     axes.legend()
     return axes

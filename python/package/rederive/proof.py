@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field
-from typing import Any, Mapping, NoReturn, Optional
+from typing import TYPE_CHECKING, Any, Mapping, NoReturn, Optional
 
 from . import display
 from .verdict import Decision
 
-__all__ = ["Counterexample", "Proof"]
+if TYPE_CHECKING:
+    import pandas
+
+__all__ = ["Counterexample", "Proof", "Proofs"]
 
 
 @dataclass(frozen=True)
@@ -44,9 +47,11 @@ class Proof:
     """The answer as the command line prints it."""
     data: Mapping[str, Any] = field(hash=False, repr=False)
     """The whole answer, as ``rederive prove --format json`` prints it."""
+    mathml: Optional[str] = field(default=None, compare=False, repr=False)
+    """The formula as it was read, for a browser."""
 
     @classmethod
-    def of(cls, document: str, text: str) -> Proof:
+    def of(cls, document: str, text: str, mathml: Optional[str] = None) -> Proof:
         """From what the library tells."""
         data = json.loads(document)
         witness = data["witness"]
@@ -63,6 +68,7 @@ class Proof:
             log2_error=data["log2_error"],
             text=text,
             data=data,
+            mathml=mathml,
         )
 
     def __bool__(self) -> NoReturn:
@@ -73,3 +79,39 @@ class Proof:
 
     def _repr_html_(self) -> str:
         return display.proof_html(self)
+
+    def _repr_latex_(self) -> str:
+        return display.latex(self.formula)
+
+
+class Proofs(tuple[Proof, ...]):
+    """The answers on a list of formulas, in their order."""
+
+    __slots__ = ()
+
+    def __bool__(self) -> NoReturn:
+        raise TypeError("Proofs are neither true nor false: compare the verdict of each")
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A row for each formula; verdicts are words."""
+        import pandas
+
+        rows = [
+            {
+                "formula": one.formula,
+                "verdict": str(one.verdict),
+                "exceptions": "; ".join(one.exceptions) or None,
+                "reason": one.reason,
+                "point": dict(one.counterexample.point) if one.counterexample else None,
+                "left": one.counterexample.left if one.counterexample else None,
+                "right": one.counterexample.right if one.counterexample else None,
+            }
+            for one in self
+        ]
+        return pandas.DataFrame(rows, columns=["formula", "verdict", "exceptions", "reason", "point", "left", "right"])
+
+    def __repr__(self) -> str:
+        return "\n".join(f"{one.verdict!s:14} {one.formula}" for one in self)
+
+    def _repr_html_(self) -> str:
+        return display.proofs_html(self)

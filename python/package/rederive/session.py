@@ -5,18 +5,20 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable, Iterable, Literal, Optional, Union
+from typing import Any, Callable, Iterable, Literal, Optional, Union, overload
 
 from . import _rederive
 from .derivation import Derivation
-from .formula import Names, is_sympy
+from .formula import Names, is_sympy, relation
 from .progress import Progress, shown
-from .proof import Proof
+from .proof import Proof, Proofs
 from .report import Report
 
 __all__ = ["Session", "check", "prove"]
 
-Text = Union[str, "os.PathLike[str]", Derivation]
+PathName = Union[str, "os.PathLike[str]"]
+Where = Union[PathName, Derivation]
+"""A path, or a derivation that was written in Python; a text is handed over as ``text=``."""
 Rigor = Literal["enclosed", "sampled"]
 Cache = Union[None, Literal[False], str, "os.PathLike[str]"]
 
@@ -66,19 +68,24 @@ class _Joined:
 class Session:
     """A derivation that was read, for several questions about it.
 
-    ``derivation`` is a path, the text of a derivation file (with line breaks), or a :class:`Derivation`; nothing for
-    :meth:`prove` alone. Raises :class:`DerivationError` with every problem of the text.
+    It is one of: ``derivation``, a path or a :class:`Derivation`; ``path=``, a path; ``text=``, the text of a derivation file, which
+    is never taken for a path. Nothing is needed for :meth:`prove` alone. ``name`` is what it is called in messages.
+    Raises :class:`DerivationError` with every problem of the text.
     """
 
-    def __init__(self, derivation: Optional[Text] = None, name: Optional[str] = None) -> None:
-        self._name: str = ""
-        self._text: Optional[str] = None
-        if derivation is not None:
-            self._name, self._text = _read(derivation, name)
+    def __init__(
+        self,
+        derivation: Optional[Where] = None,
+        name: Optional[str] = None,
+        *,
+        text: Optional[str] = None,
+        path: Optional[PathName] = None,
+    ) -> None:
+        self._name, self._text = _read(derivation, name, text, path)
         self._read = _rederive.Session(self._name, self._text)
 
     def __reduce__(self) -> tuple[object, ...]:
-        return (Session, (self._text, self._name))
+        return (_again, (self._text, self._name))
 
     @property
     def source(self) -> tuple[str, str]:
@@ -97,9 +104,13 @@ class Session:
         nowhere: list[Optional[str]] = [None]
         return tuple((name, one) for name, on in of for one in (list[Optional[str]](on) or nowhere))
 
-    def change(self, derivation: Text) -> None:
+    def change(
+        self, derivation: Optional[Where] = None, *, text: Optional[str] = None, path: Optional[PathName] = None
+    ) -> None:
         """Takes another state of the derivation; where this has problems, the state before is kept."""
-        name, text = _read(derivation, self._name)
+        name, text = _read(derivation, self._name, text, path)
+        if text is None:
+            raise TypeError("another state is one of: the first argument, `text=`, `path=`")
         self._read = _rederive.Session(name, text)
         self._name, self._text = name, text
 
@@ -151,7 +162,7 @@ class Session:
         self,
         formula: Any,
         symbols: Union[str, Iterable[str]] = (),
-        given: Union[str, Iterable[str]] = (),
+        given: Union[str, Iterable[Any]] = (),
         *,
         scope: Optional[str] = None,
         throughout: bool = False,
@@ -164,19 +175,20 @@ class Session:
             formula, words, premises = _of_sympy(formula, words, premises)
         elif not isinstance(formula, str):
             raise TypeError(
-                f"a formula is a text in LaTeX or a relation of SymPy, not {formula!r}"
+                f"a formula is a text in LaTeX, a relation of SymPy, or an expression of it, not {formula!r}"
                 + (": `==` compares at once, an equation of SymPy is `Eq(…, …)`" if isinstance(formula, bool) else "")
             )
-        document, text = self._read.prove(formula, words, premises, throughout, scope, _seconds(deadline))
-        return Proof.of(document, text)
+        return Proof.of(*self._read.prove(formula, words, premises, throughout, scope, _seconds(deadline)))
 
 
 def check(
-    derivation: Text,
+    derivation: Optional[Where] = None,
     claims: Union[str, Iterable[str]] = (),
     trajectories: Union[str, Iterable[str]] = (),
     rigor: Rigor = "enclosed",
     *,
+    text: Optional[str] = None,
+    path: Optional[PathName] = None,
     only_verdicts: bool = False,
     deadline: Optional[float] = None,
     memory: Optional[int] = None,
@@ -185,7 +197,8 @@ def check(
 ) -> Report:
     """Tries the claims of a derivation on its motions.
 
-    ``derivation``: a path, the text of a derivation file (with line breaks), or a :class:`Derivation`.
+    ``derivation``: a path, or a :class:`Derivation`. In its place ``path=``, a path, or ``text=``, the text of a derivation file:
+    a text is never taken for a path.
     ``claims``, ``trajectories``: only these, by name; all when empty. Families count among the trajectories.
     ``rigor``: ``"enclosed"`` looks at every time of the span where it is possible, ``"sampled"`` at finitely many.
     ``only_verdicts``: no altered formulas, no corrections, nothing that separates the motions.
@@ -193,11 +206,15 @@ def check(
     ``memory``: the same while the process holds so many bytes.
     ``cache``: the folder in which what is found is kept, and from which it is recalled; ``False`` for none. Unless given, that of
     the command line: what ``REDERIVE_CACHE`` names, nothing where it is empty; else that of the user for such things.
-    ``progress``: ``True``, ``False``, a function of (done, of), or ``None``: a line on a terminal, nothing elsewhere.
+    ``progress``: ``True``, ``False``, a function of (done, of), or ``None``: a line on a terminal, a bar of tqdm in a notebook where
+    tqdm is installed, nothing elsewhere.
 
-    Raises :class:`DerivationError` with every problem of the text, and :class:`UnknownName`.
+    Raises :class:`DerivationError` with every problem of the text, and :class:`UnknownName`. An equation, or an expression of SymPy
+    that should be zero, has no motions: :func:`prove` decides it.
     """
-    return Session(derivation).check(
+    if is_sympy(derivation):
+        raise TypeError("an equation of SymPy has no motions: `prove` decides it; a claim of a `Derivation` takes it, too")
+    return Session(derivation, text=text, path=path).check(
         claims,
         trajectories,
         rigor,
@@ -209,32 +226,73 @@ def check(
     )
 
 
-def prove(
-    formula: Any,
+@overload
+def prove(  # pyright: ignore[reportOverlappingOverload]  # whatever else a formula may be, it is no list
+    formula: Union[list[Any], tuple[Any, ...]],
     symbols: Union[str, Iterable[str]] = (),
-    given: Union[str, Iterable[str]] = (),
+    given: Union[str, Iterable[Any]] = (),
     *,
     throughout: bool = False,
     deadline: Optional[float] = None,
-) -> Proof:
-    """Decides an equation for all values of its symbols.
+    progress: Progress = None,
+) -> Proofs: ...
+@overload
+def prove(
+    formula: Any,
+    symbols: Union[str, Iterable[str]] = (),
+    given: Union[str, Iterable[Any]] = (),
+    *,
+    throughout: bool = False,
+    deadline: Optional[float] = None,
+    progress: Progress = None,
+) -> Proof: ...
+def prove(
+    formula: Any,
+    symbols: Union[str, Iterable[str]] = (),
+    given: Union[str, Iterable[Any]] = (),
+    *,
+    throughout: bool = False,
+    deadline: Optional[float] = None,
+    progress: Progress = None,
+) -> Union[Proof, Proofs]:
+    """Decides an equation for all values of its symbols; of a list each by itself.
 
-    ``formula``: an equation in LaTeX; several are separated by commas, and all must hold. Or an ``Eq`` of SymPy: its
-    symbols are declared with their assumptions then, and premises may be relations of SymPy. Functions in it are fields,
-    and what they are functions of, or derived by, are coordinates.
-    ``symbols``: declarations, in the words of ``rederive prove --symbol``: ``"x"``, ``"x, y: positive"``, ``"q: state"``.
+    ``formula``: an equation in LaTeX; several are separated by commas, and all must hold. Or an ``Eq`` of SymPy, or an expression of
+    SymPy, which is asked to be zero: its symbols are declared with their assumptions then, and premises may be relations of SymPy.
+    Functions in it are fields, and what they are functions of, or derived by, are coordinates. Or a list of such formulas: then
+    the answer is :class:`Proofs`, one of each, in their order; a formula that cannot be read ends it.
+    ``symbols``: declarations, in the words of ``rederive prove --symbol``: ``"x"``, ``"x, y: positive"``, ``"q: state"``;
+    in a list those of the texts, since expressions of SymPy bring theirs along.
     ``given``: premises, relations in LaTeX.
     ``throughout``: of ± one sign must serve all points.
-    ``deadline``: after so many seconds :class:`DeadlineReached` is raised.
+    ``deadline``: after so many seconds :class:`DeadlineReached` is raised; of a list each formula has so many.
+    ``progress``: of a list, how many are done; as for :func:`check`.
     """
-    return Session().prove(formula, symbols, given, throughout=throughout, deadline=deadline)
+    session = Session()
+    if not isinstance(formula, (list, tuple)):
+        return session.prove(formula, symbols, given, throughout=throughout, deadline=deadline)
+    # What can be gone through once only is asked of every formula.
+    symbols, given = _names(symbols), given if is_sympy(given) else _names(given)
+    found = []
+    with shown(progress, "prove", "formulas") as tell:
+        for one in formula:
+            # Expressions of SymPy bring their symbols along.
+            words = () if is_sympy(one) else symbols
+            found.append(session.prove(one, words, given, throughout=throughout, deadline=deadline))
+            if tell is not None:
+                tell(len(found), len(formula))
+    return Proofs(found)
+
+
+def _again(text: Optional[str], name: str) -> Session:
+    return Session(text=text, name=name)
 
 
 def _name(id: str, reading: Optional[str]) -> str:
     return id if reading is None else f"{id}/{reading}"
 
 
-def _names(names: Union[str, Iterable[str]]) -> tuple[str, ...]:
+def _names(names: Union[str, Iterable[Any]]) -> tuple[Any, ...]:
     return (names,) if isinstance(names, str) else tuple(names)
 
 
@@ -252,17 +310,27 @@ def _cache(cache: Cache) -> tuple[bool, Optional[str]]:
 
 def _of_sympy(formula: Any, words: list[str], given: list[Any]) -> tuple[str, list[str], list[str]]:
     """An equation of SymPy with its symbols, and what is assumed of them."""
-    names = Names()
+    names, formula = Names(), relation(formula)
     declared, assumed = names.premises([formula, *(one for one in given if is_sympy(one))])
     premises = [names.latex(one) if is_sympy(one) else str(one) for one in given]
     return names.latex(formula), words + declared, premises + assumed
 
 
-def _read(derivation: Text, name: Optional[str]) -> tuple[str, str]:
-    """The name and the text of a derivation."""
+def _read(
+    derivation: Optional[Where], name: Optional[str], text: Optional[str], path: Optional[PathName]
+) -> tuple[str, Optional[str]]:
+    """The name and the text of a derivation; no text where nothing is handed over."""
+    if sum(one is not None for one in (derivation, text, path)) > 1:
+        raise TypeError("a derivation is one of: the first argument, `text=`, `path=`")
+    if text is not None:
+        if not isinstance(text, str):
+            raise TypeError(f"`text=` is the text of a derivation file, not {type(text).__name__}")
+        return name or "derivation", text
     if isinstance(derivation, Derivation):
         return name or "derivation", derivation.to_toml()
     if isinstance(derivation, str) and "\n" in derivation:
-        return name or "derivation", derivation
-    path = Path(derivation)
-    return name or str(path), path.read_text(encoding="utf-8")
+        raise TypeError("this is a text, and a path is expected here: hand it over as `text=`")
+    at = derivation if path is None else path
+    if at is None:
+        return name or "", None
+    return name or str(at), Path(at).read_text(encoding="utf-8")

@@ -8,9 +8,8 @@ use rederive::check::search::SearchOptions;
 use rederive::check::{Limits, Proposition, Rigor};
 use rederive::derivation::LARGEST_FILE;
 use rederive::diag::Source;
-use rederive::lint::{self, Word};
 use rederive::units::UnitVerdict;
-use rederive::{Ask, Failure, Finding, Outcome, Question, Session, Strength, diag, files, latex, paper, report};
+use rederive::{Ask, Failure, Finding, Outcome, Question, Session, Strength, diag, files, latex, lint, paper, report};
 use serde_json::{Map, Value, json};
 
 use super::super::ending::Stop;
@@ -54,7 +53,7 @@ pub(super) const TOOLS: &[Tool] = &[
     },
     Tool {
         name: "lint",
-        says: "Says of every relation in LaTeX (a chain A=B=C, a page, a paper) whether it follows_proved, holds_in_numbers, is wrong_refuted_by_a_point (with the nearest formula that is proved), defines, or is not_followed: what is not followed is not confirmed.",
+        says: "Says of every relation in LaTeX (a chain A=B=C, a page, a paper) whether it follows_proved, holds_in_numbers, is wrong_refuted_by_a_point (`instead` is the nearest formula that is proved), defines, or is not_followed: what is not followed is not confirmed.",
         takes: &[TEXT, PATH],
         run: lint_paper,
     },
@@ -218,29 +217,11 @@ fn prove(_: &Workbench, arguments: &Arguments<'_>) -> Result<Value, String> {
 
 fn lint_paper(bench: &Workbench, arguments: &Arguments<'_>) -> Result<Value, String> {
     let (source, folder) = bench.source(arguments, "text.tex", paper::LARGEST_PAPER)?;
+    // A file says where its formulas begin; a text that is handed over may be nothing but formulas.
+    let text = if folder.is_none() { paper::in_displays(&source.text).into_owned() } else { source.text };
+    let source = Source { text, ..source };
     let paper = paper::parse_in(Arc::new(source), folder.as_deref()).map_err(|p| diag::render(&[*p], false))?;
-    let found = lint::lint(&paper);
-    let one = |j: &lint::Judgement| {
-        let verdict = match j.word {
-            Word::Follows => "follows_proved".to_owned(),
-            Word::Wrong => "wrong_refuted_by_a_point".to_owned(),
-            word => word.text().replace(' ', "_"),
-        };
-        let mut out = json!({ "verdict": verdict, "line": lint::line(&paper, j), "formula": paper.printed[j.relation].text(), "why": lint::explained(&paper, j) });
-        if let Some(problem) = lint::diagnostic(&paper, j) {
-            out["message"] = problem.message.into();
-        }
-        if let Some(instead) = &j.instead {
-            out["proved_instead"] = instead.clone().into();
-        }
-        out
-    };
-    let notes: Vec<Value> =
-        paper.notes.iter().map(|n| json!({ "line": paper.line(&n.span), "message": n.message })).collect();
-    let relations: Vec<Value> = found.judgements.iter().map(one).collect();
-    Ok(
-        json!({ "wrong": found.count(Word::Wrong), "follows_proved": found.count(Word::Follows), "relations": relations, "notes": notes }),
-    )
+    Ok(report::lint_document(&paper, &lint::lint(&paper)))
 }
 
 /// A verdict with its strength in its name.
