@@ -107,6 +107,8 @@ fn nothing_is_fetched() {
         let page = page(derivation, account);
         // The name of the SVG name space is no address.
         let rest = page.replace("http://www.w3.org/2000/svg", "");
+        // The letters of formulas are in the page, and a clip is one of its own places.
+        let rest = rest.replace("url(data:font/woff2;base64,", "").replace("url(#${clip})", "");
         for outside in ["http:", "https:", "url(", "@import", "<link", "<img", "<iframe", " src="] {
             assert!(!rest.contains(outside), "{name}: {outside}");
         }
