@@ -192,3 +192,26 @@ fn completions_and_manual_know_every_command() {
     }
     assert!(folder.path().join("man/rederive.1").exists());
 }
+
+#[test]
+fn an_equation_of_motion_moves_its_state() {
+    for (tex, equation) in [
+        (r"\[m\ddot x+\gamma\dot x+kx=0\] and \[L=m r^2\dot\theta\]", Some(r"'m\ddot x+\gamma\dot x+kx=0'")),
+        (r"\[m\ell^2\ddot\theta+mg\ell\sin\theta=0\]", Some(r"'m\ell^2\ddot\theta+mg\ell\sin\theta=0'")),
+        // The second rate is squared, or another second rate stands beside it.
+        (r"\[m\ddot x^2+kx=0\]", None),
+        (r"\[m\ddot x+k\ddot y=0\]", None),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        std::fs::write(folder.path().join("p.tex"), tex).expect("written");
+        let mut run = assert_cmd::Command::cargo_bin("rederive").expect("the program");
+        run.current_dir(folder.path()).args(["init", "p.tex", "-o", "p.toml"]).assert().success();
+        let draft = std::fs::read_to_string(folder.path().join("p.toml")).expect("a draft");
+        let system = draft.lines().find(|l| l.starts_with("equations = "));
+        assert_eq!(system.is_some(), equation.is_some(), "{draft}");
+        assert!(equation.is_none_or(|e| system.is_some_and(|s| s.contains(e))), "{draft}");
+        let mut run = assert_cmd::Command::cargo_bin("rederive").expect("the program");
+        let code = run.current_dir(folder.path()).args(["check", "p.toml"]).assert().get_output().status.code();
+        assert!(matches!(code, Some(0 | 3)), "{code:?}: {draft}");
+    }
+}

@@ -117,9 +117,13 @@ impl Printed {
     }
 }
 
-/// The state of which the left side is a rate and nothing else, and the order.
+/// The state whose rate a formula gives, and the order: that of which the left side is a rate and nothing else, or that whose second
+/// rate stands once in an equation of motion, `m\ddot x+kx=0`.
 fn rate_of(sides: &[&PrintedSide], signs: &[String]) -> Option<(String, usize)> {
     let left = sides.first().filter(|_| signs.len() == 1 && signs[0] == "=")?;
+    if let Some(key) = moved_by(sides) {
+        return Some((key, 2));
+    }
     let all = names(left);
     let plain = |factor: &str| left.text.contains(factor);
     let name = all.first().filter(|n| n.primes == 0 && n.call == Call::None && !plain("+") && !plain("-"))?;
@@ -138,6 +142,21 @@ fn rate_of(sides: &[&PrintedSide], signs: &[String]) -> Option<(String, usize)> 
         }
         _ => None,
     }
+}
+
+/// The name whose second rate stands in an equation, once and to no power; other rates in it are first ones.
+fn moved_by(sides: &[&PrintedSide]) -> Option<String> {
+    let all: Vec<_> = sides.iter().flat_map(|s| names(s)).collect();
+    let mut twice = all.iter().filter(|n| n.dots > 1);
+    let name = twice.next().filter(|n| n.dots == 2 && twice.next().is_none())?;
+    let text: String = sides.iter().map(|s| s.text.as_str()).collect::<Vec<_>>().join(" = ");
+    let (_, behind) = text.split_once(r"\ddot").filter(|(_, rest)| !rest.contains(r"\ddot"))?;
+    let letter = behind.trim_start().trim_start_matches('{').trim_start();
+    let rest = letter.trim_start_matches('\\').trim_start_matches(char::is_alphabetic);
+    let is_plain =
+        all.iter().all(|n| n.derived_by.is_none() && n.primes == 0 && n.call == Call::None && !n.is_in_group);
+    let is_power = rest.trim_start().trim_start_matches('}').trim_start().starts_with('^');
+    (is_plain && !is_power).then(|| name.key())
 }
 
 /// Sides and signs as one text.
