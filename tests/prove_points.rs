@@ -23,6 +23,9 @@ fn a_point_is_found_where_there_is_one() {
         ("proved", r"\sqrt{(x-5)^2}=x-5", "x", r"x>1000"),
         ("refuted", r"\sqrt{(x-1001)^2}=x-1001", "x", r"x>1000"),
         ("proved", r"|x-2|=3-|x-5|", "x", r"x>\frac{21}{10}; x<\frac{22}{10}"),
+        // False near a bound only.
+        ("refuted", r"\arcsin(\sin x)=x", "x", r"x>-2; x<2"),
+        ("proved", r"\arcsin(\sin x)=x", "x", r"x>-1; x<1"),
         // No point satisfies what is given.
         ("undecided", r"x=7", "x", r"x>5; x<5"),
         ("unproved", r"y=1", "x,y", r"x^2+1=0; xy=x"),

@@ -55,6 +55,10 @@ impl Bounds {
             false => value,
         };
         match (low, high) {
+            // Large ones come near the upper bound: what is only false there is found, too.
+            (Some(low), Some(high)) if size > Rational::from(2) => {
+                high - (high - low) / (Rational::from(4) * &size * &size)
+            }
             (Some(low), Some(high)) => low + (high - low) * &size / (Rational::ONE + &size),
             (Some(low), None) => low + size,
             (None, Some(high)) => high - size,
