@@ -69,6 +69,12 @@ fn matrices(n: usize) -> String {
     file(&format!("'A' = {{ role = 'parameter', shape = '{n}x{n}' }}\n"), &claim(0, "AAAA=AAA", "follows-from = []"))
 }
 
+/// Sums over repeated indices.
+fn sums(n: usize) -> String {
+    let vector = format!("'{{\\bf u}}' = {{ role = 'parameter', shape = '{n}' }}\n");
+    file(&vector, &claim(0, "u_iu_iu_ju_ju_ku_k=u_iu_iu_ju_j", "follows-from = []"))
+}
+
 fn ranges(n: usize) -> String {
     let names = || (0..n).map(name);
     let symbols: String = names().map(|of| format!("'{of}' = {{ role = 'parameter' }}\n")).collect();
@@ -112,6 +118,19 @@ fn motions(n: usize) -> String {
     [HEAD, SYMBOLS, SYSTEM, &all, &claim(0, "x>0", "")].concat()
 }
 
+fn family(n: &str) -> String {
+    let family = "[[family]]\nid = 'f'\nof = 'a'\nvary = { 'k' = { uniform = [1, 2] } }\ndraws = N\nseed = 1\nwhere = ['k<1.5']\n";
+    let claim = claim(0, "x<2", "families = ['f']");
+    [HEAD, SYMBOLS, SYSTEM, MOTION, &family.replace('N', n), &claim].concat()
+}
+
+/// A rate of a field of the n-th order, of a product that grows with it.
+fn fields(n: usize) -> String {
+    let symbols = "'z' = { role = 'coordinate' }\n'u(z)' = { role = 'field' }\n";
+    let formula = format!("\\frac{{\\partial^{n}(u^2\\sin u)}}{{\\partial z^{n}}}=0");
+    [HEAD, symbols, &claim(0, &formula, "follows-from = []")].concat()
+}
+
 /// A name, what it makes of a size, and the first of the three sizes.
 type Generator = (&'static str, fn(usize) -> String, usize);
 
@@ -119,8 +138,8 @@ const GENERATORS: &[Generator] = &[
     ("calls", calls, 8),
     ("brackets", brackets, 3),
     ("matrices", matrices, 4),
-    ("sums", |n| one(&format!("\\sum_{{j=1}}^{{{n}}}\\sin(jx)=x")), 25),
-    ("products", |n| one(&format!("\\prod_{{j=1}}^{{{n}}}(x+j)=x")), 25),
+    ("sums", sums, 5),
+    ("products", |n| one(&format!("{}=x", (1..=n).map(|j| format!("(x+{j})")).collect::<String>())), 25),
     ("powers", |n| one(&format!("(x+k+1)^{{{}}}=x", 10_usize.pow((n / 4) as u32))), 8),
     ("ranges", ranges, 2),
     ("units", units, 20),
@@ -128,7 +147,9 @@ const GENERATORS: &[Generator] = &[
     ("premises", premises, 4),
     ("formulas", formulas, 100),
     ("motions", motions, 25),
-    ("nested", |n| one(&format!("x={}x{}", "\\sin(".repeat(n), ")".repeat(n))), 20),
+    ("families", |n| family(&n.to_string()), 10),
+    ("fields", fields, 2),
+    ("nested", |n| one(&format!("x={}x{}", "\\sin(".repeat(n), ")".repeat(n))), 4),
     ("chains", |n| one(&vec!["x"; n].join("=")), 250),
     ("fractions", |n| one(&format!("x={}", sum((1..n).map(|i| format!("\\frac1{{x+{i}}}"))))), 25),
     ("roots", |n| one(&format!("x={}", sum((1..n).map(|i| format!("\\sqrt{{x+{i}}}"))))), 10),
@@ -155,6 +176,9 @@ fn ends(name: &str, text: String) {
 #[test]
 fn every_generator_ends() {
     for (name, make, first) in GENERATORS {
+        // A generator of files that are refused would try nothing.
+        let least = Session::open("f.toml", make(*first));
+        assert!(least.is_ok(), "{name}: {:?}", least.err());
         for size in [*first, 2 * first, 4 * first] {
             ends(&format!("{name} {size}"), make(size));
         }
@@ -165,12 +189,17 @@ fn every_generator_ends() {
 fn every_number_is_read_or_refused() {
     let range = [HEAD, "'y' = { role = 'parameter' }\n", &claim(0, "y^2>-1", "ranges = { 'y' = [0, 1] }")].concat();
     let motion = file("", &claim(0, "x>0", "precision = 0.1"));
+    for file in [&range, &motion, &family("20")] {
+        assert!(Session::open("f.toml", file.clone()).is_ok(), "{file}");
+    }
     let places = [("span = [0, 1]", "span = [0, N]"), ("'k' = 1", "'k' = N"), ("'x' = 1", "'x' = N"), ("0.1", "N")];
     for number in ["nan", "inf", "-inf", "1e-320", "5e-324", "2e-308", "1e308", "-0.0", "1e-300", "9223372036854775807"]
     {
         for (at, by) in places {
             ends(&format!("{by} {number}"), motion.replace(at, &by.replace('N', number)));
         }
+        ends(&format!("between {number}"), family("20").replace("[1, 2]", &format!("[1, {number}]")));
+        ends(&format!("draws {number}"), family("20").replace("draws = 20", &format!("draws = {number}")));
         ends(&format!("range {number}"), range.replace("[0, 1]", &format!("[0, {number}]")));
     }
 }
