@@ -149,7 +149,7 @@ const GENERATORS: &[Generator] = &[
     ("motions", motions, 25),
     ("families", |n| family(&n.to_string()), 10),
     ("fields", fields, 2),
-    ("nested", |n| one(&format!("x={}x{}", "\\sin(".repeat(n), ")".repeat(n))), 4),
+    ("nested", |n| one(&format!("x={}x{}", "\\sin(".repeat(n), ")".repeat(n))), 14),
     ("chains", |n| one(&vec!["x"; n].join("=")), 250),
     ("fractions", |n| one(&format!("x={}", sum((1..n).map(|i| format!("\\frac1{{x+{i}}}"))))), 25),
     ("roots", |n| one(&format!("x={}", sum((1..n).map(|i| format!("\\sqrt{{x+{i}}}"))))), 10),

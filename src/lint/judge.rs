@@ -234,7 +234,7 @@ impl Judge<'_> {
                     .any(|g| g.key == n.key() && !g.is_rate && n.dots == 0 && g.section == self.section)
             });
             let defining = k == 1 && first.is_some() && !known;
-            let derived = k == 1 && self.is_derived(first.as_ref());
+            let derived = k == 1 && self.is_derived(left);
             if defining {
                 // Whether it can be read is all that there is to say of it.
                 tally.defines = true;
@@ -324,6 +324,9 @@ impl Judge<'_> {
 
     /// The relations that a sentence names by their labels or numbers.
     fn named(&self, sentence: &Sentence, at: usize) -> Vec<usize> {
+        if sentence.names.is_empty() {
+            return Vec::new();
+        }
         let is_named = |r: &PrintedRelation| {
             [&r.label, &r.tag]
                 .into_iter()
@@ -410,12 +413,14 @@ impl Judge<'_> {
         })
     }
 
-    /// Whether a name is a derivative of what this section defines by a formula: what it is is no choice any more.
-    fn is_derived(&self, name: Option<&paper::PaperName>) -> bool {
-        name.is_some_and(|n| {
-            let is_it = |g: &Given| !g.is_rate && g.section == self.section && g.key == unprimed(n).key();
-            (n.dots > 0 || n.primes > 0 || n.derived_by.is_some()) && self.facts.given.iter().any(is_it)
-        })
+    /// Whether a side has a derivative of what this section defines by a formula, and no other name: what it is is no choice any more.
+    fn is_derived(&self, side: &PrintedSide) -> bool {
+        let all = names(side);
+        let mut derived =
+            all.iter().filter(|n| !n.is_variable && (n.primes > 0 || n.dots > 0 || n.derived_by.is_some()));
+        let Some(name) = derived.next().filter(|_| derived.next().is_none()) else { return false };
+        let is_it = |g: &Given| !g.is_rate && g.section == self.section && g.key == unprimed(name).key();
+        all.iter().filter(|n| !n.is_variable).count() == 1 && self.facts.given.iter().any(is_it)
     }
 
     /// Whether no item of a list begins between the definition of a name and a relation: a list may be one of cases.

@@ -66,9 +66,9 @@ pub struct WrongStep {
 pub enum Sureness {
     /// It stands there: it may be an equation that is assumed.
     Stands,
-    /// It is a step of a chain: a term may have been lost.
+    /// It is a step of a chain: a name may be one side, and a term may have been lost.
     Chain,
-    /// Its sentence concludes: one side may be a name that was defined before.
+    /// Its sentence concludes: so may the first side, which was defined before.
     Concludes,
     /// It says what the derivative is of what was defined: its constants are those of the definition.
     Derives,
@@ -97,7 +97,7 @@ pub fn nearest(
         && !asked.premises.equations.is_empty()
         && chain.sides.last().is_some_and(|s| matches!(&s.kind, NodeKind::Number(n) if *n == Rational::ZERO));
     let smallest = if conserves { size(&chain.sides[0]) } else { chain.sides.iter().map(size).min()? };
-    let least = if sureness >= Sureness::Concludes && !rests.given.is_empty() { 1 } else { 3 };
+    let least = if sureness >= Sureness::Chain && !rests.given.is_empty() { 1 } else { 3 };
     let fewest = if sureness == Sureness::Derives { 3 } else { FEWEST_NODES };
     if chain.sides.iter().map(size).max()? < fewest || smallest < least {
         return None;

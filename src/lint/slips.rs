@@ -214,7 +214,7 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
                     }));
                 }
                 out.push(with((opposite(*sign), term.clone())));
-                out.push(with((*sign, scaled(term, 2))));
+                out.extend([2, 3, 4].map(|by| with((*sign, scaled(term, by)))));
                 out.push(with((*sign, halved(term))));
                 if terms.len() > 2 {
                     let mut rest = terms.clone();
@@ -331,6 +331,11 @@ fn with_child(of: &Node, k: usize, child: Node) -> Option<Node> {
         NodeKind::Product(parts) => NodeKind::Product(replaced(parts, k, child)?),
         NodeKind::Dot(parts) => NodeKind::Dot(replaced(parts, k, child)?),
         NodeKind::Tuple(parts) => NodeKind::Tuple(replaced(parts, k, child)?),
+        NodeKind::Matrix(rows) => {
+            let mut rows = rows.clone();
+            *rows.iter_mut().flatten().nth(k)? = child;
+            NodeKind::Matrix(rows)
+        }
         NodeKind::Function(f, p, parts) => NodeKind::Function(f.clone(), *p, replaced(parts, k, child)?),
         NodeKind::Quotient { top, bottom, slash } => {
             let (mut top, mut bottom) = (top.clone(), bottom.clone());

@@ -1,6 +1,6 @@
 //! What is particular to complex numbers: conjugates, parts, functions, powers, and the imaginary unit.
 
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 
 use super::super::complex::{HIGHEST_POWER, Pair};
 use super::super::name;
@@ -188,8 +188,13 @@ impl Elaborator<'_> {
         }
     }
 
-    /// A function of one argument, if it is one of complex numbers, or its argument is complex.
-    pub(super) fn of_complex(&mut self, name: &str, node: &Node, span: &Range<usize>) -> Elaborated<Option<Tensor>> {
+    /// A function of one argument, if it is one of complex numbers, or its argument is complex; else the argument.
+    pub(super) fn of_complex(
+        &mut self,
+        name: &str,
+        node: &Node,
+        span: &Range<usize>,
+    ) -> Elaborated<ControlFlow<Tensor, Expr>> {
         let part = match name {
             "Re" => Some(Part::Real),
             "Im" => Some(Part::Imaginary),
@@ -198,17 +203,17 @@ impl Elaborator<'_> {
         if let Some(part) = part {
             let t = self.tensor(node)?;
             let t = self.joined(t);
-            return Ok(Some(tensor::part(self.graph, &t, part)));
+            return Ok(ControlFlow::Break(tensor::part(self.graph, &t, part)));
         }
         let t = self.number(node)?;
         if name == "arg" {
             let z = self.pair(&t, span)?;
-            return Ok(Some(Tensor::scalar(z.argument(self.graph))));
+            return Ok(ControlFlow::Break(Tensor::scalar(z.argument(self.graph))));
         }
-        if !t.shape.is_complex() {
-            return Ok(None);
+        match t.as_scalar() {
+            Some(real) => Ok(ControlFlow::Continue(real)),
+            None => self.complex_function(name, &t, span).map(ControlFlow::Break),
         }
-        self.complex_function(name, &t, span).map(Some)
     }
 
     /// Whether a symbol, as it is written, is the imaginary unit.

@@ -1,6 +1,6 @@
 //! Values of nodes: sums, products, functions, derivatives.
 
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 
 use super::super::parse::operation;
 use super::super::scope::{Logarithm, Role};
@@ -471,12 +471,14 @@ impl Elaborator<'_> {
             let components = above.components.into_iter().map(|e| self.graph.div(e, below)).collect();
             return Ok(Tensor { shape: above.shape, components });
         }
-        if let [argument] = arguments
-            && let Some(value) = self.of_complex(function, argument, span)?
-        {
-            return Ok(value);
-        }
-        let values = self.scalars(arguments)?;
+        // An argument is read once: read twice, functions of functions would double the work at each level.
+        let values = match arguments {
+            [argument] => match self.of_complex(function, argument, span)? {
+                ControlFlow::Break(value) => return Ok(value),
+                ControlFlow::Continue(real) => vec![real],
+            },
+            _ => self.scalars(arguments)?,
+        };
         if let ("binom", &[n, k]) = (function, values.as_slice()) {
             return match (self.whole(n), self.whole(k)) {
                 (Some(n), Some(k)) => Ok(Tensor::scalar(self.graph.constant(binomial(n, k)))),
