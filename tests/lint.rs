@@ -132,6 +132,8 @@ fn derivatives_chains_and_lost_terms_are_claims() {
         (r"Here $\cos2x=\cos^2x-\sin^2x=2\cos^2x+1$.", r"2\cos^2x-1"),
         (r"Thus $\frac{1}{1-x}=1+x+\frac{x^2}{1+x}$.", r"1+x+\frac{x^2}{1-x}"),
         (r"We have \[(a+b)^2=a^2+b^2.\]", "a^2+b^2+2ab"),
+        (r"Let $r=\frac{a-b}{a+b}$. \[R=r^2=\left(\frac{a-b}{a+b}\right)^3\]", r"(\frac{a-b}{a+b})^2"),
+        (r"Let $z=\frac xy$. Then $\frac{\partial z}{\partial y}=\frac{x}{y^2}$.", r"-\frac{x}{y^2}"),
         (r"Let $F=ma$ and $a=\frac{v^2}{r}$. Then \[F=\frac{mv}{r}.\]", r"\frac{mv^2}{r}"),
     ] {
         assert_eq!(instead(tex).as_deref(), Some(right), "{tex}");

@@ -415,7 +415,7 @@ impl Judge<'_> {
 
     /// Whether a side has a derivative of what this section defines by a formula, and no other name: what it is is no choice any more.
     fn is_derived(&self, side: &PrintedSide) -> bool {
-        let all = names(side);
+        let all = lone_name(side).map_or_else(|| names(side), |name| vec![name]);
         let mut derived =
             all.iter().filter(|n| !n.is_variable && (n.primes > 0 || n.dots > 0 || n.derived_by.is_some()));
         let Some(name) = derived.next().filter(|_| derived.next().is_none()) else { return false };
