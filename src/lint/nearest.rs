@@ -15,7 +15,7 @@ use expr::{Graph, Leaf, Rational};
 use super::desk::{Given, pairs_of};
 use super::facts::squeezed;
 use super::numbers::{absorbs, agreement, curves, holds_at, ratio};
-use super::question::{Asked, Rests, tested};
+use super::question::{Asked, Rests, tested, vanishes};
 use super::slips::{Alteration, Slip, size, slips, symbols};
 use super::{LintPicture, LintWitness};
 
@@ -183,7 +183,7 @@ impl Search<'_> {
             return None;
         }
         // With definitions, another name, or one more or fewer, may be another definition.
-        if (!self.rests.given.is_empty() || !self.rests.stated.is_empty()) && slip.way != Alteration::Value {
+        if self.rests.are_some() && slip.way != Alteration::Value {
             return None;
         }
         self.proved(&altered)?;
@@ -205,7 +205,15 @@ impl Search<'_> {
         }
         *self.count += 1;
         let found = tested(&mut desk.graph, &equations, premises, Wanted::Proof);
-        matches!(found, Ok(Identity::Proved(_))).then_some(())
+        if !matches!(found, Ok(Identity::Proved(_))) {
+            return None;
+        }
+        // Premises that make both sides zero prove it with any factor.
+        let is_zero = |side: &Node| matches!(&side.kind, NodeKind::Number(n) if *n == Rational::ZERO);
+        let is_vacuous = self.rests.are_some()
+            && !altered.sides.iter().any(is_zero)
+            && vanishes(&mut desk.graph, &equations, premises);
+        (!is_vacuous).then_some(())
     }
 
     /// The later side times a number, where that is proved.

@@ -2,7 +2,8 @@
 //!
 //! **In:** two sides, what they may rest on. **Out:** an [`Asked`]: the answer of the prover, with the graph that it is about.
 //! **Guaranteed:** a proof that leaves out a case that was divided by is none; nor is one from equations that no real point was seen to
-//! satisfy, since these would imply anything.
+//! satisfy, since these would imply anything; nor is one from premises that make both sides zero, where the sides as printed are not:
+//! these prove the same step with any factor in it.
 
 use std::collections::BTreeSet;
 
@@ -14,6 +15,10 @@ use proof::{Condition, Identity, Known, Options, Premises, Wanted, When, identit
 
 use super::desk::{Desk, Given, NotRead, pairs_of};
 use super::facts::Stated;
+use super::numbers::agreement;
+
+/// Points at which a side is looked at before it is proved to be zero.
+const ZERO_POINTS: usize = 12;
 
 /// Names that are taken to be positive.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,6 +44,11 @@ pub struct Rests {
 pub const TOO_LONG: &str = "a step that takes too much work";
 
 impl Rests {
+    /// Whether there is any definition, rate or equation.
+    pub fn are_some(&self) -> bool {
+        !self.given.is_empty() || !self.stated.is_empty()
+    }
+
     /// Whether both rest on the same relations.
     pub fn rests_on_the_same(&self, other: &Rests) -> bool {
         let given = |r: &Rests| r.given.iter().map(|g| (g.relation, g.is_rate)).collect::<Vec<_>>();
@@ -57,6 +67,8 @@ pub struct Asked {
     pub equations: Vec<(Expr, Expr)>,
     /// The answer.
     pub identity: Identity,
+    /// Whether what is given makes both sides zero: it proves the step, and the step with any factor.
+    pub is_vacuous: bool,
     /// The relation that was read.
     pub text: String,
 }
@@ -112,7 +124,32 @@ pub fn ask(
         Identity::Proved(proof) if proof.example.is_none() => Identity::Undecided(proof::Reason::NoValue),
         other => other,
     };
-    Ok(Asked { desk, premises, equations, identity, text: read.text })
+    let is_vacuous = matches!(identity, Identity::Proved(_))
+        && rests.are_some()
+        && vanishes(&mut desk.graph, &equations, &premises)
+        && !sides.iter().any(|side| is_zero_by_itself(side, evidence, free));
+    let identity = if is_vacuous { Identity::Undecided(proof::Reason::Degenerate) } else { identity };
+    Ok(Asked { desk, premises, equations, identity, is_vacuous, text: read.text })
+}
+
+/// Whether the premises prove that the left sides of all pairs are zero.
+pub fn vanishes(graph: &mut Graph, equations: &[(Expr, Expr)], premises: &Premises) -> bool {
+    let zero = graph.integer(0);
+    let zeros: Vec<(Expr, Expr)> = equations.iter().map(|&(left, _)| (left, zero)).collect();
+    // Premises that are equations are no part of the graph: points do not satisfy them.
+    if premises.equations.is_empty() && !agreement(graph, &zeros, ZERO_POINTS).is_some_and(|(_, all)| all) {
+        return false;
+    }
+    matches!(tested(graph, &zeros, premises, Wanted::Proof), Ok(Identity::Proved(_)))
+}
+
+/// Whether a side is zero as it is printed, with no premise: the number 0, or what is 0 for all values of its names.
+fn is_zero_by_itself(side: &PrintedSide, evidence: &Evidence, free: &BTreeSet<char>) -> bool {
+    let Ok(mut desk) = Desk::new(&[side], &[], evidence, free) else { return false };
+    let Ok(equations) = desk.pairs([side, side], evidence) else { return false };
+    let zero = desk.graph.integer(0);
+    let zeros: Vec<(Expr, Expr)> = equations.into_iter().map(|(value, _)| (value, zero)).collect();
+    agreement(&desk.graph, &zeros, ZERO_POINTS).is_some_and(|(valid, all)| all && valid > 0)
 }
 
 /// The answer, with a bound on the work.

@@ -137,6 +137,10 @@ impl Judge<'_> {
         };
         if !stated.is_empty() {
             out.push(with_definitions(stated.clone()));
+            // A definition may be a case that makes both sides zero: what proves the step without it is asked, too, never what refutes it.
+            if !plain.is_empty() && !matches!(reach, Reach::Here { .. }) {
+                out.push(rests(Vec::new(), stated.clone()));
+            }
         }
         if stated.len() > 1 {
             out.extend(stated.into_iter().map(|one| with_definitions(vec![one])));
@@ -179,8 +183,7 @@ impl Judge<'_> {
     /// What is wrong, if something is: refuted by what this section says, and one slip away from what it proves.
     fn wrong(&mut self, sides: [&PrintedSide; 2], place: &Place, asked: &mut Vec<(Asked, Rests)>) -> Option<WrongStep> {
         for rests in self.supports(sides, place, Reach::Here { section: self.section, at: place.at }) {
-            let is_bare = rests.given.is_empty() && rests.stated.is_empty();
-            if !introduces_nothing(sides, &rests) || place.blame == Blame::Identities && !is_bare {
+            if !introduces_nothing(sides, &rests) || place.blame == Blame::Identities && rests.are_some() {
                 continue;
             }
             let known = asked.iter().position(|(_, r)| r.rests_on_the_same(&rests));
@@ -221,6 +224,7 @@ fn support(rests: &Rests) -> Support {
 /// Whether a question without premises that is not decided has both sides equal at random points.
 fn holds_in_numbers(asked: &Asked) -> bool {
     asked.premises.equations.is_empty()
+        && !asked.is_vacuous
         && matches!(asked.identity, Identity::Undecided(_))
         && agreement(&asked.desk.graph, &asked.equations, POINTS).is_some_and(|(valid, all)| all && valid >= POINTS / 2)
 }
