@@ -14,19 +14,19 @@ use crate::ask::{Ask, Unknown};
 use crate::check::family::{Join, Part, Row};
 use crate::check::search::SearchOptions;
 use crate::check::{
-    self, Account, Cache, CheckError, ClaimAccount, IdentityAccount, Limits, Options, Outcome, Proposition, Store,
-    Witness,
+    self, Account, Answers, Cache, CheckError, ClaimAccount, IdentityAccount, Limits, Options, Outcome, Proposition,
+    Store, Witness,
 };
 use crate::derivation::{Claim, Derivation, is_called, parse};
 use crate::diag::escape::shown;
 use crate::diag::{Diagnostic, Source};
-use crate::findings::recorded::{self, Recorded, Searches};
+use crate::findings::recorded::{self, Recorded};
 use crate::findings::search::SearchAccount;
 use crate::report;
 use crate::verdict::Residuals;
 use meter::{Ended, Task};
 use rayon::prelude::*;
-use std::sync::{Mutex, PoisonError};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Where diagnostics place a problem with the scope of a [`Question`].
 const SCOPE: &str = "scope";
@@ -533,16 +533,18 @@ impl Findings {
     /// What was found for one of the last states of the file is taken from the store, and replayed.
     pub fn record(&mut self, only: Option<&str>, store: Option<&dyn Store>) {
         let derivation = &self.derivation;
-        let name = recorded::name_of(&derivation.id);
+        let name = check::in_digits(&check::key(&[b"searches", derivation.id.as_bytes()]));
         let kept = store.and_then(|store| store.read(&name));
-        let known = kept.map(|bytes| Searches::read(&bytes)).unwrap_or_default();
-        let all = Mutex::new(Vec::new());
+        let mut answers = kept.and_then(|bytes| Answers::read(&bytes)).unwrap_or_default();
+        answers.grow_older();
+        let is_new = AtomicBool::new(false);
         let search = |claim: &Claim| {
             let asked = tactics::Asked::of(derivation, claim)?;
-            let name = asked.name();
-            let found = known.known(&name).cloned().unwrap_or_else(|| asked.record());
-            all.lock().unwrap_or_else(PoisonError::into_inner).push((name, found.clone()));
-            found
+            let found: String = answers.answer(Some(check::key(&[&asked.content()])), || {
+                is_new.store(true, Ordering::Relaxed);
+                recorded::written(&asked.record())
+            });
+            recorded::read(&found).unwrap_or_else(|| asked.record())
         };
         let is_meant = |c: &ClaimAccount| only.is_none_or(|name| is_called(name, &c.id, c.reading.as_deref()));
         self.account.claims.par_iter_mut().with_max_len(1).filter(|c| is_meant(c)).for_each(|of| {
@@ -552,9 +554,8 @@ impl Findings {
                 identity.recorded = Some(Recorded::of(search(claim)));
             }
         });
-        let asked = all.into_inner().unwrap_or_else(PoisonError::into_inner);
-        if let (Some(store), None, Some(bytes)) = (store, only, known.with(asked)) {
-            store.write(&name, &bytes);
+        if let (Some(store), None, true) = (store, only, is_new.into_inner()) {
+            store.write(&name, &answers.written());
         }
     }
 

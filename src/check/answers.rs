@@ -15,10 +15,10 @@ use sha2::{Digest, Sha256};
 pub(super) const AGES: u64 = 8;
 
 /// The name of a question.
-pub(super) type Key = [u8; 32];
+pub type Key = [u8; 32];
 
 /// The name of a question with several parts.
-pub(super) fn key(parts: &[&[u8]]) -> Key {
+pub fn key(parts: &[&[u8]]) -> Key {
     let mut sum = Sha256::new();
     for part in parts {
         sum.update((part.len() as u64).to_le_bytes());
@@ -27,12 +27,17 @@ pub(super) fn key(parts: &[&[u8]]) -> Key {
     sum.finalize().into()
 }
 
+/// A name in hexadecimal digits, as records have them.
+pub fn in_digits(name: &Key) -> String {
+    name.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
 /// Something that is kept, with the last age in which it was asked for.
 pub(super) type Aged<T> = (u64, Arc<T>);
 
 /// Answers by name, each with the last age in which it was asked for.
 #[derive(Debug, Default)]
-pub(super) struct Answers {
+pub struct Answers {
     age: u64,
     kept: Mutex<HashMap<Key, Aged<[u8]>>>,
 }

@@ -13,7 +13,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::answers::{AGES, Answers, key};
+use super::answers::{AGES, Answers, in_digits, key};
 use super::cache::{Cache, contents, describe};
 use super::memory::{Contents, Known, Memory, Names};
 use super::{check, check_recalling};
@@ -34,7 +34,7 @@ const ANSWERS: &str = "answers";
 fn name(derivation: &Derivation, options: &Options, of: &str) -> String {
     let asked = format!("{:?} {} {:?}", options.rigor, options.plain, options.limits.work);
     let parts = [env!("CARGO_PKG_VERSION"), of, &derivation.id, &asked].map(str::as_bytes);
-    key(&parts).iter().map(|byte| format!("{byte:02x}")).collect()
+    in_digits(&key(&parts))
 }
 
 /// What is kept of one file.
@@ -95,7 +95,7 @@ pub fn check_recorded(
 /// The name of the record of the account of this state of a file.
 fn name_of_account(derivation: &Derivation, options: &Options, contents: &Contents) -> String {
     let state = postcard::to_allocvec(contents).unwrap_or_default();
-    let state: String = key(&[&state]).iter().map(|byte| format!("{byte:02x}")).collect();
+    let state = in_digits(&key(&[&state]));
     name(derivation, options, &format!("{ACCOUNT} {state}"))
 }
 

@@ -3,9 +3,6 @@
 //! **In:** what a search for steps came to. **Out:** [`Recorded`]. **Guaranteed:** what is called recorded was replayed by the checker; the word is made here and nowhere else.
 
 use checker::{ProofRecord, Told};
-use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Whether a proof is recorded.
@@ -17,52 +14,22 @@ pub enum Recorded {
     Not(String),
 }
 
-/// For how many states of a file it is kept what a search came to that is not asked for.
-const AGES: u64 = 8;
-
-/// What a search for steps came to.
+/// The outcome of a search for steps.
 pub type Found = Result<ProofRecord, String>;
 
-/// What searches for the last states of a file came to, by the names of their questions.
-#[derive(Debug, Default, Serialize, Deserialize)]
-pub struct Searches {
-    age: u64,
-    found: BTreeMap<String, (u64, Found)>,
+/// An outcome as text, to be kept: steps leave out what is empty, which bytes without names cannot.
+pub fn written(found: &Found) -> String {
+    serde_json::to_string(found).unwrap_or_default()
 }
 
-/// The name under which the searches for a file are kept, by its id.
-pub fn name_of(id: &str) -> String {
-    let sum = Sha256::digest(format!("proofs of {id}"));
-    sum.iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
-impl Searches {
-    /// What was kept; nothing where the bytes are no record.
-    pub fn read(bytes: &[u8]) -> Searches {
-        serde_json::from_slice(bytes).unwrap_or_default()
-    }
-
-    /// What a search came to.
-    pub fn known(&self, name: &str) -> Option<&Found> {
-        self.found.get(name).map(|(_, found)| found)
-    }
-
-    /// One more state of the file, with all that was asked for it, as bytes; `None` where all of it is kept already.
-    pub fn with(mut self, asked: Vec<(String, Found)>) -> Option<Vec<u8>> {
-        if asked.iter().all(|(name, _)| self.found.contains_key(name)) {
-            return None;
-        }
-        self.age += 1;
-        let now = self.age;
-        self.found.extend(asked.into_iter().map(|(name, found)| (name, (now, found))));
-        self.found.retain(|_, (age, _)| *age + AGES > now);
-        serde_json::to_vec(&self).ok()
-    }
+/// The outcome that was kept.
+pub fn read(text: &str) -> Option<Found> {
+    serde_json::from_str(text).ok()
 }
 
 impl Recorded {
     /// The outcome of a search for steps, which are replayed.
-    pub fn of(found: Result<ProofRecord, String>) -> Recorded {
+    pub fn of(found: Found) -> Recorded {
         match found {
             Ok(proof) => match proof.told() {
                 Ok(told) => Recorded::Proof(Arc::new(proof), told),

@@ -8,17 +8,14 @@ use paper::{Evidence, Paper, PrintedRelation, PrintedSide, names};
 use super::desk::{Desk, Given, NotRead, evidence_of, lone_name, unprimed};
 use super::facts::{Facts, PositiveName, Reach, Stated};
 use super::nearest::Sureness;
+use super::question::MOST_QUESTIONS;
 use super::sentence::{Sentence, explains, is_supposed, parts};
 use super::signs::{ABOUT, COMPARES, EQUALS, is_one_of};
 use super::step::{Blame, Place, Step};
 use super::{Judgement, Lint, Word};
 
-/// Questions that may be asked of one paper: what is beyond is *not followed*.
-pub(super) const MOST_QUESTIONS: usize = 60_000;
 /// Longest side, in bytes, that is looked at.
 const LONGEST: usize = 1500;
-/// Steps that may take too much work before equations that the paper states are left alone.
-pub(super) const MOST_EXHAUSTED: usize = 4;
 /// Relations behind a display that may explain its names.
 const MOST_EXPLAINED: usize = 8;
 
@@ -59,20 +56,20 @@ pub fn typesetting(paper: &Paper) -> Vec<Option<Typeset>> {
 }
 
 pub(super) struct Judge<'p> {
-    pub(super) paper: &'p Paper,
+    paper: &'p Paper,
     pub(super) evidence: Evidence,
     pub(super) facts: Facts,
     /// The part of each relation in which its names mean the same.
-    pub(super) parts: Vec<usize>,
+    parts: Vec<usize>,
     /// The part that is looked at.
     pub(super) section: usize,
     pub(super) asked: usize,
     /// Questions that took too much work.
     pub(super) exhausted: usize,
     /// The display that is looked at, and what the words around it say.
-    pub(super) display: Option<(usize, Sentence)>,
+    display: Option<(usize, Sentence)>,
     /// The place of the last relation of a display.
-    pub(super) earlier: Option<Range<usize>>,
+    earlier: Option<Range<usize>>,
 }
 
 /// What became of the steps of a relation.
@@ -261,13 +258,14 @@ impl Judge<'_> {
             let solves = defining && !self.is_rate(first.as_ref());
             let alone = relation.sides.len() == 2 && (first.is_none() || defining);
             let reach = if alone { Reach::Near { section: self.section, at } } else { Reach::Paper };
-            let sureness = match () {
-                () if derived => Sureness::Derives,
-                () if concludes && !sentence.changes && self.is_the_same_case(first.as_ref(), at) => {
-                    Sureness::Concludes
-                }
-                () if k > 1 => Sureness::Chain,
-                () => Sureness::Stands,
+            let sureness = if derived {
+                Sureness::Derives
+            } else if concludes && !sentence.changes && self.is_the_same_case(first.as_ref(), at) {
+                Sureness::Concludes
+            } else if k > 1 {
+                Sureness::Chain
+            } else {
+                Sureness::Stands
             };
             let place = Place { at, free: &free, named: named.clone(), blame, sureness, reach, solves };
             match self.step([left, right], &place) {

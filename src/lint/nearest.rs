@@ -15,7 +15,7 @@ use expr::{Graph, Leaf, Rational};
 use super::desk::{Given, pairs_of};
 use super::facts::squeezed;
 use super::numbers::{absorbs, agreement, curves, holds_at, ratio};
-use super::question::{Asked, Rests, tested, vanishes};
+use super::question::{Asked, MOST_QUESTIONS, Rests, tested, vanishes};
 use super::slips::{Alteration, Slip, size, slips, symbols};
 use super::{LintPicture, LintWitness};
 
@@ -79,7 +79,7 @@ pub fn nearest(
     asked: Asked,
     rests: &Rests,
     free: &BTreeSet<char>,
-    (count, most): (&mut usize, usize),
+    count: &mut usize,
     sureness: Sureness,
 ) -> Option<WrongStep> {
     let Identity::Refuted(refutation) = &asked.identity else { return None };
@@ -120,7 +120,7 @@ pub fn nearest(
             _ => true,
         };
         for slip in others.into_iter().filter(is_meant).take(MOST_SLIPS) {
-            if *search.count > most {
+            if *search.count > MOST_QUESTIONS {
                 return None;
             }
             instead = search.holds(k, &slip);

@@ -17,6 +17,8 @@ use super::desk::{Desk, Given, NotRead, pairs_of};
 use super::facts::Stated;
 use super::numbers::agreement;
 
+/// Questions that may be asked of one paper: what is beyond is *not followed*.
+pub const MOST_QUESTIONS: usize = 60_000;
 /// Points at which a side is looked at before it is proved to be zero.
 const ZERO_POINTS: usize = 12;
 

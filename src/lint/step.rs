@@ -10,15 +10,17 @@ use proof::Identity;
 
 use super::desk::{Given, NotRead};
 use super::facts::{Reach, Stated};
-use super::judge::{Judge, MOST_EXHAUSTED, MOST_QUESTIONS};
+use super::judge::Judge;
 use super::nearest::{Sureness, WrongStep, introduces_nothing, is_slip_of, nearest};
 use super::numbers::agreement;
-use super::question::{Asked, Positive, Rests, TOO_LONG, ask};
+use super::question::{Asked, MOST_QUESTIONS, Positive, Rests, TOO_LONG, ask};
 
 /// Random points at which a step that is not proved is tried.
 const POINTS: usize = 40;
+/// Steps that may take too much work before equations that the paper states are left alone.
+const MOST_EXHAUSTED: usize = 4;
 
-/// What became of a step.
+/// The outcome of a step.
 pub(super) enum Step {
     /// Proved.
     Follows(Support),
@@ -31,7 +33,7 @@ pub(super) enum Step {
     NotRead(NotRead),
 }
 
-/// What a proof rests on.
+/// The relations that a proof rests on.
 pub(super) struct Support {
     /// Relations.
     pub(super) with: Vec<usize>,
@@ -206,8 +208,7 @@ impl Judge<'_> {
                     _ => continue,
                 }
             }
-            if let Some(found) = nearest(answer, &rests, place.free, (&mut self.asked, MOST_QUESTIONS), place.sureness)
-            {
+            if let Some(found) = nearest(answer, &rests, place.free, &mut self.asked, place.sureness) {
                 return Some(found);
             }
         }

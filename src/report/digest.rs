@@ -245,7 +245,13 @@ pub(super) struct Reading<'a> {
     pub proof: ProofStanding,
 }
 
-impl Reading<'_> {
+impl<'a> Reading<'a> {
+    /// That of a claim.
+    pub fn of(derivation: &Derivation, graph: &DerivationGraph, claim: &'a ClaimAccount) -> Reading<'a> {
+        let role = declared(derivation, claim).map(|d| d.role).unwrap_or_default();
+        Reading { claim, standing: Standing::of(claim), role, proof: graph.proof_of(claim) }
+    }
+
     /// What it is beside the paper's own words, before the reading itself; empty for these.
     pub fn whose(&self, whole: &Whole<'_>) -> &'static str {
         match self.role {
@@ -330,8 +336,7 @@ pub(super) fn wholes<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     let mut out: Vec<Whole<'a>> = Vec::new();
     for claim in &account.claims {
         let declared = declared(derivation, claim);
-        let role = declared.map(|d| d.role).unwrap_or_default();
-        let reading = Reading { claim, standing: Standing::of(claim), role, proof: graph.proof_of(claim) };
+        let reading = Reading::of(derivation, &graph, claim);
         match out.last_mut() {
             Some(whole) if whole.id == claim.id => whole.readings.push(reading),
             _ => {

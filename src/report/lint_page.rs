@@ -198,8 +198,8 @@ fn character(sign: &str) -> &str {
 /// A formula as MathML; as it is written, where it is not read.
 fn formula(text: &str, scope: Option<&Scope>) -> Markup {
     let found = match scope {
-        Some(scope) => mathml::inline(text, scope),
-        None => mathml::inline(text, &Scope::new(&mut Graph::new())),
+        Some(scope) => mathml::formula_mathml(text, scope),
+        None => mathml::formula_mathml(text, &Scope::new(&mut Graph::new())),
     };
     match found {
         Some(math) => PreEscaped(math),

@@ -21,7 +21,7 @@ const APPLY: &str = "<mo>\u{2061}</mo>";
 const APPLY_APART: &str = "<mo rspace=\"0.17em\">\u{2061}</mo>";
 
 /// A formula inside a line; several relations are separated by commas.
-pub(super) fn inline(text: &str, scope: &Scope) -> Option<String> {
+pub fn formula_mathml(text: &str, scope: &Scope) -> Option<String> {
     let chains = latex::parse(text, scope).ok()?;
     // A `math` element is a row itself.
     if let [one] = chains.as_slice() {
@@ -29,11 +29,6 @@ pub(super) fn inline(text: &str, scope: &Scope) -> Option<String> {
     }
     let all: Vec<String> = chains.iter().map(|c| format!("<mrow>{}</mrow>", chain(c))).collect();
     Some(format!("<math>{}</math>", all.join("<mo separator=\"true\">,</mo><mspace width=\"0.5em\"/>")))
-}
-
-/// A formula inside a line, for those who show it elsewhere; `None` where it is not read.
-pub fn formula_mathml(text: &str, scope: &Scope) -> Option<String> {
-    inline(text, scope)
 }
 
 /// A formula on its own: each relation one `math` element. Its LaTeX is in `report.md`, and in the derivation file.
@@ -603,7 +598,7 @@ mod tests {
     use super::*;
 
     fn of(text: &str) -> String {
-        inline(text, &derivation().scope).unwrap_or_else(|| panic!("{text} is no formula"))
+        formula_mathml(text, &derivation().scope).unwrap_or_else(|| panic!("{text} is no formula"))
     }
 
     /// The names of elements, opened and closed in order.
@@ -654,7 +649,7 @@ mod tests {
 
     #[test]
     fn what_is_no_formula_is_none() {
-        assert_eq!(inline(r"\operatorname{<script>}", &derivation().scope), None);
-        assert_eq!(inline("<script>", &derivation().scope), None);
+        assert_eq!(formula_mathml(r"\operatorname{<script>}", &derivation().scope), None);
+        assert_eq!(formula_mathml("<script>", &derivation().scope), None);
     }
 }

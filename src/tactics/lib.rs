@@ -27,7 +27,6 @@ pub use sequent::sequents;
 
 use checker::{ProofRecord, RelationRecord};
 use derivation::{Claim, Derivation};
-use sha2::{Digest, Sha256};
 
 /// All that a claim says, as questions for the checker.
 #[derive(Debug)]
@@ -42,14 +41,10 @@ impl Asked {
         sequents(derivation, claim).map(Asked)
     }
 
-    /// A name that no other questions have: the SHA-256 of all that is given and claimed, in hexadecimal digits.
-    pub fn name(&self) -> String {
-        let mut sum = Sha256::new();
-        for question in &self.0 {
-            sum.update(serde_json::to_vec(&question.sequent).unwrap_or_default());
-            sum.update(format!("{:?}\n", question.conserved));
-        }
-        sum.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+    /// All that is given and claimed, as bytes: questions with the same have the same proofs.
+    pub fn content(&self) -> Vec<u8> {
+        let each: Vec<_> = self.0.iter().map(|q| (&q.sequent, q.conserved)).collect();
+        serde_json::to_vec(&each).unwrap_or_default()
     }
 
     /// Proofs, for the checker.

@@ -208,7 +208,8 @@ def proofs_html(proofs: Iterable[Proof]) -> str:
     return _page(f"<table><tr><th>verdict</th><th>formula</th><th>but</th></tr>{''.join(map(row, proofs))}</table>")
 
 
-def _words(lint: Lint) -> str:
+def lint_words(lint: Lint) -> str:
+    """How often each word is said."""
     return ", ".join(f"{count} {word}" for word, count in lint.words.items() if count) or "no formula"
 
 
@@ -223,7 +224,7 @@ def lint_text(lint: Lint) -> str:
         lines.append(f"{one.line:6}  {one.verdict:24}  {one.formula}" + (f" ({_why(one)})" if _why(one) else ""))
         if one.instead is not None:
             lines.append(f"{'':34}holds, and is proved: {one.instead}")
-    return "\n".join([*lines, _words(lint)])
+    return "\n".join([*lines, lint_words(lint)])
 
 
 def lint_html(lint: Lint) -> str:
@@ -236,4 +237,4 @@ def lint_html(lint: Lint) -> str:
         return f"<tr><td>{one.line}</td><td>{verdict}</td><td>{one.markup}</td><td>{html.escape(_why(one))}{holds}</td></tr>"
 
     head = "<tr><th>line</th><th>verdict</th><th>formula</th><th>why</th></tr>"
-    return _page(f"<b>{html.escape(lint.name)}</b><table>{head}{''.join(map(row, lint))}</table><p>{html.escape(_words(lint))}</p>")
+    return _page(f"<b>{html.escape(lint.name)}</b><table>{head}{''.join(map(row, lint))}</table><p>{html.escape(lint_words(lint))}</p>")

@@ -104,8 +104,7 @@ class Lint:
         return hash(self._parts[0])
 
     def __repr__(self) -> str:
-        said = ", ".join(f"{count} {word}" for word, count in self.words.items() if count)
-        return f"<Lint of {self.name!r}: {said or 'no formula'}>"
+        return f"<Lint of {self.name!r}: {display.lint_words(self)}>"
 
     def __str__(self) -> str:
         return display.lint_text(self)

@@ -136,8 +136,7 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
 /// folded: few ask how it is known.
 fn found(derivation: &Derivation, account: &Account, graph: &DerivationGraph, claim: &ClaimAccount) -> Markup {
     let scope = scope_of(derivation, claim);
-    let role = declared(derivation, claim).map(|d| d.role).unwrap_or_default();
-    let reading = Reading { claim, standing: Standing::of(claim), role, proof: graph.proof_of(claim) };
+    let reading = Reading::of(derivation, graph, claim);
     let groups = groups(claim);
     let evidence = html! {
         @if let Some(remark) = &claim.remark {
@@ -151,7 +150,7 @@ fn found(derivation: &Derivation, account: &Account, graph: &DerivationGraph, cl
         (family::blocks(claim, scope))
         (region::block(claim, scope))
     };
-    let beside = claim.reading.is_some() && !role.decides() && role != ClaimRole::Needs;
+    let beside = claim.reading.is_some() && !reading.role.decides() && reading.role != ClaimRole::Needs;
     if groups.iter().any(|g| g.unexpected) || reading.standing != Standing::Holds && !beside {
         return evidence;
     }

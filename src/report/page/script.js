@@ -195,6 +195,8 @@ const nice = (low, high, n) => {
   return out;
 };
 const shown = x => { const a = Math.abs(x); return x === 0 ? "0" : a >= 1e5 || a < 1e-3 ? x.toExponential(1).replace("e+", "e") : String(+x.toPrecision(4)); };
+// As finely as curves are drawn: a value, and one of which the logarithm is drawn.
+const short = x => shown(+x.toPrecision(3)), power = x => Number.isFinite(x) ? (10 ** x).toExponential(1).replace("e+", "e") : "0";
 // On a narrow screen the drawing is narrow, not its letters small.
 const W = Math.min(640, Math.max(340, innerWidth - 50)), H = 300, L = 76, R = 14, T = 12, B = 46;
 function frame(svg, { title, describe, label }, time, range, ticks) {
@@ -349,7 +351,6 @@ function curves(box, [packed, w, found, left_out], id) {
     : `The worst point, in units of its bound, is at t = ${shown(w[0])}: residual ${shown(w[1])}, bound ${shown(w[2])}.`;
   const drawn = `${t.length} of ${samples} ${what} are drawn${stored(formula).includes("±") ? ", with the sign of ± that does best at each" : ""}`;
   const when = event !== undefined ? ` Upright lines mark the events: t = ${t.map(shown).join(", ")}.` : times.length ? ` The upright line marks where it was found, t = ${shown(times[0])}.` : "";
-  const power = x => Number.isFinite(x) ? (10 ** x).toExponential(1).replace("e+", "e") : "0", short = x => shown(+x.toPrecision(3));
   const name = sought ? "distance" : "residual";
   let words = { title: "Residual of " + id, describe: `${drawn}, on a logarithmic scale. ${worst}${when}`, label: name };
   const lines = [["left", name, d, power], ["bound", "error bound", b, power]];
@@ -383,7 +384,6 @@ function numbersOf(box, t, l, r, d, b, what) {
     const scroll = element(more, "div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Numbers of the curves" }), table = element(scroll, "table");
     const head = element(element(table, "thead"), "tr"), body = element(table, "tbody");
     for (const name of ["t", "left side", "right side", "residual", "error bound"]) element(head, "th", { scope: "col" }, name);
-    const short = x => shown(+x.toPrecision(3)), power = x => Number.isFinite(x) ? (10 ** x).toExponential(1).replace("e+", "e") : "0";
     t.forEach((x, i) => {
       const row = element(body, "tr");
       for (const text of [short(x), short(l[i]), short(r[i]), power(d[i]), power(b[i])]) element(row, "td", { class: "number" }, text);

@@ -41,7 +41,7 @@ pub(super) fn reason(text: &str, scope: &Scope) -> Markup {
 
 /// A formula inside a line; code, where the text is no formula of the language.
 pub(in super::super) fn formula(text: &str, scope: &Scope) -> Markup {
-    if let Some(math) = mathml::inline(text, scope) {
+    if let Some(math) = mathml::formula_mathml(text, scope) {
         // A formula is not broken into lines: on a narrow screen a long one is moved sideways.
         return match text.len() > LONG {
             true => html! { span.long tabindex="0" role="group" aria-label="formula" { (PreEscaped(math)) } },

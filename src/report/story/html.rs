@@ -67,7 +67,7 @@ fn span(span: &StorySpan<'_>) -> Markup {
 /// A formula with what the other has not in another colour.
 fn marked_formula(text: &str, beside: &str, scope: &Scope, wrong: bool) -> Markup {
     let class = if wrong { "wrong" } else { "right" };
-    match (mathml::inline(text, scope), mathml::inline(beside, scope)) {
+    match (mathml::formula_mathml(text, scope), mathml::formula_mathml(beside, scope)) {
         (Some(own), Some(other)) => {
             let math = differing(&own, &other, class);
             markup! { span.long tabindex="0" role="group" aria-label="formula" { (PreEscaped(math)) } }
