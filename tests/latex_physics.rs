@@ -60,15 +60,7 @@ fn refused(w: &World, code: &str, texts: &[&str]) {
 fn declared(w: &World, key: &str, shape: &str) -> Result<(), DeclareError> {
     let mut w = w.clone();
     let shape = (!shape.is_empty()).then(|| rederive::expr::Shape::vector(3));
-    let declaration = Declaration {
-        role: Role::Parameter,
-        shape,
-        diagonal: false,
-        formula: None,
-        arguments: &[],
-        complex: false,
-        angle: false,
-    };
+    let declaration = Declaration { shape, ..Declaration::of(Role::Parameter) };
     w.scope.declare(&mut w.graph, key, declaration).map(|_| ())
 }
 

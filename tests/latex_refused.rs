@@ -363,15 +363,7 @@ fn declarations_that_would_have_two_meanings() {
     use rederive::expr::Shape;
     use rederive::latex::Declaration;
     let mut w = world();
-    let vector = Declaration {
-        role: Role::State,
-        shape: Some(Shape::vector(3)),
-        diagonal: false,
-        formula: None,
-        arguments: &[],
-        complex: false,
-        angle: false,
-    };
+    let vector = Declaration { shape: Some(Shape::vector(3)), ..Declaration::of(Role::State) };
     let number = Declaration { shape: None, role: Role::Parameter, ..vector.clone() };
     for key in ["u_1", r"{\bf u}_2", "u_i", "A_{12}", r"\vec u_3"] {
         assert!(w.scope.declare(&mut w.graph, key, number.clone()).is_err(), "{key}");

@@ -219,13 +219,8 @@ fn any_name_is_declared_or_refused() {
         let formula = (dice.below(2) == 0).then(|| mutated(&mut dice));
         let mut w = original.clone();
         let declaration = rederive::latex::Declaration {
-            role: Role::Abbreviation,
-            shape: None,
-            diagonal: false,
             formula: formula.as_deref().or(Some("x")),
-            arguments: &[],
-            complex: false,
-            angle: false,
+            ..rederive::latex::Declaration::of(Role::Abbreviation)
         };
         match w.scope.declare(&mut w.graph, &key, declaration) {
             Ok(symbol) => {

@@ -170,15 +170,7 @@ fn differentials_are_rates() {
 fn what_is_printed_again_means_the_same() {
     let mut derivation = Derivation::blank();
     for (key, role) in [("t", Role::Time), ("x", Role::State), ("y", Role::State), ("a", Role::Parameter)] {
-        let declaration = Declaration {
-            role,
-            shape: None,
-            diagonal: false,
-            formula: None,
-            arguments: &[],
-            complex: false,
-            angle: false,
-        };
+        let declaration = Declaration::of(role);
         derivation.scope.declare(&mut derivation.graph, key, declaration).expect("a name");
     }
     for text in [r"dx=a\,dy", r"\mathrm{d}x=a\,\mathrm{d}t", r"dx/dt=a", r"e^{-x^2/4at}=a\times x\times y"] {

@@ -22,7 +22,7 @@ fn scope(graph: &mut Graph) -> Scope {
         ("I_2", Role::Parameter),
         ("E", Role::Parameter),
     ] {
-        let declaration = Declaration { role, shape: None, diagonal: false, formula: None, arguments: &[], complex: false, angle: false };
+        let declaration = Declaration::of(role);
         let _ = scope.declare(graph, name, declaration);
     }
     scope

@@ -130,8 +130,9 @@ impl Loader<'_> {
             self.problems.note("derivation::bad-role", span, message).hint("declare it under [symbols]");
             return None;
         }
-        if let Some(key) =
-            ["shape", "positive", "angle", "complex", "arguments"].iter().find(|key| table.get(key).is_some())
+        if let Some(key) = ["shape", "positive", "angle", "labelled", "complex", "arguments"]
+            .iter()
+            .find(|key| table.get(key).is_some())
         {
             let message = format!("`{name}` is a constant, which has no `{key}`");
             self.problems.note("derivation::bad-role", span, message).hint("a constant is one real number");
@@ -185,15 +186,7 @@ impl Loader<'_> {
         says: Option<String>,
         scope: &mut Scope,
     ) -> Option<SymbolEntry> {
-        let declaration = Declaration {
-            role: Role::Parameter,
-            shape: None,
-            diagonal: false,
-            formula: Some(formula.text),
-            arguments: &[],
-            complex: false,
-            angle: false,
-        };
+        let declaration = Declaration { formula: Some(formula.text), ..Declaration::of(Role::Parameter) };
         let symbol = match declared(Some(formula.text), || scope.declare(&mut self.out.graph, name, declaration)) {
             Ok(symbol) => symbol,
             Err(error) => {

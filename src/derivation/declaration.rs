@@ -180,8 +180,8 @@ impl Derivation {
             formula = Some(value);
         }
         let (shape, diagonal) = typed.shape.clone().map_or((None, false), |(shape, d)| (Some(shape), d));
-        let Typed { role, complex, angle, .. } = *typed;
-        let declaration = Declaration { role, shape, diagonal, formula, arguments: &names, complex, angle };
+        let Typed { role, complex, angle, labelled, .. } = *typed;
+        let declaration = Declaration { role, shape, diagonal, formula, arguments: &names, complex, angle, labelled };
         let symbol = declared(formula, || self.scope.declare(&mut self.graph, name, declaration)).map_err(|error| {
             let at = |start: usize, found: Vec<diag::Problem>| {
                 found.into_iter().map(|p| Diagnostic::of_formula(source, start, p)).collect::<Vec<_>>()
@@ -236,6 +236,7 @@ struct Typed {
     shape: Option<(Shape, bool)>,
     positive: bool,
     angle: bool,
+    labelled: bool,
     complex: bool,
     /// The field with which D/Dt moves.
     velocity: bool,
@@ -297,6 +298,7 @@ impl Typed {
             shape: None,
             positive: false,
             angle: false,
+            labelled: false,
             complex: false,
             velocity: false,
             momentum_of: None,
@@ -313,14 +315,24 @@ impl Typed {
             match (word, ROLES.iter().find(|(known, _)| *known == word), parse_shape(word)) {
                 ("positive", ..) => (out.positive, positive) = (true, span),
                 ("angle", ..) => out.angle = true,
+                ("labelled", ..) => out.labelled = true,
                 (VELOCITY, ..) => out.velocity = true,
                 ("complex", ..) => (out.complex, complex) = (true, span),
                 (CONSTANT, ..) => (out.constant, out.role) = (true, Role::Parameter),
                 (_, Some((_, role)), _) => out.role = *role,
                 (_, None, Some(shape)) => out.shape = Some(shape),
                 _ => {
-                    let known =
-                        [CONSTANT, "positive", "angle", "complex", VELOCITY, "momentum of q", "diagonal 3", "3x3"];
+                    let known = [
+                        CONSTANT,
+                        "positive",
+                        "angle",
+                        "labelled",
+                        "complex",
+                        VELOCITY,
+                        "momentum of q",
+                        "diagonal 3",
+                        "3x3",
+                    ];
                     let known = ROLES.iter().map(|(word, _)| *word).chain(known);
                     // Several words without commas, as the tables of the documentation have them.
                     let several: Vec<&str> = word.split_whitespace().collect();
@@ -339,7 +351,12 @@ impl Typed {
         }
         let defined = matches!(out.role, Role::Observable | Role::Abbreviation);
         if out.constant
-            && (out.role != Role::Parameter || out.positive || out.angle || out.complex || out.shape.is_some())
+            && (out.role != Role::Parameter
+                || out.positive
+                || out.angle
+                || out.labelled
+                || out.complex
+                || out.shape.is_some())
         {
             let message = "a constant is one real number, and nothing else".to_owned();
             return Err(problem(head, "derivation::bad-role", message, "write 'c: constant', or 'g: constant = 9.81'"));

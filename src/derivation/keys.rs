@@ -104,6 +104,7 @@ tables! {
         "positive": Flag, "Every component is positive";
         "angle": Flag, "Its values along a motion are continued without jumps by 2π: of an observable";
         "complex": Flag, "Its values are complex numbers";
+        "labelled": Flag, "A subscript at it is a label, and names no component: of a vector or matrix";
         "formula": Formula, "The definition of an observable or abbreviation";
         "scale": Formula, "The scale factor of a coordinate that is not Cartesian";
         "momentum-of": Formula, "The coordinate to which this momentum belongs";

@@ -166,6 +166,7 @@ impl Loader<'_> {
         let (unit, measured_in) = self.unit(&table);
         let problems = &mut self.problems;
         let angle = table.boolean(problems, "angle").unwrap_or(false);
+        let labelled = table.boolean(problems, "labelled").unwrap_or(false);
         let entry = SymbolEntry {
             name: as_printed(name),
             role,
@@ -183,7 +184,7 @@ impl Loader<'_> {
                 let formula = formula.as_ref().or(scale.as_ref());
                 let text = formula.map(|f| f.text);
                 let declaration =
-                    Declaration { role, shape, diagonal, formula: text, arguments: &names, complex, angle };
+                    Declaration { role, shape, diagonal, formula: text, arguments: &names, complex, angle, labelled };
                 match declared(text, || scope.declare(&mut self.out.graph, name, declaration)) {
                     Ok(symbol) => symbol,
                     Err(error) => {

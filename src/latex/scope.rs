@@ -51,6 +51,24 @@ pub struct Declaration<'a> {
     pub complex: bool,
     /// Its values are continued along a motion, through any number of turns.
     pub angle: bool,
+    /// A subscript at it is a label: a number `r_1` may stand beside a vector `{\bf r}`, and is none of its components.
+    pub labelled: bool,
+}
+
+impl Declaration<'_> {
+    /// A real number of a role, without a formula.
+    pub const fn of(role: Role) -> Declaration<'static> {
+        Declaration {
+            role,
+            shape: None,
+            diagonal: false,
+            formula: None,
+            arguments: &[],
+            complex: false,
+            angle: false,
+            labelled: false,
+        }
+    }
 }
 
 /// Why a declaration is refused.
@@ -95,6 +113,7 @@ struct Entry {
     rank: usize,
     complex: bool,
     angle: bool,
+    labelled: bool,
     /// Of a coordinate that is not Cartesian.
     scale: Option<Expr>,
     /// Of a function of what is no coordinate: where it is taken, where nothing else is written.

@@ -359,14 +359,14 @@ impl Desk {
             }
         }
         if let Some(time) = time {
-            let declared = self.scope.declare(&mut self.graph, time, plain(Role::Time)).map_err(refused)?;
+            let declared = self.scope.declare(&mut self.graph, time, Declaration::of(Role::Time)).map_err(refused)?;
             self.time = Some(Leaf::now(declared, 0));
         }
         for key in coordinates.iter().filter(|k| Some(k.as_str()) != time) {
             if all.iter().any(|n| n.key() == *key && (n.dots > 0 || n.derived_by.is_some())) {
                 return Err(NotRead::of(format!("a derivative by {key}, which depends on others")));
             }
-            self.scope.declare(&mut self.graph, key, plain(Role::Coordinate)).map_err(refused)?;
+            self.scope.declare(&mut self.graph, key, Declaration::of(Role::Coordinate)).map_err(refused)?;
         }
         let mut seen: BTreeSet<String> = BTreeSet::new();
         for name in all {
@@ -392,7 +392,7 @@ impl Desk {
                 Role::Parameter
             };
             let shape = name.is_bold.then(|| Shape::vector(3));
-            let declaration = Declaration { shape: shape.clone(), ..plain(role) };
+            let declaration = Declaration { shape: shape.clone(), ..Declaration::of(role) };
             let symbol = self.scope.declare(&mut self.graph, &declared, declaration).map_err(refused)?;
             if role == Role::State {
                 self.moving.push(symbol);
@@ -409,7 +409,7 @@ impl Desk {
         for one in given.iter().filter(|g| !g.is_rate) {
             let dotted = one.right.with_factors(&|letter: &str| !evidence.may_be_function(letter));
             let mut declare = |text: &str| {
-                let declaration = Declaration { formula: Some(text), ..plain(Role::Abbreviation) };
+                let declaration = Declaration { formula: Some(text), ..Declaration::of(Role::Abbreviation) };
                 self.scope.declare(&mut self.graph, &one.key, declaration)
             };
             declare(&one.right.text).or_else(|_| declare(&dotted)).map_err(refused)?;
@@ -542,10 +542,6 @@ fn is_field(
     let paper = evidence.partial.get(key).is_some_and(|by| by.iter().any(|b| coordinates.contains(b)));
     let place = matches!(&name.call, Call::Places(p) if p.iter().any(|p| coordinates.contains(p)));
     here || paper || place
-}
-
-fn plain(role: Role) -> Declaration<'static> {
-    Declaration { role, shape: None, diagonal: false, formula: None, arguments: &[], complex: false, angle: false }
 }
 
 fn refused(error: latex::DeclareError) -> NotRead {

@@ -40,15 +40,7 @@ impl World {
     /// Declares a symbol without a formula.
     pub fn with(mut self, key: &str, role: Role, word: &str) -> World {
         let (shape, diagonal) = shape(word);
-        let declaration = Declaration {
-            role,
-            shape,
-            diagonal,
-            formula: None,
-            arguments: &[],
-            complex: word == "complex",
-            angle: false,
-        };
+        let declaration = Declaration { shape, diagonal, complex: word == "complex", ..Declaration::of(role) };
         self.scope.declare(&mut self.graph, key, declaration).unwrap_or_else(|e| panic!("{key}: {e:?}"));
         self
     }
@@ -60,15 +52,7 @@ impl World {
     }
 
     pub fn define(&mut self, key: &str, role: Role, formula: &str, arguments: &[&str]) {
-        let declaration = Declaration {
-            role,
-            shape: None,
-            diagonal: false,
-            formula: Some(formula),
-            arguments,
-            complex: false,
-            angle: false,
-        };
+        let declaration = Declaration { formula: Some(formula), arguments, ..Declaration::of(role) };
         self.scope.declare(&mut self.graph, key, declaration).unwrap_or_else(|e| panic!("{key}: {e:?}"));
     }
 

@@ -65,17 +65,8 @@ impl Scope {
         let mut inner = (!d.arguments.is_empty()).then(|| self.clone());
         let mut formal = Vec::new();
         for argument in d.arguments {
-            let declaration = Declaration {
-                role: Role::Argument,
-                shape: None,
-                diagonal: false,
-                formula: None,
-                arguments: &[],
-                complex: false,
-                angle: false,
-            };
             let Some(inner) = &mut inner else { continue };
-            let symbol = inner.declare(graph, argument, declaration)?;
+            let symbol = inner.declare(graph, argument, Declaration::of(Role::Argument))?;
             formal.push((symbol, Shape::scalar()));
         }
         let mut place = Vec::new();
@@ -143,7 +134,14 @@ impl Scope {
         }
         let shape = definition.as_ref().map(|t| t.shape.clone()).or(declared);
         let shape = shape.unwrap_or_else(|| if d.complex { Shape::scalar().complexified() } else { Shape::scalar() });
-        let numbered = self.with_such_components(key, &name, &pattern, &shape)?;
+        if d.labelled && shape.real_extents().is_empty() {
+            return Err(bad_key(
+                "a number has no components: what stands below it is a label anyway",
+                key,
+                "leave `labelled` out",
+            ));
+        }
+        let numbered = self.with_such_components(key, (&name, &pattern), &shape, d.labelled)?;
         let arguments = match (arguments, formal.is_empty()) {
             (Some(text), _) if d.role == Role::Field => Arguments::Coordinates(text, coordinates),
             (None, true) => Arguments::None,
@@ -199,6 +197,7 @@ impl Scope {
             rank,
             complex: d.complex,
             angle: d.angle,
+            labelled: d.labelled,
             scale,
             place,
         };
@@ -213,13 +212,13 @@ impl Scope {
 
     /// The symbols, `None` for the one that is being declared, beside which another has the name of a component: `{\bf r}` beside a vector
     /// `{\bf r}_1`. A subscript alone is then no component of theirs. A number `r_1` is refused beside them, unless a vector is called
-    /// `{\bf r}_1`, too: then it is clear that the subscript counts.
+    /// `{\bf r}_1`, too, or the vector is declared as `labelled`: then it is clear that the subscript counts.
     fn with_such_components(
         &self,
         key: &str,
-        name: &str,
-        pattern: &[Pattern],
+        (name, pattern): (&str, &[Pattern]),
         shape: &Shape,
+        labelled: bool,
     ) -> Result<Vec<Option<Symbol>>, DeclareError> {
         let like_indices = |sub: &[Pattern]| {
             !sub.is_empty()
@@ -231,22 +230,27 @@ impl Scope {
                 })
         };
         let rank = shape.real_extents().len();
-        let mut numbered = Vec::new();
+        let mut numbered: Vec<Option<Symbol>> =
+            (labelled && rank > 0 && pattern.is_empty()).then_some(None).into_iter().collect();
         for e in self.entries.iter().filter(|e| name::unmarked(&e.name) == name::unmarked(name)) {
             let component = |sub: &[Pattern], rank: usize| like_indices(sub) && sub.len() == rank;
-            let (whole, labelled, labelled_rank) = if e.sub.is_empty() && component(pattern, e.rank) {
-                (Some(e.symbol), pattern, rank)
+            let (whole, below, rank_below, is_said) = if e.sub.is_empty() && component(pattern, e.rank) {
+                (Some(e.symbol), pattern, rank, e.labelled)
             } else if pattern.is_empty() && component(&e.sub, rank) {
-                (None, e.sub.as_slice(), e.rank)
+                (None, e.sub.as_slice(), e.rank, labelled)
             } else {
                 continue;
             };
             let counts = |other: &Filed| {
-                other.rank > 0 && other.sub == labelled && name::unmarked(&other.name) == name::unmarked(name)
+                other.rank > 0 && other.sub == below && name::unmarked(&other.name) == name::unmarked(name)
             };
-            if labelled_rank == 0 && !self.entries.iter().any(counts) {
+            if rank_below == 0 && !is_said && !self.entries.iter().any(counts) {
                 let message = format!("`{key}` would also be a component of, or have the component, `{}`", e.key);
-                return Err(bad_key(message, key, "rename one of the two"));
+                return Err(bad_key(
+                    message,
+                    key,
+                    "rename one of the two, or declare the one with components as `labelled`",
+                ));
             }
             numbered.push(whole);
         }

@@ -14,8 +14,7 @@ fn scope() -> Scope {
     let mut graph = Graph::new();
     let mut scope = Scope::new(&mut graph);
     let mut declare = |key: &str, role: Role, shape: Option<Shape>| {
-        let declaration =
-            Declaration { role, shape, diagonal: false, formula: None, arguments: &[], complex: false, angle: false };
+        let declaration = Declaration { shape, ..Declaration::of(role) };
         scope.declare(&mut graph, key, declaration).unwrap_or_else(|e| panic!("{key}: {e:?}"));
     };
     declare("t", Role::Time, None);

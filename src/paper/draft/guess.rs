@@ -15,6 +15,8 @@ pub(super) struct Guess {
     pub shape: Option<String>,
     /// Whether its values are complex.
     pub is_complex: bool,
+    /// Whether what stands below it is a label, where a component would be called so.
+    pub is_labelled: bool,
     /// What the paper shows of it.
     pub why: &'static str,
 }
@@ -22,7 +24,7 @@ pub(super) struct Guess {
 impl Guess {
     /// A number that does not change.
     pub fn parameter(name: impl Into<String>, why: &'static str) -> Guess {
-        Guess { name: name.into(), role: "parameter", shape: None, is_complex: false, why }
+        Guess { name: name.into(), role: "parameter", shape: None, is_complex: false, is_labelled: false, why }
     }
 
     /// The name as a key of the file.
@@ -61,6 +63,7 @@ impl Guess {
     pub fn line(&self) -> String {
         let shape = self.shape.as_ref().map(|s| format!(", shape = {}", quoted(s))).unwrap_or_default();
         let complex = if self.is_complex { ", complex = true" } else { "" };
-        format!("{} = {{ role = {}{shape}{complex} }} # confirm: {}", self.key(), quoted(self.role), self.why)
+        let labelled = if self.is_labelled { ", labelled = true" } else { "" };
+        format!("{} = {{ role = {}{shape}{complex}{labelled} }} # confirm: {}", self.key(), quoted(self.role), self.why)
     }
 }

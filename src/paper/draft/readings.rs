@@ -230,15 +230,12 @@ impl Names<'_> {
     /// Whether a name needs no declaration.
     fn is_known(&self, name: &PaperName, coordinates: &BTreeSet<String>, is_complex: bool) -> bool {
         let key = name.key();
-        let component = !name.is_bold
-            && name.subscript.as_deref().is_some_and(|s| s.len() == 1 && "123ijkl".contains(s))
-            && self.all.iter().any(|n| n.is_bold && n.letter == name.letter && n.subscript.is_none());
         key == "t" && !self.is_prime_of(name)
             || coordinates.contains(&key)
             || key == r"\pi"
             || name.letter == "e" && name.base == r"\mathrm{e}"
             || key == "i" && is_complex
-            || component
+            || self.is_component(name)
     }
 
     /// Whether the primes of a name derive it.
@@ -447,6 +444,7 @@ impl Names<'_> {
         let key = self.key(name);
         let shape = self.shape(name);
         let complex = is_complex && self.is_complex(name);
+        let is_labelled = shape.is_some() && name.subscript.is_none() && self.is_labelled(name);
         if let Some(places) = functions.get(&key) {
             let shown: Vec<&str> = places.iter().map(String::as_str).collect();
             let why = match places.iter().all(|p| coordinates.contains(p)) {
@@ -458,6 +456,7 @@ impl Names<'_> {
                 role: "field",
                 shape,
                 is_complex: complex,
+                is_labelled,
                 why,
             });
         }
@@ -468,6 +467,7 @@ impl Names<'_> {
                 role: "field",
                 shape,
                 is_complex: complex,
+                is_labelled,
                 why: "the paper applies ∇",
             });
         }
@@ -481,14 +481,31 @@ impl Names<'_> {
             } else {
                 ("parameter", "its subscripts are indices")
             };
-            return Ok(Guess { name: name.base.clone(), role, shape, is_complex: false, why });
+            return Ok(Guess { name: name.base.clone(), role, shape, is_complex: false, is_labelled: false, why });
         }
         let (role, why) = match self.moves(name, &key) {
             true => ("state", "the paper prints its rate, or its value at a time"),
             false if name.subscript.is_some() => ("parameter", "a name with a label"),
             false => ("parameter", "the paper prints no rate of it"),
         };
-        Ok(Guess { name: key, role, shape, is_complex: complex, why })
+        Ok(Guess { name: key, role, shape, is_complex: complex, is_labelled, why })
+    }
+
+    /// Whether the paper prints names that could be components of this vector or matrix, and this formula has none.
+    fn is_labelled(&self, name: &PaperName) -> bool {
+        let could = |s: &String| match s.strip_prefix('\\') {
+            Some(letter) => letter.chars().all(char::is_alphabetic),
+            None => (1..=2).contains(&s.chars().count()) && s.chars().all(char::is_alphanumeric),
+        };
+        self.evidence.subscripts.get(&name.letter).is_some_and(|all| all.iter().any(could))
+            && !self.all.iter().any(|n| self.is_component(n))
+    }
+
+    /// Whether a name is a component of a vector of this formula.
+    fn is_component(&self, name: &PaperName) -> bool {
+        !name.is_bold
+            && name.subscript.as_deref().is_some_and(|s| s.len() == 1 && "123ijkl".contains(s))
+            && self.all.iter().any(|n| n.is_bold && n.letter == name.letter && n.subscript.is_none())
     }
 
     /// Whether a name has a rate somewhere, or a value at a time.

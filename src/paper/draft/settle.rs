@@ -43,7 +43,7 @@ impl Settled {
         let able = |g: &Guess| {
             (g.role != "coordinate" || coordinates.contains(&g.name))
                 && !g.is_of_its_formula()
-                && (g.is_of_the_file() && g.shape.is_none() || !parted.contains(&family(g)))
+                && (g.is_of_the_file() && g.shape.is_none() || !parted.contains(&family(g)) || g.is_labelled)
         };
         // What only the file can declare goes before the rest; then what most formulas need, the first of several.
         let weight = |g: &Guess| (g.is_of_the_file(), counts.get(g).copied().unwrap_or(0));

@@ -304,15 +304,7 @@ mod tests {
         let mut scope = Scope::new(&mut graph);
         for name in ["t", "a", "b"] {
             let role = Role::Parameter;
-            let scalar = Declaration {
-                role,
-                shape: None,
-                diagonal: false,
-                formula: None,
-                arguments: &[],
-                complex: false,
-                angle: false,
-            };
+            let scalar = Declaration::of(role);
             scope.declare(&mut graph, name, scalar).expect("a new name");
         }
         let simple = |text: &str| {
