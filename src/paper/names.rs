@@ -524,7 +524,12 @@ impl Names {
             let letters = tokens.iter().filter(|t| is_letter(t)).count();
             letters <= 1 || p.contains('_')
         };
-        let one = |p: String| if is_variable(&p) || p.contains('_') { plain(&p).key() } else { p };
+        let one = |p: String| match names_of(&super::token::tokens(&p)).as_slice() {
+            // A vector is called as where it stands by itself.
+            [name] if name.is_bold && name.dots == 0 => name.key(),
+            _ if is_variable(&p) || p.contains('_') => plain(&p).key(),
+            _ => p,
+        };
         if places.iter().all(|p| !p.is_empty() && single(p)) {
             Call::Places(places.into_iter().map(one).collect())
         } else {

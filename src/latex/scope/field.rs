@@ -26,14 +26,12 @@ impl Scope {
         key: &str,
         arguments: Option<&str>,
     ) -> Result<Vec<Leaf>, DeclareError> {
-        let Some(text) = arguments else {
+        if arguments.is_none() {
             return Err(bad_key("a field shows its coordinates", key, "for instance `u(x,t)`"));
-        };
+        }
         let mut out: Vec<Leaf> = Vec::new();
-        for name in text.split(',') {
-            let spelled = |e: &&Filed| e.name == name && e.sub.is_empty();
-            let named = self.symbol(name).or_else(|| self.entries.iter().rev().find(spelled).map(|e| e.symbol));
-            let symbol = named.filter(|s| matches!(self.role(*s), Some(Role::Coordinate | Role::Time)));
+        for name in places_in(key) {
+            let symbol = self.symbol(name).filter(|s| matches!(self.role(*s), Some(Role::Coordinate | Role::Time)));
             let Some(symbol) = symbol else {
                 let message = format!("`{name}` is not declared as a coordinate");
                 return Err(bad_key(message, key, "declare it before the field, with the role `coordinate`"));
@@ -59,27 +57,28 @@ impl Scope {
         key: &str,
         arguments: Option<&str>,
     ) -> Result<Option<FunctionPlaces>, DeclareError> {
-        let Some(text) = arguments else { return Ok(None) };
-        let is_coordinate = |name: &str| {
-            let named = self.entries.iter().rev().find(|e| e.name == name && e.sub.is_empty());
-            let symbol = self.symbol(name).or_else(|| named.map(|e| e.symbol));
-            symbol.is_none_or(|s| matches!(self.role(s), Some(Role::Coordinate | Role::Time)))
-        };
+        if arguments.is_none() {
+            return Ok(None);
+        }
+        let is_coordinate =
+            |name: &str| self.symbol(name).is_none_or(|s| matches!(self.role(s), Some(Role::Coordinate | Role::Time)));
         let dotted = |name: &str| name.starts_with(r"\dot") || name.starts_with(r"\ddot");
-        if text.split(',').all(|name| is_coordinate(name) && !dotted(name)) {
+        if places_in(key).into_iter().all(|name| is_coordinate(name) && !dotted(name)) {
             return Ok(None);
         }
         let mut places = Vec::new();
-        for part in text.split(',') {
+        for part in places_in(key) {
             let read = Elaborator::new(self, graph).quantity(part);
-            let value = read.ok().and_then(|t| t.as_scalar());
-            let leaf = value.filter(|e| matches!(graph.node(*e), expr::Node::Leaf(l) if l.instant.is_none()));
-            let Some(leaf) = leaf.filter(|e| !places.contains(e)) else {
+            // A vector stands for its components: `V({\bf r})`.
+            let is_leaf = |e: &Expr| matches!(graph.node(*e), expr::Node::Leaf(l) if l.instant.is_none());
+            let values = read.ok().filter(|t| !t.shape.is_complex()).map(|t| t.components).unwrap_or_default();
+            let is_place = !values.is_empty() && values.iter().all(|e| is_leaf(e) && !places.contains(e));
+            if !is_place {
                 let message = format!("`{part}` is no place of a function");
                 let hint = "a place is a coordinate, the time, a state or its rate, or a parameter, each once: `L(q,\\dot q,t)`";
                 return Err(bad_key(message, key, hint));
-            };
-            places.push(leaf);
+            }
+            places.extend(values);
         }
         let mut known: Vec<Leaf> = graph.coordinates().collect();
         while known.len() < places.len() {
@@ -226,4 +225,29 @@ impl Scope {
 /// Whether ∇ acts on a symbol: on a coordinate that is not that of the time by its name.
 fn is_of_space(name: &str, role: Role) -> bool {
     role == Role::Coordinate && !matches!(name, "t" | r"\tau")
+}
+
+/// What stands between the commas of the parentheses with which a key ends, as it is written.
+fn places_in(key: &str) -> Vec<&str> {
+    let inside = key.trim_end().strip_suffix(')').unwrap_or_default();
+    let mut depth = 1usize;
+    let open = inside.char_indices().rev().find(|(_, c)| {
+        depth = match c {
+            ')' => depth + 1,
+            '(' => depth - 1,
+            _ => depth,
+        };
+        depth == 0
+    });
+    let inside = open.map_or("", |(at, _)| &inside[at + 1..]);
+    let (mut out, mut from, mut depth) = (Vec::new(), 0, 0i32);
+    for (at, c) in inside.char_indices() {
+        depth += i32::from(matches!(c, '{' | '(')) - i32::from(matches!(c, '}' | ')'));
+        if c == ',' && depth == 0 {
+            out.push(inside[from..at].trim());
+            from = at + 1;
+        }
+    }
+    out.push(inside[from..].trim());
+    out
 }

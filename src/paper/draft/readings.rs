@@ -6,6 +6,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::names::letters::BOLD;
 use super::super::names::{Call, Evidence, PaperName, Primes, evidence, is_variable, names, order_counts, unprimed};
 use super::super::printed::PrintedSide;
 use super::guess::Guess;
@@ -172,16 +173,13 @@ impl Names<'_> {
             return Err("a prime: a derivative, by something that the paper does not show".to_owned());
         }
         let functions = self.functions();
-        let vectors = |p: &String| ["mathbf", "boldsymbol", "vec", "bm"].iter().any(|s| p.contains(&format!("\\{s}")));
-        if let Some((name, _)) = functions.iter().find(|(_, places)| places.iter().any(vectors)) {
-            return Err(format!("a function of vectors, {name}"));
-        }
         let coordinates = self.coordinates(&functions);
         let mut out: Vec<Guess> = coordinates
             .iter()
             .filter(|c| *c != "t")
             .map(|c| Guess {
                 role: "coordinate",
+                shape: is_vector(c).then(|| self.dimension.to_string()),
                 ..Guess::parameter(c.as_str(), "the paper derives by it, or applies a function to it")
             })
             .collect();
@@ -210,7 +208,8 @@ impl Names<'_> {
                 let steady = self.places_are_numbers && self.is_of_primes(bare);
                 let moves = self.evidence.moving.contains(bare) && !steady || bare != place;
                 let role = if moves { "state" } else { "parameter" };
-                push(&mut out, Guess { role, ..Guess::parameter(bare, "a function is applied to it") });
+                let shape = is_vector(bare).then(|| self.dimension.to_string());
+                push(&mut out, Guess { role, shape, ..Guess::parameter(bare, "a function is applied to it") });
             }
         }
         if self.moving_are_functions {
@@ -351,7 +350,7 @@ impl Names<'_> {
     fn coordinates(&self, functions: &BTreeMap<String, Vec<String>>) -> BTreeSet<String> {
         let mut out: BTreeSet<String> = BTreeSet::new();
         let still = |p: &String| !self.moves_here(p) || self.is_of_primes(p);
-        for place in functions.values().flatten().filter(|p| is_variable(p) && still(p)) {
+        for place in functions.values().flatten().filter(|p| (is_variable(p) || is_vector(p)) && still(p)) {
             if !self.places_are_numbers || self.is_a_variable_here(place) {
                 out.insert(place.clone());
             }
@@ -360,7 +359,8 @@ impl Names<'_> {
             let by = name.derived_by.as_ref().filter(|by| name.is_partial || *by != "t");
             out.extend(by.filter(|by| is_variable(by) && !self.moves_here(by)).cloned());
         }
-        if self.text.contains(r"\nabla") {
+        // A vector that is a coordinate is the place in space.
+        if self.text.contains(r"\nabla") && !out.iter().any(|c| is_vector(c)) {
             out.extend(SPACE.map(str::to_owned));
         }
         out
@@ -460,10 +460,15 @@ impl Names<'_> {
                 why,
             });
         }
-        if self.text.contains(r"\nabla") && self.is_field_of_space(name, &key) {
+        let moves_alone = self.has_rate_here(&key) && !self.evidence.partial.contains_key(&key);
+        if self.text.contains(r"\nabla") && !moves_alone && self.is_field_of_space(name, &key) {
+            let space = match coordinates.iter().find(|c| is_vector(c)) {
+                Some(place) => place.clone(),
+                None => SPACE.join(","),
+            };
             let time = if self.evidence.partial.get(&key).is_some_and(|by| by.contains("t")) { ",t" } else { "" };
             return Ok(Guess {
-                name: format!("{key}({}{time})", SPACE.join(",")),
+                name: format!("{key}({}{time})", space),
                 role: "field",
                 shape,
                 is_complex: complex,
@@ -591,6 +596,11 @@ pub(super) fn bare(place: &str) -> &str {
 /// A name that may stand in the place of a function.
 fn is_name(place: &str) -> bool {
     !place.is_empty() && !place.chars().all(|c| c.is_ascii_digit())
+}
+
+/// Whether the style of a place is that of vectors.
+fn is_vector(place: &str) -> bool {
+    BOLD.iter().any(|style| place.contains(&format!("\\{style}")))
 }
 
 fn push(out: &mut Vec<Guess>, guess: Guess) {
