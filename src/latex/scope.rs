@@ -431,6 +431,23 @@ impl Scope {
         found.and_then(|f| self.by_symbol(f.symbol)).is_some_and(|e| e.moving && e.role != Role::Time)
     }
 
+    /// Whether a symbol, as it is written, is a parameter.
+    pub(super) fn is_constant(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
+        self.find(name, sub, None).is_some_and(|f| f.role == Role::Parameter)
+    }
+
+    /// Whether a symbol, as it is written, is a real number, not a vector or a matrix.
+    pub(super) fn is_number(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
+        let found = self.find(name, sub, None).filter(|f| f.indices.is_empty());
+        found.and_then(|f| self.by_symbol(f.symbol)).is_some_and(|e| e.rank == 0 && !e.complex)
+    }
+
+    /// Whether a symbol, as it is written, is a vector.
+    pub(super) fn is_vector(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
+        let found = self.find(name, sub, None).filter(|f| f.indices.is_empty());
+        found.and_then(|f| self.by_symbol(f.symbol)).is_some_and(|e| e.rank == 1)
+    }
+
     /// Whether something is declared that this could be.
     pub(super) fn is_known(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
         self.find(name, sub, None).is_some()

@@ -137,7 +137,7 @@ impl Names {
             ) {
                 at = self.unit(at + 1);
             } else if command == "partial" {
-                at = self.partial_letter(at, to);
+                at = self.partial_letter(at, to, depth);
             } else if let Some(next) = self.name(at, to, by) {
                 at = next;
             } else {
@@ -190,8 +190,7 @@ impl Names {
         self.note_group(before);
         if self.out.len() == before {
             // What follows the operator is derived: the next factor, a group or a name.
-            let after = self.unit(end).min(to);
-            let stop = if matches!(self.text(end), "(" | "[" | "{") { self.closing(end, to) } else { after };
+            let stop = self.factor(end, to);
             self.range(end, stop, &by, depth + 1);
             self.note_group(before);
             self.note_variables(&variables);
@@ -199,6 +198,17 @@ impl Names {
         }
         self.note_variables(&variables);
         end
+    }
+
+    /// The position after a factor: a group, a fraction, or a name.
+    fn factor(&self, at: usize, to: usize) -> usize {
+        match self.text(at) {
+            "(" | "[" | "{" => self.closing(at, to),
+            text if text.strip_prefix('\\').is_some_and(|c| FRACTIONS.contains(&c)) => {
+                self.unit(self.unit(at + 1)).min(to)
+            }
+            _ => self.unit(at).min(to),
+        }
     }
 
     fn note_variables(&mut self, variables: &[String]) {
@@ -242,7 +252,7 @@ impl Names {
     }
 
     /// `\partial_x f`: the letter below, and what follows.
-    fn partial_letter(&mut self, at: usize, to: usize) -> usize {
+    fn partial_letter(&mut self, at: usize, to: usize, depth: usize) -> usize {
         if self.text(at + 1) != "_" {
             return at + 1;
         }
@@ -254,7 +264,14 @@ impl Names {
         }
         let by = Some((variable.clone(), true));
         self.note_variables(std::slice::from_ref(&variable));
-        self.name(next, to, &by).unwrap_or(next)
+        if let Some(after) = self.name(next, to, &by) {
+            return after;
+        }
+        let stop = self.factor(next, to).max(next);
+        let before = self.out.len();
+        self.range(next, stop, &by, depth + 1);
+        self.out[before..].iter_mut().for_each(|n| n.is_in_group = true);
+        stop
     }
 
     /// A variable by which something is derived, as a key, and the position after it.

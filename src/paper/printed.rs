@@ -4,6 +4,7 @@
 //! `align` apart, continued lines joined, a chain over several lines as one. **Guaranteed:** every token that prints is in a
 //! side or in a remark: nothing is dropped without a word.
 
+mod cases;
 mod pieces;
 mod rows;
 mod side;

@@ -276,11 +276,7 @@ impl Parser<'_> {
             let kind = NodeKind::Derivative { of: Box::new(of), by, order, operator: false, upright };
             return Ok(Some(self.node(kind, start)));
         }
-        let span = self.span();
-        let Some(of) = self.factor()? else {
-            let hint = r"write `\frac{d}{dt}(…)`";
-            return refuse("latex::derivative", "nothing follows the derivative", span, hint);
-        };
+        let of = self.derived(std::slice::from_ref(&by), r"write `\frac{d}{dt}(…)`")?;
         self.rate_is_clear(&of)?;
         let grouped = matches!(of.kind, NodeKind::Group(..));
         let kind = NodeKind::Derivative { of: Box::new(of), by, order, operator: true, upright };

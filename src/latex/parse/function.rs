@@ -198,7 +198,8 @@ impl Parser<'_> {
             if let Some(last) = factors.last() {
                 // `\sin\theta\,\dot\varphi`: a space that is printed ends what can be an argument by itself.
                 let gap = self.is_spaced();
-                if gap && self.moves(last) {
+                // `\sin\theta\dot\varphi`: so does a rate behind it, which no one writes into an argument without parentheses.
+                if (gap || self.begins_rate() && !has_dots(last)) && self.moves(last) {
                     break;
                 }
                 spaced |= gap;
@@ -234,7 +235,7 @@ impl Parser<'_> {
                         && init.iter().all(|n| self.is_coefficient(n))
             }
         };
-        let ended = self.is_spaced() && factors.last().is_some_and(|n| self.moves(n));
+        let ended = (self.is_spaced() || self.begins_rate()) && factors.last().is_some_and(|n| self.moves(n));
         let followed = !ended
             && (self.is('(') || self.is('[') || *self.kind() == Kind::OpenBar || (self.is('|') && self.bars == 0));
         let grouped = matches!(factors.as_slice(), [Node { kind: NodeKind::Group(..), .. }]);
@@ -292,6 +293,12 @@ impl Parser<'_> {
         format!("put the argument into parentheses, `{head}({long})`, or write `{rest}{head}({short})`")
     }
 
+    /// Whether a name with dots begins here.
+    pub(super) fn begins_rate(&self) -> bool {
+        let braces = (0..3).take_while(|&i| *self.kind_after(i) == Kind::Sign('{')).count();
+        matches!(self.kind_after(braces), Kind::Command(c) if matches!(c.as_str(), "dot" | "ddot"))
+    }
+
     pub(super) fn is_time(&self, node: &Node) -> bool {
         matches!(&node.kind, NodeKind::Symbol(s) if s.sub.is_none() && self.scope.time_name() == Some(s.name.as_str()))
     }
@@ -335,6 +342,10 @@ pub(super) fn is_lone(argument: &Node) -> bool {
 /// One Latin letter without scripts or dots.
 fn is_letter(node: &Node) -> bool {
     matches!(&node.kind, NodeKind::Symbol(s) if s.name.len() == 1 && s.dots == 0 && s.sub.is_none() && s.sup.is_none())
+}
+
+fn has_dots(node: &Node) -> bool {
+    matches!(&node.kind, NodeKind::Symbol(s) if s.dots > 0)
 }
 
 fn has_superscript(node: &Node) -> bool {

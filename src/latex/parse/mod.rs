@@ -48,6 +48,8 @@ enum Open {
     Function { name: String, steady: bool },
     /// What a derivative written as an operator acts on; `clear` where it shows its variable, as `f(x)` does.
     Operator { clear: bool },
+    /// A number of which the gradient is taken: a vector behind it can only be multiplied by that.
+    Gradient,
 }
 
 pub(super) struct Parser<'a> {
@@ -424,15 +426,32 @@ impl<'a> Parser<'a> {
     }
 
     /// Refuses `\cdot` and `\times` behind something whose end cannot be seen.
-    fn joint_is_clear(&self) -> Parsed<()> {
+    fn joint_is_clear(&mut self) -> Parsed<()> {
+        let is_gradient = matches!(self.open_here(), Some(Open::Gradient));
+        let before_vector = is_gradient && (self.is_command("times") || self.begins_vector_after_joint());
         let hint = match self.open_here() {
             Some(Open::Slash) => r"write `\frac{}{}`, or parentheses around the quotient",
             Some(Open::Operator { .. }) => r"put what is derived into parentheses: `\frac{d}{dt}(…)`",
+            // `\nabla\phi\times{\bf E}`: a number and a vector have no such product.
+            Some(Open::Gradient) if !before_vector => r"put what is derived into parentheses: `(\nabla\phi)\cdot…`",
             Some(Open::Function { steady: true, .. }) => "put the argument of the function into parentheses",
             _ => return Ok(()),
         };
         let message = format!("it is not clear what {} belongs to", self.shown());
         refuse("latex::ambiguous", message, self.span(), hint)
+    }
+
+    /// Whether a vector, by its name or as a gradient, stands behind the joint here.
+    fn begins_vector_after_joint(&mut self) -> bool {
+        let back = self.at;
+        self.bump();
+        let mut found = self.is_command("nabla");
+        if let Ok(Some((name, _))) = self.single_name() {
+            let sub = if self.eat('_') { self.subscript().ok() } else { None };
+            found = self.scope.is_vector(&name, sub.as_deref());
+        }
+        self.at = back;
+        found
     }
 
     /// Factors joined by `\cdot`; `\times` binds closer.
@@ -487,10 +506,11 @@ impl<'a> Parser<'a> {
                 let hint = r"write `\frac{}{}`, or parentheses around the denominator";
                 refuse("latex::ambiguous", "it is not clear what belongs to the denominator", span, hint)
             }
-            Open::Operator { clear } => {
+            Open::Operator { .. } | Open::Gradient => {
+                let clear = !matches!(open, Open::Operator { clear: false });
                 // `\frac{d}{dt}x(t)\frac{d}{dt}y(t)`: what is derived shows its variable, and another derivative follows.
                 let bracket = usize::from(self.is('('));
-                if *clear && self.begins_derivative_after(bracket) {
+                if clear && self.begins_derivative_after(bracket) {
                     return Ok(());
                 }
                 let hint = r"put what is derived into parentheses: `\frac{d}{dt}(…)`";
@@ -498,7 +518,7 @@ impl<'a> Parser<'a> {
             }
             Open::Function { name, .. } => {
                 let complete = matches!(open, Open::Function { steady: false, .. });
-                if self.begins_function() || complete && self.is_spaced() {
+                if self.begins_function() || complete && (self.is_spaced() || self.begins_rate()) {
                     return Ok(());
                 }
                 let message = format!("it is not clear where the argument of `{}` ends", function::spelled(name));
@@ -567,7 +587,7 @@ impl<'a> Parser<'a> {
         if let Some(open) = self.open_here() {
             let message = match open {
                 Open::Slash => "two `/` in one term".to_owned(),
-                Open::Operator { .. } => "it is not clear how far the derivative reaches".to_owned(),
+                Open::Operator { .. } | Open::Gradient => "it is not clear how far the derivative reaches".to_owned(),
                 Open::Function { name, .. } => {
                     format!("does `/` divide `{}` or its argument?", function::spelled(name))
                 }

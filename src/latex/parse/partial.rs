@@ -65,7 +65,7 @@ impl Parser<'_> {
                 Ok(Some(self.node(kind, start)))
             }
             None => {
-                let (of, open) = self.operand()?;
+                let (of, open) = self.operand(&by)?;
                 let kind = NodeKind::Partial { of: Box::new(of), by, form: PartialForm::Operator };
                 let node = self.node(kind, start);
                 self.leave_operator_open(open);
@@ -227,7 +227,7 @@ impl Parser<'_> {
             }
             by = vec![by.swap_remove(0); usize::from(order)];
         }
-        let (of, open) = self.operand()?;
+        let (of, open) = self.operand(&by)?;
         let node = self.node(NodeKind::Partial { of: Box::new(of), by, form: PartialForm::Subscript }, start);
         self.leave_operator_open(open);
         Ok(node)
@@ -261,7 +261,11 @@ impl Parser<'_> {
 
     /// An operator before what it acts on.
     pub(super) fn acting(&mut self, action: Nabla, start: usize) -> Parsed<Node> {
-        let (of, open) = self.operand()?;
+        let (of, mut open) = self.operand(&[])?;
+        let number = matches!(&of.kind, NodeKind::Symbol(s) if s.sup.is_none() && self.scope.is_number(&s.name, s.sub.as_deref()));
+        if number && action == Nabla::Gradient {
+            open = Some(Open::Gradient);
+        }
         let node = self.node(NodeKind::Nabla { of: Box::new(of), action }, start);
         self.leave_operator_open(open);
         Ok(node)
@@ -319,11 +323,8 @@ impl Parser<'_> {
     }
 
     /// What an operator acts on, and whether its end can be seen: then another derivative may follow, or anything.
-    fn operand(&mut self) -> Parsed<(Node, Option<Open>)> {
-        let span = self.span();
-        let Some(of) = self.factor()? else {
-            return refuse("latex::derivative", "nothing follows the derivative", span, r"write `\partial_x(…)`");
-        };
+    fn operand(&mut self, by: &[Node]) -> Parsed<(Node, Option<Open>)> {
+        let of = self.derived(by, r"write `\partial_x(…)`")?;
         self.rate_is_clear(&of)?;
         let open = match &of.kind {
             NodeKind::Group(..) | NodeKind::Poisson(..) => None,
@@ -334,6 +335,49 @@ impl Parser<'_> {
             _ => Some(Open::Operator { clear: false }),
         };
         Ok((of, open))
+    }
+
+    /// The factor that a derivative acts on, with the constants before it: `\frac{d}{dt}m\ell^2\dot\theta` is no derivative of m alone,
+    /// which would be none.
+    pub(super) fn derived(&mut self, by: &[Node], hint: &str) -> Parsed<Node> {
+        let (start, span) = (self.span().start, self.span());
+        let Some(first) = self.factor()? else {
+            return refuse("latex::derivative", "nothing follows the derivative", span, hint);
+        };
+        let mut factors = vec![first];
+        while factors.last().is_some_and(|last| self.is_constant(last, by))
+            && self.begins_factor()
+            && !self.begins_derivative_after(usize::from(self.is('(')))
+        {
+            match self.factor()? {
+                Some(next) => factors.push(next),
+                None => break,
+            }
+        }
+        match (factors.len(), factors.pop()) {
+            (1, Some(only)) => Ok(only),
+            (_, last) => {
+                factors.extend(last);
+                Ok(self.node(NodeKind::Product(factors), start))
+            }
+        }
+    }
+
+    /// Whether something does not change, whatever is derived: numbers, and parameters that nothing is derived by.
+    fn is_constant(&self, node: &Node, by: &[Node]) -> bool {
+        match &node.kind {
+            NodeKind::Number(_) | NodeKind::Pi => true,
+            NodeKind::Symbol(s) => {
+                let is_variable = |n: &Node| matches!(&n.kind, NodeKind::Symbol(v) if v.name == s.name);
+                s.dots == 0
+                    && s.arguments.is_none()
+                    && self.scope.is_constant(&s.name, s.sub.as_deref())
+                    && !by.iter().any(is_variable)
+                    && s.sup.as_ref().is_none_or(|sup| self.is_constant(sup, by))
+            }
+            NodeKind::Quotient { top, bottom, .. } => self.is_constant(top, by) && self.is_constant(bottom, by),
+            _ => false,
+        }
     }
 
     fn leave_operator_open(&mut self, open: Option<Open>) {

@@ -52,6 +52,8 @@ pub(super) struct Printed {
     pub expressions: Vec<String>,
     /// What stands beside it in words.
     pub remarks: Vec<String>,
+    /// Whether it is one of several cases: nothing of it is said where its condition is not read.
+    pub is_case: bool,
     relations: Vec<PrintedRelation>,
 }
 
@@ -61,8 +63,7 @@ pub(super) fn displays(paper: &Paper) -> Vec<Printed> {
     let mut ids = write::Ids::default();
     let mut last = None;
     for relation in paper.printed.iter().filter(|r| r.display.is_some()) {
-        let own = (relation.display, relation.label.clone());
-        if last.as_ref() != Some(&own) {
+        let mut begin = |out: &mut Vec<Printed>, is_case: bool, relations: Vec<PrintedRelation>| {
             let number = out.len() + 1;
             out.push(Printed {
                 id: ids.next(relation.label.as_deref(), number),
@@ -71,8 +72,18 @@ pub(super) fn displays(paper: &Paper) -> Vec<Printed> {
                 formulas: Vec::new(),
                 expressions: Vec::new(),
                 remarks: Vec::new(),
-                relations: Vec::new(),
+                is_case,
+                relations,
             });
+        };
+        if let Some(cases) = relation.cases() {
+            cases.into_iter().for_each(|case| begin(&mut out, true, case));
+            last = None;
+            continue;
+        }
+        let own = (relation.display, relation.label.clone());
+        if last.as_ref() != Some(&own) {
+            begin(&mut out, false, Vec::new());
             last = Some(own);
         }
         if let Some(printed) = out.last_mut() {
@@ -114,6 +125,11 @@ impl Printed {
             }
         }
         self.relations = Vec::new();
+        if self.is_case && self.formulas.iter().any(|f| f.is_condition && f.refused.is_some()) {
+            for formula in self.formulas.iter_mut().filter(|f| f.refused.is_none()) {
+                formula.refused = Some("a case whose condition is not read".to_owned());
+            }
+        }
     }
 }
 

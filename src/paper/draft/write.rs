@@ -161,8 +161,13 @@ fn claims(out: &mut String, name: &str, (settled, system): (&Settled, Option<&Sy
         let _ = writeln!(out, "# confirm: not read, {condition}{}:\n#   {}", comment(why), comment(&f.text));
     }
     let mut groups: Vec<(Vec<Guess>, Vec<usize>)> = Vec::new();
+    let mut of_all: Vec<Guess> = Vec::new();
+    for f in printed.formulas.iter().filter(|f| printed.is_case && f.refused.is_none()) {
+        let own = settled.own_symbols(f).into_iter().filter(|g| !of_all.contains(g));
+        of_all.extend(own.collect::<Vec<_>>());
+    }
     for (i, f) in printed.formulas.iter().enumerate().filter(|(_, f)| f.refused.is_none()) {
-        let own = settled.own_symbols(f);
+        let own = if printed.is_case { of_all.clone() } else { settled.own_symbols(f) };
         match groups.iter_mut().find(|(symbols, _)| *symbols == own) {
             Some((_, formulas)) => formulas.push(i),
             None => groups.push((own, vec![i])),

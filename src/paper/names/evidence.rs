@@ -24,6 +24,8 @@ pub struct Evidence {
     pub derived: BTreeMap<String, BTreeSet<String>>,
     /// What they are derived by partially.
     pub partial: BTreeMap<String, BTreeSet<String>>,
+    /// What the paper derives something by in which the names stand, `\partial_r\frac{A'}{A}`, partially or not.
+    pub inside: BTreeMap<String, BTreeSet<String>>,
     /// For each name what stands in parentheses behind it, and how often; with `None` how often nothing does.
     pub calls: BTreeMap<String, BTreeMap<Option<Vec<String>>, usize>>,
     /// Letters that are used as operators: with a hat.
@@ -118,6 +120,9 @@ impl Evidence {
                 let seen = if name.is_partial { &mut self.partial } else { &mut self.derived };
                 seen.entry(key.clone()).or_default().insert(by.clone());
             }
+            if let Some(by) = name.derived_by.as_ref().filter(|by| is_variable(by) && **by != key) {
+                self.inside.entry(bare).or_default().insert(by.clone());
+            }
             let call = match &name.call {
                 Call::Places(places) => Some(Some(places.clone())),
                 Call::None => Some(None),
@@ -191,6 +196,14 @@ impl Evidence {
         // A second medium has the index n′, whatever n is derived by.
         for by in self.derived.get(bare).into_iter().flatten().filter(|by| primes > 1 && is_variable(by)) {
             *seen.entry(by).or_default() += 1;
+        }
+        // Two primes derive: by the one variable by which the paper derives what it stands in.
+        if primes > 1
+            && seen.is_empty()
+            && let Some(by) = self.inside.get(bare)
+            && by.len() == 1
+        {
+            seen.extend(by.iter().map(|by| (by.as_str(), 1)));
         }
         let letter = bare.split('_').next().unwrap_or_default();
         let is_function = FUNCTIONS.contains(&letter);

@@ -1,0 +1,103 @@
+//! A side that is told by cases → one relation for each case, with its condition.
+//!
+//! **In:** a relation whose last side is `\begin{cases}…\end{cases}` and nothing else. **Out:** for each row the relation with that row's value, and
+//! what the row says of when it holds. **Guaranteed:** a row without a condition that relates something, "otherwise" among them, parts nothing:
+//! the relation stays as it is.
+
+use super::super::mark::group_text;
+use super::super::token::{Kind, Token};
+use super::{Nesting, Place, PrintedRelation, is_space, relations};
+
+/// Environments that tell a value by cases.
+const CASES: &[&str] = &["cases", "dcases", "cases*", "dcases*"];
+
+impl PrintedRelation {
+    /// The cases of a relation: for each the relation, and the conditions under which it holds. `None` where it is not told by cases.
+    pub fn cases(&self) -> Option<Vec<Vec<PrintedRelation>>> {
+        let (last, before) = self.sides.split_last()?;
+        if before.is_empty() || self.is_condition {
+            return None;
+        }
+        let mut head: Vec<Token> = Vec::new();
+        for (side, sign) in before.iter().zip(&self.signs) {
+            head.extend(side.tokens.iter().cloned());
+            head.extend(sign_of(sign, side.span.end));
+        }
+        let place = Place { environment: "equation", display: self.display, section: self.section };
+        let mut out = Vec::new();
+        for (value, condition) in rows_of(&last.tokens)? {
+            let mut body = head.clone();
+            body.extend(value);
+            let mut one = relations(&body, &place);
+            let mut when = relations(&condition, &place);
+            let relates = |all: &[PrintedRelation]| all.len() == 1 && all[0].sides.len() > 1;
+            if when.iter().any(|r| r.remark.as_deref().is_some_and(|r| !is_when(r))) {
+                return None;
+            }
+            when.retain(|r| r.sides.len() > 1 || !r.sides[0].text.is_empty());
+            if !relates(&one) || !relates(&when) {
+                return None;
+            }
+            when[0].is_condition = true;
+            one.append(&mut when);
+            one.iter_mut().for_each(|r| r.label.clone_from(&self.label));
+            out.push(one);
+        }
+        Some(out)
+    }
+}
+
+/// Whether words before a condition say that it is one, and no more.
+fn is_when(words: &str) -> bool {
+    matches!(words.trim(), "" | "if" | "for" | "when" | "where" | "If" | "For")
+}
+
+/// A sign as a token.
+fn sign_of(sign: &str, at: usize) -> Option<Token> {
+    let (kind, text) = match sign.strip_prefix('\\') {
+        Some(command) => (Kind::Command, command),
+        None => (Kind::Other, sign),
+    };
+    Some(Token { kind, text: text.to_owned(), span: at..at })
+}
+
+/// The rows of a side that is nothing but cases, each as its value and its condition.
+fn rows_of(tokens: &[Token]) -> Option<Vec<(Vec<Token>, Vec<Token>)>> {
+    let from = tokens.iter().position(|t| !is_space(t))?;
+    let to = tokens.iter().rposition(|t| !is_space(t) && !t.is_char(".") && !t.is_char(","))?;
+    let tokens = &tokens[from..=to];
+    let (name, begin) = group_text(tokens, tokens.first().filter(|t| t.is("begin")).map(|_| 1)?);
+    let end = tokens.iter().rposition(|t| t.is("end"))?;
+    let (closed, after) = group_text(tokens, end + 1);
+    if !CASES.contains(&name.as_str()) || closed != name || after < tokens.len() || begin > end {
+        return None;
+    }
+    let mut rows: Vec<Vec<Vec<Token>>> = vec![vec![Vec::new()]];
+    let mut nesting = Nesting::default();
+    let inside = &tokens[begin..end];
+    let mut at = 0;
+    while let Some(token) = inside.get(at) {
+        let outside = nesting.is_outside();
+        let more = nesting.take(token, &inside[at + 1..]);
+        let row = rows.last_mut()?;
+        if outside && token.is("\\") {
+            rows.push(vec![Vec::new()]);
+        } else if outside && token.is_char("&") {
+            row.push(Vec::new());
+        } else {
+            row.last_mut()?.extend_from_slice(&inside[at..(at + 1 + more).min(inside.len())]);
+        }
+        at += 1 + more;
+    }
+    rows.retain(|row| row.iter().flatten().any(|t| !is_space(t)));
+    let whole = rows.into_iter().map(|row| match <[Vec<Token>; 2]>::try_from(row) {
+        Ok([mut value, condition]) => {
+            while value.last().is_some_and(|t| is_space(t) || t.is_char(",") || t.is_char(";")) {
+                value.pop();
+            }
+            Some((value, condition))
+        }
+        Err(_) => None,
+    });
+    whole.collect::<Option<Vec<_>>>().filter(|rows| !rows.is_empty())
+}
