@@ -10,9 +10,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::obstacle::{is_place, obstacle};
 use expr::{Expr, Graph, Leaf, Shape, Symbol};
 use latex::{Declaration, Role, Scope, Statement};
-use paper::{Call, Evidence, Paper, PaperName, PrintedSide, names};
+use paper::{Call, Paper, PaperName, PrintedSide, names};
 
 use super::facts::squeezed;
+use super::notation::Evidence;
 
 /// Longest side, in bytes, that is looked at for evidence.
 const LONGEST_SIDE: usize = 20_000;
@@ -172,7 +173,7 @@ fn constants_apart(all: &mut [PaperName], evidence: &Evidence, by: &str) {
 /// The evidence of a paper for rates: names with a dot, and those right behind the `d` of a derivative. What stands in parentheses behind
 /// `d/dt` may be constant.
 pub fn evidence_of(paper: &Paper) -> Evidence {
-    let mut evidence = Evidence::of(paper);
+    let mut evidence = paper::Evidence::of(paper);
     let mut dotted: BTreeSet<String> = BTreeSet::new();
     let mut direct: BTreeSet<(String, String)> = BTreeSet::new();
     for side in paper.printed.iter().flat_map(|r| &r.sides).filter(|s| s.text.len() <= LONGEST_SIDE) {
@@ -199,7 +200,7 @@ pub fn evidence_of(paper: &Paper) -> Evidence {
     }
     let is_direct = |key: &String, by: &str| direct.contains(&(key.clone(), by.to_owned()));
     evidence.moving.retain(|key| dotted.contains(key) || is_direct(key, "t"));
-    evidence
+    Evidence::new(paper, evidence)
 }
 
 /// Whether a definition has something in it that varies with the independent variable: of what has nothing, that a rate is taken shows
@@ -222,6 +223,19 @@ fn varies(one: &Given, given: &[&Given], evidence: &Evidence, time: &str) -> boo
         keys.extend(more);
     }
     false
+}
+
+/// The keys of what is defined by others, down to what has no definition.
+fn inside(keys: &[String], given: &[&Given]) -> Vec<String> {
+    let mut out = keys.to_vec();
+    let mut at = 0;
+    while let Some(key) = out.get(at).cloned() {
+        at += 1;
+        let more = given.iter().filter(|g| g.key == key && !g.is_rate).flat_map(|g| names(&g.right)).map(|n| n.key());
+        let more: Vec<String> = more.filter(|k| !out.contains(k)).collect();
+        out.extend(more);
+    }
+    out.split_off(keys.len())
 }
 
 /// A name by which something is derived, `\partial L/\partial\dot x`, with its dots apart.
@@ -304,6 +318,15 @@ impl Desk {
                 if all.iter().any(is_derived) && !varies(one, given, evidence, time) {
                     return Err(NotRead::of(format!("a rate of {}, which is defined by what has none", one.key)));
                 }
+            }
+        }
+        if time.as_deref() == Some("t") {
+            let rate_of = |n: &&PaperName| n.dots > 0 || n.derived_by.as_deref() == Some("t") && !n.is_partial;
+            let derived: Vec<String> = all.iter().filter(rate_of).map(PaperName::key).collect();
+            let is_known =
+                |key: &String| given.iter().any(|g| g.key == *key) || all.iter().any(|n| n.dots > 0 && n.key() == *key);
+            if let Some(key) = inside(&derived, given).into_iter().find(|key| evidence.varies(key) && !is_known(key)) {
+                return Err(NotRead::of(format!("a rate of {key}, which the paper does not give")));
             }
         }
         // A prime of a function of one variable is its derivative; there, `t` has primes too.

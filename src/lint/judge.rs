@@ -3,11 +3,14 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use paper::{Evidence, Paper, PrintedRelation, PrintedSide, names};
+use paper::{Paper, PrintedRelation, PrintedSide, names};
 
+use super::cases::{Cases, Stance, stance};
 use super::desk::{Desk, Given, NotRead, evidence_of, lone_name, unprimed};
-use super::facts::{Facts, PositiveName, Reach, Stated};
+use super::facts::squeezed;
+use super::facts::{Facts, NEAR, PositiveName, Reach, Stated};
 use super::nearest::Sureness;
+use super::notation::Evidence;
 use super::question::MOST_QUESTIONS;
 use super::sentence::{Sentence, explains, is_supposed, parts};
 use super::signs::{ABOUT, COMPARES, EQUALS, is_one_of};
@@ -24,8 +27,19 @@ pub fn lint(paper: &Paper) -> Lint {
     let evidence = evidence_of(paper);
     let facts = Facts::default();
     let parts = parts(paper);
-    let mut judge =
-        Judge { paper, evidence, facts, parts, section: 0, asked: 0, exhausted: 0, display: None, earlier: None };
+    let mut judge = Judge {
+        paper,
+        evidence,
+        facts,
+        parts,
+        section: 0,
+        asked: 0,
+        exhausted: 0,
+        display: None,
+        earlier: None,
+        cases: Vec::new(),
+        compared: Vec::new(),
+    };
     let judgements = (0..paper.printed.len()).map(|at| judge.relation(at)).collect();
     Lint { judgements }
 }
@@ -70,6 +84,10 @@ pub(super) struct Judge<'p> {
     display: Option<(usize, Sentence)>,
     /// The place of the last relation of a display.
     earlier: Option<Range<usize>>,
+    /// The cases of each file.
+    cases: Vec<(std::sync::Arc<diag::Source>, Cases)>,
+    /// Comparisons, with their names: until when they hold is not known.
+    compared: Vec<(usize, usize, BTreeSet<String>)>,
 }
 
 /// What became of the steps of a relation.
@@ -117,6 +135,10 @@ impl Judge<'_> {
             out.why = format!("the sign `{}`", diag::escape::in_one_line(sign));
             return out;
         }
+        if relation.signs.iter().any(|s| is(COMPARES, s)) {
+            let all = relation.sides.iter().flat_map(names).map(|n| n.key()).collect();
+            self.compared.push((self.section, at, all));
+        }
         if relation.signs.iter().all(|s| is(COMPARES, s)) || relation.is_condition {
             out.word = Word::Condition;
             self.note_signs(relation, at);
@@ -132,6 +154,17 @@ impl Judge<'_> {
             return out;
         }
         let sentence = self.sentence(relation);
+        let taken = match self.stance(relation) {
+            Stance::Denied => Some("the words around it deny it"),
+            Stance::Asked => Some("it is asked, or one of several answers"),
+            Stance::Said if self.is_alternative(relation) => Some("one of several that are possible"),
+            Stance::Said => None,
+        };
+        if let Some(why) = taken {
+            out.word = Word::Condition;
+            out.why = why.to_owned();
+            return out;
+        }
         let before = self.facts.given.len();
         self.explain(relation, at);
         let open = self.steps(relation, at, &sentence, &mut out);
@@ -146,10 +179,59 @@ impl Judge<'_> {
             self.state(relation, at, &open);
         }
         // One name for another in the running text is a case more often than a definition.
-        if !(inline && lone_name(&relation.sides[1]).is_some()) {
+        let is_rate = |n: &paper::PaperName| n.dots > 0 || n.derived_by.is_some();
+        if !(inline && lone_name(&relation.sides[1]).is_some_and(|n| !is_rate(&n))) {
             self.define(relation, at);
         }
         out
+    }
+
+    /// What the words of its sentence do with a relation.
+    fn stance(&self, relation: &PrintedRelation) -> Stance {
+        let remark = relation.remark.as_deref().unwrap_or_default().to_lowercase();
+        if ["wrong", "false", "incorrect", "not true"].iter().any(|w| remark.contains(w)) {
+            return Stance::Denied;
+        }
+        let (file, span) = self.paper.locate(&relation.span());
+        stance(&file.text, span.start, span.end)
+    }
+
+    /// Whether a relation stands in a display with "or" between its formulas.
+    fn is_alternative(&self, relation: &PrintedRelation) -> bool {
+        let has_or = |r: &PrintedRelation| {
+            r.remark.as_deref().is_some_and(|words| words.split(|c: char| !c.is_alphabetic()).any(|w| w == "or"))
+        };
+        relation.display.is_some()
+            && relation.sides.len() == 2
+            && self.paper.printed.iter().filter(|r| r.display == relation.display).take(MOST_EXPLAINED).any(has_or)
+    }
+
+    /// Whether what one relation says may be of another case than a later one.
+    pub(super) fn are_parted(&mut self, before: usize, at: usize, is_sure: bool) -> bool {
+        let place = |k: usize| self.paper.locate(&self.paper.printed[k].span());
+        let ((file, from), (other, to)) = (place(before), place(at));
+        if !std::sync::Arc::ptr_eq(file, other) || before >= at {
+            return false;
+        }
+        let known = self.cases.iter().position(|(f, _)| std::sync::Arc::ptr_eq(f, file));
+        let known = known.unwrap_or_else(|| {
+            self.cases.push((file.clone(), Cases::of(&file.text)));
+            self.cases.len() - 1
+        });
+        self.cases[known].1.parted(from.start, to.start, is_sure)
+    }
+
+    /// The display of a relation.
+    pub(super) fn display_of(&self, at: usize) -> Option<usize> {
+        self.paper.printed[at].display
+    }
+
+    /// Whether a comparison before, in this section, is about a name of some sides.
+    pub(super) fn is_compared(&self, sides: [&PrintedSide; 2], at: usize) -> bool {
+        let own: BTreeSet<String> = sides.into_iter().flat_map(names).map(|n| n.key()).collect();
+        self.compared.iter().any(|(section, before, all)| {
+            *section == self.section && *before < at && before + NEAR >= at && all.iter().any(|k| own.contains(k))
+        })
     }
 
     /// What the words around the display of a relation say; a formula of the running text has none.
@@ -205,6 +287,13 @@ impl Judge<'_> {
             if !is_value && !left.is_list && !right.is_list {
                 let (left, right, section) = (left.clone(), right.clone(), self.parts[at]);
                 let in_text = relation.display.is_none();
+                // Another equation of motion for the same name is another motion.
+                if let Some(moved) = moved(&[&left, &right]) {
+                    let is_rival = |s: &Stated| {
+                        s.section == section && super::judge::moved(&[&s.left, &s.right]).as_ref() == Some(&moved)
+                    };
+                    self.facts.stated.retain(|s| !is_rival(s));
+                }
                 self.facts.stated.push(Stated { left, right, relation: at, section, names: keys, in_text });
             }
         }
@@ -313,7 +402,12 @@ impl Judge<'_> {
         }
         // The second rate of a name is an equation of motion.
         let is_second = first.as_ref().is_some_and(|n| n.dots > 1 || n.primes > 1);
-        if tally.defines && is_second && tally.unread.is_none() && open.is_empty() {
+        // What has its own name on the other side is an equation for it.
+        let is_implicit = relation.sides.len() == 2
+            && first.as_ref().is_some_and(|n| {
+                n.dots == 0 && n.derived_by.is_none() && names(&relation.sides[1]).iter().any(|m| m.key() == n.key())
+            });
+        if tally.defines && (is_second || is_implicit) && tally.unread.is_none() && open.is_empty() {
             open.push(1);
         }
         self.conclude(relation, at, tally, out);
@@ -385,7 +479,14 @@ impl Judge<'_> {
             out.why = "not proved, and true at random points".to_owned();
         }
         if let Some(before) = anew.filter(|_| out.word == Word::Defines) {
+            let again = lone_right(relation).is_some_and(|right| {
+                self.facts
+                    .given
+                    .iter()
+                    .any(|g| g.relation == before && squeezed(&g.right.text) == squeezed(&right.text))
+            });
             (out.word, out.why) = match differs {
+                None if again => (out.word, "as before".to_owned()),
                 Some(instead) => (Word::Differs, format!("before it was {instead}")),
                 None => (out.word, "otherwise than before".to_owned()),
             };
@@ -485,6 +586,27 @@ impl Judge<'_> {
             given if given.is_empty() => Err(found),
             given => read(&given).map_err(|_| found),
         })
+    }
+}
+
+/// The later side of an equation of two.
+fn lone_right(relation: &PrintedRelation) -> Option<&PrintedSide> {
+    match relation.sides.as_slice() {
+        [_, right] => Some(right),
+        _ => None,
+    }
+}
+
+/// The name whose highest rate an equation gives, where there is just one.
+pub(super) fn moved(sides: &[&PrintedSide]) -> Option<(String, usize)> {
+    let order = |n: &paper::PaperName| n.dots.max(n.primes);
+    let all: Vec<paper::PaperName> = sides.iter().flat_map(|s| names(s)).filter(|n| order(n) > 1).collect();
+    let highest = all.iter().map(order).max()?;
+    let mut keys: Vec<String> = all.iter().filter(|n| order(n) == highest).map(|n| unprimed(n).key()).collect();
+    keys.dedup();
+    match keys.as_slice() {
+        [one] => Some((one.clone(), highest)),
+        _ => None,
     }
 }
 

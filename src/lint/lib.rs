@@ -13,10 +13,12 @@
 
 #![forbid(unsafe_code)]
 
+mod cases;
 mod desk;
 mod facts;
 mod judge;
 mod nearest;
+mod notation;
 mod numbers;
 mod obstacle;
 mod question;

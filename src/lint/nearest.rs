@@ -102,6 +102,18 @@ pub fn nearest(
     if chain.sides.iter().map(size).max()? < fewest || smallest < least {
         return None;
     }
+    let is_constant = |key: &str| {
+        ANY_CONSTANT.contains(&key.split('_').next().unwrap_or_default())
+            && !matches!(key, "c" | "k" | "N" | "A" | "B" | "D")
+    };
+    let open =
+        asked.desk.scalars.iter().any(|(key, _, is_parameter)| {
+            *is_parameter && is_constant(key) && !rests.given.iter().any(|g| g.key == *key)
+        });
+    // From one line to the next a constant of integration stands for another one.
+    if !rests.stated.is_empty() && open {
+        return None;
+    }
     if sureness < Sureness::Derives && takes_in(&asked, &rests.given)
         || !conserves && is_evaluated(&chain)
         || is_reordered(&chain)

@@ -3,7 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::desk::NotRead;
-use paper::{Call, Evidence, PaperName, PrintedSide, names, order_counts};
+use super::notation::Evidence;
+use paper::{Call, PaperName, PrintedSide, names, order_counts};
 
 /// Letters by which sums run, where they stand twice.
 fn index_count(names: &[PaperName], evidence: &Evidence) -> BTreeMap<char, usize> {
@@ -95,6 +96,9 @@ pub fn obstacle(
             if !words && !label {
                 return Some(NotRead::of(feature));
             }
+        }
+        if let Some(found) = evidence.obstacle(side) {
+            return Some(found);
         }
         // `\delta_{ij}` and ε are indices in any case.
         if side.text.contains(r"\delta_{") || side.text.contains(r"\epsilon_{") || side.text.contains(r"\varepsilon_{")

@@ -8,13 +8,14 @@
 use std::collections::BTreeSet;
 
 use expr::{Expr, Graph, Leaf};
-use latex::syntax::RelationKind;
+use latex::syntax::{Node, NodeKind, RelationKind};
 use meter::{Ended, Limits, Task};
-use paper::{Evidence, PrintedSide};
+use paper::PrintedSide;
 use proof::{Condition, Identity, Known, Options, Premises, Wanted, When, identity_test};
 
 use super::desk::{Desk, Given, NotRead, pairs_of};
 use super::facts::Stated;
+use super::notation::Evidence;
 use super::numbers::agreement;
 
 /// Questions that may be asked of one paper: what is beyond is *not followed*.
@@ -126,12 +127,44 @@ pub fn ask(
         Identity::Proved(proof) if proof.example.is_none() => Identity::Undecided(proof::Reason::NoValue),
         other => other,
     };
+    if matches!(identity, Identity::Proved(_)) && !rests.are_some() && only_reorders(&read.text, &desk) {
+        return Err(NotRead::of("products whose order may count: matrices, or operators"));
+    }
     let is_vacuous = matches!(identity, Identity::Proved(_))
         && rests.are_some()
         && vanishes(&mut desk.graph, &equations, &premises)
         && !sides.iter().any(|side| is_zero_by_itself(side, evidence, free));
     let identity = if is_vacuous { Identity::Undecided(proof::Reason::Degenerate) } else { identity };
     Ok(Asked { desk, premises, equations, identity, is_vacuous, text: read.text })
+}
+
+/// Whether both sides are products of the same names, and differ in nothing but their order.
+fn only_reorders(text: &str, desk: &Desk) -> bool {
+    fn sequence(node: &Node, out: &mut Vec<String>) -> bool {
+        match &node.kind {
+            // The order of a product of two vectors does not count.
+            NodeKind::Symbol(s) if s.name.starts_with("bf:") || s.name.starts_with("vec:") => false,
+            NodeKind::Symbol(s) => {
+                out.push(format!("{}{:?}{:?}", s.name, s.sub, s.sup.is_some()));
+                s.arguments.is_none() && s.sup.is_none()
+            }
+            NodeKind::Group(inner, _) => sequence(inner, out),
+            // A sign of multiplication before parentheses was put there.
+            NodeKind::Product(parts) | NodeKind::Dot(parts) => parts.iter().all(|p| sequence(p, out)),
+            _ => false,
+        }
+    }
+    let Ok(chains) = latex::parse(text, &desk.scope) else { return false };
+    let [chain] = chains.as_slice() else { return false };
+    let mut found = [Vec::new(), Vec::new()];
+    let plain = chain.sides.iter().zip(&mut found).all(|(side, out)| sequence(side, out));
+    let [first, second] = found;
+    let sorted = |v: &Vec<String>| {
+        let mut v = v.clone();
+        v.sort();
+        v
+    };
+    plain && chain.sides.len() == 2 && first != second && sorted(&first) == sorted(&second)
 }
 
 /// Whether the premises prove that the left sides of all pairs are zero.

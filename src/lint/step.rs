@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use paper::{PrintedSide, names};
 use proof::Identity;
 
-use super::desk::{Given, NotRead};
+use super::desk::{Given, NotRead, unprimed};
 use super::facts::{Reach, Stated};
 use super::judge::Judge;
 use super::nearest::{Sureness, WrongStep, introduces_nothing, is_slip_of, nearest};
@@ -110,16 +110,28 @@ impl Judge<'_> {
     }
 
     /// What a step is tried with, one after the other: nothing, the definitions of its names, their rates, what the paper states.
-    fn supports(&self, sides: [&PrintedSide; 2], place: &Place, reach: Reach) -> Vec<Rests> {
+    fn supports(&mut self, sides: [&PrintedSide; 2], place: &Place, reach: Reach) -> Vec<Rests> {
         let here = self.facts.positive.iter().filter(|p| p.section == self.section);
         let positive = Positive::Named(here.map(|p| p.key.clone()).collect());
         let rests = |given, stated| Rests { given, stated, positive: positive.clone() };
         let mut out = vec![rests(Vec::new(), Vec::new())];
         let has_rates = sides.into_iter().flat_map(names).any(|n| n.dots > 0 || n.derived_by.is_some());
-        let plain = self.facts.definitions(&sides, reach, false);
-        let with_rates = self.facts.definitions(&sides, reach, has_rates);
+        let is_sure = matches!(reach, Reach::Here { .. });
+        let mut plain = self.facts.definitions(&sides, reach, false);
+        let mut with_rates = self.facts.definitions(&sides, reach, has_rates);
+        plain.retain(|g| !self.are_parted(g.relation, place.at, is_sure));
+        with_rates.retain(|g| !self.are_parted(g.relation, place.at, is_sure));
+        if let Some(of) = held_fixed(sides, &plain, true) {
+            // What depends on the variable in a second way may be held fixed.
+            plain.retain(|g| of.contains(&g.key));
+            with_rates.retain(|g| of.contains(&g.key));
+        }
         if !plain.is_empty() {
             out.push(rests(plain.clone(), Vec::new()));
+        }
+        // `C'(r)` of a formula with V in it, which is held fixed, though it is \pi r^2h.
+        if let Some(of) = held_fixed(sides, &plain, false) {
+            out.push(rests(plain.iter().filter(|g| of.contains(&g.key)).cloned().collect(), Vec::new()));
         }
         if with_rates.len() > plain.len() {
             out.push(rests(with_rates, Vec::new()));
@@ -128,8 +140,14 @@ impl Judge<'_> {
             return out;
         }
         let mut stated = self.facts.equations(sides, &plain, place.at, self.section, &place.named);
-        if matches!(reach, Reach::Here { .. }) {
-            stated.retain(|s| !s.in_text);
+        stated.retain(|s| !self.are_parted(s.relation, place.at, is_sure));
+        if is_sure {
+            // Equations of one display hold together: one is no step from the other.
+            let display = |at: usize| self.display_of(at);
+            let own = display(place.at);
+            stated.retain(|s| {
+                !s.in_text && (place.sureness == Sureness::Concludes || own.is_none() || display(s.relation) != own)
+            });
         }
         // Definitions of what only the equations name, too.
         let with_definitions = |stated: Vec<Stated>| {
@@ -184,6 +202,13 @@ impl Judge<'_> {
 
     /// What is wrong, if something is: refuted by what this section says, and one slip away from what it proves.
     fn wrong(&mut self, sides: [&PrintedSide; 2], place: &Place, asked: &mut Vec<(Asked, Rests)>) -> Option<WrongStep> {
+        let defined = self.facts.definitions(&sides, place.reach, false);
+        let is_open = sides.iter().any(|s| has_open_derivative(&s.text))
+            || [true, false].iter().any(|&partial| held_fixed(sides, &defined, partial).is_some());
+        // Between absolute values and roots, where a name is negative counts.
+        if is_open || sides.iter().any(|s| has_roots(&s.text)) && self.is_compared(sides, place.at) {
+            return None;
+        }
         for rests in self.supports(sides, place, Reach::Here { section: self.section, at: place.at }) {
             if !introduces_nothing(sides, &rests) || place.blame == Blame::Identities && rests.are_some() {
                 continue;
@@ -214,6 +239,47 @@ impl Judge<'_> {
         }
         None
     }
+}
+
+/// Where a derivative is taken of what is defined, and another definition depends on its variable, too: the names that are derived. What is
+/// held fixed is not said then. The time is no such variable.
+fn held_fixed(sides: [&PrintedSide; 2], given: &[Given], is_partial: bool) -> Option<BTreeSet<String>> {
+    let mut of: BTreeSet<String> = BTreeSet::new();
+    let mut by: BTreeSet<String> = BTreeSet::new();
+    for name in sides.into_iter().flat_map(names) {
+        let key = unprimed(&name).key();
+        let place = |n: &paper::PaperName| match &n.call {
+            paper::Call::Places(places) if places.len() == 1 => places.first().cloned(),
+            _ => None,
+        };
+        let of_definition =
+            || given.iter().filter(|g| g.key == key).find_map(|g| names(&g.left).first().and_then(place));
+        let variable = match (&name.derived_by, is_partial) {
+            (Some(by), true) => Some(by.clone()).filter(|_| name.is_partial),
+            (Some(by), false) => Some(by.clone()).filter(|_| !name.is_partial),
+            (None, false) if name.primes > 0 => place(&name).or_else(of_definition),
+            (None, _) => None,
+        };
+        if let Some(variable) = variable.filter(|v| v != "t") {
+            of.insert(key);
+            by.insert(variable);
+        }
+    }
+    let depends =
+        |g: &&Given| !g.is_rate && !of.contains(&g.key) && names(&g.right).iter().any(|n| by.contains(&n.key()));
+    given.iter().any(|g| depends(&g)).then_some(of)
+}
+
+/// Whether `\frac{d}{dx}` stands before a factor without parentheses, and a sum goes on behind it: it may reach to its end.
+fn has_open_derivative(text: &str) -> bool {
+    let squeezed: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    squeezed.match_indices(r"\frac{d}{d").chain(squeezed.match_indices(r"\frac{\partial}{\partial")).any(
+        |(at, found)| {
+            let Some((_, rest)) = squeezed[at + found.len()..].split_once('}') else { return false };
+            let grouped = rest.starts_with(['(', '[', '{']) || rest.starts_with(r"\left") || rest.starts_with(r"\big");
+            !grouped && rest.contains(['+', '-'])
+        },
+    )
 }
 
 fn support(rests: &Rests) -> Support {

@@ -21,6 +21,8 @@ struct Macro {
     arguments: usize,
     default: Option<Vec<Token>>,
     body: Vec<Token>,
+    /// What stands behind each call, of a macro without arguments: the slash of `\def\ns/{…}`.
+    behind: Vec<Token>,
 }
 
 /// Macros that do not end.
@@ -233,7 +235,7 @@ fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> bool {
             let fresh = |name: &String| command != "providecommand" || !macros.contains_key(name);
             if let Some(name) = name.filter(fresh) {
                 aliases.remove(&name);
-                macros.insert(name, Macro { arguments, default, body });
+                macros.insert(name, Macro { arguments, default, body, behind: Vec::new() });
             }
         }
         "newenvironment" | "renewenvironment" => {
@@ -243,27 +245,27 @@ fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> bool {
             let default = optional(rest);
             let (begin, end) = (argument(rest), argument(rest));
             let arguments = count.trim().parse().map_or(0, |n: usize| n.min(MOST_ARGUMENTS));
-            let end = Macro { arguments: 0, default: None, body: end };
-            environments.insert(name, (Macro { arguments, default, body: begin }, end));
+            let end = Macro { arguments: 0, default: None, body: end, behind: Vec::new() };
+            environments.insert(name, (Macro { arguments, default, body: begin, behind: Vec::new() }, end));
         }
         "def" | "gdef" | "edef" | "xdef" => {
             let Some(name) = rest.pop().map(|(t, _)| t).filter(|t| t.kind == Kind::Command) else { return true };
-            let mut plain = true;
+            let mut behind = Vec::new();
             let mut arguments = 0;
             while let Some((t, _)) = rest.last() {
                 match t.kind {
                     Kind::Open => break,
                     Kind::Argument => arguments += 1,
                     Kind::Space => {}
-                    // Arguments that end with a text of their own are not understood; the call is left as it is.
-                    _ => plain = false,
+                    _ => behind.push(t.clone()),
                 }
                 rest.pop();
             }
             let body = argument(rest);
-            if plain {
+            // Arguments that end with a text of their own are not understood; the call is left as it is. `\def\ns/{…}` has none.
+            if behind.is_empty() || arguments == 0 {
                 aliases.remove(&name.text);
-                macros.insert(name.text, Macro { arguments, default: None, body });
+                macros.insert(name.text, Macro { arguments, default: None, body, behind });
             }
         }
         "let" => {
@@ -282,7 +284,10 @@ fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> bool {
                 }
                 None => {
                     aliases.remove(&name.text);
-                    macros.insert(name.text, Macro { arguments: 0, default: None, body: vec![meaning] });
+                    macros.insert(
+                        name.text,
+                        Macro { arguments: 0, default: None, body: vec![meaning], behind: Vec::new() },
+                    );
                 }
             }
         }
@@ -295,7 +300,8 @@ fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> bool {
             all.extend(body);
             all.push(brace(Kind::Close, "}"));
             if let Some(name) = name {
-                macros.insert(name, Macro { arguments: 0, default: None, body: all });
+                aliases.remove(&name);
+                macros.insert(name, Macro { arguments: 0, default: None, body: all, behind: Vec::new() });
             }
         }
         "NewDocumentCommand" | "RenewDocumentCommand" => {
@@ -305,7 +311,8 @@ fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> bool {
             let plain = kinds.chars().all(|c| c == 'm' || c.is_whitespace());
             let arguments = kinds.chars().filter(|c| *c == 'm').count().min(MOST_ARGUMENTS);
             if let Some(name) = name.filter(|_| plain) {
-                macros.insert(name, Macro { arguments, default: None, body });
+                aliases.remove(&name);
+                macros.insert(name, Macro { arguments, default: None, body, behind: Vec::new() });
             }
         }
         _ => return false,
@@ -322,6 +329,11 @@ fn call(found: &Macro, token: &Token, rest: &mut Rest, most: usize) -> Option<Ve
     }
     while values.len() < found.arguments {
         values.push(argument(rest));
+    }
+    for expected in &found.behind {
+        if rest.last().is_some_and(|(t, _)| t.kind == expected.kind && t.text == expected.text) {
+            rest.pop();
+        }
     }
     let mut out = Vec::new();
     for t in &found.body {

@@ -1,0 +1,203 @@
+//! The cases that a text treats one after the other, and what it takes back or asks.
+//!
+//! **In:** the text of a file. **Out:** whether what is said at one place may be of another case than what stands at a later one; whether the
+//! words around a formula deny it, or ask for it. **Guaranteed:** words only keep something from being used, or from being judged.
+
+/// Words that begin a sentence about a case.
+const OPENERS: &[&str] = &[
+    "For",
+    "If",
+    "When",
+    "At",
+    "Suppose",
+    "Case",
+    "Consider",
+    "Considering",
+    "Assume",
+    "Near",
+    "In",
+    "On",
+    "Now",
+    "Alternatively",
+    "Instead",
+    "Otherwise",
+    "Similarly",
+    "Likewise",
+    "Finally",
+    "Next",
+    "Without",
+    "With",
+];
+/// Those of them that say of what follows in their sentence that it is one.
+const CASES: &[&str] = &["For", "If", "When", "At", "Suppose", "Case", "Assume", "Near"];
+
+/// The longest text of a sentence that is looked at before a formula, and behind it.
+const BEFORE: usize = 160;
+const BEHIND: usize = 100;
+
+/// Words with which a sentence denies its formula.
+const DENIES: &[&str] = &[
+    "not true",
+    "untrue",
+    "is false",
+    "are false",
+    "incorrect",
+    "(wrong",
+    "wrong!",
+    "is wrong",
+    "are wrong",
+    "not hold",
+    "n't hold",
+    "not have",
+    "not the case",
+    "not correct",
+    "not in general",
+    "not equal",
+    "not valid",
+    "never holds",
+    "mistake",
+    "erroneous",
+    "fallacy",
+];
+
+/// Commands whose argument is a choice of a question.
+const CHOICES: &[&str] = &[r"\choice", r"\wrongchoice", r"\correctchoice", r"\CorrectChoice", r"\task", r"\answer"];
+
+/// Where the cases of a text begin.
+#[derive(Clone, Debug, Default)]
+pub struct Cases {
+    /// Sentences that begin with a word of [`OPENERS`].
+    openers: Vec<(usize, &'static str)>,
+    /// Where items of lists begin, and where lists end.
+    items: Vec<(usize, bool)>,
+    /// Where sentences and paragraphs end.
+    stops: Vec<usize>,
+}
+
+impl Cases {
+    /// Finds the cases of a text.
+    pub fn of(text: &str) -> Cases {
+        let mut out = Cases::default();
+        for &word in OPENERS {
+            let is_word = |at: usize| {
+                let before = text[..at].chars().next_back();
+                let behind = text[at + word.len()..].chars().next();
+                !before.is_some_and(|c| c.is_alphanumeric() || matches!(c, '\\' | '{' | '-' | '$' | '_'))
+                    && behind.is_some_and(|c| c.is_whitespace() || c == '~' || c == ',')
+            };
+            out.openers
+                .extend(text.match_indices(word).map(|(at, _)| at).filter(|&at| is_word(at)).map(|at| (at, word)));
+        }
+        out.openers.sort_unstable();
+        out.items.extend(text.match_indices(r"\item").map(|(at, _)| (at, true)));
+        for end in [r"\end{itemize", r"\end{enumerate", r"\end{description"] {
+            out.items.extend(text.match_indices(end).map(|(at, _)| (at, false)));
+        }
+        out.items.sort_unstable();
+        for stop in [". ", ".\n", ".$ ", ".\\]", ".\\end{", ".$$", "\n\n", "? ", "?\n"] {
+            out.stops.extend(text.match_indices(stop).map(|(at, _)| at));
+        }
+        out.stops.sort_unstable();
+        out
+    }
+
+    /// Whether what is said at `from` may be of another case than what stands at `to`. Where it has to be the same, `is_sure`, any word that
+    /// may begin a case parts them, and so does an item of a list; else the same word again, as in "For a disc … For a ring".
+    pub fn parted(&self, from: usize, to: usize, is_sure: bool) -> bool {
+        let before = |at: usize| self.items.partition_point(|(place, _)| *place < at);
+        let (first, last) = (before(from), before(to));
+        let in_item = first > 0 && self.items[first - 1].1;
+        if is_sure && in_item && self.items[first..last.max(first)].iter().any(|(_, begins)| *begins) {
+            return true;
+        }
+        let first = self.openers.partition_point(|(place, _)| *place < from);
+        let last = self.openers.partition_point(|(place, _)| *place < to);
+        let Some(&(opened, own)) = first.checked_sub(1).and_then(|k| self.openers.get(k)) else { return false };
+        let ends = self.stops.partition_point(|stop| *stop < opened);
+        let is_open = self.stops.get(ends).is_none_or(|stop| *stop >= from);
+        if !is_open || !CASES.contains(&own) {
+            return false;
+        }
+        self.openers[first..last.max(first)].iter().any(|(_, word)| is_sure || *word == own)
+    }
+}
+
+/// What the words around a formula do with it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stance {
+    /// They say it.
+    Said,
+    /// They deny it.
+    Denied,
+    /// They ask for it, or offer it as a choice.
+    Asked,
+}
+
+/// What the words of its sentence do with the formula between two places of a text.
+pub fn stance(text: &str, from: usize, to: usize) -> Stance {
+    let near = |mut at: usize| {
+        while at < text.len() && !text.is_char_boundary(at) {
+            at += 1;
+        }
+        at.min(text.len())
+    };
+    let from = near(from.min(text.len()));
+    let before = &text[near(from.saturating_sub(BEFORE))..from];
+    let opened = before.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, '$' | '(' | '\\' | '{'));
+    if CHOICES.iter().any(|c| opened.ends_with(c))
+        || opened.ends_with(']') && opened.rsplit('\\').next().is_some_and(|w| w.starts_with("choice"))
+    {
+        return Stance::Asked;
+    }
+    let start = [". ", ".\n", "\n\n", "? ", r".\]", ".$", r".\end"]
+        .iter()
+        .filter_map(|stop| before.rfind(stop).map(|at| at + stop.len()))
+        .max();
+    let before = before[start.unwrap_or(0)..].to_lowercase();
+    let behind = &text[near(to.min(text.len()))..near((to + BEHIND).min(text.len()))];
+    let stop = [". ", ".\n", "\n\n", "? ", "?\n", r".\]", ".$", r".\end", r"?\]", "?$"]
+        .iter()
+        .filter_map(|stop| behind.find(stop).map(|at| (at, *stop)))
+        .min();
+    let (behind, asks) = match stop {
+        Some((at, stop)) => (&behind[..at], stop.starts_with('?')),
+        None => (behind, behind.trim_end().ends_with('?')),
+    };
+    let behind = behind.to_lowercase();
+    if DENIES.iter().any(|w| before.contains(w) || behind.contains(w)) {
+        return Stance::Denied;
+    }
+    if asks { Stance::Asked } else { Stance::Said }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cases_part_what_is_said_in_them() {
+        let parted = |text: &str, sure: bool| {
+            let (from, to) = (text.find('1').expect("a place"), text.find('2').expect("a place"));
+            Cases::of(text).parted(from, to, sure)
+        };
+        assert!(parted("For a disc 1, so. For a ring 2", false));
+        assert!(!parted("For a disc 1, so that 2", true));
+        assert!(!parted("A disc has 1. For a ring 2", true));
+        assert!(parted("At the point 1 holds. If not, 2", true) && !parted("At the point 1 holds. If not, 2", false));
+        assert!(parted(r"\begin{itemize}\item 1 \item 2", true) && !parted(r"1 \begin{itemize}\item 2", true));
+        assert!(!parted("For a disc it turns. The sum is 1. For a ring 2", true));
+    }
+
+    #[test]
+    fn what_is_denied_or_asked_is_not_said() {
+        let of = |text: &str| {
+            let at = text.find('1').expect("a place");
+            stance(text, at, at + 1)
+        };
+        assert_eq!(of("It is not true that 1."), Stance::Denied);
+        assert_eq!(of("The formula 1 is false. Then"), Stance::Denied);
+        assert_eq!(of("This is not true. Then 1 holds."), Stance::Said);
+        assert_eq!(of("For which is 1 a solution? Then"), Stance::Asked);
+        assert_eq!(of(r"\choice{$1$}"), Stance::Asked);
+    }
+}
