@@ -329,3 +329,24 @@ fn standard_input_and_a_paper_that_is_saved_again_are_looked_through() {
     run.stdout(predicate::str::contains("1 defines"));
     rederive(folder.path(), &["lint", "-", "--watch"]).code(2);
 }
+
+/// What a text says of another case, denies, asks or means by its notation: see `tests/lint/never.txt`.
+#[test]
+fn what_may_be_meant_otherwise_is_neither_proved_nor_wrong() {
+    let mut found = Vec::new();
+    for line in include_str!("lint/never.txt").lines().filter(|l| !l.is_empty() && !l.starts_with('#')) {
+        let [word, which, text] = line.splitn(3, '|').collect::<Vec<_>>()[..] else { panic!("three fields: {line}") };
+        let all = words(&format!("\\usepackage{{physics}}\\begin{{document}}\n{text}\n\\end{{document}}"));
+        let told = |w: &Word| w.text() == word;
+        let is_told = match which {
+            "last" => all.last().is_some_and(|(w, _)| told(w)),
+            "any" => all.iter().any(|(w, _)| told(w)),
+            other => panic!("any or last, not {other}"),
+        };
+        assert!(!all.is_empty(), "nothing is read of {text}");
+        if is_told {
+            found.push(format!("{word}: {text}: {all:?}"));
+        }
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}

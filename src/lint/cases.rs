@@ -164,7 +164,10 @@ pub fn stance(text: &str, from: usize, to: usize) -> Stance {
         None => (behind, behind.trim_end().ends_with('?')),
     };
     let behind = behind.to_lowercase();
-    if DENIES.iter().any(|w| before.contains(w) || behind.contains(w)) {
+    let denied = ["is not", "are not", "isn't", "does not", "fails", "cannot"]
+        .iter()
+        .any(|w| behind.trim_start_matches(|c: char| !c.is_alphabetic()).starts_with(w));
+    if denied || DENIES.iter().any(|w| before.contains(w) || behind.contains(w)) {
         return Stance::Denied;
     }
     if asks { Stance::Asked } else { Stance::Said }

@@ -39,6 +39,7 @@ pub fn lint(paper: &Paper) -> Lint {
         earlier: None,
         cases: Vec::new(),
         compared: Vec::new(),
+        supposed: Vec::new(),
     };
     let judgements = (0..paper.printed.len()).map(|at| judge.relation(at)).collect();
     Lint { judgements }
@@ -88,6 +89,8 @@ pub(super) struct Judge<'p> {
     cases: Vec<(std::sync::Arc<diag::Source>, Cases)>,
     /// Comparisons, with their names: until when they hold is not known.
     compared: Vec<(usize, usize, BTreeSet<String>)>,
+    /// Equations that are supposed in the running text, "if $a=b$", with their names.
+    supposed: Vec<(usize, usize, BTreeSet<String>)>,
 }
 
 /// What became of the steps of a relation.
@@ -178,6 +181,10 @@ impl Judge<'_> {
         if out.word != Word::Wrong && !sentence.loosens && !(inline && is_supposed(self.paper, relation)) {
             self.state(relation, at, &open);
         }
+        if inline && is_supposed(self.paper, relation) {
+            let all = relation.sides.iter().flat_map(names).map(|n| n.key()).collect();
+            self.supposed.push((self.section, at, all));
+        }
         // One name for another in the running text is a case more often than a definition.
         let is_rate = |n: &paper::PaperName| n.dots > 0 || n.derived_by.is_some();
         if !(inline && lone_name(&relation.sides[1]).is_some_and(|n| !is_rate(&n))) {
@@ -219,6 +226,18 @@ impl Judge<'_> {
             self.cases.len() - 1
         });
         self.cases[known].1.parted(from.start, to.start, is_sure)
+    }
+
+    /// Whether an equation between the names of some sides is supposed before, in this section: the sides may be equal just then.
+    pub(super) fn is_supposed_of(&self, sides: [&PrintedSide; 2], at: usize) -> bool {
+        let own: BTreeSet<String> = sides.into_iter().flat_map(names).map(|n| n.key()).collect();
+        self.supposed.iter().any(|(section, before, all)| {
+            *section == self.section
+                && *before < at
+                && before + NEAR >= at
+                && all.len() > 1
+                && all.iter().all(|k| own.contains(k))
+        })
     }
 
     /// The display of a relation.
@@ -287,13 +306,6 @@ impl Judge<'_> {
             if !is_value && !left.is_list && !right.is_list {
                 let (left, right, section) = (left.clone(), right.clone(), self.parts[at]);
                 let in_text = relation.display.is_none();
-                // Another equation of motion for the same name is another motion.
-                if let Some(moved) = moved(&[&left, &right]) {
-                    let is_rival = |s: &Stated| {
-                        s.section == section && super::judge::moved(&[&s.left, &s.right]).as_ref() == Some(&moved)
-                    };
-                    self.facts.stated.retain(|s| !is_rival(s));
-                }
                 self.facts.stated.push(Stated { left, right, relation: at, section, names: keys, in_text });
             }
         }
@@ -336,8 +348,10 @@ impl Judge<'_> {
                 }
             }
             out.steps.1 += 1;
-            let blame = match (sentence.loosens, inline) {
+            let alone = relation.sides.len() == 2 && (first.is_none() || defining);
+            let blame = match (sentence.loosens || sentence.solves && alone || self.evidence.is_algebra(), inline) {
                 (true, _) => Blame::Nothing,
+                (false, _) if derived && sentence.fixes => Blame::Nothing,
                 (false, _) if derived => Blame::Steps,
                 (false, true) if defining || is_supposed(self.paper, relation) => Blame::Nothing,
                 (false, true) => Blame::Identities,
@@ -345,7 +359,6 @@ impl Judge<'_> {
                 (false, false) => Blame::Steps,
             };
             let solves = defining && !self.is_rate(first.as_ref());
-            let alone = relation.sides.len() == 2 && (first.is_none() || defining);
             let reach = if alone { Reach::Near { section: self.section, at } } else { Reach::Paper };
             let sureness = if derived {
                 Sureness::Derives

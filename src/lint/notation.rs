@@ -22,6 +22,8 @@ pub struct Evidence {
     numbered: BTreeSet<String>,
     /// Keys of names whose order counts: operators, matrices, elements of a group.
     ordered: BTreeSet<String>,
+    /// Keys of names that are called operators.
+    acting: BTreeSet<String>,
     /// Whether the paper is one of groups, rings or modules.
     is_algebra: bool,
     /// Keys of names that are equal, to some power, to what has a rate in it: they vary, though no rate of them is printed.
@@ -50,6 +52,8 @@ const ALGEBRA: &[&str] = &[
     "functor",
     "morphism",
     "sylow",
+    "legendre symbol",
+    "residue field",
     "quotient group",
     "quotient ring",
 ];
@@ -58,7 +62,6 @@ const MANY_WORDS: usize = 8;
 
 /// Words beside a lone name that say that its order counts.
 const ORDERED: &[&str] = &[
-    "operator",
     "matrix",
     "matrices",
     "commut",
@@ -71,6 +74,8 @@ const ORDERED: &[&str] = &[
     "group element",
     "linear map",
 ];
+/// Words beside a lone name that say that it acts on what follows.
+const ACTING: &[&str] = &["operator", "operators", "functional", "Operator"];
 /// How far from a name such a word may stand, in bytes.
 const BESIDE: usize = 70;
 
@@ -83,6 +88,7 @@ impl Evidence {
             let count: usize = ALGEBRA.iter().map(|w| text.matches(w).count()).sum();
             out.is_algebra |= count >= MANY_WORDS;
             out.ordered.extend(named_beside(&file.text, ORDERED));
+            out.acting.extend(named_beside(&file.text, ACTING));
         }
         let mut pairs: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         for relation in &paper.printed {
@@ -108,6 +114,11 @@ impl Evidence {
         };
         out.upper.extend(pairs.into_iter().filter(|(_, all)| turned(all)).map(|(base, _)| base));
         out
+    }
+
+    /// Whether the paper is one of groups, rings or modules: what is printed as a product, or a sum, may be anything.
+    pub fn is_algebra(&self) -> bool {
+        self.is_algebra
     }
 
     /// Whether a name varies, though the paper prints no rate of it.
@@ -146,11 +157,20 @@ impl Evidence {
         if has_pair(&all) {
             return found("a pair: a point, or a product of two vectors");
         }
+        if has_named_function(&all) {
+            return found("a function by its name, or a product");
+        }
+        if has_norm(&side.text) {
+            return found("a norm, or an absolute value");
+        }
         if let Some(what) = call(&all) {
             return found(what);
         }
         if (self.has_imaginary || squares_an_absolute_value(&side.text)) && has_bars(&side.text) {
             return found("an absolute value of what may be complex");
+        }
+        if paper::names(side).iter().any(|n| self.acting.contains(&squeezed(&n.key()))) {
+            return found("an operator, or a factor");
         }
         let mut ordered = paper::names(side)
             .into_iter()
@@ -598,8 +618,34 @@ fn has_bars(text: &str) -> bool {
 fn squares_an_absolute_value(text: &str) -> bool {
     let squeezed: String = text.chars().filter(|c| !c.is_whitespace()).collect();
     let styles = [r"\mathbf", r"\vec", r"\boldsymbol", r"\bf", r"\bm", r"\nabla", r"\hat"];
-    ["|^2", "|^{2}", r"\rvert^2", r"\rvert^{2}", r"\right|^2", r"\vert^2"].iter().any(|w| squeezed.contains(w))
-        && !styles.iter().any(|s| squeezed.contains(s))
+    let by_command = squeezed.contains(r"\abs") && (squeezed.contains("}^2") || squeezed.contains("}^{2}"));
+    by_command && !styles.iter().any(|s| squeezed.contains(s))
+        || ["|^2", "|^{2}", r"\rvert^2", r"\rvert^{2}", r"\right|^2", r"\vert^2"].iter().any(|w| squeezed.contains(w))
+            && !styles.iter().any(|s| squeezed.contains(s))
+}
+
+/// A norm of what is no vector in print.
+fn has_norm(text: &str) -> bool {
+    let bold = [r"\mathbf", r"\vec", r"\boldsymbol", r"\bf", r"\bm", r"\nabla"].iter().any(|s| text.contains(s));
+    !bold && [r"\norm", r"\|", r"\lVert", r"\Vert"].iter().any(|n| text.contains(n))
+}
+
+/// An upright word before parentheses or a letter: `\mathrm{Var}(X)`.
+fn has_named_function(all: &[&str]) -> bool {
+    (0..all.len()).any(|i| {
+        if !matches!(all[i], r"\mathrm" | r"\operatorname" | r"\text" | r"\textrm" | r"\mathop")
+            || i > 0 && is_script(all, i)
+        {
+            return false;
+        }
+        if i > 1 && all[i - 1] == "{" && is_script(all, i - 1) {
+            return false;
+        }
+        let end = behind(all, i + 1);
+        let letters =
+            all[i + 1..end.min(all.len())].iter().filter(|t| t.chars().all(|c| c.is_ascii_alphabetic())).count();
+        letters > 1 && all.get(end).is_some_and(|t| *t == "(" || *t == "[" || is_letter_token(t) || *t == r"\left")
+    })
 }
 
 /// Two letters side by side.

@@ -138,33 +138,53 @@ pub fn ask(
     Ok(Asked { desk, premises, equations, identity, is_vacuous, text: read.text })
 }
 
-/// Whether both sides are products of the same names, and differ in nothing but their order.
+/// Whether both sides are the same but for the order of factors: those of operators, or of fields that anticommute, do not change places.
 fn only_reorders(text: &str, desk: &Desk) -> bool {
-    fn sequence(node: &Node, out: &mut Vec<String>) -> bool {
-        match &node.kind {
-            // The order of a product of two vectors does not count.
-            NodeKind::Symbol(s) if s.name.starts_with("bf:") || s.name.starts_with("vec:") => false,
-            NodeKind::Symbol(s) => {
-                out.push(format!("{}{:?}{:?}", s.name, s.sub, s.sup.is_some()));
-                s.arguments.is_none() && s.sup.is_none()
-            }
-            NodeKind::Group(inner, _) => sequence(inner, out),
-            // A sign of multiplication before parentheses was put there.
-            NodeKind::Product(parts) | NodeKind::Dot(parts) => parts.iter().all(|p| sequence(p, out)),
-            _ => false,
-        }
-    }
     let Ok(chains) = latex::parse(text, &desk.scope) else { return false };
     let [chain] = chains.as_slice() else { return false };
-    let mut found = [Vec::new(), Vec::new()];
-    let plain = chain.sides.iter().zip(&mut found).all(|(side, out)| sequence(side, out));
-    let [first, second] = found;
-    let sorted = |v: &Vec<String>| {
-        let mut v = v.clone();
-        v.sort();
-        v
-    };
-    plain && chain.sides.len() == 2 && first != second && sorted(&first) == sorted(&second)
+    let [left, right] = chain.sides.as_slice() else { return false };
+    in_print(left, false) != in_print(right, false) && in_print(left, true) == in_print(right, true)
+}
+
+/// A formula as a text, with the factors of every product in an order of their own where that is wanted. Products of vectors keep theirs.
+fn in_print(node: &Node, is_sorted: bool) -> String {
+    let children = |parts: Vec<&Node>| parts.into_iter().map(|n| in_print(n, is_sorted)).collect::<Vec<_>>();
+    let is_vector =
+        |n: &Node| matches!(&n.kind, NodeKind::Symbol(s) if s.name.starts_with("bf:") || s.name.starts_with("vec:"));
+    match &node.kind {
+        NodeKind::Group(inner, _) => in_print(inner, is_sorted),
+        // A sign of multiplication before parentheses was put there.
+        NodeKind::Product(parts) | NodeKind::Dot(parts) if !parts.iter().any(is_vector) => {
+            let mut all: Vec<String> = Vec::new();
+            for part in parts {
+                let inner = match &part.kind {
+                    NodeKind::Group(inner, _) => inner,
+                    _ => part,
+                };
+                match &inner.kind {
+                    NodeKind::Product(more) => all.extend(children(more.iter().collect())),
+                    _ => all.push(in_print(inner, is_sorted)),
+                }
+            }
+            if is_sorted {
+                all.sort();
+            }
+            all.join("*")
+        }
+        NodeKind::Symbol(s) => {
+            let above = s.sup.as_ref().map(|n| in_print(n, is_sorted)).unwrap_or_default();
+            let places = s.arguments.as_ref().map(|a| children(a.iter().collect()).join(",")).unwrap_or_default();
+            format!("{}{:?}{}^({above})({places})", s.name, s.sub, s.dots)
+        }
+        NodeKind::Sum(terms) => {
+            terms.iter().map(|(sign, n)| format!("{sign:?}{}", in_print(n, is_sorted))).collect::<Vec<_>>().join(" ")
+        }
+        kind => {
+            let name = format!("{:?}", std::mem::discriminant(kind));
+            let own = if node.children().is_empty() { format!("{kind:?}") } else { name };
+            format!("{own}[{}]", children(node.children()).join(";"))
+        }
+    }
 }
 
 /// Whether the premises prove that the left sides of all pairs are zero.

@@ -118,6 +118,25 @@ const LOOSENS: &[&str] = &[
     "not equal",
 ];
 
+/// Words of a sentence whose equation is to be solved.
+const SOLVES: &[&str] = &[
+    "to solve",
+    "must solve",
+    "we solve",
+    "solve the",
+    "solve for",
+    "solutions to",
+    "solutions of",
+    "solution to",
+    "solution of",
+    "satisf",
+    "intersect",
+    "find the",
+    "set equal",
+    "root of",
+    "roots of",
+];
+
 /// Words of a sentence that gives a name another meaning, or another case.
 const CHANGES: &[&str] = &[
     "now",
@@ -166,6 +185,10 @@ pub struct Sentence {
     pub loosens: bool,
     /// It gives a name another meaning, or treats another case.
     pub changes: bool,
+    /// Its equation is to be solved.
+    pub solves: bool,
+    /// It says that something is held fixed.
+    pub fixes: bool,
 }
 
 impl Sentence {
@@ -187,6 +210,8 @@ impl Sentence {
             names: named(&before),
             concludes: CONCLUDES.iter().any(|w| last.contains(w)),
             changes: last.split(|c: char| !c.is_alphabetic()).any(|w| CHANGES.contains(&w)),
+            fixes: ["constant", "fixed", "held"].iter().any(|w| last.contains(w)),
+            solves: SOLVES.iter().any(|w| last.contains(w)),
             loosens: loose(&lower) || loose(&first_sentence(&behind.to_lowercase())),
         }
     }
@@ -252,6 +277,8 @@ const SUPPOSES: &[&str] = &[
     "taking",
     "setting",
     "try",
+    "solve",
+    "solving",
     "trying",
     "guess",
     "guessing",
@@ -446,7 +473,14 @@ mod tests {
         let found = sentence(r"\[ a=b \] Inserting \eqref{one} into Eq.~(2) we obtain \[ c=d \]");
         assert_eq!(
             found,
-            Sentence { names: vec!["2".into(), "one".into()], concludes: true, loosens: false, changes: false }
+            Sentence {
+                names: vec!["2".into(), "one".into()],
+                concludes: true,
+                loosens: false,
+                changes: false,
+                solves: false,
+                fixes: false
+            }
         );
         assert!(sentence(r"\[ a=b \] Neglecting the last term, \[ c=d \]").loosens);
         assert!(sentence(r"\[ a=b \] So we have \[ c=d \] where the constant is absorbed.").loosens);

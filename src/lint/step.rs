@@ -10,7 +10,7 @@ use proof::Identity;
 
 use super::desk::{Given, NotRead, unprimed};
 use super::facts::{Reach, Stated};
-use super::judge::Judge;
+use super::judge::{Judge, moved};
 use super::nearest::{Sureness, WrongStep, introduces_nothing, is_slip_of, nearest};
 use super::numbers::agreement;
 use super::question::{Asked, MOST_QUESTIONS, Positive, Rests, TOO_LONG, ask};
@@ -121,7 +121,7 @@ impl Judge<'_> {
         let mut with_rates = self.facts.definitions(&sides, reach, has_rates);
         plain.retain(|g| !self.are_parted(g.relation, place.at, is_sure));
         with_rates.retain(|g| !self.are_parted(g.relation, place.at, is_sure));
-        if let Some(of) = held_fixed(sides, &plain, true) {
+        if let Some(of) = held_fixed(sides, &plain, true, true) {
             // What depends on the variable in a second way may be held fixed.
             plain.retain(|g| of.contains(&g.key));
             with_rates.retain(|g| of.contains(&g.key));
@@ -130,7 +130,7 @@ impl Judge<'_> {
             out.push(rests(plain.clone(), Vec::new()));
         }
         // `C'(r)` of a formula with V in it, which is held fixed, though it is \pi r^2h.
-        if let Some(of) = held_fixed(sides, &plain, false) {
+        if let Some(of) = held_fixed(sides, &plain, false, false) {
             out.push(rests(plain.iter().filter(|g| of.contains(&g.key)).cloned().collect(), Vec::new()));
         }
         if with_rates.len() > plain.len() {
@@ -155,6 +155,17 @@ impl Judge<'_> {
             all.extend(stated.iter().flat_map(|s| [&s.left, &s.right]));
             rests(self.facts.definitions(&all, reach, false), stated.clone())
         };
+        let singles = if stated.len() > 1 { stated.clone() } else { Vec::new() };
+        // Two equations of motion for the same name are two motions: together they say that nothing moves.
+        let mut motions: Vec<(String, usize)> = Vec::new();
+        stated.retain(|s| match moved(&[&s.left, &s.right]) {
+            Some(name) if motions.contains(&name) => false,
+            Some(name) => {
+                motions.push(name);
+                true
+            }
+            None => true,
+        });
         if !stated.is_empty() {
             out.push(with_definitions(stated.clone()));
             // A definition may be a case that makes both sides zero: what proves the step without it is asked, too, never what refutes it.
@@ -162,9 +173,7 @@ impl Judge<'_> {
                 out.push(rests(Vec::new(), stated.clone()));
             }
         }
-        if stated.len() > 1 {
-            out.extend(stated.into_iter().map(|one| with_definitions(vec![one])));
-        }
+        out.extend(singles.into_iter().map(|one| with_definitions(vec![one])));
         out
     }
 
@@ -204,9 +213,12 @@ impl Judge<'_> {
     fn wrong(&mut self, sides: [&PrintedSide; 2], place: &Place, asked: &mut Vec<(Asked, Rests)>) -> Option<WrongStep> {
         let defined = self.facts.definitions(&sides, place.reach, false);
         let is_open = sides.iter().any(|s| has_open_derivative(&s.text))
-            || [true, false].iter().any(|&partial| held_fixed(sides, &defined, partial).is_some());
+            || [true, false].iter().any(|&partial| held_fixed(sides, &defined, partial, false).is_some());
         // Between absolute values and roots, where a name is negative counts.
-        if is_open || sides.iter().any(|s| has_roots(&s.text)) && self.is_compared(sides, place.at) {
+        if is_open
+            || self.is_supposed_of(sides, place.at)
+            || sides.iter().any(|s| has_roots(&s.text)) && self.is_compared(sides, place.at)
+        {
             return None;
         }
         for rests in self.supports(sides, place, Reach::Here { section: self.section, at: place.at }) {
@@ -243,7 +255,12 @@ impl Judge<'_> {
 
 /// Where a derivative is taken of what is defined, and another definition depends on its variable, too: the names that are derived. What is
 /// held fixed is not said then. The time is no such variable.
-fn held_fixed(sides: [&PrintedSide; 2], given: &[Given], is_partial: bool) -> Option<BTreeSet<String>> {
+fn held_fixed(
+    sides: [&PrintedSide; 2],
+    given: &[Given],
+    is_partial: bool,
+    wants_shown: bool,
+) -> Option<BTreeSet<String>> {
     let mut of: BTreeSet<String> = BTreeSet::new();
     let mut by: BTreeSet<String> = BTreeSet::new();
     for name in sides.into_iter().flat_map(names) {
@@ -267,7 +284,10 @@ fn held_fixed(sides: [&PrintedSide; 2], given: &[Given], is_partial: bool) -> Op
     }
     let depends =
         |g: &&Given| !g.is_rate && !of.contains(&g.key) && names(&g.right).iter().any(|n| by.contains(&n.key()));
-    given.iter().any(|g| depends(&g)).then_some(of)
+    // Where a formula shows the variable, that is what it is derived by; `L=T-V` shows none, and its terms are derived.
+    let shows = |g: &&Given| of.contains(&g.key) && names(&g.right).iter().any(|n| by.contains(&n.key()));
+    let is_meant = !is_partial || !wants_shown || given.iter().any(|g| shows(&g));
+    (is_meant && given.iter().any(|g| depends(&g))).then_some(of)
 }
 
 /// Whether `\frac{d}{dx}` stands before a factor without parentheses, and a sum goes on behind it: it may reach to its end.
