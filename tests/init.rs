@@ -101,7 +101,7 @@ fn no_formula_is_lost_or_changed_by_another() {
     // A charge is one where it is printed; elsewhere e is Euler's number.
     assert!(!of_the_file(&draft).contains("'e' ="), "{}", draft.text);
     assert_eq!(draft.text.matches("'e' = ").count(), 1, "{}", draft.text);
-    for name in ["`integral`", "`sum`", "approximation", "an upper index", "`bra-ket`", "a hat"] {
+    for name in ["`integral`", "`sum`", "approximation", "an index above", "`bra-ket`", "a hat"] {
         assert!(draft.text.contains(name), "{name} in {}", draft.text);
     }
 }

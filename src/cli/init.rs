@@ -37,7 +37,9 @@ pub fn init(arguments: &InitArguments) -> Result<Ending, Stop> {
     }
     let draft = paper::draft(&paper, &path.file_name().unwrap_or_default().to_string_lossy());
     let usual = || PathBuf::from("derivations").join(path.with_extension("toml").file_name().unwrap_or_default());
-    let output = arguments.output.clone().unwrap_or_else(usual);
+    // As an object, with no file named, the draft stands in it.
+    let shown = || if arguments.format == InitFormat::Json { PathBuf::from("-") } else { usual() };
+    let output = arguments.output.clone().unwrap_or_else(shown);
     let is_printed = output.as_os_str() == "-";
     if !is_printed {
         write::write_new(&output, draft.text.as_bytes())?;

@@ -10,6 +10,7 @@ use std::ops::Range;
 use super::alike::{double_bars, primes, styles_under_dots, transposes, without_empty_braces};
 use super::lexer::{Kind, Token, tokens};
 use super::macros::{self, Macro};
+use super::name;
 use super::refusal::{DEEPEST, Parsed, refuse};
 use super::unicode;
 
@@ -33,6 +34,7 @@ fn is_short(token: &Token) -> bool {
                         | "choose"
                         | "atop"
                         | "dv"
+                        | "odv"
                         | "derivative"
                         | "pdv"
                         | "partialderivative"
@@ -121,6 +123,16 @@ impl<'a> Expansion<'a> {
                     out.push(self.tokens[close].clone());
                     at = close + 1;
                 }
+                Kind::Command(c) if name::style(c).is_some() && self.lowered(at).is_some() => {
+                    // `\vec{r_1}` is `\vec{r}_1`: one name with its label.
+                    let (script, close) = self.lowered(at).unwrap_or((at, at));
+                    out.push(token.clone());
+                    out.push(self.tokens[at + 1].clone());
+                    self.region(at + 2..script, depth + 1, out)?;
+                    out.push(self.tokens[close].clone());
+                    self.region(script..close, depth + 1, out)?;
+                    at = close + 1;
+                }
                 Kind::Command(c) if is_short(token) => at = self.short(c, at, range.end, depth, out)?,
                 _ => {
                     out.push(token.clone());
@@ -159,6 +171,27 @@ impl<'a> Expansion<'a> {
         let end = self.tokens[range.end].span.start;
         out.push(sign('}', &(end..end)));
         Ok(())
+    }
+
+    /// At an accent or a style over one name with a subscript: where the subscript begins, and where the braces close.
+    fn lowered(&self, at: usize) -> Option<(usize, usize)> {
+        let upright =
+            matches!(self.kind(at), Some(Kind::Command(c)) if name::style(c) == Some("rm") || name::is_switch(c));
+        if upright || !self.is(at + 1, '{') {
+            return None;
+        }
+        let close = self.closing[at + 1];
+        let base = match self.kind(at + 2)? {
+            Kind::Letter(_) => at + 3,
+            Kind::Command(c) if name::is_letter_command(c) => at + 3,
+            Kind::Command(c) if name::style(c).is_some() && self.is(at + 3, '{') => self.closing[at + 3] + 1,
+            _ => return None,
+        };
+        let end = match self.is(base + 1, '{') {
+            true => self.closing[base + 1] + 1,
+            false => base + 2,
+        };
+        (self.is(base, '_') && end == close && base + 1 < close).then_some((base, close))
     }
 
     /// One argument of a command as TeX takes it: its tokens, and where it ends.
@@ -202,7 +235,7 @@ impl<'a> Expansion<'a> {
                 let message = format!("`\\{c}` without braces around what it divides");
                 refuse("latex::ambiguous", message, self.tokens[at].span.clone(), r"write `\frac{…}{…}`")
             }
-            "dv" | "derivative" => self.derivative((r"\mathrm{d}", 2), at, end, depth, out),
+            "dv" | "odv" | "derivative" => self.derivative((r"\mathrm{d}", 2), at, end, depth, out),
             "pdv" | "partialderivative" => self.derivative((r"\partial ", 3), at, end, depth, out),
             "fdv" => self.derivative((r"\delta ", 2), at, end, depth, out),
             "qty" | "quantity" if !self.is(at + 1, '{') => Ok(self.star(at + 1)),

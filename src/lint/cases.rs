@@ -58,6 +58,10 @@ const DENIES: &[&str] = &[
     "mistake",
     "erroneous",
     "fallacy",
+    "not an identity",
+    "is impossible",
+    "not satisfied",
+    "cannot hold",
 ];
 
 /// Commands whose argument is a choice of a question.
@@ -164,10 +168,7 @@ pub fn stance(text: &str, from: usize, to: usize) -> Stance {
         None => (behind, behind.trim_end().ends_with('?')),
     };
     let behind = behind.to_lowercase();
-    let denied = ["is not", "are not", "isn't", "does not", "fails", "cannot"]
-        .iter()
-        .any(|w| behind.trim_start_matches(|c: char| !c.is_alphabetic()).starts_with(w));
-    if denied || DENIES.iter().any(|w| before.contains(w) || behind.contains(w)) {
+    if DENIES.iter().any(|w| before.contains(w) || behind.contains(w)) {
         return Stance::Denied;
     }
     if asks { Stance::Asked } else { Stance::Said }

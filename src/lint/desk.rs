@@ -12,8 +12,8 @@ use expr::{Expr, Graph, Leaf, Shape, Symbol};
 use latex::{Declaration, Role, Scope, Statement};
 use paper::{Call, Paper, PaperName, PrintedSide, names};
 
-use super::facts::squeezed;
 use super::notation::Evidence;
+use paper::squeezed;
 
 /// Longest side, in bytes, that is looked at for evidence.
 const LONGEST_SIDE: usize = 20_000;

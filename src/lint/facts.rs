@@ -6,7 +6,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use paper::{PrintedSide, names};
+use paper::{PrintedSide, names, squeezed};
 
 use super::desk::{Given, unprimed};
 
@@ -144,11 +144,6 @@ impl Facts {
         }
         out
     }
-}
-
-/// A text without spaces and braces.
-pub fn squeezed(text: &str) -> String {
-    text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}')).collect()
 }
 
 /// The keys of a side, and of what its names are defined by.

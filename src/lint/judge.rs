@@ -5,10 +5,9 @@ use std::ops::Range;
 
 use paper::{Paper, PrintedRelation, PrintedSide, names};
 
-use super::cases::{Cases, Stance, stance};
+use super::cases::{Cases, Stance};
 use super::desk::{Desk, Given, NotRead, evidence_of, lone_name, unprimed};
-use super::facts::squeezed;
-use super::facts::{Facts, NEAR, PositiveName, Reach, Stated};
+use super::facts::{Facts, PositiveName, Reach, Stated};
 use super::nearest::Sureness;
 use super::notation::Evidence;
 use super::question::MOST_QUESTIONS;
@@ -16,11 +15,12 @@ use super::sentence::{Sentence, explains, is_supposed, parts};
 use super::signs::{ABOUT, COMPARES, EQUALS, is_one_of};
 use super::step::{Blame, Place, Step};
 use super::{Judgement, Lint, Word};
+use paper::squeezed;
 
 /// Longest side, in bytes, that is looked at.
 const LONGEST: usize = 1500;
 /// Relations behind a display that may explain its names.
-const MOST_EXPLAINED: usize = 8;
+pub(super) const MOST_EXPLAINED: usize = 8;
 
 /// The words on every relation that a paper prints.
 pub fn lint(paper: &Paper) -> Lint {
@@ -71,7 +71,7 @@ pub fn typesetting(paper: &Paper) -> Vec<Option<Typeset>> {
 }
 
 pub(super) struct Judge<'p> {
-    paper: &'p Paper,
+    pub(super) paper: &'p Paper,
     pub(super) evidence: Evidence,
     pub(super) facts: Facts,
     /// The part of each relation in which its names mean the same.
@@ -86,11 +86,11 @@ pub(super) struct Judge<'p> {
     /// The place of the last relation of a display.
     earlier: Option<Range<usize>>,
     /// The cases of each file.
-    cases: Vec<(std::sync::Arc<diag::Source>, Cases)>,
+    pub(super) cases: Vec<(std::sync::Arc<diag::Source>, Cases)>,
     /// Comparisons, with their names: until when they hold is not known.
-    compared: Vec<(usize, usize, BTreeSet<String>)>,
+    pub(super) compared: Vec<(usize, usize, BTreeSet<String>)>,
     /// Equations that are supposed in the running text, "if $a=b$", with their names.
-    supposed: Vec<(usize, usize, BTreeSet<String>)>,
+    pub(super) supposed: Vec<(usize, usize, BTreeSet<String>)>,
 }
 
 /// What became of the steps of a relation.
@@ -138,7 +138,15 @@ impl Judge<'_> {
             out.why = format!("the sign `{}`", diag::escape::in_one_line(sign));
             return out;
         }
-        if relation.signs.iter().any(|s| is(COMPARES, s)) {
+        // That a name is positive is known to the proofs.
+        let is_sign = relation.sides.len() == 2
+            && (relation.signs[0] == ">"
+                && relation.sides[1].text.trim() == "0"
+                && lone_name(&relation.sides[0]).is_some()
+                || relation.signs[0] == "<"
+                    && relation.sides[0].text.trim() == "0"
+                    && lone_name(&relation.sides[1]).is_some());
+        if relation.signs.iter().any(|s| is(COMPARES, s)) && !is_sign {
             let all = relation.sides.iter().flat_map(names).map(|n| n.key()).collect();
             self.compared.push((self.section, at, all));
         }
@@ -191,66 +199,6 @@ impl Judge<'_> {
             self.define(relation, at);
         }
         out
-    }
-
-    /// What the words of its sentence do with a relation.
-    fn stance(&self, relation: &PrintedRelation) -> Stance {
-        let remark = relation.remark.as_deref().unwrap_or_default().to_lowercase();
-        if ["wrong", "false", "incorrect", "not true"].iter().any(|w| remark.contains(w)) {
-            return Stance::Denied;
-        }
-        let (file, span) = self.paper.locate(&relation.span());
-        stance(&file.text, span.start, span.end)
-    }
-
-    /// Whether a relation stands in a display with "or" between its formulas.
-    fn is_alternative(&self, relation: &PrintedRelation) -> bool {
-        let has_or = |r: &PrintedRelation| {
-            r.remark.as_deref().is_some_and(|words| words.split(|c: char| !c.is_alphabetic()).any(|w| w == "or"))
-        };
-        relation.display.is_some()
-            && relation.sides.len() == 2
-            && self.paper.printed.iter().filter(|r| r.display == relation.display).take(MOST_EXPLAINED).any(has_or)
-    }
-
-    /// Whether what one relation says may be of another case than a later one.
-    pub(super) fn are_parted(&mut self, before: usize, at: usize, is_sure: bool) -> bool {
-        let place = |k: usize| self.paper.locate(&self.paper.printed[k].span());
-        let ((file, from), (other, to)) = (place(before), place(at));
-        if !std::sync::Arc::ptr_eq(file, other) || before >= at {
-            return false;
-        }
-        let known = self.cases.iter().position(|(f, _)| std::sync::Arc::ptr_eq(f, file));
-        let known = known.unwrap_or_else(|| {
-            self.cases.push((file.clone(), Cases::of(&file.text)));
-            self.cases.len() - 1
-        });
-        self.cases[known].1.parted(from.start, to.start, is_sure)
-    }
-
-    /// Whether an equation between the names of some sides is supposed before, in this section: the sides may be equal just then.
-    pub(super) fn is_supposed_of(&self, sides: [&PrintedSide; 2], at: usize) -> bool {
-        let own: BTreeSet<String> = sides.into_iter().flat_map(names).map(|n| n.key()).collect();
-        self.supposed.iter().any(|(section, before, all)| {
-            *section == self.section
-                && *before < at
-                && before + NEAR >= at
-                && all.len() > 1
-                && all.iter().all(|k| own.contains(k))
-        })
-    }
-
-    /// The display of a relation.
-    pub(super) fn display_of(&self, at: usize) -> Option<usize> {
-        self.paper.printed[at].display
-    }
-
-    /// Whether a comparison before, in this section, is about a name of some sides.
-    pub(super) fn is_compared(&self, sides: [&PrintedSide; 2], at: usize) -> bool {
-        let own: BTreeSet<String> = sides.into_iter().flat_map(names).map(|n| n.key()).collect();
-        self.compared.iter().any(|(section, before, all)| {
-            *section == self.section && *before < at && before + NEAR >= at && all.iter().any(|k| own.contains(k))
-        })
     }
 
     /// What the words around the display of a relation say; a formula of the running text has none.

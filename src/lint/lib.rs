@@ -23,6 +23,7 @@ mod numbers;
 mod obstacle;
 mod question;
 mod sentence;
+mod setting;
 mod shown;
 mod signs;
 mod slips;

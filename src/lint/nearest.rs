@@ -13,11 +13,11 @@ use proof::{Identity, Point, Refutation, Wanted};
 use expr::{Graph, Leaf, Rational};
 
 use super::desk::{Given, pairs_of};
-use super::facts::squeezed;
 use super::numbers::{absorbs, agreement, curves, holds_at, ratio};
 use super::question::{Asked, MOST_QUESTIONS, Rests, tested, vanishes};
 use super::slips::{Alteration, Slip, size, slips, symbols};
 use super::{LintPicture, LintWitness};
+use paper::squeezed;
 
 /// Slips that are tried of one side.
 const MOST_SLIPS: usize = 260;

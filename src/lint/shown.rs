@@ -15,16 +15,25 @@ const WIDTH: usize = 78;
 pub fn explained(paper: &Paper, judgement: &Judgement) -> String {
     let mut out = in_one_line(&judgement.why);
     if !judgement.with.is_empty() {
-        let mut lines: Vec<usize> =
-            judgement.with.iter().filter_map(|r| paper.printed.get(*r)).map(|r| paper.line(&r.span())).collect();
+        let own = paper.locate(&judgement.span).0;
+        let (mut lines, mut others): (Vec<usize>, Vec<String>) = (Vec::new(), Vec::new());
+        for relation in judgement.with.iter().filter_map(|r| paper.printed.get(*r)) {
+            let (line, file) = (paper.line(&relation.span()), paper.locate(&relation.span()).0);
+            match std::sync::Arc::ptr_eq(own, file) {
+                true => lines.push(line),
+                false => others.push(format!("{}:{line}", in_one_line(&file.path))),
+            }
+        }
         lines.sort_unstable();
         lines.dedup();
         let many: Vec<String> = lines.iter().map(usize::to_string).collect();
         let word = if many.len() == 1 { "line" } else { "lines" };
+        let here = (!many.is_empty()).then(|| format!("{word} {}", many.join(", ")));
+        let all: Vec<String> = here.into_iter().chain(others).collect();
         if !out.is_empty() {
             out.push_str("; ");
         }
-        let _ = write!(out, "with {word} {}", many.join(", "));
+        let _ = write!(out, "with {}", all.join(", "));
     }
     out
 }

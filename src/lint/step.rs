@@ -272,8 +272,7 @@ fn held_fixed(
         let of_definition =
             || given.iter().filter(|g| g.key == key).find_map(|g| names(&g.left).first().and_then(place));
         let variable = match (&name.derived_by, is_partial) {
-            (Some(by), true) => Some(by.clone()).filter(|_| name.is_partial),
-            (Some(by), false) => Some(by.clone()).filter(|_| !name.is_partial),
+            (Some(by), partial) => (name.is_partial == partial).then(|| by.clone()),
             (None, false) if name.primes > 0 => place(&name).or_else(of_definition),
             (None, _) => None,
         };

@@ -33,7 +33,7 @@ use sha2::{Digest, Sha256};
 
 pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, compare, subject};
 pub use draft::{Draft, draft};
-pub use names::{Call, Evidence, PaperName, names, order_counts};
+pub use names::{Call, Evidence, Notation, PaperName, names, order_counts, squeezed};
 pub use pasted::in_displays;
 pub use printed::{PrintedRelation, PrintedSide};
 

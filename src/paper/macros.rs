@@ -125,7 +125,8 @@ fn file_name(rest: &mut Rest) -> String {
     spaces(rest);
     let text = |t: &Token| if t.kind == Kind::Command { format!("\\{}", t.text) } else { t.text.clone() };
     if rest.last().is_some_and(|(t, _)| t.kind == Kind::Open) {
-        return argument(rest).iter().map(text).collect::<String>().trim().to_owned();
+        // Quotation marks hold a name with blanks together.
+        return argument(rest).iter().map(text).collect::<String>().replace('"', "").trim().to_owned();
     }
     let mut out = String::new();
     while rest.last().is_some_and(|(t, _)| t.kind == Kind::Other) && out.len() < MOST_NAME {

@@ -7,6 +7,7 @@
 mod braces;
 pub mod evidence;
 pub mod letters;
+mod notation;
 mod order;
 #[cfg(test)]
 mod tests;
@@ -18,6 +19,7 @@ use braces::without_braces_of_names;
 pub use evidence::Evidence;
 pub use evidence::{Primes, is_variable, unprimed};
 use letters::{BOLD, DOTS, FRACTIONS, HATS, STYLES, is_letter_command, is_switch};
+pub use notation::{Notation, squeezed};
 pub use order::order_counts;
 
 /// A name of a formula, as it is printed.

@@ -146,8 +146,38 @@ const OPERATORS: &[&str] =
     &["+", "-", "/", "*", "·", "×", "−", "pm", "mp", "times", "cdot", "div", "wedge", "otimes", "oplus", "ast"];
 
 /// Commands that print words.
-const WORDS: &[&str] =
-    &["text", "mbox", "hbox", "textrm", "textit", "textbf", "textnormal", "intertext", "shortintertext"];
+const WORDS: &[&str] = &[
+    "text",
+    "mbox",
+    "hbox",
+    "textrm",
+    "textit",
+    "textbf",
+    "textnormal",
+    "intertext",
+    "shortintertext",
+    "qq",
+    "qqtext",
+];
+
+/// Words of the package physics, between wide spaces: `\\qand`, `\\qif`.
+const WIDE_WORDS: &[&str] = &[
+    "if",
+    "then",
+    "else",
+    "otherwise",
+    "unless",
+    "given",
+    "using",
+    "assume",
+    "since",
+    "let",
+    "for",
+    "all",
+    "and",
+    "or",
+    "as",
+];
 
 /// Spaces.
 const SPACES: &[&str] = &[

@@ -25,6 +25,9 @@ fn relation(paper: &Paper, j: &Judgement) -> Option<Value> {
     });
     let lines: Vec<usize> =
         j.with.iter().filter_map(|r| paper.printed.get(*r)).map(|r| paper.line(&r.span())).collect();
+    let place =
+        |r: &paper::PrintedRelation| json!({ "file": paper.locate(&r.span()).0.path, "line": paper.line(&r.span()) });
+    let places: Vec<Value> = j.with.iter().filter_map(|r| paper.printed.get(*r)).map(place).collect();
     Some(json!({
         "word": j.word.text(),
         "verdict": verdict(j.word),
@@ -39,6 +42,7 @@ fn relation(paper: &Paper, j: &Judgement) -> Option<Value> {
         "instead": j.instead,
         "witness": witness,
         "with_lines": lines,
+        "with_places": places,
         "steps": j.steps.1,
         "steps_proved": j.steps.0,
     }))

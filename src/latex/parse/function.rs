@@ -36,6 +36,11 @@ pub(super) fn named(word: &str) -> Option<&'static str> {
     synonym.or_else(|| FUNCTIONS.iter().chain(NAMED).find(|f| **f == word).copied())
 }
 
+/// Whether a word, in upright type, is a function of the language.
+pub fn is_function(word: &str) -> bool {
+    named(word).is_some() || operators().any(|(name, _)| name == word)
+}
+
 /// Functions written with `\operatorname` or `\rm`, and their number of arguments; 0 for any.
 pub(super) fn operators() -> impl Iterator<Item = (&'static str, usize)> {
     let name = |op: &Op| Some((op.spelling().strip_prefix(r"\operatorname{")?.strip_suffix('}')?, op.arity()));

@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use super::super::names::evidence::is_alone;
-use super::super::names::{Call, Evidence, names};
+use super::super::names::{Call, Evidence, Notation, names};
 use super::super::printed::{PrintedRelation, PrintedSide};
 use super::super::{Paper, token};
 use super::readings::{Reading, readings};
@@ -223,7 +223,7 @@ const LONGEST: usize = 20_000;
 pub(super) fn alone(
     sides: &[&PrintedSide],
     text: &str,
-    evidence: &Evidence,
+    (evidence, notation): (&Evidence, &Notation),
     is_of_indices: bool,
 ) -> Result<Vec<Reading>, String> {
     if text.len() > LONGEST {
@@ -234,6 +234,9 @@ pub(super) fn alone(
     }
     if let Some(feature) = feature(sides) {
         return Err(feature);
+    }
+    if let Some(why) = sides.iter().find_map(|s| notation.not_numbers(s)) {
+        return Err(why.to_owned());
     }
     let mut first: Option<String> = None;
     for ways in readings(sides, evidence, is_of_indices)? {

@@ -16,7 +16,7 @@ mod write;
 use std::collections::BTreeMap;
 
 use super::Paper;
-use super::names::Evidence;
+use super::names::{Evidence, Notation};
 use formula::{Formula, Printed};
 use readings::Reading;
 use settle::Settled;
@@ -57,13 +57,14 @@ const MOST_ROUNDS: usize = 200;
 /// A derivation file for a paper, to be confirmed and completed. `name` is what the paper's file is called in it.
 pub fn draft(paper: &Paper, name: &str) -> Draft {
     let evidence = Evidence::of(paper);
+    let notation = Notation::of(paper);
     let is_of_indices = index::is_of_indices(&paper.printed, &evidence);
     let mut all = formula::displays(paper);
     let mut known: BTreeMap<String, Result<Vec<Reading>, String>> = BTreeMap::new();
     for printed in &mut all {
         printed.read(&mut |sides, text| {
             let found = known.entry(text.to_owned());
-            found.or_insert_with(|| formula::alone(sides, text, &evidence, is_of_indices)).clone()
+            found.or_insert_with(|| formula::alone(sides, text, (&evidence, &notation), is_of_indices)).clone()
         });
     }
     let mut settled = Settled::of(&mut all);

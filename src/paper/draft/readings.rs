@@ -19,6 +19,8 @@ pub(super) struct Reading {
     pub symbols: Vec<Guess>,
     /// Whether `i` is the imaginary unit.
     pub is_complex: bool,
+    /// Whether `\log` is the natural logarithm.
+    pub has_logarithm: bool,
 }
 
 /// The most places of a function.
@@ -223,7 +225,8 @@ impl Names<'_> {
         out.sort_by_key(|g| {
             (g.role == "field" && !of_time(g), g.role == "field", g.role != "coordinate", g.shape.is_none())
         });
-        Ok(Reading { symbols: out, is_complex })
+        let has_logarithm = !self.evidence.has_ln && self.text.contains(r"\log");
+        Ok(Reading { symbols: out, is_complex, has_logarithm })
     }
 
     /// Whether a name needs no declaration.
@@ -374,7 +377,9 @@ impl Names<'_> {
     fn has_rate_here(&self, key: &str) -> bool {
         let by_time =
             |n: &PaperName| n.derived_by.as_deref() == Some("t") && !n.is_partial && (n.is_bold || !n.is_in_group);
-        self.all.iter().any(|n| n.key() == key && (n.dots > 0 || by_time(n)))
+        // `dE=T\,dS`: what has a differential changes along a motion.
+        let differs = |pair: &[PaperName]| pair[0].is_difference && pair[0].letter == "d" && pair[1].key() == key;
+        self.all.iter().any(|n| n.key() == key && (n.dots > 0 || by_time(n))) || self.all.windows(2).any(differs)
     }
 
     /// Whether primes derive by a name here.

@@ -78,8 +78,14 @@ const TIME: &str = "'t' = { role = \"time\" } # confirm: the usual name\n";
 /// A file with one formula.
 pub(super) fn single(text: &str, reading: &Reading) -> String {
     let mut out = String::from("[derivation]\ntitle = \"one\"\nconcerns = \"one\"\n");
+    if reading.is_complex || reading.has_logarithm {
+        out.push_str("[conventions]\n");
+    }
     if reading.is_complex {
-        out.push_str("[conventions]\ni = \"imaginary unit\"\n");
+        out.push_str("i = \"imaginary unit\"\n");
+    }
+    if reading.has_logarithm {
+        out.push_str("log = \"natural\"\n");
     }
     out.push_str("[symbols]\n");
     out.push_str(TIME);
@@ -111,8 +117,18 @@ pub(super) fn written(head: &Head<'_>, settled: &Settled, all: &mut [Printed], s
     );
     let _ = writeln!(out, "title = {}", quoted(&title));
     let _ = writeln!(out, "concerns = {} # confirm: the citation", quoted(&title));
-    if all.iter().flat_map(|p| &p.formulas).any(|f| f.refused.is_none() && f.needs.is_complex) {
-        out.push_str("\n[conventions]\ni = \"imaginary unit\" # confirm: it stands in exponents, or before ħ\n");
+    let needs = |what: fn(&Reading) -> bool| {
+        all.iter().flat_map(|p| &p.formulas).any(|f| f.refused.is_none() && what(&f.needs))
+    };
+    let (is_complex, has_logarithm) = (needs(|r| r.is_complex), needs(|r| r.has_logarithm));
+    if is_complex || has_logarithm {
+        out.push_str("\n[conventions]\n");
+    }
+    if is_complex {
+        out.push_str("i = \"imaginary unit\" # confirm: it stands in exponents, or before ħ\n");
+    }
+    if has_logarithm {
+        out.push_str("log = \"natural\" # confirm: the paper prints no \\ln\n");
     }
     out.push_str("\n[symbols]\n# confirm: each role and shape is guessed from how the paper prints the symbol.\n");
     out.push_str(

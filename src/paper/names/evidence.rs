@@ -54,6 +54,8 @@ pub struct Evidence {
     pub has_complex_j: bool,
     /// Whether `e` is raised to anything but a bare number.
     pub has_exponentials: bool,
+    /// Whether `\ln` is printed: then `\log` may be another logarithm.
+    pub has_ln: bool,
 }
 
 impl Evidence {
@@ -84,6 +86,7 @@ impl Evidence {
         let sizes: Vec<Option<(usize, usize)>> = relation.sides.iter().map(|s| size(&s.tokens)).collect();
         for (i, side) in relation.sides.iter().enumerate().filter(|(_, s)| s.text.len() <= LONGEST) {
             self.note_units(side);
+            self.has_ln |= side.text.contains(r"\ln");
             let beside = [i.checked_sub(1), Some(i + 1)].into_iter().flatten();
             let found = beside.filter_map(|k| sizes.get(k).copied().flatten()).next();
             if let (Some(size), [name]) = (found, names(side).as_slice())

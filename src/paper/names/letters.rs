@@ -7,8 +7,20 @@ pub fn is_letter_command(command: &str) -> bool {
     command == "varkappa" || command != "top" && latex::is_letter_command(command)
 }
 
-pub const BOLD: &[&str] =
-    &["mathbf", "boldsymbol", "bm", "vec", "bf", "pmb", "vb", "va", "vectorbold", "mathbfit", "overrightarrow"];
+pub const BOLD: &[&str] = &[
+    "mathbf",
+    "boldsymbol",
+    "bm",
+    "vec",
+    "bf",
+    "textbf",
+    "pmb",
+    "vb",
+    "va",
+    "vectorbold",
+    "mathbfit",
+    "overrightarrow",
+];
 pub const HATS: &[&str] = &["hat", "widehat", "vu", "uvec"];
 pub const STYLES: &[&str] = &[
     "tilde",

@@ -2,7 +2,7 @@
 
 use super::super::mark::group_text;
 use super::super::token::{Kind, Token};
-use super::{BETWEEN_STATEMENTS, Nesting, WORDS, is_operator, is_relation, is_space, is_wide, walk};
+use super::{BETWEEN_STATEMENTS, Nesting, WIDE_WORDS, WORDS, is_operator, is_relation, is_space, is_wide, walk};
 
 /// A part of a row: what stands between commas, wide spaces and words.
 #[derive(Default)]
@@ -55,6 +55,16 @@ pub(super) fn pieces(tokens: &[Token]) -> Vec<Piece> {
                 piece.ended = true;
             }
             next = Some((Piece { comma: !token.is_char("."), ..Piece::default() }, at + 1));
+        } else if outside && (token.is("qc") || token.is("qcomma")) {
+            if let Some(piece) = out.last_mut() {
+                piece.ended = true;
+            }
+            next = Some((Piece { comma: true, wide: true, ..Piece::default() }, at + 1));
+        } else if outside
+            && token.kind == Kind::Command
+            && let Some(word) = token.text.strip_prefix('q').filter(|w| WIDE_WORDS.contains(w))
+        {
+            next = Some((Piece { words: Some(word.to_owned()), wide: true, ..Piece::default() }, at + 1));
         } else if outside && is_wide(token) {
             next = Some((Piece { wide: true, ..Piece::default() }, at + 1));
         } else if outside && token.kind == Kind::Command && BETWEEN_STATEMENTS.contains(&token.text.as_str()) {

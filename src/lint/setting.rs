@@ -1,0 +1,74 @@
+//! The setting of a relation: what its words do with it, which case it is of, what was compared or supposed before it.
+//!
+//! **In:** relations by their numbers. **Out:** whether something is to be kept from being used, or from being called wrong. **Guaranteed:** a
+//! setting makes nothing hold.
+
+use std::collections::BTreeSet;
+
+use paper::{PrintedRelation, PrintedSide, names};
+
+use super::cases::{Cases, Stance, stance};
+use super::facts::NEAR;
+use super::judge::{Judge, MOST_EXPLAINED};
+
+impl Judge<'_> {
+    /// What the words of its sentence do with a relation.
+    pub(super) fn stance(&self, relation: &PrintedRelation) -> Stance {
+        let remark = relation.remark.as_deref().unwrap_or_default().to_lowercase();
+        if ["wrong", "false", "incorrect", "not true"].iter().any(|w| remark.contains(w)) {
+            return Stance::Denied;
+        }
+        let (file, span) = self.paper.locate(&relation.span());
+        stance(&file.text, span.start, span.end)
+    }
+
+    /// Whether a relation stands in a display with "or" between its formulas.
+    pub(super) fn is_alternative(&self, relation: &PrintedRelation) -> bool {
+        let has_or = |r: &PrintedRelation| {
+            r.remark.as_deref().is_some_and(|words| words.split(|c: char| !c.is_alphabetic()).any(|w| w == "or"))
+        };
+        relation.display.is_some()
+            && relation.sides.len() == 2
+            && self.paper.printed.iter().filter(|r| r.display == relation.display).take(MOST_EXPLAINED).any(has_or)
+    }
+
+    /// Whether what one relation says may be of another case than a later one.
+    pub(super) fn are_parted(&mut self, before: usize, at: usize, is_sure: bool) -> bool {
+        let place = |k: usize| self.paper.locate(&self.paper.printed[k].span());
+        let ((file, from), (other, to)) = (place(before), place(at));
+        if !std::sync::Arc::ptr_eq(file, other) || before >= at {
+            return false;
+        }
+        let known = self.cases.iter().position(|(f, _)| std::sync::Arc::ptr_eq(f, file));
+        let known = known.unwrap_or_else(|| {
+            self.cases.push((file.clone(), Cases::of(&file.text)));
+            self.cases.len() - 1
+        });
+        self.cases[known].1.parted(from.start, to.start, is_sure)
+    }
+
+    /// Whether an equation between the names of some sides is supposed before, in this section: the sides may be equal just then.
+    pub(super) fn is_supposed_of(&self, sides: [&PrintedSide; 2], at: usize) -> bool {
+        let own: BTreeSet<String> = sides.into_iter().flat_map(names).map(|n| n.key()).collect();
+        self.supposed.iter().any(|(section, before, all)| {
+            *section == self.section
+                && *before < at
+                && before + NEAR >= at
+                && all.len() > 1
+                && all.iter().all(|k| own.contains(k))
+        })
+    }
+
+    /// The display of a relation.
+    pub(super) fn display_of(&self, at: usize) -> Option<usize> {
+        self.paper.printed[at].display
+    }
+
+    /// Whether a comparison before, in this section, is about a name of some sides.
+    pub(super) fn is_compared(&self, sides: [&PrintedSide; 2], at: usize) -> bool {
+        let own: BTreeSet<String> = sides.into_iter().flat_map(names).map(|n| n.key()).collect();
+        self.compared.iter().any(|(section, before, all)| {
+            *section == self.section && *before < at && before + NEAR >= at && all.iter().any(|k| own.contains(k))
+        })
+    }
+}

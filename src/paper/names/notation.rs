@@ -1,0 +1,320 @@
+//! What a paper shows of its notation: where what stands side by side is no product of numbers, and what stands above is no power.
+//!
+//! **In:** a paper, then its sides one by one. **Out:** why a side is not read as numbers. **Guaranteed:** only the print, and the words beside
+//! lone names, are looked at; what is seen of a letter once is so in the whole paper. A formula that is not read is told as that: a
+//! power that is an index, or two operators in another order, would be *proved*.
+
+mod print;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::super::{Paper, PrintedSide};
+use super::{PaperName, names};
+use print::{
+    Raised, call, has_bars, has_identity, has_imaginary, has_named_function, has_norm, has_pair,
+    has_product_of_letters, has_unit_of_italics, is_letter_token, is_twice, scripted, squares_an_absolute_value,
+    tokens,
+};
+
+/// What a paper shows of its notation.
+#[derive(Clone, Debug, Default)]
+pub struct Notation {
+    /// Letters with an index above them somewhere.
+    upper: BTreeSet<String>,
+    /// Letters with a number above them somewhere that is no usual power: 0, 1, 3.
+    numbered: BTreeSet<String>,
+    /// Keys of names whose order counts: operators, matrices, elements of a group.
+    ordered: BTreeSet<String>,
+    /// Keys of names that are called operators.
+    acting: BTreeSet<String>,
+    /// Whether the paper is one of groups, rings or modules.
+    is_algebra: bool,
+    /// Keys of names that are equal, to some power, to what has a rate in it: they vary, though no rate of them is printed.
+    varies: BTreeSet<String>,
+    /// Whether the imaginary unit stands somewhere.
+    has_imaginary: bool,
+}
+
+/// Words of papers in which letters side by side are no numbers.
+const ALGEBRA: &[&str] = &[
+    "subgroup",
+    "coset",
+    "homomorphism",
+    "isomorphi",
+    "abelian",
+    " ideal",
+    " module",
+    "noetherian",
+    "functor",
+    "morphism",
+    "sylow",
+    "legendre symbol",
+    "residue field",
+    "quotient group",
+    "quotient ring",
+];
+/// So often such words stand in one.
+const MANY_WORDS: usize = 8;
+
+/// Words beside a lone name that say that its order counts.
+const ORDERED: &[&str] = &[
+    "matrix",
+    "matrices",
+    "commut",
+    "subgroup",
+    "coset",
+    "quaternion",
+    "spinor",
+    "grassmann",
+    "generator",
+    "group element",
+    "linear map",
+];
+/// Words beside a lone name that say that it acts on what follows.
+const ACTING: &[&str] = &["operator", "operators", "functional", "Operator"];
+/// How far from a name such a word may stand, in bytes.
+const BESIDE: usize = 70;
+
+impl Notation {
+    /// The notation of a paper.
+    pub fn of(paper: &Paper) -> Notation {
+        let mut out = Notation::default();
+        for file in files(paper) {
+            let text = file.text.to_lowercase();
+            let count: usize = ALGEBRA.iter().map(|w| text.matches(w).count()).sum();
+            out.is_algebra |= count >= MANY_WORDS;
+            out.ordered.extend(named_beside(&file.text, ORDERED));
+            out.acting.extend(named_beside(&file.text, ACTING));
+        }
+        let mut pairs: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+        for relation in &paper.printed {
+            for side in &relation.sides {
+                for one in scripted(&tokens(&side.text)) {
+                    if one.is_index() && !one.is_digit("0") && !one.is_digit("1") {
+                        out.upper.insert(one.base.clone());
+                    }
+                    if ["0", "1", "3"].iter().any(|digit| one.is_digit(digit)) {
+                        out.numbered.insert(one.base.clone());
+                    }
+                    if let Some(digits) = one.two_digits() {
+                        pairs.entry(one.base.clone()).or_default().insert(digits);
+                    }
+                }
+                out.has_imaginary |= has_imaginary(&side.text);
+            }
+            out.ordered.extend(relation.sides.iter().flat_map(commuted));
+            out.varies.extend(varying(&relation.sides));
+        }
+        let turned = |all: &BTreeSet<String>| {
+            all.iter().any(|p| all.contains(&p.chars().rev().collect::<String>()) && !is_twice(p))
+        };
+        out.upper.extend(pairs.into_iter().filter(|(_, all)| turned(all)).map(|(base, _)| base));
+        out
+    }
+
+    /// Whether the paper is one of groups, rings or modules: what is printed as a product, or a sum, may be anything.
+    pub fn is_algebra(&self) -> bool {
+        self.is_algebra
+    }
+
+    /// Whether a name varies, though the paper prints no rate of it.
+    pub fn varies(&self, key: &str) -> bool {
+        self.varies.contains(key)
+    }
+
+    /// Why a side is no formula of numbers, vectors and matrices, whatever its names are declared as.
+    pub fn not_numbers(&self, side: &PrintedSide) -> Option<&'static str> {
+        let all = tokens(&side.text);
+        for one in scripted(&all) {
+            let is_square = one.is_digit("2") && (one.is_bold || !self.numbered.contains(&one.base));
+            if one.is_index() || self.upper.contains(&one.base) && !is_square {
+                return Some("an index above, or a power");
+            }
+            if one.calls {
+                return Some("a call of what has something above, or a power");
+            }
+        }
+        if all.iter().any(|t| matches!(*t, r"\forall" | r"\exists" | r"\nexists")) {
+            return Some("a quantifier");
+        }
+        if all.iter().any(|t| matches!(*t, r"\mathbb" | r"\mathds")) {
+            return Some("a set, or an expectation");
+        }
+        if has_unit_of_italics(&side.text) {
+            return Some("a number with its unit, or a product");
+        }
+        if has_named_function(&all) {
+            return Some("a function by its name, or a product");
+        }
+        if let Some(what) = call(&all) {
+            return Some(what);
+        }
+        if names(side).iter().any(|n| self.acting.contains(&squeezed(&n.key()))) {
+            return Some("an operator, or a factor");
+        }
+        None
+    }
+
+    /// Why a side may be no formula of numbers, where nothing says that its names are matrices, vectors or complex.
+    pub fn unsure(&self, side: &PrintedSide) -> Option<&'static str> {
+        let all = tokens(&side.text);
+        if scripted(&all).iter().any(Raised::is_transpose) {
+            return Some("a transpose, or a power");
+        }
+        if has_identity(&all) {
+            return Some("a sum with the identity, or with a number");
+        }
+        if has_pair(&all) {
+            return Some("a pair: a point, or a product of two vectors");
+        }
+        if has_norm(&side.text) {
+            return Some("a norm, or an absolute value");
+        }
+        if (self.has_imaginary || squares_an_absolute_value(&side.text)) && has_bars(&side.text) {
+            return Some("an absolute value of what may be complex");
+        }
+        let mut ordered = names(side)
+            .into_iter()
+            .map(|n| n.key())
+            .filter(|k| self.ordered.contains(&squeezed(k)))
+            .collect::<Vec<_>>();
+        ordered.sort();
+        ordered.dedup();
+        if ordered.len() > 1 || self.is_algebra && has_product_of_letters(&all) {
+            return Some("products whose order may count: matrices, operators, or elements of a group");
+        }
+        None
+    }
+}
+
+/// The names that alone make up a side, whatever their power, beside one with rates: `v^2=\dot x^2+\dot y^2`.
+fn varying(sides: &[PrintedSide]) -> Vec<String> {
+    let all: Vec<Vec<PaperName>> = sides.iter().map(names).collect();
+    let has_rate =
+        |k: usize| all.get(k).is_some_and(|n| n.iter().any(|n| n.dots > 0 || n.derived_by.as_deref() == Some("t")));
+    let lone = |k: &usize| match all[*k].as_slice() {
+        [one] => one.dots == 0 && one.derived_by.is_none() && !one.is_difference,
+        _ => false,
+    };
+    let beside = |k: &usize| has_rate(k + 1) || *k > 0 && has_rate(k - 1);
+    (0..all.len()).filter(lone).filter(beside).map(|k| all[k][0].key()).collect()
+}
+
+/// The files of a paper that print something.
+fn files(paper: &Paper) -> Vec<std::sync::Arc<diag::Source>> {
+    let mut out: Vec<std::sync::Arc<diag::Source>> = Vec::new();
+    for relation in &paper.printed {
+        let (file, _) = paper.locate(&relation.span());
+        if !out.iter().any(|known| std::sync::Arc::ptr_eq(known, file)) {
+            out.push(file.clone());
+        }
+    }
+    out
+}
+
+/// Lone names between dollars that a word is said of: "the operators $x$ and $p$", "let $A$ and $B$ be square matrices".
+fn named_beside(text: &str, words: &[&str]) -> BTreeSet<String> {
+    let near = |mut at: usize| {
+        while at < text.len() && !text.is_char_boundary(at) {
+            at += 1;
+        }
+        at.min(text.len())
+    };
+    let mut out = BTreeSet::new();
+    for word in words {
+        for (at, _) in text.match_indices(word) {
+            let before = &text[near(at.saturating_sub(BESIDE))..at];
+            let behind = &text[at..near(at + BESIDE)];
+            // The rest of the word, then names with nothing but "and" between them.
+            let behind = behind.trim_start_matches(|c: char| c.is_alphabetic());
+            let mut pieces = behind.split('$');
+            while let Some(between) = pieces.next()
+                && matches!(between.trim().trim_end_matches(','), "" | "and" | "or" | "like" | "such as")
+                && let Some(name) = pieces.next()
+            {
+                out.extend(name.split(',').map(str::trim).filter(|p| is_lone(p)).map(squeezed));
+            }
+            // Names, then a few words up to this one.
+            let mut count = 0;
+            for (k, piece) in before.rsplit('$').enumerate() {
+                if k % 2 == 1 {
+                    out.extend(piece.split(',').map(str::trim).filter(|p| is_lone(p)).map(squeezed));
+                    continue;
+                }
+                count += piece.split_whitespace().count();
+                let is_said = k > 0
+                    || ["is", "are", "be", "being", "as"].iter().any(|w| piece.split_whitespace().any(|p| p == *w));
+                if count > MOST_WORDS_BETWEEN || piece.contains(['.', ';', '=']) || !is_said && !piece.trim().is_empty()
+                {
+                    break;
+                }
+            }
+        }
+    }
+    out
+}
+
+/// So many words may stand between a name and what is said of it.
+const MOST_WORDS_BETWEEN: usize = 6;
+
+/// Whether a text is one letter, with scripts and a style, perhaps.
+fn is_lone(text: &str) -> bool {
+    let all = tokens(text);
+    let letters = all
+        .iter()
+        .filter(|t| is_letter_token(t) && !matches!(**t, r"\mathbf" | r"\mathcal" | r"\boldsymbol" | r"\hat" | r"\vec"))
+        .count();
+    let sub = all.contains(&"_");
+    !text.is_empty()
+        && text.len() <= 14
+        && (letters == 1 || sub && letters <= 2)
+        && !text.contains(char::is_whitespace)
+        && all
+            .iter()
+            .all(|t| is_letter_token(t) || matches!(*t, "{" | "}" | "_" | "'") || t.chars().all(|c| c.is_ascii_digit()))
+}
+
+/// The names of two terms of a side that differ in nothing but their order, and in their sign: `xp-px`.
+fn commuted(side: &PrintedSide) -> Vec<String> {
+    let all = tokens(&side.text);
+    let mut terms: Vec<(bool, Vec<&str>)> = vec![(false, Vec::new())];
+    let mut depth = 0i32;
+    for token in &all {
+        match *token {
+            "(" | "[" | "{" => depth += 1,
+            ")" | "]" | "}" => depth -= 1,
+            _ => {}
+        }
+        match *token {
+            "+" | "-" if depth == 0 => terms.push((*token == "-", Vec::new())),
+            one => {
+                if let Some(last) = terms.last_mut() {
+                    last.1.push(one);
+                }
+            }
+        }
+    }
+    terms.retain(|(_, t)| t.len() > 1);
+    let mut out = Vec::new();
+    for (i, a) in terms.iter().enumerate() {
+        for b in &terms[i + 1..] {
+            let (mut first, mut second) = (a.1.clone(), b.1.clone());
+            first.sort_unstable();
+            second.sort_unstable();
+            let plain = a
+                .1
+                .iter()
+                .all(|t| is_letter_token(t) || matches!(*t, "_" | "{" | "}") || t.chars().all(char::is_alphanumeric));
+            if first == second && a.1 != b.1 && a.0 != b.0 && plain {
+                out.extend(names(side).into_iter().map(|n| squeezed(&n.key())));
+                return out;
+            }
+        }
+    }
+    out
+}
+
+/// A text without spaces and braces.
+pub fn squeezed(text: &str) -> String {
+    text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}')).collect()
+}
