@@ -27,9 +27,109 @@ const OPENERS: &[&str] = &[
     "Next",
     "Without",
     "With",
+    "Initially",
+    "Unless",
+    "After",
+    "Before",
+    "Für",
+    "F\\\"ur",
+    "Falls",
+    "Wenn",
+    "Bei",
+    "Im",
+    "Jetzt",
+    "Nun",
+    "Pour",
+    "Si",
+    "Quand",
+    "Lorsque",
+    "Dans",
+    "Au",
+    "Per",
+    "Se",
+    "Quando",
+    "Nel",
+    "Para",
+    "Cuando",
+    "En",
+    "No",
+    "Problem",
+    "Exercise",
+    "Question",
+    "Aufgabe",
+    "Exercice",
+    "Esercizio",
+    "Ejercicio",
+    "Part",
+    "Disc",
+    "Ring",
 ];
 /// Those of them that say of what follows in their sentence that it is one.
-const CASES: &[&str] = &["For", "If", "When", "At", "Suppose", "Case", "Assume", "Near"];
+const CASES: &[&str] = &[
+    "For",
+    "If",
+    "When",
+    "At",
+    "Suppose",
+    "Case",
+    "Assume",
+    "Near",
+    "Initially",
+    "Unless",
+    "Für",
+    "F\\\"ur",
+    "Falls",
+    "Wenn",
+    "Bei",
+    "Pour",
+    "Si",
+    "Quand",
+    "Lorsque",
+    "Per",
+    "Se",
+    "Quando",
+    "Para",
+    "Cuando",
+];
+/// Those whose case ends with their sentence.
+const MOMENTS: &[&str] = &[
+    "If",
+    "When",
+    "At",
+    "Near",
+    "Initially",
+    "Unless",
+    "Falls",
+    "Wenn",
+    "Bei",
+    "Si",
+    "Quand",
+    "Lorsque",
+    "Se",
+    "Quando",
+    "Cuando",
+];
+/// Commands behind which another thing may begin.
+const BREAKS: &[&str] = &[
+    r"\textbf{",
+    r"\intertext{",
+    r"\question",
+    r"\begin{frame",
+    r"\newpage",
+    r"\clearpage",
+    r"\paragraph",
+    r"\subparagraph",
+    r"\problem",
+    r"\exercise",
+    r"\part",
+    r"\begin{aufgabe",
+    r"\begin{exercice",
+    r"\begin{esercizio",
+    r"\begin{ejercicio",
+    r"\begin{question",
+    r"\begin{problem",
+    r"\begin{Aufgabe",
+];
 
 /// The longest text of a sentence that is looked at before a formula, and behind it.
 const BEFORE: usize = 160;
@@ -58,6 +158,35 @@ const DENIES: &[&str] = &[
     "mistake",
     "erroneous",
     "fallacy",
+    "es cierto que",
+    "n'est pas vra",
+    "non è vero",
+    "non \\`e vero",
+    "fehler",
+    "erreur",
+    "errore",
+    "the error:",
+    "one might think",
+    "man könnte meinen",
+    "true or false",
+    "vrai ou faux",
+    "richtig oder falsch",
+    "falsche l",
+    "which holds",
+    "a beginner",
+    "unlike",
+    "we forget",
+    "characteristic",
+    r"\mathbb f",
+    r"\sout",
+    "contradiction",
+    "gilt nicht",
+    "non vale",
+    "no se cumple",
+    "n'a pas",
+    "not imply",
+    "would be wrong",
+    "fails",
     "not an identity",
     "is impossible",
     "not satisfied",
@@ -76,6 +205,8 @@ pub struct Cases {
     items: Vec<(usize, bool)>,
     /// Where sentences and paragraphs end.
     stops: Vec<usize>,
+    /// Where another thing may begin.
+    breaks: Vec<usize>,
 }
 
 impl Cases {
@@ -102,12 +233,18 @@ impl Cases {
             out.stops.extend(text.match_indices(stop).map(|(at, _)| at));
         }
         out.stops.sort_unstable();
+        out.breaks = BREAKS.iter().flat_map(|b| text.match_indices(b)).map(|(at, _)| at).collect();
+        out.breaks.sort_unstable();
         out
     }
 
     /// Whether what is said at `from` may be of another case than what stands at `to`. Where it has to be the same, `is_sure`, any word that
     /// may begin a case parts them, and so does an item of a list; else the same word again, as in "For a disc … For a ring".
     pub fn parted(&self, from: usize, to: usize, is_sure: bool) -> bool {
+        let begun = |at: usize| self.breaks.partition_point(|place| *place < at);
+        if is_sure && begun(from) < begun(to) {
+            return true;
+        }
         let before = |at: usize| self.items.partition_point(|(place, _)| *place < at);
         let (first, last) = (before(from), before(to));
         let in_item = first > 0 && self.items[first - 1].1;
@@ -121,6 +258,10 @@ impl Cases {
         let is_open = self.stops.get(ends).is_none_or(|stop| *stop >= from);
         if !is_open || !CASES.contains(&own) {
             return false;
+        }
+        // "At t = 0, v = v₀." is said of that time alone.
+        if MOMENTS.contains(&own) && self.stops.get(ends).is_some_and(|stop| *stop < to) {
+            return true;
         }
         self.openers[first..last.max(first)].iter().any(|(_, word)| is_sure || *word == own)
     }
@@ -187,7 +328,8 @@ mod tests {
         assert!(parted("For a disc 1, so. For a ring 2", false));
         assert!(!parted("For a disc 1, so that 2", true));
         assert!(!parted("A disc has 1. For a ring 2", true));
-        assert!(parted("At the point 1 holds. If not, 2", true) && !parted("At the point 1 holds. If not, 2", false));
+        assert!(parted("For all 1 holds. If not, 2", true) && !parted("For all 1 holds. If not, 2", false));
+        assert!(parted("At the point 1 holds. It is 2", false) && !parted("At the point 1 holds, so 2", true));
         assert!(parted(r"\begin{itemize}\item 1 \item 2", true) && !parted(r"1 \begin{itemize}\item 2", true));
         assert!(!parted("For a disc it turns. The sum is 1. For a ring 2", true));
     }

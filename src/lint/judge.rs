@@ -19,6 +19,8 @@ use paper::squeezed;
 
 /// Longest side, in bytes, that is looked at.
 const LONGEST: usize = 1500;
+/// Relations right behind another, which list several values of one name.
+const NEIGHBOURS: usize = 3;
 /// Relations behind a display that may explain its names.
 pub(super) const MOST_EXPLAINED: usize = 8;
 
@@ -186,7 +188,11 @@ impl Judge<'_> {
             out.word = Word::Condition;
         }
         let inline = relation.display.is_none();
-        if out.word != Word::Wrong && !sentence.loosens && !(inline && is_supposed(self.paper, relation)) {
+        if out.word != Word::Wrong
+            && !sentence.loosens
+            && !sentence.aims
+            && !(inline && is_supposed(self.paper, relation))
+        {
             self.state(relation, at, &open);
         }
         if inline && is_supposed(self.paper, relation) {
@@ -195,7 +201,7 @@ impl Judge<'_> {
         }
         // One name for another in the running text is a case more often than a definition.
         let is_rate = |n: &paper::PaperName| n.dots > 0 || n.derived_by.is_some();
-        if !(inline && lone_name(&relation.sides[1]).is_some_and(|n| !is_rate(&n))) {
+        if !sentence.aims && !(inline && lone_name(&relation.sides[1]).is_some_and(|n| !is_rate(&n))) {
             self.define(relation, at);
         }
         out
@@ -297,7 +303,14 @@ impl Judge<'_> {
             }
             out.steps.1 += 1;
             let alone = relation.sides.len() == 2 && (first.is_none() || defining);
-            let blame = match (sentence.loosens || sentence.solves && alone || self.evidence.is_algebra(), inline) {
+            let blame = match (
+                sentence.loosens
+                    || sentence.solves && alone
+                    || self.evidence.is_algebra()
+                    || is_evaluated(relation, [left, right])
+                    || has_dimensions(relation),
+                inline,
+            ) {
                 (true, _) => Blame::Nothing,
                 (false, _) if derived && sentence.fixes => Blame::Nothing,
                 (false, _) if derived => Blame::Steps,
@@ -348,6 +361,7 @@ impl Judge<'_> {
                     tally.anew = before.as_ref().map(|g| g.relation);
                     if blame == Blame::Steps
                         && !sentence.changes
+                        && before.as_ref().is_some_and(|g| g.relation + NEIGHBOURS < at)
                         && first.as_ref().is_some_and(|n| n.dots + n.primes == 0 && n.derived_by.is_none())
                     {
                         tally.differs = before.and_then(|g| self.slip_of(&g, right, &place));
@@ -548,6 +562,22 @@ impl Judge<'_> {
             given => read(&given).map_err(|_| found),
         })
     }
+}
+
+/// Whether a side stands in brackets: dimensions are compared.
+fn has_dimensions(relation: &PrintedRelation) -> bool {
+    let of = |text: &str| text.trim().starts_with('[') && text.trim().ends_with(']');
+    relation.sides.iter().any(|s| of(&s.text))
+        || relation.sides.iter().any(|s| s.text.matches('[').count() > 1 && !s.text.contains('('))
+}
+
+/// Whether a later side is a number, beside sides with names: the values of the names count then, or an equation is solved. A step between
+/// numbers is one all the same.
+fn is_evaluated(relation: &PrintedRelation, step: [&PrintedSide; 2]) -> bool {
+    let has_names = |s: &PrintedSide| !names(s).is_empty();
+    let is_number =
+        |s: &PrintedSide| !has_names(s) && s.text.trim() != "0" && s.text.contains(|c: char| c.is_ascii_digit());
+    step.into_iter().any(has_names) && relation.sides.iter().skip(1).any(is_number)
 }
 
 /// The later side of an equation of two.

@@ -21,6 +21,8 @@ use paper::squeezed;
 
 /// Slips that are tried of one side.
 const MOST_SLIPS: usize = 260;
+/// Relative difference of two sides that rounding may make.
+const ROUNDED: f64 = 0.02;
 /// Fewest nodes of a side whose slip is told.
 const FEWEST_NODES: usize = 5;
 
@@ -84,6 +86,13 @@ pub fn nearest(
 ) -> Option<WrongStep> {
     let Identity::Refuted(refutation) = &asked.identity else { return None };
     if asked.desk.is_complex || !free.is_empty() {
+        return None;
+    }
+    // A number that was rounded.
+    let (left, right) = (refutation.left.decimal, refutation.right.decimal);
+    if (left - right).abs() < ROUNDED * left.abs().max(right.abs())
+        && asked.text.chars().filter(char::is_ascii_digit).count() > 2
+    {
         return None;
     }
     let witness = witness(&asked.desk.graph, refutation);
@@ -184,6 +193,10 @@ impl Search<'_> {
         {
             return None;
         }
+        // `t_A-t_A` is no formula of anybody.
+        if cancels(&altered.sides[k]) && !cancels(&chain.sides[k]) {
+            return None;
+        }
         // Beside a lone name, or a number, anything could be meant.
         let plain = |n: &Node| matches!(n.kind, NodeKind::Symbol(_) | NodeKind::Number(_));
         if plain(&altered.sides[k]) || plain(&chain.sides[k]) {
@@ -251,6 +264,25 @@ impl Search<'_> {
         }
         None
     }
+}
+
+/// Whether a sum has a term and its negative.
+fn cancels(node: &Node) -> bool {
+    let terms: &[(latex::syntax::Sign, Node)] = match &node.kind {
+        NodeKind::Sum(terms) => terms,
+        _ => &[],
+    };
+    let text = |n: &Node| {
+        let mut out = Vec::new();
+        sequence_of(n, &mut out);
+        (size(n), out)
+    };
+    let pair = terms.iter().enumerate().any(|(i, (sign, a))| {
+        terms[i + 1..]
+            .iter()
+            .any(|(other, b)| sign != other && text(a) == text(b) && matches!(a.kind, NodeKind::Symbol(_)))
+    });
+    pair || node.children().into_iter().any(cancels)
 }
 
 /// Both sides along the first name in which they differ, where nothing else is fixed by it.

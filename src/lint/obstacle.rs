@@ -111,6 +111,12 @@ pub fn obstacle(
         if order_counts(&side.text) {
             return Some(NotRead::of("products whose order may count: matrices, or operators"));
         }
+        if applies_a_sum(&side.text, evidence) {
+            return Some(NotRead::of("a function of anything, or a product"));
+        }
+        if is_sandwiched(&side.text) {
+            return Some(NotRead::of("products whose order may count: matrices, or operators"));
+        }
         let indices = index_count(&names(side), evidence);
         if let Some((letter, _)) = indices.iter().find(|(l, n)| **n > 1 && !free.contains(l)) {
             return Some(NotRead::of(format!("an index that may be summed over, {letter}")));
@@ -161,6 +167,34 @@ fn has_derivative_at(text: &str) -> bool {
             let letters = |c: char| c.is_ascii_alphabetic();
             !by.is_empty() && by.chars().all(letters) && inside.split(|c| !letters(c)).any(|word| word == by)
         })
+    })
+}
+
+/// `(u\cdot v)(x+h)`: a product or sum of functions, at a place.
+fn applies_a_sum(text: &str, evidence: &Evidence) -> bool {
+    let squeezed: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    let plain = squeezed.replace(r"\left", "").replace(r"\right", "").replace(r"\cdot", "*").replace(r"\circ", "*");
+    plain.match_indices(")(").any(|(at, _)| {
+        let Some(open) = plain[..at].rfind('(') else { return false };
+        let inside = &plain[open + 1..at];
+        let letters: Vec<char> = inside.chars().filter(char::is_ascii_alphabetic).collect();
+        inside.chars().all(|c| c.is_ascii_alphabetic() || matches!(c, '*' | '+' | '-'))
+            && letters.len() > 1
+            && letters.iter().all(|c| evidence.may_be_function(&c.to_string()))
+    })
+}
+
+/// A name, something else, and the inverse of the name: `gxg^{-1}`.
+fn is_sandwiched(text: &str) -> bool {
+    let squeezed: String = text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}')).collect();
+    squeezed.match_indices("^-1").any(|(at, _)| {
+        let before = &squeezed[..at];
+        let from =
+            before.rfind('\\').filter(|k| before[k + 1..].chars().all(|c| c.is_ascii_alphabetic()) && at - k > 2);
+        let name = &before[from.unwrap_or(before.len().saturating_sub(1))..];
+        let term = before[..before.len() - name.len()].rsplit(['+', '-', '=', '/']).next().unwrap_or_default();
+        let letter = name.chars().all(|c| c.is_ascii_alphabetic() || c == '\\');
+        letter && term.find(name).is_some_and(|k| k + name.len() < term.len() && !term.contains(r"\frac"))
     })
 }
 

@@ -106,6 +106,12 @@ const LOOSENS: &[&str] = &[
     "integration constant",
     "arbitrary constant",
     "on average",
+    "averages out",
+    "orthogonal",
+    "perpendicular",
+    "incoherent",
+    "uncorrelated",
+    "pythagor",
     "mistake",
     "incorrect",
     "erroneous",
@@ -116,6 +122,24 @@ const LOOSENS: &[&str] = &[
     "would have",
     "would be",
     "not equal",
+];
+
+/// Words of a sentence that says what is to be shown.
+const AIMS: &[&str] = &[
+    "want to show",
+    "wish to show",
+    "to show that",
+    "to prove",
+    "must show",
+    "show that:",
+    "prove that",
+    "zu zeigen",
+    "montrons",
+    "montrer que",
+    "dimostriamo",
+    "dimostrare che",
+    "mostrar que",
+    "demostrar",
 ];
 
 /// Words of a sentence whose equation is to be solved.
@@ -189,6 +213,8 @@ pub struct Sentence {
     pub solves: bool,
     /// It says that something is held fixed.
     pub fixes: bool,
+    /// It says what is to be shown: nothing follows from that.
+    pub aims: bool,
 }
 
 impl Sentence {
@@ -210,6 +236,7 @@ impl Sentence {
             names: named(&before),
             concludes: CONCLUDES.iter().any(|w| last.contains(w)),
             changes: last.split(|c: char| !c.is_alphabetic()).any(|w| CHANGES.contains(&w)),
+            aims: AIMS.iter().any(|w| last.contains(w)),
             fixes: ["constant", "fixed", "held"].iter().any(|w| last.contains(w)),
             solves: SOLVES.iter().any(|w| last.contains(w)),
             loosens: loose(&lower) || loose(&first_sentence(&behind.to_lowercase())),
@@ -289,6 +316,17 @@ const SUPPOSES: &[&str] = &[
     "pick",
     "say",
     r"\item",
+    "not",
+    "nicht",
+    "pas",
+    "per",
+    "para",
+    "con",
+    "mit",
+    "avec",
+    "se",
+    "quando",
+    "cuando",
     "für",
     "wenn",
     "falls",
@@ -310,22 +348,51 @@ pub fn is_supposed(paper: &Paper, relation: &PrintedRelation) -> bool {
     let last = words.rsplit(|c: char| c.is_whitespace() || c == '~' || c == '(').next().unwrap_or("");
     SUPPOSES.contains(&last)
         || SUPPOSES_AT_THE_END.iter().any(|w| words.ends_with(w))
-        || is_caption(&file.text, span.start)
+        || is_aside(&file.text, span.start)
+        || words.contains("compare")
 }
 
-/// Whether a place stands in the caption of a figure: what it says is what the figure shows.
-fn is_caption(text: &str, at: usize) -> bool {
+/// Commands whose argument stands beside the text.
+const ASIDES: &[&str] = &[
+    r"\caption{",
+    r"\footnote{",
+    r"\marginpar{",
+    r"\marginnote{",
+    r"\sidenote{",
+    r"\todo{",
+    r"\footnotetext{",
+    r"\node",
+    r"\text{",
+];
+/// Environments beside the text.
+const ASIDE: &[&str] = &["tabular", "figure", "quote", "quotation", "table", "wrapfigure", "tikzpicture", "longtable"];
+
+/// Whether a place stands in a caption, a footnote, a table or a figure, or in a parenthesis: what it says is said beside the text.
+fn is_aside(text: &str, at: usize) -> bool {
     let before = window(text, at.saturating_sub(BEFORE), at);
-    let Some(begin) = before.rfind(r"\caption") else { return false };
-    let mut depth = 0_i32;
-    for c in before[begin..].chars() {
-        depth += match c {
-            '{' => 1,
-            '}' => -1,
-            _ => 0,
-        };
-    }
-    depth > 0
+    let is_open = |from: usize, [open, close]: [char; 2]| {
+        let depth: i32 = before[from..].chars().map(|c| i32::from(c == open) - i32::from(c == close)).sum();
+        depth > 0
+    };
+    let command = ASIDES.iter().any(|c| before.rfind(c).is_some_and(|from| is_open(from, ['{', '}'])));
+    let environment = ASIDE.iter().any(|e| {
+        let last = |what: &str| before.rfind(&format!("\\{what}{{{e}"));
+        last("begin").is_some_and(|begin| last("end").is_none_or(|end| end < begin))
+    });
+    // "(the ring has $I=mr^2$)"; `\(` opens a formula.
+    let line = before.rsplit("\n\n").next().unwrap_or_default();
+    let from = before.len() - line.len();
+    let parenthesis = line.rfind('(').is_some_and(|k| {
+        let words = &line[k + 1..];
+        !line[..k].ends_with('\\')
+            && !words.contains(')')
+            && words.split_whitespace().count() < 12
+            && is_open(from + k, ['(', ')'])
+            && words.trim_start().starts_with(char::is_alphabetic)
+            && !words.trim_start().starts_with("with")
+            && !words.trim_start().starts_with("where")
+    });
+    command || environment || parenthesis
 }
 
 /// Environments whose names are their own.
@@ -479,7 +546,8 @@ mod tests {
                 loosens: false,
                 changes: false,
                 solves: false,
-                fixes: false
+                fixes: false,
+                aims: false
             }
         );
         assert!(sentence(r"\[ a=b \] Neglecting the last term, \[ c=d \]").loosens);

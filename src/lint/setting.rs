@@ -5,11 +5,15 @@
 
 use std::collections::BTreeSet;
 
-use paper::{PrintedRelation, PrintedSide, names};
+use paper::{PrintedRelation, PrintedSide, names, squeezed};
 
 use super::cases::{Cases, Stance, stance};
+use super::desk::lone_name;
 use super::facts::NEAR;
 use super::judge::{Judge, MOST_EXPLAINED};
+
+/// Relations on both sides of a step in which a name of it may be said to be zero.
+const BESIDE: usize = 6;
 
 impl Judge<'_> {
     /// What the words of its sentence do with a relation.
@@ -57,6 +61,22 @@ impl Judge<'_> {
                 && all.len() > 1
                 && all.iter().all(|k| own.contains(k))
         })
+    }
+
+    /// Whether a name of some sides is said to be zero near them, before or behind, or is cancelled in print.
+    pub(super) fn has_vanishing(&self, sides: [&PrintedSide; 2], at: usize) -> bool {
+        let own: BTreeSet<String> = sides.into_iter().flat_map(names).map(|n| n.key()).collect();
+        let is_zero = |r: &PrintedRelation| match r.sides.as_slice() {
+            [left, right] => squeezed(&right.text) == "0" && lone_name(left).is_some_and(|n| own.contains(&n.key())),
+            _ => false,
+        };
+        let relation = &self.paper.printed[at];
+        let (from, to) = (at.saturating_sub(BESIDE), (at + BESIDE + 1).min(self.paper.printed.len()));
+        let near = &self.paper.printed[from..to];
+        let (file, span) = self.paper.locate(&relation.span());
+        let source = file.text.get(span).unwrap_or_default();
+        let crossed = [r"\cancel", "=0}", "= 0}", r"\xcancel", r"\sout", r"\not{"].iter().any(|w| source.contains(w));
+        crossed || near.iter().filter(|r| r.section == relation.section).any(is_zero)
     }
 
     /// The display of a relation.

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 
-use paper::{PrintedSide, names};
+use paper::{PrintedSide, names, squeezed};
 use proof::Identity;
 
 use super::desk::{Given, NotRead, unprimed};
@@ -81,7 +81,13 @@ impl Judge<'_> {
                 Err(found) => {
                     first_refusal.get_or_insert(found);
                 }
-                Ok(answer) if answer.is_proved() => return Step::Follows(support(&rests)),
+                // `\partial L/\partial x=0` of $L=T-V$: that T and V have no x is said nowhere.
+                Ok(answer) if answer.is_proved() && !lacks_variable(sides, &rests.given) => {
+                    return Step::Follows(support(&rests));
+                }
+                Ok(answer) if answer.is_proved() => {
+                    first_refusal.get_or_insert(NotRead::of("a derivative by what the definition does not show"));
+                }
                 Ok(answer) => asked.push((answer, rests)),
             }
         }
@@ -145,6 +151,11 @@ impl Judge<'_> {
             // Equations of one display hold together: one is no step from the other.
             let display = |at: usize| self.display_of(at);
             let own = display(place.at);
+            // Another right side of the same left one is said of another case.
+            let first = |s: &Stated| self.paper.printed[s.relation].sides.first().map(|side| squeezed(&side.text));
+            let left = squeezed(&sides[0].text);
+            let again = |s: &Stated| left == squeezed(&s.left.text) || first(s).as_ref() == Some(&left);
+            stated.retain(|s| !again(s) || place.sureness != Sureness::Stands);
             stated.retain(|s| {
                 !s.in_text && (place.sureness == Sureness::Concludes || own.is_none() || display(s.relation) != own)
             });
@@ -215,6 +226,12 @@ impl Judge<'_> {
         let is_open = sides.iter().any(|s| has_open_derivative(&s.text))
             || [true, false].iter().any(|&partial| held_fixed(sides, &defined, partial, false).is_some());
         // Between absolute values and roots, where a name is negative counts.
+        let is_zero = sides.iter().any(|s| has_zero_term(&s.text)) || self.has_vanishing(sides, place.at);
+        // What a partial derivative holds fixed differs from factor to factor.
+        let partial = sides.iter().map(|s| s.text.matches(r"\partial").count()).sum::<usize>();
+        if is_zero || partial > 5 && defined.is_empty() {
+            return None;
+        }
         if is_open
             || self.is_supposed_of(sides, place.at)
             || sides.iter().any(|s| has_roots(&s.text)) && self.is_compared(sides, place.at)
@@ -289,6 +306,38 @@ fn held_fixed(
     (is_meant && given.iter().any(|g| depends(&g))).then_some(of)
 }
 
+/// Whether a derivative is taken of what is defined by a name that its definition does not have, nor what that names.
+fn lacks_variable(sides: [&PrintedSide; 2], given: &[Given]) -> bool {
+    let inside = |key: &str| {
+        let mut keys = vec![key.to_owned()];
+        let mut at = 0;
+        while let Some(one) = keys.get(at).cloned() {
+            at += 1;
+            let more =
+                given.iter().filter(|g| g.key == one && !g.is_rate).flat_map(|g| names(&g.right)).map(|n| n.key());
+            let more: Vec<String> = more.filter(|k| !keys.contains(k)).collect();
+            keys.extend(more);
+        }
+        keys
+    };
+    sides.into_iter().flat_map(names).any(|n| {
+        let key = unprimed(&n).key();
+        let by = n.derived_by.as_ref().filter(|by| *by != "t" && **by != key && !n.is_in_group);
+        let is_defined = given.iter().any(|g| g.key == key && !g.is_rate);
+        by.is_some_and(|by| is_defined && !inside(&key).iter().any(|k| k == by || by.ends_with(k.as_str())))
+    })
+}
+
+/// Whether a 0 stands as a term in a side: something vanishes there.
+fn has_zero_term(text: &str) -> bool {
+    let squeezed = squeezed(text);
+    let bytes = squeezed.as_bytes();
+    let sign = |c: Option<&u8>| c.is_none_or(|c| matches!(c, b'+' | b'-' | b'(' | b')' | b'[' | b']'));
+    bytes.len() > 1
+        && (0..bytes.len())
+            .any(|i| bytes[i] == b'0' && sign(i.checked_sub(1).and_then(|k| bytes.get(k))) && sign(bytes.get(i + 1)))
+}
+
 /// Whether `\frac{d}{dx}` stands before a factor without parentheses, and a sum goes on behind it: it may reach to its end.
 fn has_open_derivative(text: &str) -> bool {
     let squeezed: String = text.chars().filter(|c| !c.is_whitespace()).collect();
@@ -298,7 +347,7 @@ fn has_open_derivative(text: &str) -> bool {
             let grouped = rest.starts_with(['(', '[', '{']) || rest.starts_with(r"\left") || rest.starts_with(r"\big");
             !grouped && rest.contains(['+', '-'])
         },
-    )
+    ) || [r"\over\partial", r"\overd", r"\over\mathrm{d}"].iter().any(|w| squeezed.contains(w))
 }
 
 fn support(rests: &Rests) -> Support {

@@ -45,6 +45,20 @@ struct Defined {
     aliases: BTreeMap<String, String>,
     /// Environments: what stands at their beginning and at their end.
     environments: BTreeMap<String, (Macro, Macro)>,
+    /// Conditions of `\newif`, `ifdraft`, and whether they hold.
+    conditions: BTreeMap<String, bool>,
+}
+
+impl Defined {
+    /// At `\drafttrue` or `\draftfalse`: the condition, and what it becomes.
+    fn switched(&self, command: &str) -> Option<(String, bool)> {
+        let (name, value) = match command.strip_suffix("true") {
+            Some(name) => (name, true),
+            None => (command.strip_suffix("false")?, false),
+        };
+        let condition = format!("if{name}");
+        self.conditions.contains_key(&condition).then_some((condition, value))
+    }
 }
 
 /// The tokens of a document with its own macros expanded; definitions leave no token. `input` gives the tokens of a file that
@@ -59,6 +73,8 @@ pub(super) fn expanded(
     let mut out: Vec<Token> = Vec::new();
     // Macros that leave nothing can call each other more often than any paper has tokens.
     let mut calls = 0;
+    // Conditions of the document's own that hold and are not yet closed.
+    let mut open_conditions = 0;
     while let Some((mut token, depth)) = rest.pop() {
         let frozen = token.kind == Kind::Command && defined.aliases.contains_key(&token.text);
         if frozen && let Some(meaning) = defined.aliases.get(&token.text) {
@@ -68,8 +84,17 @@ pub(super) fn expanded(
             out.push(token);
         } else if token.is("end") && begins_group(&rest, "document") {
             break;
-        } else if token.is("iffalse") {
+        } else if token.is("iffalse") || defined.conditions.get(&token.text) == Some(&false) {
             skip_branch(&mut rest);
+        } else if defined.conditions.get(&token.text) == Some(&true) {
+            open_conditions += 1;
+        } else if open_conditions > 0 && token.is("fi") {
+            open_conditions -= 1;
+        } else if open_conditions > 0 && token.is("else") {
+            open_conditions -= 1;
+            skip_branch(&mut rest);
+        } else if let Some(value) = defined.switched(&token.text) {
+            defined.conditions.insert(value.0, value.1);
         } else if INPUTS.contains(&token.text.as_str()) && (frozen || !defined.macros.contains_key(&token.text)) {
             calls += 1;
             let name = file_name(&mut rest);
@@ -224,7 +249,7 @@ fn defined_name(rest: &mut Rest) -> Option<String> {
 
 /// Reads a definition, if `command` begins one.
 fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> bool {
-    let Defined { macros, aliases, environments } = defined;
+    let Defined { macros, aliases, environments, conditions } = defined;
     match command {
         "newcommand" | "renewcommand" | "providecommand" | "DeclareRobustCommand" => {
             next_is(rest, "*");
@@ -290,6 +315,11 @@ fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> bool {
                         Macro { arguments: 0, default: None, body: vec![meaning], behind: Vec::new() },
                     );
                 }
+            }
+        }
+        "newif" => {
+            if let Some(name) = rest.pop().map(|(t, _)| t).filter(|t| t.kind == Kind::Command) {
+                conditions.insert(name.text, false);
             }
         }
         "DeclareMathOperator" => {

@@ -76,9 +76,11 @@ fn what_does_not_follow_is_not_said_to() {
 #[test]
 fn a_definition_that_differs_by_a_slip_is_told() {
     let word = |tex: &str| linted(tex).1.judgements.last().map(|j| j.word);
-    let first = r"\[ E=\frac12mv^2+mgh \] ";
+    let first = r"\[ E=\frac12mv^2+mgh \] \[ a=b \] \[ c=d \] \[ f=g \] ";
     let again = r"\[ E=\frac12mv^2-mgh \]";
     assert_eq!(word(&format!("{first} Its energy is, again, {again}")), Some(Word::Differs));
+    // What stands side by side is a list of several values.
+    assert_eq!(word(&format!(r"\[ E=\frac12mv^2+mgh \] Its energy is, again, {again}")), Some(Word::Defines));
     assert_eq!(word(&format!("{first} If it falls upwards, {again}")), Some(Word::Defines));
     assert_eq!(word(&format!(r"{first} \section{{Another}} {again}")), Some(Word::Defines));
     assert_eq!(word(&format!("{first} Neglecting much, {again}")), Some(Word::Defines));

@@ -8,12 +8,12 @@ mod print;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::{Paper, PrintedSide};
+use super::super::{Paper, PrintedRelation, PrintedSide};
 use super::{PaperName, names};
 use print::{
-    Raised, call, has_bars, has_identity, has_imaginary, has_named_function, has_norm, has_pair,
-    has_product_of_letters, has_unit_of_italics, is_letter_token, is_twice, scripted, squares_an_absolute_value,
-    tokens,
+    Raised, call, follows_a_flow, has_bare_brackets, has_bars, has_identity, has_imaginary, has_named_function,
+    has_norm, has_pair, has_product_of_letters, has_unit_of_italics, is_letter_token, is_twice, scripted,
+    squares_an_absolute_value, tokens,
 };
 
 /// What a paper shows of its notation.
@@ -33,6 +33,10 @@ pub struct Notation {
     varies: BTreeSet<String>,
     /// Whether the imaginary unit stands somewhere.
     has_imaginary: bool,
+    /// Keys of names in relations in which it stands, or that are said to be complex.
+    complex: BTreeSet<String>,
+    /// Keys of names that are said to be vectors, and are printed as numbers are.
+    vectors: BTreeSet<String>,
 }
 
 /// Words of papers in which letters side by side are no numbers.
@@ -42,8 +46,6 @@ const ALGEBRA: &[&str] = &[
     "homomorphism",
     "isomorphi",
     "abelian",
-    " ideal",
-    " module",
     "noetherian",
     "functor",
     "morphism",
@@ -58,8 +60,8 @@ const MANY_WORDS: usize = 8;
 
 /// Words beside a lone name that say that its order counts.
 const ORDERED: &[&str] = &[
-    "matrix",
-    "matrices",
+    "matri",
+    "Matri",
     "commut",
     "subgroup",
     "coset",
@@ -72,6 +74,8 @@ const ORDERED: &[&str] = &[
 ];
 /// Words beside a lone name that say that it acts on what follows.
 const ACTING: &[&str] = &["operator", "operators", "functional", "Operator"];
+/// Words beside a lone name that say that it is a vector.
+const VECTORS: &[&str] = &["vectors", "Vektoren", "vecteurs", "vettori", "vectores", "vetores"];
 /// How far from a name such a word may stand, in bytes.
 const BESIDE: usize = 70;
 
@@ -85,6 +89,7 @@ impl Notation {
             out.is_algebra |= count >= MANY_WORDS;
             out.ordered.extend(named_beside(&file.text, ORDERED));
             out.acting.extend(named_beside(&file.text, ACTING));
+            out.vectors.extend(named_beside(&file.text, VECTORS));
         }
         let mut pairs: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         for relation in &paper.printed {
@@ -100,8 +105,12 @@ impl Notation {
                         pairs.entry(one.base.clone()).or_default().insert(digits);
                     }
                 }
-                out.has_imaginary |= has_imaginary(&side.text);
+                if has_imaginary(&side.text) {
+                    out.has_imaginary = true;
+                    out.complex.extend(relation.sides.iter().flat_map(names).map(|n| n.key()));
+                }
             }
+            out.note_set(relation);
             out.ordered.extend(relation.sides.iter().flat_map(commuted));
             out.varies.extend(varying(&relation.sides));
         }
@@ -110,6 +119,26 @@ impl Notation {
         };
         out.upper.extend(pairs.into_iter().filter(|(_, all)| turned(all)).map(|(base, _)| base));
         out
+    }
+
+    /// Notes what is said to be complex, a vector or a matrix: `$z\in\mathbb C$`, `$u\in\mathbb R^3$`.
+    fn note_set(&mut self, relation: &PrintedRelation) {
+        let [left, right] = relation.sides.as_slice() else { return };
+        if relation.signs.first().is_none_or(|s| s != r"\in") {
+            return;
+        }
+        let set = squeezed(&right.text);
+        let keys = || names(left).into_iter().map(|n| n.key());
+        if set.starts_with(r"\mathbbC") {
+            self.has_imaginary = true;
+            self.complex.extend(keys());
+        }
+        if set.starts_with(r"\mathbbR^") || set.starts_with(r"\mathbbC^") {
+            self.vectors.extend(keys().map(|k| squeezed(&k)));
+        }
+        if set.contains(r"\times") {
+            self.ordered.extend(keys().map(|k| squeezed(&k)));
+        }
     }
 
     /// Whether the paper is one of groups, rings or modules: what is printed as a product, or a sum, may be anything.
@@ -127,12 +156,15 @@ impl Notation {
         let all = tokens(&side.text);
         for one in scripted(&all) {
             let is_square = one.is_digit("2") && (one.is_bold || !self.numbered.contains(&one.base));
-            if one.is_index() || self.upper.contains(&one.base) && !is_square {
+            if one.is_index() || self.upper.contains(&one.base) && !is_square && one.could_be_index() {
                 return Some("an index above, or a power");
             }
             if one.calls {
                 return Some("a call of what has something above, or a power");
             }
+        }
+        if follows_a_flow(&side.text) {
+            return Some("a derivative that follows a flow");
         }
         if all.iter().any(|t| matches!(*t, r"\forall" | r"\exists" | r"\nexists")) {
             return Some("a quantifier");
@@ -170,8 +202,17 @@ impl Notation {
         if has_norm(&side.text) {
             return Some("a norm, or an absolute value");
         }
-        if (self.has_imaginary || squares_an_absolute_value(&side.text)) && has_bars(&side.text) {
+        if has_bare_brackets(&all) {
+            return Some("brackets of a dimension, a unit, a matrix or a whole part");
+        }
+        let beside_i = self.has_imaginary && names(side).iter().any(|n| self.complex.contains(&n.key()));
+        if (beside_i || squares_an_absolute_value(&side.text)) && has_bars(&side.text) {
             return Some("an absolute value of what may be complex");
+        }
+        let of_vectors =
+            names(side).iter().filter(|n| !n.is_bold && self.vectors.contains(&squeezed(&n.key()))).count();
+        if of_vectors > 1 || of_vectors > 0 && has_bars(&side.text) {
+            return Some("vectors in plain letters");
         }
         let mut ordered = names(side)
             .into_iter()
@@ -243,7 +284,9 @@ fn named_beside(text: &str, words: &[&str]) -> BTreeSet<String> {
                 }
                 count += piece.split_whitespace().count();
                 let is_said = k > 0
-                    || ["is", "are", "be", "being", "as"].iter().any(|w| piece.split_whitespace().any(|p| p == *w));
+                    || ["is", "are", "be", "being", "as", "two", "zwei", "due", "deux", "dos", "dois", "sind", "des"]
+                        .iter()
+                        .any(|w| piece.split_whitespace().any(|p| p == *w));
                 if count > MOST_WORDS_BETWEEN || piece.contains(['.', ';', '=']) || !is_said && !piece.trim().is_empty()
                 {
                     break;

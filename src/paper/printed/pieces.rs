@@ -65,6 +65,13 @@ pub(super) fn pieces(tokens: &[Token]) -> Vec<Piece> {
             && let Some(word) = token.text.strip_prefix('q').filter(|w| WIDE_WORDS.contains(w))
         {
             next = Some((Piece { words: Some(word.to_owned()), wide: true, ..Piece::default() }, at + 1));
+        } else if outside
+            && let Some(after) = gap(tokens, at)
+            && out.last().is_some_and(Piece::relates)
+            && relates_next(&tokens[after..])
+        {
+            // Between two relations any wide space parts them.
+            next = Some((Piece { wide: true, ..Piece::default() }, after));
         } else if outside && is_wide(token) {
             next = Some((Piece { wide: true, ..Piece::default() }, at + 1));
         } else if outside && token.kind == Kind::Command && BETWEEN_STATEMENTS.contains(&token.text.as_str()) {
@@ -103,7 +110,83 @@ pub(super) fn pieces(tokens: &[Token]) -> Vec<Piece> {
             }
         }
     }
+    for piece in &mut out {
+        if let Some(end) = numbered_by_hand(&piece.tokens) {
+            piece.tokens.truncate(end);
+        }
+    }
     out
+}
+
+/// The position after a wide space that begins here and is no `\quad`: a length, a fill, three small ones in a row.
+fn gap(tokens: &[Token], at: usize) -> Option<usize> {
+    let small = |t: &Token| {
+        t.is_char("~")
+            || t.kind == Kind::Command
+                && matches!(t.text.as_str(), ";" | " " | ":" | ">" | "," | "thickspace" | "medspace")
+    };
+    let (mut next, mut count, mut wide) = (at, 0, false);
+    while let Some(token) = tokens.get(next) {
+        if token.is("hspace") || token.is("phantom") || token.is("hphantom") {
+            let star = usize::from(tokens.get(next + 1).is_some_and(|t| t.is_char("*")));
+            next = group_text(tokens, next + 1 + star).1;
+            wide = true;
+        } else if token.is("hfill") || token.is("hfil") || token.is("enspace") || token.is("enskip") {
+            next += 1;
+            wide = true;
+        } else if small(token) {
+            count += 1;
+            next += 1;
+        } else if token.kind == Kind::Space && next > at {
+            next += 1;
+        } else {
+            break;
+        }
+    }
+    (wide || count > 2).then_some(next)
+}
+
+/// Whether a sign of relation stands before the next separator.
+fn relates_next(tokens: &[Token]) -> bool {
+    let mut nesting = Nesting::default();
+    let mut at = 0;
+    while let Some(token) = tokens.get(at) {
+        if nesting.is_outside() {
+            if is_relation(token) {
+                return true;
+            }
+            if is_wide(token) || token.is_char(",") || token.is_char(";") {
+                return false;
+            }
+        }
+        at += 1 + nesting.take(token, &tokens[at + 1..]);
+    }
+    false
+}
+
+/// Where a number begins that an author wrote behind a formula, `F=ma\ (2)`: behind a space, in parentheses, at the end.
+fn numbered_by_hand(tokens: &[Token]) -> Option<usize> {
+    let printed: Vec<usize> = (0..tokens.len())
+        .filter(|&i| tokens[i].kind != Kind::Space && !tokens[i].is_char(".") && !tokens[i].is_char(","))
+        .collect();
+    let close = printed.len().checked_sub(1)?;
+    let open = (close.saturating_sub(4)..close).rev().find(|&k| tokens[printed[k]].is_char("("))?;
+    let inside: String = printed[open + 1..close].iter().map(|&i| tokens[i].text.as_str()).collect();
+    let digits = inside.trim_end_matches(|c: char| c.is_ascii_lowercase() || c == '\'' || c == '*');
+    let number = !digits.is_empty() && digits.chars().all(|c| c.is_ascii_digit()) && inside.len() <= digits.len() + 1;
+    let letter = inside.len() == 1 && inside.chars().all(|c| matches!(c, 'a'..='d'));
+    let before = &tokens[printed[open.checked_sub(1)?]];
+    let space = |t: &Token| {
+        t.is_char("~")
+            || t.kind == Kind::Command
+                && matches!(t.text.as_str(), ";" | " " | ":" | "hfill" | "enspace" | "quad" | "qquad")
+    };
+    let relates = || {
+        let mut found = false;
+        walk(&tokens[..printed[open]], |i, outside| found |= outside && is_relation(&tokens[i]));
+        found
+    };
+    (tokens[printed[close]].is_char(")") && (number || letter) && space(before) && relates()).then_some(printed[open])
 }
 
 /// Whether a full stop ends a formula, and is no decimal point.

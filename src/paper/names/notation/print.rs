@@ -86,6 +86,14 @@ impl Raised {
         }
     }
 
+    /// Whether what stands above could be an index of a letter that has them: digits and letters, and no sign or fraction.
+    pub fn could_be_index(&self) -> bool {
+        let plain = |t: &String| {
+            t == "," || t.chars().all(char::is_alphanumeric) || t.strip_prefix('\\').is_some_and(is_letter_command)
+        };
+        self.above.iter().all(plain)
+    }
+
     pub fn is_digit(&self, digit: &str) -> bool {
         matches!(self.above.as_slice(), [one] if one == digit)
     }
@@ -305,6 +313,15 @@ pub(super) fn call(all: &[&str]) -> Option<&'static str> {
     for i in 1..all.len() {
         let named = is_letter_token(all[i - 1]) && !is_script(all, i - 1);
         match all[i] {
+            // `\pi(g)v` is a map of g as often as a number.
+            "(" if all[i - 1] == r"\pi"
+                && i > 0
+                && all.get(i + 1).is_some_and(|t| is_letter_token(t))
+                && all.get(i + 2) == Some(&")")
+                && !(i > 1 && all[i - 2].chars().all(|c| c.is_ascii_digit())) =>
+            {
+                return Some("a function of anything, or a product");
+            }
             "(" if named => {
                 let signed = matches!(&all[i + 1..], ["-" | "+", rest @ ..] if {
                     let digits = rest.iter().take_while(|t| t.chars().all(|c| c.is_ascii_digit() || c == '.')).count();
@@ -410,5 +427,37 @@ pub(super) fn has_product_of_letters(all: &[&str]) -> bool {
             && (letter(before) || matches!(before, "}" | ")"))
             && !is_script(all, i)
             && !(is_script(all, i - 1) && before == "}")
+    })
+}
+
+/// `\frac{Du}{Dt}`, `\frac{D}{Dt}`, with any D.
+pub(super) fn follows_a_flow(text: &str) -> bool {
+    let squeezed: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    let squeezed = squeezed.replace(r"\mathrm{D}", "D").replace(r"\mathcal{D}", "D").replace(r"\mathcalD", "D");
+    squeezed.match_indices("}{D").any(|(at, _)| {
+        let by = squeezed[at + 3..].split('}').next().unwrap_or_default();
+        let top = squeezed[..at].rsplit(r"frac{").next().unwrap_or_default();
+        matches!(by, "t" | r"\tau") && top.starts_with('D')
+    })
+}
+
+/// Brackets around what needs none: `[E]`, `[mv^2]`, `8[\\frac ms]`.
+pub(super) fn has_bare_brackets(all: &[&str]) -> bool {
+    let derives = all.windows(3).any(|w| w[1] == "{" && matches!(w[2], "d" | r"\partial" | r"\mathrm"));
+    (0..all.len()).filter(|&i| all[i] == "[" && !(i > 0 && matches!(all[i - 1], r"\sqrt"))).any(|i| {
+        let mut depth = 0i32;
+        let end = (i..all.len()).find(|&k| {
+            depth += i32::from(matches!(all[k], "[" | "(" | "{")) - i32::from(matches!(all[k], "]" | ")" | "}"));
+            depth == 0
+        });
+        let Some(end) = end else { return false };
+        let mut depth = 0i32;
+        let needed = (i + 1..end).any(|k| {
+            depth += i32::from(matches!(all[k], "(" | "{")) - i32::from(matches!(all[k], ")" | "}"));
+            depth == 0 && matches!(all[k], "+" | "-" | r"\pm" | ",") && k > i + 1
+        });
+        let raised = matches!(all.get(end + 1), Some(&("^" | "_"))) || all.get(end) == Some(&r"\right");
+        let holds_brackets = all[i + 1..end].contains(&"(");
+        !needed && !raised && !derives && !holds_brackets
     })
 }
