@@ -560,3 +560,36 @@ fn squares_products_and_separants_of_constants() {
     ]);
     assert!(decided >= 22, "{decided} of 27 decided; open:\n{}", open.join("\n"));
 }
+
+/// A sign that is chosen point by point may be another one at another time; `x=t|t|` and `x=|1-t|(1+t+t^2)`, `y=1-t^3` are motions.
+#[test]
+fn signs_chosen_point_by_point() {
+    all(&[
+        ("unproved", "x=x(1)t^2", "x: state", r"x=\pm t^2"),
+        ("unproved", "x=t^4", "x, y: state", r"x=\pm t^4; x(1)=1; \ddot x=y"),
+        ("unproved", "xy(1)=x(1)y", "x, y: state", r"x=\pm y"),
+        ("unproved", "x=y", "x, y: state", r"x=\pm y; x(0)=1; y(0)=1"),
+        ("unproved", "x(1)=y(1)", "x, y: state", r"x=\pm y; x(0)=y(0); x(0)=1"),
+        ("unproved", "x(0)y(1)=x(1)y(0)", "x, y: state", r"x=\pm y"),
+        ("unproved", "u=x^2u(1)", "x: coordinate; u(x): field", r"u=\pm x^2"),
+        ("proved", "x^2=y^2", "x, y: state", r"x=\pm y"),
+        ("proved", r"x\dot x=y\dot y", "x, y: state", r"x=\pm y"),
+    ]);
+}
+
+/// Signs that are known at all times tie the values of a motion at different ones.
+#[test]
+fn signs_at_all_times_tie_motions() {
+    all(&[
+        ("unrefuted", "|x(1)x(0)|=x(1)x(0)", "x: state", r"x\ne0"),
+        ("unrefuted", "|x|=x", "x: state", r"x^2>1; x(0)>0"),
+        ("unrefuted", "|x(1)-x(0)|=x(1)-x(0)", "x: state", r"\dot x>0"),
+        ("unrefuted", r"x(\frac12)=x(0)", "x: state", r"\dot x\ge0; x(0)\ge x(1)"),
+        ("unrefuted", "|x(1)|=x(1)", "x: state", r"\dot x\ge x; x(0)>0"),
+        ("unrefuted", r"\det R=|\det R|", "R: state, 3x3", r"\det R\ne0; \det R(0)>0"),
+        ("unrefuted", "y=1", "x, y: state", r"x\ne0; x(0)>0; x(1)<0"),
+        ("refuted", "x(1)=x(0)", "x: state", "x>0"),
+        ("refuted", "x(1)=2x(0)", "x: state", r"x\ne0; x(0)>0"),
+        ("refuted", "x=y", "x, y: state", "x>0"),
+    ]);
+}

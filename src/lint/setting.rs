@@ -67,7 +67,11 @@ impl Judge<'_> {
     pub(super) fn has_vanishing(&self, sides: [&PrintedSide; 2], at: usize) -> bool {
         let own: BTreeSet<String> = sides.into_iter().flat_map(names).map(|n| n.key()).collect();
         let is_zero = |r: &PrintedRelation| match r.sides.as_slice() {
-            [left, right] => squeezed(&right.text) == "0" && lone_name(left).is_some_and(|n| own.contains(&n.key())),
+            [left, right] => {
+                r.signs[0] == "="
+                    && squeezed(&right.text) == "0"
+                    && lone_name(left).is_some_and(|n| own.contains(&n.key()))
+            }
             _ => false,
         };
         let relation = &self.paper.printed[at];

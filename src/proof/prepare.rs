@@ -1,5 +1,7 @@
 //! Premises before lowering: derivatives by time, explicit definitions.
 
+mod signs;
+
 use super::closing::Dynamics;
 use super::insertion::put_in;
 use super::jets::Jets;
@@ -10,6 +12,7 @@ use super::witness::{decimals, values_at};
 use expr::domain::{Sign, row};
 use expr::{Expr, Graph, Leaf, Node, Op, Rational};
 use expr::{FastMap, FastSet};
+use signs::Signs;
 
 /// An equation among the premises.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,6 +43,8 @@ pub(super) struct Solutions {
     /// For each two places at which one field is taken, what must not all be 0: values at different places are free of each
     /// other (there is a polynomial with any derivatives at finitely many points), at one place they are the same.
     apart: Vec<Vec<Expr>>,
+    /// What is known of signs at all times, of what moves.
+    signs: Signs,
 }
 
 /// Values of what is free where only the place of a field depends on it.
@@ -57,6 +62,7 @@ impl Solutions {
         !self.tied
             && inside.into_iter().all(|v| v.is_some_and(|v| v.value > v.error))
             && self.are_apart(graph, point)
+            && self.signs.allow(graph, point)
             && self.dynamics.extends(graph, point)
             && self.jets.extends(graph, point)
     }
@@ -149,7 +155,8 @@ pub(super) fn with_rates(
         }
     }
     all.extend(pointwise);
-    Ok((all, Solutions { dynamics, jets, inside, tied, apart }))
+    let signs = Signs::of(graph, premises, time, &moves);
+    Ok((all, Solutions { dynamics, jets, inside, tied, apart, signs }))
 }
 
 /// Values of one field at places that are the same, though they are written otherwise: x − ct and −tc + x.

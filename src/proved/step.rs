@@ -308,7 +308,7 @@ impl<'a> Step<'a> {
                 false => self.decide_denials(),
             };
         }
-        if self.assumes_sign() {
+        if self.assumes_sign() && (self.claim.branches_throughout || !self.names_other_times()) {
             return self.for_each_sign();
         }
         let mut between =

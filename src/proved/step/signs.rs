@@ -6,6 +6,7 @@
 use super::definitions::Definitions;
 use super::{Pairs, Step};
 use crate::agreement::answer;
+use crate::derivation::Premise;
 use crate::findings::standing::Decision;
 use crate::findings::{IdentityAccount, IdentityEvidence};
 use proof::{Identity, Reason};
@@ -68,7 +69,32 @@ impl Step<'_> {
         self.claim.assuming.iter().flat_map(|w| &w.value.relations).any(|r| r.has_branches)
     }
 
+    /// Whether a value at a fixed time, or of a field at another place, stands in the step or in what it follows from. A sign that is chosen
+    /// point by point may be another one there: x = ±t² and x(1) = 1 leave x = t|t|.
+    pub(super) fn names_other_times(&mut self) -> bool {
+        let (derivation, claim) = (self.derivation, self.claim);
+        let mut of = vec![claim];
+        of.extend(Step::given(derivation, claim).iter().filter_map(|name| match derivation.premise(name) {
+            Premise::Claim(at) => Some(&derivation.claims[at]),
+            Premise::System(_) | Premise::Definition => None,
+        }));
+        let mut roots = Vec::new();
+        for one in of {
+            let (equations, signs) = self.said(one).unwrap_or_default();
+            roots.extend(equations.iter().flat_map(|&(l, r)| [l, r]));
+            let assumed = one.assuming.iter().flat_map(|w| &w.value.relations);
+            for relation in assumed.chain(signs) {
+                roots.extend(self.scalars(relation).into_iter().flat_map(|(l, r)| [l, r]));
+            }
+        }
+        let leaves = self.graph.leaves_within(roots);
+        leaves.iter().any(|l| l.instant.is_some() || self.graph.place(l.symbol).is_some())
+    }
+
     /// A sign that stands among the assumptions is one with that of the claim: it must follow for both.
+    ///
+    /// Of a sign that is chosen point by point this is so where everything is said of one time and place: on an interval that is short enough
+    /// one of the two residuals vanishes, with its derivatives.
     pub(super) fn for_each_sign(self) -> Option<Result<IdentityAccount, String>> {
         let mut all: Option<IdentityAccount> = None;
         for value in [1, -1] {

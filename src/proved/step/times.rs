@@ -117,7 +117,15 @@ impl Step<'_> {
         let instants = self.instants(equations.iter().flat_map(|&(l, r)| [l, r]));
         let &chosen = instants.first()?;
         let of_premises: Vec<Leaf> = self.graph.leaves_within(gathered.premises.sides());
-        let alone = instants.len() == 1 && of_premises.iter().all(|l| l.instant.is_none_or(|i| i == chosen));
+        // A sign that is known at another time ties the value there to the one that is asked about, where signs are known at all times.
+        let given = &gathered.premises;
+        let signs = given.nonzero.iter().chain(&given.positive).chain(&given.not_negative).copied();
+        let of_signs = self.graph.leaves_within(signs);
+        let moves = |l: &Leaf| self.claim.scope.moves(l);
+        let are_tied = of_signs.iter().any(|l| moves(l) && l.instant.is_some_and(|i| i != chosen))
+            && of_signs.iter().any(|l| moves(l) && l.instant.is_none());
+        let alone =
+            !are_tied && instants.len() == 1 && of_premises.iter().all(|l| l.instant.is_none_or(|i| i == chosen));
         if alone {
             for leaf in of_premises.into_iter().filter(|l| l.instant.is_some()) {
                 let pair = [leaf, Leaf { instant: None, ..leaf }].map(|l| self.graph.leaf(l));
