@@ -170,7 +170,7 @@ impl Judge<'_> {
         let taken = match self.stance(relation) {
             Stance::Denied => Some("the words around it deny it"),
             Stance::Asked => Some("it is asked, or one of several answers"),
-            Stance::Said if self.is_alternative(relation) => Some("one of several that are possible"),
+            Stance::Said if self.is_alternative(at) => Some("one of several that are possible"),
             Stance::Said => None,
         };
         if let Some(why) = taken {

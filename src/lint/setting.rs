@@ -27,13 +27,16 @@ impl Judge<'_> {
     }
 
     /// Whether a relation stands in a display with "or" between its formulas.
-    pub(super) fn is_alternative(&self, relation: &PrintedRelation) -> bool {
+    pub(super) fn is_alternative(&self, at: usize) -> bool {
         let has_or = |r: &PrintedRelation| {
             r.remark.as_deref().is_some_and(|words| words.split(|c: char| !c.is_alphabetic()).any(|w| w == "or"))
         };
-        relation.display.is_some()
-            && relation.sides.len() == 2
-            && self.paper.printed.iter().filter(|r| r.display == relation.display).take(MOST_EXPLAINED).any(has_or)
+        let all = &self.paper.printed;
+        let relation = &all[at];
+        let same = |r: &&PrintedRelation| r.display == relation.display;
+        let before = all[..at].iter().rev().take_while(same).take(MOST_EXPLAINED);
+        let here = before.chain(all[at..].iter().take_while(same).take(MOST_EXPLAINED));
+        relation.display.is_some() && relation.sides.len() == 2 && here.into_iter().any(has_or)
     }
 
     /// Whether what one relation says may be of another case than a later one.

@@ -76,6 +76,10 @@ const ORDERED: &[&str] = &[
 const ACTING: &[&str] = &["operator", "operators", "functional", "Operator"];
 /// Words beside a lone name that say that it is a vector.
 const VECTORS: &[&str] = &["vectors", "Vektoren", "vecteurs", "vettori", "vectores", "vetores"];
+/// Longest side, in bytes, of which the notation is looked at for evidence.
+const LONGEST: usize = 4_000;
+/// The most terms of a side that are compared with each other.
+const MOST_TERMS: usize = 60;
 /// How far from a name such a word may stand, in bytes.
 const BESIDE: usize = 70;
 
@@ -93,7 +97,7 @@ impl Notation {
         }
         let mut pairs: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         for relation in &paper.printed {
-            for side in &relation.sides {
+            for side in relation.sides.iter().filter(|s| s.text.len() <= LONGEST) {
                 for one in scripted(&tokens(&side.text)) {
                     if one.is_index() && !one.is_digit("0") && !one.is_digit("1") {
                         out.upper.insert(one.base.clone());
@@ -111,7 +115,7 @@ impl Notation {
                 }
             }
             out.note_set(relation);
-            out.ordered.extend(relation.sides.iter().flat_map(commuted));
+            out.ordered.extend(relation.sides.iter().filter(|s| s.text.len() <= LONGEST).flat_map(commuted));
             out.varies.extend(varying(&relation.sides));
         }
         let turned = |all: &BTreeSet<String>| {
@@ -338,6 +342,7 @@ fn commuted(side: &PrintedSide) -> Vec<String> {
         }
     }
     terms.retain(|(_, t)| t.len() > 1);
+    terms.truncate(MOST_TERMS);
     let mut out = Vec::new();
     for (i, a) in terms.iter().enumerate() {
         for b in &terms[i + 1..] {
