@@ -3,111 +3,77 @@
 //! **In:** the text of a file. **Out:** whether what is said at one place may be of another case than what stands at a later one; whether the
 //! words around a formula deny it, or ask for it. **Guaranteed:** words only keep something from being used, or from being judged.
 
+/// How a word at the beginning of a sentence parts cases.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Opener {
+    /// Another case may begin.
+    Opens,
+    /// It says of what follows in its sentence that it is a case.
+    Case,
+    /// The same, of a case that ends with the sentence.
+    Moment,
+}
+
 /// Words that begin a sentence about a case.
-const OPENERS: &[&str] = &[
-    "For",
-    "If",
-    "When",
-    "At",
-    "Suppose",
-    "Case",
-    "Consider",
-    "Considering",
-    "Assume",
-    "Near",
-    "In",
-    "On",
-    "Now",
-    "Alternatively",
-    "Instead",
-    "Otherwise",
-    "Similarly",
-    "Likewise",
-    "Finally",
-    "Next",
-    "Without",
-    "With",
-    "Initially",
-    "Unless",
-    "After",
-    "Before",
-    "Für",
-    "F\\\"ur",
-    "Falls",
-    "Wenn",
-    "Bei",
-    "Im",
-    "Jetzt",
-    "Nun",
-    "Pour",
-    "Si",
-    "Quand",
-    "Lorsque",
-    "Dans",
-    "Au",
-    "Per",
-    "Se",
-    "Quando",
-    "Nel",
-    "Para",
-    "Cuando",
-    "En",
-    "No",
-    "Problem",
-    "Exercise",
-    "Question",
-    "Aufgabe",
-    "Exercice",
-    "Esercizio",
-    "Ejercicio",
-    "Part",
-    "Disc",
-    "Ring",
-];
-/// Those of them that say of what follows in their sentence that it is one.
-const CASES: &[&str] = &[
-    "For",
-    "If",
-    "When",
-    "At",
-    "Suppose",
-    "Case",
-    "Assume",
-    "Near",
-    "Initially",
-    "Unless",
-    "Für",
-    "F\\\"ur",
-    "Falls",
-    "Wenn",
-    "Bei",
-    "Pour",
-    "Si",
-    "Quand",
-    "Lorsque",
-    "Per",
-    "Se",
-    "Quando",
-    "Para",
-    "Cuando",
-];
-/// Those whose case ends with their sentence.
-const MOMENTS: &[&str] = &[
-    "If",
-    "When",
-    "At",
-    "Near",
-    "Initially",
-    "Unless",
-    "Falls",
-    "Wenn",
-    "Bei",
-    "Si",
-    "Quand",
-    "Lorsque",
-    "Se",
-    "Quando",
-    "Cuando",
+const OPENERS: &[(&str, Opener)] = &[
+    ("For", Opener::Case),
+    ("If", Opener::Moment),
+    ("When", Opener::Moment),
+    ("At", Opener::Moment),
+    ("Suppose", Opener::Case),
+    ("Case", Opener::Case),
+    ("Consider", Opener::Opens),
+    ("Considering", Opener::Opens),
+    ("Assume", Opener::Case),
+    ("Near", Opener::Moment),
+    ("In", Opener::Opens),
+    ("On", Opener::Opens),
+    ("Now", Opener::Opens),
+    ("Alternatively", Opener::Opens),
+    ("Instead", Opener::Opens),
+    ("Otherwise", Opener::Opens),
+    ("Similarly", Opener::Opens),
+    ("Likewise", Opener::Opens),
+    ("Finally", Opener::Opens),
+    ("Next", Opener::Opens),
+    ("Without", Opener::Opens),
+    ("With", Opener::Opens),
+    ("Initially", Opener::Moment),
+    ("Unless", Opener::Moment),
+    ("After", Opener::Opens),
+    ("Before", Opener::Opens),
+    ("Für", Opener::Case),
+    ("F\\\"ur", Opener::Case),
+    ("Falls", Opener::Moment),
+    ("Wenn", Opener::Moment),
+    ("Bei", Opener::Moment),
+    ("Im", Opener::Opens),
+    ("Jetzt", Opener::Opens),
+    ("Nun", Opener::Opens),
+    ("Pour", Opener::Case),
+    ("Si", Opener::Moment),
+    ("Quand", Opener::Moment),
+    ("Lorsque", Opener::Moment),
+    ("Dans", Opener::Opens),
+    ("Au", Opener::Opens),
+    ("Per", Opener::Case),
+    ("Se", Opener::Moment),
+    ("Quando", Opener::Moment),
+    ("Nel", Opener::Opens),
+    ("Para", Opener::Case),
+    ("Cuando", Opener::Moment),
+    ("En", Opener::Opens),
+    ("No", Opener::Opens),
+    ("Problem", Opener::Opens),
+    ("Exercise", Opener::Opens),
+    ("Question", Opener::Opens),
+    ("Aufgabe", Opener::Opens),
+    ("Exercice", Opener::Opens),
+    ("Esercizio", Opener::Opens),
+    ("Ejercicio", Opener::Opens),
+    ("Part", Opener::Opens),
+    ("Disc", Opener::Opens),
+    ("Ring", Opener::Opens),
 ];
 /// Commands behind which another thing may begin.
 const BREAKS: &[&str] = &[
@@ -200,7 +166,7 @@ const CHOICES: &[&str] = &[r"\choice", r"\wrongchoice", r"\correctchoice", r"\Co
 #[derive(Clone, Debug, Default)]
 pub struct Cases {
     /// Sentences that begin with a word of [`OPENERS`].
-    openers: Vec<(usize, &'static str)>,
+    openers: Vec<(usize, &'static str, Opener)>,
     /// Where items of lists begin, and where lists end.
     items: Vec<(usize, bool)>,
     /// Where sentences and paragraphs end.
@@ -213,17 +179,18 @@ impl Cases {
     /// Finds the cases of a text.
     pub fn of(text: &str) -> Cases {
         let mut out = Cases::default();
-        for &word in OPENERS {
+        for &(word, opener) in OPENERS {
             let is_word = |at: usize| {
                 let before = text[..at].chars().next_back();
                 let behind = text[at + word.len()..].chars().next();
                 !before.is_some_and(|c| c.is_alphanumeric() || matches!(c, '\\' | '{' | '-' | '$' | '_'))
                     && behind.is_some_and(|c| c.is_whitespace() || c == '~' || c == ',')
             };
-            out.openers
-                .extend(text.match_indices(word).map(|(at, _)| at).filter(|&at| is_word(at)).map(|at| (at, word)));
+            out.openers.extend(
+                text.match_indices(word).map(|(at, _)| at).filter(|&at| is_word(at)).map(|at| (at, word, opener)),
+            );
         }
-        out.openers.sort_unstable();
+        out.openers.sort_unstable_by_key(|(at, word, _)| (*at, *word));
         out.items.extend(text.match_indices(r"\item").map(|(at, _)| (at, true)));
         for end in [r"\end{itemize", r"\end{enumerate", r"\end{description"] {
             out.items.extend(text.match_indices(end).map(|(at, _)| (at, false)));
@@ -251,19 +218,19 @@ impl Cases {
         if is_sure && in_item && self.items[first..last.max(first)].iter().any(|(_, begins)| *begins) {
             return true;
         }
-        let first = self.openers.partition_point(|(place, _)| *place < from);
-        let last = self.openers.partition_point(|(place, _)| *place < to);
-        let Some(&(opened, own)) = first.checked_sub(1).and_then(|k| self.openers.get(k)) else { return false };
+        let first = self.openers.partition_point(|(place, ..)| *place < from);
+        let last = self.openers.partition_point(|(place, ..)| *place < to);
+        let Some(&(opened, own, opener)) = first.checked_sub(1).and_then(|k| self.openers.get(k)) else { return false };
         let ends = self.stops.partition_point(|stop| *stop < opened);
         let is_open = self.stops.get(ends).is_none_or(|stop| *stop >= from);
-        if !is_open || !CASES.contains(&own) {
+        if !is_open || opener == Opener::Opens {
             return false;
         }
         // "At t = 0, v = v₀." is said of that time alone.
-        if MOMENTS.contains(&own) && self.stops.get(ends).is_some_and(|stop| *stop < to) {
+        if opener == Opener::Moment && self.stops.get(ends).is_some_and(|stop| *stop < to) {
             return true;
         }
-        self.openers[first..last.max(first)].iter().any(|(_, word)| is_sure || *word == own)
+        self.openers[first..last.max(first)].iter().any(|(_, word, _)| is_sure || *word == own)
     }
 }
 

@@ -12,6 +12,7 @@ use super::nearest::Sureness;
 use super::notation::Evidence;
 use super::question::MOST_QUESTIONS;
 use super::sentence::{Sentence, explains, is_supposed, parts};
+use super::setting::Noted;
 use super::signs::{ABOUT, COMPARES, EQUALS, is_one_of};
 use super::step::{Blame, Place, Step};
 use super::{Judgement, Lint, Word};
@@ -90,9 +91,9 @@ pub(super) struct Judge<'p> {
     /// The cases of each file.
     pub(super) cases: Vec<(std::sync::Arc<diag::Source>, Cases)>,
     /// Comparisons, with their names: until when they hold is not known.
-    pub(super) compared: Vec<(usize, usize, BTreeSet<String>)>,
+    pub(super) compared: Vec<Noted>,
     /// Equations that are supposed in the running text, "if $a=b$", with their names.
-    pub(super) supposed: Vec<(usize, usize, BTreeSet<String>)>,
+    pub(super) supposed: Vec<Noted>,
 }
 
 /// What became of the steps of a relation.
@@ -150,7 +151,7 @@ impl Judge<'_> {
                     && lone_name(&relation.sides[1]).is_some());
         if relation.signs.iter().any(|s| is(COMPARES, s)) && !is_sign {
             let all = relation.sides.iter().flat_map(names).map(|n| n.key()).collect();
-            self.compared.push((self.section, at, all));
+            self.compared.push(Noted { section: self.section, relation: at, names: all });
         }
         if relation.signs.iter().all(|s| is(COMPARES, s)) || relation.is_condition {
             out.word = Word::Condition;
@@ -197,7 +198,7 @@ impl Judge<'_> {
         }
         if inline && is_supposed(self.paper, relation) {
             let all = relation.sides.iter().flat_map(names).map(|n| n.key()).collect();
-            self.supposed.push((self.section, at, all));
+            self.supposed.push(Noted { section: self.section, relation: at, names: all });
         }
         // One name for another in the running text is a case more often than a definition.
         let is_rate = |n: &paper::PaperName| n.dots > 0 || n.derived_by.is_some();

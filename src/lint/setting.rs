@@ -15,6 +15,18 @@ use super::judge::{Judge, MOST_EXPLAINED};
 /// Relations on both sides of a step in which a name of it may be said to be zero.
 const BESIDE: usize = 6;
 
+/// A relation that compares, or supposes, with its names.
+pub(super) struct Noted {
+    pub section: usize,
+    pub relation: usize,
+    pub names: BTreeSet<String>,
+}
+
+/// The keys of the names of some sides.
+fn keys(sides: [&PrintedSide; 2]) -> BTreeSet<String> {
+    sides.into_iter().flat_map(names).map(|n| n.key()).collect()
+}
+
 impl Judge<'_> {
     /// What the words of its sentence do with a relation.
     pub(super) fn stance(&self, relation: &PrintedRelation) -> Stance {
@@ -56,19 +68,13 @@ impl Judge<'_> {
 
     /// Whether an equation between the names of some sides is supposed before, in this section: the sides may be equal just then.
     pub(super) fn is_supposed_of(&self, sides: [&PrintedSide; 2], at: usize) -> bool {
-        let own: BTreeSet<String> = sides.into_iter().flat_map(names).map(|n| n.key()).collect();
-        self.supposed.iter().any(|(section, before, all)| {
-            *section == self.section
-                && *before < at
-                && before + NEAR >= at
-                && all.len() > 1
-                && all.iter().all(|k| own.contains(k))
-        })
+        let own = keys(sides);
+        self.near(&self.supposed, at).any(|all| all.len() > 1 && all.is_subset(&own))
     }
 
     /// Whether a name of some sides is said to be zero near them, before or behind, or is cancelled in print.
     pub(super) fn has_vanishing(&self, sides: [&PrintedSide; 2], at: usize) -> bool {
-        let own: BTreeSet<String> = sides.into_iter().flat_map(names).map(|n| n.key()).collect();
+        let own = keys(sides);
         let is_zero = |r: &PrintedRelation| match r.sides.as_slice() {
             [left, right] => {
                 r.signs[0] == "="
@@ -93,9 +99,14 @@ impl Judge<'_> {
 
     /// Whether a comparison before, in this section, is about a name of some sides.
     pub(super) fn is_compared(&self, sides: [&PrintedSide; 2], at: usize) -> bool {
-        let own: BTreeSet<String> = sides.into_iter().flat_map(names).map(|n| n.key()).collect();
-        self.compared.iter().any(|(section, before, all)| {
-            *section == self.section && *before < at && before + NEAR >= at && all.iter().any(|k| own.contains(k))
-        })
+        let own = keys(sides);
+        self.near(&self.compared, at).any(|all| !all.is_disjoint(&own))
+    }
+
+    /// The names of what was noted near before a relation, in this section.
+    fn near<'n>(&self, noted: &'n [Noted], at: usize) -> impl Iterator<Item = &'n BTreeSet<String>> {
+        let section = self.section;
+        let is_near = move |n: &&Noted| n.section == section && n.relation < at && n.relation + NEAR >= at;
+        noted.iter().filter(is_near).map(|n| &n.names)
     }
 }
