@@ -108,13 +108,16 @@
 #![forbid(unsafe_code)]
 
 mod ask;
+mod brief;
 /// The command line, for programs that bring it along: one function, which takes the words of a command and gives its exit code.
 #[cfg(feature = "cli")]
 #[doc(hidden)]
 pub mod cli;
 mod conclusion;
+pub mod look;
 mod run;
 mod session;
+pub mod threads;
 
 // The command line is written as a user of this library.
 #[cfg(feature = "cli")]
@@ -129,4 +132,5 @@ pub use check::{Outcome, Rigor, Strength, Witness};
 pub use conclusion::{Conclusion, Demand, Ending};
 pub use expr::tape;
 pub use run::{Detail, Document, Format, Run};
-pub use session::{Answer, ClaimName, Failure, Finding, Findings, Question, Session, threads};
+pub use session::{Answer, ClaimName, Failure, Finding, Findings, Question, Session};
+pub use threads::threads;

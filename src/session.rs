@@ -31,21 +31,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Where diagnostics place a problem with the scope of a [`Question`].
 const SCOPE: &str = "scope";
 
-/// Memory that a thread needs for the calls of a session: formulas, tables and proofs may be nested as deep as their readers allow.
-const STACK: usize = 64 << 20;
-
-/// Threads on which a session can be asked: each has the memory that its calls need. There are as many as processors, unless a number is
-/// set.
-///
-/// ```
-/// let threads = rederive::threads().num_threads(2).build().expect("two threads");
-/// let opened = threads.install(|| rederive::Session::open("empty.toml", ""));
-/// assert!(opened.is_err());
-/// ```
-pub fn threads() -> rayon::ThreadPoolBuilder {
-    rayon::ThreadPoolBuilder::new().stack_size(STACK)
-}
-
 /// A derivation that was read, and what is known of it.
 #[derive(Debug)]
 pub struct Session {
@@ -173,6 +158,12 @@ pub struct Finding {
     pub witness: Option<Witness>,
 }
 
+impl ClaimName {
+    fn of(claim: &Claim) -> ClaimName {
+        ClaimName { id: claim.id.clone(), reading: claim.reading.clone(), says: claim.says.clone() }
+    }
+}
+
 impl Session {
     /// Reads the text of a derivation file. `name` is shown in diagnostics, and is the id of the derivation unless its text
     /// gives another.
@@ -209,12 +200,18 @@ impl Session {
 
     /// The claims, in the order of the file.
     pub fn claims(&self) -> Vec<ClaimName> {
-        let name = |c: &crate::derivation::Claim| ClaimName {
-            id: c.id.clone(),
-            reading: c.reading.clone(),
-            says: c.says.clone(),
+        self.derivation.claims.iter().map(ClaimName::of).collect()
+    }
+
+    /// The claims, each with the ids of the trajectories and families that it is tried on.
+    pub fn pairs(&self) -> Vec<(ClaimName, Vec<String>)> {
+        let of = &self.derivation;
+        let on = |c: &Claim| {
+            let motions = c.trajectories.iter().map(|t| &of.trajectories[*t].id);
+            let all = motions.chain(c.families.iter().map(|f| &of.families[*f].id));
+            all.filter(|_| c.region.is_none()).cloned().collect()
         };
-        self.derivation.claims.iter().map(name).collect()
+        of.claims.iter().map(|c| (ClaimName::of(c), on(c))).collect()
     }
 
     /// Finds what is asked. `progress` is told how many of how many motions are done; it may be called by any thread.

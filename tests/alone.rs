@@ -174,3 +174,13 @@ fn what_a_sentence_comes_to_counts_what_holds_for_all_values() {
     let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(page.contains("1 does not hold and 1 depends on what it means"), "{page}");
 }
+
+#[test]
+fn sides_that_are_one_expression_are_decided() {
+    let one = |id: &str, formula: &str| alone(id, &format!("always = ['{formula}']"));
+    let claims = [one("sum", "a+b=b+a"), one("root", r"\sqrt a=\sqrt a"), one("nowhere", r"\frac1{a-a}=\frac1{a-a}")];
+    let (_, account) = found(&claims);
+    assert_eq!(of(&account, "sum"), ("proved", Some("holds")));
+    assert_eq!(of(&account, "root"), ("proved", Some("holds")));
+    assert_eq!(of(&account, "nowhere").1, None);
+}

@@ -317,3 +317,40 @@ fn verdicts_alone_are_the_same_verdicts() {
     }
     assert!(!whole["claims"][0]["results"][0]["discrimination"].is_null());
 }
+
+/// Runs that would not end in this time if one of their loops went over all that there is for each.
+const LINEAR: Duration = Duration::from_secs(60);
+
+#[test]
+fn many_symbols_are_found_by_name() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let each = |n: usize, line: &dyn Fn(usize) -> String| (0..n).map(line).collect::<String>();
+    let tables = [
+        each(60_000, &|i| format!("'a_{{{i}}}' = {{ role = 'parameter' }}\n")),
+        each(60_000, &|i| format!("'a^{{({i})}}' = {{ role = 'parameter' }}\n")),
+        each(45_000, &|i| {
+            format!("'f_{{{i}}}(z)' = {{ role = 'abbreviation', arguments = ['z'], formula = 'z+{i}' }}\n")
+        }),
+    ];
+    for table in tables {
+        let text = [HEAD, &table, SYSTEM, MOTION, &claim(0, r"\dot x=-kx", "")].concat();
+        fs::write(folder.path().join("f.toml"), text).expect("written");
+        let ran = run(folder.path(), &["check", "f.toml", "--no-reports", "--rigor", "sampled"], LINEAR);
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        assert!(ran.peak.is_none_or(|peak| peak <= 600), "{:?} MB", ran.peak);
+    }
+}
+
+#[test]
+fn long_papers_are_looked_through() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let displays: String = (0..40_000).map(|i| format!("\\[x_{{{i}}}=y+{i}\\] by \\eqref{{e{i}}}\n")).collect();
+    let nested = |open: &str, close: &str| format!("\\[x={}y{}\\]", open.repeat(60_000), close.repeat(60_000));
+    for body in [displays, nested("{", "}"), nested("x^{", "}"), nested(r"\hat{{", "}}")] {
+        let text = format!("\\documentclass{{article}}\\begin{{document}}{body}\\end{{document}}\n");
+        fs::write(folder.path().join("p.tex"), text).expect("written");
+        let ran = run(folder.path(), &["lint", "p.tex"], LINEAR);
+        assert!(matches!(ran.code, Some(0 | 3)), "{:?} {}", ran.code, ran.err);
+        assert!(ran.peak.is_none_or(|peak| peak <= 600), "{:?} MB", ran.peak);
+    }
+}

@@ -155,3 +155,26 @@ fn recipes_take_as_many_files_as_they_say() {
         }
     }
 }
+
+/// Lines of code of a file, without those of its tests.
+fn code(text: &str) -> usize {
+    let lines = text.lines().take_while(|l| *l != "#[cfg(test)]").map(str::trim_start);
+    lines.filter(|l| !l.is_empty() && !l.starts_with("//")).count()
+}
+
+#[test]
+fn front_ends_are_thin() {
+    let page = read("CONTRIBUTING.md");
+    let table = page.split("| front end |").nth(1).and_then(|rest| rest.split("\n\n").next()).expect("the table");
+    let mut seen = 0;
+    for target in links(table) {
+        let folder = root().join(&target).parent().expect("a folder").to_path_buf();
+        let files = fs::read_dir(&folder).expect("a folder").map(|entry| entry.expect("an entry").path());
+        let rust = files.filter(|path| path.extension().is_some_and(|e| e == "rs"));
+        let lines: usize = rust.map(|path| code(&fs::read_to_string(path).expect("a file"))).sum();
+        assert!((20..=250).contains(&lines), "{target}: {lines} lines");
+        seen += 1;
+    }
+    assert_eq!(seen, 4);
+    assert_eq!(code("//! a\nlet b;\n\n    // c\n    d\n#[cfg(test)]\ne"), 2);
+}

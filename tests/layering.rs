@@ -147,8 +147,18 @@ pub const CRATES: &[(&str, &[&str])] = &[
 ];
 
 /// Files of `src/` that belong to no room.
-const OUTSIDE: &[&str] =
-    &["lib.rs", "main.rs", "ask.rs", "conclusion.rs", "run.rs", "session.rs", "cli", "notes", "bibliography.rs"];
+const OUTSIDE: &[&str] = &[
+    "lib.rs",
+    "main.rs",
+    "ask.rs",
+    "brief.rs",
+    "conclusion.rs",
+    "look.rs",
+    "run.rs",
+    "session.rs",
+    "threads.rs",
+    "cli",
+];
 
 /// The code without comments, strings and characters; line breaks are kept.
 pub fn code_only(text: &str) -> String {

@@ -11,45 +11,22 @@
 mod papers;
 mod parts;
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
-use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
 use rederive::check::{Cancel, Limits, Proposition};
 use rederive::diag::{Diagnostic, sort};
 use rederive::files::records::{Records, are_of_library};
+use rederive::threads::Kept;
 use rederive::{Ask, Failure, Question, Rigor};
 
 /// How often a call looks for signals, and says how far it is.
 const TICK: Duration = Duration::from_millis(20);
 
-type Pool = Arc<rayon::ThreadPool>;
-/// The threads that compute, and the process that they belong to: a fork has none of them.
-static POOL: Mutex<Option<(u32, Pool)>> = Mutex::new(None);
-
-/// Puts other threads in the place of those that are kept; what was begun on these goes on.
-fn exchange(new: Option<(u32, Pool)>) {
-    let old = std::mem::replace(&mut *POOL.lock().unwrap_or_else(PoisonError::into_inner), new);
-    // The threads of a parent process are not here to be ended.
-    if old.as_ref().is_some_and(|(process, _)| *process != std::process::id()) {
-        std::mem::forget(old);
-    }
-}
-
-fn pool(py: Python<'_>) -> PyResult<Pool> {
-    let process = std::process::id();
-    let kept = POOL.lock().unwrap_or_else(PoisonError::into_inner).clone();
-    if let Some((_, pool)) = kept.filter(|(of, _)| *of == process) {
-        return Ok(pool);
-    }
-    // A panic is printed, and its caller sees that no result comes.
-    let pool = rederive::threads().panic_handler(|_| {}).build();
-    let pool = Arc::new(pool.map_err(|e| defect(py, &format!("no threads can be started: {e}")))?);
-    exchange(Some((process, Arc::clone(&pool))));
-    Ok(pool)
-}
+static POOL: Kept = Kept::new();
 
 /// An exception of the package, made by its class.
 fn raised(made: PyResult<Bound<'_, PyAny>>) -> PyErr {
@@ -99,7 +76,8 @@ impl Wait<'_> {
     /// Computes something on the threads of the library.
     fn compute<T: Send + 'static>(self, py: Python<'_>, work: impl FnOnce() -> T + Send + 'static) -> PyResult<T> {
         let (sender, mut receiver) = sync_channel(1);
-        pool(py)?.spawn(move || drop(sender.send(work())));
+        let pool = POOL.threads().map_err(|e| defect(py, &format!("no threads can be started: {e}")))?;
+        pool.spawn(move || drop(sender.send(work())));
         let mut told = (0, 0);
         loop {
             let waiting = &mut receiver;
@@ -115,7 +93,7 @@ impl Wait<'_> {
             let tell = || self.progress.filter(|_| now != told).map_or(Ok(()), |p| p.call1(now).map(drop));
             if let Err(stop) = py.check_signals().and_then(|()| tell()).and(late) {
                 self.cancel.raise();
-                exchange(None);
+                POOL.leave();
                 return Err(stop);
             }
             told = now;
@@ -137,20 +115,9 @@ impl Session {
         read.map(|s| Session(Arc::new(s))).map_err(|found| problems(py, found))
     }
 
-    /// (id, reading, says) of each claim.
-    fn claims(&self) -> Vec<(String, Option<String>, String)> {
-        self.0.claims().into_iter().map(|c| (c.id, c.reading, c.says)).collect()
-    }
-
     /// The claims, and the trajectories and families that they are tried on.
     fn pairs(&self) -> Vec<(String, Option<String>, Vec<String>)> {
-        let derivation = self.0.derivation();
-        let on = |c: &rederive::derivation::Claim| -> Vec<String> {
-            let motions = c.trajectories.iter().map(|t| &derivation.trajectories[*t].id);
-            let all = motions.chain(c.families.iter().map(|f| &derivation.families[*f].id));
-            all.filter(|_| c.region.is_none()).cloned().collect()
-        };
-        derivation.claims.iter().map(|c| (c.id.clone(), c.reading.clone(), on(c))).collect()
+        self.0.pairs().into_iter().map(|(c, on)| (c.id, c.reading, on)).collect()
     }
 
     /// `cache`: whether records are kept, and the folder; that of the command line, unless one is given.
@@ -248,7 +215,8 @@ fn _rederive(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Session>()?;
     module.add_class::<Findings>()?;
     module.add_function(wrap_pyfunction!(command, module)?)?;
-    parts::register(module)?;
-    papers::register(module)?;
+    module.add_function(wrap_pyfunction!(parts::sweep, module)?)?;
+    module.add_function(wrap_pyfunction!(parts::join, module)?)?;
+    module.add_function(wrap_pyfunction!(papers::lint_paper, module)?)?;
     module.add("__version__", env!("CARGO_PKG_VERSION"))
 }

@@ -26,7 +26,7 @@ impl Wait<'_> {
 /// The text of one part of a family.
 #[pyfunction]
 #[pyo3(signature = (session, family, number, of, progress=None))]
-fn sweep(
+pub(super) fn sweep(
     py: Python<'_>,
     session: &Session,
     family: String,
@@ -47,16 +47,11 @@ fn sweep(
 
 /// What the texts of all parts of a family say together.
 #[pyfunction]
-fn join(py: Python<'_>, session: &Session, parts: Vec<String>) -> PyResult<Findings> {
+pub(super) fn join(py: Python<'_>, session: &Session, parts: Vec<String>) -> PyResult<Findings> {
     let wait = Wait::default();
     let limits = Limits { cancel: Some(wait.cancel.clone()), ..Limits::default() };
     let session = Arc::clone(&session.0);
     let named = parts.into_iter().enumerate().map(|(n, text)| Ok((format!("text {}", n + 1), text)));
     let found = wait.compute(py, move || session.join(named, &limits, &|_, _| {}))?;
     found.map(|f| Findings(Arc::new(f))).map_err(|e| failure(py, e))
-}
-
-pub(super) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(sweep, module)?)?;
-    module.add_function(wrap_pyfunction!(join, module)?)
 }

@@ -8,8 +8,9 @@ use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 use super::load::Loader;
-use super::model::{Claim, Derivation, Motion};
+use super::model::{Claim, Derivation, Motion, SymbolEntry};
 use expr::{Symbol, Tensor};
+use latex::Role;
 
 /// What a name under `follows-from` means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,11 +23,18 @@ pub enum Premise {
     Definition,
 }
 
-/// The names of claims and systems, and the symbols that are angles. A file may have as many as it likes, and each claim asks.
+/// The names of claims and systems, and what is said of symbols. A file may have as many as it likes, and each claim asks.
 #[derive(Clone, Debug, Default)]
 pub struct Index {
     names: HashMap<String, Premise>,
     angles: HashSet<Symbol>,
+    /// What is positive, and its role.
+    positive: HashMap<Symbol, Role>,
+    /// The first claim that declares a symbol.
+    declared: HashMap<Symbol, usize>,
+    /// How many claims and symbols there were. Where more are put beside them, these are asked.
+    claims: usize,
+    symbols: usize,
 }
 
 impl Claim {
@@ -72,8 +80,36 @@ impl Derivation {
 
     /// The definition of a symbol, wherever it is declared.
     pub fn definition(&self, symbol: Symbol) -> Option<&Tensor> {
-        let in_claims = || self.claims.iter().find_map(|c| c.scope.definition(symbol));
-        self.scope.definition(symbol).or_else(in_claims)
+        self.scope.definition(symbol).or_else(|| self.definition_in_claims(symbol))
+    }
+
+    /// The definition of a symbol that a claim declares.
+    fn definition_in_claims(&self, symbol: Symbol) -> Option<&Tensor> {
+        if self.claims.len() < self.index.claims {
+            // Some were taken out, and the others have other places.
+            return self.claims.iter().find_map(|c| c.scope.definition(symbol));
+        }
+        let first = self.index.declared.get(&symbol).and_then(|at| self.claims.get(*at));
+        let later = self.claims.iter().skip(self.index.claims);
+        first.into_iter().chain(later).find_map(|c| c.scope.definition(symbol))
+    }
+
+    /// The symbols that the file and its claims declare.
+    fn declared(&self) -> impl Iterator<Item = &SymbolEntry> {
+        self.symbols.iter().chain(self.claims.iter().flat_map(|c| &c.symbols))
+    }
+
+    /// The role of a symbol that is declared as positive.
+    pub fn role_of_positive(&self, symbol: Symbol) -> Option<Role> {
+        let known = self.index.positive.get(&symbol).copied();
+        let later = self.symbols.iter().skip(self.index.symbols);
+        let own = self.claims.iter().skip(self.index.claims).flat_map(|c| &c.symbols);
+        known.or_else(|| later.chain(own).find(|s| s.symbol == symbol && s.positive).map(|s| s.role))
+    }
+
+    /// Whether a symbol is a parameter that is declared as positive.
+    pub fn is_positive_parameter(&self, symbol: Symbol) -> bool {
+        self.role_of_positive(symbol) == Some(Role::Parameter)
     }
 }
 
@@ -91,8 +127,16 @@ impl Derivation {
         for (at, system) in self.systems.iter().enumerate().rev() {
             names.insert(system.id.clone(), Premise::System(at));
         }
-        let angles = self.symbols.iter().chain(self.claims.iter().flat_map(|c| &c.symbols)).filter(|s| s.angle);
-        self.index = Index { names, angles: angles.map(|s| s.symbol).collect() };
+        let angles = self.declared().filter(|s| s.angle).map(|s| s.symbol).collect();
+        let positive = self.declared().filter(|s| s.positive).map(|s| (s.symbol, s.role)).collect();
+        let mut declared = HashMap::new();
+        for (at, claim) in self.claims.iter().enumerate() {
+            for symbol in &claim.symbols {
+                declared.entry(symbol.symbol).or_insert(at);
+            }
+        }
+        self.index =
+            Index { names, angles, positive, declared, claims: self.claims.len(), symbols: self.symbols.len() };
     }
 
     /// What a claim is said to follow from: the names that it gives, or the one system of its motions.
@@ -137,9 +181,8 @@ impl Derivation {
 
     /// Whether a symbol of the file is an angle, which is continued along a motion.
     pub fn is_angle(&self, symbol: Symbol) -> bool {
-        let declared = || self.symbols.iter().chain(self.claims.iter().flat_map(|c| &c.symbols));
         self.index.angles.contains(&symbol)
-            || self.index.names.is_empty() && declared().any(|s| s.angle && s.symbol == symbol)
+            || self.index.names.is_empty() && self.declared().any(|s| s.angle && s.symbol == symbol)
     }
 }
 

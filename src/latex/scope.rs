@@ -2,37 +2,19 @@
 
 mod canonical;
 mod declare;
+mod entry;
 mod field;
-
-use std::sync::Arc;
+mod table;
 
 pub use declare::REFUSED;
+pub use entry::Role;
+use entry::{Arguments, Entry, Pattern};
+use table::{Any, Kind, Table, base};
 
 use super::name;
-use super::syntax::{Name, SubItem};
+use super::syntax::SubItem;
 use diag::Problem;
 use expr::{Expr, Graph, Leaf, MOST_COORDINATES, Shape, Symbol, Tensor};
-
-/// What a symbol is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Role {
-    /// The independent variable of motions.
-    Time,
-    /// Moved by a system, or given by a formula of a motion.
-    State,
-    /// Given by a number for each motion.
-    Parameter,
-    /// Computed from states; has a value and rates of its own along a motion.
-    Observable,
-    /// Short for its formula.
-    Abbreviation,
-    /// Stands for what a function is applied to.
-    Argument,
-    /// An independent variable of fields.
-    Coordinate,
-    /// Depends on coordinates: any smooth function of them, or given by a formula.
-    Field,
-}
 
 /// How a symbol is declared.
 #[derive(Clone, Debug)]
@@ -80,67 +62,6 @@ pub enum DeclareError {
     Formula(Vec<Problem>),
 }
 
-/// One item of a subscript in a key.
-#[derive(Clone, Debug, PartialEq)]
-enum Pattern {
-    Literal(SubItem),
-    Index,
-}
-
-/// What stands in parentheses in a key.
-#[derive(Clone, Debug, PartialEq)]
-enum Arguments {
-    None,
-    /// Declared symbols: part of the name.
-    Literal(String),
-    /// Formal arguments of a function.
-    Formal(Vec<(Symbol, Shape)>),
-    /// The coordinates of a field, as they are written; they may be left out. Of a function of anything else, `L(q,\dot q,t)`, they are
-    /// coordinates that nothing names.
-    Coordinates(String, Vec<Leaf>),
-}
-
-#[derive(Clone, Debug)]
-struct Entry {
-    key: String,
-    name: Name,
-    sub: Vec<Pattern>,
-    arguments: Arguments,
-    symbol: Symbol,
-    role: Role,
-    definition: Option<Tensor>,
-    moving: bool,
-    rank: usize,
-    complex: bool,
-    angle: bool,
-    labelled: bool,
-    /// Of a coordinate that is not Cartesian.
-    scale: Option<Expr>,
-    /// Of a function of what is no coordinate: where it is taken, where nothing else is written.
-    place: Vec<Expr>,
-}
-
-/// A declaration with what it is looked for by: scopes are copied often, and asked very often.
-#[derive(Clone, Debug)]
-struct Filed {
-    digest: u64,
-    symbol: Symbol,
-    entry: Arc<Entry>,
-}
-
-impl std::ops::Deref for Filed {
-    type Target = Entry;
-    fn deref(&self) -> &Entry {
-        &self.entry
-    }
-}
-
-/// A number of a name that is given in pieces; different names have different numbers nearly always (FNV-1a).
-fn digest(pieces: &[&str]) -> u64 {
-    let bytes = pieces.iter().flat_map(|piece| piece.bytes());
-    bytes.fold(0xcbf2_9ce4_8422_2325, |sum, byte| (sum ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3))
-}
-
 /// Whether a name is made of these pieces.
 fn is_made_of(name: &str, pieces: &[&str]) -> bool {
     let rest = pieces.iter().try_fold(name, |rest, piece| rest.strip_prefix(piece));
@@ -150,16 +71,8 @@ fn is_made_of(name: &str, pieces: &[&str]) -> bool {
 /// The declared symbols. Later declarations hide earlier ones of the same name, so a claim may have symbols of its own.
 #[derive(Clone, Debug)]
 pub struct Scope {
-    entries: Vec<Filed>,
+    entries: Table,
     sign: Leaf,
-    /// No longer found by name; formulas read before still mean them.
-    hidden: Vec<Filed>,
-    /// Names of several letters, the longest first.
-    words: Vec<Name>,
-    /// Vectors and matrices beside which others have the names of components, `{\bf r}` beside `{\bf r}_1`.
-    numbered: Vec<Symbol>,
-    /// Names whose declarations were refused, with their subscripts.
-    refused: Vec<(Name, Vec<SubItem>)>,
     /// Pairs of canonical variables: a coordinate, and its momentum.
     pairs: Vec<(Symbol, Symbol)>,
     /// The field with which `\frac{D}{Dt}` moves.
@@ -237,11 +150,7 @@ impl Scope {
     pub fn new(graph: &mut Graph) -> Scope {
         let symbol = graph.declare(r"\pm", Shape::scalar(), false);
         Scope {
-            entries: Vec::new(),
-            hidden: Vec::new(),
-            words: Vec::new(),
-            numbered: Vec::new(),
-            refused: Vec::new(),
+            entries: Table::default(),
             pairs: Vec::new(),
             velocity: None,
             signature: None,
@@ -284,7 +193,7 @@ impl Scope {
 
     /// Whether `i` is the imaginary unit: something is complex, or the file says so.
     pub(super) fn speaks_of_complex_numbers(&self) -> bool {
-        self.imaginary || self.entries.iter().any(|e| e.complex)
+        self.imaginary || self.entries.any(Any::Complex)
     }
 
     /// Says which sign the time has in `\Box`.
@@ -302,22 +211,22 @@ impl Scope {
 
     /// Whether a name with a label above is declared.
     pub(super) fn has_labels(&self) -> bool {
-        self.entries.iter().any(|e| name::labelled(&e.name).is_some())
+        self.entries.any(Any::Labelled)
     }
 
     /// Whether a name with a prime is declared.
     pub(super) fn has_primes(&self) -> bool {
-        self.entries.iter().any(|e| e.name.ends_with('\''))
+        self.entries.any(Any::Primed)
     }
 
     /// Whether names of several letters are declared.
     pub(super) fn has_words(&self) -> bool {
-        !self.words.is_empty()
+        self.entries.has_words()
     }
 
     /// The longest declared name of several letters with which these letters begin.
     pub(super) fn word(&self, letters: &str) -> Option<&str> {
-        self.words.iter().map(String::as_str).find(|w| letters.starts_with(w))
+        self.entries.word(letters)
     }
 
     fn depends_on_time(&self, graph: &Graph, t: &Tensor) -> bool {
@@ -327,7 +236,7 @@ impl Scope {
     }
 
     fn by_symbol(&self, symbol: Symbol) -> Option<&Entry> {
-        self.entries.iter().rev().chain(&self.hidden).find(|e| e.symbol == symbol).map(|e| &**e)
+        self.entries.of(symbol)
     }
 
     /// Whether the values of a symbol are continued along a motion, through any number of turns.
@@ -352,12 +261,11 @@ impl Scope {
 
     /// The time.
     pub fn time(&self) -> Option<Leaf> {
-        let entry = self.entries.iter().find(|e| e.role == Role::Time)?;
-        Some(Leaf::now(entry.symbol, 0))
+        self.entries.time().map(|entry| Leaf::now(entry.symbol, 0))
     }
 
     pub(super) fn time_name(&self) -> Option<&str> {
-        self.entries.iter().find(|e| e.role == Role::Time).map(|e| e.name.as_str())
+        self.entries.time().map(|e| e.name.as_str())
     }
 
     /// The leaf that stands for ±: its value is +1 or −1.
@@ -367,18 +275,17 @@ impl Scope {
 
     /// All keys, in order of declaration.
     pub fn keys(&self) -> impl Iterator<Item = &str> {
-        self.entries.iter().map(|e| e.key.as_str())
+        self.entries.all().map(|e| e.key.as_str())
     }
 
     /// Whether the declaration of a name was refused, with this subscript or the beginning of it.
     pub(super) fn is_refused(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
-        self.refused.iter().any(|(n, s)| n == name && sub.unwrap_or_default().starts_with(s))
+        self.entries.is_refused(name, sub.unwrap_or_default())
     }
 
     /// Whether a name is declared in any form.
     pub(super) fn declares(&self, name: &str) -> bool {
-        let number = digest(&[name]);
-        self.entries.iter().any(|e| e.digest == number && e.name == name)
+        self.entries.has(|e| e.name == name, name)
     }
 
     /// Whether parentheses with this content behind this symbol are arguments.
@@ -391,8 +298,7 @@ impl Scope {
 
     /// Whether a letter is the time, a coordinate, or something that depends on them: then it is no index.
     pub(super) fn is_time_or_moving(&self, letter: &str) -> bool {
-        let number = digest(&[letter]);
-        let named = self.entries.iter().rev().find(|e| e.digest == number && e.name == letter && e.sub.is_empty());
+        let named = self.entries.like(letter, &[]).rev().find(|e| e.name == letter);
         named.is_some_and(|e| {
             matches!(e.role, Role::Time | Role::State | Role::Observable | Role::Coordinate | Role::Field)
         })
@@ -422,7 +328,7 @@ impl Scope {
 
     /// Whether no symbol depends on time.
     pub(super) fn is_timeless(&self) -> bool {
-        !self.entries.iter().any(|e| e.moving)
+        !self.entries.any(Any::Moving)
     }
 
     /// Whether a symbol depends on time.
@@ -455,19 +361,14 @@ impl Scope {
 
     /// Whether any symbol has this name, in any style and with any primes.
     pub(super) fn has_base(&self, name: &str) -> bool {
-        let base = |name: &str| name::split(name).1.trim_end_matches('\'').to_owned();
-        let own = base(name);
-        self.entries.iter().any(|e| base(&e.name) == own)
+        self.entries.has(|e| base(&e.name) == base(name), name)
     }
 
     /// Whether any symbol of this name, in any style, depends on time; and whether any is a vector or a matrix. With
     /// `lowered`, only symbols that can have a subscript count, and their components are numbers.
     pub(super) fn kinds_of(&self, base: &str, lowered: bool) -> (bool, bool) {
-        let named = |e: &&Filed| name::split(&e.name).1.trim_end_matches('\'') == base && e.role != Role::Time;
-        let fitting = |e: &&Filed| if lowered { e.rank > 0 || !e.sub.is_empty() } else { e.sub.is_empty() };
-        let mut of_name = self.entries.iter().filter(named).filter(fitting);
-        let moves = of_name.clone().any(|e| e.moving);
-        (moves, of_name.any(|e| !lowered && e.rank > 0))
+        let is_any = |what| self.entries.is_any(base, what);
+        if lowered { (is_any(Kind::MovesBelow), false) } else { (is_any(Kind::Moves), is_any(Kind::Tensor)) }
     }
 
     /// What a written symbol refers to.
@@ -498,12 +399,14 @@ impl Scope {
     /// The key of something with components of which a name with a subscript could be one, or another of several: `r_1` where `{\bf r}` and
     /// `{\bf r}_1` are declared.
     pub(super) fn numbered(&self, name: &str, sub: &[SubItem], found: Option<&Found>) -> Option<&str> {
-        let entries = self.numbered.iter().filter_map(|&symbol| self.by_symbol(symbol));
-        let mut meant = entries.filter(|e| match found {
-            Some(found) => found.symbol == e.symbol && !found.indices.is_empty(),
-            None => name::unmarked(&e.name) == name::unmarked(name) && sub.len() == e.rank,
-        });
-        meant.next().map(|e| e.key.as_str())
+        let meant = match found {
+            Some(found) => self.by_symbol(found.symbol).filter(|_| !found.indices.is_empty()),
+            None => {
+                let is_like = |e: &&Entry| name::unmarked(&e.name) == name::unmarked(name) && sub.len() == e.rank;
+                self.entries.like(name, &[]).filter(is_like).find(|e| self.entries.is_numbered(e.symbol))
+            }
+        };
+        meant.filter(|e| self.entries.is_numbered(e.symbol)).map(|e| e.key.as_str())
     }
 
     fn is_tensor(&self, symbol: Symbol) -> bool {
@@ -533,9 +436,9 @@ impl Scope {
             indices.extend(sub[e.sub.len()..].iter().cloned());
             Some(indices)
         };
-        let mut best: Option<(usize, &Entry, Vec<SubItem>)> = None;
-        let number = digest(name);
-        for e in self.entries.iter().rev().filter(|e| e.digest == number && is_made_of(&e.name, name)) {
+        let mut best: Option<((usize, u32), &Entry, Vec<SubItem>)> = None;
+        let whole = name.last().copied().unwrap_or_default();
+        for (place, e) in self.entries.beginnings(whole, sub).filter(|(_, e)| is_made_of(&e.name, name)) {
             let literal = match (&e.arguments, arguments) {
                 (Arguments::None, _) => false,
                 (Arguments::Literal(text), Some(given)) if text == given => true,
@@ -546,7 +449,7 @@ impl Scope {
             };
             let Some(indices) = fits(e) else { continue };
             // The more of the written symbol belongs to the name, the better; among equals the latest.
-            let weight = 2 * e.sub.len() + usize::from(literal);
+            let weight = (2 * e.sub.len() + usize::from(literal), place);
             if best.as_ref().is_none_or(|(w, ..)| weight > *w) {
                 best = Some((weight, e, indices));
             }
@@ -592,9 +495,11 @@ impl Scope {
     pub(super) fn nearest(&self, name: &str) -> Option<&str> {
         let spelled = name::to_latex(name);
         let distance = |key: &str| edit_distance(&spelled, key);
-        let best = self.keys().min_by_key(|k| distance(k))?;
-        let near = distance(best) <= 2 || name::split(name).1.eq_ignore_ascii_case(name::split(best).1);
-        near.then_some(best)
+        let alike = |key: &str| name::split(name).1.eq_ignore_ascii_case(name::split(key).1);
+        // A text that is longer by more takes more edits.
+        let near = self.keys().filter(|key| key.len().abs_diff(spelled.len()) <= 8 || alike(key));
+        let best = near.min_by_key(|key| distance(key))?;
+        (distance(best) <= 2 || alike(best)).then_some(best)
     }
 }
 
@@ -606,13 +511,6 @@ fn parts(text: &str) -> usize {
         count += usize::from(c == ',' && depth == 0);
     }
     count
-}
-
-fn same_kind(a: &Arguments, b: &Arguments) -> bool {
-    match (a, b) {
-        (Arguments::Formal(_), Arguments::Formal(_)) => true,
-        _ => a == b,
-    }
 }
 
 /// Number of single-character edits between two texts.

@@ -4,7 +4,7 @@
 //! the equations that have to do with it. **Guaranteed:** nothing is taken from behind the step, but what a "where" explains; of a
 //! name that is defined twice the later definition counts.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use paper::{PrintedSide, names, squeezed};
 
@@ -32,17 +32,6 @@ pub struct Stated {
     pub names: BTreeSet<String>,
     /// Whether it stands in the running text: it proves, and refutes nothing.
     pub in_text: bool,
-}
-
-/// What is known of the sign of a name.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct PositiveName {
-    /// Its key.
-    pub key: String,
-    /// The relation that says so.
-    pub relation: usize,
-    /// The section in which it does.
-    pub section: usize,
 }
 
 /// How far back what was said is used.
@@ -77,18 +66,109 @@ impl Reach {
     }
 }
 
+/// Definitions and rates, found by the names that they are of: a paper has thousands, and each relation asks.
+#[derive(Clone, Debug, Default)]
+pub struct Definitions {
+    all: Vec<Given>,
+    /// Those that hold still, in order.
+    of: HashMap<String, Vec<usize>>,
+    /// How many these are, and how many of them are rates.
+    live: usize,
+    rates: usize,
+}
+
+impl Definitions {
+    /// Those of a name, with their numbers, the latest last.
+    fn numbered(&self, key: &str) -> impl DoubleEndedIterator<Item = (usize, &Given)> {
+        let places = self.of.get(key).into_iter().flatten();
+        places.filter_map(|at| Some((*at, self.all.get(*at)?)))
+    }
+
+    /// Those of a name, the latest last.
+    pub fn of(&self, key: &str) -> impl DoubleEndedIterator<Item = &Given> {
+        self.numbered(key).map(|(_, given)| given)
+    }
+
+    /// How many were said, whether they hold still or not.
+    pub fn len(&self) -> usize {
+        self.all.len()
+    }
+
+    /// Whether none holds.
+    pub fn is_empty(&self) -> bool {
+        self.live == 0
+    }
+
+    /// Whether one is a rate.
+    pub fn has_rates(&self) -> bool {
+        self.rates > 0
+    }
+
+    /// Adds one.
+    pub fn push(&mut self, given: Given) {
+        self.live += 1;
+        self.rates += usize::from(given.is_rate);
+        self.of.entry(given.key.clone()).or_default().push(self.all.len());
+        self.all.push(given);
+    }
+
+    /// Takes back what was said after the first `length`.
+    pub fn truncate(&mut self, length: usize) {
+        for given in self.all.drain(length.min(self.all.len())..) {
+            if let Some(places) = self.of.get_mut(&given.key) {
+                let before = places.len();
+                places.retain(|at| *at < length);
+                self.live -= before - places.len();
+                self.rates -= if given.is_rate { before - places.len() } else { 0 };
+            }
+        }
+    }
+
+    /// Takes back the definitions, or the rates, of a name.
+    pub fn forget(&mut self, key: &str, is_rate: bool) {
+        let Some(places) = self.of.get_mut(key) else { return };
+        let before = places.len();
+        places.retain(|at| self.all.get(*at).is_some_and(|g| g.is_rate != is_rate));
+        self.live -= before - places.len();
+        self.rates -= if is_rate { before - places.len() } else { 0 };
+    }
+}
+
 /// What was said so far.
 #[derive(Clone, Debug, Default)]
 pub struct Facts {
-    /// Definitions and rates, the latest last.
-    pub given: Vec<Given>,
+    /// Definitions and rates.
+    pub given: Definitions,
     /// Equations that are not definitions.
     pub stated: Vec<Stated>,
-    /// Names that are positive.
-    pub positive: Vec<PositiveName>,
+    /// The names in these, by their sections.
+    named: HashMap<usize, HashSet<String>>,
+    /// Names that are positive, by the sections in which this is said.
+    positive: HashMap<usize, BTreeSet<String>>,
 }
 
 impl Facts {
+    /// Adds an equation.
+    pub fn state(&mut self, one: Stated) {
+        self.named.entry(one.section).or_default().extend(one.names.iter().cloned());
+        self.stated.push(one);
+    }
+
+    /// Whether an equation in a section has a name in it.
+    pub fn is_stated(&self, section: usize, key: &str) -> bool {
+        self.named.get(&section).is_some_and(|all| all.contains(key))
+    }
+
+    /// Adds names that are positive.
+    pub fn be_positive(&mut self, section: usize, keys: Vec<String>) {
+        self.positive.entry(section).or_default().extend(keys);
+    }
+
+    /// The names that are positive in a section.
+    pub fn positive(&self, section: usize) -> BTreeSet<String> {
+        self.positive.get(&section).cloned().unwrap_or_default()
+    }
+
     /// The definitions that some sides need: of their names, and of the names of these; and their rates, where these are wanted.
     pub fn definitions(&self, sides: &[&PrintedSide], reach: Reach, rates: bool) -> Vec<Given> {
         // What has a prime may be a derivative.
@@ -100,8 +180,8 @@ impl Facts {
         while let Some(key) = wanted.get(at).cloned() {
             at += 1;
             for is_rate in [false, true] {
-                let fits = |g: &Given| g.key == key && g.is_rate == is_rate && (!is_rate || rates) && reach.reaches(g);
-                if let Some((k, given)) = self.given.iter().enumerate().rev().find(|(_, g)| fits(g))
+                let fits = |g: &Given| g.is_rate == is_rate && (!is_rate || rates) && reach.reaches(g);
+                if let Some((k, given)) = self.given.numbered(&key).rev().find(|(_, g)| fits(g))
                     && found.len() < MOST_GIVEN
                     && found.insert(k, given.clone()).is_none()
                 {
@@ -129,14 +209,17 @@ impl Facts {
         let again = |s: &Stated| {
             squeezed(&s.left.text) == squeezed(&sides[0].text) && squeezed(&s.right.text) == squeezed(&sides[1].text)
         };
-        let near = |s: &&Stated| s.section == section && s.relation + NEAR >= at && s.relation != at;
+        let near = |s: &&Stated| s.section == section && s.relation != at;
         let fits = |s: &&Stated| {
             let touches = s.names.iter().any(|n| apart.contains(n)) || apart.is_empty() && s.names.len() > 1;
             touches && s.names.iter().all(|n| all.contains(n))
         };
         let mut out: Vec<Stated> = Vec::new();
-        let chosen = self.stated.iter().rev().filter(|s| named.contains(&s.relation) && s.relation != at);
-        for one in chosen.chain(self.stated.iter().rev().filter(near).filter(fits)) {
+        // They are in the order of the paper.
+        let latest = self.stated.iter().rev().take_while(|s| s.relation + NEAR >= at);
+        let any = if named.is_empty() { &[] } else { self.stated.as_slice() };
+        let chosen = any.iter().rev().filter(|s| named.contains(&s.relation) && s.relation != at);
+        for one in chosen.chain(latest.filter(near).filter(fits)) {
             let known = |o: &Stated| o.relation == one.relation && o.left.span == one.left.span;
             if out.len() < MOST_STATED && !out.iter().any(known) && !again(one) {
                 out.push(one.clone());

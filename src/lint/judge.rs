@@ -1,13 +1,13 @@
 //! The words: relation by relation, in the order of the paper.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
 
 use paper::{Paper, PrintedRelation, PrintedSide, names};
 
 use super::cases::{Cases, Stance};
 use super::desk::{Desk, Given, NotRead, evidence_of, lone_name, unprimed};
-use super::facts::{Facts, PositiveName, Reach, Stated};
+use super::facts::{Facts, Reach, Stated};
 use super::nearest::Sureness;
 use super::notation::Evidence;
 use super::question::MOST_QUESTIONS;
@@ -40,6 +40,7 @@ pub fn lint(paper: &Paper) -> Lint {
         exhausted: 0,
         display: None,
         earlier: None,
+        named: by_name(paper),
         cases: Vec::new(),
         compared: Vec::new(),
         supposed: Vec::new(),
@@ -77,6 +78,8 @@ pub(super) struct Judge<'p> {
     pub(super) paper: &'p Paper,
     pub(super) evidence: Evidence,
     pub(super) facts: Facts,
+    /// The displayed relations by their labels and numbers.
+    named: HashMap<String, Vec<usize>>,
     /// The part of each relation in which its names mean the same.
     parts: Vec<usize>,
     /// The part that is looked at.
@@ -117,6 +120,19 @@ struct Tally {
     differs: Option<String>,
 }
 
+/// The displayed relations by their labels and numbers, with and without parentheses.
+fn by_name(paper: &Paper) -> HashMap<String, Vec<usize>> {
+    let mut out: HashMap<String, Vec<usize>> = HashMap::new();
+    for (at, relation) in paper.printed.iter().enumerate().filter(|(_, r)| r.display.is_some()) {
+        for name in [&relation.label, &relation.tag].into_iter().flatten() {
+            for name in [name.as_str(), name.trim_matches(['(', ')'])] {
+                out.entry(name.to_owned()).or_default().push(at);
+            }
+        }
+    }
+    out
+}
+
 impl Judge<'_> {
     fn relation(&mut self, at: usize) -> Judgement {
         let relation = &self.paper.printed[at];
@@ -133,7 +149,9 @@ impl Judge<'_> {
             steps: (0, 0),
         };
         if relation.sides.len() < 2 {
-            out.why = "a formula that relates nothing".to_owned();
+            let is_long = relation.sides.iter().any(PrintedSide::is_whole_display);
+            let why = if is_long { "longer than is taken apart" } else { "a formula that relates nothing" };
+            out.why = why.to_owned();
             return out;
         }
         let is = |list: &[&str], sign: &String| is_one_of(list, sign);
@@ -246,8 +264,7 @@ impl Judge<'_> {
             let all = names(larger);
             let lone = lone_name(larger).into_iter().map(|n| n.key()).collect::<Vec<_>>();
             let keys = if larger.is_list { all.iter().map(|n| n.key()).collect() } else { lone };
-            let section = self.parts[at];
-            self.facts.positive.extend(keys.into_iter().map(|key| PositiveName { key, relation: at, section }));
+            self.facts.be_positive(self.parts[at], keys);
         }
     }
 
@@ -261,7 +278,7 @@ impl Judge<'_> {
             if !is_value && !left.is_list && !right.is_list {
                 let (left, right, section) = (left.clone(), right.clone(), self.parts[at]);
                 let in_text = relation.display.is_none();
-                self.facts.stated.push(Stated { left, right, relation: at, section, names: keys, in_text });
+                self.facts.state(Stated { left, right, relation: at, section, names: keys, in_text });
             }
         }
     }
@@ -281,10 +298,8 @@ impl Judge<'_> {
             }
             let (left, right) = (&relation.sides[k - 1], &relation.sides[k]);
             let known = first.as_ref().is_some_and(|n| {
-                self.facts
-                    .given
-                    .iter()
-                    .any(|g| g.key == n.key() && !g.is_rate && n.dots == 0 && g.section == self.section)
+                let same_section = |g: &Given| !g.is_rate && g.section == self.section;
+                n.dots == 0 && self.facts.given.of(&n.key()).any(same_section)
             });
             let defining = k == 1 && first.is_some() && !known;
             let derived = k == 1 && self.is_derived(left);
@@ -357,8 +372,9 @@ impl Judge<'_> {
                 Step::Open(_) if k == 1 && known => {
                     out.steps.1 -= 1;
                     tally.defines = true;
-                    let same = |g: &&Given| first.as_ref().is_some_and(|n| g.key == n.key() && !g.is_rate);
-                    let before = self.facts.given.iter().rev().find(same).cloned();
+                    let latest =
+                        |n: &paper::PaperName| self.facts.given.of(&n.key()).rev().find(|g| !g.is_rate).cloned();
+                    let before = first.as_ref().and_then(latest);
                     tally.anew = before.as_ref().map(|g| g.relation);
                     if blame == Blame::Steps
                         && !sentence.changes
@@ -395,19 +411,14 @@ impl Judge<'_> {
         if sentence.names.is_empty() {
             return Vec::new();
         }
-        let is_named = |r: &PrintedRelation| {
-            [&r.label, &r.tag]
-                .into_iter()
-                .flatten()
-                .any(|l| sentence.names.iter().any(|n| n == l || l.trim_matches(['(', ')']) == n))
-        };
-        let all = self.paper.printed.iter().enumerate();
-        all.filter(|(k, r)| *k != at && r.display.is_some() && is_named(r)).map(|(k, _)| k).collect()
+        let all = sentence.names.iter().filter_map(|name| self.named.get(name)).flatten();
+        let found: BTreeSet<usize> = all.copied().filter(|k| *k != at).collect();
+        found.into_iter().collect()
     }
 
     /// Whether an equation before, in this section, has a name in it.
     fn is_stated(&self, name: Option<&paper::PaperName>) -> bool {
-        name.is_some_and(|n| self.facts.stated.iter().any(|s| s.section == self.section && s.names.contains(&n.key())))
+        name.is_some_and(|n| self.facts.is_stated(self.section, &n.key()))
     }
 
     /// The word, from what became of the steps.
@@ -456,10 +467,8 @@ impl Judge<'_> {
         }
         if let Some(before) = anew.filter(|_| out.word == Word::Defines) {
             let again = lone_right(relation).is_some_and(|right| {
-                self.facts
-                    .given
-                    .iter()
-                    .any(|g| g.relation == before && squeezed(&g.right.text) == squeezed(&right.text))
+                let same = |g: &Given| g.relation == before && squeezed(&g.right.text) == squeezed(&right.text);
+                first.as_ref().is_some_and(|n| self.facts.given.of(&n.key()).any(same))
             });
             (out.word, out.why) = match differs {
                 None if again => (out.word, "as before".to_owned()),
@@ -484,7 +493,7 @@ impl Judge<'_> {
         name.is_some_and(|n| {
             n.dots > 0
                 || n.derived_by.is_some()
-                || n.primes > 0 && self.facts.given.iter().any(|g| g.key == unprimed(n).key())
+                || n.primes > 0 && self.facts.given.of(&unprimed(n).key()).next().is_some()
         })
     }
 
@@ -494,14 +503,13 @@ impl Judge<'_> {
         let mut derived =
             all.iter().filter(|n| !n.is_variable && (n.primes > 0 || n.dots > 0 || n.derived_by.is_some()));
         let Some(name) = derived.next().filter(|_| derived.next().is_none()) else { return false };
-        let is_it = |g: &Given| !g.is_rate && g.section == self.section && g.key == unprimed(name).key();
-        all.iter().filter(|n| !n.is_variable).count() == 1 && self.facts.given.iter().any(is_it)
+        let is_it = |g: &Given| !g.is_rate && g.section == self.section;
+        all.iter().filter(|n| !n.is_variable).count() == 1 && self.facts.given.of(&unprimed(name).key()).any(is_it)
     }
 
     /// Whether no item of a list begins between the definition of a name and a relation: a list may be one of cases.
     fn is_the_same_case(&self, name: Option<&paper::PaperName>, at: usize) -> bool {
-        let defines = |g: &&Given| name.is_some_and(|n| g.key == n.key());
-        let Some(before) = self.facts.given.iter().rev().find(defines) else { return true };
+        let Some(before) = name.and_then(|n| self.facts.given.of(&n.key()).next_back()) else { return true };
         let place = |k: usize| self.paper.locate(&self.paper.printed[k].span());
         let ((file, from), (other, to)) = (place(before.relation), place(at));
         std::sync::Arc::ptr_eq(file, other)
@@ -509,7 +517,7 @@ impl Judge<'_> {
     }
 
     fn has_rates(&self) -> bool {
-        self.facts.given.iter().any(|g| g.is_rate)
+        self.facts.given.has_rates()
     }
 
     /// Notes what a relation defines.
@@ -537,7 +545,7 @@ impl Judge<'_> {
         let free = free_indices(relation);
         if self.readable(&relation.sides[0], right, &free).is_err() {
             // What was defined before is defined no more: by what, was not read.
-            self.facts.given.retain(|g| g.key != key || g.is_rate != is_rate);
+            self.facts.given.forget(&key, is_rate);
             return;
         }
         let given = Given {

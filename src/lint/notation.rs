@@ -2,6 +2,7 @@
 //!
 //! **In:** a paper. **Out:** an [`Evidence`]. **Guaranteed:** nothing is decided here.
 
+use std::collections::BTreeSet;
 use std::ops::Deref;
 
 use paper::{Notation, Paper, PrintedSide};
@@ -13,6 +14,8 @@ use super::desk::NotRead;
 pub struct Evidence {
     names: paper::Evidence,
     notation: Notation,
+    /// Letters that have a subscript which is no index.
+    labelled: BTreeSet<String>,
 }
 
 impl Deref for Evidence {
@@ -25,7 +28,19 @@ impl Deref for Evidence {
 impl Evidence {
     /// The evidence of a paper; `names` is what was seen of its names.
     pub fn new(paper: &Paper, names: paper::Evidence) -> Evidence {
-        Evidence { names, notation: Notation::of(paper) }
+        let is_label = |s: &str| {
+            let mut letters = s.chars();
+            let one = letters.next().filter(|_| letters.next().is_none());
+            one.is_some_and(|c| c.is_alphabetic() && !"ijklmnpqsabcdαβμνxyz".contains(c))
+        };
+        let has_label = |(_, all): &(&String, &BTreeSet<String>)| all.iter().any(|s| is_label(s));
+        let labelled = names.subscripts.iter().filter(has_label).map(|(letter, _)| letter.clone()).collect();
+        Evidence { names, notation: Notation::of(paper), labelled }
+    }
+
+    /// Whether a letter has a subscript that is no index: beside `E_r` and `E_t`, the one of `E_i` is a label, too.
+    pub fn is_labelled(&self, letter: &str) -> bool {
+        self.labelled.contains(letter)
     }
 
     /// Whether the paper is one of groups, rings or modules: what is printed as a product, or a sum, may be anything.

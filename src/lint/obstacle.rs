@@ -9,16 +9,7 @@ use paper::{Call, PaperName, PrintedSide, names, order_counts};
 /// Letters by which sums run, where they stand twice.
 fn index_count(names: &[PaperName], evidence: &Evidence) -> BTreeMap<char, usize> {
     let mut out = BTreeMap::new();
-    // Beside subscripts that are no indices, `E_r` and `E_t`, the one of `E_i` is a label, too.
-    let labelled = |n: &&PaperName| {
-        evidence.subscripts.get(&n.letter).is_some_and(|all| {
-            let other = |s: &&String| {
-                s.chars().count() == 1 && s.chars().all(|c| c.is_alphabetic() && !"ijklmnpqsabcdαβμνxyz".contains(c))
-            };
-            all.iter().any(|s| other(&s))
-        })
-    };
-    for letter in names.iter().filter(|n| !labelled(n)).flat_map(PaperName::index_letters) {
+    for letter in names.iter().filter(|n| !evidence.is_labelled(&n.letter)).flat_map(PaperName::index_letters) {
         *out.entry(letter).or_insert(0) += 1;
     }
     out

@@ -117,8 +117,7 @@ impl Judge<'_> {
 
     /// What a step is tried with, one after the other: nothing, the definitions of its names, their rates, what the paper states.
     fn supports(&mut self, sides: [&PrintedSide; 2], place: &Place, reach: Reach) -> Vec<Rests> {
-        let here = self.facts.positive.iter().filter(|p| p.section == self.section);
-        let positive = Positive::Named(here.map(|p| p.key.clone()).collect());
+        let positive = Positive::Named(self.facts.positive(self.section));
         let rests = |given, stated| Rests { given, stated, positive: positive.clone() };
         let mut out = vec![rests(Vec::new(), Vec::new())];
         let has_rates = sides.into_iter().flat_map(names).any(|n| n.dots > 0 || n.derived_by.is_some());

@@ -34,7 +34,6 @@ use sha2::{Digest, Sha256};
 pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, compare, subject};
 pub use draft::{Draft, draft};
 pub use names::{Call, Evidence, Notation, PaperName, names, order_counts, squeezed};
-pub use pasted::in_displays;
 pub use printed::{PrintedRelation, PrintedSide};
 
 use diag::escape::shown;
@@ -185,6 +184,16 @@ pub fn parse(file: Source, sha256: String) -> Result<Paper, Box<Diagnostic>> {
 pub fn parse_in(file: Arc<Source>, folder: Option<&Path>) -> Result<Paper, Box<Diagnostic>> {
     let sha256 = Sha256::digest(file.text.as_bytes()).iter().map(|b| format!("{b:02x}")).collect();
     parse_with(file, sha256, folder)
+}
+
+/// Reads a text that is handed over under a name, of which nothing else is read. Where nothing in it says where formulas begin, each line is a
+/// formula, and a paragraph whose lines end with `\\\\` or have `&` is one of several lines; what is put before a formula moves its column.
+///
+/// # Errors
+/// Macros that do not end.
+pub fn parse_pasted(name: &str, text: &str) -> Result<Paper, Box<Diagnostic>> {
+    let text = pasted::in_displays(text).into_owned();
+    parse_in(Arc::new(Source { path: name.to_owned(), text }), None)
 }
 
 fn parse_with(file: Arc<Source>, sha256: String, folder: Option<&Path>) -> Result<Paper, Box<Diagnostic>> {

@@ -203,25 +203,24 @@ pub(super) fn after_row(tokens: &[Token], at: usize) -> usize {
 }
 
 /// `{x}` is `x`, again and again.
-fn without_needless_braces(mut marks: Vec<Mark>) -> Vec<Mark> {
-    loop {
-        let mut out: Vec<Mark> = Vec::with_capacity(marks.len());
-        let mut at = 0;
-        while at < marks.len() {
-            let single = marks[at].text == "{" && marks.get(at + 2).is_some_and(|m| m.text == "}");
-            if single && !matches!(marks[at + 1].text.as_str(), "{" | "}") && !takes_more(&marks[at + 1].text) {
-                out.push(marks[at + 1].clone());
-                at += 3;
-            } else {
-                out.push(marks[at].clone());
-                at += 1;
+fn without_needless_braces(marks: Vec<Mark>) -> Vec<Mark> {
+    let mut out: Vec<Mark> = Vec::with_capacity(marks.len());
+    for mark in marks {
+        match &out[..] {
+            [.., open, inner]
+                if mark.text == "}"
+                    && open.text == "{"
+                    && !matches!(inner.text.as_str(), "{" | "}")
+                    && !takes_more(&inner.text) =>
+            {
+                let inner = out.pop();
+                out.pop();
+                out.extend(inner);
             }
+            _ => out.push(mark),
         }
-        if out.len() == marks.len() {
-            return out;
-        }
-        marks = out;
     }
+    out
 }
 
 /// Whether a command in braces would take what follows them, if they were not there.
@@ -248,24 +247,45 @@ pub(super) fn unit(marks: &[Mark], at: usize) -> usize {
     marks.len()
 }
 
+/// For each mark the end of the unit that begins with it, as [`unit`] has it.
+pub(super) fn units(marks: &[Mark]) -> Vec<usize> {
+    let mut ends: Vec<usize> = (1..=marks.len()).collect();
+    let mut open = Vec::new();
+    for (at, mark) in marks.iter().enumerate() {
+        match mark.text.as_str() {
+            "{" => {
+                ends[at] = marks.len();
+                open.push(at);
+            }
+            "}" => {
+                if let Some(start) = open.pop() {
+                    ends[start] = at + 1;
+                }
+            }
+            _ => {}
+        }
+    }
+    ends
+}
+
 /// Subscripts before superscripts: `m^2_3` is printed as `m_3^2` is.
 fn ordered(marks: &[Mark]) -> Vec<Mark> {
+    let ends = units(marks);
+    let unit = |at: usize, to: usize| ends.get(at).map_or(to, |end| (*end).min(to));
     let mut out = Vec::with_capacity(marks.len());
-    let mut at = 0;
-    while at < marks.len() {
-        if marks[at].text == "^" {
-            let middle = unit(marks, at + 1);
-            if marks.get(middle).is_some_and(|m| m.text == "_") && middle > at + 1 {
-                let end = unit(marks, middle + 1);
-                out.extend(ordered(&marks[middle..end]));
-                out.push(marks[at].clone());
-                out.extend(ordered(&marks[at + 1..middle]));
-                at = end;
-                continue;
+    // What is still to be put there, the next one last.
+    let mut left = vec![(0, marks.len())];
+    while let Some((mut at, to)) = left.pop() {
+        while at < to {
+            let (middle, is_above) = (unit(at + 1, to), marks[at].text == "^");
+            if is_above && middle > at + 1 && middle < to && marks[middle].text == "_" {
+                let end = unit(middle + 1, to);
+                left.extend([(end, to), (at + 1, middle), (at, at + 1), (middle, end)]);
+                break;
             }
+            out.push(marks[at].clone());
+            at += 1;
         }
-        out.push(marks[at].clone());
-        at += 1;
     }
     out
 }

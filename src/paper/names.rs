@@ -95,7 +95,8 @@ pub fn names(side: &PrintedSide) -> Vec<PaperName> {
 
 /// The names of a formula, in their order.
 pub(super) fn names_of(tokens: &[Token]) -> Vec<PaperName> {
-    let mut reader = Names { marks: without_braces_of_names(mark::marks(tokens)), out: Vec::new() };
+    let marks = without_braces_of_names(mark::marks(tokens));
+    let mut reader = Names { units: mark::units(&marks), marks, out: Vec::new() };
     let end = reader.marks.len();
     reader.range(0, end, &None, 0);
     reader.out
@@ -103,6 +104,8 @@ pub(super) fn names_of(tokens: &[Token]) -> Vec<PaperName> {
 
 struct Names {
     marks: Vec<Mark>,
+    /// Where the unit ends that begins with each mark.
+    units: Vec<usize>,
     out: Vec<PaperName>,
 }
 
@@ -118,7 +121,7 @@ impl Names {
     }
 
     fn unit(&self, at: usize) -> usize {
-        mark::unit(&self.marks, at)
+        self.units.get(at).copied().unwrap_or(self.marks.len())
     }
 
     fn range(&mut self, from: usize, to: usize, by: &By, depth: usize) {

@@ -7,7 +7,7 @@ const MARKS: [&str; 4] = ["$", r"\[", r"\(", r"\begin{"];
 
 /// A text as a paper. Where nothing in it says where formulas begin, each line is a display, and a paragraph whose lines end with `\\`
 /// or have `&` is one of several lines. Lines keep their numbers; what is put before a formula moves its column.
-pub fn in_displays(text: &str) -> Cow<'_, str> {
+pub(super) fn in_displays(text: &str) -> Cow<'_, str> {
     if MARKS.iter().any(|mark| text.contains(mark)) {
         return Cow::Borrowed(text);
     }

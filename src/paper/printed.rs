@@ -353,6 +353,13 @@ pub(super) struct Place<'p> {
     pub section: usize,
 }
 
+impl PrintedSide {
+    /// Whether it is a whole display that is longer than is taken apart.
+    pub fn is_whole_display(&self) -> bool {
+        self.tokens.len() > MOST_TOKENS
+    }
+}
+
 /// The relations that a display prints.
 pub(super) fn relations(body: &[Token], place: &Place<'_>) -> Vec<PrintedRelation> {
     let mut found = Relations { place, out: Vec::new(), open: Vec::new(), ended: Vec::new() };

@@ -42,10 +42,10 @@ mod uniqueness;
 
 use crate::agreement::{Signs, answer, evidence, evidence_of, reach};
 use crate::derivation::{Claim, Derivation, Form, Motion};
-use crate::expr::{Expr, FastMap, FastSet, Graph, Leaf, Symbol, Tensor};
+use crate::expr::{Expr, FastMap, Graph, Leaf, Symbol};
 use crate::findings::standing::{self, Decision, Finding};
 use crate::findings::{AssumptionsUsed, IdentityAccount, IdentityEvidence};
-use crate::latex::{Relation, RelationKind, Role};
+use crate::latex::{Relation, RelationKind};
 use crate::motions;
 use crate::verdict::Witness;
 pub(crate) use chosen::chooses;
@@ -54,17 +54,12 @@ use definitions::Definitions;
 use gather::{Gathered, sides};
 use proof::{Condition, Identity, Memory, Options, Premises, Proof, Reason, Wanted, When, excludes_motions, order};
 use reason::{Plain, Proving, Refuting};
-use std::cell::RefCell;
 
 /// A claim that is decided for all values.
 pub struct Step<'a> {
     derivation: &'a Derivation,
     claim: &'a Claim,
     graph: Graph,
-    /// The positive parameters.
-    positive: FastSet<Symbol>,
-    /// The definitions that claims make, as far as they were asked for.
-    of_claims: RefCell<FastMap<Symbol, Option<&'a Tensor>>>,
     /// The last question that was settled, where it was one question: what the second route is asked.
     settled: Option<Settled>,
     /// Where the last proof was found.
@@ -170,11 +165,7 @@ impl<'a> Step<'a> {
         if claim.unread().is_some() {
             return None;
         }
-        let of_claims = derivation.claims.iter().flat_map(|c| &c.symbols);
-        let symbols = derivation.symbols.iter().chain(of_claims);
         let step = Step {
-            positive: symbols.filter(|s| s.positive && s.role == Role::Parameter).map(|s| s.symbol).collect(),
-            of_claims: RefCell::default(),
             derivation,
             claim,
             graph: derivation.graph.clone(),
@@ -223,7 +214,7 @@ impl<'a> Step<'a> {
     }
 
     fn is_positive_parameter(&self, leaf: Leaf) -> bool {
-        self.positive.contains(&leaf.symbol)
+        self.derivation.is_positive_parameter(leaf.symbol)
     }
 
     /// What a claim is said to follow from, see [`Derivation::given_to`].
@@ -348,8 +339,9 @@ impl<'a> Step<'a> {
             };
         }
         let mut equations = self.equations(self.claim)?;
-        // Sides that are one expression: nothing is tried of a claim about fields but this.
-        if self.claim.region.is_none() || equations.iter().any(|(l, r)| l != r) {
+        // Sides that are one expression: nothing is tried of a claim about fields, or of one without motions, but this.
+        let on_motions = self.claim.is_tried() && self.claim.region.is_none();
+        if on_motions || equations.iter().any(|(l, r)| l != r) {
             equations.retain(|(l, r)| l != r);
         }
         if equations.is_empty() {

@@ -395,8 +395,18 @@ fn problem(diagnostic: &Diagnostic) -> Finding {
         related: other.collect(),
         identity: format!("{}\n{}", diagnostic.source.path, diagnostic.message),
         message,
-        fix: None,
+        fix: declaration(diagnostic),
     }
+}
+
+/// The declaration of a symbol that a derivation file lacks.
+fn declaration(of: &Diagnostic) -> Option<Fix> {
+    const TABLE: &str = "[symbols]\n";
+    let span = of.place.as_ref().filter(|_| of.code == "latex::unknown-symbol")?.span.clone();
+    let name = of.source.text.get(span).filter(|name| !name.contains(['\'', '\n']))?;
+    let at = of.source.text.find(TABLE)? + TABLE.len();
+    let text = format!("'{name}' = {{ role = 'parameter' }}\n");
+    Some(Fix { place: Place::new(&of.source, at..at), text, says: "Declare it as a parameter".to_owned() })
 }
 
 /// What a rule is about, in a sentence.

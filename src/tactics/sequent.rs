@@ -370,10 +370,7 @@ impl<'a> Gathering<'a> {
     fn questions(mut self) -> Result<Vec<Question>, String> {
         let (definitions, orders) = self.definitions()?;
         let mut writer = Writer::new(&self.graph);
-        let positive = |symbol: Symbol| {
-            let of_claims = self.derivation.claims.iter().flat_map(|c| &c.symbols);
-            self.derivation.symbols.iter().chain(of_claims).any(|s| s.symbol == symbol && s.positive)
-        };
+        let positive = |symbol: Symbol| self.derivation.role_of_positive(symbol).is_some();
         // Fields are as smooth as is wanted: two orders more than what is written.
         let of_fields = |s: &Symbol| self.graph.is_field(*s);
         let smooth = orders.iter().filter(|(s, _)| of_fields(s)).map(|(_, n)| n.saturating_add(2)).max().unwrap_or(0);

@@ -34,8 +34,7 @@ fn of_derivation(text: &str) -> String {
 }
 
 fn of_paper(text: &str) -> String {
-    let source = diag::Source { path: "text.tex".into(), text: paper::in_displays(text).into_owned() };
-    match paper::parse(source, String::new()) {
+    match paper::parse_pasted("text.tex", text) {
         Ok(paper) => report::lint_page(&paper, &lint::lint(&paper)),
         Err(problem) => words(&diag::render(&[*problem], false)),
     }

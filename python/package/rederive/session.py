@@ -95,7 +95,7 @@ class Session:
     @property
     def claims(self) -> tuple[str, ...]:
         """The names of the claims, ``id`` or ``id/reading``."""
-        return tuple(_name(id, reading) for id, reading, _ in self._read.claims())
+        return tuple(_name(id, reading) for id, reading, _ in self._read.pairs())
 
     @property
     def pairs(self) -> tuple[tuple[str, Optional[str]], ...]:

@@ -10,19 +10,19 @@
 //! functions that `check` and `lint` use.
 
 mod answers;
-mod looked;
 mod positions;
 
 use std::collections::HashMap;
+use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use lsp_server::{Connection, ErrorCode, Message, Notification, Request, Response};
 use rederive::Ending;
+use rederive::look::{Looked, Looker};
 use serde_json::{Value, json};
 
 use super::ending::Stop;
-use looked::{Looked, Looker};
 
 #[derive(clap::Args)]
 pub struct LspArguments {
@@ -149,11 +149,17 @@ fn look_through(opened: &Receiver<Option<Opened>>, known: &Known, say: &dyn Fn(M
         waiting.extend(opened.try_iter().flatten());
         let Some(Opened { uri, version, text }) = waiting.pop() else { continue };
         waiting.retain(|older| older.uri != uri);
-        looker.look(&uri, text, &mut |looked| {
+        looker.look(&path_of(&uri), text, &mut |looked| {
             let diagnostics: Vec<Value> = looked.findings.iter().filter_map(answers::diagnostic).collect();
             let params = json!({ "uri": uri, "version": version, "diagnostics": diagnostics });
             known.lock().unwrap_or_else(PoisonError::into_inner).insert(uri.clone(), Arc::new(looked));
             say(Notification::new("textDocument/publishDiagnostics".into(), params).into());
         });
     }
+}
+
+/// The path that an address of a file names; another address is a name that has no folder.
+fn path_of(uri: &str) -> PathBuf {
+    let path = uri.strip_prefix("file://").map(|path| percent_encoding::percent_decode_str(path).decode_utf8_lossy());
+    PathBuf::from(path.map_or_else(|| uri.replace('/', ":"), |path| path.into_owned()))
 }

@@ -1,5 +1,7 @@
 //! Places of a text as an editor counts them: lines from 0, columns in UTF-16 code units from 0.
 
+use std::ops::Range;
+
 use rederive::report::Region;
 use serde_json::{Value, json};
 
@@ -9,6 +11,12 @@ pub(super) fn range(of: Region) -> Value {
         "start": { "line": of.line - 1, "character": of.column - 1 },
         "end": { "line": of.end_line - 1, "character": of.end_column - 1 },
     })
+}
+
+/// The bytes of the range that is asked about; the whole text where none is.
+pub(super) fn bytes(text: &str, params: &Value) -> Range<usize> {
+    let place = |key: &str, none: usize| params.pointer(key).map_or(none, |place| offset(text, place));
+    place("/range/start", 0)..place("/range/end", text.len())
 }
 
 /// The byte at which a place lies; the end of its line where it has fewer columns, the end of the text where it has fewer lines.
@@ -29,21 +37,6 @@ pub(super) fn offset(text: &str, place: &Value) -> usize {
     start + within.map_or(of_line.len(), |(at, _)| at)
 }
 
-/// Whether a name stands in a text around a byte, and is not a part of a command.
-pub(super) fn is_named(text: &str, at: usize, name: &str) -> bool {
-    let line = text[..at].rfind('\n').map_or(0, |n| n + 1);
-    let of_line = text[line..].split('\n').next().unwrap_or_default();
-    let letters = |c: char| c.is_ascii_alphabetic();
-    let whole = |start: usize| {
-        let (before, after) = (&of_line[..start], &of_line[start + name.len()..]);
-        // A letter that follows letters after a backslash is one of a command; a command ends where no letter follows.
-        let in_command = name.starts_with(letters) && before.trim_end_matches(letters).ends_with('\\');
-        let goes_on = name.starts_with('\\') && name.ends_with(letters) && after.starts_with(letters);
-        !in_command && !goes_on
-    };
-    of_line.match_indices(name).any(|(start, _)| (start..=start + name.len()).contains(&(at - line)) && whole(start))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -56,15 +49,5 @@ mod tests {
         assert_eq!(at(1, 9), text.len() - 1);
         assert_eq!(at(7, 0), text.len());
         assert_eq!(at(0, 0), 0);
-    }
-
-    #[test]
-    fn a_name_is_no_part_of_a_command() {
-        let text = r"a=\omega_{12}o\sin x^2";
-        let named: Vec<&str> =
-            [r"\omega_{12}", r"\omega", "o", "x", r"\si", "n"].into_iter().filter(|n| is_named(text, 4, n)).collect();
-        assert_eq!(named, [r"\omega_{12}", r"\omega"]);
-        assert!(is_named(text, 14, "o") && is_named(text, 19, "x") && !is_named(text, 17, "n"));
-        assert!(!is_named(text, 16, r"\si") && !is_named("", 0, "x"));
     }
 }

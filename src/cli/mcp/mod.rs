@@ -19,7 +19,7 @@ use rederive::diag::escape::in_one_line;
 use serde_json::{Value, json};
 
 use super::ending::Stop;
-use tools::{TOOLS, Workbench};
+use tools::Workbench;
 
 /// Versions of the protocol whose tools are these; of others the newest of these is offered.
 const PROTOCOL: [&str; 3] = ["2025-06-18", "2025-03-26", "2024-11-05"];
@@ -90,13 +90,13 @@ fn answered(line: &[u8], bench: &Workbench) -> Option<Value> {
             })
         }
         "ping" => json!({}),
-        "tools/list" => json!({ "tools": TOOLS.iter().map(tools::Tool::described).collect::<Vec<_>>() }),
+        "tools/list" => json!({ "tools": bench.described() }),
         "tools/call" => {
             let name = params.get("name").and_then(Value::as_str).unwrap_or_default();
-            let Some(tool) = TOOLS.iter().find(|t| t.name == name) else {
+            if !bench.has(name) {
                 return Some(refused(id, -32602, &format!("there is no tool `{}`", in_one_line(name))));
-            };
-            match bench.call(tool, params.get("arguments").unwrap_or(&Value::Null)) {
+            }
+            match bench.call(name, params.get("arguments").unwrap_or(&Value::Null)) {
                 Ok(found) => {
                     json!({ "content": [{ "type": "text", "text": found.to_string() }], "structuredContent": found, "isError": false })
                 }

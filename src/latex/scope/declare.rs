@@ -9,11 +9,10 @@ use super::super::elaborate::Elaborator;
 use super::super::parse::{WrittenName, read_name};
 use super::super::syntax::{Name, SubItem};
 use super::super::{name, tensor};
-use super::{
-    Arguments, Declaration, DeclareError, Entry, Filed, Pattern, Role, Scope, bad_key, digest, same_kind, too_many,
-};
+use super::entry::{labels, like_indices};
+use super::{Arguments, Declaration, DeclareError, Entry, Pattern, Role, Scope, bad_key, too_many};
 use diag::Problem;
-use expr::{Graph, Shape, Symbol};
+use expr::{Graph, Shape, Symbol, Tensor};
 
 /// What is said of a name whose declaration was refused.
 pub const REFUSED: &str = "the declaration of this name was refused";
@@ -28,6 +27,12 @@ fn read_key(key: &str, scope: &Scope) -> Result<WrittenName, DeclareError> {
     }
 }
 
+/// The letters of a name that has several, and nothing else but primes.
+fn spelled(name: &str) -> Option<&str> {
+    let letters = name.trim_end_matches('\'');
+    (letters.len() > 1 && letters.bytes().all(|b| b.is_ascii_alphabetic())).then_some(letters)
+}
+
 impl Scope {
     /// Declares a symbol under its name as LaTeX writes it.
     ///
@@ -38,9 +43,7 @@ impl Scope {
     /// [`DeclareError`], with the place in the key or in the formula.
     pub fn declare(&mut self, graph: &mut Graph, key: &str, d: Declaration<'_>) -> Result<Symbol, DeclareError> {
         let WrittenName { name, sub, arguments } = read_key(key, self)?;
-        let letters = name.trim_end_matches('\'').to_owned();
-        let spelled = letters.len() > 1 && letters.bytes().all(|b| b.is_ascii_alphabetic());
-        if spelled && letters.chars().all(|c| self.declares(&c.to_string())) {
+        if spelled(&name).is_some_and(|letters| letters.chars().all(|c| self.declares(&c.to_string()))) {
             let message = format!("`{key}` would also be a product of the declared letters");
             return Err(bad_key(message, key, r"write `\mathrm{…}` around the name"));
         }
@@ -48,27 +51,22 @@ impl Scope {
         let conjugate = |name: &str, other: &str| {
             name::labelled(name).is_some_and(|(of, label)| of == other && matches!(label, "*" | r"\dagger"))
         };
-        let sub_is = |e: &Filed| {
-            e.sub.iter().map(|p| if let Pattern::Literal(l) = p { Some(l) } else { None }).eq(sub.iter().map(Some))
-        };
-        let clash = self.entries.iter().find(|e| {
-            conjugate(&name, &e.name) && e.complex && sub_is(e) || d.complex && conjugate(&e.name, &name) && sub_is(e)
-        });
+        let own = [name::labelled(&name).map_or(name.as_str(), |(of, _)| of).to_owned()];
+        let starred = ["*", r"\dagger"].map(|label| format!("{name}^{label}"));
+        let clash = own
+            .iter()
+            .chain(&starred)
+            .flat_map(|other| self.entries.like(other, &sub))
+            .find(|e| conjugate(&name, &e.name) && e.complex || d.complex && conjugate(&e.name, &name));
         if let Some(other) = clash {
             let message = format!("`{key}` and `{}`: one would also be the conjugate of the other", other.key);
             return Err(bad_key(message, key, "rename one of the two"));
         }
-        if d.role == Role::Time && self.entries.iter().any(|e| e.role == Role::Time) {
+        if d.role == Role::Time && self.entries.time().is_some() {
             return Err(bad_key("there is a time already", key, ""));
         }
-        // Formal arguments are symbols of an inner scope. A copy for every symbol would take the square of their number.
-        let mut inner = (!d.arguments.is_empty()).then(|| self.clone());
-        let mut formal = Vec::new();
-        for argument in d.arguments {
-            let Some(inner) = &mut inner else { continue };
-            let symbol = inner.declare(graph, argument, Declaration::of(Role::Argument))?;
-            formal.push((symbol, Shape::scalar()));
-        }
+        let inner = self.inner(graph, d.arguments)?;
+        let formal: Vec<(Symbol, Shape)> = inner.iter().map(|e| (e.symbol, Shape::scalar())).collect();
         let mut place = Vec::new();
         let coordinates = match d.role {
             Role::Field => match self.places_of(graph, key, arguments.as_deref())? {
@@ -97,8 +95,7 @@ impl Scope {
         if let Some(text) = d.formula.filter(|_| scale.is_none()) {
             let letters: Vec<Name> =
                 sub.iter().filter_map(|i| if let SubItem::Name(n) = i { Some(n.clone()) } else { None }).collect();
-            let elaborator = Elaborator::new(inner.as_ref().unwrap_or(self), graph);
-            let (tensor, placed) = elaborator.definition(text, &letters).map_err(DeclareError::Formula)?;
+            let (tensor, placed) = self.definition_with(graph, &inner, (text, &letters))?;
             if placed {
                 for p in &mut pattern {
                     if matches!(p, Pattern::Literal(SubItem::Name(_))) {
@@ -164,7 +161,7 @@ impl Scope {
         for whole in numbered {
             let whole = whole.unwrap_or(symbol);
             graph.set_numbered(whole);
-            self.numbered.push(whole);
+            self.entries.number(whole);
         }
         if d.role == Role::Coordinate {
             for component in 0..graph.component_count(symbol) as u16 {
@@ -180,10 +177,7 @@ impl Scope {
                 }
             }
         }
-        if spelled && !self.words.contains(&letters) {
-            self.words.push(letters);
-            self.words.sort_by_key(|w| std::cmp::Reverse(w.len()));
-        }
+        self.add_word_of(&name);
         let key = key.to_owned();
         let entry = Entry {
             key,
@@ -202,12 +196,49 @@ impl Scope {
             place,
         };
         // The same name again hides the earlier one.
-        let same =
-            |e: &mut Filed| e.name == entry.name && e.sub == entry.sub && same_kind(&e.arguments, &entry.arguments);
-        let hidden: Vec<Filed> = self.entries.extract_if(.., same).collect();
-        self.hidden.extend(hidden);
-        self.entries.push(Filed { digest: digest(&[&entry.name]), symbol, entry: Arc::new(entry) });
+        self.entries.add(Arc::new(entry));
         Ok(symbol)
+    }
+
+    /// The formal arguments of a function, which are symbols of an inner scope.
+    fn inner(&mut self, graph: &mut Graph, arguments: &[&str]) -> Result<Vec<Arc<Entry>>, DeclareError> {
+        if arguments.is_empty() {
+            return Ok(Vec::new());
+        }
+        // A scope of its own for every function would take the square of their number.
+        self.entries.begin();
+        let mut all = arguments.iter().map(|argument| self.declare(graph, argument, Declaration::of(Role::Argument)));
+        let refused = all.find_map(Result::err);
+        drop(all);
+        let inner = self.entries.undo();
+        refused.map_or(Ok(inner), Err)
+    }
+
+    /// What a formula means where the arguments of its function are known; and whether the letters are indices of it.
+    fn definition_with(
+        &mut self,
+        graph: &mut Graph,
+        inner: &[Arc<Entry>],
+        (text, letters): (&str, &[Name]),
+    ) -> Result<(Tensor, bool), DeclareError> {
+        if inner.is_empty() {
+            return Elaborator::new(self, graph).definition(text, letters).map_err(DeclareError::Formula);
+        }
+        self.entries.begin();
+        for argument in inner {
+            self.entries.add(Arc::clone(argument));
+            self.add_word_of(&argument.name);
+        }
+        let found = Elaborator::new(self, graph).definition(text, letters);
+        self.entries.undo();
+        found.map_err(DeclareError::Formula)
+    }
+
+    /// Notes a name of several letters.
+    fn add_word_of(&mut self, name: &str) {
+        if let Some(letters) = spelled(name) {
+            self.entries.add_word(letters);
+        }
     }
 
     /// The symbols, `None` for the one that is being declared, beside which another has the name of a component: `{\bf r}` beside a vector
@@ -220,19 +251,14 @@ impl Scope {
         shape: &Shape,
         labelled: bool,
     ) -> Result<Vec<Option<Symbol>>, DeclareError> {
-        let like_indices = |sub: &[Pattern]| {
-            !sub.is_empty()
-                && sub.iter().all(|p| match p {
-                    // Components are counted from 1: `B_0` is none of a vector `{\bf B}`.
-                    Pattern::Literal(SubItem::Digit(digit)) => *digit > 0,
-                    Pattern::Literal(SubItem::Name(letter)) => name::is_index(letter),
-                    Pattern::Literal(SubItem::Other(_)) | Pattern::Index => false,
-                })
-        };
         let rank = shape.real_extents().len();
         let mut numbered: Vec<Option<Symbol>> =
             (labelled && rank > 0 && pattern.is_empty()).then_some(None).into_iter().collect();
-        for e in self.entries.iter().filter(|e| name::unmarked(&e.name) == name::unmarked(name)) {
+        let like: Vec<&Entry> = match pattern.is_empty() {
+            true => self.entries.components(name).collect(),
+            false => self.entries.like(name, &[]).collect(),
+        };
+        for e in like.into_iter().filter(|e| name::unmarked(&e.name) == name::unmarked(name)) {
             let component = |sub: &[Pattern], rank: usize| like_indices(sub) && sub.len() == rank;
             let (whole, below, rank_below, is_said) = if e.sub.is_empty() && component(pattern, e.rank) {
                 (Some(e.symbol), pattern, rank, e.labelled)
@@ -241,10 +267,9 @@ impl Scope {
             } else {
                 continue;
             };
-            let counts = |other: &Filed| {
-                other.rank > 0 && other.sub == below && name::unmarked(&other.name) == name::unmarked(name)
-            };
-            if rank_below == 0 && !is_said && !self.entries.iter().any(counts) {
+            let counts = |other: &Entry| other.rank > 0 && name::unmarked(&other.name) == name::unmarked(name);
+            let below = labels(below).unwrap_or_default();
+            if rank_below == 0 && !is_said && !self.entries.like(name, &below).any(counts) {
                 let message = format!("`{key}` would also be a component of, or have the component, `{}`", e.key);
                 return Err(bad_key(
                     message,
@@ -260,21 +285,20 @@ impl Scope {
     /// Notes a name whose declaration was refused: what names it is refused with [`REFUSED`], which need not be told.
     pub fn note_refused(&mut self, key: &str) {
         if let Ok(WrittenName { name, sub, .. }) = read_key(key, self) {
-            self.refused.push((name, sub));
+            self.entries.refuse(name, sub);
         }
     }
 
     /// The symbol declared under a key, in any spelling of it.
     pub fn symbol(&self, key: &str) -> Option<Symbol> {
         let wanted = read_key(key, self).ok()?;
-        let sub: Vec<Pattern> = wanted.sub.iter().cloned().map(Pattern::Literal).collect();
-        let entry = self.entries.iter().rev().find(|e| {
-            e.key == key
-                || (e.name == wanted.name
-                    && e.sub == sub
-                    && wanted.arguments.is_none()
-                    && matches!(e.arguments, Arguments::None | Arguments::Coordinates(..)))
-        });
-        entry.map(|e| e.symbol)
+        let is_meant = |e: &&Entry| {
+            e.name == wanted.name
+                && wanted.arguments.is_none()
+                && matches!(e.arguments, Arguments::None | Arguments::Coordinates(..))
+        };
+        let named = self.entries.like(&wanted.name, &wanted.sub).rev().find(is_meant);
+        // Of both the one that was declared later.
+        named.into_iter().chain(self.entries.under(key).next_back()).map(|e| e.symbol).max()
     }
 }

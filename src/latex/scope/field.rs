@@ -6,7 +6,7 @@
 
 use super::super::elaborate::Elaborator;
 use super::super::syntax::{Name, SubItem};
-use super::{Arguments, DeclareError, Entry, Filed, Role, Scope, bad_key, too_many};
+use super::{Arguments, DeclareError, Entry, Role, Scope, bad_key, too_many};
 use diag::Problem;
 use expr::{Expr, Graph, Leaf, Shape, Symbol, Tensor};
 
@@ -149,14 +149,14 @@ impl Scope {
     /// The scale factors of the coordinates of space, 1 unless another is declared; `None` where all are Cartesian.
     pub(crate) fn scale_factors(&self, graph: &mut Graph) -> Option<Vec<Expr>> {
         let one = graph.integer(1);
-        let space = || self.entries.iter().filter(|e| self.is_place(e));
+        let space = || self.entries.coordinates().filter(|e| self.is_place(e));
         let factors = space().flat_map(|e| vec![e.scale.unwrap_or(one); graph.component_count(e.symbol)]).collect();
         space().any(|e| e.scale.is_some()).then_some(factors)
     }
 
     /// The coordinates of space: all but the time, but `t`, and but momenta.
     pub(crate) fn space(&self, graph: &Graph) -> Vec<Leaf> {
-        let symbols = self.entries.iter().filter(|e| self.is_place(e)).map(|e| e.symbol);
+        let symbols = self.entries.coordinates().filter(|e| self.is_place(e)).map(|e| e.symbol);
         symbols.flat_map(|s| (0..graph.component_count(s) as u16).map(move |c| Leaf::now(s, c))).collect()
     }
 
@@ -166,7 +166,7 @@ impl Scope {
     /// [`DeclareError::Key`], where there is one already, or where it is no field of real numbers.
     pub fn set_velocity(&mut self, key: &str, symbol: Symbol) -> Result<(), DeclareError> {
         let real = self.by_symbol(symbol).is_some_and(|e| e.role == Role::Field && e.rank < 2 && !e.complex);
-        if !real || self.velocity.is_some_and(|other| self.by_name(other)) {
+        if !real || self.velocity().is_some() {
             return Err(bad_key("the velocity is one field, a real vector", key, "leave `velocity` out"));
         }
         self.velocity = Some(symbol);
@@ -175,27 +175,23 @@ impl Scope {
 
     /// The velocity that is declared, unless another declaration hides it.
     pub(crate) fn velocity(&self) -> Option<Symbol> {
-        self.velocity.filter(|symbol| self.by_name(*symbol))
-    }
-
-    fn by_name(&self, symbol: Symbol) -> bool {
-        self.entries.iter().any(|e| e.symbol == symbol)
+        self.velocity.filter(|symbol| self.entries.is_found(*symbol))
     }
 
     /// The coordinate of this name, if it is one number.
     pub(crate) fn coordinate(&self, letter: &str) -> Option<Leaf> {
-        let is_it = |e: &&Filed| e.name == letter && e.sub.is_empty() && e.rank == 0;
-        let entry = self.entries.iter().rev().find(is_it)?;
+        let is_it = |e: &&Entry| e.name == letter && e.rank == 0;
+        let entry = self.entries.like(letter, &[]).rev().find(is_it)?;
         matches!(entry.role, Role::Coordinate | Role::Time).then(|| Leaf::now(entry.symbol, 0))
     }
 
     /// Whether there are coordinates of space.
     pub(crate) fn has_space(&self) -> bool {
-        self.entries.iter().any(|e| self.is_place(e))
+        self.entries.coordinates().any(|e| self.is_place(e))
     }
 
     /// Whether ∇ acts on a symbol: on a coordinate of space that is no momentum.
-    fn is_place(&self, e: &Filed) -> bool {
+    fn is_place(&self, e: &Entry) -> bool {
         is_of_space(&e.name, e.role) && !self.is_momentum(e.symbol)
     }
 

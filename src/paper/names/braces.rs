@@ -10,6 +10,7 @@ pub fn without_braces_of_names(marks: Vec<Mark>) -> Vec<Mark> {
     let command = |m: Option<&Mark>| m.and_then(|m| m.text.strip_prefix('\\')).unwrap_or("").to_owned();
     let mut out: Vec<Mark> = Vec::with_capacity(marks.len());
     let mut closing: Vec<usize> = Vec::new();
+    let units = mark::units(&marks);
     for at in 0..marks.len() {
         if closing.last() == Some(&at) {
             closing.pop();
@@ -20,7 +21,7 @@ pub fn without_braces_of_names(marks: Vec<Mark>) -> Vec<Mark> {
             || DOTS.iter().any(|(d, _)| *d == named);
         let before = out.last().map_or("", |m| m.text.as_str());
         if marks[at].text == "{" && styled && !matches!(before, "_" | "^") && !before.starts_with('\\') {
-            let end = mark::unit(&marks, at + 2);
+            let end = units.get(at + 2).copied().unwrap_or(marks.len());
             let last = marks.get(end).is_some_and(|m| m.text == "}");
             if last && marks.get(end + 1).is_some_and(|m| matches!(m.text.as_str(), "_" | "'")) {
                 closing.push(end);

@@ -247,7 +247,6 @@ impl<'a> Scene<'a> {
 
 /// The formula of a component that has one: that of the claim, of the file, or of another claim that declares it.
 pub(super) fn definition(derivation: &Derivation, scope: &Scope, leaf: Leaf) -> Option<Expr> {
-    let scopes = [scope, &derivation.scope].into_iter().chain(derivation.claims.iter().map(|c| &c.scope));
-    let found = scopes.into_iter().find_map(|s| s.definition(leaf.symbol))?;
+    let found = scope.definition(leaf.symbol).or_else(|| derivation.definition(leaf.symbol))?;
     found.components.get(usize::from(leaf.component)).copied()
 }

@@ -56,9 +56,7 @@ pub(super) fn search<'a>(derivation: &'a Derivation, claim: &'a Claim, question:
     }
     // Constants first.
     unknown.sort_by_key(|l| scope.role(l.symbol) == Some(Role::State));
-    let of_claims = derivation.claims.iter().flat_map(|c| &c.symbols);
-    let symbols = derivation.symbols.iter().chain(of_claims);
-    let positive = symbols.filter(|s| s.positive && s.role == Role::Parameter).map(|s| s.symbol).collect();
+    let positive = unknown.iter().map(|l| l.symbol).filter(|s| derivation.is_positive_parameter(*s)).collect();
     let constant = |e: &Expr| derivation.graph.as_constant(*e).cloned();
     let mut about: Vec<Rational> = question.instants.iter().filter_map(constant).collect();
     about.push(Rational::ZERO);

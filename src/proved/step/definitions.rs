@@ -5,7 +5,7 @@
 
 use super::gather::sides;
 use super::{Pairs, Step};
-use crate::derivation::{Derivation, Premise};
+use crate::derivation::Premise;
 use crate::expr::domain::Sign;
 use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Op};
 use claim::comparison::{at_instant, may_leap};
@@ -53,23 +53,11 @@ enum Continued {
 impl Step<'_> {
     /// The definition of a component, as far as definitions are used.
     pub(super) fn definition(&self, leaf: Leaf, which: Definitions) -> Option<Expr> {
-        let Derivation { claims, scope, .. } = self.derivation;
-        let in_file = || {
-            scope
-                .definition(leaf.symbol)
-                .filter(|_| matches!(which, Definitions::Now | Definitions::All | Definitions::Everything))
-        };
-        // The claims are many, and asked for the same symbols again and again.
-        let in_claim = || {
-            let found = || {
-                let own = scope.definition(leaf.symbol).is_none();
-                claims.iter().filter(|_| own).find_map(|c| c.scope.definition(leaf.symbol))
-            };
-            *self.of_claims.borrow_mut().entry(leaf.symbol).or_insert_with(found)
-        };
+        let of_file = self.derivation.scope.definition(leaf.symbol);
         let definition = match which {
             Definitions::None => None,
-            _ => in_file().or_else(in_claim),
+            Definitions::Now | Definitions::All | Definitions::Everything => self.derivation.definition(leaf.symbol),
+            _ => self.derivation.definition(leaf.symbol).filter(|_| of_file.is_none()),
         };
         definition?.components.get(usize::from(leaf.component)).copied()
     }

@@ -1,19 +1,23 @@
-//! What is found of a text that an editor has open.
+//! What is known of a text at its places: what an editor shows.
+//!
+//! **In:** the text of a paper or of a derivation file, again whenever it has changed. **Out:** [`Looked`]: findings, a word for each formula
+//! or claim, the names that the text declares. **Guaranteed:** problems of a text come before its verdicts; a defect ends the look at one
+//! text. **Why this way:** places are bytes of the text, so that every editor counts them as it likes.
 
 use std::collections::HashMap;
 use std::ops::Range;
 use std::panic::AssertUnwindSafe;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
-use rederive::diag::escape::in_one_line;
-use rederive::diag::{Diagnostic, Source};
-use rederive::lint;
-use rederive::report;
-use rederive::{Failure, Findings, Session, paper};
+use crate::derivation::{Claim, SymbolEntry};
+use crate::diag::escape::in_one_line;
+use crate::diag::{Diagnostic, Source};
+use crate::{Failure, Findings, Session, lint, paper, report};
 
 /// What is said of a place beside findings.
-pub(super) struct Remark {
+pub struct Remark {
+    /// Its bytes.
     pub span: Range<usize>,
     /// A word or two.
     pub word: String,
@@ -22,51 +26,84 @@ pub(super) struct Remark {
 }
 
 /// A name that the text declares.
-pub(super) struct Declared {
+pub struct Declared {
+    /// As it is declared.
     pub name: String,
+    /// Where it is declared.
     pub span: Range<usize>,
     /// What it is, in a line.
     pub says: String,
 }
 
 /// A text and what was found of it.
-pub(super) struct Looked {
+pub struct Looked {
+    /// The text.
     pub source: Arc<Source>,
+    /// What its writer should be told.
     pub findings: Vec<report::Finding>,
+    /// What is said of its formulas, or of its claims.
     pub remarks: Vec<Remark>,
+    /// The names that it declares; a paper declares none.
     pub declared: Vec<Declared>,
+}
+
+impl Looked {
+    /// What stands at a byte, and what was found of it, in Markdown.
+    pub fn said_at(&self, at: usize) -> Option<String> {
+        let in_code = |text: &str| in_one_line(text).replace('`', "'");
+        let named = self.declared_at(at).map(|d| format!("`{}`: {}", in_code(&d.name), in_one_line(&d.says)));
+        let parts: Vec<String> = named.into_iter().chain(self.remark_at(at).map(|r| r.more.clone())).collect();
+        (!parts.is_empty()).then(|| parts.join("\n\n"))
+    }
+
+    /// The declaration of the name at a byte.
+    pub fn declared_at(&self, at: usize) -> Option<&Declared> {
+        self.declared.iter().filter(|d| is_named(&self.source.text, at, &d.name)).max_by_key(|d| d.name.len())
+    }
+
+    /// The smallest remark around a byte, or else the last one before it in the same table of a derivation file.
+    fn remark_at(&self, at: usize) -> Option<&Remark> {
+        let around = self.remarks.iter().filter(|r| r.span.start <= at && at <= r.span.end);
+        let before = || {
+            let last = self.remarks.iter().filter(|r| r.span.end <= at).max_by_key(|r| r.span.end)?;
+            let between = self.source.text.get(last.span.end..at)?;
+            (!self.declared.is_empty() && !between.contains("\n[")).then_some(last)
+        };
+        around.min_by_key(|r| r.span.len()).or_else(before)
+    }
 }
 
 /// Looks texts through; what is known of a derivation file is not looked for again.
 #[derive(Default)]
-pub(super) struct Looker {
+pub struct Looker {
     sessions: HashMap<String, Session>,
 }
 
 impl Looker {
-    /// Looks a text through; `each` is told what was found, the problems before the verdicts.
-    pub(super) fn look(&mut self, uri: &str, text: String, each: &mut dyn FnMut(Looked)) {
-        let path = path_of(uri);
-        let shown = path.as_deref().map_or_else(|| uri.to_owned(), |p| p.display().to_string());
-        let source = Arc::new(Source { path: shown, text });
-        let looked = std::panic::catch_unwind(AssertUnwindSafe(|| match uri.ends_with(".toml") {
-            true => self.derivation(uri, &source, each),
-            false => each(of_paper(&source, path.as_deref().and_then(Path::parent))),
+    /// Looks through the text that a file has, or would have; `each` is told what was found, the problems before the verdicts. A file whose
+    /// name ends with `.toml` is a derivation file, another is a paper.
+    pub fn look(&mut self, path: &Path, text: String, each: &mut dyn FnMut(Looked)) {
+        let name = path.display().to_string();
+        let source = Arc::new(Source { path: name.clone(), text });
+        let looked = std::panic::catch_unwind(AssertUnwindSafe(|| match name.ends_with(".toml") {
+            true => self.derivation(&source, each),
+            // What has no folder, such as a text without a file, includes no files.
+            false => each(of_paper(&source, path.parent().filter(|folder| !folder.as_os_str().is_empty()))),
         }));
         if looked.is_err() {
-            self.sessions.remove(uri);
+            self.sessions.remove(&name);
             let message = "this text shows a defect of rederive: please report it";
             each(with_problems(&source, &[Diagnostic::at(&source, "rederive::defect", 0..0, message)]));
         }
     }
 
-    fn derivation(&mut self, uri: &str, source: &Arc<Source>, each: &mut dyn FnMut(Looked)) {
-        let changed = match self.sessions.get_mut(uri) {
+    fn derivation(&mut self, source: &Arc<Source>, each: &mut dyn FnMut(Looked)) {
+        let changed = match self.sessions.get_mut(&source.path) {
             Some(session) => session.change(source.text.clone()),
             None => Session::open(&source.path, source.text.clone())
-                .map(|session| drop(self.sessions.insert(uri.to_owned(), session))),
+                .map(|session| drop(self.sessions.insert(source.path.clone(), session))),
         };
-        let Some(session) = self.sessions.get_mut(uri).filter(|_| changed.is_ok()) else {
+        let Some(session) = self.sessions.get_mut(&source.path).filter(|_| changed.is_ok()) else {
             return each(with_problems(source, &changed.err().unwrap_or_default()));
         };
         each(Looked { declared: declared(session), ..with_problems(source, &[]) });
@@ -80,30 +117,13 @@ impl Looker {
     }
 }
 
-/// The path that an address of a file names.
-fn path_of(uri: &str) -> Option<PathBuf> {
-    let path = uri.strip_prefix("file://")?;
-    let mut bytes = Vec::new();
-    let mut rest = path.bytes();
-    while let Some(b) = rest.next() {
-        match b {
-            b'%' => {
-                let digits = [rest.next()?, rest.next()?];
-                bytes.push(u8::from_str_radix(std::str::from_utf8(&digits).ok()?, 16).ok()?);
-            }
-            b => bytes.push(b),
-        }
-    }
-    String::from_utf8(bytes).ok().map(PathBuf::from)
-}
-
 fn with_problems(source: &Arc<Source>, problems: &[Diagnostic]) -> Looked {
     let findings = report::problems(problems);
     Looked { source: Arc::clone(source), findings, remarks: Vec::new(), declared: Vec::new() }
 }
 
 fn declared(session: &Session) -> Vec<Declared> {
-    let of = |s: &rederive::derivation::SymbolEntry| {
+    let of = |s: &SymbolEntry| {
         let unit = s.unit.as_ref().map(|u| format!(", in {u}")).unwrap_or_default();
         let formula = s.formula.as_ref().map(|f| format!(", {f}")).unwrap_or_default();
         let says = s.says.as_ref().map(|t| format!(": {t}")).unwrap_or_default();
@@ -114,7 +134,7 @@ fn declared(session: &Session) -> Vec<Declared> {
 
 fn with_verdicts(source: &Arc<Source>, session: &Session, found: &Findings) -> Looked {
     let all = found.all();
-    let remark = |claim: &rederive::derivation::Claim| {
+    let remark = |claim: &Claim| {
         let of = all.iter().filter(|f| f.claim.id == claim.id && f.claim.reading == claim.reading);
         let mut words: Vec<(&str, usize)> = Vec::new();
         for word in of.map(|f| f.outcome.word()) {
@@ -170,21 +190,36 @@ fn of_paper(source: &Arc<Source>, folder: Option<&Path>) -> Looked {
     Looked { source: Arc::clone(source), findings, remarks, declared: Vec::new() }
 }
 
+/// Whether a name stands in a text around a byte, and is not a part of a command.
+fn is_named(text: &str, at: usize, name: &str) -> bool {
+    let line = text[..at].rfind('\n').map_or(0, |n| n + 1);
+    let of_line = text[line..].split('\n').next().unwrap_or_default();
+    let letters = |c: char| c.is_ascii_alphabetic();
+    let whole = |start: usize| {
+        let (before, after) = (&of_line[..start], &of_line[start + name.len()..]);
+        // A letter that follows letters after a backslash is one of a command; a command ends where no letter follows.
+        let in_command = name.starts_with(letters) && before.trim_end_matches(letters).ends_with('\\');
+        let goes_on = name.starts_with('\\') && name.ends_with(letters) && after.starts_with(letters);
+        !in_command && !goes_on
+    };
+    of_line.match_indices(name).any(|(start, _)| (start..=start + name.len()).contains(&(at - line)) && whole(start))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rederive::report::Level;
+    use crate::report::Level;
 
-    fn looked(uri: &str, text: &str) -> Vec<Looked> {
+    fn looked(path: &str, text: &str) -> Vec<Looked> {
         let mut all = Vec::new();
-        Looker::default().look(uri, text.to_owned(), &mut |one| all.push(one));
+        Looker::default().look(Path::new(path), text.to_owned(), &mut |one| all.push(one));
         all
     }
 
     #[test]
     fn a_wrong_step_of_a_paper_has_the_right_one_beside_it() {
         let text = "\\[(a+b)^2=a^2-2ab+b^2\\] and \\[x^2-y^2=(x-y)(x+y)\\]";
-        let [of] = &looked("file:///a%20b.tex", text)[..] else { panic!("once") };
+        let [of] = &looked("/a b.tex", text)[..] else { panic!("once") };
         assert_eq!(of.source.path, "/a b.tex");
         let [wrong] = &of.findings[..] else { panic!("{:?}", of.findings) };
         assert_eq!((wrong.rule, wrong.level), ("lint::wrong", Level::Error));
@@ -194,12 +229,22 @@ mod tests {
 
     #[test]
     fn problems_of_a_derivation_file_come_before_its_verdicts() {
-        let uri = "file:///spring.toml";
-        let broken = &looked(uri, "[derivation]\ntitle = 1")[..];
+        let path = "/spring.toml";
+        let broken = &looked(path, "[derivation]\ntitle = 1")[..];
         assert!(matches!(broken, [one] if !one.findings.is_empty()));
         let text = "[derivation]\ntitle = 'A'\nconcerns = 'B'\n[symbols]\n'a' = { role = 'parameter' }\n[[claim]]\nid = 'one'\nsays = 'c'\nalways = ['a=a']\n";
-        let [first, second] = &looked(uri, text)[..] else { panic!("twice") };
+        let [first, second] = &looked(path, text)[..] else { panic!("twice") };
         assert_eq!((first.findings.len(), first.declared.len(), second.declared.len()), (0, 1, 1));
         assert_eq!(second.remarks.len(), 1);
+    }
+
+    #[test]
+    fn a_name_is_no_part_of_a_command() {
+        let text = r"a=\omega_{12}o\sin x^2";
+        let named: Vec<&str> =
+            [r"\omega_{12}", r"\omega", "o", "x", r"\si", "n"].into_iter().filter(|n| is_named(text, 4, n)).collect();
+        assert_eq!(named, [r"\omega_{12}", r"\omega"]);
+        assert!(is_named(text, 14, "o") && is_named(text, 19, "x") && !is_named(text, 17, "n"));
+        assert!(!is_named(text, 16, r"\si") && !is_named("", 0, "x"));
     }
 }
