@@ -157,6 +157,12 @@ const DENIES: &[&str] = &[
     "is impossible",
     "not satisfied",
     "cannot hold",
+    "spot all",
+    "spot the",
+    "find the error",
+    "find all errors",
+    "student differentiates",
+    "a student claims",
 ];
 
 /// Commands whose argument is a choice of a question.

@@ -284,6 +284,15 @@ fn primed_by(name: &PaperName, all: &[PaperName], evidence: &Evidence) -> Option
     }
 }
 
+/// What a lone `i` is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// The imaginary unit: other names are real.
+    Imaginary,
+    /// A number like the others: what holds then holds for complex names, too.
+    Number,
+}
+
 impl Desk {
     /// Declares the names of a step, those of what is given among them.
     ///
@@ -294,6 +303,20 @@ impl Desk {
         given: &[&Given],
         evidence: &Evidence,
         free: &BTreeSet<char>,
+    ) -> Result<Desk, NotRead> {
+        Desk::with_unit(sides, given, evidence, free, Unit::Imaginary)
+    }
+
+    /// The same, where it is said what a lone `i` is.
+    ///
+    /// # Errors
+    /// The feature that is not understood.
+    pub fn with_unit(
+        sides: &[&PrintedSide],
+        given: &[&Given],
+        evidence: &Evidence,
+        free: &BTreeSet<char>,
+        unit: Unit,
     ) -> Result<Desk, NotRead> {
         let own: Vec<PaperName> = sides.iter().flat_map(|s| names(s)).map(undotted).collect();
         if let Some(found) = obstacle(sides, &own, evidence, free) {
@@ -354,7 +377,7 @@ impl Desk {
         let texts = || sides.iter().map(|s| s.text.as_str());
         // `i` beside no other use is the imaginary unit.
         let imaginary = all.iter().any(|n| n.key() == "i");
-        if imaginary {
+        if imaginary && unit == Unit::Imaginary {
             desk.is_complex = true;
             desk.scope.set_imaginary();
             if texts().any(|t| t.contains('|')) {

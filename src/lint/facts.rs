@@ -193,7 +193,7 @@ impl Facts {
     }
 
     /// The equations that have to do with a step, the nearest first: those of the `named` relations, and those with a name that stands
-    /// on one side of the step only, and with none that is foreign to it.
+    /// on one side of the step only, and with none that is foreign to it; a conclusion may come from two with the same foreign name.
     pub fn equations(
         &self,
         sides: [&PrintedSide; 2],
@@ -201,6 +201,7 @@ impl Facts {
         at: usize,
         section: usize,
         named: &[usize],
+        eliminates: bool,
     ) -> Vec<Stated> {
         let own = sides.map(|s| closure(s, given));
         let apart: BTreeSet<&String> = own[0].symmetric_difference(&own[1]).collect();
@@ -210,16 +211,25 @@ impl Facts {
             squeezed(&s.left.text) == squeezed(&sides[0].text) && squeezed(&s.right.text) == squeezed(&sides[1].text)
         };
         let near = |s: &&Stated| s.section == section && s.relation != at;
+        // They are in the order of the paper.
+        let latest = || self.stated.iter().rev().take_while(|s| s.relation + NEAR >= at).filter(near);
+        let foreign = |s: &Stated| s.names.iter().filter(|n| !all.contains(n)).cloned().collect::<Vec<_>>();
+        // What two equations have in common, and the step has not, is eliminated.
+        let mut between: BTreeMap<String, usize> = BTreeMap::new();
+        for one in latest().filter(|_| eliminates) {
+            if let [name] = foreign(one).as_slice() {
+                *between.entry(name.clone()).or_insert(0) += 1;
+            }
+        }
+        let is_known = |n: &String| all.contains(n) || between.get(n).is_some_and(|count| *count > 1);
         let fits = |s: &&Stated| {
-            let touches = s.names.iter().any(|n| apart.contains(n)) || apart.is_empty() && s.names.len() > 1;
-            touches && s.names.iter().all(|n| all.contains(n))
+            let touches = s.names.iter().any(|n| apart.contains(n) || between.get(n).is_some_and(|count| *count > 1));
+            (touches || apart.is_empty() && s.names.len() > 1) && s.names.iter().all(is_known)
         };
         let mut out: Vec<Stated> = Vec::new();
-        // They are in the order of the paper.
-        let latest = self.stated.iter().rev().take_while(|s| s.relation + NEAR >= at);
         let any = if named.is_empty() { &[] } else { self.stated.as_slice() };
         let chosen = any.iter().rev().filter(|s| named.contains(&s.relation) && s.relation != at);
-        for one in chosen.chain(latest.filter(near).filter(fits)) {
+        for one in chosen.chain(latest().filter(fits)) {
             let known = |o: &Stated| o.relation == one.relation && o.left.span == one.left.span;
             if out.len() < MOST_STATED && !out.iter().any(known) && !again(one) {
                 out.push(one.clone());

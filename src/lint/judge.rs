@@ -154,6 +154,10 @@ impl Judge<'_> {
             out.why = why.to_owned();
             return out;
         }
+        if self.evidence.has_modulus() && relation.signs.iter().any(|s| is_congruence(s)) {
+            out.why = "a congruence, or an equation".to_owned();
+            return out;
+        }
         let is = |list: &[&str], sign: &String| is_one_of(list, sign);
         if let Some(sign) = relation.signs.iter().find(|s| !is(EQUALS, s) && !is(ABOUT, s) && !is(COMPARES, s)) {
             out.why = format!("the sign `{}`", diag::escape::in_one_line(sign));
@@ -318,13 +322,17 @@ impl Judge<'_> {
                 }
             }
             out.steps.1 += 1;
+            // What equations before are solved for is no choice.
+            let solved = defining && concludes && !sentence.changes && self.is_stated(first.as_ref());
             let alone = relation.sides.len() == 2 && (first.is_none() || defining);
             let blame = match (
                 sentence.loosens
                     || sentence.solves && alone
                     || self.evidence.is_algebra()
                     || is_evaluated(relation, [left, right])
-                    || has_dimensions(relation),
+                    || has_dimensions(relation)
+                    || is_congruence(&relation.signs[k - 1])
+                    || alone && are_multiples(left, right),
                 inline,
             ) {
                 (true, _) => Blame::Nothing,
@@ -332,9 +340,16 @@ impl Judge<'_> {
                 (false, _) if derived => Blame::Steps,
                 (false, true) if defining || is_supposed(self.paper, relation) => Blame::Nothing,
                 (false, true) => Blame::Identities,
-                (false, false) if defining && !self.has_rates() => Blame::Nothing,
+                (false, false) if defining && !self.has_rates() && !solved => Blame::Nothing,
                 (false, false) => Blame::Steps,
             };
+            // What is said again is no step from itself.
+            if let Some(before) = self.same_definition(first.as_ref().filter(|_| k == 1 && known), right) {
+                out.steps.1 -= 1;
+                tally.defines = true;
+                tally.anew = Some(before);
+                continue;
+            }
             let solves = defining && !self.is_rate(first.as_ref());
             let reach = if alone { Reach::Near { section: self.section, at } } else { Reach::Paper };
             let sureness = if derived {
@@ -488,6 +503,13 @@ impl Judge<'_> {
         }
     }
 
+    /// The relation that defines a name just so, in this section.
+    fn same_definition(&self, name: Option<&paper::PaperName>, right: &PrintedSide) -> Option<usize> {
+        let text = squeezed(&right.text);
+        let same = |g: &&Given| !g.is_rate && g.section == self.section && squeezed(&g.right.text) == text;
+        self.facts.given.of(&name?.key()).rev().find(same).map(|g| g.relation)
+    }
+
     /// Whether a name is a derivative: with a dot, in a quotient, or with a prime behind what is defined.
     fn is_rate(&self, name: Option<&paper::PaperName>) -> bool {
         name.is_some_and(|n| {
@@ -573,6 +595,26 @@ impl Judge<'_> {
     }
 }
 
+/// Whether a sign may say that two sides are equal but for multiples of something, or by definition.
+fn is_congruence(sign: &str) -> bool {
+    matches!(sign, r"\equiv" | "≡")
+}
+
+/// Whether one side is the other with a sign or a number before it, or divided by one: an equation for what is zero.
+fn are_multiples(left: &PrintedSide, right: &PrintedSide) -> bool {
+    let core = |side: &PrintedSide| {
+        let text: String = side.text.chars().filter(|c| !c.is_whitespace()).collect();
+        let below = text.strip_prefix(r"\frac{").and_then(|rest| {
+            let (above, below) = rest.strip_suffix('}')?.rsplit_once("}{")?;
+            below.chars().all(|c| c.is_ascii_digit()).then(|| above.to_owned())
+        });
+        let text = below.unwrap_or(text);
+        text.trim_start_matches(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+')).to_owned()
+    };
+    let (one, other) = (core(left), core(right));
+    one == other && one.chars().any(char::is_alphabetic) && squeezed(&left.text) != squeezed(&right.text)
+}
+
 /// Whether a side stands in brackets: dimensions are compared.
 fn has_dimensions(relation: &PrintedRelation) -> bool {
     let of = |text: &str| text.trim().starts_with('[') && text.trim().ends_with(']');
@@ -610,9 +652,12 @@ pub(super) fn moved(sides: &[&PrintedSide]) -> Option<(String, usize)> {
     }
 }
 
-/// Index letters that stand once in a lone name on the left: they are free, and nothing is summed over them.
+/// Index letters that stand once in a lone name on the left: they are free, and nothing is summed over them. What is a number somewhere in the
+/// relation is no index: `E_n=n^2\pi^2\ldots`.
 fn free_indices(relation: &PrintedRelation) -> BTreeSet<char> {
     let Some(name) = lone_name(&relation.sides[0]) else { return BTreeSet::new() };
     let letters = name.index_letters();
-    letters.iter().copied().filter(|l| letters.iter().filter(|m| *m == l).count() == 1).collect()
+    let numbers: BTreeSet<String> = relation.sides.iter().flat_map(names).map(|n| n.key()).collect();
+    let is_free = |l: &char| letters.iter().filter(|m| *m == l).count() == 1 && !numbers.contains(&l.to_string());
+    letters.iter().copied().filter(is_free).collect()
 }

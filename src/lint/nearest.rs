@@ -106,7 +106,8 @@ pub fn nearest(
         && !asked.premises.equations.is_empty()
         && chain.sides.last().is_some_and(|s| matches!(&s.kind, NodeKind::Number(n) if *n == Rational::ZERO));
     let smallest = if conserves { size(&chain.sides[0]) } else { chain.sides.iter().map(size).min()? };
-    let least = if sureness >= Sureness::Chain && !rests.given.is_empty() { 1 } else { 3 };
+    let is_solved = sureness == Sureness::Concludes && !rests.stated.is_empty();
+    let least = if is_solved || sureness >= Sureness::Chain && !rests.given.is_empty() { 1 } else { 3 };
     let fewest = if sureness == Sureness::Derives { 3 } else { FEWEST_NODES };
     if chain.sides.iter().map(size).max()? < fewest || smallest < least {
         return None;
@@ -347,7 +348,8 @@ fn takes_in(asked: &Asked, given: &[Given]) -> bool {
             && numbered
             && ANY_CONSTANT.contains(&letter)
             && (letter != "c" && letter != "k" || !below.is_empty())
-            && !given.iter().any(|g| g.key == *key)
+            // What a definition is made of is no constant of integration.
+            && !given.iter().any(|g| g.key == *key || names(&g.right).iter().any(|n| n.key() == *key))
     });
     let leaves: Vec<Leaf> = constants.map(|(_, symbol, _)| Leaf::now(*symbol, 0)).collect();
     // Several of them could each take in something.

@@ -48,6 +48,16 @@ impl Evidence {
         self.notation.is_algebra()
     }
 
+    /// Whether something is said modulo something: `\equiv` is then no equality.
+    pub fn has_modulus(&self) -> bool {
+        self.notation.has_modulus()
+    }
+
+    /// Whether products of vectors may be of operators.
+    pub fn is_quantum(&self) -> bool {
+        self.notation.is_quantum()
+    }
+
     /// Whether a name varies, though the paper prints no rate of it.
     pub fn varies(&self, key: &str) -> bool {
         self.notation.varies(key) && !self.names.moving.contains(key)

@@ -45,6 +45,12 @@ const FEATURES: &[(&str, &str)] = &[
     (r"\bigg|", "a bar"),
     (r"\Re", "a real part"),
     (r"\Im", "an imaginary part"),
+    (r"\arg", "the argument of a complex number"),
+    (r"\Arg", "the argument of a complex number"),
+    (r"\operatorname{arg}", "the argument of a complex number"),
+    (r"\mathrm{arg}", "the argument of a complex number"),
+    (r"\operatorname{Re}", "a real part"),
+    (r"\operatorname{Im}", "an imaginary part"),
     (r"\mathrm{Re}", "a real part"),
     (r"\mathrm{Im}", "an imaginary part"),
     (r"^*", "a star above: a conjugate, or a name"),
@@ -121,6 +127,14 @@ pub fn obstacle(
             return Some(NotRead::of("a hat: an operator, or a unit vector"));
         }
         let known = evidence.calls.get(&name.key());
+        // `f(0)f(1)`: a number in parentheses is a place as often as a factor.
+        let is_number = |p: &String| p.chars().all(|c| c.is_ascii_digit());
+        if matches!(&name.call, Call::Places(places) if places.iter().all(is_number)) && name.letter != r"\pi" {
+            let is_function = known.is_some_and(|calls| calls.keys().flatten().any(|p| is_place(p)));
+            if !is_function {
+                return Some(NotRead::of("a value at a place, or a product"));
+            }
+        }
         let count = |wanted: bool| -> usize {
             let of = |c: &BTreeMap<Option<Vec<String>>, usize>| {
                 c.iter().filter(|(k, _)| k.as_ref().is_some_and(|p| is_place(p)) == wanted).map(|(_, n)| *n).sum()

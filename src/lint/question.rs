@@ -13,7 +13,7 @@ use meter::{Ended, Limits, Task};
 use paper::PrintedSide;
 use proof::{Condition, Identity, Known, Options, Premises, Wanted, When, identity_test};
 
-use super::desk::{Desk, Given, NotRead, pairs_of};
+use super::desk::{Desk, Given, NotRead, Unit, pairs_of};
 use super::facts::Stated;
 use super::notation::Evidence;
 use super::numbers::agreement;
@@ -83,6 +83,59 @@ impl Asked {
     }
 }
 
+/// A question as the prover takes it.
+struct Put {
+    desk: Desk,
+    equations: Vec<(Expr, Expr)>,
+    premises: Premises,
+    /// The relation that was read.
+    text: String,
+}
+
+impl Put {
+    fn of(
+        sides: [&PrintedSide; 2],
+        rests: &Rests,
+        evidence: &Evidence,
+        free: &BTreeSet<char>,
+        unit: Unit,
+    ) -> Result<Put, NotRead> {
+        let list: Vec<&Given> = rests.given.iter().collect();
+        let mut all: Vec<&PrintedSide> = sides.to_vec();
+        all.extend(rests.stated.iter().flat_map(|s| [&s.left, &s.right]));
+        let mut desk = Desk::with_unit(&all, &list, evidence, free, unit)?;
+        let read = desk.read(sides, evidence)?;
+        let statement = &read.statement;
+        if statement.relations.iter().any(|r| r.kind != RelationKind::Equal || r.has_branches || r.limit.is_some()) {
+            return Err(NotRead::of("a sign of two branches, or a limit"));
+        }
+        let equations = pairs_of(statement);
+        let mut premises = Premises { time: desk.time, moving: desk.moving.clone(), ..Premises::default() };
+        let rates = rests.given.iter().filter(|g| g.is_rate).map(|g| [&g.left, &g.right]);
+        for [left, right] in rates.chain(rests.stated.iter().map(|s| [&s.left, &s.right])) {
+            let pairs = desk.pairs([left, right], evidence)?;
+            premises.equations.extend(pairs.into_iter().map(|pair| Known::of(pair, When::Always)));
+        }
+        if !desk.is_complex {
+            let positive = |key: &String, is_parameter: bool| match &rests.positive {
+                Positive::Named(keys) => keys.contains(key),
+                Positive::Parameters => is_parameter,
+            };
+            let chosen = desk.scalars.iter().filter(|(key, _, parameter)| positive(key, *parameter));
+            let leaves: Vec<Leaf> = chosen.map(|(_, symbol, _)| Leaf::now(*symbol, 0)).collect();
+            premises.positive = leaves.into_iter().map(|l| desk.graph.leaf(l)).collect();
+        }
+        Ok(Put { desk, equations, premises, text: read.text })
+    }
+
+    fn decided(&mut self, wanted: Wanted) -> Result<Identity, NotRead> {
+        tested(&mut self.desk.graph, &self.equations, &self.premises, wanted).map_err(|ended| match ended {
+            Ended::Defect(what) => NotRead { feature: "a defect of this program".to_owned(), why: Some(what) },
+            _ => NotRead::of(TOO_LONG),
+        })
+    }
+}
+
 /// Asks whether two sides are equal.
 ///
 /// # Errors
@@ -93,41 +146,28 @@ pub fn ask(
     evidence: &Evidence,
     free: &BTreeSet<char>,
 ) -> Result<Asked, NotRead> {
-    let list: Vec<&Given> = rests.given.iter().collect();
-    let mut all: Vec<&PrintedSide> = sides.to_vec();
-    all.extend(rests.stated.iter().flat_map(|s| [&s.left, &s.right]));
-    let mut desk = Desk::new(&all, &list, evidence, free)?;
-    let read = desk.read(sides, evidence)?;
-    let statement = &read.statement;
-    if statement.relations.iter().any(|r| r.kind != RelationKind::Equal || r.has_branches || r.limit.is_some()) {
-        return Err(NotRead::of("a sign of two branches, or a limit"));
-    }
-    let equations = pairs_of(statement);
-    let mut premises = Premises { time: desk.time, moving: desk.moving.clone(), ..Premises::default() };
-    let rates = rests.given.iter().filter(|g| g.is_rate).map(|g| [&g.left, &g.right]);
-    for [left, right] in rates.chain(rests.stated.iter().map(|s| [&s.left, &s.right])) {
-        let pairs = desk.pairs([left, right], evidence)?;
-        premises.equations.extend(pairs.into_iter().map(|pair| Known::of(pair, When::Always)));
-    }
-    if !desk.is_complex {
-        let positive = |key: &String, is_parameter: bool| match &rests.positive {
-            Positive::Named(keys) => keys.contains(key),
-            Positive::Parameters => is_parameter,
-        };
-        let chosen = desk.scalars.iter().filter(|(key, _, parameter)| positive(key, *parameter));
-        let leaves: Vec<Leaf> = chosen.map(|(_, symbol, _)| Leaf::now(*symbol, 0)).collect();
-        premises.positive = leaves.into_iter().map(|l| desk.graph.leaf(l)).collect();
-    }
-    let identity = tested(&mut desk.graph, &equations, &premises, Wanted::Answer).map_err(|ended| match ended {
-        Ended::Defect(what) => NotRead { feature: "a defect of this program".to_owned(), why: Some(what) },
-        _ => NotRead::of(TOO_LONG),
-    })?;
+    let mut put = Put::of(sides, rests, evidence, free, Unit::Imaginary)?;
+    let identity = put.decided(Wanted::Answer)?;
+    // Equations between numbers that may be complex do not hold part by part.
+    let is_apart = put.desk.is_complex && !rests.stated.is_empty() && matches!(identity, Identity::Proved(_));
+    let is_proved_whole = || {
+        let mut whole = Put::of(sides, rests, evidence, free, Unit::Number)?;
+        Ok::<bool, NotRead>(matches!(whole.decided(Wanted::Proof)?, Identity::Proved(_)))
+    };
+    let identity = match is_apart && !is_proved_whole().unwrap_or(false) {
+        true => Identity::Undecided(proof::Reason::Degenerate),
+        false => identity,
+    };
+    let Put { mut desk, equations, premises, text } = put;
     // What nothing satisfies implies everything, and what has no real value is equal to anything.
     let identity = match identity {
         Identity::Proved(proof) if proof.example.is_none() => Identity::Undecided(proof::Reason::NoValue),
         other => other,
     };
-    if matches!(identity, Identity::Proved(_)) && !rests.are_some() && only_reorders(&read.text, &desk) {
+    if matches!(identity, Identity::Proved(_))
+        && !rests.are_some()
+        && only_reorders(&text, &desk, evidence.is_quantum())
+    {
         return Err(NotRead::of("products whose order may count: matrices, or operators"));
     }
     let is_vacuous = matches!(identity, Identity::Proved(_))
@@ -135,26 +175,41 @@ pub fn ask(
         && vanishes(&mut desk.graph, &equations, &premises)
         && !sides.iter().any(|side| is_zero_by_itself(side, evidence, free));
     let identity = if is_vacuous { Identity::Undecided(proof::Reason::Degenerate) } else { identity };
-    Ok(Asked { desk, premises, equations, identity, is_vacuous, text: read.text })
+    Ok(Asked { desk, premises, equations, identity, is_vacuous, text })
 }
 
-/// Whether both sides are the same but for the order of factors: those of operators, or of fields that anticommute, do not change places.
-fn only_reorders(text: &str, desk: &Desk) -> bool {
+/// Whether both sides are the same but for the order of factors: those of operators, or of fields that anticommute, do not change places. Where
+/// vectors may be operators, too, theirs counts, and a vector times itself need not be zero.
+fn only_reorders(text: &str, desk: &Desk, of_vectors: bool) -> bool {
     let Ok(chains) = latex::parse(text, &desk.scope) else { return false };
     let [chain] = chains.as_slice() else { return false };
     let [left, right] = chain.sides.as_slice() else { return false };
-    in_print(left, false) != in_print(right, false) && in_print(left, true) == in_print(right, true)
+    let sorted = if of_vectors { Order::OfAll } else { Order::OfNumbers };
+    let is_other_order = in_print(left, Order::AsPrinted) != in_print(right, Order::AsPrinted)
+        && in_print(left, sorted) == in_print(right, sorted);
+    let is_cross = |node: &Node| matches!(node.kind, NodeKind::Cross { .. });
+    is_other_order || of_vectors && (is_cross(left) && right.is_zero() || is_cross(right) && left.is_zero())
+}
+
+/// How the factors of a product stand in a text that is compared.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Order {
+    AsPrinted,
+    /// Those of products of numbers are sorted.
+    OfNumbers,
+    /// Those of all products are.
+    OfAll,
 }
 
 /// A formula as a text, with the factors of every product in an order of their own where that is wanted. Products of vectors keep theirs.
-fn in_print(node: &Node, is_sorted: bool) -> String {
-    let children = |parts: Vec<&Node>| parts.into_iter().map(|n| in_print(n, is_sorted)).collect::<Vec<_>>();
+fn in_print(node: &Node, order: Order) -> String {
+    let children = |parts: Vec<&Node>| parts.into_iter().map(|n| in_print(n, order)).collect::<Vec<_>>();
     let is_vector =
         |n: &Node| matches!(&n.kind, NodeKind::Symbol(s) if s.name.starts_with("bf:") || s.name.starts_with("vec:"));
     match &node.kind {
-        NodeKind::Group(inner, _) => in_print(inner, is_sorted),
+        NodeKind::Group(inner, _) => in_print(inner, order),
         // A sign of multiplication before parentheses was put there.
-        NodeKind::Product(parts) | NodeKind::Dot(parts) if !parts.iter().any(is_vector) => {
+        NodeKind::Product(parts) | NodeKind::Dot(parts) if order == Order::OfAll || !parts.iter().any(is_vector) => {
             let mut all: Vec<String> = Vec::new();
             for part in parts {
                 let inner = match &part.kind {
@@ -163,21 +218,21 @@ fn in_print(node: &Node, is_sorted: bool) -> String {
                 };
                 match &inner.kind {
                     NodeKind::Product(more) => all.extend(children(more.iter().collect())),
-                    _ => all.push(in_print(inner, is_sorted)),
+                    _ => all.push(in_print(inner, order)),
                 }
             }
-            if is_sorted {
+            if order != Order::AsPrinted {
                 all.sort();
             }
             all.join("*")
         }
         NodeKind::Symbol(s) => {
-            let above = s.sup.as_ref().map(|n| in_print(n, is_sorted)).unwrap_or_default();
+            let above = s.sup.as_ref().map(|n| in_print(n, order)).unwrap_or_default();
             let places = s.arguments.as_ref().map(|a| children(a.iter().collect()).join(",")).unwrap_or_default();
             format!("{}{:?}{}^({above})({places})", s.name, s.sub, s.dots)
         }
         NodeKind::Sum(terms) => {
-            terms.iter().map(|(sign, n)| format!("{sign:?}{}", in_print(n, is_sorted))).collect::<Vec<_>>().join(" ")
+            terms.iter().map(|(sign, n)| format!("{sign:?}{}", in_print(n, order))).collect::<Vec<_>>().join(" ")
         }
         kind => {
             let name = format!("{:?}", std::mem::discriminant(kind));

@@ -159,6 +159,15 @@ const SOLVES: &[&str] = &[
     "set equal",
     "root of",
     "roots of",
+    "equate",
+    "inner product",
+    "scalar product",
+    "inner form",
+    "prodotto scalare",
+    "produit scalaire",
+    "producto escalar",
+    "produto escalar",
+    "skalarprodukt",
 ];
 
 /// Words of a sentence that gives a name another meaning, or another case.
@@ -183,17 +192,15 @@ const CHANGES: &[&str] = &[
     "replaced",
     "alternatively",
     "respectively",
-    "generally",
-    "general",
-    "with",
     "without",
     "at",
-    "in",
     "while",
     "whereas",
-    "but",
     "or",
 ];
+
+/// Words that do so behind the last formula of a sentence; before it they only link: "resistors in parallel obey $\ldots$, so that".
+const LINKS: &[&str] = &["generally", "general", "with", "in", "but"];
 
 /// Words with which a formula behind a display says what its names stand for.
 const WHERE: &[&str] = &["where", "with", "here", "in which", "wherein"];
@@ -231,11 +238,14 @@ impl Sentence {
         let behind = uncommented(behind.split("\n\n").next().unwrap_or(""));
         let lower = before.to_lowercase();
         let last = last_sentence(&lower);
+        let words = |text: &'_ str| text.split(|c: char| !c.is_alphabetic()).map(str::to_owned).collect::<Vec<_>>();
+        let tail = last.rsplit(['$', ')']).next().unwrap_or_default();
         let loose = |text: &str| LOOSENS.iter().any(|w| text.contains(w));
         Sentence {
             names: named(&before),
             concludes: CONCLUDES.iter().any(|w| last.contains(w)),
-            changes: last.split(|c: char| !c.is_alphabetic()).any(|w| CHANGES.contains(&w)),
+            changes: words(last).iter().any(|w| CHANGES.contains(&w.as_str()))
+                || words(tail).iter().any(|w| LINKS.contains(&w.as_str())),
             aims: AIMS.iter().any(|w| last.contains(w)),
             fixes: ["constant", "fixed", "held"].iter().any(|w| last.contains(w)),
             solves: SOLVES.iter().any(|w| last.contains(w)),

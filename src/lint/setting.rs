@@ -8,12 +8,28 @@ use std::collections::BTreeSet;
 use paper::{PrintedRelation, PrintedSide, names, squeezed};
 
 use super::cases::{Cases, Stance, stance};
-use super::desk::lone_name;
-use super::facts::NEAR;
+use super::desk::{Given, lone_name};
+use super::facts::{NEAR, Stated};
 use super::judge::{Judge, MOST_EXPLAINED};
+use super::question::{Positive, Rests};
+use super::step::Place;
 
 /// Relations on both sides of a step in which a name of it may be said to be zero.
 const BESIDE: usize = 6;
+
+/// Values that are tried.
+const MOST_VALUES: usize = 4;
+/// Letters that stand for whole numbers.
+const WHOLE: &[&str] = &["m", "n", "k", "l", "j", "N", "p", "q", r"\ell"];
+
+/// An equation that no relation of the paper says.
+fn stated(text: &str, at: usize) -> Option<Stated> {
+    let paper = paper::parse_pasted("value", text).ok()?;
+    let [left, right] = paper.printed.first()?.sides.as_slice() else { return None };
+    let (left, right) = (left.clone(), right.clone());
+    let names = keys([&left, &right]);
+    Some(Stated { left, right, relation: at, section: 0, names, in_text: true })
+}
 
 /// A relation that compares, or supposes, with its names.
 pub(super) struct Noted {
@@ -63,7 +79,49 @@ impl Judge<'_> {
             self.cases.push((file.clone(), Cases::of(&file.text)));
             self.cases.len() - 1
         });
-        self.cases[known].1.parted(from.start, to.start, is_sure)
+        self.cases[known].1.parted(from.start, to.start, is_sure) || is_sure && self.has_other_value(before, at)
+    }
+
+    /// Whether the display of a definition, or its sentence in the running text, has another one of the same name, which says something else.
+    pub(super) fn is_defined_beside(&mut self, given: &Given, free: &BTreeSet<char>) -> bool {
+        let display = self.display_of(given.relation);
+        let other = |g: &Given| {
+            g.relation != given.relation
+                && g.is_rate == given.is_rate
+                && self.display_of(g.relation) == display
+                && (display.is_some() || g.relation.abs_diff(given.relation) <= 2)
+                && squeezed(&g.right.text) != squeezed(&given.right.text)
+        };
+        let others: Vec<PrintedSide> =
+            self.facts.given.of(&given.key).filter(|g| other(g)).map(|g| g.right.clone()).collect();
+        let rests = Rests { given: Vec::new(), stated: Vec::new(), positive: Positive::Named(BTreeSet::new()) };
+        others.iter().any(|right| !self.ask([&given.right, right], &rests, free).is_ok_and(|a| a.is_proved()))
+    }
+
+    /// Whether the same left side, which is more than a name, is said to be something else near an equation: they are of two cases.
+    pub(super) fn is_stated_otherwise(&self, one: &Stated) -> bool {
+        let left = squeezed(&one.left.text);
+        let near = self.facts.stated.iter().rev().take_while(|s| s.relation + NEAR >= one.relation);
+        let mut other = near.filter(|s| s.relation != one.relation && s.section == one.section);
+        lone_name(&one.left).is_none()
+            && other.any(|s| squeezed(&s.left.text) == left && squeezed(&s.right.text) != squeezed(&one.right.text))
+    }
+
+    /// Whether a name has one value before an equation, and another one between it and a later relation.
+    pub(super) fn has_other_value(&self, before: usize, at: usize) -> bool {
+        let all = &self.paper.printed;
+        let value = |k: usize| match all[k].sides.as_slice() {
+            [left, right] if all[k].display.is_none() && all[k].signs[0] == "=" && names(right).is_empty() => {
+                lone_name(left).map(|n| (n.key(), squeezed(&right.text)))
+            }
+            _ => None,
+        };
+        let earlier: Vec<(String, String)> = (before.saturating_sub(BESIDE)..before).filter_map(value).collect();
+        let later = (before + 1..at).filter_map(value);
+        let is_other = |(key, value): (String, String)| {
+            earlier.iter().rev().find(|(k, _)| *k == key).is_some_and(|(_, v)| *v != value)
+        };
+        !earlier.is_empty() && at - before <= NEAR && later.into_iter().any(is_other)
     }
 
     /// Whether an equation between the names of some sides is supposed before, in this section: the sides may be equal just then.
@@ -90,6 +148,53 @@ impl Judge<'_> {
         let source = file.text.get(span).unwrap_or_default();
         let crossed = [r"\cancel", "=0}", "= 0}", r"\xcancel", r"\sout", r"\not{"].iter().any(|w| source.contains(w));
         crossed || near.iter().filter(|r| r.section == relation.section).any(is_zero)
+    }
+
+    /// Whether a step that is refuted holds with the values that are said near it, before or behind, or for every whole number that a letter
+    /// for one may be, beside π.
+    pub(super) fn is_excused(&mut self, sides: [&PrintedSide; 2], rests: &Rests, place: &Place) -> bool {
+        let own = keys(sides);
+        let near = self.values_near(place.at, &own);
+        let mut tries: Vec<Vec<Stated>> = near.iter().cloned().map(|one| vec![one]).collect();
+        if near.len() > 1 {
+            tries.push(near);
+        }
+        if tries.into_iter().any(|more| self.holds_with(sides, rests, more, place)) {
+            return true;
+        }
+        let beside_pi = sides.iter().any(|s| s.text.contains(r"\pi"));
+        let mut whole = own.iter().filter(|key| beside_pi && WHOLE.contains(&key.as_str()));
+        whole.any(|key| {
+            let equals = |value: &str| stated(&format!("{key}={value}"), place.at);
+            let values: Option<Vec<Stated>> = ["1", "2", "3"].into_iter().map(equals).collect();
+            values.is_some_and(|all| all.into_iter().all(|one| self.holds_with(sides, rests, vec![one], place)))
+        })
+    }
+
+    /// The relations near one that give a name of it a value, or say that it is another one.
+    fn values_near(&self, at: usize, own: &BTreeSet<String>) -> Vec<Stated> {
+        let all = &self.paper.printed;
+        let (from, to) = (at.saturating_sub(BESIDE), (at + BESIDE + 1).min(all.len()));
+        let mut out = Vec::new();
+        for k in (from..to).filter(|&k| k != at && all[k].section == all[at].section) {
+            let [left, right] = all[k].sides.as_slice() else { continue };
+            let name = lone_name(left).filter(|n| own.contains(&n.key()) && all[k].signs[0] == "=");
+            let is_number = names(right).is_empty() && right.text.chars().any(|c| c.is_ascii_digit());
+            let is_other = lone_name(right).is_some_and(|n| own.contains(&n.key()));
+            if name.is_some() && (is_number || is_other && all[k].display.is_none()) {
+                let (left, right) = (left.clone(), right.clone());
+                let names = keys([&left, &right]);
+                out.push(Stated { left, right, relation: k, section: self.section, names, in_text: true });
+            }
+        }
+        out.truncate(MOST_VALUES);
+        out
+    }
+
+    fn holds_with(&mut self, sides: [&PrintedSide; 2], rests: &Rests, more: Vec<Stated>, place: &Place) -> bool {
+        let stated = rests.stated.iter().cloned().chain(more).collect();
+        let rests = Rests { stated, ..rests.clone() };
+        self.ask(sides, &rests, place.free).is_ok_and(|answer| answer.is_proved() || answer.is_vacuous)
     }
 
     /// The display of a relation.

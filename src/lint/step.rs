@@ -17,6 +17,8 @@ use super::question::{Asked, MOST_QUESTIONS, Positive, Rests, TOO_LONG, ask};
 
 /// Random points at which a step that is not proved is tried.
 const POINTS: usize = 40;
+/// Relations before a conclusion that its sentence may name.
+const IN_SENTENCE: usize = 3;
 /// Steps that may take too much work before equations that the paper states are left alone.
 const MOST_EXHAUSTED: usize = 4;
 
@@ -94,7 +96,10 @@ impl Judge<'_> {
         if asked.is_empty() {
             return Step::NotRead(first_refusal.unwrap_or_else(|| NotRead::of("something")));
         }
-        let needs_signs = sides.iter().any(|s| has_roots(&s.text)) || asked.iter().any(|(_, r)| !r.stated.is_empty());
+        // Of squares of sums the roots would be taken: these may be of vectors.
+        let of_squares = |s: &Stated| [&s.left, &s.right].iter().any(|side| squeezed(&side.text).contains(")^2"));
+        let are_plain = |r: &Rests| !r.stated.is_empty() && !r.stated.iter().any(of_squares);
+        let needs_signs = sides.iter().any(|s| has_roots(&s.text)) || asked.iter().any(|(_, r)| are_plain(r));
         if needs_signs
             && !place.solves
             && let Some(found) = self.of_positive(sides, &asked, place)
@@ -126,6 +131,11 @@ impl Judge<'_> {
         let mut with_rates = self.facts.definitions(&sides, reach, has_rates);
         plain.retain(|g| !self.are_parted(g.relation, place.at, is_sure));
         with_rates.retain(|g| !self.are_parted(g.relation, place.at, is_sure));
+        if is_sure {
+            // Of what one display defines twice it is not known which is meant.
+            plain.retain(|g| !self.is_defined_beside(g, place.free));
+            with_rates.retain(|g| !self.is_defined_beside(g, place.free));
+        }
         if let Some(of) = held_fixed(sides, &plain, true, true) {
             // What depends on the variable in a second way may be held fixed.
             plain.retain(|g| of.contains(&g.key));
@@ -144,7 +154,14 @@ impl Judge<'_> {
         if self.exhausted > MOST_EXHAUSTED {
             return out;
         }
-        let mut stated = self.facts.equations(sides, &plain, place.at, self.section, &place.named);
+        let mut stated = self.facts.equations(
+            sides,
+            &plain,
+            place.at,
+            self.section,
+            &place.named,
+            place.sureness == Sureness::Concludes,
+        );
         stated.retain(|s| !self.are_parted(s.relation, place.at, is_sure));
         if is_sure {
             // Equations of one display hold together: one is no step from the other.
@@ -155,8 +172,11 @@ impl Judge<'_> {
             let left = squeezed(&sides[0].text);
             let again = |s: &Stated| left == squeezed(&s.left.text) || first(s).as_ref() == Some(&left);
             stated.retain(|s| !again(s) || place.sureness != Sureness::Stands);
+            stated.retain(|s| !self.is_stated_otherwise(s));
+            let is_near = |s: &Stated| place.sureness == Sureness::Concludes && s.relation + IN_SENTENCE >= place.at;
             stated.retain(|s| {
-                !s.in_text && (place.sureness == Sureness::Concludes || own.is_none() || display(s.relation) != own)
+                (!s.in_text || is_near(s))
+                    && (place.sureness == Sureness::Concludes || own.is_none() || display(s.relation) != own)
             });
         }
         // Definitions of what only the equations name, too.
@@ -187,7 +207,12 @@ impl Judge<'_> {
         out
     }
 
-    fn ask(&mut self, sides: [&PrintedSide; 2], rests: &Rests, free: &BTreeSet<char>) -> Result<Asked, NotRead> {
+    pub(super) fn ask(
+        &mut self,
+        sides: [&PrintedSide; 2],
+        rests: &Rests,
+        free: &BTreeSet<char>,
+    ) -> Result<Asked, NotRead> {
         self.asked += 1;
         let found = ask(sides, rests, &self.evidence, free);
         self.exhausted += usize::from(found.as_ref().is_err_and(|e| e.feature == TOO_LONG));
@@ -262,7 +287,7 @@ impl Judge<'_> {
                 }
             }
             if let Some(found) = nearest(answer, &rests, place.free, &mut self.asked, place.sureness) {
-                return Some(found);
+                return (!self.is_excused(sides, &rests, place)).then_some(found);
             }
         }
         None

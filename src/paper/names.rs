@@ -209,6 +209,14 @@ impl Names {
     fn factor(&self, at: usize, to: usize) -> usize {
         match self.text(at) {
             "(" | "[" | "{" => self.closing(at, to),
+            r"\left" | r"\qty" | r"\bigl" | r"\Bigl" | r"\big" | r"\Big" if at + 1 < to => self.factor(at + 1, to),
+            text if text.strip_prefix('\\').is_some_and(latex::is_function) && at + 1 < to => {
+                let mut next = at + 1;
+                while matches!(self.text(next), "^" | "_") && next < to {
+                    next = self.unit(next + 1);
+                }
+                self.factor(next, to)
+            }
             text if text.strip_prefix('\\').is_some_and(|c| FRACTIONS.contains(&c)) => {
                 self.unit(self.unit(at + 1)).min(to)
             }
@@ -243,8 +251,13 @@ impl Names {
         if !has_second {
             let end = middle.min(to);
             let variable = self.variable(self.inner(next).0).map(|v| v.0);
+            let by = variable.clone().map(|v| (v, partial));
             self.note_variables(&variable.into_iter().collect::<Vec<_>>());
-            return end;
+            // What follows the operator is derived: the next factor, a group or a name.
+            let (stop, before) = (self.factor(end, to).max(end), self.out.len());
+            self.range(end, stop, &by, depth + 1);
+            self.note_group(before);
+            return stop;
         }
         let end = self.unit(middle).min(to);
         let variable = self.variable(self.inner(middle).0).map(|v| v.0);

@@ -11,9 +11,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::{Paper, PrintedRelation, PrintedSide};
 use super::{PaperName, names};
 use print::{
-    Raised, call, follows_a_flow, has_bare_brackets, has_bars, has_identity, has_imaginary, has_named_function,
-    has_norm, has_pair, has_product_of_letters, has_unit_of_italics, is_letter_token, is_twice, scripted,
-    squares_an_absolute_value, tokens,
+    Raised, applies_a_group, call, follows_a_flow, has_bare_brackets, has_bare_degrees, has_bars, has_commutator,
+    has_expectation, has_identity, has_imaginary, has_map_of_vector, has_named_function, has_norm,
+    has_order_of_magnitude, has_pair, has_plain_triple_product, has_primed_transpose, has_product_of_letters,
+    has_small_transpose, has_turned_subscripts, has_unit_of_italics, has_upright_derivative, is_letter_token, is_twice,
+    scripted, squares_an_absolute_value, tokens,
 };
 
 /// What a paper shows of its notation.
@@ -37,7 +39,37 @@ pub struct Notation {
     complex: BTreeSet<String>,
     /// Keys of names that are said to be vectors, and are printed as numbers are.
     vectors: BTreeSet<String>,
+    /// Whether the paper is one of random variables: an E may be an expectation.
+    is_stochastic: bool,
+    /// Whether it has eigenvectors: a capital before a vector may be a matrix.
+    has_eigenvectors: bool,
+    /// Whether something is said modulo something: `\equiv` is then no equality.
+    has_modulus: bool,
+    /// Whether it is one of quanta: products of vectors may be of operators.
+    is_quantum: bool,
 }
+
+/// Words of papers in which an E may be an expectation.
+const STOCHASTIC: &[&str] = &[
+    "random variable",
+    "random vector",
+    "i.i.d",
+    "zufallsvariable",
+    "variable aléatoire",
+    "variables aléatoires",
+    r"variable al\'eatoire",
+    "variabile aleatoria",
+    "variabili aleatorie",
+    "variable aleatoria",
+    "variables aleatorias",
+    "variável aleatória",
+    "covariance",
+];
+/// Words of papers with eigenvectors.
+const EIGEN: &[&str] =
+    &["eigenvec", "eigenval", "vecteur propre", "vecteurs propres", "autovett", "autovec", "autoval"];
+/// What says that something holds modulo something.
+const MODULO: &[&str] = &[r"\pmod", r"\bmod", r"\pod", "(mod", "$ mod $", "$ mod~$", "congruence", "congruent mod"];
 
 /// Words of papers in which letters side by side are no numbers.
 const ALGEBRA: &[&str] = &[
@@ -51,6 +83,9 @@ const ALGEBRA: &[&str] = &[
     "morphism",
     "sylow",
     "legendre symbol",
+    "alternating group",
+    "symmetric group",
+    "conjugacy class",
     "residue field",
     "quotient group",
     "quotient ring",
@@ -94,6 +129,11 @@ impl Notation {
             out.ordered.extend(named_beside(&file.text, ORDERED));
             out.acting.extend(named_beside(&file.text, ACTING));
             out.vectors.extend(named_beside(&file.text, VECTORS));
+            let says = |words: &[&str]| words.iter().any(|w| text.contains(w));
+            out.is_stochastic |= says(STOCHASTIC);
+            out.has_eigenvectors |= says(EIGEN);
+            out.has_modulus |= says(MODULO);
+            out.is_quantum |= says(&[r"\hbar", "commutator", "kommutator", "commutateur"]);
         }
         let mut pairs: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         for relation in &paper.printed {
@@ -150,6 +190,16 @@ impl Notation {
         self.is_algebra
     }
 
+    /// Whether something is said modulo something: `\equiv` is then no equality.
+    pub fn has_modulus(&self) -> bool {
+        self.has_modulus
+    }
+
+    /// Whether products of vectors may be of operators.
+    pub fn is_quantum(&self) -> bool {
+        self.is_quantum
+    }
+
     /// Whether a name varies, though the paper prints no rate of it.
     pub fn varies(&self, key: &str) -> bool {
         self.varies.contains(key)
@@ -185,6 +235,15 @@ impl Notation {
         if let Some(what) = call(&all) {
             return Some(what);
         }
+        if has_order_of_magnitude(&all) {
+            return Some("an order of magnitude");
+        }
+        if has_upright_derivative(&all) {
+            return Some("a derivative, or a factor");
+        }
+        if all.contains(&r"\aleph") {
+            return Some("a cardinal number");
+        }
         if names(side).iter().any(|n| self.acting.contains(&squeezed(&n.key()))) {
             return Some("an operator, or a factor");
         }
@@ -196,6 +255,33 @@ impl Notation {
         let all = tokens(&side.text);
         if scripted(&all).iter().any(Raised::is_transpose) {
             return Some("a transpose, or a power");
+        }
+        if has_small_transpose(&all) || has_primed_transpose(&all) {
+            return Some("a transpose, or a power");
+        }
+        if applies_a_group(&all) {
+            return Some("a function of anything, or a product");
+        }
+        if has_commutator(&all) {
+            return Some("products whose order may count: matrices, or operators");
+        }
+        if has_plain_triple_product(&all) {
+            return Some("vectors in plain letters");
+        }
+        if has_bare_degrees(&all) {
+            return Some("an angle in degrees, or a number");
+        }
+        if has_turned_subscripts(&all) {
+            return Some("derivatives, or labels");
+        }
+        if all.iter().any(|t| matches!(*t, r"\mathfrak" | r"\frak")) {
+            return Some("sets, or elements of an algebra");
+        }
+        if self.is_stochastic && has_expectation(&all) {
+            return Some("an expectation, or a factor");
+        }
+        if self.has_eigenvectors && has_map_of_vector(&all) {
+            return Some("a matrix before a vector, or a factor");
         }
         if has_identity(&all) {
             return Some("a sum with the identity, or with a number");
