@@ -10,7 +10,8 @@ use std::panic::AssertUnwindSafe;
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::derivation::{Claim, SymbolEntry};
+use crate::check::ClaimAccount;
+use crate::derivation::{Claim, Form, SymbolEntry};
 use crate::diag::escape::in_one_line;
 use crate::diag::{Diagnostic, Source};
 use crate::{Failure, Findings, Session, lint, paper, report};
@@ -45,9 +46,20 @@ pub struct Looked {
     pub remarks: Vec<Remark>,
     /// The names that it declares; a paper declares none.
     pub declared: Vec<Declared>,
+    /// Changes that may be meant: the bytes that they are about, and what could stand there.
+    pub offers: Vec<(Range<usize>, report::Fix)>,
 }
 
 impl Looked {
+    /// What could be put right, or be said, of some bytes.
+    pub fn fixes(&self, of: &Range<usize>) -> Vec<&report::Fix> {
+        let touches = |span: &Range<usize>| span.start <= of.end && of.start <= span.end;
+        let is_here = |place: &report::Place| place.span.as_ref().is_some_and(touches);
+        let found = self.findings.iter().filter_map(|f| Some((&f.place, f.fix.as_ref()?)));
+        let found = found.filter(|(place, fix)| is_here(place) || is_here(&fix.place)).map(|(_, fix)| fix);
+        found.chain(self.offers.iter().filter(|(span, _)| touches(span)).map(|(_, fix)| fix)).collect()
+    }
+
     /// What stands at a byte, and what was found of it, in Markdown.
     pub fn said_at(&self, at: usize) -> Option<String> {
         let in_code = |text: &str| in_one_line(text).replace('`', "'");
@@ -119,7 +131,7 @@ impl Looker {
 
 fn with_problems(source: &Arc<Source>, problems: &[Diagnostic]) -> Looked {
     let findings = report::problems(problems);
-    Looked { source: Arc::clone(source), findings, remarks: Vec::new(), declared: Vec::new() }
+    Looked { source: Arc::clone(source), findings, remarks: Vec::new(), declared: Vec::new(), offers: Vec::new() }
 }
 
 fn declared(session: &Session) -> Vec<Declared> {
@@ -154,7 +166,20 @@ fn with_verdicts(source: &Arc<Source>, session: &Session, found: &Findings) -> L
         findings: report::findings(found.derivation(), found.account()),
         remarks: derivation.claims.iter().map(remark).collect(),
         declared: declared(session),
+        offers: offers(found),
     }
+}
+
+/// The assumptions that claims could make, each over the table of its claim.
+fn offers(found: &Findings) -> Vec<(Range<usize>, report::Fix)> {
+    let derivation = found.derivation();
+    let of = |account: &ClaimAccount| {
+        let claim = derivation.claims.iter().find(|c| c.id == account.id && c.reading == account.reading);
+        let forms = claim.into_iter().flat_map(|c| c.forms.iter().flat_map(Form::written)).map(|(_, span)| span.end);
+        let span = claim.map_or(0..0, |c| c.span.start..forms.max().unwrap_or(c.span.end).max(c.span.end));
+        report::assumptions(derivation, account).into_iter().map(move |fix| (span.clone(), fix)).collect::<Vec<_>>()
+    };
+    found.account().claims.iter().flat_map(of).collect()
 }
 
 /// A text as it is, in Markdown.
@@ -187,7 +212,7 @@ fn of_paper(source: &Arc<Source>, folder: Option<&Path>) -> Looked {
         let (_, span) = paper.locate(&note.span);
         findings.extend(report::problems(&[Diagnostic::at(source, "paper::note", span, note.message.clone())]));
     }
-    Looked { source: Arc::clone(source), findings, remarks, declared: Vec::new() }
+    Looked { source: Arc::clone(source), findings, remarks, declared: Vec::new(), offers: Vec::new() }
 }
 
 /// Whether a name stands in a text around a byte, and is not a part of a command.
@@ -246,5 +271,26 @@ mod tests {
         assert_eq!(named, [r"\omega_{12}", r"\omega"]);
         assert!(is_named(text, 14, "o") && is_named(text, 19, "x") && !is_named(text, 17, "n"));
         assert!(!is_named(text, 16, r"\si") && !is_named("", 0, "x"));
+    }
+
+    #[test]
+    fn what_a_proof_uses_can_be_assumed() {
+        let head = "[derivation]\ntitle = 'A'\nconcerns = 'B'\n[symbols]\n'a' = { role = 'parameter' }\n'b' = { role = 'parameter' }\n";
+        let claim =
+            |more: &str| format!("{head}[[claim]]\nid = 'one'\n{more}says = 'c'\nalways = ['\\frac{{ab}}{{a}}=b']\n");
+        for (before, after) in
+            [("", "assuming = ['a\\ne0']\n"), ("assuming = ['b>0']\n", "assuming = ['b>0', 'a\\ne0']\n")]
+        {
+            let text = claim(before);
+            let of = looked("/a.toml", &text).pop().expect("it is looked at");
+            let at = text.find("always").expect("the claim");
+            let [fix] = of.fixes(&(at..at))[..] else { panic!("{:?}", of.offers) };
+            let place = fix.place.span.clone().expect("a place");
+            let mut put = text.clone();
+            put.replace_range(place, &fix.text);
+            assert_eq!(put, claim(after));
+            let again = looked("/b.toml", &put).pop().expect("it is looked at");
+            assert!(again.fixes(&(at..at)).is_empty(), "{:?}", again.offers);
+        }
     }
 }

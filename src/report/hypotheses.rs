@@ -172,7 +172,7 @@ fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whol
 }
 
 /// What is used where a case is left out: that it is not so.
-fn excluded(case: &Proviso) -> Proviso {
+pub(super) fn excluded(case: &Proviso) -> Proviso {
     match case {
         Proviso::Where { formula, is: Bounded::Zero } => {
             Proviso::Where { formula: formula.clone(), is: Bounded::NotZero }
@@ -182,7 +182,7 @@ fn excluded(case: &Proviso) -> Proviso {
 }
 
 /// Whether a list of a proof is of what it uses, rather than of what it does without.
-fn uses(term: Term) -> bool {
+pub(super) fn uses(term: Term) -> bool {
     match term {
         Term::Condition | Term::Exception | Term::GivenOnlyWhere | Term::Presupposed => true,
         Term::Used | Term::Unused => false,

@@ -14,6 +14,7 @@
 use ::{derivation, diag, expr, latex};
 
 mod argument;
+mod assumption;
 mod audit;
 mod card;
 mod certificates;
@@ -70,6 +71,7 @@ mod wording;
 /// The name of the program, as reports give it.
 const PROGRAM: &str = "rederive";
 
+pub use assumption::assumptions;
 pub use certificates::{CERTIFICATES, certificate_text, certificates, lean_text};
 pub use contents::contents;
 pub use diff::{Change, Direction, OtherId, diff, diff_files, diff_text, is_worse};

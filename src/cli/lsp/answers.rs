@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use rederive::diag::escape::in_one_line;
 use rederive::look::{Looked, Remark};
-use rederive::report::{Finding, Level, Place};
+use rederive::report::{Finding, Fix, Level, Place};
 use serde_json::{Value, json};
 
 use super::positions::{bytes, offset, range};
@@ -45,18 +45,15 @@ pub(super) fn completion(of: &Looked) -> Value {
     of.declared.iter().map(|d| json!({ "label": d.name, "kind": 6, "detail": d.says })).collect()
 }
 
-/// What could be done about a place: the text that is right there.
+/// What could be done about a place: the text that is right there, or what could be assumed.
 pub(super) fn actions(of: &Looked, params: &Value) -> Value {
     let uri = params.pointer("/textDocument/uri").and_then(Value::as_str).unwrap_or_default();
-    let asked = bytes(&of.source.text, params);
-    let is_here = |place: &Place| place.span.as_ref().is_some_and(|s| s.start <= asked.end && asked.start <= s.end);
-    let action = |finding: &Finding| {
-        let fix = finding.fix.as_ref().filter(|fix| is_here(&finding.place) || is_here(&fix.place))?;
+    let action = |fix: &Fix| {
         let edit = json!({ "range": range(fix.place.region()?), "newText": fix.text });
         let title = format!("{}: {}", fix.says, in_one_line(fix.text.trim_end()));
         Some(json!({ "title": title, "kind": "quickfix", "edit": { "changes": { uri: [edit] } } }))
     };
-    of.findings.iter().filter_map(action).collect()
+    of.fixes(&bytes(&of.source.text, params)).into_iter().filter_map(action).collect()
 }
 
 /// A word behind each formula or claim within a range.
