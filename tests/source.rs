@@ -221,8 +221,13 @@ fn the_exit_code_and_the_formats_tell() {
 
 #[test]
 fn papers_that_cannot_be_read() {
+    // A macro without an end is left out, and told; what is longer than can be read is refused.
     let project = project(FILE, br"\def\a{\a}\a");
-    let run = rederive(project.path(), &["check", "pendulum.toml", "--source", "paper.tex"]).code(2);
+    let run = rederive(project.path(), &["lint", "paper.tex"]).code(0);
+    run.stdout(predicate::str::contains("does not end; its definition is left out"));
+    let many: String = (0..12).map(|i| format!("\\def\\a{0}{{\\a{0}}}\\a{0}", char::from(b'a' + i))).collect();
+    std::fs::write(project.path().join("many.tex"), many).expect("written");
+    let run = rederive(project.path(), &["check", "pendulum.toml", "--source", "many.tex"]).code(2);
     run.stderr(predicate::str::contains("does not end"));
     let run = rederive(project.path(), &["check", "pendulum.toml", "--source", "none.tex"]).code(2);
     run.stderr(predicate::str::contains("paper::unreadable"));

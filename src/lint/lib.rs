@@ -22,6 +22,7 @@ mod notation;
 mod numbers;
 mod obstacle;
 mod question;
+mod relation;
 mod sentence;
 mod setting;
 mod shown;

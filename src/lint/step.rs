@@ -10,10 +10,11 @@ use proof::Identity;
 
 use super::desk::{Given, NotRead, unprimed};
 use super::facts::{Reach, Stated};
-use super::judge::{Judge, moved};
+use super::judge::Judge;
 use super::nearest::{Sureness, WrongStep, introduces_nothing, is_slip_of, nearest};
 use super::numbers::agreement;
 use super::question::{Asked, MOST_QUESTIONS, Positive, Rests, TOO_LONG, ask};
+use super::relation::moved;
 
 /// Random points at which a step that is not proved is tried.
 const POINTS: usize = 40;

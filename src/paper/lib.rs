@@ -25,6 +25,7 @@ mod printed;
 mod token;
 mod unicode;
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
@@ -41,6 +42,7 @@ use diag::{Diagnostic, Source};
 use document::Reader;
 use files::Why;
 use inputs::Inputs;
+use macros::Endless;
 use mark::{Mark, marks, text_of};
 use token::{Kind, Token};
 
@@ -196,21 +198,36 @@ pub fn parse_pasted(name: &str, text: &str) -> Result<Paper, Box<Diagnostic>> {
     parse_in(Arc::new(Source { path: name.to_owned(), text }), None)
 }
 
+/// Most macros without an end that are left out.
+const MOST_ENDLESS: usize = 8;
+
 fn parse_with(file: Arc<Source>, sha256: String, folder: Option<&Path>) -> Result<Paper, Box<Diagnostic>> {
-    let mut inputs = Inputs::new(&file, folder);
-    let document = inputs::tokens_of(&file);
-    let all = macros::expanded(document, &mut |name, span| inputs.tokens(name, span)).map_err(|e| {
-        let message = match e.name.as_str() {
+    let mut passed: BTreeSet<String> = BTreeSet::new();
+    let mut endless = Vec::new();
+    let (all, inputs) = loop {
+        let mut inputs = Inputs::new(&file, folder);
+        let document = inputs::tokens_of(&file);
+        let found = macros::expanded(document, &passed, &mut |name, span| inputs.tokens(name, span));
+        let Endless { name, span } = match found {
+            Ok(all) => break (all, inputs),
+            Err(endless) => endless,
+        };
+        // Without its definition the rest of the paper is read.
+        let message = match name.as_str() {
             "" => format!("the paper is longer than can be read: more than {} words and signs", macros::MOST_TOKENS),
             name => format!("the macro `\\{name}` does not end"),
         };
-        Box::new(Diagnostic::at(&file, "paper::unreadable", e.span, message))
-    })?;
+        if name.is_empty() || endless.len() >= MOST_ENDLESS || !passed.insert(name) {
+            return Err(Box::new(Diagnostic::at(&file, "paper::unreadable", span, message)));
+        }
+        endless.push(PaperNote { message: format!("{message}; its definition is left out"), span });
+    };
     let mut reader = Reader::new(&all);
     reader.document();
     let Reader { equations, relations, title, printed, mut notes, .. } = reader;
     let title = title.map(|t| shown(&t).into_owned());
     notes.extend(inputs.notes);
+    notes.extend(endless);
     notes.sort_by_key(|n| (n.span.start, n.span.end));
     let starts = |text: &str| std::iter::once(0).chain(text.match_indices('\n').map(|(i, _)| i + 1)).collect();
     let lines = std::iter::once(&file).chain(inputs.files.iter().map(|(_, f)| f)).map(|f| starts(&f.text)).collect();

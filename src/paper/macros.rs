@@ -2,7 +2,7 @@
 //!
 //! A token that comes out of a macro has the place of the call, so that a difference points at what the author wrote.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use super::token::{Kind, Token};
@@ -40,6 +40,8 @@ const INPUTS: &[&str] = &["input", "include", "subfile", "subfileinclude"];
 /// What a document defines.
 #[derive(Default)]
 struct Defined {
+    /// Names whose definitions are passed over.
+    passed: BTreeSet<String>,
     macros: BTreeMap<String, Macro>,
     /// Names that `\let` gave to commands of LaTeX: they keep their meaning, whatever becomes of these.
     aliases: BTreeMap<String, String>,
@@ -61,13 +63,14 @@ impl Defined {
     }
 }
 
-/// The tokens of a document with its own macros expanded; definitions leave no token. `input` gives the tokens of a file that
-/// the document names, if it may be read.
+/// The tokens of a document with its own macros expanded; definitions leave no token, and those of the names in `passed` no meaning. `input` gives
+/// the tokens of a file that the document names, if it may be read.
 pub(super) fn expanded(
     document: Vec<Token>,
+    passed: &BTreeSet<String>,
     input: &mut dyn FnMut(&str, &Range<usize>) -> Vec<Token>,
 ) -> Result<Vec<Token>, Endless> {
-    let mut defined = Defined::default();
+    let mut defined = Defined { passed: passed.clone(), ..Defined::default() };
     // A stack of what is still to be read, the next token last; the depth of macros it came from beside it.
     let mut rest: Vec<(Token, usize)> = document.into_iter().rev().map(|t| (t, 0)).collect();
     let mut out: Vec<Token> = Vec::new();
@@ -104,6 +107,8 @@ pub(super) fn expanded(
             rest.extend(input(&name, &token.span).into_iter().rev().map(|t| (t, depth + 1)));
         } else if define(&token.text, &mut rest, &mut defined) {
             // Nothing is printed.
+            let Defined { passed, macros, .. } = &mut defined;
+            passed.iter().for_each(|name| drop(macros.remove(name)));
         } else if let Some(found) = environment(&token, &rest, &defined) {
             calls += 1;
             argument(&mut rest);
@@ -249,7 +254,7 @@ fn defined_name(rest: &mut Rest) -> Option<String> {
 
 /// Reads a definition, if `command` begins one.
 fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> bool {
-    let Defined { macros, aliases, environments, conditions } = defined;
+    let Defined { macros, aliases, environments, conditions, .. } = defined;
     match command {
         "newcommand" | "renewcommand" | "providecommand" | "DeclareRobustCommand" => {
             next_is(rest, "*");
@@ -388,7 +393,7 @@ mod tests {
     use super::*;
 
     fn expanded(text: &str) -> Result<Vec<Token>, Endless> {
-        super::expanded(tokens(text), &mut |_, _| Vec::new())
+        super::expanded(tokens(text), &BTreeSet::new(), &mut |_, _| Vec::new())
     }
 
     fn shown(text: &str) -> String {

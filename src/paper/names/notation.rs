@@ -4,18 +4,21 @@
 //! lone names, are looked at; what is seen of a letter once is so in the whole paper. A formula that is not read is told as that: a
 //! power that is an index, or two operators in another order, would be *proved*.
 
+mod ambiguous;
 mod print;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Paper, PrintedRelation, PrintedSide};
 use super::{PaperName, names};
+use ambiguous::{
+    applies_a_group, has_bare_degrees, has_commutator, has_expectation, has_map_of_vector, has_order_of_magnitude,
+    has_plain_triple_product, has_primed_transpose, has_small_transpose, has_turned_subscripts, has_upright_derivative,
+};
 use print::{
-    Raised, applies_a_group, call, follows_a_flow, has_bare_brackets, has_bare_degrees, has_bars, has_commutator,
-    has_expectation, has_identity, has_imaginary, has_map_of_vector, has_named_function, has_norm,
-    has_order_of_magnitude, has_pair, has_plain_triple_product, has_primed_transpose, has_product_of_letters,
-    has_small_transpose, has_turned_subscripts, has_unit_of_italics, has_upright_derivative, is_letter_token, is_twice,
-    scripted, squares_an_absolute_value, tokens,
+    Raised, call, follows_a_flow, has_bare_brackets, has_bars, has_identity, has_imaginary, has_named_function,
+    has_norm, has_pair, has_product_of_letters, has_unit_of_italics, is_letter_token, is_twice, scripted,
+    squares_an_absolute_value, tokens,
 };
 
 /// What a paper shows of its notation.

@@ -1,0 +1,76 @@
+//! What a printed relation is by itself: an evaluation, a congruence, an equation for what is zero, an equation of motion.
+//!
+//! **In:** a relation, or its sides. **Out:** whether it is so. **Guaranteed:** no other relation is looked at.
+
+use std::collections::BTreeSet;
+
+use paper::{PrintedRelation, PrintedSide, names, squeezed};
+
+use super::desk::{lone_name, unprimed};
+
+/// Whether a sign may say that two sides are equal but for multiples of something, or by definition.
+pub(super) fn is_congruence(sign: &str) -> bool {
+    matches!(sign, r"\equiv" | "≡")
+}
+
+/// Whether one side is the other with a sign or a number before it, or divided by one: an equation for what is zero.
+pub(super) fn are_multiples(left: &PrintedSide, right: &PrintedSide) -> bool {
+    let core = |side: &PrintedSide| {
+        let text: String = side.text.chars().filter(|c| !c.is_whitespace()).collect();
+        let below = text.strip_prefix(r"\frac{").and_then(|rest| {
+            let (above, below) = rest.strip_suffix('}')?.rsplit_once("}{")?;
+            below.chars().all(|c| c.is_ascii_digit()).then(|| above.to_owned())
+        });
+        let text = below.unwrap_or(text);
+        text.trim_start_matches(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+')).to_owned()
+    };
+    let (one, other) = (core(left), core(right));
+    one == other && one.chars().any(char::is_alphabetic) && squeezed(&left.text) != squeezed(&right.text)
+}
+
+/// Whether a side stands in brackets: dimensions are compared.
+pub(super) fn has_dimensions(relation: &PrintedRelation) -> bool {
+    let of = |text: &str| text.trim().starts_with('[') && text.trim().ends_with(']');
+    relation.sides.iter().any(|s| of(&s.text))
+        || relation.sides.iter().any(|s| s.text.matches('[').count() > 1 && !s.text.contains('('))
+}
+
+/// Whether a later side is a number, beside sides with names: the values of the names count then, or an equation is solved. A step between
+/// numbers is one all the same.
+pub(super) fn is_evaluated(relation: &PrintedRelation, step: [&PrintedSide; 2]) -> bool {
+    let has_names = |s: &PrintedSide| !names(s).is_empty();
+    let is_number =
+        |s: &PrintedSide| !has_names(s) && s.text.trim() != "0" && s.text.contains(|c: char| c.is_ascii_digit());
+    step.into_iter().any(has_names) && relation.sides.iter().skip(1).any(is_number)
+}
+
+/// The later side of an equation of two.
+pub(super) fn lone_right(relation: &PrintedRelation) -> Option<&PrintedSide> {
+    match relation.sides.as_slice() {
+        [_, right] => Some(right),
+        _ => None,
+    }
+}
+
+/// The name whose highest rate an equation gives, where there is just one.
+pub(super) fn moved(sides: &[&PrintedSide]) -> Option<(String, usize)> {
+    let order = |n: &paper::PaperName| n.dots.max(n.primes);
+    let all: Vec<paper::PaperName> = sides.iter().flat_map(|s| names(s)).filter(|n| order(n) > 1).collect();
+    let highest = all.iter().map(order).max()?;
+    let mut keys: Vec<String> = all.iter().filter(|n| order(n) == highest).map(|n| unprimed(n).key()).collect();
+    keys.dedup();
+    match keys.as_slice() {
+        [one] => Some((one.clone(), highest)),
+        _ => None,
+    }
+}
+
+/// Index letters that stand once in a lone name on the left: they are free, and nothing is summed over them. What is a number somewhere in the
+/// relation is no index: `E_n=n^2\pi^2\ldots`.
+pub(super) fn free_indices(relation: &PrintedRelation) -> BTreeSet<char> {
+    let Some(name) = lone_name(&relation.sides[0]) else { return BTreeSet::new() };
+    let letters = name.index_letters();
+    let numbers: BTreeSet<String> = relation.sides.iter().flat_map(names).map(|n| n.key()).collect();
+    let is_free = |l: &char| letters.iter().filter(|m| *m == l).count() == 1 && !numbers.contains(&l.to_string());
+    letters.iter().copied().filter(is_free).collect()
+}
