@@ -133,7 +133,7 @@ impl Notation {
             out.acting.extend(named_beside(&file.text, ACTING));
             out.vectors.extend(named_beside(&file.text, VECTORS));
             let says = |words: &[&str]| words.iter().any(|w| text.contains(w));
-            out.is_stochastic |= says(STOCHASTIC);
+            out.is_stochastic |= says(STOCHASTIC) || says(&["expectation"]) && !says(&[r"\hbar", r"\psi"]);
             out.has_eigenvectors |= says(EIGEN);
             out.has_modulus |= says(MODULO);
             out.is_quantum |= says(&[r"\hbar", "commutator", "kommutator", "commutateur"]);
