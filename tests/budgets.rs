@@ -361,7 +361,7 @@ fn many_symbols_are_found_by_name() {
 fn long_papers_are_looked_through() {
     let folder = tempfile::tempdir().expect("a folder");
     let displays: String = (0..30_000).map(|i| format!("\\[x_{{{i}}}=y+{i}\\] by \\eqref{{e{i}}}\n")).collect();
-    let nested = |open: &str, close: &str| format!("\\[x={}y{}\\]", open.repeat(60_000), close.repeat(60_000));
+    let nested = |open: &str, close: &str| format!("\\[x={}y{}\\]", open.repeat(25_000), close.repeat(25_000));
     for body in [displays, nested("{", "}"), nested("x^{", "}"), nested(r"\hat{{", "}}")] {
         let text = format!("\\documentclass{{article}}\\begin{{document}}{body}\\end{{document}}\n");
         fs::write(folder.path().join("p.tex"), text).expect("written");
