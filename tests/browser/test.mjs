@@ -187,7 +187,8 @@ for (const id of fs.readdirSync(reports).sort()) {
     await page.locator('.matrix td[tabindex="0"]').focus();
     await page.keyboard.press("ArrowDown");
     await page.keyboard.press("Enter");
-    check(decodeURIComponent(page.url()).includes("@"), `${id}: arrows and Enter lead to a pair`);
+    const at = await settled(() => decodeURIComponent(page.url()), address => address.includes("@"));
+    check(at.includes("@"), `${id}: arrows and Enter lead to a pair`);
 
     // Filters.
     for (const verdict of ["h", "f", "n", "u"]) {
