@@ -114,12 +114,14 @@ impl Definitions {
 
     /// Takes back what was said after the first `length`.
     pub fn truncate(&mut self, length: usize) {
-        for given in self.all.drain(length.min(self.all.len())..) {
-            if let Some(places) = self.of.get_mut(&given.key) {
-                let before = places.len();
-                places.retain(|at| *at < length);
-                self.live -= before - places.len();
-                self.rates -= if given.is_rate { before - places.len() } else { 0 };
+        while self.all.len() > length {
+            let Some(given) = self.all.pop() else { return };
+            // The last of all is the last of its name, if it holds still.
+            let places = self.of.entry(given.key).or_default();
+            if places.last() == Some(&self.all.len()) {
+                places.pop();
+                self.live -= 1;
+                self.rates -= usize::from(given.is_rate);
             }
         }
     }

@@ -132,10 +132,9 @@ impl Judge<'_> {
         let mut with_rates = self.facts.definitions(&sides, reach, has_rates);
         plain.retain(|g| !self.are_parted(g.relation, place.at, is_sure));
         with_rates.retain(|g| !self.are_parted(g.relation, place.at, is_sure));
-        if is_sure {
-            // Of what one display defines twice it is not known which is meant.
-            plain.retain(|g| !self.is_defined_beside(g, place.free));
-            with_rates.retain(|g| !self.is_defined_beside(g, place.free));
+        // Of what one display defines twice it is not known which is meant.
+        for list in [&mut plain, &mut with_rates].into_iter().filter(|_| is_sure) {
+            list.retain(|g| !self.is_defined_beside(g, place.free));
         }
         if let Some(of) = held_fixed(sides, &plain, true, true) {
             // What depends on the variable in a second way may be held fixed.

@@ -87,3 +87,11 @@ fn a_definition_that_differs_by_a_slip_is_told() {
     assert_eq!(word(r"\[ L=T-V \] \[ L=T+V \]"), Some(Word::Defines));
     assert_eq!(word(r"\[ E=\frac12mv^2+mgh \] \[ E=mgh+\frac12mv^2 \]"), Some(Word::Follows));
 }
+
+/// Of one name both a rate and a value are explained behind a display, and taken back after it.
+#[test]
+fn what_is_explained_is_taken_back() {
+    let text = r"\[ E = \frac12mv^2 \] where $\dot x=v$, $x=at$, $\dot x=u$. \[ F = ma \]";
+    let (paper, found) = linted(text);
+    assert_eq!(found.count(Word::Wrong), 0, "{}", all(&found, &paper));
+}
