@@ -1,4 +1,4 @@
-//! What was found, in brief: short documents in which the strength of a verdict is in its name.
+//! Findings in brief: short documents in which the strength of a verdict is in its name.
 //!
 //! **In:** what a session found. **Out:** JSON for a reader that reads names first, such as an agent. **Guaranteed:** what holds at samples
 //! has another name than what is proved. **Why this way:** the whole documents ([`Findings::documents`](crate::Findings)) are long, and

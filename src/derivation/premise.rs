@@ -28,7 +28,7 @@ pub enum Premise {
 pub struct Index {
     names: HashMap<String, Premise>,
     angles: HashSet<Symbol>,
-    /// What is positive, and its role.
+    /// The positive symbols, each with its role.
     positive: HashMap<Symbol, Role>,
     /// The first claim that declares a symbol.
     declared: HashMap<Symbol, usize>,

@@ -45,7 +45,7 @@ pub(super) fn completion(of: &Looked) -> Value {
     of.declared.iter().map(|d| json!({ "label": d.name, "kind": 6, "detail": d.says })).collect()
 }
 
-/// What could be done about a place: the text that is right there, or what could be assumed.
+/// The changes that may be made at a place: the text that is right there, or an assumption.
 pub(super) fn actions(of: &Looked, params: &Value) -> Value {
     let uri = params.pointer("/textDocument/uri").and_then(Value::as_str).unwrap_or_default();
     let action = |fix: &Fix| {

@@ -51,7 +51,7 @@ impl Workbench {
         Ok(Workbench { tools, folder: folder.map(Path::to_path_buf), seconds })
     }
 
-    /// What a client is told of the tools.
+    /// The tools, as a client is told of them.
     pub(super) fn described(&self) -> &[Value] {
         &self.tools
     }
@@ -118,7 +118,7 @@ impl Workbench {
         Session::open(&path, text).map_err(|problems| diag::render(&problems, false))
     }
 
-    /// What is found of a derivation file, enclosed where that is possible.
+    /// The findings of a derivation file, enclosed where that is possible.
     fn checked(&self, given: &Arguments<'_>, ask: Ask) -> Result<Findings, String> {
         let limits = Limits { deadline: Limits::after(Some(self.seconds)), ..Limits::default() };
         let ask = Ask { rigor: Rigor::Enclosed, limits, ..ask };

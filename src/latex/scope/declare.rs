@@ -214,7 +214,7 @@ impl Scope {
         refused.map_or(Ok(inner), Err)
     }
 
-    /// What a formula means where the arguments of its function are known; and whether the letters are indices of it.
+    /// The meaning of a formula where the arguments of its function are known; and whether the letters are indices of it.
     fn definition_with(
         &mut self,
         graph: &mut Graph,

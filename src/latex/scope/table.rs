@@ -210,12 +210,10 @@ impl Table {
         let inner = Arc::make_mut(&mut self.0);
         let Some(changes) = inner.changes.take() else { return Vec::new() };
         for at in (changes.entries..inner.entries.len()).map(|at| at as u32) {
-            if inner.hidden.contains(&at) {
-                inner.hidden.remove(&at);
-            } else {
+            if !inner.hidden.contains(&at) {
                 inner.set(at, false);
-                inner.hidden.remove(&at);
             }
+            inner.hidden.remove(&at);
         }
         let own = |at: &u32| (*at as usize) < changes.entries;
         changes.hidden.into_iter().filter(own).for_each(|at| inner.set(at, true));
