@@ -15,7 +15,7 @@ use crate::check::family::{Join, Part, Row};
 use crate::check::search::SearchOptions;
 use crate::check::{
     self, Account, Answers, Cache, CheckError, ClaimAccount, IdentityAccount, Limits, Options, Outcome, Proposition,
-    Store, Witness,
+    Recalled, Store, Witness,
 };
 use crate::derivation::{Claim, Derivation, is_called, parse};
 use crate::diag::escape::shown;
@@ -268,16 +268,16 @@ impl Session {
         };
         let found = meter::under(&ask.limits, || match store {
             Some(store) => check::check_recorded(&self.derivation, &options, store, progress),
-            None => check::check(&self.derivation, &options, progress),
+            None => Ok((check::check(&self.derivation, &options, progress)?, Recalled::Nothing)),
         });
         // Whatever it says: it was not finished.
         if ask.limits.is_cancelled() {
             return Err(Failure::Cancelled);
         }
-        let mut account = found.map_err(|ended| Failure::Defect(ended.to_string()))??;
+        let (mut account, recalled) = found.map_err(|ended| Failure::Defect(ended.to_string()))??;
         let is_asked = |c: &ClaimAccount| ask.claims.iter().any(|name| is_called(name, &c.id, c.reading.as_deref()));
         account.claims.retain(|c| ask.claims.is_empty() || is_asked(c));
-        Ok(Findings { derivation: self.derivation.clone(), account })
+        Ok(Findings { derivation: self.derivation.clone(), account, recalled })
     }
 
     /// Counts one part of the members of a family: the text of its file. `progress` is told how many of how many members are done.
@@ -350,7 +350,7 @@ impl Session {
         if limits.is_cancelled() {
             return Err(Failure::Cancelled);
         }
-        Ok(Findings { derivation: self.derivation.clone(), account: found? })
+        Ok(Findings { derivation: self.derivation.clone(), account: found?, recalled: Recalled::Nothing })
     }
 
     /// Decides an equation for all values of its symbols.
@@ -426,7 +426,7 @@ impl Session {
     /// As for [`check`](Session::check).
     pub fn check_again(&mut self) -> Result<(Findings, Vec<String>), Failure> {
         let (account, checked) = self.cache.check(&self.derivation)?;
-        Ok((Findings { derivation: self.derivation.clone(), account }, checked))
+        Ok((Findings { derivation: self.derivation.clone(), account, recalled: Recalled::Nothing }, checked))
     }
 
     /// The same, with what earlier processes left in a store: a state of the file that was checked before is not checked again.
@@ -435,7 +435,7 @@ impl Session {
     /// As for [`check`](Session::check).
     pub fn check_again_recorded(&mut self, store: &dyn Store) -> Result<(Findings, Vec<String>), Failure> {
         let (account, checked) = check::check_again_recorded(&mut self.cache, &self.derivation, store)?;
-        Ok((Findings { derivation: self.derivation.clone(), account }, checked))
+        Ok((Findings { derivation: self.derivation.clone(), account, recalled: Recalled::Nothing }, checked))
     }
 }
 
@@ -491,9 +491,15 @@ fn read(name: &str, text: String) -> Result<Derivation, Vec<Diagnostic>> {
 pub struct Findings {
     derivation: Derivation,
     account: Account,
+    recalled: Recalled,
 }
 
 impl Findings {
+    /// What of it earlier runs had found; no document says so, since all of them are the same whether something is recalled or not.
+    pub fn recalled(&self) -> Recalled {
+        self.recalled
+    }
+
     /// One entry for each claim on each motion and on each family, and for each claim over ranges, in the order of the file.
     pub fn all(&self) -> Vec<Finding> {
         let of = |c: &ClaimAccount| -> Vec<Finding> {

@@ -107,6 +107,7 @@ mod search;
 mod separation;
 mod solutions;
 mod source;
+mod starved;
 mod supply_chain;
 mod sweep;
 mod two_routes;

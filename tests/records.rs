@@ -211,6 +211,11 @@ fn what_was_not_finished_is_not_kept() {
 fn run(arguments: &[&str], folder: &Path, variable: Option<&Path>) -> (String, Vec<(PathBuf, Vec<u8>)>) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_rederive"));
     command.current_dir(env!("CARGO_MANIFEST_DIR")).args(arguments);
+    // The secret lies in the folder of the user.
+    let home = folder.with_file_name("home");
+    for variable in ["HOME", "XDG_CACHE_HOME", "LOCALAPPDATA"] {
+        command.env(variable, &home);
+    }
     match variable {
         Some(path) => command.env("REDERIVE_CACHE", path),
         None => command.env("REDERIVE_CACHE", ""),

@@ -99,7 +99,7 @@ pub fn decide_all(
         .filter_map(|(at, claim)| Some((at, claim, claim.region.as_ref()?)))
         .filter(|(_, claim, _)| asked(claim))
         .collect();
-    let of_a_file = MOST_WORK_OF_A_FILE.saturating_mul(u64::from(limits.work.unwrap_or(1)));
+    let of_a_file = limits.work.of(MOST_WORK_OF_A_FILE);
     let most_work = MOST_WORK.min(of_a_file.min(limits.total.left() / UNITS) / asked.len().max(1) as u64);
     type Decided = Result<(usize, ClaimAccount), Box<Diagnostic>>;
     let decided: Vec<(Decided, u64)> = asked

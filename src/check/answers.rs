@@ -5,6 +5,7 @@
 //! is asked for. **Guaranteed:** what is not asked for in [`AGES`] states of a file is forgotten.
 
 use std::collections::HashMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use serde::Serialize;
@@ -40,9 +41,16 @@ pub(super) type Aged<T> = (u64, Arc<T>);
 pub struct Answers {
     age: u64,
     kept: Mutex<HashMap<Key, Aged<[u8]>>>,
+    /// How many answers were known when they were asked for, and how many were found and kept, since the table is there.
+    counts: [AtomicUsize; 2],
 }
 
 impl Answers {
+    /// How many answers were known when they were asked for, and how many were found and kept, in this process.
+    pub fn counts(&self) -> [usize; 2] {
+        self.counts.each_ref().map(|count| count.load(Ordering::Relaxed))
+    }
+
     /// A new state of the file begins.
     pub fn grow_older(&mut self) {
         self.age += 1;
@@ -63,11 +71,14 @@ impl Answers {
             *age = self.age;
             Arc::clone(bytes)
         };
-        postcard::from_bytes(&bytes).ok()
+        let answer = postcard::from_bytes(&bytes).ok()?;
+        self.counts[0].fetch_add(1, Ordering::Relaxed);
+        Some(answer)
     }
 
     /// Keeps an answer; one that cannot be written is found again.
     pub fn keep<T: Serialize>(&self, name: Key, answer: &T) {
+        self.counts[1].fetch_add(1, Ordering::Relaxed);
         if let Ok(bytes) = postcard::to_allocvec(answer) {
             self.kept.lock().unwrap_or_else(PoisonError::into_inner).insert(name, (self.age, bytes.into()));
         }
@@ -116,7 +127,7 @@ impl Answers {
             bytes = rest;
             kept.insert(*name, (age, answer.into()));
         }
-        Some(Answers { age, kept: Mutex::new(kept) })
+        Some(Answers { age, kept: Mutex::new(kept), ..Answers::default() })
     }
 }
 

@@ -33,7 +33,7 @@ pub use ::units;
 pub use answers::{Answers, Key, in_digits, key};
 pub use cache::Cache;
 pub use claim::error::CheckError;
-pub use claim::limits::{Cancel, Limits};
+pub use claim::limits::{Cancel, Limits, Times};
 pub use claim::options::{Options, Rigor};
 pub use families as family;
 use families::{Checker, Families, Joined};
@@ -51,7 +51,7 @@ pub use findings::{
 };
 pub use proved::agreement::agree;
 pub use proved::proposition::{prove, stated, with_symbols_of};
-pub use record::{check_again_recorded, check_recorded};
+pub use record::{Recalled, check_again_recorded, check_recorded};
 pub use verdict::{
     Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, ResidualPoint, Residuals, Strength,
     Verdict, Witness,

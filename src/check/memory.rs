@@ -82,6 +82,11 @@ impl Memory {
         self.answers
     }
 
+    /// How many answers were known, and how many were found.
+    pub fn counts(&self) -> [usize; 2] {
+        self.answers.counts()
+    }
+
     /// A new state of the file begins.
     pub fn grow_older(&mut self) {
         self.answers.grow_older();

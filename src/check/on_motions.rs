@@ -42,6 +42,8 @@ pub(super) struct OnMotions<'a, 'r> {
 #[derive(Default)]
 struct OnMotion<'a> {
     verdicts: Column,
+    /// Whether the claims were tried on it: its work may have ended before.
+    is_tried: bool,
     /// The verdicts without each assumption.
     without: Vec<Option<Verdict>>,
     /// What it says of the altered formulas.
@@ -56,6 +58,8 @@ struct OnMotion<'a> {
 #[derive(Default)]
 pub(super) struct Found<'a> {
     pub columns: Vec<Column>,
+    /// Motions that the claims were not tried on, since their work ended: of these there is nothing but verdicts.
+    pub untried: usize,
     pub without: Vec<Vec<Option<Verdict>>>,
     pub weighed: Vec<Weighed>,
     pub traces: Vec<Trace<'a>>,
@@ -86,8 +90,9 @@ impl<'a> OnMotions<'a, '_> {
         found.sort_by_key(|(at, _)| *at);
         let mut out = Found::default();
         for (_, one) in found {
-            let OnMotion { verdicts, without, weighed, measurements, pictures, trace } =
+            let OnMotion { verdicts, is_tried, without, weighed, measurements, pictures, trace } =
                 one.map_err(CheckError::Defect)?;
+            out.untried += usize::from(!is_tried);
             out.columns.push(verdicts);
             out.without.push(without);
             out.weighed.extend(weighed);
@@ -115,8 +120,11 @@ impl<'a> OnMotions<'a, '_> {
         }
         let open = |ended: Ended| {
             let is_open = |c: &usize| derivation.claims[*c].trajectories.binary_search(&t).is_ok();
-            let open = |c: &usize| is_open(c).then(|| pieces::undecided(ended.clone()));
-            Ok(OnMotion { verdicts: self.selection.claims.iter().map(open).collect(), ..OnMotion::default() })
+            let open = |(c, of): (&usize, &Vec<Prepared>)| {
+                is_open(c).then(|| pieces::undecided(|why| of[start].program.open(why), ended.clone()))
+            };
+            let verdicts = self.selection.claims.iter().zip(prepared).map(open).collect();
+            Ok(OnMotion { verdicts, ..OnMotion::default() })
         };
         let ended = || self.stage.ended(t).cloned().or_else(|| limits.reached());
         if let Some(ended) = ended().filter(|_| self.stage.motion(t).is_none()) {
@@ -132,12 +140,17 @@ impl<'a> OnMotions<'a, '_> {
             let Prepared { claim, program, gradients } = &of[start];
             claim.trajectories.binary_search(&t).is_ok().then(|| {
                 if let Some(reached) = limits.reached() {
-                    return pieces::undecided(reached);
+                    return pieces::undecided(|why| program.open(why), reached);
                 }
                 let trial = Trial { graph: &derivation.graph, claim, program, trace: &trace, shown: true };
                 let sampled = Question::Sampled { claim, whole: &claim.name(), without: None, motion: t };
                 let mut verdict = recall.answer(derivation, sampled, || {
-                    pieces::verdict(Task::Sampling, limits, || try_claim(derivation, &trial, gradients.as_ref()))
+                    pieces::verdict(
+                        Task::Sampling,
+                        limits,
+                        |why| program.open(why),
+                        || try_claim(derivation, &trial, gradients.as_ref()),
+                    )
                 });
                 if let Some(contradiction) = &contradiction {
                     verdict.contradict(contradiction.clone());
@@ -174,7 +187,7 @@ impl<'a> OnMotions<'a, '_> {
         // What is asked later needs few of the leaves; those of all motions at once take much memory.
         trace.keep(kept);
         let trace = (!probes.is_empty() || self.altered.is_some()).then_some(trace);
-        Ok(OnMotion { verdicts, without, weighed, measurements, pictures, trace })
+        Ok(OnMotion { verdicts, is_tried: true, without, weighed, measurements, pictures, trace })
     }
 }
 

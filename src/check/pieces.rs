@@ -9,18 +9,23 @@ use findings::IdentityAccount;
 use meter::{Ended, Task};
 use proved::step::Step;
 use reason::Reason;
-use verdict::{Finding, Verdict};
+use verdict::Verdict;
 
-/// A verdict, as far as the work of a piece goes.
-pub(super) fn verdict(task: Task, limits: &Limits, find: impl FnOnce() -> Verdict) -> Verdict {
-    meter::piece(task, limits, find).unwrap_or_else(undecided)
+/// The verdict on a claim, as far as the work of a piece goes; `open` is the one of which nothing is known, for a reason.
+pub(super) fn verdict(
+    task: Task,
+    limits: &Limits,
+    open: impl FnOnce(Reason) -> Verdict,
+    find: impl FnOnce() -> Verdict,
+) -> Verdict {
+    meter::piece(task, limits, find).unwrap_or_else(|ended| undecided(open, ended))
 }
 
-/// The verdict where a piece ended before it was done.
-pub(super) fn undecided(ended: Ended) -> Verdict {
+/// The verdict on a claim where a piece ended before it was done.
+pub(super) fn undecided(open: impl FnOnce(Reason) -> Verdict, ended: Ended) -> Verdict {
     let is_defect = matches!(ended, Ended::Defect(_));
     let reason: Reason = ended.into();
-    let mut verdict = Verdict::of(Finding::open(reason.clone()));
+    let mut verdict = open(reason.clone());
     if is_defect {
         verdict.contradict(reason);
     }
@@ -59,12 +64,13 @@ pub(super) fn account(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use verdict::Outcome;
+    use verdict::{Finding, Outcome};
 
     #[test]
     fn what_ends_a_piece_is_the_reason_of_its_verdict() {
         let limits = Limits::default();
-        let found = verdict(Task::Sampling, &limits, || {
+        let open = |why: Reason| Verdict::of(Finding::open(why));
+        let found = verdict(Task::Sampling, &limits, open, || {
             meter::charge(u64::MAX);
             Verdict::of(Finding::open(reason::Plain::NotLookedAt))
         });
@@ -75,7 +81,7 @@ mod tests {
             "{reason}"
         );
         assert!(found.defect().is_none());
-        let broken = verdict(Task::Sampling, &limits, || std::panic::resume_unwind(Box::new("on purpose")));
+        let broken = verdict(Task::Sampling, &limits, open, || std::panic::resume_unwind(Box::new("on purpose")));
         assert!(broken.outcome() == Outcome::Undecided && broken.defect().is_some());
     }
 }

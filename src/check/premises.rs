@@ -8,7 +8,6 @@
 use std::collections::HashMap;
 
 use super::memory::{Known, Question};
-use super::pieces;
 use claim::comparison;
 use claim::limits::Limits;
 use derivation::{Claim, Derivation, Premise};
@@ -107,7 +106,11 @@ pub(super) fn strengthen(
         recall.answer(derivation, Question::ByFormula { claim, motion: t, before }, || {
             match meter::piece(Task::Proving, limits, &mut *find) {
                 Ok(found) => found,
-                Err(ended @ Ended::Defect(_)) => pieces::undecided(ended),
+                Err(ended @ Ended::Defect(_)) => {
+                    let mut none = before.clone();
+                    none.contradict(ended.into());
+                    none
+                }
                 Err(_) => before.clone(),
             }
         })

@@ -11,6 +11,8 @@
 //! their evidence. Bytes that are no record are ignored. Whether they are those that this program wrote is for whoever keeps them to know:
 //! evidence is believed.
 
+use std::fmt;
+
 use serde::{Deserialize, Serialize};
 
 use super::answers::{AGES, Answers, in_digits, key};
@@ -37,6 +39,33 @@ fn name(derivation: &Derivation, options: &Options, of: &str) -> String {
     in_digits(&key(&parts))
 }
 
+/// What of an account was found by earlier checks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Recalled {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// So many of all answers that were asked for.
+    Answers {
+        /// Those that were known.
+        known: usize,
+        /// All of them.
+        all: usize,
+    },
+    /// All of it: the file says what it said.
+    Whole,
+}
+
+impl fmt::Display for Recalled {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Recalled::Nothing => f.write_str("nothing is recalled from an earlier run"),
+            Recalled::Answers { known, all } => write!(f, "{known} of {all} answers are recalled from earlier runs"),
+            Recalled::Whole => f.write_str("all verdicts are recalled from an earlier run"),
+        }
+    }
+}
+
 /// What is kept of one file.
 #[derive(Serialize, Deserialize)]
 struct Record {
@@ -44,8 +73,8 @@ struct Record {
     account: Account,
 }
 
-/// [`check()`](super::check()), with what was kept of an earlier check of the whole file. What is found is kept, unless a limit of the run was
-/// reached.
+/// [`check()`](super::check()), with what was kept of an earlier check of the whole file, and how much of it that was. What is found is kept,
+/// unless a limit of the run was reached.
 ///
 /// # Errors
 /// Those of [`check()`](super::check()).
@@ -54,14 +83,14 @@ pub fn check_recorded(
     options: &Options,
     store: &dyn Store,
     progress: &(dyn Fn(usize, usize) + Sync),
-) -> Result<Account, CheckError> {
+) -> Result<(Account, Recalled), CheckError> {
     let whole = options.claims.is_empty() && options.trajectories.is_empty();
     let Some(contents) = contents(derivation).filter(|_| whole) else {
-        return check(derivation, options, progress);
+        return Ok((check(derivation, options, progress)?, Recalled::Nothing));
     };
     let of_account = name_of_account(derivation, options, &contents);
     if let Some(account) = recalled(derivation, &contents, &of_account, store) {
-        return Ok(account);
+        return Ok((account, Recalled::Whole));
     }
     let states = States::of(derivation, options, store);
     let of_answers = name(derivation, options, ANSWERS);
@@ -81,15 +110,19 @@ pub fn check_recorded(
         account = check_recalling(derivation, &anew, Known::new(&memory, &names), None, progress)?;
     }
     describe(derivation, &mut account);
+    let recalled = match memory.counts() {
+        [0, _] => Recalled::Nothing,
+        [known, found] => Recalled::Answers { known, all: known + found },
+    };
     // What the use of memory has ended is not to be seen any more, and what comes too late in a file may come earlier in another.
     if options.limits.memory.is_some() || options.limits.reached().is_some() || total.left() == 0 {
-        return Ok(account);
+        return Ok((account, recalled));
     }
     let record = Record { contents, account };
     states.keep(&of_account, &record, store);
     let work = work.saturating_add(total.used()).to_le_bytes();
     store.write(&of_answers, &[&work[..], &memory.answers().written()].concat());
-    Ok(record.account)
+    Ok((record.account, recalled))
 }
 
 /// The name of the record of the account of this state of a file.

@@ -194,9 +194,9 @@ impl enclosed::Recall for Enclosed<'_> {
 
 impl Work<'_, '_> {
     fn has(&self, need: Need) -> bool {
-        let OnMotions { run, selection, stage, .. } = &self.claims;
+        let run = self.claims.run;
         match need {
-            Need::EveryMotion => selection.tried.iter().all(|&t| stage.motion(t).is_some()),
+            Need::EveryMotion => self.found.untried == 0,
             Need::Rigor => run.options.rigor == Rigor::Enclosed,
             Need::Time => run.options.limits.reached().is_none(),
         }

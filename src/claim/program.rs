@@ -12,7 +12,8 @@ use crate::flow::{Points, Sample};
 use crate::latex::{LimitPoint, RelationKind};
 use crate::number::{Bounded, NoValue};
 use crate::sides::{Measured, Series};
-use crate::verdict::Proposition;
+use crate::verdict::{Finding, Proposition, Verdict};
+use reason::Reason;
 
 /// The values of all leaves at one time.
 pub type Values = Vec<Result<Bounded, NoValue>>;
@@ -189,6 +190,13 @@ impl From<Denoted> for Program {
 }
 
 impl Program {
+    /// The verdict on the claim where nothing is known, for a reason. It has the parts of the claim: what is found of them later, by other
+    /// means, is weighed as what the claim says, or as what it presupposes.
+    pub fn open(&self, reason: Reason) -> Verdict {
+        let parts = self.parts.len() + self.hypotheses.len();
+        Verdict::decide(self.claim.clone(), vec![Finding::open(reason); parts])
+    }
+
     /// All groups: of selectors, of hypotheses, of parts; each with whether it is about having values.
     pub fn groups(&self) -> impl Iterator<Item = &Group> {
         let assumed = self.selectors.iter().chain(&self.hypotheses).map(|a| &a.part.group);

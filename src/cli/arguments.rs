@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use rederive::Format;
-use rederive::check::{Limits, Rigor};
+use rederive::check::{Limits, Rigor, Times};
 
 /// One of some values, each with its name and with what it is.
 pub fn one_of<T: Clone + Send + Sync + 'static>(
@@ -56,8 +56,8 @@ pub struct LimitArguments {
     #[arg(long, value_name = "MEGABYTES")]
     memory: Option<u64>,
     /// Allow each piece of the work so many times what is counted for it: see `docs/limits.md`
-    #[arg(long, value_name = "TIMES", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
-    work: Option<u32>,
+    #[arg(long, value_name = "TIMES", default_value_t, hide_default_value = true)]
+    work: Times,
     #[command(flatten)]
     pub threads: ThreadArguments,
 }

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use rederive::check::Recalled;
 use rederive::derivation::Derivation;
 use rederive::files::{named, write};
 use rederive::paper;
@@ -161,6 +162,10 @@ fn each_file(arguments: &CheckArguments, run: &mut Run) -> Result<Ending, Stop> 
         };
         let Some(document) = document else { continue };
         show(arguments, document, i == 0)?;
+        let recalled = document.findings.recalled();
+        if recalled != Recalled::Nothing && !arguments.quiet {
+            complain(&format!("{}: {recalled}; --no-cache asks anew", document.findings.derivation().id));
+        }
         ending = ending.max(concluded(document, &demand));
     }
     Ok(ending)

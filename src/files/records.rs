@@ -1,13 +1,16 @@
 //! A folder in which a program keeps what it need not compute again.
 //!
-//! **In:** names and bytes. **Out:** the bytes, if they are those that this very program wrote under that name.
+//! **In:** names and bytes. **Out:** the bytes, if they are those that this very program wrote under that name for this user.
 //!
-//! **Guaranteed:** every record begins with the SHA-256 sum of the program, of the name and of all that follows. What another version
-//! wrote, what is damaged, half written or renamed has another sum, and is taken for nothing. A record takes its name by one rename, so
+//! **Guaranteed:** every record begins with the SHA-256 sum of a secret of the user and of the sum of the program, of the name and of all
+//! that follows. What another version or another user wrote, what is damaged, half written or renamed has another sum, and is taken for
+//! nothing: who can write into the folder, but cannot read the secret, can make no record. The sum within the sum has a fixed length, so
+//! that a record cannot be made longer, either. A record takes its name by one rename, so
 //! that runs side by side leave one or the other. A folder that cannot be read or written is an empty one: what is kept saves time, and
 //! changes nothing else. Of many records the oldest are removed. What is found again in a moment is not kept: see [`QUICK`].
 
 use std::fs::{self, File, Metadata};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock};
 use std::time::{Duration, Instant, SystemTime};
@@ -24,6 +27,8 @@ const LARGEST: u64 = 1 << 28;
 const MOST: u64 = 1 << 30;
 /// Length of a sum.
 const SUM: usize = 32;
+/// The name of the file with the secret, in the folder of the user, and its length.
+const SECRET: (&str, usize) = ("secret", 32);
 
 /// What was found faster than this, after a record was asked for in vain, is not kept.
 pub const QUICK: Duration = Duration::from_millis(300);
@@ -42,6 +47,7 @@ pub trait Store: Sync {
 pub struct Records {
     folder: PathBuf,
     program: PathBuf,
+    secret: [u8; SECRET.1],
     /// When a record was asked for last, and what is too quick to be kept.
     asked: Mutex<Instant>,
     quick: Duration,
@@ -65,13 +71,14 @@ fn of_this_program() -> Arc<OnceLock<Option<[u8; SUM]>>> {
 }
 
 impl Records {
-    /// A folder, which need not exist, and the file of the program.
-    pub fn new(folder: PathBuf, program: PathBuf) -> Records {
-        Records { folder, program, asked: Mutex::new(Instant::now()), quick: QUICK, of_program: Arc::default() }
+    /// A folder, which need not exist, the file of the program, and the secret of who uses it.
+    pub fn new(folder: PathBuf, program: PathBuf, secret: [u8; 32]) -> Records {
+        Records { folder, program, secret, asked: Mutex::new(Instant::now()), quick: QUICK, of_program: Arc::default() }
     }
 
     /// Those of the program that runs, in a folder that is named; else in the one that a variable of its environment names, none where it
-    /// is empty; else in that of the user for such things, where a folder has the `name`. `None` where nothing is kept.
+    /// is empty; else in that of the user for such things, where a folder has the `name`. `None` where nothing is kept, and where there is
+    /// no folder of the user, in which the secret is.
     pub fn of_user(named: Option<PathBuf>, variable: &str, name: &str) -> Option<Records> {
         let usual = || match std::env::var_os(variable) {
             Some(folder) => (!folder.is_empty()).then(|| folder.into()),
@@ -79,28 +86,10 @@ impl Records {
         };
         let folder = named.or_else(usual)?;
         let program = LIBRARY.get().cloned().or_else(|| std::env::current_exe().ok())?;
-        let records = Records { of_program: of_this_program(), ..Records::new(folder, program) };
-        (!records.is_tracked()).then_some(records)
-    }
-
-    /// Whether the repository that the folder lies in keeps something of it: whoever wrote the repository could have written records.
-    fn is_tracked(&self) -> bool {
-        let named = || std::path::absolute(&self.folder).ok();
-        let Some(folder) = self.folder.canonicalize().ok().or_else(named) else { return true };
-        let Some(top) = folder.ancestors().find(|above| above.join(".git").exists()) else { return false };
-        let Ok(within) = folder.strip_prefix(top) else { return true };
-        let git = top.join(".git");
-        // Of a further work tree, `.git` is a file that names the folder.
-        let named =
-            || fs::read_to_string(&git).ok().and_then(|text| Some(top.join(text.strip_prefix("gitdir:")?.trim())));
-        let Some(git) = git.is_dir().then(|| git.clone()).or_else(named) else { return true };
-        let Ok(index) = super::read(&git.join("index"), LARGEST) else { return git.join("index").exists() };
-        // Names are written out up to version 3 of the index; what is written otherwise is not looked into.
-        let is_written_out = index.starts_with(b"DIRC\0\0\0\x02") || index.starts_with(b"DIRC\0\0\0\x03");
-        let mut name: Vec<u8> =
-            within.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/").into();
-        name.push(b'/');
-        !is_written_out || within.as_os_str().is_empty() || index.windows(name.len()).any(|part| part == name)
+        let of_user = Records::usual_folder(name).filter(|folder| !is_tracked(folder))?;
+        let secret = secret(&of_user)?;
+        let records = Records { of_program: of_this_program(), ..Records::new(folder, program, secret) };
+        (!is_tracked(&records.folder)).then_some(records)
     }
 
     /// The folder for such things on this system, for a program with this name, by the variables of its environment: that of the
@@ -134,7 +123,8 @@ impl Records {
         sum.update((name.len() as u64).to_le_bytes());
         sum.update(name);
         sum.update(record);
-        Some(sum.finalize().into())
+        let inner = sum.finalize();
+        Some(Sha256::new().chain_update(self.secret).chain_update(inner).finalize().into())
     }
 
     /// Removes the oldest records but one, where all are too large together.
@@ -157,6 +147,65 @@ impl Records {
             }
         }
     }
+}
+
+/// Whether the repository that the folder lies in keeps something of it: whoever wrote the repository could have written records.
+fn is_tracked(folder: &Path) -> bool {
+    let named = || std::path::absolute(folder).ok();
+    let Some(folder) = folder.canonicalize().ok().or_else(named) else { return true };
+    let Some(top) = folder.ancestors().find(|above| above.join(".git").exists()) else { return false };
+    let Ok(within) = folder.strip_prefix(top) else { return true };
+    let git = top.join(".git");
+    // Of a further work tree, `.git` is a file that names the folder.
+    let named = || fs::read_to_string(&git).ok().and_then(|text| Some(top.join(text.strip_prefix("gitdir:")?.trim())));
+    let Some(git) = git.is_dir().then(|| git.clone()).or_else(named) else { return true };
+    let Ok(index) = super::read(&git.join("index"), LARGEST) else { return git.join("index").exists() };
+    // Names are written out up to version 3 of the index; what is written otherwise is not looked into.
+    let is_written_out = index.starts_with(b"DIRC\0\0\0\x02") || index.starts_with(b"DIRC\0\0\0\x03");
+    let mut name: Vec<u8> =
+        within.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/").into();
+    name.push(b'/');
+    !is_written_out || within.as_os_str().is_empty() || index.windows(name.len()).any(|part| part == name)
+}
+
+/// The secret in a folder; made there, where there is none. `None` where it can be neither read nor made, or could be read by others.
+fn secret(folder: &Path) -> Option<[u8; SECRET.1]> {
+    let path = folder.join(SECRET.0);
+    let read = || super::read(&path, SECRET.1 as u64).ok()?.try_into().ok();
+    if let Some(secret) = read() {
+        return is_private(&path).then_some(secret);
+    }
+    let made = drawn()?;
+    fs::create_dir_all(folder).ok()?;
+    // One that is too short was left by a run that was killed.
+    let _ = fs::remove_file(&path);
+    let mut options = File::options();
+    options.write(true).create_new(true);
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+    // Where another run was first, its secret counts.
+    let _ = options.open(&path).and_then(|mut file| file.write_all(&made));
+    read()
+}
+
+/// What nobody can guess.
+fn drawn() -> Option<[u8; SECRET.1]> {
+    #[cfg(target_family = "wasm")]
+    return None;
+    #[cfg(not(target_family = "wasm"))]
+    {
+        let mut made = [0; SECRET.1];
+        getrandom::fill(&mut made).ok().map(|()| made)
+    }
+}
+
+/// Whether nobody else may read or write a file; on systems without such rights, folders of users have them.
+fn is_private(path: &Path) -> bool {
+    #[cfg(unix)]
+    return fs::symlink_metadata(path)
+        .is_ok_and(|of| std::os::unix::fs::PermissionsExt::mode(&of.permissions()) & 0o077 == 0);
+    #[cfg(not(unix))]
+    path.exists()
 }
 
 impl Store for Records {
@@ -196,7 +245,7 @@ mod tests {
     use super::*;
 
     fn keeping(folder: PathBuf, program: PathBuf) -> Records {
-        Records { quick: Duration::ZERO, ..Records::new(folder, program) }
+        Records { quick: Duration::ZERO, ..Records::new(folder, program, [7; 32]) }
     }
 
     #[test]
@@ -205,22 +254,22 @@ mod tests {
         let at = |name: &str| folder.path().join(name);
         fs::create_dir_all(at(".git")).expect("made");
         fs::create_dir_all(at("cache/kept")).expect("made");
-        let records = |name: &str| Records::new(at(name), program(folder.path(), "1"));
-        assert!(!records("cache/kept").is_tracked(), "nothing is tracked yet");
+        let tracked = |name: &str| is_tracked(&at(name));
+        assert!(!tracked("cache/kept"), "nothing is tracked yet");
         fs::write(at(".git/index"), b"DIRC\0\0\0\x02 cache/kept/x.record\0 paper.tex\0").expect("written");
-        assert!(records("cache/kept").is_tracked());
-        assert!(records("cache").is_tracked() && records("").is_tracked());
-        assert!(!records("other").is_tracked() && !records("cache/kept/new").is_tracked());
+        assert!(tracked("cache/kept"));
+        assert!(tracked("cache") && tracked(""));
+        assert!(!tracked("other") && !tracked("cache/kept/new"));
         fs::write(at(".git/index"), b"DIRC\0\0\0\x04").expect("written");
-        assert!(records("other").is_tracked(), "it cannot be told");
+        assert!(tracked("other"), "it cannot be told");
         let elsewhere = tempfile::tempdir().expect("a folder");
-        assert!(!Records::new(elsewhere.path().join("kept"), at("program")).is_tracked());
+        assert!(!is_tracked(&elsewhere.path().join("kept")));
     }
 
     #[test]
     fn what_is_found_in_a_moment_is_not_kept() {
         let folder = tempfile::tempdir().expect("a folder");
-        let records = Records::new(folder.path().join("kept"), program(folder.path(), "1"));
+        let records = Records::new(folder.path().join("kept"), program(folder.path(), "1"), [7; 32]);
         let write = |of: &Records| {
             assert_eq!(of.read("x"), None);
             of.write("x", b"found");
@@ -228,6 +277,28 @@ mod tests {
         };
         assert!(!write(&records));
         assert!(write(&Records { quick: Duration::ZERO, ..records }));
+    }
+
+    #[test]
+    fn a_secret_is_made_once_and_is_private() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let at = folder.path().join("of/user");
+        let first = secret(&at).expect("it is made");
+        assert_eq!(secret(&at), Some(first));
+        let other = secret(&folder.path().join("of/another")).expect("it is made");
+        assert!(first != other && first != [0; 32]);
+        let path = at.join(SECRET.0);
+        fs::write(&path, [1; 5]).expect("written");
+        let again = secret(&at).expect("it is made anew");
+        assert!(again != first && fs::read(&path).is_ok_and(|bytes| bytes == again));
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            fs::set_permissions(&path, fs::Permissions::from_mode(0o644)).expect("it is changed");
+            assert_eq!(secret(&at), None, "others could read it");
+        }
+        fs::write(folder.path().join("file"), "x").expect("written");
+        assert_eq!(secret(&folder.path().join("file")), None, "there is no folder");
     }
 
     fn program(folder: &Path, text: &str) -> PathBuf {
@@ -258,6 +329,8 @@ mod tests {
         let whole = fs::read(&path).expect("written");
         let other = keeping(at.clone(), program(folder.path(), "2"));
         assert_eq!(other.read("x"), None, "of another program");
+        let other = Records { secret: [8; 32], ..keeping(at.clone(), program(folder.path(), "1")) };
+        assert_eq!(other.read("x"), None, "of another user");
         fs::copy(&path, at.join("y.record")).expect("copied");
         assert_eq!(records.read("y"), None, "under another name");
         for (at, bytes) in (0..whole.len()).map(|at| {

@@ -19,8 +19,10 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
+pub mod times;
 pub mod total;
 
+pub use times::Times;
 pub use total::{Total, each};
 
 /// So many units pass between two looks at the clock.
@@ -93,12 +95,12 @@ tasks! {
 /// Why a piece ended before it was done.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Ended {
-    /// Its counted work is used up.
-    Work(Task),
+    /// Its counted work is used up, which was so many times the usual.
+    Work(Task, Times),
     /// Its counted memory is used up.
-    Bytes(Task),
+    Bytes(Task, Times),
     /// The counted work of the file is used up.
-    File(Task),
+    File(Task, Times),
     /// The deadline of the run has passed.
     Time,
     /// The process holds as much memory as the run may.
@@ -112,26 +114,20 @@ pub enum Ended {
 impl std::fmt::Display for Ended {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Ended::Work(task) => {
-                let (words, units) = (task.words(), task.units() / SECOND);
-                write!(
-                    f,
-                    "work limit: {words} takes more than about {units} s of counted work; --work 10 would allow ten times as much"
-                )
+            Ended::Work(task, times) => {
+                let (words, units) = (task.words(), in_thousandths(times.of(task.units()), SECOND));
+                write!(f, "work limit: {words} takes more than about {units} s of counted work; {}", more(*times))
             }
-            Ended::Bytes(task) => {
-                let (words, bytes) = (task.words(), task.bytes() / MEGABYTE);
-                write!(
-                    f,
-                    "work limit: {words} takes more than {bytes} MB of counted memory; --work 10 would allow ten times as much"
-                )
+            Ended::Bytes(task, times) => {
+                let (words, bytes) = (task.words(), in_thousandths(times.of(task.bytes()), MEGABYTE));
+                write!(f, "work limit: {words} takes more than {bytes} MB of counted memory; {}", more(*times))
             }
-            Ended::File(task) => {
-                let (words, units) = (task.words(), total::OF_A_FILE / SECOND);
+            Ended::File(task, times) => {
+                let (words, units) = (task.words(), in_thousandths(times.of(total::OF_A_FILE), SECOND));
                 write!(
                     f,
-                    "work limit: the file takes more than about {units} s of counted work in all, and {words} comes after that; \
-                     --work 10 would allow ten times as much"
+                    "work limit: the file takes more than about {units} s of counted work in all, and {words} comes after that; {}",
+                    more(*times)
                 )
             }
             Ended::Time => f.write_str("work limit: the time of the run was over before this was done"),
@@ -143,6 +139,16 @@ impl std::fmt::Display for Ended {
 }
 
 impl std::error::Error for Ended {}
+
+/// So many of a unit, to three places.
+fn in_thousandths(of: u64, unit: u64) -> f64 {
+    (of as f64 / unit as f64 * 1000.0).round() / 1000.0
+}
+
+/// What would allow more.
+fn more(times: Times) -> String {
+    format!("--work {} would allow ten times as much", times.tenfold())
+}
 
 /// Ends a run from another thread: raised once, it stays raised. Copies are the same flag.
 #[derive(Clone, Debug, Default)]
@@ -177,8 +183,8 @@ pub struct Limits {
     pub memory: Option<u64>,
     /// The same once this is raised.
     pub cancel: Option<Cancel>,
-    /// So many times the usual counted work and memory; once, where it is `None`.
-    pub work: Option<u32>,
+    /// So many times the usual counted work and memory.
+    pub work: Times,
     /// What is left of the work of the file at hand.
     pub total: Total,
 }
@@ -251,7 +257,7 @@ pub fn grow(bytes: u64) {
         let piece = piece.as_mut()?;
         match piece.bytes.checked_sub(bytes) {
             Some(left) => piece.bytes = left,
-            None => return Some(Ended::Bytes(piece.task)),
+            None => return Some(Ended::Bytes(piece.task, piece.limits.work)),
         }
         None
     });
@@ -272,7 +278,7 @@ fn begin_slice(units: u64) {
         }
         let Some(rest) = piece.rest.checked_sub(units) else {
             piece.rest = 0;
-            return Some(Ended::Work(piece.task));
+            return Some(Ended::Work(piece.task, piece.limits.work));
         };
         let total = &piece.limits.total;
         total.spend(std::mem::take(&mut piece.slice).saturating_add(units));
@@ -280,7 +286,7 @@ fn begin_slice(units: u64) {
         if left == 0 {
             piece.rest = rest;
             total.refuse();
-            return Some(Ended::File(piece.task));
+            return Some(Ended::File(piece.task, piece.limits.work));
         }
         piece.slice = rest.min(SLICE).min(left);
         (piece.rest, _) = (rest - piece.slice, LEFT.set(piece.slice));
@@ -299,11 +305,10 @@ fn end(ended: Ended) {
 /// # Errors
 /// Why it ended before it was done. A panic in it is told by the hook of panics, and is a defect.
 pub fn piece<R>(task: Task, limits: &Limits, work: impl FnOnce() -> R) -> Result<R, Ended> {
-    let times = u64::from(limits.work.unwrap_or(1));
-    let (units, bytes) = (task.units().saturating_mul(times), task.bytes().saturating_mul(times));
+    let (units, bytes) = (limits.work.of(task.units()), limits.work.of(task.bytes()));
     if limits.total.left() == 0 {
         limits.total.refuse();
-        return Err(Ended::File(task));
+        return Err(Ended::File(task, limits.work));
     }
     let here = UnderWay { task, limits: limits.clone(), units, rest: units, slice: 0, bytes };
     run(here, work).0.map_err(|payload| ended_by(payload.as_ref()))
@@ -324,9 +329,8 @@ pub fn counted<R>(task: Task, work: impl FnOnce() -> R) -> (Result<R, Ended>, u6
     let (limits, rest, most) = outer.unwrap_or((Limits::default(), u64::MAX, u64::MAX));
     // What is used counts for the total when it counts for the piece.
     let limits = Limits { total: Total::default(), ..limits };
-    let times = u64::from(limits.work.unwrap_or(1));
-    let units = task.units().saturating_mul(times).min(rest.saturating_add(LEFT.get()));
-    let bytes = task.bytes().saturating_mul(times).min(most);
+    let units = limits.work.of(task.units()).min(rest.saturating_add(LEFT.get()));
+    let bytes = limits.work.of(task.bytes()).min(most);
     let (found, used) = run(UnderWay { task, limits, units, rest: units, slice: 0, bytes }, work);
     if used.0 > 0 {
         charge(used.0);

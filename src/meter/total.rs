@@ -162,7 +162,7 @@ impl Limits {
     /// The same for one file, of whose work so much is used already.
     #[must_use]
     pub fn of_file(&self, used: u64) -> Limits {
-        let most = OF_A_FILE.saturating_mul(u64::from(self.work.unwrap_or(1)));
+        let most = self.work.of(OF_A_FILE);
         let total = Total::of(Account::Whole { most, used: AtomicU64::new(used.min(most)) });
         Limits { total, ..self.clone() }
     }
@@ -198,7 +198,7 @@ pub fn each<T: Sync, R: Send>(limits: &Limits, items: &[T], work: impl Fn(&T, &L
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Ended, Task, charge, piece};
+    use crate::{Ended, Task, Times, charge, piece};
 
     /// How far each of some items of so many seconds in tenths comes.
     fn walk(items: &[u64], threads: usize) -> (Vec<Result<(), Ended>>, u64) {
@@ -214,7 +214,7 @@ mod tests {
 
     #[test]
     fn the_same_items_are_refused_whatever_the_number_of_threads() {
-        let refused = || Err(Ended::File(Task::Motion));
+        let refused = || Err(Ended::File(Task::Motion, Times::default()));
         let cases: [(&[u64], usize); 4] = [
             (&[10; 30], 20),
             // The first is slow: those behind it are ahead of it, and are taken back.

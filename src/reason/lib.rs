@@ -92,7 +92,7 @@ impl From<Ended> for Reason {
     fn from(ended: Ended) -> Reason {
         match ended {
             Ended::Time | Ended::Memory | Ended::Cancelled => Reason::Plain(ended.into()),
-            Ended::Work(_) | Ended::Bytes(_) | Ended::File(_) | Ended::Defect(_) => Reason::quoted(ended),
+            Ended::Work(..) | Ended::Bytes(..) | Ended::File(..) | Ended::Defect(_) => Reason::quoted(ended),
         }
     }
 }
@@ -104,7 +104,7 @@ impl From<Ended> for Plain {
             Ended::Time => Plain::TimeOver,
             Ended::Memory => Plain::MemoryUsedUp,
             Ended::Cancelled => Plain::Cancelled,
-            Ended::Work(_) | Ended::Bytes(_) | Ended::File(_) => Plain::WorkUsedUp,
+            Ended::Work(..) | Ended::Bytes(..) | Ended::File(..) => Plain::WorkUsedUp,
             Ended::Defect(_) => Plain::Ended,
         }
     }

@@ -38,7 +38,7 @@ sentences! {
     TimeOver: "work limit: the time of the run was over before this was done",
     MemoryUsedUp: "work limit: the memory of the run was used up before this was done",
     Ended: "the run was ended",
-    WorkUsedUp: "work limit: the counted work of the file was used up; --work 10 would allow ten times as much",
+    WorkUsedUp: "work limit: the counted work of the file was used up; a larger --work would allow more",
     MembersTried: "work limit: the families of a file try a million members",
     MembersRejected: "work limit: the families of a file reject 100 million members",
     StepsTaken: "work limit: the members of a file's families take 300 million steps",

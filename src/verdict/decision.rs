@@ -267,12 +267,15 @@ impl Verdict {
                 let Some(witness) = finding.evidence.compared() else { continue };
                 finding.evidence.witness = Some(witness);
                 finding.evidence.reason = Some(Plain::DeniedIsProved.into());
-            } else if finding.known(Strength::Sampled) != Some(Possible::TRUE) {
-                // Why it was open is of no interest any more.
-                finding.evidence.reason = None;
             }
+            let was_seen = finding.known(Strength::Sampled) == Some(Possible::TRUE);
             finding.evidence.proof = Some(proof.clone());
             finding.proved = Possible::only(truth).or_else(Possible::VOID);
+            let is_decided = finding.known(Strength::Sampled).and_then(Possible::decided).is_some();
+            if truth != Truth::False && !was_seen && is_decided {
+                // Why it was open is of no interest any more. Where it is not seen to have a value, it is.
+                finding.evidence.reason = None;
+            }
         }
         self.fold();
     }
