@@ -439,13 +439,18 @@ impl Session {
     }
 }
 
+/// A search for the steps of a proof, as far as its work goes.
+fn recording(search: impl FnOnce() -> recorded::Found) -> recorded::Found {
+    meter::piece(Task::Proving, &Limits::default(), search).unwrap_or_else(|ended| Err(ended.to_string()))
+}
+
 /// An answer with its proof as steps, if it is proved.
 fn with_steps(derivation: &mut Derivation, proposition: &Proposition, account: IdentityAccount) -> IdentityAccount {
     if !account.finding.is_proved_in_part() {
         return account;
     }
     let stated = check::stated(derivation, proposition).map_err(|_| "it cannot be read".to_owned());
-    let found = stated.and_then(|claim| tactics::record_throughout(derivation, &claim));
+    let found = stated.and_then(|claim| recording(|| tactics::record_throughout(derivation, &claim)));
     IdentityAccount { recorded: Some(Recorded::of(found)), ..account }
 }
 
@@ -545,9 +550,9 @@ impl Findings {
             let asked = tactics::Asked::of(derivation, claim)?;
             let found: String = answers.answer(Some(check::key(&[&asked.content()])), || {
                 is_new.store(true, Ordering::Relaxed);
-                recorded::written(&asked.record())
+                recorded::written(&recording(|| asked.record()))
             });
-            recorded::read(&found).unwrap_or_else(|| asked.record())
+            recorded::read(&found).unwrap_or_else(|| recording(|| asked.record()))
         };
         let is_meant = |c: &ClaimAccount| only.is_none_or(|name| is_called(name, &c.id, c.reading.as_deref()));
         self.account.claims.par_iter_mut().with_max_len(1).filter(|c| is_meant(c)).for_each(|of| {

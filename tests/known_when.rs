@@ -264,3 +264,69 @@ fn an_operation_says_where_it_ends() {
         assert_ne!(standing(&account, "c"), "refuted", "{says}");
     }
 }
+
+/// A first integral, and an inequality, say something where they have a value: on the other side of a time at which they have none, they
+/// may say something else.
+#[test]
+fn what_has_no_value_between_two_times_ties_nothing() {
+    let head = states(&["x", "y", "z"]);
+    let cases: &[(&str, &[&str], &str)] = &[
+        // x = t − 1, y = |1 − t| + 1 − t.
+        (r"first-integral = ['y\sqrt{x}']", &[], "y^2x=y(0)^2x(0)"),
+        (r"first-integral = ['\frac{y}{x}']", &[], "yx(0)=xy(0)"),
+        // x = −t², y = t: a value at one time alone.
+        (r"first-integral = ['y+x\sqrt{x}']", &[], r"\dot y+\frac32\sqrt{x}\dot x=0"),
+        (r"first-integral = ['\sqrt{x}']", &[], "x=x(1)"),
+        // x = t − 1, y = 2t − 1.
+        (r"always = ['y>\sqrt{x}']", &[], "|y(0)|=y(0)"),
+        (r"always = ['y>\sqrt{x}']", &[], r"\frac{y}{|y|}=\frac{y(0)}{|y(0)|}"),
+        (r"always = ['\frac{y}{x}\ne 0']", &["yz=y"], "z(0)=1"),
+        (r"always = ['\frac{y}{x}>0']", &["yz=y"], "z(0)=1"),
+    ];
+    for (says, assumed, claim) in cases {
+        let lemma = format!("[[claim]]\nid = 'p'\nsays = 'test'\ntrajectories = []\n{says}\n");
+        let account = of_file(&(head.clone() + &lemma + &step("c", assumed, "follows-from = ['p']", claim)));
+        assert!(!standing(&account, "c").starts_with("proved given"), "{says}: {claim}");
+        assert_ne!(standing(&account, "c"), "proved", "{says}: {claim}");
+    }
+    // With a value at all times they do.
+    let given: &[(&str, &[&str], &str)] = &[
+        (r"first-integral = ['y\sqrt{1+x^2}']", &[], "y^2(1+x^2)=y(0)^2(1+x(0)^2)"),
+        (r"always = ['y>\sqrt{x^2}']", &[], "|y(0)|=y(0)"),
+    ];
+    for (says, assumed, claim) in given {
+        let lemma = format!("[[claim]]\nid = 'p'\nsays = 'test'\ntrajectories = []\n{says}\n");
+        let account = of_file(&(head.clone() + &lemma + &step("c", assumed, "follows-from = ['p']", claim)));
+        assert_eq!(standing(&account, "c"), "proved given", "{says}: {claim}");
+    }
+}
+
+/// What ends at a closed edge may be known at single times: no rate there is free for that, so that no point refutes. Where it is
+/// positive at the times that count, it is known around them.
+#[test]
+fn a_closed_edge_refutes_nothing() {
+    let head = states(&["x", "y"])
+        + "'a' = { role = 'parameter' }\n'\\xi' = { role = 'coordinate' }\n'u(\\xi,t)' = { role = 'field' }\n\
+           'v(\\xi,t)' = { role = 'field' }\n";
+    let cases: &[(&[&str], &str, bool)] = &[
+        (&[r"\sqrt{x}=y"], r"\dot x=2y\dot y", false),
+        (&["x>0", r"\sqrt{x}=y"], r"\dot x=2y\dot y", true),
+        (&["a>0", r"\sqrt{x}=a"], r"\dot x=0", false),
+        (&["x>0", r"y=x^{\frac32}"], r"2x\dot y=3y\dot x", true),
+        (&[r"x=\sqrt{a^2-y^2}", "x>0"], r"\dot x=-\frac{y\dot y}{x}", false),
+        (&[r"\sqrt{x}=y"], "(x(0)+|x(0)|)(y(0)^2-x(0))=0", false),
+        (&[r"\sqrt{u}=v"], "u_t=2v\\,v_t", false),
+        (&["u>0", r"\sqrt{u}=v"], r"u_\xi=2v\,v_\xi", true),
+    ];
+    for (assumed, claim, is_proved) in cases {
+        // Fields have no motions that could be left out.
+        let text = step("c", assumed, "", claim);
+        let text = if claim.starts_with("u_") { text.replace("trajectories = []\n", "") } else { text };
+        let account = of_file(&(head.clone() + &text));
+        let wanted = if *is_proved { "proved" } else { "undecided" };
+        assert_eq!(standing(&account, "c"), wanted, "{assumed:?}: {claim}");
+    }
+    // What is of one time is refuted as before.
+    let account = of_file(&(head + &step("c", &[r"\sqrt{x}=y"], "", "x=2y^2")));
+    assert_eq!(standing(&account, "c"), "refuted");
+}

@@ -354,3 +354,19 @@ fn what_may_be_meant_otherwise_is_neither_proved_nor_wrong() {
     }
     assert!(found.is_empty(), "{}", found.join("\n"));
 }
+
+/// The square of a name is a premise like another one; what was one name for another in a chain, and a lost square below a line, are told.
+#[test]
+fn what_gives_the_square_of_a_name_is_used() {
+    let lorentz = |says: &str| {
+        format!(
+            r"\begin{{document}}Let $X=\gamma(x-vt)$ and $T=\gamma(t-vx/c^2)$, where \[\gamma^2=\frac{{1}}{{1-v^2/c^2}}.\] Then \[{says}\]\end{{document}}"
+        )
+    };
+    let last = |text: &str| words(text).pop().map(|(word, _)| word);
+    assert_eq!(last(&lorentz("c^2T^2-X^2=c^2t^2-x^2.")), Some(Word::Follows));
+    assert_eq!(last(&lorentz("c^2T^2-X^2=c^2t^2+x^2.")), Some(Word::Wrong));
+    let divider = r"\begin{document}The current is $I=\frac{V}{R_1+R_2}$. The power is \[P=I^2R_2=\frac{V^2R_2}{R_1+R_2}.\]\end{document}";
+    assert_eq!(last(divider), Some(Word::Wrong));
+    assert!(instead(divider).is_some_and(|i| i.contains("^2")), "{:?}", instead(divider));
+}

@@ -280,7 +280,9 @@ impl Judge<'_> {
             let mut keys: BTreeSet<String> = names(left).iter().map(|n| n.key()).collect();
             keys.extend(names(right).iter().map(|n| n.key()));
             let is_value = names(right).is_empty() && lone_name(left).is_some();
-            if !is_value && !left.is_list && !right.is_list {
+            // An equation for an eigenvector says that it is 0, where it is of a matrix that can be inverted.
+            let is_homogeneous = right.text.trim() == "0" && left.text.contains("matrix}");
+            if !is_value && !left.is_list && !right.is_list && !is_homogeneous {
                 let (left, right, section) = (left.clone(), right.clone(), self.parts[at]);
                 let in_text = relation.display.is_none();
                 self.facts.state(Stated { left, right, relation: at, section, names: keys, in_text });

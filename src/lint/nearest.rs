@@ -6,7 +6,7 @@
 
 use std::collections::BTreeSet;
 
-use latex::syntax::{Chain, Node, NodeKind, to_latex};
+use latex::syntax::{Chain, Node, NodeKind, SymbolNode, to_latex};
 use paper::{PrintedSide, names};
 use proof::{Identity, Point, Refutation, Wanted};
 
@@ -15,7 +15,7 @@ use expr::{Graph, Leaf, Rational};
 use super::desk::{Given, pairs_of};
 use super::numbers::{absorbs, agreement, curves, holds_at, ratio};
 use super::question::{Asked, MOST_QUESTIONS, Rests, tested, vanishes};
-use super::slips::{Alteration, Slip, size, slips, symbols};
+use super::slips::{Alteration, Slip, bare, size, slips, symbols};
 use super::{LintPicture, LintWitness};
 use paper::squeezed;
 
@@ -25,6 +25,9 @@ const MOST_SLIPS: usize = 260;
 const ROUNDED: f64 = 0.02;
 /// Fewest nodes of a side whose slip is told.
 const FEWEST_NODES: usize = 5;
+
+/// Fewest nodes of a side with one name for another: where the name stands on the other side of a chain, and else.
+const LEAST_EXCHANGED: (usize, usize) = (6, 9);
 
 /// Letters that stand for any constant: from one line to the next they may stand for another one.
 const ANY_CONSTANT: &[&str] = &["C", "K", "A", "B", "D", "N", "c", "k", r"\mathcal{N}", r"\mathcal{C}", r"\tilde{C}"];
@@ -132,7 +135,7 @@ pub fn nearest(
     }
     let mut all = Vec::new();
     chain.sides.iter().for_each(|s| symbols(s, &mut all));
-    let mut search = Search { asked, rests, chain, points, count };
+    let mut search = Search { asked, rests, chain, points, count, sureness };
     let mut instead = None;
     'sides: for k in [1, 0] {
         let others = slips(&search.chain.sides[k], &all);
@@ -177,6 +180,7 @@ struct Search<'a> {
     /// Points at which what is given holds.
     points: Vec<Point>,
     count: &'a mut usize,
+    sureness: Sureness,
 }
 
 impl Search<'_> {
@@ -188,9 +192,18 @@ impl Search<'_> {
         let (new, other) = (spelled(chain, &altered.sides[k]), spelled(chain, &altered.sides[1 - k]));
         // What becomes the other side, or what is given letter by letter, is no slip of it.
         let same = |side: &PrintedSide| squeezed(&side.text) == squeezed(&new);
-        if new == other
+        let [one, two] = [k, 1 - k].map(|side| spelled(chain, &bare(&altered.sides[side])));
+        if one == two
             || self.rests.given.iter().any(|g| same(&g.right))
             || self.rests.stated.iter().any(|s| same(&s.left) || same(&s.right))
+        {
+            return None;
+        }
+        // What is derived and stands nowhere else is unknown: a derivative of it is an equation for it.
+        // And an exponent is no factor.
+        if matches!(slip.way, Alteration::LostFactor | Alteration::LostTerm)
+            && (has_derivative(&chain.sides[k]) || is_power_of_name(&chain.sides[k]))
+            && loses_a_name(chain, &altered)
         {
             return None;
         }
@@ -203,13 +216,24 @@ impl Search<'_> {
         if plain(&altered.sides[k]) || plain(&chain.sides[k]) {
             return None;
         }
+        // With definitions, another name, or one more or fewer, may be another definition; in a chain, a name that stands on the other side is
+        // the one that was meant.
+        let is_named_beside = |by: &str| {
+            let mut all = Vec::new();
+            symbols(&chain.sides[1 - k], &mut all);
+            // An unknown function, or a rate, is what such an equation is for.
+            let is_plain = |s: &SymbolNode| s.arguments.is_none() && s.dots == 0 && !s.name.ends_with('\'');
+            all.iter().any(|s| is_plain(s) && format!("{}{:?}", s.name, s.sub) == by)
+        };
+        let is_exchange = self.sureness >= Sureness::Chain
+            && matches!(&slip.way, Alteration::Exchange { by, .. } if k == 1 && is_named_beside(by));
+        let least = if is_exchange { LEAST_EXCHANGED.0 } else { LEAST_EXCHANGED.1 };
         if let Alteration::Exchange { of, by } = &slip.way
-            && (of == by || size(&chain.sides[k]) < 9)
+            && (of == by || size(&chain.sides[k]) < least)
         {
             return None;
         }
-        // With definitions, another name, or one more or fewer, may be another definition.
-        if self.rests.are_some() && slip.way != Alteration::Value {
+        if self.rests.are_some() && slip.way != Alteration::Value && !is_exchange {
             return None;
         }
         self.proved(&altered)?;
@@ -265,6 +289,33 @@ impl Search<'_> {
         }
         None
     }
+}
+
+/// Whether something is derived.
+fn has_derivative(node: &Node) -> bool {
+    matches!(node.kind, NodeKind::Derivative { .. } | NodeKind::Partial { .. })
+        || node.children().into_iter().any(has_derivative)
+}
+
+/// Whether a side as a whole is raised to a power with names in it.
+fn is_power_of_name(side: &Node) -> bool {
+    let mut all = Vec::new();
+    match &side.kind {
+        NodeKind::Scripted { sup: Some(sup), .. } => symbols(sup, &mut all),
+        NodeKind::Symbol(s) => s.sup.iter().for_each(|sup| symbols(sup, &mut all)),
+        _ => {}
+    }
+    !all.is_empty()
+}
+
+/// Whether a name of a relation does not stand in an altered one.
+fn loses_a_name(printed: &Chain, altered: &Chain) -> bool {
+    let [before, now] = [printed, altered].map(|chain| {
+        let mut all = Vec::new();
+        chain.sides.iter().for_each(|side| symbols(side, &mut all));
+        all
+    });
+    before.iter().any(|s| !now.iter().any(|n| (&n.name, &n.sub) == (&s.name, &s.sub)))
 }
 
 /// Whether a sum has a term and its negative.

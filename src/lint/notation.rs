@@ -63,6 +63,12 @@ impl Evidence {
         self.notation.varies(key) && !self.names.moving.contains(key)
     }
 
+    /// What keeps sides from being read as numbers together; what is known as a function is read as one.
+    pub fn obstacle_together(&self, sides: &[&PrintedSide]) -> Option<NotRead> {
+        let is_function = |letter: &str| self.names.may_be_function(letter);
+        Notation::not_numbers_together(sides, &is_function).map(NotRead::of)
+    }
+
     /// What keeps a side from being read as numbers: nothing is declared of its names.
     pub fn obstacle(&self, side: &PrintedSide) -> Option<NotRead> {
         self.notation.not_numbers(side).or_else(|| self.notation.unsure(side)).map(NotRead::of)

@@ -79,6 +79,9 @@ pub fn obstacle(
     evidence: &Evidence,
     free: &BTreeSet<char>,
 ) -> Option<NotRead> {
+    if let Some(found) = evidence.obstacle_together(sides) {
+        return Some(found);
+    }
     for side in sides {
         if side.is_list {
             return Some(NotRead::of("a list"));
@@ -191,16 +194,29 @@ fn applies_a_sum(text: &str, evidence: &Evidence) -> bool {
 
 /// A name, something else, and the inverse of the name: `gxg^{-1}`.
 fn is_sandwiched(text: &str) -> bool {
-    let squeezed: String = text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}')).collect();
-    squeezed.match_indices("^-1").any(|(at, _)| {
-        let before = &squeezed[..at];
-        let from =
-            before.rfind('\\').filter(|k| before[k + 1..].chars().all(|c| c.is_ascii_alphabetic()) && at - k > 2);
-        let name = &before[from.unwrap_or(before.len().saturating_sub(1))..];
-        let term = before[..before.len() - name.len()].rsplit(['+', '-', '=', '/']).next().unwrap_or_default();
-        let letter = name.chars().all(|c| c.is_ascii_alphabetic() || c == '\\');
-        letter && term.find(name).is_some_and(|k| k + name.len() < term.len() && !term.contains(r"\frac"))
-    })
+    let mut squeezed: String = text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}')).collect();
+    // A style is no name: without it a letter is one.
+    for style in [r"\mathscr", r"\mathcal", r"\mathbf", r"\mathrm", r"\boldsymbol", r"\hat", r"\tilde"] {
+        squeezed = squeezed.replace(style, "");
+    }
+    let behind = squeezed.match_indices("^-1").any(|(at, _)| {
+        let Some(name) = squeezed[..at].chars().next_back().filter(char::is_ascii_uppercase) else { return false };
+        let term = squeezed[at + 3..].split(['+', '-', '=', '/']).next().unwrap_or_default();
+        // `U^{-1}HU`: what stands between is one letter or more.
+        term.chars().next().is_some_and(|c| c.is_ascii_uppercase() && c != name)
+            && term.chars().skip(1).any(|c| c == name)
+            && !term.contains(r"\frac")
+    });
+    behind
+        || squeezed.match_indices("^-1").any(|(at, _)| {
+            let before = &squeezed[..at];
+            let from =
+                before.rfind('\\').filter(|k| before[k + 1..].chars().all(|c| c.is_ascii_alphabetic()) && at - k > 2);
+            let name = &before[from.unwrap_or(before.len().saturating_sub(1))..];
+            let term = before[..before.len() - name.len()].rsplit(['+', '-', '=', '/']).next().unwrap_or_default();
+            let letter = name.chars().all(|c| c.is_ascii_alphabetic() || c == '\\');
+            letter && term.find(name).is_some_and(|k| k + name.len() < term.len() && !term.contains(r"\frac"))
+        })
 }
 
 /// What stands in a group whose brace is open, and what stands behind it.

@@ -262,6 +262,15 @@ fn is_zero_by_itself(side: &PrintedSide, evidence: &Evidence, free: &BTreeSet<ch
     agreement(&desk.graph, &zeros, ZERO_POINTS).is_some_and(|(valid, all)| all && valid > 0)
 }
 
+/// How many premises say what the square of a name is.
+fn squares_of_names(graph: &Graph, premises: &Premises) -> usize {
+    let is_square = |e: Expr| match *graph.node(e) {
+        expr::Node::Unary(expr::Op::Powi(2), of) => matches!(graph.node(of), expr::Node::Leaf(_)),
+        _ => false,
+    };
+    premises.pairs().filter(|&(l, r)| is_square(l) || is_square(r)).count()
+}
+
 /// The answer, with a bound on the work.
 ///
 /// # Errors
@@ -284,8 +293,13 @@ pub fn tested(
     let answer = meter::piece(Task::Step, &Limits::default(), || identity_test(graph, equations, premises, &options))?;
     Ok(match answer {
         // A case that was divided by is left out: that is no proof of what is printed.
+        Identity::Proved(proof) if proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_))) => {
+            Identity::Undecided(proof::Reason::Degenerate)
+        }
+        // A root was taken of what may be a vector, but where the square of a name is what is given: `\gamma^2=\ldots`.
         Identity::Proved(proof)
-            if proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_) | Condition::Discriminant(_))) =>
+            if proof.conditions.iter().filter(|c| matches!(c, Condition::Discriminant(_))).count()
+                > squares_of_names(graph, premises) =>
         {
             Identity::Undecided(proof::Reason::Degenerate)
         }

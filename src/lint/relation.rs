@@ -52,15 +52,23 @@ pub(super) fn lone_right(relation: &PrintedRelation) -> Option<&PrintedSide> {
     }
 }
 
-/// The name whose highest rate an equation gives, where there is just one.
-pub(super) fn moved(sides: &[&PrintedSide]) -> Option<(String, usize)> {
-    let order = |n: &paper::PaperName| n.dots.max(n.primes);
+/// The name whose highest rate an equation gives, where that is a second one or more, and there is just one.
+pub(super) fn moved(sides: &[&PrintedSide]) -> Option<String> {
+    // How often a name is derived by a quotient is printed above the bar.
+    let by_quotient = sides.iter().any(|s| {
+        let text = squeezed(&s.text);
+        ["d^2", "d^3", "d^4", r"\mathrmd^2"].iter().any(|d| text.contains(&format!(r"\frac{d}")))
+    });
+    let order = |n: &paper::PaperName| {
+        let quotient = usize::from(n.derived_by.is_some() && !n.is_partial) * if by_quotient { 2 } else { 1 };
+        n.dots.max(n.primes).max(quotient)
+    };
     let all: Vec<paper::PaperName> = sides.iter().flat_map(|s| names(s)).filter(|n| order(n) > 1).collect();
     let highest = all.iter().map(order).max()?;
     let mut keys: Vec<String> = all.iter().filter(|n| order(n) == highest).map(|n| unprimed(n).key()).collect();
     keys.dedup();
     match keys.as_slice() {
-        [one] => Some((one.clone(), highest)),
+        [one] => Some(one.clone()),
         _ => None,
     }
 }

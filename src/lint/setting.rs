@@ -54,8 +54,29 @@ impl Judge<'_> {
         stance(&file.text, span.start, span.end)
     }
 
-    /// Whether a relation stands in a display with "or" between its formulas.
+    /// Whether "or" stands alone between a relation and the one before it, which has the same left side.
+    fn is_offered(&self, at: usize) -> bool {
+        let Some(before) = at.checked_sub(1).map(|k| &self.paper.printed[k]) else { return false };
+        let relation = &self.paper.printed[at];
+        let ((file, from), (other, to)) = (self.paper.locate(&before.span()), self.paper.locate(&relation.span()));
+        if !std::sync::Arc::ptr_eq(file, other) || from.end > to.start || to.start - from.end > 80 {
+            return false;
+        }
+        let between = file.text.get(from.end..to.start).unwrap_or_default();
+        let mut words = between
+            .split(|c: char| c.is_whitespace() || matches!(c, '$' | ',' | '.' | '~'))
+            .filter(|w| !w.is_empty() && !w.starts_with('\\') && !w.starts_with('&'));
+        let is_or = |w: &str| matches!(w, "or" | "oder" | "ou" | "oppure" | "o" | "or,");
+        words.next().is_some_and(is_or)
+            && words.next().is_none()
+            && squeezed(&before.sides[0].text) == squeezed(&relation.sides[0].text)
+    }
+
+    /// Whether a relation stands in a display with "or" between its formulas, or is offered beside another one.
     pub(super) fn is_alternative(&self, at: usize) -> bool {
+        if self.is_offered(at) {
+            return true;
+        }
         let has_or = |r: &PrintedRelation| {
             r.remark.as_deref().is_some_and(|words| words.split(|c: char| !c.is_alphabetic()).any(|w| w == "or"))
         };

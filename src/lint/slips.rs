@@ -42,6 +42,26 @@ pub enum Alteration {
     },
 }
 
+/// A tree without brackets, whose work the tree itself does, and without exponents of 1: what two sides are compared by.
+pub fn bare(of: &Node) -> Node {
+    let is_one = |sup: &Option<Box<Node>>| {
+        sup.as_ref().is_some_and(|n| matches!(&n.kind, NodeKind::Number(r) if *r == Rational::ONE))
+    };
+    match &of.kind {
+        NodeKind::Group(inner, Bracket::Round | Bracket::Square) => return bare(inner),
+        NodeKind::Scripted { base, sub: None, sup, .. } if is_one(sup) => return bare(base),
+        NodeKind::Symbol(s) if is_one(&s.sup) => {
+            return node(NodeKind::Symbol(SymbolNode { sup: None, ..s.clone() }), of);
+        }
+        _ => {}
+    }
+    let mut out = of.clone();
+    for (k, child) in of.children().into_iter().enumerate() {
+        out = with_child(&out, k, bare(child)).unwrap_or(out);
+    }
+    out
+}
+
 /// The number of nodes of a tree.
 pub fn size(node: &Node) -> usize {
     1 + node.children().into_iter().map(size).sum::<usize>()
@@ -234,6 +254,13 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
             }
         }
         NodeKind::Quotient { top, bottom, slash } => {
+            // A lost square of what is divided by; a quotient upside down.
+            if matches!(bottom.kind, NodeKind::Sum(_)) {
+                let sup = Some(Box::new(number(2, of)));
+                let base = Box::new(factor(bottom));
+                let squared = Box::new(node(NodeKind::Scripted { base, sub: None, sup, sup_first: false }, of));
+                out.push(node(NodeKind::Quotient { top: top.clone(), bottom: squared, slash: *slash }, of));
+            }
             let (top, bottom) = (bottom.clone(), top.clone());
             out.push(node(NodeKind::Quotient { top, bottom, slash: *slash }, of));
         }

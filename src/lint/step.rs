@@ -187,7 +187,7 @@ impl Judge<'_> {
         };
         let singles = if stated.len() > 1 { stated.clone() } else { Vec::new() };
         // Two equations of motion for the same name are two motions: together they say that nothing moves.
-        let mut motions: Vec<(String, usize)> = Vec::new();
+        let mut motions: Vec<String> = Vec::new();
         stated.retain(|s| match moved(&[&s.left, &s.right]) {
             Some(name) if motions.contains(&name) => false,
             Some(name) => {

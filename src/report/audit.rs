@@ -64,12 +64,21 @@ pub fn audit(text: &[u8]) -> Result<Audit, String> {
         return Err(format!("the layout {} of proofs.json is not known", file.schema));
     }
     let claims = file.proofs.into_iter().map(|RecordedClaim { claim, standing, proof }| {
+        // The sequent is that of the first relation; the others claim something else of the same.
+        let is_first = proof.relations.first().is_none_or(|first| first.claim == proof.sequent.claim);
         let relations = proof.relations.iter().map(|relation| {
             let sequent = proof.sequent_of(relation);
             let outcome = checker::replay(&sequent, &relation.steps).map_or_else(
                 |refused| Replayed::Refused { step: refused.step.map(|s| s + 1), why: refused.why },
                 |shown| Replayed::Shown(Box::new(shown)),
             );
+            let outcome = match is_first {
+                true => outcome,
+                false => Replayed::Refused {
+                    step: None,
+                    why: "the sequent claims something else than its first relation".to_owned(),
+                },
+            };
             AuditedRelation { sequent: sequent.words().unwrap_or_else(|refused| refused.to_string()), outcome }
         });
         AuditedClaim { relations: relations.collect(), claim, standing }
@@ -95,7 +104,7 @@ impl Audit {
         let mut out = format!("{}\n", self.derivation);
         for claim in &self.claims {
             let word = if claim.is_replayed() { "replayed" } else { "REFUSED" };
-            out += &format!("\n  {}  {word} ({})\n", claim.claim, claim.standing);
+            out += &format!("\n  {}  {word} (the report says: {})\n", claim.claim, claim.standing);
             for relation in &claim.relations {
                 out += &format!("    {}\n", relation.sequent);
                 out += &match &relation.outcome {
@@ -107,7 +116,8 @@ impl Audit {
         }
         let replayed = self.claims.iter().filter(|claim| claim.is_replayed()).count();
         out += &format!("\n{replayed} of {} recorded claims are replayed.\n", self.claims.len());
-        out += "On trust: that the sequents say what the derivation file says; the theorems that the rules name.\n";
+        out += "On trust: that the sequents say what, and all that, the derivation file says, and the words of the report for them; the theorems that \
+                the rules name.\n";
         if !self.unrecorded.is_empty() {
             out += &format!("Proved, and not recorded: these rest on the prover alone ({}):\n", self.unrecorded.len());
             for UnrecordedClaim { claim, standing, why } in &self.unrecorded {

@@ -12,6 +12,11 @@ pub(crate) const MOST_NODES: usize = 6_000;
 /// Most nodes that are looked at for one relation.
 const MOST_WORK: usize = 250_000;
 
+/// Counted work of a step, and of a node of what it makes: the checker makes each of them again.
+const STEP: u64 = 2_000;
+/// See [`STEP`].
+const NODE: u64 = 500;
+
 /// A node, and what it is.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Solved {
@@ -48,7 +53,10 @@ impl Search {
 
     /// Takes a step; the fact that it makes.
     pub(crate) fn push(&mut self, step: Step) -> Option<FactId> {
-        self.draft.push(step).ok().flatten()
+        let made = self.draft.push(step).ok().flatten();
+        let size = made.and_then(|id| self.draft.says(id)).map_or(0, |says| says.left.0.len() + says.right.0.len());
+        meter::charge(STEP + NODE * size as u64);
+        made
     }
 
     /// The sides of an equation that is a fact.

@@ -141,12 +141,13 @@ impl Attempt<'_> {
         // A field that is a derivative of another one stands in the claim with derivatives of its own.
         let claimed = says.last().map_or(0, |relation| self.highest_rate(relation));
         let wanted = if self.variables().len() > 1 { wanted.max(claimed + 1) } else { wanted };
-        // A fact, and the last of the variables by which it was derived: others are for those before.
+        // A fact, the last of the variables by which it was derived, as others are for those before, and how often it was.
         let variables = self.variables();
-        let mut open: Vec<(FactId, usize)> = self.facts.iter().map(|&id| (id, 0)).collect();
-        while let Some((id, last)) = open.pop() {
+        let mut open: Vec<(FactId, usize, u8)> = self.facts.iter().map(|&id| (id, 0, 0)).collect();
+        while let Some((id, last, times)) = open.pop() {
             let Some(relation) = self.search.draft.says(id) else { continue };
-            if self.highest_rate(&relation) >= wanted {
+            // What names the time alone has no rates, however often it is derived.
+            if self.highest_rate(&relation).max(times) >= wanted {
                 continue;
             }
             for (at, variable) in variables.iter().enumerate().skip(last) {
@@ -159,7 +160,7 @@ impl Attempt<'_> {
                 };
                 if let Some(rate) = self.search.push(step) {
                     self.facts.push(rate);
-                    open.push((rate, at));
+                    open.push((rate, at, times + 1));
                 }
             }
         }

@@ -109,6 +109,7 @@ impl Reader {
 
     /// A term of the checker, as an expression.
     pub(crate) fn read(&mut self, term: &Term) -> Option<Expr> {
+        meter::charge(100 * term.0.len() as u64);
         let mut made: Vec<Expr> = Vec::with_capacity(term.0.len());
         for node in &term.0 {
             let e = match node {

@@ -12,8 +12,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::{Paper, PrintedRelation, PrintedSide};
 use super::{PaperName, names};
 use ambiguous::{
-    applies_a_group, has_bare_degrees, has_commutator, has_expectation, has_map_of_vector, has_order_of_magnitude,
-    has_plain_triple_product, has_primed_transpose, has_small_transpose, has_turned_subscripts, has_upright_derivative,
+    applies_a_group, has_bare_degrees, has_commutator, has_expectation, has_ladder, has_map_of_vector,
+    has_order_of_magnitude, has_plain_triple_product, has_primed_transpose, has_small_transpose, has_turned_subscripts,
+    has_two_places, has_upright_derivative,
 };
 use print::{
     Raised, call, follows_a_flow, has_bare_brackets, has_bars, has_identity, has_imaginary, has_named_function,
@@ -159,6 +160,9 @@ impl Notation {
             }
             out.note_set(relation);
             out.ordered.extend(relation.sides.iter().filter(|s| s.text.len() <= LONGEST).flat_map(commuted));
+            if out.is_quantum {
+                out.ordered.extend(commuted_across(relation));
+            }
             out.varies.extend(varying(&relation.sides));
         }
         let turned = |all: &BTreeSet<String>| {
@@ -253,6 +257,12 @@ impl Notation {
         None
     }
 
+    /// Why sides that are compared are no formulas of numbers together, though each of them could be one.
+    pub fn not_numbers_together(sides: &[&PrintedSide], is_function: &dyn Fn(&str) -> bool) -> Option<&'static str> {
+        let all: Vec<Vec<&str>> = sides.iter().map(|s| tokens(&s.text)).collect();
+        has_two_places(&all, is_function).then_some("a value at a place, or a product")
+    }
+
     /// Why a side may be no formula of numbers, where nothing says that its names are matrices, vectors or complex.
     pub fn unsure(&self, side: &PrintedSide) -> Option<&'static str> {
         let all = tokens(&side.text);
@@ -266,6 +276,9 @@ impl Notation {
             return Some("a function of anything, or a product");
         }
         if has_commutator(&all) {
+            return Some("products whose order may count: matrices, or operators");
+        }
+        if self.is_quantum && has_ladder(&side.text) {
             return Some("products whose order may count: matrices, or operators");
         }
         if has_plain_triple_product(&all) {
@@ -449,6 +462,42 @@ fn commuted(side: &PrintedSide) -> Vec<String> {
         }
     }
     out
+}
+
+/// The names of a relation that says what two names are in the other order, `xp=px+i\hbar`, or what they have for a commutator, `[a,b]=1`.
+fn commuted_across(relation: &PrintedRelation) -> Vec<String> {
+    let [left, right] = relation.sides.as_slice() else { return Vec::new() };
+    if relation.signs.first().is_none_or(|s| s != "=") || left.text.len() > MOST_TERMS {
+        return Vec::new();
+    }
+    let keys = || names(left).into_iter().filter(|n| !n.is_bold).map(|n| squeezed(&n.key())).collect::<Vec<_>>();
+    let text = squeezed(&left.text).replace(r"\left", "").replace(r"\right", "").replace(r"\,", "");
+    let within = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')).and_then(|rest| rest.split_once(','));
+    if within.is_some_and(|(a, b)| is_lone(a) && is_lone(b) && a != b) {
+        return keys();
+    }
+    let whole = tokens(&left.text);
+    let is_plain = |t: &&str| is_letter_token(t) || matches!(*t, "_" | "{" | "}" | "+" | "-");
+    if whole.len() < 2 || !whole.iter().all(is_plain) {
+        return Vec::new();
+    }
+    // Pairs of neighbours that stand the other way about before a further term.
+    let behind = tokens(&right.text);
+    let turned = whole.windows(2).any(|pair| {
+        let is_turned = |other: &[&str]| other[0] == pair[1] && other[1] == pair[0];
+        pair[0] != pair[1]
+            && pair.iter().all(|t| is_letter_token(t))
+            && behind.len() > whole.len() + 1
+            && behind[..whole.len()].windows(2).any(is_turned)
+            && matches!(behind[whole.len()], "+" | "-")
+            && {
+                let (mut a, mut b) = (whole.clone(), behind[..whole.len()].to_vec());
+                a.sort_unstable();
+                b.sort_unstable();
+                a == b
+            }
+    });
+    if turned { keys() } else { Vec::new() }
 }
 
 /// A text without spaces and braces.

@@ -5,13 +5,14 @@
 //! about constants, or what chooses is strict and the motions are analytic.
 
 use super::gather::{Gathered, sides};
+use super::values::Values;
 use super::{Pairs, Step, pairs};
 use crate::derivation::{Claim, Form, Premise, Written};
 use crate::expr::domain::{Change, EdgeOf, Need, Sign};
 use crate::expr::{Expr, Graph, Leaf, Node};
 use crate::latex::{Relation, RelationKind, Scope, Statement};
 use claim::comparison::{at_instant, may_leap, presupposed, traced};
-use proof::{When, is_never_negative};
+use proof::{Premises, When, is_never_negative};
 
 impl<'a> Step<'a> {
     /// The relations that a claim assumes, but those with the given numbers, by which times are chosen.
@@ -181,8 +182,16 @@ impl<'a> Step<'a> {
         instants
     }
 
+    /// The first integrals that are given of all motions and have values at all times: others need not be the same on both sides of where
+    /// they have none.
+    pub(super) fn constants(&mut self, values: &mut Values, throughout: &Premises) -> Vec<(&'a Scope, Expr)> {
+        let mut out = self.first_integrals();
+        out.retain(|&(scope, e)| self.integral_has_value(scope, e, values, throughout) == When::Always);
+        out
+    }
+
     /// The first integrals that are given of all motions.
-    pub(super) fn constants(&self) -> Vec<(&'a Scope, Expr)> {
+    fn first_integrals(&self) -> Vec<(&'a Scope, Expr)> {
         let derivation = self.derivation;
         let mut out: Vec<(&'a Scope, Expr)> = Vec::new();
         for name in Step::given(derivation, self.claim) {
@@ -237,8 +246,10 @@ impl<'a> Step<'a> {
     }
 
     /// The numbers of the assumptions of the claim that need not hold at all times.
-    pub(super) fn assumed_for_a_while(&self) -> Vec<usize> {
-        let constant = self.constants();
+    pub(super) fn assumed_for_a_while(&mut self) -> Vec<usize> {
+        let mut values = self.values();
+        let signs = self.signs_of_premises(&mut values);
+        let constant = self.constants(&mut values, &signs);
         let stays = |w: &Written<Statement>| w.value.relations.iter().all(|r| self.is_about_constants(r, &constant));
         let all = self.claim.assuming.iter().enumerate();
         all.filter(|(_, w)| !stays(w)).map(|(at, _)| at).collect()

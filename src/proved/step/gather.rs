@@ -40,7 +40,7 @@ fn always_if(all: bool) -> When {
 
 impl<'a> Step<'a> {
     /// The rate of a first integral as an equation `… = 0`: it says nothing where the integral has no value.
-    fn constancy(&mut self, scope: &Scope, e: Expr) -> Option<(Expr, Expr)> {
+    pub(super) fn constancy(&mut self, scope: &Scope, e: Expr) -> Option<(Expr, Expr)> {
         let time = scope.time()?;
         let moves = |leaf: Leaf| scope.moves(&leaf);
         let rate = self.graph.time_derivative(e, time, moves).ok()?;
@@ -132,9 +132,13 @@ impl<'a> Step<'a> {
         let mut out = Gathered { complete: !Step::lacks_systems(self.derivation, self.claim), ..Gathered::default() };
         let mut premises = Premises::default();
         self.roles(&mut premises);
+        let mut values = self.values();
+        let of_premises = self.signs_of_premises(&mut values);
         let absent = without.unwrap_or(&[]);
         let chosen = self.times_chosen(claim, absent);
         out.complete &= self.assume(claim, absent, chosen, &mut premises);
+        let mut throughout = of_premises.clone();
+        self.signs_throughout(&premises, &mut throughout);
         premises.present = chosen.and(self.places_chosen(claim, absent));
         // Each with the scope that says what moves in it.
         let mut always: Vec<(&Scope, Pairs)> = Vec::new();
@@ -151,7 +155,7 @@ impl<'a> Step<'a> {
             always.push((&claim.scope, own));
         }
         let assumed = premises.equations.len();
-        let mut constant = self.constants();
+        let mut constant = self.constants(&mut values, &throughout);
         let known: Pairs = self.about_constants(claim, absent, &constant);
         if out.known != When::Always {
             always.push((&claim.scope, known));
@@ -179,7 +183,9 @@ impl<'a> Step<'a> {
             let places = self.places_chosen(premise, &[]);
             match self.said(premise) {
                 Some((equations, signs)) => {
-                    let equations = self.without_branches(premise, equations, &mut out.complete);
+                    let mut equations = self.without_branches(premise, equations, &mut out.complete);
+                    out.complete &=
+                        self.drop_rates_at_edges(premise, &mut equations, &mut values, (&premises, &throughout));
                     let before = premises.equations.len();
                     premises.give(equations.iter().copied(), when);
                     out.complete &= self.restrict(before, [when, places], &mut premises);
@@ -197,19 +203,22 @@ impl<'a> Step<'a> {
                     out.known = out.known.and(always_if(at_others));
                     out.lasting = out.lasting.and(always_if(at_others));
                     for form in &premise.forms {
-                        if let (Form::FirstIntegral(w), true) = (form, at_others) {
-                            constant.extend(w.value.components.iter().map(|&e| (&premise.scope, e)));
+                        let Form::FirstIntegral(w) = form else { continue };
+                        for &e in &w.value.components {
+                            let when = self.integral_has_value(&premise.scope, e, &mut values, &throughout);
+                            if at_others && when == When::Always {
+                                constant.push((&premise.scope, e));
+                            }
                         }
                     }
                     always.extend(at_others.then_some((&premise.scope, equations)));
                     // What it says under assumptions it may say at some times only.
-                    let throughout = self.inequalities == When::Always || premise.assuming.is_empty();
-                    out.lasting = out.lasting.and(always_if(throughout || signs.is_empty()));
+                    let of_all_times = self.inequalities == When::Always || premise.assuming.is_empty();
                     for relation in signs {
+                        let has_value = self.relation_has_values(&premise.scope, relation, &mut values, &throughout);
+                        out.lasting = out.lasting.and(always_if(of_all_times && has_value == When::Always));
+                        out.known = out.known.and(has_value);
                         self.give(relation, when, &mut premises);
-                        if throughout {
-                            self.give(relation, When::Always, &mut out.throughout);
-                        }
                     }
                 }
                 None => out.complete = false,
@@ -238,8 +247,10 @@ impl<'a> Step<'a> {
                 true
             }
         });
+        out.throughout = of_premises;
         self.signs_throughout(&premises, &mut out.throughout);
-        self.where_they_have_values(&mut premises, assumed, &mut always, &out.throughout);
+        out.complete &=
+            self.where_they_have_values(&mut premises, assumed, &mut always, (&mut values, &out.throughout));
         let moving = |k: &&proof::Known| self.moves(k.left) || self.moves(k.right);
         let moving = premises.equations.iter().filter(moving).map(|k| k.when);
         out.known = moving.fold(out.known.and(chosen), When::and);

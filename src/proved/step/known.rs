@@ -12,8 +12,9 @@
 
 use super::definitions::Definitions;
 use super::gather::{Gathered, sides};
+use super::values::Values;
 use super::{LEFT_OUT_NODES, Pairs, Step, pairs};
-use crate::derivation::Claim;
+use crate::derivation::{Claim, Form, Premise};
 use crate::expr::domain::Sign;
 use crate::expr::{Expr, FastMap, Leaf};
 use crate::latex::{Relation, RelationKind, Scope};
@@ -86,59 +87,175 @@ impl Step<'_> {
         matches!(found, Identity::Undecided(Reason::Contradiction))
     }
 
+    /// What tells when something has a value: what systems need, and divide by.
+    pub(super) fn values(&mut self) -> Values {
+        let of_systems = self.sides_of_systems();
+        let traced: Vec<Expr> = of_systems.into_iter().map(|e| traced(&mut self.graph, &self.claim.scope, e)).collect();
+        let needed = self.graph.needs_below(traced).iter().map(|n| (n.value, n.sign)).collect();
+        Values { needed, divided: self.divided_by_systems(), found: FastMap::default() }
+    }
+
+    /// When something has a value, by the signs that hold at all times.
+    pub(super) fn has_value(
+        &mut self,
+        mut e: Expr,
+        scopes: &[&Scope],
+        values: &mut Values,
+        throughout: &Premises,
+    ) -> When {
+        let known = || Gathered { throughout: throughout.clone(), ..Gathered::default() };
+        // What is known of an observable is not seen in its formula.
+        let as_written = if throughout.nonzero.is_empty() { Vec::new() } else { self.graph.needs_below([e]) };
+        for need in as_written.into_iter().filter(|need| need.sign == Sign::NotZero) {
+            if self.never_vanishes(need.value, &known()) {
+                let behind = scopes.iter().fold(need.value, |value, scope| traced(&mut self.graph, scope, value));
+                values.found.insert((behind, Sign::NotZero), When::Always);
+            }
+        }
+        for scope in scopes {
+            e = behind_rates(&mut self.graph, scope, e);
+            e = traced(&mut self.graph, scope, e);
+        }
+        let mut when = When::Always;
+        for need in self.graph.needs_below([e]) {
+            let key = (need.value, need.sign);
+            let one = match values.found.get(&key) {
+                Some(&one) => one,
+                None => {
+                    let squares = is_never_negative(&self.graph, need.value);
+                    let met = !self.depends(need.value)
+                        || values.needed.contains(&key)
+                        || need.sign == Sign::NotZero && values.divided.contains(&need.value)
+                        || need.sign == Sign::NotNegative && squares
+                        || need.sign != Sign::NotNegative
+                            && self.never_vanishes(need.value, &known())
+                            && (squares || need.sign == Sign::NotZero)
+                        || throughout.positive.contains(&need.value);
+                    match (met, need.sign) {
+                        (true, _) => When::Always,
+                        (false, Sign::NotNegative) => When::Chosen,
+                        (false, Sign::Positive | Sign::NotZero) => When::ChosenOpen,
+                    }
+                }
+            };
+            values.found.insert(key, one);
+            when = when.and(one);
+        }
+        when
+    }
+
+    /// The signs that the claims which are given say of all times: those of which both sides have values at all times. What one of them says
+    /// may give another one its values.
+    pub(super) fn signs_of_premises(&mut self, values: &mut Values) -> Premises {
+        let (derivation, claim) = (self.derivation, self.claim);
+        let mut open: Vec<(&Scope, &Relation)> = Vec::new();
+        for name in Step::given(derivation, claim) {
+            let Premise::Claim(at) = derivation.premise(&name) else { continue };
+            let premise = &derivation.claims[at];
+            // What it says under assumptions it may say at some times only.
+            if self.inequalities == When::Always || premise.assuming.is_empty() {
+                let signs = self.said(premise).map(|(_, signs)| signs).unwrap_or_default();
+                open.extend(signs.into_iter().map(|relation| (&premise.scope, relation)));
+            }
+        }
+        let mut out = Premises::default();
+        loop {
+            let before = open.len();
+            for (scope, relation) in std::mem::take(&mut open) {
+                // What was not met by fewer signs is asked again.
+                values.found.retain(|_, when| *when == When::Always);
+                match self.relation_has_values(scope, relation, values, &out) {
+                    When::Always => self.give(relation, When::Always, &mut out),
+                    _ => open.push((scope, relation)),
+                }
+            }
+            if open.is_empty() || open.len() == before {
+                values.found.retain(|_, when| *when == When::Always);
+                return out;
+            }
+        }
+    }
+
+    /// Drops the rates of first integrals that may have values at single times: nothing is said of their rates there. Whether none was.
+    pub(super) fn drop_rates_at_edges(
+        &mut self,
+        of: &Claim,
+        equations: &mut Pairs,
+        values: &mut Values,
+        (premises, throughout): (&Premises, &Premises),
+    ) -> bool {
+        let mut whole = true;
+        for form in &of.forms {
+            let Form::FirstIntegral(w) = form else { continue };
+            for &e in &w.value.components {
+                let when = self.integral_has_value(&of.scope, e, values, throughout);
+                if when == When::Chosen && !self.is_positive_inside((e, e), &[&of.scope, &self.claim.scope], premises) {
+                    let rate = self.constancy(&of.scope, e);
+                    equations.retain(|pair| Some(*pair) != rate);
+                    whole = false;
+                }
+            }
+        }
+        whole
+    }
+
+    /// When a first integral has a value. What is typed is given of all times.
+    pub(super) fn integral_has_value(
+        &mut self,
+        scope: &Scope,
+        e: Expr,
+        values: &mut Values,
+        throughout: &Premises,
+    ) -> When {
+        match self.inequalities {
+            When::Always => When::Always,
+            _ => self.has_value(e, &[scope, &self.claim.scope], values, throughout),
+        }
+    }
+
+    /// When both sides of a relation have values. What is typed is given of all times.
+    pub(super) fn relation_has_values(
+        &mut self,
+        scope: &Scope,
+        relation: &Relation,
+        values: &mut Values,
+        throughout: &Premises,
+    ) -> When {
+        if self.inequalities == When::Always {
+            return When::Always;
+        }
+        let scopes = [scope, &self.claim.scope];
+        let sides: Vec<Expr> = pairs(relation).flat_map(|(l, r)| [l, r]).collect();
+        sides.into_iter().fold(When::Always, |when, e| when.and(self.has_value(e, &scopes, values, throughout)))
+    }
+
     /// What a claim says, and what is assumed, is said where it has a value: that may be at some times only, and single ones among them,
-    /// if it ends there. What is typed is given of all times.
+    /// if it ends there. What is typed is given of all times. Whether a point that satisfies the equations may refute: at a single time
+    /// nothing is known of rates, and of other times and places, but where there is a motion it binds them.
     pub(super) fn where_they_have_values(
         &mut self,
         premises: &mut Premises,
         assumed: usize,
         always: &mut [(&Scope, Pairs)],
-        throughout: &Premises,
-    ) {
+        (values, throughout): (&mut Values, &Premises),
+    ) -> bool {
         if self.inequalities == When::Always {
-            return;
+            return true;
         }
-        let scopes: Vec<&Scope> = always.iter().map(|(scope, _)| *scope).collect();
-        let known = Gathered { throughout: throughout.clone(), ..Gathered::default() };
-        let of_systems = self.sides_of_systems();
-        let needed: Vec<Expr> = of_systems.into_iter().map(|e| traced(&mut self.graph, &self.claim.scope, e)).collect();
-        let needed: Vec<(Expr, Sign)> = self.graph.needs_below(needed).iter().map(|n| (n.value, n.sign)).collect();
-        let divided = self.divided_by_systems();
-        let mut found: FastMap<(Expr, Sign), When> = FastMap::default();
+        let claim = self.claim;
+        let scopes: Vec<&Scope> = always.iter().map(|(scope, _)| *scope).chain([&claim.scope]).collect();
         let mut of_pairs: Vec<((Expr, Expr), When)> = Vec::new();
+        let mut whole = true;
         for at in 0..premises.equations.len() {
             let pair = premises.equations[at].sides();
             let mut when = When::Always;
-            for mut e in [pair.0, pair.1] {
-                for scope in scopes.iter().copied().chain([&self.claim.scope]) {
-                    e = behind_rates(&mut self.graph, scope, e);
-                    e = traced(&mut self.graph, scope, e);
-                }
-                for need in self.graph.needs_below([e]) {
-                    let key = (need.value, need.sign);
-                    let one = match found.get(&key) {
-                        Some(&one) => one,
-                        None => {
-                            let squares = is_never_negative(&self.graph, need.value);
-                            let met = !self.depends(need.value)
-                                || needed.contains(&key)
-                                || need.sign == Sign::NotZero && divided.contains(&need.value)
-                                || need.sign == Sign::NotNegative && squares
-                                || need.sign != Sign::NotNegative
-                                    && self.never_vanishes(need.value, &known)
-                                    && (squares || need.sign == Sign::NotZero)
-                                || throughout.positive.contains(&need.value);
-                            match (met, need.sign) {
-                                (true, _) => When::Always,
-                                (false, Sign::NotNegative) => When::Chosen,
-                                (false, Sign::Positive | Sign::NotZero) => When::ChosenOpen,
-                            }
-                        }
-                    };
-                    found.insert(key, one);
-                    when = when.and(one);
-                }
+            for e in [pair.0, pair.1] {
+                when = when.and(self.has_value(e, &scopes, values, throughout));
             }
+            if when == When::Chosen && self.is_positive_inside(pair, &scopes, premises) {
+                when = When::ChosenOpen;
+            }
+            whole &= when != When::Chosen;
             premises.equations[at].when = premises.equations[at].when.and(when);
             if at < assumed {
                 premises.present = premises.present.and(when);
@@ -148,6 +265,29 @@ impl Step<'_> {
         for (_, list) in always {
             list.retain(|pair| of_pairs.iter().all(|(of, when)| of != pair || *when == When::Always));
         }
+        whole || !self.names_more_than_one_time(premises)
+    }
+
+    /// Whether what must not be negative is positive at the times that count: then it is so around them.
+    fn is_positive_inside(&mut self, pair: (Expr, Expr), scopes: &[&Scope], premises: &Premises) -> bool {
+        [pair.0, pair.1].into_iter().all(|mut e| {
+            for scope in scopes {
+                e = behind_rates(&mut self.graph, scope, e);
+                e = traced(&mut self.graph, scope, e);
+            }
+            let needs = self.graph.needs_below([e]);
+            let open = |n: &Expr| premises.positive.contains(n) || !self.depends(*n);
+            needs.iter().filter(|n| n.sign == Sign::NotNegative).all(|n| open(&n.value))
+        })
+    }
+
+    /// Whether the claim, or what is given, names rates, fixed times or fields.
+    fn names_more_than_one_time(&mut self, premises: &Premises) -> bool {
+        let own: Vec<Expr> =
+            self.equations(self.claim).unwrap_or_default().into_iter().flat_map(|(l, r)| [l, r]).collect();
+        let roots: Vec<Expr> = own.into_iter().chain(premises.sides()).collect();
+        let more = |l: &Leaf| l.rate > 0 || l.instant.is_some() || self.graph.is_field(l.symbol);
+        self.graph.leaves_within(roots).iter().any(more)
     }
 
     /// Where the formulas of the observables that occur have edges: their rates need not exist there, whether their definitions are used

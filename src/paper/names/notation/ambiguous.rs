@@ -47,6 +47,55 @@ pub(super) fn applies_a_group(all: &[&str]) -> bool {
     })
 }
 
+/// A letter before two groups in parentheses that are made of the same letters, each a single term: `\psi(L/2)=-\psi(-L/2)`. Nobody sets a factor
+/// so.
+pub(super) fn has_two_places(sides: &[Vec<&str>], is_function: &dyn Fn(&str) -> bool) -> bool {
+    let mut seen: Vec<(String, Vec<&str>, String)> = Vec::new();
+    for all in sides {
+        let plain = unset(all);
+        for at in (1..plain.len()).filter(|&at| plain[at] == "(") {
+            let base = match plain[at - 1] {
+                one if is_letter_token(one) && is_script(&plain, at - 1) => plain[at.saturating_sub(3)..at].concat(),
+                one if is_letter_token(one) && !is_function(one) => one.to_owned(),
+                _ => continue,
+            };
+            let mut depth = 0i32;
+            let Some(end) = (at..plain.len()).find(|&k| {
+                depth += i32::from(plain[k] == "(") - i32::from(plain[k] == ")");
+                depth == 0
+            }) else {
+                continue;
+            };
+            let inside = &plain[at + 1..end];
+            let is_term = inside.iter().skip(1).all(|t| !matches!(*t, "+" | "-" | "," | "=" | "("));
+            if inside.is_empty() || !is_term || plain.get(end + 1) == Some(&"^") {
+                continue;
+            }
+            let mut letters: Vec<&str> = inside.iter().copied().filter(|t| is_letter_token(t)).collect();
+            letters.sort_unstable();
+            let content = inside.concat();
+            if seen.iter().any(|(b, l, c)| *b == base && *l == letters && *c != content) {
+                return true;
+            }
+            seen.push((base, letters, content));
+        }
+    }
+    false
+}
+
+/// A letter with a plus below it beside the same with a minus: operators that raise and lower, `a_-a_+`.
+pub(super) fn has_ladder(text: &str) -> bool {
+    let text = super::squeezed(text);
+    let beside = |sign: &str, other: &str| {
+        text.match_indices(sign).any(|(at, _)| {
+            let from = text[..at].rfind(|c: char| !c.is_alphabetic() && c != '\\').map_or(0, |k| k + 1);
+            let base = &text[from..at];
+            !base.is_empty() && text[at + sign.len()..].trim_start_matches(r"\,").starts_with(&format!("{base}{other}"))
+        })
+    };
+    beside("_+", "_-") || beside("_-", "_+")
+}
+
 /// Two terms in parentheses, of which one is the other backwards, and subtracted: `(xy-yx)f`.
 pub(super) fn has_commutator(all: &[&str]) -> bool {
     let plain = unset(all);
@@ -64,13 +113,16 @@ pub(super) fn has_commutator(all: &[&str]) -> bool {
     })
 }
 
-/// A capital before the same with a prime, `MM'`, or around parentheses, `M(\ldots)M'`: a matrix and its transpose.
+/// A capital before or behind the same with a prime, `MM'`, `X'X`, or around parentheses, `M(\ldots)M'`: a matrix and its transpose.
 pub(super) fn has_primed_transpose(all: &[&str]) -> bool {
     let plain = unset(all);
     (2..plain.len()).filter(|&at| plain[at] == "'" && is_capital(plain[at - 1])).any(|at| {
         let own = plain[at - 1];
         match plain[at - 2] {
             before if before == own => !is_script(&plain, at - 2),
+            _ if plain.get(at + 1) == Some(&own) && !matches!(plain.get(at + 2), Some(&("'" | "_" | "^" | "("))) => {
+                true
+            }
             ")" => {
                 let mut depth = 0i32;
                 let open = (0..at - 1).rev().find(|&k| {

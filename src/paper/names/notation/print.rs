@@ -248,12 +248,16 @@ const UNITS: &[&str] = &[
     "rad", "Pa", "kPa", "kJ", "kW", "mV", "kV", "mA", "dB", "deg", "min", "hr", "yr",
 ];
 
-/// A number, a space, a unit in italics: `10~cm`.
+/// Those of energy: no product of names is spelled so.
+const OF_ENERGY: &[&str] = &["keV", "MeV", "GeV", "TeV"];
+
+/// A number, a space, a unit in italics: `10~cm`; or two units: `MeV cm^2`.
 pub(super) fn has_unit_of_italics(text: &str) -> bool {
     let words: Vec<&str> = text.split_whitespace().collect();
+    let unit = |w: &str| w.chars().take_while(char::is_ascii_alphabetic).collect::<String>();
+    let has = |w: &str, units: &[&str]| units.contains(&unit(w.trim_start_matches(['{', '(', '}'])).as_str());
     words.windows(2).any(|w| {
-        let unit: String = w[1].chars().take_while(char::is_ascii_alphabetic).collect();
-        w[0].ends_with(|c: char| c.is_ascii_digit()) && UNITS.contains(&unit.as_str())
+        w[0].ends_with(|c: char| c.is_ascii_digit()) && has(w[1], UNITS) || has(w[0], OF_ENERGY) && has(w[1], UNITS)
     })
 }
 
@@ -329,6 +333,10 @@ pub(super) fn call(all: &[&str]) -> Option<&'static str> {
                 });
                 if signed {
                     return Some("a value at a place, or a product");
+                }
+                // A function of a value of itself, `\sigma(\sigma(G))`.
+                if all.get(i + 1) == Some(&all[i - 1]) && all.get(i + 2) == Some(&"(") {
+                    return Some("a function of anything, or a product");
                 }
                 if SPECIAL.contains(&all[i - 1]) {
                     return Some("a special function, or a product");
