@@ -262,3 +262,28 @@ fn one_room_opens_files() {
     }
     assert!(looked > 200, "{looked}");
 }
+
+/// Where a system does not tell case, two names that differ in nothing else are one.
+#[test]
+fn names_that_differ_in_case_get_different_files() {
+    let project = project();
+    fs::write(project.path().join("derivations/DECAY.toml"), DECAY).expect("written");
+    let both = run(project.path(), &["check", "--no-cache"]);
+    let told = String::from_utf8_lossy(&both.stderr).into_owned();
+    assert_eq!(both.status.code(), Some(2), "{told}");
+    assert!(told.contains("has the id") && !project.path().join("reports").exists(), "{told}");
+    fs::remove_file(project.path().join("derivations/DECAY.toml")).expect("removed");
+    // Of two claims the certificates are two files.
+    let claims = "[[claim]]\nid = 'c'\nsays = 's'\nalways = ['(x+1)^2=x^2+2x+1']\n";
+    let text = format!("{DECAY}{claims}{}", claims.replace("'c'", "'C'"));
+    fs::write(project.path().join("derivations/decay.toml"), text).expect("written");
+    let checked = run(project.path(), &["check", "--no-cache"]);
+    assert_eq!(checked.status.code(), Some(0), "{}", String::from_utf8_lossy(&checked.stderr));
+    let folder = project.path().join("reports/decay/certificates");
+    let names: Vec<String> = fs::read_dir(folder)
+        .expect("certificates")
+        .map(|entry| entry.expect("an entry").file_name().to_string_lossy().to_lowercase())
+        .collect();
+    let distinct: std::collections::BTreeSet<&String> = names.iter().collect();
+    assert!(names.len() >= 4 && distinct.len() == names.len(), "{names:?}");
+}

@@ -20,7 +20,7 @@ pub const CRATES: &[(&str, &[&str])] = &[
     ("paper", &["derivation", "diag", "files", "latex"]),
     ("lint", &["diag", "expr", "latex", "meter", "number", "paper", "proof"]),
     ("units", &["derivation", "expr", "latex"]),
-    ("tactics", &["checker", "claim", "derivation", "expr", "latex"]),
+    ("tactics", &["checker", "claim", "derivation", "expr", "latex", "meter"]),
     ("findings", &["checker", "derivation", "expr", "number", "proof", "reason", "units", "verdict"]),
     ("claim", &["derivation", "diag", "expr", "flow", "latex", "meter", "number", "reason", "verdict"]),
     (

@@ -309,6 +309,8 @@ fn a_configuration_says_what_is_looked_through() {
     for (text, wanted) in [
         ("sorces = []\n", "rederive.toml:1:1"),
         ("sources = 3\n", "rederive.toml:1:11"),
+        ("sources = [\"../a.tex\"]\n", "stays in its folder"),
+        ("sources = [\"/etc/passwd\"]\n", "stays in its folder"),
         ("sources = [\"a\"]\nrigor = \"much\"\n", "rederive.toml:2:9"),
         ("sources = [\n", "config::unreadable"),
     ] {

@@ -265,6 +265,12 @@ fn the_action_looks_through_papers() {
     assert!(fs::read_to_string(at("papers.sarif")).expect("written").contains("lint::wrong"));
     assert!(at("pages/a.tex.html").is_file() && at("pages/notes-b.tex.html").is_file());
     assert_eq!(papers("nowhere.tex").0, 2);
+    // A link that the repository brings along is not followed to what it leads to.
+    fs::remove_file(at("papers.sarif")).expect("removed");
+    fs::write(folder.path().join("theirs"), "kept").expect("written");
+    std::os::unix::fs::symlink("../theirs", at("papers.sarif")).expect("linked");
+    assert_eq!(papers("a.tex").0, 2);
+    assert_eq!(fs::read_to_string(folder.path().join("theirs")).expect("there"), "kept");
     // What derivation files say comes first.
     assert_eq!(run(folder.path(), &script("Result"), &[("CODE", "3"), ("PAPERS", "1")]).0, 3);
 }

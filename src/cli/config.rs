@@ -4,7 +4,7 @@
 //! `pyproject.toml`, in it or in a folder above it. **Guaranteed:** a key that is not known, and a value of another kind, is a problem
 //! with its place; what the command line says wins.
 
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 use super::ending::Stop;
@@ -39,7 +39,8 @@ impl Config {
         for folder in here.ancestors() {
             for (name, table) in [("rederive.toml", &[][..]), ("pyproject.toml", &["tool", "rederive"][..])] {
                 let path = folder.join(name);
-                if !path.is_file() {
+                // A link may lead to what is none of the repository's; so it is no configuration.
+                if !path.symlink_metadata().is_ok_and(|found| found.is_file()) {
                     continue;
                 }
                 let text = files::read_text(&path, LARGEST)?;
@@ -103,7 +104,18 @@ fn paths(
 ) -> Result<Vec<PathBuf>, (std::ops::Range<usize>, String)> {
     let one = |v: &Spanned<DeValue<'_>>| {
         let text = v.get_ref().as_str().ok_or((v.span(), "a path is a text".to_owned()))?;
-        Ok(folder.map_or_else(|| PathBuf::from(text), |f| f.join(text)))
+        // A repository says what it is checked with, and nothing outside of it is looked at for that.
+        if !Path::new(text).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
+            return Err((v.span(), "a path of a configuration stays in its folder".to_owned()));
+        }
+        let mut path = folder.map_or_else(PathBuf::new, Path::to_path_buf);
+        for part in Path::new(text).components() {
+            path.push(part);
+            if path.symlink_metadata().is_ok_and(|found| found.is_symlink()) {
+                return Err((v.span(), "a path of a configuration goes through no link".to_owned()));
+            }
+        }
+        Ok(path)
     };
     match value.get_ref() {
         DeValue::Array(all) => all.iter().map(one).collect(),

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use rederive::files::{self, write};
 use rederive::{Ending, Failure, paper};
 
-use super::ending::{Stop, complain, print};
+use super::ending::{Stop, complain, print, say};
 
 #[derive(clap::Args)]
 pub struct InitArguments {
@@ -53,7 +53,7 @@ pub fn init(arguments: &InitArguments) -> Result<Ending, Stop> {
         });
         print(&format!("{}\n", serde_json::to_string_pretty(&found).map_err(|error| error.to_string())?))?;
     } else if is_printed {
-        print(&draft.text)?;
+        say(&draft.text)?;
     } else {
         for guess in &draft.guesses {
             complain(guess);

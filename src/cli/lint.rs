@@ -50,6 +50,9 @@ pub struct LintArguments {
     /// What is printed
     #[arg(long, action = ArgAction::Set, value_parser = printed_as(&[Format::Text, Format::Json, Format::Sarif, Format::Github]), default_value = "text")]
     format: Format,
+    /// Write what is printed to this file; with a --format other than text
+    #[arg(long, value_name = "FILE", requires = "format", conflicts_with = "watch")]
+    output: Option<PathBuf>,
 }
 
 pub fn lint(arguments: &LintArguments) -> Result<Ending, Stop> {
@@ -83,11 +86,22 @@ fn once(arguments: &LintArguments, papers: &[PathBuf]) -> Result<Ending, Stop> {
             files::write::write_file(page, report::lint_page(paper, found).as_bytes())?;
         }
     }
+    if let Some(output) = &arguments.output {
+        let inputs: Vec<PathBuf> = papers.iter().chain(&arguments.html).cloned().collect();
+        files::write::check_outputs(std::slice::from_ref(output), &inputs, &[])?;
+    }
+    let put = |text: &str| -> Result<(), Stop> {
+        match &arguments.output {
+            Some(output) => Ok(files::write::write_file(output, text.as_bytes())?),
+            None => print(text),
+        }
+    };
     let told = || all.iter().flat_map(|(paper, found)| lint_findings(paper, found)).collect::<Vec<_>>();
     match arguments.format {
-        Format::Json => print(&json(&all))?,
-        Format::Sarif => print(&sarif(&told()))?,
-        Format::Github => print(&github(&told()))?,
+        Format::Json => put(&json(&all))?,
+        Format::Sarif => put(&sarif(&told()))?,
+        Format::Github => put(&github(&told()))?,
+        _ if arguments.output.is_some() => return Err("--output takes a --format that programs read".into()),
         _ => {
             for (k, (paper, found)) in all.iter().enumerate() {
                 if all.len() > 1 {

@@ -66,15 +66,22 @@ pub fn meant(paths: &[PathBuf]) -> Result<Search, FileError> {
 /// Reads several derivation files.
 ///
 /// # Errors
-/// Every problem of every file; ids that two of them have.
+/// Every problem of every file; ids that two of them have, or that differ in nothing but case: on some systems their reports are one folder.
 pub fn load_all(paths: &[PathBuf]) -> Result<Vec<Derivation>, Vec<Diagnostic>> {
     let mut derivations: Vec<Derivation> = Vec::new();
     let mut problems = Vec::new();
     for read in paths.iter().map(|path| load(path)) {
         match read {
             Ok(derivation) => {
-                if let Some(first) = derivations.iter().find(|d| d.id == derivation.id) {
-                    let message = format!("`{}` has the same id, `{}`", first.file.path, derivation.id);
+                let folded = derivation.id.to_lowercase();
+                if let Some(first) = derivations.iter().find(|d| d.id.to_lowercase() == folded) {
+                    let message = match first.id == derivation.id {
+                        true => format!("`{}` has the same id, `{}`", first.file.path, derivation.id),
+                        false => format!(
+                            "`{}` has the id `{}`, and this one `{}`: where a system does not tell case, their reports are one",
+                            first.file.path, first.id, derivation.id
+                        ),
+                    };
                     let d = Diagnostic::of_file(&derivation.file.path, "derivation::duplicate-id", message);
                     problems.push(d.hint("give one of them another id, in its table [derivation]"));
                 }

@@ -42,6 +42,9 @@ use sampled::systems::Fields;
 use sampled::trace::Trial;
 use sampled::{measure, same_motion, trial, witness};
 
+/// The counted work of a member beside that of its steps: its numbers, its motion, its verdicts.
+const OF_A_MEMBER: u64 = 20_000;
+
 /// A family with the claims that are tried on it, compiled once for all members.
 pub struct Ensemble<'a> {
     members: &'a Members,
@@ -247,7 +250,11 @@ impl<'a> Ensemble<'a> {
             // Those that are integrated together, whatever the number of threads.
             let chunks: Vec<&[u64]> = numbers.chunks(TOGETHER).collect();
             let found = meter::each(&options.limits, &chunks, |some: &&[u64], limits: &Limits| {
-                let found = meter::piece(Task::Members, limits, || self.some(some, &prepared, limits));
+                let work = || {
+                    meter::charge(OF_A_MEMBER * some.len() as u64);
+                    self.some(some, &prepared, limits)
+                };
+                let found = meter::piece(Task::Members, limits, work);
                 found.map_err(|ended| (ended, some.len()))
             });
             let (mut late, mut ended) = (false, None);

@@ -58,6 +58,9 @@ pub(super) enum Member {
     TooRare,
 }
 
+/// The counted work of a draw that is looked at.
+const OF_A_DRAW: u64 = 500;
+
 impl Members {
     /// Prepares a family.
     ///
@@ -144,6 +147,7 @@ impl Members {
         let again = self.family.is_drawn_again();
         for attempt in 0..if again { MOST_DRAWS } else { 1 } {
             let values = self.values(number, attempt);
+            meter::charge(OF_A_DRAW);
             if values.iter().all(|x| x.is_finite()) && self.is_wanted(&values) {
                 return Member::Found(values, attempt);
             }

@@ -10,6 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::obstacle::{is_place, obstacle};
 use expr::{Expr, Graph, Leaf, Shape, Symbol};
 use latex::{Declaration, Role, Scope, Statement};
+use meter::Limits;
 use paper::{Call, Paper, PaperName, PrintedSide, names};
 
 use super::notation::Evidence;
@@ -67,6 +68,8 @@ pub struct Desk {
     pub is_complex: bool,
     /// The relations whose definitions were used.
     pub used: Vec<usize>,
+    /// What questions may take: all of a paper together as much as a file may.
+    pub limits: Limits,
 }
 
 /// A side that is one name and nothing else.
@@ -373,6 +376,7 @@ impl Desk {
             scalars: Vec::new(),
             is_complex: false,
             used: Vec::new(),
+            limits: evidence.limits().clone(),
         };
         let texts = || sides.iter().map(|s| s.text.as_str());
         // `i` beside no other use is the imaginary unit.

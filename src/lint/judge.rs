@@ -185,9 +185,11 @@ impl Judge<'_> {
             out.why = "a formula that is too long".to_owned();
             return out;
         }
-        if self.asked > MOST_QUESTIONS {
+        let is_worked_through = self.evidence.limits().total.left() == 0;
+        if self.asked > MOST_QUESTIONS || is_worked_through {
             out.word = Word::NotFollowed;
-            out.why = "more formulas than are looked at in one paper".to_owned();
+            let what = if is_worked_through { "more work" } else { "more formulas" };
+            out.why = format!("{what} than are looked at in one paper");
             return out;
         }
         let sentence = self.sentence(relation);

@@ -7,6 +7,7 @@
 use std::collections::BTreeSet;
 
 use latex::syntax::{Chain, Node, NodeKind, SymbolNode, to_latex};
+use meter::Task;
 use paper::{PrintedSide, names};
 use proof::{Identity, Point, Refutation, Wanted};
 
@@ -19,6 +20,8 @@ use super::slips::{Alteration, Slip, bare, size, slips, symbols};
 use super::{LintPicture, LintWitness};
 use paper::squeezed;
 
+/// The counted work of reading an altered relation.
+const OF_A_SLIP: u64 = 400_000;
 /// Slips that are tried of one side.
 const MOST_SLIPS: usize = 260;
 /// Relative difference of two sides that rounding may make.
@@ -242,6 +245,8 @@ impl Search<'_> {
 
     fn proved(&mut self, altered: &Chain) -> Option<()> {
         let desk = &mut self.asked.desk;
+        // Reading it, and a look at some points; what a proof takes is counted beside.
+        meter::piece(Task::Step, &desk.limits, || meter::charge(OF_A_SLIP)).ok()?;
         let statement = latex::elaborate(altered, &desk.scope, &mut desk.graph).ok()?;
         let equations = pairs_of(&statement);
         let premises = &self.asked.premises;
@@ -254,15 +259,15 @@ impl Search<'_> {
             return None;
         }
         *self.count += 1;
-        let found = tested(&mut desk.graph, &equations, premises, Wanted::Proof);
+        let limits = desk.limits.clone();
+        let found = tested(&mut desk.graph, &equations, premises, Wanted::Proof, &limits);
         if !matches!(found, Ok(Identity::Proved(_))) {
             return None;
         }
         // Premises that make both sides zero prove it with any factor.
         let is_zero = |side: &Node| matches!(&side.kind, NodeKind::Number(n) if *n == Rational::ZERO);
-        let is_vacuous = self.rests.are_some()
-            && !altered.sides.iter().any(is_zero)
-            && vanishes(&mut desk.graph, &equations, premises);
+        let is_vacuous =
+            self.rests.are_some() && !altered.sides.iter().any(is_zero) && vanishes(desk, &equations, premises);
         (!is_vacuous).then_some(())
     }
 

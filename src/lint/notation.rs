@@ -5,6 +5,7 @@
 use std::collections::BTreeSet;
 use std::ops::Deref;
 
+use meter::Limits;
 use paper::{Notation, Paper, PrintedSide};
 
 use super::desk::NotRead;
@@ -16,6 +17,8 @@ pub struct Evidence {
     notation: Notation,
     /// Letters that have a subscript which is no index.
     labelled: BTreeSet<String>,
+    /// The work of the paper.
+    limits: Limits,
 }
 
 impl Deref for Evidence {
@@ -35,7 +38,12 @@ impl Evidence {
         };
         let has_label = |(_, all): &(&String, &BTreeSet<String>)| all.iter().any(|s| is_label(s));
         let labelled = names.subscripts.iter().filter(has_label).map(|(letter, _)| letter.clone()).collect();
-        Evidence { names, notation: Notation::of(paper), labelled }
+        Evidence { names, notation: Notation::of(paper), labelled, limits: Limits::default().of_file(0) }
+    }
+
+    /// What the questions of the paper may take, all of them together.
+    pub fn limits(&self) -> &Limits {
+        &self.limits
     }
 
     /// Whether a letter has a subscript that is no index: beside `E_r` and `E_t`, the one of `E_i` is a label, too.

@@ -129,7 +129,8 @@ impl Put {
     }
 
     fn decided(&mut self, wanted: Wanted) -> Result<Identity, NotRead> {
-        tested(&mut self.desk.graph, &self.equations, &self.premises, wanted).map_err(|ended| match ended {
+        let limits = self.desk.limits.clone();
+        tested(&mut self.desk.graph, &self.equations, &self.premises, wanted, &limits).map_err(|ended| match ended {
             Ended::Defect(what) => NotRead { feature: "a defect of this program".to_owned(), why: Some(what) },
             _ => NotRead::of(TOO_LONG),
         })
@@ -172,7 +173,7 @@ pub fn ask(
     }
     let is_vacuous = matches!(identity, Identity::Proved(_))
         && rests.are_some()
-        && vanishes(&mut desk.graph, &equations, &premises)
+        && vanishes(&mut desk, &equations, &premises)
         && !sides.iter().any(|side| is_zero_by_itself(side, evidence, free));
     let identity = if is_vacuous { Identity::Undecided(proof::Reason::Degenerate) } else { identity };
     Ok(Asked { desk, premises, equations, identity, is_vacuous, text })
@@ -243,14 +244,15 @@ fn in_print(node: &Node, order: Order) -> String {
 }
 
 /// Whether the premises prove that the left sides of all pairs are zero.
-pub fn vanishes(graph: &mut Graph, equations: &[(Expr, Expr)], premises: &Premises) -> bool {
+pub fn vanishes(desk: &mut Desk, equations: &[(Expr, Expr)], premises: &Premises) -> bool {
+    let (limits, graph) = (desk.limits.clone(), &mut desk.graph);
     let zero = graph.integer(0);
     let zeros: Vec<(Expr, Expr)> = equations.iter().map(|&(left, _)| (left, zero)).collect();
     // Premises that are equations are no part of the graph: points do not satisfy them.
     if premises.equations.is_empty() && !agreement(graph, &zeros, ZERO_POINTS).is_some_and(|(_, all)| all) {
         return false;
     }
-    matches!(tested(graph, &zeros, premises, Wanted::Proof), Ok(Identity::Proved(_)))
+    matches!(tested(graph, &zeros, premises, Wanted::Proof, &limits), Ok(Identity::Proved(_)))
 }
 
 /// Whether a side is zero as it is printed, with no premise: the number 0, or what is 0 for all values of its names.
@@ -263,15 +265,16 @@ fn is_zero_by_itself(side: &PrintedSide, evidence: &Evidence, free: &BTreeSet<ch
 }
 
 /// How many premises say what the square of a name is.
-fn squares_of_names(graph: &Graph, premises: &Premises) -> usize {
-    let is_square = |e: Expr| match *graph.node(e) {
-        expr::Node::Unary(expr::Op::Powi(2), of) => matches!(graph.node(of), expr::Node::Leaf(_)),
-        _ => false,
+fn squares_of_names(graph: &mut Graph, premises: &Premises) -> usize {
+    let mut is_square = |e: Expr| {
+        let [leaf] = graph.leaves([e])[..] else { return false };
+        let name = graph.leaf(leaf);
+        graph.powi(name, 2) == e
     };
     premises.pairs().filter(|&(l, r)| is_square(l) || is_square(r)).count()
 }
 
-/// The answer, with a bound on the work.
+/// The answer, with a bound on the work, and on that of the whole paper.
 ///
 /// # Errors
 /// The work was used up before there was an answer.
@@ -280,6 +283,7 @@ pub fn tested(
     equations: &[(Expr, Expr)],
     premises: &Premises,
     wanted: Wanted,
+    limits: &Limits,
 ) -> Result<Identity, Ended> {
     let proof = wanted == Wanted::Proof;
     let options = Options {
@@ -290,7 +294,7 @@ pub fn tested(
         wanted,
         ..Options::default()
     };
-    let answer = meter::piece(Task::Step, &Limits::default(), || identity_test(graph, equations, premises, &options))?;
+    let answer = meter::piece(Task::Step, limits, || identity_test(graph, equations, premises, &options))?;
     Ok(match answer {
         // A case that was divided by is left out: that is no proof of what is printed.
         Identity::Proved(proof) if proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_))) => {

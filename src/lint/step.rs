@@ -74,7 +74,7 @@ pub(super) struct Place<'a> {
 impl Judge<'_> {
     /// Decides one step.
     pub(super) fn step(&mut self, sides: [&PrintedSide; 2], place: &Place) -> Step {
-        if self.asked > MOST_QUESTIONS {
+        if self.asked > MOST_QUESTIONS || self.evidence.limits().total.left() == 0 {
             return Step::Open(Vec::new());
         }
         let mut first_refusal = None;

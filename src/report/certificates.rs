@@ -22,12 +22,17 @@ pub(super) fn file_name(claim: &ClaimAccount) -> Option<String> {
     (!identity.evidence.certificates.is_empty()).then(|| format!("{folder}/{}.{ending}", file_stem(claim)))
 }
 
-/// A name of a file for each claim and reading. No id has an `@`, but one may have two hyphens.
+/// A name of a file for each claim and reading. No id has an `@`, but one may have two hyphens; where letters are capitals, a number says which, as
+/// some systems do not tell case.
 fn file_stem(claim: &ClaimAccount) -> String {
-    if claim.id.contains("--") {
-        format!("{}@{}", claim.id, claim.reading.as_deref().unwrap_or_default())
-    } else {
-        name(claim).replace('/', "--")
+    let stem = match claim.id.contains("--") {
+        true => format!("{}@{}", claim.id, claim.reading.as_deref().unwrap_or_default()),
+        false => name(claim).replace('/', "--"),
+    };
+    let places = stem.chars().zip(1_u64..).filter(|(c, _)| c.is_uppercase()).map(|(_, place)| place);
+    match places.fold(0_u64, |sum, place| sum.wrapping_mul(1_000_003).wrapping_add(place)) {
+        0 => stem,
+        capitals => format!("{stem}@{capitals:x}"),
     }
 }
 

@@ -4,9 +4,12 @@
 //! rational. **Guaranteed:** everything is exact; what grows beyond a bound is given up.
 
 use crate::expr::Rational;
+use dashu_int::ops::BitTest;
 
 /// The highest degree that is looked at.
 const MOST_DEGREE: usize = 16;
+/// Most bits of a number in a product.
+const MOST_BITS: usize = 100_000;
 /// Halvings by which a zero is isolated before the simplest number near it is tried.
 const HALVINGS: usize = 14;
 
@@ -71,7 +74,7 @@ impl Polynomial {
             return Some(Polynomial(Vec::new()));
         }
         let length = self.0.len() + other.0.len() - 1;
-        if length > MOST_DEGREE + 1 {
+        if length > MOST_DEGREE + 1 || self.bits() + other.bits() > MOST_BITS {
             return None;
         }
         let mut out = vec![Rational::ZERO; length];
@@ -81,6 +84,12 @@ impl Polynomial {
             }
         }
         Some(Polynomial::new(out))
+    }
+
+    /// The bits of its longest number.
+    fn bits(&self) -> usize {
+        let of = |c: &Rational| c.numerator().bit_len().max(c.denominator().bit_len());
+        self.0.iter().map(of).max().unwrap_or(0)
     }
 
     pub(super) fn at(&self, t: &Rational) -> Rational {
