@@ -89,7 +89,7 @@ fn starve(name: &str) -> usize {
 #[test]
 fn with_less_work_less_is_decided_and_nothing_otherwise() {
     let files = ["pendulum.toml", "circuit.toml", "kepler-laws.toml"];
-    let open: usize = files.map(|name| starve(name)).iter().sum();
+    let open: usize = files.map(starve).iter().sum();
     assert!(open > 100, "{open}");
 }
 
