@@ -33,16 +33,22 @@ def test_a_check_is_recalled(tmp_path: Path, derivations: Path, monkeypatch: pyt
     assert rederive.check(path).json() == fresh.json()
 
 
-def test_records_are_those_of_the_module(tmp_path: Path, derivations: Path) -> None:
-    """Not of the interpreter, which another version of the package may have, too."""
-    rederive.check(derivations / "kepler.toml", cache=tmp_path)
+def test_records_are_those_of_the_module(
+    tmp_path: Path, derivations: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Not of the interpreter, which another version of the package may have, too; keyed by the secret of the user."""
+    for variable in ("HOME", "XDG_CACHE_HOME", "LOCALAPPDATA"):
+        monkeypatch.setenv(variable, str(tmp_path / "home"))
+    rederive.check(derivations / "kepler.toml", cache=tmp_path / "kept")
+    (secret,) = (tmp_path / "home").rglob("secret")
     module = hashlib.sha256(Path(_rederive.__file__).read_bytes()).digest()
-    records = kept(tmp_path)
+    records = kept(tmp_path / "kept")
     assert records
     for name, record in records.items():
         name = name.removesuffix(".record")
         whole = module + len(name).to_bytes(8, "little") + name.encode() + record[32:]
-        assert record[:32] == hashlib.sha256(whole).digest()
+        inner = hashlib.sha256(whole).digest()
+        assert record[:32] == hashlib.sha256(secret.read_bytes() + inner).digest()
 
 
 def test_a_record_of_something_else_is_not_read(tmp_path: Path, derivations: Path) -> None:
