@@ -500,7 +500,7 @@ pub struct Findings {
 }
 
 impl Findings {
-    /// What of it earlier runs had found; no document says so, since all of them are the same whether something is recalled or not.
+    /// The share of it that earlier runs had found; no document says so, since all of them are the same whether something is recalled or not.
     pub fn recalled(&self) -> Recalled {
         self.recalled
     }

@@ -33,7 +33,7 @@ pub use ::units;
 pub use answers::{Answers, Key, in_digits, key};
 pub use cache::Cache;
 pub use claim::error::CheckError;
-pub use claim::limits::{Cancel, Limits, Times};
+pub use claim::limits::{Cancel, Limits, WorkFactor};
 pub use claim::options::{Options, Rigor};
 pub use families as family;
 use families::{Checker, Families, Joined};

@@ -39,11 +39,10 @@ fn name(derivation: &Derivation, options: &Options, of: &str) -> String {
     in_digits(&key(&parts))
 }
 
-/// What of an account was found by earlier checks.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The share of an account that earlier checks found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Recalled {
     /// Nothing.
-    #[default]
     Nothing,
     /// So many of all answers that were asked for.
     Answers {

@@ -3,4 +3,4 @@
 //! **In:** when a run must end, and what ends it from outside. **Out:** whether that is reached, asked between one piece of work and the
 //! next, and within each. What is not done then is undecided, for this reason.
 
-pub use meter::{Cancel, Limits, Times};
+pub use meter::{Cancel, Limits, WorkFactor};

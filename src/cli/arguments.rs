@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use rederive::Format;
-use rederive::check::{Limits, Rigor, Times};
+use rederive::check::{Limits, Rigor, WorkFactor};
 
 /// One of some values, each with its name and with what it is.
 pub fn one_of<T: Clone + Send + Sync + 'static>(
@@ -57,7 +57,7 @@ pub struct LimitArguments {
     memory: Option<u64>,
     /// Allow each piece of the work so many times what is counted for it: see `docs/limits.md`
     #[arg(long, value_name = "TIMES", default_value_t, hide_default_value = true)]
-    work: Times,
+    work: WorkFactor,
     #[command(flatten)]
     pub threads: ThreadArguments,
 }

@@ -80,16 +80,19 @@ impl Records {
     /// is empty; else in that of the user for such things, where a folder has the `name`. `None` where nothing is kept, and where there is
     /// no folder of the user, in which the secret is.
     pub fn of_user(named: Option<PathBuf>, variable: &str, name: &str) -> Option<Records> {
+        let of_user = Records::usual_folder(name);
         let usual = || match std::env::var_os(variable) {
             Some(folder) => (!folder.is_empty()).then(|| folder.into()),
-            None => Records::usual_folder(name),
+            None => of_user.clone(),
         };
         let folder = named.or_else(usual)?;
+        let of_user = of_user.filter(|folder| !is_tracked(folder))?;
+        if folder != of_user && is_tracked(&folder) {
+            return None;
+        }
         let program = LIBRARY.get().cloned().or_else(|| std::env::current_exe().ok())?;
-        let of_user = Records::usual_folder(name).filter(|folder| !is_tracked(folder))?;
         let secret = secret(&of_user)?;
-        let records = Records { of_program: of_this_program(), ..Records::new(folder, program, secret) };
-        (!is_tracked(&records.folder)).then_some(records)
+        Some(Records { of_program: of_this_program(), ..Records::new(folder, program, secret) })
     }
 
     /// The folder for such things on this system, for a program with this name, by the variables of its environment: that of the
@@ -188,7 +191,7 @@ fn secret(folder: &Path) -> Option<[u8; SECRET.1]> {
     read()
 }
 
-/// What nobody can guess.
+/// Bytes that nobody can guess.
 fn drawn() -> Option<[u8; SECRET.1]> {
     #[cfg(target_family = "wasm")]
     return None;

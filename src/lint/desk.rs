@@ -68,7 +68,7 @@ pub struct Desk {
     pub is_complex: bool,
     /// The relations whose definitions were used.
     pub used: Vec<usize>,
-    /// What questions may take: all of a paper together as much as a file may.
+    /// The limits of questions: all of a paper together may take as much as a file may.
     pub limits: Limits,
 }
 

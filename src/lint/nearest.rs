@@ -136,8 +136,7 @@ pub fn nearest(
     {
         return None;
     }
-    let mut all = Vec::new();
-    chain.sides.iter().for_each(|s| symbols(s, &mut all));
+    let all = named(&chain.sides);
     let mut search = Search { asked, rests, chain, points, count, sureness };
     let mut instead = None;
     'sides: for k in [1, 0] {
@@ -222,11 +221,11 @@ impl Search<'_> {
         // With definitions, another name, or one more or fewer, may be another definition; in a chain, a name that stands on the other side is
         // the one that was meant.
         let is_named_beside = |by: &str| {
-            let mut all = Vec::new();
-            symbols(&chain.sides[1 - k], &mut all);
             // An unknown function, or a rate, is what such an equation is for.
             let is_plain = |s: &SymbolNode| s.arguments.is_none() && s.dots == 0 && !s.name.ends_with('\'');
-            all.iter().any(|s| is_plain(s) && format!("{}{:?}", s.name, s.sub) == by)
+            named(std::slice::from_ref(&chain.sides[1 - k]))
+                .iter()
+                .any(|s| is_plain(s) && format!("{}{:?}", s.name, s.sub) == by)
         };
         let is_exchange = self.sureness >= Sureness::Chain
             && matches!(&slip.way, Alteration::Exchange { by, .. } if k == 1 && is_named_beside(by));
@@ -259,8 +258,7 @@ impl Search<'_> {
             return None;
         }
         *self.count += 1;
-        let limits = desk.limits.clone();
-        let found = tested(&mut desk.graph, &equations, premises, Wanted::Proof, &limits);
+        let found = tested(desk, &equations, premises, Wanted::Proof);
         if !matches!(found, Ok(Identity::Proved(_))) {
             return None;
         }
@@ -296,6 +294,13 @@ impl Search<'_> {
     }
 }
 
+/// The symbols of some sides, each once.
+fn named(sides: &[Node]) -> Vec<SymbolNode> {
+    let mut all = Vec::new();
+    sides.iter().for_each(|side| symbols(side, &mut all));
+    all
+}
+
 /// Whether something is derived.
 fn has_derivative(node: &Node) -> bool {
     matches!(node.kind, NodeKind::Derivative { .. } | NodeKind::Partial { .. })
@@ -304,22 +309,17 @@ fn has_derivative(node: &Node) -> bool {
 
 /// Whether a side as a whole is raised to a power with names in it.
 fn is_power_of_name(side: &Node) -> bool {
-    let mut all = Vec::new();
-    match &side.kind {
-        NodeKind::Scripted { sup: Some(sup), .. } => symbols(sup, &mut all),
-        NodeKind::Symbol(s) => s.sup.iter().for_each(|sup| symbols(sup, &mut all)),
-        _ => {}
-    }
-    !all.is_empty()
+    let above = match &side.kind {
+        NodeKind::Scripted { sup, .. } => sup,
+        NodeKind::Symbol(s) => &s.sup,
+        _ => return false,
+    };
+    above.as_deref().is_some_and(|sup| !named(std::slice::from_ref(sup)).is_empty())
 }
 
 /// Whether a name of a relation does not stand in an altered one.
 fn loses_a_name(printed: &Chain, altered: &Chain) -> bool {
-    let [before, now] = [printed, altered].map(|chain| {
-        let mut all = Vec::new();
-        chain.sides.iter().for_each(|side| symbols(side, &mut all));
-        all
-    });
+    let [before, now] = [printed, altered].map(|chain| named(&chain.sides));
     before.iter().any(|s| !now.iter().any(|n| (&n.name, &n.sub) == (&s.name, &s.sub)))
 }
 
@@ -357,9 +357,8 @@ fn drawn(asked: &Asked, point: &Point) -> Option<LintPicture> {
 
 /// Whether the later side is a number: it may be the value for values that words give.
 fn is_evaluated(chain: &Chain) -> bool {
-    let mut all = [Vec::new(), Vec::new()];
-    chain.sides.iter().zip(&mut all).for_each(|(s, out)| symbols(s, out));
-    all[1].is_empty() && !all[0].is_empty()
+    let [earlier, later] = [0, 1].map(|k| named(std::slice::from_ref(&chain.sides[k])));
+    later.is_empty() && !earlier.is_empty()
 }
 
 /// Whether both sides are products of the same names in another order: their order may count.

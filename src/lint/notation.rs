@@ -41,7 +41,7 @@ impl Evidence {
         Evidence { names, notation: Notation::of(paper), labelled, limits: Limits::default().of_file(0) }
     }
 
-    /// What the questions of the paper may take, all of them together.
+    /// The limits of the questions of the paper, with one total for all of them.
     pub fn limits(&self) -> &Limits {
         &self.limits
     }
@@ -71,7 +71,7 @@ impl Evidence {
         self.notation.varies(key) && !self.names.moving.contains(key)
     }
 
-    /// What keeps sides from being read as numbers together; what is known as a function is read as one.
+    /// The obstacle to reading sides as numbers together; what is known as a function is read as one.
     pub fn obstacle_together(&self, sides: &[&PrintedSide]) -> Option<NotRead> {
         let is_function = |letter: &str| self.names.may_be_function(letter);
         Notation::not_numbers_together(sides, &is_function).map(NotRead::of)

@@ -9,9 +9,9 @@ use std::collections::BTreeSet;
 
 use expr::{Expr, Graph, Leaf};
 use latex::syntax::{Node, NodeKind, RelationKind};
-use meter::{Ended, Limits, Task};
+use meter::{Ended, Task};
 use paper::PrintedSide;
-use proof::{Condition, Identity, Known, Options, Premises, Wanted, When, identity_test};
+use proof::{Condition, Identity, Known, Options, Premises, Proof, Wanted, When, identity_test};
 
 use super::desk::{Desk, Given, NotRead, Unit, pairs_of};
 use super::facts::Stated;
@@ -129,8 +129,7 @@ impl Put {
     }
 
     fn decided(&mut self, wanted: Wanted) -> Result<Identity, NotRead> {
-        let limits = self.desk.limits.clone();
-        tested(&mut self.desk.graph, &self.equations, &self.premises, wanted, &limits).map_err(|ended| match ended {
+        tested(&mut self.desk, &self.equations, &self.premises, wanted).map_err(|ended| match ended {
             Ended::Defect(what) => NotRead { feature: "a defect of this program".to_owned(), why: Some(what) },
             _ => NotRead::of(TOO_LONG),
         })
@@ -245,14 +244,13 @@ fn in_print(node: &Node, order: Order) -> String {
 
 /// Whether the premises prove that the left sides of all pairs are zero.
 pub fn vanishes(desk: &mut Desk, equations: &[(Expr, Expr)], premises: &Premises) -> bool {
-    let (limits, graph) = (desk.limits.clone(), &mut desk.graph);
-    let zero = graph.integer(0);
+    let zero = desk.graph.integer(0);
     let zeros: Vec<(Expr, Expr)> = equations.iter().map(|&(left, _)| (left, zero)).collect();
     // Premises that are equations are no part of the graph: points do not satisfy them.
-    if premises.equations.is_empty() && !agreement(graph, &zeros, ZERO_POINTS).is_some_and(|(_, all)| all) {
+    if premises.equations.is_empty() && !agreement(&desk.graph, &zeros, ZERO_POINTS).is_some_and(|(_, all)| all) {
         return false;
     }
-    matches!(tested(graph, &zeros, premises, Wanted::Proof, &limits), Ok(Identity::Proved(_)))
+    matches!(tested(desk, &zeros, premises, Wanted::Proof), Ok(Identity::Proved(_)))
 }
 
 /// Whether a side is zero as it is printed, with no premise: the number 0, or what is 0 for all values of its names.
@@ -274,17 +272,25 @@ fn squares_of_names(graph: &mut Graph, premises: &Premises) -> usize {
     premises.pairs().filter(|&(l, r)| is_square(l) || is_square(r)).count()
 }
 
+/// Whether a proof is none of what is printed: a case that was divided by is left out; or a root was taken of what may be a vector, but where
+/// the square of a name is what is given, `\gamma^2=\ldots`.
+fn is_of_less(graph: &mut Graph, premises: &Premises, proof: &Proof) -> bool {
+    let count = |is: fn(&Condition) -> bool| proof.conditions.iter().filter(|c| is(c)).count();
+    count(|c| matches!(c, Condition::Pivot(_))) > 0
+        || count(|c| matches!(c, Condition::Discriminant(_))) > squares_of_names(graph, premises)
+}
+
 /// The answer, with a bound on the work, and on that of the whole paper.
 ///
 /// # Errors
 /// The work was used up before there was an answer.
 pub fn tested(
-    graph: &mut Graph,
+    desk: &mut Desk,
     equations: &[(Expr, Expr)],
     premises: &Premises,
     wanted: Wanted,
-    limits: &Limits,
 ) -> Result<Identity, Ended> {
+    let Desk { graph, limits, .. } = desk;
     let proof = wanted == Wanted::Proof;
     let options = Options {
         attempts: if proof { 0 } else { 60 },
@@ -296,15 +302,7 @@ pub fn tested(
     };
     let answer = meter::piece(Task::Step, limits, || identity_test(graph, equations, premises, &options))?;
     Ok(match answer {
-        // A case that was divided by is left out: that is no proof of what is printed.
-        Identity::Proved(proof) if proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_))) => {
-            Identity::Undecided(proof::Reason::Degenerate)
-        }
-        // A root was taken of what may be a vector, but where the square of a name is what is given: `\gamma^2=\ldots`.
-        Identity::Proved(proof)
-            if proof.conditions.iter().filter(|c| matches!(c, Condition::Discriminant(_))).count()
-                > squares_of_names(graph, premises) =>
-        {
+        Identity::Proved(proof) if is_of_less(graph, premises, &proof) => {
             Identity::Undecided(proof::Reason::Degenerate)
         }
         other => other,

@@ -66,7 +66,7 @@ impl Judge<'_> {
         let mut words = between
             .split(|c: char| c.is_whitespace() || matches!(c, '$' | ',' | '.' | '~'))
             .filter(|w| !w.is_empty() && !w.starts_with('\\') && !w.starts_with('&'));
-        let is_or = |w: &str| matches!(w, "or" | "oder" | "ou" | "oppure" | "o" | "or,");
+        let is_or = |w: &str| matches!(w, "or" | "oder" | "ou" | "oppure" | "o");
         words.next().is_some_and(is_or)
             && words.next().is_none()
             && squeezed(&before.sides[0].text) == squeezed(&relation.sides[0].text)

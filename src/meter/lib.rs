@@ -19,10 +19,10 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-pub mod times;
+pub mod factor;
 pub mod total;
 
-pub use times::Times;
+pub use factor::WorkFactor;
 pub use total::{Total, each};
 
 /// So many units pass between two looks at the clock.
@@ -96,11 +96,11 @@ tasks! {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Ended {
     /// Its counted work is used up, which was so many times the usual.
-    Work(Task, Times),
+    Work(Task, WorkFactor),
     /// Its counted memory is used up.
-    Bytes(Task, Times),
+    Bytes(Task, WorkFactor),
     /// The counted work of the file is used up.
-    File(Task, Times),
+    File(Task, WorkFactor),
     /// The deadline of the run has passed.
     Time,
     /// The process holds as much memory as the run may.
@@ -145,8 +145,8 @@ fn in_thousandths(of: u64, unit: u64) -> f64 {
     (of as f64 / unit as f64 * 1000.0).round() / 1000.0
 }
 
-/// What would allow more.
-fn more(times: Times) -> String {
+/// The option that would allow more, in words.
+fn more(times: WorkFactor) -> String {
     format!("--work {} would allow ten times as much", times.tenfold())
 }
 
@@ -183,8 +183,8 @@ pub struct Limits {
     pub memory: Option<u64>,
     /// The same once this is raised.
     pub cancel: Option<Cancel>,
-    /// So many times the usual counted work and memory.
-    pub work: Times,
+    /// The factor on the usual counted work and memory.
+    pub work: WorkFactor,
     /// What is left of the work of the file at hand.
     pub total: Total,
 }

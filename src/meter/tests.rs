@@ -19,20 +19,20 @@ fn a_piece_ends_where_its_work_is_used_up() {
     };
     let once = Limits::default();
     assert_eq!(within(&once, 10_000), (Ok(()), 10_000));
-    assert_eq!(within(&once, 20_000), (Err(Ended::Work(Task::Reading, Times::default())), 10_000));
+    assert_eq!(within(&once, 20_000), (Err(Ended::Work(Task::Reading, WorkFactor::default())), 10_000));
     for (text, done) in [("2", 20_000), ("0.1", 1_000), ("0.0009", 10)] {
-        let times: Times = text.parse().expect("a number");
+        let times: WorkFactor = text.parse().expect("a number");
         let limits = Limits { work: times, ..Limits::default() };
         assert_eq!(within(&limits, 30_000), (Err(Ended::Work(Task::Reading, times)), done));
     }
     for text in ["0", "-1", "1e-4", "1000001", "NaN", "inf", "many", ""] {
-        assert!(text.parse::<Times>().is_err(), "{text}");
+        assert!(text.parse::<WorkFactor>().is_err(), "{text}");
     }
 }
 
 #[test]
 fn what_ends_a_piece_says_how_much_it_was_and_what_would_allow_more() {
-    let said = |text: &str, ended: fn(Times) -> Ended| ended(text.parse().expect("a number")).to_string();
+    let said = |text: &str, ended: fn(WorkFactor) -> Ended| ended(text.parse().expect("a number")).to_string();
     let work = said("2.5", |times| Ended::Work(Task::Formula, times));
     assert!(work.contains("more than about 2.5 s") && work.contains("--work 25 would"), "{work}");
     let bytes = said("0.01", |times| Ended::Bytes(Task::Formula, times));
@@ -46,7 +46,7 @@ fn what_ends_a_piece_says_how_much_it_was_and_what_would_allow_more() {
 #[test]
 fn what_only_grows_is_counted() {
     let found = piece(Task::Reading, &Limits::default(), || (0..600).for_each(|_| grow(MEGABYTE)));
-    assert_eq!(found, Err(Ended::Bytes(Task::Reading, Times::default())));
+    assert_eq!(found, Err(Ended::Bytes(Task::Reading, WorkFactor::default())));
     assert_eq!(piece(Task::Reading, &Limits::default(), || (0..500).for_each(|_| grow(MEGABYTE))), Ok(()));
 }
 
@@ -55,7 +55,7 @@ fn a_piece_takes_nothing_else_with_it() {
     let limits = Limits::default();
     let outer = piece(Task::Proving, &limits, || {
         let inner = piece(Task::Reading, &limits, || charge(u64::MAX));
-        assert_eq!(inner, Err(Ended::Work(Task::Reading, Times::default())));
+        assert_eq!(inner, Err(Ended::Work(Task::Reading, WorkFactor::default())));
         count(10)
     });
     assert_eq!(outer, Ok(10));
@@ -125,9 +125,9 @@ fn a_part_is_counted_with_its_piece() {
         }
     });
     // Eleven of 0.9 s within 10 s; the last one ends, and so does what comes after it.
-    assert_eq!((found, parts.get()), (Err(Ended::Work(Task::Reading, Times::default())), 11));
+    assert_eq!((found, parts.get()), (Err(Ended::Work(Task::Reading, WorkFactor::default())), 11));
     let alone = part(Task::Formula, || charge(2 * SECOND));
-    assert_eq!(alone, Err(Ended::Work(Task::Formula, Times::default())));
+    assert_eq!(alone, Err(Ended::Work(Task::Formula, WorkFactor::default())));
     let ten = Limits { work: "10".parse().expect("a number"), ..Limits::default() };
     assert_eq!(under(&ten, || part(Task::Formula, || charge(2 * SECOND))), Ok(Ok(())));
 }

@@ -198,7 +198,7 @@ pub fn each<T: Sync, R: Send>(limits: &Limits, items: &[T], work: impl Fn(&T, &L
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Ended, Task, Times, charge, piece};
+    use crate::{Ended, Task, WorkFactor, charge, piece};
 
     /// How far each of some items of so many seconds in tenths comes.
     fn walk(items: &[u64], threads: usize) -> (Vec<Result<(), Ended>>, u64) {
@@ -214,7 +214,7 @@ mod tests {
 
     #[test]
     fn the_same_items_are_refused_whatever_the_number_of_threads() {
-        let refused = || Err(Ended::File(Task::Motion, Times::default()));
+        let refused = || Err(Ended::File(Task::Motion, WorkFactor::default()));
         let cases: [(&[u64], usize); 4] = [
             (&[10; 30], 20),
             // The first is slow: those behind it are ahead of it, and are taken back.

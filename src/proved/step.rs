@@ -39,7 +39,7 @@ mod reach;
 mod signs;
 mod times;
 mod uniqueness;
-mod values;
+mod valued;
 
 use crate::agreement::{Signs, answer, evidence, evidence_of, reach};
 use crate::derivation::{Claim, Derivation, Form, Motion};

@@ -68,12 +68,11 @@ pub fn audit(text: &[u8]) -> Result<Audit, String> {
         let is_first = proof.relations.first().is_none_or(|first| first.claim == proof.sequent.claim);
         let relations = proof.relations.iter().map(|relation| {
             let sequent = proof.sequent_of(relation);
-            let outcome = checker::replay(&sequent, &relation.steps).map_or_else(
-                |refused| Replayed::Refused { step: refused.step.map(|s| s + 1), why: refused.why },
-                |shown| Replayed::Shown(Box::new(shown)),
-            );
             let outcome = match is_first {
-                true => outcome,
+                true => checker::replay(&sequent, &relation.steps).map_or_else(
+                    |refused| Replayed::Refused { step: refused.step.map(|s| s + 1), why: refused.why },
+                    |shown| Replayed::Shown(Box::new(shown)),
+                ),
                 false => Replayed::Refused {
                     step: None,
                     why: "the sequent claims something else than its first relation".to_owned(),

@@ -5,7 +5,7 @@
 //! about constants, or what chooses is strict and the motions are analytic.
 
 use super::gather::{Gathered, sides};
-use super::values::Values;
+use super::valued::Valued;
 use super::{Pairs, Step, pairs};
 use crate::derivation::{Claim, Form, Premise, Written};
 use crate::expr::domain::{Change, EdgeOf, Need, Sign};
@@ -184,9 +184,10 @@ impl<'a> Step<'a> {
 
     /// The first integrals that are given of all motions and have values at all times: others need not be the same on both sides of where
     /// they have none.
-    pub(super) fn constants(&mut self, values: &mut Values, throughout: &Premises) -> Vec<(&'a Scope, Expr)> {
+    pub(super) fn constants(&mut self, values: &mut Valued, throughout: &Premises) -> Vec<(&'a Scope, Expr)> {
         let mut out = self.first_integrals();
-        out.retain(|&(scope, e)| self.integral_has_value(scope, e, values, throughout) == When::Always);
+        let own = &self.claim.scope;
+        out.retain(|&(scope, e)| self.has_value(e, &[scope, own], values, throughout) == When::Always);
         out
     }
 

@@ -205,7 +205,7 @@ impl<'a> Step<'a> {
                     for form in &premise.forms {
                         let Form::FirstIntegral(w) = form else { continue };
                         for &e in &w.value.components {
-                            let when = self.integral_has_value(&premise.scope, e, &mut values, &throughout);
+                            let when = self.has_value(e, &[&premise.scope, &claim.scope], &mut values, &throughout);
                             if at_others && when == When::Always {
                                 constant.push((&premise.scope, e));
                             }

@@ -12,7 +12,7 @@
 
 use super::definitions::Definitions;
 use super::gather::{Gathered, sides};
-use super::values::Values;
+use super::valued::Valued;
 use super::{LEFT_OUT_NODES, Pairs, Step, pairs};
 use crate::derivation::{Claim, Form, Premise};
 use crate::expr::domain::Sign;
@@ -87,22 +87,27 @@ impl Step<'_> {
         matches!(found, Identity::Undecided(Reason::Contradiction))
     }
 
-    /// What tells when something has a value: what systems need, and divide by.
-    pub(super) fn values(&mut self) -> Values {
+    /// The needs that systems meet: what they need themselves, and divide by.
+    pub(super) fn values(&mut self) -> Valued {
         let of_systems = self.sides_of_systems();
         let traced: Vec<Expr> = of_systems.into_iter().map(|e| traced(&mut self.graph, &self.claim.scope, e)).collect();
         let needed = self.graph.needs_below(traced).iter().map(|n| (n.value, n.sign)).collect();
-        Values { needed, divided: self.divided_by_systems(), found: FastMap::default() }
+        Valued { needed, divided: self.divided_by_systems(), found: FastMap::default() }
     }
 
-    /// When something has a value, by the signs that hold at all times.
-    pub(super) fn has_value(
-        &mut self,
-        mut e: Expr,
-        scopes: &[&Scope],
-        values: &mut Values,
-        throughout: &Premises,
-    ) -> When {
+    /// An expression with the formulas that stand behind its names, in one scope after the other.
+    fn written_out(&mut self, e: Expr, scopes: &[&Scope]) -> Expr {
+        scopes.iter().fold(e, |e, scope| {
+            let e = behind_rates(&mut self.graph, scope, e);
+            traced(&mut self.graph, scope, e)
+        })
+    }
+
+    /// When something has a value, by the signs that hold at all times. What is typed is given of all times.
+    pub(super) fn has_value(&mut self, e: Expr, scopes: &[&Scope], values: &mut Valued, throughout: &Premises) -> When {
+        if self.inequalities == When::Always {
+            return When::Always;
+        }
         let known = || Gathered { throughout: throughout.clone(), ..Gathered::default() };
         // What is known of an observable is not seen in its formula.
         let as_written = if throughout.nonzero.is_empty() { Vec::new() } else { self.graph.needs_below([e]) };
@@ -112,10 +117,7 @@ impl Step<'_> {
                 values.found.insert((behind, Sign::NotZero), When::Always);
             }
         }
-        for scope in scopes {
-            e = behind_rates(&mut self.graph, scope, e);
-            e = traced(&mut self.graph, scope, e);
-        }
+        let e = self.written_out(e, scopes);
         let mut when = When::Always;
         for need in self.graph.needs_below([e]) {
             let key = (need.value, need.sign);
@@ -146,7 +148,7 @@ impl Step<'_> {
 
     /// The signs that the claims which are given say of all times: those of which both sides have values at all times. What one of them says
     /// may give another one its values.
-    pub(super) fn signs_of_premises(&mut self, values: &mut Values) -> Premises {
+    pub(super) fn signs_of_premises(&mut self, values: &mut Valued) -> Premises {
         let (derivation, claim) = (self.derivation, self.claim);
         let mut open: Vec<(&Scope, &Relation)> = Vec::new();
         for name in Step::given(derivation, claim) {
@@ -181,15 +183,16 @@ impl Step<'_> {
         &mut self,
         of: &Claim,
         equations: &mut Pairs,
-        values: &mut Values,
+        values: &mut Valued,
         (premises, throughout): (&Premises, &Premises),
     ) -> bool {
         let mut whole = true;
         for form in &of.forms {
             let Form::FirstIntegral(w) = form else { continue };
             for &e in &w.value.components {
-                let when = self.integral_has_value(&of.scope, e, values, throughout);
-                if when == When::Chosen && !self.is_positive_inside((e, e), &[&of.scope, &self.claim.scope], premises) {
+                let scopes = [&of.scope, &self.claim.scope];
+                let when = self.has_value(e, &scopes, values, throughout);
+                if when == When::Chosen && !self.is_positive_inside((e, e), &scopes, premises) {
                     let rate = self.constancy(&of.scope, e);
                     equations.retain(|pair| Some(*pair) != rate);
                     whole = false;
@@ -199,34 +202,17 @@ impl Step<'_> {
         whole
     }
 
-    /// When a first integral has a value. What is typed is given of all times.
-    pub(super) fn integral_has_value(
-        &mut self,
-        scope: &Scope,
-        e: Expr,
-        values: &mut Values,
-        throughout: &Premises,
-    ) -> When {
-        match self.inequalities {
-            When::Always => When::Always,
-            _ => self.has_value(e, &[scope, &self.claim.scope], values, throughout),
-        }
-    }
-
-    /// When both sides of a relation have values. What is typed is given of all times.
+    /// When both sides of a relation have values.
     pub(super) fn relation_has_values(
         &mut self,
         scope: &Scope,
         relation: &Relation,
-        values: &mut Values,
+        values: &mut Valued,
         throughout: &Premises,
     ) -> When {
-        if self.inequalities == When::Always {
-            return When::Always;
-        }
         let scopes = [scope, &self.claim.scope];
-        let sides: Vec<Expr> = pairs(relation).flat_map(|(l, r)| [l, r]).collect();
-        sides.into_iter().fold(When::Always, |when, e| when.and(self.has_value(e, &scopes, values, throughout)))
+        let both: Pairs = pairs(relation).collect();
+        sides(&both).fold(When::Always, |when, e| when.and(self.has_value(e, &scopes, values, throughout)))
     }
 
     /// What a claim says, and what is assumed, is said where it has a value: that may be at some times only, and single ones among them,
@@ -237,7 +223,7 @@ impl Step<'_> {
         premises: &mut Premises,
         assumed: usize,
         always: &mut [(&Scope, Pairs)],
-        (values, throughout): (&mut Values, &Premises),
+        (values, throughout): (&mut Valued, &Premises),
     ) -> bool {
         if self.inequalities == When::Always {
             return true;
@@ -270,11 +256,8 @@ impl Step<'_> {
 
     /// Whether what must not be negative is positive at the times that count: then it is so around them.
     fn is_positive_inside(&mut self, pair: (Expr, Expr), scopes: &[&Scope], premises: &Premises) -> bool {
-        [pair.0, pair.1].into_iter().all(|mut e| {
-            for scope in scopes {
-                e = behind_rates(&mut self.graph, scope, e);
-                e = traced(&mut self.graph, scope, e);
-            }
+        [pair.0, pair.1].into_iter().all(|e| {
+            let e = self.written_out(e, scopes);
             let needs = self.graph.needs_below([e]);
             let open = |n: &Expr| premises.positive.contains(n) || !self.depends(*n);
             needs.iter().filter(|n| n.sign == Sign::NotNegative).all(|n| open(&n.value))
@@ -283,9 +266,8 @@ impl Step<'_> {
 
     /// Whether the claim, or what is given, names rates, fixed times or fields.
     fn names_more_than_one_time(&mut self, premises: &Premises) -> bool {
-        let own: Vec<Expr> =
-            self.equations(self.claim).unwrap_or_default().into_iter().flat_map(|(l, r)| [l, r]).collect();
-        let roots: Vec<Expr> = own.into_iter().chain(premises.sides()).collect();
+        let own = self.equations(self.claim).unwrap_or_default();
+        let roots: Vec<Expr> = sides(&own).chain(premises.sides()).collect();
         let more = |l: &Leaf| l.rate > 0 || l.instant.is_some() || self.graph.is_field(l.symbol);
         self.graph.leaves_within(roots).iter().any(more)
     }

@@ -1,6 +1,6 @@
-//! How many times the usual work a run may take.
+//! The factor by which a run may take more, or less, than the usual work.
 //!
-//! **In:** what a user writes behind `--work`. **Out:** [`Times::of`] what is usual. In whole thousandths, so that the same text allows the
+//! **In:** what a user writes behind `--work`. **Out:** [`WorkFactor::of`] what is usual. In whole thousandths, so that the same text allows the
 //! same work on every machine.
 
 use std::fmt;
@@ -9,17 +9,17 @@ use std::str::FromStr;
 /// So many thousandths are once.
 const ONCE: u32 = 1000;
 
-/// So many times what is usual: from a thousandth to a million.
+/// A factor on the usual work and memory: from a thousandth to a million.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Times(u32);
+pub struct WorkFactor(u32);
 
-impl Default for Times {
-    fn default() -> Times {
-        Times(ONCE)
+impl Default for WorkFactor {
+    fn default() -> WorkFactor {
+        WorkFactor(ONCE)
     }
 }
 
-impl Times {
+impl WorkFactor {
     /// So many times something.
     pub fn of(self, usual: u64) -> u64 {
         let all = u128::from(usual) * u128::from(self.0) / u128::from(ONCE);
@@ -27,25 +27,25 @@ impl Times {
     }
 
     /// Ten times as many.
-    pub fn tenfold(self) -> Times {
-        Times(self.0.saturating_mul(10))
+    pub fn tenfold(self) -> WorkFactor {
+        WorkFactor(self.0.saturating_mul(10))
     }
 }
 
-impl FromStr for Times {
+impl FromStr for WorkFactor {
     type Err = String;
 
-    fn from_str(text: &str) -> Result<Times, String> {
+    fn from_str(text: &str) -> Result<WorkFactor, String> {
         let thousandths = text.trim().parse::<f64>().map_or(0.0, |times| (times * f64::from(ONCE)).round());
         match (1.0..=1e9).contains(&thousandths) {
             // A whole number in the range of the type.
-            true => Ok(Times(thousandths as u32)),
+            true => Ok(WorkFactor(thousandths as u32)),
             false => Err("a number from 0.001 to 1000000 is expected".to_owned()),
         }
     }
 }
 
-impl fmt::Display for Times {
+impl fmt::Display for WorkFactor {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", f64::from(self.0) / f64::from(ONCE))
     }
