@@ -61,12 +61,17 @@ fn said(found: &Findings) -> BTreeMap<String, Said> {
 /// Tries a file with each share of the work: how many verdicts are open that are decided with enough.
 fn starve(name: &str) -> usize {
     let session = session(name);
-    let whole = said(&session.check(&Ask::default(), &|_, _| {}).expect("it is checked"));
+    let whole =
+        said(&session.check(&Ask { rigor: Rigor::Enclosed, ..Ask::default() }, &|_, _| {}).expect("it is checked"));
     let mut open = 0;
     for share in SHARES {
         let limits = Limits { work: share.parse().expect("a number"), ..Limits::default() };
-        let found = match session.check(&Ask { limits, ..Ask::default() }, &|_, _| {}) {
-            Ok(found) => said(&found),
+        let found = match session.check(&Ask { rigor: Rigor::Enclosed, limits, ..Ask::default() }, &|_, _| {}) {
+            Ok(found) => {
+                let defects: Vec<_> = found.account().defects().collect();
+                assert!(defects.is_empty(), "{name} {share}: {defects:?}");
+                said(&found)
+            }
             Err(Failure::Problems(problems)) => {
                 let told = rederive::diag::render(&problems, false);
                 assert!(told.contains("work limit"), "{name} {share}: {told}");
