@@ -47,6 +47,14 @@ fn what_was_changed_in_a_proof_is_refused_with_its_step() {
         let (code, said) = audit(&changed);
         assert!(code == 1 && said.contains("refused"), "{old}: {code}, {said}");
     }
+    // The claim of the whole is that of its first relation.
+    let mut file: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let proof = file["proofs"][0]["proof"].as_object_mut().expect("a proof");
+    let right = proof["sequent"]["claim"]["left"].clone();
+    proof["sequent"]["claim"]["right"] = right;
+    fs::write(&changed, file.to_string()).expect("written");
+    let (code, said) = audit(&changed);
+    assert!(code == 1 && said.contains("claims something else than its first relation"), "{code}, {said}");
     fs::write(&changed, "{}").expect("written");
     let (code, said) = audit(&changed);
     assert!(code == 2 && said.contains("this is no proofs.json"), "{code}, {said}");

@@ -189,3 +189,17 @@ fn nothing_typed_makes_it_panic() {
         assert!(code == 2 && !err.contains("panicked"), "`{text}`: {code} {err}");
     }
 }
+
+/// Numbers that grow without end, and what names the time alone, took a minute or all memory.
+#[test]
+fn what_grows_without_end_is_left_at_once() {
+    let within = |code: i32, arguments: &[&str]| {
+        let mut command = Command::cargo_bin("rederive").expect("the program is built");
+        command.arg("prove").args(arguments).timeout(std::time::Duration::from_secs(20)).assert().code(code);
+    };
+    // The square of a square, forty-five times.
+    let squares = format!("{}x+1{}=1", "(".repeat(45), ")^2".repeat(45));
+    within(1, &[&squares, "-s", "x"]);
+    let given = ["-g", r"\dot x=y", "-g", "|t|=ty(0)", "-g", "y=0"];
+    within(0, &[&["x=x(0)", "-s", "x,y: state"], &given[..]].concat());
+}
