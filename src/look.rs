@@ -10,7 +10,7 @@ use std::panic::AssertUnwindSafe;
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::check::ClaimAccount;
+use crate::check::{ClaimAccount, Limits};
 use crate::derivation::{Claim, Form, SymbolEntry};
 use crate::diag::escape::in_one_line;
 use crate::diag::{Diagnostic, Source};
@@ -192,7 +192,7 @@ fn of_paper(source: &Arc<Source>, folder: Option<&Path>) -> Looked {
         Ok(paper) => paper,
         Err(problem) => return with_problems(source, &[*problem]),
     };
-    let found = lint::lint(&paper);
+    let found = lint::lint(&paper, &Limits::default());
     // Other files have places of their own.
     let mut findings = report::lint_findings(&paper, &found);
     findings.retain(|f| Arc::ptr_eq(&f.place.source, source));

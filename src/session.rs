@@ -382,7 +382,7 @@ impl Session {
             given: asked.given.iter().map(|text| shown(text).into_owned()).collect(),
             throughout: asked.throughout,
         };
-        let found = meter::piece(Task::Proving, &Limits::default(), || check::prove(&mut derivation, &proposition));
+        let found = meter::piece(Task::Proving, &meter::limits(), || check::prove(&mut derivation, &proposition));
         let account = match found {
             Ok(found) => found?,
             Err(Ended::Defect(what)) => return Err(Failure::Defect(what)),
@@ -441,7 +441,7 @@ impl Session {
 
 /// A search for the steps of a proof, as far as its work goes.
 fn recording(search: impl FnOnce() -> recorded::Found) -> recorded::Found {
-    meter::piece(Task::Proving, &Limits::default(), search).unwrap_or_else(|ended| Err(ended.to_string()))
+    meter::piece(Task::Proving, &meter::limits(), search).unwrap_or_else(|ended| Err(ended.to_string()))
 }
 
 /// An answer with its proof as steps, if it is proved.

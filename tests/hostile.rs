@@ -356,7 +356,7 @@ fn a_paper_of_strangers_is_text_on_its_page() {
         );
         let source = rederive::diag::Source { path: text.to_owned(), text: source };
         let Ok(paper) = rederive::paper::parse(source, String::new()) else { continue };
-        let found = rederive::lint::lint(&paper);
+        let found = rederive::lint::lint(&paper, &rederive::check::Limits::default());
         let told = rederive::report::lint_findings(&paper, &found);
         inert("github", &rederive::report::github(&told));
         let page = rederive::report::lint_page(&paper, &found);

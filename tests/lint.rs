@@ -5,6 +5,7 @@ use std::path::Path;
 
 use assert_cmd::Command;
 use predicates::prelude::*;
+use rederive::check::Limits;
 use rederive::diag::Source;
 use rederive::lint::{self, Word};
 use rederive::paper::{self, Paper};
@@ -22,7 +23,11 @@ fn read(tex: &str) -> Paper {
 /// The word on every relation, with the relation.
 fn words(tex: &str) -> Vec<(Word, String)> {
     let paper = read(tex);
-    lint::lint(&paper).judgements.iter().map(|j| (j.word, paper.printed[j.relation].text())).collect()
+    lint::lint(&paper, &Limits::default())
+        .judgements
+        .iter()
+        .map(|j| (j.word, paper.printed[j.relation].text()))
+        .collect()
 }
 
 #[track_caller]
@@ -34,7 +39,7 @@ fn says(tex: &str, wanted: &[Word]) {
 /// What is shown instead of the first wrong step.
 fn instead(tex: &str) -> Option<String> {
     let paper = read(tex);
-    lint::lint(&paper).judgements.into_iter().find_map(|j| j.instead)
+    lint::lint(&paper, &Limits::default()).judgements.into_iter().find_map(|j| j.instead)
 }
 
 #[test]

@@ -161,7 +161,7 @@ fn the_boundary_is_where_the_verdict_changes() {
     let boundary = map.boundary.as_ref().expect("a boundary");
     assert_eq!((boundary.widths, boundary.crossings.len()), ([Some(1e-6), Some(0.01)], 12));
     // From 1 to 2 ⁻²⁰ and to 2⁻⁷.
-    assert_eq!((boundary.members, boundary.stopped), (6 * 20 + 6 * 7, None));
+    assert_eq!((boundary.members, boundary.stopped.clone()), (6 * 20 + 6 * 7, None));
     for c in &boundary.crossings {
         let (ends, other, width) = if c.along == 0 { (c.across, c.up, 1e-6) } else { (c.up, c.across, 0.01) };
         let edge = (1.7 - other.0 * other.0).sqrt().copysign(ends.0 + ends.1);

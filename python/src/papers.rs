@@ -28,9 +28,10 @@ pub(super) fn lint_paper(
     text: Option<String>,
     deadline: Option<f64>,
 ) -> PyResult<(String, Vec<String>, String)> {
-    let found = Wait { until: Limits::after(deadline), ..Wait::default() }.compute(py, move || {
+    let until = Limits::after(deadline);
+    let found = Wait { until, ..Wait::default() }.compute(py, move || {
         let paper = read(&name, text)?;
-        let found = lint::lint(&paper);
+        let found = lint::lint(&paper, &Limits { deadline: until, ..Limits::default() });
         let document = escape::in_json(&report::lint_document(&paper, &found).to_string());
         Ok::<_, Box<Diagnostic>>((document, report::lint_formulas(&paper, &found), report::lint_page(&paper, &found)))
     })?;

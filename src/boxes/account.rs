@@ -12,6 +12,7 @@ use crate::findings::standing::Decision;
 use crate::findings::{ClaimAccount, IdentityAccount};
 use crate::number::Interval;
 use crate::verdict::{Finding, Possible, Strength, Truth, Verdict};
+use meter::Ended;
 use proof::Proof;
 use reason::{Plain, Ranges, Reason};
 use std::sync::Arc;
@@ -38,6 +39,17 @@ pub fn of_step(claim: &Claim, region: &Region, step: Option<&IdentityAccount>) -
     }
     let strength = if known == Possible::TRUE { Strength::Proved } else { Strength::Enclosed };
     RegionAccount { verdict: Verdict::over_ranges(known, strength, 1, Some(&[]), reason), ..empty(region) }
+}
+
+/// The account of a claim whose piece of the work ended before it was done.
+pub fn ended(region: &Region, by: Ended) -> RegionAccount {
+    let is_defect = matches!(by, Ended::Defect(_));
+    let reason: Reason = by.into();
+    let mut verdict = Verdict::of(Finding::open(reason.clone()));
+    if is_defect {
+        verdict.contradict(reason);
+    }
+    RegionAccount { verdict, ..empty(region) }
 }
 
 fn empty(region: &Region) -> RegionAccount {

@@ -43,14 +43,13 @@ use crate::latex::RelationKind;
 use crate::number::{Bounded, Draws, Interval};
 use crate::verdict::{Finding, Strength, Verdict};
 use ends::{enclosed, nearest};
-use meter::Limits;
+use meter::{Limits, Task};
 use portrait::portraits;
 use question::{Insertion, Question};
-use rayon::prelude::*;
 use reason::Reason;
 use signs::{Cell, Scratch, Variable};
 use solutions::Solver;
-use subdivide::{Division, Judge, MOST_CELLS, MOST_WORK, subdivide};
+use subdivide::{Division, Judge, MOST_CELLS, subdivide};
 
 impl Judge for Question {
     type Scratch = Scratch;
@@ -63,26 +62,25 @@ impl Judge for Question {
     fn divides(&self, _: usize) -> Vec<bool> {
         self.signs.named()
     }
-
-    fn work(&self, scratch: &mut Scratch) -> u64 {
-        std::mem::take(&mut scratch.work)
-    }
 }
-
-/// The work that all claims of a file may take, in operations on intervals.
-const MOST_WORK_OF_A_FILE: u64 = 4_000_000_000;
 
 /// An operation on intervals is so many units of counted work.
 const UNITS: u64 = 6;
 
-/// The work that a claim may take that is only a proposal.
-const MOST_WORK_OF_ONE: u64 = 50_000_000;
+/// The counted work after which the ranges of a claim that is only a proposal are taken apart no further.
+const MOST_WORK_OF_ONE: u64 = 300_000_000;
+
+/// The same for any claim, and for all claims of a file together: what is left of the work of the file is for its motions.
+fn most_work(limits: &Limits, claims: usize) -> u64 {
+    let of_one = limits.work.of(Task::Ranges.units()) / 5 * 2;
+    of_one.min(limits.total.left() / 5 * 4 / claims.max(1) as u64)
+}
 
 /// Points at which variants of a claim are tried, and most that are drawn for them.
 const MOST_POINTS: usize = 48;
 const MOST_DRAWN: usize = 400;
 
-/// The accounts of the claims over ranges among those that are asked for, by their positions in the file.
+/// The accounts of the claims over ranges among those that are asked for, by their positions in the file. Each is a piece of the work.
 ///
 /// # Errors
 /// A diagnostic for every range whose ends are in the wrong order, or not numbers.
@@ -99,19 +97,12 @@ pub fn decide_all(
         .filter_map(|(at, claim)| Some((at, claim, claim.region.as_ref()?)))
         .filter(|(_, claim, _)| asked(claim))
         .collect();
-    let of_a_file = limits.work.of(MOST_WORK_OF_A_FILE);
-    let most_work = MOST_WORK.min(of_a_file.min(limits.total.left() / UNITS) / asked.len().max(1) as u64);
-    type Decided = Result<(usize, ClaimAccount), Box<Diagnostic>>;
-    let decided: Vec<(Decided, u64)> = asked
-        .par_iter()
-        .with_max_len(1)
-        .map(|&(at, claim, region)| match decide(derivation, claim, region, most_work) {
-            Ok((account, work)) => (Ok((at, account::of_region(claim, account))), work),
-            Err(problem) => (Err(problem), 0),
-        })
-        .collect();
-    limits.total.spend(decided.iter().map(|(_, work)| work.saturating_mul(UNITS)).sum());
-    let decided = decided.into_iter().map(|(decided, _)| decided);
+    let most_work = most_work(limits, asked.len());
+    let decided = meter::each(limits, &asked, |&(at, claim, region), limits| {
+        let account = meter::piece(Task::Ranges, limits, || decide(derivation, claim, region, most_work))
+            .unwrap_or_else(|ended| Ok(account::ended(region, ended)))?;
+        Ok::<_, Box<Diagnostic>>((at, account::of_region(claim, account)))
+    });
     let (mut out, mut problems) = (Vec::new(), Vec::new());
     for one in decided {
         match one {
@@ -124,7 +115,7 @@ pub fn decide_all(
 
 /// One claim by itself; `None` where a range is none.
 pub fn decide_one(derivation: &Derivation, claim: &Claim, region: &Region) -> Option<RegionAccount> {
-    decide(derivation, claim, region, MOST_WORK_OF_ONE).ok().map(|(account, _)| account)
+    decide(derivation, claim, region, MOST_WORK_OF_ONE).ok()
 }
 
 /// The ranges that are no single values, enclosed from outside and inside.
@@ -148,13 +139,13 @@ fn variables(derivation: &Derivation, graph: &Graph, ranges: &[Ranged]) -> Resul
     Ok(out)
 }
 
-/// What is found of a claim, and the work of it.
+/// What is found of a claim.
 fn decide(
     derivation: &Derivation,
     claim: &Claim,
     region: &Region,
     most_work: u64,
-) -> Result<(RegionAccount, u64), Box<Diagnostic>> {
+) -> Result<RegionAccount, Box<Diagnostic>> {
     let mut graph = derivation.graph.clone();
     let mut variables = variables(derivation, &graph, &region.ranges)?;
     fix(&graph, claim, &mut variables);
@@ -162,7 +153,7 @@ fn decide(
     let mut account = account::blank(region, &graph, &put, &variables);
     if let Some(why) = claim.unread() {
         account.verdict = Verdict::of(Finding::open(Reason::quoted(why)));
-        return Ok((account, 0));
+        return Ok(account);
     }
     let problem = |graph: &Graph, leaf: Leaf| {
         let message = format!("`{}` has no value in the claim `{}`", graph.leaf_latex(leaf), claim.name());
@@ -192,7 +183,7 @@ fn decide(
         account::measure(&mut account, &division);
         solver.describe(&division, &mut account);
         account::conclude(&mut account, &division, Strength::Enclosed);
-        return Ok((account, division.work));
+        return Ok(account);
     }
     let division = subdivide(&question, &variables, MOST_CELLS, most_work);
     account::measure(&mut account, &division);
@@ -200,7 +191,7 @@ fn decide(
     account::identities(&mut account, &question);
     account.portraits = portraits(&mut graph, (claim, &region.ranges, question.identical), &put, &variables);
     account::conclude(&mut account, &division, if question.identical { Strength::Proved } else { Strength::Enclosed });
-    Ok((account, division.work))
+    Ok(account)
 }
 
 /// Notes the values that assumptions give single variables: `\\theta=1`. Points at which a claim applies are looked for there.

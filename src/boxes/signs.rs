@@ -116,8 +116,6 @@ pub(super) struct Signs {
 pub(super) struct Scratch {
     slots: FastMap<(usize, usize), Slots<Decorated>>,
     found: Vec<Option<(Range, Truth)>>,
-    /// Operations since this was last asked.
-    pub work: u64,
 }
 
 /// A cell: an interval for each variable, and whether it is the exact lower (`false`) or upper end of the range.
@@ -400,7 +398,6 @@ const FLAT: usize = 1 << 16;
 
 /// Runs a tape on a cell: a range for each output, `None` where it has a value nowhere.
 fn run(tape: &Tape, key: (usize, usize), cell: &Cell, scratch: &mut Scratch) -> Vec<Range> {
-    scratch.work += tape.instructions().len() as u64;
     let slots = scratch.slots.entry(key).or_insert_with(|| tape.slots::<Decorated>(&()));
     ranges(tape, cell.sides.iter(), slots).collect()
 }

@@ -28,6 +28,7 @@ use std::collections::VecDeque;
 
 use nalgebra::DMatrix;
 
+use super::UNITS;
 use super::faults;
 use super::question::{Insertion, Question};
 use super::signs::{Cell, Domain, Scratch as SignScratch, Signs, Truth, Variable, found};
@@ -136,8 +137,6 @@ pub(super) struct Scratch {
     conditions: SignScratch,
     values: Option<Slots<Decorated>>,
     slopes: Option<Slots<Decorated>>,
-    /// Operations since this was last asked.
-    work: u64,
 }
 
 /// A verified zero.
@@ -228,7 +227,6 @@ impl Solver {
 
     /// F on a box; `None` where it has a value nowhere on it.
     fn value(&self, x: &[Interval], scratch: &mut Scratch) -> Option<Value> {
-        scratch.work += self.values.moving.len() as u64;
         let found = self.values.on(x, &mut scratch.values)?;
         let continuous = found.iter().all(Decorated::is_continuous);
         Some(Value { ranges: found.iter().map(Decorated::range).collect(), continuous })
@@ -257,8 +255,7 @@ impl Solver {
         if !self.value_on(look, scratch)?.continuous {
             return None;
         }
-        let slopes_work = self.slopes.as_ref().map_or(0, |slopes| slopes.moving.len());
-        scratch.work += (slopes_work + 4 * n * n * n) as u64;
+        meter::charge(4 * UNITS * (n * n * n) as u64);
         let slopes = self.slopes_on(look, scratch)?;
         if !slopes.iter().all(Decorated::is_continuous) {
             return None;
@@ -593,11 +590,6 @@ impl Judge for Solver {
     type Scratch = Scratch;
     // A search in itself.
     const TOGETHER: usize = 1;
-
-    fn work(&self, scratch: &mut Scratch) -> u64 {
-        let signs = std::mem::take(&mut scratch.signs.work) + std::mem::take(&mut scratch.conditions.work);
-        std::mem::take(&mut scratch.work) + signs
-    }
 
     fn judge(&self, cell: &Cell, scratch: &mut Scratch) -> Part {
         self.question.signs.begin(&mut scratch.signs);

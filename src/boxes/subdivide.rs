@@ -16,8 +16,6 @@ use crate::number::Interval;
 
 /// Most cells that are judged.
 pub(super) const MOST_CELLS: usize = 20_000;
-/// The work that is allowed, in operations on intervals.
-pub(super) const MOST_WORK: u64 = 1_000_000_000;
 /// Cells after which it is asked whether that is used up.
 const BETWEEN: usize = 64;
 /// Most bisections of one cell.
@@ -41,8 +39,6 @@ pub(super) trait Judge: Sync {
     fn divides(&self, ranges: usize) -> Vec<bool> {
         vec![true; ranges]
     }
-    /// The work since this was last asked, in operations on intervals.
-    fn work(&self, scratch: &mut Self::Scratch) -> u64;
 }
 
 /// A part of the ranges.
@@ -79,8 +75,6 @@ pub(super) struct Division {
     pub met: bool,
     /// Whether the work was used up before all cells were judged.
     pub exhausted: bool,
-    /// The work, in operations on intervals.
-    pub work: u64,
 }
 
 /// The point of the ranges that is nearest to the middle of a cell, with the values that are given.
@@ -136,7 +130,7 @@ fn halves(piece: &Piece, divides: &[bool]) -> Option<[Piece; 2]> {
 
 /// Takes the ranges apart.
 ///
-/// `most_work`: after so much no cell is taken apart any more.
+/// `most_work`: after so many units of counted work no cell is taken apart any more. They are charged to the piece that is under way.
 pub(super) fn subdivide<J: Judge>(judge: &J, variables: &[Variable], most_cells: usize, most_work: u64) -> Division {
     let mut out = Division::default();
     let see = |out: &mut Division, cell: Cell, part: Part| match part {
@@ -154,8 +148,11 @@ pub(super) fn subdivide<J: Judge>(judge: &J, variables: &[Variable], most_cells:
         return out;
     }
     let corners = corners(variables);
-    let parts: Vec<Part> = corners.par_iter().map_init(J::Scratch::default, |s, cell| judge.judge(cell, s)).collect();
-    for (cell, part) in corners.into_iter().zip(parts) {
+    let parts = corners.par_iter().map_init(J::Scratch::default, |s, cell| meter::apart(|| judge.judge(cell, s)));
+    let parts: Vec<(Part, u64)> = parts.collect();
+    let mut work = parts.iter().map(|(_, units)| units).sum();
+    meter::charge(work);
+    for (cell, (part, _)) in corners.into_iter().zip(parts) {
         see(&mut out, cell, part);
     }
     let whole = Piece {
@@ -167,7 +164,6 @@ pub(super) fn subdivide<J: Judge>(judge: &J, variables: &[Variable], most_cells:
     let divides = judge.divides(variables.len());
     let mut depth = 0;
     let picture = PICTURE_BISECTIONS * divides.iter().filter(|d| **d).count() as u32;
-    let mut work = 0;
     while !generation.is_empty() {
         let looked = depth <= POINTS_UNTIL;
         let mut judged: Vec<(Part, Option<(Cell, Part)>)> = Vec::with_capacity(generation.len());
@@ -175,7 +171,7 @@ pub(super) fn subdivide<J: Judge>(judge: &J, variables: &[Variable], most_cells:
             if work > most_work {
                 break;
             }
-            let found = some.par_iter().with_min_len(J::TOGETHER).map_init(J::Scratch::default, |scratch, piece| {
+            let one = |scratch: &mut J::Scratch, piece: &Piece| {
                 let part = judge.judge(&Cell::inside(piece.sides.clone()), scratch);
                 let wanted = match part {
                     Part::Undecided | Part::Border => looked,
@@ -188,14 +184,17 @@ pub(super) fn subdivide<J: Judge>(judge: &J, variables: &[Variable], most_cells:
                     let part = judge.judge(&cell, scratch);
                     (cell, part)
                 });
-                ((part, seen), judge.work(scratch))
-            });
+                (part, seen)
+            };
+            let found = some.par_iter().with_min_len(J::TOGETHER);
+            let found = found.map_init(J::Scratch::default, |scratch, piece| meter::apart(|| one(scratch, piece)));
             let found: Vec<_> = found.collect();
-            work += found.iter().map(|(_, work)| work).sum::<u64>();
+            let units = found.iter().map(|(_, units)| units).sum::<u64>();
+            meter::charge(units);
+            work += units;
             judged.extend(found.into_iter().map(|(judged, _)| judged));
         }
         out.judged += judged.len();
-        out.work = work;
         out.exhausted |= work > most_work || judged.len() < generation.len();
         // What was not looked at is not known.
         judged.resize_with(generation.len(), || (Part::Undecided, None));

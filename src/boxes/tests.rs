@@ -15,6 +15,9 @@ use std::cell::Cell as Switch;
 use std::thread::LocalKey;
 use verdict::{Outcome, Strength};
 
+/// Counted work that no test uses up.
+const MOST_WORK_OF_TESTS: u64 = 6_000_000_000;
+
 /// A file with one claim over ranges.
 fn file(claim: &str) -> String {
     let symbols: String = ["x", "y", "z"].map(|s| format!("'{s}' = {{ role = \"parameter\" }}\n")).concat();
@@ -31,7 +34,7 @@ fn derivation(claim: &str) -> Derivation {
 fn account(claim: &str) -> RegionAccount {
     let derivation = derivation(claim);
     let of = &derivation.claims[0];
-    decide(&derivation, of, of.region.as_ref().expect("ranges"), MOST_WORK).expect("a verdict").0
+    decide(&derivation, of, of.region.as_ref().expect("ranges"), MOST_WORK_OF_TESTS).expect("a verdict")
 }
 
 /// The account on this thread alone, with a part of the method broken.
@@ -159,7 +162,7 @@ fn cells_are_what_their_points_are() {
         let all = variables(&derivation, &graph, &region.ranges).expect("ranges");
         let put = Insertion::new(&mut graph, &claim.scope, &region.ranges);
         let question = Question::new(&mut graph, claim, &put, all.clone()).expect("a question");
-        let division = subdivide(&question, &all, 4_000, MOST_WORK);
+        let division = subdivide(&question, &all, 4_000, MOST_WORK_OF_TESTS);
         let mut scratch = Scratch::default();
         for piece in &division.pieces {
             for _ in 0..3 {
@@ -206,6 +209,7 @@ fn enclosures_of_solutions_contain_them() {
 fn a_range_in_the_wrong_order_is_a_problem() {
     let derivation = derivation("ranges = { 'x' = ['\\pi', 3] }\nalways = ['x>0']");
     let claim = &derivation.claims[0];
-    let problem = decide(&derivation, claim, claim.region.as_ref().expect("ranges"), MOST_WORK).expect_err("a problem");
+    let problem =
+        decide(&derivation, claim, claim.region.as_ref().expect("ranges"), MOST_WORK_OF_TESTS).expect_err("a problem");
     assert_eq!(problem.code, "check::bad-range");
 }

@@ -58,8 +58,6 @@ pub struct LimitArguments {
     /// Allow each piece of the work so many times what is counted for it: see `docs/limits.md`
     #[arg(long, value_name = "TIMES", default_value_t, hide_default_value = true)]
     work: WorkFactor,
-    #[command(flatten)]
-    pub threads: ThreadArguments,
 }
 
 impl LimitArguments {

@@ -6,7 +6,7 @@ use rederive::files::{self, Kind};
 use rederive::{Ending, Format, report};
 
 use super::arguments::printed_as;
-use super::ending::{Stop, say};
+use super::ending::{Stop, print_json, say};
 
 /// Largest size of a proofs.json, in bytes.
 const LARGEST_FILE: u64 = 256 << 20;
@@ -36,8 +36,7 @@ pub fn audit(arguments: &AuditArguments) -> Result<Ending, Stop> {
         }
     }
     if arguments.format == Format::Json {
-        let text = serde_json::to_string_pretty(&documents).map_err(|error| error.to_string())?;
-        say(&format!("{text}\n"))?;
+        print_json(&documents.into())?;
     }
     Ok(ending)
 }

@@ -8,7 +8,7 @@ use rederive::files::{named, write};
 use rederive::paper;
 use rederive::{Ask, Demand, Detail, Document, Ending, Failure, Format, Run, report};
 
-use super::arguments::{LimitArguments, RigorArgument, number};
+use super::arguments::{LimitArguments, RigorArgument, ThreadArguments, number};
 use super::config::Config;
 use super::ending::{Stop, answer, complain, concluded, defect};
 use super::outputs::Targets;
@@ -37,7 +37,9 @@ pub struct CheckArguments {
     #[arg(long, conflicts_with = "min_discrimination")]
     only_verdicts: bool,
     #[command(flatten)]
-    pub limits: LimitArguments,
+    limits: LimitArguments,
+    #[command(flatten)]
+    pub threads: ThreadArguments,
     #[command(flatten)]
     records: RecordArguments,
     /// Print only what differs from what is expected, and what is undecided

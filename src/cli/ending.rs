@@ -93,6 +93,17 @@ pub fn print(text: &str) -> Result<(), Stop> {
     }
 }
 
+/// Writes to standard output a document as JSON, in which a log of a workflow finds no command.
+pub fn print_json(document: &serde_json::Value) -> Result<(), Stop> {
+    print(&as_json(document)?)
+}
+
+/// A document as the JSON that is written.
+pub fn as_json(document: &serde_json::Value) -> Result<String, Stop> {
+    let text = serde_json::to_string_pretty(document).map_err(|error| error.to_string())?;
+    Ok(rederive::diag::escape::in_json(&text) + "\n")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use rederive::files::{self, write};
 use rederive::{Ending, Failure, paper};
 
-use super::ending::{Stop, complain, print, say};
+use super::ending::{Stop, complain, print_json, say};
 
 #[derive(clap::Args)]
 pub struct InitArguments {
@@ -51,7 +51,7 @@ pub fn init(arguments: &InitArguments) -> Result<Ending, Stop> {
             "file": file, "equations": equations, "formulas": formulas, "refused": refused, "expressions": expressions,
             "symbols": symbols, "guesses": guesses, "draft": is_printed.then_some(text),
         });
-        print(&format!("{}\n", serde_json::to_string_pretty(&found).map_err(|error| error.to_string())?))?;
+        print_json(&found)?;
     } else if is_printed {
         say(&draft.text)?;
     } else {

@@ -10,9 +10,9 @@ use rederive::paper::{self, Paper};
 use rederive::report::{self, github, lint_findings, sarif};
 use rederive::{Ending, Failure, Format, files};
 
-use super::arguments::printed_as;
+use super::arguments::{LimitArguments, printed_as};
 use super::config::Config;
-use super::ending::{Stop, print, say, say_problems};
+use super::ending::{Stop, as_json, print, say, say_problems};
 
 pub const AFTER_HELP: &str = r"Every relation that the paper prints gets one word:
   follows        proved, from what stands before it or outright
@@ -53,6 +53,8 @@ pub struct LintArguments {
     /// Write what is printed to this file; with a --format other than text
     #[arg(long, value_name = "FILE", requires = "format", conflicts_with = "watch")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    limits: LimitArguments,
 }
 
 pub fn lint(arguments: &LintArguments) -> Result<Ending, Stop> {
@@ -74,10 +76,11 @@ pub fn lint(arguments: &LintArguments) -> Result<Ending, Stop> {
 
 /// Looks through papers, and says what was found.
 fn once(arguments: &LintArguments, papers: &[PathBuf]) -> Result<Ending, Stop> {
+    let limits = arguments.limits.begun();
     let mut all = Vec::new();
     for path in papers {
         let paper = read(path)?;
-        let found = lint::lint(&paper);
+        let found = lint::lint(&paper, &limits);
         all.push((paper, found));
     }
     if let Some(page) = &arguments.html {
@@ -98,7 +101,7 @@ fn once(arguments: &LintArguments, papers: &[PathBuf]) -> Result<Ending, Stop> {
     };
     let told = || all.iter().flat_map(|(paper, found)| lint_findings(paper, found)).collect::<Vec<_>>();
     match arguments.format {
-        Format::Json => put(&json(&all))?,
+        Format::Json => put(&json(&all)?)?,
         Format::Sarif => put(&sarif(&told()))?,
         Format::Github => put(&github(&told()))?,
         _ if arguments.output.is_some() => return Err("--output takes a --format that programs read".into()),
@@ -159,12 +162,11 @@ pub fn is_paper(word: &std::ffi::OsStr) -> bool {
 }
 
 /// The document of a paper; of several a list of them.
-fn json(all: &[(Paper, Lint)]) -> String {
+fn json(all: &[(Paper, Lint)]) -> Result<String, Stop> {
     let documents: Vec<serde_json::Value> =
         all.iter().map(|(paper, found)| report::lint_document(paper, found)).collect();
-    let text = match documents.as_slice() {
-        [one] => serde_json::to_string_pretty(one),
-        several => serde_json::to_string_pretty(several),
-    };
-    rederive::diag::escape::in_json(&text.unwrap_or_default()) + "\n"
+    match documents.as_slice() {
+        [one] => as_json(one),
+        several => as_json(&several.to_vec().into()),
+    }
 }

@@ -124,7 +124,7 @@ pub fn run(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
 /// Runs something on as many threads as were asked for.
 fn with_threads(arguments: &Arguments, run: impl FnOnce() -> Ending + Send) -> Ending {
     let jobs = match &arguments.command {
-        Command::Check(check) => check.limits.threads.jobs,
+        Command::Check(check) => check.threads.jobs,
         Command::Sweep(sweep) => sweep.threads.jobs,
         _ => None,
     };

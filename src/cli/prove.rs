@@ -4,9 +4,9 @@ use std::path::PathBuf;
 
 use clap::ArgAction;
 use rederive::check::Proposition;
-use rederive::{Ending, Format, Question, Session};
+use rederive::{Ending, Failure, Format, Question, Session};
 
-use super::arguments::{one_of, printed_as};
+use super::arguments::{LimitArguments, one_of, printed_as};
 use super::ending::{Stop, print, say};
 use super::files::session;
 
@@ -60,9 +60,12 @@ pub struct ProveArguments {
     /// What is printed
     #[arg(long, value_parser = printed_as(&[Format::Text, Format::Json]), default_value = "text")]
     format: Format,
+    #[command(flatten)]
+    limits: LimitArguments,
 }
 
 pub fn prove(arguments: &ProveArguments) -> Result<Ending, Stop> {
+    let limits = arguments.limits.begun();
     let session = arguments.file.as_ref().map_or_else(|| Ok(Session::blank()), |path| session(path))?;
     let proposition = Proposition {
         formula: arguments.formula.clone(),
@@ -70,8 +73,9 @@ pub fn prove(arguments: &ProveArguments) -> Result<Ending, Stop> {
         throughout: arguments.throughout,
     };
     let (symbols, scope) = (arguments.symbol.clone(), arguments.scope.clone());
-    let answer = session
-        .prove(&Question { proposition, symbols, scope })
+    let question = Question { proposition, symbols, scope };
+    let answer = meter::under(&limits, || session.prove(&question))
+        .map_err(|ended| Failure::Defect(ended.to_string()))?
         .map_err(|f| f.where_symbols_are_declared("declare it with --symbol, or give a file that does with --in"))?;
     match arguments.format {
         Format::Json => print(&answer.json())?,

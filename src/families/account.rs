@@ -12,7 +12,7 @@ use crate::findings::family::{
     MemberAccount, Ranked, Tally, deviation, gap,
 };
 use crate::verdict::{Evidence, Finding, Outcome, Possible, Verdict};
-use reason::{Fate, Plain, Sampling};
+use reason::{Fate, Plain, Reason, Sampling};
 use std::sync::Arc;
 
 /// A value that was measured: its time, the value, its error bound.
@@ -23,7 +23,7 @@ pub(super) struct Spreading<'a> {
     pub measure: &'a Measure,
     pub distribution: &'a Distribution,
     /// Why the members that are left were not tried.
-    pub stopped: Option<Plain>,
+    pub stopped: Option<&'a Reason>,
 }
 
 impl Spreading<'_> {
@@ -53,7 +53,7 @@ impl Spreading<'_> {
             distribution: self.distribution.clone(),
             least: self.distribution.least.map(told).transpose()?,
             greatest: self.distribution.greatest.map(told).transpose()?,
-            stopped: self.stopped,
+            stopped: self.stopped.cloned(),
         })
     }
 }
@@ -75,7 +75,7 @@ pub(super) struct Counted<'a> {
     /// The boundary on it.
     pub boundary: Option<&'a Boundary>,
     /// Why the members that are left were not tried.
-    pub stopped: Option<Plain>,
+    pub stopped: Option<&'a Reason>,
     /// What separates them.
     pub separation: Option<&'a FamilySeparation>,
     /// The scale of what a scaling law is along, the power, and how far it may be off.
@@ -110,7 +110,7 @@ impl Counted<'_> {
                 Finding::sampled(Possible::FALSE, Evidence { witness, ..open(reason) })
             }
             (0, _, Some(stopped), _) => {
-                let why = Arc::new(stopped.into());
+                let why = Arc::new(stopped.clone());
                 Finding::sampled(Possible::ANY, open(Sampling::NotAllTried { tried: of, of: self.size, why }))
             }
             (0, 1.., None, _) => {
@@ -170,7 +170,7 @@ impl Counted<'_> {
             closest_call: tally.closest_call.map(closest).transpose()?,
             first_undecided: tally.first_undecided.map(|n| told(n, &open)).transpose()?,
             failing_share: is_sample.then(share),
-            stopped: self.stopped,
+            stopped: self.stopped.cloned(),
             map: self.scales.map(|[across, up]| FamilyMap {
                 across: across.axis.clone(),
                 up: up.axis.clone(),

@@ -9,7 +9,7 @@
 //! was counted.
 
 use crate::findings::family::{Axis, Boundary, Crossing};
-use reason::Plain;
+use reason::Reason;
 
 /// How finely is looked along an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,7 +21,7 @@ pub(super) struct Width {
 }
 
 /// What is found at some points of the map: whether it holds, nothing where that is not known; or why no more are tried.
-pub(super) type Found = Result<Vec<Option<bool>>, Plain>;
+pub(super) type Found = Result<Vec<Option<bool>>, Reason>;
 
 /// Tries members at points of the map.
 type Tried<'a, E> = &'a mut dyn FnMut(&[[f64; 2]]) -> Result<Found, E>;
@@ -217,10 +217,10 @@ mod tests {
         let mut left = 3;
         let mut tried = |points: &[[f64; 2]]| -> Result<Found, ()> {
             left -= 1;
-            Ok(if left == 0 { Err(Plain::MotionsTried) } else { Ok(vec![Some(true); points.len()]) })
+            Ok(if left == 0 { Err(reason::Plain::MotionsTried.into()) } else { Ok(vec![Some(true); points.len()]) })
         };
         let boundary = find(&cells, [&axes[0], &axes[1]], [linear(1e-9), None], &mut tried).expect("no error");
-        assert_eq!((boundary.stopped, boundary.members), (Some(Plain::MotionsTried), 2));
+        assert_eq!((boundary.stopped, boundary.members), (Some(reason::Plain::MotionsTried.into()), 2));
         assert!(boundary.crossings[0].across == (0.75, 1.0) && !boundary.crossings[0].is_narrow);
         let mut wrong = |_: &[[f64; 2]]| -> Result<Found, &str> { Err("defect") };
         assert_eq!(find(&cells, [&axes[0], &axes[1]], [linear(1e-9), None], &mut wrong), Err("defect"));

@@ -222,7 +222,7 @@ impl<'a> Ensemble<'a> {
         budget: &mut Budget,
         progress: &(dyn Fn(usize, usize) + Sync),
         each: &mut dyn FnMut(&Row),
-    ) -> Result<(Sums, Option<Plain>), CheckError> {
+    ) -> Result<(Sums, Option<Reason>), CheckError> {
         let prepared = self.prepared();
         let claims = &self.derivation.claims;
         let scales = self.members.scales();
@@ -238,7 +238,7 @@ impl<'a> Ensemble<'a> {
         let (first, last) = numbers.into_inner();
         let mut next = first;
         while next <= last {
-            let stopped = options.limits.reached().map(Plain::from).or_else(|| budget.reached());
+            let stopped = options.limits.reached().map(Reason::from).or_else(|| budget.reached().map(Reason::from));
             if options.limits.is_cancelled() {
                 return Err(CheckError::Defect(CANCELLED.to_owned()));
             }
@@ -337,8 +337,8 @@ impl<'a> Ensemble<'a> {
                     if options.limits.is_cancelled() {
                         return Err(CheckError::Defect(CANCELLED.to_owned()));
                     }
-                    let stopped = (left.members == 0 || left.steps == 0).then_some(Plain::MotionsTried);
-                    if let Some(reason) = options.limits.reached().map(Plain::from).or(stopped) {
+                    let stopped = (left.members == 0 || left.steps == 0).then(|| Plain::MotionsTried.into());
+                    if let Some(reason) = options.limits.reached().map(Reason::from).or(stopped) {
                         return Ok(Err(reason));
                     }
                     let members: Vec<Member> = wave.iter().map(|point| self.members.at(*point)).collect();
@@ -357,7 +357,7 @@ impl<'a> Ensemble<'a> {
                     }
                     for one in all {
                         let Some(One { steps, verdicts, .. }) = one? else {
-                            let reason = options.limits.reached().map_or(Plain::Ended, Plain::from);
+                            let reason = options.limits.reached().map_or(Plain::Ended.into(), Reason::from);
                             return Ok(Err(reason));
                         };
                         left.steps = left.steps.saturating_sub(steps);

@@ -168,6 +168,7 @@ impl Families {
                 let other = tallies.iter().enumerate().find_map(|(n, tally)| miscounted(tally, n, &again));
                 other.map_or(Ok(()), |number| Err(ensemble.otherwise(Otherwise(number), true)))?;
             }
+            let stopped = stopped.as_ref();
             for (place, (n, (tally, claim))) in places.into_iter().zip(tallies.iter().zip(&asked).enumerate()) {
                 let expected = claim.families.iter().position(|f| *f == at).and_then(|i| claim.expect_of_families[i]);
                 let (size, precision) = (members.family.size(), claim.precision);

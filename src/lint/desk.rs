@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::obstacle::{is_place, obstacle};
 use expr::{Expr, Graph, Leaf, Shape, Symbol};
 use latex::{Declaration, Role, Scope, Statement};
-use meter::Limits;
+use meter::{Ended, Limits};
 use paper::{Call, Paper, PaperName, PrintedSide, names};
 
 use super::notation::Evidence;
@@ -20,18 +20,28 @@ use paper::squeezed;
 const LONGEST_SIDE: usize = 20_000;
 
 /// Why a formula was not read: the feature that is not understood, and a sentence.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotRead {
     /// The feature, in few words: `an integral`, `an operator`.
     pub feature: String,
     /// What the reader of formulas says, where it was asked.
     pub why: Option<String>,
+    /// What ended the work on it: of the formula itself nothing is said.
+    pub ended: Option<Ended>,
 }
 
 impl NotRead {
     /// A feature that was seen.
     pub fn of(feature: impl Into<String>) -> NotRead {
-        NotRead { feature: feature.into(), why: None }
+        NotRead { feature: feature.into(), why: None, ended: None }
+    }
+
+    /// Nothing was found out, since the work was ended.
+    pub fn ended(by: Ended) -> NotRead {
+        match by {
+            Ended::Defect(what) => NotRead { why: Some(what), ..NotRead::of("a defect of this program") },
+            by => NotRead { ended: Some(by.clone()), ..NotRead::of(by.to_string()) },
+        }
     }
 }
 
@@ -175,7 +185,7 @@ fn constants_apart(all: &mut [PaperName], evidence: &Evidence, by: &str) {
 
 /// The evidence of a paper for rates: names with a dot, and those right behind the `d` of a derivative. What stands in parentheses behind
 /// `d/dt` may be constant.
-pub fn evidence_of(paper: &Paper) -> Evidence {
+pub fn evidence_of(paper: &Paper, limits: &Limits) -> Evidence {
     let mut evidence = paper::Evidence::of(paper);
     let mut dotted: BTreeSet<String> = BTreeSet::new();
     let mut direct: BTreeSet<(String, String)> = BTreeSet::new();
@@ -203,7 +213,7 @@ pub fn evidence_of(paper: &Paper) -> Evidence {
     }
     let is_direct = |key: &String, by: &str| direct.contains(&(key.clone(), by.to_owned()));
     evidence.moving.retain(|key| dotted.contains(key) || is_direct(key, "t"));
-    Evidence::new(paper, evidence)
+    Evidence::new(paper, evidence, limits)
 }
 
 /// Whether a definition has something in it that varies with the independent variable: of what has nothing, that a rate is taken shows
@@ -613,5 +623,5 @@ fn refusal(problems: &[diag::Problem]) -> NotRead {
         "latex::ambiguous" => "something with two readings",
         _ => "a notation",
     };
-    NotRead { feature: feature.to_owned(), why: Some(first.message.clone()) }
+    NotRead { why: Some(first.message.clone()), ..NotRead::of(feature) }
 }

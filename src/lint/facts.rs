@@ -14,6 +14,8 @@ use super::desk::{Given, unprimed};
 const MOST_GIVEN: usize = 14;
 /// Equations beside definitions that a step may rest on.
 const MOST_STATED: usize = 4;
+/// Definitions of one name that are looked at, the latest of them.
+const MOST_OF_A_NAME: usize = 50;
 /// Relations since something was said, beyond which it may be another thing that is meant.
 pub const NEAR: usize = 25;
 
@@ -78,10 +80,10 @@ pub struct Definitions {
 }
 
 impl Definitions {
-    /// Those of a name, with their numbers, the latest last.
+    /// The latest of a name, with their numbers, the last one last.
     fn numbered(&self, key: &str) -> impl DoubleEndedIterator<Item = (usize, &Given)> {
-        let places = self.of.get(key).into_iter().flatten();
-        places.filter_map(|at| Some((*at, self.all.get(*at)?)))
+        let places = self.of.get(key).map_or(&[][..], |all| &all[all.len().saturating_sub(MOST_OF_A_NAME)..]);
+        places.iter().filter_map(|at| Some((*at, self.all.get(*at)?)))
     }
 
     /// Those of a name, the latest last.
@@ -161,6 +163,13 @@ impl Facts {
         self.named.get(&section).is_some_and(|all| all.contains(key))
     }
 
+    /// The equations that a relation states.
+    fn stated_by(&self, relation: usize) -> &[Stated] {
+        let from = self.stated.partition_point(|s| s.relation < relation);
+        let to = self.stated.partition_point(|s| s.relation <= relation);
+        &self.stated[from..to]
+    }
+
     /// Adds names that are positive.
     pub fn be_positive(&mut self, section: usize, keys: Vec<String>) {
         self.positive.entry(section).or_default().extend(keys);
@@ -229,8 +238,7 @@ impl Facts {
             (touches || apart.is_empty() && s.names.len() > 1) && s.names.iter().all(is_known)
         };
         let mut out: Vec<Stated> = Vec::new();
-        let any = if named.is_empty() { &[] } else { self.stated.as_slice() };
-        let chosen = any.iter().rev().filter(|s| named.contains(&s.relation) && s.relation != at);
+        let chosen = named.iter().rev().flat_map(|&k| self.stated_by(k).iter().rev()).filter(|s| s.relation != at);
         for one in chosen.chain(latest().filter(fits)) {
             let known = |o: &Stated| o.relation == one.relation && o.left.span == one.left.span;
             if out.len() < MOST_STATED && !out.iter().any(known) && !again(one) {

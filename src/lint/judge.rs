@@ -3,6 +3,7 @@
 use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
 
+use meter::Limits;
 use paper::{Paper, PrintedRelation, PrintedSide, names};
 
 use super::cases::{Cases, Stance};
@@ -10,7 +11,6 @@ use super::desk::{Desk, Given, NotRead, evidence_of, lone_name, unprimed};
 use super::facts::{Facts, Reach, Stated};
 use super::nearest::Sureness;
 use super::notation::Evidence;
-use super::question::MOST_QUESTIONS;
 use super::relation::{are_multiples, free_indices, has_dimensions, is_congruence, is_evaluated, lone_right};
 use super::sentence::{Sentence, explains, is_supposed, parts};
 use super::setting::Noted;
@@ -26,9 +26,10 @@ const NEIGHBOURS: usize = 3;
 /// Relations behind a display that may explain its names.
 pub(super) const MOST_EXPLAINED: usize = 8;
 
-/// The words on every relation that a paper prints.
-pub fn lint(paper: &Paper) -> Lint {
-    let evidence = evidence_of(paper);
+/// The words on every relation that a paper prints. What the limits end is *not followed*: all of the paper together may take as much as a
+/// file may.
+pub fn lint(paper: &Paper, limits: &Limits) -> Lint {
+    let evidence = evidence_of(paper, limits);
     let facts = Facts::default();
     let parts = parts(paper);
     let mut judge = Judge {
@@ -37,7 +38,6 @@ pub fn lint(paper: &Paper) -> Lint {
         facts,
         parts,
         section: 0,
-        asked: 0,
         exhausted: 0,
         display: None,
         earlier: None,
@@ -60,7 +60,7 @@ pub struct Typeset {
 
 /// For each printed relation how it can be typeset; `None` where its names are not read.
 pub fn typesetting(paper: &Paper) -> Vec<Option<Typeset>> {
-    let evidence = evidence_of(paper);
+    let evidence = evidence_of(paper, &Limits::default());
     let is_factor = |letter: &str| !evidence.may_be_function(letter);
     let one = |relation: &PrintedRelation| {
         let sides: Vec<&PrintedSide> = relation.sides.iter().filter(|s| s.text.len() <= LONGEST).collect();
@@ -85,7 +85,6 @@ pub(super) struct Judge<'p> {
     parts: Vec<usize>,
     /// The part that is looked at.
     pub(super) section: usize,
-    pub(super) asked: usize,
     /// Questions that took too much work.
     pub(super) exhausted: usize,
     /// The display that is looked at, and what the words around it say.
@@ -185,11 +184,8 @@ impl Judge<'_> {
             out.why = "a formula that is too long".to_owned();
             return out;
         }
-        let is_worked_through = self.evidence.limits().total.left() == 0;
-        if self.asked > MOST_QUESTIONS || is_worked_through {
-            out.word = Word::NotFollowed;
-            let what = if is_worked_through { "more work" } else { "more formulas" };
-            out.why = format!("{what} than are looked at in one paper");
+        if let Some(ended) = self.evidence.ended() {
+            (out.word, out.why) = (Word::NotFollowed, ended.to_string());
             return out;
         }
         let sentence = self.sentence(relation);
@@ -455,7 +451,7 @@ impl Judge<'_> {
                 Some(why) => format!("{}: {why}", found.feature),
                 None => found.feature.clone(),
             };
-            out.word = Word::NotRead;
+            out.word = if found.ended.is_some() { Word::NotFollowed } else { Word::NotRead };
         } else if undecided > 0 && !defines {
             // An equation between two things that are not defined is what is assumed, or to be solved.
             let single = relation.sides.len() == 2;

@@ -15,7 +15,7 @@ use expr::{Graph, Leaf, Rational};
 
 use super::desk::{Given, pairs_of};
 use super::numbers::{absorbs, agreement, curves, holds_at, ratio};
-use super::question::{Asked, MOST_QUESTIONS, Rests, tested, vanishes};
+use super::question::{Asked, Rests, tested, vanishes};
 use super::slips::{Alteration, Slip, bare, size, slips, symbols};
 use super::{LintPicture, LintWitness};
 use paper::squeezed;
@@ -82,14 +82,8 @@ pub enum Sureness {
     Derives,
 }
 
-/// The nearest formula that holds, where a step is refuted; `count` counts the questions.
-pub fn nearest(
-    asked: Asked,
-    rests: &Rests,
-    free: &BTreeSet<char>,
-    count: &mut usize,
-    sureness: Sureness,
-) -> Option<WrongStep> {
+/// The nearest formula that holds, where a step is refuted.
+pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sureness) -> Option<WrongStep> {
     let Identity::Refuted(refutation) = &asked.identity else { return None };
     if asked.desk.is_complex || !free.is_empty() {
         return None;
@@ -137,7 +131,7 @@ pub fn nearest(
         return None;
     }
     let all = named(&chain.sides);
-    let mut search = Search { asked, rests, chain, points, count, sureness };
+    let mut search = Search { asked, rests, chain, points, sureness };
     let mut instead = None;
     'sides: for k in [1, 0] {
         let others = slips(&search.chain.sides[k], &all);
@@ -147,9 +141,6 @@ pub fn nearest(
             _ => true,
         };
         for slip in others.into_iter().filter(is_meant).take(MOST_SLIPS) {
-            if *search.count > MOST_QUESTIONS {
-                return None;
-            }
             instead = search.holds(k, &slip);
             if instead.is_some() {
                 break 'sides;
@@ -181,7 +172,6 @@ struct Search<'a> {
     chain: Chain,
     /// Points at which what is given holds.
     points: Vec<Point>,
-    count: &'a mut usize,
     sureness: Sureness,
 }
 
@@ -257,7 +247,6 @@ impl Search<'_> {
         if self.points.iter().any(|p| holds_at(&desk.graph, &equations, p) == Some(false)) {
             return None;
         }
-        *self.count += 1;
         let found = tested(desk, &equations, premises, Wanted::Proof);
         if !matches!(found, Ok(Identity::Proved(_))) {
             return None;

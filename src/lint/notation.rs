@@ -5,7 +5,7 @@
 use std::collections::BTreeSet;
 use std::ops::Deref;
 
-use meter::Limits;
+use meter::{Ended, Limits, Task};
 use paper::{Notation, Paper, PrintedSide};
 
 use super::desk::NotRead;
@@ -30,7 +30,7 @@ impl Deref for Evidence {
 
 impl Evidence {
     /// The evidence of a paper; `names` is what was seen of its names.
-    pub fn new(paper: &Paper, names: paper::Evidence) -> Evidence {
+    pub fn new(paper: &Paper, names: paper::Evidence, limits: &Limits) -> Evidence {
         let is_label = |s: &str| {
             let mut letters = s.chars();
             let one = letters.next().filter(|_| letters.next().is_none());
@@ -38,12 +38,18 @@ impl Evidence {
         };
         let has_label = |(_, all): &(&String, &BTreeSet<String>)| all.iter().any(|s| is_label(s));
         let labelled = names.subscripts.iter().filter(has_label).map(|(letter, _)| letter.clone()).collect();
-        Evidence { names, notation: Notation::of(paper), labelled, limits: Limits::default().of_file(0) }
+        Evidence { names, notation: Notation::of(paper), labelled, limits: limits.of_file(0) }
     }
 
     /// The limits of the questions of the paper, with one total for all of them.
     pub fn limits(&self) -> &Limits {
         &self.limits
+    }
+
+    /// Why nothing more is asked, where it is so.
+    pub fn ended(&self) -> Option<Ended> {
+        let is_worked_through = self.limits.total.left() == 0;
+        self.limits.reached().or_else(|| is_worked_through.then_some(Ended::File(Task::Step, self.limits.work)))
     }
 
     /// Whether a letter has a subscript that is no index: beside `E_r` and `E_t`, the one of `E_i` is a label, too.

@@ -18,8 +18,8 @@ use super::facts::Stated;
 use super::notation::Evidence;
 use super::numbers::agreement;
 
-/// Questions that may be asked of one paper: what is beyond is *not followed*.
-pub const MOST_QUESTIONS: usize = 60_000;
+/// The counted work of reading a question, beside what its formulas take.
+const OF_A_QUESTION: u64 = 200_000;
 /// Points at which a side is looked at before it is proved to be zero.
 const ZERO_POINTS: usize = 12;
 
@@ -42,9 +42,6 @@ pub struct Rests {
     /// Signs.
     pub positive: Positive,
 }
-
-/// What is said of a step whose proof takes more work than one of a paper may.
-pub const TOO_LONG: &str = "a step that takes too much work";
 
 impl Rests {
     /// Whether there is any definition, rate or equation.
@@ -100,6 +97,20 @@ impl Put {
         free: &BTreeSet<char>,
         unit: Unit,
     ) -> Result<Put, NotRead> {
+        meter::piece(Task::Step, evidence.limits(), || {
+            meter::charge(OF_A_QUESTION);
+            Put::read(sides, rests, evidence, free, unit)
+        })
+        .map_err(NotRead::ended)?
+    }
+
+    fn read(
+        sides: [&PrintedSide; 2],
+        rests: &Rests,
+        evidence: &Evidence,
+        free: &BTreeSet<char>,
+        unit: Unit,
+    ) -> Result<Put, NotRead> {
         let list: Vec<&Given> = rests.given.iter().collect();
         let mut all: Vec<&PrintedSide> = sides.to_vec();
         all.extend(rests.stated.iter().flat_map(|s| [&s.left, &s.right]));
@@ -129,10 +140,7 @@ impl Put {
     }
 
     fn decided(&mut self, wanted: Wanted) -> Result<Identity, NotRead> {
-        tested(&mut self.desk, &self.equations, &self.premises, wanted).map_err(|ended| match ended {
-            Ended::Defect(what) => NotRead { feature: "a defect of this program".to_owned(), why: Some(what) },
-            _ => NotRead::of(TOO_LONG),
-        })
+        tested(&mut self.desk, &self.equations, &self.premises, wanted).map_err(NotRead::ended)
     }
 }
 

@@ -232,7 +232,8 @@ impl Judge<'_> {
     /// The names of what was noted near before a relation, in this section.
     fn near<'n>(&self, noted: &'n [Noted], at: usize) -> impl Iterator<Item = &'n BTreeSet<String>> {
         let section = self.section;
-        let is_near = move |n: &&Noted| n.section == section && n.relation < at && n.relation + NEAR >= at;
-        noted.iter().filter(is_near).map(|n| &n.names)
+        let is_near = move |n: &&Noted| n.section == section && n.relation < at;
+        // They are in the order of the paper.
+        noted.iter().rev().take_while(move |n| n.relation + NEAR >= at).filter(is_near).map(|n| &n.names)
     }
 }

@@ -13,7 +13,7 @@ use super::facts::{Reach, Stated};
 use super::judge::Judge;
 use super::nearest::{Sureness, WrongStep, introduces_nothing, is_slip_of, nearest};
 use super::numbers::agreement;
-use super::question::{Asked, MOST_QUESTIONS, Positive, Rests, TOO_LONG, ask};
+use super::question::{Asked, Positive, Rests, ask};
 use super::relation::moved;
 
 /// Random points at which a step that is not proved is tried.
@@ -74,8 +74,8 @@ pub(super) struct Place<'a> {
 impl Judge<'_> {
     /// Decides one step.
     pub(super) fn step(&mut self, sides: [&PrintedSide; 2], place: &Place) -> Step {
-        if self.asked > MOST_QUESTIONS || self.evidence.limits().total.left() == 0 {
-            return Step::Open(Vec::new());
+        if let Some(ended) = self.evidence.ended() {
+            return Step::NotRead(NotRead::ended(ended));
         }
         let mut first_refusal = None;
         let mut asked: Vec<(Asked, Rests)> = Vec::new();
@@ -213,9 +213,8 @@ impl Judge<'_> {
         rests: &Rests,
         free: &BTreeSet<char>,
     ) -> Result<Asked, NotRead> {
-        self.asked += 1;
         let found = ask(sides, rests, &self.evidence, free);
-        self.exhausted += usize::from(found.as_ref().is_err_and(|e| e.feature == TOO_LONG));
+        self.exhausted += usize::from(found.as_ref().is_err_and(|e| e.ended.is_some()));
         found
     }
 
@@ -286,7 +285,7 @@ impl Judge<'_> {
                     _ => continue,
                 }
             }
-            if let Some(found) = nearest(answer, &rests, place.free, &mut self.asked, place.sureness) {
+            if let Some(found) = nearest(answer, &rests, place.free, place.sureness) {
                 return (!self.is_excused(sides, &rests, place)).then_some(found);
             }
         }

@@ -325,22 +325,47 @@ pub fn part<R>(task: Task, work: impl FnOnce() -> R) -> Result<R, Ended> {
 
 /// The same, with the units that were used.
 pub fn counted<R>(task: Task, work: impl FnOnce() -> R) -> (Result<R, Ended>, u64) {
-    let outer = PIECE.with_borrow(|outer| outer.as_ref().map(|of| (of.limits.clone(), of.rest, of.bytes)));
-    let (limits, rest, most) = outer.unwrap_or((Limits::default(), u64::MAX, u64::MAX));
+    let outer = PIECE.with_borrow(|outer| outer.as_ref().map(|of| (of.task, of.limits.clone(), of.rest, of.bytes)));
+    let (whole, limits, rest, most) = outer.unwrap_or((task, Limits::default(), u64::MAX, u64::MAX));
     // What is used counts for the total when it counts for the piece.
     let limits = Limits { total: Total::default(), ..limits };
-    let units = limits.work.of(task.units()).min(rest.saturating_add(LEFT.get()));
-    let bytes = limits.work.of(task.bytes()).min(most);
+    let own = (limits.work.of(task.units()), limits.work.of(task.bytes()));
+    let units = own.0.min(rest.saturating_add(LEFT.get()));
+    let bytes = own.1.min(most);
+    let times = limits.work;
     let (found, used) = run(UnderWay { task, limits, units, rest: units, slice: 0, bytes }, work);
     if used.0 > 0 {
         charge(used.0);
     }
     grow(bytes.saturating_sub(used.1));
     let found = found.map_err(|payload| match payload.downcast_ref::<Ended>() {
+        // The piece had less left than the part may take: it is the piece that ends.
+        Some(Ended::Work(..)) if units < own.0 => resume_unwind(Box::new(Ended::Work(whole, times))),
+        Some(Ended::Bytes(..)) if bytes < own.1 => resume_unwind(Box::new(Ended::Bytes(whole, times))),
         Some(ended) => ended.clone(),
         None => resume_unwind(payload),
     });
     (found, used.0)
+}
+
+/// Does work that is counted for itself, whatever is under way on this thread, and gives the units that it used: these are the caller's to
+/// [`charge`]. So is counted what several threads do of one piece, each of which may be its own.
+pub fn apart<R>(work: impl FnOnce() -> R) -> (R, u64) {
+    let endless = UnderWay {
+        task: Task::Reading,
+        limits: Limits::default(),
+        units: u64::MAX,
+        rest: u64::MAX,
+        slice: 0,
+        bytes: u64::MAX,
+    };
+    let (found, (units, _)) = run(endless, work);
+    (found.unwrap_or_else(|payload| resume_unwind(payload)), units)
+}
+
+/// The limits of the piece that is under way on this thread; the usual ones, where none is.
+pub fn limits() -> Limits {
+    PIECE.with_borrow(|here| here.as_ref().map(|of| of.limits.clone())).unwrap_or_default()
 }
 
 /// Does work whose parts obey the limits of a run; the work itself is not limited.

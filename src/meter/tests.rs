@@ -133,6 +133,20 @@ fn a_part_is_counted_with_its_piece() {
 }
 
 #[test]
+fn what_is_counted_apart_is_charged_by_hand() {
+    let found = piece(Task::Formula, &Limits::default(), || {
+        let (found, units) = apart(|| {
+            charge(3 * SECOND);
+            charge(7);
+            "done"
+        });
+        assert_eq!((found, units), ("done", 3 * SECOND + 7));
+        charge(SECOND / 2);
+    });
+    assert_eq!(found, Ok(()));
+}
+
+#[test]
 fn the_page_of_limits_has_the_table() {
     let page = include_str!("../../docs/limits.md");
     for task in Task::ALL {

@@ -91,21 +91,10 @@ of!(
 impl From<Ended> for Reason {
     fn from(ended: Ended) -> Reason {
         match ended {
-            Ended::Time | Ended::Memory | Ended::Cancelled => Reason::Plain(ended.into()),
+            Ended::Time => Plain::TimeOver.into(),
+            Ended::Memory => Plain::MemoryUsedUp.into(),
+            Ended::Cancelled => Plain::Cancelled.into(),
             Ended::Work(..) | Ended::Bytes(..) | Ended::File(..) | Ended::Defect(_) => Reason::quoted(ended),
-        }
-    }
-}
-
-/// What ends a run, where no piece of it was under way.
-impl From<Ended> for Plain {
-    fn from(ended: Ended) -> Plain {
-        match ended {
-            Ended::Time => Plain::TimeOver,
-            Ended::Memory => Plain::MemoryUsedUp,
-            Ended::Cancelled => Plain::Cancelled,
-            Ended::Work(..) | Ended::Bytes(..) | Ended::File(..) => Plain::WorkUsedUp,
-            Ended::Defect(_) => Plain::Ended,
         }
     }
 }

@@ -38,7 +38,6 @@ sentences! {
     TimeOver: "work limit: the time of the run was over before this was done",
     MemoryUsedUp: "work limit: the memory of the run was used up before this was done",
     Ended: "the run was ended",
-    WorkUsedUp: "work limit: the counted work of the file was used up; a larger --work would allow more",
     MembersTried: "work limit: the families of a file try a million members",
     MembersRejected: "work limit: the families of a file reject 100 million members",
     StepsTaken: "work limit: the members of a file's families take 300 million steps",
@@ -125,7 +124,7 @@ sentences! {
     NotEverywhere: "it is not decided everywhere",
     NoEquation: "it is no equation that could follow from others",
     NoSolution: "there is no solution",
-    RangesWorkLimit: "work limit: the ranges were not taken apart any further",
+    RangesWorkLimit: "work limit: taking ranges apart has used its share of the counted work; a larger --work would allow more",
     // Members of a family, side by side.
     EventHasNoMeaning: "the event has no meaning on this motion",
     NoEventOnOther: "the event does not happen on the member that it is compared with",

@@ -9,6 +9,7 @@
 
 use std::io::{Read, Write};
 
+use rederive::check::Limits;
 use rederive::{Ask, Session, diag, lint, paper, report};
 
 fn main() -> std::io::Result<()> {
@@ -35,7 +36,7 @@ fn of_derivation(text: &str) -> String {
 
 fn of_paper(text: &str) -> String {
     match paper::parse_pasted("text.tex", text) {
-        Ok(paper) => report::lint_page(&paper, &lint::lint(&paper)),
+        Ok(paper) => report::lint_page(&paper, &lint::lint(&paper, &Limits::default())),
         Err(problem) => words(&diag::render(&[*problem], false)),
     }
 }

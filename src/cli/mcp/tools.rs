@@ -71,7 +71,7 @@ impl Workbench {
     fn run(&self, name: &str, given: &Arguments<'_>) -> Result<Value, String> {
         let claim = given.needed("claim");
         match name {
-            "prove" => prove(given),
+            "prove" => meter::under(&self.limits(), || prove(given)).unwrap_or_else(|ended| Err(ended.to_string())),
             "lint" => self.lint(given),
             "check" => {
                 let claims = given.texts("claims");
@@ -118,10 +118,14 @@ impl Workbench {
         Session::open(&path, text).map_err(|problems| diag::render(&problems, false))
     }
 
+    /// What a tool may take, from now.
+    fn limits(&self) -> Limits {
+        Limits { deadline: Limits::after(Some(self.seconds)), ..Limits::default() }
+    }
+
     /// The findings of a derivation file, enclosed where that is possible.
     fn checked(&self, given: &Arguments<'_>, ask: Ask) -> Result<Findings, String> {
-        let limits = Limits { deadline: Limits::after(Some(self.seconds)), ..Limits::default() };
-        let ask = Ask { rigor: Rigor::Enclosed, limits, ..ask };
+        let ask = Ask { rigor: Rigor::Enclosed, limits: self.limits(), ..ask };
         self.session(given)?.check(&ask, &|_, _| {}).map_err(|f| f.to_string())
     }
 
@@ -132,7 +136,7 @@ impl Workbench {
             None => paper::parse_pasted(&source.path, &source.text),
         };
         let paper = paper.map_err(|p| diag::render(&[*p], false))?;
-        Ok(report::lint_document(&paper, &lint::lint(&paper)))
+        Ok(report::lint_document(&paper, &lint::lint(&paper, &self.limits())))
     }
 }
 

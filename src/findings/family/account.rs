@@ -7,7 +7,7 @@ use super::tally::Counts;
 use crate::account::Measurement;
 use crate::conditions::Explanation;
 use crate::words::{self, Word};
-use reason::Plain;
+use reason::Reason;
 use serde::{Deserialize, Serialize};
 use verdict::{Outcome, Verdict};
 
@@ -94,7 +94,7 @@ pub struct FamilyAccount {
     /// What the counts say of members that were not drawn; `None` where members are no sample.
     pub failing_share: Option<FailingShare>,
     /// Why not all members were tried.
-    pub stopped: Option<Plain>,
+    pub stopped: Option<Reason>,
     /// Where it holds and where it fails, over two of the symbols that vary.
     pub map: Option<FamilyMap>,
     /// Which condition separates the members on which it holds from those on which it fails.
@@ -140,7 +140,7 @@ pub struct MeasureAccount {
     /// The greatest value.
     pub greatest: Option<ExtremeAccount>,
     /// Why not all members were tried.
-    pub stopped: Option<Plain>,
+    pub stopped: Option<Reason>,
 }
 
 /// A member that was tried.

@@ -1,6 +1,6 @@
 //! The map of a family: where, over two of the symbols that vary, a claim holds and where it fails.
 
-use reason::Plain;
+use reason::Reason;
 use serde::{Deserialize, Serialize};
 
 /// One of the two symbols of a map.
@@ -38,7 +38,7 @@ pub struct Boundary {
     /// How many motions were tried to find it: they are no members of the family.
     pub members: u64,
     /// Why no more were.
-    pub stopped: Option<Plain>,
+    pub stopped: Option<Reason>,
 }
 
 /// A map, with what was found.

@@ -6,7 +6,7 @@ use crate::{Lint, Word, lint};
 
 fn linted(tex: &str) -> (paper::Paper, Lint) {
     let paper = paper::parse(Source { path: "p.tex".into(), text: tex.into() }, String::new()).expect("it is read");
-    let found = lint(&paper);
+    let found = lint(&paper, &meter::Limits::default());
     (paper, found)
 }
 

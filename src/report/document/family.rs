@@ -5,7 +5,6 @@ use super::conditions::Explanation;
 use super::value::{Decided, FamilyStrength, Finite, Named, Strength, Verdict, objects};
 use findings::FamilyAccount;
 use findings::family::{self, SHARES};
-use reason::Plain;
 
 /// What is counted in each cell of a map.
 const COUNTS: [&str; 4] = ["holds", "fails", "not_applicable", "undecided"];
@@ -41,7 +40,7 @@ objects! {
         /// Members on which it is undecided.
         undecided: u64 = of.counts.undecided,
         /// Why not all members were tried.
-        stopped: Option<&'static str> = of.stopped.map(Plain::words),
+        stopped: Option<String> = of.stopped.as_ref().map(ToString::to_string),
         /// What the counts say of members that were not drawn; null where members are no sample.
         failing_share: Option<FailingShare> = of.failing_share.as_ref().map(FailingShare::of),
         /// The failing member with the smallest number.
@@ -133,7 +132,7 @@ objects! {
         /// Motions that were tried to find it, which are no members of the family.
         members: u64 = of.members,
         /// Why no more were tried.
-        stopped: Option<&'static str> = of.stopped.map(Plain::words),
+        stopped: Option<String> = of.stopped.as_ref().map(ToString::to_string),
     }
 
     /// Widths along the axes of a map.
@@ -240,7 +239,7 @@ objects! {
         quantiles: Vec<Quantile> =
             SHARES.into_iter().filter_map(|share| Some(Quantile::of(share, found.quantile(share)?))).collect(),
         /// Why not all members were tried.
-        stopped: Option<&'static str> = of.stopped.map(Plain::words),
+        stopped: Option<String> = of.stopped.as_ref().map(ToString::to_string),
     }
 
     /// A member with a value of a measure.
