@@ -5,11 +5,10 @@
 use std::path::Path;
 
 use pyo3::prelude::*;
-use rederive::check::Limits;
 use rederive::diag::{Diagnostic, escape};
 use rederive::{files, lint, paper, report};
 
-use super::{Wait, problems};
+use super::{Limits, Wait, problems};
 
 fn read(name: &str, text: Option<String>) -> Result<paper::Paper, Box<Diagnostic>> {
     if let Some(text) = text {
@@ -28,10 +27,10 @@ pub(super) fn lint_paper(
     text: Option<String>,
     deadline: Option<f64>,
 ) -> PyResult<(String, Vec<String>, String)> {
-    let until = Limits::after(deadline);
-    let found = Wait { until, ..Wait::default() }.compute(py, move || {
+    let limits = Limits { deadline: Limits::after(deadline), ..Limits::default() };
+    let found = Wait { until: limits.deadline, ..Wait::default() }.compute(py, move || {
         let paper = read(&name, text)?;
-        let found = lint::lint(&paper, &Limits { deadline: until, ..Limits::default() });
+        let found = lint::lint(&paper, &limits);
         let document = escape::in_json(&report::lint_document(&paper, &found).to_string());
         Ok::<_, Box<Diagnostic>>((document, report::lint_formulas(&paper, &found), report::lint_page(&paper, &found)))
     })?;

@@ -27,6 +27,8 @@ const TYPICAL: usize = 4 * BLOCK;
 
 /// Errors below this are those of results that are too small for a number.
 const UNDERFLOW: f64 = 1e-290;
+/// The counted work of taking up a group, beside that of its values.
+const OF_A_GROUP: u64 = 500;
 
 /// Both sides of a comparison at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -545,6 +547,8 @@ fn gathered<'a>(
     (points, times): (&Arc<Points>, usize),
     along: Option<&Measurements>,
 ) -> Measurements<'a> {
+    let groups = program.selectors.len() + program.hypotheses.len() + program.parts.len();
+    meter::charge(OF_A_GROUP * groups as u64);
     let signs: &[f64] = if program.is_branching() { &[1.0, -1.0] } else { &[1.0] };
     let mut by_sign: Vec<Vec<Series>> = signs.iter().map(|&sign| program.measure((points, times), sign)).collect();
     let sizes: Vec<Sizes> = signs.iter().map(|&sign| sizes(program, points, sign)).collect();

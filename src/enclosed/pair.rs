@@ -41,6 +41,9 @@ fn refuted(found: Result<(Witness, Refutation), Reason>) -> Shown {
     found.map_or_else(Shown::Nothing, |(witness, refutation)| Shown::Fails(witness, refutation.into()))
 }
 
+/// The counted work of a part in the outcome of all.
+const OF_A_PART: u64 = 20;
+
 /// Whether a verdict holds for every time, or for all values.
 pub(super) fn is_rigorous(outcome: Outcome) -> bool {
     match outcome {
@@ -139,6 +142,8 @@ pub(super) fn strengthen(
         if is_rigorous(verdict.outcome()) {
             break;
         }
+        // The outcome is that of all parts together.
+        meter::charge(OF_A_PART * prepared.len() as u64);
         let part = program.part(position);
         let group = &part.group;
         let before = verdict.findings().get(position).and_then(|f| f.known(Strength::Sampled));

@@ -15,6 +15,9 @@ pub use number::Instruction;
 use number::{Bounded, NoValue, Number, Op, Rational};
 use std::collections::hash_map::Entry;
 
+/// The counted work of writing a constant.
+const OF_A_PRESET: u64 = 20;
+
 /// What fills a slot before the instructions run.
 #[derive(Clone, Debug, PartialEq)]
 enum Preset {
@@ -122,30 +125,32 @@ impl Tape {
 
     /// The same for some of the outputs, in the order of `outputs`: only what they need is computed. Inputs stay as they are.
     pub fn part(&self, outputs: &[usize]) -> Tape {
-        let first = self.inputs.len() + self.presets.len();
-        let mut needed = vec![false; self.instructions.len()];
-        let need = |needed: &mut Vec<bool>, slot: u32| {
-            if let Some(n) = (slot as usize).checked_sub(first).and_then(|i| needed.get_mut(i)) {
-                *n = true;
-            }
-        };
-        outputs.iter().for_each(|&o| need(&mut needed, self.outputs[o]));
-        let mut slot: Vec<u32> = (0..self.slot_count() as u32).collect();
-        for (i, step) in self.instructions.iter().enumerate().rev() {
-            if needed[i] {
-                need(&mut needed, step.a);
-                need(&mut needed, step.b);
+        meter::charge(2 * self.slot_count() as u64);
+        let constants = self.inputs.len();
+        let mut needed = vec![false; self.slot_count()];
+        outputs.iter().for_each(|&o| needed[self.outputs[o] as usize] = true);
+        for step in self.instructions.iter().rev() {
+            if needed[step.out as usize] {
+                needed[step.a as usize] = true;
+                needed[step.b as usize] = true;
             }
         }
+        let mut slot: Vec<u32> = (0..self.slot_count() as u32).collect();
+        let mut presets = Vec::new();
+        for (i, preset) in self.presets.iter().enumerate().filter(|(i, _)| needed[constants + i]) {
+            slot[constants + i] = (constants + presets.len()) as u32;
+            presets.push(preset.clone());
+        }
+        let first_result = constants + presets.len();
         let mut instructions = Vec::new();
-        for (step, _) in self.instructions.iter().zip(&needed).filter(|(_, n)| **n) {
-            let out = (first + instructions.len()) as u32;
+        for step in self.instructions.iter().filter(|step| needed[step.out as usize]) {
+            let out = (first_result + instructions.len()) as u32;
             slot[step.out as usize] = out;
             let (a, b) = (slot[step.a as usize], slot[step.b as usize]);
             instructions.push(Instruction { op: step.op, a, b, out });
         }
         let outputs = outputs.iter().map(|&o| slot[self.outputs[o] as usize]).collect();
-        Tape { inputs: self.inputs.clone(), presets: self.presets.clone(), instructions, outputs }
+        Tape { inputs: self.inputs.clone(), presets, instructions, outputs }
     }
 
     /// The leaves that must be given, in order.
@@ -227,6 +232,7 @@ impl Tape {
 
     /// Writes the constants again, for a number type whose constants depend on the context.
     pub fn load_constants<N: Number>(&self, cx: &N::Context, slots: &mut Slots<N>) {
+        meter::charge(OF_A_PRESET * self.presets.len() as u64 + (slots.values.len() * size_of::<N>()) as u64 / 8);
         for (i, preset) in self.presets.iter().enumerate() {
             let at = self.inputs.len() + i;
             let written = match preset {

@@ -275,6 +275,12 @@ impl Number for Bounded {
         Bounded::ZERO
     }
     fn rational(&mut self, _: &(), r: &Rational) -> Result<(), NoValue> {
+        if let (true, Ok(whole)) = (r.is_int(), i64::try_from(r.numerator()))
+            && whole.unsigned_abs() <= 1 << f64::MANTISSA_DIGITS
+        {
+            *self = Bounded::exact(whole as f64);
+            return Ok(());
+        }
         let value = centre(|x| x.rational(&(), r))?;
         let exact = Rational::try_from(value).is_ok_and(|back| back == *r);
         *self = Bounded { value, error: if exact { 0.0 } else { U * value.abs() * UP + TINY } }.checked()?;

@@ -9,10 +9,8 @@ use findings::{FamilyAccount, MemberAccount};
 /// What a claim says of a quantity of members, for the heading of its formula, without an end; names are formulas between dollars.
 /// `None` for a claim that does not compare members.
 pub(super) fn compared(claim: &Claim) -> Option<String> {
-    let across = claim.forms.iter().find_map(|form| match form {
-        Form::Across(across) => Some(across),
-        _ => None,
-    })?;
+    // Such a claim has no other form.
+    let Some(Form::Across(across)) = claim.forms.first() else { return None };
     let with = format!("${}$", across.name);
     let point = across.point.as_ref().map(|p| p.text.as_str()).unwrap_or_default();
     let limit = across.value.as_ref().map(|v| v.text.as_str()).unwrap_or_default();

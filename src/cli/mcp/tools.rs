@@ -1,6 +1,5 @@
 //! The tools of the server: what each is called with, and what it answers. What a client is told of them is in `tools.json`.
 
-use std::panic::AssertUnwindSafe;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -65,13 +64,14 @@ impl Workbench {
         let tool = self.tools.iter().find(|tool| tool["name"] == name).unwrap_or(&Value::Null);
         fits(tool, arguments)?;
         let defect = "a defect of rederive: please report it, with the call".to_owned();
-        std::panic::catch_unwind(AssertUnwindSafe(|| self.run(name, &Arguments(arguments)))).unwrap_or(Err(defect))
+        let limits = Limits { deadline: Limits::after(Some(self.seconds)), ..Limits::default() };
+        meter::under(&limits, || self.run(name, &Arguments(arguments))).unwrap_or(Err(defect))
     }
 
     fn run(&self, name: &str, given: &Arguments<'_>) -> Result<Value, String> {
         let claim = given.needed("claim");
         match name {
-            "prove" => meter::under(&self.limits(), || prove(given)).unwrap_or_else(|ended| Err(ended.to_string())),
+            "prove" => prove(given),
             "lint" => self.lint(given),
             "check" => {
                 let claims = given.texts("claims");
@@ -118,14 +118,9 @@ impl Workbench {
         Session::open(&path, text).map_err(|problems| diag::render(&problems, false))
     }
 
-    /// What a tool may take, from now.
-    fn limits(&self) -> Limits {
-        Limits { deadline: Limits::after(Some(self.seconds)), ..Limits::default() }
-    }
-
     /// The findings of a derivation file, enclosed where that is possible.
     fn checked(&self, given: &Arguments<'_>, ask: Ask) -> Result<Findings, String> {
-        let ask = Ask { rigor: Rigor::Enclosed, limits: self.limits(), ..ask };
+        let ask = Ask { rigor: Rigor::Enclosed, limits: meter::limits(), ..ask };
         self.session(given)?.check(&ask, &|_, _| {}).map_err(|f| f.to_string())
     }
 
@@ -136,7 +131,7 @@ impl Workbench {
             None => paper::parse_pasted(&source.path, &source.text),
         };
         let paper = paper.map_err(|p| diag::render(&[*p], false))?;
-        Ok(report::lint_document(&paper, &lint::lint(&paper, &self.limits())))
+        Ok(report::lint_document(&paper, &lint::lint(&paper, &meter::limits())))
     }
 }
 
