@@ -10,6 +10,9 @@ use findings::{Account, ClaimAccount, PairAccount};
 pub(super) const LEGEND: &str =
     "H holds, h holds but weakly, F fails, - does not apply, ? undecided; ! differs from what is expected.";
 
+/// Rows of more equal letters than this are told in words.
+const LONG: usize = 12;
+
 /// The matrix; `None` where no claim is tried on motions.
 pub(super) fn letters(account: &Account) -> Option<String> {
     // What is about ranges has no cells.
@@ -35,7 +38,12 @@ pub(super) fn letters(account: &Account) -> Option<String> {
     for (claim, name) in rows.iter().zip(&names) {
         let on = claim.on_each();
         let cells: String = account.trajectories.iter().map(|t| cell(on.get(t.id.as_str()))).collect();
-        body.push_str(format!("{name:wide$}  {cells}").trim_end());
+        let first = cells.chars().next().unwrap_or(' ');
+        // A long row of one letter is told in two words.
+        match cells.chars().count() {
+            n if n > LONG && cells.chars().all(|c| c == first) => body.push_str(&format!("{name}  {first} on all")),
+            _ => body.push_str(format!("{name:wide$}  {cells}").trim_end()),
+        }
         body.push('\n');
     }
     Some(body)

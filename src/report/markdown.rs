@@ -5,12 +5,12 @@ use super::graph::DerivationGraph;
 use super::letters::{LEGEND, letters};
 use super::markup::display;
 pub(super) use super::markup::{code, fenced, math, prose, table};
-use super::numbers::{count, size, time, value};
+use super::numbers::{both, count, six, size, time};
 use super::tally::{Group, declared, groups, name};
 use super::wording::slack_sentence;
 use super::{discrimination, family};
 use crate::derivation::{ClaimRole, DEFAULT_PRECISION, Derivation};
-use findings::{Account, ClaimAccount, Measurement, PairAccount};
+use findings::{Account, ClaimAccount, Measurement, PairAccount, Recorded};
 
 /// The report.
 pub fn markdown(derivation: &Derivation, account: &Account) -> String {
@@ -186,7 +186,7 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
             let certificate = super::certificates::file_name(claim).map(|f| format!(" [Certificate]({f})."));
             // Why others are not is in the page: here it is said of what is.
             let recorded = identity.recorded.as_ref().filter(|r| r.steps().is_some());
-            let recorded = recorded.map(|r| format!(" {}", r.sentence())).unwrap_or_default();
+            let recorded = recorded.map(steps_told).unwrap_or_default();
             let sentence = prose(&(super::graph::brief(identity, &graph.proof_of(claim)) + &recorded));
             out.push_str(&format!("**For all values:** {sentence}{}\n\n", certificate.unwrap_or_default()));
         }
@@ -203,6 +203,15 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
         }
     }
     out
+}
+
+/// That a proof is recorded, in few words: `explain` says it in a sentence.
+fn steps_told(recorded: &Recorded) -> String {
+    let steps = recorded.steps().unwrap_or(0);
+    match recorded.left_out() {
+        0 => format!(" Replayed: {}.", count(steps, "step")),
+        n => format!(" Replayed: {}, but for {}.", count(steps, "step"), count(n, "case")),
+    }
 }
 
 /// What the words behind the names of claims mean, of those that occur.
@@ -308,12 +317,12 @@ fn told(pair: &PairAccount, holds: bool) -> String {
     let evidence = pair.verdict.evidence();
     let mut out = String::new();
     if let Some(r) = evidence.residual.as_ref().filter(|_| holds) {
-        out.push_str(&format!(
-            " Largest residual {}, bound {} ({}).",
-            size(r.max),
-            size(r.bound),
-            pair.verdict.outcome().strength().unwrap_or_default(),
-        ));
+        let strength = pair.verdict.outcome().strength().unwrap_or_default();
+        // Of what is known at every time the samples tell nothing more: the page and `report.json` have them.
+        out.push_str(&match strength {
+            "sampled" => format!(" Largest residual {}, bound {} (sampled).", size(r.max), size(r.bound)),
+            word => format!(" ({word})."),
+        });
     }
     if let Some(slack) = slack_sentence(pair) {
         out.push_str(&format!(" {slack}."));
@@ -340,17 +349,16 @@ fn witness(claim: &ClaimAccount, pair: &PairAccount) -> String {
     // The only formula of a claim stands above.
     let alone = matches!(claim.formulas.as_slice(), [one] if *one == w.formula);
     let formula = if alone { String::new() } else { format!(", for {}", math(&w.formula)) };
+    let (left, right) = both(w.left, w.right);
     let mut out = format!(
-        " On `{}` at t = {}{formula}: left side **{}**, right side **{}**, error bound {}.",
+        " On `{}` at t = {}{formula}: left side **{left}**, right side **{right}**, error bound {}.",
         pair.trajectory,
-        value(w.t),
-        value(w.left),
-        value(w.right),
+        six(w.t),
         size(w.bound)
     );
     // Values that would fill a page are in `report.json`, to be recomputed.
     if (1..=FEW).contains(&w.values.len()) {
-        let values: Vec<String> = w.values.iter().map(|(n, v)| format!("{} = {}", math(n), value(*v))).collect();
+        let values: Vec<String> = w.values.iter().map(|(n, v)| format!("{} = {}", math(n), six(*v))).collect();
         out.push_str(&format!(" There {}.", values.join(", ")));
     }
     out

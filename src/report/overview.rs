@@ -27,13 +27,12 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> String {
         }
         out.push_str(&format!("### {} {}\n\n", count(found.len(), "claim"), fate.words(found.len())));
         out.push_str(&format!("{}\n\n", fate.meaning()));
-        for whole in found {
-            out.push_str(&match fate {
-                Fate::Stands => standing(whole),
-                // What is no claim of the paper is told in its own section.
-                Fate::Choice | Fate::Lemma | Fate::Added => beside(whole),
-                _ => reasons(whole),
-            });
+        if fate == Fate::Stands {
+            out.push_str(&standing(&found));
+        }
+        for whole in found.into_iter().filter(|_| fate != Fate::Stands) {
+            // What is no claim of the paper is told in its own section.
+            out.push_str(&if fate.is_of_the_paper() { reasons(whole) } else { beside(whole) });
         }
         out.push('\n');
     }
@@ -76,16 +75,25 @@ fn place(whole: &Whole<'_>) -> String {
     format!("({place}{})", link_to(whole.id))
 }
 
-fn standing(whole: &Whole<'_>) -> String {
-    let mark = if whole.is_proved() { "◆" } else { "●" };
-    let basis = whole.basis().map(|b| format!(": {}", prose(&b.words()))).unwrap_or_default();
-    format!("- {mark} {} {}{basis}.\n", prose(&whole.says), place(whole))
+/// What stands, by how it is known; what each says is said in its section.
+fn standing(found: &[&Whole<'_>]) -> String {
+    let mut by_basis: Vec<(String, Vec<String>)> = Vec::new();
+    for whole in found {
+        let mark = if whole.is_proved() { "◆" } else { "●" };
+        let basis = whole.basis().map(|b| format!(" {}", prose(&b.words()))).unwrap_or_default();
+        let head = format!("{mark}{basis}");
+        match by_basis.iter_mut().find(|(known, _)| *known == head) {
+            Some((_, links)) => links.push(link_to(whole.id)),
+            None => by_basis.push((head, vec![link_to(whole.id)])),
+        }
+    }
+    by_basis.iter().map(|(head, links)| format!("- {head}: {}\n", links.join(", "))).collect()
 }
 
-/// A line with the shape of every reading.
+/// The shape of every reading; what the claim says is said in its section.
 fn beside(whole: &Whole<'_>) -> String {
     let marks: String = whole.readings.iter().map(|r| mark(r.standing)).collect();
-    format!("- {marks} {} {}\n", prose(&whole.says), place(whole))
+    format!("- {marks} {}\n", link_to(whole.id))
 }
 
 fn reasons(whole: &Whole<'_>) -> String {

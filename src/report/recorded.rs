@@ -27,6 +27,10 @@ pub(super) fn count(account: &Account) -> String {
 /// Most steps of one relation that are printed; all are in `proofs.json`.
 const MOST_STEPS: usize = 60;
 
+/// Most steps of one claim that the page shows, all of its relations together: nobody reads more, and of some thousand steps a
+/// page would be half. `explain` prints more, and all are in `proofs.json`.
+const MOST_ON_PAGE: usize = 24;
+
 /// How a replay ended, in words.
 pub(super) fn shown_words(shown: &Shown) -> String {
     let mut out = format!("{} steps, from {}", shown.steps(), shown.rests_on());
@@ -65,20 +69,37 @@ pub(super) fn text(recorded: &Recorded) -> String {
     out
 }
 
-/// The same in a fold of the page.
+/// The relations that the page shows, each with as many steps, and how many steps it does not show.
+fn on_page(all: &[Told]) -> (Vec<(&Told, &[String])>, usize) {
+    let mut left = MOST_ON_PAGE;
+    let mut shown = Vec::new();
+    for told in all {
+        let count = told.steps.len().min(left);
+        if count > 0 || shown.is_empty() {
+            shown.push((told, &told.steps[..count]));
+        }
+        left -= count;
+    }
+    let total: usize = all.iter().map(|told| told.steps.len()).sum();
+    (shown, total - (MOST_ON_PAGE - left))
+}
+
+/// The same in a fold of the page, up to [`MOST_ON_PAGE`] steps.
 pub(super) fn fold(recorded: &Recorded, scope: &Scope) -> Markup {
+    if recorded.steps().is_none() {
+        return html! {};
+    }
+    let all = recorded.told();
+    let (shown, more) = on_page(all);
     html! {
-        @if recorded.steps().is_some() {
-            details.steps {
-                summary { "The proof, step by step" }
-                @for told in recorded.told() {
-                    p { (prose(&told.sequent, scope)) }
-                    @let (steps, more) = printed(told);
-                    ol { @for step in steps { li { (prose(step, scope)) } } }
-                    @if more > 0 { p { "And " (more) " steps more, which are in proofs.json." } }
-                    p { "Replayed: " (shown_words(&told.shown)) "." }
-                }
+        details.steps {
+            summary { "The proof, step by step" }
+            @for (told, steps) in shown {
+                p { (prose(&told.sequent, scope)) }
+                ol { @for step in steps { li { (prose(step, scope)) } } }
+                p { "Replayed: " (shown_words(&told.shown)) "." }
             }
+            @if more > 0 { p { "And " (more) " steps more, of " (all.len()) " relations in all, which are in proofs.json." } }
         }
     }
 }

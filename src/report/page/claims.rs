@@ -59,7 +59,8 @@ fn readings(derivation: &Derivation, account: &Account, graph: &DerivationGraph,
             @if let Some(parent) = parent.filter(|_| !own) {
                 h3 id=(first.id) { (first.id) ": " (prose(&parent, scope_of(derivation, first))) }
             }
-            div.scroll tabindex="0" role="group" aria-label={ "Readings of " (first.id) } {
+            // Among many claims each reading has its verdict beside its name, and that is enough.
+            @if account.claims.len() <= MANY { div.scroll tabindex="0" role="group" aria-label={ "Readings of " (first.id) } {
                 table.readings {
                     caption { "Readings of " (first.id) ", side by side" }
                     thead {
@@ -81,7 +82,7 @@ fn readings(derivation: &Derivation, account: &Account, graph: &DerivationGraph,
                         }
                     }
                 }
-            }
+            } }
             @for claim in family { (article(derivation, account, graph, claim)) }
         }
     }
@@ -92,7 +93,6 @@ fn scope_of<'d>(derivation: &'d Derivation, claim: &ClaimAccount) -> &'d Scope {
 }
 
 fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, claim: &ClaimAccount) -> Markup {
-    let declared = declared(derivation, claim);
     let scope = scope_of(derivation, claim);
     html! {
         article.claim id=(name(claim)) {
@@ -101,43 +101,56 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
             } @else {
                 h3 { (name(claim)) ": " (prose(&claim.says, scope)) }
             }
-            p.quiet {
-                @if let Some(whose) = declared.and_then(|d| whose(d.role)) { (whose) " " }
-                @if let Some(place) = &claim.place { (prose(place, scope)) ". " }
-                @if let Some(label) = declared.and_then(|d| d.label.as_ref()) { "Label " code { (label) } ". " }
-                @if let Some(from) = declared.map(|d| &d.follows_from).filter(|f| !f.is_empty()) {
-                    "Said to follow from " (from.join(", ")) ". "
-                }
-                @if let Some(p) = declared.map(|d| d.precision).filter(|p| *p != DEFAULT_PRECISION) {
-                    "Precision asked for: " (size(p)) "."
-                }
-            }
-            (formulas(derivation, claim))
-            @if !claim.assumptions.is_empty() {
-                p {
-                    "Assuming "
-                    @for (i, a) in claim.assumptions.iter().enumerate() {
-                        @if i > 0 { ", " }
-                        (formula(a, scope))
-                    }
-                    "."
-                }
-            }
-            @if let Some(at) = declared.and_then(|d| d.at.as_ref()) {
-                p { "Tried when " (formula(&at.equation.text, scope)) (at.occasion.words()) "." }
-            }
-            (support::units_of(account, claim, scope))
             (found(derivation, account, graph, claim))
         }
     }
 }
 
-/// What was found of a claim. Of one that stands, and of what is no reading of the paper's, a sentence is read, and the rest is
-/// folded: few ask how it is known.
+/// What a claim says, and where: all but its verdict.
+fn stated(derivation: &Derivation, account: &Account, claim: &ClaimAccount) -> Markup {
+    let declared = declared(derivation, claim);
+    let scope = scope_of(derivation, claim);
+    html! {
+        p.quiet {
+            @if let Some(whose) = declared.and_then(|d| whose(d.role)) { (whose) " " }
+            @if let Some(place) = &claim.place { (prose(place, scope)) ". " }
+            @if let Some(label) = declared.and_then(|d| d.label.as_ref()) { "Label " code { (label) } ". " }
+            @if let Some(from) = declared.map(|d| &d.follows_from).filter(|f| !f.is_empty()) {
+                "Said to follow from " (from.join(", ")) ". "
+            }
+            @if let Some(p) = declared.map(|d| d.precision).filter(|p| *p != DEFAULT_PRECISION) {
+                "Precision asked for: " (size(p)) "."
+            }
+        }
+        (formulas(derivation, claim))
+        @if !claim.assumptions.is_empty() {
+            p {
+                "Assuming "
+                @for (i, a) in claim.assumptions.iter().enumerate() {
+                    @if i > 0 { ", " }
+                    (formula(a, scope))
+                }
+                "."
+            }
+        }
+        @if let Some(at) = declared.and_then(|d| d.at.as_ref()) {
+            p { "Tried when " (formula(&at.equation.text, scope)) (at.occasion.words()) "." }
+        }
+        (support::units_of(account, claim, scope))
+    }
+}
+
+/// On a page of more claims than this, each is a sentence and its verdict, until it is unfolded.
+const MANY: usize = 40;
+
+/// What a claim says, and what was found of it. Of one that stands, and of what is no reading of the paper's, a sentence is read,
+/// and the rest is folded: few ask how it is known. Among many claims the evidence of the others is folded, too: what is wrong
+/// stands above, with its witness. What is not as expected is never folded.
 fn found(derivation: &Derivation, account: &Account, graph: &DerivationGraph, claim: &ClaimAccount) -> Markup {
     let scope = scope_of(derivation, claim);
     let reading = Reading::of(derivation, graph, claim);
     let groups = groups(claim);
+    let stated = stated(derivation, account, claim);
     let evidence = html! {
         @if let Some(remark) = &claim.remark {
             p.remark { span.quiet { "Remark of the file: " } (prose(remark, scope)) }
@@ -150,12 +163,22 @@ fn found(derivation: &Derivation, account: &Account, graph: &DerivationGraph, cl
         (family::blocks(claim, scope))
         (region::block(claim, scope))
     };
+    let many = account.claims.len() > MANY;
     let beside = claim.reading.is_some() && !reading.role.decides() && reading.role != ClaimRole::Needs;
-    if groups.iter().any(|g| g.unexpected) || reading.standing != Standing::Holds && !beside {
-        return evidence;
+    let is_told = reading.standing != Standing::Holds && !beside;
+    if groups.iter().any(|g| g.unexpected) || is_told && !many {
+        return html! { (stated) (evidence) };
     }
     let verdict = digest::verdict(&reading);
-    html! { details.evidence { summary { span class={ "mark " (digest::mark(&reading)) } aria-hidden="true" {} " " (prose(&verdict, scope)) } (evidence) } }
+    let seen = !many || is_told;
+    html! {
+        @if seen { (stated) }
+        details.evidence {
+            summary { span class={ "mark " (digest::mark(&reading)) } aria-hidden="true" {} " " (prose(&verdict, scope)) }
+            @if !seen { (stated) }
+            (evidence)
+        }
+    }
 }
 
 /// The claims as they are printed. What is folded on a screen is shown; the verdicts of pairs are in the [matrix](printed_matrix),

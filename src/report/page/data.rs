@@ -26,7 +26,7 @@ const FINE: usize = 12;
 const STEPS: usize = DIGITS.len() * FINE;
 
 /// Of what holds, one sample in so many is drawn.
-const THIN: usize = 6;
+const THIN: usize = 8;
 /// Of the second characters, so many are taken as one: what is not seen is not stored. Times are stored as they are.
 const GRAIN: Grain = Grain { time: 1, side: 4, logarithm: FINE };
 
@@ -93,6 +93,11 @@ impl Serialize for Exact {
 /// A number with four digits.
 fn short(x: f64) -> Exact {
     Exact(format!("{x:.3e}").parse().unwrap_or(x))
+}
+
+/// A number with ten digits: on a page of thousands of witnesses that is enough to look at; `report.json` has all of them.
+fn ten_digits(x: f64) -> f64 {
+    format!("{x:.9e}").parse().unwrap_or(x)
 }
 
 /// A number; what JSON has no number for is a text.
@@ -328,7 +333,7 @@ fn packed<'a>(
             right: w.right,
             bound: short(w.bound),
             names: names.join("\n").into(),
-            values: values.into_iter().map(number).collect(),
+            values: values.into_iter().map(|v| number(if others > 1 { ten_digits(v) } else { v })).collect(),
         }
     });
     if curves.is_none() && witness.is_none() {

@@ -12,9 +12,9 @@ const CLOSE: &str = "</details>";
 const SUMMARY: &str = "</summary>";
 const NAMES: [&str; 2] = ["<p class=\"names\">", "<p class=names>"];
 
-/// Takes out what is folded. What is inside of something folded goes with it.
-pub(super) fn taken_out(html: &str) -> (String, Vec<String>) {
-    let (mut out, mut folds) = (String::with_capacity(html.len() / 2), Vec::new());
+/// Takes out what is folded, and adds it to `folds`. What is inside of something folded goes with it.
+pub(super) fn taken_out(html: &str, folds: &mut Vec<String>) -> String {
+    let mut out = String::with_capacity(html.len() / 2);
     let mut rest = html;
     while let Some(at) = rest.find(OPEN) {
         let Some(end) = closing(&rest[at..]) else { break };
@@ -30,7 +30,7 @@ pub(super) fn taken_out(html: &str) -> (String, Vec<String>) {
         }
     }
     out.push_str(rest);
-    (out, folds)
+    out
 }
 
 /// Where the element that the text begins with ends.
@@ -73,7 +73,8 @@ mod tests {
     fn what_is_folded_is_taken_out_with_all_that_is_in_it() {
         let html = "<p>a</p><details class=x><summary>S</summary><p class=names>n</p><ul><details><summary>T</summary>t</details></ul></details>b\
                     <details><summary>U</summary>u</details>";
-        let (page, folds) = taken_out(html);
+        let mut folds = Vec::new();
+        let page = taken_out(html, &mut folds);
         assert_eq!(
             page,
             "<p>a</p><details data-k=\"0\" class=x><summary>S</summary><p class=names>n</p></details>b\
@@ -85,7 +86,8 @@ mod tests {
     #[test]
     fn what_is_not_folded_stays() {
         for html in ["", "<p>a", "<details><summary>S</summary></details>", "<details><summary>S"] {
-            assert_eq!(taken_out(html), (html.to_owned(), Vec::new()), "{html}");
+            let mut folds = Vec::new();
+            assert_eq!((taken_out(html, &mut folds), folds), (html.to_owned(), Vec::new()), "{html}");
         }
     }
 }

@@ -12,14 +12,22 @@ use crate::derivation::Derivation;
 use crate::latex::Scope;
 use findings::{Account, ClaimAccount, Summary};
 
-/// The summary in words, the counts, and every claim with its fate.
-pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
-    let wholes = digest::wholes(derivation, account);
-    let of = |fate: Fate| -> Vec<&Whole<'_>> { wholes.iter().filter(|w| w.fate == fate).collect() };
+/// Page one, and below it what is [listed].
+pub(super) fn section<M: maud::Render>(derivation: &Derivation, account: &Account, listed: &M) -> Markup {
     html! {
         section id="/findings" {
             h2 { "What was found" }
             (front(derivation, account))
+            (listed)
+        }
+    }
+}
+
+/// The counts, and every claim with its fate.
+pub(super) fn listed(derivation: &Derivation, account: &Account) -> Markup {
+    let wholes = digest::wholes(derivation, account);
+    let of = |fate: Fate| -> Vec<&Whole<'_>> { wholes.iter().filter(|w| w.fate == fate).collect() };
+    html! {
             ul.counts aria-label="What became of the claims" {
                 @for fate in Fate::TOLD {
                     @let n = of(fate).len();
@@ -40,11 +48,12 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
                     p.quiet { (fate.meaning()) }
                     @if fate == Fate::Stands {
                         details { summary { "All of them" } (standing(&found, &derivation.scope)) }
+                    } @else if !fate.is_of_the_paper() {
+                        details { summary { "All of them" } (reasons(derivation, &found)) }
                     } @else { (reasons(derivation, &found)) }
                 }
             }
             (unsaid(derivation, account))
-        }
     }
 }
 

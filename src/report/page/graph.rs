@@ -9,6 +9,7 @@ use maud::{Markup, html};
 
 use super::super::consequence::Consequences;
 use super::super::digest::{self, Fate, Whole};
+use super::text::plain;
 use crate::derivation::Derivation;
 use findings::Account;
 
@@ -78,6 +79,7 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
                     }
                     @for n in &nodes {
                         a href={ "#" (n.whole.id) } {
+                            title { (hover(account, n.whole)) }
                             rect class={ "node " (class(n.whole)) @if n.whole.conclusion { " concluded" } }
                                 x=(x(n)) y=(y(n)) width=(BOX.0) height=(BOX.1) rx="4" {}
                             text x=(x(n) + BOX.0 / 2) y=(y(n) + 14) text-anchor="middle" font-size="11" { (n.whole.id) }
@@ -92,6 +94,19 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
 fn count(drawn: &[&Whole<'_>], edges: &[(&str, &str)]) -> String {
     let against = drawn.iter().filter(|w| w.fate.is_against()).count();
     format!("{} claims, of which {against} do not stand, and {} lines between them.", drawn.len(), edges.len())
+}
+
+/// What a box says to those who point at it: the sentence, and its formulas as they are printed.
+fn hover(account: &Account, whole: &Whole<'_>) -> String {
+    /// Most formulas of a box.
+    const FORMULAS: usize = 3;
+    let of = account.claims.iter().find(|c| c.id == whole.id);
+    let formulas = of.map_or(&[][..], |c| c.formulas.as_slice());
+    let mut out = plain(&whole.says);
+    for text in formulas.iter().take(FORMULAS) {
+        out.push_str(&format!("\n{}", plain(text)));
+    }
+    out
 }
 
 fn class(whole: &Whole<'_>) -> &'static str {

@@ -79,6 +79,8 @@ pub(super) fn has_pairs(account: &Account) -> bool {
 
 /// The matrix with its legend and filters; unseen where it would be empty.
 pub(super) fn section(account: &Account) -> Markup {
+    let pairs: usize = account.claims.iter().map(|claim| claim.results.len()).sum();
+    let is_large = pairs > super::MOST_PAIRS;
     html! {
         section id="/matrix" hidden[!has_pairs(account)] {
             h2 { "Claims and trajectories" }
@@ -89,6 +91,7 @@ pub(super) fn section(account: &Account) -> Markup {
                 table.matrix {
                     caption {
                         "Rows are claims, columns are trajectories."
+                        @if is_large { span.unseen { " Where the script does not run, equal neighbours are told once, with their number." } }
                         span.unseen { @for (letter, words) in LETTERS { " " span data-l=(letter) { (letter) ": " (words) } "." } }
                     }
                     thead {
@@ -101,7 +104,7 @@ pub(super) fn section(account: &Account) -> Markup {
                     }
                     tbody {
                         // What is about ranges, or families alone, has no cells.
-                        @for claim in account.claims.iter().filter(|c| !c.results.is_empty()) { (row(account, claim)) }
+                        @for claim in account.claims.iter().filter(|c| !c.results.is_empty()) { (row(account, claim, is_large)) }
                     }
                 }
             }
@@ -110,7 +113,37 @@ pub(super) fn section(account: &Account) -> Markup {
     }
 }
 
-fn row(account: &Account, claim: &ClaimAccount) -> Markup {
+/// The letters of a cell; of no pair a point.
+fn told(pair: Option<&&PairAccount>) -> String {
+    let Some(pair) = pair else { return ".".to_owned() };
+    let (weak, unexpected) = (is_marked(pair), pair.is_unexpected());
+    format!("{}{}{}", letters(pair), if weak { "w" } else { "" }, if unexpected { "x" } else { "" })
+}
+
+/// A row of a large matrix: runs of equal cells, as `HE*12`. The script makes cells of them.
+fn runs(account: &Account, claim: &ClaimAccount) -> String {
+    let on = claim.on_each();
+    let mut runs: Vec<(String, usize)> = Vec::new();
+    for t in &account.trajectories {
+        let cell = told(on.get(t.id.as_str()));
+        match runs.last_mut() {
+            Some((last, n)) if *last == cell => *n += 1,
+            _ => runs.push((cell, 1)),
+        }
+    }
+    let run = |(cell, n): (String, usize)| if n == 1 { cell } else { format!("{cell}*{n}") };
+    runs.into_iter().map(run).collect::<Vec<_>>().join(" ")
+}
+
+fn row(account: &Account, claim: &ClaimAccount, is_large: bool) -> Markup {
+    if is_large {
+        return html! {
+            tr {
+                th scope="row" { a href={ "#" (name(claim)) } { (name(claim)) } }
+                td.runs colspan=(account.trajectories.len()) { (runs(account, claim)) }
+            }
+        };
+    }
     let on = claim.on_each();
     html! {
         tr {
@@ -118,9 +151,7 @@ fn row(account: &Account, claim: &ClaimAccount) -> Markup {
             @for t in &account.trajectories {
                 @match on.get(t.id.as_str()) {
                     Some(pair) => {
-                        td class=(cell(pair)) {
-                            (letters(pair)) @if is_marked(pair) { "w" } @if pair.is_unexpected() { "x" }
-                        }
+                        td class=(cell(pair)) { (told(Some(pair))) }
                     },
                     None => { td {} },
                 }
@@ -148,7 +179,7 @@ fn legend() -> Markup {
     }
 }
 
-/// Shown by the script, which makes them work.
+/// Shown by the script, which makes them work, and offers the names of the matrix.
 fn filters(account: &Account) -> Markup {
     let verdicts =
         [("h", "holds"), ("f", "fails"), ("n", "does not apply"), ("u", "undecided"), ("x", "not as expected")];
@@ -164,12 +195,12 @@ fn filters(account: &Account) -> Markup {
                 "Claim "
                 input type="search" name="claim" list="/claim-names" autocomplete="off" placeholder="part of a name";
             }
-            datalist id="/claim-names" { @for c in &account.claims { option value=(name(c)) {} } }
+            datalist id="/claim-names" { @for c in account.claims.iter().filter(|c| c.results.is_empty()) { option value=(name(c)) {} } }
             label {
                 "Trajectory "
                 input type="search" name="trajectory" list="/trajectory-names" autocomplete="off" placeholder="part of a name";
             }
-            datalist id="/trajectory-names" { @for t in &account.trajectories { option value=(t.id) {} } }
+            datalist id="/trajectory-names" {}
             button type="reset" { "Show all" }
             output id="/shown" role="status" {}
         }

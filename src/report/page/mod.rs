@@ -50,13 +50,19 @@ const MOST_FOLDED: usize = 400_000;
 /// The page.
 pub fn page(derivation: &Derivation, account: &Account) -> String {
     let large = || rayon::join(|| claims::section(derivation, account), || motions::section(derivation, account));
-    let (findings, (claims, motions)) = rayon::join(|| findings::section(derivation, account), large);
+    let (listed, (claims, motions)) = rayon::join(|| findings::listed(derivation, account), large);
     let folding = html! { (claims) (motions) (measures(derivation, account)) };
-    let folding = reuse::drawn_once(&tight::tight(&folding.into_string()));
+    let mut folding = reuse::drawn_once(&tight::tight(&folding.into_string()));
+    let mut listed = tight::tight(&listed.into_string());
     let pairs: usize = account.claims.iter().map(|c| c.results.len()).sum();
     // A large page keeps what is folded out of the document until it is unfolded.
     let is_large = pairs > MOST_PAIRS || folding.len() > MOST_FOLDED;
-    let (folding, folds) = if is_large { details::taken_out(&folding) } else { (folding, Vec::new()) };
+    let mut folds = Vec::new();
+    if is_large {
+        listed = details::taken_out(&listed, &mut folds);
+        folding = details::taken_out(&folding, &mut folds);
+    }
+    let findings = findings::section(derivation, account, &PreEscaped(listed));
     let data = compression::packed(&data::json(derivation, account, &folds));
     let rest = html! {
         (PreEscaped(folding))
@@ -78,7 +84,7 @@ pub fn printed_page(derivation: &Derivation, account: &Account) -> String {
     let body = html! {
         (header(derivation, None))
         main id="/main" {
-            (findings::section(derivation, account))
+            (findings::section(derivation, account, &findings::listed(derivation, account)))
             (graph::section(derivation, account))
             (claims::printed_matrix(account))
             (motions::listed(derivation, account))

@@ -2,6 +2,21 @@
 (() => {
 const byId = id => document.getElementById(id);
 const form = byId("/filters"), table = document.querySelector(".matrix");
+// A large matrix comes as runs of equal cells: letters, and how often they stand side by side.
+const shapes = { HP: "h p", HE: "h e", H: "h", FC: "f e", F: "f", N: "n", U: "u" };
+for (const runs of [...table.querySelectorAll("td.runs")]) {
+  const row = runs.parentNode;
+  for (const run of runs.textContent.split(" ")) {
+    const [, letters, w, x, n] = /^([A-Z]+|\.)(w?)(x?)(?:\*(\d+))?$/.exec(run);
+    for (let k = 0; k < (n || 1); k++) {
+      const cell = row.insertCell();
+      if (letters === ".") continue;
+      cell.className = [shapes[letters], w, x].filter(Boolean).join(" ");
+      cell.textContent = letters + w + x;
+    }
+  }
+  runs.remove();
+}
 const rows = [...table.tBodies[0].rows], heads = [...table.tHead.rows[0].cells].slice(1);
 const names = rows.map(r => r.cells[0].textContent), motions = heads.map(h => h.textContent);
 
@@ -28,6 +43,8 @@ const numbers = place => { const m = /^\/p(\d+)-(\d+)$/.exec(place); return m &&
 const addressOf = place => { const n = numbers(place); return n ? `${names[n[0]]}@${motions[n[1]]}` : place; };
 
 // ---- filters ----
+for (const [list, all] of [["/claim-names", names], ["/trajectory-names", motions]])
+  for (const value of all) byId(list).appendChild(document.createElement("option")).value = value;
 // A cell of no pair is empty.
 const passes = (cell, s) => cell.textContent && (!s.verdict.length || s.verdict.some(v => cell.classList.contains(v)));
 const like = (name, part) => !part || name.toLowerCase().includes(part.toLowerCase());
