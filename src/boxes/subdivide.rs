@@ -148,7 +148,13 @@ pub(super) fn subdivide<J: Judge>(judge: &J, variables: &[Variable], most_cells:
         return out;
     }
     let corners = corners(variables);
-    let parts = corners.par_iter().map_init(J::Scratch::default, |s, cell| meter::apart(|| judge.judge(cell, s)));
+    // A part that takes too much is not known. What was begun of it is forgotten.
+    let limits = meter::limits();
+    let parts = corners.par_iter().map(|cell| {
+        let judged = || judge.judge(cell, &mut J::Scratch::default());
+        let (part, units) = meter::apart(&limits, most_work, judged);
+        (part.unwrap_or(Part::Undecided), units)
+    });
     let parts: Vec<(Part, u64)> = parts.collect();
     let mut work = parts.iter().map(|(_, units)| units).sum();
     meter::charge(work);
@@ -187,7 +193,14 @@ pub(super) fn subdivide<J: Judge>(judge: &J, variables: &[Variable], most_cells:
                 (part, seen)
             };
             let found = some.par_iter().with_min_len(J::TOGETHER);
-            let found = found.map_init(J::Scratch::default, |scratch, piece| meter::apart(|| one(scratch, piece)));
+            let found = found.map_init(J::Scratch::default, |scratch, piece| {
+                let (judged, units) = meter::apart(&limits, most_work, || one(scratch, piece));
+                let judged = judged.unwrap_or_else(|| {
+                    *scratch = J::Scratch::default();
+                    (Part::Undecided, None)
+                });
+                (judged, units)
+            });
             let found: Vec<_> = found.collect();
             let units = found.iter().map(|(_, units)| units).sum::<u64>();
             meter::charge(units);

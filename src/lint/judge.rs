@@ -291,6 +291,7 @@ impl Judge<'_> {
     /// Decides the steps of a relation from side to side. The later sides of those that are read and that nothing decides.
     fn steps(&mut self, relation: &PrintedRelation, at: usize, sentence: &Sentence, out: &mut Judgement) -> Vec<usize> {
         let free = free_indices(relation);
+        let (is_evaluated, has_dimensions) = (is_evaluated(relation), has_dimensions(relation));
         let first = lone_name(&relation.sides[0]);
         let inline = relation.display.is_none();
         let named = self.named(sentence, at);
@@ -330,8 +331,8 @@ impl Judge<'_> {
                 sentence.loosens
                     || sentence.solves && alone
                     || self.evidence.is_algebra()
-                    || is_evaluated(relation, [left, right])
-                    || has_dimensions(relation)
+                    || is_evaluated && [left, right].iter().any(|s| !names(s).is_empty())
+                    || has_dimensions
                     || is_congruence(&relation.signs[k - 1])
                     || alone && are_multiples(left, right),
                 inline,

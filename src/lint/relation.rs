@@ -35,13 +35,12 @@ pub(super) fn has_dimensions(relation: &PrintedRelation) -> bool {
         || relation.sides.iter().any(|s| s.text.matches('[').count() > 1 && !s.text.contains('('))
 }
 
-/// Whether a later side is a number, beside sides with names: the values of the names count then, or an equation is solved. A step between
+/// Whether a later side is a number: beside sides with names the values of the names count then, or an equation is solved. A step between
 /// numbers is one all the same.
-pub(super) fn is_evaluated(relation: &PrintedRelation, step: [&PrintedSide; 2]) -> bool {
-    let has_names = |s: &PrintedSide| !names(s).is_empty();
+pub(super) fn is_evaluated(relation: &PrintedRelation) -> bool {
     let is_number =
-        |s: &PrintedSide| !has_names(s) && s.text.trim() != "0" && s.text.contains(|c: char| c.is_ascii_digit());
-    step.into_iter().any(has_names) && relation.sides.iter().skip(1).any(is_number)
+        |s: &PrintedSide| s.text.contains(|c: char| c.is_ascii_digit()) && s.text.trim() != "0" && names(s).is_empty();
+    relation.sides.iter().skip(1).any(is_number)
 }
 
 /// The later side of an equation of two.

@@ -349,18 +349,17 @@ pub fn counted<R>(task: Task, work: impl FnOnce() -> R) -> (Result<R, Ended>, u6
 }
 
 /// Does work that is counted for itself, whatever is under way on this thread, and gives the units that it used: these are the caller's to
-/// [`charge`]. So is counted what several threads do of one piece, each of which may be its own.
-pub fn apart<R>(work: impl FnOnce() -> R) -> (R, u64) {
-    let endless = UnderWay {
-        task: Task::Reading,
-        limits: Limits::default(),
-        units: u64::MAX,
-        rest: u64::MAX,
-        slice: 0,
-        bytes: u64::MAX,
-    };
-    let (found, (units, _)) = run(endless, work);
-    (found.unwrap_or_else(|payload| resume_unwind(payload)), units)
+/// [`charge`]. So is counted what several threads do of one piece, each of which may be its own. `None` where it takes more than `most`
+/// units, or a limit of the machine is reached. A panic goes on.
+pub fn apart<R>(limits: &Limits, most: u64, work: impl FnOnce() -> R) -> (Option<R>, u64) {
+    let limits = Limits { total: Total::default(), ..limits.clone() };
+    let here = UnderWay { task: Task::Ranges, limits, units: most, rest: most, slice: 0, bytes: u64::MAX };
+    let (found, (units, _)) = run(here, work);
+    match found {
+        Ok(found) => (Some(found), units),
+        Err(payload) if payload.is::<Ended>() => (None, units),
+        Err(payload) => resume_unwind(payload),
+    }
 }
 
 /// The limits of the piece that is under way on this thread; the usual ones, where none is.

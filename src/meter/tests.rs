@@ -135,12 +135,15 @@ fn a_part_is_counted_with_its_piece() {
 #[test]
 fn what_is_counted_apart_is_charged_by_hand() {
     let found = piece(Task::Formula, &Limits::default(), || {
-        let (found, units) = apart(|| {
-            charge(3 * SECOND);
-            charge(7);
-            "done"
-        });
-        assert_eq!((found, units), ("done", 3 * SECOND + 7));
+        let of = |most: u64| {
+            apart(&limits(), most, || {
+                charge(3 * SECOND);
+                charge(7);
+                "done"
+            })
+        };
+        assert_eq!(of(4 * SECOND), (Some("done"), 3 * SECOND + 7));
+        assert_eq!(of(2 * SECOND), (None, 2 * SECOND));
         charge(SECOND / 2);
     });
     assert_eq!(found, Ok(()));

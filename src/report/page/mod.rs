@@ -3,8 +3,9 @@
 //! **In:** a derivation and its account. **Out:** HTML with its style, a small script, and all data inside.
 //!
 //! **Guaranteed:** nothing is fetched from anywhere; everything essential is there without the script: the summary, the
-//! matrix, every verdict with its numbers and reason, formulas (MathML), pictures (SVG). The script adds filters, keys in
-//! the matrix, and the curves of a pair on demand: five thousand drawings would not fit. Every text of the file is escaped.
+//! matrix, every verdict in a sentence, formulas (MathML), pictures (SVG). On a page of many claims the script unfolds the evidence of those
+//! that stand, which is packed, and makes the cells of the matrix from its runs; everywhere it adds filters, keys in the matrix, and the
+//! curves of a pair on demand: five thousand drawings would not fit. Every text of the file is escaped.
 //!
 //! Places of the page itself begin with a slash (`#/matrix`), which no claim can: the others are names of claims.
 //!
