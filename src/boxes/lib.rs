@@ -139,7 +139,7 @@ fn variables(derivation: &Derivation, graph: &Graph, ranges: &[Ranged]) -> Resul
     Ok(out)
 }
 
-/// What is found of a claim.
+/// The account of a claim.
 fn decide(
     derivation: &Derivation,
     claim: &Claim,

@@ -26,7 +26,7 @@ pub struct NotRead {
     pub feature: String,
     /// What the reader of formulas says, where it was asked.
     pub why: Option<String>,
-    /// What ended the work on it: of the formula itself nothing is said.
+    /// The limit that ended the work on it: of the formula itself nothing is said.
     pub ended: Option<Ended>,
 }
 

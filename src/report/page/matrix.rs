@@ -79,8 +79,7 @@ pub(super) fn has_pairs(account: &Account) -> bool {
 
 /// The matrix with its legend and filters; unseen where it would be empty.
 pub(super) fn section(account: &Account) -> Markup {
-    let pairs: usize = account.claims.iter().map(|claim| claim.results.len()).sum();
-    let is_large = pairs > super::MOST_PAIRS;
+    let is_large = super::has_many_pairs(account);
     html! {
         section id="/matrix" hidden[!has_pairs(account)] {
             h2 { "Claims and trajectories" }

@@ -48,6 +48,11 @@ const MOST_PAIRS: usize = 1_000;
 /// So are pages of which what may be folded has more bytes.
 const MOST_FOLDED: usize = 400_000;
 
+/// Whether there are more than [`MOST_PAIRS`] verdicts of claims on motions.
+fn has_many_pairs(account: &Account) -> bool {
+    account.claims.iter().map(|c| c.results.len()).sum::<usize>() > MOST_PAIRS
+}
+
 /// The page.
 pub fn page(derivation: &Derivation, account: &Account) -> String {
     let large = || rayon::join(|| claims::section(derivation, account), || motions::section(derivation, account));
@@ -55,9 +60,8 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
     let folding = html! { (claims) (motions) (measures(derivation, account)) };
     let mut folding = reuse::drawn_once(&tight::tight(&folding.into_string()));
     let mut listed = tight::tight(&listed.into_string());
-    let pairs: usize = account.claims.iter().map(|c| c.results.len()).sum();
     // A large page keeps what is folded out of the document until it is unfolded.
-    let is_large = pairs > MOST_PAIRS || folding.len() > MOST_FOLDED;
+    let is_large = has_many_pairs(account) || folding.len() > MOST_FOLDED;
     let mut folds = Vec::new();
     if is_large {
         listed = details::taken_out(&listed, &mut folds);
