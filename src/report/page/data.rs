@@ -230,9 +230,8 @@ struct Data<'a> {
 /// one after the other.
 pub(super) fn json(derivation: &Derivation, account: &Account, folds: &[String]) -> String {
     let columns = account.columns();
-    let pairs: usize = account.claims.iter().map(|c| c.results.len()).sum();
     // A page of thousands of curves is read for its verdicts: of each curve half is enough there.
-    let others = if pairs > super::MOST_PAIRS { 2 } else { 1 };
+    let others = if super::has_many_pairs(account) { 2 } else { 1 };
     let of_claim = |claim: &ClaimAccount| {
         let declared = declared(derivation, claim);
         let mut labels = Labels { scope: declared.map_or(&derivation.scope, |d| &d.scope), known: HashMap::new() };
