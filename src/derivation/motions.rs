@@ -1,5 +1,7 @@
 //! `[system.…]` and `[[trajectory]]`.
 
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BinaryHeap};
 use std::ops::Range;
 
 use toml::de::DeValue;
@@ -19,6 +21,9 @@ pub(super) type ValueOf = (Symbol, Written<Vec<Expr>>);
 type Values = Vec<ValueOf>;
 /// States and orders of their rates, with their values.
 type Given = Vec<(Symbol, u8, Written<Vec<Expr>>)>;
+
+/// A motion may come through so many others from one that is integrated or given by formulas.
+const MOST_MAPS: usize = 100;
 
 /// A `[[trajectory]]` before what it comes from is known.
 struct Draft<'a, 's> {
@@ -155,10 +160,18 @@ impl Loader<'_> {
         }
         self.find_sources(&mut drafts);
 
+        // Each behind the one that it comes from, as early as may be.
+        let mut following: Vec<Vec<usize>> = vec![Vec::new(); drafts.len()];
+        let mut ready = BinaryHeap::new();
+        for (i, draft) in drafts.iter().enumerate() {
+            match draft.from {
+                Some(from) => following[from].push(i),
+                None => ready.push(Reverse(i)),
+            }
+        }
         let mut done: Vec<Option<Option<Trajectory>>> = vec![None; drafts.len()];
-        while let Some(next) =
-            (0..drafts.len()).find(|&i| done[i].is_none() && drafts[i].from.is_none_or(|f| done[f].is_some()))
-        {
+        while let Some(Reverse(next)) = ready.pop() {
+            ready.extend(following[next].iter().map(|&i| Reverse(i)));
             let source = drafts[next].from.and_then(|f| done[f].clone().flatten());
             let before = self.out.given.len();
             let built = self.one_trajectory(&drafts[next], source.as_ref());
@@ -174,27 +187,32 @@ impl Loader<'_> {
         self.out.trajectories = done.into_iter().flatten().flatten().collect();
     }
 
-    /// Resolves `from`; those on a cycle, and those that come from nothing known, keep `None`.
+    /// Resolves `from`; those on a cycle, those that come from nothing known, and those too far from where their chain begins keep `None`.
     fn find_sources(&mut self, drafts: &mut [Draft<'_, '_>]) {
+        let places: BTreeMap<&str, usize> = drafts.iter().enumerate().map(|(i, d)| (d.id.as_str(), i)).collect();
         let mut from = vec![None; drafts.len()];
         for (i, draft) in drafts.iter().enumerate() {
             let Some(value) = draft.table.get("from") else { continue };
             let Some(name) = text_of(&mut self.problems, value, "from") else { continue };
-            from[i] = drafts.iter().position(|d| d.id == name);
+            from[i] = places.get(name).copied();
             if from[i].is_none() {
                 let ids = drafts.iter().map(|d| d.id.as_str());
                 self.problems.unknown("derivation::unknown-trajectory", value.span(), "trajectory", name, ids);
             }
         }
-        let step = |i: usize| from[i];
         for (i, draft) in drafts.iter_mut().enumerate() {
-            let ends = std::iter::successors(step(i), |&j| step(j)).nth(from.len()).is_none();
-            if ends {
+            let chain = || std::iter::successors(from[i], |&j| from[j]).take(MOST_MAPS + 1);
+            if chain().count() <= MOST_MAPS {
                 draft.from = from[i];
-            } else {
-                let span = draft.table.get("from").map_or(draft.place.clone(), |v| v.span());
+                continue;
+            }
+            let span = draft.table.get("from").map_or(draft.place.clone(), |v| v.span());
+            if chain().any(|j| j == i) {
                 let message = format!("`{}` comes from itself", draft.id);
                 self.problems.note("derivation::cyclic-from", span, message).hint("a motion needs a beginning");
+            } else {
+                let message = format!("`{}` comes from a motion through more than {MOST_MAPS} others", draft.id);
+                self.problems.note("derivation::too-deep", span, message).hint("one `map` can do what several do");
             }
         }
     }

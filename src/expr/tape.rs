@@ -251,8 +251,7 @@ impl Tape {
     /// Runs some of the instructions, where the others have their results from before: those that depend on inputs which
     /// have changed since, in an order in which every argument comes before its use.
     pub fn run_some<N: Number>(&self, cx: &N::Context, slots: &mut Slots<N>, instructions: &[Instruction]) {
-        // A number is as much work as it is large, about.
-        meter::charge(instructions.len() as u64 * (2 + size_of::<N>() as u64 / 4));
+        meter::charge(instructions.len() as u64 * N::work(cx));
         N::run(cx, &mut slots.values, &mut slots.missing, instructions);
     }
 

@@ -42,8 +42,10 @@ use sampled::systems::Fields;
 use sampled::trace::Trial;
 use sampled::{measure, same_motion, trial, witness};
 
-/// The counted work of a member beside that of its steps: its numbers, its motion, its verdicts.
-const OF_A_MEMBER: u64 = 20_000;
+/// The counted work of a member beside that of its steps: its numbers, its motion.
+const OF_A_MEMBER: u64 = 30_000;
+/// The same of one verdict beside what is evaluated for it.
+const OF_A_VERDICT: u64 = 20_000;
 
 /// A family with the claims that are tried on it, compiled once for all members.
 pub struct Ensemble<'a> {
@@ -250,11 +252,7 @@ impl<'a> Ensemble<'a> {
             // Those that are integrated together, whatever the number of threads.
             let chunks: Vec<&[u64]> = numbers.chunks(TOGETHER).collect();
             let found = meter::each(&options.limits, &chunks, |some: &&[u64], limits: &Limits| {
-                let work = || {
-                    meter::charge(OF_A_MEMBER * some.len() as u64);
-                    self.some(some, &prepared, limits)
-                };
-                let found = meter::piece(Task::Members, limits, work);
+                let found = meter::piece(Task::Members, limits, || self.some(some, &prepared, limits));
                 found.map_err(|ended| (ended, some.len()))
             });
             let (mut late, mut ended) = (false, None);
@@ -424,6 +422,7 @@ impl<'a> Ensemble<'a> {
         limits: &Limits,
         shown: bool,
     ) -> Vec<Result<Option<One>, CheckError>> {
+        meter::charge(members.len() as u64 * (OF_A_MEMBER + OF_A_VERDICT * prepared.len() as u64));
         let mut found = Vec::new();
         let mut derivations = Vec::new();
         for (number, member) in members {

@@ -14,6 +14,9 @@ const FEW: usize = 3;
 /// Stretches are halved at most so often in one cover: a piece has some 300 bytes.
 const MOST_HALVINGS: usize = 100_000;
 
+/// The counted work of a polynomial over a stretch beside its expansion: where it turns, whether it describes what it stands for.
+const OF_A_PIECE: u64 = 1_500;
+
 /// A stretch of time.
 #[derive(Clone, Debug)]
 pub(super) enum Stretch {
@@ -252,6 +255,7 @@ impl<'a> Explorer<'a> {
 
     /// The polynomials around the middles of stretches.
     fn all_pieces(&mut self, stretches: &[(f64, f64)]) -> Vec<Result<Piece, NoValue>> {
+        meter::charge(OF_A_PIECE * (stretches.len() * self.program.output_count()) as u64);
         let mut out = Vec::with_capacity(stretches.len());
         for block in stretches.chunks(BLOCK) {
             let together = match padded(block) {

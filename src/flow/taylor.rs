@@ -381,8 +381,9 @@ impl<'a> Walker<'a> {
     /// # Errors
     /// Why there is none.
     pub(super) fn propose(&mut self, series: &impl Series) -> Result<(), Stop> {
-        // A series is about so many products for each instruction.
-        meter::charge(self.flow.tape.instructions().len() as u64 * (self.control.order * self.control.order) as u64);
+        // Its size, its error and what errors become of it, beside the series.
+        let order = self.control.order as u64;
+        meter::charge(self.flow.tape.instructions().len() as u64 * order * order);
         let direction = self.direction();
         let remaining = (self.end - self.time).abs();
         // What moves a state from outside may come as a pulse that no expansion before it sees: short steps, each of which

@@ -189,6 +189,10 @@ macro_rules! operations {
             /// What the arithmetic needs to know beside its arguments (the orders of a series, the prime of a field).
             type Context;
 
+            /// The counted work of one operation: a number is as much work as it is large, about.
+            fn work(_: &Self::Context) -> u64 {
+                2 + size_of::<Self>() as u64 / 4
+            }
             /// A value to be overwritten.
             fn blank(cx: &Self::Context) -> Self;
             /// `self` := the number that stands for an exact rational.

@@ -288,6 +288,12 @@ impl<B: Scalar> Number for Jet<B> {
     fn run(orders: &Orders, values: &mut [Self], missing: &mut [Option<NoValue>], steps: &[Instruction]) {
         B::run_series(orders, values, missing, steps);
     }
+    // A coefficient of a product is a sum of as many products as its order tells.
+    fn work(orders: &Orders) -> u64 {
+        let up_to = |k: usize| (k * (k + 1) / 2) as u64;
+        let products = up_to(orders.to() + 1) - up_to(orders.from());
+        8 + products * (1 + size_of::<B>() as u64 / 32)
+    }
     fn blank(cx: &Orders) -> Jet<B> {
         Jet::constant(B::ZERO, cx)
     }

@@ -8,7 +8,7 @@ use std::ops::Range;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-use super::token::{Token, tokens};
+use super::token::{MOST_TOKENS, Token, tokens};
 use super::{LARGEST_PAPER, PaperNote, text_from};
 use diag::Source;
 use diag::escape::in_one_line;
@@ -90,6 +90,9 @@ impl Inputs {
                 let base = self.next;
                 self.next += source.text.len() + 1;
                 let mut all = tokens_of(&source);
+                if all.len() > MOST_TOKENS {
+                    return self.refused(name, span, "it is longer than can be read");
+                }
                 for token in &mut all {
                     token.span = token.span.start + base..token.span.end + base;
                 }

@@ -214,7 +214,7 @@ fn parse_with(file: Arc<Source>, sha256: String, folder: Option<&Path>) -> Resul
         };
         // Without its definition the rest of the paper is read.
         let message = match name.as_str() {
-            "" => format!("the paper is longer than can be read: more than {} words and signs", macros::MOST_TOKENS),
+            "" => format!("the paper is longer than can be read: more than {} words and signs", token::MOST_TOKENS),
             name => format!("the macro `\\{name}` does not end"),
         };
         if name.is_empty() || endless.len() >= MOST_ENDLESS || !passed.insert(name) {

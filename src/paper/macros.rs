@@ -5,10 +5,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-use super::token::{Kind, Token};
+use super::token::{Kind, MOST_TOKENS, Token};
 
-/// The most tokens that a paper may have when its macros are expanded.
-pub(super) const MOST_TOKENS: usize = 4_000_000;
 /// The most calls of macros.
 const MOST_CALLS: usize = 1_000_000;
 /// The most arguments of a macro, as TeX has it.
@@ -70,6 +68,10 @@ pub(super) fn expanded(
     passed: &BTreeSet<String>,
     input: &mut dyn FnMut(&str, &Range<usize>) -> Vec<Token>,
 ) -> Result<Vec<Token>, Endless> {
+    let too_long = |all: &[Token]| Endless { name: String::new(), span: all.last().map_or(0..0, |t| t.span.clone()) };
+    if document.len() > MOST_TOKENS {
+        return Err(too_long(&document));
+    }
     let mut defined = Defined { passed: passed.clone(), ..Defined::default() };
     // A stack of what is still to be read, the next token last; the depth of macros it came from beside it.
     let mut rest: Vec<(Token, usize)> = document.into_iter().rev().map(|t| (t, 0)).collect();
@@ -104,7 +106,11 @@ pub(super) fn expanded(
             if calls > MOST_CALLS || depth >= DEEPEST {
                 return Err(Endless { name: token.text, span: token.span });
             }
-            rest.extend(input(&name, &token.span).into_iter().rev().map(|t| (t, depth + 1)));
+            let file = input(&name, &token.span);
+            if file.len() + rest.len() + out.len() > MOST_TOKENS {
+                return Err(too_long(&file));
+            }
+            rest.extend(file.into_iter().rev().map(|t| (t, depth + 1)));
         } else if define(&token.text, &mut rest, &mut defined) {
             // Nothing is printed.
             let Defined { passed, macros, .. } = &mut defined;
@@ -126,8 +132,7 @@ pub(super) fn expanded(
             out.push(token);
         }
         if out.len() > MOST_TOKENS {
-            let span = out.last().map_or(0..0, |t| t.span.clone());
-            return Err(Endless { name: String::new(), span });
+            return Err(too_long(&out));
         }
     }
     Ok(out)

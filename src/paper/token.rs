@@ -64,14 +64,19 @@ const SHORT_VERBATIM: &[(&str, bool)] = &[
     ("lstDeleteShortInline", false),
 ];
 
-/// Splits a text; comments and verbatim texts leave no token.
+/// The most tokens that a paper may have, before its macros are expanded and after.
+pub(super) const MOST_TOKENS: usize = 4_000_000;
+
+/// Splits a text; comments and verbatim texts leave no token. Of a text with more than [`MOST_TOKENS`] one more is given, for who asks.
 pub(super) fn tokens(text: &str) -> Vec<Token> {
     let mut out = Vec::new();
     let mut at = 0;
     // Whether a comment ended here, so that an empty line that follows ends a paragraph.
     let mut after_comment = false;
     let mut short: Vec<char> = Vec::new();
-    while let Some(c) = text.get(at..).and_then(|t| t.chars().next()) {
+    while out.len() <= MOST_TOKENS
+        && let Some(c) = text.get(at..).and_then(|t| t.chars().next())
+    {
         let start = at;
         at += c.len_utf8();
         let line_begins = std::mem::take(&mut after_comment);
