@@ -19,8 +19,9 @@ pub(super) struct Consequences<'a> {
     carried: Vec<BTreeSet<usize>>,
     /// What each claim rests on directly.
     grounds: Vec<Vec<usize>>,
-    /// The conclusions, in the order of the file.
+    /// The conclusions, in the order of the file, and their positions.
     conclusions: Vec<&'a str>,
+    concludes: BTreeSet<usize>,
 }
 
 /// So many conclusions are told of each claim.
@@ -51,8 +52,8 @@ impl<'a> Consequences<'a> {
             out.add(&claim.id);
             named.entry(claim.id.clone()).or_insert(&claim.id);
             named.entry(claim.name()).or_insert(&claim.id);
-            if claim.conclusion && out.conclusions.last() != Some(&claim.id.as_str()) {
-                out.conclusions.push(&claim.id);
+            if claim.conclusion {
+                out.conclude(&claim.id);
             }
         }
         for claim in &derivation.claims {
@@ -77,6 +78,14 @@ impl<'a> Consequences<'a> {
             self.grounds.push(Vec::new());
         }
         at
+    }
+
+    /// Takes down that a claim is a conclusion.
+    fn conclude(&mut self, id: &'a str) {
+        let at = self.add(id);
+        if self.concludes.insert(at) {
+            self.conclusions.push(id);
+        }
     }
 
     /// Takes down that one claim rests on another.
@@ -106,34 +115,31 @@ impl<'a> Consequences<'a> {
 
     /// Everything that rests on a claim, directly or through others, in the order of the file.
     pub fn carried_by(&self, id: &str) -> Vec<&'a str> {
-        self.reached(id, |at| self.carried[at].iter())
+        self.names(self.reached(id, |at| self.carried[at].iter()))
     }
 
     /// Everything that a claim rests on, in the order of the file.
     pub fn grounds_of(&self, id: &str) -> Vec<&'a str> {
-        self.reached(id, |at| self.grounds[at].iter())
+        self.names(self.reached(id, |at| self.grounds[at].iter()))
     }
 
-    fn reached<'s, I: Iterator<Item = &'s usize>>(&'s self, id: &str, next: impl Fn(usize) -> I) -> Vec<&'a str> {
-        let Some(&own) = self.at.get(id) else { return Vec::new() };
-        let mut seen = vec![false; self.ids.len()];
+    /// What is reached from a claim, itself apart. It takes what is reached, not what there is.
+    fn reached<'s, I: Iterator<Item = &'s usize>>(&'s self, id: &str, next: impl Fn(usize) -> I) -> BTreeSet<usize> {
+        let mut seen = BTreeSet::new();
+        let Some(&own) = self.at.get(id) else { return seen };
         let mut open: Vec<usize> = next(own).copied().collect();
         while let Some(at) = open.pop() {
-            if at != own && !std::mem::replace(&mut seen[at], true) {
+            if at != own && seen.insert(at) {
                 open.extend(next(at));
             }
         }
-        self.names((0..seen.len()).filter(|at| seen[*at]))
+        seen
     }
 
     /// The conclusions that rest on a claim, itself apart.
     pub fn conclusions_of(&self, id: &str) -> Vec<&'a str> {
-        self.concluded_in(&self.carried_by(id))
-    }
-
-    fn concluded_in(&self, reached: &[&'a str]) -> Vec<&'a str> {
-        let reached: BTreeSet<&str> = reached.iter().copied().collect();
-        self.conclusions.iter().copied().filter(|c| reached.contains(c)).collect()
+        let reached = self.reached(id, |at| self.carried[at].iter());
+        self.names(reached.intersection(&self.concludes).copied())
     }
 
     /// The first conclusions that rest on each claim, itself apart.
@@ -200,9 +206,9 @@ impl<'a> Consequences<'a> {
 
     /// How much falls with a claim: conclusions, itself among them, then claims. Larger is heavier.
     pub fn weight(&self, id: &str) -> (usize, usize) {
-        let itself = usize::from(self.conclusions.contains(&id));
-        let reached = self.carried_by(id);
-        (self.concluded_in(&reached).len() + itself, reached.len())
+        let itself = self.at.get(id).is_some_and(|at| self.concludes.contains(at));
+        let reached = self.reached(id, |at| self.carried[at].iter());
+        (reached.intersection(&self.concludes).count() + usize::from(itself), reached.len())
     }
 }
 
@@ -212,13 +218,10 @@ mod tests {
 
     fn of(carried: &[(&'static str, &'static str)], conclusions: Vec<&'static str>) -> Consequences<'static> {
         let mut out = Consequences::default();
+        conclusions.into_iter().for_each(|id| out.conclude(id));
         for (from, to) in carried {
             out.carry(from, to);
         }
-        for id in &conclusions {
-            out.add(id);
-        }
-        out.conclusions = conclusions;
         out
     }
 
