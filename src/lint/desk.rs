@@ -306,6 +306,31 @@ pub enum Unit {
     Number,
 }
 
+/// Whether `e` is raised to nothing but numbers, beside other names and no logarithm: a charge. What is proved of it is true of Euler's number,
+/// too.
+fn is_charge(texts: &[&str]) -> bool {
+    let mut is_raised = false;
+    for text in texts {
+        let text = text.replace("^ ", "^").replace(" ^", "^");
+        if [r"\ln", r"\log", r"\exp", r"\mathrm{e}"].iter().any(|w| text.contains(w)) {
+            return false;
+        }
+        for (at, _) in text.match_indices("e^") {
+            let before = text[..at].trim_end_matches(|c: char| c.is_ascii_alphabetic());
+            if before.ends_with(['_', '\\']) && before.len() < at || before.ends_with('_') {
+                continue;
+            }
+            let above = &text[at + 2..];
+            let above = above.strip_prefix('{').and_then(|rest| rest.split('}').next()).unwrap_or(above.get(..1).unwrap_or_default());
+            if above.is_empty() || !above.chars().all(|c| c.is_ascii_digit()) {
+                return false;
+            }
+            is_raised = true;
+        }
+    }
+    is_raised
+}
+
 impl Desk {
     /// Declares the names of a step, those of what is given among them.
     ///
@@ -398,7 +423,13 @@ impl Desk {
                 return Err(NotRead::of("an absolute value of what may be complex"));
             }
         }
-        desk.declare(&all, given, evidence, time.as_deref())?;
+        let whole: Vec<&str> = texts().chain(given.iter().map(|g| g.right.text.as_str())).collect();
+        if is_charge(&whole) && !all.iter().any(|n| n.key() == "e") {
+            let declared = desk.scope.declare(&mut desk.graph, "e", Declaration::of(Role::Parameter)).map_err(refused)?;
+            desk.scalars.push(("e".to_owned(), declared, true));
+        }
+        let place = sides.first().map_or(0, |s| s.span.start);
+        desk.declare(&all, given, (evidence, place), time.as_deref())?;
         Ok(desk)
     }
 
@@ -406,7 +437,7 @@ impl Desk {
         &mut self,
         all: &[PaperName],
         given: &[&Given],
-        evidence: &Evidence,
+        (evidence, place): (&Evidence, usize),
         time: Option<&str>,
     ) -> Result<(), NotRead> {
         let defined: BTreeSet<&str> = given.iter().filter(|g| !g.is_rate).map(|g| g.key.as_str()).collect();
@@ -451,7 +482,7 @@ impl Desk {
             } else {
                 Role::Parameter
             };
-            let shape = name.is_bold.then(|| Shape::vector(3));
+            let shape = shape_of(name, &key, evidence, place).filter(|_| !is_field || name.is_bold);
             let declaration = Declaration { shape: shape.clone(), ..Declaration::of(role) };
             let symbol = self.scope.declare(&mut self.graph, &declared, declaration).map_err(refused)?;
             if role == Role::State {
@@ -578,6 +609,17 @@ pub fn pairs_of(statement: &Statement) -> Vec<(Expr, Expr)> {
         r.left.components.iter().copied().zip(r.right.components.iter().copied()).collect::<Vec<_>>()
     };
     statement.relations.iter().flat_map(sides).collect()
+}
+
+/// The shape of a name: that of the matrix to which the paper sets it equal, or that of its style.
+fn shape_of(name: &PaperName, key: &str, evidence: &Evidence, place: usize) -> Option<Shape> {
+    let extent = |n: usize| u16::try_from(n).ok();
+    match evidence.matrix_size(key, place) {
+        Some((1, 1)) => None,
+        Some((rows, 1)) => extent(rows).map(Shape::vector),
+        Some((rows, columns)) => extent(rows).zip(extent(columns)).map(|(r, c)| Shape::matrix(r, c)),
+        None => name.is_bold.then(|| Shape::vector(3)),
+    }
 }
 
 /// Two sides as one text.

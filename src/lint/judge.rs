@@ -11,7 +11,7 @@ use super::desk::{Desk, Given, NotRead, evidence_of, lone_name, unprimed};
 use super::facts::{Facts, Reach, Stated};
 use super::nearest::Sureness;
 use super::notation::Evidence;
-use super::relation::{are_multiples, free_indices, has_dimensions, is_congruence, is_evaluated, lone_right};
+use super::relation::{are_multiples, free_indices, has_dimensions, is_congruence, is_evaluated, is_integrated, lone_right};
 use super::sentence::{Sentence, explains, is_supposed, parts};
 use super::setting::Noted;
 use super::signs::{ABOUT, COMPARES, EQUALS, is_one_of};
@@ -188,6 +188,12 @@ impl Judge<'_> {
             (out.word, out.why) = (Word::NotFollowed, ended.to_string());
             return out;
         }
+        // A letter before two places, wherever they stand in a chain, is a function.
+        let all: Vec<&PrintedSide> = relation.sides.iter().collect();
+        if let Some(found) = self.evidence.obstacle_together(&all) {
+            out.why = found.feature;
+            return out;
+        }
         let sentence = self.sentence(relation);
         let taken = match self.stance(relation) {
             Stance::Denied => Some("the words around it deny it"),
@@ -330,7 +336,8 @@ impl Judge<'_> {
             let blame = match (
                 sentence.loosens
                     || sentence.solves && alone
-                    || self.evidence.is_algebra()
+                    || self.evidence.is_algebra(left)
+                    || is_integrated(relation, k)
                     || is_evaluated && [left, right].iter().any(|s| !names(s).is_empty())
                     || has_dimensions
                     || is_congruence(&relation.signs[k - 1])
@@ -396,6 +403,7 @@ impl Judge<'_> {
                     if blame == Blame::Steps
                         && !sentence.changes
                         && before.as_ref().is_some_and(|g| g.relation + NEIGHBOURS < at)
+                        && !names(right).is_empty()
                         && first.as_ref().is_some_and(|n| n.dots + n.primes == 0 && n.derived_by.is_none())
                     {
                         tally.differs = before.and_then(|g| self.slip_of(&g, right, &place));
@@ -498,7 +506,8 @@ impl Judge<'_> {
             let more = "where what is constant is positive".to_owned();
             out.why = if out.why.is_empty() { more } else { format!("{}; {more}", out.why) };
         }
-        let value = relation.sides.len() == 2 && names(&relation.sides[1]).is_empty();
+        let value =
+            relation.sides.len() == 2 && names(&relation.sides[1]).is_empty() && !relation.sides[1].text.contains("matrix}");
         let is_rate = first.as_ref().is_some_and(|n| n.dots > 0 || n.derived_by.is_some());
         if out.word == Word::Defines && !is_rate && (value || lone_name(&relation.sides[1]).is_some()) {
             out.word = Word::Condition;
@@ -559,7 +568,8 @@ impl Judge<'_> {
         }
         let own = names(right);
         // A value is a condition, and what stands on both sides is an equation.
-        if own.is_empty() || own.iter().any(|n| n.key() == key && (!is_rate || n.dots > 0 || n.derived_by.is_some())) {
+        let is_matrix = right.text.contains("matrix}");
+        if own.is_empty() && !is_matrix || own.iter().any(|n| n.key() == key && (!is_rate || n.dots > 0 || n.derived_by.is_some())) {
             return;
         }
         if matches!(&name.call, paper::Call::Places(places) if places.len() != 1 || places[0].chars().any(|c| c.is_ascii_digit()))
@@ -571,6 +581,12 @@ impl Judge<'_> {
             // What was defined before is defined no more: by what, was not read.
             self.facts.given.forget(&key, is_rate);
             return;
+        }
+        // What its derivatives were is no more.
+        if !is_rate && name.primes == 0 {
+            for primes in ["'", "''"] {
+                self.facts.given.forget(&format!("{key}{primes}"), false);
+            }
         }
         let given = Given {
             key,

@@ -29,6 +29,9 @@ const ROUNDED: f64 = 0.02;
 /// Fewest nodes of a side whose slip is told.
 const FEWEST_NODES: usize = 5;
 
+/// The same of a step between numbers.
+const LEAST_OF_NUMBERS: usize = 2;
+
 /// Fewest nodes of a side with one name for another: where the name stands on the other side of a chain, and else.
 const LEAST_EXCHANGED: (usize, usize) = (6, 9);
 
@@ -109,6 +112,9 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     let is_solved = sureness == Sureness::Concludes && !rests.stated.is_empty();
     let least = if is_solved || sureness >= Sureness::Chain && !rests.given.is_empty() { 1 } else { 3 };
     let fewest = if sureness == Sureness::Derives { 3 } else { FEWEST_NODES };
+    // In a chain, numbers alone are reckoned with: what they stand for does not matter.
+    let is_of_numbers = sureness >= Sureness::Chain && named(&chain.sides).is_empty();
+    let (fewest, least) = if is_of_numbers { (LEAST_OF_NUMBERS, 1) } else { (fewest, least) };
     if chain.sides.iter().map(size).max()? < fewest || smallest < least {
         return None;
     }
@@ -205,7 +211,8 @@ impl Search<'_> {
         }
         // Beside a lone name, or a number, anything could be meant.
         let plain = |n: &Node| matches!(n.kind, NodeKind::Symbol(_) | NodeKind::Number(_));
-        if plain(&altered.sides[k]) || plain(&chain.sides[k]) {
+        let is_of_numbers = self.sureness >= Sureness::Chain && k == 1 && named(&chain.sides).is_empty();
+        if !is_of_numbers && (plain(&altered.sides[k]) || plain(&chain.sides[k])) {
             return None;
         }
         // With definitions, another name, or one more or fewer, may be another definition; in a chain, a name that stands on the other side is
@@ -350,11 +357,11 @@ fn is_evaluated(chain: &Chain) -> bool {
     later.is_empty() && !earlier.is_empty()
 }
 
-/// Whether both sides are products of the same names in another order: their order may count.
+/// Whether both sides are products of the same factors in another order: their order may count.
 fn is_reordered(chain: &Chain) -> bool {
     let sequence = |side: &Node| {
         let mut out = Vec::new();
-        sequence_of(side, &mut out);
+        factors_of(side, &mut out);
         out
     };
     let [a, b] = chain.sides.as_slice() else { return false };
@@ -367,6 +374,16 @@ fn is_reordered(chain: &Chain) -> bool {
     sorted.0.sort();
     sorted.1.sort();
     is_product(a) && is_product(b) && first.len() > 1 && first != second && sorted.0 == sorted.1
+}
+
+/// The names of a side in their order, with their powers. What a function takes is a number, and so is what it gives: its place in a product
+/// counts for nothing.
+fn factors_of(side: &Node, out: &mut Vec<String>) {
+    match &side.kind {
+        NodeKind::Symbol(s) => out.push(format!("{}{:?}^{:?}", s.name, s.sub, s.sup.as_ref().map(|n| &n.kind))),
+        NodeKind::Function(..) | NodeKind::Number(_) => {}
+        _ => side.children().into_iter().for_each(|c| factors_of(c, out)),
+    }
 }
 
 /// The names of a side in their order.

@@ -43,6 +43,17 @@ pub(super) fn is_evaluated(relation: &PrintedRelation) -> bool {
     relation.sides.iter().skip(1).any(is_number)
 }
 
+/// Letters of constants of integration.
+const OF_INTEGRATION: &[&str] = &["c", "C", "K", "k"];
+
+/// Whether both sides of a step of a chain that has an integral before it have the same constant of integration: it may stand for another one.
+pub(super) fn is_integrated(relation: &PrintedRelation, step: usize) -> bool {
+    let has = |side: &PrintedSide, letter: &str| names(side).iter().any(|n| n.key() == letter);
+    let [left, right] = [step - 1, step].map(|k| &relation.sides[k]);
+    relation.sides[..step].iter().any(|s| s.text.contains(r"\int"))
+        && OF_INTEGRATION.iter().any(|c| has(left, c) && has(right, c))
+}
+
 /// The later side of an equation of two.
 pub(super) fn lone_right(relation: &PrintedRelation) -> Option<&PrintedSide> {
     match relation.sides.as_slice() {

@@ -93,6 +93,10 @@ const LOOSENS: &[&str] = &[
     "renam",
     "relabel",
     "natural units",
+    "choose units",
+    "choice of units",
+    "set of units",
+    "system of units",
     "units in which",
     "units where",
     "units such that",
@@ -234,6 +238,10 @@ impl Sentence {
         };
         let before = window(&file.text, from.max(span.start.saturating_sub(BEFORE)), span.start);
         let behind = window(&file.text, span.end, (span.end + BEHIND).min(file.text.len()));
+        let (before, behind) = match is_markdown(&file.path) {
+            true => (without_opening(before), without_closing(behind)),
+            false => (before, behind),
+        };
         let before = uncommented(before.rsplit("\n\n").next().unwrap_or(""));
         let behind = uncommented(behind.split("\n\n").next().unwrap_or(""));
         let lower = before.to_lowercase();
@@ -254,6 +262,46 @@ impl Sentence {
     }
 }
 
+/// Whether a file is Markdown: there a display stands in a paragraph of its own, and its sentence around it.
+fn is_markdown(path: &str) -> bool {
+    path.rsplit_once('.').is_some_and(|(_, ending)| matches!(ending, "md" | "markdown"))
+}
+
+/// A text up to the blank line before the display that begins at its end.
+fn without_opening(text: &str) -> &str {
+    let mut rest = text.trim_end();
+    loop {
+        let opener = rest.rfind(r"\begin{").filter(|at| !rest[*at..].contains(['\n', '$']) && rest.ends_with('}'));
+        rest = match opener {
+            Some(at) => &rest[..at],
+            None => match rest.strip_suffix("$$").or_else(|| rest.strip_suffix(r"\[")) {
+                Some(shorter) => shorter,
+                None => return rest,
+            },
+        }
+        .trim_end();
+    }
+}
+
+/// A text from the blank line behind the display that ends at its beginning.
+fn without_closing(text: &str) -> &str {
+    let end = |t: &str| {
+        let closes = |from: usize| {
+            let rest = &t[from..];
+            rest.starts_with("$$") || rest.starts_with(r"\]") || rest.starts_with(r"\end{")
+        };
+        (0..t.len()).filter(|&i| t.is_char_boundary(i)).find(|&i| closes(i))
+    };
+    let Some(at) = end(text).filter(|at| !text[..*at].contains("\n\n")) else { return text };
+    let mut rest = &text[at..];
+    while let Some(after) = rest.strip_prefix("$$").or_else(|| rest.strip_prefix(r"\]")).or_else(|| {
+        rest.strip_prefix(r"\end{").and_then(|r| r.split_once('}')).map(|(_, after)| after)
+    }) {
+        rest = after.trim_start();
+    }
+    rest
+}
+
 /// Whether a relation of the running text says what a name of the display before it stands for: "where $k=2\pi/\lambda$".
 pub fn explains(paper: &Paper, display: &PrintedRelation, relation: &PrintedRelation) -> bool {
     let (file, first) = paper.locate(&display.span());
@@ -262,7 +310,8 @@ pub fn explains(paper: &Paper, display: &PrintedRelation, relation: &PrintedRela
         return false;
     }
     let between = uncommented(window(&file.text, first.end, second.start));
-    if between.contains("\n\n") {
+    let own = if is_markdown(&file.path) { without_closing(&between) } else { &between };
+    if own.contains("\n\n") {
         return false;
     }
     let words = between.to_lowercase();

@@ -55,10 +55,14 @@ pub(super) fn has_two_places(sides: &[Vec<&str>], is_function: &dyn Fn(&str) -> 
         let plain = unset(all);
         for at in (1..plain.len()).filter(|&at| plain[at] == "(") {
             let base = match plain[at - 1] {
-                one if is_letter_token(one) && is_script(&plain, at - 1) => plain[at.saturating_sub(3)..at].concat(),
+                one if is_script(&plain, at - 1) && one != "{" => plain[at.saturating_sub(3)..at].concat(),
                 one if is_letter_token(one) && !is_function(one) => one.to_owned(),
                 _ => continue,
             };
+            let is_named = base.starts_with(|c: char| c.is_ascii_alphabetic() || c == '\\') && !base.contains('^');
+            if !is_named {
+                continue;
+            }
             let mut depth = 0i32;
             let Some(end) = (at..plain.len()).find(|&k| {
                 depth += i32::from(plain[k] == "(") - i32::from(plain[k] == ")");
