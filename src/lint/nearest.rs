@@ -113,7 +113,11 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     let least = if is_solved || sureness >= Sureness::Chain && !rests.given.is_empty() { 1 } else { 3 };
     let fewest = if sureness == Sureness::Derives { 3 } else { FEWEST_NODES };
     // In a chain, numbers alone are reckoned with: what they stand for does not matter.
+    let is_reckoned = chain.sides.iter().any(|s| !is_written_number(s));
     let is_of_numbers = sureness >= Sureness::Chain && named(&chain.sides).is_empty();
+    if is_of_numbers && !is_reckoned {
+        return None;
+    }
     let (fewest, least) = if is_of_numbers { (LEAST_OF_NUMBERS, 1) } else { (fewest, least) };
     if chain.sides.iter().map(size).max()? < fewest || smallest < least {
         return None;
@@ -349,6 +353,16 @@ fn drawn(asked: &Asked, point: &Point) -> Option<LintPicture> {
         let points = curves(&asked.desk.graph, *equation, &at, *leaf)?;
         Some(LintPicture { name: asked.desk.graph.leaf_latex(*leaf), points })
     })
+}
+
+/// Whether a side is a number as it is written, with its sign: `-4=5` is said modulo something.
+fn is_written_number(side: &Node) -> bool {
+    match &side.kind {
+        NodeKind::Number(_) => true,
+        NodeKind::Sum(terms) => matches!(terms.as_slice(), [(_, one)] if is_written_number(one)),
+        NodeKind::Group(inner, _) => is_written_number(inner),
+        _ => false,
+    }
 }
 
 /// Whether the later side is a number: it may be the value for values that words give.
