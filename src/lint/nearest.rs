@@ -88,7 +88,7 @@ pub enum Sureness {
 /// The nearest formula that holds, where a step is refuted.
 pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sureness) -> Option<WrongStep> {
     let Identity::Refuted(refutation) = &asked.identity else { return None };
-    if asked.desk.is_complex || !free.is_empty() {
+    if asked.desk.is_complex && rests.are_some() || !free.is_empty() {
         return None;
     }
     // A number that was rounded.
@@ -111,7 +111,11 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     let smallest = if conserves { size(&chain.sides[0]) } else { chain.sides.iter().map(size).min()? };
     let is_solved = sureness == Sureness::Concludes && !rests.stated.is_empty();
     let least = if is_solved || sureness >= Sureness::Chain && !rests.given.is_empty() { 1 } else { 3 };
-    let fewest = if sureness == Sureness::Derives { 3 } else { FEWEST_NODES };
+    let fewest = match sureness {
+        Sureness::Derives => 3,
+        Sureness::Concludes | Sureness::Chain => FEWEST_NODES - 1,
+        Sureness::Stands => FEWEST_NODES,
+    };
     // In a chain, numbers alone are reckoned with: what they stand for does not matter.
     let is_reckoned = chain.sides.iter().any(|s| !is_written_number(s));
     let is_of_numbers = sureness >= Sureness::Chain && named(&chain.sides).is_empty();
