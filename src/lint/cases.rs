@@ -261,7 +261,8 @@ pub fn stance(text: &str, from: usize, to: usize) -> Stance {
     };
     let from = near(from.min(text.len()));
     let before = &text[near(from.saturating_sub(BEFORE))..from];
-    let trimmed = |t: &str| t.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, '$' | '(' | '\\' | '{')).len();
+    let trimmed =
+        |t: &str| t.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, '$' | '(' | '\\' | '{')).len();
     let opened = &before[..trimmed(before)];
     let opened = opened.strip_suffix(r"\displaystyle").map_or(opened, |rest| &rest[..trimmed(rest)]);
     if CHOICES.iter().any(|c| opened.ends_with(c))

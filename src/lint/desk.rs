@@ -7,8 +7,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::letters::{is_charge, shape_of};
+use super::lone::{bare, undotted, unprimed};
 use super::obstacle::{is_place, obstacle};
-use expr::{Expr, Graph, Leaf, Shape, Symbol};
+use expr::{Expr, Graph, Leaf, Symbol};
 use latex::{Declaration, Role, Scope, Statement};
 use meter::{Ended, Limits};
 use paper::{Call, Paper, PaperName, PrintedSide, names};
@@ -80,70 +82,6 @@ pub struct Desk {
     pub used: Vec<usize>,
     /// The limits of questions: all of a paper together may take as much as a file may.
     pub limits: Limits,
-}
-
-/// A side that is one name and nothing else.
-pub fn lone_name(side: &PrintedSide) -> Option<PaperName> {
-    let mut all = names(side);
-    if let Some(first) = all.first()
-        && let Call::Places(places) = &first.call
-        && all.len() > 1
-        && all.len() <= places.len() + 1
-    {
-        // What stands in its parentheses are names, too.
-        all.truncate(1);
-    }
-    // A derivative `dx/dt` names what it is derived by, too.
-    if all.len() == 2 && all[0].derived_by.as_deref() == Some(all[1].key().as_str()) {
-        let rest = without(&side.text, &[r"\frac", r"\dfrac", r"\tfrac", r"\mathrm", r"\dv"]);
-        let letters: usize = [&all[0], &all[1]].iter().map(|n| bare(&n.key()).len()).sum();
-        let plain = bare(&rest).chars().filter(|c| *c != 'd').count() == letters;
-        return plain.then(|| all.swap_remove(0));
-    }
-    let [one] = all.as_slice() else { return None };
-    if one.derived_by.is_some() || one.is_difference {
-        return None;
-    }
-    let dots = ["", r"\dot", r"\ddot", r"\dddot"].get(one.dots)?;
-    let places = match &one.call {
-        Call::None => String::new(),
-        Call::Places(places) => format!("({})", places.join(",")),
-        Call::Other => return None,
-    };
-    let wanted = bare(&format!("{dots}{}{places}", one.key()));
-    (sorted(&bare(&side.text)) == sorted(&wanted)).then(|| all.swap_remove(0))
-}
-
-/// A text without braces, spaces and the names of styles.
-fn bare(text: &str) -> String {
-    let text = without(
-        text,
-        &[
-            r"\left",
-            r"\right",
-            r"\boldsymbol",
-            r"\mathbf",
-            r"\vec",
-            r"\bm",
-            r"\bf",
-            r"\rm",
-            r"\mathrm",
-            r"\text",
-            r"\prime",
-            "'",
-        ],
-    );
-    text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}' | '^')).collect()
-}
-
-fn without(text: &str, commands: &[&str]) -> String {
-    commands.iter().fold(text.to_owned(), |text, c| text.replace(c, ""))
-}
-
-fn sorted(text: &str) -> Vec<char> {
-    let mut out: Vec<char> = text.chars().collect();
-    out.sort_unstable();
-    out
 }
 
 /// The independent variable by which the names of a step are derived, if there is just one.
@@ -251,27 +189,6 @@ fn inside(keys: &[String], given: &[&Given]) -> Vec<String> {
     out.split_off(keys.len())
 }
 
-/// A name by which something is derived, `\partial L/\partial\dot x`, with its dots apart.
-fn undotted(name: PaperName) -> PaperName {
-    let dots = [(r"\dot", 1), (r"\ddot", 2)];
-    let found = dots.into_iter().find_map(|(command, n)| {
-        let rest = name.base.strip_prefix(command)?;
-        (name.dots == 0 && !rest.starts_with(|c: char| c.is_ascii_alphabetic())).then_some((rest, n))
-    });
-    match found {
-        Some((rest, dots)) => {
-            let base = rest.trim().trim_start_matches('{').trim_end_matches('}').trim().to_owned();
-            PaperName { letter: base.clone(), base, dots, ..name }
-        }
-        None => name,
-    }
-}
-
-/// A name without its primes.
-pub fn unprimed(name: &PaperName) -> PaperName {
-    PaperName { base: name.base.trim_end_matches('\'').to_owned(), primes: 0, ..name.clone() }
-}
-
 /// The variable by which a prime derives: that of which the paper prints the name as a function, or by which it derives it. The time
 /// is none: its derivatives have dots.
 fn primed_by(name: &PaperName, all: &[PaperName], evidence: &Evidence) -> Option<String> {
@@ -304,31 +221,6 @@ pub enum Unit {
     Imaginary,
     /// A number like the others: what holds then holds for complex names, too.
     Number,
-}
-
-/// Whether `e` is raised to nothing but numbers, beside other names and no logarithm: a charge. What is proved of it is true of Euler's number,
-/// too.
-fn is_charge(texts: &[&str]) -> bool {
-    let mut is_raised = false;
-    for text in texts {
-        let text = text.replace("^ ", "^").replace(" ^", "^");
-        if [r"\ln", r"\log", r"\exp", r"\mathrm{e}"].iter().any(|w| text.contains(w)) {
-            return false;
-        }
-        for (at, _) in text.match_indices("e^") {
-            let before = text[..at].trim_end_matches(|c: char| c.is_ascii_alphabetic());
-            if before.ends_with(['_', '\\']) && before.len() < at || before.ends_with('_') {
-                continue;
-            }
-            let above = &text[at + 2..];
-            let above = above.strip_prefix('{').and_then(|rest| rest.split('}').next()).unwrap_or(above.get(..1).unwrap_or_default());
-            if above.is_empty() || !above.chars().all(|c| c.is_ascii_digit()) {
-                return false;
-            }
-            is_raised = true;
-        }
-    }
-    is_raised
 }
 
 impl Desk {
@@ -425,7 +317,8 @@ impl Desk {
         }
         let whole: Vec<&str> = texts().chain(given.iter().map(|g| g.right.text.as_str())).collect();
         if is_charge(&whole) && !all.iter().any(|n| n.key() == "e") {
-            let declared = desk.scope.declare(&mut desk.graph, "e", Declaration::of(Role::Parameter)).map_err(refused)?;
+            let declared =
+                desk.scope.declare(&mut desk.graph, "e", Declaration::of(Role::Parameter)).map_err(refused)?;
             desk.scalars.push(("e".to_owned(), declared, true));
         }
         let place = sides.first().map_or(0, |s| s.span.start);
@@ -609,17 +502,6 @@ pub fn pairs_of(statement: &Statement) -> Vec<(Expr, Expr)> {
         r.left.components.iter().copied().zip(r.right.components.iter().copied()).collect::<Vec<_>>()
     };
     statement.relations.iter().flat_map(sides).collect()
-}
-
-/// The shape of a name: that of the matrix to which the paper sets it equal, or that of its style.
-fn shape_of(name: &PaperName, key: &str, evidence: &Evidence, place: usize) -> Option<Shape> {
-    let extent = |n: usize| u16::try_from(n).ok();
-    match evidence.matrix_size(key, place) {
-        Some((1, 1)) => None,
-        Some((rows, 1)) => extent(rows).map(Shape::vector),
-        Some((rows, columns)) => extent(rows).zip(extent(columns)).map(|(r, c)| Shape::matrix(r, c)),
-        None => name.is_bold.then(|| Shape::vector(3)),
-    }
 }
 
 /// Two sides as one text.

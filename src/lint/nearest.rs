@@ -88,7 +88,7 @@ pub enum Sureness {
 /// The nearest formula that holds, where a step is refuted.
 pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sureness) -> Option<WrongStep> {
     let Identity::Refuted(refutation) = &asked.identity else { return None };
-    if asked.desk.is_complex && rests.are_some() || !free.is_empty() {
+    if asked.desk.is_complex && !rests.stated.is_empty() || !free.is_empty() {
         return None;
     }
     // A number that was rounded.
@@ -112,13 +112,13 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     let is_solved = sureness == Sureness::Concludes && !rests.stated.is_empty();
     let least = if is_solved || sureness >= Sureness::Chain && !rests.given.is_empty() { 1 } else { 3 };
     let fewest = match sureness {
-        Sureness::Derives => 3,
-        Sureness::Concludes | Sureness::Chain => FEWEST_NODES - 1,
+        Sureness::Derives | Sureness::Chain => FEWEST_NODES - 2,
+        Sureness::Concludes => FEWEST_NODES - 1,
         Sureness::Stands => FEWEST_NODES,
     };
     // In a chain, numbers alone are reckoned with: what they stand for does not matter.
     let is_reckoned = chain.sides.iter().any(|s| !is_written_number(s));
-    let is_of_numbers = sureness >= Sureness::Chain && named(&chain.sides).is_empty();
+    let is_of_numbers = named(&chain.sides).is_empty();
     if is_of_numbers && !is_reckoned {
         return None;
     }
@@ -219,7 +219,7 @@ impl Search<'_> {
         }
         // Beside a lone name, or a number, anything could be meant.
         let plain = |n: &Node| matches!(n.kind, NodeKind::Symbol(_) | NodeKind::Number(_));
-        let is_of_numbers = self.sureness >= Sureness::Chain && k == 1 && named(&chain.sides).is_empty();
+        let is_of_numbers = k == 1 && named(&chain.sides).is_empty();
         if !is_of_numbers && (plain(&altered.sides[k]) || plain(&chain.sides[k])) {
             return None;
         }

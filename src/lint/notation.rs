@@ -2,13 +2,14 @@
 //!
 //! **In:** a paper. **Out:** an [`Evidence`]. **Guaranteed:** nothing is decided here.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::ops::{Deref, Range};
+use std::collections::BTreeSet;
+use std::ops::Deref;
 
 use meter::{Ended, Limits, Task};
 use paper::{Notation, Paper, PrintedSide};
 
-use super::desk::{NotRead, lone_name};
+use super::desk::NotRead;
+use super::letters::{Sizes, sizes};
 
 /// What the whole paper shows of its names and of its notation.
 #[derive(Clone, Debug, Default)]
@@ -18,7 +19,7 @@ pub struct Evidence {
     /// Letters that have a subscript which is no index.
     labelled: BTreeSet<String>,
     /// Of names that are equal to a matrix somewhere: where the section begins and ends in which they are, and its rows and columns.
-    sizes: BTreeMap<String, Vec<(Range<usize>, (usize, usize))>>,
+    sizes: Sizes,
     /// The work of the paper.
     limits: Limits,
 }
@@ -57,7 +58,8 @@ impl Evidence {
 
     /// Rows and columns of a name at a place, where the section says that it is a matrix.
     pub fn matrix_size(&self, key: &str, place: usize) -> Option<(usize, usize)> {
-        let mut here = self.sizes.get(key)?.iter().filter(|(section, _)| section.contains(&place)).map(|(_, size)| *size);
+        let mut here =
+            self.sizes.get(key)?.iter().filter(|(section, _)| section.contains(&place)).map(|(_, size)| *size);
         let first = here.next()?;
         here.all(|other| other == first).then_some(first)
     }
@@ -97,27 +99,4 @@ impl Evidence {
     pub fn obstacle(&self, side: &PrintedSide) -> Option<NotRead> {
         self.notation.not_numbers(side).or_else(|| self.notation.unsure(side)).map(NotRead::of)
     }
-}
-
-/// The sizes of the names that are set equal to matrices, by the sections in which they are.
-fn sizes(paper: &Paper) -> BTreeMap<String, Vec<(Range<usize>, (usize, usize))>> {
-    let mut sections: BTreeMap<usize, Range<usize>> = BTreeMap::new();
-    for relation in &paper.printed {
-        let span = relation.span();
-        let section = sections.entry(relation.section).or_insert_with(|| span.clone());
-        *section = section.start.min(span.start)..section.end.max(span.end + 1);
-    }
-    let mut out: BTreeMap<String, Vec<(Range<usize>, (usize, usize))>> = BTreeMap::new();
-    for relation in &paper.printed {
-        for pair in relation.sides.windows(2) {
-            for (side, other) in [(&pair[0], &pair[1]), (&pair[1], &pair[0])] {
-                if let (Some(size), Some(section)) = (other.matrix_size(), sections.get(&relation.section))
-                    && let Some(name) = lone_name(side)
-                {
-                    out.entry(name.key()).or_default().push((section.clone(), size));
-                }
-            }
-        }
-    }
-    out
 }

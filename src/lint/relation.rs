@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use paper::{PrintedRelation, PrintedSide, names, squeezed};
 
-use super::desk::{lone_name, unprimed};
+use super::lone::{lone_name, unprimed};
 
 /// Whether a sign may say that two sides are equal but for multiples of something, or by definition.
 pub(super) fn is_congruence(sign: &str) -> bool {

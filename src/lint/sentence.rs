@@ -8,6 +8,8 @@ use std::ops::Range;
 
 use paper::{Paper, PrintedRelation};
 
+use super::markdown::{is_markdown, without_closing, without_opening};
+
 /// The longest text before a display that is looked at, in bytes.
 const BEFORE: usize = 500;
 /// The longest text behind it.
@@ -260,46 +262,6 @@ impl Sentence {
             loosens: loose(&lower) || loose(&first_sentence(&behind.to_lowercase())),
         }
     }
-}
-
-/// Whether a file is Markdown: there a display stands in a paragraph of its own, and its sentence around it.
-fn is_markdown(path: &str) -> bool {
-    path.rsplit_once('.').is_some_and(|(_, ending)| matches!(ending, "md" | "markdown"))
-}
-
-/// A text up to the blank line before the display that begins at its end.
-fn without_opening(text: &str) -> &str {
-    let mut rest = text.trim_end();
-    loop {
-        let opener = rest.rfind(r"\begin{").filter(|at| !rest[*at..].contains(['\n', '$']) && rest.ends_with('}'));
-        rest = match opener {
-            Some(at) => &rest[..at],
-            None => match rest.strip_suffix("$$").or_else(|| rest.strip_suffix(r"\[")) {
-                Some(shorter) => shorter,
-                None => return rest,
-            },
-        }
-        .trim_end();
-    }
-}
-
-/// A text from the blank line behind the display that ends at its beginning.
-fn without_closing(text: &str) -> &str {
-    let end = |t: &str| {
-        let closes = |from: usize| {
-            let rest = &t[from..];
-            rest.starts_with("$$") || rest.starts_with(r"\]") || rest.starts_with(r"\end{")
-        };
-        (0..t.len()).filter(|&i| t.is_char_boundary(i)).find(|&i| closes(i))
-    };
-    let Some(at) = end(text).filter(|at| !text[..*at].contains("\n\n")) else { return text };
-    let mut rest = &text[at..];
-    while let Some(after) = rest.strip_prefix("$$").or_else(|| rest.strip_prefix(r"\]")).or_else(|| {
-        rest.strip_prefix(r"\end{").and_then(|r| r.split_once('}')).map(|(_, after)| after)
-    }) {
-        rest = after.trim_start();
-    }
-    rest
 }
 
 /// Whether a relation of the running text says what a name of the display before it stands for: "where $k=2\pi/\lambda$".

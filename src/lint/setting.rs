@@ -8,9 +8,10 @@ use std::collections::BTreeSet;
 use paper::{PrintedRelation, PrintedSide, names, squeezed};
 
 use super::cases::{Cases, Stance, stance};
-use super::desk::{Given, lone_name};
+use super::desk::Given;
 use super::facts::{NEAR, Stated};
 use super::judge::{Judge, MOST_EXPLAINED};
+use super::lone::lone_name;
 use super::question::{Positive, Rests};
 use super::step::Place;
 

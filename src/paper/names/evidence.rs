@@ -280,7 +280,8 @@ pub fn is_alone(side: &PrintedSide) -> bool {
 }
 
 /// What makes a number of matrices, or may.
-const OF_NUMBERS: &[&str] = &[r"\det", r"\cdot", r"\times", "|", r"\lvert", r"\operatorname", r"\mathrm", "^T", r"^{T}", r"\tr"];
+const OF_NUMBERS: &[&str] =
+    &[r"\det", r"\cdot", r"\times", "|", r"\lvert", r"\operatorname", r"\mathrm", "^T", r"^{T}", r"\tr"];
 
 impl PrintedSide {
     /// Rows and columns, where the side is a product or a sum of matrices that are written out.

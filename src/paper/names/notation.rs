@@ -19,9 +19,9 @@ use ambiguous::{
     has_two_places, has_upright_derivative,
 };
 use print::{
-    Raised, call, follows_a_flow, has_bare_brackets, has_bars, has_identity, has_imaginary, has_named_function,
-    has_column_of_two, has_norm, has_pair, has_plain_function, has_product_of_letters, has_unit_of_italics, is_letter_token, is_twice, scripted,
-    squares_an_absolute_value, tokens,
+    Raised, call, follows_a_flow, has_bare_brackets, has_bars, has_column_of_two, has_identity, has_imaginary,
+    has_named_function, has_norm, has_pair, has_plain_function, has_product_of_letters, has_unit_of_italics,
+    is_letter_token, is_twice, scripted, squares_an_absolute_value, tokens,
 };
 
 /// What a paper shows of its notation.

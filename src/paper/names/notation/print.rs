@@ -433,8 +433,9 @@ pub(super) fn has_named_function(all: &[&str]) -> bool {
 
 /// Functions that have no command of their own, or are written without it: before parentheses their letters are no factors.
 const PLAIN: &[&str] = &[
-    "sgn", "sign", "ord", "gcd", "lcm", "deg", "det", "dim", "ker", "rank", "span", "Var", "Cov", "Pr", "erf", "tr", "mod",
-    "arg", "Re", "Im", "max", "min", "log", "lim", "exp", "sup", "inf", "im", "Tr", "char", "card", "vol", "supp",
+    "sgn", "sign", "ord", "gcd", "lcm", "deg", "det", "dim", "ker", "rank", "span", "Var", "Cov", "Pr", "erf", "tr",
+    "mod", "arg", "Re", "Im", "max", "min", "log", "lim", "exp", "sup", "inf", "im", "Tr", "char", "card", "vol",
+    "supp",
 ];
 
 /// Letters that spell a function right before parentheses: `sgn(\tau)`.
