@@ -93,6 +93,10 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     }
     // A number that was rounded.
     let (left, right) = (refutation.left.decimal, refutation.right.decimal);
+    let is_of_numbers = asked.desk.scalars.is_empty();
+    if is_of_numbers && last_place(&asked.text).is_some_and(|unit| (left - right).abs() < unit) {
+        return None;
+    }
     if (left - right).abs() < ROUNDED * left.abs().max(right.abs())
         && asked.text.chars().filter(char::is_ascii_digit).count() > 2
     {
@@ -118,7 +122,7 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     };
     // In a chain, numbers alone are reckoned with: what they stand for does not matter.
     let is_reckoned = chain.sides.iter().any(|s| !is_written_number(s));
-    let is_of_numbers = named(&chain.sides).is_empty();
+    let is_of_numbers = sureness >= Sureness::Chain && named(&chain.sides).is_empty();
     if is_of_numbers && !is_reckoned {
         return None;
     }
@@ -180,6 +184,13 @@ pub fn is_slip_of(asked: &Asked) -> bool {
     altered.iter().any(|s| s.way == Alteration::Value && spelled(chain, &s.side) == wanted)
 }
 
+/// The unit of the last place of the decimal number with the fewest of them: 0.01 of `2/45=0.04`.
+fn last_place(text: &str) -> Option<f64> {
+    let digits = |rest: &str| rest.chars().take_while(char::is_ascii_digit).count();
+    let places = text.match_indices('.').map(|(at, _)| digits(&text[at + 1..])).filter(|n| *n > 0).min()?;
+    Some(0.1_f64.powi(i32::try_from(places).ok()?))
+}
+
 struct Search<'a> {
     asked: Asked,
     rests: &'a Rests,
@@ -219,7 +230,7 @@ impl Search<'_> {
         }
         // Beside a lone name, or a number, anything could be meant.
         let plain = |n: &Node| matches!(n.kind, NodeKind::Symbol(_) | NodeKind::Number(_));
-        let is_of_numbers = k == 1 && named(&chain.sides).is_empty();
+        let is_of_numbers = self.sureness >= Sureness::Chain && k == 1 && named(&chain.sides).is_empty();
         if !is_of_numbers && (plain(&altered.sides[k]) || plain(&chain.sides[k])) {
             return None;
         }
