@@ -13,7 +13,8 @@ use super::lone::{lone_name, unprimed};
 use super::nearest::Sureness;
 use super::notation::Evidence;
 use super::relation::{
-    are_multiples, free_indices, has_dimensions, is_congruence, is_evaluated, is_integrated, lone_right,
+    are_multiples, free_indices, has_dimensions, is_congruence, is_evaluated, is_integrated, is_letter_at_place,
+    lone_right,
 };
 use super::sentence::{Sentence, explains, is_supposed, parts};
 use super::setting::Noted;
@@ -166,8 +167,8 @@ impl Judge<'_> {
             (out.word, out.why) = (Word::NotFollowed, ended.to_string());
             return out;
         }
-        // A letter before two places, wherever they stand in a chain, is a function.
-        let all: Vec<&PrintedSide> = relation.sides.iter().collect();
+        // A letter before two places, each of which is a side of a chain with it, is a function.
+        let all: Vec<&PrintedSide> = relation.sides.iter().filter(|s| is_letter_at_place(s)).collect();
         if let Some(found) = self.evidence.obstacle_together(&all) {
             out.why = found.feature;
             return out;

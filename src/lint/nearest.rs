@@ -188,7 +188,7 @@ pub fn is_slip_of(asked: &Asked) -> bool {
 fn last_place(text: &str) -> Option<f64> {
     let digits = |rest: &str| rest.chars().take_while(char::is_ascii_digit).count();
     let places = text.match_indices('.').map(|(at, _)| digits(&text[at + 1..])).filter(|n| *n > 0).min()?;
-    Some(0.1_f64.powi(i32::try_from(places).ok()?))
+    Some((0..places.min(18)).fold(1.0, |unit, _| unit / 10.0))
 }
 
 struct Search<'a> {

@@ -43,6 +43,15 @@ pub(super) fn is_evaluated(relation: &PrintedRelation) -> bool {
     relation.sides.iter().skip(1).any(is_number)
 }
 
+/// Whether a side is a letter with a group in parentheses behind it, and nothing else.
+pub(super) fn is_letter_at_place(side: &PrintedSide) -> bool {
+    let text = squeezed(&side.text).replace(r"\left", "").replace(r"\right", "");
+    let Some((name, inside)) = text.split_once('(') else { return false };
+    let is_command = name.strip_prefix('\\').is_some_and(|n| n.chars().all(|c| c.is_alphanumeric() || c == '_'));
+    let is_letter = name.chars().count() == 1 || name.chars().nth(1) == Some('_') || is_command;
+    is_letter && inside.strip_suffix(')').is_some_and(|i| !i.contains(['(', ')']))
+}
+
 /// Letters of constants of integration.
 const OF_INTEGRATION: &[&str] = &["c", "C", "K", "k"];
 

@@ -14,7 +14,7 @@ use super::super::{Paper, PrintedRelation, PrintedSide};
 use super::{PaperName, names};
 use algebra::Algebra;
 use ambiguous::{
-    applies_a_group, has_bare_degrees, has_commutator, has_expectation, has_ladder, has_map_of_vector,
+    applies_a_group, has_bare_degrees, has_commutator, has_cosets, has_expectation, has_ladder, has_map_of_vector,
     has_order_of_magnitude, has_plain_triple_product, has_primed_transpose, has_small_transpose, has_turned_subscripts,
     has_two_places, has_upright_derivative,
 };
@@ -249,6 +249,9 @@ impl Notation {
     /// Why sides that are compared are no formulas of numbers together, though each of them could be one.
     pub fn not_numbers_together(sides: &[&PrintedSide], is_function: &dyn Fn(&str) -> bool) -> Option<&'static str> {
         let all: Vec<Vec<&str>> = sides.iter().map(|s| tokens(&s.text)).collect();
+        if has_cosets(&all) {
+            return Some("cosets, or sums");
+        }
         has_two_places(&all, is_function).then_some("a value at a place, or a product")
     }
 

@@ -54,6 +54,12 @@ const CLOSE: &[&str] = &[
     "equivalence class",
     "zero divisor",
     "principal ideal",
+    "陪集",
+    "商集",
+    "同态",
+    "同构",
+    "交换群",
+    "置换",
 ];
 /// So many words of [`ALGEBRA`] make a file one of algebra.
 const MANY: usize = 8;

@@ -238,3 +238,26 @@ pub(super) fn has_map_of_vector(all: &[&str]) -> bool {
         is_vector && is_capital(plain[before]) && !is_script(&plain, before)
     })
 }
+
+/// Two groups in parentheses that end with the same capital as a further term, and a side that has it once, as its last term: cosets,
+/// `(a+I)+(b+I)=(a+b)+I`.
+pub(super) fn has_cosets(sides: &[Vec<&str>]) -> bool {
+    let plain: Vec<Vec<&str>> = sides.iter().map(|all| unset(all)).collect();
+    let is_coset = |side: &[&str], letter: &str| {
+        let bare = side.strip_suffix(&["."]).unwrap_or(side);
+        bare.ends_with(&["+", letter]) && bare.iter().filter(|t| **t == letter).count() == 1
+    };
+    let letters = |side: &[&str]| -> Vec<String> {
+        let ends: Vec<(usize, &str)> = (2..side.len())
+            .filter(|&at| side[at] == ")" && is_capital(side[at - 1]) && side[at - 2] == "+")
+            .map(|at| (at, side[at - 1]))
+            .collect();
+        let beside = |pair: &&[(usize, &str)]| {
+            let [(first, letter), (_, other)] = **pair else { return false };
+            let between = first + 1 + usize::from(matches!(side.get(first + 1), Some(&("+" | r"\cdot"))));
+            letter == other && side.get(between) == Some(&"(")
+        };
+        ends.windows(2).filter(beside).map(|pair| pair[0].1.to_owned()).collect()
+    };
+    plain.iter().any(|side| letters(side).iter().any(|letter| plain.iter().any(|other| is_coset(other, letter))))
+}
