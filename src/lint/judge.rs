@@ -13,8 +13,8 @@ use super::lone::{lone_name, unprimed};
 use super::nearest::Sureness;
 use super::notation::Evidence;
 use super::relation::{
-    are_multiples, free_indices, has_dimensions, is_congruence, is_evaluated, is_integrated, is_letter_at_place,
-    lone_right,
+    are_multiples, free_indices, gives_values, has_dimensions, is_congruence, is_evaluated, is_integrated,
+    is_letter_at_place, lone_right,
 };
 use super::sentence::{Sentence, explains, is_supposed, parts};
 use super::setting::Noted;
@@ -455,7 +455,11 @@ impl Judge<'_> {
         } else if defines && undecided == 0 {
             out.word = Word::Defines;
         } else if defines {
-            out.word = if out.steps.1 > 1 || relation.sides.len() > 2 { Word::NotFollowed } else { Word::Defines };
+            out.word = match relation.sides.len() > 2 || out.steps.1 > 1 {
+                true if gives_values(relation) => Word::Condition,
+                true => Word::NotFollowed,
+                false => Word::Defines,
+            };
             if out.word == Word::NotFollowed {
                 out.why = "a step between its later sides is not decided".to_owned();
             }

@@ -52,6 +52,12 @@ pub(super) fn is_letter_at_place(side: &PrintedSide) -> bool {
     is_letter && inside.strip_suffix(')').is_some_and(|i| !i.contains(['(', ')']))
 }
 
+/// Whether all sides but the last are lone names, and that is one or a number.
+pub(super) fn gives_values(relation: &PrintedRelation) -> bool {
+    let Some((last, names_before)) = relation.sides.split_last() else { return false };
+    names_before.iter().all(|s| lone_name(s).is_some()) && (names(last).is_empty() || lone_name(last).is_some())
+}
+
 /// Letters of constants of integration.
 const OF_INTEGRATION: &[&str] = &["c", "C", "K", "k"];
 
