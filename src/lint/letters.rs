@@ -12,6 +12,9 @@ use paper::{Paper, PaperName};
 use super::lone::lone_name;
 use super::notation::Evidence;
 
+/// So many relations before and behind one that sets a name equal to a matrix have the name as one.
+const NEAR: usize = 30;
+
 /// Of names: where the section begins and ends in which they are set equal to a matrix, and its rows and columns.
 pub type Sizes = BTreeMap<String, Vec<(Range<usize>, (usize, usize))>>;
 
@@ -24,13 +27,16 @@ pub fn sizes(paper: &Paper) -> Sizes {
         *section = section.start.min(span.start)..section.end.max(span.end + 1);
     }
     let mut out = Sizes::new();
-    for relation in &paper.printed {
+    for (at, relation) in paper.printed.iter().enumerate() {
+        let near = |k: usize| paper.printed.get(k).map_or(usize::MAX, |r| r.span().end.saturating_add(1));
+        let (from, to) = (near(at.saturating_sub(NEAR)).min(relation.span().start), near(at + NEAR));
         for pair in relation.sides.windows(2) {
             for (side, other) in [(&pair[0], &pair[1]), (&pair[1], &pair[0])] {
                 if let (Some(size), Some(section)) = (other.matrix_size(), sections.get(&relation.section))
                     && let Some(name) = lone_name(side)
                 {
-                    out.entry(name.key()).or_default().push((section.clone(), size));
+                    let place = section.start.max(from)..section.end.min(to).max(relation.span().end);
+                    out.entry(name.key()).or_default().push((place, size));
                 }
             }
         }
