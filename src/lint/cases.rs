@@ -261,10 +261,16 @@ pub fn stance(text: &str, from: usize, to: usize) -> Stance {
     };
     let from = near(from.min(text.len()));
     let before = &text[near(from.saturating_sub(BEFORE))..from];
-    let opened = before.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, '$' | '(' | '\\' | '{'));
+    let trimmed =
+        |t: &str| t.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, '$' | '(' | '\\' | '{')).len();
+    let opened = &before[..trimmed(before)];
+    let opened = opened.strip_suffix(r"\displaystyle").map_or(opened, |rest| &rest[..trimmed(rest)]);
     if CHOICES.iter().any(|c| opened.ends_with(c))
         || opened.ends_with(']') && opened.rsplit('\\').next().is_some_and(|w| w.starts_with("choice"))
     {
+        return Stance::Asked;
+    }
+    if is_item_to_solve(text, from) {
         return Stance::Asked;
     }
     let start = [". ", ".\n", "\n\n", "? ", r".\]", ".$", r".\end"]
@@ -286,6 +292,51 @@ pub fn stance(text: &str, from: usize, to: usize) -> Stance {
         return Stance::Denied;
     }
     if asks { Stance::Asked } else { Stance::Said }
+}
+
+/// Words before a list whose items are equations that are to be solved, or statements that are to be judged.
+const POSES: &[&str] = &[
+    "solve ",
+    "solve:",
+    "solve the",
+    "true or false",
+    "are true",
+    "is true",
+    "are identities",
+    "find all solutions",
+    "find all real",
+    "determine whether",
+    "determine if",
+    "risolv",
+    "résou",
+    "resuelv",
+    "löse",
+];
+/// The longest text before a list that is looked at, and the longest list.
+const STEM: usize = 200;
+const LIST: usize = 3000;
+
+/// Whether a place stands in an item of a list, right behind its beginning, and the words before the list pose its items.
+fn is_item_to_solve(text: &str, at: usize) -> bool {
+    let near = |mut at: usize| {
+        while !text.is_char_boundary(at) {
+            at += 1;
+        }
+        at
+    };
+    let before = &text[near(at.saturating_sub(LIST))..at];
+    let item = [r"\item", r"\task", r"\part"].iter().filter_map(|i| before.rfind(i)).max();
+    let Some(item) = item.filter(|i| before[*i..].split_whitespace().count() < 4) else { return false };
+    let lists = ["enumerate", "itemize", "tasks", "extasks", "multicols", "parts"];
+    let begin = |l: &&str| before[..item].rfind(&format!("\\begin{{{l}}}"));
+    let Some(begin) = lists.iter().filter_map(begin).max() else { return false };
+    let mut from = begin.saturating_sub(STEM);
+    while !before.is_char_boundary(from) {
+        from += 1;
+    }
+    let stem = before[from..begin].to_lowercase();
+    let stem = stem.rsplit("\n\n").find(|p| !p.trim().is_empty()).unwrap_or_default();
+    POSES.iter().any(|w| stem.contains(w))
 }
 
 #[cfg(test)]
@@ -318,5 +369,8 @@ mod tests {
         assert_eq!(of("This is not true. Then 1 holds."), Stance::Said);
         assert_eq!(of("For which is 1 a solution? Then"), Stance::Asked);
         assert_eq!(of(r"\choice{$1$}"), Stance::Asked);
+        assert_eq!(of(r"\task $\displaystyle 1$"), Stance::Asked);
+        assert_eq!(of(r"Solve the following: \begin{enumerate} \item $1$"), Stance::Asked);
+        assert_eq!(of(r"We list: \begin{enumerate} \item $1$"), Stance::Said);
     }
 }

@@ -7,8 +7,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::letters::{is_charge, shape_of};
+use super::lone::{bare, undotted, unprimed};
 use super::obstacle::{is_place, obstacle};
-use expr::{Expr, Graph, Leaf, Shape, Symbol};
+use expr::{Expr, Graph, Leaf, Symbol};
 use latex::{Declaration, Role, Scope, Statement};
 use meter::{Ended, Limits};
 use paper::{Call, Paper, PaperName, PrintedSide, names};
@@ -80,70 +82,6 @@ pub struct Desk {
     pub used: Vec<usize>,
     /// The limits of questions: all of a paper together may take as much as a file may.
     pub limits: Limits,
-}
-
-/// A side that is one name and nothing else.
-pub fn lone_name(side: &PrintedSide) -> Option<PaperName> {
-    let mut all = names(side);
-    if let Some(first) = all.first()
-        && let Call::Places(places) = &first.call
-        && all.len() > 1
-        && all.len() <= places.len() + 1
-    {
-        // What stands in its parentheses are names, too.
-        all.truncate(1);
-    }
-    // A derivative `dx/dt` names what it is derived by, too.
-    if all.len() == 2 && all[0].derived_by.as_deref() == Some(all[1].key().as_str()) {
-        let rest = without(&side.text, &[r"\frac", r"\dfrac", r"\tfrac", r"\mathrm", r"\dv"]);
-        let letters: usize = [&all[0], &all[1]].iter().map(|n| bare(&n.key()).len()).sum();
-        let plain = bare(&rest).chars().filter(|c| *c != 'd').count() == letters;
-        return plain.then(|| all.swap_remove(0));
-    }
-    let [one] = all.as_slice() else { return None };
-    if one.derived_by.is_some() || one.is_difference {
-        return None;
-    }
-    let dots = ["", r"\dot", r"\ddot", r"\dddot"].get(one.dots)?;
-    let places = match &one.call {
-        Call::None => String::new(),
-        Call::Places(places) => format!("({})", places.join(",")),
-        Call::Other => return None,
-    };
-    let wanted = bare(&format!("{dots}{}{places}", one.key()));
-    (sorted(&bare(&side.text)) == sorted(&wanted)).then(|| all.swap_remove(0))
-}
-
-/// A text without braces, spaces and the names of styles.
-fn bare(text: &str) -> String {
-    let text = without(
-        text,
-        &[
-            r"\left",
-            r"\right",
-            r"\boldsymbol",
-            r"\mathbf",
-            r"\vec",
-            r"\bm",
-            r"\bf",
-            r"\rm",
-            r"\mathrm",
-            r"\text",
-            r"\prime",
-            "'",
-        ],
-    );
-    text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}' | '^')).collect()
-}
-
-fn without(text: &str, commands: &[&str]) -> String {
-    commands.iter().fold(text.to_owned(), |text, c| text.replace(c, ""))
-}
-
-fn sorted(text: &str) -> Vec<char> {
-    let mut out: Vec<char> = text.chars().collect();
-    out.sort_unstable();
-    out
 }
 
 /// The independent variable by which the names of a step are derived, if there is just one.
@@ -249,27 +187,6 @@ fn inside(keys: &[String], given: &[&Given]) -> Vec<String> {
         out.extend(more);
     }
     out.split_off(keys.len())
-}
-
-/// A name by which something is derived, `\partial L/\partial\dot x`, with its dots apart.
-fn undotted(name: PaperName) -> PaperName {
-    let dots = [(r"\dot", 1), (r"\ddot", 2)];
-    let found = dots.into_iter().find_map(|(command, n)| {
-        let rest = name.base.strip_prefix(command)?;
-        (name.dots == 0 && !rest.starts_with(|c: char| c.is_ascii_alphabetic())).then_some((rest, n))
-    });
-    match found {
-        Some((rest, dots)) => {
-            let base = rest.trim().trim_start_matches('{').trim_end_matches('}').trim().to_owned();
-            PaperName { letter: base.clone(), base, dots, ..name }
-        }
-        None => name,
-    }
-}
-
-/// A name without its primes.
-pub fn unprimed(name: &PaperName) -> PaperName {
-    PaperName { base: name.base.trim_end_matches('\'').to_owned(), primes: 0, ..name.clone() }
 }
 
 /// The variable by which a prime derives: that of which the paper prints the name as a function, or by which it derives it. The time
@@ -398,7 +315,14 @@ impl Desk {
                 return Err(NotRead::of("an absolute value of what may be complex"));
             }
         }
-        desk.declare(&all, given, evidence, time.as_deref())?;
+        let whole: Vec<&str> = texts().chain(given.iter().map(|g| g.right.text.as_str())).collect();
+        if is_charge(&whole) && !all.iter().any(|n| n.key() == "e") {
+            let declared =
+                desk.scope.declare(&mut desk.graph, "e", Declaration::of(Role::Parameter)).map_err(refused)?;
+            desk.scalars.push(("e".to_owned(), declared, true));
+        }
+        let place = sides.first().map_or(0, |s| s.span.start);
+        desk.declare(&all, given, (evidence, place), time.as_deref())?;
         Ok(desk)
     }
 
@@ -406,7 +330,7 @@ impl Desk {
         &mut self,
         all: &[PaperName],
         given: &[&Given],
-        evidence: &Evidence,
+        (evidence, place): (&Evidence, usize),
         time: Option<&str>,
     ) -> Result<(), NotRead> {
         let defined: BTreeSet<&str> = given.iter().filter(|g| !g.is_rate).map(|g| g.key.as_str()).collect();
@@ -451,7 +375,7 @@ impl Desk {
             } else {
                 Role::Parameter
             };
-            let shape = name.is_bold.then(|| Shape::vector(3));
+            let shape = shape_of(name, &key, evidence, place).filter(|_| !is_field || name.is_bold);
             let declaration = Declaration { shape: shape.clone(), ..Declaration::of(role) };
             let symbol = self.scope.declare(&mut self.graph, &declared, declaration).map_err(refused)?;
             if role == Role::State {

@@ -8,7 +8,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use paper::{PrintedSide, names, squeezed};
 
-use super::desk::{Given, unprimed};
+use super::desk::Given;
+use super::lone::unprimed;
 
 /// Definitions that a step may need.
 const MOST_GIVEN: usize = 14;

@@ -7,11 +7,15 @@ use meter::Limits;
 use paper::{Paper, PrintedRelation, PrintedSide, names};
 
 use super::cases::{Cases, Stance};
-use super::desk::{Desk, Given, NotRead, evidence_of, lone_name, unprimed};
+use super::desk::{Desk, Given, NotRead, evidence_of};
 use super::facts::{Facts, Reach, Stated};
+use super::lone::{lone_name, unprimed};
 use super::nearest::Sureness;
 use super::notation::Evidence;
-use super::relation::{are_multiples, free_indices, has_dimensions, is_congruence, is_evaluated, lone_right};
+use super::relation::{
+    are_multiples, free_indices, gives_values, has_dimensions, is_congruence, is_evaluated, is_integrated,
+    is_letter_at_place, lone_right,
+};
 use super::sentence::{Sentence, explains, is_supposed, parts};
 use super::setting::Noted;
 use super::signs::{ABOUT, COMPARES, EQUALS, is_one_of};
@@ -20,7 +24,7 @@ use super::{Judgement, Lint, Word};
 use paper::squeezed;
 
 /// Longest side, in bytes, that is looked at.
-const LONGEST: usize = 1500;
+pub(super) const LONGEST: usize = 1500;
 /// Relations right behind another, which list several values of one name.
 const NEIGHBOURS: usize = 3;
 /// Relations behind a display that may explain its names.
@@ -48,31 +52,6 @@ pub fn lint(paper: &Paper, limits: &Limits) -> Lint {
     };
     let judgements = (0..paper.printed.len()).map(|at| judge.relation(at)).collect();
     Lint { judgements }
-}
-
-/// How a printed relation can be typeset.
-pub struct Typeset {
-    /// The scope in which its sides are read.
-    pub scope: latex::Scope,
-    /// The sides, with a sign of multiplication where a bracket behind a name could be a call.
-    pub sides: Vec<String>,
-}
-
-/// For each printed relation how it can be typeset; `None` where its names are not read.
-pub fn typesetting(paper: &Paper) -> Vec<Option<Typeset>> {
-    let evidence = evidence_of(paper, &Limits::default());
-    let is_factor = |letter: &str| !evidence.may_be_function(letter);
-    let one = |relation: &PrintedRelation| {
-        let sides: Vec<&PrintedSide> = relation.sides.iter().filter(|s| s.text.len() <= LONGEST).collect();
-        let scope = Desk::new(&sides, &[], &evidence, &free_indices(relation)).ok()?.scope;
-        let text = |s: &PrintedSide| match latex::parse(&s.text, &scope) {
-            Ok(_) => s.text.clone(),
-            Err(_) => s.with_factors(&is_factor),
-        };
-        let sides = relation.sides.iter().map(text).collect();
-        Some(Typeset { scope, sides })
-    };
-    paper.printed.iter().map(one).collect()
 }
 
 pub(super) struct Judge<'p> {
@@ -186,6 +165,12 @@ impl Judge<'_> {
         }
         if let Some(ended) = self.evidence.ended() {
             (out.word, out.why) = (Word::NotFollowed, ended.to_string());
+            return out;
+        }
+        // A letter before two places, each of which is a side of a chain with it, is a function.
+        let all: Vec<&PrintedSide> = relation.sides.iter().filter(|s| is_letter_at_place(s)).collect();
+        if let Some(found) = self.evidence.obstacle_together(&all) {
+            out.why = found.feature;
             return out;
         }
         let sentence = self.sentence(relation);
@@ -330,7 +315,8 @@ impl Judge<'_> {
             let blame = match (
                 sentence.loosens
                     || sentence.solves && alone
-                    || self.evidence.is_algebra()
+                    || self.evidence.is_algebra(left)
+                    || is_integrated(relation, k)
                     || is_evaluated && [left, right].iter().any(|s| !names(s).is_empty())
                     || has_dimensions
                     || is_congruence(&relation.signs[k - 1])
@@ -340,7 +326,7 @@ impl Judge<'_> {
                 (true, _) => Blame::Nothing,
                 (false, _) if derived && sentence.fixes => Blame::Nothing,
                 (false, _) if derived => Blame::Steps,
-                (false, true) if defining || is_supposed(self.paper, relation) => Blame::Nothing,
+                (false, true) if defining || k == 1 && is_supposed(self.paper, relation) => Blame::Nothing,
                 (false, true) => Blame::Identities,
                 (false, false) if defining && !self.has_rates() && !solved => Blame::Nothing,
                 (false, false) => Blame::Steps,
@@ -396,6 +382,7 @@ impl Judge<'_> {
                     if blame == Blame::Steps
                         && !sentence.changes
                         && before.as_ref().is_some_and(|g| g.relation + NEIGHBOURS < at)
+                        && !names(right).is_empty()
                         && first.as_ref().is_some_and(|n| n.dots + n.primes == 0 && n.derived_by.is_none())
                     {
                         tally.differs = before.and_then(|g| self.slip_of(&g, right, &place));
@@ -468,7 +455,11 @@ impl Judge<'_> {
         } else if defines && undecided == 0 {
             out.word = Word::Defines;
         } else if defines {
-            out.word = if out.steps.1 > 1 || relation.sides.len() > 2 { Word::NotFollowed } else { Word::Defines };
+            out.word = match relation.sides.len() > 2 || out.steps.1 > 1 {
+                true if gives_values(relation) => Word::Condition,
+                true => Word::NotFollowed,
+                false => Word::Defines,
+            };
             if out.word == Word::NotFollowed {
                 out.why = "a step between its later sides is not decided".to_owned();
             }
@@ -498,7 +489,9 @@ impl Judge<'_> {
             let more = "where what is constant is positive".to_owned();
             out.why = if out.why.is_empty() { more } else { format!("{}; {more}", out.why) };
         }
-        let value = relation.sides.len() == 2 && names(&relation.sides[1]).is_empty();
+        let value = relation.sides.len() == 2
+            && names(&relation.sides[1]).is_empty()
+            && !relation.sides[1].text.contains("matrix}");
         let is_rate = first.as_ref().is_some_and(|n| n.dots > 0 || n.derived_by.is_some());
         if out.word == Word::Defines && !is_rate && (value || lone_name(&relation.sides[1]).is_some()) {
             out.word = Word::Condition;
@@ -559,7 +552,10 @@ impl Judge<'_> {
         }
         let own = names(right);
         // A value is a condition, and what stands on both sides is an equation.
-        if own.is_empty() || own.iter().any(|n| n.key() == key && (!is_rate || n.dots > 0 || n.derived_by.is_some())) {
+        let is_matrix = right.text.contains("matrix}");
+        if own.is_empty() && !is_matrix
+            || own.iter().any(|n| n.key() == key && (!is_rate || n.dots > 0 || n.derived_by.is_some()))
+        {
             return;
         }
         if matches!(&name.call, paper::Call::Places(places) if places.len() != 1 || places[0].chars().any(|c| c.is_ascii_digit()))
@@ -571,6 +567,12 @@ impl Judge<'_> {
             // What was defined before is defined no more: by what, was not read.
             self.facts.given.forget(&key, is_rate);
             return;
+        }
+        // What its derivatives were is no more.
+        if !is_rate && name.primes == 0 {
+            for primes in ["'", "''"] {
+                self.facts.given.forget(&format!("{key}{primes}"), false);
+            }
         }
         let given = Given {
             key,

@@ -17,6 +17,9 @@ mod cases;
 mod desk;
 mod facts;
 mod judge;
+mod letters;
+mod lone;
+mod markdown;
 mod nearest;
 mod notation;
 mod numbers;
@@ -31,14 +34,16 @@ mod slips;
 mod step;
 #[cfg(test)]
 mod tests;
+mod typeset;
 
 use std::ops::Range;
 
 use paper::Paper;
 
 pub use desk::NotRead;
-pub use judge::{Typeset, lint, typesetting};
+pub use judge::lint;
 pub use shown::{at_a_point, decimal, diagnostic, explained, lint_text, summary};
+pub use typeset::{Typeset, typesetting};
 
 /// What is said of a printed relation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

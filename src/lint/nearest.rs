@@ -29,6 +29,9 @@ const ROUNDED: f64 = 0.02;
 /// Fewest nodes of a side whose slip is told.
 const FEWEST_NODES: usize = 5;
 
+/// The same of a step between numbers.
+const LEAST_OF_NUMBERS: usize = 2;
+
 /// Fewest nodes of a side with one name for another: where the name stands on the other side of a chain, and else.
 const LEAST_EXCHANGED: (usize, usize) = (6, 9);
 
@@ -85,11 +88,15 @@ pub enum Sureness {
 /// The nearest formula that holds, where a step is refuted.
 pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sureness) -> Option<WrongStep> {
     let Identity::Refuted(refutation) = &asked.identity else { return None };
-    if asked.desk.is_complex || !free.is_empty() {
+    if asked.desk.is_complex && !rests.stated.is_empty() || !free.is_empty() {
         return None;
     }
     // A number that was rounded.
     let (left, right) = (refutation.left.decimal, refutation.right.decimal);
+    let is_of_numbers = asked.desk.scalars.is_empty();
+    if is_of_numbers && last_place(&asked.text).is_some_and(|unit| (left - right).abs() < unit) {
+        return None;
+    }
     if (left - right).abs() < ROUNDED * left.abs().max(right.abs())
         && asked.text.chars().filter(char::is_ascii_digit).count() > 2
     {
@@ -108,7 +115,18 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     let smallest = if conserves { size(&chain.sides[0]) } else { chain.sides.iter().map(size).min()? };
     let is_solved = sureness == Sureness::Concludes && !rests.stated.is_empty();
     let least = if is_solved || sureness >= Sureness::Chain && !rests.given.is_empty() { 1 } else { 3 };
-    let fewest = if sureness == Sureness::Derives { 3 } else { FEWEST_NODES };
+    let fewest = match sureness {
+        Sureness::Derives | Sureness::Chain => FEWEST_NODES - 2,
+        Sureness::Concludes => FEWEST_NODES - 1,
+        Sureness::Stands => FEWEST_NODES,
+    };
+    // In a chain, numbers alone are reckoned with: what they stand for does not matter.
+    let is_reckoned = chain.sides.iter().any(|s| !is_written_number(s));
+    let is_of_numbers = sureness >= Sureness::Chain && named(&chain.sides).is_empty();
+    if is_of_numbers && !is_reckoned {
+        return None;
+    }
+    let (fewest, least) = if is_of_numbers { (LEAST_OF_NUMBERS, 1) } else { (fewest, least) };
     if chain.sides.iter().map(size).max()? < fewest || smallest < least {
         return None;
     }
@@ -166,6 +184,13 @@ pub fn is_slip_of(asked: &Asked) -> bool {
     altered.iter().any(|s| s.way == Alteration::Value && spelled(chain, &s.side) == wanted)
 }
 
+/// The unit of the last place of the decimal number with the fewest of them: 0.01 of `2/45=0.04`.
+fn last_place(text: &str) -> Option<f64> {
+    let digits = |rest: &str| rest.chars().take_while(char::is_ascii_digit).count();
+    let places = text.match_indices('.').map(|(at, _)| digits(&text[at + 1..])).filter(|n| *n > 0).min()?;
+    Some((0..places.min(18)).fold(1.0, |unit, _| unit / 10.0))
+}
+
 struct Search<'a> {
     asked: Asked,
     rests: &'a Rests,
@@ -205,7 +230,8 @@ impl Search<'_> {
         }
         // Beside a lone name, or a number, anything could be meant.
         let plain = |n: &Node| matches!(n.kind, NodeKind::Symbol(_) | NodeKind::Number(_));
-        if plain(&altered.sides[k]) || plain(&chain.sides[k]) {
+        let is_of_numbers = self.sureness >= Sureness::Chain && k == 1 && named(&chain.sides).is_empty();
+        if !is_of_numbers && (plain(&altered.sides[k]) || plain(&chain.sides[k])) {
             return None;
         }
         // With definitions, another name, or one more or fewer, may be another definition; in a chain, a name that stands on the other side is
@@ -344,17 +370,27 @@ fn drawn(asked: &Asked, point: &Point) -> Option<LintPicture> {
     })
 }
 
+/// Whether a side is a number as it is written, with its sign: `-4=5` is said modulo something.
+fn is_written_number(side: &Node) -> bool {
+    match &side.kind {
+        NodeKind::Number(_) => true,
+        NodeKind::Sum(terms) => matches!(terms.as_slice(), [(_, one)] if is_written_number(one)),
+        NodeKind::Group(inner, _) => is_written_number(inner),
+        _ => false,
+    }
+}
+
 /// Whether the later side is a number: it may be the value for values that words give.
 fn is_evaluated(chain: &Chain) -> bool {
     let [earlier, later] = [0, 1].map(|k| named(std::slice::from_ref(&chain.sides[k])));
     later.is_empty() && !earlier.is_empty()
 }
 
-/// Whether both sides are products of the same names in another order: their order may count.
+/// Whether both sides are products of the same factors in another order: their order may count.
 fn is_reordered(chain: &Chain) -> bool {
     let sequence = |side: &Node| {
         let mut out = Vec::new();
-        sequence_of(side, &mut out);
+        factors_of(side, &mut out);
         out
     };
     let [a, b] = chain.sides.as_slice() else { return false };
@@ -367,6 +403,16 @@ fn is_reordered(chain: &Chain) -> bool {
     sorted.0.sort();
     sorted.1.sort();
     is_product(a) && is_product(b) && first.len() > 1 && first != second && sorted.0 == sorted.1
+}
+
+/// The names of a side in their order, with their powers. What a function takes is a number, and so is what it gives: its place in a product
+/// counts for nothing.
+fn factors_of(side: &Node, out: &mut Vec<String>) {
+    match &side.kind {
+        NodeKind::Symbol(s) => out.push(format!("{}{:?}^{:?}", s.name, s.sub, s.sup.as_ref().map(|n| &n.kind))),
+        NodeKind::Function(..) | NodeKind::Number(_) => {}
+        _ => side.children().into_iter().for_each(|c| factors_of(c, out)),
+    }
 }
 
 /// The names of a side in their order.

@@ -9,6 +9,7 @@ use meter::{Ended, Limits, Task};
 use paper::{Notation, Paper, PrintedSide};
 
 use super::desk::NotRead;
+use super::letters::{Sizes, sizes};
 
 /// What the whole paper shows of its names and of its notation.
 #[derive(Clone, Debug, Default)]
@@ -17,6 +18,8 @@ pub struct Evidence {
     notation: Notation,
     /// Letters that have a subscript which is no index.
     labelled: BTreeSet<String>,
+    /// Of names that are equal to a matrix somewhere: where the section begins and ends in which they are, and its rows and columns.
+    sizes: Sizes,
     /// The work of the paper.
     limits: Limits,
 }
@@ -38,7 +41,8 @@ impl Evidence {
         };
         let has_label = |(_, all): &(&String, &BTreeSet<String>)| all.iter().any(|s| is_label(s));
         let labelled = names.subscripts.iter().filter(has_label).map(|(letter, _)| letter.clone()).collect();
-        Evidence { names, notation: Notation::of(paper), labelled, limits: limits.of_file(0) }
+        let sizes = sizes(paper);
+        Evidence { names, notation: Notation::of(paper), labelled, sizes, limits: limits.of_file(0) }
     }
 
     /// The limits of the questions of the paper, with one total for all of them.
@@ -52,14 +56,22 @@ impl Evidence {
         self.limits.reached().or_else(|| is_worked_through.then_some(Ended::File(Task::Step, self.limits.work)))
     }
 
+    /// Rows and columns of a name at a place, where the section says that it is a matrix.
+    pub fn matrix_size(&self, key: &str, place: usize) -> Option<(usize, usize)> {
+        let mut here =
+            self.sizes.get(key)?.iter().filter(|(section, _)| section.contains(&place)).map(|(_, size)| *size);
+        let first = here.next()?;
+        here.all(|other| other == first).then_some(first)
+    }
+
     /// Whether a letter has a subscript that is no index: beside `E_r` and `E_t`, the one of `E_i` is a label, too.
     pub fn is_labelled(&self, letter: &str) -> bool {
         self.labelled.contains(letter)
     }
 
-    /// Whether the paper is one of groups, rings or modules: what is printed as a product, or a sum, may be anything.
-    pub fn is_algebra(&self) -> bool {
-        self.notation.is_algebra()
+    /// Whether a side stands in a text of groups, rings, cardinals or logic: what is printed as a product, or a sum, may be anything.
+    pub fn is_algebra(&self, side: &PrintedSide) -> bool {
+        self.notation.is_algebra(side)
     }
 
     /// Whether something is said modulo something: `\equiv` is then no equality.

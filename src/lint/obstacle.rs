@@ -210,9 +210,10 @@ fn is_sandwiched(text: &str) -> bool {
     behind
         || squeezed.match_indices("^-1").any(|(at, _)| {
             let before = &squeezed[..at];
-            let from =
+            let command =
                 before.rfind('\\').filter(|k| before[k + 1..].chars().all(|c| c.is_ascii_alphabetic()) && at - k > 2);
-            let name = &before[from.unwrap_or(before.len().saturating_sub(1))..];
+            let last = before.char_indices().next_back().map_or(0, |(k, _)| k);
+            let name = &before[command.unwrap_or(last)..];
             let term = before[..before.len() - name.len()].rsplit(['+', '-', '=', '/']).next().unwrap_or_default();
             let letter = name.chars().all(|c| c.is_ascii_alphabetic() || c == '\\');
             letter && term.find(name).is_some_and(|k| k + name.len() < term.len() && !term.contains(r"\frac"))

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use paper::{PrintedRelation, PrintedSide, names, squeezed};
 
-use super::desk::{lone_name, unprimed};
+use super::lone::{lone_name, unprimed};
 
 /// Whether a sign may say that two sides are equal but for multiples of something, or by definition.
 pub(super) fn is_congruence(sign: &str) -> bool {
@@ -41,6 +41,32 @@ pub(super) fn is_evaluated(relation: &PrintedRelation) -> bool {
     let is_number =
         |s: &PrintedSide| s.text.contains(|c: char| c.is_ascii_digit()) && s.text.trim() != "0" && names(s).is_empty();
     relation.sides.iter().skip(1).any(is_number)
+}
+
+/// Whether a side is a letter with a group in parentheses behind it, and nothing else.
+pub(super) fn is_letter_at_place(side: &PrintedSide) -> bool {
+    let text = squeezed(&side.text).replace(r"\left", "").replace(r"\right", "");
+    let Some((name, inside)) = text.split_once('(') else { return false };
+    let is_command = name.strip_prefix('\\').is_some_and(|n| n.chars().all(|c| c.is_alphanumeric() || c == '_'));
+    let is_letter = name.chars().count() == 1 || name.chars().nth(1) == Some('_') || is_command;
+    is_letter && inside.strip_suffix(')').is_some_and(|i| !i.contains(['(', ')']))
+}
+
+/// Whether all sides but the last are lone names, and that is one or a number.
+pub(super) fn gives_values(relation: &PrintedRelation) -> bool {
+    let Some((last, names_before)) = relation.sides.split_last() else { return false };
+    names_before.iter().all(|s| lone_name(s).is_some()) && (names(last).is_empty() || lone_name(last).is_some())
+}
+
+/// Letters of constants of integration.
+const OF_INTEGRATION: &[&str] = &["c", "C", "K", "k"];
+
+/// Whether both sides of a step of a chain that has an integral before it have the same constant of integration: it may stand for another one.
+pub(super) fn is_integrated(relation: &PrintedRelation, step: usize) -> bool {
+    let has = |side: &PrintedSide, letter: &str| names(side).iter().any(|n| n.key() == letter);
+    let [left, right] = [step - 1, step].map(|k| &relation.sides[k]);
+    relation.sides[..step].iter().any(|s| s.text.contains(r"\int"))
+        && OF_INTEGRATION.iter().any(|c| has(left, c) && has(right, c))
 }
 
 /// The later side of an equation of two.

@@ -8,6 +8,8 @@ use std::ops::Range;
 
 use paper::{Paper, PrintedRelation};
 
+use super::markdown::{is_markdown, without_closing, without_opening};
+
 /// The longest text before a display that is looked at, in bytes.
 const BEFORE: usize = 500;
 /// The longest text behind it.
@@ -93,6 +95,10 @@ const LOOSENS: &[&str] = &[
     "renam",
     "relabel",
     "natural units",
+    "choose units",
+    "choice of units",
+    "set of units",
+    "system of units",
     "units in which",
     "units where",
     "units such that",
@@ -234,6 +240,10 @@ impl Sentence {
         };
         let before = window(&file.text, from.max(span.start.saturating_sub(BEFORE)), span.start);
         let behind = window(&file.text, span.end, (span.end + BEHIND).min(file.text.len()));
+        let (before, behind) = match is_markdown(&file.path) {
+            true => (without_opening(before), without_closing(behind)),
+            false => (before, behind),
+        };
         let before = uncommented(before.rsplit("\n\n").next().unwrap_or(""));
         let behind = uncommented(behind.split("\n\n").next().unwrap_or(""));
         let lower = before.to_lowercase();
@@ -262,7 +272,8 @@ pub fn explains(paper: &Paper, display: &PrintedRelation, relation: &PrintedRela
         return false;
     }
     let between = uncommented(window(&file.text, first.end, second.start));
-    if between.contains("\n\n") {
+    let own = if is_markdown(&file.path) { without_closing(&between) } else { &between };
+    if own.contains("\n\n") {
         return false;
     }
     let words = between.to_lowercase();

@@ -8,9 +8,10 @@ use std::collections::BTreeSet;
 use paper::{PrintedRelation, PrintedSide, names, squeezed};
 
 use super::cases::{Cases, Stance, stance};
-use super::desk::{Given, lone_name};
+use super::desk::Given;
 use super::facts::{NEAR, Stated};
 use super::judge::{Judge, MOST_EXPLAINED};
+use super::lone::lone_name;
 use super::question::{Positive, Rests};
 use super::step::Place;
 
@@ -110,13 +111,21 @@ impl Judge<'_> {
             g.relation != given.relation
                 && g.is_rate == given.is_rate
                 && self.display_of(g.relation) == display
-                && (display.is_some() || g.relation.abs_diff(given.relation) <= 2)
+                && (display.is_some() || g.relation.abs_diff(given.relation) <= 2 && self.is_one_paragraph(g, given))
                 && squeezed(&g.right.text) != squeezed(&given.right.text)
         };
         let others: Vec<PrintedSide> =
             self.facts.given.of(&given.key).filter(|g| other(g)).map(|g| g.right.clone()).collect();
         let rests = Rests { given: Vec::new(), stated: Vec::new(), positive: Positive::Named(BTreeSet::new()) };
         others.iter().any(|right| !self.ask([&given.right, right], &rests, free).is_ok_and(|a| a.is_proved()))
+    }
+
+    /// Whether two definitions stand in one paragraph.
+    fn is_one_paragraph(&self, one: &Given, other: &Given) -> bool {
+        let place = |g: &Given| self.paper.locate(&self.paper.printed[g.relation].span());
+        let ((file, a), (of, b)) = (place(one), place(other));
+        let (from, to) = (a.end.min(b.end), a.start.max(b.start));
+        std::sync::Arc::ptr_eq(file, of) && file.text.get(from..to).is_none_or(|between| !between.contains("\n\n"))
     }
 
     /// Whether the same left side, which is more than a name, is said to be something else near an equation: they are of two cases.

@@ -44,9 +44,7 @@ pub enum Alteration {
 
 /// A tree without brackets, whose work the tree itself does, and without exponents of 1: what two sides are compared by.
 pub fn bare(of: &Node) -> Node {
-    let is_one = |sup: &Option<Box<Node>>| {
-        sup.as_ref().is_some_and(|n| matches!(&n.kind, NodeKind::Number(r) if *r == Rational::ONE))
-    };
+    let is_one = |sup: &Option<Box<Node>>| sup.as_ref().is_some_and(|n| is_one(n));
     match &of.kind {
         NodeKind::Group(inner, Bracket::Round | Bracket::Square) => return bare(inner),
         NodeKind::Scripted { base, sub: None, sup, .. } if is_one(sup) => return bare(base),
@@ -60,6 +58,15 @@ pub fn bare(of: &Node) -> Node {
         out = with_child(&out, k, bare(child)).unwrap_or(out);
     }
     out
+}
+
+/// Whether a tree is the number 1, with a sign or without: `A^{+1}` is A.
+fn is_one(node: &Node) -> bool {
+    match &node.kind {
+        NodeKind::Number(r) => *r == Rational::ONE,
+        NodeKind::Sum(terms) => matches!(terms.as_slice(), [(Sign::Plus, one)] if is_one(one)),
+        _ => false,
+    }
 }
 
 /// The number of nodes of a tree.

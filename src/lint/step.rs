@@ -8,9 +8,10 @@ use std::collections::BTreeSet;
 use paper::{PrintedSide, names, squeezed};
 use proof::Identity;
 
-use super::desk::{Given, NotRead, unprimed};
+use super::desk::{Given, NotRead};
 use super::facts::{Reach, Stated};
 use super::judge::Judge;
+use super::lone::unprimed;
 use super::nearest::{Sureness, WrongStep, introduces_nothing, is_slip_of, nearest};
 use super::numbers::agreement;
 use super::question::{Asked, Positive, Rests, ask};

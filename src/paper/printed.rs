@@ -56,7 +56,8 @@ pub struct PrintedSide {
 impl PrintedRelation {
     /// From its first to its last side.
     pub fn span(&self) -> Range<usize> {
-        let start = self.sides.iter().map(|s| s.span.start).min().unwrap_or(0);
+        // A side that is missing stands nowhere.
+        let start = self.sides.iter().filter(|s| !s.span.is_empty()).map(|s| s.span.start).min().unwrap_or(0);
         start..self.sides.iter().map(|s| s.span.end).max().unwrap_or(start)
     }
 

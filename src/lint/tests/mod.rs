@@ -95,3 +95,18 @@ fn what_is_explained_is_taken_back() {
     let (paper, found) = linted(text);
     assert_eq!(found.count(Word::Wrong), 0, "{}", all(&found, &paper));
 }
+
+#[test]
+fn a_chain_of_names_that_ends_with_a_value_is_a_condition() {
+    let word = |tex: &str| linted(tex).1.judgements.last().map(|j| j.word);
+    assert_eq!(word(r"\[ x_1=x_2=0 \]"), Some(Word::Condition));
+    assert_eq!(word(r"\[ a=b=c \]"), Some(Word::Condition));
+    assert_eq!(word(r"\[ K=E=\frac12mv^2 \]"), Some(Word::NotFollowed));
+}
+
+#[test]
+fn a_formula_without_a_first_side_stands_where_it_is_printed() {
+    let (paper, found) = linted("A line,\n\\[ =a+b \\]");
+    let (_, place) = paper.locate(&found.judgements[0].span);
+    assert!(place.start > 7, "{place:?}");
+}

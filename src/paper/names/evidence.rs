@@ -279,6 +279,18 @@ pub fn is_alone(side: &PrintedSide) -> bool {
         .all(|m| !signs.contains(&m.text.as_str()) && !m.text.starts_with(|c: char| c.is_ascii_digit()))
 }
 
+/// What makes a number of matrices, or may.
+const OF_NUMBERS: &[&str] =
+    &[r"\det", r"\cdot", r"\times", "|", r"\lvert", r"\operatorname", r"\mathrm", "^T", r"^{T}", r"\tr"];
+
+impl PrintedSide {
+    /// Rows and columns, where the side is a product or a sum of matrices that are written out.
+    pub fn matrix_size(&self) -> Option<(usize, usize)> {
+        let is_matrix = !OF_NUMBERS.iter().any(|w| self.text.contains(w));
+        size(&self.tokens).filter(|_| is_matrix)
+    }
+}
+
 /// Rows and columns of a product, or a sum, of matrices that are written out: those of its first, and of its last.
 pub fn size(tokens: &[Token]) -> Option<(usize, usize)> {
     let (mut first, mut last) = (None, None);

@@ -4,6 +4,7 @@
 //! lone names, are looked at; what is seen of a letter once is so in the whole paper. A formula that is not read is told as that: a
 //! power that is an index, or two operators in another order, would be *proved*.
 
+mod algebra;
 mod ambiguous;
 mod print;
 
@@ -11,15 +12,16 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Paper, PrintedRelation, PrintedSide};
 use super::{PaperName, names};
+use algebra::Algebra;
 use ambiguous::{
-    applies_a_group, has_bare_degrees, has_commutator, has_expectation, has_ladder, has_map_of_vector,
+    applies_a_group, has_bare_degrees, has_commutator, has_cosets, has_expectation, has_ladder, has_map_of_vector,
     has_order_of_magnitude, has_plain_triple_product, has_primed_transpose, has_small_transpose, has_turned_subscripts,
     has_two_places, has_upright_derivative,
 };
 use print::{
-    Raised, call, follows_a_flow, has_bare_brackets, has_bars, has_identity, has_imaginary, has_named_function,
-    has_norm, has_pair, has_product_of_letters, has_unit_of_italics, is_letter_token, is_twice, scripted,
-    squares_an_absolute_value, tokens,
+    Raised, call, follows_a_flow, has_bare_brackets, has_bars, has_column_of_two, has_identity, has_imaginary,
+    has_named_function, has_norm, has_pair, has_plain_function, has_product_of_letters, has_unit_of_italics,
+    is_letter_token, is_twice, scripted, squares_an_absolute_value, tokens,
 };
 
 /// What a paper shows of its notation.
@@ -33,8 +35,8 @@ pub struct Notation {
     ordered: BTreeSet<String>,
     /// Keys of names that are called operators.
     acting: BTreeSet<String>,
-    /// Whether the paper is one of groups, rings or modules.
-    is_algebra: bool,
+    /// The relations that stand in a text of groups, rings, cardinals or logic: where each begins, and ends.
+    algebra: BTreeMap<usize, usize>,
     /// Keys of names that are equal, to some power, to what has a rate in it: they vary, though no rate of them is printed.
     varies: BTreeSet<String>,
     /// Whether the imaginary unit stands somewhere.
@@ -51,6 +53,8 @@ pub struct Notation {
     has_modulus: bool,
     /// Whether it is one of quanta: products of vectors may be of operators.
     is_quantum: bool,
+    /// Whether it counts combinations: a column of two in parentheses may be a binomial coefficient.
+    is_combinatorial: bool,
 }
 
 /// Words of papers in which an E may be an expectation.
@@ -75,27 +79,8 @@ const EIGEN: &[&str] =
 /// What says that something holds modulo something.
 const MODULO: &[&str] = &[r"\pmod", r"\bmod", r"\pod", "(mod", "$ mod $", "$ mod~$", "congruence", "congruent mod"];
 
-/// Words of papers in which letters side by side are no numbers.
-const ALGEBRA: &[&str] = &[
-    "subgroup",
-    "coset",
-    "homomorphism",
-    "isomorphi",
-    "abelian",
-    "noetherian",
-    "functor",
-    "morphism",
-    "sylow",
-    "legendre symbol",
-    "alternating group",
-    "symmetric group",
-    "conjugacy class",
-    "residue field",
-    "quotient group",
-    "quotient ring",
-];
-/// So often such words stand in one.
-const MANY_WORDS: usize = 8;
+/// Words of papers in which a column of two in parentheses may be a binomial coefficient.
+const BINOMIAL: &[&str] = &["binomial", r"\binom", r"\choose", "combinator", "binôm", "coefficiente binom", "pascal's"];
 
 /// Words beside a lone name that say that its order counts.
 const ORDERED: &[&str] = &[
@@ -128,17 +113,17 @@ impl Notation {
         let mut out = Notation::default();
         for file in files(paper) {
             let text = file.text.to_lowercase();
-            let count: usize = ALGEBRA.iter().map(|w| text.matches(w).count()).sum();
-            out.is_algebra |= count >= MANY_WORDS;
             out.ordered.extend(named_beside(&file.text, ORDERED));
             out.acting.extend(named_beside(&file.text, ACTING));
             out.vectors.extend(named_beside(&file.text, VECTORS));
             let says = |words: &[&str]| words.iter().any(|w| text.contains(w));
             out.is_stochastic |= says(STOCHASTIC) || says(&["expectation"]) && !says(&[r"\hbar", r"\psi"]);
             out.has_eigenvectors |= says(EIGEN);
+            out.is_combinatorial |= says(BINOMIAL);
             out.has_modulus |= says(MODULO);
             out.is_quantum |= says(&[r"\hbar", "commutator", "kommutator", "commutateur"]);
         }
+        out.algebra = algebraic(paper);
         let mut pairs: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         for relation in &paper.printed {
             for side in relation.sides.iter().filter(|s| s.text.len() <= LONGEST) {
@@ -192,9 +177,10 @@ impl Notation {
         }
     }
 
-    /// Whether the paper is one of groups, rings or modules: what is printed as a product, or a sum, may be anything.
-    pub fn is_algebra(&self) -> bool {
-        self.is_algebra
+    /// Whether a side stands in a text of groups, rings, cardinals or logic: what is printed as a product, or a sum, may be anything.
+    pub fn is_algebra(&self, side: &PrintedSide) -> bool {
+        let before = self.algebra.range(..=side.span.start).next_back();
+        before.is_some_and(|(_, end)| side.span.start <= *end)
     }
 
     /// Whether something is said modulo something: `\equiv` is then no equality.
@@ -236,8 +222,11 @@ impl Notation {
         if has_unit_of_italics(&side.text) {
             return Some("a number with its unit, or a product");
         }
-        if has_named_function(&all) {
+        if has_named_function(&all) || has_plain_function(&side.text) {
             return Some("a function by its name, or a product");
+        }
+        if self.is_combinatorial && has_column_of_two(&all) {
+            return Some("a binomial coefficient, or a column");
         }
         if let Some(what) = call(&all) {
             return Some(what);
@@ -260,6 +249,9 @@ impl Notation {
     /// Why sides that are compared are no formulas of numbers together, though each of them could be one.
     pub fn not_numbers_together(sides: &[&PrintedSide], is_function: &dyn Fn(&str) -> bool) -> Option<&'static str> {
         let all: Vec<Vec<&str>> = sides.iter().map(|s| tokens(&s.text)).collect();
+        if has_cosets(&all) {
+            return Some("cosets, or sums");
+        }
         has_two_places(&all, is_function).then_some("a value at a place, or a product")
     }
 
@@ -327,7 +319,7 @@ impl Notation {
             .collect::<Vec<_>>();
         ordered.sort();
         ordered.dedup();
-        if ordered.len() > 1 || self.is_algebra && has_product_of_letters(&all) {
+        if ordered.len() > 1 || self.is_algebra(side) && has_product_of_letters(&all) {
             return Some("products whose order may count: matrices, operators, or elements of a group");
         }
         None
@@ -345,6 +337,24 @@ fn varying(sides: &[PrintedSide]) -> Vec<String> {
     };
     let beside = |k: &usize| has_rate(k + 1) || *k > 0 && has_rate(k - 1);
     (0..all.len()).filter(lone).filter(beside).map(|k| all[k][0].key()).collect()
+}
+
+/// Where the relations begin and end that stand in a text of algebra.
+fn algebraic(paper: &Paper) -> BTreeMap<usize, usize> {
+    let mut known: Vec<(std::sync::Arc<diag::Source>, Algebra)> = Vec::new();
+    let mut out = BTreeMap::new();
+    for relation in &paper.printed {
+        let span = relation.span();
+        let (file, place) = paper.locate(&span);
+        let found = known.iter().position(|(f, _)| std::sync::Arc::ptr_eq(f, file)).unwrap_or_else(|| {
+            known.push((file.clone(), Algebra::of(&file.text)));
+            known.len() - 1
+        });
+        if known[found].1.holds(place.start) {
+            out.insert(span.start, span.end);
+        }
+    }
+    out
 }
 
 /// The files of a paper that print something.

@@ -55,10 +55,14 @@ pub(super) fn has_two_places(sides: &[Vec<&str>], is_function: &dyn Fn(&str) -> 
         let plain = unset(all);
         for at in (1..plain.len()).filter(|&at| plain[at] == "(") {
             let base = match plain[at - 1] {
-                one if is_letter_token(one) && is_script(&plain, at - 1) => plain[at.saturating_sub(3)..at].concat(),
+                one if is_script(&plain, at - 1) && one != "{" => plain[at.saturating_sub(3)..at].concat(),
                 one if is_letter_token(one) && !is_function(one) => one.to_owned(),
                 _ => continue,
             };
+            let is_named = base.starts_with(|c: char| c.is_ascii_alphabetic() || c == '\\') && !base.contains('^');
+            if !is_named {
+                continue;
+            }
             let mut depth = 0i32;
             let Some(end) = (at..plain.len()).find(|&k| {
                 depth += i32::from(plain[k] == "(") - i32::from(plain[k] == ")");
@@ -233,4 +237,27 @@ pub(super) fn has_map_of_vector(all: &[&str]) -> bool {
         }
         is_vector && is_capital(plain[before]) && !is_script(&plain, before)
     })
+}
+
+/// Two groups in parentheses that end with the same capital as a further term, and a side that has it once, as its last term: cosets,
+/// `(a+I)+(b+I)=(a+b)+I`.
+pub(super) fn has_cosets(sides: &[Vec<&str>]) -> bool {
+    let plain: Vec<Vec<&str>> = sides.iter().map(|all| unset(all)).collect();
+    let is_coset = |side: &[&str], letter: &str| {
+        let bare = side.strip_suffix(&["."]).unwrap_or(side);
+        bare.ends_with(&["+", letter]) && bare.iter().filter(|t| **t == letter).count() == 1
+    };
+    let letters = |side: &[&str]| -> Vec<String> {
+        let ends: Vec<(usize, &str)> = (2..side.len())
+            .filter(|&at| side[at] == ")" && is_capital(side[at - 1]) && side[at - 2] == "+")
+            .map(|at| (at, side[at - 1]))
+            .collect();
+        let beside = |pair: &&[(usize, &str)]| {
+            let [(first, letter), (_, other)] = **pair else { return false };
+            let between = first + 1 + usize::from(matches!(side.get(first + 1), Some(&("+" | r"\cdot"))));
+            letter == other && side.get(between) == Some(&"(")
+        };
+        ends.windows(2).filter(beside).map(|pair| pair[0].1.to_owned()).collect()
+    };
+    plain.iter().any(|side| letters(side).iter().any(|letter| plain.iter().any(|other| is_coset(other, letter))))
 }

@@ -316,7 +316,12 @@ pub(super) fn is_script(all: &[&str], at: usize) -> bool {
 pub(super) fn call(all: &[&str]) -> Option<&'static str> {
     for i in 1..all.len() {
         let named = is_letter_token(all[i - 1]) && !is_script(all, i - 1);
+        let is_labelled = i > 2 && all[i - 2] == "_" && is_letter_token(all[i - 3]);
         match all[i] {
+            // Nobody sets a plus before a factor: `\omega_0(+m)`.
+            "(" if (named || is_labelled) && all.get(i + 1) == Some(&"+") => {
+                return Some("a value at a place, or a product");
+            }
             // `\pi(g)v` is a map of g as often as a number.
             "(" if all[i - 1] == r"\pi"
                 && i > 0
@@ -426,15 +431,63 @@ pub(super) fn has_named_function(all: &[&str]) -> bool {
     })
 }
 
-/// Two letters side by side.
+/// Functions that have no command of their own, or are written without it: before parentheses their letters are no factors.
+const PLAIN: &[&str] = &[
+    "sgn", "sign", "ord", "gcd", "lcm", "deg", "det", "dim", "ker", "rank", "span", "Var", "Cov", "Pr", "erf", "tr",
+    "mod", "arg", "Re", "Im", "max", "min", "log", "lim", "exp", "sup", "inf", "im", "Tr", "char", "card", "vol",
+    "supp",
+];
+
+/// Letters that spell a function right before parentheses: `sgn(\tau)`.
+pub(super) fn has_plain_function(text: &str) -> bool {
+    let mut rest = text;
+    let mut before = ' ';
+    while let Some(c) = rest.chars().next() {
+        let word = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
+        if word == 0 {
+            before = c;
+            rest = &rest[c.len_utf8()..];
+            continue;
+        }
+        let behind = rest[word..].trim_start();
+        let opens = ["(", "[", r"\left(", r"\left (", r"\big", r"\Big"].iter().any(|o| behind.starts_with(o));
+        if before != '\\' && before != '{' && opens && PLAIN.contains(&&rest[..word]) {
+            return true;
+        }
+        before = 'a';
+        rest = &rest[word..];
+    }
+    false
+}
+
+/// A column of two entries in parentheses, with no style of a vector beside it: `\begin{pmatrix}n\k\end{pmatrix}`.
+pub(super) fn has_column_of_two(all: &[&str]) -> bool {
+    let styled = |t: &&str| matches!(*t, r"\vec" | r"\mathbf" | r"\boldsymbol" | r"\bm" | r"\bf");
+    let is_begin = |at: usize| {
+        let word = |from: usize| all[from + 1..].iter().take_while(|t| **t != "}").copied().collect::<String>();
+        all[at] == r"\begin"
+            && all.get(at + 1) == Some(&"{")
+            && matches!(word(at + 1).as_str(), "pmatrix" | "smallmatrix" | "psmallmatrix")
+            || all[at] == r"\atop"
+    };
+    !all.iter().any(styled)
+        && (0..all.len()).filter(|&at| is_begin(at)).any(|at| {
+            let end = (at + 1..all.len()).find(|&k| all[k] == r"\end").unwrap_or(all.len());
+            let inside = &all[at + 1..end];
+            all[at] == r"\atop" || inside.iter().filter(|t| **t == r"\").count() == 1 && !inside.contains(&"&")
+        })
+}
+
+/// Two letters side by side, or with a dot between them.
 pub(super) fn has_product_of_letters(all: &[&str]) -> bool {
     let letter = |t: &str| is_letter_token(t);
+    let all: Vec<&str> = all.iter().copied().filter(|t| !matches!(*t, r"\cdot" | r"\,")).collect();
     (1..all.len()).any(|i| {
         let before = all[i - 1];
         letter(all[i])
             && (letter(before) || matches!(before, "}" | ")"))
-            && !is_script(all, i)
-            && !(is_script(all, i - 1) && before == "}")
+            && !is_script(&all, i)
+            && !(is_script(&all, i - 1) && before == "}")
     })
 }
 
