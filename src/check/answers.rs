@@ -5,7 +5,7 @@
 //! is asked for. **Guaranteed:** what is not asked for in [`AGES`] states of a file is forgotten.
 
 use std::collections::HashMap;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use serde::Serialize;
@@ -36,11 +36,23 @@ pub fn in_digits(name: &Key) -> String {
 /// Something that is kept, with the last age in which it was asked for.
 pub(super) type Aged<T> = (u64, Arc<T>);
 
-/// Answers by name, each with the last age in which it was asked for.
+/// An answer as bytes.
+#[derive(Debug)]
+struct Kept {
+    /// The last age in which it was asked for.
+    age: u64,
+    /// The counted work of finding it.
+    work: u64,
+    answer: Arc<[u8]>,
+}
+
+/// Answers by name.
 #[derive(Debug, Default)]
 pub struct Answers {
     age: u64,
-    kept: Mutex<HashMap<Key, Aged<[u8]>>>,
+    kept: Mutex<HashMap<Key, Kept>>,
+    /// The counted work of finding the answers that were known in this state of the file.
+    recalled: AtomicU64,
     /// How many answers were known when they were asked for, and how many were found and kept, since the table is there.
     counts: [AtomicUsize; 2],
 }
@@ -55,7 +67,8 @@ impl Answers {
     pub fn grow_older(&mut self) {
         self.age += 1;
         let now = self.age;
-        self.kept.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| *age + AGES >= now);
+        *self.recalled.get_mut() = 0;
+        self.kept.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, kept| kept.age + AGES >= now);
     }
 
     /// How many states of the file there were.
@@ -63,24 +76,32 @@ impl Answers {
         self.age
     }
 
+    /// The counted work that was spared in this state of the file, since answers were known from before.
+    pub fn recalled(&self) -> u64 {
+        self.recalled.load(Ordering::Relaxed)
+    }
+
     /// The answer to a question, if it is known.
     pub fn known<T: DeserializeOwned>(&self, name: Key) -> Option<T> {
         let bytes = {
             let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
-            let (age, bytes) = kept.get_mut(&name)?;
-            *age = self.age;
-            Arc::clone(bytes)
+            let kept = kept.get_mut(&name)?;
+            if std::mem::replace(&mut kept.age, self.age) != self.age {
+                self.recalled.fetch_add(kept.work, Ordering::Relaxed);
+            }
+            Arc::clone(&kept.answer)
         };
         let answer = postcard::from_bytes(&bytes).ok()?;
         self.counts[0].fetch_add(1, Ordering::Relaxed);
         Some(answer)
     }
 
-    /// Keeps an answer; one that cannot be written is found again.
-    pub fn keep<T: Serialize>(&self, name: Key, answer: &T) {
+    /// Keeps an answer, with the counted work of finding it; one that cannot be written is found again.
+    pub fn keep<T: Serialize>(&self, name: Key, answer: &T, work: u64) {
         self.counts[1].fetch_add(1, Ordering::Relaxed);
         if let Ok(bytes) = postcard::to_allocvec(answer) {
-            self.kept.lock().unwrap_or_else(PoisonError::into_inner).insert(name, (self.age, bytes.into()));
+            let kept = Kept { age: self.age, work, answer: bytes.into() };
+            self.kept.lock().unwrap_or_else(PoisonError::into_inner).insert(name, kept);
         }
     }
 
@@ -88,24 +109,24 @@ impl Answers {
     pub fn answer<T: Serialize + DeserializeOwned>(&self, name: Option<Key>, find: impl FnOnce() -> T) -> T {
         let Some(name) = name else { return find() };
         self.known(name).unwrap_or_else(|| {
+            let before = meter::spent();
             let found = find();
-            self.keep(name, &found);
+            self.keep(name, &found, meter::spent() - before);
             found
         })
     }
 
-    /// The table as bytes, for another process: the age, then each name with its age and answer, by name.
+    /// The table as bytes, for another process: the age, then each name with its age, work and answer, by name.
     pub fn written(&self) -> Vec<u8> {
         let kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         let mut all: Vec<_> = kept.iter().collect();
         all.sort_unstable_by_key(|(name, _)| **name);
-        let mut out = Vec::with_capacity(all.iter().map(|(_, (_, answer))| answer.len() + 48).sum::<usize>() + 8);
+        let mut out = Vec::with_capacity(all.iter().map(|(_, kept)| kept.answer.len() + 56).sum::<usize>() + 8);
         out.extend(self.age.to_le_bytes());
-        for (name, (age, answer)) in all {
+        for (name, kept) in all {
             out.extend(name);
-            out.extend(age.to_le_bytes());
-            out.extend((answer.len() as u64).to_le_bytes());
-            out.extend(&**answer);
+            [kept.age, kept.work, kept.answer.len() as u64].iter().for_each(|n| out.extend(n.to_le_bytes()));
+            out.extend(&*kept.answer);
         }
         out
     }
@@ -122,10 +143,10 @@ impl Answers {
         while !bytes.is_empty() {
             let (name, rest): (&Key, _) = bytes.split_first_chunk()?;
             bytes = rest;
-            let (age, length) = (number(&mut bytes)?, number(&mut bytes)?);
+            let [age, work, length] = [number(&mut bytes)?, number(&mut bytes)?, number(&mut bytes)?];
             let (answer, rest) = bytes.split_at_checked(usize::try_from(length).ok()?)?;
             bytes = rest;
-            kept.insert(*name, (age, answer.into()));
+            kept.insert(*name, Kept { age, work, answer: answer.into() });
         }
         Some(Answers { age, kept: Mutex::new(kept), ..Answers::default() })
     }
@@ -140,7 +161,7 @@ mod tests {
         let mut answers = Answers::default();
         answers.grow_older();
         for n in 0..20_u64 {
-            answers.keep(key(&[&n.to_le_bytes()]), &vec![n; n as usize]);
+            answers.keep(key(&[&n.to_le_bytes()]), &vec![n; n as usize], n);
         }
         let bytes = answers.written();
         let again = Answers::read(&bytes).expect("a table");
@@ -157,11 +178,13 @@ mod tests {
     fn what_is_not_asked_for_is_forgotten() {
         let mut answers = Answers::default();
         let [asked, idle] = [key(&[b"asked"]), key(&[b"idle"])];
-        answers.keep(asked, &1_u8);
-        answers.keep(idle, &2_u8);
+        answers.keep(asked, &1_u8, 5);
+        answers.keep(idle, &2_u8, 7);
         for _ in 0..AGES {
             answers.grow_older();
-            assert_eq!(answers.known(asked), Some(1_u8));
+            // Work is spared once in a state of the file, however often the question is asked.
+            assert_eq!((answers.known(asked), answers.known(asked)), (Some(1_u8), Some(1_u8)));
+            assert_eq!(answers.recalled(), 5);
         }
         assert_eq!(answers.known(idle), Some(2_u8), "it is kept for so many states");
         (0..=AGES).for_each(|_| answers.grow_older());

@@ -24,6 +24,7 @@ use crate::derivation::{Claim, Derivation, Form, Motion, Premise};
 use crate::expr::{FastMap, Graph, Leaf};
 use crate::findings::{ClaimAccount, FamilyAccount, family::MeasureAccount};
 use crate::verdict::Verdict;
+use meter::Total;
 use proved::conditional::premises_first;
 use proved::step::Step;
 use sampled::recall::Recall;
@@ -80,6 +81,11 @@ impl Memory {
     /// All answers, to be kept longer than a process lives.
     pub fn answers(self) -> Answers {
         self.answers
+    }
+
+    /// The counted work that was spared, since answers were known.
+    pub fn recalled(&self) -> u64 {
+        self.answers.recalled()
     }
 
     /// How many answers were known, and how many were found.
@@ -186,11 +192,11 @@ impl<'a> Known<'a> {
         state.memory.answers.known(state.name(derivation, question)?)
     }
 
-    /// Keeps the answer to a question.
-    pub fn keep<T: Serialize>(&self, derivation: &Derivation, question: Question, answer: &T) {
+    /// Keeps the answer to a question, with the counted work of finding it.
+    pub fn keep<T: Serialize>(&self, derivation: &Derivation, question: Question, answer: &T, work: u64) {
         let name = self.0.and_then(|state| Some((state, state.name(derivation, question)?)));
         if let Some((state, name)) = name {
-            state.memory.answers.keep(name, answer);
+            state.memory.answers.keep(name, answer, work);
         }
     }
 
@@ -215,7 +221,8 @@ impl<'a> Known<'a> {
         }
     }
 
-    /// Puts what is found on all families into the accounts of their claims; returns what is measured.
+    /// Puts what is found on all families into the accounts of their claims; returns what is measured. Nothing else is at work, so that what
+    /// the total has used meanwhile is the work of it.
     ///
     /// # Errors
     /// Those of `compute`, which does the same.
@@ -223,16 +230,18 @@ impl<'a> Known<'a> {
         &self,
         derivation: &Derivation,
         claims: &mut [ClaimAccount],
+        total: &Total,
         compute: impl FnOnce(&mut [ClaimAccount]) -> Result<Vec<MeasureAccount>, E>,
     ) -> Result<Vec<MeasureAccount>, E> {
         if let Some(OnFamilies { claims: found, measures }) = self.known(derivation, Question::OnFamilies(claims)) {
             claims.iter_mut().zip(found).for_each(|(claim, found)| claim.families = found);
             return Ok(measures);
         }
+        let before = total.used();
         let measures = compute(claims)?;
         let of_claims = claims.iter().map(|c| c.families.clone()).collect();
         let found = OnFamilies { claims: of_claims, measures };
-        self.keep(derivation, Question::OnFamilies(claims), &found);
+        self.keep(derivation, Question::OnFamilies(claims), &found, total.used() - before);
         Ok(found.measures)
     }
 }

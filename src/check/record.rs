@@ -29,7 +29,7 @@ use findings::Account;
 const ACCOUNT: &str = "account";
 /// The record that has the names of those that are kept of a file.
 const STATES: &str = "states";
-/// The record that has the counted work of finding the answers to all questions, at most, and these.
+/// The record that has the answers to all questions.
 const ANSWERS: &str = "answers";
 
 /// The name of a record of a file, by its id and by what is asked: of one file many may be kept.
@@ -93,19 +93,15 @@ pub fn check_recorded(
     }
     let states = States::of(derivation, options, store);
     let of_answers = name(derivation, options, ANSWERS);
-    let found = store.read(&of_answers).and_then(|bytes| {
-        let (work, answers) = bytes.split_first_chunk()?;
-        Some((u64::from_le_bytes(*work), Answers::read(answers)?))
-    });
-    let (mut work, found) = found.unwrap_or_default();
+    let found = store.read(&of_answers).and_then(|bytes| Answers::read(&bytes));
     let names = Names::of(&contents);
-    let mut memory = Memory::of(found);
+    let mut memory = Memory::of(found.unwrap_or_default());
     let mut account = check_recalling(derivation, options, Known::new(&memory, &names), None, progress)?;
     let mut total = options.limits.total.clone();
-    if work > total.left() {
+    if memory.recalled() > total.left() {
         // With the work of all that was recalled, the file might have come to its end: then it does.
         let anew = Options { limits: options.limits.of_file(derivation.work), ..options.clone() };
-        (work, memory, total) = (0, Memory::of(Answers::default()), anew.limits.total.clone());
+        (memory, total) = (Memory::of(Answers::default()), anew.limits.total.clone());
         account = check_recalling(derivation, &anew, Known::new(&memory, &names), None, progress)?;
     }
     describe(derivation, &mut account);
@@ -119,8 +115,7 @@ pub fn check_recorded(
     }
     let record = Record { contents, account };
     states.keep(&of_account, &record, store);
-    let work = work.saturating_add(total.used()).to_le_bytes();
-    store.write(&of_answers, &[&work[..], &memory.answers().written()].concat());
+    store.write(&of_answers, &memory.answers().written());
     Ok((record.account, recalled))
 }
 

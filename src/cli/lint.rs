@@ -1,5 +1,6 @@
 //! `rederive lint`.
 
+use std::collections::BTreeSet;
 use std::io::Read;
 use std::path::PathBuf;
 
@@ -58,10 +59,13 @@ pub struct LintArguments {
 }
 
 pub fn lint(arguments: &LintArguments) -> Result<Ending, Stop> {
-    let papers = match arguments.papers.as_slice() {
+    let mut papers = match arguments.papers.as_slice() {
         [] => Config::find()?.sources,
         named => named.to_vec(),
     };
+    // A paper that is named again is looked through once.
+    let mut seen = BTreeSet::new();
+    papers.retain(|paper| seen.insert(paper.clone()));
     if papers.is_empty() {
         return Err("no paper is named, and no `rederive.toml` here or above has `sources = [\"paper.tex\"]`".into());
     }

@@ -42,6 +42,9 @@ fn leave_unread(claim: &mut Claim, why: &str) {
     (claim.assuming, claim.at) = (Vec::new(), None);
 }
 
+/// Claims are tried on so many motions together; of each pair the verdict is kept.
+const MOST_PAIRS: usize = 100_000;
+
 impl Loader<'_> {
     /// Reads every `[[claim]]`; `follows-from` is resolved when all ids are known.
     pub fn claims(&mut self, root: &Table<'_, '_>) {
@@ -55,9 +58,17 @@ impl Loader<'_> {
             }
         }
         let ids: Vec<String> = tables.iter().flat_map(|(table, id, _)| names_of(table, id)).collect();
+        let mut pairs = 0;
         for (table, id, span) in tables {
             let (before, claims) = (self.problems.found.len(), self.out.claims.len());
-            self.one_claim(&table, id, span, &ids);
+            self.one_claim(&table, id, span.clone(), &ids);
+            let further = self.out.claims[claims..].iter().map(|claim| claim.trajectories.len()).sum::<usize>();
+            if pairs <= MOST_PAIRS && pairs + further > MOST_PAIRS {
+                let message = format!("with this claim there are more than {MOST_PAIRS} pairs of a claim and a motion");
+                let hint = "name the `trajectories` of a claim, or make many motions a `[[family]]`";
+                self.problems.note("derivation::too-many", span, message).hint(hint);
+            }
+            pairs += further;
             if let Some(why) = self.only_too_large(before) {
                 self.out.claims[claims..].iter_mut().for_each(|claim| leave_unread(claim, &why));
             }

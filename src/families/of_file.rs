@@ -11,12 +11,12 @@ use super::member::{Member, Members};
 use super::separate::{Checker, separations};
 use crate::derivation::{Claim, Derivation, Measure};
 use crate::findings::ClaimAccount;
-use crate::findings::family::{Joined, MeasureAccount, Sums, Tally};
+use crate::findings::family::{Joined, MeasureAccount, Tally};
 use crate::verdict::Outcome;
 use claim::error::CheckError;
 use claim::options::Options;
-use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
+use std::hash::{BuildHasher, RandomState};
 
 /// Whether a claim is tried on a family in this run.
 fn is_chosen(options: &Options, claim: &Claim, id: &str) -> bool {
@@ -37,14 +37,11 @@ pub fn measured<'d>(derivation: &'d Derivation, at: usize, options: &Options) ->
 /// So many members of a family that was counted elsewhere are tried here, beside those that its parts name.
 const TRIED_AGAIN: u64 = 16;
 
-/// Some members, by the hash of all that the parts say and of the file: who makes a part up does not choose them.
-fn picked(derivation: &Derivation, sums: &Sums, size: u64) -> BTreeSet<u64> {
-    let one = |k: u64| {
-        let sum = Sha256::digest(format!("{k} {} {sums:?}", derivation.sha256));
-        let drawn = sum.iter().take(8).fold(0u64, |all, byte| all << 8 | u64::from(*byte));
-        1 + drawn % size.max(1)
-    };
-    (0..TRIED_AGAIN).map(one).collect()
+/// Some members, by chance: what parts, the file and the program say tells nobody which, or who makes a part up would change it until none
+/// of them tells. What is found does not depend on them, unless a part is not what it says.
+fn picked(size: u64) -> BTreeSet<u64> {
+    let chance = RandomState::new();
+    (0..TRIED_AGAIN).map(|k| 1 + chance.hash_one(k) % size.max(1)).collect()
 }
 
 /// A member that was tried here and is not among those that were counted of the n-th claim: of its outcome there are more here than there,
@@ -162,7 +159,7 @@ impl Families {
                 Some(_) => vec![None; asked.len()],
                 None => separations(checker, derivation, members, &asked, tallies, options)?,
             };
-            let picked = joined.map_or_else(BTreeSet::new, |j| picked(derivation, &j.sums, members.family.size()));
+            let picked = joined.map_or_else(BTreeSet::new, |_| picked(members.family.size()));
             let again = ensemble.again(sums.kept().into_iter().chain(picked).collect())?;
             if joined.is_some() {
                 let other = tallies.iter().enumerate().find_map(|(n, tally)| miscounted(tally, n, &again));

@@ -364,7 +364,7 @@ impl Program {
                 missing = grown.err().map(|(_, reason)| reason);
             } else if bench.of_steps {
                 // Each polynomial is shifted to another middle.
-                meter::charge((self.needs.len() * row * row) as u64 * (1 + size_of::<B>() as u64 / 32));
+                meter::charge((self.needs.len() * row * row) as u64 * (2 + size_of::<B>() as u64 / 16) / 8);
                 for &i in &self.needs {
                     when.polynomial(&orbit.trajectory, i, &mut bench.coefficients[i * row..(i + 1) * row]);
                 }

@@ -242,6 +242,8 @@ thread_local! {
     /// The units of the slice at hand; where no piece is under way, they are begun anew.
     static LEFT: Cell<u64> = const { Cell::new(0) };
     static PIECE: RefCell<Option<UnderWay>> = const { RefCell::new(None) };
+    /// What all pieces that ended on this thread have used.
+    static SPENT: Cell<u64> = const { Cell::new(0) };
 }
 
 /// Counts work that is done now, in units. Ends the piece that is under way, where its work is used up.
@@ -311,7 +313,14 @@ pub fn piece<R>(task: Task, limits: &Limits, work: impl FnOnce() -> R) -> Result
         return Err(Ended::File(task, limits.work));
     }
     let here = UnderWay { task, limits: limits.clone(), units, rest: units, slice: 0, bytes };
-    run(here, work).0.map_err(|payload| ended_by(payload.as_ref()))
+    let (found, (used, _)) = run(here, work);
+    SPENT.set(SPENT.get().saturating_add(used));
+    found.map_err(|payload| ended_by(payload.as_ref()))
+}
+
+/// The units that all pieces have used that ended on this thread: what it is more after some work is what that work took.
+pub fn spent() -> u64 {
+    SPENT.get()
 }
 
 /// Does a part of the piece that is under way on this thread: it may take what a piece of its task may, as far as the piece has that left,

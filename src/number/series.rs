@@ -292,7 +292,7 @@ impl<B: Scalar> Number for Jet<B> {
     fn work(orders: &Orders) -> u64 {
         let up_to = |k: usize| (k * (k + 1) / 2) as u64;
         let products = up_to(orders.to() + 1) - up_to(orders.from());
-        8 + products * (1 + size_of::<B>() as u64 / 32)
+        8 + products * (2 + size_of::<B>() as u64 / 16) / 4
     }
     fn blank(cx: &Orders) -> Jet<B> {
         Jet::constant(B::ZERO, cx)

@@ -372,6 +372,8 @@ pub(super) fn text_of(tokens: &[Token]) -> String {
     let mut out = String::new();
     let mut at = 0;
     let mut arrays = 0;
+    // Whether what is written ends with the name of a command.
+    let mut after_command = false;
     while let Some(token) = tokens.get(at) {
         at += 1;
         match token.kind {
@@ -383,6 +385,7 @@ pub(super) fn text_of(tokens: &[Token]) -> String {
                 if !inner {
                     arrays += if token.text == "begin" { 1 } else { -1 };
                     out.push_str(&format!("\\{}{{{name}}}", token.text));
+                    after_command = false;
                 }
                 at = if inner && name == "alignedat" && token.text == "begin" {
                     group_text(tokens, after).1
@@ -394,20 +397,18 @@ pub(super) fn text_of(tokens: &[Token]) -> String {
             Kind::Command => {
                 out.push('\\');
                 out.push_str(&token.text);
+                after_command = !token.text.is_empty() && token.text.chars().all(|c| c.is_ascii_alphabetic());
             }
             Kind::Space => {
                 if !out.ends_with(' ') {
                     out.push(' ');
+                    after_command = false;
                 }
                 continue;
             }
             _ => {
-                let after_command = out.rfind('\\').is_some_and(|i| {
-                    let name = &out[i + 1..];
-                    !name.is_empty() && name.chars().all(|c| c.is_ascii_alphabetic())
-                });
                 let letter = token.text.starts_with(|c: char| c.is_ascii_alphabetic());
-                if after_command && letter {
+                if std::mem::take(&mut after_command) && letter {
                     out.push(' ');
                 }
                 out.push_str(&token.text);

@@ -26,9 +26,15 @@ pub(super) fn prose(text: &str) -> String {
         }
         match c {
             '<' => out.push_str("&lt;"),
+            // Where a line may begin with it: a list, a quotation, a heading that is underlined, a command to a log.
+            '>' | ':' if out.is_empty() => out.push_str(if c == '>' { "&gt;" } else { "&#58;" }),
+            '-' | '+' | '=' if out.is_empty() => out.extend(['\\', c]),
+            '.' | ')' if !out.is_empty() && out.bytes().all(|b| b.is_ascii_digit()) => out.extend(['\\', c]),
+            // Whoever is named is not told of it.
+            '@' if after.starts_with(|next: char| next.is_alphanumeric()) => out.push_str("@<!-- -->"),
             // Before punctuation it would take away the meaning of what is written next.
             '\\' if after.chars().next().is_none_or(|next| next.is_ascii_punctuation()) => out.push_str(r"\\"),
-            '*' | '|' | '`' | '#' | '[' | ']' | '$' => out.extend(['\\', c]),
+            '*' | '|' | '`' | '#' | '[' | ']' | '$' | '~' => out.extend(['\\', c]),
             c => out.push(c),
         }
         rest = after;
@@ -196,6 +202,23 @@ pub(super) fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn no_text_begins_a_block_or_tells_somebody() {
+        for (text, written) in [
+            ("~~~ x", r"\~\~\~ x"),
+            ("- item", r"\- item"),
+            ("+ item", r"\+ item"),
+            ("=== a - b", r"\=== a - b"),
+            ("> said", "&gt; said"),
+            ("12. item", r"12\. item"),
+            ("3) item, 1.5", r"3\) item, 1.5"),
+            ("::error::x", "&#58;:error::x"),
+            ("by @octocat and a@b, @ 5", "by @<!-- -->octocat and a@<!-- -->b, @ 5"),
+        ] {
+            assert_eq!(prose(text), written);
+        }
+    }
 
     #[test]
     fn formulas_survive_markdown() {
