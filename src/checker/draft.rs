@@ -261,6 +261,12 @@ impl Draft {
         self.context.written(Says { left: d, sense: Sense::Equal, right: d }).map(|relation| relation.left)
     }
 
+    /// A formula, with definitions put in.
+    pub fn formula(&mut self, of: &Term) -> Option<Term> {
+        let e = self.context.read(of).ok()?;
+        self.context.written(Says { left: e, sense: Sense::Equal, right: e }).ok().map(|relation| relation.left)
+    }
+
     /// A formula, expanded, and divided by facts as [`Step::Zero`] does; nothing where it is too large.
     pub fn normal_form(&mut self, of: &Term, modulo: &[FactId]) -> Option<Term> {
         let e = self.context.read(of).ok()?;
