@@ -51,16 +51,17 @@ fn made(graph: &Graph, e: Expr) -> Made {
     {
         return Made::Power(a, n);
     }
-    if let Node::Binary(op, a, b) = *node {
-        let of: [(Op, fn(Expr, Expr) -> Made); 4] = [
-            (Op::Add, Made::Sum),
-            (Op::Sub, Made::Difference),
-            (Op::Mul, Made::Product),
-            (Op::Restrict, |a, _| Made::Same(a)),
-        ];
-        if let Some((_, made)) = of.iter().find(|(known, _)| *known == op) {
-            return made(a, b);
-        }
+    if let Node::Binary(Op::Add, a, b) = *node {
+        return Made::Sum(a, b);
+    }
+    if let Node::Binary(Op::Sub, a, b) = *node {
+        return Made::Difference(a, b);
+    }
+    if let Node::Binary(Op::Mul, a, b) = *node {
+        return Made::Product(a, b);
+    }
+    if let Node::Binary(Op::Restrict, a, _) = *node {
+        return Made::Same(a);
     }
     Made::Indeterminate
 }
