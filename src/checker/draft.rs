@@ -119,6 +119,8 @@ pub struct Draft {
     pub(crate) log2_error: f64,
     pub(crate) model: bool,
     pub(crate) shown: Option<(FactId, Needs)>,
+    /// Products of terms that identities took, of refused steps, too: to be counted, no part of the proof.
+    pub(crate) products: usize,
     facts: Vec<Fact>,
     /// Facts that later ones rest on without naming them: those that show that times are open, or functions analytic.
     lasting: Vec<FactId>,
@@ -184,6 +186,7 @@ impl Draft {
             log2_error: f64::NEG_INFINITY,
             model: false,
             shown: None,
+            products: 0,
             facts: Vec::new(),
             lasting: Vec::new(),
             steps: Vec::new(),
@@ -228,6 +231,11 @@ impl Draft {
     /// The steps so far.
     pub fn steps(&self) -> &[Step] {
         &self.steps
+    }
+
+    /// How many products of terms were expanded for identities, whether or not the steps were accepted.
+    pub fn products(&self) -> usize {
+        self.products
     }
 
     /// A fact.

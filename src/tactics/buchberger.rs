@@ -9,7 +9,7 @@ use expr::{Expr, Rational};
 use std::collections::BTreeSet;
 
 /// Most terms that are looked at in one search.
-pub(crate) const MOST_WORK: usize = 250_000;
+pub(crate) const MOST_WORK: usize = 180_000;
 /// Most terms of what is to vanish.
 const LARGEST_GOAL: usize = 6_000;
 /// Most polynomials.

@@ -14,7 +14,10 @@ pub(crate) const MOST_NODES: usize = 6_000;
 const MOST_WORK: usize = 250_000;
 
 /// Most terms that are looked at for sums of multiples in one proof.
-const MOST_MULTIPLES: usize = 900_000;
+const MOST_MULTIPLES: usize = 360_000;
+
+/// So many products of terms that the checker expands count as one node.
+const PRODUCTS: usize = 6;
 
 /// Counted work of a step, and of a node of what it makes: the checker makes each of them again.
 const STEP: u64 = 2_000;
@@ -74,7 +77,9 @@ impl Search {
 
     /// Takes a step; the fact that it makes.
     pub(crate) fn push(&mut self, step: Step) -> Option<FactId> {
+        let before = self.draft.products();
         let made = self.draft.push(step).ok().flatten();
+        self.work += self.draft.products().saturating_sub(before) / PRODUCTS;
         let size = made.and_then(|id| self.draft.says(id)).map_or(0, |says| says.left.0.len() + says.right.0.len());
         meter::charge(STEP + NODE * size as u64);
         made

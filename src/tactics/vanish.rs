@@ -119,7 +119,7 @@ impl Attempt<'_> {
             }
         }
         self.normalise(&mut e, &mut [])?;
-        self.vanishes(says, e, &rest, Depth::Facts)
+        self.vanishes(says, e, &rest, Depth::Laws)
     }
 
     /// Puts one side of a fact for the other where that is a formula which stands in what is to vanish.
