@@ -546,8 +546,8 @@ impl Findings {
         let mut answers = kept.and_then(|bytes| Answers::read(&bytes)).unwrap_or_default();
         answers.grow_older();
         let is_new = AtomicBool::new(false);
-        let search = |claim: &Claim| {
-            let asked = tactics::Asked::of(derivation, claim)?;
+        let search = |claim: &Claim, may_presuppose: bool| {
+            let asked = tactics::Asked::of(derivation, claim, may_presuppose)?;
             let found: String = answers.answer(Some(check::key(&[&asked.content()])), || {
                 is_new.store(true, Ordering::Relaxed);
                 recorded::written(&recording(|| asked.record()))
@@ -559,7 +559,7 @@ impl Findings {
             let declared = derivation.claim(&of.id, of.reading.as_deref());
             let proved = of.identity.as_mut().filter(|i| i.finding.is_proved_in_part() && i.recorded.is_none());
             if let (Some(claim), Some(identity)) = (declared, proved) {
-                identity.recorded = Some(Recorded::of(search(claim)));
+                identity.recorded = Some(Recorded::of(search(claim, !identity.presupposed.is_empty())));
             }
         });
         if let (Some(store), None, true) = (store, only, is_new.into_inner()) {

@@ -143,6 +143,8 @@ concerns = "what no proof may show"
 'b' = { role = "parameter" }
 'p' = { role = "parameter", positive = true }
 '\varphi' = { role = "observable", angle = true, formula = '\operatorname{atan2}(y,x)' }
+'\vartheta' = { role = "observable", angle = true, formula = '\operatorname{atan2}(\sqrt{x^2+y^2},z)' }
+'q' = { role = "observable", formula = 'x+y' }
 'u(s,t)' = { role = "field" }
 'v(s,t)' = { role = "field" }
 [system.turn]
@@ -159,19 +161,35 @@ id = "given"
 says = "a relation of a higher degree"
 assuming = ['x>1']
 always = ['x^2+y^2=1']
+[[claim]]
+id = "under"
+says = "what an assumption brings at all times"
+assuming = ['x=2']
+always = ['y=3']
+[[claim]]
+id = "integral"
+says = "a number that does not change"
+first-integral = ['x']
+[[claim]]
+id = "product"
+says = "what holds where a number is not 0"
+assuming = ['z\ne0']
+always = ['xz=z']
 "#;
 
-/// Whether steps are found of a claim, which leave no case out.
+/// Whether steps are found of a claim, which leave no case out and presuppose nothing.
 fn is_recorded(claim: &str) -> bool {
     let text = format!("{FALSE}\n[[claim]]\nid='c'\nsays='c'\n{claim}\n");
     let session =
         rederive::Session::open("false.toml", text).unwrap_or_else(|problems| panic!("{claim}: {problems:?}"));
     let derivation = session.derivation();
     let claim = derivation.claim("c", None).expect("the claim");
-    let found = tactics::Asked::of(derivation, claim)
+    let found = tactics::Asked::of(derivation, claim, true)
         .and_then(|asked| asked.record())
         .map(|proof| rederive::findings::Recorded::of(Ok(proof)));
-    found.is_ok_and(|recorded| recorded.steps().is_some() && recorded.left_out() == 0)
+    found.is_ok_and(|recorded| {
+        recorded.steps().is_some() && recorded.left_out() == 0 && recorded.presupposed().is_empty()
+    })
 }
 
 #[test]
@@ -198,6 +216,33 @@ fn no_steps_are_found_for_what_is_false() {
         "assuming=['x^2+y^2=0']\nalways=['x=1']",
         "assuming=['x^2=1','y^2=1']\nalways=['xy=1']",
         "assuming=['x\\ge1','z=2']\nalways=['\\dot z=0']",
+        // A polar angle is its formula, which moves, has a kink, and is no other one.
+        "follows-from=['turn','free']\nalways=['\\dot\\vartheta=0']",
+        "follows-from=['turn','free']\nalways=['\\vartheta=\\vartheta(0)']",
+        "follows-from=['turn']\nalways=['\\sin\\vartheta=1']",
+        "follows-from=['turn']\nalways=['\\vartheta=\\operatorname{atan2}(-\\sqrt{x^2+y^2},z)']",
+        "assuming=['x^2+y^2=1']\nalways=['\\sin\\vartheta=1']",
+        "assuming=['x^2+y^2+z^2=2']\nalways=['\\cos\\vartheta=z']",
+        // Sums of multiples, and what stands before them: a factor must not be 0.
+        "assuming=['ax=0','b\\ne0']\nalways=['x=0']",
+        "assuming=['x(x-1)=0','x\\ne1']\nalways=['x=1']",
+        "assuming=['x^2y=0','y^2z=0']\nalways=['xyz=0','xz=0']",
+        "assuming=['x^2+y^2=1','x^3=x']\nalways=['x=0']",
+        "assuming=['x^2=y','y^2=z']\nalways=['x^2=z']",
+        // What is assumed at some times is not assumed at all of them.
+        "follows-from=['under']\nassuming=['x=2','z>1']\nalways=['y=3']",
+        "follows-from=['under']\nassuming=['x=2','\\ln z=1']\nalways=['y=3']",
+        "follows-from=['under','integral']\nassuming=['x>1']\nalways=['y=3']",
+        "follows-from=['under','integral']\nassuming=['x=x','z>1']\nalways=['y=3']",
+        "follows-from=['product']\nalways=['x=1']",
+        "follows-from=['product']\nassuming=['x\\ne0']\nalways=['x=1']",
+        // What is conserved is carried, and nothing else.
+        "follows-from=['turn']\nalways=['q=q(0)']",
+        "follows-from=['turn','free']\nalways=['xq=x(0)q(0)']",
+        "follows-from=['integral']\nalways=['x=0']",
+        "follows-from=['integral']\nfirst-integral=['y']",
+        "always=['\\cos(0x)=x']",
+        "always=['e^{0x}=0']",
         // A field is no function of the time alone.
         "follows-from=['flow']\nalways=['u=0']",
         "follows-from=['flow']\nalways=['\\frac{\\partial u}{\\partial s}=0']",
@@ -217,9 +262,78 @@ fn steps_are_found_for_fields_angles_and_relations() {
         "follows-from=['flow']\nalways=['\\frac{\\partial^2u}{\\partial s\\partial t}=0']",
         "assuming=['u=\\frac{\\partial v}{\\partial s}']\nalways=['\\frac{\\partial u}{\\partial t}=\\frac{\\partial^2v}{\\partial s\\partial t}']",
         "assuming=['x^2+y^2=1','xy=0']\nalways=['(x+y)^2=1']",
+        "assuming=['ax=0','a\\ne0']\nalways=['x=0']",
+        "assuming=['x(x-1)=0','x\\ne0']\nalways=['x=1']",
+        "assuming=['x^2=y','y^2=z','z^2=x']\nalways=['x^8=x']",
+        "assuming=['x^2+y^2+z^2=1','x\\ne0']\nalways=['\\cos\\vartheta=z','\\sin^2\\vartheta=x^2+y^2']",
+        "follows-from=['under','integral']\nassuming=['x=2','z>1']\nalways=['y=3']",
+        "follows-from=['under']\nassuming=['x=2','a>1']\nalways=['y=3']",
+        "follows-from=['integral']\nfirst-integral=['x']",
+        "follows-from=['integral']\nalways=['x(0)=x']",
+        "always=['\\cos(0x)=1']",
         "always=['\\cos 3x=4\\cos^3x-3\\cos x']",
         "always=['\\sqrt{p^2+p^2x^2}=p\\sqrt{1+x^2}']",
     ] {
         assert!(is_recorded(claim), "{claim}");
     }
+}
+
+/// Polynomials in x, y, z with small coefficients, in LaTeX, and their values at a point.
+struct Polynomials {
+    state: u64,
+    point: [i64; 3],
+}
+
+impl Polynomials {
+    fn below(&mut self, n: u64) -> u64 {
+        self.state ^= self.state << 13;
+        self.state ^= self.state >> 7;
+        self.state ^= self.state << 17;
+        self.state % n
+    }
+
+    /// A polynomial of some terms, and its value.
+    fn polynomial(&mut self) -> (String, i64) {
+        let (mut text, mut value) = (String::new(), 0);
+        for _ in 0..=self.below(3) {
+            let factor = [-2, -1, 1, 2, 3][self.below(5) as usize];
+            let (mut term, mut product) = (format!("{factor:+}"), factor);
+            for (name, at) in ["x", "y", "z"].into_iter().zip(self.point) {
+                let power = self.below(3) as u32;
+                product *= at.pow(power);
+                term += &[String::new(), name.to_owned(), format!("{name}^2")][power as usize];
+            }
+            value += product;
+            text += &term;
+        }
+        (text, value)
+    }
+}
+
+/// Assumptions that are true at a point, and a claim that is false there: no steps show it, with whatever factor that is not 0 there.
+#[test]
+fn no_steps_are_found_against_a_point() {
+    let mut random = Polynomials { state: 0x9E37_79B9_7F4A_7C15, point: [0; 3] };
+    let (mut asked, mut found_true) = (0, 0);
+    for _ in 0..150 {
+        random.point = std::array::from_fn(|_| random.below(5) as i64 - 2);
+        let mut assumed = Vec::new();
+        for _ in 0..2 + random.below(2) {
+            let (p, value) = random.polynomial();
+            assumed.push(format!("'{p}={value}'"));
+        }
+        let (factor, value) = random.polynomial();
+        if value != 0 {
+            assumed.push(format!(r"'{factor}\ne0'").replace(r"\\", r"\"));
+        }
+        let (p, value) = random.polynomial();
+        asked += 1;
+        let claim = format!("assuming=[{}]\nalways=['{p}={}']", assumed.join(","), value + 1);
+        assert!(!is_recorded(&claim), "{claim} at {:?}", random.point);
+        // A product with an assumption is shown.
+        let (first, at) = assumed[0].trim_matches('\'').split_once('=').expect("an equation");
+        let claim = format!("assuming=[{}]\nalways=['({first})({p})={at}({p})']", assumed.join(","));
+        found_true += u32::from(is_recorded(&claim));
+    }
+    assert!(asked == 150 && found_true >= 140, "{found_true} of {asked}");
 }

@@ -119,6 +119,8 @@ pub struct Draft {
     pub(crate) log2_error: f64,
     pub(crate) model: bool,
     pub(crate) shown: Option<(FactId, Needs)>,
+    /// Products of terms that identities took, of refused steps, too: to be counted, no part of the proof.
+    pub(crate) products: usize,
     facts: Vec<Fact>,
     /// Facts that later ones rest on without naming them: those that show that times are open, or functions analytic.
     lasting: Vec<FactId>,
@@ -184,6 +186,7 @@ impl Draft {
             log2_error: f64::NEG_INFINITY,
             model: false,
             shown: None,
+            products: 0,
             facts: Vec::new(),
             lasting: Vec::new(),
             steps: Vec::new(),
@@ -230,6 +233,11 @@ impl Draft {
         &self.steps
     }
 
+    /// How many products of terms were expanded for identities, whether or not the steps were accepted.
+    pub fn products(&self) -> usize {
+        self.products
+    }
+
     /// A fact.
     pub fn fact(&self, id: FactId) -> Option<&Fact> {
         self.facts.get(id.0 as usize)
@@ -259,6 +267,12 @@ impl Draft {
         let e = self.context.read(of)?;
         let d = super::derivative::derivative(&mut self.context, e)?;
         self.context.written(Says { left: d, sense: Sense::Equal, right: d }).map(|relation| relation.left)
+    }
+
+    /// A formula, with definitions put in.
+    pub fn formula(&mut self, of: &Term) -> Option<Term> {
+        let e = self.context.read(of).ok()?;
+        self.context.written(Says { left: e, sense: Sense::Equal, right: e }).ok().map(|relation| relation.left)
     }
 
     /// A formula, expanded, and divided by facts as [`Step::Zero`] does; nothing where it is too large.

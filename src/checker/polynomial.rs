@@ -8,6 +8,7 @@
 
 use dashu_int::ops::BitTest;
 use expr::{Expr, Graph, Node, Op, Rational};
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 /// Most terms of a polynomial, and most products of terms in one expansion.
@@ -90,13 +91,28 @@ pub(crate) fn bits(r: &Rational) -> [usize; 2] {
     [r.numerator().bit_len(), r.denominator().bit_len()]
 }
 
+/// The product of two monomials.
 fn joined(m: &Monomial, n: &Monomial) -> Option<Monomial> {
-    let mut out: BTreeMap<Expr, u32> = m.iter().copied().collect();
-    for &(e, k) in n {
-        let power = out.entry(e).or_insert(0);
-        *power = power.checked_add(k)?;
+    let (mut i, mut j, mut out) = (0, 0, Monomial::with_capacity(m.len() + n.len()));
+    while let (Some(&(a, k)), Some(&(b, l))) = (m.get(i), n.get(j)) {
+        match a.cmp(&b) {
+            Ordering::Less => {
+                out.push((a, k));
+                i += 1;
+            }
+            Ordering::Greater => {
+                out.push((b, l));
+                j += 1;
+            }
+            Ordering::Equal => {
+                out.push((a, k.checked_add(l)?));
+                (i, j) = (i + 1, j + 1);
+            }
+        }
     }
-    Some(out.into_iter().collect())
+    out.extend_from_slice(&m[i..]);
+    out.extend_from_slice(&n[j..]);
+    Some(out)
 }
 
 /// Numerator and denominator.
@@ -122,7 +138,7 @@ fn rank(graph: &Graph, monomial: &Monomial) -> (Factors, u32, Factors) {
 impl Rewrite {
     /// The numerator of `difference`, which vanishes, as one; nothing if it is too large, a number or 0.
     pub(crate) fn of(graph: &Graph, difference: Expr) -> Option<Rewrite> {
-        let Fraction(mut top, _) = fraction(graph, difference, &[], MOST_OF_A_RELATION)?;
+        let Fraction(mut top, _) = fraction(graph, difference, &[], &mut Budget(MOST_OF_A_RELATION))?;
         let lead = top.0.keys().max_by_key(|monomial| rank(graph, monomial))?.clone();
         let number = top.0.remove(&lead)?;
         let mut rest = Polynomial::default();
@@ -206,10 +222,9 @@ fn inverse(a: &Fraction) -> Option<Fraction> {
     (!a.0.0.is_empty()).then(|| Fraction(a.1.clone(), a.0.clone()))
 }
 
-fn fraction(graph: &Graph, e: Expr, rewrites: &[Rewrite], budget: usize) -> Option<Fraction> {
+fn fraction(graph: &Graph, e: Expr, rewrites: &[Rewrite], budget: &mut Budget) -> Option<Fraction> {
     let one = Polynomial::constant(Rational::ONE);
     let whole = |p: Polynomial| Fraction(p, one.clone());
-    let mut budget = Budget(budget);
     let mut found: BTreeMap<Expr, Fraction> = BTreeMap::new();
     for node in graph.reachable([e]) {
         let made = match graph.node(node) {
@@ -225,21 +240,21 @@ fn fraction(graph: &Graph, e: Expr, rewrites: &[Rewrite], budget: usize) -> Opti
                 }
                 let mut out = whole(one.clone());
                 for _ in 0..n.unsigned_abs() {
-                    out = product(&out, &base, &mut budget)?;
+                    out = product(&out, &base, budget)?;
                 }
                 out
             }
-            Node::Binary(Op::Add, a, b) => sum(&found[a], &found[b], 1, &mut budget)?,
-            Node::Binary(Op::Sub, a, b) => sum(&found[a], &found[b], -1, &mut budget)?,
-            Node::Binary(Op::Mul, a, b) => product(&found[a], &found[b], &mut budget)?,
-            Node::Binary(Op::Div, a, b) => product(&found[a], &inverse(&found[b])?, &mut budget)?,
+            Node::Binary(Op::Add, a, b) => sum(&found[a], &found[b], 1, budget)?,
+            Node::Binary(Op::Sub, a, b) => sum(&found[a], &found[b], -1, budget)?,
+            Node::Binary(Op::Mul, a, b) => product(&found[a], &found[b], budget)?,
+            Node::Binary(Op::Div, a, b) => product(&found[a], &inverse(&found[b])?, budget)?,
             Node::Binary(Op::Restrict, a, _) => found[a].clone(),
             Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => whole(Polynomial::variable(node)),
         };
         let Fraction(top, under) = made;
         let made = match rewrites {
             [] => Fraction(top, under),
-            _ => Fraction(reduced(top, rewrites, &mut budget)?, reduced(under, rewrites, &mut budget)?),
+            _ => Fraction(reduced(top, rewrites, budget)?, reduced(under, rewrites, budget)?),
         };
         found.insert(node, made);
     }
@@ -248,18 +263,22 @@ fn fraction(graph: &Graph, e: Expr, rewrites: &[Rewrite], budget: usize) -> Opti
 
 /// Whether the expression is 0 as a rational function; nothing where it is too large to expand, or divides by what is 0.
 pub(crate) fn vanishes(graph: &Graph, e: Expr) -> Option<bool> {
-    vanishes_modulo(graph, e, &[])
+    vanishes_modulo(graph, e, &[]).0
 }
 
-/// Whether the numerator of the expression is a sum of multiples of relations, as far as dividing shows it.
-pub(crate) fn vanishes_modulo(graph: &Graph, e: Expr, rewrites: &[Rewrite]) -> Option<bool> {
-    let budget = if rewrites.is_empty() { MOST_PRODUCTS } else { MOST_DIVISIONS };
-    fraction(graph, e, rewrites, budget).map(|Fraction(top, _)| top.0.is_empty())
+/// Whether the numerator of the expression is a sum of multiples of relations, as far as dividing shows it; and how many products of terms that took.
+pub(crate) fn vanishes_modulo(graph: &Graph, e: Expr, rewrites: &[Rewrite]) -> (Option<bool>, usize) {
+    let most = if rewrites.is_empty() { MOST_PRODUCTS } else { MOST_DIVISIONS };
+    let mut budget = Budget(most);
+    let found = fraction(graph, e, rewrites, &mut budget).map(|Fraction(top, _)| top.0.is_empty());
+    // What is too large took all of it.
+    let spent = if found.is_none() { most } else { most - budget.0 };
+    (found, spent)
 }
 
 /// An expression, expanded and divided by relations: numerator by denominator; nothing where it is too large.
 pub(crate) fn normal_form(graph: &mut Graph, e: Expr, rewrites: &[Rewrite]) -> Option<Expr> {
-    let Fraction(top, under) = fraction(graph, e, rewrites, MOST_DIVISIONS)?;
+    let Fraction(top, under) = fraction(graph, e, rewrites, &mut Budget(MOST_DIVISIONS))?;
     let (top, under) = (top.written(graph)?, under.written(graph)?);
     Some(graph.div(top, under))
 }

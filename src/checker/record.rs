@@ -24,6 +24,9 @@ pub struct ProofRecord {
     pub sequent: Sequent,
     /// The relations, each with its proof.
     pub relations: Vec<RelationRecord>,
+    /// Assumptions of the sequent that the claim does not make, and what it follows from does. To be told; the sequent holds them already.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub presupposed: Vec<Relation>,
 }
 
 impl ProofRecord {

@@ -102,7 +102,7 @@ pub(crate) fn signs(context: &Context, e: Expr, known: &KnownSigns) -> Signs {
             Node::Unary(op, a) => unary(*op, found[a]),
             Node::Binary(op, a, b) => {
                 let own = binary(*op, *a, *b, [found[a], found[b]]);
-                if *op == Op::Sub { own.and(said(*a, *b)) } else { own }
+                if *op == Op::Sub { own.and(said(*a, *b)).and(excess(context, *a, *b)) } else { own }
             }
         };
         here = here.and(said(node, zero));
@@ -112,6 +112,11 @@ pub(crate) fn signs(context: &Context, e: Expr, known: &KnownSigns) -> Signs {
         found.insert(node, here);
     }
     found[&e]
+}
+
+/// The signs of a − b, if a is |b|. *Theorem.* |b| − b ≥ 0. *Proof.* It is 0 for b ≥ 0, and −2b otherwise. □
+fn excess(context: &Context, a: Expr, b: Expr) -> Signs {
+    if context.graph.find(&Node::Unary(Op::Abs, b)) == Some(a) { Signs::POSITIVE.or(Signs::ZERO) } else { Signs::ALL }
 }
 
 /// What a relation e ≠ 0, e > 0 or e < 0 says of parts of e. *Theorem.* Where a product, a quotient, a power with an exponent above 0, |a| or −a is not 0, its factors, its numerator, its base, a are not 0; where √a is not 0, a > 0. (The

@@ -46,6 +46,11 @@ impl Shown {
 }
 
 impl ProofRecord {
+    /// What the proof presupposes, in words.
+    pub fn presupposed_words(&self) -> Vec<String> {
+        super::words::relations(&self.sequent, &self.presupposed)
+    }
+
     /// All relations, replayed and told.
     ///
     /// # Errors

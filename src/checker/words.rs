@@ -133,3 +133,10 @@ impl Sequent {
         Ok(text)
     }
 }
+
+/// Relations of a sequent in words; nothing where it cannot be read.
+pub(crate) fn relations(sequent: &Sequent, relations: &[Relation]) -> Vec<String> {
+    let Ok(context) = Context::as_written(sequent) else { return Vec::new() };
+    let mut printer = Printer(context);
+    relations.iter().map(|relation| printer.relation(relation)).collect()
+}

@@ -78,7 +78,7 @@ impl Recorded {
 
     /// A sentence, beside the word *proved*.
     pub fn sentence(&self) -> String {
-        match (self.steps(), self.left_out()) {
+        let sentence = match (self.steps(), self.left_out()) {
             (None, _) => format!(
                 "The proof is not recorded: it rests on the prover alone ({}).",
                 self.why_not().unwrap_or_default()
@@ -90,6 +90,18 @@ impl Recorded {
             (Some(steps), n) => {
                 format!("The proof is recorded, but for {n} cases: the checker replayed its {steps} steps.")
             }
+        };
+        match self.presupposed() {
+            all if all.is_empty() => sentence,
+            all => format!("{sentence} It presupposes {}, as what it follows from does.", all.join(", ")),
+        }
+    }
+
+    /// What a recorded proof presupposes, in words.
+    pub fn presupposed(&self) -> Vec<String> {
+        match self {
+            Recorded::Proof(proof, _) => proof.presupposed_words(),
+            Recorded::Not(_) => Vec::new(),
         }
     }
 }

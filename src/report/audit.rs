@@ -39,6 +39,8 @@ pub struct AuditedClaim {
     pub claim: String,
     /// What the report says of it.
     pub standing: String,
+    /// What the proof assumes beside what the claim does, since what it follows from does.
+    pub presupposed: Vec<String>,
     /// Its relations.
     pub relations: Vec<AuditedRelation>,
 }
@@ -80,7 +82,7 @@ pub fn audit(text: &[u8]) -> Result<Audit, String> {
             };
             AuditedRelation { sequent: sequent.words().unwrap_or_else(|refused| refused.to_string()), outcome }
         });
-        AuditedClaim { relations: relations.collect(), claim, standing }
+        AuditedClaim { relations: relations.collect(), presupposed: proof.presupposed_words(), claim, standing }
     });
     Ok(Audit { claims: claims.collect(), derivation: file.derivation, unrecorded: file.unrecorded })
 }
@@ -104,6 +106,10 @@ impl Audit {
         for claim in &self.claims {
             let word = if claim.is_replayed() { "replayed" } else { "REFUSED" };
             out += &format!("\n  {}  {word} (the report says: {})\n", claim.claim, claim.standing);
+            if !claim.presupposed.is_empty() {
+                let all = claim.presupposed.join(", ");
+                out += &format!("    Presupposed, as what the claim follows from does: {all}\n");
+            }
             for relation in &claim.relations {
                 out += &format!("    {}\n", relation.sequent);
                 out += &match &relation.outcome {
@@ -146,6 +152,7 @@ impl Audit {
                 "claim": claim.claim,
                 "standing": claim.standing,
                 "replayed": claim.is_replayed(),
+                "presupposed": claim.presupposed,
                 "relations": claim.relations.iter().map(relation).collect::<Vec<_>>(),
             })
         };

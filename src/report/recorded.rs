@@ -29,7 +29,10 @@ const MOST_STEPS: usize = 60;
 
 /// Most steps of one claim that the page shows, all of its relations together: nobody reads more, and of some thousand steps a
 /// page would be half. `explain` prints more, and all are in `proofs.json`.
-const MOST_ON_PAGE: usize = 24;
+const MOST_ON_PAGE: usize = 8;
+
+/// Longest sequent that the page prints in full, in characters: `explain` and `audit` print all of it.
+const LONGEST_ON_PAGE: usize = 700;
 
 /// How a replay ended, in words.
 pub(super) fn shown_words(shown: &Shown) -> String {
@@ -84,6 +87,21 @@ fn on_page(all: &[Told]) -> (Vec<(&Told, &[String])>, usize) {
     (shown, total - (MOST_ON_PAGE - left))
 }
 
+/// The beginning of a sequent, if it is long: up to the end of a formula.
+fn beginning(sequent: &str) -> String {
+    let long = sequent.chars().count();
+    if long <= LONGEST_ON_PAGE {
+        return sequent.to_owned();
+    }
+    let start: String = sequent.chars().take(LONGEST_ON_PAGE).collect();
+    // Formulas stand between backquotes.
+    let whole = match start.matches('`').count() % 2 {
+        0 => start.as_str(),
+        _ => start.rsplit_once('`').map_or("", |(before, _)| before),
+    };
+    format!("{whole} \u{2026} ({long} characters, all of which `explain` and `audit` print)")
+}
+
 /// The same in a fold of the page, up to [`MOST_ON_PAGE`] steps.
 pub(super) fn fold(recorded: &Recorded, scope: &Scope) -> Markup {
     if recorded.steps().is_none() {
@@ -95,7 +113,7 @@ pub(super) fn fold(recorded: &Recorded, scope: &Scope) -> Markup {
         details.steps {
             summary { "The proof, step by step" }
             @for (told, steps) in shown {
-                p { (prose(&told.sequent, scope)) }
+                p { (prose(&beginning(&told.sequent), scope)) }
                 ol { @for step in steps { li { (prose(step, scope)) } } }
                 p { "Replayed: " (shown_words(&told.shown)) "." }
             }

@@ -2,15 +2,22 @@
 //!
 //! **In:** a draft, and expressions. **Out:** the expressions with values put in, as the checker will see them, and how much work that took.
 
+use crate::vanish::Cost;
 use crate::write::Reader;
 use checker::{Draft, FactId, Law, Relation, Sense, Step, Term};
-use expr::{Expr, Node};
-use std::collections::BTreeMap;
+use expr::{Expr, Leaf, Node};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Most nodes of an expression that is reduced.
 pub(crate) const MOST_NODES: usize = 6_000;
 /// Most nodes that are looked at for one relation.
 const MOST_WORK: usize = 250_000;
+
+/// Most terms that are looked at for sums of multiples in one proof.
+const MOST_MULTIPLES: usize = 360_000;
+
+/// So many products of terms that the checker expands count as one node.
+const PRODUCTS: usize = 6;
 
 /// Counted work of a step, and of a node of what it makes: the checker makes each of them again.
 const STEP: u64 = 2_000;
@@ -34,11 +41,28 @@ pub(crate) struct Search {
     pub(crate) work: usize,
     /// The sides of facts that were asked for.
     pub(crate) sides_of: BTreeMap<FactId, (Expr, Expr)>,
+    /// Nodes and leaves of expressions, and what it costs to solve them for leaves.
+    pub(crate) sizes: BTreeMap<Expr, (usize, Vec<Leaf>)>,
+    pub(crate) costs: BTreeMap<(Expr, Leaf), Option<Cost>>,
+    /// What was not found to be a sum of multiples of these.
+    pub(crate) completed: BTreeSet<(Expr, Vec<Expr>)>,
+    /// Terms that may still be looked at for sums of multiples.
+    pub(crate) multiples: usize,
 }
 
 impl Search {
     pub(crate) fn new(reader: Reader, draft: Draft) -> Search {
-        Search { reader, draft, solved: Vec::new(), work: 0, sides_of: BTreeMap::new() }
+        Search {
+            reader,
+            draft,
+            solved: Vec::new(),
+            work: 0,
+            sides_of: BTreeMap::new(),
+            sizes: BTreeMap::new(),
+            costs: BTreeMap::new(),
+            completed: BTreeSet::new(),
+            multiples: MOST_MULTIPLES,
+        }
     }
 
     /// Whether the work of the search is done with.
@@ -53,7 +77,9 @@ impl Search {
 
     /// Takes a step; the fact that it makes.
     pub(crate) fn push(&mut self, step: Step) -> Option<FactId> {
+        let before = self.draft.products();
         let made = self.draft.push(step).ok().flatten();
+        self.work += self.draft.products().saturating_sub(before) / PRODUCTS;
         let size = made.and_then(|id| self.draft.says(id)).map_or(0, |says| says.left.0.len() + says.right.0.len());
         meter::charge(STEP + NODE * size as u64);
         made

@@ -76,6 +76,8 @@ pub(crate) fn fraction(graph: &mut Graph, e: Expr) -> Option<Fraction> {
                 let inverse = inverse(graph, &of(b));
                 times(graph, &of(a), &inverse)
             }
+            // It has the value of its formula, where it has one.
+            Node::Binary(Op::Restrict, a, _) => of(a),
             Node::Unary(Op::Neg, a) => {
                 let of = of(a);
                 Fraction { numerator: graph.neg(of.numerator), ..of }

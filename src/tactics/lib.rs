@@ -7,18 +7,23 @@
 //! **How a proof is searched.** All that is given is taken, with the rates that the claim needs and the values at the fixed times that it
 //! names. Equations are solved one after the other for what is linear in them, highest rates first; what is solved for is put into the
 //! others and into the claim, functions by congruence. The rest has to vanish as a polynomial, with sin² + cos² = 1 and other
-//! squares divided out. A conserved quantity is carried from a fixed time by its rate.
+//! squares divided out; or as a sum of multiples of what is known (`complete`, by the algorithm of Buchberger), before which may stand what is known not to be 0. A conserved quantity is carried
+//! from a fixed time by its rate; what is assumed at some times, and conserved, is known at all of them.
 
 #![forbid(unsafe_code)]
 
 mod block;
+mod buchberger;
+mod complete;
 mod eliminate;
 mod fraction;
 mod normal;
 mod prove;
+mod ring;
 mod sequent;
 mod used;
 mod vanish;
+mod weaken;
 mod write;
 
 pub use prove::prove;
@@ -28,31 +33,50 @@ pub use sequent::sequents;
 use checker::{ProofRecord, RelationRecord};
 use derivation::{Claim, Derivation};
 
-/// All that a claim says, as questions for the checker.
+/// All that a claim says, as questions for the checker; and the same with what is presupposed.
 #[derive(Debug)]
-pub struct Asked(Vec<Question>);
+pub struct Asked {
+    plain: Vec<Question>,
+    presupposing: Vec<Question>,
+}
 
 impl Asked {
-    /// What a claim asks.
+    /// What a claim asks. `may_presuppose`: what the claims assume that it follows from may be assumed, too, as the verdict on it says.
     ///
     /// # Errors
     /// A sentence: the form of the claim that no sequent expresses.
-    pub fn of(derivation: &Derivation, claim: &Claim) -> Result<Asked, String> {
-        sequents(derivation, claim).map(Asked)
+    pub fn of(derivation: &Derivation, claim: &Claim, may_presuppose: bool) -> Result<Asked, String> {
+        let plain = sequents(derivation, claim)?;
+        let presupposing = if may_presuppose { sequent::sequents_presupposing(derivation, claim)? } else { Vec::new() };
+        Ok(Asked { plain, presupposing })
     }
 
     /// All that is given and claimed, as bytes: questions with the same have the same proofs.
     pub fn content(&self) -> Vec<u8> {
-        let each: Vec<_> = self.0.iter().map(|q| (&q.sequent, q.conserved)).collect();
+        let all = self.plain.iter().chain(&self.presupposing);
+        let each: Vec<_> = all.map(|q| (&q.sequent, q.conserved, &q.presupposed)).collect();
         serde_json::to_vec(&each).unwrap_or_default()
     }
 
-    /// Proofs, for the checker.
+    /// Proofs, for the checker: with nothing presupposed, unless that leaves out more cases.
     ///
     /// # Errors
     /// A sentence: that no proof was found.
     pub fn record(&self) -> Result<ProofRecord, String> {
-        recorded(&self.0)
+        let left_out = |record: &ProofRecord| {
+            let shown = record.relations.iter().map(|of| checker::replay(&record.sequent_of(of), &of.steps));
+            shown.map(|shown| shown.map_or(usize::MAX, |shown| shown.leaves_out().len())).fold(0, usize::saturating_add)
+        };
+        let plain = recorded(&self.plain);
+        if self.presupposing.is_empty() || plain.as_ref().is_ok_and(|record| left_out(record) == 0) {
+            return plain;
+        }
+        let presupposing = recorded(&self.presupposing);
+        match (plain, presupposing) {
+            (Ok(plain), Ok(presupposing)) if left_out(&plain) <= left_out(&presupposing) => Ok(plain),
+            (_, Ok(presupposing)) => Ok(presupposing),
+            (plain, Err(_)) => plain,
+        }
     }
 }
 
@@ -65,10 +89,11 @@ pub fn record_throughout(derivation: &Derivation, claim: &Claim) -> Result<Proof
 }
 
 fn recorded(questions: &[Question]) -> Result<ProofRecord, String> {
-    let sequent = questions.first().map(|q| q.sequent.clone()).ok_or("nothing is claimed")?;
+    let first = questions.first().ok_or("nothing is claimed")?;
+    let (sequent, presupposed) = (first.sequent.clone(), first.presupposed.clone());
     let mut relations = Vec::new();
     for question in questions {
         relations.push(RelationRecord { claim: question.sequent.claim.clone(), steps: prove(question)? });
     }
-    Ok(ProofRecord { sequent, relations })
+    Ok(ProofRecord { sequent, relations, presupposed })
 }

@@ -8,16 +8,35 @@ use crate::fraction::fraction;
 use crate::prove::Attempt;
 use crate::vanish::Open;
 use checker::{ConstantSign, FactId, Law, Relation, Step, SymbolKind, Term};
-use expr::{Expr, Node, Op, Rational};
+use expr::{Expr, Graph, Node, Op, Rational};
 use std::collections::BTreeSet;
 
 /// Most changes of one expression.
 const MOST_CHANGES: usize = 80;
+/// Most terms that are looked at to compare a root with 1.
+const MOST_FOR_A_ROOT: usize = 60_000;
+/// Most roots that are compared with 1.
+const MOST_ROOTS: usize = 4;
 /// Largest whole multiple of an argument that is taken apart.
 const LARGEST_MULTIPLE: i64 = 12;
 
 /// A node as another: by a law of certain expressions.
 type Change = (Law, Vec<Expr>);
+
+/// Whether an expression is written as a multiple of 0.
+fn is_nothing(graph: &Graph, e: Expr) -> bool {
+    let node = graph.node(e);
+    if let Node::Binary(Op::Mul, a, b) = *node {
+        return is_nothing(graph, a) || is_nothing(graph, b);
+    }
+    if let Node::Binary(Op::Add | Op::Sub, a, b) = *node {
+        return is_nothing(graph, a) && is_nothing(graph, b);
+    }
+    if let Node::Binary(Op::Div, a, _) | Node::Unary(Op::Neg, a) = *node {
+        return is_nothing(graph, a);
+    }
+    graph.is_zero(e)
+}
 
 impl Attempt<'_> {
     /// Changes functions as far as laws do; nothing where that is too large.
@@ -28,19 +47,28 @@ impl Attempt<'_> {
             let nodes = self.search.reader.graph.reachable(roots);
             self.search.work += nodes.len();
             let units = self.units(&nodes);
+            let at_nothing =
+                nodes.iter().copied().find(|node| !refused.contains(node) && self.is_function_of_nothing(*node));
             let found = nodes.into_iter().filter(|node| !refused.contains(node)).find_map(|node| {
                 let (law, of) = self.change(node, &units)?;
                 Some((node, law, of))
             });
-            let changed = match found {
-                Some((node, law, of)) => match self.by_law(node, law, &of) {
+            let changed = match (at_nothing, found) {
+                (Some(node), _) => match self.value_at_nothing(node) {
                     Some(changed) => changed,
                     None => {
                         refused.insert(node);
                         continue;
                     }
                 },
-                None => match self.equal_functions(*e, &mut refused) {
+                (None, Some((node, law, of))) => match self.by_law(node, law, &of) {
+                    Some(changed) => changed,
+                    None => {
+                        refused.insert(node);
+                        continue;
+                    }
+                },
+                (None, None) => match self.equal_functions(*e, &mut refused) {
                     Some(changed) => changed,
                     None => return Some(()),
                 },
@@ -51,6 +79,28 @@ impl Attempt<'_> {
             }
         }
         Some(())
+    }
+
+    /// Whether a node is the sine, the cosine or the exponential of what is written as a multiple of 0.
+    fn is_function_of_nothing(&self, node: Expr) -> bool {
+        let graph = &self.search.reader.graph;
+        let Node::Unary(op, a) = *graph.node(node) else { return false };
+        [Op::Sin, Op::Cos, Op::Exp].contains(&op) && is_nothing(graph, a)
+    }
+
+    /// f(a) = f(0), which the graph knows.
+    fn value_at_nothing(&mut self, node: Expr) -> Option<Solved> {
+        let Node::Unary(op, a) = *self.search.reader.graph.node(node) else { return None };
+        let zero = self.search.reader.graph.integer(0);
+        let value = self.search.reader.graph.unary(op, zero);
+        let says = self.search.reader.equation(zero, a)?;
+        let before = std::mem::take(&mut self.search.solved);
+        let equal = self.search.zero(says, None, &[], &[]);
+        self.search.solved = before;
+        let says = self.search.reader.equation(node, value)?;
+        let fact = self.search.push(Step::Congruence { says, from: None, equal: vec![equal?] })?;
+        self.search.solved.push(fact);
+        Some(Solved { node, value })
     }
 
     /// The node as the right side of a law, whose left side is the node, or the same function of an argument that is equal.
@@ -307,6 +357,34 @@ impl Attempt<'_> {
             Node::Unary(Op::Exp | Op::Cosh, _) => true,
             Node::Unary(..) | Node::Binary(..) => false,
         }
+    }
+
+    /// Roots of what facts say to be 1, as √(sin²u + cos²u) where the sine and the cosine are components of a unit vector.
+    pub(crate) fn unit_roots(&mut self, e: &mut Expr, rest: &mut [Open]) -> Option<()> {
+        let graph = &self.search.reader.graph;
+        let under = |node: Expr| {
+            let Node::Unary(Op::Sqrt, a) = *graph.node(node) else { return None };
+            Some((node, a))
+        };
+        let roots: Vec<(Expr, Expr)> = graph.reachable([*e]).into_iter().filter_map(under).take(MOST_ROOTS).collect();
+        for (node, a) in roots {
+            let graph = &mut self.search.reader.graph;
+            let one = graph.integer(1);
+            let difference = graph.sub(one, a);
+            let says = self.search.reader.equation(one, a)?;
+            let Some(equal) = self.complete_within(&says, difference, rest, MOST_FOR_A_ROOT) else { continue };
+            let says = self.search.reader.equation(node, one)?;
+            let Some(fact) = self.search.push(Step::Congruence { says, from: None, equal: vec![equal] }) else {
+                continue;
+            };
+            self.search.solved.push(fact);
+            let solved = Solved { node, value: one };
+            self.search.put_in(e, solved).then_some(())?;
+            for open in rest.iter_mut() {
+                self.search.put_in(&mut open.e, solved).then_some(())?;
+            }
+        }
+        Some(())
     }
 
     /// l = r, since l² = r², and neither is negative.

@@ -7,11 +7,14 @@ use crate::sequent::Question;
 use crate::used::used;
 use crate::vanish::{Beginning, order};
 use crate::write::Reader;
-use checker::{CaseId, Draft, FactId, Given, Instant, Relation, Sense, Sequent, Step, SymbolKind, Term, When};
-use expr::Expr;
+use checker::{Draft, FactId, Given, Instant, Relation, Sense, Sequent, Step, SymbolKind, Term, TermNode, When};
+use expr::{Expr, Node};
 
 /// Most facts that are solved.
 const MOST_FACTS: usize = 160;
+/// Most formulas that are tried whether they are conserved.
+const MOST_CARRIED: usize = 8;
+
 /// The steps of a proof of a sequent.
 ///
 /// # Errors
@@ -44,13 +47,18 @@ pub(crate) struct Attempt<'a> {
 impl Attempt<'_> {
     fn run(&mut self, conserved: Option<u32>) -> Option<FactId> {
         self.give();
+        for fact in self.assumptions.clone() {
+            let told = self.by_laws(fact);
+            self.assumptions.extend(told);
+        }
         self.differentiate(u8::from(conserved.is_some()));
         let claim = self.sequent.claim.clone();
         if claim.sense != Sense::Equal {
             return None;
         }
-        if let Some(at) = conserved {
-            let fact = self.carry(&claim.left, at)?;
+        if let Some(at) = conserved
+            && let Some(fact) = self.carry(&claim.left, at)
+        {
             return self.weaken(fact);
         }
         let says = self.search.draft.claim_says()?;
@@ -62,31 +70,96 @@ impl Attempt<'_> {
 
     /// The claim, by one way after the other: by algebra alone, with values at fixed times, with formulas as wholes, by squares.
     fn show(&mut self, claim: &Relation, left: Expr, right: Expr, goal: Expr) -> Option<FactId> {
-        for beginning in [Beginning::Plain, Beginning::Wholes] {
-            self.search.renew();
-            if let Some(fact) = self.algebra(claim, goal, beginning) {
+        let like = self.like_a_fact(claim, left, right);
+        if let (Some(fact), _) = like {
+            return Some(fact);
+        }
+        // A fact about a side of the claim is put in before anything is solved.
+        let mut ways = [Beginning::Plain, Beginning::Wholes];
+        if like.1 {
+            ways.reverse();
+        }
+        if let Some(fact) = ways.into_iter().find_map(|beginning| self.renewed(claim, goal, beginning)) {
+            return Some(fact);
+        }
+        // What the rates leave open the values at fixed times may decide.
+        let mut instants = self.instants(goal);
+        if instants.is_empty() {
+            instants = (0..self.sequent.instants.len() as u32).collect();
+        }
+        if !instants.is_empty() {
+            let carried = self.carried([&claim.left, &claim.right], goal, &instants);
+            self.take_values(&instants);
+            self.facts.extend(carried);
+            if let Some(fact) = ways.into_iter().find_map(|beginning| self.renewed(claim, goal, beginning)) {
                 return Some(fact);
-            }
-            if beginning == Beginning::Plain {
-                // What the rates leave open the values at fixed times may decide.
-                let mut instants = self.instants(goal);
-                if instants.is_empty() {
-                    instants = (0..self.sequent.instants.len() as u32).collect();
-                }
-                let carried: Vec<FactId> = instants.iter().filter_map(|&at| self.carry(&claim.left, at)).collect();
-                if instants.is_empty() && carried.is_empty() {
-                    continue;
-                }
-                self.take_values(&instants);
-                self.facts.extend(carried);
-                self.search.renew();
-                if let Some(fact) = self.algebra(claim, goal, beginning) {
-                    return Some(fact);
-                }
             }
         }
         self.search.renew();
         self.by_squares(claim, left, right)
+    }
+
+    /// The claim, as a fact with a side of it says it in other words; and whether there is such a fact.
+    fn like_a_fact(&mut self, claim: &Relation, left: Expr, right: Expr) -> (Option<FactId>, bool) {
+        let mut shared = false;
+        let is_formula = |this: &Self, e: Expr| this.search.reader.graph.reachable([e]).len() > 1;
+        self.search.solved.clear();
+        for fact in self.facts.clone() {
+            let Some((l, r)) = self.search.equation(fact) else { continue };
+            let shares = |a: Expr, b: Expr| a == b && is_formula(self, a);
+            let same = shares(l, left) || shares(r, right);
+            if !same && !shares(l, right) && !shares(r, left) {
+                continue;
+            }
+            shared = true;
+            let sign = self.search.reader.graph.integer(if same { 1 } else { -1 });
+            let found = self.search.zero(claim.clone(), None, &[(fact, sign)], &[]);
+            if found.is_some() {
+                return (found, true);
+            }
+        }
+        (None, shared)
+    }
+
+    fn renewed(&mut self, claim: &Relation, goal: Expr, beginning: Beginning) -> Option<FactId> {
+        self.search.renew();
+        self.algebra(claim, goal, beginning)
+    }
+
+    /// Sides of the claim, and definitions in it, that are found to be conserved: what they are at fixed times.
+    fn carried(&mut self, sides: [&Term; 2], goal: Expr, instants: &[u32]) -> Vec<FactId> {
+        let mut of: Vec<Term> = sides.into_iter().cloned().collect();
+        let below = self.search.reader.graph.reachable([goal]);
+        for definition in &self.sequent.definitions {
+            let name = definition.name.clone();
+            let term = Term(vec![TermNode::Leaf { name, component: definition.component, rate: 0, at: None }]);
+            let is_whole = self.search.draft.formula(&term).and_then(|formula| self.search.reader.read(&formula));
+            let is_function =
+                |e: &Expr| matches!(self.search.reader.graph.node(*e), Node::Unary(..) | Node::Binary(..));
+            if is_whole.is_some_and(|e| is_function(&e) && below.contains(&e)) && of.len() < MOST_CARRIED {
+                of.push(term);
+            }
+        }
+        let each = instants.iter().flat_map(|&at| of.iter().map(move |term| (term, at)));
+        each.filter_map(|(term, at)| if self.is_constant(term) { None } else { self.carry(term, at) }).collect()
+    }
+
+    /// Whether a formula does not move, or is given as what it is at a fixed time.
+    fn is_constant(&mut self, of: &Term) -> bool {
+        let Some(e) = self.search.draft.formula(of).and_then(|formula| self.search.reader.read(&formula)) else {
+            return false;
+        };
+        let moves = |this: &Self, e: Expr| {
+            let leaves = this.search.reader.graph.leaves([e]);
+            leaves.into_iter().any(|leaf| {
+                leaf.instant.is_none() && !matches!(this.kind_of(leaf), Some(crate::vanish::Kind::Constant))
+            })
+        };
+        if !moves(self, e) {
+            return true;
+        }
+        let sides: Vec<_> = self.facts.clone().into_iter().filter_map(|fact| self.search.equation(fact)).collect();
+        sides.into_iter().any(|(l, r)| l == e && !moves(self, r) || r == e && !moves(self, l))
     }
 
     /// The positions of the fixed times at which something in an expression is taken.
@@ -108,6 +181,7 @@ impl Attempt<'_> {
         }
         if !self.assumptions.is_empty() {
             let _ = self.search.draft.push(Step::Open { because: self.assumptions.clone() });
+            let _ = self.search.draft.push(Step::Everywhere { because: vec![] });
         }
         self.facts.extend(&self.assumptions);
         let others = count(sequent.systems.len()).map(Given::System);
@@ -120,12 +194,83 @@ impl Attempt<'_> {
                 self.assumptions.extend(fact);
             }
         }
+        let mut later = Vec::new();
+        let chosen = count(sequent.selectors.len()).map(Given::Selector);
+        let chosen = chosen.chain(count(sequent.assumed.len()).map(Given::Assumed));
+        let values: Vec<FactId> = chosen.flat_map(|given| self.values_of(given)).collect();
+        let known = [self.assumptions.clone(), values].concat();
         for given in count(sequent.claims.len()).map(Given::Claimed) {
-            let because = self.assumptions.clone();
+            let because = known.clone();
             let plain = self.search.push(Step::Given { given, because: vec![] });
             let fact = plain.or_else(|| self.search.push(Step::Given { given, because }));
+            later.extend(fact.is_none().then_some(given));
             self.facts.extend(fact);
         }
+        if later.is_empty() {
+            return;
+        }
+        // What is assumed at the chosen times is so at all times, perhaps; then it brings more claims.
+        let always = self.assumed_always();
+        let because = [known, always].concat();
+        for given in later {
+            let fact = self.search.push(Step::Given { given, because: because.clone() });
+            self.facts.extend(fact);
+        }
+    }
+
+    /// Assumed equations at all times, where facts of all times carry them: e = e(c), and e(c) = 0, which does not move.
+    fn assumed_always(&mut self) -> Vec<FactId> {
+        let mut out = Vec::new();
+        let whole =
+            |this: &Self, id: FactId| this.search.draft.fact(id).is_some_and(|fact| *fact.when() == When::Always);
+        let integrals: Vec<FactId> = self.facts.clone().into_iter().filter(|&id| whole(self, id)).collect();
+        for fact in self.assumptions.clone() {
+            let Some((l, r)) = self.search.equation(fact).filter(|(l, r)| l != r) else { continue };
+            let found = integrals.iter().find_map(|&integral| self.lifted(fact, [l, r], integral));
+            out.extend(found);
+        }
+        out
+    }
+
+    /// l = r at all times, if an integral says that l − r is what it is at a fixed time.
+    fn lifted(&mut self, fact: FactId, [l, r]: [Expr; 2], integral: FactId) -> Option<FactId> {
+        let (e, then) = self.search.equation(integral)?;
+        let graph = &mut self.search.reader.graph;
+        let (one, minus, zero) = (graph.integer(1), graph.integer(-1), graph.integer(0));
+        // e is l, or l − r.
+        let value = match e {
+            e if e == l => r,
+            e if e == graph.sub(l, r) => zero,
+            _ => return None,
+        };
+        let still = self.search.reader.equation(then, value)?;
+        let still = self.search.zero(still, None, &[(fact, one), (integral, minus)], &[])?;
+        let says = self.search.reader.equation(l, r)?;
+        self.search.zero(says, None, &[(integral, one), (still, one)], &[])
+    }
+
+    /// An inequality with the functions in it as laws write them: of sin atan2(y, x) ≠ 0, y/√(x² + y²) ≠ 0.
+    fn by_laws(&mut self, fact: FactId) -> Option<FactId> {
+        let says = self.search.draft.says(fact).filter(|says| says.sense != Sense::Equal)?;
+        let (mut sides, before) = (Vec::new(), self.search.solved.len());
+        let (left, right) = self.search.reader.sides(&says)?;
+        for mut side in [left, right] {
+            self.normalise(&mut side, &mut [])?;
+            sides.push(self.search.reader.term(side)?);
+        }
+        let laws = self.search.solved.split_off(before);
+        let mut equal = Vec::new();
+        for law in laws {
+            // Turned, since the right side is written as the left one.
+            let says = self.search.draft.says(law)?;
+            let terms = vec![(law, Term::integer(-1))];
+            let (turned, multiplier) = (Relation::equal(says.right, says.left), Term::integer(1));
+            let step = Step::Zero { says: turned, multiplier, terms, insert: vec![], modulo: vec![] };
+            equal.push(self.search.push(step)?);
+        }
+        let right = sides.pop()?;
+        let says = Relation { left: sides.pop()?, sense: says.sense, right };
+        if equal.is_empty() { None } else { self.search.push(Step::Congruence { says, from: Some(fact), equal }) }
     }
 
     fn highest_rate(&mut self, relation: &Relation) -> u8 {
@@ -191,55 +336,38 @@ impl Attempt<'_> {
     fn carry(&mut self, of: &Term, at: u32) -> Option<FactId> {
         let rate = self.search.draft.derivative(of).ok()?;
         let d = self.search.reader.read(&rate)?;
-        let because = self.values_throughout();
         let fact = if self.search.reader.graph.is_zero(d) {
             self.search.solved.clear();
             self.search.zero(Relation::equal(Term::integer(0), Term::integer(0)), None, &[], &[])?
         } else {
             self.rate_vanishes(&Relation::equal(rate, Term::integer(0)), d)?
         };
-        let free = self.search.push(Step::Discharge { fact, because: because.clone() }).unwrap_or(fact);
-        self.search.push(Step::Conserved { of: of.clone(), at: Instant(at), rate: free, because })
+        let because = self.values_throughout();
+        if let Some(found) = self.conserved(of, at, fact, because.clone()) {
+            return Some(found);
+        }
+        // What the claim needs does not move, perhaps; then it holds at all times.
+        let of_claim = 0..self.search.draft.claim_needs().len() as u32;
+        let needs: Vec<FactId> =
+            of_claim.filter_map(|need| self.search.push(Step::ClaimHasValue { need, within: When::Always })).collect();
+        self.conserved(of, at, fact, [because, needs].concat())
+    }
+
+    fn conserved(&mut self, of: &Term, at: u32, fact: FactId, because: Vec<FactId>) -> Option<FactId> {
+        let rate = self.search.push(Step::Discharge { fact, because: because.clone() }).unwrap_or(fact);
+        self.search.push(Step::Conserved { of: of.clone(), at: Instant(at), rate, because })
     }
 
     fn rate_vanishes(&mut self, says: &Relation, d: Expr) -> Option<FactId> {
-        let ways = [Beginning::Plain, Beginning::Wholes].into_iter();
-        ways.into_iter().find_map(|beginning| {
-            self.search.renew();
-            self.algebra(says, d, beginning)
-        })
+        [Beginning::Plain, Beginning::Wholes].into_iter().find_map(|beginning| self.renewed(says, d, beginning))
     }
 
     /// What something given needs, since it has values.
-    fn values_of(&mut self, given: Given) -> Vec<FactId> {
+    pub(crate) fn values_of(&mut self, given: Given) -> Vec<FactId> {
         (0..).map_while(|need| self.search.push(Step::HasValue { given, need })).collect()
     }
 
-    fn values_throughout(&mut self) -> Vec<FactId> {
+    pub(crate) fn values_throughout(&mut self) -> Vec<FactId> {
         (0..self.sequent.systems.len() as u32).flat_map(|at| self.values_of(Given::System(at))).collect()
-    }
-
-    /// The fact at the times at which the claim has a value, with as few needs as can be.
-    fn weaken(&mut self, fact: FactId) -> Option<FactId> {
-        let within = When::Chosen.within(CaseId::CLAIM);
-        let fact = self.search.push(Step::Restrict { fact, to: within, because: vec![] })?;
-        let mut because = self.assumptions.clone();
-        because.extend(self.values_throughout());
-        for need in 0..self.search.draft.claim_needs().len() as u32 {
-            because.extend(self.search.push(Step::ClaimHasValue { need, within: When::Chosen }));
-        }
-        for at in 0..self.sequent.assumed.len() as u32 {
-            because.extend(self.values_of(Given::Assumed(at)));
-        }
-        let mut best = fact;
-        let steps = because.iter().map(|&each| vec![each]).chain([because.clone()]);
-        for because in steps.collect::<Vec<_>>() {
-            let fewer = self.search.push(Step::Discharge { fact: best, because });
-            let count = |id: FactId| self.search.draft.needs(id).len();
-            if let Some(fewer) = fewer.filter(|&fewer| count(fewer) < count(best)) {
-                best = fewer;
-            }
-        }
-        Some(best)
     }
 }

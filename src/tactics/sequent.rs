@@ -9,6 +9,9 @@
 //! with a constant c of which nothing is known, as a premise at each fixed time that occurs. A symbol has as many continuous
 //! rates as formulas write.
 //!
+//! **Polar angles.** atan2(√q, x) is continuous wherever it has a value: near a point of its cut, where √q = 0 and x < 0, it is π − arctan(√q/|x|), and has the limit π; √q is never negative. So the
+//! angle that is continued is its formula, and stands as a definition. (At √q = 0 neither has a rate: the root has an edge there, which the rate of a definition excludes as that of the file does.)
+//!
 //! **Traps.** An angle that is continued through whole turns is not its formula: it is a function of its own, with the sine, the cosine and, at all times at which the formula has one, the rate of
 //! its formula; T is an interval on which it has values and, if rates are written, rates. Where it may have a kink between two times, nothing is said of both. What a claim says at events is said at some times only: refused as a claim, left out as a premise.
 
@@ -17,9 +20,10 @@ use crate::write::Writer;
 use checker::{Claimed, Definition, Relation, Sense, Sequent};
 use claim::comparison::{at_instant, may_leap};
 use derivation::{Claim, Derivation, Form, Premise};
+use expr::domain::Change;
 use expr::{Expr, Graph, Leaf, Node, Op, Shape, Symbol};
 use latex::{Relation as Read, RelationKind, Role};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A sequent, and how it is to be shown.
 #[derive(Clone, Debug)]
@@ -28,10 +32,12 @@ pub struct Question {
     pub sequent: Sequent,
     /// Whether it says e = e(c), for the position of c among the fixed times.
     pub conserved: Option<u32>,
+    /// What is assumed beside what the claim assumes, since what it follows from does.
+    pub presupposed: Vec<Relation>,
 }
 
 /// A relation between scalars of the file.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Scalar {
     pub(crate) left: Expr,
     pub(crate) sense: Sense,
@@ -68,6 +74,17 @@ pub fn sequents(derivation: &Derivation, claim: &Claim) -> Result<Vec<Question>,
     gathering.questions()
 }
 
+/// The same, where what the claims assume that it follows from is assumed, too; nothing where that is nothing new.
+///
+/// # Errors
+/// As for [`sequents`].
+pub(crate) fn sequents_presupposing(derivation: &Derivation, claim: &Claim) -> Result<Vec<Question>, String> {
+    let mut gathering = Gathering::new(derivation, claim);
+    gathering.gather()?;
+    gathering.presuppose();
+    if gathering.presupposed.is_empty() { Ok(Vec::new()) } else { gathering.questions() }
+}
+
 /// The same, where assumptions are premises of all times.
 ///
 /// # Errors
@@ -97,6 +114,7 @@ struct Gathering<'a> {
     others: Vec<Other>,
     selectors: Vec<Scalar>,
     assumed: Vec<Scalar>,
+    presupposed: Vec<Scalar>,
 }
 
 /// The scalars of a relation; nothing for a limit or a relation with ±.
@@ -131,6 +149,13 @@ fn scalars(graph: &mut Graph, relation: &Read) -> Option<Vec<Scalar>> {
     Some(out.into_iter().map(|(left, sense, right)| Scalar { left, sense, right }).collect())
 }
 
+/// Whether a claim says what it says of all values, and nothing of its assumptions is left out.
+fn is_plain(claim: &Claim) -> bool {
+    let plain = claim.assuming.iter().flat_map(|w| &w.value.relations).all(|r| r.limit.is_none() && !r.has_branches);
+    // Over ranges of values it says nothing of others.
+    claim.at.is_none() && !claim.is_over_ranges() && plain
+}
+
 impl<'a> Gathering<'a> {
     fn new(derivation: &'a Derivation, claim: &'a Claim) -> Gathering<'a> {
         let mut graph = derivation.graph.clone();
@@ -149,6 +174,26 @@ impl<'a> Gathering<'a> {
             others: Vec::new(),
             selectors: Vec::new(),
             assumed: Vec::new(),
+            presupposed: Vec::new(),
+        }
+    }
+
+    /// Assumes what the claims assume that are given: equations and inequalities that are not assumed yet.
+    fn presuppose(&mut self) {
+        for other in &self.others {
+            for &scalar in &other.selectors {
+                if !self.selectors.contains(&scalar) {
+                    self.selectors.push(scalar);
+                    self.presupposed.push(scalar);
+                }
+            }
+            for &scalar in &other.hypotheses {
+                // Between the same sides an equation says nothing.
+                if scalar.left != scalar.right && !self.assumed.contains(&scalar) {
+                    self.assumed.push(scalar);
+                    self.presupposed.push(scalar);
+                }
+            }
         }
     }
 
@@ -195,6 +240,13 @@ impl<'a> Gathering<'a> {
                 Premise::Definition => {}
             }
         }
+        // First integrals last: what they are at each fixed time that anything else names.
+        let instants = self.instants();
+        for name in derivation.given_to(claim) {
+            if let Premise::Claim(at) = derivation.premise(&name) {
+                self.integrals(&derivation.claims[at], &instants);
+            }
+        }
         Ok(())
     }
 
@@ -205,12 +257,9 @@ impl<'a> Gathering<'a> {
         all.into_iter().partition(|scalar| scalar.sense != Sense::Equal)
     }
 
-    /// A claim that is given. What is left out of its assumptions would make it say more, so that it is left out as a whole.
+    /// A claim that is given, but for its first integrals. What is left out of its assumptions would make it say more, so that it is left out as a whole.
     fn other(&mut self, claim: &Claim) {
-        let plain =
-            claim.assuming.iter().flat_map(|w| &w.value.relations).all(|r| r.limit.is_none() && !r.has_branches);
-        // Over ranges of values it says nothing of others.
-        if claim.at.is_some() || claim.is_over_ranges() || !plain {
+        if !is_plain(claim) {
             return;
         }
         let mut says = Vec::new();
@@ -223,17 +272,8 @@ impl<'a> Gathering<'a> {
                     let relations = self.derivation.systems[*system].equations.iter().flat_map(|w| &w.value.relations);
                     says.extend(relations.filter_map(|r| scalars(&mut self.graph, r)).flatten());
                 }
-                Form::FirstIntegral(w) => {
-                    // Without assumptions all times count.
-                    let instants = if claim.assuming.is_empty() { self.instants() } else { Vec::new() };
-                    for &e in &w.value.components {
-                        for &instant in &instants {
-                            let then = at_instant(&mut self.graph, &claim.scope, e, instant);
-                            says.push(Scalar::equal(e, then));
-                        }
-                    }
-                }
-                Form::Never(_)
+                Form::FirstIntegral(_)
+                | Form::Never(_)
                 | Form::Eventually(_)
                 | Form::Defined(_)
                 | Form::SameMotion { .. }
@@ -247,15 +287,47 @@ impl<'a> Gathering<'a> {
         self.others.push(Other { name: claim.name(), selectors, hypotheses, says });
     }
 
-    /// The fixed times of the claim, and the one of which nothing is known.
+    /// The first integrals of a claim that is given: without assumptions all times count, and each has its value at each of these.
+    fn integrals(&mut self, claim: &Claim, instants: &[Expr]) {
+        if !is_plain(claim) || !claim.assuming.is_empty() {
+            return;
+        }
+        let mut says = Vec::new();
+        for form in &claim.forms {
+            if let Form::FirstIntegral(w) = form {
+                for &e in &w.value.components {
+                    for &instant in instants {
+                        let then = at_instant(&mut self.graph, &claim.scope, e, instant);
+                        says.push(Scalar::equal(e, then));
+                    }
+                }
+            }
+        }
+        if !says.is_empty() {
+            self.others.push(Other { name: claim.name(), selectors: Vec::new(), hypotheses: Vec::new(), says });
+        }
+    }
+
+    /// The fixed times that anything names, definitions too; and the one of which nothing is known, if the claim is about it, or there is no other.
     fn instants(&self) -> Vec<Expr> {
-        let mine = self.claimed.iter().map(|(scalar, _)| scalar).chain(&self.selectors).chain(&self.assumed);
-        let leaves = self.graph.leaves(mine.flat_map(|s| [s.left, s.right]));
-        let mut out: Vec<Expr> = leaves.into_iter().filter_map(|leaf| leaf.instant).collect();
-        out.push(self.any_time.0);
-        out.sort_unstable();
-        out.dedup();
-        out
+        let mut open = self.graph.leaves(self.all().iter().flat_map(|s| [s.left, s.right]));
+        let (mut seen, mut out) = (BTreeSet::new(), BTreeSet::new());
+        while let Some(leaf) = open.pop() {
+            if !seen.insert(leaf) {
+                continue;
+            }
+            if let Some(instant) = leaf.instant {
+                out.insert(instant);
+                open.extend(self.graph.leaves([instant]));
+            }
+            if let Some(formula) = self.definition(Leaf::now(leaf.symbol, leaf.component)) {
+                open.extend(self.graph.leaves([formula]));
+            }
+        }
+        if out.is_empty() {
+            out.insert(self.any_time.0);
+        }
+        out.into_iter().collect()
     }
 
     /// The definition of a component.
@@ -308,7 +380,7 @@ impl<'a> Gathering<'a> {
             }
             let value = Leaf::now(leaf.symbol, leaf.component);
             let Some(formula) = self.definition(value) else { continue };
-            if self.derivation.is_angle(leaf.symbol) && may_leap(&self.graph, formula) {
+            if self.derivation.is_angle(leaf.symbol) && may_leap(&self.graph, formula) && !self.is_polar(formula) {
                 let further = self.continue_angle(value, formula, rate > 0);
                 let inner = self.graph.leaves([formula]).into_iter();
                 open.extend(inner.map(|l| (l, order(l).saturating_add(rate.max(further)))));
@@ -322,6 +394,20 @@ impl<'a> Gathering<'a> {
         }
         out.reverse();
         Ok((self.ordered(out), orders))
+    }
+
+    /// Whether a formula is an angle atan2(√q, x), which no motion carries over its cut, and nothing else in it leaps.
+    fn is_polar(&mut self, formula: Expr) -> bool {
+        let root = |graph: &Graph, node: Expr| {
+            let Node::Binary(Op::Arctan2, y, _) = *graph.node(node) else { return false };
+            let Node::Unary(Op::Sqrt, _) = *graph.node(y) else { return false };
+            true
+        };
+        root(&self.graph, formula)
+            && self.graph.reachable([formula]).into_iter().all(|node| {
+                let leaps = |edge: &expr::domain::EdgeOf| matches!(edge.change, Change::Jump(_));
+                root(&self.graph, node) || !self.graph.edges(node).iter().any(leaps)
+            })
     }
 
     /// An angle that is continued through whole turns has the sine, the cosine and the rate of its formula, and not its value. The order of the rates of the formula that this takes.
@@ -418,9 +504,11 @@ impl<'a> Gathering<'a> {
             assumed: relations(&writer, &self.assumed)?,
             claim: writer.relation(self.claimed.first().ok_or("nothing is claimed")?.0)?,
         };
+        let presupposed = relations(&writer, &self.presupposed)?;
         let each = self.claimed.iter().map(|(scalar, conserved)| {
             let sequent = Sequent { claim: writer.relation(*scalar)?, ..shared.clone() };
-            Ok(Question { sequent, conserved: any_time.filter(|_| *conserved) })
+            let conserved = any_time.filter(|_| *conserved);
+            Ok(Question { sequent, conserved, presupposed: presupposed.clone() })
         });
         each.collect()
     }

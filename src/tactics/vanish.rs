@@ -28,7 +28,7 @@ pub(crate) enum Kind {
 
 /// What is divided by: a number, a constant, something that moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Divisor {
+pub(crate) enum Divisor {
     Number,
     Constant,
     Moving,
@@ -36,10 +36,12 @@ enum Divisor {
 
 /// A way to solve a fact for a leaf: the less, the better. The highest rate goes first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Cost {
+pub(crate) struct Cost {
     divisor: Divisor,
     kind: Kind,
     lower: u8,
+    /// Other rates that come in.
+    rates: usize,
     nodes: usize,
 }
 
@@ -84,12 +86,21 @@ impl Attempt<'_> {
             self.put_in_wholes(&mut e, &mut rest)?;
         }
         self.normalise(&mut e, &mut rest)?;
+        self.unit_roots(&mut e, &mut rest)?;
         for divisor in [Divisor::Number, Divisor::Constant, Divisor::Moving] {
             if divisor == Divisor::Constant {
                 if let Some(found) = self.vanishes(says, e, &rest, Depth::Facts) {
                     return Some(found);
                 }
+                if let Some(found) = self.complete(says, e, &rest) {
+                    return Some(found);
+                }
                 self.solve_block(&mut e, &mut rest)?;
+            }
+            if divisor == Divisor::Moving
+                && let Some(found) = self.complete(says, e, &rest)
+            {
+                return Some(found);
             }
             for kind in [Kind::Rate, Kind::Value, Kind::Fixed, Kind::Constant] {
                 if let Some(found) = self.vanishes(says, e, &rest, Depth::Laws) {
@@ -108,27 +119,31 @@ impl Attempt<'_> {
             }
         }
         self.normalise(&mut e, &mut [])?;
-        self.vanishes(says, e, &rest, Depth::Facts)
+        self.vanishes(says, e, &rest, Depth::Laws)
     }
 
     /// Puts one side of a fact for the other where that is a formula which stands in what is to vanish.
     fn put_in_wholes(&mut self, e: &mut Expr, rest: &mut Vec<Open>) -> Option<()> {
+        let mut sides = vec![*e];
+        if let Node::Binary(Op::Sub, a, b) = *self.search.reader.graph.node(*e) {
+            sides.extend([a, b]);
+        }
         for _ in 0..MOST_ROUNDS {
             let graph = &self.search.reader.graph;
             let below = graph.reachable([*e]);
             let is_whole = |x: &Expr| matches!(graph.node(*x), Node::Unary(..) | Node::Binary(..)) && below.contains(x);
-            // The smallest goes in first.
-            let mut found: Option<(usize, usize, Expr, Expr)> = None;
+            // A side of what is claimed goes in first, then the smallest.
+            let mut found: Option<(bool, usize, usize, Expr, Expr)> = None;
             for (at, open) in rest.iter().enumerate() {
                 let Some((l, r)) = self.search.sides_of.get(&open.fact).copied() else { continue };
                 let size = |x: Expr| graph.reachable([x]).len();
                 for (from, to) in [(l, r), (r, l)] {
                     if is_whole(&from) && !graph.reachable([to]).contains(&from) {
-                        found = found.into_iter().chain([(size(to), at, from, to)]).min();
+                        found = found.into_iter().chain([(!sides.contains(&from), size(to), at, from, to)]).min();
                     }
                 }
             }
-            let found = found.map(|(_, at, from, to)| (at, from, to));
+            let found = found.map(|(_, _, at, from, to)| (at, from, to));
             let Some((at, from, to)) = found else { break };
             let open = rest.remove(at);
             let says = self.search.reader.equation(from, to)?;
@@ -234,29 +249,50 @@ impl Attempt<'_> {
 
     /// The leaves, of those that are wanted, for which an expression can be solved.
     fn ways(&mut self, e: Expr, wanted: &[Leaf]) -> Vec<(Cost, Leaf)> {
-        let nodes = self.search.reader.graph.reachable([e]).len();
-        self.search.work += nodes;
+        let (nodes, leaves) = match self.search.sizes.get(&e) {
+            Some(known) => known.clone(),
+            None => {
+                let nodes = self.search.reader.graph.reachable([e]).len();
+                let leaves = self.search.reader.graph.leaves([e]);
+                self.search.work += nodes;
+                self.search.sizes.insert(e, (nodes, leaves.clone()));
+                (nodes, leaves)
+            }
+        };
         let mut out = Vec::new();
         if nodes > MOST_NODES || self.search.is_spent() {
             return out;
         }
-        for leaf in self.search.reader.graph.leaves([e]) {
-            let Some(kind) = self.kind_of(leaf).filter(|_| wanted.contains(&leaf)) else { continue };
-            self.search.work += nodes;
-            let Ok(factor) = self.search.reader.graph.slope(e, leaf) else { continue };
-            let below = self.search.reader.graph.leaves([factor]);
-            if self.search.reader.graph.is_zero(factor) || below.contains(&leaf) {
+        for leaf in leaves {
+            if !wanted.contains(&leaf) {
                 continue;
             }
-            let moves = |l: &Leaf| matches!(self.kind_of(*l), None | Some(Kind::Rate | Kind::Value));
-            let divisor = match below.iter().any(moves) {
-                true => Divisor::Moving,
-                false if below.is_empty() => Divisor::Number,
-                false => Divisor::Constant,
-            };
-            out.push((Cost { divisor, kind, lower: u8::MAX.saturating_sub(order(leaf)), nodes }, leaf));
+            let known = self.search.costs.get(&(e, leaf)).copied();
+            let cost = known.unwrap_or_else(|| self.cost(e, nodes, leaf));
+            self.search.costs.insert((e, leaf), cost);
+            out.extend(cost.map(|cost| (cost, leaf)));
         }
         out
+    }
+
+    /// What it costs to solve an expression for a leaf, if that can be.
+    fn cost(&mut self, e: Expr, nodes: usize, leaf: Leaf) -> Option<Cost> {
+        let kind = self.kind_of(leaf)?;
+        self.search.work += nodes;
+        let factor = self.search.reader.graph.slope(e, leaf).ok()?;
+        let below = self.search.reader.graph.leaves([factor]);
+        if self.search.reader.graph.is_zero(factor) || below.contains(&leaf) {
+            return None;
+        }
+        let moves = |l: &Leaf| matches!(self.kind_of(*l), None | Some(Kind::Rate | Kind::Value));
+        let divisor = match below.iter().any(moves) {
+            true => Divisor::Moving,
+            false if below.is_empty() => Divisor::Number,
+            false => Divisor::Constant,
+        };
+        let others = self.search.sizes.get(&e).map(|(_, leaves)| leaves.as_slice()).unwrap_or_default();
+        let rates = others.iter().filter(|l| **l != leaf && order(**l) > 0).count();
+        Some(Cost { divisor, kind, lower: u8::MAX.saturating_sub(order(leaf)), rates, nodes })
     }
 
     /// Solves e for a leaf: e = d·x + rest.

@@ -1,6 +1,6 @@
 -- deriglazov-comment / relation-in-t10/given-the-relation: For motions that obey the relation.
 --
--- Given: the definitions, the assumptions and t10.
+-- Given: the definitions, the assumptions and t10, momentum.
 --
 -- Variables stand for the functions that the comments name; what holds of them is a hypothesis. The theorem says
 -- that the difference of the sides, brought to N / D, is 0.

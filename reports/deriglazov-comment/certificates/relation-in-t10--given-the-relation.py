@@ -1,6 +1,6 @@
 # deriglazov-comment / relation-in-t10/given-the-relation: For motions that obey the relation.
 #
-# Given: the definitions, the assumptions and t10.
+# Given: the definitions, the assumptions and t10, momentum.
 #
 # Each equation below is proved by an identity of polynomials, d*N = q1*p1 + q2*p2 + ...
 # N is the difference of its sides, without its denominator. Every p is 0 where what is given holds,

@@ -1,6 +1,6 @@
 -- deriglazov-comment / t11/without-root: With cos θ in place of the root: what t9 says before θ is eliminated.
 --
--- Given: the definitions, the assumptions and t9-phi, t9-psi, t10.
+-- Given: the definitions, the assumptions and t9-phi, t9-psi, t10, momentum.
 --
 -- Variables stand for the functions that the comments name; what holds of them is a hypothesis. The theorem says
 -- that the difference of the sides, brought to N / D, is 0.

@@ -1,6 +1,6 @@
 # deriglazov-comment / t11/without-root: With cos θ in place of the root: what t9 says before θ is eliminated.
 #
-# Given: the definitions, the assumptions and t9-phi, t9-psi, t10.
+# Given: the definitions, the assumptions and t9-phi, t9-psi, t10, momentum.
 #
 # Each equation below is proved by an identity of polynomials, d*N = q1*p1 + q2*p2 + ...
 # N is the difference of its sides, without its denominator. Every p is 0 where what is given holds,

@@ -7,9 +7,10 @@
 //! are true, so that both sides have values: what certainly is needed for that holds, and only that. (What stands in the formula
 //! for the rate of a definition may be lacking though the rate exists; it stays among the needs.)
 //!
-//! **Another claim** is true at the times of *its* S₀′, if its hypotheses are true at *all* times of S₀′. So its selectors are wanted
-//! at the times of the result, and its hypotheses at times that contain S₀′: all of T; or S₀, if its selectors are ours, so that
-//! S₀′ ⊆ S₀ as soon as all our assumptions are among its hypotheses (they have values at the times of S₀′).
+//! **Another claim** is true at the times of *its* S₀′ (those at which its selectors are true and its hypotheses have values), if its hypotheses are true at *all* times of S₀′. So its selectors are wanted
+//! at the times of the result, and its hypotheses at times that contain S₀′: all of T; or S₀, if S₀ contains S₀′. *Theorem.* It does, if (1) each of our selectors is one of its selectors, or does not move;
+//! and (2) each of our assumptions is one of its hypotheses, or has values wherever certain needs of its selectors and hypotheses hold. *Proof.* Let t ∈ S₀′. A selector that does not move is true at all times or at none, and S₀ is taken to have a
+//! time in it; the others are true at t by (1). Its selectors and hypotheses have values at t, so that what they certainly need holds, and our assumptions have values at t by (2). So t ∈ S₀. □ (That each of its selectors is one of ours is asked for, too, so that the result is known on S₀.)
 //!
 //! **Traps.** An equation that is assumed is known at the chosen times and at no others, 0 perhaps not among them (x > 1, z = 2 says
 //! nothing of z(0)). A hypothesis that is true at one time (ẋ = 0) does not bring the conclusion of a claim (x = x(0)) there.
@@ -77,10 +78,17 @@ fn claimed(draft: &mut Draft, at: u32, because: &[FactId]) -> Result<When, Strin
         Ok(own && needs.is_empty() && signs(&draft.context, difference, &known).within(of_sense(says.sense)))
     };
     let is_among = |says: &Says, list: &[Says]| list.iter().any(|other| other.is(*says));
-    let same_times = claim.selectors.len() == draft.context.selectors.len()
-        && claim.selectors.iter().all(|s| is_among(s, &draft.context.selectors))
-        && draft.context.selectors.iter().all(|s| is_among(s, &claim.selectors))
-        && draft.context.assumed.iter().all(|a| is_among(a, &claim.hypotheses));
+    let still = |says: &Says| says.sides().into_iter().all(|e| !draft.context.moves(e));
+    let same_selectors = claim.selectors.iter().all(|s| is_among(s, &draft.context.selectors))
+        && draft.context.selectors.iter().all(|s| is_among(s, &claim.selectors) || still(s));
+    let same_times = same_selectors && {
+        let mut certain = Needs::new();
+        for says in claim.selectors.iter().chain(&claim.hypotheses) {
+            certain.extend(certain_of(draft, *says));
+        }
+        let has_value = |draft: &mut Draft, says: Says| needs_of(draft, says).is_subset(&certain);
+        draft.context.assumed.clone().into_iter().all(|a| is_among(&a, &claim.hypotheses) || has_value(draft, a))
+    };
     let mut only_chosen = false;
     for &hypothesis in &claim.hypotheses {
         let always = shows(draft, hypothesis, &When::Always)?;

@@ -76,7 +76,9 @@ pub(super) fn zero(
     if all_squares && trials::is_refuted(&draft.context.graph, residual, &squares) {
         return Err(format!("no identity: `{}` does not follow", draft.context.latex(says)));
     }
-    match polynomial::vanishes_modulo(&draft.context.graph, residual, &rewrites) {
+    let (vanishes, products) = polynomial::vanishes_modulo(&draft.context.graph, residual, &rewrites);
+    draft.products += products;
+    match vanishes {
         Some(true) => {}
         None if all_squares => {
             let log2_error = trials::vanishes(&draft.context, residual, &squares)?;

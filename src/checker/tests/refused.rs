@@ -310,6 +310,61 @@ fn another_claim_needs_its_assumptions() {
 }
 
 #[test]
+fn another_claim_holds_at_our_times_if_all_of_its_times_are_ours() {
+    let claimed = |selectors: &[&str]| Claimed {
+        name: "rest".into(),
+        selectors: selectors.iter().map(|text| rel(text)).collect(),
+        hypotheses: vec![rel("x'=0")],
+        says: rel("x=x(0)"),
+    };
+    let given = |w: &mut Work, because: Vec<FactId>| {
+        w.0.push(Step::Given { given: Given::Claimed(0), because }).map_err(|refused| refused.why)
+    };
+    // A selector that does not move is true at all times or at none: c > 1 leaves out no time of the claim.
+    let mut s =
+        sequent("x,y", 1, "x=x(0)").instant("0").constant("c", ConstantSign::Any).selector("c>1").assuming("x'=0");
+    s.claims.push(claimed(&[]));
+    let mut w = Work::new(&s);
+    let (c, a) = (w.given(Given::Selector(0)), w.given(Given::Assumed(0)));
+    let end = given(&mut w, vec![c, a]).expect("it is accepted").expect("a fact");
+    w.end(&s, end);
+    // One that moves does: x may move where y is not above 1.
+    let mut s = sequent("x,y", 1, "x=x(0)").instant("0").selector("y>1").assuming("x'=0");
+    s.claims.push(claimed(&[]));
+    let mut w = Work::new(&s);
+    let (c, a) = (w.given(Given::Selector(0)), w.given(Given::Assumed(0)));
+    assert!(given(&mut w, vec![c, a]).is_err_and(|why| why.contains("hypothesis")));
+    // What is assumed beside its hypotheses has values at all of its times, or leaves out some: ln y has none where y is not positive.
+    for (more, accepted) in [("x=y+1", true), ("ln(y)=x", false), ("1/y=x", false)] {
+        let mut s = sequent("x,y", 1, "x=x(0)").instant("0").selector("t>1").assuming("x'=0").assuming(more);
+        s.claims.push(claimed(&["t>1"]));
+        let mut w = Work::new(&s);
+        let because = vec![w.given(Given::Selector(0)), w.given(Given::Assumed(0)), w.given(Given::Assumed(1))];
+        assert_eq!(given(&mut w, because).is_ok(), accepted, "{more}");
+    }
+    // Where a selector of the claim has a value, 1/y has.
+    let mut s = sequent("x,y", 1, "x=x(0)").instant("0").selector("1/y>1").assuming("x'=0").assuming("1/y=x");
+    s.claims.push(claimed(&["1/y>1"]));
+    let mut w = Work::new(&s);
+    let mut because = vec![w.given(Given::Selector(0)), w.given(Given::Assumed(0)), w.given(Given::Assumed(1))];
+    because.push(w.step(Step::HasValue { given: Given::Selector(0), need: 0 }));
+    assert!(given(&mut w, because).is_ok());
+}
+
+#[test]
+fn a_size_is_not_below_its_number() {
+    let s = sequent("x,y", 1, "0≤abs(x)-x");
+    let mut w = Work::new(&s);
+    let end = w.step(Step::Sign { says: rel("0≤abs(x)-x"), from: vec![] });
+    w.end(&s, end);
+    let mut w = Work::new(&s);
+    // It may be equal; the other number may be larger, and so may minus the number be.
+    for says in ["0<abs(x)-x", "0≤abs(x)-y", "0≤x-abs(x)", "abs(x)-x≤0", "0≤abs(x)+x", "0≤abs(x-y)-x"] {
+        w.refuse(Step::Sign { says: rel(says), from: vec![] }, "");
+    }
+}
+
+#[test]
 fn what_is_void_is_not_known() {
     // A premise that has no value is not false: nothing follows where it has none.
     let s = sequent("x,y", 1, "y=1").premise("y/x=1/x");
