@@ -6,16 +6,13 @@ use std::ops::Range;
 use meter::Limits;
 use paper::{Paper, PrintedRelation, PrintedSide, names};
 
+use super::blame::OfStep;
 use super::cases::{Cases, Stance};
 use super::desk::{Desk, Given, NotRead, evidence_of};
 use super::facts::{Facts, Reach, Stated};
 use super::lone::{lone_name, unprimed};
-use super::nearest::Sureness;
 use super::notation::Evidence;
-use super::relation::{
-    are_multiples, free_indices, gives_values, has_dimensions, is_congruence, is_evaluated, is_integrated,
-    is_letter_at_place, lone_right,
-};
+use super::relation::{free_indices, gives_values, is_congruence, is_letter_at_place, lone_right};
 use super::sentence::{Sentence, explains, is_supposed, parts};
 use super::setting::Noted;
 use super::signs::{ABOUT, COMPARES, EQUALS, is_one_of};
@@ -276,7 +273,6 @@ impl Judge<'_> {
     /// Decides the steps of a relation from side to side. The later sides of those that are read and that nothing decides.
     fn steps(&mut self, relation: &PrintedRelation, at: usize, sentence: &Sentence, out: &mut Judgement) -> Vec<usize> {
         let free = free_indices(relation);
-        let (is_evaluated, has_dimensions) = (is_evaluated(relation), has_dimensions(relation));
         let first = lone_name(&relation.sides[0]);
         let inline = relation.display.is_none();
         let named = self.named(sentence, at);
@@ -312,25 +308,8 @@ impl Judge<'_> {
             // What equations before are solved for is no choice.
             let solved = defining && concludes && !sentence.changes && self.is_stated(first.as_ref());
             let alone = relation.sides.len() == 2 && (first.is_none() || defining);
-            let blame = match (
-                sentence.loosens
-                    || sentence.solves && alone
-                    || self.evidence.is_algebra(left)
-                    || is_integrated(relation, k)
-                    || is_evaluated && [left, right].iter().any(|s| !names(s).is_empty())
-                    || has_dimensions
-                    || is_congruence(&relation.signs[k - 1])
-                    || alone && are_multiples(left, right),
-                inline,
-            ) {
-                (true, _) => Blame::Nothing,
-                (false, _) if derived && sentence.fixes => Blame::Nothing,
-                (false, _) if derived => Blame::Steps,
-                (false, true) if defining || k == 1 && is_supposed(self.paper, relation) => Blame::Nothing,
-                (false, true) => Blame::Identities,
-                (false, false) if defining && !self.has_rates() && !solved => Blame::Nothing,
-                (false, false) => Blame::Steps,
-            };
+            let of = OfStep { relation, k, sentence, defining, derived, solved, alone };
+            let blame = self.blame(&of);
             // What is said again is no step from itself.
             if let Some(before) = self.same_definition(first.as_ref().filter(|_| k == 1 && known), right) {
                 out.steps.1 -= 1;
@@ -340,15 +319,7 @@ impl Judge<'_> {
             }
             let solves = defining && !self.is_rate(first.as_ref());
             let reach = if alone { Reach::Near { section: self.section, at } } else { Reach::Paper };
-            let sureness = if derived {
-                Sureness::Derives
-            } else if concludes && !sentence.changes && self.is_the_same_case(first.as_ref(), at) {
-                Sureness::Concludes
-            } else if k > 1 {
-                Sureness::Chain
-            } else {
-                Sureness::Stands
-            };
+            let sureness = self.sureness(&of, blame, at, concludes);
             let place = Place { at, free: &free, named: named.clone(), blame, sureness, reach, solves };
             match self.step([left, right], &place) {
                 Step::Follows(support) => {
@@ -525,7 +496,7 @@ impl Judge<'_> {
     }
 
     /// Whether no item of a list begins between the definition of a name and a relation: a list may be one of cases.
-    fn is_the_same_case(&self, name: Option<&paper::PaperName>, at: usize) -> bool {
+    pub(super) fn is_the_same_case(&self, name: Option<&paper::PaperName>, at: usize) -> bool {
         let Some(before) = name.and_then(|n| self.facts.given.of(&n.key()).next_back()) else { return true };
         let place = |k: usize| self.paper.locate(&self.paper.printed[k].span());
         let ((file, from), (other, to)) = (place(before.relation), place(at));
@@ -533,7 +504,7 @@ impl Judge<'_> {
             && file.text.get(from.end..to.start).is_some_and(|between| !between.contains(r"\item"))
     }
 
-    fn has_rates(&self) -> bool {
+    pub(super) fn has_rates(&self) -> bool {
         self.facts.given.has_rates()
     }
 

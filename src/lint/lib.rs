@@ -13,6 +13,7 @@
 
 #![forbid(unsafe_code)]
 
+mod blame;
 mod cases;
 mod desk;
 mod facts;

@@ -32,6 +32,9 @@ const FEWEST_NODES: usize = 5;
 /// The same of a step between numbers.
 const LEAST_OF_NUMBERS: usize = 2;
 
+/// Fewest nodes of both sides, and of the longer one, of an identity that is told though the words around it may loosen it.
+const FEWEST_DOUBTED: (usize, usize) = (5, 7);
+
 /// Fewest nodes of a side with one name for another: where the name stands on the other side of a chain, and else.
 const LEAST_EXCHANGED: (usize, usize) = (6, 9);
 
@@ -75,6 +78,8 @@ pub struct WrongStep {
 /// How sure it is that a relation claims something.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Sureness {
+    /// The words around it may say that it need not be exact, or is supposed: it is told where a slip alone keeps it from being an identity.
+    Doubted,
     /// It stands there: it may be an equation that is assumed.
     Stands,
     /// It is a step of a chain: a name may be one side, and a term may have been lost.
@@ -108,44 +113,7 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
         std::iter::once(&refutation.point).chain(refutation.second.as_ref().map(|s| &s.0)).cloned().collect();
     let mut chains = latex::parse(&asked.text, &asked.desk.scope).ok()?;
     let chain = chains.pop().filter(|c| chains.is_empty() && c.sides.len() == 2)?;
-    // What is said to be conserved, and is not.
-    let conserves = matches!(chain.sides.first()?.kind, NodeKind::Derivative { .. })
-        && !asked.premises.equations.is_empty()
-        && chain.sides.last().is_some_and(|s| matches!(&s.kind, NodeKind::Number(n) if *n == Rational::ZERO));
-    let smallest = if conserves { size(&chain.sides[0]) } else { chain.sides.iter().map(size).min()? };
-    let is_solved = sureness == Sureness::Concludes && !rests.stated.is_empty();
-    let least = if is_solved || sureness >= Sureness::Chain && !rests.given.is_empty() { 1 } else { 3 };
-    let fewest = match sureness {
-        Sureness::Derives | Sureness::Chain => FEWEST_NODES - 2,
-        Sureness::Concludes => FEWEST_NODES - 1,
-        Sureness::Stands => FEWEST_NODES,
-    };
-    // In a chain, numbers alone are reckoned with: what they stand for does not matter.
-    let is_reckoned = chain.sides.iter().any(|s| !is_written_number(s));
-    let is_of_numbers = sureness >= Sureness::Chain && named(&chain.sides).is_empty();
-    if is_of_numbers && !is_reckoned {
-        return None;
-    }
-    let (fewest, least) = if is_of_numbers { (LEAST_OF_NUMBERS, 1) } else { (fewest, least) };
-    if chain.sides.iter().map(size).max()? < fewest || smallest < least {
-        return None;
-    }
-    let is_constant = |key: &str| {
-        ANY_CONSTANT.contains(&key.split('_').next().unwrap_or_default())
-            && !matches!(key, "c" | "k" | "N" | "A" | "B" | "D")
-    };
-    let open =
-        asked.desk.scalars.iter().any(|(key, _, is_parameter)| {
-            *is_parameter && is_constant(key) && !rests.given.iter().any(|g| g.key == *key)
-        });
-    // From one line to the next a constant of integration stands for another one.
-    if !rests.stated.is_empty() && open {
-        return None;
-    }
-    if sureness < Sureness::Derives && takes_in(&asked, &rests.given)
-        || !conserves && is_evaluated(&chain)
-        || is_reordered(&chain)
-    {
+    if !is_claim(&asked, rests, &chain, sureness)? {
         return None;
     }
     let all = named(&chain.sides);
@@ -154,6 +122,7 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     'sides: for k in [1, 0] {
         let others = slips(&search.chain.sides[k], &all);
         let is_meant = |s: &Slip| match s.way {
+            _ if sureness == Sureness::Doubted => s.way == Alteration::Value,
             Alteration::LostTerm => k == 1,
             Alteration::MissingTerm => k == 1 && sureness >= Sureness::Chain,
             _ => true,
@@ -165,10 +134,70 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
             }
         }
     }
-    let instead = instead.or_else(|| search.scaled())?;
+    let is_scaled = sureness != Sureness::Doubted;
+    let instead = instead.or_else(|| search.scaled().filter(|_| is_scaled))?;
     let mut with: Vec<usize> = rests.given.iter().map(|g| g.relation).collect();
     with.extend(rests.stated.iter().map(|s| s.relation));
     Some(WrongStep { witness, instead, picture, with })
+}
+
+/// Whether a refuted relation claims something, by its print: it is long enough, no number that was rounded or put in, nothing that a
+/// constant takes in, no equation for a name. `None` where it has no sides.
+fn is_claim(asked: &Asked, rests: &Rests, chain: &Chain, sureness: Sureness) -> Option<bool> {
+    // What is said to be conserved, and is not.
+    let conserves = matches!(chain.sides.first()?.kind, NodeKind::Derivative { .. })
+        && !asked.premises.equations.is_empty()
+        && chain.sides.last().is_some_and(|s| matches!(&s.kind, NodeKind::Number(n) if *n == Rational::ZERO));
+    let smallest = if conserves { size(&chain.sides[0]) } else { chain.sides.iter().map(size).min()? };
+    let is_solved = sureness == Sureness::Concludes && !rests.stated.is_empty();
+    let is_derivation = derives_formula(chain, asked) && !rests.are_some();
+    let least = if sureness == Sureness::Doubted {
+        FEWEST_DOUBTED.0
+    } else if is_derivation || is_solved || sureness >= Sureness::Chain && !rests.given.is_empty() {
+        1
+    } else {
+        3
+    };
+    let fewest = match sureness {
+        _ if is_derivation => FEWEST_NODES - 2,
+        Sureness::Derives | Sureness::Chain => FEWEST_NODES - 2,
+        Sureness::Concludes => FEWEST_NODES - 1,
+        Sureness::Stands => FEWEST_NODES,
+        Sureness::Doubted => FEWEST_DOUBTED.1,
+    };
+    // In a chain, numbers alone are reckoned with: what they stand for does not matter.
+    let is_reckoned = chain.sides.iter().any(|s| !is_written_number(s));
+    let is_of_numbers = sureness >= Sureness::Chain && named(&chain.sides).is_empty();
+    if is_of_numbers && !is_reckoned {
+        return Some(false);
+    }
+    let (fewest, least) = if is_of_numbers { (LEAST_OF_NUMBERS, 1) } else { (fewest, least) };
+    if chain.sides.iter().map(size).max()? < fewest || smallest < least {
+        return Some(false);
+    }
+    let is_constant = |key: &str| {
+        ANY_CONSTANT.contains(&key.split('_').next().unwrap_or_default())
+            && !matches!(key, "c" | "k" | "N" | "A" | "B" | "D")
+    };
+    let open =
+        asked.desk.scalars.iter().any(|(key, _, is_parameter)| {
+            *is_parameter && is_constant(key) && !rests.given.iter().any(|g| g.key == *key)
+        });
+    // From one line to the next a constant of integration stands for another one.
+    if !rests.stated.is_empty() && open {
+        return Some(false);
+    }
+    if sureness < Sureness::Derives && takes_in(asked, &rests.given)
+        || !conserves && is_evaluated(chain)
+        || is_reordered(chain)
+    {
+        return Some(false);
+    }
+    // What may be an equation for a name, or for what is zero.
+    if sureness == Sureness::Doubted && (!has_same_names(chain) || is_proportional(asked)) {
+        return Some(false);
+    }
+    Some(true)
 }
 
 /// Whether two sides that differ are one sign, number, exponent or function apart, as they are printed.
@@ -314,6 +343,30 @@ fn named(sides: &[Node]) -> Vec<SymbolNode> {
     let mut all = Vec::new();
     sides.iter().for_each(|side| symbols(side, &mut all));
     all
+}
+
+/// Whether both sides have the same names, two or more: an equation of one name is to be solved for it.
+fn has_same_names(chain: &Chain) -> bool {
+    let keys = |side: &Node| -> BTreeSet<String> {
+        named(std::slice::from_ref(side)).iter().map(|s| format!("{}{:?}", s.name, s.sub)).collect()
+    };
+    let [left, right] = [0, 1].map(|k| keys(&chain.sides[k]));
+    left.len() > 1 && left == right
+}
+
+/// Whether one side is the other times a number.
+fn is_proportional(asked: &Asked) -> bool {
+    asked.equations.iter().all(|pair| ratio(&asked.desk.graph, *pair).is_some())
+}
+
+/// Whether the earlier side is the derivative of a formula that shows its variable, with nothing unknown in it: what it is is no choice.
+fn derives_formula(chain: &Chain, asked: &Asked) -> bool {
+    let Some(Node { kind: NodeKind::Derivative { of, by, .. }, .. }) = chain.sides.first() else { return false };
+    let names = named(std::slice::from_ref(of));
+    let variables = named(std::slice::from_ref(by));
+    let shows = names.iter().any(|s| variables.iter().any(|v| v.name == s.name));
+    let is_plain = |s: &SymbolNode| s.arguments.is_none() && s.dots == 0 && !s.name.ends_with('\'');
+    shows && size(of) > 1 && names.iter().all(is_plain) && asked.desk.moving.is_empty()
 }
 
 /// Whether something is derived.

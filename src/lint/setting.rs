@@ -160,7 +160,7 @@ impl Judge<'_> {
         self.near(&self.supposed, at).any(|all| all.len() > 1 && all.is_subset(&own))
     }
 
-    /// Whether a name of some sides is said to be zero near them, before or behind, or is cancelled in print.
+    /// Whether a name of some sides is said to be zero near them, before or behind.
     pub(super) fn has_vanishing(&self, sides: [&PrintedSide; 2], at: usize) -> bool {
         let own = keys(sides);
         let is_zero = |r: &PrintedRelation| match r.sides.as_slice() {
@@ -173,11 +173,14 @@ impl Judge<'_> {
         };
         let relation = &self.paper.printed[at];
         let (from, to) = (at.saturating_sub(BESIDE), (at + BESIDE + 1).min(self.paper.printed.len()));
-        let near = &self.paper.printed[from..to];
-        let (file, span) = self.paper.locate(&relation.span());
+        self.paper.printed[from..to].iter().filter(|r| r.section == relation.section).any(is_zero)
+    }
+
+    /// Whether something in a relation is cancelled in print, or said to be 0 there.
+    pub(super) fn is_crossed(&self, at: usize) -> bool {
+        let (file, span) = self.paper.locate(&self.paper.printed[at].span());
         let source = file.text.get(span).unwrap_or_default();
-        let crossed = [r"\cancel", "=0}", "= 0}", r"\xcancel", r"\sout", r"\not{"].iter().any(|w| source.contains(w));
-        crossed || near.iter().filter(|r| r.section == relation.section).any(is_zero)
+        [r"\cancel", "=0}", "= 0}", r"\xcancel", r"\sout", r"\not{"].iter().any(|w| source.contains(w))
     }
 
     /// Whether a step that is refuted holds with the values that are said near it, before or behind, or for every whole number that a letter

@@ -50,6 +50,8 @@ pub(super) struct Support {
 pub(super) enum Blame {
     /// Of nothing: what is defined here, or need not be exact.
     Nothing,
+    /// Of an identity between long formulas of the same names: the words around it may say that it need not be exact, or is supposed.
+    Doubted,
     /// Of what is wrong whatever its names stand for: in the running text much is a case, or a condition.
     Identities,
     /// Of everything that this section refutes.
@@ -250,20 +252,24 @@ impl Judge<'_> {
         let is_open = sides.iter().any(|s| has_open_derivative(&s.text))
             || [true, false].iter().any(|&partial| held_fixed(sides, &defined, partial, false).is_some());
         // Between absolute values and roots, where a name is negative counts.
-        let is_zero = sides.iter().any(|s| has_zero_term(&s.text)) || self.has_vanishing(sides, place.at);
+        let is_zero = sides.iter().any(|s| has_zero_term(&s.text)) || self.is_crossed(place.at);
+        let vanishes = self.has_vanishing(sides, place.at);
         // What a partial derivative holds fixed differs from factor to factor.
         let partial = sides.iter().map(|s| s.text.matches(r"\partial").count()).sum::<usize>();
         if is_zero || partial > 5 && defined.is_empty() {
             return None;
         }
+        // A logarithm has no value where its sign would count.
         if is_open
             || self.is_supposed_of(sides, place.at)
-            || sides.iter().any(|s| has_roots(&s.text)) && self.is_compared(sides, place.at)
+            || sides.iter().any(|s| has_roots(&without_logarithms(&s.text))) && self.is_compared(sides, place.at)
         {
             return None;
         }
         for rests in self.supports(sides, place, Reach::Here { section: self.section, at: place.at }) {
-            if !introduces_nothing(sides, &rests) || place.blame == Blame::Identities && rests.are_some() {
+            // Of an identity the zero is tried; of what rests on more it is not known what vanishes with it.
+            let needs_none = vanishes || matches!(place.blame, Blame::Identities | Blame::Doubted);
+            if !introduces_nothing(sides, &rests) || needs_none && rests.are_some() {
                 continue;
             }
             let known = asked.iter().position(|(_, r)| r.rests_on_the_same(&rests));
@@ -279,7 +285,7 @@ impl Judge<'_> {
             }
             // Where signs matter, it has to fail for positive names, too, and what holds is looked for among these.
             let mut answer = answer;
-            if sides.iter().any(|s| has_roots(&s.text)) || !rests.stated.is_empty() {
+            if sides.iter().any(|s| has_roots(&s.text) || has_power_of_name(&s.text)) || !rests.stated.is_empty() {
                 let positive = Rests { positive: Positive::Parameters, ..rests.clone() };
                 match self.ask(sides, &positive, place.free) {
                     Ok(again) if matches!(again.identity, Identity::Refuted(_)) => answer = again,
@@ -391,4 +397,19 @@ fn holds_in_numbers(asked: &Asked) -> bool {
 /// Whether a formula has something that needs signs: a root, a logarithm, a power that is a fraction.
 fn has_roots(text: &str) -> bool {
     [r"\sqrt", r"\ln", r"\log", "|", r"\lvert", "/2}", r"^{\frac", "^{1/", "^{-1/"].iter().any(|w| text.contains(w))
+}
+
+/// A formula without the commands of logarithms.
+fn without_logarithms(text: &str) -> String {
+    text.replace(r"\ln", "").replace(r"\log", "")
+}
+
+/// Whether something is raised to a power with a letter in it: `a^{m-n}` is real for positive a alone.
+fn has_power_of_name(text: &str) -> bool {
+    let squeezed = squeezed(text);
+    squeezed.split('^').skip(1).any(|rest| {
+        let above =
+            rest.strip_prefix('{').map_or(rest.get(..1).unwrap_or_default(), |r| r.split('}').next().unwrap_or(r));
+        above.contains(|c: char| c.is_ascii_alphabetic())
+    })
 }

@@ -1,0 +1,157 @@
+//! Blame: of which steps *wrong* may be said, by the place and the words in which they stand.
+//!
+//! **In:** a step of a relation, and what its sentence says. **Out:** a [`Blame`], and how sure it is that something is claimed.
+//! **Guaranteed:** of a definition, and of what need not be exact, only an identity that stands there with a slip is told: one between
+//! long formulas of the same two or more names, which is no equation for one of them.
+
+use paper::{PrintedRelation, PrintedSide, names, squeezed};
+
+use super::judge::Judge;
+use super::lone::lone_name;
+use super::nearest::Sureness;
+use super::relation::{are_multiples, has_dimensions, is_congruence, is_evaluated, is_integrated};
+use super::sentence::{Sentence, is_supposed};
+use super::step::Blame;
+
+/// The longest text before an equation between numbers that is looked at, and behind it.
+const AROUND: usize = 240;
+
+/// Words near an equation between numbers that may be no claim, or one of other numbers.
+const NOT_RECKONED: &[&str] = &[
+    "if ",
+    "suppose",
+    "proposition",
+    "statement",
+    "false",
+    "true",
+    "wrong",
+    "mistake",
+    "mod",
+    "base",
+    "binar",
+    "octal",
+    "hexa",
+    "clock",
+    "ring",
+    "group",
+    "field",
+    "parity",
+    "xor",
+    "boolean",
+    "logic",
+    "implies",
+    "implic",
+    "absurd",
+    "contradict",
+    "enunciat",
+    "vero",
+    "falso",
+    "faux",
+    "vrai",
+    "falsch",
+    "wahr",
+    "aussage",
+    "se ",
+    "si ",
+    "wenn",
+    "falls",
+    "approx",
+    "round",
+    "joke",
+    "percent",
+    "concat",
+    "string",
+];
+
+/// A step of a relation, and what is known of it.
+pub(super) struct OfStep<'a> {
+    pub(super) relation: &'a PrintedRelation,
+    /// The number of its later side.
+    pub(super) k: usize,
+    pub(super) sentence: &'a Sentence,
+    /// Whether it defines a name.
+    pub(super) defining: bool,
+    /// Whether it says what the derivative is of what was defined.
+    pub(super) derived: bool,
+    /// Whether what it defines is solved for.
+    pub(super) solved: bool,
+    /// Whether it is all of the relation, and of what is no lone name that was defined.
+    pub(super) alone: bool,
+}
+
+impl Judge<'_> {
+    /// Of what *wrong* may be said in a step.
+    pub(super) fn blame(&self, step: &OfStep) -> Blame {
+        let &OfStep { relation, k, sentence, defining, derived, solved, alone } = step;
+        let (left, right) = (&relation.sides[k - 1], &relation.sides[k]);
+        let inline = relation.display.is_none();
+        if self.evidence.is_algebra(left)
+            || is_integrated(relation, k)
+            || is_evaluated(relation) && [left, right].iter().any(|s| !names(s).is_empty())
+            || has_dimensions(relation)
+            || is_congruence(&relation.signs[k - 1])
+            || alone && are_multiples(left, right)
+        {
+            return Blame::Nothing;
+        }
+        let doubted = if defining { Blame::Nothing } else { Blame::Doubted };
+        if sentence.loosens || sentence.solves && alone {
+            return doubted;
+        }
+        match inline {
+            _ if derived && sentence.fixes => Blame::Nothing,
+            _ if derived => Blame::Steps,
+            true if defining => Blame::Nothing,
+            true if k == 1 && is_supposed(self.paper, relation) => doubted,
+            true => Blame::Identities,
+            false if defining && !self.has_rates() && !solved => Blame::Nothing,
+            false => Blame::Steps,
+        }
+    }
+
+    /// How sure it is that a step claims something.
+    pub(super) fn sureness(&self, step: &OfStep, blame: Blame, at: usize, concludes: bool) -> Sureness {
+        let first = lone_name(&step.relation.sides[0]);
+        if blame == Blame::Doubted {
+            Sureness::Doubted
+        } else if step.derived {
+            Sureness::Derives
+        } else if concludes && !step.sentence.changes && self.is_the_same_case(first.as_ref(), at) {
+            Sureness::Concludes
+        } else if step.k > 1 || step.alone && self.is_reckoned(step.relation) {
+            Sureness::Chain
+        } else {
+            Sureness::Stands
+        }
+    }
+
+    /// Whether an equation between whole numbers reckons: no word near says that it is supposed, or of numbers of another kind.
+    fn is_reckoned(&self, relation: &PrintedRelation) -> bool {
+        let is_plain = |side: &PrintedSide| {
+            names(side).is_empty() && !side.text.contains(['.', ',', '[', '|']) && !side.text.contains("matrix}")
+        };
+        let digits: Vec<char> =
+            relation.sides.iter().flat_map(|s| s.text.chars()).filter(char::is_ascii_digit).collect();
+        // `1+1=0` is one of bits, and `10+1=11` may be one.
+        if !relation.sides.iter().all(is_plain)
+            || digits.iter().all(|d| matches!(d, '0' | '1'))
+            || self.evidence.has_modulus()
+        {
+            return false;
+        }
+        if relation.sides.iter().any(|s| squeezed(&s.text) == "0") {
+            return false;
+        }
+        let (file, span) = self.paper.locate(&relation.span());
+        let boundary = |mut at: usize| {
+            while !file.text.is_char_boundary(at) {
+                at += 1;
+            }
+            at
+        };
+        let from = boundary(span.start.saturating_sub(AROUND));
+        let to = boundary((span.end + AROUND).min(file.text.len()));
+        let words = file.text.get(from..to).unwrap_or_default().to_lowercase();
+        !NOT_RECKONED.iter().any(|w| words.contains(w))
+    }
+}
