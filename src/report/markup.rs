@@ -27,9 +27,12 @@ pub(super) fn prose(text: &str) -> String {
         match c {
             '<' => out.push_str("&lt;"),
             // Where a line may begin with it: a list, a quotation, a heading that is underlined, a command to a log.
-            '>' | ':' if out.is_empty() => out.push_str(if c == '>' { "&gt;" } else { "&#58;" }),
-            '-' | '+' | '=' if out.is_empty() => out.extend(['\\', c]),
-            '.' | ')' if !out.is_empty() && out.bytes().all(|b| b.is_ascii_digit()) => out.extend(['\\', c]),
+            '>' if out.is_empty() => out.push_str("&gt;"),
+            ':' if out.is_empty() && after.starts_with(':') => out.push_str("&#58;"),
+            '-' | '+' | '=' if out.is_empty() && after.starts_with([' ', c]) => out.extend(['\\', c]),
+            '.' | ')' if after.starts_with(' ') && !out.is_empty() && out.bytes().all(|b| b.is_ascii_digit()) => {
+                out.extend(['\\', c]);
+            }
             // Whoever is named is not told of it.
             '@' if after.starts_with(|next: char| next.is_alphanumeric()) => out.push_str("@<!-- -->"),
             // Before punctuation it would take away the meaning of what is written next.
@@ -214,6 +217,8 @@ mod tests {
             ("12. item", r"12\. item"),
             ("3) item, 1.5", r"3\) item, 1.5"),
             ("::error::x", "&#58;:error::x"),
+            ("-0.5 and 1.5", "-0.5 and 1.5"),
+            ("1.5: so", "1.5: so"),
             ("by @octocat and a@b, @ 5", "by @<!-- -->octocat and a@<!-- -->b, @ 5"),
         ] {
             assert_eq!(prose(text), written);
