@@ -109,9 +109,8 @@ impl Answers {
     pub fn answer<T: Serialize + DeserializeOwned>(&self, name: Option<Key>, find: impl FnOnce() -> T) -> T {
         let Some(name) = name else { return find() };
         self.known(name).unwrap_or_else(|| {
-            let before = meter::spent();
-            let found = find();
-            self.keep(name, &found, meter::spent() - before);
+            let (found, work) = meter::used_by(find);
+            self.keep(name, &found, work);
             found
         })
     }

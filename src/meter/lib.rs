@@ -242,8 +242,8 @@ thread_local! {
     /// The units of the slice at hand; where no piece is under way, they are begun anew.
     static LEFT: Cell<u64> = const { Cell::new(0) };
     static PIECE: RefCell<Option<UnderWay>> = const { RefCell::new(None) };
-    /// What all pieces that ended on this thread have used.
-    static SPENT: Cell<u64> = const { Cell::new(0) };
+    /// What the piece has used that ended last on this thread.
+    static LAST: Cell<u64> = const { Cell::new(0) };
 }
 
 /// Counts work that is done now, in units. Ends the piece that is under way, where its work is used up.
@@ -314,13 +314,15 @@ pub fn piece<R>(task: Task, limits: &Limits, work: impl FnOnce() -> R) -> Result
     }
     let here = UnderWay { task, limits: limits.clone(), units, rest: units, slice: 0, bytes };
     let (found, (used, _)) = run(here, work);
-    SPENT.set(SPENT.get().saturating_add(used));
+    LAST.set(used);
     found.map_err(|payload| ended_by(payload.as_ref()))
 }
 
-/// The units that all pieces have used that ended on this thread: what it is more after some work is what that work took.
-pub fn spent() -> u64 {
-    SPENT.get()
+/// Does work that is one piece, or has none, and gives the units that the piece used: a thread that waits may do other pieces meanwhile, but
+/// not after it.
+pub fn used_by<R>(work: impl FnOnce() -> R) -> (R, u64) {
+    LAST.set(0);
+    (work(), LAST.get())
 }
 
 /// Does a part of the piece that is under way on this thread: it may take what a piece of its task may, as far as the piece has that left,
