@@ -33,16 +33,13 @@ pub fn in_digits(name: &Key) -> String {
     name.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// Something that is kept, with the last age in which it was asked for.
-pub(super) type Aged<T> = (u64, Arc<T>);
-
 /// An answer as bytes.
 #[derive(Debug)]
 struct Kept {
     /// The last age in which it was asked for.
     age: u64,
-    /// The counted work of finding it.
-    work: u64,
+    /// The counted work of finding it, in equal parts of what was found with it; `None` until that is over.
+    work: Option<u64>,
     answer: Arc<[u8]>,
 }
 
@@ -87,7 +84,7 @@ impl Answers {
             let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
             let kept = kept.get_mut(&name)?;
             if std::mem::replace(&mut kept.age, self.age) != self.age {
-                self.recalled.fetch_add(kept.work, Ordering::Relaxed);
+                self.recalled.fetch_add(kept.work.unwrap_or(0), Ordering::Relaxed);
             }
             Arc::clone(&kept.answer)
         };
@@ -96,11 +93,11 @@ impl Answers {
         Some(answer)
     }
 
-    /// Keeps an answer, with the counted work of finding it; one that cannot be written is found again.
-    pub fn keep<T: Serialize>(&self, name: Key, answer: &T, work: u64) {
+    /// Keeps an answer; one that cannot be written is found again.
+    pub fn keep<T: Serialize>(&self, name: Key, answer: &T) {
         self.counts[1].fetch_add(1, Ordering::Relaxed);
         if let Ok(bytes) = postcard::to_allocvec(answer) {
-            let kept = Kept { age: self.age, work, answer: bytes.into() };
+            let kept = Kept { age: self.age, work: None, answer: bytes.into() };
             self.kept.lock().unwrap_or_else(PoisonError::into_inner).insert(name, kept);
         }
     }
@@ -109,10 +106,19 @@ impl Answers {
     pub fn answer<T: Serialize + DeserializeOwned>(&self, name: Option<Key>, find: impl FnOnce() -> T) -> T {
         let Some(name) = name else { return find() };
         self.known(name).unwrap_or_else(|| {
-            let (found, work) = meter::used_by(find);
-            self.keep(name, &found, work);
+            let found = find();
+            self.keep(name, &found);
             found
         })
+    }
+
+    /// Gives each answer that was found since this was last done its part of the counted work of finding them. What each took by itself
+    /// depends on which thread did what; the whole does not.
+    pub fn share(&mut self, work: u64) {
+        let kept = self.kept.get_mut().unwrap_or_else(PoisonError::into_inner);
+        let new: Vec<&mut Kept> = kept.values_mut().filter(|kept| kept.work.is_none()).collect();
+        let part = work.div_ceil(new.len().max(1) as u64);
+        new.into_iter().for_each(|kept| kept.work = Some(part));
     }
 
     /// The table as bytes, for another process: the age, then each name with its age, work and answer, by name.
@@ -124,7 +130,9 @@ impl Answers {
         out.extend(self.age.to_le_bytes());
         for (name, kept) in all {
             out.extend(name);
-            [kept.age, kept.work, kept.answer.len() as u64].iter().for_each(|n| out.extend(n.to_le_bytes()));
+            [kept.age, kept.work.unwrap_or(0), kept.answer.len() as u64]
+                .iter()
+                .for_each(|n| out.extend(n.to_le_bytes()));
             out.extend(&*kept.answer);
         }
         out
@@ -145,7 +153,7 @@ impl Answers {
             let [age, work, length] = [number(&mut bytes)?, number(&mut bytes)?, number(&mut bytes)?];
             let (answer, rest) = bytes.split_at_checked(usize::try_from(length).ok()?)?;
             bytes = rest;
-            kept.insert(*name, Kept { age, work, answer: answer.into() });
+            kept.insert(*name, Kept { age, work: Some(work), answer: answer.into() });
         }
         Some(Answers { age, kept: Mutex::new(kept), ..Answers::default() })
     }
@@ -160,7 +168,7 @@ mod tests {
         let mut answers = Answers::default();
         answers.grow_older();
         for n in 0..20_u64 {
-            answers.keep(key(&[&n.to_le_bytes()]), &vec![n; n as usize], n);
+            answers.keep(key(&[&n.to_le_bytes()]), &vec![n; n as usize]);
         }
         let bytes = answers.written();
         let again = Answers::read(&bytes).expect("a table");
@@ -177,8 +185,9 @@ mod tests {
     fn what_is_not_asked_for_is_forgotten() {
         let mut answers = Answers::default();
         let [asked, idle] = [key(&[b"asked"]), key(&[b"idle"])];
-        answers.keep(asked, &1_u8, 5);
-        answers.keep(idle, &2_u8, 7);
+        answers.keep(asked, &1_u8);
+        answers.keep(idle, &2_u8);
+        answers.share(10);
         for _ in 0..AGES {
             answers.grow_older();
             // Work is spared once in a state of the file, however often the question is asked.

@@ -106,10 +106,9 @@ fn check_recalling(
     let families = Families::of(derivation, options)?;
     let mut account = Run { recall, progress, ..Run::new(derivation, options) }.account()?;
     if let Some(families) = families {
-        account.distributions =
-            recall.on_families(derivation, &mut account.claims, &options.limits.total, |claims| {
-                families.try_all(&Trajectories, options, claims, joined, progress)
-            })?;
+        account.distributions = recall.on_families(derivation, &mut account.claims, |claims| {
+            families.try_all(&Trajectories, options, claims, joined, progress)
+        })?;
     }
     account.units = units::units(derivation);
     account.units.keep(&options.claims);

@@ -18,13 +18,12 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use super::answers::{AGES, Aged, Answers, Key, key};
+use super::answers::{AGES, Answers, Key, key};
 use super::motions::Family;
 use crate::derivation::{Claim, Derivation, Form, Motion, Premise};
 use crate::expr::{FastMap, Graph, Leaf};
 use crate::findings::{ClaimAccount, FamilyAccount, family::MeasureAccount};
 use crate::verdict::Verdict;
-use meter::Total;
 use proved::conditional::premises_first;
 use proved::step::Step;
 use sampled::recall::Recall;
@@ -58,6 +57,9 @@ pub(super) enum Question<'q> {
     Leaves(&'q Claim),
 }
 
+/// Something that is kept, with the last age in which it was asked for.
+type Aged<T> = (u64, Arc<T>);
+
 /// What was found, for several states of a file.
 #[derive(Debug, Default)]
 pub(super) struct Memory {
@@ -78,8 +80,9 @@ impl Memory {
         Memory { answers, once: true, ..Memory::default() }
     }
 
-    /// All answers, to be kept longer than a process lives.
-    pub fn answers(self) -> Answers {
+    /// All answers, to be kept longer than a process lives; `work` was counted in finding those that are new.
+    pub fn answers(mut self, work: u64) -> Answers {
+        self.answers.share(work);
         self.answers
     }
 
@@ -192,11 +195,11 @@ impl<'a> Known<'a> {
         state.memory.answers.known(state.name(derivation, question)?)
     }
 
-    /// Keeps the answer to a question, with the counted work of finding it.
-    pub fn keep<T: Serialize>(&self, derivation: &Derivation, question: Question, answer: &T, work: u64) {
+    /// Keeps the answer to a question.
+    pub fn keep<T: Serialize>(&self, derivation: &Derivation, question: Question, answer: &T) {
         let name = self.0.and_then(|state| Some((state, state.name(derivation, question)?)));
         if let Some((state, name)) = name {
-            state.memory.answers.keep(name, answer, work);
+            state.memory.answers.keep(name, answer);
         }
     }
 
@@ -221,8 +224,7 @@ impl<'a> Known<'a> {
         }
     }
 
-    /// Puts what is found on all families into the accounts of their claims; returns what is measured. Nothing else is at work, so that what
-    /// the total has used meanwhile is the work of it.
+    /// Puts what is found on all families into the accounts of their claims; returns what is measured.
     ///
     /// # Errors
     /// Those of `compute`, which does the same.
@@ -230,18 +232,16 @@ impl<'a> Known<'a> {
         &self,
         derivation: &Derivation,
         claims: &mut [ClaimAccount],
-        total: &Total,
         compute: impl FnOnce(&mut [ClaimAccount]) -> Result<Vec<MeasureAccount>, E>,
     ) -> Result<Vec<MeasureAccount>, E> {
         if let Some(OnFamilies { claims: found, measures }) = self.known(derivation, Question::OnFamilies(claims)) {
             claims.iter_mut().zip(found).for_each(|(claim, found)| claim.families = found);
             return Ok(measures);
         }
-        let before = total.used();
         let measures = compute(claims)?;
         let of_claims = claims.iter().map(|c| c.families.clone()).collect();
         let found = OnFamilies { claims: of_claims, measures };
-        self.keep(derivation, Question::OnFamilies(claims), &found, total.used() - before);
+        self.keep(derivation, Question::OnFamilies(claims), &found);
         Ok(found.measures)
     }
 }

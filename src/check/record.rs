@@ -115,7 +115,7 @@ pub fn check_recorded(
     }
     let record = Record { contents, account };
     states.keep(&of_account, &record, store);
-    store.write(&of_answers, &memory.answers().written());
+    store.write(&of_answers, &memory.answers(total.used()).written());
     Ok((record.account, recalled))
 }
 

@@ -187,8 +187,8 @@ impl enclosed::Recall for Enclosed<'_> {
         self.known.known(self.derivation, Question::Enclosed(*question))
     }
 
-    fn keep(&self, question: &enclosed::Question, answer: &enclosed::Answer, work: u64) {
-        self.known.keep(self.derivation, Question::Enclosed(*question), answer, work);
+    fn keep(&self, question: &enclosed::Question, answer: &enclosed::Answer) {
+        self.known.keep(self.derivation, Question::Enclosed(*question), answer);
     }
 }
 

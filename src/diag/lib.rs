@@ -195,6 +195,14 @@ fn render_one(diagnostic: &Diagnostic, renderer: &Renderer) -> String {
     renderer.render(&[group])
 }
 
+/// The first place, this one or behind it, at which a character begins; or the end of the text.
+pub fn next_character(text: &str, mut at: usize) -> usize {
+    while at < text.len() && !text.is_char_boundary(at) {
+        at += 1;
+    }
+    at.min(text.len())
+}
+
 /// The nearest range of whole characters inside the text.
 fn clamp(text: &str, span: &Range<usize>) -> Range<usize> {
     let boundary = |mut i: usize| {

@@ -124,13 +124,10 @@ fn one_motion(
     let left: Vec<usize> = (0..open.len()).filter(|&at| answers[at].is_none()).collect();
     let asked: Vec<(usize, &Verdict)> = left.iter().map(|&at| (open[at].0, open[at].2)).collect();
     if !asked.is_empty() {
-        let enclosed = || meter::piece(Task::Enclosing, limits, || enclose(request, known, motion, &asked));
-        let (found, work) = meter::used_by(enclosed);
+        let found = meter::piece(Task::Enclosing, limits, || enclose(request, known, motion, &asked));
         let found = found.unwrap_or_else(|ended| asked.iter().map(|(_, verdict)| ended_by(verdict, &ended)).collect());
-        // What was done for all of them counts with each in equal parts.
-        let work = work.div_ceil(asked.len() as u64);
         for (at, answer) in left.into_iter().zip(found) {
-            request.recall.keep(&question(at), &answer, work);
+            request.recall.keep(&question(at), &answer);
             answers[at] = Some(answer);
         }
     }

@@ -46,6 +46,6 @@ pub trait Recall: Sync {
     /// The answer to a question, if it is known.
     fn known(&self, question: &Question) -> Option<Answer>;
 
-    /// Keeps an answer, with the counted work of finding it.
-    fn keep(&self, question: &Question, answer: &Answer, work: u64);
+    /// Keeps an answer.
+    fn keep(&self, question: &Question, answer: &Answer);
 }

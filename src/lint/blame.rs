@@ -10,7 +10,7 @@ use super::judge::Judge;
 use super::lone::lone_name;
 use super::nearest::Sureness;
 use super::relation::{are_multiples, has_dimensions, is_congruence, is_evaluated, is_integrated};
-use super::sentence::{Sentence, is_supposed};
+use super::sentence::{Sentence, is_supposed, window};
 use super::step::Blame;
 
 /// The longest text before an equation between numbers that is looked at, and behind it.
@@ -143,15 +143,7 @@ impl Judge<'_> {
             return false;
         }
         let (file, span) = self.paper.locate(&relation.span());
-        let boundary = |mut at: usize| {
-            while !file.text.is_char_boundary(at) {
-                at += 1;
-            }
-            at
-        };
-        let from = boundary(span.start.saturating_sub(AROUND));
-        let to = boundary((span.end + AROUND).min(file.text.len()));
-        let words = file.text.get(from..to).unwrap_or_default().to_lowercase();
+        let words = window(&file.text, span.start.saturating_sub(AROUND), span.end + AROUND).to_lowercase();
         !NOT_RECKONED.iter().any(|w| words.contains(w))
     }
 }

@@ -3,6 +3,8 @@
 //! **In:** the text of a file. **Out:** whether what is said at one place may be of another case than what stands at a later one; whether the
 //! words around a formula deny it, or ask for it. **Guaranteed:** words only keep something from being used, or from being judged.
 
+use diag::next_character;
+
 /// How a word at the beginning of a sentence parts cases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Opener {
@@ -253,12 +255,7 @@ pub enum Stance {
 
 /// What the words of its sentence do with the formula between two places of a text.
 pub fn stance(text: &str, from: usize, to: usize) -> Stance {
-    let near = |mut at: usize| {
-        while at < text.len() && !text.is_char_boundary(at) {
-            at += 1;
-        }
-        at.min(text.len())
-    };
+    let near = |at: usize| next_character(text, at);
     let from = near(from.min(text.len()));
     let before = &text[near(from.saturating_sub(BEFORE))..from];
     let trimmed =
@@ -318,23 +315,13 @@ const LIST: usize = 3000;
 
 /// Whether a place stands in an item of a list, right behind its beginning, and the words before the list pose its items.
 fn is_item_to_solve(text: &str, at: usize) -> bool {
-    let near = |mut at: usize| {
-        while !text.is_char_boundary(at) {
-            at += 1;
-        }
-        at
-    };
-    let before = &text[near(at.saturating_sub(LIST))..at];
+    let before = &text[next_character(text, at.saturating_sub(LIST))..at];
     let item = [r"\item", r"\task", r"\part"].iter().filter_map(|i| before.rfind(i)).max();
     let Some(item) = item.filter(|i| before[*i..].split_whitespace().count() < 4) else { return false };
     let lists = ["enumerate", "itemize", "tasks", "extasks", "multicols", "parts"];
     let begin = |l: &&str| before[..item].rfind(&format!("\\begin{{{l}}}"));
     let Some(begin) = lists.iter().filter_map(begin).max() else { return false };
-    let mut from = begin.saturating_sub(STEM);
-    while !before.is_char_boundary(from) {
-        from += 1;
-    }
-    let stem = before[from..begin].to_lowercase();
+    let stem = before[next_character(before, begin.saturating_sub(STEM))..begin].to_lowercase();
     let stem = stem.rsplit("\n\n").find(|p| !p.trim().is_empty()).unwrap_or_default();
     POSES.iter().any(|w| stem.contains(w))
 }

@@ -3,11 +3,6 @@
 //! **In:** the text before a display, or behind a relation. **Out:** the same without what opens or closes the display, and the blank lines
 //! beside that. **Guaranteed:** a part of the text that was given.
 
-/// Whether a file is Markdown: there a display stands in a paragraph of its own, and its sentence around it.
-pub fn is_markdown(path: &str) -> bool {
-    path.rsplit_once('.').is_some_and(|(_, ending)| matches!(ending, "md" | "markdown"))
-}
-
 /// A text up to the blank line before the display that begins at its end.
 pub fn without_opening(text: &str) -> &str {
     let mut rest = text.trim_end();
@@ -57,6 +52,5 @@ mod tests {
         assert_eq!(without_closing(".\n$$\n\nwhere $k=1$"), "where $k=1$");
         assert_eq!(without_closing(" \\end{align}\\] \n\nwhere"), "where");
         assert_eq!(without_closing("\n\nmuch later $$x$$"), "\n\nmuch later $$x$$");
-        assert!(is_markdown("notes.md") && !is_markdown("notes.tex"));
     }
 }

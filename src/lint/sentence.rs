@@ -6,9 +6,10 @@
 
 use std::ops::Range;
 
-use paper::{Paper, PrintedRelation};
+use diag::next_character;
+use paper::{Paper, PrintedRelation, is_markdown};
 
-use super::markdown::{is_markdown, without_closing, without_opening};
+use super::markdown::{without_closing, without_opening};
 
 /// The longest text before a display that is looked at, in bytes.
 const BEFORE: usize = 500;
@@ -479,14 +480,8 @@ fn borders(text: &str) -> Vec<usize> {
     out
 }
 
-fn window(text: &str, from: usize, to: usize) -> &str {
-    let near = |mut i: usize| {
-        while i < text.len() && !text.is_char_boundary(i) {
-            i += 1;
-        }
-        i.min(text.len())
-    };
-    text.get(near(from)..near(to)).unwrap_or("")
+pub(super) fn window(text: &str, from: usize, to: usize) -> &str {
+    text.get(next_character(text, from)..next_character(text, to)).unwrap_or("")
 }
 
 /// A text without the comments of LaTeX.

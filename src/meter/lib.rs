@@ -242,8 +242,6 @@ thread_local! {
     /// The units of the slice at hand; where no piece is under way, they are begun anew.
     static LEFT: Cell<u64> = const { Cell::new(0) };
     static PIECE: RefCell<Option<UnderWay>> = const { RefCell::new(None) };
-    /// What the piece has used that ended last on this thread.
-    static LAST: Cell<u64> = const { Cell::new(0) };
 }
 
 /// Counts work that is done now, in units. Ends the piece that is under way, where its work is used up.
@@ -313,16 +311,7 @@ pub fn piece<R>(task: Task, limits: &Limits, work: impl FnOnce() -> R) -> Result
         return Err(Ended::File(task, limits.work));
     }
     let here = UnderWay { task, limits: limits.clone(), units, rest: units, slice: 0, bytes };
-    let (found, (used, _)) = run(here, work);
-    LAST.set(used);
-    found.map_err(|payload| ended_by(payload.as_ref()))
-}
-
-/// Does work that is one piece, or has none, and gives the units that the piece used: a thread that waits may do other pieces meanwhile, but
-/// not after it.
-pub fn used_by<R>(work: impl FnOnce() -> R) -> (R, u64) {
-    LAST.set(0);
-    (work(), LAST.get())
+    run(here, work).0.map_err(|payload| ended_by(payload.as_ref()))
 }
 
 /// Does a part of the piece that is under way on this thread: it may take what a piece of its task may, as far as the piece has that left,

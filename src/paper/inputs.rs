@@ -38,7 +38,8 @@ pub(super) fn tokens_of(source: &Source) -> Vec<Token> {
     }
 }
 
-fn is_markdown(path: &str) -> bool {
+/// Whether a file is Markdown, by its name: there a display stands in a paragraph of its own, and its sentence around it.
+pub fn is_markdown(path: &str) -> bool {
     Path::new(path).extension().is_some_and(|e| e.eq_ignore_ascii_case("md") || e.eq_ignore_ascii_case("markdown"))
 }
 

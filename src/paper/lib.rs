@@ -34,6 +34,7 @@ use sha2::{Digest, Sha256};
 
 pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, compare, subject};
 pub use draft::{Draft, draft};
+pub use inputs::is_markdown;
 pub use names::{Call, Evidence, Notation, PaperName, names, order_counts, squeezed};
 pub use printed::{PrintedRelation, PrintedSide};
 

@@ -18,6 +18,7 @@ use ambiguous::{
     has_order_of_magnitude, has_plain_triple_product, has_primed_transpose, has_small_transpose, has_turned_subscripts,
     has_two_places, has_upright_derivative,
 };
+use diag::next_character;
 use print::{
     Raised, call, follows_a_flow, has_bare_brackets, has_bars, has_column_of_two, has_identity, has_imaginary,
     has_named_function, has_norm, has_pair, has_plain_function, has_product_of_letters, has_unit_of_italics,
@@ -371,12 +372,7 @@ fn files(paper: &Paper) -> Vec<std::sync::Arc<diag::Source>> {
 
 /// Lone names between dollars that a word is said of: "the operators $x$ and $p$", "let $A$ and $B$ be square matrices".
 fn named_beside(text: &str, words: &[&str]) -> BTreeSet<String> {
-    let near = |mut at: usize| {
-        while at < text.len() && !text.is_char_boundary(at) {
-            at += 1;
-        }
-        at.min(text.len())
-    };
+    let near = |at: usize| next_character(text, at);
     let mut out = BTreeSet::new();
     for word in words {
         for (at, _) in text.match_indices(word) {
