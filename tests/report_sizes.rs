@@ -68,6 +68,57 @@ fn pages_and_reports_are_small() {
     }
 }
 
+/// The data of a page, as its script reads them: what is folded is there.
+fn data(page: &str) -> Value {
+    const DIGITS: &[u8] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%()*+,-./:;=?@[]^_{|";
+    let begin = page.find("id=\"/data\">").expect("the data") + "id=\"/data\">".len();
+    let end = begin + page[begin..].find('<').expect("their end");
+    let value = |c: u8| DIGITS.iter().position(|d| *d == c).expect("a digit") as u64;
+    let mut packed = Vec::new();
+    for chunk in page.as_bytes()[begin..end].chunks(5) {
+        let word = (0..5).fold(0, |word, i| 85 * word + chunk.get(i).map_or(84, |c| value(*c)));
+        packed.extend_from_slice(&u32::try_from(word).expect("four bytes").to_be_bytes()[..chunk.len() - 1]);
+    }
+    let bytes = miniz_oxide::inflate::decompress_to_vec_zlib(&packed).expect("packed data");
+    serde_json::from_slice(&bytes).expect("JSON")
+}
+
+/// Texts of HTML in which a command of LaTeX is shown, outside of what shows sources on purpose.
+fn sources_shown(html: &str) -> Vec<String> {
+    // What is open of what shows sources: LaTeX that is copied from formulas, corrections, and members of families.
+    let (mut within, mut shown) = (0_usize, Vec::new());
+    for part in html.split('<').skip(1) {
+        let (tag, text) = part.split_once('>').unwrap_or((part, ""));
+        match tag.split(' ').next().unwrap_or_default() {
+            "annotation" | "code" | "pre" => within += 1,
+            "/annotation" | "/code" | "/pre" => within = within.saturating_sub(1),
+            _ => {}
+        }
+        let is_command = |rest: &str| rest.bytes().take(2).filter(u8::is_ascii_alphabetic).count() == 2;
+        if within == 0 && text.split('\\').skip(1).any(is_command) {
+            shown.push(text.to_owned());
+        }
+    }
+    shown
+}
+
+#[test]
+fn no_sentence_of_a_page_shows_the_source_of_a_formula() {
+    let mut folds = 0;
+    for folder in reports() {
+        let page = std::fs::read_to_string(folder.join("index.html")).expect("a page");
+        let body = page.find("<body").expect("a body")..page.find("<script type=\"text/plain\"").expect("the data");
+        let mut shown = sources_shown(&page[body]);
+        for text in data(&page)["folds"].as_array().expect("what is folded") {
+            folds += 1;
+            shown.extend(sources_shown(text.as_str().expect("a text")));
+        }
+        assert!(shown.is_empty(), "{}: {shown:#?}", folder.display());
+    }
+    assert!(folds > 100, "{folds}");
+    assert_eq!(sources_shown("<p>so `\\frac12`</p><code>\\frac12</code>"), ["so `\\frac12`"]);
+}
+
 #[test]
 fn elements_are_counted_as_a_browser_does() {
     let page = "<html><body><p>a<br>b</p></body></html><script type=\"text/plain\">";

@@ -54,7 +54,7 @@ fn listed(parts: impl IntoIterator<Item = Markup>) -> Markup {
 pub(super) fn certificate(claim: &ClaimAccount, identity: &IdentityAccount, scope: &Scope) -> Markup {
     html! {
         @if let Some(branch) = &identity.evidence.branch { " ± holds " (branch.to_string()) "." }
-        @if let Some(recorded) = &identity.recorded { " " (recorded.sentence()) }
+        @if let Some(recorded) = &identity.recorded { " " (prose(&recorded.sentence(), scope)) }
         @if let Some(file) = file_name(claim) {
             " Exact, too: the certificate " a href=(file) { (file) } " can be expanded by hand."
         } @else if identity.finding.is_proved_in_part() {
