@@ -290,6 +290,13 @@ fn papers_that_are_no_papers() {
     assert_eq!(draft(&whole(&labelled), 900).code, Some(0));
     let alike: String = (0..60_000).map(|_| equation("\\label{l}x=x")).collect();
     assert_eq!(draft(&whole(&alike), 900).code, Some(0));
+    // Names that are many, each of one formula, or each with a rate: not square in their number.
+    let of_names = |body: &str, n: usize| -> String {
+        let each = |i: usize| equation(&body.replace('N', &i.to_string()).replace('M', &(i + 1).to_string()));
+        whole(&(0..n).map(each).collect::<String>())
+    };
+    assert!(draft(&of_names("a_{N}=b_{N}+1", 20_000), 900).seconds.is_none_or(|s| s < 15));
+    assert!(draft(&of_names(r"\dot x_{N}=-k_{N}x_{M}", 10_000), 900).seconds.is_none_or(|s| s < 15));
     draft(&format!("\\newcommand{{\\a}}[99999999999]{{x}}{}", whole(&equation("\\a=x"))), 100);
 }
 

@@ -34,13 +34,8 @@ impl Deref for Evidence {
 impl Evidence {
     /// The evidence of a paper; `names` is what was seen of its names.
     pub fn new(paper: &Paper, names: paper::Evidence, limits: &Limits) -> Evidence {
-        let is_label = |s: &str| {
-            let mut letters = s.chars();
-            let one = letters.next().filter(|_| letters.next().is_none());
-            one.is_some_and(|c| c.is_alphabetic() && !"ijklmnpqsabcdαβμνxyz".contains(c))
-        };
-        let has_label = |(_, all): &(&String, &BTreeSet<String>)| all.iter().any(|s| is_label(s));
-        let labelled = names.subscripts.iter().filter(has_label).map(|(letter, _)| letter.clone()).collect();
+        let labelled = names.subscripts.iter().filter(|(_, all)| all.have_label()).map(|(letter, _)| letter.clone());
+        let labelled = labelled.collect();
         let sizes = sizes(paper);
         Evidence { names, notation: Notation::of(paper), labelled, sizes, limits: limits.of_file(0) }
     }

@@ -9,6 +9,7 @@ pub mod evidence;
 pub mod letters;
 mod notation;
 mod order;
+mod subscripts;
 #[cfg(test)]
 mod tests;
 
@@ -21,6 +22,7 @@ pub use evidence::{Primes, is_variable, unprimed};
 use letters::{BOLD, DOTS, FRACTIONS, HATS, STYLES, is_letter_command, is_switch};
 pub use notation::{Notation, squeezed};
 pub use order::order_counts;
+pub use subscripts::Subscripts;
 
 /// A name of a formula, as it is printed.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

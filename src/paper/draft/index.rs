@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::names::letters::is_letter_command;
-use super::super::names::{Evidence, PaperName, is_variable, names_of};
+use super::super::names::{Evidence, PaperName, Subscripts, is_variable, names_of};
 use super::super::printed::{PrintedRelation, PrintedSide, terms};
 
 /// Letters of which a sum may be meant, in a formula.
@@ -35,10 +35,7 @@ pub(super) fn summed(sides: &[&PrintedSide], evidence: &Evidence) -> BTreeSet<ch
 
 /// Whether the subscripts of a letter are labels: beside `E_r` and `E_t` that of `E_i` is one.
 fn is_labelled(name: &PaperName, evidence: &Evidence) -> bool {
-    let label = |s: &String| {
-        s.chars().count() == 1 && s.chars().all(|c| c.is_alphabetic() && !"ijklmnpqsabcdαβμνxyz".contains(c))
-    };
-    evidence.subscripts.get(&name.letter).is_some_and(|all| all.iter().any(label))
+    evidence.subscripts.get(&name.letter).is_some_and(Subscripts::have_label)
 }
 
 /// Whether δ or ε with indices stands in a formula.

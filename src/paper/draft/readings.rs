@@ -7,7 +7,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::names::letters::BOLD;
-use super::super::names::{Call, Evidence, PaperName, Primes, evidence, is_variable, names, order_counts, unprimed};
+use super::super::names::{Call, Evidence, PaperName, Primes, Subscripts, evidence, is_variable, names, order_counts, unprimed};
 use super::super::printed::PrintedSide;
 use super::guess::Guess;
 use super::index;
@@ -482,8 +482,7 @@ impl Names<'_> {
             });
         }
         if self.with_indices && self.evidence.has_indices(&name.letter) && !name.is_bold {
-            let two =
-                self.evidence.subscripts.get(&name.letter).is_some_and(|s| s.iter().any(|s| s.chars().count() == 2));
+            let two = self.evidence.subscripts.get(&name.letter).is_some_and(Subscripts::have_pair);
             let shape = Some(if two { "3x3" } else { "3" }.to_owned());
             let moves = self.moves(name, &name.base);
             let (role, why) = if moves {
@@ -503,11 +502,7 @@ impl Names<'_> {
 
     /// Whether the paper prints names that could be components of this vector or matrix, and this formula has none.
     fn is_labelled(&self, name: &PaperName) -> bool {
-        let could = |s: &String| match s.strip_prefix('\\') {
-            Some(letter) => letter.chars().all(char::is_alphabetic),
-            None => (1..=2).contains(&s.chars().count()) && s.chars().all(char::is_alphanumeric),
-        };
-        self.evidence.subscripts.get(&name.letter).is_some_and(|all| all.iter().any(could))
+        self.evidence.subscripts.get(&name.letter).is_some_and(Subscripts::have_named)
             && !self.all.iter().any(|n| self.is_component(n))
     }
 
@@ -524,9 +519,12 @@ impl Names<'_> {
         let printed = calls.is_some_and(|c| {
             c.keys().flatten().any(|p| p == &["t"] || p == &["t_0"] || p == &["0"] && !self.evidence.moving.is_empty())
         });
-        let with_index =
-            name.subscript.is_some() && self.evidence.moving.iter().any(|m| m.starts_with(&format!("{}_", name.base)));
-        self.evidence.moving.contains(key) || self.has_rate_here(key) || printed || with_index && key == name.base
+        let with_index = || {
+            let base = format!("{}_", name.base);
+            let first = self.evidence.moving.range(base.clone()..).next();
+            name.subscript.is_some() && key == name.base && first.is_some_and(|m| m.starts_with(&base))
+        };
+        self.evidence.moving.contains(key) || self.has_rate_here(key) || printed || with_index()
     }
 
     /// Whether ∇ acts on a name.

@@ -16,11 +16,40 @@ use diag::Diagnostic;
 /// The most coordinates of a file, beside the time.
 const MOST_COORDINATES: usize = 4;
 
+/// Guesses in the order in which a file declares them, each once.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Symbols {
+    order: Vec<Guess>,
+    known: BTreeSet<Guess>,
+}
+
+impl Symbols {
+    fn of(order: Vec<Guess>) -> Symbols {
+        Symbols { known: order.iter().cloned().collect(), order }
+    }
+
+    /// Whether the file declares just this.
+    pub fn contains(&self, guess: &Guess) -> bool {
+        self.known.contains(guess)
+    }
+
+    /// All, in order.
+    pub fn iter(&self) -> std::slice::Iter<'_, Guess> {
+        self.order.iter()
+    }
+
+    fn remove(&mut self, at: usize) -> Guess {
+        let guess = self.order.remove(at);
+        self.known.remove(&guess);
+        guess
+    }
+}
+
 /// What the whole file declares.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Settled {
     /// Its symbols, but the time.
-    pub symbols: Vec<Guess>,
+    pub symbols: Symbols,
     /// What was taken back, and why.
     pub clashes: Vec<String>,
 }
@@ -54,8 +83,9 @@ impl Settled {
                 *known = guess;
             }
         }
-        out.symbols = order.iter().filter(|g| best.get(g.bare()) == Some(g)).cloned().collect();
-        out.symbols.sort_by_key(|g| (g.role == "field", g.role != "coordinate", g.shape.is_none()));
+        let mut symbols: Vec<Guess> = order.iter().filter(|g| best.get(g.bare()) == Some(g)).cloned().collect();
+        symbols.sort_by_key(|g| (g.role == "field", g.role != "coordinate", g.shape.is_none()));
+        out.symbols = Symbols::of(symbols);
         out.withdraw(all);
         out
     }

@@ -18,6 +18,8 @@ pub(super) struct System {
     states: BTreeMap<String, usize>,
     equations: Vec<String>,
     parameters: Vec<String>,
+    /// What the motion has a value of: its states and parameters.
+    known: BTreeSet<String>,
 }
 
 /// Values of parameters and states: none is 1, and no two are alike.
@@ -32,12 +34,12 @@ fn number(at: usize) -> String {
 impl System {
     /// The system of the first equations that give rates of states which no other equation is needed for.
     pub fn of(all: &[Printed], settled: &Settled) -> Option<System> {
-        let is_state =
-            |key: &str| settled.symbols.iter().any(|s| s.role == "state" && s.shape.is_none() && s.name == key);
+        let states = settled.symbols.iter().filter(|s| s.role == "state" && s.shape.is_none());
+        let states: BTreeSet<&str> = states.map(|s| s.name.as_str()).collect();
         let mut rates: BTreeMap<&str, &Formula> = BTreeMap::new();
         for formula in all.iter().flat_map(|p| &p.formulas) {
             if let Some((key, _)) = formula.rate.as_ref().filter(|_| formula.refused.is_none() && formula.steps == 1)
-                && is_state(key)
+                && states.contains(key.as_str())
                 && settled.own_symbols(formula).is_empty()
                 && formula
                     .needs
@@ -63,9 +65,10 @@ impl System {
         let mut out = System::default();
         for (key, formula) in &rates {
             out.states.insert((*key).to_owned(), formula.rate.as_ref().map_or(1, |r| r.1));
+            out.known.insert((*key).to_owned());
             out.equations.push(formula.text.clone());
             for guess in formula.needs.symbols.iter().filter(|g| g.role == "parameter") {
-                if !out.parameters.contains(&guess.name) {
+                if out.known.insert(guess.name.clone()) {
                     out.parameters.push(guess.name.clone());
                 }
             }
@@ -75,7 +78,7 @@ impl System {
 
     /// Whether a claim speaks of nothing that the motion has no value of.
     pub fn has(&self, symbols: &[&Guess]) -> bool {
-        symbols.iter().all(|g| self.states.contains_key(&g.name) || self.parameters.contains(&g.name))
+        symbols.iter().all(|g| self.known.contains(&g.name))
     }
 
     /// Its text.

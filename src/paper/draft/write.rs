@@ -135,7 +135,7 @@ pub(super) fn written(head: &Head<'_>, settled: &Settled, all: &mut [Printed], s
         "# Roles: time, state, parameter, observable, abbreviation; the last two have a formula of their own.\n",
     );
     out.push_str(TIME);
-    for guess in &settled.symbols {
+    for guess in settled.symbols.iter() {
         let _ = writeln!(out, "{}", guess.line());
     }
     for clash in &settled.clashes {
@@ -177,6 +177,7 @@ fn claims(out: &mut String, name: &str, (settled, system): (&Settled, Option<&Sy
         let _ = writeln!(out, "# confirm: not read, {condition}{}:\n#   {}", comment(why), comment(&f.text));
     }
     let mut groups: Vec<(Vec<Guess>, Vec<usize>)> = Vec::new();
+    let mut group_of: BTreeMap<Vec<Guess>, usize> = BTreeMap::new();
     let mut of_all: Vec<Guess> = Vec::new();
     for f in printed.formulas.iter().filter(|f| printed.is_case && f.refused.is_none()) {
         let own = settled.own_symbols(f).into_iter().filter(|g| !of_all.contains(g));
@@ -184,9 +185,12 @@ fn claims(out: &mut String, name: &str, (settled, system): (&Settled, Option<&Sy
     }
     for (i, f) in printed.formulas.iter().enumerate().filter(|(_, f)| f.refused.is_none()) {
         let own = if printed.is_case { of_all.clone() } else { settled.own_symbols(f) };
-        match groups.iter_mut().find(|(symbols, _)| *symbols == own) {
-            Some((_, formulas)) => formulas.push(i),
-            None => groups.push((own, vec![i])),
+        match group_of.get(&own) {
+            Some(&group) => groups[group].1.push(i),
+            None => {
+                group_of.insert(own.clone(), groups.len());
+                groups.push((own, vec![i]));
+            }
         }
     }
     for (number, (symbols, formulas)) in groups.into_iter().enumerate() {
@@ -241,12 +245,12 @@ fn place(out: &mut String, formulas: &mut [Formula], these: &[usize]) {
 
 /// The guesses of a draft, a line each.
 pub(super) fn guesses(text: &str) -> Vec<String> {
-    let mut out: Vec<String> = Vec::new();
+    let (mut out, mut told_already) = (Vec::new(), BTreeSet::new());
     for line in text.lines().filter(|l| l.contains("{ role = \"")) {
         let Some((name, rest)) = line.split_once(" = { role = ") else { continue };
         let (what, why) = rest.split_once(" } # confirm: ").unwrap_or((rest, ""));
         let told = format!("{}: {}: {why}", name.trim_matches(['\'', '"']), what.replace('"', ""));
-        if !out.contains(&told) {
+        if told_already.insert(told.clone()) {
             out.push(told);
         }
     }

@@ -6,7 +6,7 @@ use super::super::Paper;
 use super::super::mark;
 use super::super::printed::{PrintedRelation, PrintedSide};
 use super::super::token::{Kind, Token};
-use super::{Call, PaperName, names};
+use super::{Call, PaperName, Subscripts, names};
 
 /// Letters of unknown functions, whose primes derive them where two stand behind them somewhere.
 const FUNCTIONS: &[&str] =
@@ -35,7 +35,7 @@ pub struct Evidence {
     /// Letters, without backslash, with a place in parentheses behind them somewhere.
     pub functions: BTreeSet<String>,
     /// Subscripts of each letter.
-    pub subscripts: BTreeMap<String, BTreeSet<String>>,
+    pub subscripts: BTreeMap<String, Subscripts>,
     /// How often each name is printed, without its primes.
     pub keys: BTreeMap<String, usize>,
     /// The most primes that a name is printed with.
@@ -76,10 +76,7 @@ impl Evidence {
 
     /// Whether the subscripts of a letter are indices of its components: all could be, and one is a letter that is used so.
     pub fn has_indices(&self, letter: &str) -> bool {
-        let Some(all) = self.subscripts.get(letter) else { return false };
-        let could = |s: &String| (1..=2).contains(&s.chars().count()) && s.chars().all(|c| "ijklmnpqrs123".contains(c));
-        let is = |s: &String| s.chars().any(|c| "ijkl".contains(c));
-        all.iter().all(could) && all.iter().any(is)
+        self.subscripts.get(letter).is_some_and(Subscripts::are_indices)
     }
 
     fn note(&mut self, relation: &PrintedRelation) {
@@ -146,7 +143,7 @@ impl Evidence {
                 self.bold.insert(name.letter.clone());
             }
             if let Some(sub) = &name.subscript {
-                self.subscripts.entry(name.letter.clone()).or_default().insert(sub.clone());
+                self.subscripts.entry(name.letter.clone()).or_default().note(sub);
             }
         }
     }
