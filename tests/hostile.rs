@@ -341,6 +341,27 @@ fn problems_are_shown_too() {
     }
 }
 
+/// Words of a command line that nobody understands are quoted, and act no more.
+#[test]
+fn words_that_are_not_understood_are_quoted_in_signs() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let word = "--x\u{1b}[2J\n::error::x\u{202e}";
+    for arguments in [
+        &["check", word][..],
+        &[&word[2..]],
+        &["lint", "--format", word],
+        &["check", "--output", word],
+        &["check", "--work", word],
+    ] {
+        let output = run(folder.path(), arguments, false);
+        let told = without_colours(&String::from_utf8_lossy(&output.stderr));
+        assert_eq!(output.status.code(), Some(2), "{told}");
+        assert!(told.contains("\u{241b}"), "{told}");
+        inert("told", &told);
+        no_command("told", &told);
+    }
+}
+
 #[test]
 fn a_paper_of_strangers_is_text_on_its_page() {
     let texts = [

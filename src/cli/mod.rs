@@ -30,7 +30,7 @@ mod sweep;
 mod watch;
 
 use clap::parser::ValueSource;
-use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use ending::{EXIT_CODES, Stop, complain, guarded};
 use rederive::Ending;
 
@@ -95,15 +95,13 @@ pub fn run(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
     if line.get(1).is_some_and(|word| lint::is_paper(word)) {
         line.insert(1, "lint".into());
     }
-    let parsed = Arguments::command().try_get_matches_from(line).and_then(|matches| {
-        let arguments = Arguments::from_arg_matches(&matches)?;
-        Ok((arguments, matches))
-    });
-    let (mut arguments, matches) = match parsed {
+    let (mut arguments, matches) = match parsed(&line) {
         Ok(arguments) => arguments,
         Err(error) => {
-            // Help and version come here too, with exit code 0. If they cannot be printed, nobody reads them.
-            let _ = error.print();
+            // Help and version come here too, with exit code 0. If they cannot be printed, nobody reads them. Words of the line
+            // are quoted: what would act in them is a sign.
+            let seen: Vec<_> = line.iter().map(|word| rederive::diag::escape::in_signs(&word.to_string_lossy()).into()).collect();
+            let _ = parsed(&seen).err().unwrap_or_else(|| clap::Error::new(error.kind())).print();
             return if error.use_stderr() { Ending::BadInput.code() } else { Ending::Good.code() };
         }
     };
@@ -119,6 +117,12 @@ pub fn run(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
         }
     }
     with_threads(&arguments, || guarded(|| command(&arguments))).code()
+}
+
+/// What a command line asks for.
+fn parsed(line: &[std::ffi::OsString]) -> Result<(Arguments, ArgMatches), clap::Error> {
+    let matches = Arguments::command().try_get_matches_from(line)?;
+    Ok((Arguments::from_arg_matches(&matches)?, matches))
 }
 
 /// Runs something on as many threads as were asked for.

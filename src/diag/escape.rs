@@ -50,6 +50,11 @@ pub fn shown(text: &str) -> Cow<'_, str> {
     Cow::Owned(out)
 }
 
+/// The same with signs for line breaks and tabs, too: for words that are quoted and not read.
+pub fn in_signs(text: &str) -> String {
+    shown(text).replace('\n', "␤").replace('\t', "␉")
+}
+
 /// The same in one line.
 pub fn in_one_line(text: &str) -> String {
     shown(text).split_whitespace().collect::<Vec<_>>().join(" ")
