@@ -18,6 +18,9 @@ use toml::de::{DeTable, DeValue};
 /// Largest size of a configuration, in bytes.
 const LARGEST: u64 = 1 << 20;
 
+/// Longest path of a configuration, in bytes: no system opens longer ones.
+const LONGEST: usize = 4096;
+
 /// What a project is checked with.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Config {
@@ -104,6 +107,9 @@ fn paths(
 ) -> Result<Vec<PathBuf>, (std::ops::Range<usize>, String)> {
     let one = |v: &Spanned<DeValue<'_>>| {
         let text = v.get_ref().as_str().ok_or((v.span(), "a path is a text".to_owned()))?;
+        if text.len() > LONGEST {
+            return Err((v.span(), format!("a path has at most {LONGEST} bytes")));
+        }
         // A repository says what it is checked with, and nothing outside of it is looked at for that.
         if !Path::new(text).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
             return Err((v.span(), "a path of a configuration stays in its folder".to_owned()));

@@ -31,8 +31,8 @@ use std::time::Duration;
 
 /// Most entries of folders that one search looks at.
 const MOST_ENTRIES: usize = 100_000;
-/// Deepest folder below the one that is searched.
-const DEEPEST: usize = 64;
+/// Deepest folder below the one that is searched, or that a paper lies in.
+pub const DEEPEST: usize = 64;
 
 /// A file that is not read, or not written.
 #[derive(Debug, thiserror::Error)]
@@ -201,8 +201,12 @@ pub fn named(path: &Path) -> Result<PathBuf, FileError> {
     }
 }
 
-/// Whether a file lies in a folder, links resolved; what is not there lies in none.
+/// Whether a file lies in a folder, links resolved; what is not there lies in none, nor does what is deeper than [`DEEPEST`].
 pub fn lies_inside(path: &Path, folder: &Path) -> bool {
+    // A system walks a path folder by folder, again for each of them that may be a link.
+    if path.components().count() > folder.components().count() + DEEPEST {
+        return false;
+    }
     match (path.canonicalize(), folder.canonicalize()) {
         (Ok(path), Ok(folder)) => path.starts_with(folder),
         _ => false,
@@ -339,7 +343,7 @@ fn no_link_on(path: &Path) -> Result<(), FileError> {
     let here = std::env::current_dir().and_then(|here| here.canonicalize()).ok();
     let path = absolute(path);
     // From where the path reaches the current folder; what is above it is not for the files in it to decide.
-    let reached = |at: &&Path| here.is_some() && at.canonicalize().ok() == here;
+    let reached = |at: &&Path| here.as_deref().is_some_and(|here| at.exists() && same(at, here));
     let above = path.ancestors().filter(|at| reached(at)).map(|at| at.components().count()).min();
     let all = path.components().count();
     let from = above.unwrap_or(all.saturating_sub(1));

@@ -13,6 +13,8 @@ use super::{LARGEST_PAPER, PaperNote, text_from};
 use diag::Source;
 use diag::escape::in_one_line;
 
+/// The most characters of the name of a file that are told.
+const LONGEST_NAME: usize = 200;
 /// The most files of a paper.
 const MOST_FILES: usize = 400;
 /// The most bytes of all files together.
@@ -104,7 +106,11 @@ impl Inputs {
     }
 
     fn refused(&mut self, name: &str, span: &Range<usize>, why: &str) -> Vec<Token> {
-        let message = format!("the file `{}` is not read: {why}", in_one_line(name.trim()));
+        let mut name = in_one_line(name.trim());
+        if let Some((end, _)) = name.char_indices().nth(LONGEST_NAME) {
+            name.replace_range(end.., "\u{2026}");
+        }
+        let message = format!("the file `{name}` is not read: {why}");
         self.notes.push(PaperNote { message, span: span.clone() });
         Vec::new()
     }
