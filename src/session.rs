@@ -203,6 +203,14 @@ impl Session {
         self.derivation.claims.iter().map(ClaimName::of).collect()
     }
 
+    /// Whether a recorded proof proves just what the claim of its name asks: the sequents are written anew, and compared.
+    pub fn asks_for(&self, of: &report::RecordedClaim) -> bool {
+        let (id, reading) = of.claim.split_once('/').map_or((of.claim.as_str(), None), |(id, own)| (id, Some(own)));
+        let claim = self.derivation.claims.iter().find(|c| c.id == id && c.reading.as_deref() == reading);
+        let asked = claim.and_then(|c| tactics::Asked::of(&self.derivation, c, true).ok());
+        asked.is_some_and(|asked| asked.is_answered_by(&of.proof))
+    }
+
     /// The claims, each with the ids of the trajectories and families that it is tried on.
     pub fn pairs(&self) -> Vec<(ClaimName, Vec<String>)> {
         let of = &self.derivation;

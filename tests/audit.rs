@@ -1,6 +1,10 @@
 //! Recorded proofs are replayed from the report alone, and what was changed in one is refused.
 
 use assert_cmd::Command;
+use rederive::derivation::parse;
+use rederive::diag::Source;
+use rederive::report::{ProofFile, RecordedClaim, Stated};
+use rederive::{Ask, Session};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -101,31 +105,76 @@ fn explain_prints_the_sequent_and_the_steps() {
     }
 }
 
-/// Of one byte that is changed, the audit says that something is refused, or that it is no proofs.json; or it tells what is proved instead.
+/// Of one byte that is changed, the audit says that something is refused, or that it is no proofs.json. One who writes the sum anew is told
+/// that a step is refused, or gets told what is proved instead.
 #[test]
-fn each_changed_byte_of_a_record_is_refused_or_told() {
+fn each_changed_byte_of_a_record_is_refused() {
     let said = rederive(&["prove", r"x^2-1=(x-1)(x+1)", "--symbol", "x", "--format", "json"]);
     let json: serde_json::Value = serde_json::from_str(&said).expect("JSON");
     let file = serde_json::json!({
-        "schema": 1, "derivation": "d", "sha256": "s", "unrecorded": [],
+        "schema": 2, "derivation": "d", "sha256": "s", "unrecorded": [], "sum": "",
         "proofs": [{ "claim": "c", "standing": "proved", "proof": json["proof"] }],
     });
-    let text = serde_json::to_vec(&file).expect("bytes");
-    let right = rederive::report::audit(&text).expect("a record");
+    let with_its_sum = |mut file: ProofFile| {
+        file.sum = file.right_sum();
+        file
+    };
+    let on_trust = |file: &ProofFile| rederive::report::audit(file, &|_| Stated::OnTrust);
+    let file = with_its_sum(serde_json::from_value(file).expect("proofs"));
+    let right = on_trust(&file);
     assert!(right.is_replayed(), "{}", right.text());
-    let mut refused = 0;
+    let text = serde_json::to_vec(&file).expect("bytes");
+    let (mut refused, mut otherwise) = (0, 0);
     for at in 0..text.len() {
         let mut changed = text.clone();
         changed[at] ^= 1;
-        match rederive::report::audit(&changed) {
-            Ok(audit) if audit.is_replayed() => {
-                // Other steps to the same claim, or another claim that is true: it is told in words.
-                assert!(audit.text().contains("For every motion"), "byte {at}: {}", audit.text());
-            }
-            _ => refused += 1,
+        let Ok(changed) = ProofFile::read(&changed) else { continue };
+        let audit = on_trust(&changed);
+        assert!(!audit.is_replayed() && audit.text().contains("its sum is another"), "byte {at}: {}", audit.text());
+        let audit = on_trust(&with_its_sum(changed));
+        if audit.is_replayed() {
+            // Other steps to the same claim, or another claim that is true: it is told in words.
+            assert!(audit.text().contains("For every motion"), "byte {at}: {}", audit.text());
+            otherwise += 1;
+        } else {
+            assert!(audit.text().contains("refused"), "byte {at}: {}", audit.text());
+            refused += 1;
         }
     }
-    assert!(refused > text.len() / 2, "{refused} of {}", text.len());
+    assert!(refused > otherwise && otherwise > 0, "{refused} refused, {otherwise} told");
+}
+
+/// A proof that is one, under the name of another claim or with another sequent, is not what the derivation file asks.
+#[test]
+fn what_is_proved_is_what_the_derivation_file_asks() {
+    let text =
+        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("derivations/pendulum.toml")).expect("a file");
+    let session = Session::of(parse(Source { path: "pendulum.toml".into(), text }, "pendulum").expect("a derivation"));
+    let mut found = session.check(&Ask::default(), &|_, _| {}).expect("it is checked");
+    found.record(None, None);
+    let file: ProofFile =
+        serde_json::from_str(&rederive::report::proofs(found.derivation(), found.account())).expect("proofs");
+    assert!(file.proofs.len() > 1, "{}", file.proofs.len());
+    let stated = |of: &RecordedClaim| match session.asks_for(of) {
+        true => Stated::AsInFile,
+        false => Stated::Otherwise,
+    };
+    let right = rederive::report::audit(&file, &stated);
+    assert!(right.is_replayed() && right.text().contains("written anew from the derivation file"), "{}", right.text());
+    for at in 0..file.proofs.len() {
+        let mut renamed = file.clone();
+        renamed.proofs[at].claim = file.proofs[(at + 1) % file.proofs.len()].claim.clone();
+        let mut fewer = file.clone();
+        fewer.proofs[at].proof.relations.pop();
+        let mut more = file.clone();
+        let claim = more.proofs[at].proof.sequent.claim.clone();
+        more.proofs[at].proof.sequent.premises.push(claim);
+        for mut changed in [renamed, fewer, more] {
+            changed.sum = changed.right_sum();
+            let audit = rederive::report::audit(&changed, &stated);
+            assert!(!audit.is_replayed() && audit.text().contains("asks something else"), "{at}: {}", audit.text());
+        }
+    }
 }
 
 /// A file in which every claim is false on some motion, or of some numbers.

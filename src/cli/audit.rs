@@ -3,19 +3,28 @@
 use std::path::{Path, PathBuf};
 
 use rederive::files::{self, Kind};
-use rederive::{Ending, Format, report};
+use rederive::report::{ProofFile, RecordedClaim, Stated};
+use rederive::{Ending, Format, Session, report};
 
 use super::arguments::printed_as;
 use super::ending::{Stop, print_json, say};
+use super::files::{find, session};
 
 /// Largest size of a proofs.json, in bytes.
 const LARGEST_FILE: u64 = 256 << 20;
+
+/// Where derivation files are, unless it is said; there need be none.
+const DERIVATIONS: &str = "derivations";
 
 #[derive(clap::Args)]
 pub struct AuditArguments {
     /// A proofs.json, or a folder with reports
     #[arg(value_name = "REPORT", default_value = "reports")]
     paths: Vec<PathBuf>,
+    /// The derivation file, or a folder that contains them: each sequent is compared with what the file asks, where it is still the file
+    /// that the proofs were found for
+    #[arg(long = "in", value_name = "FILE", default_value = DERIVATIONS)]
+    derivations: PathBuf,
     /// How the audit is printed
     #[arg(long, value_parser = printed_as(&[Format::Text, Format::Json]), default_value = "text")]
     format: Format,
@@ -23,9 +32,20 @@ pub struct AuditArguments {
 
 pub fn audit(arguments: &AuditArguments) -> Result<Ending, Stop> {
     let (mut ending, mut documents) = (Ending::Good, Vec::new());
+    let files = match Path::new(DERIVATIONS) == arguments.derivations && !arguments.derivations.exists() {
+        true => Vec::new(),
+        false => find(std::slice::from_ref(&arguments.derivations))?,
+    };
     for path in &arguments.paths {
         for (name, bytes) in proofs(path)? {
-            let found = report::audit(&bytes).map_err(|why| format!("{name}: {why}"))?;
+            let file = ProofFile::read(&bytes).map_err(|why| format!("{name}: {why}"))?;
+            let session = asking(&files, &file);
+            let stated = |of: &RecordedClaim| match &session {
+                Some(session) if session.asks_for(of) => Stated::AsInFile,
+                Some(_) => Stated::Otherwise,
+                None => Stated::OnTrust,
+            };
+            let found = report::audit(&file, &stated);
             if !found.is_replayed() {
                 ending = Ending::Different;
             }
@@ -39,6 +59,12 @@ pub fn audit(arguments: &AuditArguments) -> Result<Ending, Stop> {
         print_json(&documents.into())?;
     }
     Ok(ending)
+}
+
+/// The derivation that proofs are of, if one of the files is still what it was.
+fn asking(files: &[PathBuf], of: &ProofFile) -> Option<Session> {
+    let mut named = files.iter().filter(|path| path.file_stem().is_some_and(|stem| stem == of.derivation.as_str()));
+    named.find_map(|path| session(path).ok().filter(|s| s.derivation().sha256 == of.sha256))
 }
 
 /// The proofs that a path names: a file, or every `proofs.json` below a folder.

@@ -100,7 +100,8 @@ pub fn run(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
         Err(error) => {
             // Help and version come here too, with exit code 0. If they cannot be printed, nobody reads them. Words of the line
             // are quoted: what would act in them is a sign.
-            let seen: Vec<_> = line.iter().map(|word| rederive::diag::escape::in_signs(&word.to_string_lossy()).into()).collect();
+            let seen: Vec<_> =
+                line.iter().map(|word| rederive::diag::escape::in_signs(&word.to_string_lossy()).into()).collect();
             let _ = parsed(&seen).err().unwrap_or_else(|| clap::Error::new(error.kind())).print();
             return if error.use_stderr() { Ending::BadInput.code() } else { Ending::Good.code() };
         }

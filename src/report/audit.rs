@@ -1,10 +1,10 @@
 //! Audit: replays the recorded proofs of a report, without the prover.
 //!
-//! **In:** the text of a `proofs.json`. **Out:** [`Audit`]: for each claim the sequent in words, what was replayed, what the proof rests on, or the step that is
+//! **In:** a [`ProofFile`], and who knows what the claims ask. **Out:** [`Audit`]: for each claim the sequent in words, what was replayed, what the proof rests on, or the step that is
 //! refused. **Guaranteed:** nothing that the file says of a proof is believed: the checker makes each step again. What is taken on trust is
 //! named: that the sequents are what the derivation file says, and the claims of which no proof is recorded.
 
-use super::proof_file::{PROOF_SCHEMA, ProofFile, RecordedClaim, UnrecordedClaim};
+use super::proof_file::{ProofFile, RecordedClaim, UnrecordedClaim};
 use super::recorded::shown_words;
 use checker::Shown;
 use serde_json::{Value, json};
@@ -32,6 +32,17 @@ pub struct AuditedRelation {
     pub outcome: Replayed,
 }
 
+/// Whether the sequents of a claim are what its derivation file says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stated {
+    /// The file is not at hand, or is another one by now.
+    OnTrust,
+    /// They were written anew from the file, and are the same.
+    AsInFile,
+    /// They are others, or the file has no such claim.
+    Otherwise,
+}
+
 /// One claim.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AuditedClaim {
@@ -41,6 +52,8 @@ pub struct AuditedClaim {
     pub standing: String,
     /// What the proof assumes beside what the claim does, since what it follows from does.
     pub presupposed: Vec<String>,
+    /// Whether this is what the derivation file asks.
+    pub stated: Stated,
     /// Its relations.
     pub relations: Vec<AuditedRelation>,
 }
@@ -54,18 +67,15 @@ pub struct Audit {
     pub claims: Vec<AuditedClaim>,
     /// Claims without.
     pub unrecorded: Vec<UnrecordedClaim>,
+    /// Whether the sum of the file is that of its content.
+    pub has_its_sum: bool,
 }
 
-/// Replays the proofs of a file.
-///
-/// # Errors
-/// A sentence: the text is no `proofs.json`, or one of another version.
-pub fn audit(text: &[u8]) -> Result<Audit, String> {
-    let file: ProofFile = serde_json::from_slice(text).map_err(|error| format!("this is no proofs.json: {error}"))?;
-    if file.schema != PROOF_SCHEMA {
-        return Err(format!("the layout {} of proofs.json is not known", file.schema));
-    }
-    let claims = file.proofs.into_iter().map(|RecordedClaim { claim, standing, proof }| {
+/// Replays the proofs of a file. `stated`: whether a claim's proof proves what the derivation file asks.
+pub fn audit(file: &ProofFile, stated: &dyn Fn(&RecordedClaim) -> Stated) -> Audit {
+    let has_its_sum = file.sum == file.right_sum();
+    let claims = file.proofs.iter().map(|recorded| {
+        let RecordedClaim { claim, standing, proof } = recorded;
         // The sequent is that of the first relation; the others claim something else of the same.
         let is_first = proof.relations.first().is_none_or(|first| first.claim == proof.sequent.claim);
         let relations = proof.relations.iter().map(|relation| {
@@ -82,22 +92,46 @@ pub fn audit(text: &[u8]) -> Result<Audit, String> {
             };
             AuditedRelation { sequent: sequent.words().unwrap_or_else(|refused| refused.to_string()), outcome }
         });
-        AuditedClaim { relations: relations.collect(), presupposed: proof.presupposed_words(), claim, standing }
+        AuditedClaim {
+            relations: relations.collect(),
+            presupposed: proof.presupposed_words(),
+            claim: claim.clone(),
+            standing: standing.clone(),
+            stated: stated(recorded),
+        }
     });
-    Ok(Audit { claims: claims.collect(), derivation: file.derivation, unrecorded: file.unrecorded })
+    Audit {
+        claims: claims.collect(),
+        derivation: file.derivation.clone(),
+        unrecorded: file.unrecorded.clone(),
+        has_its_sum,
+    }
+}
+
+impl Stated {
+    /// The word in JSON.
+    fn word(self) -> &'static str {
+        match self {
+            Stated::OnTrust => "on trust",
+            Stated::AsInFile => "as in the file",
+            Stated::Otherwise => "otherwise",
+        }
+    }
 }
 
 impl AuditedClaim {
-    /// Whether every step of every relation was made again, and none is missing.
+    /// Whether every step of every relation was made again, none is missing, and the file asks nothing else.
     pub fn is_replayed(&self) -> bool {
-        !self.relations.is_empty() && self.relations.iter().all(|r| matches!(r.outcome, Replayed::Shown(_)))
+        self.stated != Stated::Otherwise
+            && !self.relations.is_empty()
+            && self.relations.iter().all(|r| matches!(r.outcome, Replayed::Shown(_)))
     }
 }
 
 impl Audit {
     /// Whether all that is recorded was replayed.
     pub fn is_replayed(&self) -> bool {
-        self.claims.iter().all(AuditedClaim::is_replayed)
+        self.has_its_sum && self.claims.iter().all(AuditedClaim::is_replayed)
     }
 
     /// The audit for people.
@@ -106,6 +140,9 @@ impl Audit {
         for claim in &self.claims {
             let word = if claim.is_replayed() { "replayed" } else { "REFUSED" };
             out += &format!("\n  {}  {word} (the report says: {})\n", claim.claim, claim.standing);
+            if claim.stated == Stated::Otherwise {
+                out += "    refused: the derivation file asks something else of this claim, or has no such claim\n";
+            }
             if !claim.presupposed.is_empty() {
                 let all = claim.presupposed.join(", ");
                 out += &format!("    Presupposed, as what the claim follows from does: {all}\n");
@@ -121,8 +158,19 @@ impl Audit {
         }
         let replayed = self.claims.iter().filter(|claim| claim.is_replayed()).count();
         out += &format!("\n{replayed} of {} recorded claims are replayed.\n", self.claims.len());
-        out += "On trust: that the sequents say what, and all that, the derivation file says, and the words of the report for them; the theorems that \
-                the rules name.\n";
+        if !self.has_its_sum {
+            out += "Refused: the file was changed after it was written; its sum is another.\n";
+        }
+        out += match self.claims.iter().all(|claim| claim.stated == Stated::AsInFile) {
+            true => {
+                "Each sequent was written anew from the derivation file, and is the same. On trust: how formulas are read, the words of the \
+                     report, the theorems that the rules name.\n"
+            }
+            false => {
+                "On trust: that the sequents say what, and all that, the derivation file says, which is not at hand as it was; the words of \
+                      the report; the theorems that the rules name.\n"
+            }
+        };
         if !self.unrecorded.is_empty() {
             out += &format!("Proved, and not recorded: these rest on the prover alone ({}):\n", self.unrecorded.len());
             for UnrecordedClaim { claim, standing, why } in &self.unrecorded {
@@ -152,12 +200,14 @@ impl Audit {
                 "claim": claim.claim,
                 "standing": claim.standing,
                 "replayed": claim.is_replayed(),
+                "stated": claim.stated.word(),
                 "presupposed": claim.presupposed,
                 "relations": claim.relations.iter().map(relation).collect::<Vec<_>>(),
             })
         };
         json!({
             "derivation": self.derivation,
+            "has_its_sum": self.has_its_sum,
             "claims": self.claims.iter().map(claim).collect::<Vec<_>>(),
             "unrecorded": self.unrecorded,
         })

@@ -8,11 +8,12 @@ use checker::ProofRecord;
 use derivation::Derivation;
 use findings::{Account, Recorded};
 use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 
 /// The name of the file in the folder of a report.
 pub const PROOFS: &str = "proofs.json";
 /// The version of its layout.
-pub const PROOF_SCHEMA: u32 = 1;
+pub const PROOF_SCHEMA: u32 = 2;
 
 /// The proofs of a report.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -27,6 +28,36 @@ pub struct ProofFile {
     pub proofs: Vec<RecordedClaim>,
     /// Claims that the prover proves and of which no proof is recorded.
     pub unrecorded: Vec<UnrecordedClaim>,
+    /// SHA-256 of all the rest, so that no change of a word passes unseen. Who writes another sum is not stopped by it.
+    pub sum: String,
+}
+
+impl ProofFile {
+    /// The proofs in a text.
+    ///
+    /// # Errors
+    /// A sentence: the text is no `proofs.json`, or one of another version.
+    pub fn read(text: &[u8]) -> Result<ProofFile, String> {
+        let not = |error: serde_json::Error| format!("this is no proofs.json: {error}");
+        let whole: serde_json::Value = serde_json::from_slice(text).map_err(not)?;
+        let file: ProofFile = serde_json::from_slice(text).map_err(not)?;
+        match file.schema {
+            // What is not understood is not passed over.
+            PROOF_SCHEMA if serde_json::to_value(&file).ok() != Some(whole) => {
+                Err("this is no proofs.json: it has a key that is not known".to_owned())
+            }
+            PROOF_SCHEMA => Ok(file),
+            other => Err(format!("the layout {other} of proofs.json is not known")),
+        }
+    }
+
+    /// The sum that belongs to the rest.
+    pub fn right_sum(&self) -> String {
+        let rest = (self.schema, &self.derivation, &self.sha256, &self.proofs, &self.unrecorded);
+        // What was read from JSON can be written as JSON.
+        let bytes = serde_json::to_vec(&rest).unwrap_or_default();
+        Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect()
+    }
 }
 
 /// A claim with its proofs.
@@ -59,6 +90,7 @@ pub fn proofs(derivation: &Derivation, account: &Account) -> String {
         sha256: derivation.sha256.clone(),
         proofs: Vec::new(),
         unrecorded: Vec::new(),
+        sum: String::new(),
     };
     for of in &account.claims {
         let Some(identity) = &of.identity else { continue };
@@ -71,5 +103,6 @@ pub fn proofs(derivation: &Derivation, account: &Account) -> String {
             None => {}
         }
     }
+    file.sum = file.right_sum();
     diag::escape::in_json(&super::json::text(&file))
 }

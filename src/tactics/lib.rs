@@ -58,6 +58,18 @@ impl Asked {
         serde_json::to_vec(&each).unwrap_or_default()
     }
 
+    /// Whether a record proves what the claim asks: with the same given and the same claimed, in the same order.
+    pub fn is_answered_by(&self, record: &ProofRecord) -> bool {
+        let is_asked = |all: &[Question]| {
+            !all.is_empty()
+                && all.len() == record.relations.len()
+                && all.iter().zip(&record.relations).all(|(question, relation)| {
+                    question.sequent == record.sequent_of(relation) && question.presupposed == record.presupposed
+                })
+        };
+        is_asked(&self.plain) || is_asked(&self.presupposing)
+    }
+
     /// Proofs, for the checker: with nothing presupposed, unless that leaves out more cases.
     ///
     /// # Errors

@@ -7,7 +7,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::names::letters::BOLD;
-use super::super::names::{Call, Evidence, PaperName, Primes, Subscripts, evidence, is_variable, names, order_counts, unprimed};
+use super::super::names::{
+    Call, Evidence, PaperName, Primes, Subscripts, evidence, is_variable, names, order_counts, unprimed,
+};
 use super::super::printed::PrintedSide;
 use super::guess::Guess;
 use super::index;
