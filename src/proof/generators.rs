@@ -132,9 +132,9 @@ pub(super) struct Lowering<'g> {
     combinations: Combinations,
     /// Monomials of arguments that are combinations of others.
     relations: Relations,
-    /// Common denominators of the coefficients of a monomial: under sin, cos, tan and under exp, sinh, cosh, tanh.
-    circle_denominators: FastMap<Monomial, Rational>,
-    exp_denominators: FastMap<Monomial, Rational>,
+    /// Common measures of the coefficients of a monomial: under sin, cos, tan and under exp, sinh, cosh, tanh.
+    circle_units: FastMap<Monomial, Rational>,
+    exp_units: FastMap<Monomial, Rational>,
     circles: FastMap<Monomial, (Expr, Expr)>,
     exponentials: FastMap<Monomial, Expr>,
     opaque: FastMap<(Op, Vec<Expr>), Expr>,
@@ -153,6 +153,15 @@ pub(super) fn lcm(a: &Rational, b: &Rational) -> Rational {
     let (a, b) = (a.numerator().clone().into_parts().1, b.denominator().clone());
     let g = (&a).gcd(&b);
     Rational::from(a / g * b)
+}
+
+/// The largest number of which both are whole multiples; neither is 0.
+fn common_measure(a: &Rational, b: &Rational) -> Rational {
+    use dashu_int::ops::Gcd;
+    let parts = |r: &Rational| (r.numerator().clone().into_parts().1, r.denominator().clone());
+    let ((a, c), (b, d)) = (parts(a), parts(b));
+    let g = (&a * &d).gcd(&b * &c);
+    Rational::from(g) / Rational::from(c * d)
 }
 
 fn integer(r: &Rational) -> Result<i32, TooLarge> {
@@ -181,10 +190,15 @@ impl<'g> Lowering<'g> {
         let relations = relations(graph, &mut combinations, &monomials);
         let (mut circle, mut exp) = (FastMap::default(), FastMap::default());
         for (is_angle, argument) in arguments {
-            let table = if is_angle { &mut circle } else { &mut exp };
-            for (m, q) in related(&relations, argument) {
-                let n = table.entry(m).or_insert(Rational::ONE);
-                *n = lcm(n, &q);
+            let table: &mut FastMap<Monomial, Rational> = if is_angle { &mut circle } else { &mut exp };
+            for (m, q) in related(&relations, argument).into_iter().filter(|(_, q)| *q != Rational::ZERO) {
+                // Of a logarithm and of π whole parts are known: roots, and angles that are parts of a turn.
+                let unit = match m.as_slice() {
+                    &[(base, 1)] if matches!(graph.node(base), Node::Unary(Op::Ln, _) | Node::Pi) => Rational::ONE,
+                    _ => q.clone(),
+                };
+                let unit = table.remove(&m).unwrap_or(unit);
+                table.insert(m, common_measure(&unit, &q));
             }
         }
         Lowering {
@@ -192,8 +206,8 @@ impl<'g> Lowering<'g> {
             generators,
             combinations,
             relations,
-            circle_denominators: circle,
-            exp_denominators: exp,
+            circle_units: circle,
+            exp_units: exp,
             circles: FastMap::default(),
             exponentials: FastMap::default(),
             opaque: FastMap::default(),
@@ -362,9 +376,9 @@ impl<'g> Lowering<'g> {
             let part = match self.special_angle(&m, &q)? {
                 Some(pair) => pair,
                 None => {
-                    let n = self.circle_denominators.get(&m).cloned().unwrap_or(Rational::ONE);
-                    let times = integer(&(q * &n))?;
-                    let angle = self.circle_generators(&m, &n)?;
+                    let unit = self.circle_units.get(&m).cloned().unwrap_or(Rational::ONE);
+                    let times = integer(&(q / &unit))?;
+                    let angle = self.circle_generators(&m, &unit)?;
                     self.multiple(angle, times)
                 }
             };
@@ -373,11 +387,11 @@ impl<'g> Lowering<'g> {
         Ok(out)
     }
 
-    fn circle_generators(&mut self, m: &Monomial, n: &Rational) -> Result<(Expr, Expr), TooLarge> {
+    fn circle_generators(&mut self, m: &Monomial, unit: &Rational) -> Result<(Expr, Expr), TooLarge> {
         if let Some(&pair) = self.circles.get(m) {
             return Ok(pair);
         }
-        let argument = expression(self.graph, m, &(Rational::ONE / n));
+        let argument = expression(self.graph, m, unit);
         let c = self.generators.add(Generator::Cosine(argument)).ok_or(TooLarge)?;
         let s = self.generators.add(Generator::Sine(argument)).ok_or(TooLarge)?;
         let pair = (self.graph.leaf(c), self.graph.leaf(s));
@@ -533,14 +547,14 @@ impl<'g> Lowering<'g> {
             let factor = match self.power_of_log(&m, &q)? {
                 Some(e) => e,
                 None => {
-                    let n = self.exp_denominators.get(&m).cloned().unwrap_or(Rational::ONE);
-                    let times = integer(&(q * &n))?;
+                    let unit = self.exp_units.get(&m).cloned().unwrap_or(Rational::ONE);
+                    let times = integer(&(q / &unit))?;
                     let base = match self.exponentials.get(&m) {
                         Some(&e) => e,
                         None => {
-                            let part = expression(self.graph, &m, &(Rational::ONE / &n));
+                            let part = expression(self.graph, &m, &unit);
                             let leaf = self.generators.add(Generator::Exponential(part)).ok_or(TooLarge)?;
-                            self.note_radical(&m, &n, leaf)?;
+                            self.note_radical(&m, &unit, leaf)?;
                             let e = self.graph.leaf(leaf);
                             self.exponentials.insert(m.clone(), e);
                             e
@@ -555,10 +569,10 @@ impl<'g> Lowering<'g> {
     }
 
     /// Keeps what a root is of, if the exponential is one, and of something that is not a number.
-    fn note_radical(&mut self, m: &Monomial, n: &Rational, leaf: Leaf) -> Result<(), TooLarge> {
+    fn note_radical(&mut self, m: &Monomial, unit: &Rational, leaf: Leaf) -> Result<(), TooLarge> {
         let &[(base, 1)] = m.as_slice() else { return Ok(()) };
         let &Node::Unary(Op::Ln, of) = self.graph.node(base) else { return Ok(()) };
-        let order = integer(n)?;
+        let order = integer(&(Rational::ONE / unit))?;
         if order > 2 && order <= HIGHEST_ROOT && !self.graph.leaves([of]).is_empty() {
             self.generators.radicals.push(Radical { generator: leaf.component.into(), of, order });
         }
@@ -586,7 +600,7 @@ impl<'g> Lowering<'g> {
     fn power_of_log(&mut self, m: &Monomial, q: &Rational) -> Result<Option<Expr>, TooLarge> {
         let &[(base, 1)] = m.as_slice() else { return Ok(None) };
         let &Node::Unary(Op::Ln, u) = self.graph.node(base) else { return Ok(None) };
-        let parts = self.exp_denominators.get(m).and_then(|n| i64::try_from(n.clone()).ok());
+        let parts = self.exp_units.get(m).and_then(|unit| i64::try_from(Rational::ONE / unit).ok());
         let roots = match i64::try_from(q.denominator().clone()) {
             Ok(1) => 0,
             Ok(2) => 1,

@@ -150,37 +150,36 @@ def numbers_agree(names, functions, definitions, variables):
 # where \dot{\theta} = \frac{1}{2}\cdot {\bf m}_3(0)\cdot (\frac{1}{I_1}-\frac{1}{I_2})\cdot \sin(2\cdot \psi(0))\cdot \sin(\theta)
 # exp_2 stands for \exp((I_2)^{-1}\cdot t\cdot {\bf m}_3(0)\cdot \sin(2\cdot \psi(0)))
 # exp_3 stands for \exp((I_1)^{-1}\cdot t\cdot {\bf m}_3(0)\cdot \sin(2\cdot \psi(0)))
-# sin_psi_then stands for \sin(\psi(0))
-# cos_psi_then stands for \cos(\psi(0))
-# sin_2 stands for \sin(\frac{1}{2}\cdot \theta)
-# cos_2 stands for \cos(\frac{1}{2}\cdot \theta)
+# sin_2 stands for \sin(2\cdot \psi(0))
+# sin_3 stands for \sin(\frac{1}{2}\cdot \theta)
+# cos_3 stands for \cos(\frac{1}{2}\cdot \theta)
 # m3_then stands for {\bf m}_3(0)
 # I2 stands for I_2
 # I1 stands for I_1
 check(
-    names=["exp_2", "exp_3", "sin_psi_then", "cos_psi_then", "sin_2", "cos_2", "E_then", "E", "m3_then", "I3", "I2", "I1", "t", "theta", "theta_dot", "psi_then"],
+    names=["exp_2", "exp_3", "sin_2", "cos_2", "sin_3", "cos_3", "E_then", "E", "m3_then", "I3", "I2", "I1", "t", "theta", "theta_dot", "psi_then"],
     left="exp(-(2*(1/2*m3_then*(1/I1 - 1/I2)*sin(2*psi_then))*t))*(-(2*(1/2*m3_then*(1/I1 - 1/I2)*sin(2*psi_then))))*tan(theta/2)**2 + exp(-(2*(1/2*m3_then*(1/I1 - 1/I2)*sin(2*psi_then))*t))*(2*tan(theta/2)*((1 + tan(theta/2)**2)*(theta_dot/2)))",
     right="0",
     relations=[
         # because of what the variables stand for: c² + s² = 1
-        ("sin_2**2 + cos_2**2", "1", "16*exp_2*exp_3*sin_psi_then*cos_psi_then*sin_2**2*cos_2**3*m3_then*I2**2*I1 - 16*exp_2*exp_3*sin_psi_then*cos_psi_then*sin_2**2*cos_2**3*m3_then*I2*I1**2"),
+        ("sin_3**2 + cos_3**2", "1", "8*exp_2*exp_3*sin_2*sin_3**2*cos_3**3*m3_then*I2**2*I1 - 8*exp_2*exp_3*sin_2*sin_3**2*cos_3**3*m3_then*I2*I1**2"),
     ],
     d="1",
     definitions={
         "theta_dot": "1/2*m3_then*(1/I1 - 1/I2)*sin(2*psi_then)*sin(theta)",
     },
     functions={
-        "sin(theta)": "sin_2*cos_2 + sin_2*cos_2",
-        "sin(2*psi_then)": "sin_psi_then*cos_psi_then + sin_psi_then*cos_psi_then",
-        "tan(theta/2)": "sin_2/cos_2",
+        "sin(theta)": "sin_3*cos_3 + sin_3*cos_3",
+        "sin(2*psi_then)": "sin_2",
+        "tan(theta/2)": "sin_3/cos_3",
         "exp(-(2*(1/2*m3_then*(1/I1 - 1/I2)*sin(2*psi_then))*t))": "exp_3**(-1)*exp_2",
     },
     variables={
         "exp_2": "exp(I2**(-1)*t*m3_then*sin(2*psi_then))",
         "exp_3": "exp(I1**(-1)*t*m3_then*sin(2*psi_then))",
-        "sin_psi_then": "sin(psi_then)",
-        "cos_psi_then": "cos(psi_then)",
-        "sin_2": "sin(1/2*theta)",
-        "cos_2": "cos(1/2*theta)",
+        "sin_2": "sin(2*psi_then)",
+        "cos_2": "cos(2*psi_then)",
+        "sin_3": "sin(1/2*theta)",
+        "cos_3": "cos(1/2*theta)",
     },
 )
