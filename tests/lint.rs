@@ -341,6 +341,25 @@ fn standard_input_and_a_paper_that_is_saved_again_are_looked_through() {
     rederive(folder.path(), &["lint", "-", "--watch"]).code(2);
 }
 
+/// A case keeps what stands beside it from being a premise; what "where" says, a range and a list of values do not.
+#[test]
+fn words_that_define_or_give_a_range_open_no_case() {
+    use Word::{Condition, Defines, Follows, NotFollowed};
+    says(r"\[ E=T+V,\quad\text{where } V=kx^2 \] \[ E=T+kx^2 \]", &[Defines, Defines, Follows]);
+    says(r"\[ E=T+V\quad\text{mit}\quad V=kx^2 \] \[ E=T+kx^2 \]", &[Defines, Defines, Follows]);
+    says(r"\[ p=qx\quad\text{for } x>0 \] \[ p^2=q^2x^2 \]", &[Defines, Condition, Follows]);
+    says(r"\[ p=qx\quad\text{for } n=1,2,\ldots \] \[ p^2=q^2x^2 \]", &[Defines, Condition, Follows]);
+    says(r"\[ p= at\,x \] \[ p^2=a^2t^2x^2 \]", &[Defines, Follows]);
+    says(r"\[ p = at\, x = q, \quad r=sx \] \[ r^2=s^2x^2 \]", &[NotFollowed, Defines, Follows]);
+    says(r"\[ Q_\mathrm{in}=cT_\text{on} \] \[ Q_\mathrm{in}^2=c^2T_\text{on}^2 \]", &[Defines, Follows]);
+    // The next row, and the next sentence, are no case.
+    says(
+        r"\begin{align} p&=qx &&\text{if } u=v\\ r&=sx \end{align} \[ r^2=s^2x^2 \]",
+        &[Condition, Condition, Defines, Follows],
+    );
+    says(r"We have $u=v$ if $a=b$. Now \[ r=sx \] \[ r^2=s^2x^2 \]", &[Condition, Condition, Defines, Follows]);
+}
+
 /// What a text says of another case, denies, asks or means by its notation: see `tests/lint/never.txt`.
 #[test]
 fn what_may_be_meant_otherwise_is_neither_proved_nor_wrong() {

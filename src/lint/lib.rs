@@ -32,6 +32,7 @@ mod setting;
 mod shown;
 mod signs;
 mod slips;
+mod standing;
 mod step;
 #[cfg(test)]
 mod tests;

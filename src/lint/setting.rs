@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 
-use paper::{PrintedRelation, PrintedSide, names, squeezed};
+use paper::{Opening, PrintedRelation, PrintedSide, names, squeezed};
 
 use super::cases::{Cases, Stance, stance};
 use super::desk::Given;
@@ -13,6 +13,7 @@ use super::facts::{NEAR, Stated};
 use super::judge::{Judge, MOST_EXPLAINED};
 use super::lone::lone_name;
 use super::question::{Positive, Rests};
+use super::standing::{Standing, is_equation};
 use super::step::Place;
 
 /// Relations on both sides of a step in which a name of it may be said to be zero.
@@ -214,7 +215,8 @@ impl Judge<'_> {
             let name = lone_name(left).filter(|n| own.contains(&n.key()) && all[k].signs[0] == "=");
             let is_number = names(right).is_empty() && right.text.chars().any(|c| c.is_ascii_digit());
             let is_other = lone_name(right).is_some_and(|n| own.contains(&n.key()));
-            if name.is_some() && (is_number || is_other && all[k].display.is_none()) {
+            let is_case = all[k].opening == Some(Opening::Case) && is_equation(&all[k]);
+            if is_case || name.is_some() && (is_number || is_other && all[k].display.is_none()) {
                 let (left, right) = (left.clone(), right.clone());
                 let names = keys([&left, &right]);
                 out.push(Stated { left, right, relation: k, section: self.section, names, in_text: true });
@@ -228,6 +230,17 @@ impl Judge<'_> {
         let stated = rests.stated.iter().cloned().chain(more).collect();
         let rests = Rests { stated, ..rests.clone() };
         self.ask(sides, &rests, place.free).is_ok_and(|answer| answer.is_proved() || answer.is_vacuous)
+    }
+
+    /// Whether a relation of a display stands beside a case in it, and holds only there.
+    pub(super) fn has_case_beside(&self, at: usize) -> bool {
+        let display = self.paper.printed[at].display;
+        let beside = |k: usize| {
+            k != at
+                && self.paper.printed.get(k).is_some_and(|r| r.display == display && r.opening == Some(Opening::Case))
+        };
+        let (from, to) = (at.saturating_sub(MOST_EXPLAINED), at + MOST_EXPLAINED);
+        display.is_some() && self.standings[at] == Standing::Conditional && (from..to).any(beside)
     }
 
     /// The display of a relation.

@@ -20,6 +20,7 @@ mod inputs;
 mod macros;
 mod mark;
 mod names;
+mod opening;
 mod pasted;
 mod printed;
 mod token;
@@ -36,6 +37,7 @@ pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, comp
 pub use draft::{Draft, draft};
 pub use inputs::is_markdown;
 pub use names::{Call, Evidence, Notation, PaperName, names, order_counts, squeezed};
+pub use opening::{Opening, opening};
 pub use printed::{PrintedRelation, PrintedSide};
 
 use diag::escape::shown;

@@ -110,7 +110,7 @@ impl Printed {
                     Err(why) => (Vec::new(), Some(why)),
                 };
                 let needs = if others.is_empty() { Reading::default() } else { others.remove(0) };
-                let (steps, is_condition) = (signs.len(), relation.is_condition);
+                let (steps, is_condition) = (signs.len(), relation.is_condition());
                 let rate = rate_of(sides, signs);
                 Formula { text, steps, is_condition, refused, needs, others, rate, ..Formula::default() }
             };
