@@ -360,6 +360,24 @@ fn words_that_define_or_give_a_range_open_no_case() {
     says(r"We have $u=v$ if $a=b$. Now \[ r=sx \] \[ r^2=s^2x^2 \]", &[Condition, Condition, Defines, Follows]);
 }
 
+/// A sign of a difference and the name behind it are one name, where the sign is nothing else in the paper.
+#[test]
+fn a_difference_is_a_name() {
+    use Word::{Defines, Follows, NotRead};
+    says(r"\[ \Delta x=v\Delta t \] \[ \frac{\Delta x}{\Delta t}=v \]", &[Defines, Follows]);
+    says(r"\[ (x+\Delta x)^2-x^2=2x\,\Delta x+(\Delta x)^2 \]", &[Follows]);
+    says(r"\[ (x+\Delta x)^2-x^2=2x\,\Delta x+\Delta x^2 \]", &[NotRead]);
+    says(r"\[ \Delta\vec v=\vec a\Delta t \] \[ \Delta\vec v/\Delta t=\vec a \]", &[Defines, Follows]);
+    says(r"\[ \Delta x_1=x_2-x_1 \] \[ x_1+\Delta x_1=x_2 \]", &[Defines, Follows]);
+    says(r"\[ \delta E=T\,\delta S \] \[ (\delta E)^2=T^2(\delta S)^2 \]", &[Defines, Follows]);
+    says(
+        r"\[ \Delta x=v\Delta t \] The discriminant is $\Delta$. \[ \frac{\Delta x}{\Delta t}=v \]",
+        &[NotRead, NotRead],
+    );
+    let slip = r"\[ \Delta x=v\Delta t \] Hence \[ W=F\Delta x=Fv(\Delta t)^2 \]";
+    assert_eq!(instead(slip).as_deref(), Some(r"Fv\cdot (\Delta t)"), "{:?}", words(slip));
+}
+
 /// What a text says of another case, denies, asks or means by its notation: see `tests/lint/never.txt`.
 #[test]
 fn what_may_be_meant_otherwise_is_neither_proved_nor_wrong() {

@@ -123,7 +123,7 @@ pub fn obstacle(
         }
     }
     for name in all {
-        if name.is_difference {
+        if name.is_difference || evidence.is_unsure_difference(name) {
             return Some(NotRead::of("a differential or a difference"));
         }
         if name.has_hat {
