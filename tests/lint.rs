@@ -360,6 +360,18 @@ fn words_that_define_or_give_a_range_open_no_case() {
     says(r"We have $u=v$ if $a=b$. Now \[ r=sx \] \[ r^2=s^2x^2 \]", &[Condition, Condition, Defines, Follows]);
 }
 
+/// A label of the defined name is no index of its formula; a long side may be simplified to a power; of numbers alone nothing vanishes.
+#[test]
+fn slips_beside_labels_powers_and_zeros_are_told() {
+    for (tex, wanted) in [
+        (r"\[ c_p=\frac{aq+b/q}{q}=a+\frac{b}{q^3} \]", r"a+\frac{b}{q^2}"),
+        (r"\[ g=(-r\sin\theta)^2+(r\cos\theta)^2=r^3 \]", "r^2"),
+        (r"\[ F=0+\frac32+\frac{\sqrt2}{2}=\frac42+\frac{\sqrt2}{2} \]", r"\frac{3}{2}+\frac{\sqrt{2}}{2}"),
+    ] {
+        assert_eq!(instead(tex).as_deref(), Some(wanted), "{:?}", words(tex));
+    }
+}
+
 /// A sign of a difference and the name behind it are one name, where the sign is nothing else in the paper.
 #[test]
 fn a_difference_is_a_name() {

@@ -105,6 +105,9 @@ pub fn obstacle(
         {
             return Some(NotRead::of("indices"));
         }
+        if has_number_as_label(&side.text) {
+            return Some(NotRead::of("a number in parentheses below or above: a label"));
+        }
         if has_derivative_at(&side.text) {
             return Some(NotRead::of("a derivative with a place behind it, or a product"));
         }
@@ -150,6 +153,16 @@ pub fn obstacle(
         }
     }
     None
+}
+
+/// Whether a group holds a number in parentheses and nothing else, `\frac{2x}{(1)}`, and is no label of a name.
+fn has_number_as_label(text: &str) -> bool {
+    let squeezed: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    squeezed.match_indices("{(").any(|(at, _)| {
+        let inside = squeezed[at + 2..].split(')').next().unwrap_or_default();
+        let is_number = !inside.is_empty() && inside.chars().all(|c| c.is_ascii_digit());
+        is_number && squeezed[at + 2 + inside.len()..].starts_with(")}") && !squeezed[..at].ends_with(['^', '_'])
+    })
 }
 
 /// Whether a derivative has more behind it in parentheses than its variable, with a sum in it: `\frac{d\phi}{dt}(t+T)` is a value at a

@@ -45,6 +45,22 @@ fn keys(sides: [&PrintedSide; 2]) -> BTreeSet<String> {
     sides.into_iter().flat_map(names).map(|n| n.key()).collect()
 }
 
+/// The names that stand between bars in some sides, as they are printed.
+fn between_bars(sides: [&PrintedSide; 2]) -> Vec<String> {
+    let mut out = Vec::new();
+    for side in sides {
+        let plain = [r"\left", r"\right", r"\lvert", r"\rvert"];
+        let text =
+            plain.iter().fold(side.text.clone(), |t, c| t.replace(c, if c.ends_with("vert") { "|" } else { "" }));
+        out.extend(text.split('|').skip(1).step_by(2).map(|t| t.trim().to_owned()));
+    }
+    out.retain(|t| !t.is_empty() && !t.contains(['+', '-', '=']));
+    out.sort();
+    out.dedup();
+    out.truncate(MOST_VALUES);
+    out
+}
+
 impl Judge<'_> {
     /// What the words of its sentence do with a relation.
     pub(super) fn stance(&self, relation: &PrintedRelation) -> Stance {
@@ -121,6 +137,19 @@ impl Judge<'_> {
         others.iter().any(|right| !self.ask([&given.right, right], &rests, free).is_ok_and(|a| a.is_proved()))
     }
 
+    /// Whether a definition and a relation of the same name follow from two equations of one display, `x=a \\Rightarrow y=b`: they are of two cases.
+    pub(super) fn is_implied_beside(&self, given: &Given, at: usize) -> bool {
+        let implied = |k: usize| self.paper.printed[k].remark.as_deref().is_some_and(|r| r.contains('⇒'));
+        let names_it = || lone_name(&self.paper.printed[at].sides[0]).is_some_and(|n| n.key() == given.key);
+        let display = self.display_of(at);
+        given.relation != at
+            && display.is_some()
+            && display == self.display_of(given.relation)
+            && implied(given.relation)
+            && implied(at)
+            && names_it()
+    }
+
     /// Whether two definitions stand in one paragraph.
     fn is_one_paragraph(&self, one: &Given, other: &Given) -> bool {
         let place = |g: &Given| self.paper.locate(&self.paper.printed[g.relation].span());
@@ -193,6 +222,10 @@ impl Judge<'_> {
         if near.len() > 1 {
             tries.push(near);
         }
+        // What stands between bars may be negative.
+        tries.extend(
+            between_bars(sides).iter().filter_map(|of| Some(vec![stated(&format!("|{of}|=-{of}"), place.at)?])),
+        );
         if tries.into_iter().any(|more| self.holds_with(sides, rests, more, place)) {
             return true;
         }
