@@ -352,6 +352,9 @@ fn words_that_define_or_give_a_range_open_no_case() {
     says(r"\[ p= at\,x \] \[ p^2=a^2t^2x^2 \]", &[Defines, Follows]);
     says(r"\[ p = at\, x = q, \quad r=sx \] \[ r^2=s^2x^2 \]", &[NotFollowed, Defines, Follows]);
     says(r"\[ Q_\mathrm{in}=cT_\text{on} \] \[ Q_\mathrm{in}^2=c^2T_\text{on}^2 \]", &[Defines, Follows]);
+    says(r"\[ p=qx \quad and \quad r=sx \] \[ p^2r^2=q^2s^2x^4 \]", &[Defines, Defines, Follows]);
+    says(r"\[ p=qx \text{ and } r=sx \] \[ p^2r^2=q^2s^2x^4 \]", &[Defines, Defines, Follows]);
+    says(r"\[ y=\mathrm{e}^{x} \] \[ y^2=\mathrm{e}^{2x} \]", &[Defines, Follows]);
     // The next row, and the next sentence, are no case.
     says(
         r"\begin{align} p&=qx &&\text{if } u=v\\ r&=sx \end{align} \[ r^2=s^2x^2 \]",

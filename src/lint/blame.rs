@@ -150,6 +150,10 @@ impl Judge<'_> {
             ["mathrm{", "text{", "rm "].iter().find_map(|c| behind.strip_prefix(c)).unwrap_or(behind).trim_start();
         let end = behind.find(|c: char| !c.is_alphabetic() && !matches!(c, '%' | '°' | 'µ')).unwrap_or(behind.len());
         let word = &behind[..end];
+        // Where every number has the unit, they are added in it.
+        if relation.text().contains('%') {
+            return false;
+        }
         let is_multiple = |prefix: &str| word.strip_prefix(prefix).is_some_and(|unit| UNITS.contains(&unit));
         MULTIPLES.contains(&word) || PREFIXES.iter().any(|p| is_multiple(p))
     }

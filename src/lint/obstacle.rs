@@ -108,6 +108,9 @@ pub fn obstacle(
         if has_number_as_label(&side.text) {
             return Some(NotRead::of("a number in parentheses below or above: a label"));
         }
+        if is_zero_and_more(&side.text) {
+            return Some(NotRead::of("0 before e: a word, or a factor"));
+        }
         if has_derivative_at(&side.text) {
             return Some(NotRead::of("a derivative with a place behind it, or a product"));
         }
@@ -153,6 +156,12 @@ pub fn obstacle(
         }
     }
     None
+}
+
+/// Whether a side begins with 0 and the letter e before a name: `x=0 e y=0` are two equations in Italian.
+fn is_zero_and_more(text: &str) -> bool {
+    let rest = text.trim_start().strip_prefix('0').map(str::trim_start).and_then(|rest| rest.strip_prefix('e'));
+    rest.is_some_and(|rest| rest.trim_start().starts_with(|c: char| c.is_alphabetic() || c == '\\'))
 }
 
 /// Whether a group holds a number in parentheses and nothing else, `\frac{2x}{(1)}`, and is no label of a name.

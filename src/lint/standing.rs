@@ -51,7 +51,7 @@ pub(super) fn standings(paper: &Paper) -> Vec<Standing> {
 fn own(relation: &PrintedRelation) -> Standing {
     match relation.opening {
         None if relation.remark.as_deref().and_then(opening) == Some(Opening::Otherwise) => Standing::Conditional,
-        None => Standing::Stated,
+        None | Some(Opening::Link) => Standing::Stated,
         Some(Opening::Meaning) if gives_meaning(relation) => Standing::Stated,
         Some(Opening::Case | Opening::Remark | Opening::Meaning) => Standing::Condition,
         Some(Opening::Otherwise) => Standing::Conditional,
@@ -89,7 +89,7 @@ fn is_case(relation: &PrintedRelation) -> bool {
             Some(Opening::Case) => true,
             Some(Opening::Remark) => !relation.signs.iter().any(|s| is_one_of(EQUALS, s)),
             Some(Opening::Meaning) => is_value(),
-            Some(Opening::Otherwise) | None => false,
+            Some(Opening::Otherwise | Opening::Link) | None => false,
         }
 }
 

@@ -17,6 +17,8 @@ pub enum Opening {
     Meaning,
     /// All other cases: "otherwise".
     Otherwise,
+    /// Nothing: "and" parts two formulas.
+    Link,
 }
 
 /// The words, in small letters.
@@ -99,6 +101,7 @@ const WORDS: &[(Opening, &[&str])] = &[
             "ここで",
         ],
     ),
+    (Opening::Link, &["and", "und", "et", "och", "og", "oraz", "且", "和", "及"]),
     (
         Opening::Otherwise,
         &[
@@ -134,6 +137,10 @@ pub fn opening(words: &str) -> Option<Opening> {
         words.strip_suffix(w).is_some_and(|rest| !rest.ends_with(char::is_alphanumeric) || is_of_east_asia(w))
     };
     let first = WORDS.iter().find(|(_, all)| all.iter().any(|w| begins(w))).map(|(opening, _)| *opening);
+    if first == Some(Opening::Link) {
+        let rest = words.trim_start_matches(char::is_alphabetic);
+        return if is_of_east_asia(words) { first } else { opening(rest).or(first) };
+    }
     let last = || WORDS.iter().find(|(o, all)| *o == Opening::Case && all.iter().any(|w| ends(w))).map(|(o, _)| *o);
     first.or_else(last)
 }
@@ -178,7 +185,7 @@ pub(super) fn word_at(tokens: &[Token], at: usize) -> Option<(String, usize)> {
             return Some((word, end));
         }
     }
-    let printed = tokens.get(end).is_some_and(is_printed_space);
+    let printed = tokens[end..].iter().find(|t| t.kind != Kind::Space).is_some_and(is_printed_space);
     let written = tokens.get(end).is_some_and(|t| t.kind == Kind::Space);
     let long = word.chars().count();
     (is_opening(&word) && long > 1 && (printed || written && long > 3)).then_some((word, end))
