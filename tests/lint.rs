@@ -389,6 +389,10 @@ fn a_difference_is_a_name() {
         r"\[ \Delta x=v\Delta t \] The discriminant is $\Delta$. \[ \frac{\Delta x}{\Delta t}=v \]",
         &[NotRead, NotRead],
     );
+    says(
+        r"\[ F\Delta t=\Delta(mv) \] \[ \Delta x=v\Delta t \] \[ \frac{\Delta x}{\Delta t}=v \]",
+        &[NotRead, Defines, Follows],
+    );
     let slip = r"\[ \Delta x=v\Delta t \] Hence \[ W=F\Delta x=Fv(\Delta t)^2 \]";
     assert_eq!(instead(slip).as_deref(), Some(r"Fv\cdot (\Delta t)"), "{:?}", words(slip));
 }

@@ -31,11 +31,25 @@ impl DifferenceSigns {
             let has_label = *sign == r"\Delta" && printed.get(at + 1).is_some_and(|t| t.is_char("_"));
             let is_argument = before.is_some_and(|t| t.is_char("^") || is_wanting(t));
             let next = printed[at + 1..].iter().find(|t| t.kind != Kind::Open);
-            if is_argument || !is_label && !has_label && !next.is_some_and(|t| begins_name(t)) {
+            let is_applied = *sign == r"\Delta" && is_group(&printed[at + 1..]);
+            if is_argument || !is_label && !has_label && !is_applied && !next.is_some_and(|t| begins_name(t)) {
                 self.otherwise.insert(*sign);
             }
         }
     }
+}
+
+/// Whether a group begins here of which a difference is taken, `\Delta(mv)`: not a name alone, which would be a place, `\Delta(x)`.
+fn is_group(printed: &[&Token]) -> bool {
+    let is_size =
+        |t: &Token| t.kind == Kind::Command && matches!(t.text.as_str(), "left" | "big" | "Big" | "bigl" | "Bigl");
+    let from = usize::from(printed.first().is_some_and(|t| is_size(t)));
+    if !printed.get(from).is_some_and(|t| t.is_char("(") || t.is_char("[")) {
+        return false;
+    }
+    let inside = printed[from + 1..].iter().take_while(|t| !t.is_char(")") && !t.is_char("]") && !t.is("right"));
+    let letters = inside.clone().filter(|t| begins_name(t)).count();
+    letters > 1 && !inside.clone().any(|t| t.is_char(","))
 }
 
 /// Whether a command takes what stands behind it as its argument.
