@@ -369,6 +369,7 @@ fn slips_beside_labels_powers_and_zeros_are_told() {
     for (tex, wanted) in [
         (r"\[ c_p=\frac{aq+b/q}{q}=a+\frac{b}{q^3} \]", r"a+\frac{b}{q^2}"),
         (r"\[ g=(-r\sin\theta)^2+(r\cos\theta)^2=r^3 \]", "r^2"),
+        (r"It is $K=4.96+2.3=2.66$ eV.", "4.96-2.3 = 2.66"),
         (r"\[ F=0+\frac32+\frac{\sqrt2}{2}=\frac42+\frac{\sqrt2}{2} \]", r"\frac{3}{2}+\frac{\sqrt{2}}{2}"),
     ] {
         assert_eq!(instead(tex).as_deref(), Some(wanted), "{:?}", words(tex));

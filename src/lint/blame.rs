@@ -63,19 +63,6 @@ const NOT_RECKONED: &[&str] = &[
     "string",
 ];
 
-/// The longest text behind a number that is looked at for a unit.
-const UNIT_BEHIND: usize = 40;
-/// Prefixes of units, units that have them, and others that are multiples of a unit.
-const PREFIXES: &[&str] = &["n", "µ", "μ", "m", "c", "d", "h", "k", "M", "G", "T", "p", "f"];
-const UNITS: &[&str] = &[
-    "s", "m", "g", "A", "V", "W", "J", "N", "C", "F", "H", "T", "Hz", "Pa", "eV", "K", "Ω", "ohm", "ohms", "mol", "L",
-    "l", "bar", "cal", "Wh",
-];
-const MULTIPLES: &[&str] = &[
-    "%", "°", "percent", "degrees", "min", "minutes", "h", "hours", "days", "years", "cm", "km", "mm", "kg", "in",
-    "ft", "miles", "inches", "feet", "hr", "yr", "bar", "atm", "eV", "cal", "AU", "Å", "ppm", "dB",
-];
-
 /// A step of a relation, and what is known of it.
 pub(super) struct OfStep<'a> {
     pub(super) relation: &'a PrintedRelation,
@@ -102,7 +89,6 @@ impl Judge<'_> {
             || is_integrated(relation, k)
             || is_evaluated(relation) && [left, right].iter().any(|s| !names(s).is_empty())
             || has_dimensions(relation)
-            || names(right).is_empty() && k + 1 == relation.sides.len() && self.is_measured(relation)
             || is_congruence(&relation.signs[k - 1])
             || alone && are_multiples(left, right)
         {
@@ -138,24 +124,6 @@ impl Judge<'_> {
         } else {
             Sureness::Stands
         }
-    }
-
-    /// Whether the words behind a formula of the running text begin with a unit that is a multiple of another one: "$RC=0.5$ ms".
-    fn is_measured(&self, relation: &PrintedRelation) -> bool {
-        let (file, span) = self.paper.locate(&relation.span());
-        let behind = window(&file.text, span.end, span.end + UNIT_BEHIND);
-        let skipped = |c: char| c.is_whitespace() || matches!(c, '$' | '~' | '\\' | ',' | ')' | '{');
-        let behind = behind.trim_start_matches(skipped);
-        let behind =
-            ["mathrm{", "text{", "rm "].iter().find_map(|c| behind.strip_prefix(c)).unwrap_or(behind).trim_start();
-        let end = behind.find(|c: char| !c.is_alphabetic() && !matches!(c, '%' | '°' | 'µ')).unwrap_or(behind.len());
-        let word = &behind[..end];
-        // Where every number has the unit, they are added in it.
-        if relation.text().contains('%') {
-            return false;
-        }
-        let is_multiple = |prefix: &str| word.strip_prefix(prefix).is_some_and(|unit| UNITS.contains(&unit));
-        MULTIPLES.contains(&word) || PREFIXES.iter().any(|p| is_multiple(p))
     }
 
     /// Whether an equation between whole numbers reckons: no word near says that it is supposed, or of numbers of another kind.

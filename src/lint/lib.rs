@@ -21,6 +21,7 @@ mod judge;
 mod letters;
 mod lone;
 mod markdown;
+mod measured;
 mod nearest;
 mod notation;
 mod numbers;

@@ -295,7 +295,10 @@ impl Judge<'_> {
                 }
             }
             if let Some(found) = nearest(answer, &rests, &free_in(sides, &rests, place.free), place.sureness) {
-                return (!self.is_excused(sides, &rests, place)).then_some(found);
+                let relation = &self.paper.printed[place.at];
+                let is_meant =
+                    self.is_in_another_unit(relation, &found.witness) || self.is_excused(sides, &rests, place);
+                return (!is_meant).then_some(found);
             }
         }
         None
