@@ -19,6 +19,8 @@ const MULTIPLES: &[&str] = &[
     "ft", "miles", "inches", "feet", "hr", "yr", "bar", "atm", "eV", "cal", "AU", "Å", "ppm", "dB",
 ];
 
+/// The highest power of ten by which units differ.
+const MOST_TENS: usize = 18;
 /// Multiples beside powers of ten.
 const FACTORS: &[f64] = &[60.0, 3600.0, 24.0, 1440.0, 86400.0, 7.0, 12.0, 365.0];
 
@@ -27,9 +29,9 @@ impl Judge<'_> {
     /// multiple.
     pub(super) fn is_in_another_unit(&self, relation: &PrintedRelation, witness: &LintWitness) -> bool {
         let factor = (witness.left / witness.right).abs().max((witness.right / witness.left).abs());
-        let tens = factor.log10();
-        let is_multiple = (tens - tens.round()).abs() < 1e-9 || FACTORS.iter().any(|f| (factor - f).abs() < 1e-9 * f);
-        if !witness.values.is_empty() || !is_multiple || factor < 2.0 {
+        let tens = std::iter::successors(Some(10.0), |ten| Some(ten * 10.0)).take(MOST_TENS);
+        let is_multiple = tens.chain(FACTORS.iter().copied()).any(|f| (factor - f).abs() < 1e-9 * f);
+        if !witness.values.is_empty() || !is_multiple {
             return false;
         }
         let (file, span) = self.paper.locate(&relation.span());

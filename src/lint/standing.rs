@@ -39,9 +39,9 @@ pub(super) fn standings(paper: &Paper) -> Vec<Standing> {
     for range in displays.into_values() {
         under_cases_of_display(all, range, &mut out);
     }
-    for at in 0..all.len() {
-        if out[at] == Standing::Stated && is_in_case_of_sentence(paper, at) {
-            out[at] = Standing::Conditional;
+    for (at, standing) in out.iter_mut().enumerate() {
+        if *standing == Standing::Stated && is_in_case_of_sentence(paper, at) {
+            *standing = Standing::Conditional;
         }
     }
     out
@@ -123,7 +123,7 @@ fn under_cases_of_display(all: &[PrintedRelation], range: Range<usize>, out: &mu
 }
 
 /// The text between two relations of one file, where it is short and no sentence ends in it.
-fn between<'p>(paper: &'p Paper, first: usize, second: usize) -> Option<&'p str> {
+fn between(paper: &Paper, first: usize, second: usize) -> Option<&str> {
     let ((file, from), (other, to)) =
         (paper.locate(&paper.printed[first].span()), paper.locate(&paper.printed[second].span()));
     let text =

@@ -324,10 +324,12 @@ impl Names {
         if letter == "e" && styles.is_empty() && subscript.is_none() && self.text(next) == "^" {
             return Some(next);
         }
-        if self.differences == Differences::Joined && styles.is_empty() && subscript.is_none() && primes + dots == 0 {
-            if let Some(end) = self.joined(&letter, next, to, by) {
-                return Some(end);
-            }
+        let is_bare = styles.is_empty() && subscript.is_none() && primes + dots == 0;
+        if self.differences == Differences::Joined
+            && is_bare
+            && let Some(end) = self.joined(&letter, next, to, by)
+        {
+            return Some(end);
         }
         let mut base = letter.clone();
         for style in styles.iter().rev() {
