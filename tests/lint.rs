@@ -341,6 +341,63 @@ fn standard_input_and_a_paper_that_is_saved_again_are_looked_through() {
     rederive(folder.path(), &["lint", "-", "--watch"]).code(2);
 }
 
+/// A case keeps what stands beside it from being a premise; what "where" says, a range and a list of values do not.
+#[test]
+fn words_that_define_or_give_a_range_open_no_case() {
+    use Word::{Condition, Defines, Follows, NotFollowed};
+    says(r"\[ E=T+V,\quad\text{where } V=kx^2 \] \[ E=T+kx^2 \]", &[Defines, Defines, Follows]);
+    says(r"\[ E=T+V\quad\text{mit}\quad V=kx^2 \] \[ E=T+kx^2 \]", &[Defines, Defines, Follows]);
+    says(r"\[ p=qx\quad\text{for } x>0 \] \[ p^2=q^2x^2 \]", &[Defines, Condition, Follows]);
+    says(r"\[ p=qx\quad\text{for } n=1,2,\ldots \] \[ p^2=q^2x^2 \]", &[Defines, Condition, Follows]);
+    says(r"\[ p= at\,x \] \[ p^2=a^2t^2x^2 \]", &[Defines, Follows]);
+    says(r"\[ p = at\, x = q, \quad r=sx \] \[ r^2=s^2x^2 \]", &[NotFollowed, Defines, Follows]);
+    says(r"\[ Q_\mathrm{in}=cT_\text{on} \] \[ Q_\mathrm{in}^2=c^2T_\text{on}^2 \]", &[Defines, Follows]);
+    says(r"\[ p=qx \quad and \quad r=sx \] \[ p^2r^2=q^2s^2x^4 \]", &[Defines, Defines, Follows]);
+    says(r"\[ p=qx \text{ and } r=sx \] \[ p^2r^2=q^2s^2x^4 \]", &[Defines, Defines, Follows]);
+    says(r"\[ y=\mathrm{e}^{x} \] \[ y^2=\mathrm{e}^{2x} \]", &[Defines, Follows]);
+    // The next row, and the next sentence, are no case.
+    says(
+        r"\begin{align} p&=qx &&\text{if } u=v\\ r&=sx \end{align} \[ r^2=s^2x^2 \]",
+        &[Condition, Condition, Defines, Follows],
+    );
+    says(r"We have $u=v$ if $a=b$. Now \[ r=sx \] \[ r^2=s^2x^2 \]", &[Condition, Condition, Defines, Follows]);
+}
+
+/// A label of the defined name is no index of its formula; a long side may be simplified to a power; of numbers alone nothing vanishes.
+#[test]
+fn slips_beside_labels_powers_and_zeros_are_told() {
+    for (tex, wanted) in [
+        (r"\[ c_p=\frac{aq+b/q}{q}=a+\frac{b}{q^3} \]", r"a+\frac{b}{q^2}"),
+        (r"\[ g=(-r\sin\theta)^2+(r\cos\theta)^2=r^3 \]", "r^2"),
+        (r"It is $K=4.96+2.3=2.66$ eV.", "4.96-2.3 = 2.66"),
+        (r"\[ F=0+\frac32+\frac{\sqrt2}{2}=\frac42+\frac{\sqrt2}{2} \]", r"\frac{3}{2}+\frac{\sqrt{2}}{2}"),
+    ] {
+        assert_eq!(instead(tex).as_deref(), Some(wanted), "{:?}", words(tex));
+    }
+}
+
+/// A sign of a difference and the name behind it are one name, where the sign is nothing else in the paper.
+#[test]
+fn a_difference_is_a_name() {
+    use Word::{Defines, Follows, NotRead};
+    says(r"\[ \Delta x=v\Delta t \] \[ \frac{\Delta x}{\Delta t}=v \]", &[Defines, Follows]);
+    says(r"\[ (x+\Delta x)^2-x^2=2x\,\Delta x+(\Delta x)^2 \]", &[Follows]);
+    says(r"\[ (x+\Delta x)^2-x^2=2x\,\Delta x+\Delta x^2 \]", &[NotRead]);
+    says(r"\[ \Delta\vec v=\vec a\Delta t \] \[ \Delta\vec v/\Delta t=\vec a \]", &[Defines, Follows]);
+    says(r"\[ \Delta x_1=x_2-x_1 \] \[ x_1+\Delta x_1=x_2 \]", &[Defines, Follows]);
+    says(r"\[ \delta E=T\,\delta S \] \[ (\delta E)^2=T^2(\delta S)^2 \]", &[Defines, Follows]);
+    says(
+        r"\[ \Delta x=v\Delta t \] The discriminant is $\Delta$. \[ \frac{\Delta x}{\Delta t}=v \]",
+        &[NotRead, NotRead],
+    );
+    says(
+        r"\[ F\Delta t=\Delta(mv) \] \[ \Delta x=v\Delta t \] \[ \frac{\Delta x}{\Delta t}=v \]",
+        &[NotRead, Defines, Follows],
+    );
+    let slip = r"\[ \Delta x=v\Delta t \] Hence \[ W=F\Delta x=Fv(\Delta t)^2 \]";
+    assert_eq!(instead(slip).as_deref(), Some(r"Fv\cdot (\Delta t)"), "{:?}", words(slip));
+}
+
 /// What a text says of another case, denies, asks or means by its notation: see `tests/lint/never.txt`.
 #[test]
 fn what_may_be_meant_otherwise_is_neither_proved_nor_wrong() {

@@ -81,7 +81,7 @@ pub(super) struct OfStep<'a> {
 
 impl Judge<'_> {
     /// Of what *wrong* may be said in a step.
-    pub(super) fn blame(&self, step: &OfStep) -> Blame {
+    pub(super) fn blame(&self, step: &OfStep, at: usize) -> Blame {
         let &OfStep { relation, k, sentence, defining, derived, solved, alone } = step;
         let (left, right) = (&relation.sides[k - 1], &relation.sides[k]);
         let inline = relation.display.is_none();
@@ -102,6 +102,7 @@ impl Judge<'_> {
             _ if derived && sentence.fixes => Blame::Nothing,
             _ if derived => Blame::Steps,
             true if defining => Blame::Nothing,
+            _ if self.has_case_beside(at) => doubted,
             true if k == 1 && is_supposed(self.paper, relation) => doubted,
             true => Blame::Identities,
             false if defining && !self.has_rates() && !solved => Blame::Nothing,

@@ -99,6 +99,27 @@ const BREAKS: &[&str] = &[
     r"\begin{Aufgabe",
 ];
 
+/// Words with which a sentence sets itself against what was said before it.
+const CONTRASTS: &[&str] = &[
+    "however",
+    "instead",
+    "otherwise",
+    "conversely",
+    "by contrast",
+    "in contrast",
+    "on the other hand",
+    "dagegen",
+    "hingegen",
+    "andernfalls",
+    "invece",
+    "viceversa",
+    "en revanche",
+    "au contraire",
+    "sinon",
+    "en cambio",
+    "por el contrario",
+];
+
 /// The longest text of a sentence that is looked at before a formula, and behind it.
 const BEFORE: usize = 160;
 const BEHIND: usize = 100;
@@ -181,6 +202,8 @@ pub struct Cases {
     stops: Vec<usize>,
     /// Where another thing may begin.
     breaks: Vec<usize>,
+    /// Where a sentence sets itself against another.
+    contrasts: Vec<usize>,
 }
 
 impl Cases {
@@ -210,14 +233,20 @@ impl Cases {
         out.stops.sort_unstable();
         out.breaks = BREAKS.iter().flat_map(|b| text.match_indices(b)).map(|(at, _)| at).collect();
         out.breaks.sort_unstable();
+        let lower = text.to_lowercase();
+        // Small letters of another length would move the places.
+        if lower.len() == text.len() {
+            out.contrasts = CONTRASTS.iter().flat_map(|w| lower.match_indices(w)).map(|(at, _)| at).collect();
+            out.contrasts.sort_unstable();
+        }
         out
     }
 
     /// Whether what is said at `from` may be of another case than what stands at `to`. Where it has to be the same, `is_sure`, any word that
     /// may begin a case parts them, and so does an item of a list; else the same word again, as in "For a disc … For a ring".
     pub fn parted(&self, from: usize, to: usize, is_sure: bool) -> bool {
-        let begun = |at: usize| self.breaks.partition_point(|place| *place < at);
-        if is_sure && begun(from) < begun(to) {
+        let passes = |all: &[usize]| all.partition_point(|p| *p < from) < all.partition_point(|p| *p < to);
+        if is_sure && (passes(&self.breaks) || passes(&self.contrasts)) {
             return true;
         }
         let before = |at: usize| self.items.partition_point(|(place, _)| *place < at);
@@ -342,6 +371,7 @@ mod tests {
         assert!(parted("For all 1 holds. If not, 2", true) && !parted("For all 1 holds. If not, 2", false));
         assert!(parted("At the point 1 holds. It is 2", false) && !parted("At the point 1 holds, so 2", true));
         assert!(parted(r"\begin{itemize}\item 1 \item 2", true) && !parted(r"1 \begin{itemize}\item 2", true));
+        assert!(parted("We have 1. If not, however, 2", true) && !parted("We have 1. If not, however, 2", false));
         assert!(!parted("For a disc it turns. The sum is 1. For a ring 2", true));
     }
 

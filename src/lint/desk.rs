@@ -260,6 +260,10 @@ impl Desk {
             }
             all.extend(more);
         }
+        // Beside partial derivatives `\Delta f` is a Laplacian, of coordinates that need not all be printed.
+        if all.iter().any(|n| n.is_partial) && all.iter().any(|n| n.difference_sign().is_some()) {
+            return Err(NotRead::of("a difference, or a Laplacian"));
+        }
         let time = variable(&all, evidence)?;
         if let Some(time) = &time {
             constants_apart(&mut all, evidence, time);

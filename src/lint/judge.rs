@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
 
 use meter::Limits;
-use paper::{Paper, PrintedRelation, PrintedSide, names};
+use paper::{Opening, Paper, PrintedRelation, PrintedSide, names};
 
 use super::blame::OfStep;
 use super::cases::{Cases, Stance};
@@ -16,6 +16,7 @@ use super::relation::{free_indices, gives_values, is_congruence, is_letter_at_pl
 use super::sentence::{Sentence, explains, is_supposed, parts};
 use super::setting::Noted;
 use super::signs::{ABOUT, COMPARES, EQUALS, is_one_of};
+use super::standing::{Standing, is_equation, standings};
 use super::step::{Blame, Place, Step};
 use super::{Judgement, Lint, Word};
 use paper::squeezed;
@@ -38,6 +39,7 @@ pub fn lint(paper: &Paper, limits: &Limits) -> Lint {
         evidence,
         facts,
         parts,
+        standings: standings(paper),
         section: 0,
         exhausted: 0,
         display: None,
@@ -59,6 +61,8 @@ pub(super) struct Judge<'p> {
     named: HashMap<String, Vec<usize>>,
     /// The part of each relation in which its names mean the same.
     parts: Vec<usize>,
+    /// How each relation is said.
+    pub(super) standings: Vec<Standing>,
     /// The part that is looked at.
     pub(super) section: usize,
     /// Questions that took too much work.
@@ -151,9 +155,10 @@ impl Judge<'_> {
             let all = relation.sides.iter().flat_map(names).map(|n| n.key()).collect();
             self.compared.push(Noted { section: self.section, relation: at, names: all });
         }
-        if relation.signs.iter().all(|s| is(COMPARES, s)) || relation.is_condition {
+        if relation.signs.iter().all(|s| is(COMPARES, s)) || self.standings[at] == Standing::Condition {
             out.word = Word::Condition;
             self.note_signs(relation, at);
+            self.suppose(relation, at);
             return out;
         }
         if relation.sides.iter().any(|s| s.text.len() > LONGEST) {
@@ -195,13 +200,16 @@ impl Judge<'_> {
         if out.word != Word::Wrong
             && !sentence.loosens
             && !sentence.aims
+            && self.standings[at] == Standing::Stated
             && !(inline && is_supposed(self.paper, relation))
         {
             self.state(relation, at, &open);
         }
         if inline && is_supposed(self.paper, relation) {
-            let all = relation.sides.iter().flat_map(names).map(|n| n.key()).collect();
-            self.supposed.push(Noted { section: self.section, relation: at, names: all });
+            self.suppose(relation, at);
+        }
+        if out.word == Word::Defines && self.standings[at] != Standing::Stated {
+            (out.word, out.why) = (Word::Condition, "only where the condition beside it holds".to_owned());
         }
         // One name for another in the running text is a case more often than a definition.
         let is_rate = |n: &paper::PaperName| n.dots > 0 || n.derived_by.is_some();
@@ -209,6 +217,14 @@ impl Judge<'_> {
             self.define(relation, at);
         }
         out
+    }
+
+    /// Notes the names of an equation that is supposed.
+    fn suppose(&mut self, relation: &PrintedRelation, at: usize) {
+        if is_equation(relation) {
+            let names = relation.sides.iter().flat_map(names).map(|n| n.key()).collect();
+            self.supposed.push(Noted { section: self.section, relation: at, names });
+        }
     }
 
     /// What the words around the display of a relation say; a formula of the running text has none.
@@ -229,7 +245,13 @@ impl Judge<'_> {
         }
         let paper = self.paper;
         let behind = paper.printed.iter().enumerate().skip(at + 1).take(MOST_EXPLAINED);
-        for (k, other) in behind.skip_while(|(_, r)| r.display == relation.display) {
+        for (k, other) in behind {
+            if other.display == relation.display {
+                if other.opening == Some(Opening::Meaning) {
+                    self.define(other, k);
+                }
+                continue;
+            }
             if other.display.is_some() || self.parts[k] != self.parts[at] || !explains(paper, relation, other) {
                 break;
             }
@@ -309,7 +331,7 @@ impl Judge<'_> {
             let solved = defining && concludes && !sentence.changes && self.is_stated(first.as_ref());
             let alone = relation.sides.len() == 2 && (first.is_none() || defining);
             let of = OfStep { relation, k, sentence, defining, derived, solved, alone };
-            let blame = self.blame(&of);
+            let blame = self.blame(&of, at);
             // What is said again is no step from itself.
             if let Some(before) = self.same_definition(first.as_ref().filter(|_| k == 1 && known), right) {
                 out.steps.1 -= 1;
@@ -512,7 +534,10 @@ impl Judge<'_> {
     fn define(&mut self, relation: &PrintedRelation, at: usize) {
         let Some(name) = lone_name(&relation.sides[0]) else { return };
         let is_equal = relation.signs.first().is_some_and(|s| EQUALS.contains(&s.as_str()));
-        if !is_equal || relation.is_condition || relation.display.is_none() && is_supposed(self.paper, relation) {
+        if !is_equal
+            || self.standings[at] != Standing::Stated
+            || relation.display.is_none() && is_supposed(self.paper, relation)
+        {
             return;
         }
         let right = &relation.sides[1];

@@ -21,6 +21,7 @@ mod judge;
 mod letters;
 mod lone;
 mod markdown;
+mod measured;
 mod nearest;
 mod notation;
 mod numbers;
@@ -32,6 +33,7 @@ mod setting;
 mod shown;
 mod signs;
 mod slips;
+mod standing;
 mod step;
 #[cfg(test)]
 mod tests;

@@ -41,6 +41,9 @@ const LEAST_EXCHANGED: (usize, usize) = (6, 9);
 /// Letters that stand for any constant: from one line to the next they may stand for another one.
 const ANY_CONSTANT: &[&str] = &["C", "K", "A", "B", "D", "N", "c", "k", r"\mathcal{N}", r"\mathcal{C}", r"\tilde{C}"];
 
+/// Nodes of an earlier side of a chain that is simplified to a power, or a product, of one name.
+const LONG_BEFORE_SHORT: usize = 9;
+
 /// Numbers by which a side may have been multiplied wrongly, beside 2: as they are printed.
 const FACTORS: &[(&str, f64)] = &[
     (r"\pi", std::f64::consts::PI),
@@ -155,6 +158,8 @@ fn is_claim(asked: &Asked, rests: &Rests, chain: &Chain, sureness: Sureness) -> 
         FEWEST_DOUBTED.0
     } else if is_derivation || is_solved || sureness >= Sureness::Chain && !rests.given.is_empty() {
         1
+    } else if sureness == Sureness::Chain && chain.sides.first().is_some_and(|s| size(s) >= LONG_BEFORE_SHORT) {
+        2
     } else {
         3
     };
@@ -258,7 +263,16 @@ impl Search<'_> {
             return None;
         }
         // Beside a lone name, or a number, anything could be meant.
-        let plain = |n: &Node| matches!(n.kind, NodeKind::Symbol(_) | NodeKind::Number(_));
+        let is_simplified = self.sureness == Sureness::Chain
+            && k == 1
+            && !self.rests.are_some()
+            && size(&chain.sides[0]) >= LONG_BEFORE_SHORT;
+        let plain = |n: &Node| match &n.kind {
+            // A long side that becomes a power of a name.
+            NodeKind::Symbol(s) => s.sup.is_none() || !is_simplified,
+            NodeKind::Number(_) => true,
+            _ => false,
+        };
         let is_of_numbers = self.sureness >= Sureness::Chain && k == 1 && named(&chain.sides).is_empty();
         if !is_of_numbers && (plain(&altered.sides[k]) || plain(&chain.sides[k])) {
             return None;

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::ops::Deref;
 
 use meter::{Ended, Limits, Task};
-use paper::{Notation, Paper, PrintedSide};
+use paper::{DifferenceSigns, Notation, Paper, PaperName, PrintedSide};
 
 use super::desk::NotRead;
 use super::letters::{Sizes, sizes};
@@ -20,6 +20,8 @@ pub struct Evidence {
     labelled: BTreeSet<String>,
     /// Of names that are equal to a matrix somewhere: where the section begins and ends in which they are, and its rows and columns.
     sizes: Sizes,
+    /// Which signs of differences are something else somewhere.
+    differences: DifferenceSigns,
     /// The work of the paper.
     limits: Limits,
 }
@@ -37,7 +39,8 @@ impl Evidence {
         let labelled = names.subscripts.iter().filter(|(_, all)| all.have_label()).map(|(letter, _)| letter.clone());
         let labelled = labelled.collect();
         let sizes = sizes(paper);
-        Evidence { names, notation: Notation::of(paper), labelled, sizes, limits: limits.of_file(0) }
+        let differences = paper.differences.clone();
+        Evidence { names, notation: Notation::of(paper), labelled, sizes, differences, limits: limits.of_file(0) }
     }
 
     /// The limits of the questions of the paper, with one total for all of them.
@@ -62,6 +65,11 @@ impl Evidence {
     /// Whether a letter has a subscript that is no index: beside `E_r` and `E_t`, the one of `E_i` is a label, too.
     pub fn is_labelled(&self, letter: &str) -> bool {
         self.labelled.contains(letter)
+    }
+
+    /// Whether a name is a difference of something, and the sign may be a factor or an operator in this paper.
+    pub fn is_unsure_difference(&self, name: &PaperName) -> bool {
+        name.difference_sign().is_some_and(|sign| !self.differences.makes_names(sign))
     }
 
     /// Whether a side stands in a text of groups, rings, cardinals or logic: what is printed as a product, or a sum, may be anything.

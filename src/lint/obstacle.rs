@@ -105,6 +105,12 @@ pub fn obstacle(
         {
             return Some(NotRead::of("indices"));
         }
+        if has_number_as_label(&side.text) {
+            return Some(NotRead::of("a number in parentheses below or above: a label"));
+        }
+        if is_zero_and_more(&side.text) {
+            return Some(NotRead::of("0 before e: a word, or a factor"));
+        }
         if has_derivative_at(&side.text) {
             return Some(NotRead::of("a derivative with a place behind it, or a product"));
         }
@@ -123,7 +129,7 @@ pub fn obstacle(
         }
     }
     for name in all {
-        if name.is_difference {
+        if name.is_difference || evidence.is_unsure_difference(name) {
             return Some(NotRead::of("a differential or a difference"));
         }
         if name.has_hat {
@@ -150,6 +156,22 @@ pub fn obstacle(
         }
     }
     None
+}
+
+/// Whether a side begins with 0 and the letter e before a name: `x=0 e y=0` are two equations in Italian.
+fn is_zero_and_more(text: &str) -> bool {
+    let rest = text.trim_start().strip_prefix('0').map(str::trim_start).and_then(|rest| rest.strip_prefix('e'));
+    rest.is_some_and(|rest| rest.trim_start().starts_with(|c: char| c.is_alphabetic() || c == '\\'))
+}
+
+/// Whether a group holds a number in parentheses and nothing else, `\frac{2x}{(1)}`, and is no label of a name.
+fn has_number_as_label(text: &str) -> bool {
+    let squeezed: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    squeezed.match_indices("{(").any(|(at, _)| {
+        let inside = squeezed[at + 2..].split(')').next().unwrap_or_default();
+        let is_number = !inside.is_empty() && inside.chars().all(|c| c.is_ascii_digit());
+        is_number && squeezed[at + 2 + inside.len()..].starts_with(")}") && !squeezed[..at].ends_with(['^', '_'])
+    })
 }
 
 /// Whether a derivative has more behind it in parentheses than its variable, with a sum in it: `\frac{d\phi}{dt}(t+T)` is a value at a

@@ -7,7 +7,7 @@
 use std::ops::Range;
 
 use diag::next_character;
-use paper::{Paper, PrintedRelation, is_markdown};
+use paper::{Opening, Paper, PrintedRelation, is_markdown, opening};
 
 use super::markdown::{without_closing, without_opening};
 
@@ -294,20 +294,13 @@ pub fn explains(paper: &Paper, display: &PrintedRelation, relation: &PrintedRela
     plain.next().is_some_and(|w| WHERE.contains(&w) && !(stops && w == "with")) && !words.contains(" if ")
 }
 
-/// Words right before a formula of the running text that make it a case, not a definition: "at $x=a$".
+/// Words right before a formula of the running text that make it a case, not a definition, beside those of the table of openings.
 const SUPPOSES: &[&str] = &[
-    "at",
-    "for",
-    "when",
-    "if",
-    "near",
     "as",
     "unless",
     "until",
     "than",
     "case",
-    "whenever",
-    "provided",
     "condition",
     "limit",
     "from",
@@ -321,7 +314,6 @@ const SUPPOSES: &[&str] = &[
     "suppose",
     "supposing",
     "assume",
-    "assuming",
     "take",
     "taking",
     "setting",
@@ -341,37 +333,31 @@ const SUPPOSES: &[&str] = &[
     "not",
     "nicht",
     "pas",
-    "per",
-    "para",
     "con",
     "mit",
     "avec",
-    "se",
-    "quando",
-    "cuando",
-    "für",
-    "wenn",
-    "falls",
-    "bei",
-    "pour",
-    "si",
-    "quand",
-    "lorsque",
+    "在",
+    "取",
 ];
 
-/// The same in languages that put no space between words.
-const SUPPOSES_AT_THE_END: &[&str] = &["当", "若", "如果", "对于", "在", "取"];
+/// The word right before a formula of the running text, in small letters.
+pub(super) fn word_before(paper: &Paper, relation: &PrintedRelation) -> String {
+    let (file, span) = paper.locate(&relation.span());
+    let before = uncommented(window(&file.text, span.start.saturating_sub(60), span.start)).to_lowercase();
+    let words = before.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, '$' | '(' | '\\' | '~'));
+    words.rsplit(|c: char| c.is_whitespace() || c == '~' || c == '(').next().unwrap_or("").to_owned()
+}
 
 /// Whether a formula of the running text says when something holds, and not what a name stands for.
 pub fn is_supposed(paper: &Paper, relation: &PrintedRelation) -> bool {
     let (file, span) = paper.locate(&relation.span());
-    let before = uncommented(window(&file.text, span.start.saturating_sub(60), span.start)).to_lowercase();
-    let words = before.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, '$' | '(' | '\\' | '~'));
-    let last = words.rsplit(|c: char| c.is_whitespace() || c == '~' || c == '(').next().unwrap_or("");
-    SUPPOSES.contains(&last)
-        || SUPPOSES_AT_THE_END.iter().any(|w| words.ends_with(w))
+    let last = word_before(paper, relation);
+    let is_east_asian = |w: &str| w.chars().all(|c| c >= '\u{2e80}');
+    relation.is_condition()
+        || SUPPOSES.iter().any(|w| last == *w || is_east_asian(w) && last.ends_with(w))
+        || opening(&last) == Some(Opening::Case)
         || is_aside(&file.text, span.start)
-        || words.contains("compare")
+        || window(&file.text, span.start.saturating_sub(60), span.start).to_lowercase().contains("compare")
 }
 
 /// Commands whose argument stands beside the text.

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 
-use paper::{PrintedRelation, PrintedSide, names, squeezed};
+use paper::{Opening, PrintedRelation, PrintedSide, names, squeezed};
 
 use super::cases::{Cases, Stance, stance};
 use super::desk::Given;
@@ -13,6 +13,7 @@ use super::facts::{NEAR, Stated};
 use super::judge::{Judge, MOST_EXPLAINED};
 use super::lone::lone_name;
 use super::question::{Positive, Rests};
+use super::standing::{Standing, is_equation};
 use super::step::Place;
 
 /// Relations on both sides of a step in which a name of it may be said to be zero.
@@ -42,6 +43,22 @@ pub(super) struct Noted {
 /// The keys of the names of some sides.
 fn keys(sides: [&PrintedSide; 2]) -> BTreeSet<String> {
     sides.into_iter().flat_map(names).map(|n| n.key()).collect()
+}
+
+/// The names that stand between bars in some sides, as they are printed.
+fn between_bars(sides: [&PrintedSide; 2]) -> Vec<String> {
+    let mut out = Vec::new();
+    for side in sides {
+        let plain = [r"\left", r"\right", r"\lvert", r"\rvert"];
+        let text =
+            plain.iter().fold(side.text.clone(), |t, c| t.replace(c, if c.ends_with("vert") { "|" } else { "" }));
+        out.extend(text.split('|').skip(1).step_by(2).map(|t| t.trim().to_owned()));
+    }
+    out.retain(|t| !t.is_empty() && !t.contains(['+', '-', '=']));
+    out.sort();
+    out.dedup();
+    out.truncate(MOST_VALUES);
+    out
 }
 
 impl Judge<'_> {
@@ -120,6 +137,19 @@ impl Judge<'_> {
         others.iter().any(|right| !self.ask([&given.right, right], &rests, free).is_ok_and(|a| a.is_proved()))
     }
 
+    /// Whether a definition and a relation of the same name follow from two equations of one display, `x=a \\Rightarrow y=b`: they are of two cases.
+    pub(super) fn is_implied_beside(&self, given: &Given, at: usize) -> bool {
+        let implied = |k: usize| self.paper.printed[k].remark.as_deref().is_some_and(|r| r.contains('⇒'));
+        let names_it = || lone_name(&self.paper.printed[at].sides[0]).is_some_and(|n| n.key() == given.key);
+        let display = self.display_of(at);
+        given.relation != at
+            && display.is_some()
+            && display == self.display_of(given.relation)
+            && implied(given.relation)
+            && implied(at)
+            && names_it()
+    }
+
     /// Whether two definitions stand in one paragraph.
     fn is_one_paragraph(&self, one: &Given, other: &Given) -> bool {
         let place = |g: &Given| self.paper.locate(&self.paper.printed[g.relation].span());
@@ -192,6 +222,10 @@ impl Judge<'_> {
         if near.len() > 1 {
             tries.push(near);
         }
+        // What stands between bars may be negative.
+        tries.extend(
+            between_bars(sides).iter().filter_map(|of| Some(vec![stated(&format!("|{of}|=-{of}"), place.at)?])),
+        );
         if tries.into_iter().any(|more| self.holds_with(sides, rests, more, place)) {
             return true;
         }
@@ -214,7 +248,8 @@ impl Judge<'_> {
             let name = lone_name(left).filter(|n| own.contains(&n.key()) && all[k].signs[0] == "=");
             let is_number = names(right).is_empty() && right.text.chars().any(|c| c.is_ascii_digit());
             let is_other = lone_name(right).is_some_and(|n| own.contains(&n.key()));
-            if name.is_some() && (is_number || is_other && all[k].display.is_none()) {
+            let is_case = all[k].opening == Some(Opening::Case) && is_equation(&all[k]);
+            if is_case || name.is_some() && (is_number || is_other && all[k].display.is_none()) {
                 let (left, right) = (left.clone(), right.clone());
                 let names = keys([&left, &right]);
                 out.push(Stated { left, right, relation: k, section: self.section, names, in_text: true });
@@ -228,6 +263,17 @@ impl Judge<'_> {
         let stated = rests.stated.iter().cloned().chain(more).collect();
         let rests = Rests { stated, ..rests.clone() };
         self.ask(sides, &rests, place.free).is_ok_and(|answer| answer.is_proved() || answer.is_vacuous)
+    }
+
+    /// Whether a relation of a display stands beside a case in it, and holds only there.
+    pub(super) fn has_case_beside(&self, at: usize) -> bool {
+        let display = self.paper.printed[at].display;
+        let beside = |k: usize| {
+            k != at
+                && self.paper.printed.get(k).is_some_and(|r| r.display == display && r.opening == Some(Opening::Case))
+        };
+        let (from, to) = (at.saturating_sub(MOST_EXPLAINED), at + MOST_EXPLAINED);
+        display.is_some() && self.standings[at] == Standing::Conditional && (from..to).any(beside)
     }
 
     /// The display of a relation.

@@ -302,7 +302,10 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
                 }
                 Some(_) => {}
             }
-            for other in names.iter().filter(|n| (&n.name, &n.sub, n.dots) != (&s.name, &s.sub, s.dots)) {
+            // A name without its label is that name, where it is plain which is meant.
+            let is_short = |n: &SymbolNode| n.name == s.name && n.sub.is_none() != s.sub.is_none();
+            let is_other = |n: &&SymbolNode| (&n.name, &n.sub, n.dots) != (&s.name, &s.sub, s.dots) && !is_short(n);
+            for other in names.iter().filter(is_other) {
                 let symbol = SymbolNode { sup: s.sup.clone(), sup_first: s.sup_first, ..other.clone() };
                 let spelled = |s: &SymbolNode| format!("{}{:?}", s.name, s.sub);
                 exchanged.push(Slip {

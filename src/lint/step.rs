@@ -137,7 +137,7 @@ impl Judge<'_> {
         with_rates.retain(|g| !self.are_parted(g.relation, place.at, is_sure));
         // Of what one display defines twice it is not known which is meant.
         for list in [&mut plain, &mut with_rates].into_iter().filter(|_| is_sure) {
-            list.retain(|g| !self.is_defined_beside(g, place.free));
+            list.retain(|g| !self.is_implied_beside(g, place.at) && !self.is_defined_beside(g, place.free));
         }
         if let Some(of) = held_fixed(sides, &plain, true, true) {
             // What depends on the variable in a second way may be held fixed.
@@ -252,7 +252,9 @@ impl Judge<'_> {
         let is_open = sides.iter().any(|s| has_open_derivative(&s.text))
             || [true, false].iter().any(|&partial| held_fixed(sides, &defined, partial, false).is_some());
         // Between absolute values and roots, where a name is negative counts.
-        let is_zero = sides.iter().any(|s| has_zero_term(&s.text)) || self.is_crossed(place.at);
+        // Of numbers alone nothing vanishes.
+        let has_names = sides.iter().any(|s| !names(s).is_empty());
+        let is_zero = has_names && sides.iter().any(|s| has_zero_term(&s.text)) || self.is_crossed(place.at);
         let vanishes = self.has_vanishing(sides, place.at);
         // What a partial derivative holds fixed differs from factor to factor.
         let partial = sides.iter().map(|s| s.text.matches(r"\partial").count()).sum::<usize>();
@@ -292,12 +294,24 @@ impl Judge<'_> {
                     _ => continue,
                 }
             }
-            if let Some(found) = nearest(answer, &rests, place.free, place.sureness) {
-                return (!self.is_excused(sides, &rests, place)).then_some(found);
+            if let Some(found) = nearest(answer, &rests, &free_in(sides, &rests, place.free), place.sureness) {
+                let relation = &self.paper.printed[place.at];
+                let is_meant =
+                    self.is_in_another_unit(relation, &found.witness) || self.is_excused(sides, &rests, place);
+                return (!is_meant).then_some(found);
             }
         }
         None
     }
+}
+
+/// The free indices that stand in a step, or in what it rests on: an index of the defined name that stands nowhere else is a label, as that
+/// of `c_p`.
+fn free_in(sides: [&PrintedSide; 2], rests: &Rests, free: &BTreeSet<char>) -> BTreeSet<char> {
+    let given = rests.given.iter().flat_map(|g| [&g.left, &g.right]);
+    let all = sides.into_iter().chain(given).chain(rests.stated.iter().flat_map(|s| [&s.left, &s.right]));
+    let printed: BTreeSet<char> = all.flat_map(names).flat_map(|n| n.index_letters()).collect();
+    free.intersection(&printed).copied().collect()
 }
 
 /// Where a derivative is taken of what is defined, and another definition depends on its variable, too: the names that are derived. What is

@@ -3,6 +3,7 @@
 //! **In:** the tokens of a document, macros expanded. **Out:** its displays, as what has one number in print and as
 //! [`printed`](super::printed) relations. **Guaranteed:** what has no end is read as far as its paragraph goes, and told.
 
+use super::differences::DifferenceSigns;
 use super::mark::{self, group_text, parts};
 use super::printed::{self, Place, PrintedRelation};
 use super::token::{Kind, Token};
@@ -44,6 +45,7 @@ pub(super) struct Reader<'t> {
     pub relations: Vec<Part>,
     pub title: Option<String>,
     pub printed: Vec<PrintedRelation>,
+    pub differences: DifferenceSigns,
     pub notes: Vec<PaperNote>,
     displays: usize,
     section: usize,
@@ -58,6 +60,7 @@ impl<'t> Reader<'t> {
             relations: Vec::new(),
             title: None,
             printed: Vec::new(),
+            differences: DifferenceSigns::default(),
             notes: Vec::new(),
             displays: 0,
             section: 0,
@@ -185,6 +188,7 @@ impl<'t> Reader<'t> {
     }
 
     fn running(&mut self, body: &[Token]) {
+        self.differences.note(body);
         let place = Place { environment: "", display: None, section: self.section };
         self.printed.extend(printed::relations(body, &place).into_iter().filter(|r| !r.signs.is_empty()));
         let part = Part::new(body);
@@ -194,6 +198,7 @@ impl<'t> Reader<'t> {
     }
 
     fn equation(&mut self, body: &[Token], numbers: Numbers, environment: &str) {
+        self.differences.note(body);
         let place = Place { environment, display: Some(self.displays), section: self.section };
         self.printed.extend(printed::relations(body, &place));
         self.displays += 1;

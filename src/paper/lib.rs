@@ -14,12 +14,14 @@
 #![forbid(unsafe_code)]
 
 mod compare;
+mod differences;
 mod document;
 mod draft;
 mod inputs;
 mod macros;
 mod mark;
 mod names;
+mod opening;
 mod pasted;
 mod printed;
 mod token;
@@ -33,9 +35,11 @@ use std::sync::Arc;
 use sha2::{Digest, Sha256};
 
 pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, compare, subject};
+pub use differences::DifferenceSigns;
 pub use draft::{Draft, draft};
 pub use inputs::is_markdown;
 pub use names::{Call, Evidence, Notation, PaperName, names, order_counts, squeezed};
+pub use opening::{Opening, opening};
 pub use printed::{PrintedRelation, PrintedSide};
 
 use diag::escape::shown;
@@ -65,6 +69,8 @@ pub struct Paper {
     pub relations: Vec<Part>,
     /// What the displays and the formulas of the running text print, as a reader sees it, in the order of the paper.
     pub printed: Vec<PrintedRelation>,
+    /// Which signs of differences are something else somewhere.
+    pub differences: DifferenceSigns,
     /// What could not be read as LaTeX means it: each with its place.
     pub notes: Vec<PaperNote>,
     /// Files that the paper names, each with where its text begins when all are written behind each other.
@@ -225,14 +231,14 @@ fn parse_with(file: Arc<Source>, sha256: String, folder: Option<&Path>) -> Resul
     };
     let mut reader = Reader::new(&all);
     reader.document();
-    let Reader { equations, relations, title, printed, mut notes, .. } = reader;
+    let Reader { equations, relations, title, printed, differences, mut notes, .. } = reader;
     let title = title.map(|t| shown(&t).into_owned());
     notes.extend(inputs.notes);
     notes.extend(endless);
     notes.sort_by_key(|n| (n.span.start, n.span.end));
     let starts = |text: &str| std::iter::once(0).chain(text.match_indices('\n').map(|(i, _)| i + 1)).collect();
     let lines = std::iter::once(&file).chain(inputs.files.iter().map(|(_, f)| f)).map(|f| starts(&f.text)).collect();
-    Ok(Paper { file, sha256, title, equations, relations, printed, notes, inputs: inputs.files, lines })
+    Ok(Paper { file, sha256, title, equations, relations, printed, differences, notes, inputs: inputs.files, lines })
 }
 
 #[cfg(test)]

@@ -8,17 +8,20 @@ mod cases;
 mod pieces;
 mod rows;
 mod side;
+mod signs;
 #[cfg(test)]
 mod tests;
 
 use std::ops::Range;
 
+use super::opening::{Opening, closes_case, opening};
 use super::token::{Kind, Token};
 use super::unicode;
 use diag::escape::shown;
-use pieces::{CONDITIONAL, Piece, pieces};
+use pieces::{Piece, pieces};
 use rows::{Row, rows, unwrapped};
 use side::{is_colon_equals, side_of, sign_at, stacked, without_labels};
+use signs::{BETWEEN_STATEMENTS, OPERATORS, RELATIONS, SPACES, WIDE_WORDS, WORDS};
 
 /// What a reader sees as one: sides, and the signs between them.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -33,8 +36,10 @@ pub struct PrintedRelation {
     pub tag: Option<String>,
     /// What stands beside it in words.
     pub remark: Option<String>,
-    /// Whether it says when another holds: "for x > 0".
-    pub is_condition: bool,
+    /// What the words before it, in its display, make of it: "for x > 0".
+    pub opening: Option<Opening>,
+    /// The last row of its display in which it stands, from 0.
+    pub row: usize,
     /// The number of its display; `None` in the running text.
     pub display: Option<usize>,
     /// The number of its section.
@@ -61,6 +66,11 @@ impl PrintedRelation {
         start..self.sides.iter().map(|s| s.span.end).max().unwrap_or(start)
     }
 
+    /// Whether its words make it say when another one holds, or what a name stands for.
+    pub fn is_condition(&self) -> bool {
+        matches!(self.opening, Some(Opening::Case | Opening::Remark | Opening::Meaning))
+    }
+
     /// The relation as one text.
     pub fn text(&self) -> String {
         let mut out = String::new();
@@ -76,151 +86,6 @@ impl PrintedRelation {
         out
     }
 }
-
-/// Signs that relate two sides.
-const RELATIONS: &[&str] = &[
-    "equiv",
-    "approx",
-    "simeq",
-    "sim",
-    "cong",
-    "propto",
-    "ll",
-    "gg",
-    "le",
-    "leq",
-    "leqslant",
-    "ge",
-    "geq",
-    "geqslant",
-    "ne",
-    "neq",
-    "lesssim",
-    "gtrsim",
-    "to",
-    "rightarrow",
-    "longrightarrow",
-    "mapsto",
-    "longmapsto",
-    "in",
-    "notin",
-    "subset",
-    "subseteq",
-    "doteq",
-    "triangleq",
-    "coloneqq",
-    "coloneq",
-    "eqqcolon",
-    "asymp",
-    "lt",
-    "gt",
-    "leftarrow",
-    "perp",
-    "parallel",
-    "rightleftharpoons",
-    "leftrightarrow",
-    "xrightarrow",
-    "eqsim",
-    "approxeq",
-    "thickapprox",
-    "thicksim",
-    "prec",
-    "succ",
-];
-
-/// Signs between statements.
-const BETWEEN_STATEMENTS: &[&str] = &[
-    "Rightarrow",
-    "implies",
-    "Longrightarrow",
-    "iff",
-    "Leftrightarrow",
-    "Longleftrightarrow",
-    "therefore",
-    "because",
-    "impliedby",
-    "Leftarrow",
-];
-
-/// Signs with which a formula goes on.
-const OPERATORS: &[&str] =
-    &["+", "-", "/", "*", "·", "×", "−", "pm", "mp", "times", "cdot", "div", "wedge", "otimes", "oplus", "ast"];
-
-/// Commands that print words.
-const WORDS: &[&str] = &[
-    "text",
-    "mbox",
-    "hbox",
-    "textrm",
-    "textit",
-    "textbf",
-    "textnormal",
-    "intertext",
-    "shortintertext",
-    "qq",
-    "qqtext",
-];
-
-/// Words of the package physics, between wide spaces: `\\qand`, `\\qif`.
-const WIDE_WORDS: &[&str] = &[
-    "if",
-    "then",
-    "else",
-    "otherwise",
-    "unless",
-    "given",
-    "using",
-    "assume",
-    "since",
-    "let",
-    "for",
-    "all",
-    "and",
-    "or",
-    "as",
-];
-
-/// Spaces.
-const SPACES: &[&str] = &[
-    ",",
-    ";",
-    ":",
-    ">",
-    "!",
-    " ",
-    "\n",
-    "\t",
-    "thinspace",
-    "medspace",
-    "thickspace",
-    "negthinspace",
-    "enspace",
-    "nonumber",
-    "notag",
-    "hfill",
-    "hfil",
-    "allowbreak",
-    "noindent",
-    "par",
-    "break",
-    "linebreak",
-    "pagebreak",
-    "allowdisplaybreaks",
-    "relax",
-    "protect",
-    "strut",
-    "displaystyle",
-    "textstyle",
-    "displaybreak",
-    "quad",
-    "qquad",
-    "/",
-    "centering",
-    "nobreak",
-    "null",
-    "smallskip",
-    "medskip",
-];
 
 /// The most rows of a display that are looked at as one; more are told as one formula that is not read.
 const MOST_TOKENS: usize = 200_000;
@@ -363,13 +228,14 @@ impl PrintedSide {
 
 /// The relations that a display prints.
 pub(super) fn relations(body: &[Token], place: &Place<'_>) -> Vec<PrintedRelation> {
-    let mut found = Relations { place, out: Vec::new(), open: Vec::new(), ended: Vec::new() };
+    let mut found = Relations { place, out: Vec::new(), open: Vec::new(), ended: Vec::new(), row: 0 };
     if body.len() > MOST_TOKENS {
         found.put(0, side_of(body), None);
         return found.out;
     }
     let body = unicode::plain(&unwrapped(body));
-    for row in rows(&body) {
+    for (number, row) in rows(&body).into_iter().enumerate() {
+        found.row = number;
         found.row(row);
     }
     // A label of a display belongs to all that has none.
@@ -388,6 +254,8 @@ struct Relations<'p> {
     open: Vec<Option<usize>>,
     /// Whether it ended with a comma or a full stop.
     ended: Vec<bool>,
+    /// The row that is looked at.
+    row: usize,
 }
 
 impl Relations<'_> {
@@ -419,7 +287,13 @@ impl Relations<'_> {
         let mut column = column;
         for (k, piece) in pieces.into_iter().enumerate() {
             let words = piece.words.clone();
-            let conditional = words.as_deref().is_some_and(is_conditional);
+            let opening =
+                words.as_deref().and_then(opening).or_else(|| piece.in_parentheses.then_some(Opening::Meaning));
+            if words.as_deref().is_some_and(closes_case)
+                && let Some(last) = self.out.last_mut()
+            {
+                last.opening = Some(Opening::Case);
+            }
             if let Some(words) = words.filter(|w| !w.is_empty()) {
                 self.remark(&words);
             }
@@ -445,7 +319,7 @@ impl Relations<'_> {
             {
                 self.append(at, &piece.tokens, list);
             } else {
-                self.begin(&piece, column, conditional);
+                self.begin(&piece, column, opening);
             }
             self.ended[column] = ended;
             here = Some(column);
@@ -482,10 +356,10 @@ impl Relations<'_> {
             || !piece.relates() && !self.ended[column] && (layout.left_empty || lines)
     }
 
-    fn begin(&mut self, piece: &Piece, column: usize, conditional: bool) {
+    fn begin(&mut self, piece: &Piece, column: usize, opening: Option<Opening>) {
         let remark = piece.implied.then(|| "⇒".to_owned());
         let at = self.put(column, side_of(&[]), remark);
-        self.out[at].is_condition = conditional;
+        self.out[at].opening = opening;
         self.append(at, &piece.tokens, false);
     }
 
@@ -497,7 +371,8 @@ impl Relations<'_> {
             label: None,
             tag: None,
             remark,
-            is_condition: false,
+            opening: None,
+            row: self.row,
             display: self.place.display,
             section: self.place.section,
         });
@@ -510,6 +385,7 @@ impl Relations<'_> {
     /// Adds tokens to the last side of a relation; signs among them begin further sides.
     fn append(&mut self, at: usize, tokens: &[Token], list: bool) {
         let relation = &mut self.out[at];
+        relation.row = self.row;
         let mut current = relation.sides.pop().map(|s| s.tokens).unwrap_or_default();
         let was_list = list;
         if list {
@@ -571,7 +447,8 @@ impl Relations<'_> {
                     label: None,
                     tag: None,
                     remark: Some(words),
-                    is_condition: false,
+                    opening: None,
+                    row: self.row,
                     display: self.place.display,
                     section: self.place.section,
                 });
@@ -587,11 +464,6 @@ struct Layout {
     left_empty: bool,
     /// There is no sign of alignment.
     single: bool,
-}
-
-fn is_conditional(words: &str) -> bool {
-    let words = words.trim().trim_matches(|c: char| !c.is_alphabetic()).to_lowercase();
-    CONDITIONAL.iter().any(|c| words == *c || words.starts_with(&format!("{c} ")))
 }
 
 fn is_sign_alone(cell: &[Token]) -> bool {

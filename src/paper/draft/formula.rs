@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use super::super::names::evidence::is_alone;
-use super::super::names::{Call, Evidence, Notation, names};
+use super::super::names::{Call, Evidence, Notation, names_apart};
 use super::super::printed::{PrintedRelation, PrintedSide};
 use super::super::{Paper, token};
 use super::readings::{Reading, readings};
@@ -110,7 +110,7 @@ impl Printed {
                     Err(why) => (Vec::new(), Some(why)),
                 };
                 let needs = if others.is_empty() { Reading::default() } else { others.remove(0) };
-                let (steps, is_condition) = (signs.len(), relation.is_condition);
+                let (steps, is_condition) = (signs.len(), relation.is_condition());
                 let rate = rate_of(sides, signs);
                 Formula { text, steps, is_condition, refused, needs, others, rate, ..Formula::default() }
             };
@@ -140,11 +140,11 @@ fn rate_of(sides: &[&PrintedSide], signs: &[String]) -> Option<(String, usize)> 
     if let Some(key) = moved_by(sides) {
         return Some((key, 2));
     }
-    let all = names(left);
+    let all = names_apart(left);
     let plain = |factor: &str| left.text.contains(factor);
     let name = all.first().filter(|n| n.primes == 0 && n.call == Call::None && !plain("+") && !plain("-"))?;
     // A rate on the right could be its own, or that of another: only the first rate beside a second one is none of these.
-    let right = sides.get(1).map(|s| names(s)).unwrap_or_default();
+    let right = sides.get(1).map(|s| names_apart(s)).unwrap_or_default();
     let most = usize::from(name.dots == 2);
     if right.iter().any(|n| n.derived_by.is_some() || n.dots > most) {
         return None;
@@ -162,7 +162,7 @@ fn rate_of(sides: &[&PrintedSide], signs: &[String]) -> Option<(String, usize)> 
 
 /// The name whose second rate stands in an equation, once and to no power; other rates in it are first ones.
 fn moved_by(sides: &[&PrintedSide]) -> Option<String> {
-    let all: Vec<_> = sides.iter().flat_map(|s| names(s)).collect();
+    let all: Vec<_> = sides.iter().flat_map(|s| names_apart(s)).collect();
     let mut twice = all.iter().filter(|n| n.dots > 1);
     let name = twice.next().filter(|n| n.dots == 2 && twice.next().is_none())?;
     let text: String = sides.iter().map(|s| s.text.as_str()).collect::<Vec<_>>().join(" = ");

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::names::letters::BOLD;
 use super::super::names::{
-    Call, Evidence, PaperName, Primes, Subscripts, evidence, is_variable, names, order_counts, unprimed,
+    Call, Evidence, PaperName, Primes, Subscripts, evidence, is_variable, names_apart, order_counts, unprimed,
 };
 use super::super::printed::PrintedSide;
 use super::guess::Guess;
@@ -39,7 +39,7 @@ pub(super) fn readings(
     evidence: &Evidence,
     is_of_indices: bool,
 ) -> Result<Vec<Vec<Reading>>, String> {
-    let all: Vec<PaperName> = sides.iter().flat_map(|s| names(s)).collect();
+    let all: Vec<PaperName> = sides.iter().flat_map(|s| names_apart(s)).collect();
     obstacle(sides, &all, evidence)?;
     let summed = index::summed(sides, evidence);
     let of_indices = all.iter().any(|n| evidence.has_indices(&n.letter));

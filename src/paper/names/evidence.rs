@@ -6,7 +6,7 @@ use super::super::Paper;
 use super::super::mark;
 use super::super::printed::{PrintedRelation, PrintedSide};
 use super::super::token::{Kind, Token};
-use super::{Call, PaperName, Subscripts, names};
+use super::{Call, PaperName, Subscripts, names_apart};
 
 /// Letters of unknown functions, whose primes derive them where two stand behind them somewhere.
 const FUNCTIONS: &[&str] =
@@ -86,14 +86,14 @@ impl Evidence {
             self.has_ln |= side.text.contains(r"\ln");
             let beside = [i.checked_sub(1), Some(i + 1)].into_iter().flatten();
             let found = beside.filter_map(|k| sizes.get(k).copied().flatten()).next();
-            if let (Some(size), [name]) = (found, names(side).as_slice())
+            if let (Some(size), [name]) = (found, names_apart(side).as_slice())
                 && sizes[i].is_none()
                 && (name.derived_by.is_some() || is_alone(side))
             {
                 *self.sizes.entry(name.key()).or_default().entry(size).or_default() += 1;
             }
         }
-        for name in relation.sides.iter().filter(|s| s.text.len() <= LONGEST).flat_map(names) {
+        for name in relation.sides.iter().filter(|s| s.text.len() <= LONGEST).flat_map(names_apart) {
             let key = name.key();
             let bare = unprimed(&name);
             *self.keys.entry(bare.clone()).or_default() += 1;

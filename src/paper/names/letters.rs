@@ -39,6 +39,8 @@ pub const STYLES: &[&str] = &[
     "breve",
 ];
 pub const DOTS: &[(&str, usize)] = &[("dot", 1), ("ddot", 2), ("dddot", 3), ("ddddot", 4)];
+/// Signs of differences and variations.
+pub const SIGNS_OF_DIFFERENCES: &[&str] = &[r"\Delta", r"\delta"];
 pub const FRACTIONS: &[&str] = &["frac", "dfrac", "tfrac", "cfrac"];
 
 /// Whether a style holds for the rest of its group.

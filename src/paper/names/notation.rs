@@ -11,7 +11,7 @@ mod print;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Paper, PrintedRelation, PrintedSide};
-use super::{PaperName, names};
+use super::{PaperName, names_apart};
 use algebra::Algebra;
 use ambiguous::{
     applies_a_group, has_bare_degrees, has_commutator, has_cosets, has_expectation, has_ladder, has_map_of_vector,
@@ -141,7 +141,7 @@ impl Notation {
                 }
                 if has_imaginary(&side.text) {
                     out.has_imaginary = true;
-                    out.complex.extend(relation.sides.iter().flat_map(names).map(|n| n.key()));
+                    out.complex.extend(relation.sides.iter().flat_map(names_apart).map(|n| n.key()));
                 }
             }
             out.note_set(relation);
@@ -165,7 +165,7 @@ impl Notation {
             return;
         }
         let set = squeezed(&right.text);
-        let keys = || names(left).into_iter().map(|n| n.key());
+        let keys = || names_apart(left).into_iter().map(|n| n.key());
         if set.starts_with(r"\mathbbC") {
             self.has_imaginary = true;
             self.complex.extend(keys());
@@ -241,7 +241,7 @@ impl Notation {
         if all.contains(&r"\aleph") {
             return Some("a cardinal number");
         }
-        if names(side).iter().any(|n| self.acting.contains(&squeezed(&n.key()))) {
+        if names_apart(side).iter().any(|n| self.acting.contains(&squeezed(&n.key()))) {
             return Some("an operator, or a factor");
         }
         None
@@ -304,16 +304,16 @@ impl Notation {
         if has_bare_brackets(&all) {
             return Some("brackets of a dimension, a unit, a matrix or a whole part");
         }
-        let beside_i = self.has_imaginary && names(side).iter().any(|n| self.complex.contains(&n.key()));
+        let beside_i = self.has_imaginary && names_apart(side).iter().any(|n| self.complex.contains(&n.key()));
         if (beside_i || squares_an_absolute_value(&side.text)) && has_bars(&side.text) {
             return Some("an absolute value of what may be complex");
         }
         let of_vectors =
-            names(side).iter().filter(|n| !n.is_bold && self.vectors.contains(&squeezed(&n.key()))).count();
+            names_apart(side).iter().filter(|n| !n.is_bold && self.vectors.contains(&squeezed(&n.key()))).count();
         if of_vectors > 1 || of_vectors > 0 && has_bars(&side.text) {
             return Some("vectors in plain letters");
         }
-        let mut ordered = names(side)
+        let mut ordered = names_apart(side)
             .into_iter()
             .map(|n| n.key())
             .filter(|k| self.ordered.contains(&squeezed(k)))
@@ -329,7 +329,7 @@ impl Notation {
 
 /// The names that alone make up a side, whatever their power, beside one with rates: `v^2=\dot x^2+\dot y^2`.
 fn varying(sides: &[PrintedSide]) -> Vec<String> {
-    let all: Vec<Vec<PaperName>> = sides.iter().map(names).collect();
+    let all: Vec<Vec<PaperName>> = sides.iter().map(names_apart).collect();
     let has_rate =
         |k: usize| all.get(k).is_some_and(|n| n.iter().any(|n| n.dots > 0 || n.derived_by.as_deref() == Some("t")));
     let lone = |k: &usize| match all[*k].as_slice() {
@@ -462,7 +462,7 @@ fn commuted(side: &PrintedSide) -> Vec<String> {
                 .iter()
                 .all(|t| is_letter_token(t) || matches!(*t, "_" | "{" | "}") || t.chars().all(char::is_alphanumeric));
             if first == second && a.1 != b.1 && a.0 != b.0 && plain {
-                out.extend(names(side).into_iter().map(|n| squeezed(&n.key())));
+                out.extend(names_apart(side).into_iter().map(|n| squeezed(&n.key())));
                 return out;
             }
         }
@@ -476,7 +476,7 @@ fn commuted_across(relation: &PrintedRelation) -> Vec<String> {
     if relation.signs.first().is_none_or(|s| s != "=") || left.text.len() > MOST_TERMS {
         return Vec::new();
     }
-    let keys = || names(left).into_iter().filter(|n| !n.is_bold).map(|n| squeezed(&n.key())).collect::<Vec<_>>();
+    let keys = || names_apart(left).into_iter().filter(|n| !n.is_bold).map(|n| squeezed(&n.key())).collect::<Vec<_>>();
     let text = squeezed(&left.text).replace(r"\left", "").replace(r"\right", "").replace(r"\,", "");
     let within = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')).and_then(|rest| rest.split_once(','));
     if within.is_some_and(|(a, b)| is_lone(a) && is_lone(b) && a != b) {

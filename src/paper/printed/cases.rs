@@ -5,6 +5,7 @@
 //! the relation stays as it is.
 
 use super::super::mark::group_text;
+use super::super::opening::{Opening, is_opening, opening};
 use super::super::token::{Kind, Token};
 use super::{Nesting, Place, PrintedRelation, is_space, relations};
 
@@ -15,7 +16,7 @@ impl PrintedRelation {
     /// The cases of a relation: for each the relation, and the conditions under which it holds. `None` where it is not told by cases.
     pub fn cases(&self) -> Option<Vec<Vec<PrintedRelation>>> {
         let (last, before) = self.sides.split_last()?;
-        if before.is_empty() || self.is_condition {
+        if before.is_empty() || self.opening.is_some() {
             return None;
         }
         let mut head: Vec<Token> = Vec::new();
@@ -38,7 +39,7 @@ impl PrintedRelation {
             if !relates(&one) || !relates(&when) {
                 return None;
             }
-            when[0].is_condition = true;
+            when[0].opening = Some(Opening::Case);
             one.append(&mut when);
             one.iter_mut().for_each(|r| r.label.clone_from(&self.label));
             out.push(one);
@@ -49,7 +50,8 @@ impl PrintedRelation {
 
 /// Whether words before a condition say that it is one, and no more.
 fn is_when(words: &str) -> bool {
-    matches!(words.trim(), "" | "if" | "for" | "when" | "where" | "If" | "For")
+    let is_case = || is_opening(words) && matches!(opening(words), Some(Opening::Case | Opening::Meaning));
+    words.trim().is_empty() || is_case()
 }
 
 /// A sign as a token.

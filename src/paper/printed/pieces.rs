@@ -1,6 +1,7 @@
 //! Rows → pieces: what stands between commas, wide spaces and words.
 
 use super::super::mark::group_text;
+use super::super::opening::{is_opening, is_printed_space, word_at};
 use super::super::token::{Kind, Token};
 use super::{BETWEEN_STATEMENTS, Nesting, WIDE_WORDS, WORDS, is_operator, is_relation, is_space, is_wide, walk};
 
@@ -18,6 +19,8 @@ pub(super) struct Piece {
     pub wide: bool,
     /// It ends with a comma, a semicolon or a full stop.
     pub ended: bool,
+    /// It stood in parentheses, behind a wide space: a remark.
+    pub in_parentheses: bool,
 }
 
 impl Piece {
@@ -31,16 +34,28 @@ impl Piece {
         found
     }
 
+    /// Takes the parentheses away that stand around all of it, where it relates something.
+    fn without_parentheses(&mut self) {
+        let printed: Vec<usize> = (0..self.tokens.len()).filter(|&i| !is_space(&self.tokens[i])).collect();
+        let (Some(&first), Some(&last)) = (printed.first(), printed.last()) else { return };
+        if !self.tokens[first].is_char("(") || !self.tokens[last].is_char(")") {
+            return;
+        }
+        let inside = Piece { tokens: self.tokens[first + 1..last].to_vec(), ..Piece::default() };
+        let mut depth = 0i32;
+        let closes = inside.tokens.iter().any(|t| {
+            depth += i32::from(t.is_char("(")) - i32::from(t.is_char(")"));
+            depth < 0
+        });
+        if inside.relates() && !closes {
+            (self.tokens, self.in_parentheses) = (inside.tokens, true);
+        }
+    }
+
     pub fn first(&self) -> Option<&Token> {
         self.tokens.iter().find(|t| !is_space(t))
     }
 }
-
-/// Words behind which a condition stands.
-pub(super) const CONDITIONAL: &[&str] = &[
-    "for", "if", "when", "where", "with", "as", "at", "provided", "unless", "whenever", "only if", "for all", "given",
-    "assuming", "on", "in",
-];
 
 /// The pieces of a row.
 pub(super) fn pieces(tokens: &[Token]) -> Vec<Piece> {
@@ -82,6 +97,14 @@ pub(super) fn pieces(tokens: &[Token]) -> Vec<Piece> {
                 next = Some((Piece { words: Some(words.trim().to_owned()), wide: true, ..Piece::default() }, after));
             }
         }
+        if next.is_none()
+            && outside
+            && let Some((word, after)) = word_at(tokens, at)
+            && may_begin_word(tokens, at, out.last().is_none_or(Piece::is_empty), &word)
+            && relates_next(&tokens[after + tokens[after..].iter().take_while(|t| is_space(t)).count()..])
+        {
+            next = Some((Piece { words: Some(word), wide: true, ..Piece::default() }, after));
+        }
         match next {
             Some((piece, after)) => {
                 match out.last_mut() {
@@ -110,12 +133,25 @@ pub(super) fn pieces(tokens: &[Token]) -> Vec<Piece> {
             }
         }
     }
-    for piece in &mut out {
+    for (k, piece) in out.iter_mut().enumerate() {
+        if k > 0 && piece.wide && piece.words.is_none() {
+            piece.without_parentheses();
+        }
         if let Some(end) = numbered_by_hand(&piece.tokens) {
             piece.tokens.truncate(end);
         }
     }
     out
+}
+
+/// Whether a word may begin at a place of a formula: at its beginning, or behind a space, where no sign wants an operand; a short one only behind
+/// a space that is printed.
+fn may_begin_word(tokens: &[Token], at: usize, is_first: bool, word: &str) -> bool {
+    let before = at.checked_sub(1).and_then(|k| tokens.get(k));
+    let wants = |t: &Token| is_relation(t) || is_operator(t) || t.is_char("_") || t.is_char("^");
+    let is_wanted = tokens[..at].iter().rev().find(|t| !is_space(t)).is_some_and(wants);
+    let is_long = word.chars().count() > 3;
+    is_first || !is_wanted && before.is_some_and(|t| is_printed_space(t) || is_long && t.kind == Kind::Space)
 }
 
 /// The position after a wide space that begins here and is no `\quad`: a length, a fill, three small ones in a row.
@@ -200,10 +236,10 @@ fn is_operand(tokens: &[Token], at: usize, after: usize, words: &str) -> bool {
     let before = tokens[..at].iter().rev().find(|t| !is_space(t));
     let behind = tokens[after..].iter().find(|t| !is_space(t));
     let word = words.trim().trim_end_matches([',', '.', ':']).to_lowercase();
-    if CONDITIONAL.contains(&word.as_str()) || matches!(word.as_str(), "and" | "or" | "") {
+    let script = |t: &&Token| t.is_char("_") || t.is_char("^");
+    if !before.is_some_and(|t| script(&t)) && (is_opening(&word) || matches!(word.as_str(), "and" | "or" | "")) {
         return false;
     }
-    let script = |t: &&Token| t.is_char("_") || t.is_char("^");
     let begins = before.is_some_and(|t| is_relation(t) || is_operator(t) || script(&t));
     let goes_on = behind.is_some_and(|t| is_relation(t) || is_operator(t) || script(&t));
     begins || goes_on || (before.is_some_and(|t| t.kind == Kind::Open))

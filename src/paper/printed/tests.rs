@@ -61,7 +61,8 @@ fn what_is_between_brackets_is_not_cut() {
 fn nothing_is_dropped() {
     assert_eq!(read("[", r"i=1,2,3"), ["i = 1,2,3"]);
     assert_eq!(read("[", r"a=b \text{ and } c=\text{const}"), ["a = b [and]", r"c = \text{const}"]);
-    assert_eq!(read("[", r"a=b \quad (x>0)"), ["a = b", "(x>0)"]);
+    // Parentheses around a remark are no part of it.
+    assert_eq!(read("[", r"a=b \quad (x>0)"), ["a = b", "x > 0"]);
     assert_eq!(read("align", r"a &= b \\ \intertext{and so} c &= d"), ["a = b [and so]", "c = d"]);
     assert_eq!(read("[", r"a=b \Rightarrow c=d"), ["a = b", "c = d [⇒]"]);
     assert_eq!(read("[", r"a \stackrel{!}{=} b"), [r"a \stackrel{!}{=} b [!]"]);

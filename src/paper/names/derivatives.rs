@@ -1,0 +1,147 @@
+//! Names in derivatives: what is derived, and by what.
+
+use super::letters::FRACTIONS;
+use super::{By, Names, PaperName, plain};
+
+impl Names {
+    /// `\frac{dx}{dt}`, `\frac{d}{dt}`, or a fraction of anything.
+    pub(super) fn fraction(&mut self, at: usize, to: usize, by: &By, depth: usize) -> usize {
+        let (top, middle) = (at + 1, self.unit(at + 1));
+        let end = self.unit(middle).min(to);
+        let differential = |text: &str| matches!(text, "d" | r"\partial" | r"\mathrm" | r"\dd");
+        let first = self.inner(top).0;
+        let below = self.inner(middle).0;
+        let begins =
+            differential(self.text(first)) && differential(self.text(below)) && self.text(below) == self.text(first);
+        if !begins {
+            self.range(top, middle, by, depth + 1);
+            self.range(middle, end, by, depth + 1);
+            return end;
+        }
+        let partial = self.text(first) == r"\partial";
+        let skip = |names: &Names, at: usize| match names.text(at) {
+            r"\mathrm" => names.unit(at + 1),
+            _ => at + 1,
+        };
+        let mut next = skip(self, below);
+        let mut variables = Vec::new();
+        while next < end {
+            match self.variable(next) {
+                Some((variable, after)) => {
+                    variables.push(variable);
+                    next = after;
+                }
+                None if self.text(next) == "^" => next = self.unit(next + 1),
+                None => next += 1,
+            }
+            if differential(self.text(next)) {
+                next = skip(self, next);
+            }
+        }
+        let by = variables.first().map(|v| (v.clone(), partial)).or_else(|| by.clone());
+        let mut over = skip(self, first);
+        if self.text(over) == "^" {
+            over = self.unit(over + 1);
+        }
+        let before = self.out.len();
+        self.range(over, middle, &by, depth + 1);
+        self.note_group(before);
+        if self.out.len() == before {
+            // What follows the operator is derived: the next factor, a group or a name.
+            let stop = self.factor(end, to);
+            self.range(end, stop, &by, depth + 1);
+            self.note_group(before);
+            self.note_variables(&variables);
+            return stop.max(end);
+        }
+        self.note_variables(&variables);
+        end
+    }
+
+    /// The position after a factor: a group, a fraction, or a name.
+    fn factor(&self, at: usize, to: usize) -> usize {
+        match self.text(at) {
+            "(" | "[" | "{" => self.closing(at, to),
+            r"\left" | r"\qty" | r"\bigl" | r"\Bigl" | r"\big" | r"\Big" if at + 1 < to => self.factor(at + 1, to),
+            text if text.strip_prefix('\\').is_some_and(latex::is_function) && at + 1 < to => {
+                let mut next = at + 1;
+                while matches!(self.text(next), "^" | "_") && next < to {
+                    next = self.unit(next + 1);
+                }
+                self.factor(next, to)
+            }
+            text if text.strip_prefix('\\').is_some_and(|c| FRACTIONS.contains(&c)) => {
+                self.unit(self.unit(at + 1)).min(to)
+            }
+            _ => self.unit(at).min(to),
+        }
+    }
+
+    fn note_variables(&mut self, variables: &[String]) {
+        for v in variables {
+            self.out.push(PaperName { is_variable: true, ..plain(v) });
+        }
+    }
+
+    /// Several names that are derived together.
+    fn note_group(&mut self, from: usize) {
+        if self.out.len() > from + 1 {
+            self.out[from..].iter_mut().for_each(|n| n.is_in_group = true);
+        }
+    }
+
+    /// `\dv{f}{x}`, `\dv{x}`, `\pdv[2]{f}{x}`.
+    pub(super) fn physics(&mut self, at: usize, to: usize, partial: bool, depth: usize) -> usize {
+        let mut next = at + 1;
+        if self.text(next) == "*" {
+            next += 1;
+        }
+        if self.text(next) == "[" {
+            next = self.closing(next, to);
+        }
+        let middle = self.unit(next);
+        let has_second = self.text(middle) == "{" || self.variable(middle).is_some();
+        if !has_second {
+            let end = middle.min(to);
+            let variable = self.variable(self.inner(next).0).map(|v| v.0);
+            let by = variable.clone().map(|v| (v, partial));
+            self.note_variables(&variable.into_iter().collect::<Vec<_>>());
+            // What follows the operator is derived: the next factor, a group or a name.
+            let (stop, before) = (self.factor(end, to).max(end), self.out.len());
+            self.range(end, stop, &by, depth + 1);
+            self.note_group(before);
+            return stop;
+        }
+        let end = self.unit(middle).min(to);
+        let variable = self.variable(self.inner(middle).0).map(|v| v.0);
+        let by = variable.clone().map(|v| (v, partial));
+        let before = self.out.len();
+        self.range(next, middle, &by, depth + 1);
+        self.note_group(before);
+        self.note_variables(&variable.into_iter().collect::<Vec<_>>());
+        end
+    }
+
+    /// `\partial_x f`: the letter below, and what follows.
+    pub(super) fn partial_letter(&mut self, at: usize, to: usize, depth: usize) -> usize {
+        if self.text(at + 1) != "_" {
+            return at + 1;
+        }
+        let end = self.unit(at + 2).min(to);
+        let Some((variable, _)) = self.variable(self.inner(at + 2).0) else { return end };
+        let mut next = end;
+        if self.text(next) == "^" {
+            next = self.unit(next + 1);
+        }
+        let by = Some((variable.clone(), true));
+        self.note_variables(std::slice::from_ref(&variable));
+        if let Some(after) = self.name(next, to, &by) {
+            return after;
+        }
+        let stop = self.factor(next, to).max(next);
+        let before = self.out.len();
+        self.range(next, stop, &by, depth + 1);
+        self.out[before..].iter_mut().for_each(|n| n.is_in_group = true);
+        stop
+    }
+}
