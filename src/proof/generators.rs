@@ -155,6 +155,13 @@ pub(super) fn lcm(a: &Rational, b: &Rational) -> Rational {
     Rational::from(a / g * b)
 }
 
+/// Whether parts of an argument are known as they are: roots, and angles that are parts of a turn.
+fn is_parted(graph: &Graph, m: &Monomial) -> bool {
+    let &[(base, 1)] = m.as_slice() else { return false };
+    let (Node::Pi | Node::Unary(Op::Ln, _)) = *graph.node(base) else { return false };
+    true
+}
+
 /// The largest number of which both are whole multiples; neither is 0.
 fn common_measure(a: &Rational, b: &Rational) -> Rational {
     use dashu_int::ops::Gcd;
@@ -192,12 +199,8 @@ impl<'g> Lowering<'g> {
         for (is_angle, argument) in arguments {
             let table: &mut FastMap<Monomial, Rational> = if is_angle { &mut circle } else { &mut exp };
             for (m, q) in related(&relations, argument).into_iter().filter(|(_, q)| *q != Rational::ZERO) {
-                // Of a logarithm and of π whole parts are known: roots, and angles that are parts of a turn.
-                let unit = match m.as_slice() {
-                    &[(base, 1)] if matches!(graph.node(base), Node::Unary(Op::Ln, _) | Node::Pi) => Rational::ONE,
-                    _ => q.clone(),
-                };
-                let unit = table.remove(&m).unwrap_or(unit);
+                let first = if is_parted(graph, &m) { Rational::ONE } else { q.clone() };
+                let unit = table.remove(&m).unwrap_or(first);
                 table.insert(m, common_measure(&unit, &q));
             }
         }

@@ -71,7 +71,10 @@ impl<'a> RefutingMotion<'a> {
         let (left, right) = both(w.left, w.right);
         // What denies an equation is refuted where the sides agree.
         let agree = (w.left - w.right).abs() <= w.bound;
-        out.extend([words(if agree { ": the sides agree, left " } else { ": left " }), StorySpan::Words(left, Tone::Strong)]);
+        out.extend([
+            words(if agree { ": the sides agree, left " } else { ": left " }),
+            StorySpan::Words(left, Tone::Strong),
+        ]);
         out.extend([words(", right "), StorySpan::Words(right, Tone::Strong)]);
         out.push(quiet(format!(" (error bound {}).", size(w.bound))));
         out
