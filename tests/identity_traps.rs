@@ -118,6 +118,23 @@ fn signs_of_multiples() {
     refuted("abs(a*x + b*x) = x*abs(a + b)", "");
 }
 
+#[test]
+fn arguments_have_a_common_measure() {
+    proved_everywhere("exp(1467*x)*exp(-1467*x) = 1", "");
+    proved_everywhere("cos(1467*x)^2 + sin(1467*x)^2 = 1", "");
+    proved_everywhere("cos(2934*x/7) = 2*cos(1467*x/7)^2 - 1", "");
+    proved_everywhere("cos(4401*x) = 4*cos(1467*x)^3 - 3*cos(1467*x)", "");
+    refuted("cos(4401*x) = 4*cos(1467*x)^3 + 3*cos(1467*x)", "");
+    proved_everywhere("sin(3*x/2 + 9*y/4) = sin(3*x/2)*cos(9*y/4) + cos(3*x/2)*sin(9*y/4)", "");
+    refuted("sin(3*x/2 + 9*y/4) = sin(3*x/2)*cos(9*y/4) - cos(3*x/2)*sin(9*y/4)", "");
+    proved_everywhere("exp(5*x/3)*exp(5*x/6) = exp(5*x/2)", "");
+    refuted("exp(5*x/3)*exp(5*x/6) = exp(5*x/4)", "");
+    proved_everywhere("sin(10*x/3) = 2*sin(5*x/3)*cos(-5*x/3)", "");
+    refuted("sin(10*x/3) = 2*sin(-5*x/3)*cos(5*x/3)", "");
+    not_proved("exp(1467*x)*exp(-1468*x) = 1", "");
+    not_proved("cos(2934*x/7) = 2*cos(1466*x/7)^2 - 1", "");
+}
+
 /// The fates of a claim about positive parameters, as text.
 fn orders(names: &str, assumed: &[(Requirement, &str)], claimed: &[(Requirement, &str)]) -> (String, bool) {
     let mut r = Reader::default();
