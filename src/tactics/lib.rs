@@ -18,6 +18,7 @@ mod complete;
 mod eliminate;
 mod fraction;
 mod normal;
+mod order;
 mod prove;
 mod ring;
 mod sequent;
