@@ -17,6 +17,7 @@ mod buchberger;
 mod complete;
 mod eliminate;
 mod fraction;
+mod logarithm;
 mod normal;
 mod order;
 mod prove;

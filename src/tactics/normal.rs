@@ -133,7 +133,7 @@ impl Attempt<'_> {
     }
 
     /// f(a) = f(b), where a = b by algebra.
-    fn same_value(&mut self, node: Expr, other: Expr) -> Option<FactId> {
+    pub(crate) fn same_value(&mut self, node: Expr, other: Expr) -> Option<FactId> {
         let argument = |e: Expr| match *self.search.reader.graph.node(e) {
             Node::Unary(op, a) => Some((op, a)),
             Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => None,
@@ -181,7 +181,7 @@ impl Attempt<'_> {
     fn units(&mut self, nodes: &[Expr]) -> Vec<(Expr, Rational)> {
         let mut out: Vec<(Expr, Rational)> = Vec::new();
         for &node in nodes {
-            let Node::Unary(Op::Sin | Op::Cos | Op::Exp, a) = *self.search.reader.graph.node(node) else { continue };
+            let Node::Unary(Op::Sin | Op::Cos | Op::Exp | Op::Sinh | Op::Cosh | Op::Tanh, a) = *self.search.reader.graph.node(node) else { continue };
             let (number, unit) = self.multiple(a);
             let denominator = Rational::from_parts(number.denominator().clone().into(), 1u8.into());
             match out.iter_mut().find(|(known, _)| *known == unit) {
@@ -196,7 +196,7 @@ impl Attempt<'_> {
     }
 
     /// An expression as a number times another one.
-    fn multiple(&self, e: Expr) -> (Rational, Expr) {
+    pub(crate) fn multiple(&self, e: Expr) -> (Rational, Expr) {
         let graph = &self.search.reader.graph;
         let (mut number, mut unit) = (Rational::ONE, e);
         loop {
@@ -240,12 +240,15 @@ impl Attempt<'_> {
                 let found = self.of_inverse(a, &[(Op::Ln, Law::ExponentialOfLogarithm)], None);
                 found.or_else(|| self.of_sum(a, [Law::ExponentialOfSum, Law::ExponentialOfOpposite], units))
             }
+            // Below an exponential it stays whole.
+            Op::Ln if units.iter().any(|(unit, _)| *unit == node) => None,
             Op::Ln => {
                 let found = self.of_inverse(a, &[(Op::Exp, Law::LogarithmOfExponential)], None);
                 found.or_else(|| self.of_product(a, Law::LogarithmOfProduct, Law::LogarithmOfQuotient))
             }
             Op::Abs => self.is_positive(a).then_some((Law::AbsoluteOfPositive, vec![a])),
             Op::Sqrt => self.root(a),
+            Op::Powi(2) => self.square_of_size(a),
             Op::Neg | Op::Arcsin | Op::Arccos | Op::Arctan | Op::Powi(_) => None,
             Op::Add
             | Op::Sub
@@ -269,6 +272,13 @@ impl Attempt<'_> {
             return of_angle.map(|law| (law, vec![u, v]));
         }
         None
+    }
+
+    /// The square of a root of a quotient, which laws divide by only where the quotient is whole.
+    fn square_of_size(&mut self, a: Expr) -> Option<Change> {
+        let Node::Unary(Op::Sqrt, u) = *self.search.reader.graph.node(a) else { return None };
+        let is_whole = fraction(&mut self.search.reader.graph, u).is_some_and(|f| f.is_whole());
+        (!is_whole).then(|| (Law::SquareOfRoot, vec![u]))
     }
 
     fn of_product(&self, a: Expr, product: Law, quotient: Law) -> Option<Change> {

@@ -77,6 +77,10 @@ impl Attempt<'_> {
         if let (Some(fact), _) = like {
             return Some(fact);
         }
+        let of_logarithms = self.by_logarithms(claim, goal);
+        if of_logarithms.is_some() {
+            return of_logarithms;
+        }
         // A fact about a side of the claim is put in before anything is solved.
         let mut ways = [Beginning::Plain, Beginning::Wholes];
         if like.1 {

@@ -194,6 +194,10 @@ impl Attempt<'_> {
                 Node::Unary(Op::Cos, a) => (Law::Pythagoras, a),
                 Node::Unary(Op::Sqrt, a) => (Law::SquareOfRoot, a),
                 Node::Unary(Op::Abs, a) => (Law::SquareOfAbsolute, a),
+                Node::Unary(Op::Exp, _) => {
+                    out.extend(self.root_of_argument(node));
+                    continue;
+                }
                 Node::Unary(..) | Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => continue,
             };
             out.extend(self.search.law(law, &[argument]).map(|(fact, ..)| fact));

@@ -44,7 +44,13 @@ impl Attempt<'_> {
         let because = known.into_iter().chain(freed).collect::<Vec<_>>();
         let free: Vec<FactId> = because.iter().copied().filter(|&id| free(self, id)).collect();
         let best = self.discharged(best, &because);
-        Some(self.discharged(best, &free))
+        let best = self.discharged(best, &free);
+        if self.search.draft.needs(best).is_empty() {
+            return Some(best);
+        }
+        let known: Vec<FactId> = free.into_iter().filter(|&id| self.search.equation(id).is_none()).collect();
+        let needed = self.needed(&[best], &known);
+        Some(self.discharged(best, &[&needed[..], &known].concat()))
     }
 
     /// A fact without what others show of its needs, each alone and all together.
