@@ -196,26 +196,33 @@ impl Attempt<'_> {
     }
 
     /// An expression as a number times another one.
-    pub(crate) fn multiple(&self, e: Expr) -> (Rational, Expr) {
-        let graph = &self.search.reader.graph;
-        let (mut number, mut unit) = (Rational::ONE, e);
-        loop {
-            match *graph.node(unit) {
-                Node::Unary(Op::Neg, a) => (number, unit) = (-number, a),
-                Node::Binary(Op::Mul, a, b) => match (graph.as_constant(a), graph.as_constant(b)) {
-                    (Some(r), _) => (number, unit) = (number * r.clone(), b),
-                    (_, Some(r)) => (number, unit) = (number * r.clone(), a),
-                    (None, None) => return (number, unit),
-                },
-                Node::Binary(Op::Div, a, b) => match graph.as_constant(b) {
-                    Some(r) if *r != Rational::ZERO => (number, unit) = (number / r.clone(), a),
-                    _ => return (number, unit),
-                },
-                Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => {
-                    return (number, unit);
+    pub(crate) fn multiple(&mut self, e: Expr) -> (Rational, Expr) {
+        let graph = &mut self.search.reader.graph;
+        let (mut number, mut open, mut others) = (Rational::ONE, vec![e], Vec::new());
+        while let Some(e) = open.pop() {
+            if let Some(r) = graph.as_constant(e) {
+                number = number * r.clone();
+                continue;
+            }
+            match *graph.node(e) {
+                Node::Unary(Op::Neg, a) => {
+                    number = -number;
+                    open.push(a);
                 }
+                Node::Binary(Op::Mul, a, b) => open.extend([b, a]),
+                Node::Binary(Op::Div, a, b) => match graph.as_constant(b) {
+                    Some(r) if *r != Rational::ZERO => {
+                        number = number / r.clone();
+                        open.push(a);
+                    }
+                    _ => others.push(e),
+                },
+                Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => others.push(e),
             }
         }
+        let Some((&first, rest)) = others.split_first() else { return (Rational::ONE, e) };
+        let unit = rest.iter().fold(first, |unit, factor| graph.mul(unit, *factor));
+        (number, unit)
     }
 
     /// How a function is changed.
@@ -227,12 +234,12 @@ impl Attempt<'_> {
             Op::Cosh => Some((Law::HyperbolicCosine, vec![a])),
             Op::Tanh => Some((Law::HyperbolicTangent, vec![a])),
             Op::Sin => {
-                let inverses = [(Op::Arcsin, Law::SineOfArcsine), (Op::Arccos, Law::SineOfArccosine)];
+                let inverses = [(Op::Arcsin, Law::SineOfArcsine), (Op::Arccos, Law::SineOfArccosine), (Op::Arctan, Law::SineOfArctangent)];
                 let found = self.of_inverse(a, &inverses, Some(Law::SineOfAngle));
                 found.or_else(|| self.of_sum(a, [Law::SineOfSum, Law::SineOfOpposite], units))
             }
             Op::Cos => {
-                let inverses = [(Op::Arcsin, Law::CosineOfArcsine), (Op::Arccos, Law::CosineOfArccosine)];
+                let inverses = [(Op::Arcsin, Law::CosineOfArcsine), (Op::Arccos, Law::CosineOfArccosine), (Op::Arctan, Law::CosineOfArctangent)];
                 let found = self.of_inverse(a, &inverses, Some(Law::CosineOfAngle));
                 found.or_else(|| self.of_sum(a, [Law::CosineOfSum, Law::CosineOfOpposite], units))
             }

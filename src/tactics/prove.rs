@@ -10,7 +10,7 @@ use crate::write::Reader;
 use checker::{
     CaseId, Draft, FactId, Given, Instant, Manner, Relation, Sense, Sequent, Split, Step, SymbolKind, Term, TermNode, When,
 };
-use expr::{Expr, Node};
+use expr::{Expr, Node, Op};
 
 /// Most facts that are solved.
 const MOST_FACTS: usize = 160;
@@ -258,7 +258,7 @@ impl Attempt<'_> {
     }
 
     /// An inequality with the functions in it as laws write them: of sin atan2(y, x) ≠ 0, y/√(x² + y²) ≠ 0.
-    fn by_laws(&mut self, fact: FactId) -> Option<FactId> {
+    pub(crate) fn by_laws(&mut self, fact: FactId) -> Option<FactId> {
         let says = self.search.draft.says(fact).filter(|says| says.sense != Sense::Equal)?;
         let (mut sides, before) = (Vec::new(), self.search.solved.len());
         let (left, right) = self.search.reader.sides(&says)?;
@@ -468,10 +468,16 @@ impl Attempt<'_> {
     /// What facts need, by the rules of signs, as soon as it is written so that they see it.
     pub(crate) fn needed(&mut self, facts: &[FactId], known: &[FactId]) -> Vec<FactId> {
         let needs: Vec<Relation> = facts.iter().flat_map(|&id| self.search.draft.needs(id)).collect();
-        let mut out = Vec::new();
+        let mut out: Vec<FactId> = Vec::new();
         for need in needs {
             let Some((l, r)) = self.search.reader.sides(&need) else { continue };
             let difference = self.search.reader.graph.sub(l, r);
+            // A root is not 0 where what is below it is positive.
+            for node in self.search.reader.graph.reachable([difference]) {
+                let Node::Unary(Op::Sqrt, under) = *self.search.reader.graph.node(node) else { continue };
+                let opposite = self.search.reader.graph.neg(under);
+                out.extend(self.signed(opposite, Sense::Less, known));
+            }
             let Some(found) = self.signed(difference, need.sense, known) else { continue };
             let Some(said) = self.search.push(Step::Sign { says: need, from: vec![found] }) else { continue };
             out.push(self.search.push(Step::Discharge { fact: said, because: known.to_vec() }).unwrap_or(said));

@@ -48,7 +48,11 @@ impl Attempt<'_> {
         if self.search.draft.needs(best).is_empty() {
             return Some(best);
         }
-        let known: Vec<FactId> = free.into_iter().filter(|&id| self.search.equation(id).is_none()).collect();
+        let mut known: Vec<FactId> = free.into_iter().filter(|&id| self.search.equation(id).is_none()).collect();
+        for fact in known.clone() {
+            let by_laws = self.by_laws(fact);
+            known.extend(by_laws.map(|told| self.discharged(told, &known)));
+        }
         let needed = self.needed(&[best], &known);
         Some(self.discharged(best, &[&needed[..], &known].concat()))
     }
