@@ -23,6 +23,7 @@ mod order;
 mod prove;
 mod ring;
 mod sequent;
+mod unique;
 mod used;
 mod vanish;
 mod weaken;

@@ -102,6 +102,9 @@ impl Attempt<'_> {
                 return Some(fact);
             }
         }
+        if let Some(fact) = self.by_uniqueness(claim, goal) {
+            return Some(fact);
+        }
         self.search.renew();
         self.by_squares(claim, left, right)
     }
@@ -128,7 +131,7 @@ impl Attempt<'_> {
         (None, shared)
     }
 
-    fn renewed(&mut self, claim: &Relation, goal: Expr, beginning: Beginning) -> Option<FactId> {
+    pub(crate) fn renewed(&mut self, claim: &Relation, goal: Expr, beginning: Beginning) -> Option<FactId> {
         self.search.renew();
         self.algebra(claim, goal, beginning)
     }
@@ -327,7 +330,7 @@ impl Attempt<'_> {
     }
 
     /// Adds what facts say at fixed times.
-    fn take_values(&mut self, instants: &[u32]) {
+    pub(crate) fn take_values(&mut self, instants: &[u32]) {
         let facts = self.facts.clone();
         for &instant in instants {
             for &fact in &facts {
