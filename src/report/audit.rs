@@ -7,6 +7,7 @@
 use super::proof_file::{PROOF_SCHEMA, ProofFile, RecordedClaim, UnrecordedClaim};
 use super::recorded::shown_words;
 use checker::Shown;
+use findings::Grounds;
 use serde_json::{Value, json};
 
 /// The outcome of one relation.
@@ -41,6 +42,8 @@ pub struct AuditedClaim {
     pub standing: String,
     /// What the proof assumes beside what the claim does, since what it follows from does.
     pub presupposed: Vec<String>,
+    /// What the proof assumes at all times between two, and the claim at those that it chooses.
+    pub throughout: Vec<String>,
     /// Its relations.
     pub relations: Vec<AuditedRelation>,
 }
@@ -82,7 +85,8 @@ pub fn audit(text: &[u8]) -> Result<Audit, String> {
             };
             AuditedRelation { sequent: sequent.words().unwrap_or_else(|refused| refused.to_string()), outcome }
         });
-        AuditedClaim { relations: relations.collect(), presupposed: proof.presupposed_words(), claim, standing }
+        let (presupposed, throughout) = (proof.presupposed_words(), proof.throughout_words());
+        AuditedClaim { relations: relations.collect(), presupposed, throughout, claim, standing }
     });
     Ok(Audit { claims: claims.collect(), derivation: file.derivation, unrecorded: file.unrecorded })
 }
@@ -91,6 +95,17 @@ impl AuditedClaim {
     /// Whether every step of every relation was made again, and none is missing.
     pub fn is_replayed(&self) -> bool {
         !self.relations.is_empty() && self.relations.iter().all(|r| matches!(r.outcome, Replayed::Shown(_)))
+    }
+}
+
+impl AuditedClaim {
+    /// The number of cases that are left out.
+    pub fn left_out(&self) -> usize {
+        let of = |relation: &AuditedRelation| match &relation.outcome {
+            Replayed::Shown(shown) => shown.leaves_out().len(),
+            Replayed::Refused { .. } => 0,
+        };
+        self.relations.iter().map(of).sum()
     }
 }
 
@@ -104,11 +119,18 @@ impl Audit {
     pub fn text(&self) -> String {
         let mut out = format!("{}\n", self.derivation);
         for claim in &self.claims {
-            let word = if claim.is_replayed() { "replayed" } else { "REFUSED" };
+            let word = match (claim.is_replayed(), claim.left_out()) {
+                (false, _) => "REFUSED".to_owned(),
+                (true, 0) => Grounds::Checker.word().to_owned(),
+                (true, cases) => format!("{}, cases left out: {cases}", Grounds::CheckerBut(cases).word()),
+            };
             out += &format!("\n  {}  {word} (the report says: {})\n", claim.claim, claim.standing);
             if !claim.presupposed.is_empty() {
                 let all = claim.presupposed.join(", ");
                 out += &format!("    Presupposed, as what the claim follows from does: {all}\n");
+            }
+            if !claim.throughout.is_empty() {
+                out += &format!("    Of times between which these are so throughout: {}\n", claim.throughout.join(", "));
             }
             for relation in &claim.relations {
                 out += &format!("    {}\n", relation.sequent);
@@ -152,7 +174,9 @@ impl Audit {
                 "claim": claim.claim,
                 "standing": claim.standing,
                 "replayed": claim.is_replayed(),
+                "leaves_out": claim.left_out(),
                 "presupposed": claim.presupposed,
+                "throughout": claim.throughout,
                 "relations": claim.relations.iter().map(relation).collect::<Vec<_>>(),
             })
         };

@@ -181,7 +181,8 @@ impl Attempt<'_> {
     fn units(&mut self, nodes: &[Expr]) -> Vec<(Expr, Rational)> {
         let mut out: Vec<(Expr, Rational)> = Vec::new();
         for &node in nodes {
-            let Node::Unary(Op::Sin | Op::Cos | Op::Exp | Op::Sinh | Op::Cosh | Op::Tanh, a) = *self.search.reader.graph.node(node) else { continue };
+            let Node::Unary(Op::Sin | Op::Cos | Op::Tan | Op::Exp | Op::Sinh | Op::Cosh | Op::Tanh, a) =
+                *self.search.reader.graph.node(node) else { continue };
             let (number, unit) = self.multiple(a);
             let denominator = Rational::from_parts(number.denominator().clone().into(), 1u8.into());
             match out.iter_mut().find(|(known, _)| *known == unit) {
@@ -233,6 +234,14 @@ impl Attempt<'_> {
             Op::Sinh => Some((Law::HyperbolicSine, vec![a])),
             Op::Cosh => Some((Law::HyperbolicCosine, vec![a])),
             Op::Tanh => Some((Law::HyperbolicTangent, vec![a])),
+            // Where halves of an angle stand, too, its functions are those of the halves.
+            Op::Sin | Op::Cos if self.has_parts(a, units) => {
+                let laws = match op {
+                    Op::Sin => [Law::SineOfSum, Law::SineOfOpposite],
+                    _ => [Law::CosineOfSum, Law::CosineOfOpposite],
+                };
+                self.of_sum(a, laws, units)
+            }
             Op::Sin => {
                 let inverses = [(Op::Arcsin, Law::SineOfArcsine), (Op::Arccos, Law::SineOfArccosine), (Op::Arctan, Law::SineOfArctangent)];
                 let found = self.of_inverse(a, &inverses, Some(Law::SineOfAngle));
@@ -267,6 +276,13 @@ impl Attempt<'_> {
             | Op::DirectionCosine
             | Op::Restrict => None,
         }
+    }
+
+    /// Whether functions of parts of an angle are named, too.
+    fn has_parts(&mut self, a: Expr, units: &[(Expr, Rational)]) -> bool {
+        let (_, unit) = self.multiple(a);
+        let is_angle = matches!(self.search.reader.graph.node(unit), Node::Binary(Op::Arctan2, ..));
+        is_angle && units.iter().any(|(known, parts)| *known == unit && *parts != Rational::ONE)
     }
 
     /// A function of the value of another one, by the law of the list; of an angle, by its own.

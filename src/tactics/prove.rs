@@ -2,7 +2,7 @@
 //!
 //! **In:** a [`Question`]. **Out:** a proof that the checker accepted, or why none was found. **Guaranteed:** bounded: so many facts, so many nodes.
 
-use crate::eliminate::Search;
+use crate::eliminate::{Search, Solved};
 use crate::sequent::Question;
 use crate::used::used;
 use crate::vanish::{Beginning, order};
@@ -10,7 +10,7 @@ use crate::write::Reader;
 use checker::{
     CaseId, Draft, FactId, Given, Instant, Manner, Relation, Sense, Sequent, Split, Step, SymbolKind, Term, TermNode, When,
 };
-use expr::{Expr, Node, Op};
+use expr::{Expr, Leaf, Node, Op};
 
 /// Most facts that are solved.
 const MOST_FACTS: usize = 160;
@@ -150,8 +150,31 @@ impl Attempt<'_> {
                 of.push(term);
             }
         }
+        of.extend(self.differences(goal));
         let each = instants.iter().flat_map(|&at| of.iter().map(move |term| (term, at)));
         each.filter_map(|(term, at)| if self.is_constant(term) { None } else { self.carry(term, at) }).collect()
+    }
+
+    /// Of a claim that names the time, the difference of the sides, as it is and with formulas put in that do not move.
+    fn differences(&mut self, goal: Expr) -> Vec<Term> {
+        let is_time = |this: &Self, leaf: Leaf| this.kind_of(leaf).is_none() && leaf.instant.is_none();
+        if self.variables().len() > 1 || !self.search.reader.graph.leaves([goal]).into_iter().any(|l| is_time(self, l)) {
+            return Vec::new();
+        }
+        self.search.renew();
+        let mut e = goal;
+        for fact in self.facts.clone() {
+            let Some((l, r)) = self.search.equation(fact) else { continue };
+            for (node, value) in [(l, r), (r, l)] {
+                let is_whole = matches!(self.search.reader.graph.node(node), Node::Unary(..) | Node::Binary(..));
+                if is_whole && self.moves(node) && !self.moves(value) {
+                    self.search.put_in(&mut e, Solved { node, value });
+                }
+            }
+        }
+        let mut all = vec![goal];
+        all.extend(Some(e).filter(|e| *e != goal));
+        all.into_iter().filter_map(|e| self.search.reader.term(e)).collect()
     }
 
     /// Whether a formula does not move, or is given as what it is at a fixed time.
@@ -199,11 +222,15 @@ impl Attempt<'_> {
         for given in others.chain(count(sequent.premises.len()).map(Given::Premise)) {
             let fact = self.search.push(Step::Given { given, because: vec![] });
             self.facts.extend(fact);
-            if let Given::Premise(at) = given
-                && sequent.premises[at as usize].sense != Sense::Equal
-            {
+            let says = fact.and_then(|fact| self.search.draft.says(fact));
+            if says.is_some_and(|says| says.sense != Sense::Equal) {
                 self.assumptions.extend(fact);
             }
+        }
+        let open = |step: &Step| matches!(step, Step::Open { .. });
+        if !self.assumptions.is_empty() && !self.search.draft.steps().iter().any(open) {
+            let because = [self.assumptions.clone(), self.values_throughout()].concat();
+            let _ = self.search.draft.push(Step::Open { because });
         }
         let mut later = Vec::new();
         let chosen = count(sequent.selectors.len()).map(Given::Selector);
@@ -222,7 +249,9 @@ impl Attempt<'_> {
         }
         // What is assumed at the chosen times is so at all times, perhaps; then it brings more claims.
         let always = self.assumed_always();
-        let because = [known, always].concat();
+        let free = |id: &FactId| self.search.draft.fact(*id).is_some_and(checker::Fact::is_free);
+        let given: Vec<FactId> = self.facts.iter().copied().filter(free).collect();
+        let because = [known, always, given, self.values_throughout()].concat();
         for given in later {
             let fact = self.search.push(Step::Given { given, because: because.clone() });
             self.facts.extend(fact);

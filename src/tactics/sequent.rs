@@ -34,6 +34,8 @@ pub struct Question {
     pub conserved: Option<u32>,
     /// What is assumed beside what the claim assumes, since what it follows from does.
     pub presupposed: Vec<Relation>,
+    /// What the claim assumes at the times that it chooses, and the sequent at all times, as equations of its systems.
+    pub throughout: Vec<Relation>,
 }
 
 /// A relation between scalars of the file.
@@ -100,6 +102,38 @@ pub(crate) fn sequents_throughout(derivation: &Derivation, claim: &Claim) -> Res
     gathering.questions()
 }
 
+/// The same of an interval of times at all of which assumptions are true.
+///
+/// # Errors
+/// As for [`sequents`].
+pub(crate) fn sequents_between(
+    derivation: &Derivation,
+    claim: &Claim,
+    presupposing: Presupposing,
+) -> Result<Vec<Question>, String> {
+    let mut gathering = Gathering::new(derivation, claim);
+    gathering.gather()?;
+    match presupposing {
+        Presupposing::Given => gathering.presuppose(),
+        Presupposing::Nothing => {}
+    }
+    let selectors = std::mem::take(&mut gathering.selectors);
+    let assumed = std::mem::take(&mut gathering.assumed);
+    gathering.throughout = selectors.into_iter().chain(assumed).collect();
+    gathering.systems.extend(&gathering.throughout);
+    gathering.integrals_throughout();
+    gathering.questions()
+}
+
+/// Whose assumptions are made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Presupposing {
+    /// Those of the claim.
+    Nothing,
+    /// Those of the claims that it follows from, too.
+    Given,
+}
+
 /// What is given and what is claimed, in a graph of its own.
 struct Gathering<'a> {
     derivation: &'a Derivation,
@@ -118,6 +152,7 @@ struct Gathering<'a> {
     selectors: Vec<Scalar>,
     assumed: Vec<Scalar>,
     presupposed: Vec<Scalar>,
+    throughout: Vec<Scalar>,
 }
 
 /// The scalars of a relation; nothing for a limit or a relation with ±.
@@ -236,6 +271,7 @@ impl<'a> Gathering<'a> {
             selectors: Vec::new(),
             assumed: Vec::new(),
             presupposed: Vec::new(),
+            throughout: Vec::new(),
         }
     }
 
@@ -365,9 +401,29 @@ impl<'a> Gathering<'a> {
         of_either_sign(&mut self.graph, &relations, claim.scope.branch_sign())
     }
 
+    /// First integrals with assumptions that hold at all times.
+    fn integrals_throughout(&mut self) {
+        let instants = self.instants();
+        for name in self.derivation.given_to(self.claim) {
+            let Premise::Claim(at) = self.derivation.premise(&name) else { continue };
+            let other = &self.derivation.claims[at];
+            let (selectors, assumed) = self.assumptions(other);
+            let all: Vec<Scalar> = selectors.into_iter().chain(assumed).collect();
+            if !all.is_empty() && all.iter().all(|s| self.throughout.contains(s) || s.left == s.right) {
+                self.integrals_of(other, &instants);
+            }
+        }
+    }
+
     /// The first integrals of a claim that is given: without assumptions all times count, and each has its value at each of these.
     fn integrals(&mut self, claim: &Claim, instants: &[Expr]) {
-        if !is_plain(claim) || !claim.assuming.is_empty() {
+        if claim.assuming.is_empty() {
+            self.integrals_of(claim, instants);
+        }
+    }
+
+    fn integrals_of(&mut self, claim: &Claim, instants: &[Expr]) {
+        if !is_plain(claim) {
             return;
         }
         let mut says = Vec::new();
@@ -583,10 +639,12 @@ impl<'a> Gathering<'a> {
             claim: writer.relation(self.claimed.first().ok_or("nothing is claimed")?.0)?,
         };
         let presupposed = relations(&writer, &self.presupposed)?;
+        let throughout = relations(&writer, &self.throughout)?;
         let each = self.claimed.iter().map(|(scalar, conserved)| {
             let sequent = Sequent { claim: writer.relation(*scalar)?, ..shared.clone() };
             let conserved = any_time.filter(|_| *conserved);
-            Ok(Question { sequent, conserved, presupposed: presupposed.clone() })
+            let (presupposed, throughout) = (presupposed.clone(), throughout.clone());
+            Ok(Question { sequent, conserved, presupposed, throughout })
         });
         each.collect()
     }
