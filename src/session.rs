@@ -27,6 +27,7 @@ use crate::verdict::Residuals;
 use meter::{Ended, Task};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
+use tactics::May;
 
 /// Where diagnostics place a problem with the scope of a [`Question`].
 const SCOPE: &str = "scope";
@@ -205,9 +206,15 @@ impl Session {
 
     /// Whether a recorded proof proves just what the claim of its name asks: the sequents are written anew, and compared.
     pub fn asks_for(&self, of: &report::RecordedClaim) -> bool {
+        use tactics::May;
+        // What it may presuppose was known to who searched, and is told with it.
+        let may: &[May] = match of.proof.presupposed.is_empty() {
+            true => &[May::EndWithAssumptions],
+            false => &[May::Presuppose, May::EndWithAssumptions],
+        };
         let (id, reading) = of.claim.split_once('/').map_or((of.claim.as_str(), None), |(id, own)| (id, Some(own)));
         let claim = self.derivation.claims.iter().find(|c| c.id == id && c.reading.as_deref() == reading);
-        let asked = claim.and_then(|c| tactics::Asked::of(&self.derivation, c, true).ok());
+        let asked = claim.and_then(|c| tactics::Asked::of(&self.derivation, c, may).ok());
         asked.is_some_and(|asked| asked.is_answered_by(&of.proof))
     }
 
@@ -452,6 +459,13 @@ fn recording(search: impl FnOnce() -> recorded::Found) -> recorded::Found {
     meter::piece(Task::Proving, &meter::limits(), search).unwrap_or_else(|ended| Err(ended.to_string()))
 }
 
+/// What a verdict leaves open, so that the recorded proof may.
+fn left_open(identity: &IdentityAccount) -> Vec<May> {
+    let presupposes = (!identity.presupposed.is_empty()).then_some(May::Presuppose);
+    let ends = identity.finding.ends_on_the_way().then_some(May::EndWithAssumptions);
+    presupposes.into_iter().chain(ends).collect()
+}
+
 /// An answer with its proof as steps, if it is proved.
 fn with_steps(derivation: &mut Derivation, proposition: &Proposition, account: IdentityAccount) -> IdentityAccount {
     if !account.finding.is_proved_in_part() {
@@ -554,8 +568,8 @@ impl Findings {
         let mut answers = kept.and_then(|bytes| Answers::read(&bytes)).unwrap_or_default();
         answers.grow_older();
         let is_new = AtomicBool::new(false);
-        let search = |claim: &Claim, may_presuppose: bool| {
-            let asked = tactics::Asked::of(derivation, claim, may_presuppose)?;
+        let search = |claim: &Claim, identity: &IdentityAccount| {
+            let asked = tactics::Asked::of(derivation, claim, &left_open(identity))?;
             let found: String = answers.answer(Some(check::key(&[&asked.content()])), || {
                 is_new.store(true, Ordering::Relaxed);
                 recorded::written(&recording(|| asked.record()))
@@ -567,7 +581,7 @@ impl Findings {
             let declared = derivation.claim(&of.id, of.reading.as_deref());
             let proved = of.identity.as_mut().filter(|i| i.finding.is_proved_in_part() && i.recorded.is_none());
             if let (Some(claim), Some(identity)) = (declared, proved) {
-                identity.recorded = Some(Recorded::of(search(claim, !identity.presupposed.is_empty())));
+                identity.recorded = Some(Recorded::of(search(claim, identity)));
             }
         });
         if let (Some(store), None, true) = (store, only, is_new.into_inner()) {

@@ -233,11 +233,12 @@ fn is_recorded(claim: &str) -> bool {
         rederive::Session::open("false.toml", text).unwrap_or_else(|problems| panic!("{claim}: {problems:?}"));
     let derivation = session.derivation();
     let claim = derivation.claim("c", None).expect("the claim");
-    let found = tactics::Asked::of(derivation, claim, true)
+    let found = tactics::Asked::of(derivation, claim, &[tactics::May::Presuppose, tactics::May::EndWithAssumptions])
         .and_then(|asked| asked.record())
         .map(|proof| rederive::findings::Recorded::of(Ok(proof)));
     found.is_ok_and(|recorded| {
-        recorded.steps().is_some() && recorded.left_out() == 0 && recorded.presupposed().is_empty()
+        let as_claimed = recorded.presupposed().is_empty() && recorded.throughout().is_empty();
+        recorded.steps().is_some() && recorded.left_out() == 0 && as_claimed
     })
 }
 

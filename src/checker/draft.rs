@@ -12,7 +12,7 @@ use super::sequent::Sequent;
 use super::signs::{KnownSigns, Signs, of_sense, signs};
 use super::step::{FactId, Given, Manner, Step};
 use super::term::{Relation, Sense, Term};
-use super::when::{CaseId, When};
+use super::when::{CaseId, Instant, When};
 use expr::domain::Sign;
 use expr::{Expr, Symbol};
 use std::collections::BTreeSet;
@@ -272,6 +272,13 @@ impl Draft {
     /// A formula, with definitions put in.
     pub fn formula(&mut self, of: &Term) -> Option<Term> {
         let e = self.context.read(of).ok()?;
+        self.context.written(Says { left: e, sense: Sense::Equal, right: e }).ok().map(|relation| relation.left)
+    }
+
+    /// A formula at a fixed time, as rules write it.
+    pub fn at(&mut self, of: &Term, instant: Instant) -> Option<Term> {
+        let (e, c) = (self.context.read(of).ok()?, self.context.instant(instant).ok()?);
+        let e = super::needs::frozen(&mut self.context, e, c);
         self.context.written(Says { left: e, sense: Sense::Equal, right: e }).ok().map(|relation| relation.left)
     }
 

@@ -79,6 +79,8 @@ laws! {
     CosineOfArccosine 1 "cos(arccos u) = u";
     SineOfArccosine 1 "sin(arccos u) = √(1−u²)";
     TangentOfArctangent 1 "tan(arctan u) = u";
+    SineOfArctangent 1 "sin(arctan u) √(1+u²) = u";
+    CosineOfArctangent 1 "cos(arctan u) √(1+u²) = 1";
     ArcsineOfSine 1 "arcsin(sin u) = u, for π/2 + u ≥ 0 and π/2 − u ≥ 0";
     ArccosineOfCosine 1 "arccos(cos u) = u, for u ≥ 0 and π − u ≥ 0";
     ArctangentOfTangent 1 "arctan(tan u) = u, for π/2 + u > 0 and π/2 − u > 0";
@@ -321,6 +323,13 @@ fn inverse(g: &mut Graph, law: Law, u: Expr, conditions: &mut Vec<Need>) -> Opti
         Law::TangentOfArctangent => {
             let a = f(g, Op::Arctan, u);
             (f(g, Op::Tan, a), u)
+        }
+        Law::SineOfArctangent | Law::CosineOfArctangent => {
+            let (one, square, a) = (g.integer(1), g.powi(u, 2), f(g, Op::Arctan, u));
+            let under = g.add(one, square);
+            let (op, side) = if law == Law::SineOfArctangent { (Op::Sin, u) } else { (Op::Cos, one) };
+            let (turned, root) = (f(g, op, a), f(g, Op::Sqrt, under));
+            (g.mul(turned, root), side)
         }
         Law::ArcsineOfSine | Law::ArctangentOfTangent => {
             let (above, below) = (g.add(quarter, u), g.sub(quarter, u));

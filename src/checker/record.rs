@@ -27,6 +27,9 @@ pub struct ProofRecord {
     /// Assumptions of the sequent that the claim does not make, and what it follows from does. To be told; the sequent holds them already.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub presupposed: Vec<Relation>,
+    /// What the claim assumes at the times that it chooses, and the sequent at all times: the proof says nothing of what lies beyond a time at which one of these is not so. To be told; they are premises of the sequent.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub throughout: Vec<Relation>,
 }
 
 impl ProofRecord {

@@ -51,6 +51,11 @@ impl ProofRecord {
         super::words::relations(&self.sequent, &self.presupposed)
     }
 
+    /// What is assumed at all times, in words.
+    pub fn throughout_words(&self) -> Vec<String> {
+        super::words::relations(&self.sequent, &self.throughout)
+    }
+
     /// All relations, replayed and told.
     ///
     /// # Errors

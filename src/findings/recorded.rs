@@ -14,6 +14,28 @@ pub enum Recorded {
     Not(String),
 }
 
+/// What the word *proved* rests on: every output says which.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Grounds {
+    /// The checker: it made all steps again.
+    Checker,
+    /// The checker, but for so many cases, which rest on the prover.
+    CheckerBut(usize),
+    /// The prover.
+    Prover,
+}
+
+impl Grounds {
+    /// The word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Grounds::Checker => "replayed",
+            Grounds::CheckerBut(_) => "replayed in part",
+            Grounds::Prover => "prover alone",
+        }
+    }
+}
+
 /// The outcome of a search for steps.
 pub type Found = Result<ProofRecord, String>;
 
@@ -36,6 +58,15 @@ impl Recorded {
                 Err((_, refused)) => Recorded::Not(format!("the checker refuses it: {refused}")),
             },
             Err(why) => Recorded::Not(why),
+        }
+    }
+
+    /// What the word *proved* rests on.
+    pub fn grounds(&self) -> Grounds {
+        match (self, self.left_out()) {
+            (Recorded::Not(_), _) => Grounds::Prover,
+            (Recorded::Proof(..), 0) => Grounds::Checker,
+            (Recorded::Proof(..), cases) => Grounds::CheckerBut(cases),
         }
     }
 
@@ -91,9 +122,21 @@ impl Recorded {
                 format!("The proof is recorded, but for {n} cases: the checker replayed its {steps} steps.")
             }
         };
+        let sentence = match self.throughout() {
+            all if all.is_empty() => sentence,
+            all => format!("{sentence} It is about times between which {} throughout.", all.join(", ")),
+        };
         match self.presupposed() {
             all if all.is_empty() => sentence,
             all => format!("{sentence} It presupposes {}, as what it follows from does.", all.join(", ")),
+        }
+    }
+
+    /// What a recorded proof assumes at all times between two, and the claim at those that it chooses, in words.
+    pub fn throughout(&self) -> Vec<String> {
+        match self {
+            Recorded::Proof(proof, _) => proof.throughout_words(),
+            Recorded::Not(_) => Vec::new(),
         }
     }
 

@@ -175,6 +175,14 @@ impl Finding {
         self.decision == Decision::Proved
     }
 
+    /// Whether it leaves out what lies beyond some times.
+    pub fn ends_on_the_way(&self) -> bool {
+        self.exceptions.iter().any(|e| match e {
+            Exception::Leaps(_) | Exception::Divides(_) | Exception::Passes(_) => true,
+            Exception::Vanishes(_) | Exception::OneSign => false,
+        })
+    }
+
     /// Whether it is proved, perhaps with exceptions.
     pub fn is_proved_in_part(&self) -> bool {
         matches!(self.decision, Decision::Proved | Decision::ProvedExcept)

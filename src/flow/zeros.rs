@@ -354,9 +354,8 @@ pub(super) fn zeros(core: &Core, program: &Program) -> Zeros {
         for (at, b) in run.iter().enumerate() {
             let beside = [at.checked_sub(1), Some(at + 1)].into_iter().flatten().filter_map(|i| run.get(i));
             // The first of equals: two that lie alike on both sides of a minimum are both next to it.
-            let lowest = |n: &Node| {
-                b.sign() == n.sign() && if n.time < b.time { size(b) < size(n) } else { size(b) <= size(n) }
-            };
+            let lowest =
+                |n: &Node| b.sign() == n.sign() && if n.time < b.time { size(b) < size(n) } else { size(b) <= size(n) };
             if b.sign() == 0 || !beside.clone().all(lowest) {
                 continue;
             }

@@ -7,6 +7,7 @@
 use super::proof_file::{ProofFile, RecordedClaim, UnrecordedClaim};
 use super::recorded::shown_words;
 use checker::Shown;
+use findings::Grounds;
 use serde_json::{Value, json};
 
 /// The outcome of one relation.
@@ -54,6 +55,8 @@ pub struct AuditedClaim {
     pub presupposed: Vec<String>,
     /// Whether this is what the derivation file asks.
     pub stated: Stated,
+    /// What the proof assumes at all times between two, and the claim at those that it chooses.
+    pub throughout: Vec<String>,
     /// Its relations.
     pub relations: Vec<AuditedRelation>,
 }
@@ -95,6 +98,7 @@ pub fn audit(file: &ProofFile, stated: &dyn Fn(&RecordedClaim) -> Stated) -> Aud
         AuditedClaim {
             relations: relations.collect(),
             presupposed: proof.presupposed_words(),
+            throughout: proof.throughout_words(),
             claim: claim.clone(),
             standing: standing.clone(),
             stated: stated(recorded),
@@ -128,6 +132,17 @@ impl AuditedClaim {
     }
 }
 
+impl AuditedClaim {
+    /// The number of cases that are left out.
+    pub fn left_out(&self) -> usize {
+        let of = |relation: &AuditedRelation| match &relation.outcome {
+            Replayed::Shown(shown) => shown.leaves_out().len(),
+            Replayed::Refused { .. } => 0,
+        };
+        self.relations.iter().map(of).sum()
+    }
+}
+
 impl Audit {
     /// Whether all that is recorded was replayed.
     pub fn is_replayed(&self) -> bool {
@@ -138,7 +153,11 @@ impl Audit {
     pub fn text(&self) -> String {
         let mut out = format!("{}\n", self.derivation);
         for claim in &self.claims {
-            let word = if claim.is_replayed() { "replayed" } else { "REFUSED" };
+            let word = match (claim.is_replayed(), claim.left_out()) {
+                (false, _) => "REFUSED".to_owned(),
+                (true, 0) => Grounds::Checker.word().to_owned(),
+                (true, cases) => format!("{}, cases left out: {cases}", Grounds::CheckerBut(cases).word()),
+            };
             out += &format!("\n  {}  {word} (the report says: {})\n", claim.claim, claim.standing);
             if claim.stated == Stated::Otherwise {
                 out += "    refused: the derivation file asks something else of this claim, or has no such claim\n";
@@ -146,6 +165,10 @@ impl Audit {
             if !claim.presupposed.is_empty() {
                 let all = claim.presupposed.join(", ");
                 out += &format!("    Presupposed, as what the claim follows from does: {all}\n");
+            }
+            if !claim.throughout.is_empty() {
+                out +=
+                    &format!("    Of times between which these are so throughout: {}\n", claim.throughout.join(", "));
             }
             for relation in &claim.relations {
                 out += &format!("    {}\n", relation.sequent);
@@ -201,7 +224,9 @@ impl Audit {
                 "standing": claim.standing,
                 "replayed": claim.is_replayed(),
                 "stated": claim.stated.word(),
+                "leaves_out": claim.left_out(),
                 "presupposed": claim.presupposed,
+                "throughout": claim.throughout,
                 "relations": claim.relations.iter().map(relation).collect::<Vec<_>>(),
             })
         };

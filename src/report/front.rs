@@ -38,6 +38,8 @@ pub(super) struct Front {
     pub verdict: String,
     /// With what strength the others stand: a sentence.
     pub strength: Option<String>,
+    /// What proofs rest on: a sentence, which names those that the checker did not replay.
+    pub proofs: Option<String>,
     /// The heaviest first.
     pub lines: Vec<Line>,
     /// How many more do not stand.
@@ -77,6 +79,7 @@ impl Front {
         Front {
             verdict: verdict(wholes, hangs),
             strength: strength(wholes),
+            proofs: super::recorded::rests(account),
             lines: against.iter().take(MOST).map(line).collect(),
             more,
             alarms: alarms(derivation, account),

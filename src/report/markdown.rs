@@ -10,7 +10,7 @@ use super::tally::{Group, declared, groups, name};
 use super::wording::slack_sentence;
 use super::{discrimination, family};
 use crate::derivation::{ClaimRole, DEFAULT_PRECISION, Derivation};
-use findings::{Account, ClaimAccount, Measurement, PairAccount, Recorded};
+use findings::{Account, ClaimAccount, Grounds, Measurement, PairAccount, Recorded};
 
 /// The report.
 pub fn markdown(derivation: &Derivation, account: &Account) -> String {
@@ -184,9 +184,8 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
         }
         if let Some(identity) = &claim.identity {
             let certificate = super::certificates::file_name(claim).map(|f| format!(" [Certificate]({f})."));
-            // Why others are not is in the page: here it is said of what is.
-            let recorded = identity.recorded.as_ref().filter(|r| r.steps().is_some());
-            let recorded = recorded.map(steps_told).unwrap_or_default();
+            // Why others are not is in the page.
+            let recorded = identity.recorded.as_ref().map(steps_told).unwrap_or_default();
             let sentence = prose(&(super::graph::brief(identity, &graph.proof_of(claim)) + &recorded));
             out.push_str(&format!("**For all values:** {sentence}{}\n\n", certificate.unwrap_or_default()));
         }
@@ -205,12 +204,13 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
     out
 }
 
-/// That a proof is recorded, in few words: `explain` says it in a sentence.
+/// What a proof rests on, in few words: `explain` says it in a sentence.
 fn steps_told(recorded: &Recorded) -> String {
     let steps = recorded.steps().unwrap_or(0);
-    match recorded.left_out() {
-        0 => format!(" Replayed: {}.", count(steps, "step")),
-        n => format!(" Replayed: {}, but for {}.", count(steps, "step"), count(n, "case")),
+    match recorded.grounds() {
+        Grounds::Checker => format!(" Replayed: {}.", count(steps, "step")),
+        Grounds::CheckerBut(n) => format!(" Replayed: {}, but for {}.", count(steps, "step"), count(n, "case")),
+        Grounds::Prover => " Prover alone.".to_owned(),
     }
 }
 

@@ -41,7 +41,7 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     let strip = Sketch::Strip(fields.collect());
     let mut matrix = vec![StoryBlock::Group("strip", vec![StoryBlock::Figure(strip, Vec::new())])];
     matrix.extend(motion_matrix::blocks(derivation, account, &wholes, &hangs));
-    let strength = front.strength.iter().chain(&front.beside);
+    let strength = front.strength.iter().chain(&front.proofs).chain(&front.beside);
     let strength = strength.map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).collect();
     let mut foot = vec![StorySpan::Prose(format!("{} To repeat it: ", front.author), scope, Tone::Quiet)];
     foot.extend([StorySpan::Code(front.command.clone()), quiet(format!(" ({}).", front.version))]);

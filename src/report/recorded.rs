@@ -3,25 +3,55 @@
 //! **In:** [`Recorded`], or what a replay came to. **Out:** a sentence, the sequents in words and the numbered steps; text for a terminal, or a fold of the page.
 
 use super::page::text::prose;
+use super::tally::name;
 use super::text::paragraph;
 use checker::{Shown, Told};
-use findings::{Account, Recorded};
+use findings::{Account, ClaimAccount, Grounds, Recorded};
 use latex::Scope;
 use maud::{Markup, html};
 
-/// How many proofs of an account are recorded; nothing where none were looked for.
-pub(super) fn count(account: &Account) -> String {
-    let all: Vec<&Recorded> =
-        account.claims.iter().filter_map(|claim| claim.identity.as_ref()?.recorded.as_ref()).collect();
-    let recorded = all.iter().filter(|r| r.steps().is_some()).count();
-    match all.len() - recorded {
-        _ if all.is_empty() => String::new(),
-        0 => format!("proofs: all {recorded} are recorded, and replayed by the checker\n"),
-        others => format!(
-            "proofs: {recorded} of {} are recorded, and replayed by the checker; {others} rest on the prover alone\n",
-            all.len()
-        ),
+/// Most claims that a sentence names.
+const MOST_NAMED: usize = 12;
+
+/// The claims that are proved, by what the word rests on; nothing where no proofs were looked for.
+pub(super) fn by_grounds(account: &Account, wanted: impl Fn(Grounds) -> bool) -> Vec<String> {
+    let of = |claim: &ClaimAccount| claim.identity.as_ref()?.recorded.as_ref().map(Recorded::grounds);
+    account.claims.iter().filter(|claim| of(claim).is_some_and(&wanted)).map(name).collect()
+}
+
+/// What the proofs of an account rest on: a sentence that names those that the checker did not replay; nothing where none were looked for.
+pub(super) fn rests(account: &Account) -> Option<String> {
+    let all = by_grounds(account, |_| true).len();
+    let prover = by_grounds(account, |grounds| grounds == Grounds::Prover);
+    let in_part = by_grounds(account, |grounds| matches!(grounds, Grounds::CheckerBut(_))).len();
+    let whole = all - prover.len() - in_part;
+    let but = match in_part {
+        0 => String::new(),
+        n => format!(", {n} but for cases that its report tells"),
+    };
+    match prover.as_slice() {
+        _ if all == 0 => None,
+        [] if in_part == 0 => Some(format!("The checker replayed all {all} proofs.")),
+        [] => Some(format!("The checker replayed all {all} proofs{but}.")),
+        named => {
+            let first = named.iter().take(MOST_NAMED).cloned().collect::<Vec<_>>().join(", ");
+            let more = match named.len().saturating_sub(MOST_NAMED) {
+                0 => String::new(),
+                n => format!(" and {n} more"),
+            };
+            let verb = if named.len() == 1 { "rests" } else { "rest" };
+            let replayed = whole + in_part;
+            Some(format!(
+                "The checker replayed {replayed} of {all} proofs{but}; {} {verb} on the prover alone: {first}{more}.",
+                named.len()
+            ))
+        }
     }
+}
+
+/// The same, for a terminal.
+pub(super) fn count(account: &Account) -> String {
+    rests(account).map(|sentence| paragraph(&sentence, 0)).unwrap_or_default()
 }
 
 /// Most steps of one relation that are printed; all are in `proofs.json`.

@@ -4,7 +4,7 @@
 
 use crate::vanish::Cost;
 use crate::write::Reader;
-use checker::{Draft, FactId, Law, Relation, Sense, Step, Term};
+use checker::{CaseId, Draft, FactId, Law, Manner, Relation, Sense, Step, Term};
 use expr::{Expr, Leaf, Node};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -83,6 +83,14 @@ impl Search {
         let size = made.and_then(|id| self.draft.says(id)).map_or(0, |says| says.left.0.len() + says.right.0.len());
         meter::charge(STEP + NODE * size as u64);
         made
+    }
+
+    /// Opens a case.
+    pub(crate) fn suppose(&mut self, says: Relation, manner: Manner) -> Option<CaseId> {
+        self.draft.push(Step::Suppose { says, manner }).ok()?;
+        let cases = self.draft.steps().iter().filter(|step| matches!(step, Step::Suppose { .. })).count();
+        // The first case is that of the claim.
+        u32::try_from(cases).ok().map(CaseId)
     }
 
     /// The sides of an equation that is a fact.

@@ -17,44 +17,64 @@ mod buchberger;
 mod complete;
 mod eliminate;
 mod fraction;
+mod logarithm;
 mod normal;
+mod order;
 mod prove;
 mod ring;
 mod sequent;
+mod unique;
 mod used;
 mod vanish;
 mod weaken;
 mod write;
 
 pub use prove::prove;
-use sequent::Question;
 pub use sequent::sequents;
+use sequent::{Presupposing, Question};
 
 use checker::{ProofRecord, RelationRecord};
 use derivation::{Claim, Derivation};
 
-/// All that a claim says, as questions for the checker; and the same with what is presupposed.
+/// All that a claim says, as questions for the checker; the same with what is presupposed; and the same of times between which nothing that is assumed ends.
 #[derive(Debug)]
 pub struct Asked {
     plain: Vec<Question>,
     presupposing: Vec<Question>,
+    throughout: Vec<Question>,
+}
+
+/// What the verdict on a claim leaves open, so that a recorded proof may, too.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum May {
+    /// Assume what the claims assume that it follows from.
+    Presuppose,
+    /// Say nothing of what lies beyond a time at which something assumed is not so.
+    EndWithAssumptions,
 }
 
 impl Asked {
-    /// What a claim asks. `may_presuppose`: what the claims assume that it follows from may be assumed, too, as the verdict on it says.
+    /// What a claim asks.
     ///
     /// # Errors
     /// A sentence: the form of the claim that no sequent expresses.
-    pub fn of(derivation: &Derivation, claim: &Claim, may_presuppose: bool) -> Result<Asked, String> {
+    pub fn of(derivation: &Derivation, claim: &Claim, may: &[May]) -> Result<Asked, String> {
         let plain = sequents(derivation, claim)?;
-        let presupposing = if may_presuppose { sequent::sequents_presupposing(derivation, claim)? } else { Vec::new() };
-        Ok(Asked { plain, presupposing })
+        let (presupposing, assumed) = match may.contains(&May::Presuppose) {
+            true => (sequent::sequents_presupposing(derivation, claim)?, Presupposing::Given),
+            false => (Vec::new(), Presupposing::Nothing),
+        };
+        let throughout = match may.contains(&May::EndWithAssumptions) {
+            true => sequent::sequents_between(derivation, claim, assumed)?,
+            false => Vec::new(),
+        };
+        Ok(Asked { plain, presupposing, throughout })
     }
 
     /// All that is given and claimed, as bytes: questions with the same have the same proofs.
     pub fn content(&self) -> Vec<u8> {
-        let all = self.plain.iter().chain(&self.presupposing);
-        let each: Vec<_> = all.map(|q| (&q.sequent, q.conserved, &q.presupposed)).collect();
+        let all = self.plain.iter().chain(&self.presupposing).chain(&self.throughout);
+        let each: Vec<_> = all.map(|q| (&q.sequent, q.conserved, &q.presupposed, &q.throughout)).collect();
         serde_json::to_vec(&each).unwrap_or_default()
     }
 
@@ -64,10 +84,12 @@ impl Asked {
             !all.is_empty()
                 && all.len() == record.relations.len()
                 && all.iter().zip(&record.relations).all(|(question, relation)| {
-                    question.sequent == record.sequent_of(relation) && question.presupposed == record.presupposed
+                    question.sequent == record.sequent_of(relation)
+                        && question.presupposed == record.presupposed
+                        && question.throughout == record.throughout
                 })
         };
-        is_asked(&self.plain) || is_asked(&self.presupposing)
+        [&self.plain, &self.presupposing, &self.throughout].into_iter().any(|all| is_asked(all))
     }
 
     /// Proofs, for the checker: with nothing presupposed, unless that leaves out more cases.
@@ -75,6 +97,11 @@ impl Asked {
     /// # Errors
     /// A sentence: that no proof was found.
     pub fn record(&self) -> Result<ProofRecord, String> {
+        let found = self.at_its_times();
+        if found.is_ok() || self.throughout.is_empty() { found } else { recorded(&self.throughout).or(found) }
+    }
+
+    fn at_its_times(&self) -> Result<ProofRecord, String> {
         let left_out = |record: &ProofRecord| {
             let shown = record.relations.iter().map(|of| checker::replay(&record.sequent_of(of), &of.steps));
             shown.map(|shown| shown.map_or(usize::MAX, |shown| shown.leaves_out().len())).fold(0, usize::saturating_add)
@@ -107,5 +134,5 @@ fn recorded(questions: &[Question]) -> Result<ProofRecord, String> {
     for question in questions {
         relations.push(RelationRecord { claim: question.sequent.claim.clone(), steps: prove(question)? });
     }
-    Ok(ProofRecord { sequent, relations, presupposed })
+    Ok(ProofRecord { sequent, relations, presupposed, throughout: first.throughout.clone() })
 }

@@ -133,7 +133,7 @@ impl Attempt<'_> {
     }
 
     /// f(a) = f(b), where a = b by algebra.
-    fn same_value(&mut self, node: Expr, other: Expr) -> Option<FactId> {
+    pub(crate) fn same_value(&mut self, node: Expr, other: Expr) -> Option<FactId> {
         let argument = |e: Expr| match *self.search.reader.graph.node(e) {
             Node::Unary(op, a) => Some((op, a)),
             Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => None,
@@ -181,7 +181,11 @@ impl Attempt<'_> {
     fn units(&mut self, nodes: &[Expr]) -> Vec<(Expr, Rational)> {
         let mut out: Vec<(Expr, Rational)> = Vec::new();
         for &node in nodes {
-            let Node::Unary(Op::Sin | Op::Cos | Op::Exp, a) = *self.search.reader.graph.node(node) else { continue };
+            let Node::Unary(Op::Sin | Op::Cos | Op::Tan | Op::Exp | Op::Sinh | Op::Cosh | Op::Tanh, a) =
+                *self.search.reader.graph.node(node)
+            else {
+                continue;
+            };
             let (number, unit) = self.multiple(a);
             let denominator = Rational::from_parts(number.denominator().clone().into(), 1u8.into());
             match out.iter_mut().find(|(known, _)| *known == unit) {
@@ -196,26 +200,33 @@ impl Attempt<'_> {
     }
 
     /// An expression as a number times another one.
-    fn multiple(&self, e: Expr) -> (Rational, Expr) {
-        let graph = &self.search.reader.graph;
-        let (mut number, mut unit) = (Rational::ONE, e);
-        loop {
-            match *graph.node(unit) {
-                Node::Unary(Op::Neg, a) => (number, unit) = (-number, a),
-                Node::Binary(Op::Mul, a, b) => match (graph.as_constant(a), graph.as_constant(b)) {
-                    (Some(r), _) => (number, unit) = (number * r.clone(), b),
-                    (_, Some(r)) => (number, unit) = (number * r.clone(), a),
-                    (None, None) => return (number, unit),
-                },
-                Node::Binary(Op::Div, a, b) => match graph.as_constant(b) {
-                    Some(r) if *r != Rational::ZERO => (number, unit) = (number / r.clone(), a),
-                    _ => return (number, unit),
-                },
-                Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => {
-                    return (number, unit);
+    pub(crate) fn multiple(&mut self, e: Expr) -> (Rational, Expr) {
+        let graph = &mut self.search.reader.graph;
+        let (mut number, mut open, mut others) = (Rational::ONE, vec![e], Vec::new());
+        while let Some(e) = open.pop() {
+            if let Some(r) = graph.as_constant(e) {
+                number = number * r.clone();
+                continue;
+            }
+            match *graph.node(e) {
+                Node::Unary(Op::Neg, a) => {
+                    number = -number;
+                    open.push(a);
                 }
+                Node::Binary(Op::Mul, a, b) => open.extend([b, a]),
+                Node::Binary(Op::Div, a, b) => match graph.as_constant(b) {
+                    Some(r) if *r != Rational::ZERO => {
+                        number = number / r.clone();
+                        open.push(a);
+                    }
+                    _ => others.push(e),
+                },
+                Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => others.push(e),
             }
         }
+        let Some((&first, rest)) = others.split_first() else { return (Rational::ONE, e) };
+        let unit = rest.iter().fold(first, |unit, factor| graph.mul(unit, *factor));
+        (number, unit)
     }
 
     /// How a function is changed.
@@ -226,13 +237,29 @@ impl Attempt<'_> {
             Op::Sinh => Some((Law::HyperbolicSine, vec![a])),
             Op::Cosh => Some((Law::HyperbolicCosine, vec![a])),
             Op::Tanh => Some((Law::HyperbolicTangent, vec![a])),
+            // Where halves of an angle stand, too, its functions are those of the halves.
+            Op::Sin | Op::Cos if self.has_parts(a, units) => {
+                let laws = match op {
+                    Op::Sin => [Law::SineOfSum, Law::SineOfOpposite],
+                    _ => [Law::CosineOfSum, Law::CosineOfOpposite],
+                };
+                self.of_sum(a, laws, units)
+            }
             Op::Sin => {
-                let inverses = [(Op::Arcsin, Law::SineOfArcsine), (Op::Arccos, Law::SineOfArccosine)];
+                let inverses = [
+                    (Op::Arcsin, Law::SineOfArcsine),
+                    (Op::Arccos, Law::SineOfArccosine),
+                    (Op::Arctan, Law::SineOfArctangent),
+                ];
                 let found = self.of_inverse(a, &inverses, Some(Law::SineOfAngle));
                 found.or_else(|| self.of_sum(a, [Law::SineOfSum, Law::SineOfOpposite], units))
             }
             Op::Cos => {
-                let inverses = [(Op::Arcsin, Law::CosineOfArcsine), (Op::Arccos, Law::CosineOfArccosine)];
+                let inverses = [
+                    (Op::Arcsin, Law::CosineOfArcsine),
+                    (Op::Arccos, Law::CosineOfArccosine),
+                    (Op::Arctan, Law::CosineOfArctangent),
+                ];
                 let found = self.of_inverse(a, &inverses, Some(Law::CosineOfAngle));
                 found.or_else(|| self.of_sum(a, [Law::CosineOfSum, Law::CosineOfOpposite], units))
             }
@@ -240,12 +267,15 @@ impl Attempt<'_> {
                 let found = self.of_inverse(a, &[(Op::Ln, Law::ExponentialOfLogarithm)], None);
                 found.or_else(|| self.of_sum(a, [Law::ExponentialOfSum, Law::ExponentialOfOpposite], units))
             }
+            // Below an exponential it stays whole.
+            Op::Ln if units.iter().any(|(unit, _)| *unit == node) => None,
             Op::Ln => {
                 let found = self.of_inverse(a, &[(Op::Exp, Law::LogarithmOfExponential)], None);
                 found.or_else(|| self.of_product(a, Law::LogarithmOfProduct, Law::LogarithmOfQuotient))
             }
             Op::Abs => self.is_positive(a).then_some((Law::AbsoluteOfPositive, vec![a])),
             Op::Sqrt => self.root(a),
+            Op::Powi(2) => self.square_of_size(a),
             Op::Neg | Op::Arcsin | Op::Arccos | Op::Arctan | Op::Powi(_) => None,
             Op::Add
             | Op::Sub
@@ -259,6 +289,13 @@ impl Attempt<'_> {
         }
     }
 
+    /// Whether functions of parts of an angle are named, too.
+    fn has_parts(&mut self, a: Expr, units: &[(Expr, Rational)]) -> bool {
+        let (_, unit) = self.multiple(a);
+        let is_angle = matches!(self.search.reader.graph.node(unit), Node::Binary(Op::Arctan2, ..));
+        is_angle && units.iter().any(|(known, parts)| *known == unit && *parts != Rational::ONE)
+    }
+
     /// A function of the value of another one, by the law of the list; of an angle, by its own.
     fn of_inverse(&self, a: Expr, laws: &[(Op, Law)], of_angle: Option<Law>) -> Option<Change> {
         let node = self.search.reader.graph.node(a);
@@ -269,6 +306,13 @@ impl Attempt<'_> {
             return of_angle.map(|law| (law, vec![u, v]));
         }
         None
+    }
+
+    /// The square of a root of a quotient, which laws divide by only where the quotient is whole.
+    fn square_of_size(&mut self, a: Expr) -> Option<Change> {
+        let Node::Unary(Op::Sqrt, u) = *self.search.reader.graph.node(a) else { return None };
+        let is_whole = fraction(&mut self.search.reader.graph, u).is_some_and(|f| f.is_whole());
+        (!is_whole).then(|| (Law::SquareOfRoot, vec![u]))
     }
 
     fn of_product(&self, a: Expr, product: Law, quotient: Law) -> Option<Change> {

@@ -2,13 +2,16 @@
 //!
 //! **In:** a [`Question`]. **Out:** a proof that the checker accepted, or why none was found. **Guaranteed:** bounded: so many facts, so many nodes.
 
-use crate::eliminate::Search;
+use crate::eliminate::{Search, Solved};
 use crate::sequent::Question;
 use crate::used::used;
 use crate::vanish::{Beginning, order};
 use crate::write::Reader;
-use checker::{Draft, FactId, Given, Instant, Relation, Sense, Sequent, Step, SymbolKind, Term, TermNode, When};
-use expr::{Expr, Node};
+use checker::{
+    CaseId, Draft, FactId, Given, Instant, Manner, Relation, Sense, Sequent, Split, Step, SymbolKind, Term, TermNode,
+    When,
+};
+use expr::{Expr, Leaf, Node, Op};
 
 /// Most facts that are solved.
 const MOST_FACTS: usize = 160;
@@ -54,7 +57,8 @@ impl Attempt<'_> {
         self.differentiate(u8::from(conserved.is_some()));
         let claim = self.sequent.claim.clone();
         if claim.sense != Sense::Equal {
-            return None;
+            let fact = self.ordered(&claim)?;
+            return self.weaken(fact);
         }
         if let Some(at) = conserved
             && let Some(fact) = self.carry(&claim.left, at)
@@ -73,6 +77,10 @@ impl Attempt<'_> {
         let like = self.like_a_fact(claim, left, right);
         if let (Some(fact), _) = like {
             return Some(fact);
+        }
+        let of_logarithms = self.by_logarithms(claim, goal);
+        if of_logarithms.is_some() {
+            return of_logarithms;
         }
         // A fact about a side of the claim is put in before anything is solved.
         let mut ways = [Beginning::Plain, Beginning::Wholes];
@@ -94,6 +102,9 @@ impl Attempt<'_> {
             if let Some(fact) = ways.into_iter().find_map(|beginning| self.renewed(claim, goal, beginning)) {
                 return Some(fact);
             }
+        }
+        if let Some(fact) = self.by_uniqueness(claim, goal) {
+            return Some(fact);
         }
         self.search.renew();
         self.by_squares(claim, left, right)
@@ -121,7 +132,7 @@ impl Attempt<'_> {
         (None, shared)
     }
 
-    fn renewed(&mut self, claim: &Relation, goal: Expr, beginning: Beginning) -> Option<FactId> {
+    pub(crate) fn renewed(&mut self, claim: &Relation, goal: Expr, beginning: Beginning) -> Option<FactId> {
         self.search.renew();
         self.algebra(claim, goal, beginning)
     }
@@ -140,8 +151,32 @@ impl Attempt<'_> {
                 of.push(term);
             }
         }
+        of.extend(self.differences(goal));
         let each = instants.iter().flat_map(|&at| of.iter().map(move |term| (term, at)));
         each.filter_map(|(term, at)| if self.is_constant(term) { None } else { self.carry(term, at) }).collect()
+    }
+
+    /// Of a claim that names the time, the difference of the sides, as it is and with formulas put in that do not move.
+    fn differences(&mut self, goal: Expr) -> Vec<Term> {
+        let is_time = |this: &Self, leaf: Leaf| this.kind_of(leaf).is_none() && leaf.instant.is_none();
+        if self.variables().len() > 1 || !self.search.reader.graph.leaves([goal]).into_iter().any(|l| is_time(self, l))
+        {
+            return Vec::new();
+        }
+        self.search.renew();
+        let mut e = goal;
+        for fact in self.facts.clone() {
+            let Some((l, r)) = self.search.equation(fact) else { continue };
+            for (node, value) in [(l, r), (r, l)] {
+                let is_whole = matches!(self.search.reader.graph.node(node), Node::Unary(..) | Node::Binary(..));
+                if is_whole && self.moves(node) && !self.moves(value) {
+                    self.search.put_in(&mut e, Solved { node, value });
+                }
+            }
+        }
+        let mut all = vec![goal];
+        all.extend(Some(e).filter(|e| *e != goal));
+        all.into_iter().filter_map(|e| self.search.reader.term(e)).collect()
     }
 
     /// Whether a formula does not move, or is given as what it is at a fixed time.
@@ -149,17 +184,18 @@ impl Attempt<'_> {
         let Some(e) = self.search.draft.formula(of).and_then(|formula| self.search.reader.read(&formula)) else {
             return false;
         };
-        let moves = |this: &Self, e: Expr| {
-            let leaves = this.search.reader.graph.leaves([e]);
-            leaves.into_iter().any(|leaf| {
-                leaf.instant.is_none() && !matches!(this.kind_of(leaf), Some(crate::vanish::Kind::Constant))
-            })
-        };
-        if !moves(self, e) {
+        if !self.moves(e) {
             return true;
         }
         let sides: Vec<_> = self.facts.clone().into_iter().filter_map(|fact| self.search.equation(fact)).collect();
-        sides.into_iter().any(|(l, r)| l == e && !moves(self, r) || r == e && !moves(self, l))
+        sides.into_iter().any(|(l, r)| l == e && !self.moves(r) || r == e && !self.moves(l))
+    }
+
+    /// Whether an expression names the present time.
+    pub(crate) fn moves(&self, e: Expr) -> bool {
+        let leaves = self.search.reader.graph.leaves([e]);
+        let still = |leaf| matches!(self.kind_of(leaf), Some(crate::vanish::Kind::Constant));
+        leaves.into_iter().any(|leaf| leaf.instant.is_none() && !still(leaf))
     }
 
     /// The positions of the fixed times at which something in an expression is taken.
@@ -188,11 +224,15 @@ impl Attempt<'_> {
         for given in others.chain(count(sequent.premises.len()).map(Given::Premise)) {
             let fact = self.search.push(Step::Given { given, because: vec![] });
             self.facts.extend(fact);
-            if let Given::Premise(at) = given
-                && sequent.premises[at as usize].sense != Sense::Equal
-            {
+            let says = fact.and_then(|fact| self.search.draft.says(fact));
+            if says.is_some_and(|says| says.sense != Sense::Equal) {
                 self.assumptions.extend(fact);
             }
+        }
+        let open = |step: &Step| matches!(step, Step::Open { .. });
+        if !self.assumptions.is_empty() && !self.search.draft.steps().iter().any(open) {
+            let because = [self.assumptions.clone(), self.values_throughout()].concat();
+            let _ = self.search.draft.push(Step::Open { because });
         }
         let mut later = Vec::new();
         let chosen = count(sequent.selectors.len()).map(Given::Selector);
@@ -211,7 +251,9 @@ impl Attempt<'_> {
         }
         // What is assumed at the chosen times is so at all times, perhaps; then it brings more claims.
         let always = self.assumed_always();
-        let because = [known, always].concat();
+        let free = |id: &FactId| self.search.draft.fact(*id).is_some_and(checker::Fact::is_free);
+        let given: Vec<FactId> = self.facts.iter().copied().filter(free).collect();
+        let because = [known, always, given, self.values_throughout()].concat();
         for given in later {
             let fact = self.search.push(Step::Given { given, because: because.clone() });
             self.facts.extend(fact);
@@ -250,7 +292,7 @@ impl Attempt<'_> {
     }
 
     /// An inequality with the functions in it as laws write them: of sin atan2(y, x) ≠ 0, y/√(x² + y²) ≠ 0.
-    fn by_laws(&mut self, fact: FactId) -> Option<FactId> {
+    pub(crate) fn by_laws(&mut self, fact: FactId) -> Option<FactId> {
         let says = self.search.draft.says(fact).filter(|says| says.sense != Sense::Equal)?;
         let (mut sides, before) = (Vec::new(), self.search.solved.len());
         let (left, right) = self.search.reader.sides(&says)?;
@@ -319,7 +361,7 @@ impl Attempt<'_> {
     }
 
     /// Adds what facts say at fixed times.
-    fn take_values(&mut self, instants: &[u32]) {
+    pub(crate) fn take_values(&mut self, instants: &[u32]) {
         let facts = self.facts.clone();
         for &instant in instants {
             for &fact in &facts {
@@ -334,7 +376,13 @@ impl Attempt<'_> {
 
     /// e = e(c), if the rate of e is found to be 0.
     fn carry(&mut self, of: &Term, at: u32) -> Option<FactId> {
-        let rate = self.search.draft.derivative(of).ok()?;
+        let rate = match self.search.draft.derivative(of) {
+            Ok(rate) => rate,
+            Err(_) => {
+                self.raise();
+                self.search.draft.derivative(of).ok()?
+            }
+        };
         let d = self.search.reader.read(&rate)?;
         let fact = if self.search.reader.graph.is_zero(d) {
             self.search.solved.clear();
@@ -343,14 +391,131 @@ impl Attempt<'_> {
             self.rate_vanishes(&Relation::equal(rate, Term::integer(0)), d)?
         };
         let because = self.values_throughout();
-        if let Some(found) = self.conserved(of, at, fact, because.clone()) {
+        if let Some(found) = self.conserved_since(of, at, fact, because.clone()) {
             return Some(found);
         }
         // What the claim needs does not move, perhaps; then it holds at all times.
         let of_claim = 0..self.search.draft.claim_needs().len() as u32;
         let needs: Vec<FactId> =
             of_claim.filter_map(|need| self.search.push(Step::ClaimHasValue { need, within: When::Always })).collect();
-        self.conserved(of, at, fact, [because, needs].concat())
+        let found = self.conserved(of, at, fact, [&because[..], &needs].concat());
+        found.or_else(|| self.conserved_by_case(of, at, fact, &because))
+    }
+
+    /// What is conserved, by what is known throughout, by what is equal to it, and by what these make of what is needed.
+    fn conserved_since(&mut self, of: &Term, at: u32, fact: FactId, because: Vec<FactId>) -> Option<FactId> {
+        if let Some(found) = self.conserved(of, at, fact, because.clone()) {
+            return Some(found);
+        }
+        let says = Relation::equal(of.clone(), of.clone());
+        let same = self.search.push(Step::Congruence { says, from: None, equal: vec![] });
+        let facts: Vec<FactId> = [Some(fact), same].into_iter().flatten().collect();
+        let mut all = because;
+        all.extend(self.by_equals(&all.clone()));
+        all.extend(self.needed(&facts, &all.clone()));
+        self.conserved(of, at, fact, all)
+    }
+
+    /// What is conserved in the case that what the claim needs at fixed times is not 0; otherwise the claim has no value.
+    fn conserved_by_case(&mut self, of: &Term, at: u32, fact: FactId, because: &[FactId]) -> Option<FactId> {
+        let mut product = self.search.reader.graph.integer(1);
+        for need in self.search.draft.claim_needs() {
+            let (l, _) = self.search.reader.sides(&need)?;
+            if need.sense == Sense::NotEqual && !self.moves(l) {
+                product = self.search.reader.graph.mul(product, l);
+            }
+        }
+        if self.search.reader.graph.as_constant(product).is_some() {
+            return None;
+        }
+        let left = self.search.reader.term(product)?;
+        let within = When::Chosen.within(CaseId::CLAIM);
+        let of_claim = 0..self.search.draft.claim_needs().len() as u32;
+        let values: Vec<FactId> =
+            of_claim.filter_map(|need| self.search.push(Step::ClaimHasValue { need, within: When::Chosen })).collect();
+        let [some, none] = [Sense::NotEqual, Sense::Equal]
+            .map(|sense| Relation { left: left.clone(), sense, right: Term::integer(0) })
+            .map(|says| self.search.suppose(says, Manner::AtTimes));
+        let (some, none) = (some?, none?);
+        let supposed = self.search.push(Step::Supposition { case: some, within: When::Always })?;
+        let found = self.conserved_since(of, at, fact, [because, &[supposed]].concat())?;
+        let supposed = self.search.push(Step::Supposition { case: none, within: within.clone() })?;
+        let says = self.search.draft.says(found)?;
+        let otherwise = self.search.push(Step::Sign { says, from: [&values[..], &[supposed]].concat() })?;
+        let split = Split::Order(left, Term::integer(0));
+        self.search.push(Step::Close { within, split, branches: vec![found, otherwise], because: vec![] })
+    }
+
+    /// Gives symbols further rates, where the highest is a function that has one.
+    fn raise(&mut self) {
+        let because = self.values_throughout();
+        for fact in self.facts.clone() {
+            let is_rate = |e: Expr| matches!(self.search.reader.graph.node(e), Node::Leaf(_));
+            let before = self.search.draft.steps().len();
+            if self.search.sides_of.get(&fact).is_some_and(|(l, _)| is_rate(*l)) {
+                let _ = self.search.draft.push(Step::Smooth { fact, because: because.clone() });
+            }
+            if self.search.draft.steps().len() > before
+                && let Some(rate) = self.search.push(Step::Rate { fact })
+            {
+                self.facts.push(rate);
+            }
+        }
+    }
+
+    /// What is equal, at all times, to something of a known sign that does not move, is not 0.
+    fn by_equals(&mut self, known: &[FactId]) -> Vec<FactId> {
+        let mut out = Vec::new();
+        for fact in self.facts.clone() {
+            let whole = self.search.draft.fact(fact).is_some_and(|fact| *fact.when() == When::Always && fact.is_free());
+            let Some((l, r)) = self.search.equation(fact).filter(|_| whole) else { continue };
+            for (moving, still, equal) in [(l, r, true), (r, l, false)] {
+                if self.moves(still) || !self.moves(moving) {
+                    continue;
+                }
+                let not_zero = |this: &Self, e: Expr| {
+                    let left = this.search.reader.term(e)?;
+                    Some(Relation { left, sense: Sense::NotEqual, right: Term::integer(0) })
+                };
+                let Some((says, said)) = not_zero(self, still).zip(not_zero(self, moving)) else { continue };
+                let Some(from) = self.search.push(Step::Sign { says, from: known.to_vec() }) else { continue };
+                let equal = if equal { Some(fact) } else { self.turned(fact) };
+                let Some(equal) = equal else { continue };
+                out.extend(self.search.push(Step::Congruence { says: said, from: Some(from), equal: vec![equal] }));
+            }
+        }
+        out
+    }
+
+    /// r = l of l = r.
+    fn turned(&mut self, fact: FactId) -> Option<FactId> {
+        let (l, r) = self.search.equation(fact)?;
+        let says = self.search.reader.equation(r, l)?;
+        let minus = self.search.reader.graph.integer(-1);
+        let before = std::mem::take(&mut self.search.solved);
+        let found = self.search.zero(says, None, &[(fact, minus)], &[]);
+        self.search.solved = before;
+        found
+    }
+
+    /// What facts need, by the rules of signs, as soon as it is written so that they see it.
+    pub(crate) fn needed(&mut self, facts: &[FactId], known: &[FactId]) -> Vec<FactId> {
+        let needs: Vec<Relation> = facts.iter().flat_map(|&id| self.search.draft.needs(id)).collect();
+        let mut out: Vec<FactId> = Vec::new();
+        for need in needs {
+            let Some((l, r)) = self.search.reader.sides(&need) else { continue };
+            let difference = self.search.reader.graph.sub(l, r);
+            // A root is not 0 where what is below it is positive.
+            for node in self.search.reader.graph.reachable([difference]) {
+                let Node::Unary(Op::Sqrt, under) = *self.search.reader.graph.node(node) else { continue };
+                let opposite = self.search.reader.graph.neg(under);
+                out.extend(self.signed(opposite, Sense::Less, known));
+            }
+            let Some(found) = self.signed(difference, need.sense, known) else { continue };
+            let Some(said) = self.search.push(Step::Sign { says: need, from: vec![found] }) else { continue };
+            out.push(self.search.push(Step::Discharge { fact: said, because: known.to_vec() }).unwrap_or(said));
+        }
+        out
     }
 
     fn conserved(&mut self, of: &Term, at: u32, fact: FactId, because: Vec<FactId>) -> Option<FactId> {

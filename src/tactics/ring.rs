@@ -139,7 +139,8 @@ impl Ring {
         (m[self.degree].saturating_add(n[self.degree]) <= LARGEST_DEGREE).then(|| std::array::from_fn(|i| m[i] + n[i]))
     }
 
-    fn times(&self, a: &Polynomial, b: &Polynomial, work: &mut usize) -> Option<Polynomial> {
+    /// a·b; nothing where that is too large.
+    pub(crate) fn times(&self, a: &Polynomial, b: &Polynomial, work: &mut usize) -> Option<Polynomial> {
         *work = work.checked_sub(a.len() * b.len())?;
         let mut out = Polynomial::new();
         for (m, r) in a {
@@ -177,7 +178,19 @@ impl Ring {
         image.remove(&e)
     }
 
-    fn variable(&self, place: usize) -> Polynomial {
+    /// The product of all powers that each term has.
+    pub(crate) fn content(&self, p: &Polynomial) -> Option<Monomial> {
+        let all = p.keys().copied().reduce(|m, n| std::array::from_fn(|i| m[i].min(n[i])))?;
+        Some(self.multiple(&all, &all))
+    }
+
+    /// The places of the indeterminates in monomials.
+    pub(crate) fn places(&self) -> Vec<usize> {
+        self.places.values().copied().collect()
+    }
+
+    /// An indeterminate.
+    pub(crate) fn variable(&self, place: usize) -> Polynomial {
         let mut m = [0; MOST_VARIABLES + 1];
         m[place] = 1;
         m[self.degree] = 1;

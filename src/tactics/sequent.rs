@@ -5,7 +5,7 @@
 //! what is claimed is an error. So limits and boxes are left out as premises, and refused as claims.
 //!
 //! **How the file is quantified.** Definitions and systems hold at all times. What the claim assumes holds at the times that its inequalities
-//! choose. Another claim is given with its own assumptions ([`Claimed`]). A first integral e is e = e(c) for every time c of T: as a claim
+//! choose. Equations with ± are the products of the differences for either sign, where one sign or the other serves at each time. Another claim is given with its own assumptions ([`Claimed`]). A first integral e is e = e(c) for every time c of T: as a claim
 //! with a constant c of which nothing is known, as a premise at each fixed time that occurs. A symbol has as many continuous
 //! rates as formulas write.
 //!
@@ -34,6 +34,8 @@ pub struct Question {
     pub conserved: Option<u32>,
     /// What is assumed beside what the claim assumes, since what it follows from does.
     pub presupposed: Vec<Relation>,
+    /// What the claim assumes at the times that it chooses, and the sequent at all times, as equations of its systems.
+    pub throughout: Vec<Relation>,
 }
 
 /// A relation between scalars of the file.
@@ -60,6 +62,9 @@ struct Other {
 
 /// The definitions that occur, and the highest rate that is written of each symbol.
 type Named = (Vec<(Leaf, Expr)>, BTreeMap<Symbol, u8>);
+
+/// Most differences with ±, which are multiplied with each other.
+const MOST_SIGNED: usize = 4;
 
 /// The name of the fixed time of which nothing is known.
 const ANY_TIME: &str = r"t_\ast";
@@ -97,6 +102,38 @@ pub(crate) fn sequents_throughout(derivation: &Derivation, claim: &Claim) -> Res
     gathering.questions()
 }
 
+/// The same of an interval of times at all of which assumptions are true.
+///
+/// # Errors
+/// As for [`sequents`].
+pub(crate) fn sequents_between(
+    derivation: &Derivation,
+    claim: &Claim,
+    presupposing: Presupposing,
+) -> Result<Vec<Question>, String> {
+    let mut gathering = Gathering::new(derivation, claim);
+    gathering.gather()?;
+    match presupposing {
+        Presupposing::Given => gathering.presuppose(),
+        Presupposing::Nothing => {}
+    }
+    let selectors = std::mem::take(&mut gathering.selectors);
+    let assumed = std::mem::take(&mut gathering.assumed);
+    gathering.throughout = selectors.into_iter().chain(assumed).collect();
+    gathering.systems.extend(&gathering.throughout);
+    gathering.integrals_throughout();
+    gathering.questions()
+}
+
+/// Whose assumptions are made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Presupposing {
+    /// Those of the claim.
+    Nothing,
+    /// Those of the claims that it follows from, too.
+    Given,
+}
+
 /// What is given and what is claimed, in a graph of its own.
 struct Gathering<'a> {
     derivation: &'a Derivation,
@@ -115,6 +152,7 @@ struct Gathering<'a> {
     selectors: Vec<Scalar>,
     assumed: Vec<Scalar>,
     presupposed: Vec<Scalar>,
+    throughout: Vec<Scalar>,
 }
 
 /// The scalars of a relation; nothing for a limit or a relation with ±.
@@ -149,11 +187,69 @@ fn scalars(graph: &mut Graph, relation: &Read) -> Option<Vec<Scalar>> {
     Some(out.into_iter().map(|(left, sense, right)| Scalar { left, sense, right }).collect())
 }
 
+/// Whether an expression has a value for either sign of ± as soon as it has one for some: ± stands in sums, products and whole powers, and below no function.
+fn is_polynomial_in(graph: &Graph, e: Expr, sign: Leaf) -> bool {
+    let names = |e: Expr| graph.leaves([e]).contains(&sign);
+    graph.reachable([e]).into_iter().filter(|node| names(*node)).all(|node| match *graph.node(node) {
+        Node::Binary(Op::Div, _, under) => !names(under),
+        Node::Leaf(_) | Node::Binary(Op::Add | Op::Sub | Op::Mul, ..) | Node::Unary(Op::Neg, _) => true,
+        Node::Unary(Op::Powi(n), _) => n > 0,
+        Node::Constant(_) | Node::Pi | Node::Unary(..) | Node::Binary(..) => false,
+    })
+}
+
+/// l² = r², for l − (±1)·r, where ± stands in neither.
+fn as_squares(graph: &mut Graph, difference: Expr, sign: Leaf) -> Option<Scalar> {
+    let Node::Binary(Op::Sub, l, signed) = *graph.node(difference) else { return None };
+    let Node::Binary(Op::Mul, a, b) = *graph.node(signed) else { return None };
+    let leaf = graph.leaf(sign);
+    let r = if a == leaf { b } else { a };
+    let is_whole = (a == leaf || b == leaf) && !graph.leaves([l, r]).contains(&sign);
+    is_whole.then(|| Scalar::equal(graph.powi(l, 2), graph.powi(r, 2)))
+}
+
+/// What relations with ± say of one time: they are true for the one sign, or all for the other. *Theorem.* That is so exactly if each product of a difference with the one sign and one with the other is
+/// 0. *Proof.* If one product is not 0, neither all of the first differences are 0 nor all of the second. If some difference with the one sign is not 0, and some with the other, nor is their product. □ (All have values for either sign, or for none.)
+fn of_either_sign(graph: &mut Graph, relations: &[Read], sign: Leaf) -> Option<Vec<Scalar>> {
+    let mut sides = Vec::new();
+    for relation in relations {
+        let plain = relation.kind == RelationKind::Equal && relation.limit.is_none();
+        let pairs = relation.left.components.iter().copied().zip(relation.right.components.iter().copied());
+        for (l, r) in pairs {
+            if !plain || ![l, r].iter().all(|&e| is_polynomial_in(graph, e, sign)) {
+                return None;
+            }
+            sides.push(graph.sub(l, r));
+        }
+    }
+    if sides.len() > MOST_SIGNED {
+        return None;
+    }
+    let mut out = Vec::new();
+    let zero = graph.integer(0);
+    for (at, &first) in sides.iter().enumerate() {
+        for (other, &second) in sides.iter().enumerate() {
+            if let Some(squares) = as_squares(graph, first, sign).filter(|_| at == other) {
+                out.push(squares);
+                continue;
+            }
+            let [plus, minus] =
+                [(first, 1), (second, -1)].map(|(e, n)| graph.rewrite(e, |g, l| (l == sign).then(|| g.integer(n))));
+            out.push(Scalar::equal(graph.mul(plus, minus), zero));
+        }
+    }
+    Some(out)
+}
+
 /// Whether a claim says what it says of all values, and nothing of its assumptions is left out.
 fn is_plain(claim: &Claim) -> bool {
     let plain = claim.assuming.iter().flat_map(|w| &w.value.relations).all(|r| r.limit.is_none() && !r.has_branches);
     // Over ranges of values it says nothing of others.
     claim.at.is_none() && !claim.is_over_ranges() && plain
+}
+
+fn assumes_sign(claim: &Claim) -> bool {
+    claim.assuming.iter().flat_map(|w| &w.value.relations).any(|relation| relation.has_branches)
 }
 
 impl<'a> Gathering<'a> {
@@ -175,6 +271,7 @@ impl<'a> Gathering<'a> {
             selectors: Vec::new(),
             assumed: Vec::new(),
             presupposed: Vec::new(),
+            throughout: Vec::new(),
         }
     }
 
@@ -205,8 +302,8 @@ impl<'a> Gathering<'a> {
         for form in &claim.forms {
             match form {
                 Form::Always(w) => {
-                    for relation in &w.value.relations {
-                        let said = scalars(&mut self.graph, relation).ok_or("a limit, or ±")?;
+                    for relation in w.value.relations.iter().filter(|relation| !relation.has_branches) {
+                        let said = scalars(&mut self.graph, relation).ok_or("a limit")?;
                         self.claimed.extend(said.into_iter().map(|scalar| (scalar, false)));
                     }
                 }
@@ -226,6 +323,11 @@ impl<'a> Gathering<'a> {
                 | Form::Unread { .. }
                 | Form::Across(_) => return Err("only equations and first integrals are sequents".to_owned()),
             }
+        }
+        if claim.forms.iter().any(Form::has_branches) {
+            let said = self.signed(claim).filter(|_| !claim.branches_throughout && !assumes_sign(claim));
+            let said = said.ok_or("± with one sign at all times, in assumptions or below a function")?;
+            self.claimed.extend(said.into_iter().map(|scalar| (scalar, false)));
         }
         (self.selectors, self.assumed) = self.assumptions(claim);
         for name in derivation.given_to(claim) {
@@ -283,13 +385,45 @@ impl<'a> Gathering<'a> {
                 | Form::Across(_) => {}
             }
         }
+        // One sign at all times is one at each.
+        says.extend(self.signed(claim).unwrap_or_default());
         let (selectors, hypotheses) = self.assumptions(claim);
         self.others.push(Other { name: claim.name(), selectors, hypotheses, says });
     }
 
+    /// What a claim says with ±, which is one sign at each time in all of it.
+    fn signed(&mut self, claim: &Claim) -> Option<Vec<Scalar>> {
+        let always = claim.forms.iter().filter_map(|form| match form {
+            Form::Always(w) => Some(&w.value.relations),
+            _ => None,
+        });
+        let relations: Vec<Read> = always.flatten().filter(|relation| relation.has_branches).cloned().collect();
+        of_either_sign(&mut self.graph, &relations, claim.scope.branch_sign())
+    }
+
+    /// First integrals with assumptions that hold at all times.
+    fn integrals_throughout(&mut self) {
+        let instants = self.instants();
+        for name in self.derivation.given_to(self.claim) {
+            let Premise::Claim(at) = self.derivation.premise(&name) else { continue };
+            let other = &self.derivation.claims[at];
+            let (selectors, assumed) = self.assumptions(other);
+            let all: Vec<Scalar> = selectors.into_iter().chain(assumed).collect();
+            if !all.is_empty() && all.iter().all(|s| self.throughout.contains(s) || s.left == s.right) {
+                self.integrals_of(other, &instants);
+            }
+        }
+    }
+
     /// The first integrals of a claim that is given: without assumptions all times count, and each has its value at each of these.
     fn integrals(&mut self, claim: &Claim, instants: &[Expr]) {
-        if !is_plain(claim) || !claim.assuming.is_empty() {
+        if claim.assuming.is_empty() {
+            self.integrals_of(claim, instants);
+        }
+    }
+
+    fn integrals_of(&mut self, claim: &Claim, instants: &[Expr]) {
+        if !is_plain(claim) {
             return;
         }
         let mut says = Vec::new();
@@ -505,10 +639,12 @@ impl<'a> Gathering<'a> {
             claim: writer.relation(self.claimed.first().ok_or("nothing is claimed")?.0)?,
         };
         let presupposed = relations(&writer, &self.presupposed)?;
+        let throughout = relations(&writer, &self.throughout)?;
         let each = self.claimed.iter().map(|(scalar, conserved)| {
             let sequent = Sequent { claim: writer.relation(*scalar)?, ..shared.clone() };
             let conserved = any_time.filter(|_| *conserved);
-            Ok(Question { sequent, conserved, presupposed: presupposed.clone() })
+            let (presupposed, throughout) = (presupposed.clone(), throughout.clone());
+            Ok(Question { sequent, conserved, presupposed, throughout })
         });
         each.collect()
     }

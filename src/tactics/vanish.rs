@@ -194,6 +194,10 @@ impl Attempt<'_> {
                 Node::Unary(Op::Cos, a) => (Law::Pythagoras, a),
                 Node::Unary(Op::Sqrt, a) => (Law::SquareOfRoot, a),
                 Node::Unary(Op::Abs, a) => (Law::SquareOfAbsolute, a),
+                Node::Unary(Op::Exp, _) => {
+                    out.extend(self.root_of_argument(node));
+                    continue;
+                }
                 Node::Unary(..) | Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => continue,
             };
             out.extend(self.search.law(law, &[argument]).map(|(fact, ..)| fact));
@@ -221,7 +225,13 @@ impl Attempt<'_> {
     }
 
     /// The fact that is solved most easily for one of these leaves, as costly as is allowed.
-    fn best(&mut self, rest: &[Open], leaves: &[Leaf], divisor: Divisor, kind: Kind) -> Option<(usize, Leaf)> {
+    pub(crate) fn best(
+        &mut self,
+        rest: &[Open],
+        leaves: &[Leaf],
+        divisor: Divisor,
+        kind: Kind,
+    ) -> Option<(usize, Leaf)> {
         let mut best: Option<(Cost, usize, Leaf)> = None;
         for (at, open) in rest.iter().enumerate() {
             let ways = self.ways(open.e, leaves);
@@ -296,7 +306,7 @@ impl Attempt<'_> {
     }
 
     /// Solves e for a leaf: e = d·x + rest.
-    fn solve(&mut self, open: &Open, leaf: Leaf) -> Option<Solved> {
+    pub(crate) fn solve(&mut self, open: &Open, leaf: Leaf) -> Option<Solved> {
         let graph = &mut self.search.reader.graph;
         let factor = graph.slope(open.e, leaf).ok()?;
         let (zero, one) = (graph.integer(0), graph.integer(1));

@@ -44,7 +44,17 @@ impl Attempt<'_> {
         let because = known.into_iter().chain(freed).collect::<Vec<_>>();
         let free: Vec<FactId> = because.iter().copied().filter(|&id| free(self, id)).collect();
         let best = self.discharged(best, &because);
-        Some(self.discharged(best, &free))
+        let best = self.discharged(best, &free);
+        if self.search.draft.needs(best).is_empty() {
+            return Some(best);
+        }
+        let mut known: Vec<FactId> = free.into_iter().filter(|&id| self.search.equation(id).is_none()).collect();
+        for fact in known.clone() {
+            let by_laws = self.by_laws(fact);
+            known.extend(by_laws.map(|told| self.discharged(told, &known)));
+        }
+        let needed = self.needed(&[best], &known);
+        Some(self.discharged(best, &[&needed[..], &known].concat()))
     }
 
     /// A fact without what others show of its needs, each alone and all together.

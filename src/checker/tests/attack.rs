@@ -13,7 +13,7 @@ use number::Draws;
 pub(super) struct Scene {
     pub(super) sequent: Sequent,
     pub(super) motion: Numbers,
-    formulas: &'static [&'static str],
+    pub(super) formulas: &'static [&'static str],
 }
 
 fn of(op: Op, t: f64) -> f64 {
@@ -235,7 +235,7 @@ impl Dice<'_> {
     }
     fn given(&mut self) -> Given {
         let at = self.below(3) as u32;
-        [Given::System(at), Given::Premise(at), Given::Assumed(at), Given::Selector(at), Given::Claimed(0)]
+        [Given::System(at), Given::Premise(at), Given::Assumed(at), Given::Selector(at), Given::Claimed(at)]
             [self.below(5)]
     }
     fn instant(&mut self) -> Instant {
@@ -361,7 +361,7 @@ pub(super) const TIMES: [f64; 15] =
     [-2.0, -1.5, -1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5];
 
 /// So many steps of a scene: how many are accepted.
-fn attack(scene: &Scene, seed: u64, steps: usize) -> usize {
+pub(super) fn attack(scene: &Scene, seed: u64, steps: usize) -> usize {
     let (mut accepted, mut tried, mut round) = (0, 0, 0);
     while tried < steps {
         round += 1;
@@ -373,7 +373,7 @@ fn attack(scene: &Scene, seed: u64, steps: usize) -> usize {
             cases: 1,
             instants: scene.sequent.instants.len() as u32,
         };
-        let mut queue: Vec<Step> = ["Premise", "System", "Assumed", "Selector"]
+        let mut queue: Vec<Step> = ["Premise", "System", "Assumed", "Selector", "Claimed"]
             .into_iter()
             .flat_map(|list| (0..2).map(move |at| given(list, at)))
             .map(|given| Step::Given { given, because: vec![] })
@@ -409,6 +409,7 @@ fn given(list: &str, at: u32) -> Given {
         "Premise" => Given::Premise(at),
         "System" => Given::System(at),
         "Assumed" => Given::Assumed(at),
+        "Claimed" => Given::Claimed(at),
         _ => Given::Selector(at),
     }
 }

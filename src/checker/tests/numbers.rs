@@ -25,6 +25,8 @@ pub(super) struct Numbers {
 const TINY: f64 = 1e-10;
 /// Larger numbers are not told from others: nothing is said of them.
 const HUGE: f64 = 1e4;
+/// An interval around a time.
+const BESIDE: [f64; 5] = [-0.01, -0.005, 0.0, 0.005, 0.01];
 /// A difference of this size refutes an equation.
 const DIFFERENCE: f64 = 1e-7;
 
@@ -108,7 +110,7 @@ impl Numbers {
         };
         match case.manner {
             Manner::AtTimes => at(t),
-            Manner::OnIntervals => [-0.01, -0.005, 0.0, 0.005, 0.01].into_iter().all(|d| at(t + d)),
+            Manner::OnIntervals => BESIDE.into_iter().all(|d| at(t + d)),
         }
     }
 
@@ -130,9 +132,16 @@ impl Numbers {
     fn is_told(&self, draft: &Draft, when: &When, t: f64) -> bool {
         match when {
             When::In(case, inner) => {
-                let sides = draft.cases[case.0 as usize].says.map(|s| s.sides().to_vec()).unwrap_or_default();
-                sides.iter().all(|e| self.value(draft, *e, t).is_none_or(|v| !v.is_nan()))
-                    && self.is_told(draft, inner, t)
+                let case = &draft.cases[case.0 as usize];
+                let sides = case.says.map(|s| s.sides().to_vec()).unwrap_or_default();
+                let beside: &[f64] = match case.manner {
+                    Manner::AtTimes => &[0.0],
+                    Manner::OnIntervals => &BESIDE,
+                };
+                beside.iter().all(|d| {
+                    let told = |e: &Expr| self.value(draft, *e, t + d).is_none_or(|v| !v.is_nan());
+                    sides.iter().all(told) && self.is_told(draft, inner, t + d)
+                })
             }
             When::At(_) | When::Chosen | When::ChosenOpen | When::Always => true,
         }

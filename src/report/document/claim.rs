@@ -120,6 +120,8 @@ objects! {
 
     /// Whether a proof is recorded as steps that the checker replays.
     RecordedProof<'a> of (of: &'a findings::Recorded) {
+        /// What the word *proved* rests on: `replayed`, `replayed in part`, `prover alone`.
+        grounds: &'static str = of.grounds().word(),
         /// The number of steps; null where none are recorded, and the proof rests on the prover alone.
         steps: Option<usize> = of.steps(),
         /// The number of cases that the steps leave out.

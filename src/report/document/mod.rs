@@ -21,11 +21,12 @@ mod units;
 mod value;
 mod variants;
 
+use super::recorded::by_grounds;
 use crate::derivation::Derivation;
 use ::paper::Comparison;
 use claim::Claim;
 use family::Distribution;
-use findings::Account;
+use findings::{Account, Grounds};
 use paper::Paper;
 pub(super) use proposition::Answer;
 use steps::{Digest, Graph};
@@ -59,6 +60,9 @@ objects! {
         alone: Vec<Alone> = account.alone().into_iter().map(Alone::of).collect(),
         /// Counts over all verdicts.
         summary: Summary = Summary::of(account.summary()),
+        /// What proofs rest on; there where steps were looked for.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        proofs: Option<Proofs> = (!by_grounds(account, |_| true).is_empty()).then(|| Proofs::of(account)),
         /// What was measured over families.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         distributions: Vec<Distribution<'a>> = account.distributions.iter().map(Distribution::of).collect(),
@@ -126,6 +130,16 @@ objects! {
         values: Vec<Measured> = of.values.iter().map(Measured::of).collect(),
         /// Why there is none, or not all.
         reason: Option<String> = of.reason.as_ref().map(ToString::to_string),
+    }
+
+    /// Claims that are proved, by what the word rests on.
+    Proofs of (of: &Account) {
+        /// All steps were made again by the checker.
+        replayed: Vec<String> = by_grounds(of, |grounds| grounds == Grounds::Checker),
+        /// The same, but for cases.
+        replayed_in_part: Vec<String> = by_grounds(of, |grounds| matches!(grounds, Grounds::CheckerBut(_))),
+        /// They rest on the prover alone.
+        prover_alone: Vec<String> = by_grounds(of, |grounds| grounds == Grounds::Prover),
     }
 
     /// A value at a time.
