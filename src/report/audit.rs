@@ -130,7 +130,8 @@ impl Audit {
                 out += &format!("    Presupposed, as what the claim follows from does: {all}\n");
             }
             if !claim.throughout.is_empty() {
-                out += &format!("    Of times between which these are so throughout: {}\n", claim.throughout.join(", "));
+                out +=
+                    &format!("    Of times between which these are so throughout: {}\n", claim.throughout.join(", "));
             }
             for relation in &claim.relations {
                 out += &format!("    {}\n", relation.sequent);

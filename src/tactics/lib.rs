@@ -23,6 +23,7 @@ mod order;
 mod prove;
 mod ring;
 mod sequent;
+mod signs;
 mod unique;
 mod used;
 mod vanish;
@@ -30,8 +31,8 @@ mod weaken;
 mod write;
 
 pub use prove::prove;
-use sequent::{Presupposing, Question};
 pub use sequent::sequents;
+use sequent::{Presupposing, Question};
 
 use checker::{ProofRecord, RelationRecord};
 use derivation::{Claim, Derivation};

@@ -182,7 +182,10 @@ impl Attempt<'_> {
         let mut out: Vec<(Expr, Rational)> = Vec::new();
         for &node in nodes {
             let Node::Unary(Op::Sin | Op::Cos | Op::Tan | Op::Exp | Op::Sinh | Op::Cosh | Op::Tanh, a) =
-                *self.search.reader.graph.node(node) else { continue };
+                *self.search.reader.graph.node(node)
+            else {
+                continue;
+            };
             let (number, unit) = self.multiple(a);
             let denominator = Rational::from_parts(number.denominator().clone().into(), 1u8.into());
             match out.iter_mut().find(|(known, _)| *known == unit) {
@@ -236,19 +239,24 @@ impl Attempt<'_> {
             Op::Tanh => Some((Law::HyperbolicTangent, vec![a])),
             // Where halves of an angle stand, too, its functions are those of the halves.
             Op::Sin | Op::Cos if self.has_parts(a, units) => {
-                let laws = match op {
-                    Op::Sin => [Law::SineOfSum, Law::SineOfOpposite],
-                    _ => [Law::CosineOfSum, Law::CosineOfOpposite],
-                };
-                self.of_sum(a, laws, units)
+                let laws = [[Law::SineOfSum, Law::SineOfOpposite], [Law::CosineOfSum, Law::CosineOfOpposite]];
+                self.of_sum(a, laws[usize::from(op == Op::Cos)], units)
             }
             Op::Sin => {
-                let inverses = [(Op::Arcsin, Law::SineOfArcsine), (Op::Arccos, Law::SineOfArccosine), (Op::Arctan, Law::SineOfArctangent)];
+                let inverses = [
+                    (Op::Arcsin, Law::SineOfArcsine),
+                    (Op::Arccos, Law::SineOfArccosine),
+                    (Op::Arctan, Law::SineOfArctangent),
+                ];
                 let found = self.of_inverse(a, &inverses, Some(Law::SineOfAngle));
                 found.or_else(|| self.of_sum(a, [Law::SineOfSum, Law::SineOfOpposite], units))
             }
             Op::Cos => {
-                let inverses = [(Op::Arcsin, Law::CosineOfArcsine), (Op::Arccos, Law::CosineOfArccosine), (Op::Arctan, Law::CosineOfArctangent)];
+                let inverses = [
+                    (Op::Arcsin, Law::CosineOfArcsine),
+                    (Op::Arccos, Law::CosineOfArccosine),
+                    (Op::Arctan, Law::CosineOfArctangent),
+                ];
                 let found = self.of_inverse(a, &inverses, Some(Law::CosineOfAngle));
                 found.or_else(|| self.of_sum(a, [Law::CosineOfSum, Law::CosineOfOpposite], units))
             }
@@ -281,8 +289,8 @@ impl Attempt<'_> {
     /// Whether functions of parts of an angle are named, too.
     fn has_parts(&mut self, a: Expr, units: &[(Expr, Rational)]) -> bool {
         let (_, unit) = self.multiple(a);
-        let is_angle = matches!(self.search.reader.graph.node(unit), Node::Binary(Op::Arctan2, ..));
-        is_angle && units.iter().any(|(known, parts)| *known == unit && *parts != Rational::ONE)
+        let Node::Binary(Op::Arctan2, ..) = *self.search.reader.graph.node(unit) else { return false };
+        units.iter().any(|(known, parts)| *known == unit && *parts != Rational::ONE)
     }
 
     /// A function of the value of another one, by the law of the list; of an angle, by its own.

@@ -8,7 +8,8 @@ use crate::used::used;
 use crate::vanish::{Beginning, order};
 use crate::write::Reader;
 use checker::{
-    CaseId, Draft, FactId, Given, Instant, Manner, Relation, Sense, Sequent, Split, Step, SymbolKind, Term, TermNode, When,
+    CaseId, Draft, FactId, Given, Instant, Manner, Relation, Sense, Sequent, Split, Step, SymbolKind, Term, TermNode,
+    When,
 };
 use expr::{Expr, Leaf, Node, Op};
 
@@ -158,7 +159,8 @@ impl Attempt<'_> {
     /// Of a claim that names the time, the difference of the sides, as it is and with formulas put in that do not move.
     fn differences(&mut self, goal: Expr) -> Vec<Term> {
         let is_time = |this: &Self, leaf: Leaf| this.kind_of(leaf).is_none() && leaf.instant.is_none();
-        if self.variables().len() > 1 || !self.search.reader.graph.leaves([goal]).into_iter().any(|l| is_time(self, l)) {
+        if self.variables().len() > 1 || !self.search.reader.graph.leaves([goal]).into_iter().any(|l| is_time(self, l))
+        {
             return Vec::new();
         }
         self.search.renew();
@@ -166,7 +168,7 @@ impl Attempt<'_> {
         for fact in self.facts.clone() {
             let Some((l, r)) = self.search.equation(fact) else { continue };
             for (node, value) in [(l, r), (r, l)] {
-                let is_whole = matches!(self.search.reader.graph.node(node), Node::Unary(..) | Node::Binary(..));
+                let is_whole = self.search.reader.graph.reachable([node]).len() > 1;
                 if is_whole && self.moves(node) && !self.moves(value) {
                     self.search.put_in(&mut e, Solved { node, value });
                 }
@@ -228,7 +230,8 @@ impl Attempt<'_> {
             }
         }
         let open = |step: &Step| matches!(step, Step::Open { .. });
-        if !self.assumptions.is_empty() && !self.search.draft.steps().iter().any(open) {
+        let chooses = !sequent.selectors.is_empty() || !sequent.assumed.is_empty();
+        if chooses && !self.search.draft.steps().iter().any(open) {
             let because = [self.assumptions.clone(), self.values_throughout()].concat();
             let _ = self.search.draft.push(Step::Open { because });
         }
@@ -429,9 +432,8 @@ impl Attempt<'_> {
         let left = self.search.reader.term(product)?;
         let within = When::Chosen.within(CaseId::CLAIM);
         let of_claim = 0..self.search.draft.claim_needs().len() as u32;
-        let values: Vec<FactId> = of_claim
-            .filter_map(|need| self.search.push(Step::ClaimHasValue { need, within: When::Chosen }))
-            .collect();
+        let values: Vec<FactId> =
+            of_claim.filter_map(|need| self.search.push(Step::ClaimHasValue { need, within: When::Chosen })).collect();
         let [some, none] = [Sense::NotEqual, Sense::Equal]
             .map(|sense| Relation { left: left.clone(), sense, right: Term::integer(0) })
             .map(|says| self.search.suppose(says, Manner::AtTimes));
@@ -449,9 +451,10 @@ impl Attempt<'_> {
     fn raise(&mut self) {
         let because = self.values_throughout();
         for fact in self.facts.clone() {
-            let is_rate = |e: Expr| matches!(self.search.reader.graph.node(e), Node::Leaf(_));
             let before = self.search.draft.steps().len();
-            if self.search.sides_of.get(&fact).is_some_and(|(l, _)| is_rate(*l)) {
+            if let Some((l, _)) = self.search.sides_of.get(&fact)
+                && let Node::Leaf(_) = *self.search.reader.graph.node(*l)
+            {
                 let _ = self.search.draft.push(Step::Smooth { fact, because: because.clone() });
             }
             if self.search.draft.steps().len() > before

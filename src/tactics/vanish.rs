@@ -225,7 +225,13 @@ impl Attempt<'_> {
     }
 
     /// The fact that is solved most easily for one of these leaves, as costly as is allowed.
-    pub(crate) fn best(&mut self, rest: &[Open], leaves: &[Leaf], divisor: Divisor, kind: Kind) -> Option<(usize, Leaf)> {
+    pub(crate) fn best(
+        &mut self,
+        rest: &[Open],
+        leaves: &[Leaf],
+        divisor: Divisor,
+        kind: Kind,
+    ) -> Option<(usize, Leaf)> {
         let mut best: Option<(Cost, usize, Leaf)> = None;
         for (at, open) in rest.iter().enumerate() {
             let ways = self.ways(open.e, leaves);

@@ -41,7 +41,10 @@ const HOLES: &[&str] =
     &["sqrt(x)", "sqrt(x^2)", "abs(x)", "1/x", "x/y", "atan2(0,x)", "sqrt(x^2+y^2)", "x/abs(x)", "ln(x)", "sqrt(-x^2)"];
 
 fn pool() -> Vec<String> {
-    let atoms = ["x", "y", "x'", "y'", "x(0)", "y(0)", "x(1)", "y'(0)", "r", "r'", "t", "1", "0", "2", "a", "-1", "r(0)", "abs(y)"];
+    let atoms = [
+        "x", "y", "x'", "y'", "x(0)", "y(0)", "x(1)", "y'(0)", "r", "r'", "t", "1", "0", "2", "a", "-1", "r(0)",
+        "abs(y)",
+    ];
     let mut out: Vec<String> = atoms.iter().map(ToString::to_string).collect();
     for (i, u) in atoms.iter().enumerate().take(13) {
         for v in atoms.iter().take(13).skip(i) {
@@ -146,11 +149,15 @@ fn drawn(seed: u64) -> Scene {
         if let Some(pair) = table.equation(&mut draws, &always, None) {
             sequent = sequent.premise(&table.text(pair));
         }
-        if draws.below(2) == 0 && let Some(pair) = table.equation(&mut draws, &always, Some(())) {
+        if draws.below(2) == 0
+            && let Some(pair) = table.equation(&mut draws, &always, Some(()))
+        {
             sequent = sequent.system(&table.text(pair));
         }
     }
-    if draws.below(2) == 0 && let Some((text, _)) = table.inequality(&mut draws, true) {
+    if draws.below(2) == 0
+        && let Some((text, _)) = table.inequality(&mut draws, true)
+    {
         sequent = sequent.premise(&text);
     }
     // Other claims, with selectors and hypotheses of their own.
@@ -160,7 +167,9 @@ fn drawn(seed: u64) -> Scene {
             (selectors, chosen) = (vec![rel(&text)], times);
         }
         let mut hypotheses = Vec::new();
-        if draws.below(2) == 0 && let Some((i, j)) = table.equation(&mut draws, &chosen, None) {
+        if draws.below(2) == 0
+            && let Some((i, j)) = table.equation(&mut draws, &chosen, None)
+        {
             // Its times are those at which its hypotheses have values.
             for (k, c) in chosen.iter_mut().enumerate() {
                 *c &= table.values[i][k].is_some() && table.values[j][k].is_some();
@@ -173,7 +182,9 @@ fn drawn(seed: u64) -> Scene {
         }
     }
     let mut chosen = always;
-    if draws.below(4) > 0 && let Some((text, times)) = table.inequality(&mut draws, false) {
+    if draws.below(4) > 0
+        && let Some((text, times)) = table.inequality(&mut draws, false)
+    {
         (sequent, chosen) = (sequent.selector(&text), times);
         // What another claim chooses, too, perhaps.
         if let Some(claimed) = sequent.claims.first_mut().filter(|_| draws.below(2) == 0) {

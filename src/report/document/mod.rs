@@ -21,11 +21,11 @@ mod units;
 mod value;
 mod variants;
 
+use super::recorded::by_grounds;
 use crate::derivation::Derivation;
 use ::paper::Comparison;
 use claim::Claim;
 use family::Distribution;
-use super::recorded::by_grounds;
 use findings::{Account, Grounds};
 use paper::Paper;
 pub(super) use proposition::Answer;
