@@ -205,7 +205,7 @@ impl Attempt<'_> {
         let (mut number, mut open, mut others) = (Rational::ONE, vec![e], Vec::new());
         while let Some(e) = open.pop() {
             if let Some(r) = graph.as_constant(e) {
-                number = number * r.clone();
+                number *= r.clone();
                 continue;
             }
             match *graph.node(e) {
@@ -216,7 +216,7 @@ impl Attempt<'_> {
                 Node::Binary(Op::Mul, a, b) => open.extend([b, a]),
                 Node::Binary(Op::Div, a, b) => match graph.as_constant(b) {
                     Some(r) if *r != Rational::ZERO => {
-                        number = number / r.clone();
+                        number /= r.clone();
                         open.push(a);
                     }
                     _ => others.push(e),
