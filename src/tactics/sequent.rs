@@ -48,7 +48,7 @@ pub(crate) struct Scalar {
 }
 
 impl Scalar {
-    pub(crate) fn equal(left: Expr, right: Expr) -> Scalar {
+    fn equal(left: Expr, right: Expr) -> Scalar {
         Scalar { left, sense: Sense::Equal, right }
     }
 }
@@ -343,7 +343,8 @@ impl<'a> Gathering<'a> {
                 relations.extend(w.value.relations.iter().filter(|relation| relation.has_branches).cloned());
             }
         }
-        of_either_sign(&mut self.graph, &relations, claim.scope.branch_sign())
+        let equations = of_either_sign(&mut self.graph, &relations, claim.scope.branch_sign())?;
+        Some(equations.into_iter().map(|(l, r)| Scalar::equal(l, r)).collect())
     }
 
     /// First integrals with assumptions that hold at all times.

@@ -1,8 +1,7 @@
 //! Equations with ±, as equations without.
 //!
-//! **In:** what a claim says of one time with ±: that it is so with one sign or the other, the same in all of it. **Out:** scalars that say the same; nothing where the two signs have values at different times.
+//! **In:** what a claim says of one time with ±: that it is so with one sign or the other, the same in all of it. **Out:** sides of equations that say the same; nothing where the two signs have values at different times.
 
-use crate::sequent::Scalar;
 use expr::{Expr, Graph, Leaf, Node, Op};
 use latex::{Relation as Read, RelationKind};
 
@@ -25,18 +24,18 @@ fn is_polynomial_in(graph: &Graph, e: Expr, sign: Leaf) -> bool {
 }
 
 /// l² = r², for l − (±1)·r, where ± stands in neither.
-fn as_squares(graph: &mut Graph, difference: Expr, sign: Leaf) -> Option<Scalar> {
+fn as_squares(graph: &mut Graph, difference: Expr, sign: Leaf) -> Option<(Expr, Expr)> {
     let Node::Binary(Op::Sub, l, signed) = *graph.node(difference) else { return None };
     let Node::Binary(Op::Mul, a, b) = *graph.node(signed) else { return None };
     let leaf = graph.leaf(sign);
     let r = if a == leaf { b } else { a };
     let is_whole = (a == leaf || b == leaf) && !graph.leaves([l, r]).contains(&sign);
-    is_whole.then(|| Scalar::equal(graph.powi(l, 2), graph.powi(r, 2)))
+    is_whole.then(|| (graph.powi(l, 2), graph.powi(r, 2)))
 }
 
 /// What relations with ± say of one time: they are true for the one sign, or all for the other. *Theorem.* That is so exactly if each product of a difference with the one sign and one with the other is
 /// 0. *Proof.* If one product is not 0, neither all of the first differences are 0 nor all of the second. If some difference with the one sign is not 0, and some with the other, nor is their product. □ (All have values for either sign, or for none.)
-pub(crate) fn of_either_sign(graph: &mut Graph, relations: &[Read], sign: Leaf) -> Option<Vec<Scalar>> {
+pub(crate) fn of_either_sign(graph: &mut Graph, relations: &[Read], sign: Leaf) -> Option<Vec<(Expr, Expr)>> {
     let mut sides = Vec::new();
     for relation in relations {
         let plain = relation.kind == RelationKind::Equal && relation.limit.is_none();
@@ -61,7 +60,7 @@ pub(crate) fn of_either_sign(graph: &mut Graph, relations: &[Read], sign: Leaf) 
             }
             let [plus, minus] =
                 [(first, 1), (second, -1)].map(|(e, n)| graph.rewrite(e, |g, l| (l == sign).then(|| g.integer(n))));
-            out.push(Scalar::equal(graph.mul(plus, minus), zero));
+            out.push((graph.mul(plus, minus), zero));
         }
     }
     Some(out)
