@@ -77,6 +77,7 @@ fn what_a_report_always_has_is_required() {
         "conditional_on_more",
         "more_conclusions",
         "recorded",
+        "proofs",
     ];
     let objects = schema["definitions"].as_object().expect("definitions").values().chain([&schema]);
     for object in objects {

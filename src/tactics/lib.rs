@@ -23,6 +23,7 @@ mod order;
 mod prove;
 mod ring;
 mod sequent;
+mod signs;
 mod unique;
 mod used;
 mod vanish;

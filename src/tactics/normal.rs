@@ -205,7 +205,7 @@ impl Attempt<'_> {
         let (mut number, mut open, mut others) = (Rational::ONE, vec![e], Vec::new());
         while let Some(e) = open.pop() {
             if let Some(r) = graph.as_constant(e) {
-                number = number * r.clone();
+                number *= r.clone();
                 continue;
             }
             match *graph.node(e) {
@@ -216,7 +216,7 @@ impl Attempt<'_> {
                 Node::Binary(Op::Mul, a, b) => open.extend([b, a]),
                 Node::Binary(Op::Div, a, b) => match graph.as_constant(b) {
                     Some(r) if *r != Rational::ZERO => {
-                        number = number / r.clone();
+                        number /= r.clone();
                         open.push(a);
                     }
                     _ => others.push(e),
@@ -239,11 +239,8 @@ impl Attempt<'_> {
             Op::Tanh => Some((Law::HyperbolicTangent, vec![a])),
             // Where halves of an angle stand, too, its functions are those of the halves.
             Op::Sin | Op::Cos if self.has_parts(a, units) => {
-                let laws = match op {
-                    Op::Sin => [Law::SineOfSum, Law::SineOfOpposite],
-                    _ => [Law::CosineOfSum, Law::CosineOfOpposite],
-                };
-                self.of_sum(a, laws, units)
+                let laws = [[Law::SineOfSum, Law::SineOfOpposite], [Law::CosineOfSum, Law::CosineOfOpposite]];
+                self.of_sum(a, laws[usize::from(op == Op::Cos)], units)
             }
             Op::Sin => {
                 let inverses = [
@@ -292,8 +289,8 @@ impl Attempt<'_> {
     /// Whether functions of parts of an angle are named, too.
     fn has_parts(&mut self, a: Expr, units: &[(Expr, Rational)]) -> bool {
         let (_, unit) = self.multiple(a);
-        let is_angle = matches!(self.search.reader.graph.node(unit), Node::Binary(Op::Arctan2, ..));
-        is_angle && units.iter().any(|(known, parts)| *known == unit && *parts != Rational::ONE)
+        let Node::Binary(Op::Arctan2, ..) = *self.search.reader.graph.node(unit) else { return false };
+        units.iter().any(|(known, parts)| *known == unit && *parts != Rational::ONE)
     }
 
     /// A function of the value of another one, by the law of the list; of an angle, by its own.

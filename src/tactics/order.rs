@@ -129,11 +129,14 @@ impl Attempt<'_> {
 
     /// The square of an expression; of a size, without it, and the law that says so.
     fn square(&mut self, e: Expr) -> (Expr, Option<FactId>) {
-        let (law, inner) = match *self.search.reader.graph.node(e) {
-            Node::Unary(Op::Abs, u) => (Some(Law::SquareOfAbsolute), u),
-            Node::Unary(Op::Sqrt, u) => (Some(Law::SquareOfRoot), u),
-            Node::Unary(..) | Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => (None, e),
-        };
+        let node = self.search.reader.graph.node(e);
+        let (mut law, mut inner) = (None, e);
+        if let Node::Unary(Op::Abs, u) = *node {
+            (law, inner) = (Some(Law::SquareOfAbsolute), u);
+        }
+        if let Node::Unary(Op::Sqrt, u) = *node {
+            (law, inner) = (Some(Law::SquareOfRoot), u);
+        }
         match law.and_then(|law| self.search.law(law, &[inner])) {
             Some((fact, _, right)) => (right, Some(fact)),
             None => (self.search.reader.graph.powi(e, 2), None),

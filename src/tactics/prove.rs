@@ -168,7 +168,7 @@ impl Attempt<'_> {
         for fact in self.facts.clone() {
             let Some((l, r)) = self.search.equation(fact) else { continue };
             for (node, value) in [(l, r), (r, l)] {
-                let is_whole = matches!(self.search.reader.graph.node(node), Node::Unary(..) | Node::Binary(..));
+                let is_whole = self.search.reader.graph.reachable([node]).len() > 1;
                 if is_whole && self.moves(node) && !self.moves(value) {
                     self.search.put_in(&mut e, Solved { node, value });
                 }
@@ -230,7 +230,8 @@ impl Attempt<'_> {
             }
         }
         let open = |step: &Step| matches!(step, Step::Open { .. });
-        if !self.assumptions.is_empty() && !self.search.draft.steps().iter().any(open) {
+        let chooses = !sequent.selectors.is_empty() || !sequent.assumed.is_empty();
+        if chooses && !self.search.draft.steps().iter().any(open) {
             let because = [self.assumptions.clone(), self.values_throughout()].concat();
             let _ = self.search.draft.push(Step::Open { because });
         }
@@ -450,9 +451,10 @@ impl Attempt<'_> {
     fn raise(&mut self) {
         let because = self.values_throughout();
         for fact in self.facts.clone() {
-            let is_rate = |e: Expr| matches!(self.search.reader.graph.node(e), Node::Leaf(_));
             let before = self.search.draft.steps().len();
-            if self.search.sides_of.get(&fact).is_some_and(|(l, _)| is_rate(*l)) {
+            if let Some((l, _)) = self.search.sides_of.get(&fact)
+                && let Node::Leaf(_) = *self.search.reader.graph.node(*l)
+            {
                 let _ = self.search.draft.push(Step::Smooth { fact, because: because.clone() });
             }
             if self.search.draft.steps().len() > before

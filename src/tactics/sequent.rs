@@ -15,6 +15,7 @@
 //! **Traps.** An angle that is continued through whole turns is not its formula: it is a function of its own, with the sine, the cosine and, at all times at which the formula has one, the rate of
 //! its formula; T is an interval on which it has values and, if rates are written, rates. Where it may have a kink between two times, nothing is said of both. What a claim says at events is said at some times only: refused as a claim, left out as a premise.
 
+use crate::signs::of_either_sign;
 use crate::vanish::order;
 use crate::write::Writer;
 use checker::{Claimed, Definition, Relation, Sense, Sequent};
@@ -62,9 +63,6 @@ struct Other {
 
 /// The definitions that occur, and the highest rate that is written of each symbol.
 type Named = (Vec<(Leaf, Expr)>, BTreeMap<Symbol, u8>);
-
-/// Most differences with ±, which are multiplied with each other.
-const MOST_SIGNED: usize = 4;
 
 /// The name of the fixed time of which nothing is known.
 const ANY_TIME: &str = r"t_\ast";
@@ -185,60 +183,6 @@ fn scalars(graph: &mut Graph, relation: &Read) -> Option<Vec<Scalar>> {
         }
     };
     Some(out.into_iter().map(|(left, sense, right)| Scalar { left, sense, right }).collect())
-}
-
-/// Whether an expression has a value for either sign of ± as soon as it has one for some: ± stands in sums, products and whole powers, and below no function.
-fn is_polynomial_in(graph: &Graph, e: Expr, sign: Leaf) -> bool {
-    let names = |e: Expr| graph.leaves([e]).contains(&sign);
-    graph.reachable([e]).into_iter().filter(|node| names(*node)).all(|node| match *graph.node(node) {
-        Node::Binary(Op::Div, _, under) => !names(under),
-        Node::Leaf(_) | Node::Binary(Op::Add | Op::Sub | Op::Mul, ..) | Node::Unary(Op::Neg, _) => true,
-        Node::Unary(Op::Powi(n), _) => n > 0,
-        Node::Constant(_) | Node::Pi | Node::Unary(..) | Node::Binary(..) => false,
-    })
-}
-
-/// l² = r², for l − (±1)·r, where ± stands in neither.
-fn as_squares(graph: &mut Graph, difference: Expr, sign: Leaf) -> Option<Scalar> {
-    let Node::Binary(Op::Sub, l, signed) = *graph.node(difference) else { return None };
-    let Node::Binary(Op::Mul, a, b) = *graph.node(signed) else { return None };
-    let leaf = graph.leaf(sign);
-    let r = if a == leaf { b } else { a };
-    let is_whole = (a == leaf || b == leaf) && !graph.leaves([l, r]).contains(&sign);
-    is_whole.then(|| Scalar::equal(graph.powi(l, 2), graph.powi(r, 2)))
-}
-
-/// What relations with ± say of one time: they are true for the one sign, or all for the other. *Theorem.* That is so exactly if each product of a difference with the one sign and one with the other is
-/// 0. *Proof.* If one product is not 0, neither all of the first differences are 0 nor all of the second. If some difference with the one sign is not 0, and some with the other, nor is their product. □ (All have values for either sign, or for none.)
-fn of_either_sign(graph: &mut Graph, relations: &[Read], sign: Leaf) -> Option<Vec<Scalar>> {
-    let mut sides = Vec::new();
-    for relation in relations {
-        let plain = relation.kind == RelationKind::Equal && relation.limit.is_none();
-        let pairs = relation.left.components.iter().copied().zip(relation.right.components.iter().copied());
-        for (l, r) in pairs {
-            if !plain || ![l, r].iter().all(|&e| is_polynomial_in(graph, e, sign)) {
-                return None;
-            }
-            sides.push(graph.sub(l, r));
-        }
-    }
-    if sides.len() > MOST_SIGNED {
-        return None;
-    }
-    let mut out = Vec::new();
-    let zero = graph.integer(0);
-    for (at, &first) in sides.iter().enumerate() {
-        for (other, &second) in sides.iter().enumerate() {
-            if let Some(squares) = as_squares(graph, first, sign).filter(|_| at == other) {
-                out.push(squares);
-                continue;
-            }
-            let [plus, minus] =
-                [(first, 1), (second, -1)].map(|(e, n)| graph.rewrite(e, |g, l| (l == sign).then(|| g.integer(n))));
-            out.push(Scalar::equal(graph.mul(plus, minus), zero));
-        }
-    }
-    Some(out)
 }
 
 /// Whether a claim says what it says of all values, and nothing of its assumptions is left out.
@@ -393,12 +337,14 @@ impl<'a> Gathering<'a> {
 
     /// What a claim says with ±, which is one sign at each time in all of it.
     fn signed(&mut self, claim: &Claim) -> Option<Vec<Scalar>> {
-        let always = claim.forms.iter().filter_map(|form| match form {
-            Form::Always(w) => Some(&w.value.relations),
-            _ => None,
-        });
-        let relations: Vec<Read> = always.flatten().filter(|relation| relation.has_branches).cloned().collect();
-        of_either_sign(&mut self.graph, &relations, claim.scope.branch_sign())
+        let mut relations: Vec<Read> = Vec::new();
+        for form in &claim.forms {
+            if let Form::Always(w) = form {
+                relations.extend(w.value.relations.iter().filter(|relation| relation.has_branches).cloned());
+            }
+        }
+        let equations = of_either_sign(&mut self.graph, &relations, claim.scope.branch_sign())?;
+        Some(equations.into_iter().map(|(l, r)| Scalar::equal(l, r)).collect())
     }
 
     /// First integrals with assumptions that hold at all times.

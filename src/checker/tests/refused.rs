@@ -465,3 +465,14 @@ fn cases_do_not_stand_too_deep_in_each_other() {
     w.refuse(Step::Supposition { case, within: deep(12) }, "too deep");
     w.refuse(Step::Supposition { case, within: deep(90) }, "no such times");
 }
+
+/// Before what is 0 at all times anything is 0.
+#[test]
+fn what_leaves_out_all_is_no_proof() {
+    let s = sequent("x,y", 1, "x=5");
+    let mut w = Work::new(&s);
+    let fact = w.zero("x=5", "(x+y)*(x-y)-x^2+y^2", &[]);
+    w.refuse(Step::Conclude { fact }, "is never so");
+    let fact = w.zero("x=5", "1", &[(fact, "1")]);
+    w.refuse(Step::Conclude { fact }, "is never so");
+}

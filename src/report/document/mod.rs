@@ -62,7 +62,7 @@ objects! {
         summary: Summary = Summary::of(account.summary()),
         /// What proofs rest on; there where steps were looked for.
         #[serde(skip_serializing_if = "Option::is_none")]
-        proofs: Option<Proofs> = (!by_grounds(account, |_| true).is_empty()).then(|| Proofs::of(account)),
+        proofs: Option<ProofsByGrounds> = (!by_grounds(account, |_| true).is_empty()).then(|| ProofsByGrounds::of(account)),
         /// What was measured over families.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         distributions: Vec<Distribution<'a>> = account.distributions.iter().map(Distribution::of).collect(),
@@ -133,7 +133,7 @@ objects! {
     }
 
     /// Claims that are proved, by what the word rests on.
-    Proofs of (of: &Account) {
+    ProofsByGrounds of (of: &Account) {
         /// All steps were made again by the checker.
         replayed: Vec<String> = by_grounds(of, |grounds| grounds == Grounds::Checker),
         /// The same, but for cases.
