@@ -68,14 +68,14 @@ impl<'a> RefutingMotion<'a> {
             out.push(StorySpan::Math(component.to_owned(), scope));
             out.push(words(")"));
         }
-        let (left, right) = both(w.left, w.right);
-        // What denies an equation is refuted where the sides agree.
-        let agree = (w.left - w.right).abs() <= w.bound;
-        out.extend([
-            words(if agree { ": the sides agree, left " } else { ": left " }),
-            StorySpan::Words(left, Tone::Strong),
-        ]);
-        out.extend([words(", right "), StorySpan::Words(right, Tone::Strong)]);
+        if (w.left - w.right).abs() <= w.bound {
+            // What denies an equation is refuted where the sides agree.
+            out.push(words(" the sides agree"));
+        } else {
+            let (left, right) = both(w.left, w.right);
+            out.extend([words(": left "), StorySpan::Words(left, Tone::Strong)]);
+            out.extend([words(", right "), StorySpan::Words(right, Tone::Strong)]);
+        }
         out.push(quiet(format!(" (error bound {}).", size(w.bound))));
         out
     }

@@ -19,6 +19,8 @@ use super::text::{Paint, paragraph};
 use crate::derivation::Derivation;
 use findings::Account;
 
+/// Most ids that a terminal names of what does not stand, beside the cards.
+const MOST_NAMED: usize = 8;
 /// Cards on the first screen; more are folded. Conclusions need the room of one.
 const MOST_CARDS: usize = 3;
 /// Cards that a terminal has room for, if there are few of them; of more only the first.
@@ -97,11 +99,20 @@ fn wrong<'a>(
         let hidden = ids.get(most..).unwrap_or_default();
         out.push(StoryBlock::Fold {
             title: format!("{} more: {}{more}", hidden.len(), hidden.join(", ")),
-            unfolded: Some(format!("Nor do these: {}{more}.", ids[on_terminal..].join(", "))),
+            unfolded: Some(format!("Nor do these: {}.", first_of(&ids[on_terminal..], front.more))),
             blocks: folded,
         });
     }
     out
+}
+
+/// The first of some ids, and how many there are beside them.
+fn first_of(ids: &[&str], beside: usize) -> String {
+    let told = if ids.len() > MOST_NAMED { MOST_NAMED - 1 } else { ids.len() };
+    match ids.len() - told + beside {
+        0 => ids.join(", "),
+        more => format!("{}, and {more} more", ids[..told].join(", ")),
+    }
 }
 
 /// Where nothing is wrong: the claim that most rests on, with both of its sides.
