@@ -37,6 +37,36 @@ fn refuted(lines: &[Line]) {
     }
 }
 
+/// No motion that is continuous does what a point would need: what has a sign at all times keeps it, and what is smallest has no rate.
+#[test]
+fn points_at_several_times_are_no_motion() {
+    const X: &[&str] = &["x, y: state"];
+    let lines: [Line; 14] = [
+        ("|x(1)-x(0)|=x(1)-x(0)", X, &[r"\dot x>0", r"t^2\ge0"]),
+        ("|x(0)x(1)|=x(0)x(1)", X, &[r"x\ne0", r"t^2\ge0"]),
+        (r"\dot x(0)\dot x(1)=|\dot x(0)\dot x(1)|", X, &[r"\dot x\ne0", r"t^2\ge0"]),
+        ("|x(0)x(1)|=x(0)x(1)", X, &["x^2>0"]),
+        ("|x(0)x(1)|=x(0)x(1)", X, &[r"xy\ne0"]),
+        ("|x(0)x(1)|=x(0)x(1)", X, &["|x|+|y|>|y|"]),
+        ("|x(0)x(1)|=x(0)x(1)", X, &[r"\ln|x|\ne7"]),
+        ("|x(0)+x(1)|=|x(0)|+|x(1)|", X, &["x^2>0"]),
+        ("|x(0)(x(1)+1)|=x(0)(x(1)+1)", X, &[r"x+t\ne0"]),
+        ("|x(0)(x(1)-1)|=x(0)(x(1)-1)", X, &[r"(x-t)^2\ge1"]),
+        ("|x-t|=x-t", X, &[r"x\ne t", "x(0)=1"]),
+        ("|x|=x", X, &[r"x^2\ge1+t^2", "x(0)>0"]),
+        (r"\dot x(0)\cdot x(1)x(-1)=0", X, &[r"x\ge t^2", "x(0)=0"]),
+        (r"x(0)\cdot(1+x(1)^2+x(-1)^2)=0", X, &[r"tx\ge0"]),
+    ];
+    let wrong: Vec<&Line> = lines.iter().filter(|line| asked(line) == "refuted").collect();
+    assert!(wrong.is_empty(), "refuted, and true: {wrong:#?}");
+    refuted(&[
+        ("x(1)=x(0)", X, &["x>0"]),
+        ("x(1)x(0)=1", X, &[r"x^2\ge1"]),
+        ("|x|=x+t", X, &["x>0"]),
+        ("x(1)=2x(0)", X, &[r"x\ne0", "y>x"]),
+    ]);
+}
+
 #[test]
 fn limits_want_sides_that_do_not_leap() {
     const N: &[&str] = &["x,y: state", r"N: observable = \lfloor x\rfloor"];

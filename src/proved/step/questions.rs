@@ -49,17 +49,25 @@ impl Step<'_> {
         self.ask(&everything, equations, &Options { wanted, ..Options::default() }, split)
     }
 
-    /// Whether something is said about values at several times, or as a function of the time, of which only the rates are
-    /// given: then a point that satisfies everything given need not belong to a motion.
+    /// Whether something is said about values at several times, or as a function of the time, where what is given says only what a
+    /// motion has between them: its rates, or signs that no continuous motion changes without passing 0. Then a point that satisfies
+    /// everything given need not belong to a motion.
     pub(super) fn joins_times(&self, gathered: &Gathered, equations: &Pairs) -> bool {
         let sides = |p: &Pairs| p.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>();
         let scope = &self.claim.scope;
-        let moves = |l: &Leaf| scope.moves(l);
         let said = self.graph.leaves_within(sides(equations));
-        let now = said.iter().any(|l| moves(l) && l.instant.is_none());
-        let elsewhere = said.iter().any(|l| l.instant.is_some() || Some(*l) == scope.time());
+        let now = said.iter().any(|l| scope.moves(l) && l.instant.is_none());
+        let named = said.iter().any(|l| l.instant.is_some() || Some(*l) == scope.time());
         let given = self.graph.leaves_within(sides(&gathered.systems).into_iter().chain(gathered.premises.sides()));
-        now && elsewhere && given.iter().any(|l| l.rate > 0)
+        let premises = &gathered.premises;
+        let signs = premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied();
+        let of_signs = self.graph.leaves_within(signs);
+        let moving = said.iter().chain(&of_signs).filter(|l| scope.moves(l));
+        let mut times: Vec<Option<Expr>> = moving.map(|l| l.instant).collect();
+        times.sort_unstable();
+        times.dedup();
+        let signed = of_signs.iter().any(|l| scope.moves(l) && l.instant.is_none());
+        now && named && (signed || given.iter().any(|l| l.rate > 0)) || signed && times.len() > 1
     }
 
     /// A refutation at the fixed time that premises name, where present and fixed values are the same; `None` where no

@@ -186,7 +186,8 @@ impl Step<'_> {
         }
         let equations: Pairs = equations.iter().map(|&(l, r)| (put(l), put(r))).collect();
         premises.equations.retain(|k| k.left != k.right);
-        let named = premises.sides();
+        let signs = premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied();
+        let named: Vec<Expr> = premises.sides().chain(signs).collect();
         if self.graph.leaves_within(named).contains(&time) || equations.iter().all(|(l, r)| l == r) {
             return None;
         }
