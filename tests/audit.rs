@@ -3,7 +3,7 @@
 use assert_cmd::Command;
 use rederive::derivation::parse;
 use rederive::diag::Source;
-use rederive::report::{ProofFile, RecordedClaim, Stated};
+use rederive::report::{ProofFile, Provenance, RecordedClaim};
 use rederive::{Ask, Session};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -119,7 +119,7 @@ fn each_changed_byte_of_a_record_is_refused() {
         file.sum = file.right_sum();
         file
     };
-    let on_trust = |file: &ProofFile| rederive::report::audit(file, &|_| Stated::OnTrust);
+    let on_trust = |file: &ProofFile| rederive::report::audit(file, &|_| Provenance::OnTrust);
     let file = with_its_sum(serde_json::from_value(file).expect("proofs"));
     let right = on_trust(&file);
     assert!(right.is_replayed(), "{}", right.text());
@@ -156,8 +156,8 @@ fn what_is_proved_is_what_the_derivation_file_asks() {
         serde_json::from_str(&rederive::report::proofs(found.derivation(), found.account())).expect("proofs");
     assert!(file.proofs.len() > 1, "{}", file.proofs.len());
     let stated = |of: &RecordedClaim| match session.asks_for(of) {
-        true => Stated::AsInFile,
-        false => Stated::Otherwise,
+        true => Provenance::AsInFile,
+        false => Provenance::Otherwise,
     };
     let right = rederive::report::audit(&file, &stated);
     assert!(right.is_replayed() && right.text().contains("written anew from the derivation file"), "{}", right.text());

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use rederive::files::{self, Kind};
-use rederive::report::{ProofFile, RecordedClaim, Stated};
+use rederive::report::{ProofFile, Provenance, RecordedClaim};
 use rederive::{Ending, Format, Session, report};
 
 use super::arguments::printed_as;
@@ -41,9 +41,9 @@ pub fn audit(arguments: &AuditArguments) -> Result<Ending, Stop> {
             let file = ProofFile::read(&bytes).map_err(|why| format!("{name}: {why}"))?;
             let session = asking(&files, &file);
             let stated = |of: &RecordedClaim| match &session {
-                Some(session) if session.asks_for(of) => Stated::AsInFile,
-                Some(_) => Stated::Otherwise,
-                None => Stated::OnTrust,
+                Some(session) if session.asks_for(of) => Provenance::AsInFile,
+                Some(_) => Provenance::Otherwise,
+                None => Provenance::OnTrust,
             };
             let found = report::audit(&file, &stated);
             if !found.is_replayed() {

@@ -33,9 +33,9 @@ pub struct AuditedRelation {
     pub outcome: Replayed,
 }
 
-/// Whether the sequents of a claim are what its derivation file says.
+/// Where the sequents of a claim come from: whether they are what its derivation file says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stated {
+pub enum Provenance {
     /// The file is not at hand, or is another one by now.
     OnTrust,
     /// They were written anew from the file, and are the same.
@@ -54,7 +54,7 @@ pub struct AuditedClaim {
     /// What the proof assumes beside what the claim does, since what it follows from does.
     pub presupposed: Vec<String>,
     /// Whether this is what the derivation file asks.
-    pub stated: Stated,
+    pub stated: Provenance,
     /// What the proof assumes at all times between two, and the claim at those that it chooses.
     pub throughout: Vec<String>,
     /// Its relations.
@@ -75,7 +75,7 @@ pub struct Audit {
 }
 
 /// Replays the proofs of a file. `stated`: whether a claim's proof proves what the derivation file asks.
-pub fn audit(file: &ProofFile, stated: &dyn Fn(&RecordedClaim) -> Stated) -> Audit {
+pub fn audit(file: &ProofFile, stated: &dyn Fn(&RecordedClaim) -> Provenance) -> Audit {
     let has_its_sum = file.sum == file.right_sum();
     let claims = file.proofs.iter().map(|recorded| {
         let RecordedClaim { claim, standing, proof } = recorded;
@@ -112,13 +112,13 @@ pub fn audit(file: &ProofFile, stated: &dyn Fn(&RecordedClaim) -> Stated) -> Aud
     }
 }
 
-impl Stated {
+impl Provenance {
     /// The word in JSON.
     fn word(self) -> &'static str {
         match self {
-            Stated::OnTrust => "on trust",
-            Stated::AsInFile => "as in the file",
-            Stated::Otherwise => "otherwise",
+            Provenance::OnTrust => "on trust",
+            Provenance::AsInFile => "as in the file",
+            Provenance::Otherwise => "otherwise",
         }
     }
 }
@@ -126,7 +126,7 @@ impl Stated {
 impl AuditedClaim {
     /// Whether every step of every relation was made again, none is missing, and the file asks nothing else.
     pub fn is_replayed(&self) -> bool {
-        self.stated != Stated::Otherwise
+        self.stated != Provenance::Otherwise
             && !self.relations.is_empty()
             && self.relations.iter().all(|r| matches!(r.outcome, Replayed::Shown(_)))
     }
@@ -159,7 +159,7 @@ impl Audit {
                 (true, cases) => format!("{}, cases left out: {cases}", Grounds::CheckerBut(cases).word()),
             };
             out += &format!("\n  {}  {word} (the report says: {})\n", claim.claim, claim.standing);
-            if claim.stated == Stated::Otherwise {
+            if claim.stated == Provenance::Otherwise {
                 out += "    refused: the derivation file asks something else of this claim, or has no such claim\n";
             }
             if !claim.presupposed.is_empty() {
@@ -184,7 +184,7 @@ impl Audit {
         if !self.has_its_sum {
             out += "Refused: the file was changed after it was written; its sum is another.\n";
         }
-        out += match self.claims.iter().all(|claim| claim.stated == Stated::AsInFile) {
+        out += match self.claims.iter().all(|claim| claim.stated == Provenance::AsInFile) {
             true => {
                 "Each sequent was written anew from the derivation file, and is the same. On trust: how formulas are read, the words of the \
                      report, the theorems that the rules name.\n"

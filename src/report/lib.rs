@@ -98,7 +98,7 @@ pub use search::{search_notes, search_table};
 pub use summary::{checked_again, exceptions, summary};
 pub use tex::{tex, tex_summary};
 
-pub use audit::{Audit, AuditedClaim, AuditedRelation, Replayed, Stated, audit};
+pub use audit::{Audit, AuditedClaim, AuditedRelation, Provenance, Replayed, audit};
 pub use proof_file::{PROOF_SCHEMA, PROOFS, ProofFile, RecordedClaim, UnrecordedClaim, proofs};
 
 /// The path as the project sees it; nothing outside the project is named.
