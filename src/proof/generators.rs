@@ -147,14 +147,6 @@ pub(super) struct Lowering<'g> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct TooLarge;
 
-/// The least common multiple of a whole number and of the denominator of another.
-pub(super) fn lcm(a: &Rational, b: &Rational) -> Rational {
-    use dashu_int::ops::Gcd;
-    let (a, b) = (a.numerator().clone().into_parts().1, b.denominator().clone());
-    let g = (&a).gcd(&b);
-    Rational::from(a / g * b)
-}
-
 /// Whether parts of an argument are known as they are: roots, and angles that are parts of a turn.
 fn is_parted(graph: &Graph, m: &Monomial) -> bool {
     let &[(base, 1)] = m.as_slice() else { return false };

@@ -12,7 +12,6 @@
 //!
 //! Constants are split into primes where several of them occur.
 
-use super::generators::lcm;
 use super::linear::{Combinations, Monomial, expression};
 use super::polynomial::{primitive, replaced};
 use expr::{Expr, FastMap, FastSet, Graph, Node, Op, Rational};
@@ -56,6 +55,14 @@ fn logarithmic(graph: &Graph, node: Expr) -> Option<Expr> {
         Node::Unary(Op::Ln, a) | Node::Binary(Op::Pow, a, _) => Some(a),
         _ => None,
     }
+}
+
+/// The least common multiple of a whole number and of the denominator of another.
+fn lcm(a: &Rational, b: &Rational) -> Rational {
+    use dashu_int::ops::Gcd;
+    let (a, b) = (a.numerator().clone().into_parts().1, b.denominator().clone());
+    let g = (&a).gcd(&b);
+    Rational::from(a / g * b)
 }
 
 impl Logarithms {
