@@ -164,6 +164,30 @@ fn a_motion_that_refutes_satisfies_all_that_is_given() {
     assert_ne!(asked(&(r"x\dot x=0", &["x: state"], &[r"\dot x^2=x^2", r"x(0)=0"])), "refuted");
 }
 
+/// A field is continuous, too: a sign that it has at all places ties its values at several, and a point whose values have signs of
+/// their own refutes nothing.
+#[test]
+fn points_at_several_places_are_no_field() {
+    const F: &[&str] = &["x: coordinate", "f(x): field"];
+    const U: &[&str] = &["x: coordinate", "t: time", "u(x,t): field"];
+    let lines: [Line; 7] = [
+        ("|f(0)f(1)|=f(0)f(1)", F, &[r"f\ne0"]),
+        ("|f(0)f(1)|=f(0)f(1)", F, &["f^2>0"]),
+        ("|f(x)f(0)|=f(x)f(0)", F, &[r"f\ne0"]),
+        ("f(0)=0", F, &[r"xf\ge0"]),
+        ("|u(0,t)u(1,t)|=u(0,t)u(1,t)", U, &[r"u\ne0"]),
+        ("u(0,t)=0", U, &[r"xu\ge0"]),
+        ("|u(0,t)u(x,0)|=u(0,t)u(x,0)", U, &[r"u\ne0"]),
+    ];
+    let wrong: Vec<&Line> = lines.iter().filter(|line| asked(line) == "refuted").collect();
+    assert!(wrong.is_empty(), "refuted, and true: {wrong:#?}");
+    refuted(&[
+        ("f(1)=f(0)", F, &[]),
+        ("f=f(0)", F, &["x>0"]),
+        ("f=1", F, &["f>0"]),
+    ]);
+}
+
 fn states(names: &[&str]) -> String {
     names.iter().map(|name| format!("'{name}' = {{ role = 'state' }}\n")).collect()
 }

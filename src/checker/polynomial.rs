@@ -10,6 +10,7 @@ use dashu_int::ops::BitTest;
 use expr::{Expr, Graph, Node, Op, Rational};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 /// Most terms of a polynomial, and most products of terms in one expansion.
 const MOST_TERMS: usize = 3_000;
@@ -51,9 +52,17 @@ impl Polynomial {
     }
 
     fn add_term(&mut self, monomial: Monomial, r: Rational) {
-        let sum = self.0.remove(&monomial).unwrap_or(Rational::ZERO) + r;
-        if sum != Rational::ZERO {
-            self.0.insert(monomial, sum);
+        if r == Rational::ZERO {
+            return;
+        }
+        match self.0.entry(monomial) {
+            Entry::Vacant(free) => _ = free.insert(r),
+            Entry::Occupied(mut held) => {
+                *held.get_mut() += r;
+                if *held.get() == Rational::ZERO {
+                    held.remove();
+                }
+            }
         }
     }
 
@@ -205,9 +214,9 @@ fn reduced(mut p: Polynomial, rewrites: &[Rewrite], budget: &mut Budget) -> Opti
     Some(out)
 }
 
-fn sum(a: &Fraction, b: &Fraction, sign: i8, budget: &mut Budget) -> Option<Fraction> {
+fn sum(a: Fraction, b: &Fraction, sign: i8, budget: &mut Budget) -> Option<Fraction> {
     if a.1 == b.1 {
-        return Some(Fraction(a.0.clone().plus(&b.0, sign)?, a.1.clone()));
+        return Some(Fraction(a.0.plus(&b.0, sign)?, a.1));
     }
     let (left, right) = (a.0.times(&b.1, budget)?, b.0.times(&a.1, budget)?);
     Some(Fraction(left.plus(&right, sign)?, a.1.times(&b.1, budget)?))
@@ -226,12 +235,20 @@ fn fraction(graph: &Graph, e: Expr, rewrites: &[Rewrite], budget: &mut Budget) -
     let one = Polynomial::constant(Rational::ONE);
     let whole = |p: Polynomial| Fraction(p, one.clone());
     let mut found: BTreeMap<Expr, Fraction> = BTreeMap::new();
-    for node in graph.reachable([e]) {
+    let order = graph.reachable([e]);
+    let mut uses: BTreeMap<Expr, usize> = BTreeMap::new();
+    order.iter().flat_map(|node| graph.node(*node).children()).for_each(|part| *uses.entry(part).or_default() += 1);
+    // What nobody else asks for is not copied: a long sum would be at each of its signs.
+    let take = |found: &mut BTreeMap<Expr, Fraction>, part: &Expr| match uses[part] {
+        1 => found.remove(part),
+        _ => found.get(part).cloned(),
+    };
+    for node in order {
         let made = match graph.node(node) {
             Node::Constant(r) => whole(Polynomial::constant((**r).clone())),
             Node::Unary(Op::Neg, a) => {
-                let Fraction(top, under) = &found[a];
-                Fraction(Polynomial::default().plus(top, -1)?, under.clone())
+                let Fraction(top, under) = take(&mut found, a)?;
+                Fraction(Polynomial::default().plus(&top, -1)?, under)
             }
             Node::Unary(Op::Powi(n), a) => {
                 let base = if *n < 0 { inverse(&found[a])? } else { found[a].clone() };
@@ -244,11 +261,11 @@ fn fraction(graph: &Graph, e: Expr, rewrites: &[Rewrite], budget: &mut Budget) -
                 }
                 out
             }
-            Node::Binary(Op::Add, a, b) => sum(&found[a], &found[b], 1, budget)?,
-            Node::Binary(Op::Sub, a, b) => sum(&found[a], &found[b], -1, budget)?,
+            Node::Binary(Op::Add, a, b) => sum(take(&mut found, a)?, &found[b], 1, budget)?,
+            Node::Binary(Op::Sub, a, b) => sum(take(&mut found, a)?, &found[b], -1, budget)?,
             Node::Binary(Op::Mul, a, b) => product(&found[a], &found[b], budget)?,
             Node::Binary(Op::Div, a, b) => product(&found[a], &inverse(&found[b])?, budget)?,
-            Node::Binary(Op::Restrict, a, _) => found[a].clone(),
+            Node::Binary(Op::Restrict, a, _) => take(&mut found, a)?,
             Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => whole(Polynomial::variable(node)),
         };
         let Fraction(top, under) = made;

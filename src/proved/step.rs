@@ -408,6 +408,10 @@ impl<'a> Step<'a> {
         if !weighed && self.joins_times(&gathered, &equations) {
             return Some(Ok(self.open(&gathered, Plain::OnlyRates)));
         }
+        if matches!(identity, Identity::Refuted(_)) && self.joins_places(&gathered, &equations) {
+            self.settled = None;
+            identity = Identity::Undecided(Reason::Unextended);
+        }
         if matches!(identity, Identity::Refuted(_)) && (times.unclear || self.ties(&gathered)) {
             match self.at_fixed_time(&gathered, &equations) {
                 None if times.unclear => return Some(Ok(self.open(&gathered, Plain::Unconnected))),

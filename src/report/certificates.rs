@@ -80,6 +80,8 @@ pub fn certificate_text(title: &str, given: &[String], certificates: &[Certifica
     for certificate in certificates {
         one_equation(&mut out, certificate);
     }
+    // Of many claims all are kept until they are written.
+    out.shrink_to_fit();
     out
 }
 

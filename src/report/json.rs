@@ -1,7 +1,10 @@
 //! `report.json`: the [`Report`] as text.
 
+use std::io::{self, Write};
+
 use serde::Serialize;
-use serde_json::Value;
+use serde_json::Serializer;
+use serde_json::ser::Formatter;
 
 use super::document::Report;
 use crate::derivation::Derivation;
@@ -21,46 +24,91 @@ pub fn json_with_paper(derivation: &Derivation, account: &Account, paper: &Compa
 
 /// Plain data as text.
 pub(super) fn text(document: &impl Serialize) -> String {
-    let value = serde_json::to_value(document).expect("its keys are texts, and none of its parts refuses");
-    let mut out = String::new();
-    write(&value, 0, &mut out);
-    out.push('\n');
-    out
+    let mut out = Vec::new();
+    let mut to = Serializer::with_formatter(&mut out, Lines::default());
+    document.serialize(&mut to).expect("its keys are texts, and none of its parts refuses");
+    out.push(b'\n');
+    String::from_utf8(out).expect("JSON is text")
 }
 
 /// Below this depth a value stands on one line: pairs of claim and trajectory do.
 const INLINE_DEPTH: usize = 4;
 
-fn write(value: &Value, depth: usize, out: &mut String) {
-    let line = |out: &mut String, depth: usize| {
-        out.push('\n');
-        out.extend(std::iter::repeat_n("  ", depth));
-    };
-    let nested = |v: &Value| v.is_object() || v.is_array();
-    match value {
-        Value::Object(map) if depth < INLINE_DEPTH && !map.is_empty() => {
-            out.push('{');
-            for (i, (key, value)) in map.iter().enumerate() {
-                out.push_str(if i == 0 { "" } else { "," });
-                line(out, depth + 1);
-                out.push_str(&Value::String(key.clone()).to_string());
-                out.push_str(": ");
-                write(value, depth + 1, out);
+/// Writes as it goes, for reports of many claims are large: the parts of an object on lines of their own, those of a list where they
+/// are objects or lists.
+#[derive(Default)]
+struct Lines {
+    /// For each value around: whether something of it stands on a line of its own.
+    open: Vec<bool>,
+    /// Whether a part of a list comes next.
+    in_list: bool,
+}
+
+impl Lines {
+    /// A line of its own for a part of the value around, if it has room for that.
+    fn line(&mut self, out: &mut (impl Write + ?Sized)) -> io::Result<()> {
+        let depth = self.open.len();
+        match self.open.last_mut() {
+            Some(parted) if depth <= INLINE_DEPTH => {
+                *parted = true;
+                write!(out, "\n{:1$}", "", 2 * depth)
             }
-            line(out, depth);
-            out.push('}');
+            _ => Ok(()),
         }
-        Value::Array(items) if depth < INLINE_DEPTH && items.iter().any(nested) => {
-            out.push('[');
-            for (i, item) in items.iter().enumerate() {
-                out.push_str(if i == 0 { "" } else { "," });
-                line(out, depth + 1);
-                write(item, depth + 1, out);
-            }
-            line(out, depth);
-            out.push(']');
+    }
+
+    fn begin(&mut self, out: &mut (impl Write + ?Sized), bracket: &[u8]) -> io::Result<()> {
+        if std::mem::take(&mut self.in_list) {
+            self.line(out)?;
         }
-        other => out.push_str(&other.to_string()),
+        self.open.push(false);
+        out.write_all(bracket)
+    }
+
+    fn end(&mut self, out: &mut (impl Write + ?Sized), bracket: &[u8]) -> io::Result<()> {
+        if self.open.pop() == Some(true) {
+            write!(out, "\n{:1$}", "", 2 * self.open.len())?;
+        }
+        out.write_all(bracket)
+    }
+}
+
+impl Formatter for Lines {
+    fn begin_array<W: Write + ?Sized>(&mut self, out: &mut W) -> io::Result<()> {
+        self.begin(out, b"[")
+    }
+
+    fn end_array<W: Write + ?Sized>(&mut self, out: &mut W) -> io::Result<()> {
+        self.end(out, b"]")
+    }
+
+    fn begin_array_value<W: Write + ?Sized>(&mut self, out: &mut W, first: bool) -> io::Result<()> {
+        self.in_list = true;
+        if first { Ok(()) } else { out.write_all(b",") }
+    }
+
+    fn end_array_value<W: Write + ?Sized>(&mut self, _: &mut W) -> io::Result<()> {
+        self.in_list = false;
+        Ok(())
+    }
+
+    fn begin_object<W: Write + ?Sized>(&mut self, out: &mut W) -> io::Result<()> {
+        self.begin(out, b"{")
+    }
+
+    fn end_object<W: Write + ?Sized>(&mut self, out: &mut W) -> io::Result<()> {
+        self.end(out, b"}")
+    }
+
+    fn begin_object_key<W: Write + ?Sized>(&mut self, out: &mut W, first: bool) -> io::Result<()> {
+        if !first {
+            out.write_all(b",")?;
+        }
+        self.line(out)
+    }
+
+    fn begin_object_value<W: Write + ?Sized>(&mut self, out: &mut W) -> io::Result<()> {
+        out.write_all(if self.open.len() <= INLINE_DEPTH { b": " } else { b":" })
     }
 }
 
@@ -69,6 +117,7 @@ mod tests {
     use super::super::tests::derivation;
     use super::*;
     use findings::sample;
+    use serde_json::Value;
 
     #[test]
     fn the_contract_is_kept() {

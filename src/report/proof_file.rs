@@ -54,9 +54,11 @@ impl ProofFile {
     /// The sum that belongs to the rest.
     pub fn right_sum(&self) -> String {
         let rest = (self.schema, &self.derivation, &self.sha256, &self.proofs, &self.unrecorded);
+        let mut sum = Sha256::new();
         // What was read from JSON can be written as JSON.
-        let bytes = serde_json::to_vec(&rest).unwrap_or_default();
-        Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect()
+        let written = serde_json::to_writer(&mut sum, &rest);
+        debug_assert!(written.is_ok());
+        sum.finalize().iter().map(|b| format!("{b:02x}")).collect()
     }
 }
 

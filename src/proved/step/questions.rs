@@ -70,6 +70,23 @@ impl Step<'_> {
         now && named && (signed || given.iter().any(|l| l.rate > 0)) || signed && times.len() > 1
     }
 
+    /// Whether values of fields at several places are named, and a sign that is given of a field at all of them: no field changes it
+    /// from one to another without passing 0, and at x = 0 it may say something else than it does beside.
+    pub(super) fn joins_places(&self, gathered: &Gathered, equations: &Pairs) -> bool {
+        let premises = &gathered.premises;
+        let signs = premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied();
+        let fields = |roots: Vec<Expr>| {
+            let mut leaves = self.graph.leaves_within(roots);
+            leaves.retain(|l| self.graph.is_field(l.symbol));
+            leaves
+        };
+        let signed = fields(signs.collect());
+        let said = fields(equations.iter().flat_map(|&(l, r)| [l, r]).collect());
+        let place = |l: &Leaf| self.graph.place(l.symbol).map(|p| p.at.clone());
+        let first = signed.first().map(place);
+        signed.iter().any(|l| place(l).is_none()) && signed.iter().chain(&said).any(|l| Some(place(l)) != first)
+    }
+
     /// A refutation at the fixed time that premises name, where present and fixed values are the same; `None` where no
     /// premise names one. Other values need not belong to one motion: what connects them are rates, or that a motion
     /// does not leap from one solution of the premises to another.
