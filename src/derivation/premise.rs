@@ -80,18 +80,23 @@ impl Derivation {
 
     /// The definition of a symbol, wherever it is declared.
     pub fn definition(&self, symbol: Symbol) -> Option<&Tensor> {
-        self.scope.definition(symbol).or_else(|| self.definition_in_claims(symbol))
+        self.scope.definition(symbol).or_else(|| self.declaring(symbol)?.scope.definition(symbol))
     }
 
-    /// The definition of a symbol that a claim declares.
-    fn definition_in_claims(&self, symbol: Symbol) -> Option<&Tensor> {
+    /// The role of a symbol, wherever it is declared.
+    pub fn role(&self, symbol: Symbol) -> Option<Role> {
+        self.scope.role(symbol).or_else(|| self.declaring(symbol)?.scope.role(symbol))
+    }
+
+    /// The claim that declares a symbol.
+    fn declaring(&self, symbol: Symbol) -> Option<&Claim> {
+        let declares = |c: &&Claim| c.scope.role(symbol).is_some();
         if self.claims.len() < self.index.claims {
             // Some were taken out, and the others have other places.
-            return self.claims.iter().find_map(|c| c.scope.definition(symbol));
+            return self.claims.iter().find(declares);
         }
         let first = self.index.declared.get(&symbol).and_then(|at| self.claims.get(*at));
-        let later = self.claims.iter().skip(self.index.claims);
-        first.into_iter().chain(later).find_map(|c| c.scope.definition(symbol))
+        first.into_iter().chain(self.claims.iter().skip(self.index.claims)).find(declares)
     }
 
     /// The symbols that the file and its claims declare.

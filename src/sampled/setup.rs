@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::systems::{Fields, leaves_of, paired};
 use derivation::{Derivation, Motion as Given, SymbolEntry, Trajectory, Written};
-use expr::{Expr, Graph, Leaf, Symbol, Tensor};
+use expr::{Expr, Graph, Leaf, Symbol};
 use flow::{Guess, Motion, Observable, Setup, Source, Start};
 use latex::Role;
 
@@ -69,7 +69,7 @@ pub fn setup<'a>(
     let mut observables = Vec::new();
     let entries: Vec<&SymbolEntry> = symbols.iter().chain(claims.iter().flat_map(|c| &c.symbols)).collect();
     for entry in entries.into_iter().filter(|e| e.role == Role::Observable) {
-        let Some(definition) = definition(derivation, entry.symbol) else { continue };
+        let Some(definition) = derivation.definition(entry.symbol) else { continue };
         let is_left_out = left_out.contains(&entry.symbol);
         if is_left_out || known.contains(&entry.symbol) || !all_known(graph, &known, &definition.components) {
             continue;
@@ -126,7 +126,7 @@ pub fn idle_angles(derivation: &Derivation, trajectories: &[usize], wanted: &[Le
             continue;
         }
         seen.push(leaf.symbol);
-        if let Some(definition) = definition(derivation, leaf.symbol) {
+        if let Some(definition) = derivation.definition(leaf.symbol) {
             left.extend(graph.leaves(definition.components.iter().copied()));
         }
     }
@@ -145,10 +145,4 @@ fn all_known(graph: &Graph, known: &[Symbol], roots: &[Expr]) -> bool {
         .leaves(roots.iter().copied())
         .iter()
         .all(|l| known.contains(&l.symbol) && l.instant.is_none_or(|e| all_known(graph, known, &[e])))
-}
-
-/// The definition of a quantity, in the file or in a claim of it.
-fn definition(derivation: &Derivation, symbol: Symbol) -> Option<&Tensor> {
-    let in_claim = || derivation.claims.iter().find_map(|c| c.scope.definition(symbol));
-    derivation.scope.definition(symbol).or_else(in_claim)
 }

@@ -412,17 +412,12 @@ impl<'a> Gathering<'a> {
 
     /// The definition of a component.
     fn definition(&self, leaf: Leaf) -> Option<Expr> {
-        let Derivation { scope, claims, .. } = self.derivation;
-        let of_claim = || claims.iter().find_map(|c| c.scope.definition(leaf.symbol));
-        let tensor =
-            scope.definition(leaf.symbol).or_else(|| self.claim.scope.definition(leaf.symbol)).or_else(of_claim)?;
+        let tensor = self.derivation.definition(leaf.symbol).or_else(|| self.claim.scope.definition(leaf.symbol))?;
         tensor.components.get(usize::from(leaf.component)).copied()
     }
 
     fn role(&self, symbol: Symbol) -> Option<Role> {
-        let Derivation { scope, claims, .. } = self.derivation;
-        let of_claim = || claims.iter().find_map(|c| c.scope.role(symbol));
-        scope.role(symbol).or_else(|| self.claim.scope.role(symbol)).or_else(of_claim)
+        self.derivation.role(symbol).or_else(|| self.claim.scope.role(symbol))
     }
 
     /// All relations.
