@@ -106,7 +106,12 @@ fn nothing_follows_from_what_no_motion_satisfies() {
         ("a=t", &["a", "y: state"], &["at=t^2"]),
         ("u=0", &["x: coordinate", "u(x): field"], &["u=x", "u=2x"]),
         ("x=x(0)", &["x,y: state"], &[r"x\dot x=0", "y=0", "y(0)=1"]),
+        // What is given at one time and at another.
+        ("x(0)=x(1)", &["x: state"], &["x(0)=1", "x(1)=2", r"\dot x=0"]),
+        ("x=x(0)", &["x: state"], &["x(0)>0", "x(1)<0", r"\dot x=0"]),
+        ("x=1", &["x: state"], &["x(0)=1", "x(1)=-1", "x^2=1"]),
     ]);
+    assert_eq!(asked(&("x=1", &["x: state"], &["x(0)=1", "x(1)>0", r"\dot x=0"])), "proved");
 }
 
 #[test]
@@ -164,6 +169,27 @@ fn a_motion_that_refutes_satisfies_all_that_is_given() {
     assert_ne!(asked(&(r"x\dot x=0", &["x: state"], &[r"\dot x^2=x^2", r"x(0)=0"])), "refuted");
 }
 
+/// What is said of fixed times alone is asked of these: a time at which it is false is none of them.
+#[test]
+fn a_sign_at_a_fixed_time_is_known_there() {
+    const X: &[&str] = &["x, y: state"];
+    let known: [Line; 6] = [
+        ("|x(0)|=x(0)", X, &["x(0)>0"]),
+        ("x(0)=y(0)", X, &[r"x(0)\le y(0)", r"y(0)\le x(0)"]),
+        ("|x(0)-x(1)|=x(0)-x(1)", X, &["x(0)>x(1)"]),
+        (r"\sqrt{x(0)^2}=x(0)", X, &[r"x(0)\ge0"]),
+        ("|x(0)y(0)|=x(0)|y(0)|", X, &[r"x(0)\ge0"]),
+        (r"|\dot x(0)|=\dot x(0)", X, &[r"\dot x(0)>0"]),
+    ];
+    for line in known {
+        assert_eq!(asked(&line), "proved", "{line:?}");
+    }
+    for line in [("x(0)=0", X, &[r"x(0)\ge0", r"x(0)\le0"][..]), (r"x=0", X, &[r"\sqrt{-x^2}=\sqrt{-x^2}"][..])] {
+        assert_ne!(asked(&line), "refuted", "{line:?}");
+    }
+    refuted(&[("|x(1)|=x(1)", X, &["x(0)>0"]), ("x(1)=x(0)", X, &["x(0)>0"])]);
+}
+
 /// A field is continuous, too: a sign that it has at all places ties its values at several, and a point whose values have signs of
 /// their own refutes nothing.
 #[test]
@@ -181,6 +207,19 @@ fn points_at_several_places_are_no_field() {
     ];
     let wrong: Vec<&Line> = lines.iter().filter(|line| asked(line) == "refuted").collect();
     assert!(wrong.is_empty(), "refuted, and true: {wrong:#?}");
+    // At the places that are named, a sign is known that is known at all.
+    let known: [Line; 7] = [
+        ("|f(0)|=f(0)", F, &["f>0"]),
+        ("|f'(0)|=f'(0)", F, &["f'>0"]),
+        ("|u(0,t)|=u(0,t)", U, &["u>0"]),
+        ("|u(0,0)|=u(0,0)", U, &["u(0,t)>0"]),
+        ("f(f(x))=f(x)", F, &["f=x"]),
+        ("f(f(0))=f(1)", F, &["f(0)=1"]),
+        ("f(f(x))=f(f(x)^2)", F, &["f=1"]),
+    ];
+    for line in known {
+        assert_eq!(asked(&line), "proved", "{line:?}");
+    }
     refuted(&[
         ("f(1)=f(0)", F, &[]),
         ("f=f(0)", F, &["x>0"]),

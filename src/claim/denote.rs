@@ -11,7 +11,7 @@ use crate::comparison::{Comparison, Group, at_instant, boundaries, cuts, presupp
 use crate::denial::{Denial, denied};
 use crate::derivation::{Claim, Form, System, Written};
 use crate::expr::domain::Sign;
-use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Rational, Tensor};
+use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Op, Rational, Tensor};
 use crate::flow::may_hide;
 use crate::label::label;
 use crate::latex::{Relation, RelationKind, Role, Scope, Statement};
@@ -297,6 +297,11 @@ impl Denotation<'_> {
                     continue;
                 }
                 let what = relation.limit.as_ref().map_or(What::Every, |l| What::Limit(l.approaches.clone()));
+                let assumed_now = first && !selects && relation.limit.is_none();
+                if let Some(valued) = self.having_value(&relation).filter(|_| assumed_now) {
+                    let group = self.group(&[(text, valued)], false, &[]);
+                    self.selectors.push(Assumption { text: text.to_owned(), part: Part { what: What::Every, group } });
+                }
                 let group = self.group(&[(text, relation)], false, &[]);
                 let assumption = Assumption { text: text.to_owned(), part: Part { what, group } };
                 match selects {
@@ -473,6 +478,26 @@ impl Denotation<'_> {
     fn sometimes_false(&mut self, relations: &[Said], selected: &[Said]) -> Proposition {
         let group = self.group(relations, false, selected);
         self.part(What::Denied, group).negated()
+    }
+
+    /// What is true where a relation has a value, and has none elsewhere; nothing, if it has one at all times. Times at which what is
+    /// assumed has no value do not count.
+    fn having_value(&mut self, relation: &Relation) -> Option<Relation> {
+        let sides: Vec<Expr> = relation.left.components.iter().chain(&relation.right.components).copied().collect();
+        let needs = self.graph.needs_below(sides.iter().copied());
+        let moves = |e: Expr| self.graph.leaves_within([e]).iter().any(|l| self.claim.scope.moves(l));
+        if !needs.iter().any(|need| moves(need.value)) {
+            return None;
+        }
+        // 1 + |l| + |r| > 0.
+        let mut sum = self.graph.integer(1);
+        for side in sides {
+            let size = self.graph.unary(Op::Abs, side);
+            sum = self.graph.add(sum, size);
+        }
+        let zero = self.graph.integer(0);
+        let [left, right] = [sum, zero].map(Tensor::scalar);
+        Some(Relation { kind: RelationKind::Greater, left, right, ..relation.clone() })
     }
 
     /// The comparisons of relations that must be true at once, or, `denied`, that must not be; where the selected ones are.

@@ -351,13 +351,16 @@ impl<'a> Step<'a> {
         if self.is_too_large(&gathered, &equations) {
             return Some(Ok(self.open(&gathered, Plain::TooLargeForProof)));
         }
-        self.put_in_fields(&mut gathered, &mut equations);
         self.give_equal_places(&mut gathered, &equations);
+        self.put_in_fields(&mut gathered, &mut equations);
+        self.give_signs_at_places(&mut gathered, &equations);
         let times = self.unite_times(&mut gathered, &mut equations);
         let several =
             self.graph.leaves_within(equations.iter().flat_map(|&(l, r)| [l, r])).iter().any(|l| l.instant.is_some());
-        if let Some(present) = self.at_present(&mut gathered, &equations) {
-            equations = present;
+        let at_times = equations.clone();
+        let mut claims_more = false;
+        if let Some((present, alone)) = self.at_present(&mut gathered, &equations) {
+            (equations, claims_more) = (present, !alone);
         }
         let (mut identity, mut moved) = (self.levels(&gathered, &equations, false), false);
         if !matches!(identity, Identity::Proved(_)) {
@@ -366,6 +369,11 @@ impl<'a> Step<'a> {
                 Some((by_rate, of)) => (identity, moved, equations) = (by_rate, true, of),
                 None => self.settled = settled,
             }
+        }
+        if claims_more && !matches!(identity, Identity::Proved(_)) {
+            // What is claimed of all times may be false where what is said of some is true.
+            equations = at_times;
+            identity = self.levels(&gathered, &equations, false);
         }
         if let Identity::Proved(proof) = &identity
             && has_exceptions(proof)
@@ -385,7 +393,9 @@ impl<'a> Step<'a> {
                 None => return Some(Ok(self.open(&gathered, Plain::Unconnected))),
             }
         }
-        if matches!(identity, Identity::Proved(_)) && self.is_without_motion(&gathered, &equations) {
+        if matches!(identity, Identity::Proved(_))
+            && (self.is_without_motion(&gathered, &equations) || self.excludes_between_times(&gathered, &equations))
+        {
             self.settled = None;
             identity = Identity::Undecided(Reason::Contradiction);
         }

@@ -57,6 +57,35 @@ impl Step<'_> {
         }
     }
 
+    /// What is known of fields at all places is so at those that are named, where it has a value wherever fields have one.
+    pub(super) fn give_signs_at_places(&mut self, gathered: &mut Gathered, equations: &Pairs) {
+        let named = self.graph.leaves_within(sides(equations));
+        let mut places: Vec<Vec<(usize, Expr)>> =
+            named.iter().filter_map(|l| self.graph.place(l.symbol)).map(|p| p.at.clone()).collect();
+        places.dedup();
+        places.truncate(MOST_PLACES);
+        if places.is_empty() || gathered.known != When::Always {
+            return;
+        }
+        let coordinates: Vec<Leaf> = self.graph.coordinates().collect();
+        let premises = &mut gathered.premises;
+        for signs in [&mut premises.nonzero, &mut premises.positive, &mut premises.not_negative] {
+            for at in 0..signs.len() {
+                let sign = signs[at];
+                if self.graph.fields([sign]).is_empty() || !self.graph.needs_below([sign]).is_empty() {
+                    continue;
+                }
+                for place in &places {
+                    let values: Vec<(Leaf, Expr)> = place.iter().map(|&(c, e)| (coordinates[c], e)).collect();
+                    let there = self.graph.taken_at(sign, &values);
+                    if !signs.contains(&there) {
+                        signs.push(there);
+                    }
+                }
+            }
+        }
+    }
+
     /// Whether equations are proved wherever their sides have values.
     fn are_equal(&mut self, gathered: &Gathered, equations: &Pairs) -> bool {
         let premises = self.premises(gathered, equations, Definitions::All);
@@ -83,7 +112,7 @@ impl Step<'_> {
             return;
         }
         let Some(mut put) = self.with_formulas(gathered, equations, &formulas) else { return };
-        put.0.premises.equations.retain(|k| k.left != k.right);
+        put.0.premises.equations.retain(|k| k.left != k.right || !self.graph.needs_below([k.left]).is_empty());
         // What is left of places alone would have to be so at all of them: that is another question.
         let of_places = |e: Expr| self.graph.leaves_within([e]).iter().any(|l| self.graph.coordinate(*l).is_some());
         let fields = |pair: (Expr, Expr)| self.graph.fields([pair.0, pair.1]).is_empty();

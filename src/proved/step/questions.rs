@@ -84,7 +84,8 @@ impl Step<'_> {
         let said = fields(equations.iter().flat_map(|&(l, r)| [l, r]).collect());
         let place = |l: &Leaf| self.graph.place(l.symbol).map(|p| p.at.clone());
         let first = signed.first().map(place);
-        signed.iter().any(|l| place(l).is_none()) && signed.iter().chain(&said).any(|l| Some(place(l)) != first)
+        let everywhere = |l: &Leaf| (0..self.graph.coordinates().count()).any(|c| self.graph.depends(l.symbol, c));
+        signed.iter().any(everywhere) && signed.iter().chain(&said).any(|l| Some(place(l)) != first)
     }
 
     /// A refutation at the fixed time that premises name, where present and fixed values are the same; `None` where no

@@ -10,6 +10,9 @@ use super::{Definitions, Pairs, Step};
 use crate::expr::{Expr, Leaf};
 use proof::{Identity, Options, Premises, Wanted, When, identity_test_after};
 
+/// Most values at fixed times of which it is asked whether they are the same.
+const MOST_TIES: usize = 4;
+
 /// What is known of the fixed times.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Times {
@@ -104,8 +107,9 @@ impl Step<'_> {
         times
     }
 
-    /// A claim without present values, as one about the present; `None` where it has present values, or names the time.
-    pub(super) fn at_present(&mut self, gathered: &mut Gathered, equations: &Pairs) -> Option<Pairs> {
+    /// A claim without present values, as one about the present, and whether that says the same and not more; `None` where it has
+    /// present values, or names the time.
+    pub(super) fn at_present(&mut self, gathered: &mut Gathered, equations: &Pairs) -> Option<(Pairs, bool)> {
         let time = self.claim.scope.time()?;
         if gathered.known != When::Always {
             return None;
@@ -116,11 +120,14 @@ impl Step<'_> {
         }
         let instants = self.instants(equations.iter().flat_map(|&(l, r)| [l, r]));
         let &chosen = instants.first()?;
-        let of_premises: Vec<Leaf> = self.graph.leaves_within(gathered.premises.sides());
+        let mut of_premises: Vec<Leaf> = self.graph.leaves_within(gathered.premises.sides());
         // A sign that is known at another time ties the value there to the one that is asked about, where signs are known at all times.
         let given = &gathered.premises;
         let signs = given.nonzero.iter().chain(&given.positive).chain(&given.not_negative).copied();
         let of_signs = self.graph.leaves_within(signs);
+        of_premises.extend(&of_signs);
+        of_premises.sort_unstable();
+        of_premises.dedup();
         let moves = |l: &Leaf| self.claim.scope.moves(l);
         let are_tied = of_signs.iter().any(|l| moves(l) && l.instant.is_some_and(|i| i != chosen))
             && of_signs.iter().any(|l| moves(l) && l.instant.is_none());
@@ -144,7 +151,35 @@ impl Step<'_> {
                 (leaf.instant == Some(chosen)).then(|| graph.leaf(Leaf { instant: None, ..leaf }))
             })
         };
-        Some(equations.iter().map(|&(l, r)| (put(l), put(r))).collect())
+        Some((equations.iter().map(|&(l, r)| (put(l), put(r))).collect(), alone))
+    }
+
+    /// Whether what is given at several fixed times contradicts what is given always: ẋ = 0, x(0) = 1, x(1) = 2. Values that are shown to be the
+    /// same at two of them are given as such.
+    pub(super) fn excludes_between_times(&mut self, gathered: &Gathered, equations: &Pairs) -> bool {
+        let given = &gathered.premises;
+        let signs = given.nonzero.iter().chain(&given.positive).chain(&given.not_negative).copied();
+        let named: Vec<Expr> = given.sides().chain(signs).collect();
+        let mut leaves = self.graph.leaves_within(named);
+        leaves.retain(|l| l.instant.is_some() && l.rate == 0 && self.claim.scope.moves(l));
+        let (settled, level, start) = (self.settled.take(), self.proved_at, self.start);
+        let mut same = gathered.clone();
+        let pairs = leaves.iter().enumerate().flat_map(|(at, l)| leaves[..at].iter().map(move |other| (*l, *other)));
+        let alike = |&(l, other): &(Leaf, Leaf)| Leaf { instant: other.instant, ..l } == other;
+        for (one, other) in pairs.filter(alike).take(MOST_TIES).collect::<Vec<_>>() {
+            let now = self.graph.leaf(Leaf { instant: None, ..one });
+            let [one, other] = [one, other].map(|l| self.graph.leaf(l));
+            let is_kept = match self.by_rate(gathered, &vec![(now, one)]) {
+                Some((Identity::Proved(proof), _)) => !super::has_exceptions(&proof),
+                _ => false,
+            };
+            if is_kept {
+                same.premises.give([(one, other)], When::Always);
+            }
+        }
+        let excluded = same.premises.equations.len() > given.equations.len() && self.is_without_motion(&same, equations);
+        (self.settled, self.proved_at, self.start) = (settled, level, start);
+        excluded
     }
 
     /// Whether what is given ties anything that moves: else values at different times are free.
@@ -185,7 +220,8 @@ impl Step<'_> {
             *e = put(*e);
         }
         let equations: Pairs = equations.iter().map(|&(l, r)| (put(l), put(r))).collect();
-        premises.equations.retain(|k| k.left != k.right);
+        // What has no value everywhere says something, whatever its sides are.
+        premises.equations.retain(|k| k.left != k.right || !self.graph.needs_below([k.left]).is_empty());
         let signs = premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied();
         let named: Vec<Expr> = premises.sides().chain(signs).collect();
         if self.graph.leaves_within(named).contains(&time) || equations.iter().all(|(l, r)| l == r) {
