@@ -228,7 +228,16 @@ impl PrintedSide {
 
 /// The relations that a display prints.
 pub(super) fn relations(body: &[Token], place: &Place<'_>) -> Vec<PrintedRelation> {
-    let mut found = Relations { place, out: Vec::new(), open: Vec::new(), ended: Vec::new(), row: 0 };
+    let stacked = body.iter().any(|t| t.is("begin"));
+    let mut found = Relations {
+        place,
+        out: Vec::new(),
+        open: Vec::new(),
+        ended: Vec::new(),
+        indented: Vec::new(),
+        stacked,
+        row: 0,
+    };
     if body.len() > MOST_TOKENS {
         found.put(0, side_of(body), None);
         return found.out;
@@ -254,6 +263,10 @@ struct Relations<'p> {
     open: Vec<Option<usize>>,
     /// Whether it ended with a comma or a full stop.
     ended: Vec<bool>,
+    /// Whether its first row left the first cell empty.
+    indented: Vec<bool>,
+    /// Whether lines stand below each other by an environment of their own: a display alone has but one.
+    stacked: bool,
     /// The row that is looked at.
     row: usize,
 }
@@ -274,6 +287,7 @@ impl Relations<'_> {
             if self.open.len() <= column {
                 self.open.resize(column + 1, None);
                 self.ended.resize(column + 1, true);
+                self.indented.resize(column + 1, false);
             }
             last = self.pair(&tokens, column, last, Layout { left_empty, single });
         }
@@ -320,6 +334,7 @@ impl Relations<'_> {
                 self.append(at, &piece.tokens, list);
             } else {
                 self.begin(&piece, column, opening);
+                self.indented[column] = layout.left_empty;
             }
             self.ended[column] = ended;
             here = Some(column);
@@ -350,9 +365,17 @@ impl Relations<'_> {
             self.place.environment.trim_end_matches('*'),
             "multline" | "equation" | "dmath" | "displaymath" | "[" | "$$"
         );
+        // A row with a sign and an equation of its own goes on from the row before where it begins behind that one's beginning.
+        let signed = piece.relates() && matches!(first.text.as_str(), "-" | "−" | "pm" | "mp");
+        let behind = match signed {
+            true => {
+                layout.left_empty && (!self.indented[column] || piece.wide) || lines && layout.single && !self.stacked
+            }
+            false => layout.left_empty || !piece.relates() || lines && layout.single,
+        };
         unfinished
             || is_relation(first)
-            || is_operator(first) && (layout.left_empty || !piece.relates() || lines && layout.single)
+            || is_operator(first) && behind
             || !piece.relates() && !self.ended[column] && (layout.left_empty || lines)
     }
 

@@ -92,8 +92,9 @@ pub(super) fn pieces(tokens: &[Token]) -> Vec<Piece> {
         } else if outside && token.kind == Kind::Command && BETWEEN_STATEMENTS.contains(&token.text.as_str()) {
             next = Some((Piece { implied: true, wide: true, ..Piece::default() }, at + 1));
         } else if outside && token.kind == Kind::Command && WORDS.contains(&token.text.as_str()) {
-            let (words, after) = group_text(tokens, at + 1);
-            if after > at + 1 && !is_operand(tokens, at, after, &words) {
+            let star = usize::from(token.text.starts_with("qq") && tokens.get(at + 1).is_some_and(|t| t.is_char("*")));
+            let (words, after) = group_text(tokens, at + 1 + star);
+            if after > at + 1 + star && !is_operand(tokens, at, after, &words) {
                 next = Some((Piece { words: Some(words.trim().to_owned()), wide: true, ..Piece::default() }, after));
             }
         }
@@ -240,7 +241,27 @@ fn is_operand(tokens: &[Token], at: usize, after: usize, words: &str) -> bool {
     if !before.is_some_and(|t| script(&t)) && (is_opening(&word) || matches!(word.as_str(), "and" | "or" | "")) {
         return false;
     }
+    // `\qq` prints a wide space on both sides.
+    let is_name = is_name(words) && tokens[at].text.starts_with(['t', 'm', 'h']);
+    if is_name && behind.is_some_and(is_argument) || matches!(word.as_str(), "mod" | "modulo" | "div") {
+        return true;
+    }
     let begins = before.is_some_and(|t| is_relation(t) || is_operator(t) || script(&t));
     let goes_on = behind.is_some_and(|t| is_relation(t) || is_operator(t) || script(&t));
     begins || goes_on || (before.is_some_and(|t| t.kind == Kind::Open))
+}
+
+/// Whether words are the name of a function, or of a differential, as far as they tell: one word, without a space around it.
+fn is_name(words: &str) -> bool {
+    !words.is_empty() && words.chars().all(char::is_alphabetic)
+}
+
+/// Whether what stands behind a name may be its argument: a bracket, or a name.
+fn is_argument(token: &Token) -> bool {
+    let named = match token.kind {
+        Kind::Command => !is_space(token) && !is_wide(token) && !WORDS.contains(&token.text.as_str()),
+        Kind::Open => true,
+        _ => token.text.starts_with(char::is_alphanumeric) || matches!(token.text.as_str(), "(" | "[" | "|"),
+    };
+    named && !is_printed_space(token) && !BETWEEN_STATEMENTS.contains(&token.text.as_str())
 }

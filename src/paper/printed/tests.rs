@@ -48,6 +48,42 @@ fn lines_go_on() {
     assert_eq!(read("gather", r"a = b \\ c = d"), ["a = b", "c = d"]);
 }
 
+/// A row with a sign and an equation of its own is one of its own where it begins where the row before does.
+#[test]
+fn rows_with_a_sign_and_an_equation() {
+    let plain = |found: Vec<String>| found.iter().map(|r| r.replace([' '], "").replace("\\quad", "")).collect::<Vec<_>>();
+    let own = |inner: &str, text: &str| {
+        plain(read("equation", &format!("\\begin{{{inner}}} {text} \\end{{{inner}}}")))
+    };
+    assert_eq!(own("aligned", r"&a=b \\ &-a=-b"), ["a=b", "-a=-b"]);
+    assert_eq!(own("aligned", r"F&=a \\ -g&=a"), ["F=a", "-g=a"]);
+    assert_eq!(own("split", r"F=a \\ -g=a"), ["F=a", "-g=a"]);
+    assert_eq!(own("gathered", r"F=a \\ -g=a"), ["F=a", "-g=a"]);
+    assert_eq!(own("split", r"y=&a \\ &-c=d"), ["y=a-c=d"]);
+    assert_eq!(own("split", r"&y=a \\ &\quad-c=d"), ["y=a-c=d"]);
+    assert_eq!(plain(read("multline", r"a = b \\ -c = d")), ["a=b-c=d"]);
+}
+
+/// A name in upright letters before its argument is no word between formulas.
+#[test]
+fn names_in_text_are_parts_of_a_formula() {
+    for command in ["text", "textrm", "mbox", "textbf", "textit"] {
+        for name in ["Alt", "Tr", "det", "erf", "Hom"] {
+            for argument in ["(x)", r"\left(x\right)", "[x]", "x", " x", r"\rho"] {
+                let formula = format!(r"a=b\{command}{{{name}}}{argument}+c");
+                assert_eq!(read("[", &formula).len(), 1, "{formula}");
+            }
+        }
+    }
+    assert_eq!(read("[", r"f=\int x\,\text{d}x=y").len(), 1);
+    assert_eq!(read("[", r"x^2 \text{ mod } 7=3").len(), 1);
+    // Words are.
+    assert_eq!(read("[", r"a=b \text{ if } (c>0)").len(), 2);
+    assert_eq!(read("[", r"a=b \text{for}\quad c>0").len(), 2);
+    assert_eq!(read("[", r"a=b \qq{using} c=d"), ["a = b [using]", "c = d"]);
+    assert_eq!(read("[", r"a=b \qq*{using} c=d"), ["a = b [using]", "c = d"]);
+}
+
 #[test]
 fn what_is_between_brackets_is_not_cut() {
     assert_eq!(read("[", r"\Phi=\left\{T, V, n\right\}"), [r"\Phi = \left\{T, V, n\right\}"]);
