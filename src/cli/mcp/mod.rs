@@ -16,6 +16,7 @@ use std::path::PathBuf;
 
 use rederive::Ending;
 use rederive::diag::escape::in_one_line;
+use rederive::diag::values::bounded;
 use serde_json::{Value, json};
 
 use super::ending::Stop;
@@ -23,6 +24,8 @@ use tools::Workbench;
 
 /// Versions of the protocol whose tools are these; of others the newest of these is offered.
 const PROTOCOL: [&str; 3] = ["2025-06-18", "2025-03-26", "2024-11-05"];
+/// Values of JSON that a request may have.
+const MOST_VALUES: usize = 500_000;
 /// Longest request, in bytes.
 const LONGEST: u64 = 16 << 20;
 
@@ -69,6 +72,9 @@ fn refused(id: &Value, code: i32, message: &str) -> Value {
 fn answered(line: &[u8], bench: &Workbench) -> Option<Value> {
     if line.trim_ascii().is_empty() {
         return None;
+    }
+    if let Err(why) = bounded(line, MOST_VALUES) {
+        return Some(refused(&Value::Null, -32600, &format!("the request is not read: {why}")));
     }
     let Ok(request) = serde_json::from_slice::<Value>(line) else {
         return Some(refused(&Value::Null, -32700, "this is not JSON"));
