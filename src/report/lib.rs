@@ -87,6 +87,7 @@ pub use lint_findings::lint_findings;
 pub use lint_json::lint_document;
 pub use lint_page::{lint_formulas, lint_page};
 pub use markdown::markdown;
+pub use markup::{fenced, prose};
 pub use mathml::formula_mathml;
 pub use members::{member_line, members_head};
 pub use page::{first_page, page, printed_page};
