@@ -110,6 +110,11 @@ impl Looker {
         }
     }
 
+    /// Gives back what is kept of a text that is looked through no more.
+    pub fn forget(&mut self, path: &Path) {
+        self.sessions.remove(&path.display().to_string());
+    }
+
     fn derivation(&mut self, source: &Arc<Source>, each: &mut dyn FnMut(Looked)) {
         let changed = match self.sessions.get_mut(&source.path) {
             Some(session) => session.change(source.text.clone()),
@@ -266,6 +271,21 @@ mod tests {
         let [first, second] = &looked(path, text)[..] else { panic!("twice") };
         assert_eq!((first.findings.len(), first.declared.len(), second.declared.len()), (0, 1, 1));
         assert_eq!(second.remarks.len(), 1);
+    }
+
+    #[test]
+    fn what_is_closed_is_not_kept() {
+        let mut looker = Looker::default();
+        let text = "[derivation]\ntitle = 'A'\nconcerns = 'B'\n[symbols]\n'a' = { role = 'parameter' }\n[[claim]]\nid = 'one'\nsays = 'c'\nalways = ['a=a']\n";
+        let (one, other) = (Path::new("/one.toml"), Path::new("/other.toml"));
+        for path in [one, other] {
+            looker.look(path, text.to_owned(), &mut |_| {});
+        }
+        assert_eq!(looker.sessions.len(), 2);
+        looker.forget(one);
+        assert_eq!(looker.sessions.len(), 1);
+        looker.look(one, text.to_owned(), &mut |of| assert!(of.findings.is_empty()));
+        assert_eq!(looker.sessions.len(), 2);
     }
 
     #[test]
