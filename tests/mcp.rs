@@ -72,12 +72,15 @@ fn whatever_is_sent_the_next_request_is_answered() {
     lines.push(call(5, "lint", &json!({ "text": "$x$", "path": "a.tex" })));
     lines.push(call(6, "lint", &json!({ "path": "Cargo.toml" })));
     lines.push("x".repeat(17 << 20));
+    lines.push(format!(r#"{{"id":7,"method":"none","params":[{}1]}}"#, "1,".repeat(600_000)));
     lines.push(call(9, "prove", &json!({ "formula": "1+1=2" })));
     let found = answers(&[], &lines);
     let last = found.last().expect("answers");
     assert_eq!((&last["id"], &last["result"]["structuredContent"]["verdict"]), (&json!(9), &json!("proved")));
     let of = |id: i32| found.iter().find(|f| f["id"] == id).unwrap_or_else(|| panic!("{id} is answered: {found:?}"));
     assert_eq!(of(2)["error"]["code"], -32602);
+    let told = |f: &Value| f["error"]["message"].as_str().is_some_and(|m| m.contains("more than 500000 values"));
+    assert!(found.iter().any(told), "{found:?}");
     for id in 3..=6 {
         assert_eq!(of(id)["result"]["isError"], true, "{id}");
     }
