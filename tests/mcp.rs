@@ -114,7 +114,8 @@ fn a_text_is_looked_through_as_the_command_does() {
         &[
             call(1, "lint", &json!({ "text": text })),
             call(2, "lint", &json!({ "text": format!("\\[{text}\\]") })),
-            call(3, "lint", &json!({ "text": "\\[x=x\\]\n".repeat(1_250_000) })),
+            call(3, "lint", &json!({ "text": "\u{1}".repeat(2_500_000) })),
+            call(4, "lint", &json!({ "text": "$x=1$".repeat(20_000) })),
         ],
     );
     let document = |at: usize| &found[at]["result"]["structuredContent"];
@@ -122,8 +123,10 @@ fn a_text_is_looked_through_as_the_command_does() {
         assert_eq!(document(at)["words"]["wrong"], 1);
         assert_eq!(document(at)["relations"][0]["instead"], "a^2+2ab+b^2");
     }
-    let told = found[2]["result"]["content"][0]["text"].as_str().unwrap_or_default();
-    assert!(told.contains("longer than can be read"), "{told}");
+    for (at, why) in [(2, "the text has 2500000 bytes, and 1048576"), (3, "there are 20000 relations, and 10000")] {
+        let told = found[at]["result"]["content"][0]["text"].as_str().unwrap_or_default();
+        assert!(told.contains(why) && told.contains("hand over a part"), "{told}");
+    }
     let folder = tempfile::tempdir().expect("a folder");
     std::fs::write(folder.path().join("text.tex"), format!("\\[{text}\\]")).expect("written");
     let printed = std::process::Command::new(env!("CARGO_BIN_EXE_rederive"))

@@ -69,8 +69,8 @@ impl<'de> Visitor<'de> for Summing {
         let mut words = [0_u64; 5];
         while let Some((Fingerprint(key), Fingerprint(value))) = all.next_entry()? {
             let Fingerprint(entry) = Fingerprint::of(7, &[key, value].concat());
-            for (word, part) in words.iter_mut().zip(entry.chunks_exact(8)) {
-                *word = word.wrapping_add(part.iter().fold(0, |n, byte| n << 8 | u64::from(*byte)));
+            for (word, part) in words.iter_mut().zip(entry.as_chunks::<8>().0) {
+                *word = word.wrapping_add(u64::from_le_bytes(*part));
             }
             words[4] += 1;
         }
