@@ -12,20 +12,18 @@
 
 mod answers;
 mod positions;
-mod wire;
+mod texts;
 
-use std::collections::HashMap;
-use std::path::PathBuf;
-use std::sync::mpsc::{Receiver, Sender, channel};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::mpsc::{Sender, channel};
+use std::sync::{Arc, PoisonError};
 
 use rederive::Ending;
 use rederive::diag::escape::in_one_line;
-use rederive::look::{Looked, Looker};
 use serde_json::{Value, json};
 
 use super::ending::Stop;
-use wire::{NO_METHOD, NO_REQUEST, NOT_BEGUN, refused, send};
+use super::wire::{self, NO_METHOD, NO_REQUEST, NOT_BEGUN, refused, send};
+use texts::{Known, Told, look_through, newest};
 
 #[derive(clap::Args)]
 pub struct LspArguments {
@@ -33,17 +31,6 @@ pub struct LspArguments {
     #[arg(long)]
     stdio: bool,
 }
-
-/// What an editor says of a text.
-enum Told {
-    /// It is open, or has changed.
-    Opened { uri: String, version: i64, text: String },
-    /// It is closed.
-    Closed { uri: String },
-}
-
-/// What was found of each text, by its address.
-type Known = Arc<Mutex<HashMap<String, Arc<Looked>>>>;
 
 /// How far a talk has come.
 #[derive(PartialEq)]
@@ -135,59 +122,4 @@ fn answered(method: &str, params: &Value, known: &Known) -> Option<Option<Value>
         "textDocument/inlayHint" => or_none(of.map(|of| answers::hints(&of, params))),
         _ => return None,
     })
-}
-
-/// What a notification says of a text; `None` where it says nothing.
-fn newest(method: &str, params: &Value) -> Option<Told> {
-    let at = |pointer: &str| params.pointer(pointer);
-    let uri = at("/textDocument/uri")?.as_str()?.to_owned();
-    let text = match method {
-        "textDocument/didOpen" => at("/textDocument/text")?,
-        "textDocument/didChange" => at("/contentChanges")?.as_array()?.last()?.get("text")?,
-        "textDocument/didClose" => return Some(Told::Closed { uri }),
-        _ => return None,
-    };
-    let version = at("/textDocument/version").and_then(Value::as_i64).unwrap_or(0);
-    Some(Told::Opened { uri, version, text: text.as_str()?.to_owned() })
-}
-
-/// Looks texts through, of each the newest alone, until no more come.
-fn look_through(told: &Receiver<Told>, known: &Known) {
-    let mut looker = Looker::default();
-    let mut waiting: Vec<(String, i64, String)> = Vec::new();
-    let known = || known.lock().unwrap_or_else(PoisonError::into_inner);
-    loop {
-        let first = if waiting.is_empty() { told.recv().ok() } else { None };
-        if waiting.is_empty() && first.is_none() {
-            return;
-        }
-        for one in first.into_iter().chain(told.try_iter()) {
-            match one {
-                Told::Opened { uri, version, text } => {
-                    waiting.retain(|(older, ..)| *older != uri);
-                    waiting.push((uri, version, text));
-                }
-                Told::Closed { uri } => {
-                    waiting.retain(|(older, ..)| *older != uri);
-                    looker.forget(&path_of(&uri));
-                    known().remove(&uri);
-                }
-            }
-        }
-        let Some((uri, version, text)) = waiting.pop() else { continue };
-        looker.look(&path_of(&uri), text, &mut |looked| {
-            let diagnostics: Vec<Value> = looked.findings.iter().filter_map(answers::diagnostic).collect();
-            let params = json!({ "uri": uri, "version": version, "diagnostics": diagnostics });
-            known().insert(uri.clone(), Arc::new(looked));
-            // Where the editor is gone, the talk ends.
-            let told = json!({ "jsonrpc": "2.0", "method": "textDocument/publishDiagnostics", "params": params });
-            drop(send(&told));
-        });
-    }
-}
-
-/// The path that an address of a file names; another address is a name that has no folder.
-fn path_of(uri: &str) -> PathBuf {
-    let path = uri.strip_prefix("file://").map(|path| percent_encoding::percent_decode_str(path).decode_utf8_lossy());
-    PathBuf::from(path.map_or_else(|| uri.replace('/', ":"), |path| path.into_owned()))
 }

@@ -16,16 +16,14 @@ use std::path::PathBuf;
 
 use rederive::Ending;
 use rederive::diag::escape::in_one_line;
-use rederive::diag::values::bounded;
 use serde_json::{Value, json};
 
 use super::ending::Stop;
+use super::wire::{self, NO_METHOD, NO_PARAMETER, NO_REQUEST, refused};
 use tools::Workbench;
 
 /// Versions of the protocol whose tools are these; of others the newest of these is offered.
 const PROTOCOL: [&str; 3] = ["2025-06-18", "2025-03-26", "2024-11-05"];
-/// Values of JSON that a request may have.
-const MOST_VALUES: usize = 500_000;
 /// Longest request, in bytes.
 const LONGEST: u64 = 16 << 20;
 
@@ -51,7 +49,7 @@ pub fn mcp(arguments: &McpArguments) -> Result<Ending, Stop> {
         let answer = if line.last() != Some(&b'\n') && line.len() as u64 == LONGEST {
             // What is left of the line is nothing that could be answered.
             input.skip_until(b'\n')?;
-            Some(refused(&Value::Null, -32600, "the request is too long"))
+            Some(refused(&Value::Null, NO_REQUEST, "the request is too long"))
         } else {
             answered(&line, &bench)
         };
@@ -64,20 +62,14 @@ pub fn mcp(arguments: &McpArguments) -> Result<Ending, Stop> {
     }
 }
 
-fn refused(id: &Value, code: i32, message: &str) -> Value {
-    json!({ "jsonrpc": "2.0", "id": id, "error": { "code": code, "message": message } })
-}
-
 /// The answer to a line; `None` where none is wanted.
 fn answered(line: &[u8], bench: &Workbench) -> Option<Value> {
     if line.trim_ascii().is_empty() {
         return None;
     }
-    if let Err(why) = bounded(line, MOST_VALUES) {
-        return Some(refused(&Value::Null, -32600, &format!("the request is not read: {why}")));
-    }
-    let Ok(request) = serde_json::from_slice::<Value>(line) else {
-        return Some(refused(&Value::Null, -32700, "this is not JSON"));
+    let request = match wire::message(line) {
+        Ok(request) => request,
+        Err(refused) => return Some(refused),
     };
     let method = request.get("method").and_then(Value::as_str);
     // A notification has no id, and an answer has no method.
@@ -100,7 +92,7 @@ fn answered(line: &[u8], bench: &Workbench) -> Option<Value> {
         "tools/call" => {
             let name = params.get("name").and_then(Value::as_str).unwrap_or_default();
             if !bench.has(name) {
-                return Some(refused(id, -32602, &format!("there is no tool `{}`", in_one_line(name))));
+                return Some(refused(id, NO_PARAMETER, &format!("there is no tool `{}`", in_one_line(name))));
             }
             match bench.call(name, params.get("arguments").unwrap_or(&Value::Null)) {
                 Ok(found) => {
@@ -109,7 +101,7 @@ fn answered(line: &[u8], bench: &Workbench) -> Option<Value> {
                 Err(why) => json!({ "content": [{ "type": "text", "text": why }], "isError": true }),
             }
         }
-        _ => return Some(refused(id, -32601, &format!("`{}` is not known here", in_one_line(method)))),
+        _ => return Some(refused(id, NO_METHOD, &format!("`{}` is not known here", in_one_line(method)))),
     };
     Some(json!({ "jsonrpc": "2.0", "id": id, "result": result }))
 }

@@ -1,6 +1,6 @@
-//! Messages as they come and go: a length, and so many bytes of JSON.
+//! Messages of servers as they come and go: JSON, and to and from an editor a length before it.
 //!
-//! **In:** the bytes of an editor. **Out:** messages, and answers to what is none. **Guaranteed:** memory is taken for bytes that have come,
+//! **In:** the bytes of a client. **Out:** messages, and answers to what is none. **Guaranteed:** memory is taken for bytes that have come,
 //! not for those that are announced; a message that is not understood takes no other with it.
 
 use std::io::{BufRead, Read, Write};
@@ -9,18 +9,19 @@ use rederive::diag::values::bounded;
 use rederive::paper::LARGEST_PAPER;
 use serde_json::{Value, json};
 
-use super::super::ending::Stop;
+use super::ending::Stop;
 
 /// Longest message, in bytes: the largest text, in which each sign may be written with some more.
 const LONGEST: u64 = 4 * LARGEST_PAPER;
 /// Longest line before a message.
 const LONGEST_LINE: u64 = 8 << 10;
-/// Values of JSON that a message may have: an editor sends texts, and few of them.
+/// Values of JSON that a message may have: a client sends texts, and few of them.
 const MOST_VALUES: usize = 500_000;
 
 pub(super) const NOT_JSON: i32 = -32700;
 pub(super) const NO_REQUEST: i32 = -32600;
 pub(super) const NO_METHOD: i32 = -32601;
+pub(super) const NO_PARAMETER: i32 = -32602;
 pub(super) const NOT_BEGUN: i32 = -32002;
 
 /// The bytes of the next message; `None` where the editor is gone.
