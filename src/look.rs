@@ -63,7 +63,8 @@ impl Looked {
     /// What stands at a byte, and what was found of it, in Markdown.
     pub fn said_at(&self, at: usize) -> Option<String> {
         let in_code = |text: &str| in_one_line(text).replace('`', "'");
-        let named = self.declared_at(at).map(|d| format!("`{}`: {}", in_code(&d.name), in_one_line(&d.says)));
+        let named =
+            self.declared_at(at).map(|d| format!("`{}`: {}", in_code(&d.name), report::prose(&in_one_line(&d.says))));
         let parts: Vec<String> = named.into_iter().chain(self.remark_at(at).map(|r| r.more.clone())).collect();
         (!parts.is_empty()).then(|| parts.join("\n\n"))
     }
@@ -107,6 +108,11 @@ impl Looker {
             let message = "this text shows a defect of rederive: please report it";
             each(with_problems(&source, &[Diagnostic::at(&source, "rederive::defect", 0..0, message)]));
         }
+    }
+
+    /// Gives back what is kept of a text that is looked through no more.
+    pub fn forget(&mut self, path: &Path) {
+        self.sessions.remove(&path.display().to_string());
     }
 
     fn derivation(&mut self, source: &Arc<Source>, each: &mut dyn FnMut(Looked)) {
@@ -157,7 +163,7 @@ fn with_verdicts(source: &Arc<Source>, session: &Session, found: &Findings) -> L
         }
         let said: Vec<String> = words.iter().map(|(word, n)| format!("{word} on {n}")).collect();
         let word = if said.is_empty() { "on no motion".to_owned() } else { said.join(", ") };
-        let more = found.explanation(&claim.name(), &[], false).map(|text| fenced(&text)).unwrap_or_default();
+        let more = found.explanation(&claim.name(), &[], false).map(|text| as_it_is(&text)).unwrap_or_default();
         Remark { span: claim.span.clone(), word, more }
     };
     let derivation = session.derivation();
@@ -183,8 +189,8 @@ fn offers(found: &Findings) -> Vec<(Range<usize>, report::Fix)> {
 }
 
 /// A text as it is, in Markdown.
-fn fenced(text: &str) -> String {
-    format!("~~~~~~text\n{}\n~~~~~~\n", text.trim_end().replace("~~~~~~", "~~~~~"))
+fn as_it_is(text: &str) -> String {
+    report::fenced("text", text.trim_end())
 }
 
 fn of_paper(source: &Arc<Source>, folder: Option<&Path>) -> Looked {
@@ -202,9 +208,13 @@ fn of_paper(source: &Arc<Source>, folder: Option<&Path>) -> Looked {
         if !Arc::ptr_eq(file, source) {
             continue;
         }
-        let mut more = format!("**{}** {}", judgement.word.text(), in_one_line(&lint::explained(&paper, judgement)));
+        let mut more = format!(
+            "**{}** {}",
+            judgement.word.text(),
+            report::prose(&in_one_line(&lint::explained(&paper, judgement)))
+        );
         if let Some(problem) = lint::diagnostic(&paper, judgement) {
-            more.extend(report::problems(&[problem]).iter().map(|f| format!("\n\n{}", fenced(&f.message))));
+            more.extend(report::problems(&[problem]).iter().map(|f| format!("\n\n{}", as_it_is(&f.message))));
         }
         remarks.push(Remark { span, word: judgement.word.text().to_owned(), more });
     }
@@ -261,6 +271,40 @@ mod tests {
         let [first, second] = &looked(path, text)[..] else { panic!("twice") };
         assert_eq!((first.findings.len(), first.declared.len(), second.declared.len()), (0, 1, 1));
         assert_eq!(second.remarks.len(), 1);
+    }
+
+    #[test]
+    fn what_is_closed_is_not_kept() {
+        let mut looker = Looker::default();
+        let text = "[derivation]\ntitle = 'A'\nconcerns = 'B'\n[symbols]\n'a' = { role = 'parameter' }\n[[claim]]\nid = 'one'\nsays = 'c'\nalways = ['a=a']\n";
+        let (one, other) = (Path::new("/one.toml"), Path::new("/other.toml"));
+        for path in [one, other] {
+            looker.look(path, text.to_owned(), &mut |_| {});
+        }
+        assert_eq!(looker.sessions.len(), 2);
+        looker.forget(one);
+        assert_eq!(looker.sessions.len(), 1);
+        looker.look(one, text.to_owned(), &mut |of| assert!(of.findings.is_empty()));
+        assert_eq!(looker.sessions.len(), 2);
+    }
+
+    #[test]
+    fn what_a_file_says_is_no_markup_where_it_is_shown() {
+        let hostile = r"[l](command:x) ![p](y) <img src=z> ~~~~~~~ ``````` *b*";
+        let text = format!(
+            "[derivation]\ntitle = 'A'\nconcerns = 'B'\n[symbols]\n'a' = {{ role = 'parameter', says = '{hostile}' }}\n[[claim]]\nid = \
+             'one'\nsays = \"\"\"{hostile}\n~~~~~~~\n```````\n<img src=x>\"\"\"\nalways = ['a=a']\n"
+        );
+        let of = looked("/a.toml", &text).pop().expect("it is looked at");
+        let symbol = of.said_at(text.find("'a'").expect("the symbol") + 1).expect("it is declared");
+        assert!(symbol.starts_with("`a`: parameter: "), "{symbol}");
+        for markup in ["[l](", "![p](", "<img", " ~~~~~~~", " ```", " *b"] {
+            assert!(!symbol.contains(markup), "{markup}: {symbol}");
+        }
+        let claim = of.said_at(text.find("id = 'one'").expect("the claim") + 6).expect("it is told");
+        let fence: String = claim.chars().take_while(|c| *c == '`').collect();
+        let inside = claim.trim_end().strip_suffix(&fence).and_then(|c| c.strip_prefix(&fence)).expect("a fence");
+        assert!(fence.len() > 2 && !inside.contains(&fence) && inside.contains("[l](command:x)"), "{claim}");
     }
 
     #[test]

@@ -64,6 +64,26 @@ fn what_was_changed_in_a_proof_is_refused_with_its_step() {
     assert!(code == 2 && said.contains("this is no proofs.json"), "{code}, {said}");
 }
 
+/// Small bytes are large values once they are read.
+#[test]
+fn a_text_of_many_values_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("proofs.json");
+    let with = |more: &str| {
+        format!(r#"{{"schema":2,"derivation":"d","sha256":"","proofs":[],"unrecorded":[],"sum":"","more":{more}}}"#)
+    };
+    let many = |value: &str| format!("[{}1]", [value, ","].concat().repeat(6_000_000));
+    for text in [many("1"), many("{}"), with(&many("[]"))] {
+        fs::write(&path, text).expect("written");
+        let (code, said) = audit(&path);
+        assert!(code == 2 && said.contains("it has more than 5000000 values of JSON"), "{code}: {said}");
+    }
+    // One that is not understood is not passed over, however few.
+    fs::write(&path, with("0")).expect("written");
+    let (code, said) = audit(&path);
+    assert!(code == 2 && said.contains("a key that is not known"), "{code}: {said}");
+}
+
 fn rederive(words: &[&str]) -> String {
     let run = Command::new(env!("CARGO_BIN_EXE_rederive")).args(words).output().expect("it runs");
     String::from_utf8(run.stdout).expect("UTF-8") + &String::from_utf8_lossy(&run.stderr)

@@ -78,6 +78,29 @@ fn what_is_no_report_is_refused() {
     }
 }
 
+/// Small bytes are large values once they are read, and an id is told with each verdict.
+#[test]
+fn a_report_of_many_values_or_of_long_ids_is_refused() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let good = report("holds", Some("sampled"), false);
+    fs::write(folder.path().join("good.json"), good.to_string()).expect("written");
+    let with = |more: &str| good.to_string().replacen('{', &format!("{{\"more\":{more},"), 1);
+    let many = |value: &str| format!("[{}1]", [value, ","].concat().repeat(6_000_000));
+    for text in [many("1"), with(&many("1")), with(&many("{}"))] {
+        fs::write(folder.path().join("many.json"), text).expect("written");
+        let run = rederive(folder.path(), &["diff", "good.json", "many.json"]).code(2);
+        let told = "`many.json` cannot be compared: it has more than 5000000 values of JSON";
+        run.stderr(predicate::str::contains(told));
+    }
+    // What is not compared is not kept, and does not count unless it is much.
+    fs::write(folder.path().join("more.json"), with("[1,{},\",,\"]")).expect("written");
+    rederive(folder.path(), &["diff", "good.json", "more.json"]).code(0);
+    let long = good.to_string().replace("\"d\"", &format!("\"{}\"", "d".repeat(1000)));
+    fs::write(folder.path().join("long.json"), long).expect("written");
+    let run = rederive(folder.path(), &["diff", "good.json", "long.json"]).code(2);
+    run.stderr(predicate::str::contains("an id or a word has 1000 bytes"));
+}
+
 fn rederive(folder: &Path, arguments: &[&str]) -> assert_cmd::assert::Assert {
     let mut command = Command::cargo_bin("rederive").expect("the program is built");
     command.current_dir(folder).env_remove("CLICOLOR_FORCE").args(arguments).assert()

@@ -1,7 +1,8 @@
 //! The language server, as an editor talks to it.
 
-use std::io::BufReader;
+use std::io::{BufRead, BufReader, Read, Write};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::time::{Duration, Instant};
 
 use lsp_server::{Message, Notification, Request};
 use serde_json::{Value, json};
@@ -210,5 +211,139 @@ fn the_settings_for_helix_name_the_server_that_they_define() {
     for language in languages {
         let servers = language["language-servers"].as_array().expect("servers");
         assert!(servers.iter().any(|s| s.as_str() == Some("rederive")), "{language}");
+    }
+}
+
+impl Editor {
+    /// Sends bytes as they are.
+    fn write(&mut self, bytes: &[u8]) {
+        self.to.as_mut().expect("open").write_all(bytes).expect("written");
+    }
+
+    /// The next message, as it is.
+    fn read_raw(&mut self) -> Value {
+        let mut length = 0;
+        loop {
+            let mut line = String::new();
+            assert!(self.from.read_line(&mut line).expect("a line") > 0, "the server lives");
+            match line.trim().split_once(": ") {
+                Some((_, bytes)) => length = bytes.parse().expect("a number"),
+                None => break,
+            }
+        }
+        let mut body = vec![0; length];
+        self.from.read_exact(&mut body).expect("a body");
+        serde_json::from_slice(&body).expect("JSON")
+    }
+
+    /// Waits for the end of the server, and no longer than so many seconds.
+    fn ends_within(mut self, seconds: u64) -> Option<i32> {
+        let until = Instant::now() + Duration::from_secs(seconds);
+        while Instant::now() < until {
+            if let Some(status) = self.server.try_wait().expect("asked") {
+                return status.code();
+            }
+            std::thread::sleep(Duration::from_millis(20));
+        }
+        self.server.kill().expect("stopped");
+        self.server.wait().expect("it ends");
+        panic!("the server has not ended");
+    }
+}
+
+#[test]
+fn a_message_that_is_not_understood_takes_no_other_with_it() {
+    let mut editor = Editor::start();
+    let deep = format!(r#"{{"method":"x","params":{}}}"#, "[".repeat(100_000));
+    let many = format!(r#"{{"method":"x","params":[{}1]}}"#, "1,".repeat(600_000));
+    let bad: [(&[u8], i32); 7] = [
+        (b"\xff\xfe{}", -32700),
+        (br#"{"method":"textDocument/didOpen","params":{"textDocument":{"uri":"a","text":"\ud800"}}}"#, -32700),
+        (deep.as_bytes(), -32700),
+        (b"{", -32700),
+        (b"[]", -32600),
+        (br#"{"id":3000000000}"#, -32600),
+        (many.as_bytes(), -32600),
+    ];
+    for (body, code) in bad {
+        editor.write(format!("Content-Length: {}\r\n\r\n", body.len()).as_bytes());
+        editor.write(body);
+        assert_eq!(editor.read_raw()["error"]["code"], code);
+    }
+    let unknown = editor.ask("textDocument/none", json!({}));
+    assert_eq!(unknown["code"], -32601);
+    editor.stop();
+}
+
+#[test]
+fn a_length_that_no_message_has_ends_the_server_with_a_word() {
+    for length in ["1000000000", "5000000000", "9223372036854775808", "99999999999999999999", "-1", "x"] {
+        let mut server = Command::new(env!("CARGO_BIN_EXE_rederive"))
+            .arg("lsp")
+            .stdin(Stdio::piped())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the server starts");
+        // The end of input does not come: what is announced is refused for itself.
+        let mut to = server.stdin.take().expect("its input");
+        to.write_all(format!("Content-Length: {length}\r\n\r\n{{\"a\":").as_bytes()).expect("written");
+        let told = server.wait_with_output().expect("it ends");
+        let said = String::from_utf8_lossy(&told.stderr).into_owned();
+        assert_eq!(told.status.code(), Some(2), "{length}: {said}");
+        assert!(said.contains("the editor announces a message of"), "{length}: {said}");
+    }
+}
+
+/// What takes many seconds.
+fn long() -> String {
+    r"[derivation]
+title = 'A decay'
+concerns = 'A textbook'
+[symbols]
+'t' = { role = 'time' }
+'x' = { role = 'state' }
+'k' = { role = 'parameter' }
+[system.s]
+states = ['x']
+equations = ['\dot x=-kx']
+[[trajectory]]
+id = 'a'
+system = 's'
+parameters = { 'k' = 1 }
+initial = { 'x' = 1 }
+span = [0, 1]
+[[family]]
+id = 'f'
+of = 'a'
+vary = { 'k' = { log-uniform = [1, 1e12] } }
+draws = 1000000
+seed = 1
+[[claim]]
+id = 'c'
+says = 's'
+always = ['x<2']
+families = ['f']
+"
+    .to_owned()
+}
+
+#[test]
+fn the_end_of_a_talk_waits_for_no_work() {
+    for is_polite in [true, false] {
+        let mut editor = Editor::start();
+        for n in 0..3 {
+            editor.open(&format!("file:///long{n}.toml"), &long());
+        }
+        // Problems come before verdicts: the work has begun.
+        editor.diagnostics(1, &|_| true);
+        if is_polite {
+            assert_eq!(editor.ask("shutdown", Value::Null), Value::Null);
+            assert_eq!(editor.ask("textDocument/hover", json!({}))["code"], json!(-32600));
+            editor.tell("exit", Value::Null);
+        } else {
+            editor.to = None;
+        }
+        assert_eq!(editor.ends_within(10), Some(0));
     }
 }

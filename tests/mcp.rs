@@ -72,12 +72,15 @@ fn whatever_is_sent_the_next_request_is_answered() {
     lines.push(call(5, "lint", &json!({ "text": "$x$", "path": "a.tex" })));
     lines.push(call(6, "lint", &json!({ "path": "Cargo.toml" })));
     lines.push("x".repeat(17 << 20));
+    lines.push(format!(r#"{{"id":7,"method":"none","params":[{}1]}}"#, "1,".repeat(600_000)));
     lines.push(call(9, "prove", &json!({ "formula": "1+1=2" })));
     let found = answers(&[], &lines);
     let last = found.last().expect("answers");
     assert_eq!((&last["id"], &last["result"]["structuredContent"]["verdict"]), (&json!(9), &json!("proved")));
     let of = |id: i32| found.iter().find(|f| f["id"] == id).unwrap_or_else(|| panic!("{id} is answered: {found:?}"));
     assert_eq!(of(2)["error"]["code"], -32602);
+    let told = |f: &Value| f["error"]["message"].as_str().is_some_and(|m| m.contains("more than 500000 values"));
+    assert!(found.iter().any(told), "{found:?}");
     for id in 3..=6 {
         assert_eq!(of(id)["result"]["isError"], true, "{id}");
     }
@@ -111,7 +114,8 @@ fn a_text_is_looked_through_as_the_command_does() {
         &[
             call(1, "lint", &json!({ "text": text })),
             call(2, "lint", &json!({ "text": format!("\\[{text}\\]") })),
-            call(3, "lint", &json!({ "text": "\\[x=x\\]\n".repeat(1_250_000) })),
+            call(3, "lint", &json!({ "text": "\u{1}".repeat(2_500_000) })),
+            call(4, "lint", &json!({ "text": "$x=1$".repeat(20_000) })),
         ],
     );
     let document = |at: usize| &found[at]["result"]["structuredContent"];
@@ -119,8 +123,10 @@ fn a_text_is_looked_through_as_the_command_does() {
         assert_eq!(document(at)["words"]["wrong"], 1);
         assert_eq!(document(at)["relations"][0]["instead"], "a^2+2ab+b^2");
     }
-    let told = found[2]["result"]["content"][0]["text"].as_str().unwrap_or_default();
-    assert!(told.contains("longer than can be read"), "{told}");
+    for (at, why) in [(2, "the text has 2500000 bytes, and 1048576"), (3, "there are 20000 relations, and 10000")] {
+        let told = found[at]["result"]["content"][0]["text"].as_str().unwrap_or_default();
+        assert!(told.contains(why) && told.contains("hand over a part"), "{told}");
+    }
     let folder = tempfile::tempdir().expect("a folder");
     std::fs::write(folder.path().join("text.tex"), format!("\\[{text}\\]")).expect("written");
     let printed = std::process::Command::new(env!("CARGO_BIN_EXE_rederive"))

@@ -28,6 +28,7 @@ mod schema;
 mod search;
 mod sweep;
 mod watch;
+mod wire;
 
 use clap::parser::ValueSource;
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};

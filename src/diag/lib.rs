@@ -10,6 +10,7 @@
 #![forbid(unsafe_code)]
 
 pub mod escape;
+pub mod values;
 
 use std::ops::Range;
 use std::sync::Arc;

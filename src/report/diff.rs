@@ -5,9 +5,11 @@
 //! it is a **change** and neither.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use serde_json::Value;
 
+use super::former::{Former, FormerClaim, FormerVerdict, Name};
 use super::markdown::{code, prose};
 use super::numbers::count;
 use diag::escape::{in_one_line, shown};
@@ -58,8 +60,8 @@ pub struct Change {
 /// One verdict of a report.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Standing {
-    verdict: String,
-    strength: Option<String>,
+    verdict: Arc<str>,
+    strength: Option<Arc<str>>,
     unexpected: bool,
 }
 
@@ -78,7 +80,7 @@ impl Standing {
             Some(_) => 1,
             None => 0,
         };
-        match self.verdict.as_str() {
+        match &*self.verdict {
             "undecided" => 0,
             "not-applicable" => 1,
             _ => 2 + strength,
@@ -87,7 +89,7 @@ impl Standing {
 }
 
 /// Where a verdict belongs: derivation, claim, trajectory.
-type Key = (String, String, Option<String>);
+type Key = (Arc<str>, Arc<str>, Option<Arc<str>>);
 
 /// The two ids of derivations that are compared although they differ.
 pub type OtherId = (String, String);
@@ -102,20 +104,16 @@ pub fn diff_files(
     new: &[(String, Vec<u8>)],
 ) -> Result<(Vec<Change>, Option<OtherId>), String> {
     let read = |(name, bytes): &(String, Vec<u8>)| {
-        let value: Value = serde_json::from_slice(bytes).map_err(|e| format!("`{name}` is not JSON: {e}"))?;
-        // One at a time, so that the message names the file.
-        standings(std::slice::from_ref(&value)).map_err(|e| format!("`{name}` cannot be compared: {e}"))?;
-        Ok(value)
+        Former::read(bytes).map_err(|why| format!("`{name}` cannot be compared: {why}"))
     };
-    let all = |files: &[(String, Vec<u8>)]| files.iter().map(read).collect::<Result<Vec<Value>, String>>();
+    let all = |files: &[(String, Vec<u8>)]| files.iter().map(read).collect::<Result<Vec<Former>, String>>();
     let (mut old, new) = (all(old)?, all(new)?);
     let mut other = None;
     if let ([before], [after]) = (old.as_mut_slice(), new.as_slice()) {
-        let id = |report: &Value| report["derivation"]["id"].as_str().unwrap_or_default().to_owned();
-        other = Some((id(before), id(after))).filter(|(a, b)| a != b);
-        before["derivation"]["id"] = after["derivation"]["id"].clone();
+        let id = std::mem::replace(&mut before.derivation.id, after.derivation.id.clone());
+        other = Some((id.0.to_string(), after.derivation.id.0.to_string())).filter(|(a, b)| a != b);
     }
-    Ok((diff(&old, &new)?, other))
+    Ok((changes(old, new)?, other))
 }
 
 /// Compares two sets of reports, each the parsed `report.json` of a derivation. Changes are in the order of the reports.
@@ -123,6 +121,11 @@ pub fn diff_files(
 /// # Errors
 /// What a value lacks to be a report.
 pub fn diff(old: &[Value], new: &[Value]) -> Result<Vec<Change>, String> {
+    let all = |reports: &[Value]| reports.iter().map(Former::of).collect::<Result<Vec<Former>, String>>();
+    changes(all(old)?, all(new)?)
+}
+
+fn changes(old: Vec<Former>, new: Vec<Former>) -> Result<Vec<Change>, String> {
     let (before, order_before) = standings(old)?;
     let (after, order_after) = standings(new)?;
     let gone = order_before.into_iter().filter(|k| !after.contains_key(k));
@@ -149,60 +152,46 @@ pub fn diff(old: &[Value], new: &[Value]) -> Result<Vec<Change>, String> {
         };
         let (derivation, claim, trajectory) = key;
         let words = |s: Option<&Standing>| s.map(Standing::words);
+        let (derivation, claim) = (derivation.to_string(), claim.to_string());
+        let trajectory = trajectory.map(|on| on.to_string());
         out.push(Change { derivation, claim, trajectory, old: words(a), new: words(b), direction });
     }
     Ok(out)
 }
 
-fn standings(reports: &[Value]) -> Result<(BTreeMap<Key, Standing>, Vec<Key>), String> {
+fn standings(reports: Vec<Former>) -> Result<(BTreeMap<Key, Standing>, Vec<Key>), String> {
     let mut out = BTreeMap::new();
     let mut order = Vec::new();
-    for report in reports {
-        match report["schema"].as_u64() {
-            Some(1) => {}
-            Some(n) => return Err(format!("it has schema {n}, this version reads schema 1")),
-            None => return Err("it is not a report: it has no `schema`".to_owned()),
-        }
-        let text = |value: &Value, key: &str| match value[key].as_str() {
-            Some(text) => Ok(text.to_owned()),
-            None => Err(format!("it is not a whole report: `{key}` is missing")),
-        };
-        let derivation = text(&report["derivation"], "id")?;
-        for claim in report["claims"].as_array().ok_or("it is not a report: it has no `claims`")? {
-            let id = text(claim, "id")?;
-            let name = claim["reading"].as_str().map_or_else(|| id.clone(), |r| format!("{id}/{r}"));
-            let mut add = |trajectory: Option<String>, standing: Standing| {
-                let key = (derivation.clone(), name.clone(), trajectory);
+    for Former { derivation, claims } in reports {
+        for FormerClaim { id, reading, identity, results, families, region } in claims {
+            let name = reading.map_or_else(|| Arc::clone(&id.0), |r| format!("{}/{}", id.0, r.0).into());
+            let mut add = |trajectory: Option<Arc<str>>, standing: Standing| {
+                let key = (Arc::clone(&derivation.id.0), Arc::clone(&name), trajectory);
                 if out.insert(key.clone(), standing).is_none() {
                     order.push(key);
                 }
             };
-            if let Ok(verdict) = text(&claim["identity"], "verdict") {
-                let strength = (verdict == "proved").then(|| "identity".to_owned());
+            if let Some(identity) = identity {
+                let Name(verdict) = identity.verdict;
+                let strength = (*verdict == *"proved").then(|| "identity".into());
                 add(None, Standing { verdict, strength, unexpected: false });
             }
-            for (results, on) in [("results", "trajectory"), ("families", "family")] {
-                for result in claim[results].as_array().into_iter().flatten() {
-                    let standing = Standing {
-                        verdict: text(result, "verdict")?,
-                        strength: result["strength"].as_str().map(str::to_owned),
-                        unexpected: result["unexpected"].as_bool().unwrap_or(false),
-                    };
-                    add(Some(text(result, on)?), standing);
-                }
+            for mut result in [results, families].into_iter().flatten().flatten() {
+                let on = result.on.take().ok_or("it is not a whole report: `trajectory` or `family` is missing")?;
+                add(Some(on.0), result.into());
             }
-            let region = &claim["region"];
-            if region.is_object() {
-                let standing = Standing {
-                    verdict: text(region, "verdict")?,
-                    strength: region["strength"].as_str().map(str::to_owned),
-                    unexpected: region["unexpected"].as_bool().unwrap_or(false),
-                };
-                add(Some("its ranges".to_owned()), standing);
+            if let Some(region) = region {
+                add(Some("its ranges".into()), (*region).into());
             }
         }
     }
     Ok((out, order))
+}
+
+impl From<FormerVerdict> for Standing {
+    fn from(FormerVerdict { verdict, strength, unexpected, .. }: FormerVerdict) -> Standing {
+        Standing { verdict: verdict.0, strength: strength.map(|s| s.0), unexpected }
+    }
 }
 
 /// Whether something got worse.

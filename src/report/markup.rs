@@ -8,7 +8,7 @@ use crate::latex::printed;
 
 /// Text of the file: formulas between dollar signs and code between backticks are kept, and what else Markdown would take
 /// for markup is made harmless.
-pub(super) fn prose(text: &str) -> String {
+pub fn prose(text: &str) -> String {
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let mut out = String::new();
     let mut rest = text.as_str();
@@ -182,7 +182,8 @@ pub(super) fn display(formula: &str) -> String {
 }
 
 /// Text between fences that are longer than any that it has.
-pub(super) fn fenced(kind: &str, body: &str) -> String {
+/// A text as it is, between fences that are longer than any in it.
+pub fn fenced(kind: &str, body: &str) -> String {
     let mut longest = 0;
     let mut run = 0;
     for c in body.chars() {

@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use derivation::Derivation;
+use diag::values::{MOST_VALUES, bounded};
 use findings::family::{Part, Swept, SweptClaim, SweptMeasure};
 
 /// The first line of a part.
@@ -76,6 +77,7 @@ struct Reader {
 impl Reader {
     /// Takes a line; a part, once its last line has come.
     fn line(&mut self, text: &str) -> Option<Option<Swept>> {
+        bounded(text.as_bytes(), MOST_VALUES).ok()?;
         match (serde_json::from_str(text).ok()?, &mut self.head) {
             (Line::End(End { end }), _) => {
                 let hash = End::of(std::mem::take(&mut self.hash)).end;

@@ -3,9 +3,11 @@
 //! **In:** an account. **Out:** a text: for each claim that is proved, the sequents and the steps of its proofs, or why there are none. **Guaranteed:**
 //! nothing of the prover is wanted to replay it: see [`checker`].
 
+use super::fingerprint::Fingerprint;
 use super::tally::name;
 use checker::ProofRecord;
 use derivation::Derivation;
+use diag::values::{MOST_VALUES, bounded};
 use findings::{Account, Recorded};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -39,16 +41,23 @@ impl ProofFile {
     /// A sentence: the text is no `proofs.json`, or one of another version.
     pub fn read(text: &[u8]) -> Result<ProofFile, String> {
         let not = |error: serde_json::Error| format!("this is no proofs.json: {error}");
-        let whole: serde_json::Value = serde_json::from_slice(text).map_err(not)?;
+        bounded(text, MOST_VALUES).map_err(|why| format!("this is no proofs.json: {why}"))?;
         let file: ProofFile = serde_json::from_slice(text).map_err(not)?;
         match file.schema {
             // What is not understood is not passed over.
-            PROOF_SCHEMA if serde_json::to_value(&file).ok() != Some(whole) => {
+            PROOF_SCHEMA if !file.says_all_of(text) => {
                 Err("this is no proofs.json: it has a key that is not known".to_owned())
             }
             PROOF_SCHEMA => Ok(file),
             other => Err(format!("the layout {other} of proofs.json is not known")),
         }
+    }
+
+    /// Whether a text says this and no more.
+    fn says_all_of(&self, text: &[u8]) -> bool {
+        let sum = |text: &[u8]| serde_json::from_slice::<Fingerprint>(text);
+        let written = serde_json::to_vec(self).and_then(|own| sum(&own));
+        written.is_ok_and(|own| sum(text).is_ok_and(|of| of == own))
     }
 
     /// The sum that belongs to the rest.

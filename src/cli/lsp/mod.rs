@@ -4,25 +4,26 @@
 //! what is asked of a place: its meaning, its definition, a formula that would be right.
 //!
 //! **Guaranteed:** problems of a text come before its verdicts, and what is said is of the newest text that was looked through. A defect
-//! ends the look at one text, not the server.
+//! ends the look at one text, not the server, and so does a message that is not understood. The end of the talk waits for nothing.
 //!
 //! **Why this way:** one thread reads, another looks texts through, so that an answer never waits for a motion; both find with the
-//! functions that `check` and `lint` use.
+//! functions that `check` and `lint` use. Of the protocol ten methods are needed: a library for it would take more code to be kept within its
+//! limits.
 
 mod answers;
 mod positions;
+mod texts;
 
-use std::collections::HashMap;
-use std::path::PathBuf;
-use std::sync::mpsc::{Receiver, Sender, channel};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::mpsc::{Sender, channel};
+use std::sync::{Arc, PoisonError};
 
-use lsp_server::{Connection, ErrorCode, Message, Notification, Request, Response};
 use rederive::Ending;
-use rederive::look::{Looked, Looker};
+use rederive::diag::escape::in_one_line;
 use serde_json::{Value, json};
 
 use super::ending::Stop;
+use super::wire::{self, NO_METHOD, NO_REQUEST, NOT_BEGUN, refused, send};
+use texts::{Known, Told, look_through, newest};
 
 #[derive(clap::Args)]
 pub struct LspArguments {
@@ -31,36 +32,69 @@ pub struct LspArguments {
     stdio: bool,
 }
 
-/// A text that an editor has open.
-struct Opened {
-    uri: String,
-    version: i64,
-    text: String,
+/// How far a talk has come.
+#[derive(PartialEq)]
+enum Talk {
+    Before,
+    Open,
+    ShutDown,
 }
 
-/// What was found of each text, by its address.
-type Known = Arc<Mutex<HashMap<String, Arc<Looked>>>>;
-
 pub fn lsp(_: &LspArguments) -> Result<Ending, Stop> {
-    let (connection, threads) = Connection::stdio();
     let known = Known::default();
-    let (to_looker, opened) = channel();
-    let started = connection.initialize(capabilities());
-    if let Err(error) = started {
-        return Err(format!("the editor did not begin as it should: {error}").into());
-    }
-    let out = connection.sender.clone();
-    let of_reader = Arc::clone(&known);
-    let reader = std::thread::spawn(move || {
-        read(&connection, &of_reader, &to_looker);
-        // The queue ends here, and with it the thread that looks texts through.
-    });
-    look_through(&opened, &known, &|message| drop(out.send(message)));
-    drop(out);
-    if reader.join().is_err() || threads.join().is_err() {
-        return Err("the editor is gone".into());
+    let (to_looker, told) = channel();
+    let of_looker = Arc::clone(&known);
+    // It is not waited for: what it still looks for when the editor ends the talk is wanted by nobody.
+    rederive::threads().build()?.spawn(move || look_through(&told, &of_looker));
+    let mut input = std::io::stdin().lock();
+    let mut talk = Talk::Before;
+    while let Some(body) = wire::next(&mut input)? {
+        let answer = match wire::message(&body) {
+            Ok(message) if message["method"] == "exit" => break,
+            Ok(message) => taken(message, &mut talk, &known, &to_looker),
+            Err(refused) => Some(refused),
+        };
+        if answer.is_some_and(|answer| send(&answer).is_err()) {
+            // The editor is gone.
+            break;
+        }
     }
     Ok(Ending::Good)
+}
+
+/// Takes a message; the answer, where one is wanted.
+fn taken(message: Value, talk: &mut Talk, known: &Known, to_looker: &Sender<Told>) -> Option<Value> {
+    let (id, params) = (message.get("id"), message.get("params").unwrap_or(&Value::Null));
+    let (method, id) = match (message.get("method").and_then(Value::as_str), id) {
+        (Some(method), Some(id)) => (method, id),
+        (Some(method), None) => {
+            if let Some(told) = newest(method, params).filter(|_| *talk == Talk::Open) {
+                // It ends with the talk alone.
+                drop(to_looker.send(told));
+            }
+            return None;
+        }
+        // An answer of the editor, to what was not asked.
+        (None, Some(_)) if message.get("result").or(message.get("error")).is_some() => return None,
+        (None, id) => return Some(refused(id.unwrap_or(&Value::Null), NO_REQUEST, "the message has no method")),
+    };
+    let result = match (method, &talk) {
+        ("initialize", Talk::Before) => {
+            *talk = Talk::Open;
+            json!({ "capabilities": capabilities() })
+        }
+        (_, Talk::Before) => return Some(refused(id, NOT_BEGUN, "the talk has not begun")),
+        ("initialize", _) | (_, Talk::ShutDown) => return Some(refused(id, NO_REQUEST, "it is not the time for this")),
+        ("shutdown", Talk::Open) => {
+            *talk = Talk::ShutDown;
+            Value::Null
+        }
+        (_, Talk::Open) => match answered(method, params, known) {
+            Some(found) => found.unwrap_or(Value::Null),
+            None => return Some(refused(id, NO_METHOD, &format!("`{}` is not known here", in_one_line(method)))),
+        },
+    };
+    Some(json!({ "jsonrpc": "2.0", "id": id, "result": result }))
 }
 
 fn capabilities() -> Value {
@@ -75,91 +109,17 @@ fn capabilities() -> Value {
     })
 }
 
-/// Takes what the editor says until it is done.
-fn read(connection: &Connection, known: &Known, opened: &Sender<Option<Opened>>) {
-    for message in &connection.receiver {
-        match message {
-            Message::Request(request) => {
-                if connection.handle_shutdown(&request).unwrap_or(true) {
-                    break;
-                }
-                let answer = answered(request, known);
-                if connection.sender.send(answer.into()).is_err() {
-                    break;
-                }
-            }
-            Message::Notification(notification) => {
-                if opened.send(newest(&notification, known)).is_err() {
-                    break;
-                }
-            }
-            Message::Response(_) => {}
-        }
-    }
-}
-
-fn answered(request: Request, known: &Known) -> Response {
-    let uri = request.params.pointer("/textDocument/uri").and_then(Value::as_str).unwrap_or_default();
-    let looked = known.lock().unwrap_or_else(PoisonError::into_inner).get(uri).cloned();
-    let found = match (request.method.as_str(), looked) {
-        ("textDocument/hover", of) => of.and_then(|of| answers::hover(&of, &request.params)),
-        ("textDocument/definition", of) => of.and_then(|of| answers::definition(&of, &request.params)),
-        ("textDocument/completion", of) => Some(of.map_or(json!([]), |of| answers::completion(&of))),
-        ("textDocument/codeAction", of) => Some(of.map_or(json!([]), |of| answers::actions(&of, &request.params))),
-        ("textDocument/inlayHint", of) => Some(of.map_or(json!([]), |of| answers::hints(&of, &request.params))),
-        (method, _) => {
-            let message = format!("`{}` is not known here", rederive::diag::escape::in_one_line(method));
-            return Response::new_err(request.id, ErrorCode::MethodNotFound as i32, message);
-        }
-    };
-    Response::new_ok(request.id, found.unwrap_or(Value::Null))
-}
-
-/// The text that a notification brings; `None` where it brings none.
-fn newest(notification: &Notification, known: &Known) -> Option<Opened> {
-    let at = |pointer: &str| notification.params.pointer(pointer);
-    let text = match notification.method.as_str() {
-        "textDocument/didOpen" => at("/textDocument/text"),
-        "textDocument/didChange" => at("/contentChanges").and_then(|all| all.as_array()?.last()?.get("text")),
-        "textDocument/didClose" => {
-            let uri = at("/textDocument/uri")?.as_str()?;
-            known.lock().unwrap_or_else(PoisonError::into_inner).remove(uri);
-            return None;
-        }
-        _ => None,
-    };
-    Some(Opened {
-        uri: at("/textDocument/uri")?.as_str()?.to_owned(),
-        version: at("/textDocument/version").and_then(Value::as_i64).unwrap_or(0),
-        text: text?.as_str()?.to_owned(),
+/// What was found for a request; `None` where the method is not known.
+fn answered(method: &str, params: &Value, known: &Known) -> Option<Option<Value>> {
+    let uri = params.pointer("/textDocument/uri").and_then(Value::as_str).unwrap_or_default();
+    let of = known.lock().unwrap_or_else(PoisonError::into_inner).get(uri).cloned();
+    let or_none = |of: Option<Value>| Some(of.unwrap_or_else(|| json!([])));
+    Some(match method {
+        "textDocument/hover" => of.and_then(|of| answers::hover(&of, params)),
+        "textDocument/definition" => of.and_then(|of| answers::definition(&of, params)),
+        "textDocument/completion" => or_none(of.map(|of| answers::completion(&of))),
+        "textDocument/codeAction" => or_none(of.map(|of| answers::actions(&of, params))),
+        "textDocument/inlayHint" => or_none(of.map(|of| answers::hints(&of, params))),
+        _ => return None,
     })
-}
-
-/// Looks texts through, of each the newest alone, until no more come.
-fn look_through(opened: &Receiver<Option<Opened>>, known: &Known, say: &dyn Fn(Message)) {
-    let mut looker = Looker::default();
-    let mut waiting: Vec<Opened> = Vec::new();
-    loop {
-        if waiting.is_empty() {
-            match opened.recv() {
-                Ok(one) => waiting.extend(one),
-                Err(_) => return,
-            }
-        }
-        waiting.extend(opened.try_iter().flatten());
-        let Some(Opened { uri, version, text }) = waiting.pop() else { continue };
-        waiting.retain(|older| older.uri != uri);
-        looker.look(&path_of(&uri), text, &mut |looked| {
-            let diagnostics: Vec<Value> = looked.findings.iter().filter_map(answers::diagnostic).collect();
-            let params = json!({ "uri": uri, "version": version, "diagnostics": diagnostics });
-            known.lock().unwrap_or_else(PoisonError::into_inner).insert(uri.clone(), Arc::new(looked));
-            say(Notification::new("textDocument/publishDiagnostics".into(), params).into());
-        });
-    }
-}
-
-/// The path that an address of a file names; another address is a name that has no folder.
-fn path_of(uri: &str) -> PathBuf {
-    let path = uri.strip_prefix("file://").map(|path| percent_encoding::percent_decode_str(path).decode_utf8_lossy());
-    PathBuf::from(path.map_or_else(|| uri.replace('/', ":"), |path| path.into_owned()))
 }

@@ -19,6 +19,7 @@ use rederive::diag::escape::in_one_line;
 use serde_json::{Value, json};
 
 use super::ending::Stop;
+use super::wire::{self, NO_METHOD, NO_PARAMETER, NO_REQUEST, refused};
 use tools::Workbench;
 
 /// Versions of the protocol whose tools are these; of others the newest of these is offered.
@@ -48,7 +49,7 @@ pub fn mcp(arguments: &McpArguments) -> Result<Ending, Stop> {
         let answer = if line.last() != Some(&b'\n') && line.len() as u64 == LONGEST {
             // What is left of the line is nothing that could be answered.
             input.skip_until(b'\n')?;
-            Some(refused(&Value::Null, -32600, "the request is too long"))
+            Some(refused(&Value::Null, NO_REQUEST, "the request is too long"))
         } else {
             answered(&line, &bench)
         };
@@ -61,17 +62,14 @@ pub fn mcp(arguments: &McpArguments) -> Result<Ending, Stop> {
     }
 }
 
-fn refused(id: &Value, code: i32, message: &str) -> Value {
-    json!({ "jsonrpc": "2.0", "id": id, "error": { "code": code, "message": message } })
-}
-
 /// The answer to a line; `None` where none is wanted.
 fn answered(line: &[u8], bench: &Workbench) -> Option<Value> {
     if line.trim_ascii().is_empty() {
         return None;
     }
-    let Ok(request) = serde_json::from_slice::<Value>(line) else {
-        return Some(refused(&Value::Null, -32700, "this is not JSON"));
+    let request = match wire::message(line) {
+        Ok(request) => request,
+        Err(refused) => return Some(refused),
     };
     let method = request.get("method").and_then(Value::as_str);
     // A notification has no id, and an answer has no method.
@@ -94,7 +92,7 @@ fn answered(line: &[u8], bench: &Workbench) -> Option<Value> {
         "tools/call" => {
             let name = params.get("name").and_then(Value::as_str).unwrap_or_default();
             if !bench.has(name) {
-                return Some(refused(id, -32602, &format!("there is no tool `{}`", in_one_line(name))));
+                return Some(refused(id, NO_PARAMETER, &format!("there is no tool `{}`", in_one_line(name))));
             }
             match bench.call(name, params.get("arguments").unwrap_or(&Value::Null)) {
                 Ok(found) => {
@@ -103,7 +101,7 @@ fn answered(line: &[u8], bench: &Workbench) -> Option<Value> {
                 Err(why) => json!({ "content": [{ "type": "text", "text": why }], "isError": true }),
             }
         }
-        _ => return Some(refused(id, -32601, &format!("`{}` is not known here", in_one_line(method)))),
+        _ => return Some(refused(id, NO_METHOD, &format!("`{}` is not known here", in_one_line(method)))),
     };
     Some(json!({ "jsonrpc": "2.0", "id": id, "result": result }))
 }

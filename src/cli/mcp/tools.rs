@@ -12,6 +12,11 @@ use serde_json::{Map, Value, json};
 
 use super::super::ending::Stop;
 
+/// Longest text of a paper that is handed over, in bytes; one in a file may be longer.
+const LONGEST_TEXT: usize = 1 << 20;
+/// Most relations of a text: an answer has some kilobytes for each.
+const MOST_RELATIONS: usize = 10_000;
+
 /// Where tools work: what they are, what they may read, and how long they may take.
 pub(super) struct Workbench {
     tools: Vec<Value>,
@@ -125,12 +130,19 @@ impl Workbench {
     }
 
     fn lint(&self, given: &Arguments<'_>) -> Result<Value, String> {
+        if let Some(n) = given.text("text").map(str::len).filter(|n| *n > LONGEST_TEXT) {
+            return Err(format!("the text has {n} bytes, and {LONGEST_TEXT} are looked through: hand over a part"));
+        }
         let (source, folder) = self.source(given, "text.tex", paper::LARGEST_PAPER)?;
         let paper = match folder {
             Some(folder) => paper::parse_in(Arc::new(source), Some(&folder)),
             None => paper::parse_pasted(&source.path, &source.text),
         };
         let paper = paper.map_err(|p| diag::render(&[*p], false))?;
+        if paper.relations.len() > MOST_RELATIONS {
+            let n = paper.relations.len();
+            return Err(format!("there are {n} relations, and {MOST_RELATIONS} are looked through: hand over a part"));
+        }
         Ok(report::lint_document(&paper, &lint::lint(&paper, &meter::limits())))
     }
 }
