@@ -44,6 +44,12 @@ use sampled::{measure, same_motion, trial, witness};
 
 /// The counted work of a member beside that of its steps: its numbers, its motion.
 const OF_A_MEMBER: u64 = 30_000;
+/// The same of a step that is looked at again beside others, to tell its error.
+const OF_A_STEP: u64 = 12_000;
+/// The same of a step that tells its error itself.
+const OF_A_STEP_ALONE: u64 = 2_000;
+/// The same of what is measured on a member.
+const OF_A_MEASURE: u64 = 1_000;
 /// The same of one verdict beside what is evaluated for it.
 const OF_A_VERDICT: u64 = 20_000;
 
@@ -422,7 +428,8 @@ impl<'a> Ensemble<'a> {
         limits: &Limits,
         shown: bool,
     ) -> Vec<Result<Option<One>, CheckError>> {
-        meter::charge(members.len() as u64 * (OF_A_MEMBER + OF_A_VERDICT * prepared.len() as u64));
+        let told = OF_A_VERDICT * prepared.len() as u64 + OF_A_MEASURE * self.measures.len() as u64;
+        meter::charge(members.len() as u64 * (OF_A_MEMBER + told));
         let mut found = Vec::new();
         let mut derivations = Vec::new();
         for (number, member) in members {
@@ -503,9 +510,10 @@ impl<'a> Ensemble<'a> {
                 }));
                 return Ok(Some(OnMember { verdicts, measured: Vec::new(), steps, unsettled: false }));
             }
-            let (verdicts, measured) = self.verdicts(*member, &stage, prepared, requests.limits)?;
             let motions = || requests.tried.iter().filter_map(|t| stage.motion(*t));
             let steps = motions().map(Motion::steps).sum::<usize>() as u64;
+            meter::charge(if estimation == Estimation::Companions { OF_A_STEP } else { OF_A_STEP_ALONE } * steps);
+            let (verdicts, measured) = self.verdicts(*member, &stage, prepared, requests.limits)?;
             let settled = || verdicts.iter().zip(&self.programs).all(|(verdict, of)| is_settled(verdict, of));
             let unsettled = motions().any(Motion::is_by_steps) && !settled();
             Ok(Some(OnMember { verdicts, measured, steps, unsettled }))
