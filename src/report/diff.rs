@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
-use super::markdown::{code, prose};
+use super::markup::{code, prose};
 use super::numbers::count;
 use diag::escape::{in_one_line, shown};
 

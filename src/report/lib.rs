@@ -18,6 +18,7 @@ mod assumption;
 mod audit;
 mod card;
 mod certificates;
+mod claim_rows;
 mod conditions;
 mod consequence;
 mod contents;

@@ -178,7 +178,7 @@ pub fn front_page(derivation: &Derivation, account: &Account, colour: bool) -> S
 
 /// Page one as Markdown.
 pub fn front_markdown(derivation: &Derivation, account: &Account) -> String {
-    use super::markdown::prose;
+    use super::markup::prose;
     let head = format!("# {}\n\nWhat is checked: {}\n\n", prose(&derivation.title), prose(&derivation.concerns));
     head + &story::markdown(&blocks(derivation, account), &|id| format!("`{id}`"))
 }
