@@ -220,11 +220,7 @@ fn points_at_several_places_are_no_field() {
     for line in known {
         assert_eq!(asked(&line), "proved", "{line:?}");
     }
-    refuted(&[
-        ("f(1)=f(0)", F, &[]),
-        ("f=f(0)", F, &["x>0"]),
-        ("f=1", F, &["f>0"]),
-    ]);
+    refuted(&[("f(1)=f(0)", F, &[]), ("f=f(0)", F, &["x>0"]), ("f=1", F, &["f>0"])]);
 }
 
 fn states(names: &[&str]) -> String {

@@ -59,6 +59,23 @@ fn every_page_one_has_all_of_its_parts() {
     }
 }
 
+/// What stands as it is said, and fails where the paper needs more, is told with its numbers: whether the printed equations hold, and
+/// where what other claims assume does not.
+#[test]
+fn what_stands_under_a_condition_is_told_with_numbers() {
+    let (derivation, account) = &*checked(Path::new("derivations/deriglazov-comment.toml"));
+    let text = front_page(derivation, account, false).split_whitespace().collect::<Vec<_>>().join(" ");
+    for words in [
+        "t11, t15 stand.",
+        "energy-relation stands as it is said; as it is needed, it fails on",
+        "readings assume it. On",
+    ] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    let (derivation, account) = &*checked(Path::new("derivations/pendulum.toml"));
+    assert!(!front_page(derivation, account, false).contains("as it is needed"), "nothing more is needed there");
+}
+
 /// Where a claim fails on a motion, both of its sides are drawn along it.
 #[test]
 fn a_failure_on_a_motion_has_its_picture() {

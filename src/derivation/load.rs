@@ -100,7 +100,8 @@ pub fn load_all(paths: &[PathBuf]) -> Result<Vec<Derivation>, Vec<Diagnostic>> {
 pub fn parse(source: Source, stem: &str) -> Result<Derivation, Vec<Diagnostic>> {
     let source = Arc::new(source);
     let (read, work) = meter::counted(Task::Reading, || parsed(Arc::clone(&source), stem));
-    let mut read = read.unwrap_or_else(|ended| Err(vec![Diagnostic::at(&source, TOO_LARGE, 0..0, ended.to_string())]))?;
+    let mut read =
+        read.unwrap_or_else(|ended| Err(vec![Diagnostic::at(&source, TOO_LARGE, 0..0, ended.to_string())]))?;
     // Each claim is proved in a copy of its own: copies would grow with the square of a file.
     read.graph.share();
     Ok(Derivation { work, ..read })

@@ -1,6 +1,6 @@
 //! What is said of conditions: which one separates the trajectories of a claim, and which assumptions it needs.
 
-use super::markdown::{math, prose};
+use super::markup::{math, prose};
 use super::numbers::count;
 use super::tally::name;
 use super::text::{Paint, paragraph};

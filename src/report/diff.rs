@@ -10,7 +10,7 @@ use std::sync::Arc;
 use serde_json::Value;
 
 use super::former::{Former, FormerClaim, FormerVerdict, Name};
-use super::markdown::{code, prose};
+use super::markup::{code, prose};
 use super::numbers::count;
 use diag::escape::{in_one_line, shown};
 

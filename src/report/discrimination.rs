@@ -1,7 +1,7 @@
 //! What the evidence is worth, as reports show it: how many altered formulas each motion rejects, which survive, and what a
 //! claim that fails should have said.
 
-use super::markdown::{math, prose};
+use super::markup::{math, prose};
 use super::numbers::count;
 use super::tally::name;
 use super::text::{Paint, paragraph};

@@ -1,7 +1,7 @@
 //! Claims on families of motions, in the words of every kind of report.
 
 use super::conditions::explanation_in_words;
-use super::numbers::{count, size, time, value};
+use super::numbers::{both, count, six, size, value};
 use crate::derivation::{Claim, Dependence, End, Event, Form, Measure};
 use findings::family::{FamilyMap, FamilySeparation, MeasureAccount, SHARES, SlopeAccount};
 use findings::{FamilyAccount, MemberAccount};
@@ -283,13 +283,12 @@ pub(super) fn shown(family: &FamilyAccount) -> Vec<Shown<'_>> {
 fn point(of: &MemberAccount) -> Option<String> {
     let evidence = of.verdict.evidence();
     match (&evidence.witness, &evidence.reason) {
-        (Some(w), _) => Some(format!(
-            "at t = {} the left side is {}, the right side {}, the error bound of the difference {}",
-            time(w.t),
-            value(w.left),
-            value(w.right),
-            size(w.bound)
-        )),
+        (Some(w), _) => {
+            let ((left, right), t, bound) = (both(w.left, w.right), six(w.t), size(w.bound));
+            Some(format!(
+                "at t = {t} the left side is {left}, the right side {right}, the error bound of the difference {bound}"
+            ))
+        }
         (None, reason) => reason.as_ref().map(ToString::to_string),
     }
 }

@@ -89,7 +89,7 @@ impl Front {
                 None => "Who encoded it is not said in the file.".to_owned(),
             },
             version: format!(
-                "{} {}, file {file}, SHA-256 {}",
+                "{} {}, SHA-256 {}",
                 crate::PROGRAM,
                 env!("CARGO_PKG_VERSION"),
                 derivation.sha256.get(..16).unwrap_or_default(),

@@ -145,6 +145,9 @@ const MOST_TOLD: usize = 32;
 /// More edges than this are not drawn: nobody could read it.
 const MOST_EDGES: usize = 300;
 
+/// So many nodes are seen at one glance.
+const SMALL: usize = 24;
+
 impl DerivationGraph {
     /// The graph of a derivation, with the verdicts of an account.
     pub fn new(derivation: &Derivation, account: &Account) -> DerivationGraph {
@@ -260,6 +263,15 @@ impl DerivationGraph {
         claim.identity.as_ref().map_or(ProofStanding::None, |i| ProofStanding::of(i, &name(claim)))
     }
 
+    /// Which nodes a drawing of many has: what is said straight of a system, is not proved and leads on to nothing, is no part of a chain.
+    fn drawn(&self) -> Vec<bool> {
+        let used: BTreeSet<usize> = self.nodes.iter().flat_map(|n| n.from.iter().copied()).collect();
+        let on_systems = |n: &Node| n.from.iter().all(|&from| self.nodes[from].kind == Kind::System);
+        let alone = |n: &Node| n.kind == Kind::Claim && n.verdict != Some("proved") && on_systems(n);
+        let is_small = self.nodes.len() <= SMALL;
+        self.nodes.iter().enumerate().map(|(at, n)| is_small || used.contains(&at) || !alone(n)).collect()
+    }
+
     /// The section of `report.md`: a drawing in Mermaid, which forges render.
     pub fn section(&self) -> String {
         let edges: usize = self.nodes.iter().map(|n| n.from.len()).sum();
@@ -269,8 +281,8 @@ impl DerivationGraph {
         let mut out = String::from(
             "## What follows from what\n\n\
              An arrow leads from what is given to what is said to follow from it. The box says whether it does, for all values: \
-             round when it is proved (“given others” where something on the way is not), six-sided when it is no identity, with a notch when it is undecided, square when it is \
-             not a question of that kind. Systems are slanted; definitions of symbols have double sides. An arrow to a step \
+             round when it is proved, with round corners where the step is proved and something on the way is not, six-sided when \
+             it is no identity, with a notch when it is undecided, square when it is not a question of that kind. Systems are slanted; definitions of symbols have double sides. An arrow to a step \
              that is not proved is dotted.\n\n",
         );
         if edges > MOST_EDGES {
@@ -279,27 +291,40 @@ impl DerivationGraph {
             ));
             return out;
         }
+        let is_drawn = self.drawn();
+        let left_out = is_drawn.iter().filter(|drawn| !**drawn).count();
+        if left_out > 0 {
+            out.push_str(&format!(
+                "Not drawn: {left_out} more, said straight of a system, which are not proved and lead on to nothing.\n\n"
+            ));
+        }
         out.push_str("```mermaid\nflowchart TD\n");
-        for (at, node) in self.nodes.iter().enumerate() {
+        for (at, node) in self.nodes.iter().enumerate().filter(|(at, _)| is_drawn[*at]) {
             let id = label(&node.id);
             let shape = match (node.kind, node.verdict) {
                 (Kind::System, _) => format!("[/\"{id}\"/]"),
                 (Kind::Symbol, _) => format!("[[\"{id}\"]]"),
-                (Kind::Claim, Some("proved")) => {
-                    format!("([\"{id}<br>{}\"])", node.proof.word().unwrap_or("proved"))
-                }
-                (Kind::Claim, Some("refuted")) => format!("{{{{\"{id}<br>no identity\"}}}}"),
+                (Kind::Claim, Some("proved")) => match &node.proof {
+                    ProofStanding::Given(_) => format!("(\"{id}\")"),
+                    ProofStanding::Proved | ProofStanding::None => format!("([\"{id}\"])"),
+                    proof => format!("(\"{id}<br>{}\")", proof.word().unwrap_or("proved")),
+                },
+                (Kind::Claim, Some("refuted")) => format!("{{{{\"{id}\"}}}}"),
+                (Kind::Claim, Some("undecided")) => format!(">\"{id}\"]"),
                 (Kind::Claim, Some(verdict)) => format!(">\"{id}<br>{verdict}\"]"),
                 (Kind::Claim, None) => format!("[\"{id}\"]"),
             };
             out.push_str(&format!("  n{at}{shape}\n"));
         }
-        for (to, node) in self.nodes.iter().enumerate() {
+        // What follows from the same is drawn by one line.
+        let mut arrows: BTreeMap<(String, &str), Vec<String>> = BTreeMap::new();
+        for (to, node) in self.nodes.iter().enumerate().filter(|(to, n)| is_drawn[*to] && !n.from.is_empty()) {
             let arrow = if node.verdict == Some("proved") { "-->" } else { "-.->" };
-            if !node.from.is_empty() {
-                let from: Vec<String> = node.from.iter().map(|from| format!("n{from}")).collect();
-                out.push_str(&format!("  {} {arrow} n{to}\n", from.join(" & ")));
-            }
+            let from: Vec<String> = node.from.iter().map(|from| format!("n{from}")).collect();
+            arrows.entry((from.join(" & "), arrow)).or_default().push(format!("n{to}"));
+        }
+        for ((from, arrow), to) in arrows {
+            out.push_str(&format!("  {from} {arrow} {}\n", to.join(" & ")));
         }
         out.push_str("```\n\n");
         out
@@ -371,6 +396,18 @@ mod tests {
         assert_eq!(chain.rests(99).claims, nearest);
         assert!(chain.rests(99).more && chain.rests(MOST_TOLD + 1).more);
         assert!(!chain.rests(MOST_TOLD).more && chain.rests(MOST_TOLD).claims.len() == MOST_TOLD);
+    }
+
+    #[test]
+    fn what_is_in_no_chain_is_not_drawn() {
+        let mut nodes = chain().nodes;
+        nodes.push(node("end", Some("undecided"), &[], &[3]));
+        nodes.push(node("alone", Some("refuted"), &[], &[0]));
+        assert!(DerivationGraph::of(nodes.clone()).section().contains("alone"), "a small drawing is whole");
+        nodes.extend((0..SMALL).map(|n| node(&format!("more{n}"), Some("proved"), &[], &[1])));
+        let drawing = DerivationGraph::of(nodes).section();
+        assert!(!drawing.contains("alone") && drawing.contains("Not drawn: 1 more,"), "{drawing}");
+        assert!(drawing.contains("end") && drawing.contains("more0"), "{drawing}");
     }
 
     #[test]

@@ -19,7 +19,7 @@ use crate::derivation::{ClaimRole, Derivation};
 use findings::{Account, ClaimAccount, Outcome, Strength};
 
 /// Most claims that are shown.
-pub(super) const MOST_ROWS: usize = 10;
+pub(super) const MOST_ROWS: usize = 9;
 /// Most classes of motions that are shown.
 pub(super) const MOST_COLUMNS: usize = 6;
 /// Most motions that are named of a class.

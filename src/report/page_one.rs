@@ -20,7 +20,7 @@ use crate::derivation::Derivation;
 use findings::Account;
 
 /// Most ids that a terminal names of what does not stand, beside the cards.
-const MOST_NAMED: usize = 8;
+const MOST_NAMED: usize = 6;
 /// Cards on the first screen; more are folded. Conclusions need the room of one.
 const MOST_CARDS: usize = 3;
 /// Cards that a terminal has room for, if there are few of them; of more only the first.
@@ -45,6 +45,8 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     matrix.extend(motion_matrix::blocks(derivation, account, &wholes, &hangs));
     let strength = front.strength.iter().chain(&front.proofs).chain(&front.beside);
     let strength = strength.map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).collect();
+    let mut unsaid = super::limits::blocks(derivation, &wholes, &hangs);
+    unsaid.extend(hypotheses::blocks(derivation, account, &wholes));
     let mut foot = vec![StorySpan::Prose(format!("{} To repeat it: ", front.author), scope, Tone::Quiet)];
     foot.extend([StorySpan::Code(front.command.clone()), quiet(format!(" ({}).", front.version))]);
     vec![
@@ -60,7 +62,7 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
                 ),
             ],
         ),
-        StoryBlock::Group("unsaid", hypotheses::blocks(derivation, account, &wholes)),
+        StoryBlock::Group("unsaid", unsaid),
         StoryBlock::Group(
             "foot",
             vec![StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(strength)]), StoryBlock::Paragraph(foot)],
@@ -178,7 +180,7 @@ pub fn front_page(derivation: &Derivation, account: &Account, colour: bool) -> S
 
 /// Page one as Markdown.
 pub fn front_markdown(derivation: &Derivation, account: &Account) -> String {
-    use super::markdown::prose;
+    use super::markup::prose;
     let head = format!("# {}\n\nWhat is checked: {}\n\n", prose(&derivation.title), prose(&derivation.concerns));
     head + &story::markdown(&blocks(derivation, account), &|id| format!("`{id}`"))
 }

@@ -1,6 +1,6 @@
 //! Claims over ranges of values, in the words of every kind of report.
 
-use super::markdown::{prose, table};
+use super::markup::{prose, table};
 use super::numbers::value;
 use super::tally::{glyph, name, says};
 use super::text::{Paint, paragraph};

@@ -1,6 +1,6 @@
 //! What is said of units: nothing in the terminal unless something is wrong, a section of `report.md`.
 
-use super::markdown::{math, prose};
+use super::markup::{math, prose};
 use super::numbers::count;
 use super::text::{Paint, paragraph};
 use ::units::{Term, UnitAccount, UnitVerdict, UnitsAccount};

@@ -51,10 +51,9 @@ fn lines_go_on() {
 /// A row with a sign and an equation of its own is one of its own where it begins where the row before does.
 #[test]
 fn rows_with_a_sign_and_an_equation() {
-    let plain = |found: Vec<String>| found.iter().map(|r| r.replace([' '], "").replace("\\quad", "")).collect::<Vec<_>>();
-    let own = |inner: &str, text: &str| {
-        plain(read("equation", &format!("\\begin{{{inner}}} {text} \\end{{{inner}}}")))
-    };
+    let plain =
+        |found: Vec<String>| found.iter().map(|r| r.replace([' '], "").replace("\\quad", "")).collect::<Vec<_>>();
+    let own = |inner: &str, text: &str| plain(read("equation", &format!("\\begin{{{inner}}} {text} \\end{{{inner}}}")));
     assert_eq!(own("aligned", r"&a=b \\ &-a=-b"), ["a=b", "-a=-b"]);
     assert_eq!(own("aligned", r"F&=a \\ -g&=a"), ["F=a", "-g=a"]);
     assert_eq!(own("split", r"F=a \\ -g=a"), ["F=a", "-g=a"]);

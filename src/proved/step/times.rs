@@ -177,7 +177,8 @@ impl Step<'_> {
                 same.premises.give([(one, other)], When::Always);
             }
         }
-        let excluded = same.premises.equations.len() > given.equations.len() && self.is_without_motion(&same, equations);
+        let excluded =
+            same.premises.equations.len() > given.equations.len() && self.is_without_motion(&same, equations);
         (self.settled, self.proved_at, self.start) = (settled, level, start);
         excluded
     }
