@@ -7,7 +7,7 @@
 //! R is not `always` not R, exactly; `u \ne v` says that some component differs; one ± in one text and one claim is one sign.
 //! Negations are carried down to the comparisons, where ¬(l < r) is l ≥ r: both say nothing where a side has no value.
 
-use crate::comparison::{Comparison, Group, at_instant, boundaries, cuts, presupposed, traced};
+use crate::comparison::{Comparison, Group, at_instant, boundaries, cuts, presupposed, traced, traced_without_angles};
 use crate::denial::{Denial, denied};
 use crate::derivation::{Claim, Form, System, Written};
 use crate::expr::domain::Sign;
@@ -298,7 +298,7 @@ impl Denotation<'_> {
                 }
                 let what = relation.limit.as_ref().map_or(What::Every, |l| What::Limit(l.approaches.clone()));
                 let assumed_now = first && !selects && relation.limit.is_none();
-                if let Some(valued) = self.having_value(&relation).filter(|_| assumed_now) {
+                if assumed_now && let Some(valued) = self.having_value(&relation) {
                     let group = self.group(&[(text, valued)], false, &[]);
                     self.selectors.push(Assumption { text: text.to_owned(), part: Part { what: What::Every, group } });
                 }
@@ -483,10 +483,26 @@ impl Denotation<'_> {
     /// What is true where a relation has a value, and has none elsewhere; nothing, if it has one at all times. Times at which what is
     /// assumed has no value do not count.
     fn having_value(&mut self, relation: &Relation) -> Option<Relation> {
-        let sides: Vec<Expr> = relation.left.components.iter().chain(&relation.right.components).copied().collect();
-        let needs = self.graph.needs_below(sides.iter().copied());
-        let moves = |e: Expr| self.graph.leaves_within([e]).iter().any(|l| self.claim.scope.moves(l));
-        if !needs.iter().any(|need| moves(need.value)) {
+        let sides_of =
+            |r: &Relation| -> Vec<Expr> { r.left.components.iter().chain(&r.right.components).copied().collect() };
+        let scope = &self.claim.scope;
+        let mut needs = |sides: Vec<Expr>| -> Vec<(Expr, Sign)> {
+            let printed = self.graph.needs_below(sides.iter().copied());
+            let written: Vec<Expr> = sides.into_iter().map(|e| traced_without_angles(self.graph, scope, e)).collect();
+            // What definitions divide by is 0 at single times; below a root they may lack a value for a while.
+            let below = self.graph.needs_below(written).into_iter().filter(|need| need.sign != Sign::NotZero);
+            printed.into_iter().chain(below).map(|need| (need.value, need.sign)).collect()
+        };
+        let sides = sides_of(relation);
+        let asked = needs(sides.clone());
+        if asked.is_empty() {
+            return None;
+        }
+        // Where the claim itself has no value, nothing is said either.
+        let said = self.claim.forms.iter().filter_map(|form| form.statement());
+        let own = needs(said.flat_map(|w| &w.value.relations).flat_map(sides_of).collect());
+        let beyond: Vec<Expr> = asked.into_iter().filter(|n| !own.contains(n)).map(|(e, _)| e).collect();
+        if !self.graph.leaves_within(beyond).iter().any(|l| scope.moves(l)) {
             return None;
         }
         // 1 + |l| + |r| > 0.

@@ -40,7 +40,6 @@ mod hypotheses;
 mod json;
 mod junit;
 mod letters;
-mod limits;
 mod lint_findings;
 mod lint_json;
 mod lint_page;

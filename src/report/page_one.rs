@@ -45,7 +45,7 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     matrix.extend(motion_matrix::blocks(derivation, account, &wholes, &hangs));
     let strength = front.strength.iter().chain(&front.proofs).chain(&front.beside);
     let strength = strength.map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).collect();
-    let mut unsaid = super::limits::blocks(derivation, &wholes, &hangs);
+    let mut unsaid = hypotheses::limits(derivation, &wholes, &hangs);
     unsaid.extend(hypotheses::blocks(derivation, account, &wholes));
     let mut foot = vec![StorySpan::Prose(format!("{} To repeat it: ", front.author), scope, Tone::Quiet)];
     foot.extend([StorySpan::Code(front.command.clone()), quiet(format!(" ({}).", front.version))]);
