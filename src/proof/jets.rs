@@ -309,7 +309,7 @@ fn instances(
     asked: &[Expr],
     time: Option<Leaf>,
 ) -> Result<Vec<(Expr, Expr)>, Reason> {
-    let facts = given.nonzero.iter().chain(&given.positive).chain(&given.not_negative).copied();
+    let facts = given.signs();
     let pointwise = |k: &Known| !k.when.is_on_intervals();
     let others = given.equations.iter().filter(|k| pointwise(k) || !names_fields(graph, k.sides()));
     let beside: Vec<Expr> = facts.chain(others.flat_map(|k| [k.left, k.right])).collect();

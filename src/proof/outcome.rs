@@ -40,6 +40,11 @@ impl Premises {
         self.equations.iter().flat_map(|k| [k.left, k.right])
     }
 
+    /// The expressions whose signs are known, of whatever kind.
+    pub fn signs(&self) -> impl Iterator<Item = Expr> + Clone + '_ {
+        self.nonzero.iter().chain(&self.positive).chain(&self.not_negative).copied()
+    }
+
     /// Whether an equation is among them.
     pub fn says(&self, pair: (Expr, Expr)) -> bool {
         self.equations.iter().any(|k| k.sides() == pair)

@@ -94,7 +94,7 @@ pub(super) fn with_rates(
     let pointwise: Vec<Premise> = pointwise.map(|k| Premise::of(k.sides(), false)).collect();
     let mut all: Vec<Premise> = on_intervals.iter().map(|k| Premise::of(k.sides(), false)).collect();
     let moves = |leaf: Leaf| premises.moving.contains(&leaf.symbol);
-    let facts = premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied();
+    let facts = premises.signs();
     let now = pointwise.iter().flat_map(|p| [p.left, p.right]);
     let asked: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).chain(now).chain(facts).collect();
     let inside = strictly(graph, premises, &moves);

@@ -91,10 +91,7 @@ impl Step<'_> {
             && (premises.pairs().any(|pair| tied(&self.graph, &pair))
                 || systems.iter().any(|pair| constraint(&self.graph, pair))
                 || self.systems_tie_states());
-        let roots: Vec<Expr> = sides(equations)
-            .chain(premises.sides())
-            .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied())
-            .collect();
+        let roots: Vec<Expr> = sides(equations).chain(premises.sides()).chain(premises.signs()).collect();
         let mut open = self.graph.leaves_within(roots);
         let mut joined = false;
         loop {
@@ -149,9 +146,7 @@ impl Step<'_> {
             return Continued::No;
         }
         let node = self.graph.leaf(leaf);
-        let roots = sides(equations)
-            .chain(premises.sides())
-            .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied());
+        let roots = sides(equations).chain(premises.sides()).chain(premises.signs());
         let bare = self.tells_turns(roots, node);
         let scope = &self.claim.scope;
         let (true, Some(time)) = (bare, scope.time()) else { return Continued::No };
@@ -190,10 +185,7 @@ impl Step<'_> {
 
     /// The values at fixed times that occur obey the definitions at these times.
     pub(super) fn definitions_at_instants(&mut self, equations: &Pairs, which: Definitions, premises: &mut Premises) {
-        let roots: Vec<Expr> = sides(equations)
-            .chain(premises.sides())
-            .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied())
-            .collect();
+        let roots: Vec<Expr> = sides(equations).chain(premises.sides()).chain(premises.signs()).collect();
         let which = match which {
             Definitions::Now => return,
             Definitions::Then => Definitions::All,

@@ -335,7 +335,7 @@ impl<'a> Step<'a> {
         premises: &mut Premises,
     ) {
         let mut roots: Vec<Expr> = always.iter().flat_map(|(_, p)| sides(p)).collect();
-        roots.extend(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative));
+        roots.extend(premises.signs());
         let own = self.equations(self.claim).unwrap_or_default();
         roots.extend(sides(&own));
         let mut instants: Vec<Expr> = self.graph.leaves_within(roots).into_iter().filter_map(|l| l.instant).collect();

@@ -275,7 +275,7 @@ impl Step<'_> {
     /// Where the formulas of the observables that occur have edges: their rates need not exist there, whether their definitions are used
     /// or not.
     pub(super) fn add_edges(&mut self, equations: &Pairs, premises: &mut Premises) {
-        let facts = premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied();
+        let facts = premises.signs();
         let roots: Vec<Expr> = sides(equations).chain(premises.sides()).chain(facts).collect();
         let mut symbols: Vec<Leaf> =
             self.graph.leaves_within(roots).into_iter().map(|l| Leaf::now(l.symbol, l.component)).collect();

@@ -60,7 +60,7 @@ impl Step<'_> {
         let named = said.iter().any(|l| l.instant.is_some() || Some(*l) == scope.time());
         let given = self.graph.leaves_within(sides(&gathered.systems).into_iter().chain(gathered.premises.sides()));
         let premises = &gathered.premises;
-        let signs = premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied();
+        let signs = premises.signs();
         let of_signs = self.graph.leaves_within(signs);
         let moving = said.iter().chain(&of_signs).filter(|l| scope.moves(l));
         let mut times: Vec<Option<Expr>> = moving.map(|l| l.instant).collect();
@@ -74,7 +74,7 @@ impl Step<'_> {
     /// from one to another without passing 0, and at x = 0 it may say something else than it does beside.
     pub(super) fn joins_places(&self, gathered: &Gathered, equations: &Pairs) -> bool {
         let premises = &gathered.premises;
-        let signs = premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied();
+        let signs = premises.signs();
         let fields = |roots: Vec<Expr>| {
             let mut leaves = self.graph.leaves_within(roots);
             leaves.retain(|l| self.graph.is_field(l.symbol));

@@ -123,7 +123,7 @@ impl Step<'_> {
         let mut of_premises: Vec<Leaf> = self.graph.leaves_within(gathered.premises.sides());
         // A sign that is known at another time ties the value there to the one that is asked about, where signs are known at all times.
         let given = &gathered.premises;
-        let signs = given.nonzero.iter().chain(&given.positive).chain(&given.not_negative).copied();
+        let signs = given.signs();
         let of_signs = self.graph.leaves_within(signs);
         of_premises.extend(&of_signs);
         of_premises.sort_unstable();
@@ -158,15 +158,17 @@ impl Step<'_> {
     /// same at two of them are given as such.
     pub(super) fn excludes_between_times(&mut self, gathered: &Gathered, equations: &Pairs) -> bool {
         let given = &gathered.premises;
-        let signs = given.nonzero.iter().chain(&given.positive).chain(&given.not_negative).copied();
-        let named: Vec<Expr> = given.sides().chain(signs).collect();
-        let mut leaves = self.graph.leaves_within(named);
+        let mut leaves = self.graph.leaves_within(given.sides().chain(given.signs()));
         leaves.retain(|l| l.instant.is_some() && l.rate == 0 && self.claim.scope.moves(l));
-        let (settled, level, start) = (self.settled.take(), self.proved_at, self.start);
-        let mut same = gathered.clone();
         let pairs = leaves.iter().enumerate().flat_map(|(at, l)| leaves[..at].iter().map(move |other| (*l, *other)));
         let alike = |&(l, other): &(Leaf, Leaf)| Leaf { instant: other.instant, ..l } == other;
-        for (one, other) in pairs.filter(alike).take(MOST_TIES).collect::<Vec<_>>() {
+        let pairs: Vec<(Leaf, Leaf)> = pairs.filter(alike).take(MOST_TIES).collect();
+        if pairs.is_empty() {
+            return false;
+        }
+        let (settled, level, start) = (self.settled.take(), self.proved_at, self.start);
+        let mut same = gathered.clone();
+        for (one, other) in pairs {
             let now = self.graph.leaf(Leaf { instant: None, ..one });
             let [one, other] = [one, other].map(|l| self.graph.leaf(l));
             let is_kept = match self.by_rate(gathered, &vec![(now, one)]) {
@@ -223,7 +225,7 @@ impl Step<'_> {
         let equations: Pairs = equations.iter().map(|&(l, r)| (put(l), put(r))).collect();
         // What has no value everywhere says something, whatever its sides are.
         premises.equations.retain(|k| k.left != k.right || !self.graph.needs_below([k.left]).is_empty());
-        let signs = premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied();
+        let signs = premises.signs();
         let named: Vec<Expr> = premises.sides().chain(signs).collect();
         if self.graph.leaves_within(named).contains(&time) || equations.iter().all(|(l, r)| l == r) {
             return None;
