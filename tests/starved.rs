@@ -222,7 +222,7 @@ fn limits_of_the_page_are_reached_by_an_input() {
             "trying a claim on a motion",
             "x.toml",
             file("", &motion(r"-k\sin x+\cos t", 400), &claim(0, &(waves.clone() + "<300"))),
-            "0.001",
+            "0.002",
         ),
         ("proving a claim", "double-pendulum.toml", derivation("double-pendulum.toml"), "0.003"),
         ("enclosing a motion", "x.toml", many_states(), "0.001"),

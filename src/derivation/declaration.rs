@@ -41,7 +41,7 @@ impl Derivation {
             scope,
             systems: Vec::new(),
             trajectories: Vec::new(),
-            families: Vec::new(),
+            families: Arc::default(),
             domains: Vec::new(),
             claims: Vec::new(),
             measures: Vec::new(),

@@ -4,6 +4,7 @@
 //! wrong before a member is made is noted here, with its place.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use toml::de::DeValue;
 
@@ -42,7 +43,7 @@ impl Loader<'_> {
                 continue;
             }
             match self.one_family(root, &table, &id, place) {
-                Some(family) => self.out.families.push(family),
+                Some(family) => Arc::make_mut(&mut self.out.families).push(family),
                 None => self.refused.push(id),
             }
         }

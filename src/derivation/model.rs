@@ -48,8 +48,8 @@ pub struct Derivation {
     pub systems: Vec<System>,
     /// Motions, in the order of the file.
     pub trajectories: Vec<Trajectory>,
-    /// Families of motions, in the order of the file.
-    pub families: Vec<Family>,
+    /// Families of motions, in the order of the file; copies have them in common.
+    pub families: Arc<Vec<Family>>,
     /// Boxes of values that claims share, in the order of the file.
     pub domains: Vec<Domain>,
     /// Claims, in the order of the file; one entry for each reading.

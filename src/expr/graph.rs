@@ -147,8 +147,12 @@ fn bits(r: &Rational) -> usize {
     r.numerator().bit_len().max(r.denominator().bit_len())
 }
 
-/// The counted work of looking for a node, and the counted memory of a new one.
+/// The counted work of looking for a node, where the graph has few: it is found in the processor's caches.
 const NODE_WORK: u64 = 60;
+/// So many nodes more cost as much again, up to `FAR` times: memory is waited for.
+const NEAR: usize = 1 << 16;
+const FAR: usize = 4;
+/// The counted memory of a new node.
 const NODE_BYTES: u64 = 64;
 
 /// Whether a power of a constant is small enough to be written out: towers of powers must not exhaust the memory.
@@ -279,7 +283,7 @@ impl Graph {
     }
 
     fn intern(&mut self, node: Node) -> Expr {
-        meter::charge(NODE_WORK);
+        meter::charge(NODE_WORK * (1 + self.len() / NEAR).min(FAR) as u64);
         // a + b and b + a are one node, printed in the order in which it was first written.
         let (hashed, turned) = (hash(&node), turned(&node));
         match self.found(hashed, |n| *n == node || turned.as_ref() == Some(n)) {

@@ -119,7 +119,7 @@ impl<'a> Ensemble<'a> {
         let slot = derivation.trajectories.len();
         // What no member needs would be copied for each of them.
         let mut derivation = derivation.clone();
-        derivation.families.clear();
+        derivation.families = <_>::default();
         let here = |m: &&Measure| Measure { trajectories: vec![slot], families: Vec::new(), ..(*m).clone() };
         derivation.measures = measured.iter().map(here).collect();
         derivation.conditions.clear();

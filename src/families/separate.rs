@@ -50,7 +50,7 @@ fn with_members(
 ) -> Option<(Derivation, Vec<Tried>)> {
     let family = &members.family;
     let mut out = derivation.clone();
-    out.families.clear();
+    out.families = <_>::default();
     out.measures.clear();
     out.pictures.clear();
     let base = derivation.trajectories.get(family.of)?;

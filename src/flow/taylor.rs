@@ -16,7 +16,7 @@ use super::kinks::{Edges, Kinks, Series};
 use super::narrow::Narrow;
 use expr::Leaf;
 use expr::tape::{Slots, Tape};
-use number::{Growth, Instruction, Interval, Jet, NoValue, Orders, Recurrences, Scalar, widely};
+use number::{Bounded, Growth, Instruction, Interval, Jet, NoValue, Orders, Recurrences, Scalar, widely};
 pub(super) use sums::Moved;
 use sums::Sums;
 
@@ -64,6 +64,8 @@ const SAME: f64 = 1e-6;
 const BEFORE: f64 = 1.0 - 1e-9;
 /// Most kinks that a motion may cross: one that slides along a kink crosses it without end.
 const MOST_KINKS: usize = 4_000;
+/// Units of work that a step takes beside its series: its size, its edges, its sums.
+const OF_A_STEP: u64 = 2_500;
 /// Components that are summed side by side.
 const ABREAST: usize = 4;
 
@@ -111,6 +113,8 @@ pub(super) struct Walker<'a> {
     last_step: f64,
     kinks: Kinks,
     narrow: Option<Narrow>,
+    /// Room for the rounding of the rates, once it was asked for.
+    rounding: Option<Slots<Jet<Bounded>>>,
     /// What the states may be off for steps that end a little behind a kink.
     pub(super) late: Vec<f64>,
     trial: Trial,
@@ -328,6 +332,7 @@ impl<'a> Walker<'a> {
                 let constants: Vec<Interval> = constants.iter().map(|&c| Interval::point(c)).collect();
                 flow.slots(order, &constants)
             }),
+            rounding: None,
             late: vec![0.0; n],
             trial: Trial {
                 target: time,
@@ -381,9 +386,9 @@ impl<'a> Walker<'a> {
     /// # Errors
     /// Why there is none.
     pub(super) fn propose(&mut self, series: &impl Series) -> Result<(), Stop> {
-        // Its size, its error and what errors become of it, beside the series.
+        // Its size, its error and what errors become of it, beside the series; the last is what a step of few instructions takes.
         let order = self.control.order as u64;
-        meter::charge(self.flow.tape.instructions().len() as u64 * order * order);
+        meter::charge(self.flow.tape.instructions().len() as u64 * order * order + OF_A_STEP);
         let direction = self.direction();
         let remaining = (self.end - self.time).abs();
         // What moves a state from outside may come as a pulse that no expansion before it sees: short steps, each of which

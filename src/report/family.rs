@@ -81,6 +81,7 @@ pub(super) fn counts(family: &FamilyAccount) -> String {
     ];
     let parts: Vec<String> = told.iter().filter(|(n, _)| *n > 0).map(|(n, words)| format!("{words} {n}")).collect();
     let all = match &parts[..] {
+        [] => "no member was tried".to_owned(),
         [_] if family.counts.not_applicable == family.counts.members => format!("applies to none of {of} tried"),
         [one] if family.counts.members > 1 => {
             one.rsplit_once(' ').map_or(one.clone(), |(words, _)| format!("{words} all {of} tried"))

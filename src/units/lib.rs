@@ -270,7 +270,7 @@ impl<'d> Checker<'d> {
 
     /// What members of families satisfy.
     fn families(&mut self) {
-        for family in &self.derivation.families {
+        for family in self.derivation.families.iter() {
             for constraint in &family.constraints {
                 self.statement("family", &family.id, &constraint.written, false);
             }

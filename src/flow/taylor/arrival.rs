@@ -14,6 +14,8 @@ const JUMP: f64 = 1e-6;
 const GROWTH: f64 = 8.0;
 /// Slopes that differ by so many rounding errors of a rate are one.
 const ROUNDING: f64 = 4.0;
+/// Units of work that it takes to find these.
+const OF_A_ROUNDING: u64 = 500;
 
 impl Walker<'_> {
     /// Whether a rate is another one, at a time behind a kink, than before it, and not only on its way from what it is at the kink.
@@ -36,13 +38,17 @@ impl Walker<'_> {
         // The step ends at the kink.
         let mut resolved = self.kinks.are_near(&self.flow.edges, self.control.order, h);
         if !resolved {
-            let scale = |i: usize| self.scale[self.flow.groups[i]].max(self.next_state[i].abs());
-            let mut resolves =
-                |scale: &dyn Fn(usize) -> f64| narrow.resolves(&self.flow.tape, (self.time, h), &self.now, scale);
-            resolved = resolves(&scale) || {
-                // A state that rests moves by the rounding of its rate alone, which no step is short enough to resolve.
+            let mut resolves = |of: &Self, rounding: Option<&[f64]>| {
+                let scale = |i: usize| {
+                    let rests = rounding.map_or(0.0, |rounding| ROUNDING * rounding[i] * h.abs() / FINE);
+                    of.scale[of.flow.groups[i]].max(of.next_state[i].abs()) + rests
+                };
+                narrow.resolves(&of.flow.tape, (of.time, h), &of.now, scale)
+            };
+            // A state that rests moves by the rounding of its rate alone, which no step is short enough to resolve.
+            resolved = resolves(self, None) || {
                 let rounding = self.rounding(target);
-                resolves(&|i| scale(i) + ROUNDING * rounding[i] * h.abs() / FINE)
+                resolves(self, Some(&rounding))
             };
         }
         self.narrow = Some(narrow);
@@ -61,13 +67,14 @@ impl Walker<'_> {
     /// last terms are small by accident. What the rounding of the states and of the rates explains is no difference: a state
     /// that rests moves by that alone, and no step is short enough to follow it.
     pub(super) fn continues(&mut self, target: f64, h: f64) -> bool {
-        let n = self.flow.dimension;
-        let mut rounding: Option<Vec<f64>> = None;
-        for (defect, (slope, found)) in self.defects.iter_mut().zip(self.slopes.iter().zip(&self.next[n..])) {
+        for (defect, (slope, found)) in
+            self.defects.iter_mut().zip(self.slopes.iter().zip(&self.next[self.flow.dimension..]))
+        {
             *defect = (slope - found).abs();
         }
-        (0..n).all(|i| {
-            let found = self.next[n + i];
+        let mut rounding: Option<Vec<f64>> = None;
+        (0..self.flow.dimension).all(|i| {
+            let found = self.next[self.flow.dimension + i];
             let scale = self.scale[self.flow.groups[i]].max(self.next_state[i].abs());
             let off = self.defects[i];
             off * h.abs() <= 1e-11 * scale + 1e-12 * found.abs() * h.abs() + f64::MIN_POSITIVE
@@ -76,15 +83,20 @@ impl Walker<'_> {
     }
 
     /// How far the rates at the next state may be off by its rounding and their own; 0 where it is not known.
-    fn rounding(&self, time: f64) -> Vec<f64> {
+    fn rounding(&mut self, time: f64) -> Vec<f64> {
         let n = self.flow.dimension;
-        let constants: Vec<Bounded> = self.constants.iter().map(|&c| Bounded::exact(c)).collect();
+        meter::charge(OF_A_ROUNDING);
         // Where states nearly cancel, as masses between springs at rest do, their rounding is all that a rate shows.
         let rounded = |&x: &f64| Bounded { value: x, error: 0.5 * f64::EPSILON * x.abs() };
         let state: Vec<Bounded> = self.next_state.iter().map(rounded).collect();
         let mut rates = vec![Bounded::exact(0.0); 2 * n];
-        let mut slots = self.flow.slots(1, &constants);
-        match self.flow.expand(&mut slots, 1, Bounded::exact(time), &state, &mut rates) {
+        let (flow, constants) = (self.flow, &self.constants);
+        // A stiff motion asks at every step.
+        let slots = self.rounding.get_or_insert_with(|| {
+            let constants: Vec<Bounded> = constants.iter().map(|&c| Bounded::exact(c)).collect();
+            flow.slots(1, &constants)
+        });
+        match flow.expand(slots, 1, Bounded::exact(time), &state, &mut rates) {
             Ok(()) => rates.chunks(2).map(|c| c[1].error).collect(),
             Err(_) => vec![0.0; n],
         }
