@@ -25,7 +25,7 @@ pub enum EditClass {
     Symbol,
     /// A term or a factor left out.
     Dropped,
-    /// A transpose set or left out.
+    /// A transpose, or a complex conjugate, set or left out.
     Transpose,
     /// The factors of a vector product, or two indices of ε, exchanged.
     Orientation,
@@ -61,7 +61,7 @@ impl EditClass {
             EditClass::Function => "function",
             EditClass::Symbol => "symbol",
             EditClass::Dropped => "dropped",
-            EditClass::Transpose => "transpose",
+            EditClass::Transpose => "transpose or conjugate",
             EditClass::Orientation => "orientation",
             EditClass::Convention => "convention",
             EditClass::Missing => "missing",
@@ -78,7 +78,7 @@ impl EditClass {
             EditClass::Function => "sine for cosine",
             EditClass::Symbol => "a wrong symbol",
             EditClass::Dropped => "a term or factor left out",
-            EditClass::Transpose => "a wrong transpose",
+            EditClass::Transpose => "a wrong transpose or conjugate",
             EditClass::Orientation => "the other orientation of a vector product",
             EditClass::Convention => "another convention for an angle or an order",
             EditClass::Missing => "a missing term or factor",

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::card::RefutingMotion;
 use super::consequence::Consequences;
 use super::digest::{Fate, Whole};
-use super::motion_matrix::{failing_need, fate_shape};
+use super::motion_matrix::failing_need;
 use super::numbers::count;
 use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, quiet, words};
 use super::tally::{Standing, declared};
@@ -132,7 +132,7 @@ fn condition<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<StorySpan
 fn link<'a>(id: &'a str, by_id: &ById<'_, 'a>) -> Vec<StorySpan<'a>> {
     let Some(whole) = by_id.get(id) else { return vec![StorySpan::Claim(id.to_owned(), Tone::Plain)] };
     let tone = if breaks(whole) { Tone::Bad } else { Tone::Plain };
-    let shape = fate_shape(whole);
+    let shape = whole.shape();
     vec![StorySpan::Claim(id.to_owned(), tone), words("\u{a0}"), StorySpan::Shape(shape)]
 }
 
@@ -184,7 +184,7 @@ fn break_says<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<StorySpa
         }
         out.push(words(". "));
     }
-    match RefutingMotion::of(reading.claim) {
+    match RefutingMotion::of(derivation, reading.claim) {
         Some(motion) => out.extend(motion.says(scope)),
         None if whole.failing().is_none() => out.push(words("The contrary holds.")),
         None => {}

@@ -11,9 +11,9 @@ use super::form::{Heading, heading};
 use super::front::Line;
 use super::numbers::{both, six, size};
 use super::sketch::Sketch;
-use super::story::{StoryBlock, StorySpan, Tone, quiet, words};
+use super::story::{StoryBlock, StorySpan, Tone, joined, quiet, words};
 use super::tally::{Standing, declared};
-use crate::derivation::{ClaimRole, Derivation};
+use crate::derivation::{ClaimRole, Derivation, FormKind};
 use crate::latex::Scope;
 use findings::{ClaimAccount, Correction, Evidence, Residuals, Witness};
 
@@ -24,21 +24,30 @@ const LONGEST: usize = 600;
 pub(super) struct RefutingMotion<'a> {
     pub name: String,
     evidence: &'a Evidence,
+    /// What the claim says of the formula that is refuted.
+    kind: FormKind,
 }
 
 impl<'a> RefutingMotion<'a> {
     /// The motion that tells most of why a claim fails: the largest residual, else a member of a family.
-    pub fn of(claim: &'a ClaimAccount) -> Option<RefutingMotion<'a>> {
+    pub fn of(derivation: &Derivation, claim: &'a ClaimAccount) -> Option<RefutingMotion<'a>> {
+        let (name, evidence) = Self::found(claim)?;
+        let formula = evidence.witness.as_ref().map(|w| dense(&w.formula));
+        let at = claim.formulas.iter().position(|f| Some(dense(f)) == formula).unwrap_or(0);
+        let (kind, _) = heading(claim, declared(derivation, claim), at);
+        Some(RefutingMotion { name, evidence, kind })
+    }
+
+    fn found(claim: &'a ClaimAccount) -> Option<(String, &'a Evidence)> {
         let residual = |p: &&'a findings::PairAccount| p.verdict.evidence().residual.as_ref().map_or(-1.0, |r| r.max);
         let fails = claim.results.iter().filter(|p| p.verdict.outcome().word() == "fails");
         // Of equals the first.
         let pair = fails.reduce(|a, b| if residual(&b) > residual(&a) { b } else { a });
         if let Some(pair) = pair {
-            return Some(RefutingMotion { name: pair.trajectory.clone(), evidence: pair.verdict.evidence() });
+            return Some((pair.trajectory.clone(), pair.verdict.evidence()));
         }
         let (family, member) = claim.families.iter().find_map(|f| Some((f, f.first_failing.as_ref()?)))?;
-        let name = format!("member {} of {}", member.number, family.family);
-        Some(RefutingMotion { name, evidence: member.verdict.evidence() })
+        Some((format!("member {} of {}", member.number, family.family), member.verdict.evidence()))
     }
 
     /// The point at which it refutes.
@@ -58,8 +67,8 @@ impl<'a> RefutingMotion<'a> {
             return vec![words(format!("On {}", self.name)), StorySpan::Prose(why, scope, Tone::Plain), words(".")];
         };
         // What is looked for at some time, and not met, may be met in one of its components.
-        if w.left == w.right && self.series().is_some_and(|s| s.sought) {
-            return vec![words(format!("On {} it is met at no time.", self.name))];
+        if w.left == w.right && self.kind == FormKind::Eventually {
+            return vec![words(format!("On {} the sides agree at no time.", self.name))];
         }
         let mut out = vec![words(format!("On {} at ", self.name)), StorySpan::Math(format!("t={}", six(w.t)), scope)];
         let label = super::wording::label(&w.formula);
@@ -81,10 +90,13 @@ impl<'a> RefutingMotion<'a> {
     }
 }
 
+fn dense(text: &str) -> String {
+    text.split_whitespace().collect()
+}
+
 /// The formula of a claim that is shown: that of the witness, or of the correction; else the first.
 fn shown_formula(claim: &ClaimAccount, correction: Option<&Correction>) -> usize {
-    let dense = |text: &str| text.split_whitespace().collect::<String>();
-    let witness = RefutingMotion::of(claim).and_then(|m| m.witness()).map(|w| dense(&w.formula));
+    let witness = RefutingMotion::found(claim).and_then(|(_, e)| e.witness.as_ref()).map(|w| dense(&w.formula));
     let wanted = correction.map(|c| dense(&c.printed)).or(witness);
     let is_wanted = |f: &String| wanted.as_ref().is_some_and(|w| *w == dense(f));
     claim.formulas.iter().position(is_wanted).unwrap_or(0)
@@ -153,10 +165,12 @@ fn right<'a>(
     }
     let order = [ClaimRole::Added, ClaimRole::MayMean, ClaimRole::Says];
     let holds = |role: ClaimRole| {
-        whole
-            .readings
-            .iter()
-            .find(move |r| r.role == role && r.standing == Standing::Holds && !r.claim.formulas.is_empty())
+        whole.readings.iter().find(move |r| {
+            let first = r.claim.formulas.first().map(|f| dense(f));
+            // The print itself, said of other motions, is no other formula.
+            let is_another = first.is_some_and(|f| failing.formulas.iter().all(|printed| dense(printed) != f));
+            r.role == role && r.standing == Standing::Holds && is_another
+        })
     };
     if let Some(reading) = order.into_iter().find_map(holds) {
         let shown = formula_of(derivation, reading.claim, 0)?;
@@ -169,7 +183,7 @@ fn right<'a>(
     }
     let erratum = failing.variants.as_ref()?.erratum.as_ref()?;
     let tried = erratum.tried.0 + erratum.tried.1 + erratum.tried.2;
-    (tried > 0).then(|| vec![quiet(format!("no right formula is near: {tried} altered ones were tried"))])
+    (tried > 0).then(|| vec![quiet(format!("{tried} altered formulas were tried: none holds"))])
 }
 
 /// The correction nearest to the print.
@@ -213,7 +227,7 @@ pub(super) fn blocks<'a>(
     let claim = reading.claim;
     let own = declared(derivation, claim).map_or(scope, |d| &d.scope);
     let correction = correction(claim).filter(|_| fails);
-    let motion = RefutingMotion::of(claim).filter(|_| fails);
+    let motion = RefutingMotion::of(derivation, claim).filter(|_| fails);
     if let Some(sketch) = motion.as_ref().and_then(|m| {
         let at = m.witness().map(|w| w.t);
         Sketch::sides(m.series()?, at, &m.name)
@@ -221,8 +235,15 @@ pub(super) fn blocks<'a>(
         out.push(StoryBlock::Figure(sketch, Vec::new()));
     }
     if let Some(shown) = formula_of(derivation, claim, shown_formula(claim, correction)) {
-        let mut print = vec![quiet(if fails { "printed: " } else { "the contrary, which holds: " })];
+        let is_print = declared(derivation, claim).is_some_and(|d| d.printed || d.label.is_some());
+        let lead = match (fails, is_print) {
+            (true, true) => "printed: ",
+            (true, false) => "tested as: ",
+            (false, _) => "the contrary, which holds: ",
+        };
+        let mut print = vec![quiet(lead)];
         print.extend(shown.spans(correction.map(|c| c.formula.as_str()), true));
+        print.extend(provided(derivation, claim));
         out.push(StoryBlock::Paragraph(print));
     }
     out.extend(right(derivation, whole, claim, correction).filter(|_| fails).map(StoryBlock::Paragraph));
@@ -240,6 +261,34 @@ pub(super) fn blocks<'a>(
         why.push(StorySpan::Prose(format!(" {text}"), scope, Tone::Quiet));
     }
     out.push(StoryBlock::Paragraph(why));
+    out
+}
+
+/// When a claim is tried, and what it assumes.
+fn provided<'a>(derivation: &'a Derivation, claim: &'a ClaimAccount) -> Vec<StorySpan<'a>> {
+    let declared = declared(derivation, claim);
+    let scope = declared.map_or(&derivation.scope, |d| &d.scope);
+    let when = declared.and_then(|d| d.at.as_ref()).map(|at| {
+        let occasion = StorySpan::Prose(at.occasion.words().to_owned(), scope, Tone::Quiet);
+        vec![quiet("tried when "), StorySpan::Math(at.equation.text.clone(), scope), occasion]
+    });
+    let assumed: Vec<&String> = claim.assumptions.iter().filter(|a| a.len() <= LONGEST / 4).collect();
+    let hidden = claim.assumptions.len() - assumed.len();
+    let mut assumed: Vec<Vec<StorySpan<'a>>> =
+        assumed.into_iter().map(|a| vec![StorySpan::Math(a.clone(), scope)]).collect();
+    if hidden > 0 {
+        assumed.push(vec![quiet(format!("{hidden} more"))]);
+    }
+    let mut assuming = joined(assumed.into_iter(), ", ");
+    if !assuming.is_empty() {
+        assuming.insert(0, quiet("assuming "));
+    }
+    let parts = when.into_iter().chain(Some(assuming).filter(|a| !a.is_empty()));
+    let mut out = joined(parts, "; ");
+    if !out.is_empty() {
+        out.insert(0, quiet(" ("));
+        out.push(quiet(")"));
+    }
     out
 }
 

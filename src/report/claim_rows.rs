@@ -43,8 +43,8 @@ pub(super) fn section(derivation: &Derivation, account: &Account, graph: &Deriva
 }
 
 /// What a reader finds elsewhere.
-const LEFT_OUT: &str = "Formulas are said of every time, where nothing else is said. ◆ proved for all values, ● holds wherever it \
-                        applies, ◐ holds on some and fails on others, ✕ fails, ? open, – applies nowhere; † has a certificate, \
+const LEFT_OUT: &str = "Formulas are said of every time, where nothing else is said. ◆ proved for all values, ◈ proved given claims \
+                        that are not, ⬖ special cases apart, ■ holds at every time, ● at all samples, ◐ holds on some and fails on others, ✕ fails, ? open, – applies nowhere; † has a certificate, \
                         `certificates/NAME.py`, with two hyphens for the stroke in a name. Not here, but in `index.html` and \
                         `report.json`: the steps of proofs, residuals and bounds, curves, members of families to look at, points that refute what is for \
                         comparison, the worth of assumptions, remarks on what holds.\n\n";
@@ -105,7 +105,7 @@ fn rows(derivation: &Derivation, whole: &Whole<'_>) -> Vec<Vec<String>> {
             format!("{}{shown}{}", target(&name(claim)), role_of(reading)),
             format!("{}{place}", prose(&claim.says)),
             said(derivation, claim, true),
-            format!("{} {}", mark(reading), fares(derivation, reading)),
+            format!("{} {}", reading.shape().sign(), fares(derivation, reading)),
         ]);
     }
     out
@@ -147,17 +147,6 @@ fn uncapital(text: &str) -> String {
     letters.next().map(|first| first.to_lowercase().collect::<String>() + letters.as_str()).unwrap_or_default()
 }
 
-fn mark(reading: &Reading<'_>) -> &'static str {
-    match reading.standing {
-        Standing::Holds if reading.proof == ProofStanding::Proved => "◆",
-        Standing::Holds => "●",
-        Standing::Mixed => "◐",
-        Standing::Fails => "✕",
-        Standing::Open => "?",
-        Standing::Nowhere => "–",
-    }
-}
-
 /// What is said of a claim of which there is something to say.
 fn whole_section(derivation: &Derivation, graph: &DerivationGraph, whole: &Whole<'_>, of: usize) -> String {
     let place = told_place(derivation, whole);
@@ -189,7 +178,7 @@ fn reading_section(derivation: &Derivation, graph: &DerivationGraph, reading: &R
         None if role.is_empty() => String::new(),
         None => format!("{} ", role.trim_start()),
     };
-    out.push_str(format!("{} {head}{}", mark(reading), said(derivation, claim, false)).trim_end());
+    out.push_str(format!("{} {head}{}", reading.shape().sign(), said(derivation, claim, false)).trim_end());
     if is_short(reading) {
         out.push_str(&format!(" — {}.\n\n", fares(derivation, reading)));
         return out;

@@ -10,6 +10,7 @@
 
 use super::graph::{DerivationGraph, ProofStanding};
 use super::numbers::count;
+use super::story::VerdictShape;
 use super::tally::{Standing, declared};
 use crate::derivation::{ClaimRole, Derivation};
 use findings::conditions::{ConditionName, Explanation, Join};
@@ -209,13 +210,24 @@ impl Basis {
         }
     }
 
+    /// Its symbol.
+    fn shape(&self) -> VerdictShape {
+        match self {
+            Basis::Sampled(_) => VerdictShape::Sampled,
+            Basis::Enclosed(_) | Basis::Ranges => VerdictShape::Enclosed,
+            Basis::Given(_) => VerdictShape::ProvedGiven,
+            Basis::Except => VerdictShape::ProvedExcept,
+            Basis::Proved => VerdictShape::Proved,
+        }
+    }
+
     /// The kind, for counting.
     pub fn kind(&self) -> &'static str {
         match self {
             Basis::Sampled(_) => "at all samples of the motions tried",
             Basis::Enclosed(_) => "at every time of the motions tried",
             Basis::Ranges => "at every point of ranges",
-            Basis::Given(_) => "proved, given other claims",
+            Basis::Given(_) => "proved, given claims that are not proved",
             Basis::Except => "proved, special cases apart",
             Basis::Proved => "proved for all values",
         }
@@ -268,6 +280,17 @@ impl<'a> Reading<'a> {
         }
     }
 
+    /// Its symbol: how strongly it holds, or that it does not.
+    pub fn shape(&self) -> VerdictShape {
+        match self.standing {
+            Standing::Holds => self.basis().shape(),
+            Standing::Mixed => VerdictShape::Mixed,
+            Standing::Fails => VerdictShape::Fails,
+            Standing::Open => VerdictShape::Undecided,
+            Standing::Nowhere => VerdictShape::NotApplicable,
+        }
+    }
+
     /// How it is known that it holds.
     pub fn basis(&self) -> Basis {
         match &self.proof {
@@ -314,6 +337,18 @@ impl<'a> Whole<'a> {
     /// How it is known that it stands: the weakest of what its readings rest on.
     pub fn basis(&self) -> Option<Basis> {
         self.deciding().filter(|r| r.standing == Standing::Holds).map(Reading::basis).min()
+    }
+
+    /// Its symbol.
+    pub fn shape(&self) -> VerdictShape {
+        match self.fate {
+            Fate::Stands => self.basis().map_or(VerdictShape::Sampled, |basis| basis.shape()),
+            Fate::Reading => VerdictShape::Meaning,
+            Fate::Partly => VerdictShape::Mixed,
+            Fate::Fails => VerdictShape::Fails,
+            Fate::Open | Fate::Untested => VerdictShape::Undecided,
+            Fate::Nowhere | Fate::Choice | Fate::Lemma | Fate::Added => VerdictShape::NotApplicable,
+        }
     }
 
     /// Whether all that it says is proved for all values, given nothing that is not.
@@ -404,14 +439,17 @@ pub(super) struct Unsaid<'a> {
     pub claims: Vec<&'a ClaimAccount>,
 }
 
+/// Fewest motions that tell what separates them: of one that holds and one that fails every condition tells that differs at all.
+const FEWEST_SEPARATED: usize = 3;
+
 /// Every condition that separates the motions of some claim of the paper: those of most claims first.
 pub(super) fn unsaid<'a>(derivation: &Derivation, account: &'a Account) -> Vec<Unsaid<'a>> {
     let mut out: Vec<Unsaid<'a>> = Vec::new();
     let of_paper = |c: &&ClaimAccount| declared(derivation, c).is_none_or(|d| d.role.is_of_the_paper());
     for claim in account.claims.iter().filter(of_paper) {
-        let Some(explanation) = claim.conditions.separation.as_ref().and_then(|s| s.explanation.as_ref()) else {
-            continue;
-        };
+        let separation = claim.conditions.separation.as_ref();
+        let separation = separation.filter(|s| s.holds.len() + s.fails.len() >= FEWEST_SEPARATED);
+        let Some(explanation) = separation.and_then(|s| s.explanation.as_ref()) else { continue };
         match out.iter_mut().find(|u| u.explanation == explanation) {
             Some(known) => known.claims.push(claim),
             None => out.push(Unsaid { explanation, claims: vec![claim] }),
@@ -453,18 +491,6 @@ fn refuted(claim: &ClaimAccount) -> &'static str {
         Some(Strength::Proved | Strength::Enclosed) => "certified",
         Some(Strength::Sampled) => "at samples",
         None => "",
-    }
-}
-
-/// The shape of a standing on a page: that of a pair, and a half circle for what holds in part.
-pub(super) fn mark(reading: &Reading<'_>) -> &'static str {
-    match reading.standing {
-        Standing::Holds if reading.proof == ProofStanding::Proved => "h p",
-        Standing::Holds => "h",
-        Standing::Mixed => "m",
-        Standing::Fails => "f",
-        Standing::Open => "u",
-        Standing::Nowhere => "n",
     }
 }
 

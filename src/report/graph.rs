@@ -79,7 +79,7 @@ impl ProofStanding {
         match self {
             ProofStanding::Proved => Some("proved"),
             ProofStanding::Except => Some("proved, special cases apart"),
-            ProofStanding::Given(_) => Some("proved, given others"),
+            ProofStanding::Given(_) => Some("proved, given claims that are not"),
             ProofStanding::Circular => Some("circular"),
             ProofStanding::None => None,
         }

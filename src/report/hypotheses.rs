@@ -206,7 +206,7 @@ pub(super) fn limits<'a>(
     let mut limited: Vec<(&Whole<'a>, &'a ClaimAccount)> =
         wholes.iter().filter(|w| w.fate == Fate::Stands).filter_map(|w| Some((w, needed(w)?))).collect();
     // What other claims assume comes first, then the heaviest; equals stay in the order of the paper.
-    let refuted = |claim: &'a ClaimAccount| RefutingMotion::of(claim).filter(|m| m.witness().is_some());
+    let refuted = |claim: &'a ClaimAccount| RefutingMotion::of(derivation, claim).filter(|m| m.witness().is_some());
     let assumed = |claim: &ClaimAccount| {
         let all = wholes.iter().flat_map(|w| &w.readings);
         all.filter(|r| r.claim.assumptions.iter().any(|a| claim.formulas.contains(a))).count()
@@ -230,7 +230,8 @@ pub(super) fn limits<'a>(
         }
         let beside = limited.len() - 1;
         if beside > 0 {
-            out.push(quiet(format!(" So with {beside} more.")));
+            let claims = if beside == 1 { "claim stands" } else { "claims stand" };
+            out.push(quiet(format!(" So with {beside} more: the {claims} as said, and not as needed.")));
         }
     }
     if out.is_empty() { Vec::new() } else { vec![StoryBlock::Paragraph(out)] }

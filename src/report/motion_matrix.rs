@@ -76,6 +76,12 @@ pub(super) fn blocks<'a>(
     }
     let legend = VerdictShape::ALL.into_iter().filter(|s| seen.contains(s));
     let mut legend = joined(legend.map(|s| vec![StorySpan::Shape(s), quiet(format!(" {}", s.says()))]), "  ");
+    let is_share = |span: &StorySpan<'_>| matches!(span, StorySpan::Words(said, _) if said.contains('/'));
+    if table.rows.iter().flat_map(|row| row.iter().skip(1)).flatten().any(is_share) {
+        legend.push(quiet(
+            "; 1/3: on one of three motions; on the others it was not tried, or does not apply, or much else would hold",
+        ));
+    }
     let more = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count().saturating_sub(rows.len());
     if more > 0 {
         legend.push(quiet(format!("; and {}", count(more, "more claim"))));
@@ -106,8 +112,24 @@ fn row<'a>(whole: &Whole<'a>, columns: &[MatrixColumn<'a>], hangs: &Consequences
     if let Some(letter) = hangs.letter(whole.id) {
         head.insert(0, StorySpan::Words(format!("{letter} "), Tone::Strong));
     }
-    let cells = columns.iter().map(|column| cell(whole, &column.of).map(StorySpan::Shape).into_iter().collect());
+    let cells = columns.iter().map(|column| match cell(whole, &column.of) {
+        None => Vec::new(),
+        Some(shape) => std::iter::once(StorySpan::Shape(shape)).chain(share(whole, &column.of).map(quiet)).collect(),
+    });
     std::iter::once(head).chain(cells).collect()
+}
+
+/// On how many motions of a class a claim was tried and applies, where it is not all of them: a symbol says nothing of the others.
+fn share(whole: &Whole<'_>, column: &ColumnMotions<'_>) -> Option<String> {
+    let ColumnMotions::Motions(named) = column else { return None };
+    let shown = whole.deciding().flat_map(|reading| &reading.claim.results);
+    let applies = shown.filter(|p| !matches!(p.verdict.outcome(), Outcome::NotApplicable(_)));
+    let applies: Vec<_> = applies.filter(|p| named.contains(p.trajectory.as_str())).collect();
+    let tells = applies.iter().filter(|p| !discrimination::is_weak(p));
+    let told: BTreeSet<&str> = tells.map(|p| p.trajectory.as_str()).collect();
+    let all = || applies.iter().map(|p| p.trajectory.as_str()).collect();
+    let of: BTreeSet<&str> = if told.is_empty() { all() } else { told };
+    (!of.is_empty() && of.len() < named.len()).then(|| format!("\u{a0}{}/{}", of.len(), named.len()))
 }
 
 /// What a class of motions says of a claim with all its readings.
@@ -203,19 +225,6 @@ pub(super) fn shape(outcome: Outcome) -> VerdictShape {
         Outcome::Fails(Strength::Enclosed | Strength::Proved) => VerdictShape::Certified,
         Outcome::NotApplicable(_) => VerdictShape::NotApplicable,
         Outcome::Undecided => VerdictShape::Undecided,
-    }
-}
-
-/// The symbol of a claim with all its readings.
-pub(super) fn fate_shape(whole: &Whole<'_>) -> VerdictShape {
-    match whole.fate {
-        Fate::Stands if whole.is_proved() => VerdictShape::Proved,
-        Fate::Stands => VerdictShape::Sampled,
-        Fate::Reading => VerdictShape::Meaning,
-        Fate::Partly => VerdictShape::Mixed,
-        Fate::Fails => VerdictShape::Fails,
-        Fate::Open | Fate::Untested => VerdictShape::Undecided,
-        Fate::Nowhere | Fate::Choice | Fate::Lemma | Fate::Added => VerdictShape::NotApplicable,
     }
 }
 

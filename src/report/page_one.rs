@@ -8,10 +8,10 @@
 use super::argument;
 use super::card;
 use super::consequence::Consequences;
-use super::digest::{self, Whole};
+use super::digest::{self, Fate, Whole};
 use super::front::{Front, Line};
 use super::hypotheses;
-use super::motion_matrix::{self, fate_shape, that_matter};
+use super::motion_matrix::{self, that_matter};
 use super::numbers::count;
 use super::sketch::Sketch;
 use super::story::{self, StoryBlock, StorySpan, Tone, quiet, words};
@@ -39,7 +39,7 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     for alarm in &front.alarms {
         head.push(StoryBlock::Paragraph(vec![StorySpan::Prose(format!("! {alarm}"), scope, Tone::Alarm)]));
     }
-    let fields = wholes.iter().filter(|w| w.fate.is_of_the_paper()).map(fate_shape);
+    let fields = wholes.iter().filter(|w| w.fate.is_of_the_paper()).map(|w| w.shape());
     let strip = Sketch::Strip(fields.collect());
     let mut matrix = vec![StoryBlock::Group("strip", vec![StoryBlock::Figure(strip, Vec::new())])];
     matrix.extend(motion_matrix::blocks(derivation, account, &wholes, &hangs));
@@ -162,7 +162,8 @@ fn nothing_wrong<'a>(
             count(rest, "claim")
         ))]));
     }
-    out.push(StoryBlock::Group("card", inside));
+    let card = StoryBlock::Group("card", inside);
+    out.push(if whole.fate == Fate::Stands { StoryBlock::Group("good", vec![card]) } else { card });
     out
 }
 

@@ -14,14 +14,18 @@ const SIZE: (f64, f64) = (240.0, 76.0);
 const EDGE: f64 = 13.0;
 /// So many letters are a line of a drawing on a terminal.
 const LETTERS: usize = 48;
+/// Sides that are apart by less than this share of what is drawn are one line: their difference is drawn.
+const UNSEEN: f64 = 5e-3;
+/// Times that are apart by so many of the usual steps have others between them that were left out.
+const GAP: f64 = 4.0;
 /// A strip has at most so many fields; of more claims than that, one field is the worst of several.
 const FIELDS: usize = 160;
 
 /// What is drawn.
 #[derive(Clone, Debug)]
 pub(super) enum Sketch {
-    /// Both sides at times: time, left, right; and the time of the witness.
-    Sides { samples: Vec<[f64; 3]>, at: Option<f64>, title: String },
+    /// What is drawn at times, by its names: time, left, right; and the time of the witness.
+    Sides { names: [&'static str; 2], samples: Vec<[f64; 3]>, at: Option<f64>, title: String },
     /// One field for each claim, in the order of the paper.
     Strip(Vec<VerdictShape>),
 }
@@ -29,9 +33,20 @@ pub(super) enum Sketch {
 impl Sketch {
     /// Both sides along a motion; `None` where there are less than two samples with values.
     pub fn sides(series: &Residuals, at: Option<f64>, motion: &str) -> Option<Sketch> {
-        let samples: Vec<[f64; 3]> = series.points.iter().map(|p| [p.t, p.left, p.right]).collect();
-        let drawn = samples.iter().filter(|s| s.iter().all(|x| x.is_finite())).count();
-        (drawn > 1).then(|| Sketch::Sides { samples, at, title: format!("Both sides along {motion}") })
+        let mut samples: Vec<[f64; 3]> = series.points.iter().map(|p| [p.t, p.left, p.right]).collect();
+        let is_drawn = |s: &[f64; 3]| s.iter().all(|x| x.is_finite());
+        if samples.iter().filter(|s| is_drawn(s)).count() < 2 {
+            return None;
+        }
+        let Frame { up: (low, high), .. } = Frame::of(&samples)?;
+        let apart = samples.iter().filter(|s| is_drawn(s)).map(|s| (s[1] - s[2]).abs()).fold(0.0, f64::max);
+        let names = if series.equation && at.is_some() && apart > 0.0 && apart < UNSEEN * (high - low) {
+            samples.iter_mut().for_each(|s| *s = [s[0], s[1] - s[2], 0.0]);
+            ["left − right", "0"]
+        } else {
+            ["left", "right"]
+        };
+        Some(Sketch::Sides { names, samples: with_gaps(samples), at, title: format!("Both sides along {motion}") })
     }
 
     /// Whether a side changes by what can be seen: the picture of a constant tells little.
@@ -47,7 +62,7 @@ impl Sketch {
     /// One `svg` element.
     pub fn svg(&self) -> String {
         match self {
-            Sketch::Sides { samples, at, title } => sides_svg(samples, *at, title),
+            Sketch::Sides { names, samples, at, title } => sides_svg(*names, samples, *at, title),
             Sketch::Strip(fields) => strip_svg(fields),
         }
     }
@@ -55,13 +70,14 @@ impl Sketch {
     /// The same in letters, for a terminal.
     pub fn lines(&self) -> Vec<String> {
         match self {
-            Sketch::Sides { samples, .. } => {
+            Sketch::Sides { names: [first, second], samples, .. } => {
                 let Some(frame) = Frame::of(samples) else { return Vec::new() };
                 let row = |side: usize| (0..LETTERS).map(|k| frame.letter(samples, k, side)).collect::<String>();
                 let (low, high) = frame.up;
+                let width = first.chars().count().max(second.chars().count());
                 vec![
-                    format!("left  {}  from {} to {},", row(1), six(low), six(high)),
-                    format!("right {}  t from {} to {}", row(2), six(frame.along.0), six(frame.along.1)),
+                    format!("{first:<width$} {}  from {} to {},", row(1), six(low), six(high)),
+                    format!("{second:<width$} {}  t from {} to {}", row(2), six(frame.along.0), six(frame.along.1)),
                 ]
             }
             // The sentence above it counts them.
@@ -111,7 +127,24 @@ impl Frame {
     }
 }
 
-fn sides_svg(samples: &[[f64; 3]], at: Option<f64>, title: &str) -> String {
+/// The samples, with one without values wherever many times were left out: a claim was not tried there.
+fn with_gaps(samples: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
+    let mut steps: Vec<f64> = samples.windows(2).map(|w| w[1][0] - w[0][0]).collect();
+    steps.sort_unstable_by(f64::total_cmp);
+    let Some(usual) = steps.get(steps.len() / 2).copied() else { return samples };
+    let mut out = Vec::with_capacity(samples.len());
+    for s in samples {
+        if let Some(last) = out.last().map(|s: &[f64; 3]| s[0])
+            && s[0] - last > GAP * usual
+        {
+            out.push([(last + s[0]) / 2.0, f64::NAN, f64::NAN]);
+        }
+        out.push(s);
+    }
+    out
+}
+
+fn sides_svg(names: [&str; 2], samples: &[[f64; 3]], at: Option<f64>, title: &str) -> String {
     let Some(frame) = Frame::of(samples) else { return String::new() };
     let curve = |side: usize| {
         let mut out = String::new();
@@ -132,11 +165,15 @@ fn sides_svg(samples: &[[f64; 3]], at: Option<f64>, title: &str) -> String {
         let x = frame.place(t, frame.up.0).0;
         format!("<path class=worst d=\"M{x} {}V{}\"/>", EDGE as i64, height - EDGE as i64)
     });
+    let key = format!(
+        "<text x={width} y=9 text-anchor=end><tspan class=left>{}</tspan> <tspan class=right>{}</tspan></text>",
+        names[0], names[1]
+    );
     let text = |x: i64, y: i64, more: &str, words: &str, value: f64| {
         format!("<text x={x} y={y}{more}>{words}{}</text>", six(value).replace('-', "−"))
     };
     format!(
-        "<svg viewBox=\"0 0 {width} {height}\" role=img><title>{}</title>{}<path class=left d=\"{}\"/><path class=right d=\"{}\"/>{}{}{}</svg>",
+        "<svg viewBox=\"0 0 {width} {height}\" role=img><title>{}</title>{}<path class=left d=\"{}\"/><path class=right d=\"{}\"/>{key}{}{}{}</svg>",
         escaped(title),
         mark.unwrap_or_default(),
         curve(1),
@@ -184,14 +221,14 @@ mod tests {
 
     fn wave() -> Sketch {
         let samples = (0..20).map(|k| [f64::from(k), f64::from(k % 5), 1.0]).collect();
-        Sketch::Sides { samples, at: Some(3.0), title: "<b>".into() }
+        Sketch::Sides { names: ["left", "right"], samples, at: Some(3.0), title: "<b>".into() }
     }
 
     #[test]
     fn both_sides_are_drawn_and_a_title_is_no_markup() {
         let svg = wave().svg();
-        assert_eq!((svg.matches("<path").count(), svg.matches("<text").count()), (3, 3), "{svg}");
-        assert!(svg.contains("&lt;b&gt;") && svg.len() < 900, "{svg}");
+        assert_eq!((svg.matches("<path").count(), svg.matches("<text").count()), (3, 4), "{svg}");
+        assert!(svg.contains("&lt;b&gt;") && svg.len() < 1000, "{svg}");
         assert!(svg.contains(">t = 0 … 19</text>"), "{svg}");
         let lines = wave().lines();
         assert_eq!(lines.len(), 2);

@@ -174,7 +174,7 @@ fn found(derivation: &Derivation, account: &Account, graph: &DerivationGraph, cl
     html! {
         @if seen { (stated) }
         details.evidence {
-            summary { span class={ "mark " (digest::mark(&reading)) } aria-hidden="true" {} " " (prose(&verdict, scope)) }
+            summary { span class={ "mark " (reading.shape().class()) } aria-hidden="true" {} " " (prose(&verdict, scope)) }
             @if !seen { (stated) }
             (evidence)
         }

@@ -163,7 +163,7 @@ fn reasons(derivation: &Derivation, found: &[&Whole<'_>]) -> Markup {
                 ul {
                     @for reading in &whole.readings {
                         li {
-                            span class={ "mark " (digest::mark(reading)) } aria-hidden="true" {} " "
+                            span class={ "mark " (reading.shape().class()) } aria-hidden="true" {} " "
                             @let whose = reading.whose(whole);
                             @if !whose.is_empty() { span.added { (whose) } " " }
                             @if whole.is_read() {

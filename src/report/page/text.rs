@@ -83,6 +83,20 @@ fn braced(text: &str) -> Option<(&str, &str)> {
     None
 }
 
+/// The argument of a command, in braces or one sign, and what follows it.
+fn argument(text: &str) -> Option<(&str, &str)> {
+    let text = text.trim_start();
+    if text.starts_with('{') {
+        return braced(text);
+    }
+    let first = text.chars().next()?;
+    let length = match first {
+        '\\' => 1 + text[1..].find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(text.len() - 1),
+        first => first.len_utf8(),
+    };
+    Some(text.split_at(length))
+}
+
 fn commandless(text: &str) -> String {
     let mut out = String::new();
     let mut rest = text;
@@ -93,13 +107,24 @@ fn commandless(text: &str) -> String {
         let (command, after) = tail.split_at(length);
         if command == "frac"
             && let Some((top, bottom, after)) =
-                braced(after).and_then(|(a, rest)| braced(rest).map(|(b, rest)| (a, b, rest)))
+                argument(after).and_then(|(a, rest)| argument(rest).map(|(b, rest)| (a, b, rest)))
         {
             let part = |of: &str| match of.contains(['+', '-']) {
                 true => format!("({})", commandless(of)),
                 false => commandless(of),
             };
             out.push_str(&format!("{}/{}", part(top), part(bottom)));
+            rest = after;
+            continue;
+        }
+        let above = [("dot", '\u{307}'), ("ddot", '\u{308}'), ("dddot", '\u{20db}')];
+        if let Some((_, mark)) = above.into_iter().find(|(name, _)| *name == command)
+            && let Some((of, after)) = argument(after)
+        {
+            let of = commandless(of).replace(['{', '}'], "");
+            let first = of.trim_start().chars().next().map_or(0, char::len_utf8);
+            let (letter, more) = of.trim_start().split_at(first);
+            out.extend([letter, mark.encode_utf8(&mut [0; 4]), more]);
             rest = after;
             continue;
         }
@@ -110,7 +135,7 @@ fn commandless(text: &str) -> String {
             "sqrt" => "√",
             "ldots" => "…",
             "rightarrow" | "to" => "→",
-            "bf" | "boldsymbol" | "left" | "right" | "" => "",
+            "bf" | "boldsymbol" | "left" | "right" | "operatorname" | "mathrm" | "text" | "" => "",
             name => mathml::letter(name).unwrap_or(name),
         });
         rest = if ["partial", "rightarrow", "to"].contains(&command) { after.trim_start() } else { after };
@@ -217,7 +242,8 @@ pub(super) fn identifier(name: &str) -> String {
             word.push(c);
             continue;
         }
-        let style = ["bf", "rm", "it", "cal", "sf", "mathbf", "mathrm", "boldsymbol"].contains(&word.as_str());
+        let style =
+            ["bf", "rm", "it", "cal", "sf", "mathbf", "mathrm", "boldsymbol", "operatorname"].contains(&word.as_str());
         if !style {
             out.push_str(&word);
         }
@@ -250,6 +276,7 @@ mod tests {
             (r"\dot{\bf w}_1", "w_1_dot"),
             (r"\ddot{\theta}", "theta_ddot"),
             (r"I_{(1-3)}", "I__at_1m3"),
+            (r"\operatorname{Re}(c)", "Re_at_c"),
             ("t", "t"),
         ] {
             assert_eq!(identifier(name), word, "{name}");
@@ -267,6 +294,8 @@ mod tests {
             (r"\frac{\partial u}{\partial t}+6u=\frac{a+1}{b}", "∂u/∂t+6u=(a+1)/b"),
             (r"\nabla^2u=\frac{1", "∇²u=frac1"),
             (r"q\rightarrow 0", "q→0"),
+            (r"\frac12\ell^2\dot q^2+\ddot{\bf r}_1", "1/2ℓ²q\u{307}²+r\u{308}₁"),
+            (r"\operatorname{Re}(\dot\psi)", "Re(ψ\u{307})"),
             ("x_", "x_"),
             ("", ""),
         ] {

@@ -75,7 +75,7 @@ impl VerdictShape {
     fn row(self) -> (&'static str, &'static str, &'static str, &'static str) {
         match self {
             VerdictShape::Proved => ("◆", "h p", r"$\blacklozenge$", "holds, proved for all values"),
-            VerdictShape::ProvedGiven => ("◈", "h g", r"$\lozenge$", "holds, proved given others"),
+            VerdictShape::ProvedGiven => ("◈", "h g", r"$\lozenge$", "holds, proved given claims that are not"),
             VerdictShape::ProvedExcept => ("⬖", "h g", r"$\blacklozenge^{-}$", "holds, proved, special cases apart"),
             VerdictShape::Enclosed => ("■", "h e", r"$\blacksquare$", "holds at every time"),
             VerdictShape::Sampled => ("●", "h", r"$\bullet$", "holds at all samples"),

@@ -417,8 +417,10 @@ impl Search<'_> {
                     false if formulas.iter().all(is_inequality) => {
                         "inequalities are not corrected: near any print there are some that hold".to_owned()
                     }
-                    false => "no formula within two edits of the print holds on all motions to which the claim applies"
-                        .to_owned(),
+                    false => {
+                        "of the altered formulas that were tried none holds on all motions to which the claim applies"
+                            .to_owned()
+                    }
                 });
             }
         }

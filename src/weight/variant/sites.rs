@@ -323,6 +323,10 @@ impl<'a> Sites<'a> {
                         walk.one(EditClass::Power, || with_sup(raised(m, span)));
                     }
                 }
+                if found.is_some_and(|(w, _)| w.complex) && s.arguments.is_none() {
+                    let star = NodeKind::Conjugation { transposed: false };
+                    walk.one(EditClass::Transpose, || with_sup(Some(Box::new(Node::new(star.clone(), span.clone())))));
+                }
                 if left == 2 && sub.len() == own {
                     walk.one(EditClass::Transpose, || with_sup(Some(Box::new(transpose(span)))));
                 }

@@ -30,7 +30,8 @@ pub(super) struct Word {
     role: Role,
     diagonal: bool,
     angle: bool,
-    complex: bool,
+    /// Whether its values are complex.
+    pub complex: bool,
     /// Its kind: which words may stand in its place; none where no other may.
     kind: Option<usize>,
 }
