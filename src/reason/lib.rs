@@ -62,6 +62,15 @@ pub enum Reason {
 }
 
 impl Reason {
+    /// Whether it is that something has no value at a time.
+    pub fn is_no_value(&self) -> bool {
+        match self {
+            Reason::NoValue(_) | Reason::Sampling(Sampling::NoValue(..) | Sampling::OperationHasNoValue { .. }) => true,
+            Reason::Sampling(Sampling::MoreStretches { first: why, .. } | Sampling::At(_, why)) => why.is_no_value(),
+            _ => false,
+        }
+    }
+
     /// In the words of a lower floor.
     pub fn quoted(said: impl std::fmt::Display) -> Reason {
         Reason::Quoted(said.to_string().into())

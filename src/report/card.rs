@@ -235,7 +235,7 @@ pub(super) fn blocks<'a>(
         out.push(StoryBlock::Figure(sketch, Vec::new()));
     }
     if let Some(shown) = formula_of(derivation, claim, shown_formula(claim, correction)) {
-        let is_print = declared(derivation, claim).is_some_and(|d| d.printed || d.label.is_some());
+        let is_print = declared(derivation, claim).is_some_and(|d| d.printed && d.label.is_some());
         let lead = match (fails, is_print) {
             (true, true) => "printed: ",
             (true, false) => "tested as: ",

@@ -13,7 +13,7 @@ use super::numbers::count;
 use super::story::VerdictShape;
 use super::tally::{Standing, declared};
 use crate::derivation::{ClaimRole, Derivation};
-use findings::conditions::{ConditionName, Explanation, Join};
+use findings::conditions::{ConditionName, Explanation, Join, Separation};
 use findings::standing::MOST_TOLD;
 use findings::{Account, ClaimAccount, Outcome, Strength};
 
@@ -439,7 +439,7 @@ pub(super) struct Unsaid<'a> {
     pub claims: Vec<&'a ClaimAccount>,
 }
 
-/// Fewest motions that tell what separates them: of one that holds and one that fails every condition tells that differs at all.
+/// Fewest motions that tell what separates them where several conditions do: one that holds and one that fails differ in much.
 const FEWEST_SEPARATED: usize = 3;
 
 /// Every condition that separates the motions of some claim of the paper: those of most claims first.
@@ -448,7 +448,10 @@ pub(super) fn unsaid<'a>(derivation: &Derivation, account: &'a Account) -> Vec<U
     let of_paper = |c: &&ClaimAccount| declared(derivation, c).is_none_or(|d| d.role.is_of_the_paper());
     for claim in account.claims.iter().filter(of_paper) {
         let separation = claim.conditions.separation.as_ref();
-        let separation = separation.filter(|s| s.holds.len() + s.fails.len() >= FEWEST_SEPARATED);
+        let is_told = |s: &&Separation| {
+            s.holds.len() + s.fails.len() >= FEWEST_SEPARATED || s.rivals.is_empty() && s.more_rivals == 0
+        };
+        let separation = separation.filter(is_told);
         let Some(explanation) = separation.and_then(|s| s.explanation.as_ref()) else { continue };
         match out.iter_mut().find(|u| u.explanation == explanation) {
             Some(known) => known.claims.push(claim),

@@ -164,6 +164,13 @@ fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whol
             add(vec![StorySpan::Prose(text.clone(), scope, Tone::Plain)], text, name(claim));
         }
     }
+    for reading in wholes.iter().flat_map(|w| &w.readings).filter(|r| argued(r.role) && r.standing == Standing::Holds) {
+        let mut left_out = reading.claim.results.iter().flat_map(|p| &p.verdict.evidence().excluded);
+        if left_out.any(|e| e.reason.is_no_value()) {
+            let text = "times at which a side has no value are left out";
+            add(vec![words(text)], text.to_owned(), name(reading.claim));
+        }
+    }
     for reading in wholes.iter().flat_map(|w| &w.readings).filter(|r| r.role == ClaimRole::MayMean) {
         let claim = reading.claim;
         let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
@@ -230,8 +237,7 @@ pub(super) fn limits<'a>(
         }
         let beside = limited.len() - 1;
         if beside > 0 {
-            let claims = if beside == 1 { "claim stands" } else { "claims stand" };
-            out.push(quiet(format!(" So with {beside} more: the {claims} as said, and not as needed.")));
+            out.push(quiet(format!(" So with {beside} more.")));
         }
     }
     if out.is_empty() { Vec::new() } else { vec![StoryBlock::Paragraph(out)] }

@@ -78,9 +78,7 @@ pub(super) fn blocks<'a>(
     let mut legend = joined(legend.map(|s| vec![StorySpan::Shape(s), quiet(format!(" {}", s.says()))]), "  ");
     let is_share = |span: &StorySpan<'_>| matches!(span, StorySpan::Words(said, _) if said.contains('/'));
     if table.rows.iter().flat_map(|row| row.iter().skip(1)).flatten().any(is_share) {
-        legend.push(quiet(
-            "; 1/3: on one of three motions; on the others it was not tried, or does not apply, or much else would hold",
-        ));
+        legend.push(quiet("; 1/3: of three motions one tells"));
     }
     let more = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count().saturating_sub(rows.len());
     if more > 0 {
