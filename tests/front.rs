@@ -98,7 +98,7 @@ assuming = ['x<0']
 always = ['x>100']
 expect.not-applicable = 'all'
 ";
-    alarmed(&[LAW, nowhere], 0, "1 claim applies to no motion, so that nothing was checked of what they say: nowhere.");
+    alarmed(&[LAW, nowhere], 0, "1 claim applies to no motion, so that nothing was checked of what is said: nowhere.");
 }
 
 #[test]

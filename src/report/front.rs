@@ -232,7 +232,7 @@ pub fn alarms(derivation: &Derivation, account: &Account) -> Vec<String> {
     let decided = |c: &ClaimAccount| c.identity.as_ref().map(IdentityAccount::standing).filter(|v| *v != "undecided");
     let (known, unknown): (Vec<_>, Vec<_>) = nowhere().partition(|c| decided(c).is_some());
     for (of, what) in
-        [(unknown, "nothing was checked of what they say"), (known, "they are decided for all values alone")]
+        [(unknown, "nothing was checked of what is said"), (known, "what is said is decided for all values alone")]
     {
         if !of.is_empty() {
             let verb = if of.len() == 1 { "applies" } else { "apply" };

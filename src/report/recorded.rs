@@ -27,12 +27,14 @@ pub(super) fn rests(account: &Account) -> Option<String> {
     let whole = all - prover.len() - in_part;
     let but = match in_part {
         0 => String::new(),
-        n => format!(", {n} but for cases that its report tells"),
+        n => format!(", {n} of them but for cases that the report names"),
     };
     match prover.as_slice() {
         _ if all == 0 => None,
-        [] if in_part == 0 => Some(format!("The checker replayed all {all} proofs.")),
-        [] => Some(format!("The checker replayed all {all} proofs{but}.")),
+        [] => {
+            let proofs = if all == 1 { "the one proof".to_owned() } else { format!("all {all} proofs") };
+            Some(format!("The checker replayed {proofs}{but}."))
+        }
         named => {
             let first = named.iter().take(MOST_NAMED).cloned().collect::<Vec<_>>().join(", ");
             let more = match named.len().saturating_sub(MOST_NAMED) {
