@@ -86,6 +86,7 @@ mod measures;
 mod mutants;
 mod negations;
 mod number_laws;
+mod one_sign;
 mod package;
 mod package_action;
 mod page;

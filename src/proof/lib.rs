@@ -167,4 +167,6 @@ pub use known::{Known, When};
 pub use memory::Memory;
 pub use outcome::{Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side, Wanted};
 pub use prepare::is_never_negative;
-pub use prove::{Branches, branches_test, branches_test_after, excludes_motions, identity_test, identity_test_after};
+pub use prove::{
+    Branches, Branching, branches_test, branches_test_after, excludes_motions, identity_test, identity_test_after,
+};

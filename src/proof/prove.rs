@@ -155,6 +155,43 @@ pub struct Branches {
     pub pointwise: Identity,
 }
 
+/// What ± is claimed to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Branching {
+    /// Some sign at each point.
+    Pointwise,
+    /// One sign for all points.
+    Throughout,
+    /// One sign for all points of a motion, or of a field; another one may have the other sign.
+    ThroughoutMotion,
+}
+
+impl Branches {
+    /// The answer, and the branch that it is of; of an answer point by point there is none.
+    ///
+    /// One sign is proved where one branch is, and refuted where points refute both. Points of what moves may belong to two motions, each of
+    /// which has its sign: only a point at which no sign serves refutes there.
+    pub fn told(self, branching: Branching) -> (Identity, Option<usize>) {
+        let Branches { throughout: mut each, pointwise } = self;
+        if branching == Branching::Pointwise {
+            return (pointwise, None);
+        }
+        let first = |wanted: fn(&Identity) -> bool| each.iter().position(wanted);
+        let proved = first(|i| matches!(i, Identity::Proved(_)));
+        let open = first(|i| matches!(i, Identity::Undecided(_)));
+        match (proved, branching, &pointwise) {
+            (None, Branching::ThroughoutMotion, Identity::Refuted(_)) => (pointwise, None),
+            (None, Branching::ThroughoutMotion, _) if open.is_none() => {
+                (Identity::Undecided(Reason::EachSign), Some(0))
+            }
+            _ => {
+                let at = proved.or(open).unwrap_or(0);
+                (each.swap_remove(at), Some(at))
+            }
+        }
+    }
+}
+
 /// Tests a family of branches, as a whole and each by itself.
 ///
 /// "Some branch at each point" is one identity: of the residuals f of the branches, ∏ f = 0; for systems, every product that

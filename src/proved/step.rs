@@ -512,7 +512,7 @@ impl<'a> Step<'a> {
         if !self.graph.leaves_within(roots).contains(&sign) {
             return evidence(&mut self.graph, &equations, &premises, &found);
         }
-        let signs = Signs { leaf: sign, throughout: self.claim.branches_throughout };
+        let signs = Signs { leaf: sign, branching: self.branching(&equations, &premises) };
         answer(&mut self.graph, &equations, &premises, Some(signs)).map(|(_, evidence)| evidence)
     }
 

@@ -35,6 +35,8 @@ pub(super) struct Question<'a> {
     pub(super) demands: Vec<Demand<'a>>,
     /// What the claim says: refuted where one of these is false.
     pub(super) claimed: Vec<Said<'a>>,
+    /// What it says with one sign for the whole motion: refuted where one of these is false, for either sign.
+    pub(super) signed: Vec<&'a Relation>,
     /// What that names, with what chooses the times.
     pub(super) claim_names: FastSet<(Symbol, u16)>,
     /// By what the times are chosen of which the claim speaks, and at which what is given speaks, too.
@@ -54,6 +56,10 @@ fn sides<'r>(relation: &'r Relation) -> impl Iterator<Item = Expr> + 'r {
 }
 
 impl<'a> Said<'a> {
+    fn has_branches(&self) -> bool {
+        matches!(self, Said::Relation(r) if r.has_branches)
+    }
+
     pub(super) fn roots(&self) -> Vec<Expr> {
         match self {
             Said::Relation(r) => sides(r).collect(),
@@ -95,7 +101,7 @@ impl<'a> Gathering<'a> {
         Some((selecting, others))
     }
 
-    /// What a claim says; `None` of other forms than relations at all times, first integrals and systems.
+    /// What a claim says, perhaps with ±; `None` of other forms than relations at all times, first integrals and systems.
     fn said(&self, claim: &'a Claim) -> Option<Vec<(Said<'a>, bool)>> {
         if claim.at.is_some() || claim.region.is_some() {
             return None;
@@ -104,7 +110,7 @@ impl<'a> Gathering<'a> {
         for form in &claim.forms {
             match form {
                 Form::Always(w) => {
-                    if w.value.relations.iter().any(|r| r.limit.is_some() || r.has_branches) {
+                    if w.value.relations.iter().any(|r| r.limit.is_some()) {
                         return None;
                     }
                     out.extend(w.value.relations.iter().map(|r| (Said::Relation(r), false)));
@@ -126,6 +132,9 @@ impl<'a> Gathering<'a> {
     fn premise(&mut self, claim: &'a Claim) -> Option<()> {
         let (selecting, others) = self.assumed(&claim.assuming, &claim.scope)?;
         for (said, asserted) in self.said(claim)? {
+            if said.has_branches() {
+                return None;
+            }
             self.demand(said, &selecting, asserted);
         }
         // What it assumes is taken to be so: then what it says is.
@@ -147,7 +156,7 @@ fn names(derivation: &Derivation, scope: &Scope, roots: Vec<Expr>) -> Vec<Leaf> 
         for leaf in graph.leaves_within(open) {
             next.extend(leaf.instant);
             let now = Leaf::now(leaf.symbol, leaf.component);
-            if out.contains(&now) || scope.time() == Some(now) {
+            if out.contains(&now) || scope.time() == Some(now) || scope.branch_sign() == now {
                 continue;
             }
             out.push(now);
@@ -188,6 +197,9 @@ pub(super) fn question<'a>(derivation: &'a Derivation, claim: &'a Claim, inequal
         }
     }
     let claimed: Vec<Said> = all.said(claim)?.into_iter().map(|(said, _)| said).collect();
+    if claimed.iter().any(Said::has_branches) && !claim.branches_throughout {
+        return None;
+    }
     let mut roots: Vec<Expr> =
         claimed.iter().chain(all.demands.iter().map(|d| &d.said)).flat_map(Said::roots).collect();
     roots.extend(all.chosen_by.iter().flat_map(|r| sides(r)));
@@ -210,5 +222,11 @@ pub(super) fn question<'a>(derivation: &'a Derivation, claim: &'a Claim, inequal
     numbers.sort_unstable();
     numbers.dedup();
     let Gathering { demands, chosen_by, .. } = all;
-    Some(Question { demands, claimed, claim_names, chosen_by, names, instants, order, numbers })
+    let signed = claimed.iter().filter_map(|said| match said {
+        Said::Relation(relation) if relation.has_branches => Some(*relation),
+        Said::Relation(_) | Said::Constant(_) => None,
+    });
+    let signed = signed.collect();
+    let claimed = claimed.into_iter().filter(|said| !said.has_branches()).collect();
+    Some(Question { demands, claimed, signed, claim_names, chosen_by, names, instants, order, numbers })
 }

@@ -26,9 +26,17 @@ use reason::{Coordinate, Point, Refuting};
 pub(crate) struct Motion {
     /// What moves, and what is constant, by name.
     pub(crate) courses: Vec<(String, String)>,
-    /// A time at which the claim is false.
+    /// Where the claim is false; of a sign that should serve for the whole motion, where the upper one does not.
+    pub(crate) first: At,
+    /// Where the lower one does not.
+    pub(crate) second: Option<At>,
+}
+
+/// A time at which a claim is false.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct At {
     pub(crate) t: String,
-    /// What its sides are then.
+    /// What the sides are then.
     pub(crate) sides: [String; 2],
 }
 
@@ -40,14 +48,21 @@ pub(crate) fn refuting(derivation: &Derivation, claim: &Claim, inequalities: Whe
 
 /// The account of a step that a motion refutes.
 pub(crate) fn account(derivation: &Derivation, claim: &Claim, motion: &Motion) -> IdentityAccount {
-    let [left, right] = motion.sides.clone();
     let value = |(name, value): &(String, String)| Coordinate::Value(name.clone(), value.clone());
-    let time = Coordinate::Value("t".to_owned(), motion.t.clone());
-    let at = motion.courses.iter().map(value).chain([time]).collect();
+    let point = |at: &At| {
+        let [left, right] = at.sides.clone();
+        let time = Coordinate::Value("t".to_owned(), at.t.clone());
+        Point { left, right, at: motion.courses.iter().map(value).chain([time]).collect() }
+    };
+    let first = point(&motion.first);
+    let witness = match &motion.second {
+        Some(lower) => Refuting::Signs { upper: first, lower: point(lower) },
+        None => Refuting::Point { first, second: None },
+    };
     IdentityAccount {
         finding: Finding::of_example(motion.courses.len()),
         from: Step::given(derivation, claim),
-        witness: Some(Refuting::Point { first: Point { left, right, at }, second: None }),
+        witness: Some(witness),
         ..IdentityAccount::default()
     }
 }

@@ -70,6 +70,8 @@ pub(super) struct Scene<'a> {
     cells: Vec<Cell>,
     pub(super) courses: FastMap<(Symbol, u16), Course>,
     pub(super) constants: FastMap<(Symbol, u16), Rational>,
+    /// What ± is.
+    pub(super) sign: std::cell::Cell<i64>,
     /// So many operations were carried out.
     work: std::cell::Cell<usize>,
 }
@@ -78,8 +80,8 @@ impl<'a> Scene<'a> {
     pub(super) fn new(derivation: &'a Derivation, scope: &'a Scope, span: (Rational, Rational)) -> Scene<'a> {
         let cells = vec![Cell::Open(span.0.clone(), span.1.clone())];
         let (courses, constants) = (FastMap::default(), FastMap::default());
-        let work = std::cell::Cell::new(0);
-        Scene { derivation, scope, span, breaks: Vec::new(), cells, courses, constants, work }
+        let (sign, work) = (std::cell::Cell::new(1), std::cell::Cell::new(0));
+        Scene { derivation, scope, span, breaks: Vec::new(), cells, courses, constants, sign, work }
     }
 
     /// How many operations were carried out.
@@ -183,6 +185,9 @@ impl<'a> Scene<'a> {
                 Cell::Open(..) => Fraction::of(Polynomial::integers(&[0, 1])),
                 Cell::At(t) => Fraction::constant(t.clone()),
             }));
+        }
+        if self.scope.branch_sign() == leaf {
+            return Ok(plain(Fraction::constant(Rational::from(self.sign.get()))));
         }
         let component = (leaf.symbol, leaf.component);
         if !leaf.partials.is_none() || graph.is_field(leaf.symbol) || graph.place(leaf.symbol).is_some() {

@@ -1,10 +1,10 @@
 //! The search: courses of what moves, one after the other, each step checked by what is given.
 
-use super::Motion;
 use super::demand::{Demand, Question, Said};
 use super::polynomial::{Fraction, Polynomial};
 use super::scene::{Course, Scene, definition};
 use super::value::{Cell, Stop, Value, difference};
+use super::{At, Motion};
 use crate::derivation::{Claim, Derivation};
 use crate::expr::{Expr, FastSet, Leaf, Node, Rational, Symbol};
 use crate::latex::{Relation, RelationKind, Role};
@@ -316,17 +316,32 @@ impl<'a> Search<'_, 'a> {
         }
         // Once the claim is decided: it must be false somewhere.
         let decided = question.claim_names.contains(&component) && question.claim_names.iter().all(defined);
-        !decided || self.parted(|this| this.refutes(&this.chosen(&question.chosen_by)?)).flatten().is_some()
+        !decided
+            || self
+                .parted(|this| this.refutes(&this.chosen(&question.chosen_by)?))
+                .is_some_and(|found| !found.is_empty())
     }
 
-    /// A time of some cells at which the claim is false, with its sides.
-    fn refutes(&self, cells: &[usize]) -> Result<Option<(Rational, [String; 2])>, Stop> {
+    /// A time of some cells at which the claim is false; of a sign that should serve for the whole motion, one for the upper sign and one
+    /// for the lower.
+    fn refutes(&self, cells: &[usize]) -> Result<Vec<At>, Stop> {
         for &said in &self.question.claimed {
             if let Some(found) = self.false_at(said, cells)? {
-                return Ok(Some(found));
+                return Ok(vec![found]);
             }
         }
-        Ok(None)
+        let mut out = Vec::new();
+        for sign in [1, -1] {
+            self.scene.sign.set(sign);
+            for &relation in self.question.signed.iter().filter(|_| out.len() < 2) {
+                let found = self.false_at(Said::Relation(relation), cells)?;
+                if found.is_some() {
+                    out.extend(found);
+                    break;
+                }
+            }
+        }
+        Ok(if out.len() == 2 { out } else { Vec::new() })
     }
 
     fn demanded(&self, demand: &Demand) -> Result<bool, Stop> {
@@ -401,7 +416,7 @@ impl<'a> Search<'_, 'a> {
     }
 
     /// Two values of something at times of some cells, if they differ, and one of the times.
-    fn changes(&self, e: Expr, cells: &[usize]) -> Result<Option<(Rational, [String; 2])>, Stop> {
+    fn changes(&self, e: Expr, cells: &[usize]) -> Result<Option<At>, Stop> {
         let mut first: Option<Value> = None;
         for &cell in cells {
             let place = self.scene.cells().get(cell).ok_or(Stop::Unknown)?;
@@ -416,7 +431,7 @@ impl<'a> Search<'_, 'a> {
                 let quarter = (high - low) / Rational::from(4);
                 let (t, s) = (low + &quarter, high - &quarter);
                 if f.at(&t) != f.at(&s) {
-                    return Ok(Some((t.clone(), [shown(&value, &t)?, shown(&value, &s)?])));
+                    return Ok(Some(At { sides: [shown(&value, &t)?, shown(&value, &s)?], t: t.to_string() }));
                 }
                 return Err(Stop::Unknown);
             }
@@ -424,7 +439,7 @@ impl<'a> Search<'_, 'a> {
             match &first {
                 Some(Value::Plain(g, l)) if g != f || k != l => {
                     let before = first.as_ref().ok_or(Stop::Unknown)?;
-                    return Ok(Some((t.clone(), [shown(&value, &t)?, shown(before, &t)?])));
+                    return Ok(Some(At { sides: [shown(&value, &t)?, shown(before, &t)?], t: t.to_string() }));
                 }
                 Some(_) => {}
                 None => first = Some(value.clone()),
@@ -436,11 +451,11 @@ impl<'a> Search<'_, 'a> {
     /// A time at which the claim is false, of those of which it speaks, and at which all that is given is so.
     fn refuted(&mut self) -> Option<Motion> {
         let question = self.question;
-        let (t, sides) = self.parted(|this| {
+        let found = self.parted(|this| {
             // Everything given, once more and together: nothing may be left out.
             for demand in &question.demands {
                 if !this.demanded(demand)? {
-                    return Ok(None);
+                    return Ok(Vec::new());
                 }
             }
             let mut cells = this.chosen(&question.chosen_by)?;
@@ -466,7 +481,9 @@ impl<'a> Search<'_, 'a> {
             }
             let cells = reached;
             this.refutes(&cells)
-        })??;
+        })?;
+        let mut found = found.into_iter();
+        let (first, second) = (found.next()?, found.next());
         let mut courses: Vec<(String, String)> = Vec::new();
         for leaf in &self.unknown {
             let component = (leaf.symbol, leaf.component);
@@ -478,7 +495,7 @@ impl<'a> Search<'_, 'a> {
             };
             courses.push((name, shown));
         }
-        Some(Motion { courses, t: t.to_string(), sides })
+        Some(Motion { courses, first, second })
     }
 
     /// The cells at which all that is given has values, as far as it speaks of them.
@@ -523,7 +540,7 @@ impl<'a> Search<'_, 'a> {
         Ok(true)
     }
 
-    fn false_at(&self, said: Said, cells: &[usize]) -> Result<Option<(Rational, [String; 2])>, Stop> {
+    fn false_at(&self, said: Said, cells: &[usize]) -> Result<Option<At>, Stop> {
         let relation = match said {
             Said::Relation(relation) => relation,
             Said::Constant(e) => return self.changes(e, cells),
@@ -547,7 +564,7 @@ impl<'a> Search<'_, 'a> {
                     };
                     let apart = difference(&left, &right)?.and_then(|d| d.at(&t)).filter(|d| *d != Rational::ZERO);
                     if let (Some(_), Some(left), Some(right)) = (apart, left.shown(&t), right.shown(&t)) {
-                        return Ok(Some((t, [left, right])));
+                        return Ok(Some(At { t: t.to_string(), sides: [left, right] }));
                     }
                 }
             }
