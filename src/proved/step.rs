@@ -303,9 +303,32 @@ impl<'a> Step<'a> {
         if self.assumes_sign() && (self.claim.branches_throughout || !self.names_other_times()) {
             return self.for_each_sign();
         }
-        let mut between =
-            Step { has_few_points: self.has_few_points, ..Step::of(self.derivation, self.claim)?.with(self.plain) };
+        let fresh = || {
+            let step = Step::of(self.derivation, self.claim)?.with(self.plain);
+            Some(Step { has_few_points: self.has_few_points, inequalities: self.inequalities, ..step })
+        };
+        let (mut between, beside) = (fresh()?, fresh()?);
         between.apart = if self.inequalities == When::Always { Pairs::new() } else { self.chosen_apart() };
+        let found = self.decide_or_search()?;
+        // As long as what differs does so, all goes on.
+        let is_open = matches!(&found, Ok(account) if account.finding.decision() == Decision::Undecided);
+        if !between.apart.is_empty() && is_open {
+            match between.decide_equations()? {
+                Ok(account) if account.finding.is_proved_in_part() => return Some(Ok(account)),
+                Ok(_) => {}
+                defect => return Some(defect),
+            }
+        }
+        match found {
+            Ok(account) if beside.claim.is_tried() && !account.finding.is_proved_in_part() => {
+                Some(beside.excluding(account))
+            }
+            found => Some(found),
+        }
+    }
+
+    /// Decides a claim that consists of equations; what stays open is looked for on motions.
+    fn decide_or_search(self) -> Option<Result<IdentityAccount, String>> {
         let (derivation, claim) = (self.derivation, self.claim);
         let (inequalities, searches) = (self.inequalities, !self.has_few_points);
         let found = self.decide_equations()?;
@@ -318,16 +341,7 @@ impl<'a> Step<'a> {
         {
             return Some(Ok(motions::account(derivation, claim, &motion)));
         }
-        // As long as what differs does so, all goes on.
-        let is_open = matches!(&found, Ok(account) if account.finding.decision() == Decision::Undecided);
-        if between.apart.is_empty() || !is_open {
-            return Some(found);
-        }
-        match between.decide_equations()? {
-            Ok(account) if account.finding.is_proved_in_part() => Some(Ok(account)),
-            Ok(_) => Some(found),
-            defect => Some(defect),
-        }
+        Some(found)
     }
 
     /// Decides a claim that consists of equations.
