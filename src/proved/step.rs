@@ -367,7 +367,7 @@ impl<'a> Step<'a> {
         }
         self.give_equal_places(&mut gathered, &equations);
         self.put_in_fields(&mut gathered, &mut equations);
-        self.give_signs_at_places(&mut gathered, &equations);
+        self.give_at_places(&mut gathered, &equations);
         let times = self.unite_times(&mut gathered, &mut equations);
         let several =
             self.graph.leaves_within(equations.iter().flat_map(|&(l, r)| [l, r])).iter().any(|l| l.instant.is_some());
@@ -407,9 +407,7 @@ impl<'a> Step<'a> {
                 None => return Some(Ok(self.open(&gathered, Plain::Unconnected))),
             }
         }
-        if matches!(identity, Identity::Proved(_))
-            && (self.is_without_motion(&gathered, &equations) || self.excludes_between_times(&gathered, &equations))
-        {
+        if matches!(identity, Identity::Proved(_)) && self.contradicts_itself(&gathered, &equations) {
             self.settled = None;
             identity = Identity::Undecided(Reason::Contradiction);
         }
@@ -467,6 +465,11 @@ impl<'a> Step<'a> {
         let contradicts = matches!(identity, Identity::Undecided(Reason::Contradiction));
         let complete = gathered.complete && self.in_part.is_empty();
         let account = self.account_along(identity, gathered.from.clone(), complete, along);
+        if account.finding.decision() == Decision::Proved && self.excludes_at_times(&gathered, &equations) {
+            let open = self.account(Identity::Undecided(Reason::Contradiction), account.from, true);
+            let evidence = IdentityEvidence { contradiction: true, ..IdentityEvidence::default() };
+            return Some(Ok(IdentityAccount { evidence, ..open }));
+        }
         let mut account = IdentityAccount { evidence, narrower, ..account };
         if let Some((one, other)) = contradicts.then(|| self.contradicting(&equations)).flatten() {
             account.reason = Some(Proving::Contradict(one.into(), other.into()).into());
@@ -478,6 +481,11 @@ impl<'a> Step<'a> {
             account.assumed_at_times.clone_from(&gathered.assumed_at_times);
         }
         Some(Ok(account))
+    }
+
+    /// Whether what is given contradicts itself, at one time or between several: then nothing is said.
+    fn contradicts_itself(&mut self, gathered: &Gathered, equations: &Pairs) -> bool {
+        self.is_without_motion(gathered, equations) || self.excludes_between_times(gathered, equations)
     }
 
     /// Whether no motion satisfies what is given: then nothing is said, whatever follows.

@@ -174,11 +174,11 @@ impl Step<'_> {
 
     /// What it rests on that equations are always so, or never: what they follow from; of numbers, nothing.
     fn rests_on(&self, equations: &Claim, account: &IdentityAccount) -> Vec<String> {
-        let said = equations.forms.iter().filter_map(|form| match form {
-            Form::Always(w) => Some(&w.value.relations),
-            _ => None,
+        let said = equations.forms.iter().flat_map(|form| {
+            let Form::Always(w) = form else { return &[][..] };
+            &w.value.relations
         });
-        let roots: Vec<_> = said.flatten().flat_map(super::pairs).flat_map(|(l, r)| [l, r]).collect();
+        let roots: Vec<_> = said.flat_map(super::pairs).flat_map(|(l, r)| [l, r]).collect();
         let names_nothing = self.graph.leaves_within(roots).is_empty();
         if names_nothing { Vec::new() } else { account.from.clone() }
     }
