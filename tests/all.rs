@@ -42,6 +42,7 @@ mod enclosure_containment;
 mod enclosure_limits;
 mod families;
 mod fields;
+mod fields_as_motions;
 mod fields_domains;
 mod fields_made;
 mod fields_places;

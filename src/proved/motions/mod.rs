@@ -8,6 +8,7 @@
 //! **Why beside the points of [`proof`]:** a point refutes where a motion passes through it. Where what is given vanishes at single times, or
 //! says something at chosen times only, that is seen on a motion: x = 2 − t² has ⌊x⌋ = 2 at one time, and t⌊x⌋ = t at all.
 
+mod clock;
 mod demand;
 mod polynomial;
 mod scene;
@@ -21,11 +22,13 @@ use crate::step::Step;
 use proof::When;
 use reason::{Coordinate, Point, Refuting};
 
-/// A motion on which everything given holds, and the claim does not.
+/// A motion on which everything given holds, and the claim does not. Fields of one coordinate are motions along that.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Motion {
     /// What moves, and what is constant, by name.
     pub(crate) courses: Vec<(String, String)>,
+    /// The name of the time, or of the coordinate.
+    pub(crate) clock: String,
     /// Where the claim is false; of a sign that should serve for the whole motion, where the upper one does not.
     pub(crate) first: At,
     /// Where the lower one does not.
@@ -51,7 +54,7 @@ pub(crate) fn account(derivation: &Derivation, claim: &Claim, motion: &Motion) -
     let value = |(name, value): &(String, String)| Coordinate::Value(name.clone(), value.clone());
     let point = |at: &At| {
         let [left, right] = at.sides.clone();
-        let time = Coordinate::Value("t".to_owned(), at.t.clone());
+        let time = Coordinate::Value(motion.clock.clone(), at.t.clone());
         Point { left, right, at: motion.courses.iter().map(value).chain([time]).collect() }
     };
     let first = point(&motion.first);

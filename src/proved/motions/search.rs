@@ -1,5 +1,6 @@
 //! The search: courses of what moves, one after the other, each step checked by what is given.
 
+use super::clock::{has_course, read};
 use super::demand::{Demand, Question, Said};
 use super::polynomial::{Fraction, Polynomial};
 use super::scene::{Course, Scene, definition};
@@ -49,13 +50,16 @@ pub(super) fn search<'a>(derivation: &'a Derivation, claim: &'a Claim, question:
     let scope = &claim.scope;
     let is_free = |l: &&Leaf| definition(derivation, scope, **l).is_none();
     let mut unknown: Vec<Leaf> = question.names.iter().filter(is_free).copied().collect();
-    let known_role = |l: &Leaf| matches!(scope.role(l.symbol), Some(Role::State | Role::Parameter));
+    let graph = &derivation.graph;
+    let moves = |l: &Leaf| has_course(graph, scope, question.clock, *l);
+    let is_constant = |l: &Leaf| scope.role(l.symbol) == Some(Role::Parameter) && graph.coordinate(*l).is_none();
+    let known_role = |l: &Leaf| moves(l) || is_constant(l);
     let too_many = unknown.len() > MOST_NAMES || question.demands.len() > MOST_DEMANDS || question.order > MOST_ORDER;
     if too_many || unknown.is_empty() || !unknown.iter().all(known_role) {
         return None;
     }
     // Constants first.
-    unknown.sort_by_key(|l| scope.role(l.symbol) == Some(Role::State));
+    unknown.sort_by_key(moves);
     let positive = unknown.iter().map(|l| l.symbol).filter(|s| derivation.is_positive_parameter(*s)).collect();
     let constant = |e: &Expr| derivation.graph.as_constant(*e).cloned();
     let mut about: Vec<Rational> = question.instants.iter().filter_map(constant).collect();
@@ -72,7 +76,7 @@ pub(super) fn search<'a>(derivation: &'a Derivation, claim: &'a Claim, question:
     for room in [Rational::ONE / Rational::from(2), Rational::from(2)] {
         let span = (&first - &room, &last + &room);
         let mut search = Search {
-            scene: Scene::new(derivation, scope, span),
+            scene: Scene::new(derivation, (scope, question.clock), span),
             question,
             explicit: explicit.clone(),
             positive: FastSet::clone(&positive),
@@ -100,12 +104,14 @@ fn explicit(derivation: &Derivation, question: &Question) -> Vec<ExplicitRate> {
         let pairs = relation.left.components.iter().zip(&relation.right.components);
         for (&l, &r) in pairs.flat_map(|(l, r)| [(l, r), (r, l)]) {
             let Node::Leaf(leaf) = *graph.node(l) else { continue };
+            let leaf = read(graph, leaf);
             if leaf.instant.is_some() || !question.names.contains(&Leaf::now(leaf.symbol, leaf.component)) {
                 continue;
             }
             let mut names = demand.names.clone();
             let own = (leaf.symbol, leaf.component);
-            let itself = graph.leaves_within([r]).iter().any(|l| (l.symbol, l.component) == own);
+            let within = graph.leaves_within([r]).into_iter().map(|l| read(graph, l));
+            let itself = within.into_iter().any(|l| (l.symbol, l.component) == own);
             names.remove(&own);
             if !itself {
                 out.push((leaf, r, names));
@@ -123,7 +129,7 @@ impl<'a> Search<'_, 'a> {
         if open.is_empty() {
             return self.refuted();
         }
-        let is_state = |l: &Leaf| self.scene.scope.role(l.symbol) == Some(Role::State);
+        let is_state = |l: &Leaf| has_course(&self.scene.derivation.graph, self.scene.scope, self.scene.clock, *l);
         let given = |l: &Leaf| {
             let of = |(leaf, _, names): &&(Leaf, Expr, FastSet<(Symbol, u16)>)| {
                 (leaf.symbol, leaf.component) == (l.symbol, l.component) && names.iter().all(|n| chosen.contains(n))
@@ -150,7 +156,9 @@ impl<'a> Search<'_, 'a> {
                 break;
             }
             let breaks: Vec<Rational> = course.pieces.iter().map(|(at, _)| at.clone()).collect();
-            let smooth = course.is_smooth(self.question.order + 1);
+            // Of fields it is claimed that they are smooth, whatever is asked of them.
+            let is_field = self.scene.derivation.graph.is_field(next.symbol);
+            let smooth = course.is_smooth(self.question.order + 1) && (course.pieces.is_empty() || !is_field);
             let room = smooth
                 && breaks
                     .into_iter()
@@ -484,18 +492,20 @@ impl<'a> Search<'_, 'a> {
         })?;
         let mut found = found.into_iter();
         let (first, second) = (found.next()?, found.next());
+        let graph = &self.scene.derivation.graph;
+        let clock = self.scene.clock.map_or_else(|| "t".to_owned(), |clock| graph.leaf_latex(clock));
         let mut courses: Vec<(String, String)> = Vec::new();
         for leaf in &self.unknown {
             let component = (leaf.symbol, leaf.component);
             let name = self.scene.derivation.graph.leaf_latex(*leaf);
             let shown = match (self.scene.courses.get(&component), self.scene.constants.get(&component)) {
-                (Some(course), _) => course.shown(),
+                (Some(course), _) => course.shown(&clock),
                 (None, Some(number)) => number.to_string(),
                 (None, None) => return None,
             };
             courses.push((name, shown));
         }
-        Some(Motion { courses, first, second })
+        Some(Motion { courses, clock, first, second })
     }
 
     /// The cells at which all that is given has values, as far as it speaks of them.
