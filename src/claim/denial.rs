@@ -25,7 +25,7 @@ impl Denial {
     }
 }
 
-/// The relations of a text, all of this kind, as equations; `None` for others, for limits, and for ±.
+/// The relations of a text that are denied, all of this kind, as equations; `None` for others, for limits, and for ±.
 pub(crate) fn denied(
     w: &Written<Statement>,
     relations: &[crate::latex::Relation],

@@ -252,7 +252,7 @@ struct Denotation<'a> {
     /// The parts that deny equations.
     denials: Vec<Denial>,
     /// The parts that state an equation of every time.
-    stated: Vec<(usize, Written<Statement>)>,
+    stated: Vec<(usize, Relation)>,
 }
 
 /// A relation with its text.
@@ -341,9 +341,9 @@ impl Denotation<'_> {
                         match (&relation.limit, relation.has_branches && !is_denied(&relation)) {
                             (None, true) => branching.push((text, relation)),
                             _ => {
-                                let one = std::slice::from_ref(&relation);
-                                let denies = denied(w, one, RelationKind::NotEqual);
-                                let states = denied(w, one, RelationKind::Equal);
+                                let denies = denied(w, std::slice::from_ref(&relation), RelationKind::NotEqual);
+                                let states = (relation.kind == RelationKind::Equal && relation.limit.is_none())
+                                    .then(|| relation.clone());
                                 says.push(self.relation((text, relation), &selected));
                                 self.denies(denies, false);
                                 let part = self.parts.len().saturating_sub(1);

@@ -159,7 +159,7 @@ pub struct Denoted {
     /// Those of the parts that deny equations.
     pub denials: Vec<Denial>,
     /// Those that state an equation of every time, with that.
-    pub stated: Vec<(usize, derivation::Written<latex::Statement>)>,
+    pub stated: Vec<(usize, latex::Relation)>,
     pub claim: Proposition,
     pub at: Option<Expr>,
     pub rapid: Vec<Expr>,

@@ -15,17 +15,20 @@
 
 use super::{Pairs, Step, sides};
 use crate::agreement::answer;
-use crate::derivation::{Claim, Form};
+use crate::derivation::{Claim, Form, Written};
 use crate::expr::Rational;
 use crate::findings::standing::{Decision, Finding};
 use crate::findings::{IdentityAccount, PartShown};
-use crate::latex::RelationKind;
+use crate::latex::{RelationKind, Statement};
 use claim::denial::{Denial, without_denials};
 use claim::denote::denote;
 use proof::{Identity, Options, Reason, Wanted, When};
 use reason::Plain;
 
 use super::definitions::Definitions;
+
+/// Of claims that state more equations it is not asked which of them are never so.
+const MOST_STATED: usize = 24;
 
 type Decided = Result<IdentityAccount, String>;
 
@@ -160,8 +163,15 @@ impl Step<'_> {
         if !self.is_equations() || self.assumes_sign() {
             return Ok(account);
         }
+        let said = |form: &Form| if let Form::Always(w) = form { w.value.relations.len() } else { 0 };
+        if self.claim.forms.iter().map(said).sum::<usize>() > MOST_STATED {
+            return Ok(account);
+        }
         let mut graph = self.graph.clone();
-        for (part, equal) in denote(&mut graph, &self.derivation.systems, self.claim, &Rational::ZERO).stated {
+        for (part, relation) in denote(&mut graph, &self.derivation.systems, self.claim, &Rational::ZERO).stated {
+            let span = relation.span.clone();
+            let value = Statement { relations: vec![relation], span: span.clone() };
+            let equal = Written { text: String::new(), span, value };
             let alone = Claim { forms: vec![Form::Always(equal)], ..self.claim.clone() };
             let excluded = self.asked_of(&alone).and_then(Step::excluded).transpose()?;
             if let Some(excluded) = excluded.filter(|e| e.finding.is_proved() && e.lends_strength()) {
