@@ -15,9 +15,9 @@ fn word(arguments: &[&str]) -> String {
 }
 
 /// A claim, the symbols, what is given.
-type Line = (&'static str, &'static [&'static str], &'static [&'static str]);
+pub type Line<'a> = (&'a str, &'a [&'a str], &'a [&'a str]);
 
-fn asked(line: &Line) -> String {
+pub fn asked(line: &Line) -> String {
     let (claim, symbols, given) = *line;
     let mut arguments = vec![claim];
     arguments.extend(symbols.iter().flat_map(|s| ["--symbol", s]));
@@ -340,6 +340,27 @@ fn what_is_known_always_is_known_at_fixed_times_and_with_its_rates() {
             + &step("on", &["x>1", "z=2"], "follows-from = ['s']", r"\dot z(0)=0")),
     );
     assert_eq!([standing(&account, "open"), standing(&account, "on")], ["proved"; 2]);
+}
+
+/// What is so of all values chooses no times.
+#[test]
+fn what_is_always_so_leaves_no_time_out() {
+    let head = states(&["x", "z"]) + "'W' = { role = 'observable', formula = '\\sqrt{x}' }\n";
+    let cases: &[(&[&str], bool)] = &[
+        (&[r"t^2\ge0", "z=2"], true),
+        (&[r"0\le x^2+z^2", "z=2"], true),
+        (&[r"|x|\ge0", "z=2"], true),
+        // Not at x < 0, at x = 0, at negative x.
+        (&[r"W^2\ge0", "z=2"], false),
+        (&[r"\sqrt{x}\ge0", "z=2"], false),
+        (&[r"x^2\le0", "z=2"], false),
+        (&[r"x\ge0", "z=2"], false),
+        (&[r"x^2\ge z^2", "z=2"], false),
+    ];
+    for (assumed, is_proved) in cases {
+        let account = of_file(&(head.clone() + &step("c", assumed, "", "z(1)=2")));
+        assert_eq!(standing(&account, "c") == "proved", *is_proved, "{assumed:?}");
+    }
 }
 
 #[test]

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use super::memory::{Known as Recalled, Question};
 use super::pieces;
-use super::premises::{Column, counterexample, strengthen};
+use super::premises::{Column, counterexample, refuted_on, strengthen};
 use crate::derivation::{Claim, Derivation};
 use claim::limits::Limits;
 use findings::{ClaimAccount, IdentityAccount};
@@ -65,7 +65,7 @@ pub(super) fn follow(
         let claim = &derivation.claims[following[k]];
         let step = Step::of(derivation, claim)?;
         match counterexample(derivation, &selection, k, known, &columns) {
-            Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
+            Some((t, witness)) => Some(refuted_on(&step, (&derivation.trajectories[t].id, witness), k, &columns)),
             None => recall.answer(derivation, Question::Identity(claim), || {
                 pieces::decided(derivation, claim, &Limits::default(), || step.decide())
             }),

@@ -11,12 +11,12 @@ use super::memory::{Known, Question};
 use claim::comparison;
 use claim::limits::Limits;
 use derivation::{Claim, Derivation, Premise};
-use findings::{ClaimAccount, PartShown};
+use findings::{ClaimAccount, IdentityAccount, PartShown};
 use meter::{Ended, Task};
 use proved::conditional::premises_first;
 use proved::step::Step;
 use sampled::selection::Selection;
-use verdict::{Outcome, Proof, Strength, Truth, Verdict, Witness};
+use verdict::{Outcome, Proof, Shown, Strength, Verdict, Witness};
 
 /// What was found on one motion: a verdict for every claim that is tried on it.
 pub(super) type Column = Vec<Option<Verdict>>;
@@ -44,6 +44,24 @@ pub(super) fn counterexample<'a>(
         };
         if given.iter().all(holds) { Some((t, verdict.evidence().witness.as_ref()?)) } else { None }
     })
+}
+
+/// The answer of a step that a motion refutes, the `k`-th of the chosen claims: on others it may be seen to hold, however false it is.
+///
+/// # Errors
+/// A description of the contradiction, if the two routes disagree.
+pub(super) fn refuted_on(
+    step: &Step,
+    (trajectory, witness): (&str, &Witness),
+    k: usize,
+    columns: &[Column],
+) -> Result<IdentityAccount, String> {
+    let account = step.refuted_by(trajectory, witness);
+    let is_open = |verdict: &Verdict| !matches!(verdict.outcome(), Outcome::Fails(_) | Outcome::NotApplicable(_));
+    match columns.iter().any(|verdicts| verdicts[k].as_ref().is_some_and(is_open)) {
+        true => step.excluding(account),
+        false => Ok(account),
+    }
 }
 
 /// The verdict on a claim, by its position, that is known from before.
@@ -164,7 +182,7 @@ pub(super) fn strengthen(
             }
         }
         let proof = Proof { from: from.clone(), conditions: Vec::new() };
-        let of_parts = identity.lends_parts().then(|| identity.parts.iter().map(truth).collect::<Vec<_>>());
+        let of_parts = identity.lends_parts().then(|| identity.parts.iter().map(shown).collect::<Vec<_>>());
         for at in ready {
             let verdict = &mut claims[k].results[at].verdict;
             match &of_parts {
@@ -176,10 +194,11 @@ pub(super) fn strengthen(
 }
 
 /// What a part is wherever it has a value.
-fn truth(&(part, shown): &(usize, PartShown)) -> (usize, Truth) {
+fn shown(&(part, shown): &(usize, PartShown)) -> (usize, Shown) {
     match shown {
-        PartShown::IsSo => (part, Truth::True),
-        PartShown::IsNotSo => (part, Truth::False),
+        PartShown::IsSo => (part, Shown::IsSo),
+        PartShown::IsNotSo => (part, Shown::IsNotSo),
+        PartShown::IsExcluded => (part, Shown::IsNeverSo),
     }
 }
 

@@ -9,7 +9,7 @@ use super::compilation::Compiled;
 use super::memory::{Known, Question};
 use super::on_motions::{Found, OnMotions};
 use super::pieces;
-use super::premises::{counterexample, strengthen};
+use super::premises::{counterexample, refuted_on, strengthen};
 use claim::error::{CANCELLED, CheckError};
 use claim::limits::Limits;
 use claim::options::{Options, Rigor};
@@ -221,7 +221,7 @@ impl Work<'_, '_> {
             }
             let step = Step::of(derivation, claim)?.with(options.plain);
             match counterexample(derivation, selection, k, run.known, columns) {
-                Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
+                Some((t, witness)) => Some(refuted_on(&step, (&derivation.trajectories[t].id, witness), k, columns)),
                 None => run.recall.answer(derivation, Question::Identity(claim), || {
                     pieces::decided(derivation, claim, limits, || step.decide())
                 }),

@@ -200,13 +200,14 @@ pub fn denote(graph: &mut Graph, systems: &[System], claim: &Claim, initial_time
         parts: Vec::new(),
         readings: Vec::new(),
         denials: Vec::new(),
+        stated: Vec::new(),
     };
     // A sign in assumptions and in the claim is one sign: for each of the two, the claim given what is assumed then.
     match assumed && said {
         true => [1, -1].into_iter().for_each(|sign| denotation.read(Some(sign))),
         false => denotation.read(None),
     }
-    let Denotation { graph, mut selectors, mut hypotheses, mut parts, readings, denials, .. } = denotation;
+    let Denotation { graph, mut selectors, mut hypotheses, mut parts, readings, denials, stated, .. } = denotation;
     for part in selectors.iter_mut().chain(&mut hypotheses).map(|a| &mut a.part).chain(&mut parts) {
         part.group.one_sided = one_sided(graph, &claim.scope, &part.group);
     }
@@ -234,7 +235,7 @@ pub fn denote(graph: &mut Graph, systems: &[System], claim: &Claim, initial_time
     let assumed = selectors.iter().chain(&hypotheses).map(|a| &a.part);
     let compared = assumed.chain(&parts).flat_map(|p| &p.group.comparisons);
     let edges = edges(graph, &claim.scope, compared);
-    Denoted { selectors, hypotheses, parts, denials, claim: whole, at, rapid, edges, sign }
+    Denoted { selectors, hypotheses, parts, denials, stated, claim: whole, at, rapid, edges, sign }
 }
 
 /// A claim while it is read.
@@ -250,6 +251,8 @@ struct Denotation<'a> {
     readings: Vec<(Vec<Proposition>, Vec<usize>)>,
     /// The parts that deny equations.
     denials: Vec<Denial>,
+    /// The parts that state an equation of every time.
+    stated: Vec<(usize, Relation)>,
 }
 
 /// A relation with its text.
@@ -338,9 +341,13 @@ impl Denotation<'_> {
                         match (&relation.limit, relation.has_branches && !is_denied(&relation)) {
                             (None, true) => branching.push((text, relation)),
                             _ => {
-                                let equal = denied(w, std::slice::from_ref(&relation), RelationKind::NotEqual);
+                                let denies = denied(w, std::slice::from_ref(&relation), RelationKind::NotEqual);
+                                let states = (relation.kind == RelationKind::Equal && relation.limit.is_none())
+                                    .then(|| relation.clone());
                                 says.push(self.relation((text, relation), &selected));
-                                self.denies(equal, false);
+                                self.denies(denies, false);
+                                let part = self.parts.len().saturating_sub(1);
+                                self.stated.extend(states.map(|equal| (part, equal)));
                             }
                         }
                     }

@@ -158,6 +158,8 @@ pub struct Denoted {
     pub parts: Vec<Part>,
     /// Those of the parts that deny equations.
     pub denials: Vec<Denial>,
+    /// Those that state an equation of every time, with that.
+    pub stated: Vec<(usize, latex::Relation)>,
     pub claim: Proposition,
     pub at: Option<Expr>,
     pub rapid: Vec<Expr>,

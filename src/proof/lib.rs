@@ -110,6 +110,7 @@ mod along;
 mod apart;
 mod bounds;
 #[cfg(feature = "certificates")]
+mod branches;
 mod budget;
 mod certificate;
 mod closing;
@@ -160,6 +161,7 @@ mod witness;
 
 pub use along::{Along, Apart, InTime, Refuted, along};
 pub use apart::by_domain;
+pub use branches::{Branches, Branching, branches_test, branches_test_after};
 pub use certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, Program, certify};
 pub use conditions::domains;
 pub use inverse::solve_for_arguments;
@@ -167,4 +169,4 @@ pub use known::{Known, When};
 pub use memory::Memory;
 pub use outcome::{Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side, Wanted};
 pub use prepare::is_never_negative;
-pub use prove::{Branches, branches_test, branches_test_after, excludes_motions, identity_test, identity_test_after};
+pub use prove::{excludes_motions, identity_test, identity_test_after};

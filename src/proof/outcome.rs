@@ -272,6 +272,8 @@ pub enum Reason {
     /// Real points satisfy what is given and its derivatives, and not the claim; that a motion passes through one of them was
     /// not shown.
     Unextended,
+    /// Each choice of ± is refuted, by points that need not belong to one motion.
+    EachSign,
     /// No point of the field was found at which all roots exist.
     NoPoint,
     /// A relation between roots that held at all random points of the preparation does not hold at others: try another seed.
@@ -338,6 +340,9 @@ impl std::fmt::Display for Reason {
             Reason::Bound(b) => write!(f, "the error bound stays at 2^{b:.0}"),
             Reason::Unextended => f.write_str(
                 "a point satisfies what is given, and not the claim; but that a motion, or a field, passes through it was not shown",
+            ),
+            Reason::EachSign => f.write_str(
+                "neither sign serves for all motions; that neither serves for one of them was not shown",
             ),
             Reason::NoPoint => f.write_str("no point of the field was found at which all square roots exist"),
             Reason::Coincidence => f.write_str("a relation between roots held at some random points only"),

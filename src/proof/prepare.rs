@@ -133,12 +133,20 @@ pub(super) fn with_rates(
     always.extend(of_jets.into_iter().flatten().map(|&pair| Premise::of(pair, true)));
     always.extend(dynamics.parts.iter().filter(everywhere).map(|k| Premise::of(k.sides(), false)));
     always.extend(dynamics.derived.iter().filter(everywhere).map(|k| Premise::of(k.sides(), true)));
-    let mut instants: Vec<Expr> =
-        graph.leaves_within(named).into_iter().filter(|l| l.rate > 0).filter_map(|l| l.instant).collect();
+    // Of squares whose sum is 0 each one is, whatever is asked.
+    let mut plain: Vec<Premise> =
+        dynamics.parts.iter().filter(everywhere).map(|k| Premise::of(k.sides(), false)).collect();
+    plain.retain(|p| {
+        !premises.says((p.left, p.right)) && graph.leaves_within([p.left, p.right]).iter().all(|l| l.rate == 0)
+    });
+    let named = graph.leaves_within(named);
+    let mut instants: Vec<Expr> = named.iter().filter_map(|l| l.instant).collect();
     instants.sort_unstable();
     instants.dedup();
     for instant in instants {
-        for &Premise { left, right, derived, .. } in &always {
+        let of_rates = named.iter().any(|l| l.rate > 0 && l.instant == Some(instant));
+        let known = if of_rates { &always } else { &plain };
+        for &Premise { left, right, derived, .. } in known {
             let then = [left, right].map(|e| {
                 graph.substitute(e, |graph, leaf| match leaf {
                     leaf if leaf == time => Some(instant),

@@ -19,7 +19,7 @@ use super::sign::Facts;
 use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions};
 use super::witness::{Found, Scene, refutation, targets, vanishing};
 use cases::{Outcome, Pivots, Stop, merge};
-use expr::{Expr, Graph, Leaf, Node, Op};
+use expr::{Expr, Graph, Leaf, Node, Op, Rational};
 use expr::{FastMap, FastSet};
 
 pub(super) use super::lowering::{Lowered, lower};
@@ -124,6 +124,11 @@ pub fn excludes_motions(memory: &mut Memory, graph: &mut Graph, given: &Premises
     loop {
         match decide(memory, graph, &nothing, given, &options, further) {
             Err(Stop::Undecided(Reason::Contradiction) | Stop::Empty(Reason::Contradiction, _)) => return true,
+            Err(Stop::Undecided(Reason::OnlyWhere(e)) | Stop::Empty(Reason::OnlyWhere(e), _))
+                if are_single_times(graph, e, given) =>
+            {
+                return true;
+            }
             Err(Stop::Undecided(Reason::Branches { .. })) => return false,
             // No further derivative tells more.
             Err(Stop::Undecided(Reason::Unextended)) if further > 0 => further = 0,
@@ -131,6 +136,26 @@ pub fn excludes_motions(memory: &mut Memory, graph: &mut Graph, given: &Premises
             _ => further -= 1,
         }
     }
+}
+
+/// Whether something vanishes at single times alone, and what is given is so on intervals: an analytic function of the time that is not 0
+/// at some time.
+fn are_single_times(graph: &mut Graph, e: Expr, given: &Premises) -> bool {
+    let Some(time) = given.time else { return false };
+    if graph.leaves_within([e]) != [time] || !graph.is_analytic_in(e, time) {
+        return false;
+    }
+    let is_lasting = given.equations.iter().all(|k| k.when.is_on_intervals());
+    // What is given has values at all times.
+    if !is_lasting || !graph.needs_below(given.sides()).is_empty() {
+        return false;
+    }
+    let mut at = |n: i64| {
+        let n = graph.integer(n);
+        let there = graph.substitute(e, |_, leaf| (leaf == time).then_some(n));
+        graph.as_constant(there).is_some_and(|value| *value != Rational::ZERO)
+    };
+    at(2) || at(3)
 }
 
 /// Orders of derivatives in which contradictions of what is given are looked for.
@@ -144,56 +169,6 @@ pub(super) fn vanishes(graph: &mut Graph, e: Expr, given: &Premises) -> bool {
         Identity::Proved(proof) => proof.conditions.iter().all(|c| c.leaves_out().is_none()),
         Identity::Refuted(_) | Identity::Undecided(_) => false,
     }
-}
-
-/// The answer for a family of branches: a formula with ±, one list of equations for each choice.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Branches {
-    /// For each branch: whether it holds by itself, at every point.
-    pub throughout: Vec<Identity>,
-    /// Whether at every point some branch holds (which one may change from point to point).
-    pub pointwise: Identity,
-}
-
-/// Tests a family of branches, as a whole and each by itself.
-///
-/// "Some branch at each point" is one identity: of the residuals f of the branches, ∏ f = 0; for systems, every product that
-/// takes one residual of each branch.
-pub fn branches_test(
-    graph: &mut Graph,
-    branches: &[Vec<(Expr, Expr)>],
-    given: &Premises,
-    options: &Options,
-) -> Branches {
-    branches_test_after(&mut Memory::default(), graph, branches, given, options)
-}
-
-/// The same, after other questions about the same graph.
-pub fn branches_test_after(
-    memory: &mut Memory,
-    graph: &mut Graph,
-    branches: &[Vec<(Expr, Expr)>],
-    given: &Premises,
-    options: &Options,
-) -> Branches {
-    let throughout = branches.iter().map(|b| identity_test_after(memory, graph, b, given, options)).collect();
-    let zero = graph.integer(0);
-    let mut products = vec![graph.integer(1)];
-    for branch in branches {
-        let mut next = Vec::new();
-        for &p in &products {
-            for &(l, r) in branch {
-                let residual = graph.sub(l, r);
-                next.push(graph.mul(p, residual));
-            }
-        }
-        if next.len() > 256 {
-            return Branches { throughout, pointwise: Identity::Undecided(Reason::TooLarge) };
-        }
-        products = next;
-    }
-    let equations: Pairs = products.into_iter().map(|p| (p, zero)).collect();
-    Branches { throughout, pointwise: identity_test_after(memory, graph, &equations, given, options) }
 }
 
 impl From<TooLarge> for Reason {

@@ -70,7 +70,7 @@ pub(super) fn settle(
         Reason::Contradiction | Reason::NoValue | Reason::Degenerate | Reason::Boundary(_) | Reason::OnlyWhere(_) => {
             false
         }
-        Reason::NoDerivative | Reason::Unextended | Reason::Defect(_) => false,
+        Reason::NoDerivative | Reason::Unextended | Reason::EachSign | Reason::Defect(_) => false,
     };
     if !open || depth >= DEEPEST {
         return None;

@@ -10,7 +10,7 @@
 use crate::expr::{Expr, Graph, Leaf};
 use findings::{Counterexample, IdentityEvidence, Place, Trials};
 use proof::{
-    Branches, Certificate, Condition, Effort, Identity, NoCertificate, Options, Point, PointValue, Premises, Proof,
+    Branching, Certificate, Condition, Effort, Identity, NoCertificate, Options, Point, PointValue, Premises, Proof,
     Reason, Refutation, Side, branches_test, by_domain, certify, identity_test,
 };
 use reason::SignsProved;
@@ -19,8 +19,7 @@ use reason::SignsProved;
 #[derive(Clone, Copy, Debug)]
 pub struct Signs {
     pub leaf: Leaf,
-    /// One sign serves everywhere; otherwise at each point one or the other.
-    pub throughout: bool,
+    pub branching: Branching,
 }
 
 type Equations = Vec<(Expr, Expr)>;
@@ -46,30 +45,18 @@ pub fn answer(
         equations.iter().map(|&(l, r)| (put(l), put(r))).collect()
     };
     let branches = [with(graph, 1), with(graph, -1)];
-    let Branches { throughout, pointwise } = branches_test(graph, &branches, premises, &options);
-    let signs_proved = signs_proved(&throughout, &pointwise);
-    let mut evidence_of = |list: &[(Expr, Expr)], identity: &Identity| evidence(graph, list, premises, identity);
-    let (identity, mut evidence) = if signs.throughout {
-        let mut each: Vec<(Identity, IdentityEvidence)> = Vec::new();
-        for (identity, list) in throughout.into_iter().zip(&branches) {
-            let evidence = evidence_of(list, &identity)?;
-            each.push((reach(identity, &evidence), evidence));
-        }
-        // Proved if one branch is; refuted only if both are.
-        let worth = |i: &Identity| match i {
-            Identity::Proved(_) => 2,
-            Identity::Undecided(_) => 1,
-            Identity::Refuted(_) => 0,
-        };
-        let best = (0..each.len()).max_by_key(|&i| (worth(&each[i].0), each.len() - i)).unwrap_or(0);
-        each.swap_remove(best)
-    } else {
-        let evidence = match product(graph, &branches) {
-            Some(list) => evidence(graph, &list, premises, &pointwise)?,
-            None => IdentityEvidence::default(),
-        };
-        (reach(pointwise, &evidence), evidence)
+    let found = branches_test(graph, &branches, premises, &options);
+    let signs_proved = signs_proved(&found.throughout, &found.pointwise);
+    let (identity, branch) = found.told(signs.branching);
+    let asked = match branch {
+        Some(branch) => branches.into_iter().nth(branch),
+        None => product(graph, &branches),
     };
+    let mut evidence = match asked {
+        Some(asked) => evidence(graph, &asked, premises, &identity)?,
+        None => IdentityEvidence::default(),
+    };
+    let identity = reach(identity, &evidence);
     evidence.branch = signs_proved;
     Ok((identity, evidence))
 }

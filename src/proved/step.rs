@@ -303,9 +303,32 @@ impl<'a> Step<'a> {
         if self.assumes_sign() && (self.claim.branches_throughout || !self.names_other_times()) {
             return self.for_each_sign();
         }
-        let mut between =
-            Step { has_few_points: self.has_few_points, ..Step::of(self.derivation, self.claim)?.with(self.plain) };
+        let fresh = || {
+            let step = Step::of(self.derivation, self.claim)?.with(self.plain);
+            Some(Step { has_few_points: self.has_few_points, inequalities: self.inequalities, ..step })
+        };
+        let (mut between, beside) = (fresh()?, fresh()?);
         between.apart = if self.inequalities == When::Always { Pairs::new() } else { self.chosen_apart() };
+        let found = self.decide_or_search()?;
+        // As long as what differs does so, all goes on.
+        let is_open = matches!(&found, Ok(account) if account.finding.decision() == Decision::Undecided);
+        if !between.apart.is_empty() && is_open {
+            match between.decide_equations()? {
+                Ok(account) if account.finding.is_proved_in_part() => return Some(Ok(account)),
+                Ok(_) => {}
+                defect => return Some(defect),
+            }
+        }
+        match found {
+            Ok(account) if beside.claim.is_tried() && !account.finding.is_proved_in_part() => {
+                Some(beside.excluding(account))
+            }
+            found => Some(found),
+        }
+    }
+
+    /// Decides a claim that consists of equations; what stays open is looked for on motions.
+    fn decide_or_search(self) -> Option<Result<IdentityAccount, String>> {
         let (derivation, claim) = (self.derivation, self.claim);
         let (inequalities, searches) = (self.inequalities, !self.has_few_points);
         let found = self.decide_equations()?;
@@ -318,16 +341,7 @@ impl<'a> Step<'a> {
         {
             return Some(Ok(motions::account(derivation, claim, &motion)));
         }
-        // As long as what differs does so, all goes on.
-        let is_open = matches!(&found, Ok(account) if account.finding.decision() == Decision::Undecided);
-        if between.apart.is_empty() || !is_open {
-            return Some(found);
-        }
-        match between.decide_equations()? {
-            Ok(account) if account.finding.is_proved_in_part() => Some(Ok(account)),
-            Ok(_) => Some(found),
-            defect => Some(defect),
-        }
+        Some(found)
     }
 
     /// Decides a claim that consists of equations.
@@ -353,7 +367,7 @@ impl<'a> Step<'a> {
         }
         self.give_equal_places(&mut gathered, &equations);
         self.put_in_fields(&mut gathered, &mut equations);
-        self.give_signs_at_places(&mut gathered, &equations);
+        self.give_at_places(&mut gathered, &equations);
         let times = self.unite_times(&mut gathered, &mut equations);
         let several =
             self.graph.leaves_within(equations.iter().flat_map(|&(l, r)| [l, r])).iter().any(|l| l.instant.is_some());
@@ -393,9 +407,7 @@ impl<'a> Step<'a> {
                 None => return Some(Ok(self.open(&gathered, Plain::Unconnected))),
             }
         }
-        if matches!(identity, Identity::Proved(_))
-            && (self.is_without_motion(&gathered, &equations) || self.excludes_between_times(&gathered, &equations))
-        {
+        if matches!(identity, Identity::Proved(_)) && self.contradicts_itself(&gathered, &equations) {
             self.settled = None;
             identity = Identity::Undecided(Reason::Contradiction);
         }
@@ -453,6 +465,11 @@ impl<'a> Step<'a> {
         let contradicts = matches!(identity, Identity::Undecided(Reason::Contradiction));
         let complete = gathered.complete && self.in_part.is_empty();
         let account = self.account_along(identity, gathered.from.clone(), complete, along);
+        if account.finding.decision() == Decision::Proved && self.excludes_at_times(&gathered, &equations) {
+            let open = self.account(Identity::Undecided(Reason::Contradiction), account.from, true);
+            let evidence = IdentityEvidence { contradiction: true, ..IdentityEvidence::default() };
+            return Some(Ok(IdentityAccount { evidence, ..open }));
+        }
         let mut account = IdentityAccount { evidence, narrower, ..account };
         if let Some((one, other)) = contradicts.then(|| self.contradicting(&equations)).flatten() {
             account.reason = Some(Proving::Contradict(one.into(), other.into()).into());
@@ -464,6 +481,11 @@ impl<'a> Step<'a> {
             account.assumed_at_times.clone_from(&gathered.assumed_at_times);
         }
         Some(Ok(account))
+    }
+
+    /// Whether what is given contradicts itself, at one time or between several: then nothing is said.
+    fn contradicts_itself(&mut self, gathered: &Gathered, equations: &Pairs) -> bool {
+        self.is_without_motion(gathered, equations) || self.excludes_between_times(gathered, equations)
     }
 
     /// Whether no motion satisfies what is given: then nothing is said, whatever follows.
@@ -512,7 +534,7 @@ impl<'a> Step<'a> {
         if !self.graph.leaves_within(roots).contains(&sign) {
             return evidence(&mut self.graph, &equations, &premises, &found);
         }
-        let signs = Signs { leaf: sign, throughout: self.claim.branches_throughout };
+        let signs = Signs { leaf: sign, branching: self.branching(&equations, &premises) };
         answer(&mut self.graph, &equations, &premises, Some(signs)).map(|(_, evidence)| evidence)
     }
 

@@ -103,6 +103,7 @@ sentences! {
     MeasureUnknown: "the measure depends on something that motions do not have",
     NothingToShow: "what it shows has no value on this motion",
     // Proofs.
+    SaidIsExcluded: "it contradicts what is given, at every time that counts",
     DeniedIsProved: "what it denies is proved to be so wherever it has a value",
     DeniedIsExcluded: "what it denies contradicts what is given, at every time that counts",
     DeniedIsOpen: "what it denies is neither shown to be so always, nor excluded",

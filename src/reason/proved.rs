@@ -83,6 +83,9 @@ pub enum Refuting {
     /// A point; or two, of which each alone leaves the difference open.
     #[error("{first}{}", .second.as_ref().map_or_else(String::new, |second| format!(" — and {second}: what is given leaves the difference open")))]
     Point { first: Point, second: Option<Point> },
+    /// Where one sign should serve for a whole motion: where the upper one does not, and where the lower one does not.
+    #[error("upper sign: {upper}; lower sign: {lower}")]
+    Signs { upper: Point, lower: Point },
     #[error("left {left}, right {right} on the trajectory {trajectory} at t = {t}")]
     OnMotion { left: f64, right: f64, trajectory: Arc<str>, t: f64 },
     #[error("it does not hold for {}", joined(.0, false))]
@@ -140,6 +143,9 @@ impl Refuting {
                     .as_ref()
                     .map(|p| format!(" — and {}: what is given leaves the difference open", p.shown(true)));
                 format!("{}{}", first.shown(true), second.unwrap_or_default())
+            }
+            Refuting::Signs { upper, lower } => {
+                format!("upper sign: {}; lower sign: {}", upper.shown(true), lower.shown(true))
             }
             Refuting::OnMotion { .. } | Refuting::Sizes(_) => self.to_string(),
         }

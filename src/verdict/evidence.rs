@@ -92,6 +92,16 @@ impl Obstacle {
     }
 }
 
+/// What a proof says of a part of a claim, wherever it has a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shown {
+    IsSo,
+    /// What it denies is always so.
+    IsNotSo,
+    /// It states an equation that is never so, however close the sides are.
+    IsNeverSo,
+}
+
 /// A proof for all values, as far as a verdict needs to know it.
 #[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct Proof {

@@ -17,6 +17,8 @@ mod proposition;
 mod truth;
 
 pub use decision::{Finding, Outcome, Strength, Verdict};
-pub use evidence::{Enclosed, Evidence, Exclusion, Obstacle, Proof, Residual, ResidualPoint, Residuals, Rise, Witness};
+pub use evidence::{
+    Enclosed, Evidence, Exclusion, Obstacle, Proof, Residual, ResidualPoint, Residuals, Rise, Shown, Witness,
+};
 pub use proposition::{Proposition, Quantifier};
 pub use truth::{Possible, Truth};

@@ -3,6 +3,7 @@
 //! **In:** a claim and what it is said to follow from. **Out:** [`Demand`]s: relations, with the times at which they must be true; and what
 //! the claim says. `None` where something given is of a form that is not looked at here: then nothing is refuted.
 
+use super::clock::{clock, read};
 use super::scene::definition;
 use crate::derivation::{Claim, Derivation, Form, Premise, Written};
 use crate::expr::{Expr, FastSet, Leaf, Symbol};
@@ -32,9 +33,13 @@ pub(super) struct Demand<'a> {
 
 /// The question of a step, as a search for a motion.
 pub(super) struct Question<'a> {
+    /// What plays the time.
+    pub(super) clock: Option<Leaf>,
     pub(super) demands: Vec<Demand<'a>>,
     /// What the claim says: refuted where one of these is false.
     pub(super) claimed: Vec<Said<'a>>,
+    /// What it says with one sign for the whole motion: refuted where one of these is false, for either sign.
+    pub(super) signed: Vec<&'a Relation>,
     /// What that names, with what chooses the times.
     pub(super) claim_names: FastSet<(Symbol, u16)>,
     /// By what the times are chosen of which the claim speaks, and at which what is given speaks, too.
@@ -54,6 +59,10 @@ fn sides<'r>(relation: &'r Relation) -> impl Iterator<Item = Expr> + 'r {
 }
 
 impl<'a> Said<'a> {
+    fn has_branches(&self) -> bool {
+        matches!(self, Said::Relation(r) if r.has_branches)
+    }
+
     pub(super) fn roots(&self) -> Vec<Expr> {
         match self {
             Said::Relation(r) => sides(r).collect(),
@@ -66,6 +75,7 @@ impl<'a> Said<'a> {
 struct Gathering<'a> {
     derivation: &'a Derivation,
     claim: &'a Claim,
+    clock: Option<Leaf>,
     demands: Vec<Demand<'a>>,
     chosen_by: Vec<&'a Relation>,
 }
@@ -74,19 +84,28 @@ impl<'a> Gathering<'a> {
     fn demand(&mut self, said: Said<'a>, chosen_by: &[&'a Relation], asserted: bool) {
         let mut roots = said.roots();
         roots.extend(chosen_by.iter().flat_map(|r| sides(r)));
-        let names = names(self.derivation, &self.claim.scope, roots).into_iter().map(|l| (l.symbol, l.component));
+        let names =
+            names(self.derivation, &self.claim.scope, self.clock, roots).into_iter().map(|l| (l.symbol, l.component));
         self.demands.push(Demand { said, chosen_by: chosen_by.to_vec(), asserted, names: names.collect() });
     }
 
     /// What a claim assumes: selectors of times, and what must be so at these; `None` of limits and signs.
     fn assumed(&self, all: &'a [Written<Statement>], scope: &Scope) -> Option<(Vec<&'a Relation>, Vec<&'a Relation>)> {
-        let moves = |l: &Leaf| l.instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter);
+        let graph = &self.derivation.graph;
+        let moves = |l: Leaf| read(graph, l).instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter);
         let (mut selecting, mut others) = (Vec::new(), Vec::new());
         for relation in all.iter().flat_map(|w| &w.value.relations) {
             if relation.limit.is_some() || relation.has_branches {
                 return None;
             }
-            let moving = self.derivation.graph.leaves_within(sides(relation)).iter().any(moves);
+            let leaves = graph.leaves_within(sides(relation));
+            let is_coordinate = |l: &Leaf| graph.coordinate(*l).is_some();
+            // Such an equation chooses places.
+            let chooses = relation.kind == RelationKind::Equal && !leaves.iter().any(|l| graph.is_field(l.symbol));
+            if chooses && leaves.iter().any(is_coordinate) {
+                return None;
+            }
+            let moving = leaves.into_iter().any(moves);
             match relation.kind != RelationKind::Equal && moving {
                 true => selecting.push(relation),
                 false => others.push(relation),
@@ -95,16 +114,16 @@ impl<'a> Gathering<'a> {
         Some((selecting, others))
     }
 
-    /// What a claim says; `None` of other forms than relations at all times, first integrals and systems.
+    /// What a claim says, perhaps with ±; `None` of other forms than relations at all times, first integrals and systems.
     fn said(&self, claim: &'a Claim) -> Option<Vec<(Said<'a>, bool)>> {
-        if claim.at.is_some() || claim.region.is_some() {
+        if claim.at.is_some() || claim.region.is_some() && !claim.is_of_fields() {
             return None;
         }
         let mut out = Vec::new();
         for form in &claim.forms {
             match form {
                 Form::Always(w) => {
-                    if w.value.relations.iter().any(|r| r.limit.is_some() || r.has_branches) {
+                    if w.value.relations.iter().any(|r| r.limit.is_some()) {
                         return None;
                     }
                     out.extend(w.value.relations.iter().map(|r| (Said::Relation(r), false)));
@@ -126,6 +145,9 @@ impl<'a> Gathering<'a> {
     fn premise(&mut self, claim: &'a Claim) -> Option<()> {
         let (selecting, others) = self.assumed(&claim.assuming, &claim.scope)?;
         for (said, asserted) in self.said(claim)? {
+            if said.has_branches() {
+                return None;
+            }
             self.demand(said, &selecting, asserted);
         }
         // What it assumes is taken to be so: then what it says is.
@@ -138,16 +160,16 @@ impl<'a> Gathering<'a> {
 }
 
 /// What formulas name, through the definitions, present values of components only.
-fn names(derivation: &Derivation, scope: &Scope, roots: Vec<Expr>) -> Vec<Leaf> {
+fn names(derivation: &Derivation, scope: &Scope, clock: Option<Leaf>, roots: Vec<Expr>) -> Vec<Leaf> {
     let graph = &derivation.graph;
     let mut out: Vec<Leaf> = Vec::new();
     let mut open = roots;
     while !open.is_empty() {
         let mut next = Vec::new();
-        for leaf in graph.leaves_within(open) {
+        for leaf in graph.leaves_within(open).into_iter().map(|l| read(graph, l)) {
             next.extend(leaf.instant);
             let now = Leaf::now(leaf.symbol, leaf.component);
-            if out.contains(&now) || scope.time() == Some(now) {
+            if out.contains(&now) || Some(now) == clock || scope.branch_sign() == now {
                 continue;
             }
             out.push(now);
@@ -158,13 +180,24 @@ fn names(derivation: &Derivation, scope: &Scope, roots: Vec<Expr>) -> Vec<Leaf> 
     out
 }
 
+/// What the relations of a claim name, and those that it assumes.
+fn named(derivation: &Derivation, claim: &Claim) -> Vec<Leaf> {
+    let said = claim.forms.iter().flat_map(|form| {
+        let Form::Always(w) = form else { return &[][..] };
+        &w.value.relations
+    });
+    let assumed = claim.assuming.iter().flat_map(|w| &w.value.relations);
+    derivation.graph.leaves_within(said.chain(assumed).flat_map(sides))
+}
+
 /// What a claim asks of a motion that refutes it; `inequalities`: when those that are assumed hold; where that is not always, they choose the times.
 pub(super) fn question<'a>(derivation: &'a Derivation, claim: &'a Claim, inequalities: When) -> Option<Question<'a>> {
     // Motions of several systems obey more than is given.
     if Step::lacks_systems(derivation, claim) {
         return None;
     }
-    let mut all = Gathering { derivation, claim, demands: Vec::new(), chosen_by: Vec::new() };
+    let clock = clock(derivation, &claim.scope, &named(derivation, claim))?;
+    let mut all = Gathering { derivation, claim, clock, demands: Vec::new(), chosen_by: Vec::new() };
     let (selecting, others) = all.assumed(&claim.assuming, &claim.scope)?;
     if inequalities == When::Always {
         for relation in selecting.into_iter().chain(others) {
@@ -188,16 +221,20 @@ pub(super) fn question<'a>(derivation: &'a Derivation, claim: &'a Claim, inequal
         }
     }
     let claimed: Vec<Said> = all.said(claim)?.into_iter().map(|(said, _)| said).collect();
+    if claimed.iter().any(Said::has_branches) && !claim.branches_throughout {
+        return None;
+    }
     let mut roots: Vec<Expr> =
         claimed.iter().chain(all.demands.iter().map(|d| &d.said)).flat_map(Said::roots).collect();
     roots.extend(all.chosen_by.iter().flat_map(|r| sides(r)));
     let mut of_claim: Vec<Expr> = claimed.iter().flat_map(Said::roots).collect();
     of_claim.extend(all.chosen_by.iter().flat_map(|r| sides(r)));
-    let claim_names = names(derivation, &claim.scope, of_claim).into_iter().map(|l| (l.symbol, l.component)).collect();
-    let names = names(derivation, &claim.scope, roots.clone());
+    let claim_names =
+        names(derivation, &claim.scope, clock, of_claim).into_iter().map(|l| (l.symbol, l.component)).collect();
+    let names = names(derivation, &claim.scope, clock, roots.clone());
     roots.extend(names.iter().filter_map(|l| definition(derivation, &claim.scope, *l)));
     let graph = &derivation.graph;
-    let leaves = graph.leaves_within(roots.iter().copied());
+    let leaves: Vec<Leaf> = graph.leaves_within(roots.iter().copied()).into_iter().map(|l| read(graph, l)).collect();
     let mut instants: Vec<Expr> = leaves.iter().filter_map(|l| l.instant).collect();
     instants.sort_unstable();
     instants.dedup();
@@ -210,5 +247,11 @@ pub(super) fn question<'a>(derivation: &'a Derivation, claim: &'a Claim, inequal
     numbers.sort_unstable();
     numbers.dedup();
     let Gathering { demands, chosen_by, .. } = all;
-    Some(Question { demands, claimed, claim_names, chosen_by, names, instants, order, numbers })
+    let signed = claimed.iter().filter_map(|said| match said {
+        Said::Relation(relation) if relation.has_branches => Some(*relation),
+        Said::Relation(_) | Said::Constant(_) => None,
+    });
+    let signed = signed.collect();
+    let claimed = claimed.into_iter().filter(|said| !said.has_branches()).collect();
+    Some(Question { clock, demands, claimed, signed, claim_names, chosen_by, names, instants, order, numbers })
 }

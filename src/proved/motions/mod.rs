@@ -8,6 +8,7 @@
 //! **Why beside the points of [`proof`]:** a point refutes where a motion passes through it. Where what is given vanishes at single times, or
 //! says something at chosen times only, that is seen on a motion: x = 2 − t² has ⌊x⌋ = 2 at one time, and t⌊x⌋ = t at all.
 
+mod clock;
 mod demand;
 mod polynomial;
 mod scene;
@@ -21,14 +22,24 @@ use crate::step::Step;
 use proof::When;
 use reason::{Coordinate, Point, Refuting};
 
-/// A motion on which everything given holds, and the claim does not.
+/// A motion on which everything given holds, and the claim does not. Fields of one coordinate are motions along that.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Motion {
     /// What moves, and what is constant, by name.
     pub(crate) courses: Vec<(String, String)>,
-    /// A time at which the claim is false.
+    /// The name of the time, or of the coordinate.
+    pub(crate) clock: String,
+    /// Where the claim is false; of a sign that should serve for the whole motion, where the upper one does not.
+    pub(crate) first: At,
+    /// Where the lower one does not.
+    pub(crate) second: Option<At>,
+}
+
+/// A time at which a claim is false.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct At {
     pub(crate) t: String,
-    /// What its sides are then.
+    /// What the sides are then.
     pub(crate) sides: [String; 2],
 }
 
@@ -40,14 +51,21 @@ pub(crate) fn refuting(derivation: &Derivation, claim: &Claim, inequalities: Whe
 
 /// The account of a step that a motion refutes.
 pub(crate) fn account(derivation: &Derivation, claim: &Claim, motion: &Motion) -> IdentityAccount {
-    let [left, right] = motion.sides.clone();
     let value = |(name, value): &(String, String)| Coordinate::Value(name.clone(), value.clone());
-    let time = Coordinate::Value("t".to_owned(), motion.t.clone());
-    let at = motion.courses.iter().map(value).chain([time]).collect();
+    let point = |at: &At| {
+        let [left, right] = at.sides.clone();
+        let time = Coordinate::Value(motion.clock.clone(), at.t.clone());
+        Point { left, right, at: motion.courses.iter().map(value).chain([time]).collect() }
+    };
+    let first = point(&motion.first);
+    let witness = match &motion.second {
+        Some(lower) => Refuting::Signs { upper: first, lower: point(lower) },
+        None => Refuting::Point { first, second: None },
+    };
     IdentityAccount {
         finding: Finding::of_example(motion.courses.len()),
         from: Step::given(derivation, claim),
-        witness: Some(Refuting::Point { first: Point { left, right, at }, second: None }),
+        witness: Some(witness),
         ..IdentityAccount::default()
     }
 }

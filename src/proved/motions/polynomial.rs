@@ -212,8 +212,8 @@ impl Polynomial {
         Some(out)
     }
 
-    /// It as a formula of the time.
-    pub(super) fn shown(&self) -> String {
+    /// It as a formula of the time, which has this name.
+    pub(super) fn shown(&self, time: &str) -> String {
         let mut out = String::new();
         for (n, c) in self.0.iter().enumerate().filter(|(_, c)| **c != Rational::ZERO) {
             let negative = *c < Rational::ZERO;
@@ -227,8 +227,8 @@ impl Polynomial {
             out.push_str(sign);
             let power = match n {
                 0 => String::new(),
-                1 => "t".to_owned(),
-                _ => format!("t^{n}"),
+                1 => time.to_owned(),
+                _ => format!("{time}^{n}"),
             };
             match (n, size == Rational::ONE) {
                 (0, _) => out.push_str(&size.to_string()),
@@ -372,6 +372,6 @@ mod tests {
         let (q, r) = (Fraction::new(of(&[-1, 0, 1]), of(&[-2, 2])), Fraction::of(of(&[1, 1])));
         let half = Fraction::constant(Rational::ONE / Rational::from(2));
         assert_eq!(q, r.mul(&half), "a common factor goes");
-        assert_eq!(p.shown(), "1 - 3 t + 2 t^2");
+        assert_eq!(p.shown("t"), "1 - 3 t + 2 t^2");
     }
 }

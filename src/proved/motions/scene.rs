@@ -4,6 +4,7 @@
 //! **Guaranteed:** a rate is that of the function: at the end of two pieces it is there where the function does not leap and both sides have
 //! the same slope; a value that is not known exactly is none.
 
+use super::clock::read;
 use super::polynomial::{Fraction, Polynomial};
 use super::value::{Cell, Found, Stop, Value, apply, plain};
 use crate::derivation::Derivation;
@@ -40,13 +41,14 @@ impl Course {
         })
     }
 
-    pub(super) fn shown(&self) -> String {
+    /// As formulas of the time, which has this name.
+    pub(super) fn shown(&self, time: &str) -> String {
         let mut out: Vec<String> =
-            self.pieces.iter().map(|(until, p)| format!("{} until t = {until}", p.shown())).collect();
+            self.pieces.iter().map(|(until, p)| format!("{} until {time} = {until}", p.shown(time))).collect();
         match out.is_empty() {
-            true => self.last.shown(),
+            true => self.last.shown(time),
             false => {
-                out.push(format!("then {}", self.last.shown()));
+                out.push(format!("then {}", self.last.shown(time)));
                 out.join(", ")
             }
         }
@@ -62,6 +64,8 @@ const MOST_NODES: usize = 300;
 pub(super) struct Scene<'a> {
     pub(super) derivation: &'a Derivation,
     pub(super) scope: &'a Scope,
+    /// What plays the time.
+    pub(super) clock: Option<Leaf>,
     /// The ends of the span, which do not belong to it.
     pub(super) span: (Rational, Rational),
     /// Times at which something may change, increasing.
@@ -70,16 +74,22 @@ pub(super) struct Scene<'a> {
     cells: Vec<Cell>,
     pub(super) courses: FastMap<(Symbol, u16), Course>,
     pub(super) constants: FastMap<(Symbol, u16), Rational>,
+    /// What ± is.
+    pub(super) sign: std::cell::Cell<i64>,
     /// So many operations were carried out.
     work: std::cell::Cell<usize>,
 }
 
 impl<'a> Scene<'a> {
-    pub(super) fn new(derivation: &'a Derivation, scope: &'a Scope, span: (Rational, Rational)) -> Scene<'a> {
+    pub(super) fn new(
+        derivation: &'a Derivation,
+        (scope, clock): (&'a Scope, Option<Leaf>),
+        span: (Rational, Rational),
+    ) -> Scene<'a> {
         let cells = vec![Cell::Open(span.0.clone(), span.1.clone())];
         let (courses, constants) = (FastMap::default(), FastMap::default());
-        let work = std::cell::Cell::new(0);
-        Scene { derivation, scope, span, breaks: Vec::new(), cells, courses, constants, work }
+        let (sign, work) = (std::cell::Cell::new(1), std::cell::Cell::new(0));
+        Scene { derivation, scope, clock, span, breaks: Vec::new(), cells, courses, constants, sign, work }
     }
 
     /// How many operations were carried out.
@@ -167,6 +177,7 @@ impl<'a> Scene<'a> {
     }
 
     fn leaf(&self, leaf: Leaf, cell: usize, place: &Cell) -> Found {
+        let leaf = read(&self.derivation.graph, leaf);
         if let Some(instant) = leaf.instant {
             let Value::Plain(at, 0) = self.value(instant, cell)? else { return Err(Stop::Unknown) };
             let at = at.as_constant().ok_or(Stop::Unknown)?;
@@ -178,14 +189,17 @@ impl<'a> Scene<'a> {
             return self.leaf(Leaf { instant: None, ..leaf }, then, &Cell::At(at));
         }
         let graph = &self.derivation.graph;
-        if self.scope.time() == Some(leaf) {
+        if Some(leaf) == self.clock {
             return Ok(plain(match place {
                 Cell::Open(..) => Fraction::of(Polynomial::integers(&[0, 1])),
                 Cell::At(t) => Fraction::constant(t.clone()),
             }));
         }
+        if self.scope.branch_sign() == leaf {
+            return Ok(plain(Fraction::constant(Rational::from(self.sign.get()))));
+        }
         let component = (leaf.symbol, leaf.component);
-        if !leaf.partials.is_none() || graph.is_field(leaf.symbol) || graph.place(leaf.symbol).is_some() {
+        if !leaf.partials.is_none() || graph.place(leaf.symbol).is_some() || graph.coordinate(leaf).is_some() {
             return Err(Stop::Unknown);
         }
         if let Some(c) = self.constants.get(&component) {
@@ -201,7 +215,7 @@ impl<'a> Scene<'a> {
                 Cell::At(t) => Fraction::constant(p.at(t)),
             }));
         }
-        if self.derivation.is_angle(leaf.symbol) {
+        if self.derivation.is_angle(leaf.symbol) || graph.is_field(leaf.symbol) {
             return Err(Stop::Unknown);
         }
         let formula = self.definition(leaf).ok_or(Stop::Unknown)?;

@@ -1,10 +1,11 @@
 //! The search: courses of what moves, one after the other, each step checked by what is given.
 
-use super::Motion;
+use super::clock::{has_course, read};
 use super::demand::{Demand, Question, Said};
 use super::polynomial::{Fraction, Polynomial};
 use super::scene::{Course, Scene, definition};
 use super::value::{Cell, Stop, Value, difference};
+use super::{At, Motion};
 use crate::derivation::{Claim, Derivation};
 use crate::expr::{Expr, FastSet, Leaf, Node, Rational, Symbol};
 use crate::latex::{Relation, RelationKind, Role};
@@ -49,13 +50,16 @@ pub(super) fn search<'a>(derivation: &'a Derivation, claim: &'a Claim, question:
     let scope = &claim.scope;
     let is_free = |l: &&Leaf| definition(derivation, scope, **l).is_none();
     let mut unknown: Vec<Leaf> = question.names.iter().filter(is_free).copied().collect();
-    let known_role = |l: &Leaf| matches!(scope.role(l.symbol), Some(Role::State | Role::Parameter));
+    let graph = &derivation.graph;
+    let moves = |l: &Leaf| has_course(graph, scope, question.clock, *l);
+    let is_constant = |l: &Leaf| scope.role(l.symbol) == Some(Role::Parameter) && graph.coordinate(*l).is_none();
+    let known_role = |l: &Leaf| moves(l) || is_constant(l);
     let too_many = unknown.len() > MOST_NAMES || question.demands.len() > MOST_DEMANDS || question.order > MOST_ORDER;
     if too_many || unknown.is_empty() || !unknown.iter().all(known_role) {
         return None;
     }
     // Constants first.
-    unknown.sort_by_key(|l| scope.role(l.symbol) == Some(Role::State));
+    unknown.sort_by_key(moves);
     let positive = unknown.iter().map(|l| l.symbol).filter(|s| derivation.is_positive_parameter(*s)).collect();
     let constant = |e: &Expr| derivation.graph.as_constant(*e).cloned();
     let mut about: Vec<Rational> = question.instants.iter().filter_map(constant).collect();
@@ -72,7 +76,7 @@ pub(super) fn search<'a>(derivation: &'a Derivation, claim: &'a Claim, question:
     for room in [Rational::ONE / Rational::from(2), Rational::from(2)] {
         let span = (&first - &room, &last + &room);
         let mut search = Search {
-            scene: Scene::new(derivation, scope, span),
+            scene: Scene::new(derivation, (scope, question.clock), span),
             question,
             explicit: explicit.clone(),
             positive: FastSet::clone(&positive),
@@ -100,12 +104,14 @@ fn explicit(derivation: &Derivation, question: &Question) -> Vec<ExplicitRate> {
         let pairs = relation.left.components.iter().zip(&relation.right.components);
         for (&l, &r) in pairs.flat_map(|(l, r)| [(l, r), (r, l)]) {
             let Node::Leaf(leaf) = *graph.node(l) else { continue };
+            let leaf = read(graph, leaf);
             if leaf.instant.is_some() || !question.names.contains(&Leaf::now(leaf.symbol, leaf.component)) {
                 continue;
             }
             let mut names = demand.names.clone();
             let own = (leaf.symbol, leaf.component);
-            let itself = graph.leaves_within([r]).iter().any(|l| (l.symbol, l.component) == own);
+            let within = graph.leaves_within([r]).into_iter().map(|l| read(graph, l));
+            let itself = within.into_iter().any(|l| (l.symbol, l.component) == own);
             names.remove(&own);
             if !itself {
                 out.push((leaf, r, names));
@@ -123,7 +129,7 @@ impl<'a> Search<'_, 'a> {
         if open.is_empty() {
             return self.refuted();
         }
-        let is_state = |l: &Leaf| self.scene.scope.role(l.symbol) == Some(Role::State);
+        let is_state = |l: &Leaf| has_course(&self.scene.derivation.graph, self.scene.scope, self.scene.clock, *l);
         let given = |l: &Leaf| {
             let of = |(leaf, _, names): &&(Leaf, Expr, FastSet<(Symbol, u16)>)| {
                 (leaf.symbol, leaf.component) == (l.symbol, l.component) && names.iter().all(|n| chosen.contains(n))
@@ -150,7 +156,9 @@ impl<'a> Search<'_, 'a> {
                 break;
             }
             let breaks: Vec<Rational> = course.pieces.iter().map(|(at, _)| at.clone()).collect();
-            let smooth = course.is_smooth(self.question.order + 1);
+            // Of fields it is claimed that they are smooth, whatever is asked of them.
+            let is_field = self.scene.derivation.graph.is_field(next.symbol);
+            let smooth = course.is_smooth(self.question.order + 1) && (course.pieces.is_empty() || !is_field);
             let room = smooth
                 && breaks
                     .into_iter()
@@ -316,17 +324,32 @@ impl<'a> Search<'_, 'a> {
         }
         // Once the claim is decided: it must be false somewhere.
         let decided = question.claim_names.contains(&component) && question.claim_names.iter().all(defined);
-        !decided || self.parted(|this| this.refutes(&this.chosen(&question.chosen_by)?)).flatten().is_some()
+        !decided
+            || self
+                .parted(|this| this.refutes(&this.chosen(&question.chosen_by)?))
+                .is_some_and(|found| !found.is_empty())
     }
 
-    /// A time of some cells at which the claim is false, with its sides.
-    fn refutes(&self, cells: &[usize]) -> Result<Option<(Rational, [String; 2])>, Stop> {
+    /// A time of some cells at which the claim is false; of a sign that should serve for the whole motion, one for the upper sign and one
+    /// for the lower.
+    fn refutes(&self, cells: &[usize]) -> Result<Vec<At>, Stop> {
         for &said in &self.question.claimed {
             if let Some(found) = self.false_at(said, cells)? {
-                return Ok(Some(found));
+                return Ok(vec![found]);
             }
         }
-        Ok(None)
+        let mut out = Vec::new();
+        for sign in [1, -1] {
+            self.scene.sign.set(sign);
+            for &relation in self.question.signed.iter().filter(|_| out.len() < 2) {
+                let found = self.false_at(Said::Relation(relation), cells)?;
+                if found.is_some() {
+                    out.extend(found);
+                    break;
+                }
+            }
+        }
+        Ok(if out.len() == 2 { out } else { Vec::new() })
     }
 
     fn demanded(&self, demand: &Demand) -> Result<bool, Stop> {
@@ -401,7 +424,7 @@ impl<'a> Search<'_, 'a> {
     }
 
     /// Two values of something at times of some cells, if they differ, and one of the times.
-    fn changes(&self, e: Expr, cells: &[usize]) -> Result<Option<(Rational, [String; 2])>, Stop> {
+    fn changes(&self, e: Expr, cells: &[usize]) -> Result<Option<At>, Stop> {
         let mut first: Option<Value> = None;
         for &cell in cells {
             let place = self.scene.cells().get(cell).ok_or(Stop::Unknown)?;
@@ -416,7 +439,7 @@ impl<'a> Search<'_, 'a> {
                 let quarter = (high - low) / Rational::from(4);
                 let (t, s) = (low + &quarter, high - &quarter);
                 if f.at(&t) != f.at(&s) {
-                    return Ok(Some((t.clone(), [shown(&value, &t)?, shown(&value, &s)?])));
+                    return Ok(Some(At { sides: [shown(&value, &t)?, shown(&value, &s)?], t: t.to_string() }));
                 }
                 return Err(Stop::Unknown);
             }
@@ -424,7 +447,7 @@ impl<'a> Search<'_, 'a> {
             match &first {
                 Some(Value::Plain(g, l)) if g != f || k != l => {
                     let before = first.as_ref().ok_or(Stop::Unknown)?;
-                    return Ok(Some((t.clone(), [shown(&value, &t)?, shown(before, &t)?])));
+                    return Ok(Some(At { sides: [shown(&value, &t)?, shown(before, &t)?], t: t.to_string() }));
                 }
                 Some(_) => {}
                 None => first = Some(value.clone()),
@@ -436,11 +459,11 @@ impl<'a> Search<'_, 'a> {
     /// A time at which the claim is false, of those of which it speaks, and at which all that is given is so.
     fn refuted(&mut self) -> Option<Motion> {
         let question = self.question;
-        let (t, sides) = self.parted(|this| {
+        let found = self.parted(|this| {
             // Everything given, once more and together: nothing may be left out.
             for demand in &question.demands {
                 if !this.demanded(demand)? {
-                    return Ok(None);
+                    return Ok(Vec::new());
                 }
             }
             let mut cells = this.chosen(&question.chosen_by)?;
@@ -466,19 +489,23 @@ impl<'a> Search<'_, 'a> {
             }
             let cells = reached;
             this.refutes(&cells)
-        })??;
+        })?;
+        let mut found = found.into_iter();
+        let (first, second) = (found.next()?, found.next());
+        let graph = &self.scene.derivation.graph;
+        let clock = self.scene.clock.map_or_else(|| "t".to_owned(), |clock| graph.leaf_latex(clock));
         let mut courses: Vec<(String, String)> = Vec::new();
         for leaf in &self.unknown {
             let component = (leaf.symbol, leaf.component);
             let name = self.scene.derivation.graph.leaf_latex(*leaf);
             let shown = match (self.scene.courses.get(&component), self.scene.constants.get(&component)) {
-                (Some(course), _) => course.shown(),
+                (Some(course), _) => course.shown(&clock),
                 (None, Some(number)) => number.to_string(),
                 (None, None) => return None,
             };
             courses.push((name, shown));
         }
-        Some(Motion { courses, t: t.to_string(), sides })
+        Some(Motion { courses, clock, first, second })
     }
 
     /// The cells at which all that is given has values, as far as it speaks of them.
@@ -523,7 +550,7 @@ impl<'a> Search<'_, 'a> {
         Ok(true)
     }
 
-    fn false_at(&self, said: Said, cells: &[usize]) -> Result<Option<(Rational, [String; 2])>, Stop> {
+    fn false_at(&self, said: Said, cells: &[usize]) -> Result<Option<At>, Stop> {
         let relation = match said {
             Said::Relation(relation) => relation,
             Said::Constant(e) => return self.changes(e, cells),
@@ -547,7 +574,7 @@ impl<'a> Search<'_, 'a> {
                     };
                     let apart = difference(&left, &right)?.and_then(|d| d.at(&t)).filter(|d| *d != Rational::ZERO);
                     if let (Some(_), Some(left), Some(right)) = (apart, left.shown(&t), right.shown(&t)) {
-                        return Ok(Some((t, [left, right])));
+                        return Ok(Some(At { t: t.to_string(), sides: [left, right] }));
                     }
                 }
             }

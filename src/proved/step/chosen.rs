@@ -15,12 +15,26 @@ use claim::comparison::{at_instant, may_leap, presupposed, traced};
 use proof::{Premises, When, is_never_negative};
 
 impl<'a> Step<'a> {
-    /// The relations that a claim assumes, but those with the given numbers, by which times are chosen.
-    pub(super) fn choosing<'c>(&self, claim: &'c Claim, without: &[usize]) -> Vec<&'c Relation> {
+    /// The relations that a claim assumes, but those with the given numbers, by which times are chosen: what is so at all times chooses none.
+    pub(super) fn choosing<'c>(&mut self, claim: &'c Claim, without: &[usize]) -> Vec<&'c Relation> {
         let used = claim.assuming.iter().enumerate().filter(|(i, _)| !without.contains(i));
         let apart = |r: &&Relation| r.kind == RelationKind::NotEqual && pairs(r).all(|pair| self.apart.contains(&pair));
         let relations = used.flat_map(|(_, w)| &w.value.relations).filter(|r| !apart(r));
-        relations.filter(|r| chooses(&self.graph, &claim.scope, r)).collect()
+        let choosing: Vec<&Relation> = relations.filter(|r| chooses(&self.graph, &claim.scope, r)).collect();
+        choosing.into_iter().filter(|r| !self.is_always_so(&claim.scope, r)).collect()
+    }
+
+    /// Whether a relation is so for all values, and has a value for all: that squares are not negative.
+    fn is_always_so(&mut self, scope: &Scope, relation: &Relation) -> bool {
+        let (more, less) = match relation.kind {
+            RelationKind::GreaterEqual => (&relation.left, &relation.right),
+            RelationKind::LessEqual => (&relation.right, &relation.left),
+            RelationKind::Equal | RelationKind::NotEqual | RelationKind::Less | RelationKind::Greater => return false,
+        };
+        let mut sides = more.components.iter().zip(&less.components);
+        let so = sides.all(|(&more, &less)| self.graph.is_zero(less) && is_never_negative(&self.graph, more));
+        let traced: Vec<Expr> = more.components.iter().map(|&e| traced(&mut self.graph, scope, e)).collect();
+        so && self.graph.needs_below(traced).is_empty()
     }
 
     /// What the claim assumes to differ at the times that it chooses, and for a while around these.

@@ -8,22 +8,27 @@
 //! | excluded: they contradict what is given, of which there are motions | proved | refuted |
 //! | else, also where a point refutes them | undecided | undecided |
 //!
+//! So of `always` R: excluded equations are so at no time, however close their sides are, and a point of them alone refutes it as a step.
+//!
 //! A point at which R is false says nothing of other times, so it decides no negation. What is shown of each part is told beside the
 //! decision: a motion on which what is given holds has it, see [`PartShown`]. This is the one rule for all of them.
 
 use super::{Pairs, Step, sides};
 use crate::agreement::answer;
-use crate::derivation::{Claim, Form};
+use crate::derivation::{Claim, Form, Written};
 use crate::expr::Rational;
 use crate::findings::standing::{Decision, Finding};
 use crate::findings::{IdentityAccount, PartShown};
-use crate::latex::RelationKind;
+use crate::latex::{RelationKind, Statement};
 use claim::denial::{Denial, without_denials};
 use claim::denote::denote;
 use proof::{Identity, Options, Reason, Wanted, When};
 use reason::Plain;
 
 use super::definitions::Definitions;
+
+/// Of claims that state more equations it is not asked which of them are never so.
+const MOST_STATED: usize = 24;
 
 type Decided = Result<IdentityAccount, String>;
 
@@ -117,7 +122,7 @@ impl Step<'_> {
         };
         let shown = if is_so { PartShown::IsNotSo } else { PartShown::IsSo };
         let parts = if of.lends_strength() { vec![(denial.part, shown)] } else { Vec::new() };
-        let parts_from = of.from.clone();
+        let parts_from = self.rests_on(&positive, &of);
         let finding = match (is_so, denial.happens) {
             (true, true) | (false, false) => of.finding.clone(),
             (true, false) | (false, true) => of.finding.of_negation(),
@@ -148,6 +153,44 @@ impl Step<'_> {
             }
             Some(_) | None => nothing,
         }
+    }
+
+    /// The account of a step that is not proved, with the equations of the claim, each by itself, that are so at no time that counts.
+    ///
+    /// # Errors
+    /// A description of the contradiction, if the two routes disagree.
+    pub fn excluding(&self, mut account: IdentityAccount) -> Result<IdentityAccount, String> {
+        if !self.is_equations() || self.assumes_sign() {
+            return Ok(account);
+        }
+        let said = |form: &Form| if let Form::Always(w) = form { w.value.relations.len() } else { 0 };
+        if self.claim.forms.iter().map(said).sum::<usize>() > MOST_STATED {
+            return Ok(account);
+        }
+        let mut graph = self.graph.clone();
+        for (part, relation) in denote(&mut graph, &self.derivation.systems, self.claim, &Rational::ZERO).stated {
+            let span = relation.span.clone();
+            let value = Statement { relations: vec![relation], span: span.clone() };
+            let equal = Written { text: String::new(), span, value };
+            let alone = Claim { forms: vec![Form::Always(equal)], ..self.claim.clone() };
+            let excluded = self.asked_of(&alone).and_then(Step::excluded).transpose()?;
+            if let Some(excluded) = excluded.filter(|e| e.finding.is_proved() && e.lends_strength()) {
+                account.parts.push((part, PartShown::IsExcluded));
+                account.parts_from = self.rests_on(&alone, &excluded);
+            }
+        }
+        Ok(account)
+    }
+
+    /// What it rests on that equations are always so, or never: what they follow from; of numbers, nothing.
+    fn rests_on(&self, equations: &Claim, account: &IdentityAccount) -> Vec<String> {
+        let said = equations.forms.iter().flat_map(|form| {
+            let Form::Always(w) = form else { return &[][..] };
+            &w.value.relations
+        });
+        let roots: Vec<_> = said.flat_map(super::pairs).flat_map(|(l, r)| [l, r]).collect();
+        let names_nothing = self.graph.leaves_within(roots).is_empty();
+        if names_nothing { Vec::new() } else { account.from.clone() }
     }
 
     /// Whether the equations of the claim contradict what is given at every time that counts, and something satisfies what is given.

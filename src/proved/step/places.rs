@@ -7,7 +7,7 @@
 use super::definitions::Definitions;
 use super::gather::{Gathered, sides};
 use super::{Pairs, Step, without_exceptions};
-use crate::expr::{Expr, FastMap, Leaf, Node, Symbol};
+use crate::expr::{Expr, FastMap, Graph, Leaf, Node, Symbol};
 use proof::{Identity, Options, Wanted, When, domains};
 
 /// Most values of fields that are compared with each other.
@@ -57,11 +57,13 @@ impl Step<'_> {
         }
     }
 
-    /// What is known of fields at all places is so at those that are named, where it has a value wherever fields have one.
-    pub(super) fn give_signs_at_places(&mut self, gathered: &mut Gathered, equations: &Pairs) {
-        let named = self.graph.leaves_within(sides(equations));
+    /// What is known of fields at all places is so at those that are named, where it has a value wherever fields have one: signs, and
+    /// equations that name a place themselves. From f(0)f = 0 follows f(0)² = 0.
+    pub(super) fn give_at_places(&mut self, gathered: &mut Gathered, equations: &Pairs) {
+        let named = self.graph.leaves_within(sides(equations).chain(gathered.premises.sides()));
         let mut places: Vec<Vec<(usize, Expr)>> =
             named.iter().filter_map(|l| self.graph.place(l.symbol)).map(|p| p.at.clone()).collect();
+        places.sort_unstable();
         places.dedup();
         places.truncate(MOST_PLACES);
         if places.is_empty() || gathered.known != When::Always {
@@ -69,18 +71,34 @@ impl Step<'_> {
         }
         let coordinates: Vec<Leaf> = self.graph.coordinates().collect();
         let premises = &mut gathered.premises;
-        for signs in [&mut premises.nonzero, &mut premises.positive, &mut premises.not_negative] {
-            for at in 0..signs.len() {
-                let sign = signs[at];
-                if self.graph.fields([sign]).is_empty() || !self.graph.needs_below([sign]).is_empty() {
-                    continue;
-                }
-                for place in &places {
-                    let values: Vec<(Leaf, Expr)> = place.iter().map(|&(c, e)| (coordinates[c], e)).collect();
-                    let there = self.graph.taken_at(sign, &values);
+        let of_fields = |graph: &Graph, e: &[Expr]| graph.fields(e.iter().copied()).len();
+        let at_places = |graph: &Graph, e: &[Expr]| {
+            graph.fields(e.iter().copied()).iter().filter(|l| graph.place(l.symbol).is_some()).count()
+        };
+        for place in &places {
+            let values: Vec<(Leaf, Expr)> = place.iter().map(|&(c, e)| (coordinates[c], e)).collect();
+            for signs in [&mut premises.nonzero, &mut premises.positive, &mut premises.not_negative] {
+                for at in 0..signs.len() {
+                    let sign = [signs[at]];
+                    if of_fields(&self.graph, &sign) == 0 || !self.graph.needs_below(sign).is_empty() {
+                        continue;
+                    }
+                    let there = self.graph.taken_at(signs[at], &values);
                     if !signs.contains(&there) {
                         signs.push(there);
                     }
+                }
+            }
+            for known in premises.equations.clone() {
+                let both = [known.left, known.right];
+                let placed = at_places(&self.graph, &both);
+                let is_mixed = placed > 0 && placed < of_fields(&self.graph, &both);
+                if known.when != When::Always || !is_mixed || !self.graph.needs_below(both).is_empty() {
+                    continue;
+                }
+                let there = both.map(|e| self.graph.taken_at(e, &values));
+                if there != both && there[0] != there[1] && !premises.says((there[0], there[1])) {
+                    premises.give([(there[0], there[1])], When::Always);
                 }
             }
         }

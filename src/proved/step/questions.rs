@@ -8,7 +8,7 @@ use super::gather::Gathered;
 use super::{FEW_POINTS, Level, Pairs, Settled, Step, has_exceptions};
 use crate::expr::{Expr, Leaf};
 use proof::{
-    Branches, Identity, Options, Premises, Proof, Reason, Wanted, When, branches_test_after, identity_test_after,
+    Branching, Identity, Options, Premises, Proof, Reason, Wanted, When, branches_test_after, identity_test_after,
 };
 
 impl Step<'_> {
@@ -204,15 +204,25 @@ impl Step<'_> {
             return identity_test_after(&mut self.memory, &mut self.graph, equations, premises, options);
         }
         let branches = [1, -1].map(|value| self.branch(equations, value));
-        let Branches { throughout: mut each, pointwise } =
-            branches_test_after(&mut self.memory, &mut self.graph, &branches, premises, options);
+        let found = branches_test_after(&mut self.memory, &mut self.graph, &branches, premises, options);
+        found.told(self.branching(equations, premises)).0
+    }
+
+    /// What ± in these equations is claimed to be. Values of parameters are points, as are times; what moves is a motion for each of them.
+    pub(super) fn branching(&self, equations: &Pairs, premises: &Premises) -> Branching {
         if !self.claim.branches_throughout {
-            return pointwise;
+            return Branching::Pointwise;
         }
-        // Proved if one branch is; a refutation needs both.
-        let first = |wanted: fn(&Identity) -> bool| each.iter().position(wanted);
-        let proved = first(|i| matches!(i, Identity::Proved(_)));
-        let open = || first(|i| matches!(i, Identity::Undecided(_)));
-        each.swap_remove(proved.or_else(open).unwrap_or(0))
+        let said = equations.iter().flat_map(|&(l, r)| [l, r]).chain(premises.sides()).chain(premises.signs());
+        let named = self.graph.leaves_within(said);
+        let is_field = |l: &Leaf| self.graph.is_field(l.symbol) || self.graph.place(l.symbol).is_some();
+        let is_point = |l: &Leaf| Some(*l) == self.claim.scope.time() || self.graph.coordinate(*l).is_some();
+        let moves = named.iter().any(|l| self.claim.scope.moves(l) || is_field(l));
+        let sign = self.claim.scope.branch_sign();
+        let constant = |l: &&Leaf| **l != sign && !is_point(l);
+        match moves || named.iter().any(is_point) && named.iter().find(constant).is_some() {
+            true => Branching::ThroughoutMotion,
+            false => Branching::Throughout,
+        }
     }
 }

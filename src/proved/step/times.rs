@@ -8,6 +8,7 @@
 use super::gather::Gathered;
 use super::{Definitions, Pairs, Step};
 use crate::expr::{Expr, Leaf};
+use claim::comparison::at_instant;
 use proof::{Identity, Options, Premises, Wanted, When, identity_test_after};
 
 /// Most values at fixed times of which it is asked whether they are the same.
@@ -183,6 +184,31 @@ impl Step<'_> {
             same.premises.equations.len() > given.equations.len() && self.is_without_motion(&same, equations);
         (self.settled, self.proved_at, self.start) = (settled, level, start);
         excluded
+    }
+
+    /// Whether what is proved of all times contradicts what is given at fixed ones: tx = 0 and x(0) = 1 leave x = 0 but at time 0, and no
+    /// motion leaps there.
+    pub(super) fn excludes_at_times(&mut self, gathered: &Gathered, equations: &Pairs) -> bool {
+        let given = &gathered.premises;
+        let instants = self.instants(given.sides().chain(given.signs()));
+        let said = self.equations(self.claim).unwrap_or_default();
+        let sides: Vec<Expr> = said.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let leaves = self.graph.leaves_within(sides.iter().copied());
+        let is_plain = |l: &Leaf| l.rate == 0 && *l != self.claim.scope.branch_sign();
+        let valued = self.graph.needs_below(sides.into_iter().chain(given.sides())).is_empty();
+        if instants.is_empty() || gathered.known != When::Always || !valued || !leaves.iter().all(is_plain) {
+            return false;
+        }
+        let mut more = gathered.clone();
+        for instant in instants {
+            for &(l, r) in &said {
+                let then = [l, r].map(|e| at_instant(&mut self.graph, &self.claim.scope, e, instant));
+                if then[0] != then[1] && !more.premises.says((then[0], then[1])) {
+                    more.premises.give([(then[0], then[1])], When::Always);
+                }
+            }
+        }
+        more.premises.equations.len() > given.equations.len() && self.is_without_motion(&more, equations)
     }
 
     /// Whether what is given ties anything that moves: else values at different times are free.

@@ -130,6 +130,12 @@ fn refuting(found: &Refuting) -> Markup {
                     pre tabindex="0" { (point(second)) }
                 }
             },
+            Refuting::Signs { upper, lower } => {
+                p { "The upper sign does not serve:" }
+                pre tabindex="0" { (point(upper)) }
+                p { "Nor does the lower:" }
+                pre tabindex="0" { (point(lower)) }
+            },
             Refuting::OnMotion { .. } => p { (plain(&found.to_string())) "." },
             Refuting::Sizes(sizes) => pre tabindex="0" { (assignments(sizes)) },
         }
