@@ -201,5 +201,6 @@ fn what_grows_without_end_is_left_at_once() {
     let squares = format!("{}x+1{}=1", "(".repeat(45), ")^2".repeat(45));
     within(1, &[&squares, "-s", "x"]);
     let given = ["-g", r"\dot x=y", "-g", "|t|=ty(0)", "-g", "y=0"];
-    within(0, &[&["x=x(0)", "-s", "x,y: state"], &given[..]].concat());
+    // y(0) = 0, and |t| is 0 at one time only: no motion satisfies that.
+    within(3, &[&["x=x(0)", "-s", "x,y: state"], &given[..]].concat());
 }
