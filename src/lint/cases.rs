@@ -317,7 +317,9 @@ impl Cases {
         }
         let first = self.openers.partition_point(|(place, ..)| *place < from);
         let last = self.openers.partition_point(|(place, ..)| *place < to);
-        let Some(&(opened, own, opener)) = first.checked_sub(1).and_then(|k| self.openers.get(k)) else { return false };
+        // What has to be the same is parted by the word that opens its case, though another word stands between.
+        let is_case = |o: &&(usize, &str, Opener)| !is_sure || o.2 != Opener::Opens;
+        let Some(&(opened, own, opener)) = self.openers[..first].iter().rev().find(is_case) else { return false };
         let ends = self.stops.partition_point(|stop| *stop < opened);
         let is_open = self.stops.get(ends).is_none_or(|stop| *stop >= from);
         if !is_open || opener == Opener::Opens {
@@ -437,6 +439,8 @@ mod tests {
         assert!(!parted("The right branch is 1. The right branch, 2", true));
         assert!(!parted("The right-hand side is 1. The left-hand side is 2", true));
         assert!(!parted("The right side of the equation is 1. The left side of the equation is 2", true));
+        assert!(parted("For points below, Now Thm. 5 says 1. For points above, 2", true));
+        assert!(!parted("For a disc. Now 1. For a ring, 2", true));
         assert!(parted("For points below, Thm. 5 says 1. For points above, 2", true));
     }
 

@@ -149,6 +149,7 @@ impl Judge<'_> {
             out.why = "a congruence, or an equation".to_owned();
             return out;
         }
+        self.unbind(relation);
         let is = |list: &[&str], sign: &String| is_one_of(list, sign);
         if let Some(sign) = relation.signs.iter().find(|s| !is(EQUALS, s) && !is(ABOUT, s) && !is(COMPARES, s)) {
             out.why = format!("the sign `{}`", diag::escape::in_one_line(sign));

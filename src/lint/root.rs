@@ -73,18 +73,31 @@ impl Judge<'_> {
         Some(WrongStep { witness, instead, picture: None, with: vec![premise] })
     }
 
-    /// Whether a relation stands right behind an equation, in its display or in the next one, and its words conclude from that.
+    /// Whether two relations of the running text stand in one formula.
+    fn is_one_formula(&self, first: usize, second: usize) -> bool {
+        let place = |k: usize| self.paper.locate(&self.paper.printed[k].span());
+        let ((file, from), (other, to)) = (place(first), place(second));
+        let between = file.text.get(from.end..to.start).filter(|_| std::sync::Arc::ptr_eq(file, other));
+        between.is_some_and(|text| !text.contains(['$', '.']) && !text.contains(r"\)") && !text.contains(r"\("))
+    }
+
+    /// Whether a relation stands right behind an equation, in its display or formula, or in the next display, and its words conclude from that.
     fn concludes_from(&mut self, relation: &PrintedRelation, premise: usize, at: usize, sentence: &Sentence) -> bool {
         let paper = self.paper;
         let before = &paper.printed[premise];
-        let is_plain = |r: &PrintedRelation| {
-            r.sides.len() == 2 && r.signs[0] == "=" && r.display.is_some() && !r.sides.iter().any(|s| s.is_list)
-        };
+        let is_plain =
+            |r: &PrintedRelation| r.sides.len() == 2 && r.signs[0] == "=" && !r.sides.iter().any(|s| s.is_list);
         let implied = relation.remark.as_deref() == Some("⇒");
         let has_words = |r: &PrintedRelation| r.remark.as_deref().is_some_and(|words| words != "⇒");
         let concludes = match relation.display == before.display {
+            true if relation.display.is_none() => implied && self.is_one_formula(premise, at),
             true => implied,
-            false => sentence.concludes && !sentence.changes && relation.display == before.display.map(|d| d + 1),
+            false => {
+                before.display.is_some()
+                    && sentence.concludes
+                    && !sentence.changes
+                    && relation.display == before.display.map(|d| d + 1)
+            }
         };
         let is_last_word = || {
             let next = paper.printed.get(at + 1).filter(|r| r.display == relation.display);

@@ -51,6 +51,14 @@ impl Judge<'_> {
         stance(&file.text, span.start, span.end)
     }
 
+    /// Forgets what the names were that a quantifier binds: there they stand for another thing.
+    pub(super) fn unbind(&mut self, relation: &PrintedRelation) {
+        let bound = relation.sides.first().filter(|s| [r"\exists", r"\forall"].iter().any(|q| s.text.contains(q)));
+        for name in bound.into_iter().flat_map(names) {
+            self.facts.given.forget(&name.key(), false);
+        }
+    }
+
     /// Notes the names of an equation that is supposed.
     pub(super) fn suppose(&mut self, relation: &PrintedRelation, at: usize) {
         if is_equation(relation) {
