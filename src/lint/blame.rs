@@ -9,7 +9,9 @@ use paper::{PrintedRelation, PrintedSide, names, squeezed};
 use super::judge::Judge;
 use super::lone::lone_name;
 use super::nearest::Sureness;
-use super::relation::{are_multiples, has_dimensions, is_congruence, is_evaluated, is_integrated};
+use super::relation::{
+    are_multiples, are_two_places, has_dimensions, is_congruence, is_evaluated, is_integrated, is_of_any, is_of_units,
+};
 use super::sentence::{Sentence, is_supposed, window};
 use super::step::Blame;
 
@@ -91,11 +93,14 @@ impl Judge<'_> {
             || has_dimensions(relation)
             || is_congruence(&relation.signs[k - 1])
             || alone && are_multiples(left, right)
+            || are_two_places(left, right)
+            || is_of_units(relation)
         {
             return Blame::Nothing;
         }
         let doubted = if defining { Blame::Nothing } else { Blame::Doubted };
-        if sentence.loosens || sentence.solves && alone {
+        let is_last = k + 1 == relation.sides.len();
+        if sentence.loosens || sentence.solves && alone || is_last && is_of_any(relation) {
             return doubted;
         }
         match inline {

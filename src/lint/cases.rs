@@ -108,6 +108,17 @@ const CONTRASTS: &[&str] = &[
     "by contrast",
     "in contrast",
     "on the other hand",
+    "opposite case",
+    "inverse case",
+    "reverse case",
+    "other way round",
+    "vice versa",
+    "umgekehrt",
+    "caso inverso",
+    "caso opposto",
+    "caso contrario",
+    "cas inverse",
+    "cas contraire",
     "dagegen",
     "hingegen",
     "andernfalls",
@@ -119,6 +130,37 @@ const CONTRASTS: &[&str] = &[
     "en cambio",
     "por el contrario",
 ];
+
+/// Words for one of two kinds of a thing.
+const PAIRS: &[[&str; 2]] = &[
+    ["left", "right"],
+    ["upper", "lower"],
+    ["inner", "outer"],
+    ["inside", "outside"],
+    ["positive", "negative"],
+    ["odd", "even"],
+];
+/// What there are two kinds of, right behind such a word.
+const THINGS: &[&str] =
+    &["branch", "side ", "half", "part ", "region", "well", "lobe", "sheet", "root", "solution", "case"];
+/// What has sides and is no thing of two kinds: an equation.
+const NO_THINGS: &[&str] =
+    &["hand", "side of (", r"side of \", "side of eq", "side of the eq", "side is", "side becomes"];
+/// So far behind such words a formula is still about that kind.
+const KIND: usize = 300;
+/// Abbreviations, the full stop behind which ends no sentence.
+const ABBREVIATED: &[&str] =
+    &["Thm", "Eq", "Eqs", "Fig", "Sec", "Prop", "Def", "Cor", "Ex", "cf", "e.g", "i.e", "resp", "vs"];
+
+/// Whether a word stands before a thing of which there are two kinds.
+fn names_a_kind(text: &str, at: usize, word: &str) -> bool {
+    let behind = at + word.len();
+    let behind = &text[behind..next_character(text, behind + 24)];
+    let plain = behind.trim_start_matches(|c: char| matches!(c, '\'' | '`' | '-' | ' ' | '~'));
+    let starts = |all: &[&str]| all.iter().any(|w| plain.starts_with(w));
+    let before = text[..at].chars().next_back();
+    !before.is_some_and(|c| c.is_alphanumeric() || c == '\\') && starts(THINGS) && !starts(NO_THINGS)
+}
 
 /// The longest text of a sentence that is looked at before a formula, and behind it.
 const BEFORE: usize = 160;
@@ -204,6 +246,8 @@ pub struct Cases {
     breaks: Vec<usize>,
     /// Where a sentence sets itself against another.
     contrasts: Vec<usize>,
+    /// Where one of two kinds is named, "the left branch": the number of the pair, and which of the two.
+    kinds: Vec<(usize, usize, usize)>,
 }
 
 impl Cases {
@@ -228,11 +272,20 @@ impl Cases {
         }
         out.items.sort_unstable();
         for stop in [". ", ".\n", ".$ ", ".\\]", ".\\end{", ".$$", "\n\n", "? ", "?\n"] {
-            out.stops.extend(text.match_indices(stop).map(|(at, _)| at));
+            let abbreviates = |at: usize| ABBREVIATED.iter().any(|w| text[..at].ends_with(w));
+            out.stops.extend(text.match_indices(stop).map(|(at, _)| at).filter(|at| stop != ". " || !abbreviates(*at)));
         }
         out.stops.sort_unstable();
         out.breaks = BREAKS.iter().flat_map(|b| text.match_indices(b)).map(|(at, _)| at).collect();
         out.breaks.sort_unstable();
+        for (pair, words) in PAIRS.iter().enumerate() {
+            for (which, word) in words.iter().enumerate() {
+                let of_kind = |at: &usize| names_a_kind(text, *at, word);
+                let all = text.match_indices(word).map(|(at, _)| at).filter(of_kind);
+                out.kinds.extend(all.map(|at| (at, pair, which)));
+            }
+        }
+        out.kinds.sort_unstable();
         let lower = text.to_lowercase();
         // Small letters of another length would move the places.
         if lower.len() == text.len() {
@@ -249,6 +302,13 @@ impl Cases {
         if is_sure && (passes(&self.breaks) || passes(&self.contrasts)) {
             return true;
         }
+        // "The right branch … The left branch".
+        let (kinds, later) = [from, to].map(|at| self.kinds.partition_point(|(place, ..)| *place < at)).into();
+        let own = self.kinds[..kinds].last().filter(|(at, ..)| at + KIND >= from);
+        let is_other = |pair: usize, which: usize| move |k: &&(usize, usize, usize)| k.1 == pair && k.2 != which;
+        if is_sure && own.is_some_and(|k| self.kinds[kinds..later].iter().any(|o| is_other(k.1, k.2)(&o))) {
+            return true;
+        }
         let before = |at: usize| self.items.partition_point(|(place, _)| *place < at);
         let (first, last) = (before(from), before(to));
         let in_item = first > 0 && self.items[first - 1].1;
@@ -257,7 +317,9 @@ impl Cases {
         }
         let first = self.openers.partition_point(|(place, ..)| *place < from);
         let last = self.openers.partition_point(|(place, ..)| *place < to);
-        let Some(&(opened, own, opener)) = first.checked_sub(1).and_then(|k| self.openers.get(k)) else { return false };
+        // What has to be the same is parted by the word that opens its case, though another word stands between.
+        let is_case = |o: &&(usize, &str, Opener)| !is_sure || o.2 != Opener::Opens;
+        let Some(&(opened, own, opener)) = self.openers[..first].iter().rev().find(is_case) else { return false };
         let ends = self.stops.partition_point(|stop| *stop < opened);
         let is_open = self.stops.get(ends).is_none_or(|stop| *stop >= from);
         if !is_open || opener == Opener::Opens {
@@ -373,6 +435,13 @@ mod tests {
         assert!(parted(r"\begin{itemize}\item 1 \item 2", true) && !parted(r"1 \begin{itemize}\item 2", true));
         assert!(parted("We have 1. If not, however, 2", true) && !parted("We have 1. If not, however, 2", false));
         assert!(!parted("For a disc it turns. The sum is 1. For a ring 2", true));
+        assert!(parted("The right branch is 1. The left branch, 2", true));
+        assert!(!parted("The right branch is 1. The right branch, 2", true));
+        assert!(!parted("The right-hand side is 1. The left-hand side is 2", true));
+        assert!(!parted("The right side of the equation is 1. The left side of the equation is 2", true));
+        assert!(parted("For points below, Now Thm. 5 says 1. For points above, 2", true));
+        assert!(!parted("For a disc. Now 1. For a ring, 2", true));
+        assert!(parted("For points below, Thm. 5 says 1. For points above, 2", true));
     }
 
     #[test]

@@ -11,12 +11,13 @@ use super::cases::{Cases, Stance};
 use super::desk::{Desk, Given, NotRead, evidence_of};
 use super::facts::{Facts, Reach, Stated};
 use super::lone::{lone_name, unprimed};
+use super::nearest::WrongStep;
 use super::notation::Evidence;
 use super::relation::{free_indices, gives_values, is_congruence, is_letter_at_place, lone_right};
 use super::sentence::{Sentence, explains, is_supposed, parts};
 use super::setting::Noted;
 use super::signs::{ABOUT, COMPARES, EQUALS, is_one_of};
-use super::standing::{Standing, is_equation, standings};
+use super::standing::{Standing, standings};
 use super::step::{Blame, Place, Step};
 use super::{Judgement, Lint, Word};
 use paper::squeezed;
@@ -60,7 +61,7 @@ pub(super) struct Judge<'p> {
     /// The displayed relations by their labels and numbers.
     named: HashMap<String, Vec<usize>>,
     /// The part of each relation in which its names mean the same.
-    parts: Vec<usize>,
+    pub(super) parts: Vec<usize>,
     /// How each relation is said.
     pub(super) standings: Vec<Standing>,
     /// The part that is looked at.
@@ -113,6 +114,16 @@ fn by_name(paper: &Paper) -> HashMap<String, Vec<usize>> {
     out
 }
 
+/// Says *wrong*, with what shows it.
+fn be_wrong(out: &mut Judgement, wrong: WrongStep, why: &str) {
+    out.word = Word::Wrong;
+    out.why = why.to_owned();
+    out.witness = Some(wrong.witness);
+    out.instead = Some(wrong.instead);
+    out.picture = wrong.picture;
+    out.with = wrong.with;
+}
+
 impl Judge<'_> {
     fn relation(&mut self, at: usize) -> Judgement {
         let relation = &self.paper.printed[at];
@@ -138,6 +149,7 @@ impl Judge<'_> {
             out.why = "a congruence, or an equation".to_owned();
             return out;
         }
+        self.unbind(relation);
         let is = |list: &[&str], sign: &String| is_one_of(list, sign);
         if let Some(sign) = relation.signs.iter().find(|s| !is(EQUALS, s) && !is(ABOUT, s) && !is(COMPARES, s)) {
             out.why = format!("the sign `{}`", diag::escape::in_one_line(sign));
@@ -176,7 +188,7 @@ impl Judge<'_> {
             return out;
         }
         let sentence = self.sentence(relation);
-        let taken = match self.stance(relation) {
+        let taken = match self.stance(relation, at) {
             Stance::Denied => Some("the words around it deny it"),
             Stance::Asked => Some("it is asked, or one of several answers"),
             Stance::Said if self.is_alternative(at) => Some("one of several that are possible"),
@@ -191,6 +203,12 @@ impl Judge<'_> {
         self.explain(relation, at);
         let open = self.steps(relation, at, &sentence, &mut out);
         self.facts.given.truncate(before);
+        if !matches!(out.word, Word::Follows | Word::Wrong | Word::NotRead)
+            && let Some(wrong) = self.misses_root(relation, at, &sentence)
+        {
+            out.span = relation.sides[1].span.clone();
+            be_wrong(&mut out, wrong, "the equation before it has one solution, at which it fails");
+        }
         if out.word != Word::Wrong && relation.signs.iter().any(|s| is(ABOUT, s)) {
             out.word = Word::Approximates;
         } else if out.word != Word::Wrong && relation.signs.iter().any(|s| is(COMPARES, s)) {
@@ -217,14 +235,6 @@ impl Judge<'_> {
             self.define(relation, at);
         }
         out
-    }
-
-    /// Notes the names of an equation that is supposed.
-    fn suppose(&mut self, relation: &PrintedRelation, at: usize) {
-        if is_equation(relation) {
-            let names = relation.sides.iter().flat_map(names).map(|n| n.key()).collect();
-            self.supposed.push(Noted { section: self.section, relation: at, names });
-        }
     }
 
     /// What the words around the display of a relation say; a formula of the running text has none.
@@ -256,22 +266,6 @@ impl Judge<'_> {
                 break;
             }
             self.define(other, k);
-        }
-    }
-
-    /// Notes names that are said to be positive.
-    fn note_signs(&mut self, relation: &PrintedRelation, at: usize) {
-        for (k, sign) in relation.signs.iter().enumerate() {
-            let (left, right) = (&relation.sides[k], &relation.sides[k + 1]);
-            let larger = match sign.as_str() {
-                ">" | r"\gt" if right.text.trim() == "0" => left,
-                "<" | r"\lt" if left.text.trim() == "0" => right,
-                _ => continue,
-            };
-            let all = names(larger);
-            let lone = lone_name(larger).into_iter().map(|n| n.key()).collect::<Vec<_>>();
-            let keys = if larger.is_list { all.iter().map(|n| n.key()).collect() } else { lone };
-            self.facts.be_positive(self.parts[at], keys);
         }
     }
 
@@ -342,7 +336,8 @@ impl Judge<'_> {
             let solves = defining && !self.is_rate(first.as_ref());
             let reach = if alone { Reach::Near { section: self.section, at } } else { Reach::Paper };
             let sureness = self.sureness(&of, blame, at, concludes);
-            let place = Place { at, free: &free, named: named.clone(), blame, sureness, reach, solves };
+            let place =
+                Place { at, free: &free, named: named.clone(), blame, sureness, reach, is_first: k == 1, solves };
             match self.step([left, right], &place) {
                 Step::Follows(support) => {
                     tally.follows += 1;
@@ -355,13 +350,8 @@ impl Judge<'_> {
                 }
                 Step::Numbers => tally.numbers += 1,
                 Step::Wrong(wrong) => {
-                    out.word = Word::Wrong;
                     out.span = right.span.clone();
-                    out.why = "a point refutes it, and one slip away it holds".to_owned();
-                    out.witness = Some(wrong.witness);
-                    out.instead = Some(wrong.instead);
-                    out.picture = wrong.picture;
-                    out.with = wrong.with;
+                    be_wrong(out, *wrong, "a point refutes it, and one slip away it holds");
                     return Vec::new();
                 }
                 // Said otherwise than before, of a name alone: it is defined anew.

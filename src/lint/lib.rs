@@ -16,6 +16,7 @@
 mod blame;
 mod cases;
 mod desk;
+mod excuse;
 mod facts;
 mod judge;
 mod letters;
@@ -28,6 +29,7 @@ mod numbers;
 mod obstacle;
 mod question;
 mod relation;
+mod root;
 mod sentence;
 mod setting;
 mod shown;

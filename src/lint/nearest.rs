@@ -245,6 +245,7 @@ impl Search<'_> {
         let same = |side: &PrintedSide| squeezed(&side.text) == squeezed(&new);
         let [one, two] = [k, 1 - k].map(|side| spelled(chain, &bare(&altered.sides[side])));
         if one == two
+            || prints_the_same(&one, &two)
             || self.rests.given.iter().any(|g| same(&g.right))
             || self.rests.stated.iter().any(|s| same(&s.left) || same(&s.right))
         {
@@ -350,6 +351,19 @@ impl Search<'_> {
         }
         None
     }
+}
+
+/// Whether two sides have the same signs in print, in whatever order, but for a plus before everything and an exponent that is one: nobody
+/// states that.
+fn prints_the_same(one: &str, other: &str) -> bool {
+    let plain = |text: &str| {
+        let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+        let text = text.replace("{+", "{").replace("(+", "(").replace("^{1}", "");
+        let mut out: Vec<char> = text.chars().filter(|c| !matches!(c, '{' | '}')).collect();
+        out.sort_unstable();
+        out
+    };
+    plain(one) == plain(other)
 }
 
 /// The symbols of some sides, each once.

@@ -52,6 +52,56 @@ pub(super) fn is_letter_at_place(side: &PrintedSide) -> bool {
     is_letter && inside.strip_suffix(')').is_some_and(|i| !i.contains(['(', ')']))
 }
 
+/// Whether both sides are one letter before parentheses, with another content: `E(a)=E(-a)` is said of a function.
+pub(super) fn are_two_places(left: &PrintedSide, right: &PrintedSide) -> bool {
+    let plain = |s: &PrintedSide| squeezed(&s.text).replace(r"\left", "").replace(r"\right", "");
+    let (left, right) = (plain(left), plain(right));
+    let parted = |text: &str| {
+        let (name, inside) = text.split_once('(')?;
+        let inside = inside.strip_suffix(')')?;
+        // A sum behind a name is a factor as often as a place.
+        let is_order = matches!(name, r"\Omega" | r"\Theta" | "O");
+        let is_term =
+            !inside.contains(['(', ')']) && (is_order || !inside.trim_start_matches('-').contains(['+', '-']));
+        let is_name =
+            !name.is_empty() && !name.contains(['+', '-', '^', '/', '{']) && name.chars().any(char::is_alphabetic);
+        (is_name && is_term).then(|| (name.to_owned(), inside.to_owned()))
+    };
+    parted(&left).zip(parted(&right)).is_some_and(|(one, other)| one.0 == other.0 && one.1 != other.1)
+}
+
+/// Words with which a reason is given.
+const REASONS: &[&str] = &["since", "because", "as we", "weil", "da ", "puisque", "car ", "perché", "poiché", "porque"];
+
+/// Whether the words beside a relation give as its reason that a name is any of a set: it may stand for another one in each formula.
+pub(super) fn is_of_any(relation: &PrintedRelation) -> bool {
+    let words = relation.remark.as_deref().unwrap_or_default().to_lowercase();
+    let words = words.trim_start_matches(|c: char| !c.is_alphabetic());
+    let is_any = [r"\in", r"\forall", "arbitrary", "any "].iter().any(|w| words.contains(w));
+    is_any && REASONS.iter().any(|w| words.starts_with(w))
+}
+
+/// Units of one letter, and those of more that are no usual product of names.
+const UNITS: &[&str] = &[
+    "A", "C", "F", "H", "J", "K", "N", "T", "V", "W", "g", "m", "s", "kg", "km", "cm", "mm", "nm", "Hz", "Pa", "eV",
+    "mol",
+];
+
+/// Whether the names of a relation are units, three or more of them, one of more letters than one: `kg` is then no product.
+pub(super) fn is_of_units(relation: &PrintedRelation) -> bool {
+    let commands =
+        [r"\cdot", r"\times", r"\frac", r"\dfrac", r"\tfrac", r"\left", r"\right", r"\text", r"\mathrm", r"\rm"];
+    let plain = |s: &PrintedSide| commands.iter().fold(s.text.clone(), |text, c| text.replace(c, " "));
+    let words: BTreeSet<String> = relation
+        .sides
+        .iter()
+        .map(plain)
+        .flat_map(|text| text.split(|c: char| !c.is_alphabetic() && c != '\\').map(str::to_owned).collect::<Vec<_>>())
+        .filter(|word| !word.is_empty())
+        .collect();
+    words.len() > 2 && words.iter().all(|w| UNITS.contains(&w.as_str())) && words.iter().any(|w| w.len() > 1)
+}
+
 /// Whether all sides but the last are lone names, and that is one or a number.
 pub(super) fn gives_values(relation: &PrintedRelation) -> bool {
     let Some((last, names_before)) = relation.sides.split_last() else { return false };
@@ -106,4 +156,36 @@ pub(super) fn free_indices(relation: &PrintedRelation) -> BTreeSet<char> {
     let numbers: BTreeSet<String> = relation.sides.iter().flat_map(names).map(|n| n.key()).collect();
     let is_free = |l: &char| letters.iter().filter(|m| *m == l).count() == 1 && !numbers.contains(&l.to_string());
     letters.iter().copied().filter(is_free).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn relation(tex: &str) -> PrintedRelation {
+        let paper = paper::parse_pasted("r", tex).expect("it is read");
+        paper.printed.into_iter().next().expect("a relation")
+    }
+
+    #[test]
+    fn a_letter_before_two_places_is_a_function() {
+        let are = |tex: &str| {
+            let relation = relation(tex);
+            are_two_places(&relation.sides[0], &relation.sides[1])
+        };
+        assert!(are(r"E\left(\frac{\pi}{a}\right)=E\left(-\frac{\pi}{a}\right)") && are("f_1(x)=f_1(-x)"));
+        assert!(are(r"\Omega(n+h)=\Omega(n-h)") && are("O(n^2+1)=O(n^2)"));
+        for tex in ["a(b+c)=a(b-c)", "(a)=(b)", "E(x)=F(-x)", "2(x)=2(y)", "f(x)=f(x)", "g(x)h(y)=g(y)h(x)"] {
+            assert!(!are(tex), "{tex}");
+        }
+    }
+
+    #[test]
+    fn units_of_two_letters_are_no_products() {
+        let are = |tex: &str| is_of_units(&relation(tex));
+        assert!(are(r"\frac{N \cdot m^2}{kg^2}=kg\cdot\frac{m^3/s^2}{kg^2}") && are(r"J=kg\,m^2/s^2"));
+        for tex in ["F=mg", "N m=sT", r"F=\frac{m v^2}{s}", "a kg=m kg s", r"W=\mu N s\, m"] {
+            assert!(!are(tex), "{tex}");
+        }
+    }
 }

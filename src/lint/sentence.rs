@@ -4,6 +4,7 @@
 //! equations a step is tried with, or keep *wrong* from being said; no word makes a formula hold. The tables are short: what is not
 //! in them is text.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use diag::next_character;
@@ -426,10 +427,11 @@ const OWN_NAMES: &[&str] = &[
     "exbox",
 ];
 /// Environments that go on from the one before.
-const GOES_ON: &[&str] = &["solution", "proof", "answer", "sol", "soln"];
+const GOES_ON: &[&str] =
+    &["solution", "proof", "answer", "sol", "soln", "pf", "beweis", "preuve", "dimostrazione", "demostracion"];
 
 /// For each printed relation the number of the part in which its names mean the same: its section, or an example or a theorem with its
-/// solution or proof.
+/// solution or proof. What steps a counter of the paper's own begins another one, too.
 pub fn parts(paper: &Paper) -> Vec<usize> {
     let mut out = Vec::with_capacity(paper.printed.len());
     // The borders of the file that is looked at.
@@ -437,10 +439,11 @@ pub fn parts(paper: &Paper) -> Vec<usize> {
     for relation in &paper.printed {
         let (file, span) = paper.locate(&relation.span());
         if known.as_ref().is_none_or(|(f, _)| !std::sync::Arc::ptr_eq(f, file)) {
-            known = Some((file.clone(), borders(&file.text)));
+            known = Some((file.clone(), borders(&file.text, &paper.borders.theorems)));
         }
         let passed = known.as_ref().map_or(0, |(_, b)| b.partition_point(|at| *at <= span.start));
-        out.push(relation.section * BORDERS + passed);
+        let numbered = paper.borders.numbered.partition_point(|at| *at <= relation.span().start);
+        out.push(relation.section * BORDERS + passed + numbered);
     }
     out
 }
@@ -449,16 +452,17 @@ pub fn parts(paper: &Paper) -> Vec<usize> {
 const BORDERS: usize = 1 << 24;
 
 /// Where environments with names of their own begin and end.
-fn borders(text: &str) -> Vec<usize> {
+fn borders(text: &str, theorems: &BTreeSet<String>) -> Vec<usize> {
     let mut out = Vec::new();
     for (at, command) in text.match_indices(r"\begin{").chain(text.match_indices(r"\end{")) {
         let name = text[at + command.len()..].split('}').next().unwrap_or("").trim_end_matches('*').to_lowercase();
-        let own = OWN_NAMES.contains(&name.as_str());
-        let ends = command == r"\end{" && (own || GOES_ON.contains(&name.as_str()));
+        let goes_on = |name: &str| GOES_ON.contains(&name);
+        let own = OWN_NAMES.contains(&name.as_str()) || theorems.contains(&name) && !goes_on(&name);
+        let ends = command == r"\end{" && (own || goes_on(&name));
         // A solution goes on from its example.
         let after = text[at + command.len()..].split_once('}').map_or("", |(_, rest)| rest.trim_start());
         let next = after.strip_prefix(r"\begin{").and_then(|r| r.split('}').next()).unwrap_or("").to_lowercase();
-        if command == r"\begin{" && own || ends && !GOES_ON.contains(&next.as_str()) {
+        if command == r"\begin{" && own || ends && !goes_on(&next) {
             out.push(at);
         }
     }

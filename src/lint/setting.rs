@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 
-use paper::{Opening, PrintedRelation, PrintedSide, names, squeezed};
+use paper::{Call, Opening, PaperName, PrintedRelation, PrintedSide, names, squeezed};
 
 use super::cases::{Cases, Stance, stance};
 use super::desk::Given;
@@ -14,24 +14,12 @@ use super::judge::{Judge, MOST_EXPLAINED};
 use super::lone::lone_name;
 use super::question::{Positive, Rests};
 use super::standing::{Standing, is_equation};
-use super::step::Place;
 
 /// Relations on both sides of a step in which a name of it may be said to be zero.
-const BESIDE: usize = 6;
+pub(super) const BESIDE: usize = 6;
 
-/// Values that are tried.
-const MOST_VALUES: usize = 4;
-/// Letters that stand for whole numbers.
-const WHOLE: &[&str] = &["m", "n", "k", "l", "j", "N", "p", "q", r"\ell"];
-
-/// An equation that no relation of the paper says.
-fn stated(text: &str, at: usize) -> Option<Stated> {
-    let paper = paper::parse_pasted("value", text).ok()?;
-    let [left, right] = paper.printed.first()?.sides.as_slice() else { return None };
-    let (left, right) = (left.clone(), right.clone());
-    let names = keys([&left, &right]);
-    Some(Stated { left, right, relation: at, section: 0, names, in_text: true })
-}
+/// Words beside a formula of a display that deny it.
+const DENIES: &[&str] = &["wrong", "false", "incorrect", "not true", "contradiction", "absurd"];
 
 /// A relation that compares, or supposes, with its names.
 pub(super) struct Noted {
@@ -41,35 +29,58 @@ pub(super) struct Noted {
 }
 
 /// The keys of the names of some sides.
-fn keys(sides: [&PrintedSide; 2]) -> BTreeSet<String> {
+pub(super) fn keys(sides: [&PrintedSide; 2]) -> BTreeSet<String> {
     sides.into_iter().flat_map(names).map(|n| n.key()).collect()
-}
-
-/// The names that stand between bars in some sides, as they are printed.
-fn between_bars(sides: [&PrintedSide; 2]) -> Vec<String> {
-    let mut out = Vec::new();
-    for side in sides {
-        let plain = [r"\left", r"\right", r"\lvert", r"\rvert"];
-        let text =
-            plain.iter().fold(side.text.clone(), |t, c| t.replace(c, if c.ends_with("vert") { "|" } else { "" }));
-        out.extend(text.split('|').skip(1).step_by(2).map(|t| t.trim().to_owned()));
-    }
-    out.retain(|t| !t.is_empty() && !t.contains(['+', '-', '=']));
-    out.sort();
-    out.dedup();
-    out.truncate(MOST_VALUES);
-    out
 }
 
 impl Judge<'_> {
     /// What the words of its sentence do with a relation.
-    pub(super) fn stance(&self, relation: &PrintedRelation) -> Stance {
-        let remark = relation.remark.as_deref().unwrap_or_default().to_lowercase();
-        if ["wrong", "false", "incorrect", "not true"].iter().any(|w| remark.contains(w)) {
+    pub(super) fn stance(&self, relation: &PrintedRelation, at: usize) -> Stance {
+        let denies = |r: &PrintedRelation| {
+            let remark = r.remark.as_deref().unwrap_or_default().to_lowercase();
+            DENIES.iter().any(|w| remark.contains(w))
+        };
+        // What is led to something false, in the same display, is supposed.
+        let leads = |r: &PrintedRelation| r.remark.as_deref().is_some_and(|words| words.contains('⇒'));
+        let same = |r: &&PrintedRelation| r.display.is_some() && r.display == relation.display;
+        let behind = self.paper.printed[at + 1..].iter().take_while(same).take(MOST_EXPLAINED);
+        if denies(relation) || behind.into_iter().take_while(|r| leads(r)).any(denies) {
             return Stance::Denied;
         }
         let (file, span) = self.paper.locate(&relation.span());
         stance(&file.text, span.start, span.end)
+    }
+
+    /// Forgets what the names were that a quantifier binds: there they stand for another thing.
+    pub(super) fn unbind(&mut self, relation: &PrintedRelation) {
+        let bound = relation.sides.first().filter(|s| [r"\exists", r"\forall"].iter().any(|q| s.text.contains(q)));
+        for name in bound.into_iter().flat_map(names) {
+            self.facts.given.forget(&name.key(), false);
+        }
+    }
+
+    /// Notes the names of an equation that is supposed.
+    pub(super) fn suppose(&mut self, relation: &PrintedRelation, at: usize) {
+        if is_equation(relation) {
+            let names = relation.sides.iter().flat_map(names).map(|n| n.key()).collect();
+            self.supposed.push(Noted { section: self.section, relation: at, names });
+        }
+    }
+
+    /// Notes names that are said to be positive.
+    pub(super) fn note_signs(&mut self, relation: &PrintedRelation, at: usize) {
+        for (k, sign) in relation.signs.iter().enumerate() {
+            let (left, right) = (&relation.sides[k], &relation.sides[k + 1]);
+            let larger = match sign.as_str() {
+                ">" | r"\gt" if right.text.trim() == "0" => left,
+                "<" | r"\lt" if left.text.trim() == "0" => right,
+                _ => continue,
+            };
+            let all = names(larger);
+            let lone = lone_name(larger).into_iter().map(|n| n.key()).collect::<Vec<_>>();
+            let keys = if larger.is_list { all.iter().map(|n| n.key()).collect() } else { lone };
+            self.facts.be_positive(self.parts[at], keys);
+        }
     }
 
     /// Whether "or" stands alone between a relation and the one before it, which has the same left side.
@@ -150,6 +161,42 @@ impl Judge<'_> {
             && names_it()
     }
 
+    /// Whether an equation follows from one premise of a display, and a relation from another one that stands right before it: `a=0 \\Rightarrow
+    /// x=y, b=0 \\Rightarrow x=z` are two cases.
+    pub(super) fn is_implied_otherwise(&self, before: usize, at: usize) -> bool {
+        let all = &self.paper.printed;
+        let implied = |k: usize| all[k].remark.as_deref().is_some_and(|r| r.contains('⇒'));
+        let is_premise = |k: usize| match all[k].sides.as_slice() {
+            [left, right] => !implied(k) && lone_name(left).is_some() && names(right).is_empty(),
+            _ => false,
+        };
+        before < at
+            && all[at].display.is_some()
+            && all[at].display == all[before].display
+            && implied(before)
+            && implied(at)
+            && (before + 1..at).any(is_premise)
+    }
+
+    /// Whether a name of an equation, or what a name of it is a function of, is defined anew between it and a later relation: it is of what was
+    /// meant before.
+    pub(super) fn is_of_former(&self, one: &Stated, at: usize) -> bool {
+        let letters = |side: &PrintedSide| -> Vec<String> {
+            let places = |n: &PaperName| match &n.call {
+                Call::Places(places) => places.clone(),
+                _ => Vec::new(),
+            };
+            names(side).iter().flat_map(|n| std::iter::once(n.key()).chain(places(n))).collect()
+        };
+        let own: BTreeSet<String> = [&one.left, &one.right].into_iter().flat_map(letters).collect();
+        own.iter().any(|key| {
+            let all: Vec<&Given> = self.facts.given.of(key).filter(|g| !g.is_rate && g.relation < at).collect();
+            let before = all.iter().rev().find(|g| g.relation <= one.relation);
+            let later = all.iter().find(|g| g.relation > one.relation);
+            before.zip(later).is_some_and(|(b, l)| squeezed(&b.right.text) != squeezed(&l.right.text))
+        })
+    }
+
     /// Whether two definitions stand in one paragraph.
     fn is_one_paragraph(&self, one: &Given, other: &Given) -> bool {
         let place = |g: &Given| self.paper.locate(&self.paper.printed[g.relation].span());
@@ -211,58 +258,6 @@ impl Judge<'_> {
         let (file, span) = self.paper.locate(&self.paper.printed[at].span());
         let source = file.text.get(span).unwrap_or_default();
         [r"\cancel", "=0}", "= 0}", r"\xcancel", r"\sout", r"\not{"].iter().any(|w| source.contains(w))
-    }
-
-    /// Whether a step that is refuted holds with the values that are said near it, before or behind, or for every whole number that a letter
-    /// for one may be, beside π.
-    pub(super) fn is_excused(&mut self, sides: [&PrintedSide; 2], rests: &Rests, place: &Place) -> bool {
-        let own = keys(sides);
-        let near = self.values_near(place.at, &own);
-        let mut tries: Vec<Vec<Stated>> = near.iter().cloned().map(|one| vec![one]).collect();
-        if near.len() > 1 {
-            tries.push(near);
-        }
-        // What stands between bars may be negative.
-        tries.extend(
-            between_bars(sides).iter().filter_map(|of| Some(vec![stated(&format!("|{of}|=-{of}"), place.at)?])),
-        );
-        if tries.into_iter().any(|more| self.holds_with(sides, rests, more, place)) {
-            return true;
-        }
-        let beside_pi = sides.iter().any(|s| s.text.contains(r"\pi"));
-        let mut whole = own.iter().filter(|key| beside_pi && WHOLE.contains(&key.as_str()));
-        whole.any(|key| {
-            let equals = |value: &str| stated(&format!("{key}={value}"), place.at);
-            let values: Option<Vec<Stated>> = ["1", "2", "3"].into_iter().map(equals).collect();
-            values.is_some_and(|all| all.into_iter().all(|one| self.holds_with(sides, rests, vec![one], place)))
-        })
-    }
-
-    /// The relations near one that give a name of it a value, or say that it is another one.
-    fn values_near(&self, at: usize, own: &BTreeSet<String>) -> Vec<Stated> {
-        let all = &self.paper.printed;
-        let (from, to) = (at.saturating_sub(BESIDE), (at + BESIDE + 1).min(all.len()));
-        let mut out = Vec::new();
-        for k in (from..to).filter(|&k| k != at && all[k].section == all[at].section) {
-            let [left, right] = all[k].sides.as_slice() else { continue };
-            let name = lone_name(left).filter(|n| own.contains(&n.key()) && all[k].signs[0] == "=");
-            let is_number = names(right).is_empty() && right.text.chars().any(|c| c.is_ascii_digit());
-            let is_other = lone_name(right).is_some_and(|n| own.contains(&n.key()));
-            let is_case = all[k].opening == Some(Opening::Case) && is_equation(&all[k]);
-            if is_case || name.is_some() && (is_number || is_other && all[k].display.is_none()) {
-                let (left, right) = (left.clone(), right.clone());
-                let names = keys([&left, &right]);
-                out.push(Stated { left, right, relation: k, section: self.section, names, in_text: true });
-            }
-        }
-        out.truncate(MOST_VALUES);
-        out
-    }
-
-    fn holds_with(&mut self, sides: [&PrintedSide; 2], rests: &Rests, more: Vec<Stated>, place: &Place) -> bool {
-        let stated = rests.stated.iter().cloned().chain(more).collect();
-        let rests = Rests { stated, ..rests.clone() };
-        self.ask(sides, &rests, place.free).is_ok_and(|answer| answer.is_proved() || answer.is_vacuous)
     }
 
     /// Whether a relation of a display stands beside a case in it, and holds only there.

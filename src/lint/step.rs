@@ -11,7 +11,7 @@ use proof::Identity;
 use super::desk::{Given, NotRead};
 use super::facts::{Reach, Stated};
 use super::judge::Judge;
-use super::lone::unprimed;
+use super::lone::{lone_name, unprimed};
 use super::nearest::{Sureness, WrongStep, introduces_nothing, is_slip_of, nearest};
 use super::numbers::agreement;
 use super::question::{Asked, Positive, Rests, ask};
@@ -70,6 +70,8 @@ pub(super) struct Place<'a> {
     pub(super) sureness: Sureness,
     /// How far back a proof may reach.
     pub(super) reach: Reach,
+    /// Whether it is the first step of its relation.
+    pub(super) is_first: bool,
     /// The value of a name is found: its sign is part of what is said.
     pub(super) solves: bool,
 }
@@ -138,6 +140,7 @@ impl Judge<'_> {
         // Of what one display defines twice it is not known which is meant.
         for list in [&mut plain, &mut with_rates].into_iter().filter(|_| is_sure) {
             list.retain(|g| !self.is_implied_beside(g, place.at) && !self.is_defined_beside(g, place.free));
+            list.retain(|g| !self.is_implied_otherwise(g.relation, place.at));
         }
         if let Some(of) = held_fixed(sides, &plain, true, true) {
             // What depends on the variable in a second way may be held fixed.
@@ -176,6 +179,7 @@ impl Judge<'_> {
             let again = |s: &Stated| left == squeezed(&s.left.text) || first(s).as_ref() == Some(&left);
             stated.retain(|s| !again(s) || place.sureness != Sureness::Stands);
             stated.retain(|s| !self.is_stated_otherwise(s));
+            stated.retain(|s| !self.is_implied_otherwise(s.relation, place.at) && !self.is_of_former(s, place.at));
             let is_near = |s: &Stated| place.sureness == Sureness::Concludes && s.relation + IN_SENTENCE >= place.at;
             stated.retain(|s| {
                 (!s.in_text || is_near(s))
@@ -274,6 +278,11 @@ impl Judge<'_> {
             if !introduces_nothing(sides, &rests) || needs_none && rests.are_some() {
                 continue;
             }
+            if place.is_first && defines_again(sides[0], &rests)
+                || leaves_derivative_free(sides, &defined, &rests.given)
+            {
+                continue;
+            }
             let known = asked.iter().position(|(_, r)| r.rests_on_the_same(&rests));
             let answer = match known {
                 Some(k) => asked.swap_remove(k).0,
@@ -348,6 +357,24 @@ fn held_fixed(
     let shows = |g: &&Given| of.contains(&g.key) && names(&g.right).iter().any(|n| by.contains(&n.key()));
     let is_meant = !is_partial || !wants_shown || given.iter().any(|g| shows(&g));
     (is_meant && given.iter().any(|g| depends(&g))).then_some(of)
+}
+
+/// Whether a name is said to be something again, which rests on an equation beside its definition, or which is printed with a prime: it is said
+/// to be it anew. What follows from definitions alone is a claim.
+fn defines_again(left: &PrintedSide, rests: &Rests) -> bool {
+    let is_plain = |n: &paper::PaperName| n.dots == 0 && n.derived_by.is_none();
+    lone_name(left).filter(is_plain).is_some_and(|n| {
+        (n.primes > 0 || !rests.stated.is_empty()) && rests.given.iter().any(|g| g.key == n.key() && !g.is_rate)
+    })
+}
+
+/// Whether a partial derivative is taken of what is defined, and a question does not rest on the definition.
+fn leaves_derivative_free(sides: [&PrintedSide; 2], defined: &[Given], given: &[Given]) -> bool {
+    let has = |all: &[Given], key: &str| all.iter().any(|g| g.key == key && !g.is_rate);
+    sides.into_iter().flat_map(names).filter(|n| n.is_partial).any(|n| {
+        let key = unprimed(&n).key();
+        has(defined, &key) && !has(given, &key)
+    })
 }
 
 /// Whether a derivative is taken of what is defined by a name that its definition does not have, nor what that names.

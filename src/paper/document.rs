@@ -3,6 +3,8 @@
 //! **In:** the tokens of a document, macros expanded. **Out:** its displays, as what has one number in print and as
 //! [`printed`](super::printed) relations. **Guaranteed:** what has no end is read as far as its paragraph goes, and told.
 
+use std::collections::BTreeSet;
+
 use super::differences::DifferenceSigns;
 use super::mark::{self, group_text, parts};
 use super::printed::{self, Place, PrintedRelation};
@@ -37,6 +39,36 @@ const RELATIONS: &[&str] = &[
 /// Commands that begin a section.
 const SECTIONS: &[&str] = &["section", "chapter", "subsection", "part", "paragraph", "subsubsection", "appendix"];
 
+/// Counters of what is printed on the way: of all others the next step begins something numbered.
+const COUNTERS_OF_PAGES: &[&str] = &[
+    "equation",
+    "parentequation",
+    "subequation",
+    "figure",
+    "table",
+    "footnote",
+    "mpfootnote",
+    "page",
+    "section",
+    "subsection",
+    "subsubsection",
+    "chapter",
+    "part",
+    "enumi",
+    "enumii",
+    "enumiii",
+    "enumiv",
+];
+
+/// Where something numbered begins, an example or an exercise, and the names of environments that are such.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Borders {
+    /// Places at which a counter of the paper's own is stepped, in the order of the paper.
+    pub numbered: Vec<usize>,
+    /// Environments that `\\newtheorem` makes, in small letters.
+    pub theorems: BTreeSet<String>,
+}
+
 /// Reads a document, from its first to its last token.
 pub(super) struct Reader<'t> {
     tokens: &'t [Token],
@@ -47,6 +79,7 @@ pub(super) struct Reader<'t> {
     pub printed: Vec<PrintedRelation>,
     pub differences: DifferenceSigns,
     pub notes: Vec<PaperNote>,
+    pub borders: Borders,
     displays: usize,
     section: usize,
 }
@@ -62,6 +95,7 @@ impl<'t> Reader<'t> {
             printed: Vec::new(),
             differences: DifferenceSigns::default(),
             notes: Vec::new(),
+            borders: Borders::default(),
             displays: 0,
             section: 0,
         }
@@ -91,6 +125,17 @@ impl<'t> Reader<'t> {
                         self.running(&body);
                     }
                     name if SECTIONS.contains(&name) => self.section += 1,
+                    "refstepcounter" | "stepcounter" => {
+                        let counter = group_text(self.tokens, self.at).0;
+                        if !COUNTERS_OF_PAGES.contains(&counter.trim()) {
+                            self.borders.numbered.push(token.span.start);
+                        }
+                    }
+                    "newtheorem" => {
+                        let star = usize::from(self.tokens.get(self.at).is_some_and(|t| t.is_char("*")));
+                        let name = group_text(self.tokens, self.at + star).0;
+                        self.borders.theorems.insert(name.trim().to_lowercase());
+                    }
                     "title" if self.title.is_none() => {
                         let (text, _) = group_text(self.tokens, self.at);
                         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");

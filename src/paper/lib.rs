@@ -44,6 +44,7 @@ pub use printed::{PrintedRelation, PrintedSide};
 
 use diag::escape::shown;
 use diag::{Diagnostic, Source};
+pub use document::Borders;
 use document::Reader;
 use files::Why;
 use inputs::Inputs;
@@ -73,6 +74,8 @@ pub struct Paper {
     pub differences: DifferenceSigns,
     /// What could not be read as LaTeX means it: each with its place.
     pub notes: Vec<PaperNote>,
+    /// Where examples, exercises and theorems begin.
+    pub borders: Borders,
     /// Files that the paper names, each with where its text begins when all are written behind each other.
     inputs: Vec<(usize, Arc<Source>)>,
     /// Where the lines of each file begin, the paper's own first.
@@ -231,14 +234,27 @@ fn parse_with(file: Arc<Source>, sha256: String, folder: Option<&Path>) -> Resul
     };
     let mut reader = Reader::new(&all);
     reader.document();
-    let Reader { equations, relations, title, printed, differences, mut notes, .. } = reader;
+    let Reader { equations, relations, title, printed, differences, mut notes, mut borders, .. } = reader;
+    borders.numbered.sort_unstable();
     let title = title.map(|t| shown(&t).into_owned());
     notes.extend(inputs.notes);
     notes.extend(endless);
     notes.sort_by_key(|n| (n.span.start, n.span.end));
     let starts = |text: &str| std::iter::once(0).chain(text.match_indices('\n').map(|(i, _)| i + 1)).collect();
     let lines = std::iter::once(&file).chain(inputs.files.iter().map(|(_, f)| f)).map(|f| starts(&f.text)).collect();
-    Ok(Paper { file, sha256, title, equations, relations, printed, differences, notes, inputs: inputs.files, lines })
+    Ok(Paper {
+        file,
+        sha256,
+        title,
+        equations,
+        relations,
+        printed,
+        differences,
+        notes,
+        borders,
+        inputs: inputs.files,
+        lines,
+    })
 }
 
 #[cfg(test)]

@@ -35,6 +35,9 @@ pub(super) struct Endless {
 /// Commands that name a file whose text stands in their place.
 const INPUTS: &[&str] = &["input", "include", "subfile", "subfileinclude"];
 
+/// Commands of classes for exercises that print their argument as it is; an option before it is not printed.
+const PRINT_THEIR_ARGUMENT: &[&str] = &["answer"];
+
 /// What a document defines.
 #[derive(Default)]
 struct Defined {
@@ -128,6 +131,8 @@ pub(super) fn expanded(
             let body = if depth >= DEEPEST || calls > MOST_CALLS { None } else { call(found, &token, &mut rest, room) };
             let Some(body) = body else { return Err(Endless { name: token.text, span: token.span }) };
             rest.extend(body.into_iter().rev().map(|t| (t, depth + 1)));
+        } else if PRINT_THEIR_ARGUMENT.contains(&token.text.as_str()) && takes_braces(&rest) {
+            optional(&mut rest);
         } else {
             out.push(token);
         }
@@ -206,6 +211,16 @@ fn next_is(rest: &mut Rest, c: &str) -> bool {
         rest.pop();
     }
     found
+}
+
+/// Whether an argument in braces comes next, or an option and then one.
+fn takes_braces(rest: &Rest) -> bool {
+    let mut next = rest.iter().rev().map(|(t, _)| t).filter(|t| t.kind != Kind::Space).peekable();
+    if next.peek().is_some_and(|t| t.is_char("[")) {
+        let end = next.by_ref().take(MOST_NAME).position(|t| t.is_char("]"));
+        return end.is_some() && next.next().is_some_and(|t| t.kind == Kind::Open);
+    }
+    next.next().is_some_and(|t| t.kind == Kind::Open)
 }
 
 /// An argument: a group without its braces, or one token.
@@ -425,6 +440,16 @@ mod tests {
             r"\begin {equation}x\end {equation}"
         );
         assert_eq!(shown(r"\NewDocumentCommand{\v}{m}{\vec{#1}}\v{x}"), r"\vec {x}");
+    }
+
+    #[test]
+    fn what_prints_its_argument_is_that() {
+        assert_eq!(shown(r"x=\answer[given]{a+b}"), "x={a+b}");
+        assert_eq!(shown(r"x=\answer{a+b} y"), "x={a+b} y");
+        assert_eq!(shown(r"\answer [tolerance=.1] {2}"), " {2}".trim());
+        // Without braces it is another one, and the paper's own is what it says.
+        assert_eq!(shown(r"\answer $x$"), r"\answer $x$");
+        assert_eq!(shown(r"\newcommand\answer[1]{<#1>}\answer{2}"), "<2>");
     }
 
     #[test]

@@ -109,7 +109,9 @@ pub(super) fn tokens(text: &str) -> Vec<Token> {
             },
             '\\' => {
                 let rest = &text[at..];
-                let letters = rest.bytes().take_while(|b| b.is_ascii_alphabetic() || *b == b'@').count();
+                let ascii = rest.bytes().take_while(|b| b.is_ascii_alphabetic() || *b == b'@').count();
+                // A name in another script is one, too; behind ASCII letters such a letter is text.
+                let letters = if ascii > 0 { ascii } else { letters_of_another_script(rest) };
                 let length = if letters > 0 { letters } else { rest.chars().next().map_or(0, char::len_utf8) };
                 let name = &rest[..length];
                 at += length;
@@ -146,6 +148,11 @@ pub(super) fn tokens(text: &str) -> Vec<Token> {
         out.push(Token { kind, text: shown.to_owned(), span: start..at });
     }
     out
+}
+
+/// The bytes of the letters with which a text begins, none of them ASCII.
+fn letters_of_another_script(text: &str) -> usize {
+    text.chars().take_while(|c| !c.is_ascii() && c.is_alphabetic()).map(char::len_utf8).sum()
 }
 
 /// The end of `\verb|…|`, whose bar is at `at`.
@@ -201,6 +208,7 @@ mod tests {
 
     #[test]
     fn what_is_verbatim_or_a_comment_is_passed_over() {
+        assert_eq!(shown(r"\ابتدا{a}\é b\alpha中"), ["ابتدا", "{", "a", "}", "é", "b", "alpha", "中"]);
         assert_eq!(shown(r"\verb|$x$|y\begin{verbatim}$z$\end{verbatim}\%50%$"), ["y", "%", "5", "0"]);
     }
 

@@ -25,6 +25,25 @@ impl PrintedSide {
         }
         shown(&mark::text_of(&out)).into_owned()
     }
+
+    /// What stands before and behind each space that the author set in it, outside of all brackets: a space alone may part two formulas.
+    pub fn parted_at_spaces(&self) -> Vec<[PrintedSide; 2]> {
+        let mut out = Vec::new();
+        let mut depth = 0i32;
+        for (at, token) in self.tokens.iter().enumerate() {
+            let opens = |t: &Token| t.kind == Kind::Open || t.is_char("(") || t.is_char("[") || t.is("{");
+            let closes = |t: &Token| t.kind == Kind::Close || t.is_char(")") || t.is_char("]") || t.is("}");
+            depth += i32::from(opens(token)) - i32::from(closes(token));
+            // A space that is printed has no length in the source: see `side_of`.
+            if depth == 0 && token.kind == Kind::Space && token.span.is_empty() {
+                let halves = [side_of(&self.tokens[..at]), side_of(&self.tokens[at + 1..])];
+                if halves.iter().all(|side| !side.text.is_empty()) {
+                    out.push(halves);
+                }
+            }
+        }
+        out
+    }
 }
 
 fn is_size(token: &Token) -> bool {
