@@ -277,6 +277,15 @@ impl Desk {
                 }
             }
         }
+        // The same of what is derived partially: that names in its definition do not depend on the variable is nowhere said.
+        for name in all.iter().filter(|n| n.is_partial) {
+            let Some(by) = &name.derived_by else { continue };
+            let key = name.key();
+            let is_defined = given.iter().any(|g| g.key == key && !g.is_rate);
+            if is_defined && !inside(std::slice::from_ref(&key), given).contains(by) {
+                return Err(NotRead::of(format!("a derivative of {key} by {by}, which its definition does not name")));
+            }
+        }
         if time.as_deref() == Some("t") {
             let rate_of = |n: &&PaperName| n.dots > 0 || n.derived_by.as_deref() == Some("t") && !n.is_partial;
             let derived: Vec<String> = all.iter().filter(rate_of).map(PaperName::key).collect();

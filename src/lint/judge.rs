@@ -469,7 +469,7 @@ impl Judge<'_> {
             out.with.push(before);
         }
         if of_positive && matches!(out.word, Word::Follows | Word::NotFollowed) {
-            let more = "where what is constant is positive".to_owned();
+            let more = "where its constants are positive".to_owned();
             out.why = if out.why.is_empty() { more } else { format!("{}; {more}", out.why) };
         }
         let value = relation.sides.len() == 2

@@ -298,6 +298,10 @@ pub fn explains(paper: &Paper, display: &PrintedRelation, relation: &PrintedRela
 /// Words right before a formula of the running text that make it a case, not a definition, beside those of the table of openings.
 const SUPPOSES: &[&str] = &[
     "as",
+    "about",
+    "around",
+    "through",
+    "along",
     "unless",
     "until",
     "than",
