@@ -279,7 +279,8 @@ impl Desk {
         }
         // The same of what is derived partially: that names in its definition do not depend on the variable is nowhere said.
         for name in all.iter().filter(|n| n.is_partial) {
-            let Some(by) = &name.derived_by else { continue };
+            // A rate by which a Lagrangian is derived is a name of its own.
+            let Some(by) = name.derived_by.as_ref().filter(|by| !by.contains("dot")) else { continue };
             let key = name.key();
             let is_defined = given.iter().any(|g| g.key == key && !g.is_rate);
             if is_defined && !inside(std::slice::from_ref(&key), given).contains(by) {
