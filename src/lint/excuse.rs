@@ -22,6 +22,9 @@ const MOST_VALUES: usize = 6;
 /// Letters that stand for whole numbers.
 const WHOLE: &[&str] = &["m", "n", "k", "l", "j", "N", "p", "q", r"\ell"];
 
+/// Letters that stand for the identity, beside operators and matrices.
+const IDENTITIES: &[&str] = &["I", "E", r"\mathbb{I}", r"\mathbf{1}"];
+
 /// An equation that no relation of the paper says.
 pub(super) fn stated(text: &str, at: usize) -> Option<Stated> {
     let paper = paper::parse_pasted("value", text).ok()?;
@@ -64,6 +67,9 @@ impl Judge<'_> {
         if near.len() > 1 {
             tries.push(near);
         }
+        // A letter for the identity is the factor 1.
+        let identities = IDENTITIES.iter().filter(|letter| own.contains(**letter));
+        tries.extend(identities.filter_map(|letter| Some(vec![stated(&format!("{letter}=1"), place.at)?])));
         // What stands between bars may be negative.
         tries.extend(
             between_bars(sides).iter().filter_map(|of| Some(vec![stated(&format!("|{of}|=-{of}"), place.at)?])),
