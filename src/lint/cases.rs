@@ -156,7 +156,7 @@ const ABBREVIATED: &[&str] =
 fn names_a_kind(text: &str, at: usize, word: &str) -> bool {
     let behind = at + word.len();
     let behind = &text[behind..next_character(text, behind + 24)];
-    let plain = behind.trim_start_matches(|c: char| matches!(c, '\'' | '`' | '-' | ' ' | '~'));
+    let plain = behind.trim_start_matches(['\'', '`', '-', ' ', '~']);
     let starts = |all: &[&str]| all.iter().any(|w| plain.starts_with(w));
     let before = text[..at].chars().next_back();
     !before.is_some_and(|c| c.is_alphanumeric() || c == '\\') && starts(THINGS) && !starts(NO_THINGS)

@@ -22,6 +22,18 @@ const MOST_VALUES: usize = 6;
 /// Letters that stand for whole numbers.
 const WHOLE: &[&str] = &["m", "n", "k", "l", "j", "N", "p", "q", r"\ell"];
 
+/// Letters that stand for the identity, beside operators and matrices.
+const IDENTITIES: &[&str] = &["I", "E", r"\mathbb{I}", r"\mathbf{1}"];
+
+/// Whether a letter stands in some sides as a factor alone: nobody takes the root of the identity, nor divides by it.
+fn are_factors(letter: &str, sides: [&PrintedSide; 2]) -> bool {
+    sides.iter().map(|s| squeezed(&s.text)).all(|text| {
+        let divides = [r"\frac", r"\sqrt", r"\over", "/"].iter().any(|w| text.contains(w));
+        let is_raised = ["^", "_", "("].iter().any(|sign| text.contains(&format!("{letter}{sign}")));
+        !divides && !is_raised
+    })
+}
+
 /// An equation that no relation of the paper says.
 pub(super) fn stated(text: &str, at: usize) -> Option<Stated> {
     let paper = paper::parse_pasted("value", text).ok()?;
@@ -64,6 +76,9 @@ impl Judge<'_> {
         if near.len() > 1 {
             tries.push(near);
         }
+        // A letter for the identity is the factor 1.
+        let identities = IDENTITIES.iter().filter(|letter| own.contains(**letter) && are_factors(letter, sides));
+        tries.extend(identities.filter_map(|letter| Some(vec![stated(&format!("{letter}=1"), place.at)?])));
         // What stands between bars may be negative.
         tries.extend(
             between_bars(sides).iter().filter_map(|of| Some(vec![stated(&format!("|{of}|=-{of}"), place.at)?])),

@@ -7,7 +7,7 @@
 
 use std::collections::BTreeSet;
 
-use expr::{Expr, Graph, Leaf};
+use expr::{Expr, Graph, Leaf, Node as GraphNode, Op};
 use latex::syntax::{Node, NodeKind, RelationKind};
 use meter::{Ended, Task};
 use paper::PrintedSide;
@@ -280,12 +280,23 @@ fn squares_of_names(graph: &mut Graph, premises: &Premises) -> usize {
     premises.pairs().filter(|&(l, r)| is_square(l) || is_square(r)).count()
 }
 
+/// How many angles stand in premises: one that is solved for a cosine has a sine with a root, whose square is a number.
+fn angles(graph: &Graph, premises: &Premises) -> usize {
+    let sides: Vec<Expr> = premises.pairs().flat_map(|(l, r)| [l, r]).collect();
+    let of = |e: Expr| match graph.node(e) {
+        GraphNode::Unary(Op::Sin | Op::Cos | Op::Tan, angle) => Some(*angle),
+        _ => None,
+    };
+    graph.reachable(sides).into_iter().filter_map(of).collect::<BTreeSet<Expr>>().len()
+}
+
 /// Whether a proof is none of what is printed: a case that was divided by is left out; or a root was taken of what may be a vector, but where
 /// the square of a name is what is given, `\gamma^2=\ldots`.
 fn is_of_less(graph: &mut Graph, premises: &Premises, proof: &Proof) -> bool {
     let count = |is: fn(&Condition) -> bool| proof.conditions.iter().filter(|c| is(c)).count();
     count(|c| matches!(c, Condition::Pivot(_))) > 0
-        || count(|c| matches!(c, Condition::Discriminant(_))) > squares_of_names(graph, premises)
+        || count(|c| matches!(c, Condition::Discriminant(_)))
+            > squares_of_names(graph, premises) + angles(graph, premises)
 }
 
 /// The answer, with a bound on the work, and on that of the whole paper.

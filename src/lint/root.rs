@@ -120,10 +120,11 @@ impl Judge<'_> {
     }
 }
 
-/// A number as LaTeX has it: `-3/2` is `\\frac{-3}{2}`.
+/// A number as LaTeX has it: `-3/2` is `-\frac{3}{2}`.
 fn as_fraction(value: &str) -> String {
-    match value.split_once('/') {
-        Some((above, below)) => format!(r"\frac{{{above}}}{{{below}}}"),
+    let (sign, size) = value.strip_prefix('-').map_or(("", value), |size| ("-", size));
+    match size.split_once('/') {
+        Some((above, below)) => format!(r"{sign}\frac{{{above}}}{{{below}}}"),
         None => value.to_owned(),
     }
 }

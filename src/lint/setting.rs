@@ -51,11 +51,15 @@ impl Judge<'_> {
         stance(&file.text, span.start, span.end)
     }
 
-    /// Forgets what the names were that a quantifier binds: there they stand for another thing.
+    /// Forgets what the names were that a quantifier binds, `\exists y\in R`: there they stand for another thing.
     pub(super) fn unbind(&mut self, relation: &PrintedRelation) {
-        let bound = relation.sides.first().filter(|s| [r"\exists", r"\forall"].iter().any(|q| s.text.contains(q)));
-        for name in bound.into_iter().flat_map(names) {
-            self.facts.given.forget(&name.key(), false);
+        let is_set = relation.signs.first().is_some_and(|sign| sign == r"\in");
+        let binds = |s: &&PrintedSide| [r"\exists", r"\forall"].iter().any(|q| s.text.trim_start().starts_with(q));
+        let bound = relation.sides.first().filter(|s| is_set && binds(s));
+        let keys: BTreeSet<String> = bound.into_iter().flat_map(names).map(|n| n.key()).collect();
+        keys.iter().for_each(|key| self.facts.given.forget(key, false));
+        if !keys.is_empty() {
+            self.facts.stated.retain(|s| s.names.is_disjoint(&keys));
         }
     }
 
