@@ -279,7 +279,7 @@ fn provided<'a>(derivation: &'a Derivation, claim: &'a ClaimAccount) -> Vec<Stor
     if hidden > 0 {
         assumed.push(vec![quiet(format!("{hidden} more"))]);
     }
-    let mut assuming = joined(assumed.into_iter(), ", ");
+    let mut assuming = joined(assumed, ", ");
     if !assuming.is_empty() {
         assuming.insert(0, quiet("assuming "));
     }
