@@ -11,12 +11,12 @@ use super::memory::{Known, Question};
 use claim::comparison;
 use claim::limits::Limits;
 use derivation::{Claim, Derivation, Premise};
-use findings::{ClaimAccount, IdentityAccount, PartShown};
+use findings::{ClaimAccount, IdentityAccount};
 use meter::{Ended, Task};
 use proved::conditional::premises_first;
 use proved::step::Step;
 use sampled::selection::Selection;
-use verdict::{Outcome, Proof, Shown, Strength, Verdict, Witness};
+use verdict::{Outcome, Proof, Strength, Verdict, Witness};
 
 /// What was found on one motion: a verdict for every claim that is tried on it.
 pub(super) type Column = Vec<Option<Verdict>>;
@@ -182,7 +182,7 @@ pub(super) fn strengthen(
             }
         }
         let proof = Proof { from: from.clone(), conditions: Vec::new() };
-        let of_parts = identity.lends_parts().then(|| identity.parts.iter().map(shown).collect::<Vec<_>>());
+        let of_parts = identity.lends_parts().then(|| identity.parts.clone());
         for at in ready {
             let verdict = &mut claims[k].results[at].verdict;
             match &of_parts {
@@ -190,15 +190,6 @@ pub(super) fn strengthen(
                 None => verdict.prove_claim(&proof),
             }
         }
-    }
-}
-
-/// What a part is wherever it has a value.
-fn shown(&(part, shown): &(usize, PartShown)) -> (usize, Shown) {
-    match shown {
-        PartShown::IsSo => (part, Shown::IsSo),
-        PartShown::IsNotSo => (part, Shown::IsNotSo),
-        PartShown::IsExcluded => (part, Shown::IsNeverSo),
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use diag::Source;
 use expr::{Expr, Graph, Leaf, Symbol, Tensor};
-use latex::{Role, Scope, Statement};
+use latex::{Relation, Role, Scope, Statement};
 
 use super::event::{Event, Since};
 use super::family::Family;
@@ -366,6 +366,14 @@ impl Claim {
             Some(reading) => format!("{}/{reading}", self.id),
             None => self.id.clone(),
         }
+    }
+
+    /// The relations that it states of every time.
+    pub fn stated(&self) -> impl Iterator<Item = &Relation> {
+        self.forms.iter().flat_map(|form| {
+            let Form::Always(w) = form else { return &[][..] };
+            &w.value.relations
+        })
     }
 
     /// Whether it is tried on motions or families, or has a verdict over ranges or for all fields.

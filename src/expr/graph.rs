@@ -147,10 +147,11 @@ fn bits(r: &Rational) -> usize {
     r.numerator().bit_len().max(r.denominator().bit_len())
 }
 
-/// The counted work of looking for a node, where the graph has few: it is found in the processor's caches.
+/// The counted work of looking for a node, where all nodes are in the processor's caches.
 const NODE_WORK: u64 = 60;
-/// So many nodes more cost as much again, up to `FAR` times: memory is waited for.
+/// Nodes that the caches hold: with every so many more a look costs as much again, since memory is waited for.
 const NEAR: usize = 1 << 16;
+/// Most times that it costs as much.
 const FAR: usize = 4;
 /// The counted memory of a new node.
 const NODE_BYTES: u64 = 64;

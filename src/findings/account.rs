@@ -14,7 +14,7 @@ use derivation::Claim;
 use reason::{Decided, Premises, Proviso, Reason, Refuting, Term, Unproved, Way};
 use serde::{Deserialize, Serialize};
 use units::UnitsAccount;
-use verdict::{Outcome, Strength, Verdict};
+use verdict::{Outcome, PartShown, Strength, Verdict};
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -172,17 +172,6 @@ pub struct AssumptionsUsed {
     pub unused: Vec<String>,
 }
 
-/// What is shown of a part that states equations of every time, or denies them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum PartShown {
-    /// The equations are never all true.
-    IsSo,
-    /// They are always all true.
-    IsNotSo,
-    /// The equations are stated, and are never all true.
-    IsExcluded,
-}
-
 /// A claim as a step of the derivation: whether it holds for every value of every symbol, given what it follows from.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct IdentityAccount {
@@ -213,7 +202,7 @@ pub struct IdentityAccount {
     pub narrower: bool,
     /// Why undecided; a remark on a proof.
     pub reason: Option<Reason>,
-    /// What is shown of parts of the claim that state or deny equations: of each, by its position, what it is wherever it has a value.
+    /// Parts of the claim that state or deny equations, by their positions, with what is shown of them.
     pub parts: Vec<(usize, PartShown)>,
     /// What that follows from: what is given, and for motions the system that they are integrated from.
     pub parts_from: Vec<String>,

@@ -27,7 +27,7 @@ mod variant;
 mod words;
 
 pub use account::{
-    Account, AssumptionsUsed, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, PartShown, Summary,
+    Account, AssumptionsUsed, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary,
     TrajectoryAccount, by_trajectory,
 };
 pub use alone::{AloneAccount, Premises, TrialScope};

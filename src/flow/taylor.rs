@@ -386,7 +386,7 @@ impl<'a> Walker<'a> {
     /// # Errors
     /// Why there is none.
     pub(super) fn propose(&mut self, series: &impl Series) -> Result<(), Stop> {
-        // Its size, its error and what errors become of it, beside the series; the last is what a step of few instructions takes.
+        // Its size, its error and what errors become of it, beside the series.
         let order = self.control.order as u64;
         meter::charge(self.flow.tape.instructions().len() as u64 * order * order + OF_A_STEP);
         let direction = self.direction();

@@ -140,10 +140,10 @@ const PAIRS: &[[&str; 2]] = &[
     ["positive", "negative"],
     ["odd", "even"],
 ];
-/// What there are two kinds of, right behind such a word.
+/// Things of two kinds, right behind such a word.
 const THINGS: &[&str] =
     &["branch", "side ", "half", "part ", "region", "well", "lobe", "sheet", "root", "solution", "case"];
-/// What has sides and is no thing of two kinds: an equation.
+/// Sides of an equation, which are no thing of two kinds.
 const NO_THINGS: &[&str] =
     &["hand", "side of (", r"side of \", "side of eq", "side of the eq", "side is", "side becomes"];
 /// So far behind such words a formula is still about that kind.

@@ -189,6 +189,12 @@ fn inside(keys: &[String], given: &[&Given]) -> Vec<String> {
     out.split_off(keys.len())
 }
 
+/// Whether a definition, or what it names, names a variable, or that of which the variable is a rate.
+pub(super) fn names_variable(key: &str, by: &str, given: &[&Given]) -> bool {
+    let key = key.to_owned();
+    inside(std::slice::from_ref(&key), given).iter().chain([&key]).any(|k| k == by || by.ends_with(k.as_str()))
+}
+
 /// The variable by which a prime derives: that of which the paper prints the name as a function, or by which it derives it. The time
 /// is none: its derivatives have dots.
 fn primed_by(name: &PaperName, all: &[PaperName], evidence: &Evidence) -> Option<String> {
@@ -279,11 +285,10 @@ impl Desk {
         }
         // The same of what is derived partially: that names in its definition do not depend on the variable is nowhere said.
         for name in all.iter().filter(|n| n.is_partial) {
-            // A rate by which a Lagrangian is derived is a name of its own.
+            // The key of a rate has no index, `\dot x` of `\dot x_1`: of what it is the rate is not seen here.
             let Some(by) = name.derived_by.as_ref().filter(|by| !by.contains("dot")) else { continue };
             let key = name.key();
-            let is_defined = given.iter().any(|g| g.key == key && !g.is_rate);
-            if is_defined && !inside(std::slice::from_ref(&key), given).contains(by) {
+            if given.iter().any(|g| g.key == key && !g.is_rate) && !names_variable(&key, by, given) {
                 return Err(NotRead::of(format!("a derivative of {key} by {by}, which its definition does not name")));
             }
         }

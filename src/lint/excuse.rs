@@ -95,7 +95,7 @@ impl Judge<'_> {
         })
     }
 
-    /// What the relations near one say of a name of it: its value, the end of its range, or that it is another one; the nearest first.
+    /// Relations near one that say of a name of it its value, the end of its range, or that it is another one; the nearest first.
     fn values_near(&self, at: usize, own: &BTreeSet<String>) -> Vec<Stated> {
         let all = &self.paper.printed;
         let (from, to) = (at.saturating_sub(2 * BESIDE), (at + 2 * BESIDE + 1).min(all.len()));

@@ -24,7 +24,7 @@ use super::standing::Standing;
 const ROUNDED: f64 = 0.02;
 
 impl Judge<'_> {
-    /// What is wrong with a relation that concludes from an equation in one unknown, if it does not hold at the only solution of that.
+    /// The error of a relation that concludes from an equation in one unknown, if it does not hold at the only solution of that.
     pub(super) fn misses_root(
         &mut self,
         relation: &PrintedRelation,

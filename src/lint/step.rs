@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use paper::{PrintedSide, names, squeezed};
 use proof::Identity;
 
-use super::desk::{Given, NotRead};
+use super::desk::{Given, NotRead, names_variable};
 use super::facts::{Reach, Stated};
 use super::judge::Judge;
 use super::lone::{lone_name, unprimed};
@@ -379,23 +379,12 @@ fn leaves_derivative_free(sides: [&PrintedSide; 2], defined: &[Given], given: &[
 
 /// Whether a derivative is taken of what is defined by a name that its definition does not have, nor what that names.
 fn lacks_variable(sides: [&PrintedSide; 2], given: &[Given]) -> bool {
-    let inside = |key: &str| {
-        let mut keys = vec![key.to_owned()];
-        let mut at = 0;
-        while let Some(one) = keys.get(at).cloned() {
-            at += 1;
-            let more =
-                given.iter().filter(|g| g.key == one && !g.is_rate).flat_map(|g| names(&g.right)).map(|n| n.key());
-            let more: Vec<String> = more.filter(|k| !keys.contains(k)).collect();
-            keys.extend(more);
-        }
-        keys
-    };
+    let given: Vec<&Given> = given.iter().collect();
     sides.into_iter().flat_map(names).any(|n| {
         let key = unprimed(&n).key();
         let by = n.derived_by.as_ref().filter(|by| *by != "t" && **by != key && !n.is_in_group);
         let is_defined = given.iter().any(|g| g.key == key && !g.is_rate);
-        by.is_some_and(|by| is_defined && !inside(&key).iter().any(|k| k == by || by.ends_with(k.as_str())))
+        by.is_some_and(|by| is_defined && !names_variable(&key, by, &given))
     })
 }
 

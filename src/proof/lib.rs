@@ -109,8 +109,8 @@ mod algebraic;
 mod along;
 mod apart;
 mod bounds;
-#[cfg(feature = "certificates")]
 mod branches;
+#[cfg(feature = "certificates")]
 mod budget;
 mod certificate;
 mod closing;

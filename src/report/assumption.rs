@@ -6,6 +6,7 @@
 use super::finding::{Fix, Place};
 use super::hypotheses::{excluded, uses};
 use super::tally::declared;
+use super::wording::dense;
 use crate::derivation::{Claim, Derivation};
 use findings::ClaimAccount;
 use findings::conditions::Need;
@@ -17,7 +18,6 @@ const MOST: usize = 4;
 /// The assumptions that a claim could make, each as a change of its file.
 pub fn assumptions(derivation: &Derivation, claim: &ClaimAccount) -> Vec<Fix> {
     let Some(own) = declared(derivation, claim) else { return Vec::new() };
-    let dense = |text: &str| text.split_whitespace().collect::<String>();
     let known: Vec<String> = claim.assumptions.iter().map(|a| dense(a)).collect();
     let mut formulas: Vec<String> = Vec::new();
     let terms = claim.identity.as_ref().filter(|i| i.finding.is_proved_in_part()).map(|i| i.terms());

@@ -13,6 +13,7 @@ use super::numbers::{both, six, size};
 use super::sketch::Sketch;
 use super::story::{StoryBlock, StorySpan, Tone, joined, quiet, words};
 use super::tally::{Standing, declared};
+use super::wording::dense;
 use crate::derivation::{ClaimRole, Derivation, FormKind};
 use crate::latex::Scope;
 use findings::{ClaimAccount, Correction, Evidence, Residuals, Witness};
@@ -88,10 +89,6 @@ impl<'a> RefutingMotion<'a> {
         out.push(quiet(format!(" (error bound {}).", size(w.bound))));
         out
     }
-}
-
-fn dense(text: &str) -> String {
-    text.split_whitespace().collect()
 }
 
 /// The formula of a claim that is shown: that of the witness, or of the correction; else the first.

@@ -7,8 +7,9 @@
 
 use std::collections::BTreeSet;
 
+use super::basis::Basis;
 use super::consequence::Consequences;
-use super::digest::{self, Basis, Fate, Whole};
+use super::digest::{self, Fate, Whole};
 use super::numbers::count;
 use super::tally::{Standing, name};
 use crate::derivation::{ClaimRole, Derivation};

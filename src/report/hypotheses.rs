@@ -10,6 +10,7 @@ use super::digest::{self, Fate, Whole};
 use super::numbers::count;
 use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, quiet, words};
 use super::tally::{Standing, declared, name};
+use super::wording::dense;
 use crate::derivation::{ClaimRole, Derivation};
 use crate::latex::Scope;
 use findings::conditions::Need;
@@ -132,7 +133,6 @@ fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whol
         Some(known) => known.used.push(claim),
         None => out.push(Hypothesis { says, key, used: vec![claim] }),
     };
-    let dense = |text: &str| text.split_whitespace().collect::<String>();
     for unsaid in digest::unsaid(derivation, account) {
         let text = digest::explanation(unsaid.explanation);
         let says = || vec![StorySpan::Prose(text.clone(), &derivation.scope, Tone::Plain)];

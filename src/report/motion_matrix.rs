@@ -76,8 +76,7 @@ pub(super) fn blocks<'a>(
     }
     let legend = VerdictShape::ALL.into_iter().filter(|s| seen.contains(s));
     let mut legend = joined(legend.map(|s| vec![StorySpan::Shape(s), quiet(format!(" {}", s.says()))]), "  ");
-    let is_share = |span: &StorySpan<'_>| matches!(span, StorySpan::Words(said, _) if said.contains('/'));
-    if table.rows.iter().flat_map(|row| row.iter().skip(1)).flatten().any(is_share) {
+    if rows.iter().any(|whole| columns.iter().any(|column| share(whole, &column.of).is_some())) {
         legend.push(quiet("; 1/3: of three motions one tells"));
     }
     let more = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count().saturating_sub(rows.len());
@@ -112,22 +111,25 @@ fn row<'a>(whole: &Whole<'a>, columns: &[MatrixColumn<'a>], hangs: &Consequences
     }
     let cells = columns.iter().map(|column| match cell(whole, &column.of) {
         None => Vec::new(),
-        Some(shape) => std::iter::once(StorySpan::Shape(shape)).chain(share(whole, &column.of).map(quiet)).collect(),
+        Some(shape) => {
+            let share = share(whole, &column.of).map(|(some, all)| quiet(format!("\u{a0}{some}/{all}")));
+            std::iter::once(StorySpan::Shape(shape)).chain(share).collect()
+        }
     });
     std::iter::once(head).chain(cells).collect()
 }
 
-/// On how many motions of a class a claim was tried and applies, where it is not all of them: a symbol says nothing of the others.
-fn share(whole: &Whole<'_>, column: &ColumnMotions<'_>) -> Option<String> {
+/// On how many motions of a class a claim was tried and applies, and how many there are, where it is not all of them: a symbol says nothing
+/// of the others. Where much else would hold counts where no motion tells more.
+fn share(whole: &Whole<'_>, column: &ColumnMotions<'_>) -> Option<(usize, usize)> {
     let ColumnMotions::Motions(named) = column else { return None };
     let shown = whole.deciding().flat_map(|reading| &reading.claim.results);
     let applies = shown.filter(|p| !matches!(p.verdict.outcome(), Outcome::NotApplicable(_)));
-    let applies: Vec<_> = applies.filter(|p| named.contains(p.trajectory.as_str())).collect();
-    let tells = applies.iter().filter(|p| !discrimination::is_weak(p));
-    let told: BTreeSet<&str> = tells.map(|p| p.trajectory.as_str()).collect();
-    let all = || applies.iter().map(|p| p.trajectory.as_str()).collect();
-    let of: BTreeSet<&str> = if told.is_empty() { all() } else { told };
-    (!of.is_empty() && of.len() < named.len()).then(|| format!("\u{a0}{}/{}", of.len(), named.len()))
+    let applies = applies.filter(|p| named.contains(p.trajectory.as_str()));
+    let (weak, telling): (Vec<_>, Vec<_>) = applies.partition(|p| discrimination::is_weak(p));
+    let of = if telling.is_empty() { weak } else { telling };
+    let some = of.iter().map(|p| p.trajectory.as_str()).collect::<BTreeSet<_>>().len();
+    (some > 0 && some < named.len()).then_some((some, named.len()))
 }
 
 /// What a class of motions says of a claim with all its readings.

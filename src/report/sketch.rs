@@ -5,7 +5,7 @@
 
 use super::mathml::escaped;
 use super::numbers::six;
-use super::story::VerdictShape;
+use super::shape::VerdictShape;
 use findings::Residuals;
 
 /// Width and height of a drawing of both sides.

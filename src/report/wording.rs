@@ -110,6 +110,11 @@ pub(super) fn label(text: &str) -> Label<'_> {
     Label { before, formula: &rest[..rest.len() - after.len()], after, component }
 }
 
+/// A text without white space, to be compared.
+pub(super) fn dense(text: &str) -> String {
+    text.split_whitespace().collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

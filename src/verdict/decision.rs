@@ -13,7 +13,7 @@ use reason::{Plain, Reason};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-use super::evidence::{Evidence, Exclusion, Obstacle, Proof, Residuals, Shown, Witness};
+use super::evidence::{Evidence, Exclusion, Obstacle, PartShown, Proof, Residuals, Witness};
 use super::proposition::Proposition;
 use super::truth::{Possible, Truth};
 
@@ -254,25 +254,25 @@ impl Verdict {
 
     /// A proof of all that the claim says, on this motion: given what it presupposes, which is not proved by that.
     pub fn prove_claim(&mut self, proof: &Proof) {
-        let said: Vec<_> = self.claim.said().into_iter().map(|part| (part, Shown::IsSo)).collect();
+        let said: Vec<_> = self.claim.said().into_iter().map(|part| (part, PartShown::IsSo)).collect();
         self.prove_parts(&said, proof);
     }
 
     /// A proof that parts are so, or are not so, on this motion, wherever they have a value. What is said to be false needs a time at which
     /// it has one: the comparison there is the witness.
-    pub fn prove_parts(&mut self, parts: &[(usize, Shown)], proof: &Proof) {
+    pub fn prove_parts(&mut self, parts: &[(usize, PartShown)], proof: &Proof) {
         for &(part, shown) in parts {
             let Some(finding) = self.findings.get_mut(part) else { continue };
             let (truth, why) = match shown {
-                Shown::IsSo => (Truth::True, None),
-                Shown::IsNotSo => (Truth::False, Some(Plain::DeniedIsProved)),
-                Shown::IsNeverSo => (Truth::False, Some(Plain::SaidIsExcluded)),
+                PartShown::IsSo => (Truth::True, None),
+                PartShown::IsNotSo => (Truth::False, Some(Plain::DeniedIsProved)),
+                PartShown::IsExcluded => (Truth::False, Some(Plain::SaidIsExcluded)),
             };
             if let Some(why) = why {
                 let Some(witness) = finding.evidence.compared() else { continue };
                 (finding.evidence.witness, finding.evidence.reason) = (Some(witness), Some(why.into()));
             }
-            if shown == Shown::IsNeverSo {
+            if shown == PartShown::IsExcluded {
                 // Sides that agree to within an error have values, and are not equal for that.
                 for seen in [&mut finding.sampled, &mut finding.enclosed] {
                     *seen = seen.or_else(if *seen == Possible::TRUE { Possible::FALSE } else { *seen });

@@ -92,14 +92,15 @@ impl Obstacle {
     }
 }
 
-/// What a proof says of a part of a claim, wherever it has a value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shown {
+/// A proof's word on a part of a claim that states equations of every time, or denies them: it is so wherever it has a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum PartShown {
+    /// It is so: what it denies is never so.
     IsSo,
-    /// What it denies is always so.
+    /// It is not so: what it denies is always so.
     IsNotSo,
-    /// It states an equation that is never so, however close the sides are.
-    IsNeverSo,
+    /// It states equations that are never all true, however close their sides are.
+    IsExcluded,
 }
 
 /// A proof for all values, as far as a verdict needs to know it.

@@ -18,7 +18,7 @@ mod truth;
 
 pub use decision::{Finding, Outcome, Strength, Verdict};
 pub use evidence::{
-    Enclosed, Evidence, Exclusion, Obstacle, Proof, Residual, ResidualPoint, Residuals, Rise, Shown, Witness,
+    Enclosed, Evidence, Exclusion, Obstacle, PartShown, Proof, Residual, ResidualPoint, Residuals, Rise, Witness,
 };
 pub use proposition::{Proposition, Quantifier};
 pub use truth::{Possible, Truth};

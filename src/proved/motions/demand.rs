@@ -182,12 +182,8 @@ fn names(derivation: &Derivation, scope: &Scope, clock: Option<Leaf>, roots: Vec
 
 /// What the relations of a claim name, and those that it assumes.
 fn named(derivation: &Derivation, claim: &Claim) -> Vec<Leaf> {
-    let said = claim.forms.iter().flat_map(|form| {
-        let Form::Always(w) = form else { return &[][..] };
-        &w.value.relations
-    });
     let assumed = claim.assuming.iter().flat_map(|w| &w.value.relations);
-    derivation.graph.leaves_within(said.chain(assumed).flat_map(sides))
+    derivation.graph.leaves_within(claim.stated().chain(assumed).flat_map(sides))
 }
 
 /// What a claim asks of a motion that refutes it; `inequalities`: when those that are assumed hold; where that is not always, they choose the times.

@@ -17,13 +17,14 @@ use super::{Pairs, Step, sides};
 use crate::agreement::answer;
 use crate::derivation::{Claim, Form, Written};
 use crate::expr::Rational;
+use crate::findings::IdentityAccount;
 use crate::findings::standing::{Decision, Finding};
-use crate::findings::{IdentityAccount, PartShown};
 use crate::latex::{RelationKind, Statement};
 use claim::denial::{Denial, without_denials};
 use claim::denote::denote;
 use proof::{Identity, Options, Reason, Wanted, When};
 use reason::Plain;
+use verdict::PartShown;
 
 use super::definitions::Definitions;
 
@@ -163,8 +164,7 @@ impl Step<'_> {
         if !self.is_equations() || self.assumes_sign() {
             return Ok(account);
         }
-        let said = |form: &Form| if let Form::Always(w) = form { w.value.relations.len() } else { 0 };
-        if self.claim.forms.iter().map(said).sum::<usize>() > MOST_STATED {
+        if self.claim.stated().count() > MOST_STATED {
             return Ok(account);
         }
         let mut graph = self.graph.clone();
@@ -184,11 +184,7 @@ impl Step<'_> {
 
     /// What it rests on that equations are always so, or never: what they follow from; of numbers, nothing.
     fn rests_on(&self, equations: &Claim, account: &IdentityAccount) -> Vec<String> {
-        let said = equations.forms.iter().flat_map(|form| {
-            let Form::Always(w) = form else { return &[][..] };
-            &w.value.relations
-        });
-        let roots: Vec<_> = said.flat_map(super::pairs).flat_map(|(l, r)| [l, r]).collect();
+        let roots: Vec<_> = equations.stated().flat_map(super::pairs).flat_map(|(l, r)| [l, r]).collect();
         let names_nothing = self.graph.leaves_within(roots).is_empty();
         if names_nothing { Vec::new() } else { account.from.clone() }
     }

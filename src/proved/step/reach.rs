@@ -71,11 +71,7 @@ impl Step<'_> {
             return true;
         }
         // Sides that are one expression are no equation, and have no value where it has none.
-        let relations = self.claim.forms.iter().flat_map(|form| {
-            let Form::Always(w) = form else { return &[][..] };
-            &w.value.relations
-        });
-        let same: Pairs = relations.flat_map(pairs).filter(|(l, r)| l == r).collect();
+        let same: Pairs = self.claim.stated().flat_map(pairs).filter(|(l, r)| l == r).collect();
         let depends = |graph: &mut Graph, e: Expr| {
             graph.needs_below([e]).iter().any(|n| !graph.leaves_within([n.value]).is_empty())
         };

@@ -137,7 +137,7 @@ fn standing(found: &[&Whole<'_>], scope: &Scope) -> Markup {
         ul.stands {
             @for whole in found {
                 li {
-                    span class=@if whole.is_proved() { "mark h p" } @else { "mark h" } aria-hidden="true" {} " "
+                    span class={ "mark " (whole.shape().class()) } aria-hidden="true" {} " "
                     a href={ "#" (whole.id) } { (whole.id) } " " (prose(&whole.says, scope))
                     @if let Some(place) = whole.place { span.quiet { " (" (prose(place, scope)) ")" } }
                     @if let Some(basis) = whole.basis() { span.outcome { ": " (prose(&basis.words(), scope)) "." } }

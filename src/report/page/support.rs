@@ -11,6 +11,7 @@ use super::super::discrimination::{sentence, smallest, standing, tried_where};
 use super::super::graph::{DerivationGraph, unproved};
 use super::super::numbers::count;
 use super::super::tally::name;
+use super::super::wording::dense;
 use super::text::{bare, formula, identifier, plain, prose, proviso, unit};
 use crate::latex::Scope;
 use ::units::{UnitAccount, UnitVerdict};
@@ -274,7 +275,6 @@ fn pieces(text: &str) -> Vec<Piece<'_>> {
 /// make up the correction, the print and the correction are shown as wholes.
 fn difference(c: &Correction) -> Markup {
     let parts = pieces(&c.difference);
-    let dense = |text: &str| text.split_whitespace().collect::<String>();
     let new: String = parts.iter().map(|p| if let Piece::Same(t) | Piece::Added(t) = p { *t } else { "" }).collect();
     html! {
         code.difference {

@@ -1,0 +1,102 @@
+//! Shapes of verdicts: one symbol for each strength and each fate, the same everywhere.
+//!
+//! **In:** nothing. **Out:** a [`VerdictShape`] with its symbol for every kind of print, and the [`Tone`] of words. It lies below the story, its
+//! printers and its drawings, all of which show it.
+
+/// The weight or the colour of words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tone {
+    Plain,
+    Strong,
+    /// Beside the matter.
+    Quiet,
+    /// What stands.
+    Good,
+    /// What does not.
+    Bad,
+    /// What is open.
+    Open,
+    /// What asks for attention.
+    Alarm,
+}
+
+/// A symbol for a verdict or a fate, readable without colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum VerdictShape {
+    Proved,
+    ProvedGiven,
+    ProvedExcept,
+    Enclosed,
+    Sampled,
+    Weak,
+    Fails,
+    Certified,
+    Mixed,
+    Meaning,
+    NoIdentity,
+    NotApplicable,
+    Undecided,
+}
+
+impl VerdictShape {
+    /// All, in the order of the legend.
+    pub const ALL: [VerdictShape; 13] = [
+        VerdictShape::Proved,
+        VerdictShape::ProvedGiven,
+        VerdictShape::ProvedExcept,
+        VerdictShape::Enclosed,
+        VerdictShape::Sampled,
+        VerdictShape::Weak,
+        VerdictShape::Fails,
+        VerdictShape::Certified,
+        VerdictShape::Mixed,
+        VerdictShape::Meaning,
+        VerdictShape::NoIdentity,
+        VerdictShape::NotApplicable,
+        VerdictShape::Undecided,
+    ];
+
+    /// The symbol, its name in the style of the page, its command in LaTeX, and what it means.
+    pub fn row(self) -> (&'static str, &'static str, &'static str, &'static str) {
+        match self {
+            VerdictShape::Proved => ("◆", "h p", r"$\blacklozenge$", "holds, proved for all values"),
+            VerdictShape::ProvedGiven => ("◈", "h g", r"$\lozenge$", "holds, proved given claims that are not"),
+            VerdictShape::ProvedExcept => ("⬖", "h g", r"$\blacklozenge^{-}$", "holds, proved, special cases apart"),
+            VerdictShape::Enclosed => ("■", "h e", r"$\blacksquare$", "holds at every time"),
+            VerdictShape::Sampled => ("●", "h", r"$\bullet$", "holds at all samples"),
+            VerdictShape::Weak => ("○", "h w", r"$\circ$", "holds, but much else would"),
+            VerdictShape::Fails => ("✕", "f", r"$\times$", "fails at samples"),
+            VerdictShape::Certified => ("✖", "f e", r"$\boldsymbol{\times}$", "fails, certified"),
+            VerdictShape::Mixed => ("◐", "m", r"$\oslash$", "holds on some, fails on others"),
+            VerdictShape::Meaning => ("◇", "r", r"$\Diamond$", "depends on what it means"),
+            VerdictShape::NoIdentity => ("≢", "i", r"$\not\equiv$", "not for all values"),
+            VerdictShape::NotApplicable => ("–", "n", "--", "does not apply"),
+            VerdictShape::Undecided => ("?", "u", "?", "undecided"),
+        }
+    }
+
+    /// The symbol.
+    pub fn sign(self) -> &'static str {
+        self.row().0
+    }
+
+    /// Its name in the style of the page.
+    pub fn class(self) -> &'static str {
+        self.row().1
+    }
+
+    /// Its meaning.
+    pub fn says(self) -> &'static str {
+        self.row().3
+    }
+
+    /// The colour of its words.
+    pub fn tone(self) -> Tone {
+        match self.class().as_bytes().first() {
+            Some(b'h') => Tone::Good,
+            Some(b'f' | b'm') => Tone::Bad,
+            Some(b'u' | b'r') => Tone::Open,
+            _ => Tone::Quiet,
+        }
+    }
+}
