@@ -15,7 +15,7 @@ const FEW: usize = 3;
 const MOST_HALVINGS: usize = 100_000;
 
 /// The counted work of a polynomial over a stretch beside its expansion: where it turns, whether it describes what it stands for.
-const OF_A_PIECE: u64 = 800;
+const OF_A_PIECE: u64 = 1_200;
 
 /// A stretch of time.
 #[derive(Clone, Debug)]

@@ -10,7 +10,7 @@ pub(super) fn horner(c: &[f64], h: f64) -> f64 {
 pub(super) fn shift(p: &[f64], middle: f64, half: f64, c: &mut Vec<f64>) {
     c.clear();
     c.extend_from_slice(p);
-    let n = c.len();
+    let n = if middle == 0.0 { 0 } else { c.len() };
     for i in 0..n {
         for k in (i..n.saturating_sub(1)).rev() {
             c[k] += middle * c[k + 1];

@@ -75,6 +75,9 @@ pub fn identity_test_after(
     out
 }
 
+/// The counted work of a question beside that of its terms: what is given is put in order.
+const OF_A_QUESTION: u64 = 60_000;
+
 /// The same, for a question that another one led to: `depth` counts them.
 pub(super) fn identity_at(
     memory: &mut Memory,
@@ -87,6 +90,7 @@ pub(super) fn identity_at(
     if !memory.may_ask(depth, graph.len()) {
         return Identity::Undecided(Reason::TooLarge);
     }
+    meter::charge(OF_A_QUESTION);
     let mut decided = decide(memory, graph, equations, given, options, 0);
     for further in 1..=MOST_FURTHER {
         // A point was found, but perhaps no motion passes through it.

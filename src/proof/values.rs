@@ -5,6 +5,9 @@
 use expr::{Expr, FastMap, Graph, Node};
 use number::{NoValue, Number};
 
+/// The counted work of a value: finding what it is computed from, and computing it.
+const OF_A_VALUE: u64 = 100;
+
 /// What is known at one point.
 #[derive(Clone, Debug)]
 pub(super) struct Values<N> {
@@ -51,6 +54,7 @@ impl<N: Number> Values<N> {
 
     /// Computes nodes that [`Values::missing`] gave, once the leaves among them are set.
     pub(super) fn compute(&mut self, cx: &N::Context, graph: &Graph, new: &[Expr]) {
+        meter::charge(OF_A_VALUE * new.len() as u64);
         let missing = Err(NoValue::Unsupported);
         for &e in new {
             let mut out = N::blank(cx);

@@ -212,10 +212,14 @@ impl Computed {
     }
 }
 
+/// The counted work of a point beside the values that are computed at it.
+const OF_A_POINT: u64 = 3_000;
+
 impl Scene<'_> {
     /// Tries one point. Most do not satisfy the premises: exact values are computed of those that do.
     pub(super) fn attempt(&self, frame: &Frame, number: u32, draws: &mut Draws) -> Option<Found> {
         let Frame { given, .. } = frame;
+        meter::charge(OF_A_POINT);
         let mut computed = Computed::default();
         let before = draws.clone();
         let Placed { values, .. } = self.place(frame, &mut computed, number, draws)?;

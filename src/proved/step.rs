@@ -376,7 +376,7 @@ impl<'a> Step<'a> {
         if let Some((present, alone)) = self.at_present(&mut gathered, &equations) {
             (equations, claims_more) = (present, !alone);
         }
-        let (mut identity, mut moved) = (self.levels(&gathered, &equations, false), false);
+        let (mut identity, mut moved) = (self.levels(&gathered, &equations, false, Wanted::Answer), false);
         if !matches!(identity, Identity::Proved(_)) {
             let settled = self.settled.take();
             match self.by_rate(&gathered, &equations) {
@@ -387,7 +387,7 @@ impl<'a> Step<'a> {
         if claims_more && !matches!(identity, Identity::Proved(_)) {
             // What is claimed of all times may be false where what is said of some is true.
             equations = at_times;
-            identity = self.levels(&gathered, &equations, false);
+            identity = self.levels(&gathered, &equations, false, Wanted::Answer);
         }
         if let Identity::Proved(proof) = &identity
             && has_exceptions(proof)

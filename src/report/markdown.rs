@@ -7,6 +7,7 @@ use super::markup::{display, fenced, math, prose, table};
 use super::numbers::{count, six, size, time};
 use crate::derivation::{ClaimRole, DEFAULT_PRECISION, Derivation};
 use findings::{Account, Measurement};
+use std::collections::HashSet;
 
 /// The report.
 pub fn markdown(derivation: &Derivation, account: &Account) -> String {
@@ -35,11 +36,13 @@ pub fn markdown(derivation: &Derivation, account: &Account) -> String {
 fn without_idle_anchors(text: &str) -> String {
     const OPEN: &str = "<a id=\"";
     const CLOSE: &str = "\"></a>";
+    let linked: HashSet<&str> =
+        text.split("](#").skip(1).filter_map(|link| link.split_once(')')).map(|(name, _)| name).collect();
     let mut parts = text.split(OPEN);
     let mut out = parts.next().unwrap_or_default().to_owned();
     for part in parts {
         match part.split_once(CLOSE) {
-            Some((name, rest)) if !text.contains(&format!("](#{name})")) => out.push_str(rest.trim_start_matches('\n')),
+            Some((name, rest)) if !linked.contains(name) => out.push_str(rest.trim_start_matches('\n')),
             _ => out.extend([OPEN, part]),
         }
     }

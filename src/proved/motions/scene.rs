@@ -57,6 +57,9 @@ impl Course {
 
 /// The most breaks of a span.
 const MOST_BREAKS: usize = 12;
+/// The counted work of a value that is a polynomial in the time.
+const OF_A_NODE: u64 = 1_000;
+
 /// The largest formula that is put in, in nodes.
 const MOST_NODES: usize = 300;
 
@@ -151,6 +154,7 @@ impl<'a> Scene<'a> {
             return Err(Stop::Unknown);
         }
         self.work.set(self.work.get() + order.len());
+        meter::charge(OF_A_NODE * order.len() as u64);
         let mut known: FastMap<Expr, Found> = FastMap::default();
         for node in order {
             let restricts = |op: &Op| *op == Op::Restrict;

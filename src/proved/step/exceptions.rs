@@ -9,7 +9,7 @@ use super::{Pairs, Step, has_exceptions, without_exceptions};
 use crate::derivation::Form;
 use crate::expr::domain::{Change, Sign};
 use crate::expr::{Expr, FastMap, Graph, Leaf, Node, Op};
-use proof::{Identity, Known, Options, Premises, Reason, When};
+use proof::{Identity, Known, Options, Premises, Reason, Wanted, When};
 
 /// Most exceptions of a proof that are looked at by themselves.
 const MOST_EXCEPTIONS: usize = 6;
@@ -199,7 +199,7 @@ impl Step<'_> {
                 .into_iter()
                 .map(|a| self.graph.time_derivative(a, time, moves).ok().map(|rate| (rate, zero)))
                 .collect();
-            !rates.is_some_and(|rates| without_exceptions(&self.levels(gathered, &rates, false)))
+            !rates.is_some_and(|rates| without_exceptions(&self.levels(gathered, &rates, false, Wanted::Proof)))
         });
         (self.proved_at, self.settled) = (proved_at, settled);
         out

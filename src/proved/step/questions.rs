@@ -13,7 +13,7 @@ use proof::{
 
 impl Step<'_> {
     /// One question, with more and more definitions.
-    pub(super) fn levels(&mut self, gathered: &Gathered, equations: &Pairs, split: bool) -> Identity {
+    pub(super) fn levels(&mut self, gathered: &Gathered, equations: &Pairs, split: bool, wanted: Wanted) -> Identity {
         let mut tried: Option<Premises> = None;
         let last = Definitions::LEVELS.len() - 1;
         let mut everything = None;
@@ -25,15 +25,8 @@ impl Step<'_> {
             if [&tried, &everything].into_iter().flatten().any(|t| t.equations == premises.equations) {
                 continue;
             }
-            let options = Options { attempts: FEW_POINTS, wanted: Wanted::Proof, ..Options::default() };
             let equations = &self.beyond(equations, &premises);
-            if let Identity::Proved(mut proof) = self.ask(&premises, equations, &options, split) {
-                if proof.example.is_none()
-                    && !self.has_few_points
-                    && let Identity::Proved(again) = self.ask(&premises, equations, &Options::default(), split)
-                {
-                    proof = again;
-                }
+            if let Identity::Proved(proof) = self.ask_for(Wanted::Proof, &premises, equations, split) {
                 self.proved_at = Level { split, definitions };
                 let settled = self.settled.take();
                 let identity = self.with_all_definitions(proof, gathered, &premises, equations, split);
@@ -44,9 +37,26 @@ impl Step<'_> {
         }
         self.proved_at = Level { split, definitions: last };
         let everything = everything.unwrap_or_else(|| self.premises(gathered, equations, Definitions::LEVELS[last]));
-        // Where only a proof is of interest, no further derivatives are formed to see whether a point belongs to a motion.
-        let wanted = if self.has_few_points { Wanted::Proof } else { Wanted::Answer };
-        self.ask(&everything, equations, &Options { wanted, ..Options::default() }, split)
+        self.ask_for(wanted, &everything, equations, split)
+    }
+
+    /// One question. Where only a proof is of interest, few points are tried, until there is one that wants an example; and no further
+    /// derivatives are formed to see whether a point belongs to a motion.
+    fn ask_for(&mut self, wanted: Wanted, premises: &Premises, equations: &Pairs, split: bool) -> Identity {
+        let wanted = if self.has_few_points { Wanted::Proof } else { wanted };
+        if wanted != Wanted::Proof {
+            return self.ask(premises, equations, &Options { wanted, ..Options::default() }, split);
+        }
+        let few = Options { attempts: FEW_POINTS, wanted, ..Options::default() };
+        match self.ask(premises, equations, &few, split) {
+            Identity::Proved(proof) if proof.example.is_none() && !self.has_few_points => {
+                match self.ask(premises, equations, &Options::default(), split) {
+                    again @ Identity::Proved(_) => again,
+                    _ => Identity::Proved(proof),
+                }
+            }
+            identity => identity,
+        }
     }
 
     /// Whether something is said about values at several times, or as a function of the time, where what is given says only what a

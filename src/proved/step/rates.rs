@@ -9,7 +9,7 @@ use super::{Pairs, Step};
 use crate::expr::domain::Sign;
 use crate::expr::{Expr, Leaf, Node, Op};
 use claim::comparison::{at_instant, traced};
-use proof::{Identity, When};
+use proof::{Identity, Wanted, When};
 
 impl Step<'_> {
     /// Whether both sides agree at a fixed time that the equations or the premises name, and their rates always: of the
@@ -19,14 +19,14 @@ impl Step<'_> {
         let all = self.start_and_rates(gathered, equations)?;
         let proved = |i: &Identity| matches!(i, Identity::Proved(_));
         for split in [false, true] {
-            let found = self.levels(gathered, &all, split);
+            let found = self.levels(gathered, &all, split, Wanted::Proof);
             if proved(&found) {
                 return Some((found, equations.clone()));
             }
         }
         if let Some(even) = self.without_growth(equations)
             && let Some(all) = self.start_and_rates(gathered, &even)
-            && let found = self.levels(gathered, &all, false)
+            && let found = self.levels(gathered, &all, false, Wanted::Proof)
             && proved(&found)
         {
             return Some((found, even));

@@ -74,7 +74,7 @@ impl Step<'_> {
         }
         let scope = &self.claim.scope;
         let then: Pairs = residuals.iter().map(|&r| (at_instant(&mut self.graph, scope, r, start), zero)).collect();
-        let begun = self.levels(gathered, &then, false);
+        let begun = self.levels(gathered, &then, false, Wanted::Proof);
         self.settled = None;
         match begun {
             Identity::Proved(mut all) if !has_exceptions(&all) => {
