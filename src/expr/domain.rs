@@ -408,6 +408,11 @@ impl Row {
 }
 
 impl EdgeOf {
+    /// What passes 0 where the edge is reached: what vanishes there, or, where that is 0 all along, what must be positive there.
+    pub fn passing(&self) -> impl Iterator<Item = Expr> + use<> {
+        [self.vanishing, self.whilst].into_iter().flatten()
+    }
+
     /// Whether it is a pole with two sides: what passes it goes through infinity.
     pub fn is_pole(&self) -> bool {
         matches!(self.change, Change::Pole(_, Sides::Opposite | Sides::Alike))
@@ -604,11 +609,12 @@ impl Graph {
             }
             let Some((op, a, b)) = operation(self, node) else { continue };
             let moves = [moving.contains(&a), moving.contains(&b)];
-            let touches = |edge: &Edge| match edge.place {
-                Place::Zero(term) | Place::ZeroWhile(term, _) => {
-                    term.names().iter().zip(moves).any(|(named, moves)| *named && moves)
-                }
-                Place::Infinity => false,
+            let moving_term = |term: Term| term.names().iter().zip(moves).any(|(named, moves)| *named && moves);
+            let touches = |edge: &Edge| match (edge.place, edge.change) {
+                // What vanishes may be 0 all along: the function leaps where the other one passes 0.
+                (Place::ZeroWhile(term, other), Change::Jump(_)) => moving_term(term) || moving_term(other),
+                (Place::Zero(term) | Place::ZeroWhile(term, _), _) => moving_term(term),
+                (Place::Infinity, _) => false,
             };
             if row(op).edges.iter().any(touches) {
                 return false;

@@ -558,7 +558,7 @@ impl<'a> Step<'a> {
                     None => false,
                 },
             };
-            if holds {
+            if holds && self.leaping(&gathered, equations, moved).is_empty() {
                 left_out = without;
             }
         }

@@ -112,7 +112,7 @@ impl Step<'_> {
         self.add_definitions(&mut roots);
         for e in self.graph.reachable(roots.iter().copied()) {
             let jumps = self.graph.edges(e).into_iter().filter(|edge| matches!(edge.change, Change::Jump(_)));
-            if jumps.filter_map(|edge| edge.vanishing).collect::<Vec<_>>().into_iter().any(|v| self.depends(v)) {
+            if jumps.flat_map(|edge| edge.passing()).collect::<Vec<_>>().into_iter().any(|v| self.depends(v)) {
                 return false;
             }
         }
@@ -177,9 +177,9 @@ impl Step<'_> {
             let Some(vanishing) = edge.vanishing else { return true };
             let mut within = vec![vanishing];
             self.add_definitions(&mut within);
-            let mut excluded = self.poles(within);
-            excluded.push(vanishing);
-            excluded.into_iter().any(|v| self.moves(v) && !self.never_vanishes(v, gathered))
+            let passes = |this: &mut Self, v: Expr| this.moves(v) && !this.never_vanishes(v, gathered);
+            self.poles(within).into_iter().any(|v| passes(self, v))
+                || edge.passing().any(|v| passes(self, v)) && !self.never_vanishes(vanishing, gathered)
         })
     }
 
@@ -190,6 +190,7 @@ impl Step<'_> {
         let scope = &self.claim.scope;
         let moves = |leaf: Leaf| scope.moves(&leaf);
         let mut out = self.leaps(equations);
+        let Some(gathered) = &self.between_times(gathered) else { return out };
         out.retain(|&e| self.may_reach_edge(e, gathered));
         let (proved_at, settled) = (self.proved_at, self.settled.take());
         out.retain(|&e| {

@@ -138,8 +138,9 @@ impl<'a> Step<'a> {
         let chosen = self.times_chosen(claim, absent);
         out.complete &= self.assume(claim, absent, chosen, &mut premises);
         let mut throughout = of_premises.clone();
-        self.signs_throughout(&premises, &mut throughout);
-        premises.present = chosen.and(self.places_chosen(claim, absent));
+        let places = self.places_chosen(claim, absent);
+        self.signs_throughout(&premises, places, &mut throughout);
+        premises.present = chosen.and(places);
         // Each with the scope that says what moves in it.
         let mut always: Vec<(&Scope, Pairs)> = Vec::new();
         out.known = always_if(self.inequalities == When::Always || self.choosing(claim, absent).is_empty());
@@ -248,7 +249,7 @@ impl<'a> Step<'a> {
             }
         });
         out.throughout = of_premises;
-        self.signs_throughout(&premises, &mut out.throughout);
+        self.signs_throughout(&premises, places, &mut out.throughout);
         out.complete &=
             self.where_they_have_values(&mut premises, assumed, &mut always, (&mut values, &out.throughout));
         let moving = |k: &&proof::Known| self.moves(k.left) || self.moves(k.right);
@@ -276,11 +277,17 @@ impl<'a> Step<'a> {
         premises.not_negative.extend(then.not_negative.into_iter().map(&mut at));
     }
 
-    /// Adds to the signs that hold at all times those of what does not move; all of them, if what is assumed is assumed of all times.
-    fn signs_throughout(&self, premises: &Premises, throughout: &mut Premises) {
-        let scope = &self.claim.scope;
+    /// Adds to the signs that hold at all times and places those of what does not move, and, where places are chosen, of what names none;
+    /// all of them, if what is assumed is assumed of all.
+    fn signs_throughout(&self, premises: &Premises, places: When, throughout: &mut Premises) {
+        let (scope, graph) = (&self.claim.scope, &self.graph);
         let moves = |l: &Leaf| l.instant.is_none() && (scope.moves(l) || Some(*l) == scope.time());
-        let holds = |e: &&Expr| self.inequalities == When::Always || !self.graph.leaves_within([**e]).iter().any(moves);
+        let of_places = |l: &Leaf| graph.is_field(l.symbol) || graph.coordinate(*l).is_some();
+        let holds = |e: &&Expr| {
+            let named = graph.leaves_within([**e]);
+            (self.inequalities == When::Always || !named.iter().any(moves))
+                && (places == When::Always || !named.iter().any(of_places))
+        };
         throughout.nonzero.extend(premises.nonzero.iter().filter(|e| !self.apart.is_empty() || holds(e)));
         throughout.positive.extend(premises.positive.iter().filter(holds));
         throughout.not_negative.extend(premises.not_negative.iter().filter(holds));
@@ -479,13 +486,13 @@ impl<'a> Step<'a> {
     }
 }
 
-/// The factors of a product, by its structure; powers and quotients are taken apart.
+/// The factors of a product, by its structure, but numbers that are not 0; powers and quotients are taken apart.
 fn bases(graph: &Graph, e: Expr) -> Vec<Expr> {
     let mut out = Vec::new();
     let mut stack = vec![e];
     while let Some(e) = stack.pop() {
         match *graph.node(e) {
-            Node::Constant(_) => {}
+            Node::Constant(_) if !graph.is_zero(e) => {}
             Node::Unary(Op::Neg, a) => stack.push(a),
             Node::Unary(Op::Powi(n), a) if n > 0 => stack.push(a),
             Node::Binary(Op::Mul, a, b) => stack.extend([b, a]),

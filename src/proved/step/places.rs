@@ -77,13 +77,17 @@ impl Step<'_> {
         };
         for place in &places {
             let values: Vec<(Leaf, Expr)> = place.iter().map(|&(c, e)| (coordinates[c], e)).collect();
-            for signs in [&mut premises.nonzero, &mut premises.positive, &mut premises.not_negative] {
-                for at in 0..signs.len() {
-                    let sign = [signs[at]];
-                    if of_fields(&self.graph, &sign) == 0 || !self.graph.needs_below(sign).is_empty() {
+            let everywhere = &gathered.throughout;
+            for (signs, known) in [
+                (&mut premises.nonzero, &everywhere.nonzero),
+                (&mut premises.positive, &everywhere.positive),
+                (&mut premises.not_negative, &everywhere.not_negative),
+            ] {
+                for &sign in known {
+                    if of_fields(&self.graph, &[sign]) == 0 || !self.graph.needs_below([sign]).is_empty() {
                         continue;
                     }
-                    let there = self.graph.taken_at(signs[at], &values);
+                    let there = self.graph.taken_at(sign, &values);
                     if !signs.contains(&there) {
                         signs.push(there);
                     }

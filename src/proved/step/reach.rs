@@ -156,7 +156,8 @@ impl Step<'_> {
                     Change::Jump(_) | Change::Kink | Change::Steep => true,
                     Change::Pole(..) | Change::Log => false,
                 };
-                out.extend(edge.vanishing.filter(|&v| has_value && self.moves(v) && !out.contains(&v)));
+                let passing = edge.passing().find(|&v| self.moves(v));
+                out.extend(passing.filter(|v| has_value && !out.contains(v)));
             }
         }
         out
