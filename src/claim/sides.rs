@@ -311,19 +311,10 @@ impl<'a> MeasuredGroup<'a> {
                 && ends(series).is_some_and(|(first, _)| first.contains_zero())
                 && series.differences().all(|d| d.contains_zero())
         };
-        // What is clear before and after did not fade away, and what changes its sign vanishes between.
-        let said = |(series, comparison): (&Series, &Comparison)| {
-            let clear = |d: &Bounded| !d.contains_zero();
-            group.asserted
-                && comparison.kind != RelationKind::Equal
-                && ends(series).is_some_and(|(first, last)| {
-                    clear(&first) && clear(&last) && first.value.is_sign_negative() != last.value.is_sign_negative()
-                })
-        };
         let of_each = |one: &dyn Fn((&Series, &Comparison)) -> bool| -> Vec<Vec<bool>> {
             signs.iter().map(|s| s.iter().zip(&group.comparisons).map(one).collect()).collect()
         };
-        let (equal, said) = (of_each(&equal), of_each(&said));
+        let (equal, said) = (of_each(&equal), of_each(&|_| false));
         let floors = signs.iter().map(|_| OnceCell::new()).collect();
         MeasuredGroup {
             group,

@@ -535,7 +535,10 @@ impl Zeros {
         match explorer.values(time).first() {
             Some(Ok(x)) if x.value.abs() <= 1e-6 * a.value.value.abs().max(b.value.value.abs()) + 4.0 * x.error => {
                 let here = *x;
-                self.crossing(explorer, time, here);
+                match leaps(explorer, time, [a.time, b.time]) {
+                    true => self.incomplete.push(Incomplete::Unresolved { start: time, end: time }),
+                    false => self.crossing(explorer, time, here),
+                }
             }
             Some(Err(reason)) => {
                 self.incomplete.push(Incomplete::NoValue { start: time, end: time, reason: *reason });
@@ -545,6 +548,21 @@ impl Zeros {
             _ => self.incomplete.push(Incomplete::Unresolved { start: time, end: time }),
         }
     }
+}
+
+/// Whether the expression comes to a zero on one side only: on the other it stays away from it however near the time is.
+fn leaps(explorer: &mut Explorer, time: f64, ends: [f64; 2]) -> bool {
+    ends.into_iter().any(|end| {
+        let reach = end - time;
+        let near = (1e-12 * reach.abs()).max(64.0 * f64::EPSILON * time.abs()).copysign(reach);
+        let mut value = |t: f64| explorer.values(t).first().copied().and_then(Result::ok);
+        match (value(time + near), value(time + 0.001 * reach)) {
+            (Some(x), Some(far)) if near.abs() < 1e-4 * reach.abs() => {
+                x.value.abs() - x.error > 0.5 * (far.value.abs() + far.error)
+            }
+            _ => false,
+        }
+    })
 }
 
 /// Whether the expression leaves a zero at the end of a run with a speed: then it is about linear close to it.

@@ -231,7 +231,11 @@ impl<'a> Setting<'a> {
             None => {
                 let definition = scope.definition(leaf.symbol)?;
                 let component = *definition.components.get(usize::from(leaf.component))?;
-                self.put(scope, component)?
+                // Of formulas in time its rate is taken before the time is put in.
+                let start = self.start.take_if(|_| self.rates.is_none());
+                let put = self.put(scope, component);
+                self.start = self.start.or(start);
+                put?
             }
         };
         if self.derivation.is_angle(leaf.symbol) && may_leap(&self.graph, value) {

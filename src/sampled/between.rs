@@ -261,12 +261,16 @@ pub(super) fn between_samples(
             None => finding,
         };
     }
-    if known != Some(Possible::TRUE) {
+    // What needs a value and comes close to having none at a sample may have none at a change of sign beside it.
+    let asserted = trial.program.parts[position].group.asserted && known == Some(Possible::OPEN);
+    if known != Some(Possible::TRUE) && !asserted {
         return finding;
     }
     let mut within = finding.evidence().within;
-    let Some(found) = Between::look(trial, along, position, void).held(trial, &mut within) else {
-        return Finding::sampled(Possible::TRUE, Evidence { within, ..finding.evidence().clone() });
+    let found = match Between::look(trial, along, position, void).held(trial, &mut within) {
+        Some(found) if !asserted || found.known(Strength::Sampled) == Some(Possible::FALSE) => found,
+        _ if asserted => return finding,
+        Some(_) | None => return Finding::sampled(Possible::TRUE, Evidence { within, ..finding.evidence().clone() }),
     };
     let samples = finding.evidence().samples + found.evidence().samples;
     let excluded = finding.evidence().excluded.clone();

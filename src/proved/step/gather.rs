@@ -174,7 +174,8 @@ impl<'a> Step<'a> {
                 Premise::Definition => continue,
             };
             let mut at_others = true;
-            let mut when = self.times_chosen(premise, &[]);
+            let times = self.times_chosen(premise, &[]);
+            let mut when = times;
             // What is assumed of constants holds always, if it holds at the present.
             let of_constants =
                 |w: &Written<Statement>| w.value.relations.iter().all(|r| self.is_about_constants(r, &constant));
@@ -182,7 +183,10 @@ impl<'a> Step<'a> {
                 when = when.and(chosen);
             }
             let places = self.places_chosen(premise, &[]);
-            match self.said(premise) {
+            // At single times an integral says nothing of its rate.
+            let integral = premise.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_)));
+            let is_said = !integral || times.is_on_intervals();
+            match self.said(premise).filter(|_| is_said) {
                 Some((equations, signs)) => {
                     let mut equations = self.without_branches(premise, equations, &mut out.complete);
                     out.complete &=
