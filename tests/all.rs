@@ -116,4 +116,5 @@ mod two_routes;
 mod units;
 mod variants;
 mod watch;
+mod where_facts_hold;
 mod witnesses;

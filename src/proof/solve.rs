@@ -210,6 +210,16 @@ impl Solver<'_> {
                 Next::Contradiction => done.push(Resolved { empty: true, ..case.out }),
                 Next::NoValue => done.push(Resolved { empty: true, no_value: true, ..case.out }),
                 Next::Void(denominator) => done.push(Resolved { void: Some(denominator), ..case.out }),
+                Next::Sign(sign) => {
+                    for value in [-1, 1] {
+                        let mut one = case.clone();
+                        let number = one.out.definitions.len();
+                        let value = self.graph.integer(value);
+                        one.out.define_sign(sign, value);
+                        self.insert(&mut one, (number, &BTreeSet::new()), (sign, value));
+                        open.push(one);
+                    }
+                }
                 Next::Split(equation, parts) => {
                     for part in parts.into_iter().rev() {
                         let mut one = case.clone();
@@ -248,6 +258,9 @@ impl Solver<'_> {
             };
             if let Some(next) = self.zero_root(case, &best) {
                 return Ok(next);
+            }
+            if let Some(sign) = self.sign_of_pivot(&best) {
+                return Ok(Next::Sign(sign));
             }
             self.define(case, best);
         }
@@ -485,14 +498,27 @@ impl Solver<'_> {
             case.inserted.push(BTreeSet::new());
             case.pending.push(Pending { e, plain: e, derived: false, from: case.inserted.len() - 1 });
         }
+        self.insert(case, (number, &needs), (unknown, value));
+    }
+
+    /// Inserts a definition, which has a number and needs others, into the equations that are left.
+    fn insert(&mut self, case: &mut Case, (number, needs): (usize, &BTreeSet<usize>), (unknown, value): (Leaf, Expr)) {
         for p in &mut case.pending {
             let mut structure = self.probe.structure.borrow_mut();
             if structure.depends(self.graph, p.e, unknown) {
                 case.inserted[p.from].insert(number);
-                case.inserted[p.from].extend(&needs);
+                case.inserted[p.from].extend(needs);
                 p.e = structure.replaced(self.graph, p.e, unknown, value);
             }
         }
+    }
+
+    /// A sign that says whether the pivot of a candidate is 0: it is made of signs alone, and divided by in the cases of one of them only.
+    fn sign_of_pivot(&self, candidate: &Candidate) -> Option<Leaf> {
+        let pivot = *candidate.powers.0.last()?;
+        let leaves = self.graph.leaves([pivot]);
+        let is_sign = |l: &Leaf| self.generators.get(*l) == Some(&Generator::Sign);
+        leaves.iter().all(is_sign).then(|| leaves.first().copied())?
     }
 
     fn pivot(&mut self, case: &mut Case, a: Expr) {
@@ -545,6 +571,8 @@ enum Next {
     NoValue,
     /// This denominator seems to vanish, as far as random points tell.
     Void(Expr),
+    /// What is divided by depends on this sign alone.
+    Sign(Leaf),
     /// The equation with this number is a product of these factors.
     Split(usize, Vec<Expr>),
 }
