@@ -376,6 +376,11 @@ impl Claim {
         })
     }
 
+    /// Whether it says that something is constant along each motion.
+    pub fn states_integral(&self) -> bool {
+        self.forms.iter().any(|form| form.kind() == FormKind::FirstIntegral)
+    }
+
     /// Whether it is tried on motions or families, or has a verdict over ranges or for all fields.
     pub fn is_tried(&self) -> bool {
         !self.trajectories.is_empty() || !self.families.is_empty() || self.region.is_some()

@@ -347,7 +347,7 @@ impl<'a> Step<'a> {
     /// Decides a claim that consists of equations.
     fn decide_equations(mut self) -> Option<Result<IdentityAccount, String>> {
         let mut gathered = self.gather(None);
-        if self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_))) {
+        if self.claim.states_integral() {
             gathered = match self.between_times(&gathered) {
                 Some(between) => between,
                 None => return Some(Ok(self.open(&gathered, Plain::OnlyRates))),

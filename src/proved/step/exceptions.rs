@@ -6,7 +6,6 @@
 use super::definitions::Definitions;
 use super::gather::Gathered;
 use super::{Pairs, Step, has_exceptions, without_exceptions};
-use crate::derivation::Form;
 use crate::expr::domain::{Change, Sign};
 use crate::expr::{Expr, FastMap, Graph, Leaf, Node, Op};
 use proof::{Identity, Known, Options, Premises, Reason, Wanted, When};
@@ -185,7 +184,7 @@ impl Step<'_> {
 
     /// The functions with several branches in what goes along a motion, but those whose arguments are constant.
     pub(super) fn leaping(&mut self, gathered: &Gathered, equations: &Pairs, moved: bool) -> Vec<Expr> {
-        let integral = self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_)));
+        let integral = self.claim.states_integral();
         let (true, Some(time)) = (moved || integral, self.claim.scope.time()) else { return Vec::new() };
         let scope = &self.claim.scope;
         let moves = |leaf: Leaf| scope.moves(&leaf);

@@ -184,7 +184,7 @@ impl<'a> Step<'a> {
             }
             let places = self.places_chosen(premise, &[]);
             // At single times an integral says nothing of its rate.
-            let integral = premise.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_)));
+            let integral = premise.states_integral();
             let is_said = !integral || times.is_on_intervals();
             match self.said(premise).filter(|_| is_said) {
                 Some((equations, signs)) => {

@@ -49,7 +49,8 @@ impl Step<'_> {
         let relations: Vec<&Relation> = used.flat_map(|(_, w)| &w.value.relations).collect();
         let (mut chosen, mut placed) = (false, false);
         for relation in relations {
-            let leaves = self.graph.leaves_within(pairs(relation).flat_map(|(l, r)| [l, r]));
+            // What a field is taken at chooses nothing.
+            let leaves = self.graph.leaves(pairs(relation).flat_map(|(l, r)| [l, r]));
             let names_fields = leaves.iter().any(|l| self.graph.is_field(l.symbol));
             let names_places = leaves.iter().any(|l| self.graph.coordinate(*l).is_some());
             match relation.kind {

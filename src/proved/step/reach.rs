@@ -22,7 +22,7 @@ impl Step<'_> {
         moved: bool,
         leaping: &[Expr],
     ) -> Vec<Exception> {
-        let integral = self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_)));
+        let integral = self.claim.states_integral();
         if !(moved || integral) {
             return Vec::new();
         }
