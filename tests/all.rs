@@ -117,3 +117,4 @@ mod units;
 mod variants;
 mod watch;
 mod witnesses;
+mod zeros;

@@ -167,7 +167,10 @@ impl<'a> Step<'a> {
             let premise = match derivation.premise(&name) {
                 Premise::System(system) => {
                     let equations = &derivation.systems[system].equations;
-                    out.systems.extend(equations.iter().flat_map(|w| &w.value.relations).flat_map(pairs));
+                    // A component that says 0 = 0 of all motions is no premise.
+                    let says = |(l, r): &(Expr, Expr)| !derivation.graph.vanishes(*l) || !derivation.graph.vanishes(*r);
+                    let pairs = equations.iter().flat_map(|w| &w.value.relations).flat_map(pairs);
+                    out.systems.extend(pairs.filter(says));
                     continue;
                 }
                 Premise::Claim(claim) => &derivation.claims[claim],
