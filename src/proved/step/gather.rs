@@ -166,11 +166,7 @@ impl<'a> Step<'a> {
             out.from.push(name.clone());
             let premise = match derivation.premise(&name) {
                 Premise::System(system) => {
-                    let equations = &derivation.systems[system].equations;
-                    // A component that says 0 = 0 of all motions is no premise.
-                    let says = |(l, r): &(Expr, Expr)| !derivation.graph.vanishes(*l) || !derivation.graph.vanishes(*r);
-                    let pairs = equations.iter().flat_map(|w| &w.value.relations).flat_map(pairs);
-                    out.systems.extend(pairs.filter(says));
+                    out.systems.extend(self.equations_of(system));
                     continue;
                 }
                 Premise::Claim(claim) => &derivation.claims[claim],
