@@ -118,3 +118,4 @@ mod variants;
 mod watch;
 mod where_facts_hold;
 mod witnesses;
+mod zeros;

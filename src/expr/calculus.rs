@@ -1,6 +1,6 @@
 //! Exact derivatives and substitution.
 //!
-//! Terms whose factor is a structural zero are left out, so a derivative exists wherever the expression is differentiable.
+//! Terms whose factor is the rate 0 of something that does not change are left out, so a derivative exists wherever the expression is differentiable.
 //! Where a function leaps it has no derivative, though the formula of one may have a value there: atan2(y, x) does so where
 //! y = 0 and x < 0, and its derivative is restricted to elsewhere. An angle that is continued beyond its cut does not leap;
 //! who continues it says what its derivative is, see [`Graph::continued`].
@@ -57,6 +57,9 @@ impl Graph {
         known: &[(Expr, Expr)],
         mut tangent: impl FnMut(&mut Graph, Leaf) -> Option<Expr>,
     ) -> Result<Expr, NoDerivative> {
+        if self.is_absent(e) {
+            return Ok(e);
+        }
         let zero = self.integer(0);
         let order = self.reachable([e]);
         let mut derivative: FastMap<Expr, Expr> = FastMap::with_capacity_and_hasher(order.len(), Default::default());

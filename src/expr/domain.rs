@@ -561,7 +561,7 @@ impl Graph {
     }
 
     /// Whether a need is met whatever the leaves are: a positive number and squares.
-    fn is_met(&self, need: &Need) -> bool {
+    pub(super) fn is_met(&self, need: &Need) -> bool {
         let Node::Binary(Op::Add, a, b) = *self.node(need.value) else {
             return self.as_constant(need.value).is_some_and(|r| need.sign.is_of(r));
         };

@@ -82,6 +82,8 @@ struct SymbolEntry {
     diagonal: bool,
     /// Another symbol has the name of a component of this one.
     numbered: bool,
+    /// It has a value wherever it is asked for.
+    has_value: bool,
 }
 
 /// Nodes of a graph, those from a position on.
@@ -105,6 +107,12 @@ impl Layer {
         index.insert_unique(hashed, e, |e| hash(&nodes[e.index() - *first]));
         e
     }
+
+    /// A node that no look finds.
+    fn push_unlisted(&mut self, node: Node) -> Expr {
+        self.nodes.push(node);
+        Expr((self.first + self.nodes.len() - 1) as u32)
+    }
 }
 
 /// Hash-consed expressions over the declared symbols of one derivation.
@@ -121,6 +129,8 @@ pub struct Graph {
     pub(super) arguments: FastMap<Symbol, Vec<usize>>,
     /// Fields at other places, by their symbols, see [`place`](super::place).
     pub(super) places: Vec<(Symbol, Place)>,
+    /// The structural zero, see [`zero`](super::zero): a constant that is looked up by its position, never by what it says.
+    absent: Option<Expr>,
 }
 
 /// The same for a + b and b + a, which are one node.
@@ -180,7 +190,13 @@ impl Graph {
     ///
     /// With `diagonal`, `shape` is n × n and only the n diagonal components are stored.
     pub fn declare(&mut self, name: &str, shape: Shape, diagonal: bool) -> Symbol {
-        Arc::make_mut(&mut self.symbols).push(SymbolEntry { name: name.to_owned(), shape, diagonal, numbered: false });
+        Arc::make_mut(&mut self.symbols).push(SymbolEntry {
+            name: name.to_owned(),
+            shape,
+            diagonal,
+            numbered: false,
+            has_value: false,
+        });
         Symbol((self.symbols.len() - 1) as u32)
     }
 
@@ -207,6 +223,27 @@ impl Graph {
     /// The shape a symbol was declared with.
     pub fn shape(&self, symbol: Symbol) -> &Shape {
         &self.symbols[symbol.index()].shape
+    }
+
+    /// Whether the symbol has a value wherever it is asked for.
+    pub(super) fn always_has_value(&self, symbol: Symbol) -> bool {
+        self.symbols[symbol.index()].has_value
+    }
+
+    /// Says that the symbol has a value wherever it is asked for, as the time, the states of a motion and numbers that are given.
+    pub fn set_always_has_value(&mut self, symbol: Symbol) {
+        Arc::make_mut(&mut self.symbols)[symbol.index()].has_value = true;
+    }
+
+    /// Whether this is the structural zero.
+    pub fn is_absent(&self, e: Expr) -> bool {
+        self.absent == Some(e)
+    }
+
+    /// The structural zero. It is never a child of another node: where it is not passed on, 0 takes its place.
+    pub fn absent(&mut self) -> Expr {
+        let own = &mut self.own;
+        *self.absent.get_or_insert_with(|| own.push_unlisted(Node::Constant(Arc::new(Rational::ZERO))))
     }
 
     /// Whether only the diagonal of the symbol is stored.
@@ -250,7 +287,12 @@ impl Graph {
     pub fn share(&mut self) {
         let own = std::mem::take(&mut self.own);
         let shared = Arc::make_mut(&mut self.shared);
-        own.nodes.into_iter().for_each(|node| _ = shared.push(hash(&node), node));
+        for (node, at) in own.nodes.into_iter().zip(own.first..) {
+            match self.absent {
+                Some(absent) if absent.index() == at => _ = shared.push_unlisted(node),
+                _ => _ = shared.push(hash(&node), node),
+            }
+        }
         self.own.first = shared.nodes.len();
     }
 
@@ -348,6 +390,10 @@ impl Graph {
     /// An operation of one argument, with constants folded where that is exact.
     pub fn unary(&mut self, op: Op, a: Expr) -> Expr {
         debug_assert_eq!(op.arity(), 1);
+        if let Some(absent) = self.unary_of_absent(op, a) {
+            return absent;
+        }
+        let a = self.settled(a);
         match (op, self.node(a).clone()) {
             (Op::Neg, Node::Constant(r)) => self.constant(-&*r),
             (Op::Neg, Node::Unary(Op::Neg, inner)) => inner,
@@ -370,6 +416,10 @@ impl Graph {
     /// An operation of two arguments, with constants folded where that is exact, and neutral elements dropped.
     pub fn binary(&mut self, op: Op, a: Expr, b: Expr) -> Expr {
         debug_assert_eq!(op.arity(), 2);
+        if let Some(e) = self.binary_of_absent(op, a, b) {
+            return e;
+        }
+        let (a, b) = (self.settled(a), self.settled(b));
         if let (Node::Constant(x), Node::Constant(y)) = (self.node(a), self.node(b))
             && combines(x, y)
         {
@@ -410,6 +460,7 @@ impl Graph {
 
     /// aᵇ of an exponent that is not written out, whatever it is: it needs what the operation needs. Numbers that have it are folded.
     pub(super) fn power(&mut self, a: Expr, b: Expr) -> Expr {
+        let (a, b) = (self.settled(a), self.settled(b));
         let has_value = match (self.as_constant(a), self.as_constant(b)) {
             (Some(a), Some(b)) => *a > Rational::ZERO || *a == Rational::ZERO && *b > Rational::ZERO,
             _ => false,
@@ -445,12 +496,6 @@ impl Graph {
     /// aⁿ.
     pub fn powi(&mut self, a: Expr, n: i32) -> Expr {
         self.unary(Op::Powi(n), a)
-    }
-
-    /// A term of a sum over an index: absent (0) when one factor is a *structural* zero, such as an entry of ε or δ, an
-    /// off-diagonal entry of a diagonal matrix, or the derivative of something constant.
-    pub fn mul_structural(&mut self, a: Expr, b: Expr) -> Expr {
-        if self.is_zero(a) || self.is_zero(b) { self.integer(0) } else { self.mul(a, b) }
     }
 
     /// Every node that the roots depend on, roots included, children before parents.

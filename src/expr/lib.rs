@@ -22,6 +22,7 @@ mod place;
 mod print;
 pub mod tape;
 mod tensor;
+mod zero;
 
 pub use calculus::NoDerivative;
 pub use field::{HIGHEST_ORDER, MOST_COORDINATES, Partials};

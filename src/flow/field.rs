@@ -86,7 +86,12 @@ impl VectorField {
             }
             let l = affine(graph, left, &place).map_err(|u| nonlinear(graph, number, unknowns[u]))?;
             let r = affine(graph, right, &place).map_err(|u| nonlinear(graph, number, unknowns[u]))?;
-            let row = subtract(graph, l, r);
+            let mut row = subtract(graph, l, r);
+            row.coefficients.retain(|_, c| !graph.vanishes(*c));
+            if row.coefficients.is_empty() && row.rest.is_none_or(|rest| graph.vanishes(rest)) {
+                // 0 = 0 wherever both sides have values.
+                continue;
+            }
             if row.coefficients.is_empty() {
                 return Err(FlowError::Constraint { equation: number });
             }

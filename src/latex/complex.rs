@@ -11,7 +11,7 @@
 
 use expr::{Expr, Graph, Leaf, Op, Part, Rational, Shape, Tensor};
 
-/// x + iy. The imaginary part of something real is the constant 0.
+/// x + iy. The imaginary part of something real is not there: a structural zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Pair {
     pub re: Expr,
@@ -24,12 +24,12 @@ pub(super) const HIGHEST_POWER: u32 = 1024;
 impl Pair {
     /// A real number.
     pub fn real(graph: &mut Graph, re: Expr) -> Pair {
-        Pair { re, im: graph.integer(0) }
+        Pair { re, im: graph.absent() }
     }
 
     /// i.
     pub fn unit(graph: &mut Graph) -> Pair {
-        Pair { re: graph.integer(0), im: graph.integer(1) }
+        Pair { re: graph.absent(), im: graph.integer(1) }
     }
 
     /// A whole number.
@@ -84,14 +84,14 @@ impl Pair {
     }
 
     /// The product, of real products that `times` makes.
-    pub fn times_by(self, graph: &mut Graph, other: Pair, times: impl Fn(&mut Graph, Expr, Expr) -> Expr) -> Pair {
+    pub fn times_by(self, graph: &mut Graph, other: Pair, times: fn(&mut Graph, Expr, Expr) -> Expr) -> Pair {
         let (xx, yy) = (times(graph, self.re, other.re), times(graph, self.im, other.im));
         let (xy, yx) = (times(graph, self.re, other.im), times(graph, self.im, other.re));
         Pair { re: graph.sub(xx, yy), im: graph.add(xy, yx) }
     }
 
     pub fn times(self, graph: &mut Graph, other: Pair) -> Pair {
-        self.times_by(graph, other, Graph::mul_structural)
+        self.times_by(graph, other, Graph::term)
     }
 
     /// x² + y².
@@ -165,7 +165,7 @@ impl Pair {
     pub fn exp(self, graph: &mut Graph) -> Pair {
         let size = graph.unary(Op::Exp, self.re);
         let (c, s) = (graph.unary(Op::Cos, self.im), graph.unary(Op::Sin, self.im));
-        Pair { re: graph.mul_structural(size, c), im: graph.mul_structural(size, s) }
+        Pair { re: graph.term(size, c), im: graph.term(size, s) }
     }
 
     /// r + x, which vanishes on the cut and nowhere else.
@@ -178,8 +178,8 @@ impl Pair {
     pub fn argument(self, graph: &mut Graph) -> Expr {
         if self.is_real(graph) {
             // 0, where x > 0.
-            let ln = graph.unary(Op::Ln, self.re);
-            return graph.mul(self.im, ln);
+            let (ln, im) = (graph.unary(Op::Ln, self.re), graph.settled(self.im));
+            return graph.mul(im, ln);
         }
         if graph.is_zero(self.re) {
             // ±π/2, where y is not 0.
@@ -234,26 +234,26 @@ impl Pair {
     pub fn sin(self, graph: &mut Graph) -> Pair {
         let (s, c) = (graph.unary(Op::Sin, self.re), graph.unary(Op::Cos, self.re));
         let (sh, ch) = (graph.unary(Op::Sinh, self.im), graph.unary(Op::Cosh, self.im));
-        Pair { re: graph.mul_structural(s, ch), im: graph.mul_structural(c, sh) }
+        Pair { re: graph.term(s, ch), im: graph.term(c, sh) }
     }
 
     pub fn cos(self, graph: &mut Graph) -> Pair {
         let (s, c) = (graph.unary(Op::Sin, self.re), graph.unary(Op::Cos, self.re));
         let (sh, ch) = (graph.unary(Op::Sinh, self.im), graph.unary(Op::Cosh, self.im));
-        let im = graph.mul_structural(s, sh);
-        Pair { re: graph.mul_structural(c, ch), im: graph.neg(im) }
+        let im = graph.term(s, sh);
+        Pair { re: graph.term(c, ch), im: graph.neg(im) }
     }
 
     pub fn sinh(self, graph: &mut Graph) -> Pair {
         let (s, c) = (graph.unary(Op::Sin, self.im), graph.unary(Op::Cos, self.im));
         let (sh, ch) = (graph.unary(Op::Sinh, self.re), graph.unary(Op::Cosh, self.re));
-        Pair { re: graph.mul_structural(sh, c), im: graph.mul_structural(ch, s) }
+        Pair { re: graph.term(sh, c), im: graph.term(ch, s) }
     }
 
     pub fn cosh(self, graph: &mut Graph) -> Pair {
         let (s, c) = (graph.unary(Op::Sin, self.im), graph.unary(Op::Cos, self.im));
         let (sh, ch) = (graph.unary(Op::Sinh, self.re), graph.unary(Op::Cosh, self.re));
-        Pair { re: graph.mul_structural(ch, c), im: graph.mul_structural(sh, s) }
+        Pair { re: graph.term(ch, c), im: graph.term(sh, s) }
     }
 
     fn times_i(self, graph: &mut Graph) -> Pair {

@@ -149,6 +149,7 @@ impl Scope {
     /// A scope without symbols; it knows the sign that ± stands for.
     pub fn new(graph: &mut Graph) -> Scope {
         let symbol = graph.declare(r"\pm", Shape::scalar(), false);
+        graph.set_always_has_value(symbol);
         Scope {
             entries: Table::default(),
             pairs: Vec::new(),

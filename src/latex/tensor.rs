@@ -1,7 +1,7 @@
 //! Products and other operations on tensors of expressions.
 //!
-//! Structural zeros (off the diagonal of a diagonal matrix, say) make no terms. Every operation is written once, for real and
-//! for complex entries: see [`Entry`].
+//! Structural zeros (off the diagonal of a diagonal matrix, say) make no terms; any other 0 is a factor, see [`Graph::term`].
+//! Every operation is written once, for real and for complex entries: see [`Entry`].
 
 use std::ops::Range;
 
@@ -19,12 +19,18 @@ trait Entry: Copy {
     /// A tensor of these entries; the shape is that of real numbers.
     fn tensor(shape: Shape, entries: Vec<Self>) -> Tensor;
     fn whole(graph: &mut Graph, n: i64) -> Self;
+    /// The structural zero.
+    fn absent(graph: &mut Graph) -> Self;
     fn is_absent(self, graph: &Graph) -> bool;
+    /// Whether it is 0, structural or not.
+    fn is_zero(self, graph: &Graph) -> bool;
     fn plus(self, graph: &mut Graph, other: Self) -> Self;
     fn minus(self, graph: &mut Graph, other: Self) -> Self;
     fn negated(self, graph: &mut Graph) -> Self;
-    /// A product in which structural zeros make no terms, or all do.
-    fn times(self, graph: &mut Graph, other: Self, structural: bool) -> Self;
+    /// A term of a sum over components: where one factor is 0, the other is kept only if it may lack a value.
+    fn times(self, graph: &mut Graph, other: Self) -> Self;
+    /// A product of numbers as it is written: the factors of a 0 are kept.
+    fn by(self, graph: &mut Graph, other: Self) -> Self;
     fn over(self, graph: &mut Graph, below: Self) -> Self;
 }
 
@@ -38,7 +44,13 @@ impl Entry for Expr {
     fn whole(graph: &mut Graph, n: i64) -> Expr {
         graph.integer(n)
     }
+    fn absent(graph: &mut Graph) -> Expr {
+        graph.absent()
+    }
     fn is_absent(self, graph: &Graph) -> bool {
+        graph.is_absent(self)
+    }
+    fn is_zero(self, graph: &Graph) -> bool {
         graph.is_zero(self)
     }
     fn plus(self, graph: &mut Graph, other: Expr) -> Expr {
@@ -50,8 +62,11 @@ impl Entry for Expr {
     fn negated(self, graph: &mut Graph) -> Expr {
         graph.neg(self)
     }
-    fn times(self, graph: &mut Graph, other: Expr, structural: bool) -> Expr {
-        if structural { graph.mul_structural(self, other) } else { graph.mul(self, other) }
+    fn times(self, graph: &mut Graph, other: Expr) -> Expr {
+        graph.term(self, other)
+    }
+    fn by(self, graph: &mut Graph, other: Expr) -> Expr {
+        graph.mul(self, other)
     }
     fn over(self, graph: &mut Graph, below: Expr) -> Expr {
         graph.div(self, below)
@@ -72,7 +87,13 @@ impl Entry for Pair {
     fn whole(graph: &mut Graph, n: i64) -> Pair {
         Pair::whole(graph, n)
     }
+    fn absent(graph: &mut Graph) -> Pair {
+        Pair { re: graph.absent(), im: graph.absent() }
+    }
     fn is_absent(self, graph: &Graph) -> bool {
+        graph.is_absent(self.re) && graph.is_absent(self.im)
+    }
+    fn is_zero(self, graph: &Graph) -> bool {
         graph.is_zero(self.re) && graph.is_zero(self.im)
     }
     fn plus(self, graph: &mut Graph, other: Pair) -> Pair {
@@ -84,9 +105,11 @@ impl Entry for Pair {
     fn negated(self, graph: &mut Graph) -> Pair {
         Pair::negated(self, graph)
     }
-    fn times(self, graph: &mut Graph, other: Pair, structural: bool) -> Pair {
-        let real: fn(&mut Graph, Expr, Expr) -> Expr = if structural { Graph::mul_structural } else { Graph::mul };
-        self.times_by(graph, other, real)
+    fn times(self, graph: &mut Graph, other: Pair) -> Pair {
+        Pair::times(self, graph, other)
+    }
+    fn by(self, graph: &mut Graph, other: Pair) -> Pair {
+        self.times_by(graph, other, Graph::mul)
     }
     fn over(self, graph: &mut Graph, below: Pair) -> Pair {
         Pair::over(self, graph, below)
@@ -155,7 +178,22 @@ pub(super) fn conjugate(graph: &mut Graph, t: &Tensor) -> Tensor {
 /// The real or imaginary parts.
 pub(super) fn part(graph: &mut Graph, t: &Tensor, part: Part) -> Tensor {
     let array = Array::<Pair>::of(graph, t);
-    Tensor { shape: array.shape, components: array.entries.into_iter().map(|p| p.part(part)).collect() }
+    // The imaginary part of something real is a number, 0.
+    let of = |p: Pair| if p.is_absent(graph) { p.re } else { graph.settled(p.part(part)) };
+    Tensor { shape: array.shape, components: array.entries.into_iter().map(of).collect() }
+}
+
+/// The same with numbers only: 0 where something is not there.
+pub(super) fn settled(graph: &mut Graph, mut t: Tensor) -> Tensor {
+    t.components.iter_mut().for_each(|e| *e = graph.settled(*e));
+    t
+}
+
+/// The same where a 0 is not there.
+pub(super) fn sparse(graph: &mut Graph, mut t: Tensor) -> Tensor {
+    let absent = graph.absent();
+    t.components.iter_mut().filter(|e| graph.is_zero(**e)).for_each(|e| *e = absent);
+    t
 }
 
 /// The squares of the sizes of all components, added.
@@ -164,19 +202,13 @@ pub(super) fn square_of_length(graph: &mut Graph, t: &Tensor) -> Expr {
     inner(graph, squares.into_iter())
 }
 
-/// Σ of products, without the terms that have a structural zero.
+/// Σ of products.
 fn inner<E: Entry>(graph: &mut Graph, pairs: impl Iterator<Item = (E, E)>) -> E {
-    let mut sum: Option<E> = None;
-    for (a, b) in pairs {
-        let term = a.times(graph, b, true);
-        if !term.is_absent(graph) {
-            sum = Some(match sum {
-                Some(s) => s.plus(graph, term),
-                None => term,
-            });
-        }
-    }
-    sum.unwrap_or_else(|| E::whole(graph, 0))
+    let absent = E::absent(graph);
+    pairs.fold(absent, |sum, (a, b)| {
+        let term = a.times(graph, b);
+        sum.plus(graph, term)
+    })
 }
 
 /// a·b for vectors.
@@ -219,33 +251,30 @@ fn cross_of<E: Entry>(graph: &mut Graph, a: &Tensor, b: &Tensor) -> Tensor {
     let entries = (0..3)
         .map(|i| {
             let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            let left = a[j].times(graph, b[k], true);
-            let right = a[k].times(graph, b[j], true);
+            let left = a[j].times(graph, b[k]);
+            let right = a[k].times(graph, b[j]);
             left.minus(graph, right)
         })
         .collect();
     Array { shape: Shape::vector(3), entries }.tensor()
 }
 
-/// Juxtaposed factors: scalars, matrices, and at most one vector at the end (a row vector at the beginning). With
-/// `written_zero` a factor 0 was written by hand; the other factors then stay, since they may have no value.
+/// Juxtaposed factors: scalars, matrices, and at most one vector at the end (a row vector at the beginning).
 pub(super) fn product(
     graph: &mut Graph,
     factors: Vec<(Tensor, Range<usize>)>,
-    written_zero: bool,
     span: &Range<usize>,
 ) -> Elaborated<Tensor> {
     if factors.iter().any(|(t, _)| t.shape.is_complex()) {
-        product_of::<Pair>(graph, factors, written_zero, span)
+        product_of::<Pair>(graph, factors, span)
     } else {
-        product_of::<Expr>(graph, factors, written_zero, span)
+        product_of::<Expr>(graph, factors, span)
     }
 }
 
 fn product_of<E: Entry>(
     graph: &mut Graph,
     factors: Vec<(Tensor, Range<usize>)>,
-    written_zero: bool,
     span: &Range<usize>,
 ) -> Elaborated<Tensor> {
     let mut scalar: Option<E> = None;
@@ -255,7 +284,7 @@ fn product_of<E: Entry>(
         match array.as_scalar() {
             Some(e) => {
                 scalar = Some(match scalar {
-                    Some(s) => s.times(graph, e, !written_zero),
+                    Some(s) => s.by(graph, e),
                     None => e,
                 });
             }
@@ -272,7 +301,8 @@ fn product_of<E: Entry>(
     }
     match (scalar, acc) {
         (Some(s), Some(t)) => {
-            let entries = t.entries.into_iter().map(|e| s.times(graph, e, !written_zero)).collect();
+            let times = if s.is_zero(graph) { E::by } else { E::times };
+            let entries = t.entries.into_iter().map(|e| times(s, graph, e)).collect();
             Ok(Array { shape: t.shape, entries }.tensor())
         }
         (Some(s), None) => Ok(Array::scalar(s).tensor()),
@@ -283,7 +313,7 @@ fn product_of<E: Entry>(
 
 fn multiply<E: Entry>(graph: &mut Graph, a: &Array<E>, b: &Array<E>, span: &Range<usize>) -> Elaborated<Array<E>> {
     if let Some(e) = b.as_scalar() {
-        let entries = a.entries.iter().map(|&x| x.times(graph, e, true)).collect();
+        let entries = a.entries.iter().map(|&x| x.times(graph, e)).collect();
         return Ok(Array { shape: a.shape.clone(), entries });
     }
     let mismatch = || {
@@ -319,7 +349,7 @@ fn multiply<E: Entry>(graph: &mut Graph, a: &Array<E>, b: &Array<E>, span: &Rang
             let mut entries = Vec::new();
             for i in 0..n as usize {
                 for j in 0..l as usize {
-                    entries.push(a.entries[i].times(graph, b.entries[j], true));
+                    entries.push(a.entries[i].times(graph, b.entries[j]));
                 }
             }
             Ok(Array { shape: Shape::matrix(n, l), entries })
@@ -350,10 +380,10 @@ fn transpose_of<E: Entry>(graph: &mut Graph, t: &Tensor, span: &Range<usize>) ->
     }
 }
 
-/// The matrix with this diagonal.
+/// The matrix with this diagonal, and nothing beside it.
 pub(super) fn diagonal(graph: &mut Graph, entries: &[Expr]) -> Tensor {
-    let (n, zero) = (entries.len(), graph.integer(0));
-    let components = (0..n * n).map(|p| if p / n == p % n { entries[p / n] } else { zero }).collect();
+    let (n, absent) = (entries.len(), graph.absent());
+    let components = (0..n * n).map(|p| if p / n == p % n { entries[p / n] } else { absent }).collect();
     Tensor { shape: Shape::matrix(n as u16, n as u16), components }
 }
 
@@ -372,7 +402,7 @@ pub(super) fn trace(graph: &mut Graph, t: &Tensor, span: &Range<usize>) -> Elabo
 
 fn trace_of<E: Entry>(graph: &mut Graph, t: &Tensor, n: usize) -> Tensor {
     let entries = E::entries(graph, t);
-    let mut sum = E::whole(graph, 0);
+    let mut sum = E::absent(graph);
     for i in 0..n {
         sum = sum.plus(graph, entries[i * (n + 1)]);
     }
@@ -399,7 +429,7 @@ fn determinant_of<E: Entry>(graph: &mut Graph, t: &Tensor, n: usize) -> Tensor {
 
 fn minor<E: Entry>(graph: &mut Graph, entries: &[E], n: usize, rows: &[usize], columns: &[usize]) -> E {
     let Some((&row, rest)) = rows.split_first() else { return E::whole(graph, 1) };
-    let mut sum = E::whole(graph, 0);
+    let mut sum = E::absent(graph);
     for (k, &column) in columns.iter().enumerate() {
         let entry = entries[row * n + column];
         if entry.is_absent(graph) {
@@ -407,7 +437,7 @@ fn minor<E: Entry>(graph: &mut Graph, entries: &[E], n: usize, rows: &[usize], c
         }
         let others: Vec<usize> = columns.iter().copied().filter(|&c| c != column).collect();
         let below = minor(graph, entries, n, rest, &others);
-        let term = entry.times(graph, below, true);
+        let term = entry.times(graph, below);
         sum = if k % 2 == 0 { sum.plus(graph, term) } else { sum.minus(graph, term) };
     }
     sum
@@ -422,10 +452,14 @@ pub(super) fn inverse(graph: &mut Graph, t: &Tensor, span: &Range<usize>) -> Ela
 fn inverse_of<E: Entry>(graph: &mut Graph, t: &Tensor, n: usize, span: &Range<usize>) -> Elaborated<Tensor> {
     let given = E::entries(graph, t);
     let one = E::whole(graph, 1);
-    if (0..n * n).all(|p| p / n == p % n || given[p].is_absent(graph)) {
+    if (0..n * n).all(|p| p / n == p % n || given[p].is_zero(graph)) {
         let diagonal: Vec<E> = (0..n).map(|i| one.over(graph, given[i * (n + 1)])).collect();
-        let zero = E::whole(graph, 0);
-        let entries = (0..n * n).map(|p| if p / n == p % n { diagonal[p / n] } else { zero }).collect();
+        let mut entries = Vec::with_capacity(n * n);
+        for (p, zero) in given.into_iter().enumerate() {
+            let (i, j) = (p / n, p % n);
+            // A 0 that is written is a factor, as it is where the inverse is written out.
+            entries.push(if i == j { diagonal[i] } else { zero.times(graph, diagonal[i]).times(graph, diagonal[j]) });
+        }
         return Ok(Array { shape: Shape::matrix(n as u16, n as u16), entries }.tensor());
     }
     if n > LARGEST {

@@ -77,7 +77,9 @@ impl Elaborator<'_> {
     ) -> Elaborated<Tensor> {
         let f = self.slope(f.clone(), a, span)?;
         let g = self.slope(g.clone(), b, span)?;
-        tensor::product(self.graph, vec![(f, span.clone()), (g, span.clone())], false, span)
+        // What does not change adds nothing; what f and g need is asked for the bracket as a whole.
+        let [f, g] = [f, g].map(|t| tensor::sparse(self.graph, t));
+        tensor::product(self.graph, vec![(f, span.clone()), (g, span.clone())], span)
     }
 
     /// The derivative by a canonical variable, the others being held fixed.

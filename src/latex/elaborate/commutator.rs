@@ -40,10 +40,9 @@ impl Elaborator<'_> {
             let hint = "write `AB+BA` for the anticommutator, components for the Poisson bracket";
             return refuse("latex::ambiguous", "an anticommutator of matrices, or their Poisson bracket?", span, hint);
         }
-        let written_zero = self.is_written_zero(left, &a) || self.is_written_zero(right, &b);
         let (a, b) = ((a, left.span.clone()), (b, right.span.clone()));
-        let forth = self.product(vec![a.clone(), b.clone()], written_zero, span)?;
-        let back = self.product(vec![b, a], written_zero, span)?;
+        let forth = self.product(vec![a.clone(), b.clone()], span)?;
+        let back = self.product(vec![b, a], span)?;
         self.combine(forth, back, span, |g, x, y| if plus { g.add(x, y) } else { g.sub(x, y) }).map(Some)
     }
 

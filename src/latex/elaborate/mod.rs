@@ -126,7 +126,7 @@ impl<'a> Elaborator<'a> {
             return stray(&open.letter, &open.span);
         }
         let value = self.tensor(node)?;
-        Ok(self.joined(value))
+        Ok(self.settled(value))
     }
 
     /// The formula of a declaration. `letters` are the letters of the key's subscript: when they are indices of the formula
@@ -194,7 +194,7 @@ impl<'a> Elaborator<'a> {
                 None => None,
                 Some(target) => Some(Limit { approaches: self.limit_point(target)? }),
             };
-            let (left, right) = (self.joined(left), self.joined(right));
+            let (left, right) = (self.settled(left), self.settled(right));
             if left.shape.rank() > 0 && !matches!(kind, RelationKind::Equal | RelationKind::NotEqual) {
                 let message = format!("a {} cannot be ordered", left.shape);
                 let hint = if left.shape.is_complex() {
@@ -362,6 +362,12 @@ impl<'a> Elaborator<'a> {
     fn joined(&mut self, t: Tensor) -> Tensor {
         let scope = self.scope;
         tensor::joined(self.graph, t, |l| scope.role(l.symbol) == Some(Role::Observable))
+    }
+
+    /// What a formula says as a whole: numbers, also where something is not there.
+    fn settled(&mut self, t: Tensor) -> Tensor {
+        let t = self.joined(t);
+        tensor::settled(self.graph, t)
     }
 
     fn scalar(&mut self, node: &Node) -> Elaborated<Expr> {

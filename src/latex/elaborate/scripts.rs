@@ -124,7 +124,7 @@ impl Elaborator<'_> {
                 let mut t = base.clone();
                 for _ in 1..n {
                     let factors = vec![(t, span.clone()), (base.clone(), span.clone())];
-                    t = tensor::product(self.graph, factors, false, span)?;
+                    t = tensor::product(self.graph, factors, span)?;
                 }
                 Ok(Value::Tensor(t))
             }

@@ -83,11 +83,12 @@ impl<'a> Elaborator<'a> {
             if values.iter().any(|&v| v == 0 || extent.is_some_and(|n| v > n)) {
                 return refuse("latex::index", "an index out of range", span, "indices are counted from 1");
             }
-            let e = self.graph.integer(match values.as_slice() {
+            let entry = match values.as_slice() {
                 [i, j] => i64::from(i == j),
                 [i, j, k] => levi_civita(*i, *j, *k),
                 _ => 0,
-            });
+            };
+            let e = if entry == 0 { self.graph.absent() } else { self.graph.integer(entry) };
             return self.scripted_tensor(Tensor::scalar(e), None, s.sup.as_deref(), false, span);
         }
         if self.is_imaginary_unit(s, span)? {
@@ -190,7 +191,7 @@ impl<'a> Elaborator<'a> {
         }
     }
 
-    /// The stored components of a symbol as a tensor: off the diagonal of a diagonal matrix there are zeros.
+    /// The stored components of a symbol as a tensor: off the diagonal of a diagonal matrix there is nothing.
     fn components_of(&mut self, symbol: Symbol) -> Tensor {
         let count = self.graph.component_count(symbol);
         let components: Vec<Expr> = (0..count).map(|c| self.graph.component(symbol, c as u16)).collect();

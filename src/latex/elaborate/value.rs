@@ -27,13 +27,6 @@ impl Value {
     pub(super) fn is_complex(&self) -> bool {
         matches!(self, Value::Tensor(t) if t.shape.is_complex())
     }
-
-    fn is_absent(&self, graph: &Graph) -> bool {
-        match self {
-            Value::Tensor(t) => t.components.iter().all(|&e| graph.is_zero(e)),
-            Value::Identity(s) => graph.is_zero(*s),
-        }
-    }
 }
 
 impl Elaborator<'_> {
@@ -60,11 +53,8 @@ impl Elaborator<'_> {
             let term = self.summed(node, rest);
             self.values.pop();
             let term = term?;
-            // A term with a structural zero, such as an entry of ε, is not there.
             sum = Some(match sum {
                 None => term,
-                Some(s) if term.is_absent(self.graph) => s,
-                Some(s) if s.is_absent(self.graph) => term,
                 Some(s) => self.plus(s, term, &node.span)?,
             });
         }
@@ -115,10 +105,10 @@ impl Elaborator<'_> {
         for (sign, term) in terms {
             let mut value = self.value(term)?;
             if matches!(sign, Sign::PlusMinus | Sign::MinusPlus) {
-                let (leaf, written_zero) = (self.scope.branch_sign(), self.is_written_zero(term, &value));
+                let leaf = self.scope.branch_sign();
                 value = self.map(value, |g, e| {
                     let s = g.leaf(leaf);
-                    if written_zero { g.mul(s, e) } else { g.mul_structural(s, e) }
+                    g.term(s, e)
                 });
             }
             let negative = matches!(sign, Sign::Minus | Sign::MinusPlus);
@@ -184,14 +174,11 @@ impl Elaborator<'_> {
             NodeKind::Sum(terms) => self.sum(terms, &node.span),
             NodeKind::Product(parts) => {
                 let mut values = Vec::new();
-                let mut written_zero = false;
                 for part in parts {
-                    let value = self.value(part)?;
-                    written_zero |= self.is_written_zero(part, &value);
-                    values.push((value, part.span.clone()));
+                    values.push((self.value(part)?, part.span.clone()));
                 }
                 self.component_is_clear(parts, &values)?;
-                self.product(values, written_zero, &node.span)
+                self.product(values, &node.span)
             }
             NodeKind::Dot(parts) => self.dot(parts, &node.span),
             NodeKind::Cross { left, right, bracket } => {
@@ -203,8 +190,7 @@ impl Elaborator<'_> {
                 let scalars = !*bracket && a.as_scalar().is_some() && b.as_scalar().is_some();
                 if scalars && self.values.is_empty() {
                     let (a, b) = (Value::Tensor(a), Value::Tensor(b));
-                    let zero = self.is_written_zero(left, &a) || self.is_written_zero(right, &b);
-                    return self.product(vec![(a, left.span.clone()), (b, right.span.clone())], zero, &node.span);
+                    return self.product(vec![(a, left.span.clone()), (b, right.span.clone())], &node.span);
                 }
                 if matches!(left.kind, NodeKind::Cross { bracket: false, .. }) {
                     let hint = "put parentheses around two of the factors";
@@ -218,10 +204,7 @@ impl Elaborator<'_> {
                 let Some(under) = under.as_scalar().filter(|_| !value.is_complex()) else {
                     return self.complex_quotient(&value, &under, &node.span).map(Value::Tensor);
                 };
-                let written_zero = self.is_written_zero(top, &value);
-                Ok(self.map(value, |g, e| {
-                    if g.is_zero(e) && !written_zero && g.as_constant(under).is_none() { e } else { g.div(e, under) }
-                }))
+                Ok(self.map(value, |g, e| if g.is_absent(e) && !g.is_zero(under) { e } else { g.div(e, under) }))
             }
             NodeKind::Root(a, degree) => {
                 let number = self.number(a)?;
@@ -348,11 +331,6 @@ impl Elaborator<'_> {
         }
     }
 
-    /// Whether this is a 0 by its numbers, not because something is not there, as an entry of ε.
-    pub(super) fn is_written_zero(&self, node: &Node, value: &Value) -> bool {
-        value.is_absent(self.graph) && (value.is_complex() || node.is_numeric())
-    }
-
     fn numbers(&mut self, nodes: &[Node]) -> Elaborated<Vec<Tensor>> {
         nodes.iter().map(|n| self.number(n)).collect()
     }
@@ -361,13 +339,8 @@ impl Elaborator<'_> {
         nodes.iter().map(|n| self.scalar(n)).collect()
     }
 
-    /// Juxtaposed factors. A 0 that is written keeps its factors: they may have no value.
-    pub(super) fn product(
-        &mut self,
-        factors: Vec<(Value, Range<usize>)>,
-        written_zero: bool,
-        span: &Range<usize>,
-    ) -> Elaborated<Value> {
+    /// Juxtaposed factors.
+    pub(super) fn product(&mut self, factors: Vec<(Value, Range<usize>)>, span: &Range<usize>) -> Elaborated<Value> {
         let mut identity = false;
         let mut tensors = Vec::new();
         for (value, at) in factors {
@@ -388,7 +361,7 @@ impl Elaborator<'_> {
             }
         }
         let scalars = tensors.iter().all(|(t, _)| t.shape.rank() == 0);
-        let t = tensor::product(self.graph, tensors, written_zero, span)?;
+        let t = tensor::product(self.graph, tensors, span)?;
         if identity && t.shape == Shape::scalar().complexified() {
             let hint = r"write the matrix by its components, or multiply a matrix";
             return refuse("latex::unsupported", "a complex multiple of the identity matrix", span, hint);
@@ -408,7 +381,6 @@ impl Elaborator<'_> {
     fn dot(&mut self, parts: &[Node], span: &Range<usize>) -> Elaborated<Value> {
         let mut acc: Option<(Value, Range<usize>)> = None;
         let mut vectors = 0;
-        let mut written_zero = false;
         // `{\bf a}\cdot{\bf b}\,\mathbb{1}` is a multiple of the identity matrix.
         if let [first, Node { kind: NodeKind::Product(factors), .. }] = parts
             && let [second, Node { kind: NodeKind::Identity, .. }] = factors.as_slice()
@@ -418,7 +390,7 @@ impl Elaborator<'_> {
             self.conjugation_is_clear(&a, &b, &[first.clone(), second.clone()], span)?;
             let number = tensor::dot(self.graph, &a, &b, span)?;
             let identity = Value::Identity(self.graph.integer(1));
-            return self.product(vec![(Value::Tensor(number), span.clone()), (identity, span.clone())], false, span);
+            return self.product(vec![(Value::Tensor(number), span.clone()), (identity, span.clone())], span);
         }
         for part in parts {
             let value = self.value(part)?;
@@ -428,7 +400,6 @@ impl Elaborator<'_> {
                 let hint = "put parentheses around two of the factors";
                 return refuse("latex::ambiguous", "a scalar product of three vectors", span, hint);
             }
-            written_zero |= self.is_written_zero(part, &value);
             acc = Some(match acc {
                 None => (value, part.span.clone()),
                 Some((Value::Tensor(a), at)) if a.shape.real_extents().len() == 1 && rank(&value) == 1 => {
@@ -440,7 +411,7 @@ impl Elaborator<'_> {
                 Some((a, at)) => {
                     let whole = at.start..part.span.end;
                     let factors = vec![(a, at), (value, part.span.clone())];
-                    (self.product(factors, written_zero, &whole)?, whole)
+                    (self.product(factors, &whole)?, whole)
                 }
             });
         }

@@ -158,6 +158,9 @@ impl Scope {
         let indexed = !pattern.is_empty() && pattern.iter().all(|p| *p == Pattern::Index);
         let printed = if indexed { name::to_latex(&name) } else { key.to_owned() };
         let symbol = graph.declare(&printed, shape, d.diagonal && definition.is_none());
+        if matches!(d.role, Role::Time | Role::State | Role::Parameter | Role::Coordinate) {
+            graph.set_always_has_value(symbol);
+        }
         for whole in numbered {
             let whole = whole.unwrap_or(symbol);
             graph.set_numbered(whole);

@@ -166,8 +166,7 @@ impl<'a> Step<'a> {
             out.from.push(name.clone());
             let premise = match derivation.premise(&name) {
                 Premise::System(system) => {
-                    let equations = &derivation.systems[system].equations;
-                    out.systems.extend(equations.iter().flat_map(|w| &w.value.relations).flat_map(pairs));
+                    out.systems.extend(self.equations_of(system));
                     continue;
                 }
                 Premise::Claim(claim) => &derivation.claims[claim],

@@ -188,10 +188,12 @@ impl Step<'_> {
         systems.flat_map(|system| self.equations_of(system)).collect()
     }
 
-    /// The equations of a system.
+    /// The equations of a system, but for components that say 0 = 0 of all motions.
     pub(super) fn equations_of(&self, system: usize) -> Pairs {
         let equations = &self.derivation.systems[system].equations;
-        equations.iter().flat_map(|w| &w.value.relations).flat_map(pairs).collect()
+        let graph = &self.derivation.graph;
+        let says = |(l, r): &(Expr, Expr)| !graph.vanishes(*l) || !graph.vanishes(*r);
+        equations.iter().flat_map(|w| &w.value.relations).flat_map(pairs).filter(says).collect()
     }
 
     /// Everything that the systems among the premises divide by, as it stands and by its definition.
