@@ -434,3 +434,42 @@ fn what_gives_the_square_of_a_name_is_used() {
     assert_eq!(last(divider), Some(Word::Wrong));
     assert!(instead(divider).is_some_and(|i| i.contains("^2")), "{:?}", instead(divider));
 }
+
+/// A prime behind a name that one letter defines, and a dot behind one that the time does, derive; the key of a rate has its index; an arrow in a
+/// display concludes from the equations beside it.
+#[test]
+fn derivatives_of_what_is_defined_are_reckoned() {
+    use Word::{Condition, Defines, Follows, Wrong};
+    says("Let $y=x^3$. Then $y'=3x^2$.", &[Defines, Follows]);
+    says("Let $y=x^3$. Then $y'=3x^3$.", &[Defines, Wrong]);
+    says(r"\[ w=\sin x \] and \[ w'=-\cos x \]", &[Defines, Wrong]);
+    says(r"\[ y=t^3 \] then \[ \dot y=3t^2 \]", &[Defines, Follows]);
+    says(r"\[ y=t^3 \] then \[ \dot y=3t^3 \]", &[Defines, Wrong]);
+    // Beside a letter with a prime, or a second one, it may be another name.
+    says("Let $y=x^3$ and $x'=2x$. Then $y'=3x^3$.", &[Defines, Defines, Defines]);
+    says("Let $y=ax^3$. Then $y'=3x^3$.", &[Defines, Defines]);
+    says(
+        r"\[ L=\frac12m\dot{x}_1^2+\frac12M\dot x_2^2 \] Then \[ \frac{\partial L}{\partial\dot{x}_1}=m\dot x_1 \] Hence \[ \frac{\partial L}{\partial\dot x_2}=2M\dot x_2 \]",
+        &[Defines, Follows, Wrong],
+    );
+    let spring = r"\begin{gather} m\ddot y=-ky-mg \\ Y=y+mg/k \\ \ddot Y=\ddot y \Longrightarrow \ddot Y=\frac km Y \end{gather}";
+    says(spring, &[Condition, Defines, Follows, Wrong]);
+}
+
+/// What an arrow, or a word, solves for a name of the equation before it follows from that; what differs from what was said before is told by its
+/// word, also where other definitions stand between.
+#[test]
+fn what_is_solved_for_and_what_differs_is_told() {
+    use Word::{Defines, Differs, Follows, Wrong};
+    says(r"\[ F=ma \implies a=Fm \]", &[Defines, Wrong]);
+    says(r"$F=ma \implies a=Fm$", &[Defines, Wrong]);
+    says(r"\[ F=ma \] Hence \[ a=\frac Fm \]", &[Defines, Follows]);
+    assert_eq!(instead(r"\[ F=ma \implies a=Fm \]").as_deref(), Some(r"\frac{F}{m}"));
+    // A sign, or a matrix, may be its own inverse; without a word or an arrow it is another definition.
+    for tex in [r"\[ u=sv \implies v=su \]", r"\[ b=Ax \implies x=Ab \]", r"\[ y_k=\mu(k)c \implies c=\mu(k)y_k \]"] {
+        assert!(words(tex).iter().all(|w| w.0 != Wrong), "{tex}");
+    }
+    says(r"\[ F=ma \] \[ a=Fm \]", &[Defines, Defines]);
+    says(r"\[ T=\frac12mv^2, \quad v=gt \] \[ T=mg^2t^2 \]", &[Defines, Defines, Differs]);
+    says(r"\[ T=\frac12mv^2, \quad v=gt \] Now \[ T=mg^2t^2 \]", &[Defines, Defines, Defines]);
+}
