@@ -473,3 +473,26 @@ fn what_is_solved_for_and_what_differs_is_told() {
     says(r"\[ T=\frac12mv^2, \quad v=gt \] \[ T=mg^2t^2 \]", &[Defines, Defines, Differs]);
     says(r"\[ T=\frac12mv^2, \quad v=gt \] Now \[ T=mg^2t^2 \]", &[Defines, Defines, Defines]);
 }
+
+/// What holds no formula, no text, or an environment that is not known is said.
+#[test]
+fn what_is_not_read_is_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lint = |name: &str, bytes: &[u8]| {
+        fs::write(folder.path().join(name), bytes).expect("written");
+        rederive(folder.path(), &["lint", name])
+    };
+    lint("empty.tex", b"").code(0).stdout(predicate::str::contains("this file is empty"));
+    lint("words.tex", b"words").code(0).stdout(predicate::str::contains("no formula that relates something"));
+    lint("zero.tex", b"$a=b$\0").code(2).stderr(predicate::str::contains("bytes that are 0"));
+    lint("wide.tex", &[0xff, 0xfe, b'$', 0]).code(2).stderr(predicate::str::contains("UTF-16"));
+    lint("paper.tex", b"%PDF-1.5").code(2).stderr(predicate::str::contains("a PDF"));
+    let unknown = br"\begin{IEEEeqnarray}{rCl} a&=&b+c \end{IEEEeqnarray} \begin{foo} \frac12a=b \end{foo}";
+    let run = lint("unknown.tex", unknown).code(0);
+    run.stdout(predicate::str::contains("defines          a=b+c").and(predicate::str::contains("environment `foo`")));
+    lint("alone.tex", br"\[ \text{Here } \quad \]").stdout(predicate::str::contains("relates nothing").not());
+    rederive(folder.path(), &["."]).code(2).stderr(predicate::str::contains("rederive lint"));
+    rederive(folder.path(), &["alone.tex.txt"]).code(2).stderr(predicate::str::contains("unrecognized"));
+    fs::write(folder.path().join("plain.txt"), "words").expect("written");
+    rederive(folder.path(), &["plain.txt"]).code(2).stderr(predicate::str::contains("rederive lint plain.txt"));
+}
