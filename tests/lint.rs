@@ -434,3 +434,65 @@ fn what_gives_the_square_of_a_name_is_used() {
     assert_eq!(last(divider), Some(Word::Wrong));
     assert!(instead(divider).is_some_and(|i| i.contains("^2")), "{:?}", instead(divider));
 }
+
+/// A prime behind a name that one letter defines, and a dot behind one that the time does, derive; the key of a rate has its index; an arrow in a
+/// display concludes from the equations beside it.
+#[test]
+fn derivatives_of_what_is_defined_are_reckoned() {
+    use Word::{Condition, Defines, Follows, Wrong};
+    says("Let $y=x^3$. Then $y'=3x^2$.", &[Defines, Follows]);
+    says("Let $y=x^3$. Then $y'=3x^3$.", &[Defines, Wrong]);
+    says(r"\[ w=\sin x \] and \[ w'=-\cos x \]", &[Defines, Wrong]);
+    says(r"\[ y=t^3 \] then \[ \dot y=3t^2 \]", &[Defines, Follows]);
+    says(r"\[ y=t^3 \] then \[ \dot y=3t^3 \]", &[Defines, Wrong]);
+    // Beside a letter with a prime, or a second one, it may be another name.
+    says("Let $y=x^3$ and $x'=2x$. Then $y'=3x^3$.", &[Defines, Defines, Defines]);
+    says("Let $y=ax^3$. Then $y'=3x^3$.", &[Defines, Defines]);
+    says(
+        r"\[ L=\frac12m\dot{x}_1^2+\frac12M\dot x_2^2 \] Then \[ \frac{\partial L}{\partial\dot{x}_1}=m\dot x_1 \] Hence \[ \frac{\partial L}{\partial\dot x_2}=2M\dot x_2 \]",
+        &[Defines, Follows, Wrong],
+    );
+    let spring = r"\begin{gather} m\ddot y=-ky-mg \\ Y=y+mg/k \\ \ddot Y=\ddot y \Longrightarrow \ddot Y=\frac km Y \end{gather}";
+    says(spring, &[Condition, Defines, Follows, Wrong]);
+}
+
+/// What an arrow, or a word, solves for a name of the equation before it follows from that; what differs from what was said before is told by its
+/// word, also where other definitions stand between.
+#[test]
+fn what_is_solved_for_and_what_differs_is_told() {
+    use Word::{Defines, Differs, Follows, Wrong};
+    says(r"\[ F=ma \implies a=Fm \]", &[Defines, Wrong]);
+    says(r"$F=ma \implies a=Fm$", &[Defines, Wrong]);
+    says(r"\[ F=ma \] Hence \[ a=\frac Fm \]", &[Defines, Follows]);
+    assert_eq!(instead(r"\[ F=ma \implies a=Fm \]").as_deref(), Some(r"\frac{F}{m}"));
+    // A sign, or a matrix, may be its own inverse; without a word or an arrow it is another definition.
+    for tex in [r"\[ u=sv \implies v=su \]", r"\[ b=Ax \implies x=Ab \]", r"\[ y_k=\mu(k)c \implies c=\mu(k)y_k \]"] {
+        assert!(words(tex).iter().all(|w| w.0 != Wrong), "{tex}");
+    }
+    says(r"\[ F=ma \] \[ a=Fm \]", &[Defines, Defines]);
+    says(r"\[ T=\frac12mv^2, \quad v=gt \] \[ T=mg^2t^2 \]", &[Defines, Defines, Differs]);
+    says(r"\[ T=\frac12mv^2, \quad v=gt \] Now \[ T=mg^2t^2 \]", &[Defines, Defines, Defines]);
+}
+
+/// What holds no formula, no text, or an environment that is not known is said.
+#[test]
+fn what_is_not_read_is_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lint = |name: &str, bytes: &[u8]| {
+        fs::write(folder.path().join(name), bytes).expect("written");
+        rederive(folder.path(), &["lint", name])
+    };
+    lint("empty.tex", b"").code(0).stdout(predicate::str::contains("this file is empty"));
+    lint("words.tex", b"words").code(0).stdout(predicate::str::contains("no formula that relates something"));
+    lint("zero.tex", b"$a=b$\0").code(2).stderr(predicate::str::contains("bytes that are 0"));
+    lint("wide.tex", &[0xff, 0xfe, b'$', 0]).code(2).stderr(predicate::str::contains("UTF-16"));
+    lint("paper.tex", b"%PDF-1.5").code(2).stderr(predicate::str::contains("a PDF"));
+    let unknown = br"\begin{IEEEeqnarray}{rCl} a&=&b+c \end{IEEEeqnarray} \begin{foo} \frac12a=b \end{foo}";
+    let run = lint("unknown.tex", unknown).code(0);
+    run.stdout(predicate::str::contains("defines          a=b+c").and(predicate::str::contains("environment `foo`")));
+    lint("alone.tex", br"\[ \text{Here } \quad \]").stdout(predicate::str::contains("relates nothing").not());
+    rederive(folder.path(), &["."]).code(2).stderr(predicate::str::contains("rederive lint"));
+    rederive(folder.path(), &["alone.tex.txt"]).code(2).stderr(predicate::str::contains("unrecognized"));
+    fs::write(folder.path().join("plain.txt"), "words").expect("written");
+    rederive(folder.path(), &["plain.txt"]).code(2).stderr(predicate::str::contains("rederive lint plain.txt"));
+}

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use clap::ArgAction;
 use rederive::diag::Source;
+use rederive::diag::escape::in_one_line;
 use rederive::lint::{self, Lint, Word};
 use rederive::paper::{self, Paper};
 use rederive::report::{self, github, lint_findings, sarif};
@@ -14,6 +15,9 @@ use rederive::{Ending, Failure, Format, files};
 use super::arguments::{LimitArguments, printed_as};
 use super::config::Config;
 use super::ending::{Stop, as_json, print, say, say_problems};
+
+/// The most papers of a folder that are named.
+const MOST_NAMED: usize = 8;
 
 pub const AFTER_HELP: &str = r"Every relation that the paper prints gets one word:
   follows        proved, from what stands before it or outright
@@ -113,7 +117,7 @@ fn once(arguments: &LintArguments, papers: &[PathBuf]) -> Result<Ending, Stop> {
             for (k, (paper, found)) in all.iter().enumerate() {
                 if all.len() > 1 {
                     let space = if k > 0 { "\n" } else { "" };
-                    say(&format!("{space}{}\n", rederive::diag::escape::in_one_line(&paper.file.path)))?;
+                    say(&format!("{space}{}\n", in_one_line(&paper.file.path)))?;
                 }
                 say(&lint::lint_text(paper, found))?;
             }
@@ -154,6 +158,9 @@ fn read(path: &std::path::Path) -> Result<Paper, Stop> {
     if bytes.len() as u64 > paper::LARGEST_PAPER {
         return Err("standard input is too large for a paper".into());
     }
+    if let Some(what) = paper::no_text(&bytes) {
+        return Err(format!("standard input is {what}").into());
+    }
     let text = String::from_utf8(bytes).map_err(|_| "standard input is not UTF-8")?;
     let source = Source { path: "-".to_owned(), text };
     Ok(paper::parse(source, String::new()).map_err(Failure::from)?)
@@ -163,6 +170,35 @@ fn read(path: &std::path::Path) -> Result<Paper, Stop> {
 pub fn is_paper(word: &std::ffi::OsStr) -> bool {
     let path = std::path::Path::new(word);
     path.extension().is_some_and(|e| e == "tex" || e == "md") && !word.to_string_lossy().starts_with('-')
+}
+
+/// What a folder, or a file that is no paper by its name, needs in the place of a command.
+pub fn instead_of_command(word: &std::ffi::OsStr) -> Option<String> {
+    let path = std::path::Path::new(word);
+    let name = in_one_line(&word.to_string_lossy());
+    if path.is_file() {
+        return Some(format!(
+            "`{name}` is a file, and no command: `rederive lint {name}` looks through a paper, `rederive check {name}` checks a derivation file"
+        ));
+    }
+    let entries = std::fs::read_dir(path).ok()?;
+    let mut papers: Vec<String> = entries
+        .flatten()
+        .map(|e| e.path())
+        .filter(|p| is_paper(p.as_os_str()))
+        .map(|p| in_one_line(&p.to_string_lossy()))
+        .collect();
+    papers.sort();
+    papers.truncate(MOST_NAMED);
+    Some(match papers.is_empty() {
+        true => format!(
+            "`{name}` is a folder, and no command; no `.tex` file is in it. `rederive check {name}` checks the derivation files in it"
+        ),
+        false => format!(
+            "`{name}` is a folder, and no command: `rederive lint {}` looks through the papers in it",
+            papers.join(" ")
+        ),
+    })
 }
 
 /// The document of a paper; of several a list of them.

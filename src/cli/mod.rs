@@ -98,6 +98,13 @@ pub fn run(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
     }
     let (mut arguments, matches) = match parsed(&line) {
         Ok(arguments) => arguments,
+        Err(error)
+            if error.kind() == clap::error::ErrorKind::InvalidSubcommand
+                && let Some(what) = line.get(1).and_then(|word| lint::instead_of_command(word)) =>
+        {
+            complain(&format!("error: {what}"));
+            return Ending::BadInput.code();
+        }
         Err(error) => {
             // Help and version come here too, with exit code 0. If they cannot be printed, nobody reads them. Words of the line
             // are quoted: what would act in them is a sign.

@@ -7,7 +7,6 @@
 use paper::{PrintedRelation, PrintedSide, names, squeezed};
 
 use super::judge::Judge;
-use super::lone::lone_name;
 use super::nearest::Sureness;
 use super::relation::{
     are_multiples, are_two_places, has_dimensions, is_congruence, is_evaluated, is_integrated, is_of_any, is_of_units,
@@ -106,9 +105,10 @@ impl Judge<'_> {
         match inline {
             _ if derived && sentence.fixes => Blame::Nothing,
             _ if derived => Blame::Steps,
-            true if defining => Blame::Nothing,
+            true if defining && !solved => Blame::Nothing,
             _ if self.has_case_beside(at) => doubted,
             true if k == 1 && is_supposed(self.paper, relation) => doubted,
+            true if solved => Blame::Steps,
             true => Blame::Identities,
             false if defining && !self.has_rates() && !solved => Blame::Nothing,
             false => Blame::Steps,
@@ -116,14 +116,13 @@ impl Judge<'_> {
     }
 
     /// How sure it is that a step claims something.
-    pub(super) fn sureness(&self, step: &OfStep, blame: Blame, at: usize, concludes: bool) -> Sureness {
-        let first = lone_name(&step.relation.sides[0]);
+    pub(super) fn sureness(&self, step: &OfStep, blame: Blame, concludes: bool) -> Sureness {
         if blame == Blame::Doubted {
             Sureness::Doubted
         } else if step.derived {
             Sureness::Derives
-        } else if concludes && !step.sentence.changes && self.is_the_same_case(first.as_ref(), at) {
-            Sureness::Concludes
+        } else if concludes {
+            if step.solved { Sureness::Solves } else { Sureness::Concludes }
         } else if step.k > 1 || step.alone && self.is_reckoned(step.relation) {
             Sureness::Chain
         } else {

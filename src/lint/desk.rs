@@ -85,10 +85,10 @@ pub struct Desk {
 }
 
 /// The independent variable by which the names of a step are derived, if there is just one.
-fn variable(all: &[PaperName], evidence: &Evidence) -> Result<Option<String>, NotRead> {
+fn variable(all: &[PaperName], given: &[&Given], evidence: &Evidence) -> Result<Option<String>, NotRead> {
     let mut found: BTreeSet<String> = BTreeSet::new();
     for name in all {
-        if let Some(by) = primed_by(name, all, evidence) {
+        if let Some(by) = primed_by(name, all, given, evidence) {
             found.insert(by);
         }
         if name.dots > 0 {
@@ -192,12 +192,13 @@ fn inside(keys: &[String], given: &[&Given]) -> Vec<String> {
 /// Whether a definition, or what it names, names a variable, or that of which the variable is a rate.
 pub(super) fn names_variable(key: &str, by: &str, given: &[&Given]) -> bool {
     let key = key.to_owned();
-    inside(std::slice::from_ref(&key), given).iter().chain([&key]).any(|k| k == by || by.ends_with(k.as_str()))
+    let of = [r"\dot", r"\ddot"].iter().find_map(|dots| by.strip_prefix(dots)).map_or(by, str::trim_start);
+    inside(std::slice::from_ref(&key), given).iter().chain([&key]).any(|k| k == of)
 }
 
-/// The variable by which a prime derives: that of which the paper prints the name as a function, or by which it derives it. The time
-/// is none: its derivatives have dots.
-fn primed_by(name: &PaperName, all: &[PaperName], evidence: &Evidence) -> Option<String> {
+/// The variable by which a prime derives: that of which the paper prints the name as a function, or by which it derives it, or else the one
+/// letter of the formula that defines it.
+fn primed_by(name: &PaperName, all: &[PaperName], given: &[&Given], evidence: &Evidence) -> Option<String> {
     if name.primes == 0 {
         return None;
     }
@@ -215,9 +216,26 @@ fn primed_by(name: &PaperName, all: &[PaperName], evidence: &Evidence) -> Option
     let here: Vec<&str> = seen.keys().copied().filter(|v| all.iter().any(|n| n.key() == *v)).collect();
     match here.as_slice() {
         [one] => Some((*one).to_owned()),
-        [] => seen.into_iter().max_by_key(|(v, n)| (*n, std::cmp::Reverse(*v))).map(|(v, _)| v.to_owned()),
+        [] => match seen.into_iter().max_by_key(|(v, n)| (*n, std::cmp::Reverse(*v))) {
+            Some((by, _)) => Some(by.to_owned()),
+            None => only_letter(&key, given, evidence),
+        },
         _ => None,
     }
+}
+
+/// The letter of a definition that has just one, where the paper prints it with no prime, which would be that of other axes, and neither it nor
+/// the name that is defined with a dot.
+fn only_letter(key: &str, given: &[&Given], evidence: &Evidence) -> Option<String> {
+    let of = |key: &str| given.iter().find(|g| g.key == key && !g.is_rate);
+    let letters: BTreeSet<String> = names(&of(key)?.right).iter().map(PaperName::key).collect();
+    let [letter] = Vec::from_iter(letters).try_into().ok()?;
+    let is_plain = letter != key
+        && letter.chars().count() == 1
+        && !evidence.primes.contains_key(&letter)
+        && of(&letter).is_none()
+        && ![key, &letter].iter().any(|k| evidence.dotted.contains(*k));
+    is_plain.then_some(letter)
 }
 
 /// What a lone `i` is.
@@ -270,7 +288,7 @@ impl Desk {
         if all.iter().any(|n| n.is_partial) && all.iter().any(|n| n.difference_sign().is_some()) {
             return Err(NotRead::of("a difference, or a Laplacian"));
         }
-        let time = variable(&all, evidence)?;
+        let time = variable(&all, given, evidence)?;
         if let Some(time) = &time {
             constants_apart(&mut all, evidence, time);
         }
@@ -285,8 +303,7 @@ impl Desk {
         }
         // The same of what is derived partially: that names in its definition do not depend on the variable is nowhere said.
         for name in all.iter().filter(|n| n.is_partial) {
-            // The key of a rate has no index, `\dot x` of `\dot x_1`: of what it is the rate is not seen here.
-            let Some(by) = name.derived_by.as_ref().filter(|by| !by.contains("dot")) else { continue };
+            let Some(by) = &name.derived_by else { continue };
             let key = name.key();
             if given.iter().any(|g| g.key == key && !g.is_rate) && !names_variable(&key, by, given) {
                 return Err(NotRead::of(format!("a derivative of {key} by {by}, which its definition does not name")));
@@ -297,14 +314,15 @@ impl Desk {
             let derived: Vec<String> = all.iter().filter(rate_of).map(PaperName::key).collect();
             let is_known =
                 |key: &String| given.iter().any(|g| g.key == *key) || all.iter().any(|n| n.dots > 0 && n.key() == *key);
-            if let Some(key) = inside(&derived, given).into_iter().find(|key| evidence.varies(key) && !is_known(key)) {
+            let is_unknown = |key: &String| key != "t" && evidence.varies(key) && !is_known(key);
+            if let Some(key) = inside(&derived, given).into_iter().find(is_unknown) {
                 return Err(NotRead::of(format!("a rate of {key}, which the paper does not give")));
             }
         }
         // A prime of a function of one variable is its derivative; there, `t` has primes too.
         let mut all: Vec<PaperName> = all
             .iter()
-            .map(|n| match primed_by(n, &all, evidence) {
+            .map(|n| match primed_by(n, &all, given, evidence) {
                 Some(by) => PaperName { derived_by: Some(by), is_partial: false, ..unprimed(n) },
                 None => n.clone(),
             })

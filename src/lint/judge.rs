@@ -8,9 +8,9 @@ use paper::{Opening, Paper, PrintedRelation, PrintedSide, names};
 
 use super::blame::OfStep;
 use super::cases::{Cases, Stance};
-use super::desk::{Desk, Given, NotRead, evidence_of};
+use super::desk::{Given, NotRead, evidence_of};
 use super::facts::{Facts, Reach, Stated};
-use super::lone::{lone_name, unprimed};
+use super::lone::lone_name;
 use super::nearest::WrongStep;
 use super::notation::Evidence;
 use super::relation::{free_indices, gives_values, is_congruence, is_letter_at_place, lone_right};
@@ -24,8 +24,6 @@ use paper::squeezed;
 
 /// Longest side, in bytes, that is looked at.
 pub(super) const LONGEST: usize = 1500;
-/// Relations right behind another, which list several values of one name.
-const NEIGHBOURS: usize = 3;
 /// Relations behind a display that may explain its names.
 pub(super) const MOST_EXPLAINED: usize = 8;
 
@@ -50,7 +48,9 @@ pub fn lint(paper: &Paper, limits: &Limits) -> Lint {
         compared: Vec::new(),
         supposed: Vec::new(),
     };
-    let judgements = (0..paper.printed.len()).map(|at| judge.relation(at)).collect();
+    // Words that stand alone in a display are no formula.
+    let is_formula = |at: &usize| paper.printed[*at].sides.iter().any(|s| s.is_whole_display() || !s.text.is_empty());
+    let judgements = (0..paper.printed.len()).filter(is_formula).map(|at| judge.relation(at)).collect();
     Lint { judgements }
 }
 
@@ -97,7 +97,7 @@ struct Tally {
     defines: bool,
     /// The relation that defined it before.
     anew: Option<usize>,
-    /// That definition, where this one is a slip away from it.
+    /// What was said of it before, where this definition is a slip away from that.
     differs: Option<String>,
 }
 
@@ -306,23 +306,24 @@ impl Judge<'_> {
             });
             let defining = k == 1 && first.is_some() && !known;
             let derived = k == 1 && self.is_derived(left);
+            let is_stated = defining && self.is_stated(first.as_ref(), right, at);
             if defining {
                 // Whether it can be read is all that there is to say of it.
                 tally.defines = true;
                 let rate = self.is_rate(first.as_ref());
                 match self.readable(left, right, &free) {
                     Err(found) => tally.unread = Some(found),
-                    Ok(()) if (inline || !concludes) && !rate => continue,
+                    Ok(()) if !concludes && !rate => continue,
                     Ok(()) => {}
                 }
-                let is_asked = rate && !self.facts.given.is_empty() || concludes && self.is_stated(first.as_ref());
-                if !derived && (inline || !is_asked) {
+                let is_asked = rate && !inline && !self.facts.given.is_empty() || concludes && is_stated;
+                if !derived && !is_asked {
                     continue;
                 }
             }
             out.steps.1 += 1;
             // What equations before are solved for is no choice.
-            let solved = defining && concludes && !sentence.changes && self.is_stated(first.as_ref());
+            let solved = concludes && !sentence.changes && is_stated;
             let alone = relation.sides.len() == 2 && (first.is_none() || defining);
             let of = OfStep { relation, k, sentence, defining, derived, solved, alone };
             let blame = self.blame(&of, at);
@@ -335,9 +336,19 @@ impl Judge<'_> {
             }
             let solves = defining && !self.is_rate(first.as_ref());
             let reach = if alone { Reach::Near { section: self.section, at } } else { Reach::Paper };
-            let sureness = self.sureness(&of, blame, at, concludes);
-            let place =
-                Place { at, free: &free, named: named.clone(), blame, sureness, reach, is_first: k == 1, solves };
+            let concludes = concludes && !sentence.changes && self.is_the_same_case(first.as_ref(), at);
+            let sureness = self.sureness(&of, blame, concludes);
+            let place = Place {
+                at,
+                free: &free,
+                named: named.clone(),
+                blame,
+                sureness,
+                concludes: concludes && blame != Blame::Doubted,
+                reach,
+                is_first: k == 1,
+                solves,
+            };
             match self.step([left, right], &place) {
                 Step::Follows(support) => {
                     tally.follows += 1;
@@ -364,11 +375,10 @@ impl Judge<'_> {
                     tally.anew = before.as_ref().map(|g| g.relation);
                     if blame == Blame::Steps
                         && !sentence.changes
-                        && before.as_ref().is_some_and(|g| g.relation + NEIGHBOURS < at)
                         && !names(right).is_empty()
                         && first.as_ref().is_some_and(|n| n.dots + n.primes == 0 && n.derived_by.is_none())
                     {
-                        tally.differs = before.and_then(|g| self.slip_of(&g, right, &place));
+                        tally.differs = before.and_then(|g| self.slip_from([left, right], &g, &place));
                     }
                 }
                 Step::Open(names) if !defining => {
@@ -401,11 +411,6 @@ impl Judge<'_> {
         let all = sentence.names.iter().filter_map(|name| self.named.get(name)).flatten();
         let found: BTreeSet<usize> = all.copied().filter(|k| *k != at).collect();
         found.into_iter().collect()
-    }
-
-    /// Whether an equation before, in this section, has a name in it.
-    fn is_stated(&self, name: Option<&paper::PaperName>) -> bool {
-        name.is_some_and(|n| self.facts.is_stated(self.section, &n.key()))
     }
 
     /// The word, from what became of the steps.
@@ -463,7 +468,7 @@ impl Judge<'_> {
             });
             (out.word, out.why) = match differs {
                 None if again => (out.word, "as before".to_owned()),
-                Some(instead) => (Word::Differs, format!("before it was {instead}")),
+                Some(instead) => (Word::Differs, instead),
                 None => (out.word, "otherwise than before".to_owned()),
             };
             out.with.push(before);
@@ -479,108 +484,5 @@ impl Judge<'_> {
         if out.word == Word::Defines && !is_rate && (value || lone_name(&relation.sides[1]).is_some()) {
             out.word = Word::Condition;
         }
-    }
-
-    /// The relation that defines a name just so, in this section.
-    fn same_definition(&self, name: Option<&paper::PaperName>, right: &PrintedSide) -> Option<usize> {
-        let text = squeezed(&right.text);
-        let same = |g: &&Given| !g.is_rate && g.section == self.section && squeezed(&g.right.text) == text;
-        self.facts.given.of(&name?.key()).rev().find(same).map(|g| g.relation)
-    }
-
-    /// Whether a name is a derivative: with a dot, in a quotient, or with a prime behind what is defined.
-    fn is_rate(&self, name: Option<&paper::PaperName>) -> bool {
-        name.is_some_and(|n| {
-            n.dots > 0
-                || n.derived_by.is_some()
-                || n.primes > 0 && self.facts.given.of(&unprimed(n).key()).next().is_some()
-        })
-    }
-
-    /// Whether a side has a derivative of what this section defines by a formula, and no other name: what it is is no choice any more.
-    fn is_derived(&self, side: &PrintedSide) -> bool {
-        let all = lone_name(side).map_or_else(|| names(side), |name| vec![name]);
-        let mut derived =
-            all.iter().filter(|n| !n.is_variable && (n.primes > 0 || n.dots > 0 || n.derived_by.is_some()));
-        let Some(name) = derived.next().filter(|_| derived.next().is_none()) else { return false };
-        let is_it = |g: &Given| !g.is_rate && g.section == self.section;
-        all.iter().filter(|n| !n.is_variable).count() == 1 && self.facts.given.of(&unprimed(name).key()).any(is_it)
-    }
-
-    /// Whether no item of a list begins between the definition of a name and a relation: a list may be one of cases.
-    pub(super) fn is_the_same_case(&self, name: Option<&paper::PaperName>, at: usize) -> bool {
-        let Some(before) = name.and_then(|n| self.facts.given.of(&n.key()).next_back()) else { return true };
-        let place = |k: usize| self.paper.locate(&self.paper.printed[k].span());
-        let ((file, from), (other, to)) = (place(before.relation), place(at));
-        std::sync::Arc::ptr_eq(file, other)
-            && file.text.get(from.end..to.start).is_some_and(|between| !between.contains(r"\item"))
-    }
-
-    pub(super) fn has_rates(&self) -> bool {
-        self.facts.given.has_rates()
-    }
-
-    /// Notes what a relation defines.
-    fn define(&mut self, relation: &PrintedRelation, at: usize) {
-        let Some(name) = lone_name(&relation.sides[0]) else { return };
-        let is_equal = relation.signs.first().is_some_and(|s| EQUALS.contains(&s.as_str()));
-        if !is_equal
-            || self.standings[at] != Standing::Stated
-            || relation.display.is_none() && is_supposed(self.paper, relation)
-        {
-            return;
-        }
-        let right = &relation.sides[1];
-        let key = name.key();
-        let is_rate = name.dots == 1 || name.derived_by.is_some() && !name.is_partial;
-        if name.dots > 1 || name.is_partial || right.is_list || right.text.is_empty() {
-            return;
-        }
-        let own = names(right);
-        // A value is a condition, and what stands on both sides is an equation.
-        let is_matrix = right.text.contains("matrix}");
-        if own.is_empty() && !is_matrix
-            || own.iter().any(|n| n.key() == key && (!is_rate || n.dots > 0 || n.derived_by.is_some()))
-        {
-            return;
-        }
-        if matches!(&name.call, paper::Call::Places(places) if places.len() != 1 || places[0].chars().any(|c| c.is_ascii_digit()))
-        {
-            return;
-        }
-        let free = free_indices(relation);
-        if self.readable(&relation.sides[0], right, &free).is_err() {
-            // What was defined before is defined no more: by what, was not read.
-            self.facts.given.forget(&key, is_rate);
-            return;
-        }
-        // What its derivatives were is no more.
-        if !is_rate && name.primes == 0 {
-            for primes in ["'", "''"] {
-                self.facts.given.forget(&format!("{key}{primes}"), false);
-            }
-        }
-        let given = Given {
-            key,
-            left: relation.sides[0].clone(),
-            right: right.clone(),
-            relation: at,
-            is_rate,
-            section: self.parts[at],
-        };
-        self.facts.given.push(given);
-    }
-
-    fn readable(&self, left: &PrintedSide, right: &PrintedSide, free: &BTreeSet<char>) -> Result<(), NotRead> {
-        let read = |given: &[Given]| {
-            let list: Vec<&Given> = given.iter().collect();
-            let mut desk = Desk::new(&[left, right], &list, &self.evidence, free)?;
-            desk.pairs([left, right], &self.evidence).map(|_| ())
-        };
-        // A derivative by a rate needs the formula that is derived.
-        read(&[]).or_else(|found| match self.facts.definitions(&[left, right], Reach::Paper, false) {
-            given if given.is_empty() => Err(found),
-            given => read(&given).map_err(|_| found),
-        })
     }
 }

@@ -15,6 +15,7 @@
 
 mod blame;
 mod cases;
+mod defining;
 mod desk;
 mod excuse;
 mod facts;
@@ -152,7 +153,7 @@ pub struct LintPicture {
 /// What was found of a paper.
 #[derive(Clone, Debug)]
 pub struct Lint {
-    /// One for each printed relation, in their order.
+    /// One for each printed relation, in their order; words that stand alone in a display are none.
     pub judgements: Vec<Judgement>,
 }
 

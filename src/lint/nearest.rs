@@ -89,6 +89,8 @@ pub enum Sureness {
     Chain,
     /// Its sentence concludes: so may the first side, which was defined before.
     Concludes,
+    /// It is solved for a name of the equation before it.
+    Solves,
     /// It says what the derivative is of what was defined: its constants are those of the definition.
     Derives,
 }
@@ -127,6 +129,7 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
         let is_meant = |s: &Slip| match s.way {
             _ if sureness == Sureness::Doubted => s.way == Alteration::Value,
             Alteration::LostTerm => k == 1,
+            Alteration::Inverse => k == 1 && sureness == Sureness::Solves,
             Alteration::MissingTerm => k == 1 && sureness >= Sureness::Chain,
             _ => true,
         };
@@ -152,7 +155,7 @@ fn is_claim(asked: &Asked, rests: &Rests, chain: &Chain, sureness: Sureness) -> 
         && !asked.premises.equations.is_empty()
         && chain.sides.last().is_some_and(|s| matches!(&s.kind, NodeKind::Number(n) if *n == Rational::ZERO));
     let smallest = if conserves { size(&chain.sides[0]) } else { chain.sides.iter().map(size).min()? };
-    let is_solved = sureness == Sureness::Concludes && !rests.stated.is_empty();
+    let is_solved = matches!(sureness, Sureness::Concludes | Sureness::Solves) && !rests.stated.is_empty();
     let is_derivation = derives_formula(chain, asked) && !rests.are_some();
     let least = if sureness == Sureness::Doubted {
         FEWEST_DOUBTED.0
@@ -165,7 +168,7 @@ fn is_claim(asked: &Asked, rests: &Rests, chain: &Chain, sureness: Sureness) -> 
     };
     let fewest = match sureness {
         _ if is_derivation => FEWEST_NODES - 2,
-        Sureness::Derives | Sureness::Chain => FEWEST_NODES - 2,
+        Sureness::Derives | Sureness::Solves | Sureness::Chain => FEWEST_NODES - 2,
         Sureness::Concludes => FEWEST_NODES - 1,
         Sureness::Stands => FEWEST_NODES,
         Sureness::Doubted => FEWEST_DOUBTED.1,
@@ -295,7 +298,7 @@ impl Search<'_> {
         {
             return None;
         }
-        if self.rests.are_some() && slip.way != Alteration::Value && !is_exchange {
+        if self.rests.are_some() && !matches!(slip.way, Alteration::Value | Alteration::Inverse) && !is_exchange {
             return None;
         }
         self.proved(&altered)?;

@@ -27,6 +27,8 @@ pub struct Slip {
 pub enum Alteration {
     /// A sign, a number, an exponent, a function: the same names stand there.
     Value,
+    /// A factor is divided by, or what is divided by is a factor.
+    Inverse,
     /// A factor is left out.
     LostFactor,
     /// A term is left out.
@@ -88,7 +90,7 @@ pub fn slips(side: &Node, names: &[SymbolNode]) -> Vec<Slip> {
     // Exchanges of names are many: they come last.
     out.sort_by_key(|s| match s.way {
         Alteration::Value => 0,
-        Alteration::LostFactor | Alteration::LostTerm => 1,
+        Alteration::LostFactor | Alteration::LostTerm | Alteration::Inverse => 1,
         Alteration::Exchange { .. } => 2,
         Alteration::MissingTerm => 3,
     });
@@ -209,11 +211,19 @@ fn altered(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
     out
 }
 
+/// Whether a factor is a small Latin letter: a capital one may be its own inverse, as a matrix, and so is a sign.
+fn is_quantity(of: &Node) -> bool {
+    let is_letter =
+        |name: &str| name.len() == 1 && name.starts_with(|c: char| c.is_ascii_lowercase() && !"eijs".contains(c));
+    matches!(&of.kind, NodeKind::Symbol(s) if is_letter(&s.name) && s.sup.is_none() && s.arguments.is_none() && s.dots == 0)
+}
+
 /// What is altered at the top of a tree.
 fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
     let mut out: Vec<Node> = Vec::new();
     let mut exchanged = Vec::new();
     let mut dropped: Vec<Node> = Vec::new();
+    let mut inverse: Vec<Node> = Vec::new();
     match &of.kind {
         NodeKind::Number(r) => {
             let near = [Rational::ONE, -Rational::ONE, r.clone()].map(|d| r.clone() + d);
@@ -254,10 +264,15 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
             for i in 0..parts.len() {
                 let mut rest = parts.clone();
                 rest.remove(i);
-                dropped.push(match rest.len() {
+                let rest = match rest.len() {
                     1 => rest.swap_remove(0),
                     _ => node(NodeKind::Product(rest), of),
-                });
+                };
+                if is_quantity(&parts[i]) {
+                    let [top, bottom] = [&rest, &parts[i]].map(|n| Box::new(n.clone()));
+                    inverse.push(node(NodeKind::Quotient { top, bottom, slash: false }, of));
+                }
+                dropped.push(rest);
             }
         }
         NodeKind::Quotient { top, bottom, slash } => {
@@ -267,6 +282,9 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
                 let base = Box::new(factor(bottom));
                 let squared = Box::new(node(NodeKind::Scripted { base, sub: None, sup, sup_first: false }, of));
                 out.push(node(NodeKind::Quotient { top: top.clone(), bottom: squared, slash: *slash }, of));
+            }
+            if is_quantity(bottom) {
+                inverse.push(node(NodeKind::Product(vec![factor(top), (**bottom).clone()]), of));
             }
             let (top, bottom) = (bottom.clone(), top.clone());
             out.push(node(NodeKind::Quotient { top, bottom, slash: *slash }, of));
@@ -334,7 +352,8 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
     }
     let lost = if matches!(of.kind, NodeKind::Sum(_)) { Alteration::LostTerm } else { Alteration::LostFactor };
     let plain = out.into_iter().map(|side| Slip { side, way: Alteration::Value });
-    plain.chain(dropped.into_iter().map(|side| Slip { side, way: lost.clone() })).chain(exchanged).collect()
+    let with = |all: Vec<Node>, way: Alteration| all.into_iter().map(move |side| Slip { side, way: way.clone() });
+    plain.chain(with(dropped, lost)).chain(with(inverse, Alteration::Inverse)).chain(exchanged).collect()
 }
 
 /// A tree with another child in the place of one; `None` for kinds in which nothing is altered.

@@ -16,11 +16,14 @@ use super::nearest::{Sureness, WrongStep, introduces_nothing, is_slip_of, neares
 use super::numbers::agreement;
 use super::question::{Asked, Positive, Rests, ask};
 use super::relation::moved;
+use super::setting::keys;
 
 /// Random points at which a step that is not proved is tried.
 const POINTS: usize = 40;
 /// Relations before a conclusion that its sentence may name.
-const IN_SENTENCE: usize = 3;
+pub(super) const IN_SENTENCE: usize = 3;
+/// Relations right behind another, which list several values of one name.
+const NEIGHBOURS: usize = 3;
 /// Steps that may take too much work before equations that the paper states are left alone.
 const MOST_EXHAUSTED: usize = 4;
 
@@ -68,6 +71,8 @@ pub(super) struct Place<'a> {
     pub(super) blame: Blame,
     /// How sure it is that something is claimed.
     pub(super) sureness: Sureness,
+    /// Whether its words conclude from what stands before it, in the same case.
+    pub(super) concludes: bool,
     /// How far back a proof may reach.
     pub(super) reach: Reach,
     /// Whether it is the first step of its relation.
@@ -160,14 +165,7 @@ impl Judge<'_> {
         if self.exhausted > MOST_EXHAUSTED {
             return out;
         }
-        let mut stated = self.facts.equations(
-            sides,
-            &plain,
-            place.at,
-            self.section,
-            &place.named,
-            place.sureness == Sureness::Concludes,
-        );
+        let mut stated = self.facts.equations(sides, &plain, place.at, self.section, &place.named, place.concludes);
         stated.retain(|s| !self.are_parted(s.relation, place.at, is_sure));
         if is_sure {
             // Equations of one display hold together: one is no step from the other.
@@ -180,10 +178,9 @@ impl Judge<'_> {
             stated.retain(|s| !again(s) || place.sureness != Sureness::Stands);
             stated.retain(|s| !self.is_stated_otherwise(s));
             stated.retain(|s| !self.is_implied_otherwise(s.relation, place.at) && !self.is_of_former(s, place.at));
-            let is_near = |s: &Stated| place.sureness == Sureness::Concludes && s.relation + IN_SENTENCE >= place.at;
+            let is_near = |s: &Stated| place.concludes && s.relation + IN_SENTENCE >= place.at;
             stated.retain(|s| {
-                (!s.in_text || is_near(s))
-                    && (place.sureness == Sureness::Concludes || own.is_none() || display(s.relation) != own)
+                (!s.in_text || is_near(s)) && (place.concludes || own.is_none() || display(s.relation) != own)
             });
         }
         // Definitions of what only the equations name, too.
@@ -238,10 +235,25 @@ impl Judge<'_> {
         None
     }
 
+    /// What an earlier definition says, where this one is a slip away from it: letter by letter, or with what defines its names.
+    pub(super) fn slip_from(&mut self, sides: [&PrintedSide; 2], before: &Given, place: &Place) -> Option<String> {
+        if before.relation + NEIGHBOURS < place.at
+            && let Some(instead) = self.slip_of(before, sides[1], place)
+        {
+            return Some(format!("before it was {instead}"));
+        }
+        // Said again of the same names it is of another case.
+        if self.paper.printed[before.relation].sides.iter().any(|s| keys([s; 2]) == keys([sides[1]; 2])) {
+            return None;
+        }
+        let place = Place { sureness: Sureness::Concludes, named: Vec::new(), ..*place };
+        let wrong = self.wrong(sides, &place, &mut Vec::new()).filter(|w| w.with.len() > 1)?;
+        Some(format!("with what defines its names before, it is {}", wrong.instead))
+    }
+
     /// The right side of an earlier definition as this one should be, where this one has the same names and is a slip away from it.
-    pub(super) fn slip_of(&mut self, before: &Given, right: &PrintedSide, place: &Place) -> Option<String> {
-        let keys = |s: &PrintedSide| names(s).iter().map(|n| n.key()).collect::<BTreeSet<String>>();
-        if keys(&before.right) != keys(right) {
+    fn slip_of(&mut self, before: &Given, right: &PrintedSide, place: &Place) -> Option<String> {
+        if keys([&before.right; 2]) != keys([right; 2]) {
             return None;
         }
         let positive = Positive::Named(BTreeSet::new());

@@ -4,6 +4,7 @@
 //! [`printed`](super::printed) relations. **Guaranteed:** what has no end is read as far as its paragraph goes, and told.
 
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 use super::differences::DifferenceSigns;
 use super::mark::{self, group_text, parts};
@@ -24,8 +25,10 @@ enum Numbers {
 fn display(name: &str) -> Option<Numbers> {
     match name {
         "equation" | "equation*" | "displaymath" | "multline" | "multline*" | "math" | "dmath" | "dmath*"
-        | "align*" | "eqnarray*" | "gather*" | "flalign*" | "alignat*" | "dgroup" => Some(Numbers::One),
-        "align" | "eqnarray" | "gather" | "flalign" | "alignat" => Some(Numbers::EachLine),
+        | "align*" | "eqnarray*" | "gather*" | "flalign*" | "alignat*" | "IEEEeqnarray*" | "dgroup" => {
+            Some(Numbers::One)
+        }
+        "align" | "eqnarray" | "gather" | "flalign" | "alignat" | "IEEEeqnarray" => Some(Numbers::EachLine),
         _ => None,
     }
 }
@@ -35,6 +38,10 @@ const RELATIONS: &[&str] = &[
     "=", "<", ">", r"\le", r"\ge", r"\ne", r"\equiv", r"\approx", r"\sim", r"\simeq", r"\to", r"\propto", r"\ll",
     r"\gg",
 ];
+
+/// Commands that stand in formulas alone.
+const OF_FORMULAS: &[&str] =
+    &["frac", "dfrac", "tfrac", "sqrt", "partial", "sum", "int", "cdot", "leq", "geq", "dot", "ddot", "nonumber"];
 
 /// Commands that begin a section.
 const SECTIONS: &[&str] = &["section", "chapter", "subsection", "part", "paragraph", "subsubsection", "appendix"];
@@ -82,6 +89,10 @@ pub(super) struct Reader<'t> {
     pub borders: Borders,
     displays: usize,
     section: usize,
+    /// The environments that have begun, and where.
+    open: Vec<(String, Range<usize>)>,
+    /// Those of which it is told that they are not read.
+    told: BTreeSet<String>,
 }
 
 impl<'t> Reader<'t> {
@@ -98,6 +109,17 @@ impl<'t> Reader<'t> {
             borders: Borders::default(),
             displays: 0,
             section: 0,
+            open: Vec::new(),
+            told: BTreeSet::new(),
+        }
+    }
+
+    /// Tells of an environment that has a formula in it, and is not known to be a display.
+    fn formula_outside(&mut self) {
+        let Some((name, span)) = self.open.last().filter(|(name, _)| name != "document") else { return };
+        if self.told.insert(name.clone()) {
+            let message = format!("the environment `{}` is not known: its formulas are not read", in_one_line(name));
+            self.notes.push(PaperNote { message, span: span.clone() });
         }
     }
 
@@ -145,13 +167,20 @@ impl<'t> Reader<'t> {
                         let (name, after) = group_text(self.tokens, self.at);
                         if let Some(numbers) = display(&name) {
                             self.at = after;
-                            if name.starts_with("alignat") {
+                            if ["alignat", "IEEEeqnarray"].iter().any(|with| name.starts_with(with)) {
                                 self.at = group_text(self.tokens, self.at).1;
                             }
                             let body = self.environment(&name);
                             self.equation(&body, numbers, &name);
+                        } else {
+                            self.open.push((name, token.span.clone()));
                         }
                     }
+                    "end" => {
+                        self.open.pop();
+                    }
+                    "ensuremath" => self.at = group_text(self.tokens, self.at).1,
+                    name if OF_FORMULAS.contains(&name) => self.formula_outside(),
                     _ => {}
                 },
                 _ => {}

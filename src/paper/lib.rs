@@ -172,8 +172,22 @@ pub fn read(path: &Path) -> Result<Paper, Box<Diagnostic>> {
         Why::NotAFile(what) => refuse(format!("this is {what}, not a file")),
         why => refuse(format!("this file {why}")),
     })?;
+    if let Some(what) = no_text(&bytes) {
+        return Err(refuse(format!("this file is {what}")));
+    }
     let sha256 = Sha256::digest(&bytes).iter().map(|b| format!("{b:02x}")).collect();
     parse_with(Arc::new(Source { path: shown, text: text_from(bytes) }), sha256, path.parent())
+}
+
+/// What bytes are that are no text in UTF-8, nor in ISO 8859-1.
+pub fn no_text(bytes: &[u8]) -> Option<&'static str> {
+    if bytes.starts_with(b"%PDF-") {
+        Some("a PDF: the LaTeX source of the paper is read")
+    } else if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        Some("in UTF-16: save it in UTF-8")
+    } else {
+        bytes.contains(&0).then_some("no text: it has bytes that are 0")
+    }
 }
 
 /// The text of a file: UTF-8, or else ISO 8859-1, as older papers are.
@@ -239,6 +253,13 @@ fn parse_with(file: Arc<Source>, sha256: String, folder: Option<&Path>) -> Resul
     let title = title.map(|t| shown(&t).into_owned());
     notes.extend(inputs.notes);
     notes.extend(endless);
+    if printed.is_empty() {
+        let message = match file.text.trim().is_empty() {
+            true => "this file is empty",
+            false => "no formula that relates something is seen: formulas stand between dollars, or in a display",
+        };
+        notes.push(PaperNote { message: message.to_owned(), span: 0..0 });
+    }
     notes.sort_by_key(|n| (n.span.start, n.span.end));
     let starts = |text: &str| std::iter::once(0).chain(text.match_indices('\n').map(|(i, _)| i + 1)).collect();
     let lines = std::iter::once(&file).chain(inputs.files.iter().map(|(_, f)| f)).map(|f| starts(&f.text)).collect();

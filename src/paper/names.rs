@@ -183,8 +183,21 @@ impl Names {
         let text = self.text(at);
         let is_letter = text.len() == 1 && text.as_bytes()[0].is_ascii_alphabetic()
             || text.strip_prefix('\\').is_some_and(is_letter_command);
-        let is_styled = text.strip_prefix('\\').is_some_and(|c| BOLD.contains(&c) || DOTS.iter().any(|(d, _)| *d == c));
-        if is_styled {
+        let command = text.strip_prefix('\\').unwrap_or("");
+        if DOTS.iter().any(|(d, _)| *d == command) {
+            // `\dot x_1`: the rate of the name with its index.
+            let (inner, end) = (self.inner(at + 1).0, self.unit(at + 1));
+            let (mut key, inside) = self.variable(inner)?;
+            let mut end = end.max(inside);
+            if self.text(end) == "_" {
+                let index = end;
+                end = self.unit(end + 1);
+                key.push_str(&self.spelled(index, end));
+            }
+            let space = if key.starts_with('\\') { "" } else { " " };
+            return Some((format!("{text}{space}{key}"), end));
+        }
+        if BOLD.contains(&command) {
             let end = self.unit(at + 1);
             let inner = self.spelled(at, end);
             return Some((inner, end));
