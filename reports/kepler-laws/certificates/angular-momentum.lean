@@ -18,7 +18,7 @@ import Mathlib
 -- G stands for G
 -- m stands for m
 -- r stands for r
-theorem equation_1 (r_ddot theta_ddot r_dot theta_dot sin_theta cos_theta M G m r : ℝ)
+theorem equation_3 (r_ddot theta_ddot r_dot theta_dot sin_theta cos_theta M G m r : ℝ)
     (h1 : sin_theta^2 + cos_theta^2 - 1 = 0)
     (h2 : -theta_dot^2*cos_theta*r^3 - 2*r_dot*theta_dot*sin_theta*r^2 - theta_ddot*sin_theta*r^3 + r_ddot*cos_theta*r^2 + cos_theta*M*G = 0)
     (h3 : -theta_dot^2*sin_theta*r^3 + 2*r_dot*theta_dot*cos_theta*r^2 + theta_ddot*cos_theta*r^3 + r_ddot*sin_theta*r^2 + sin_theta*M*G = 0)
@@ -38,7 +38,7 @@ theorem equation_1 (r_ddot theta_ddot r_dot theta_dot sin_theta cos_theta M G m 
 -- G stands for G
 -- m stands for m
 -- r stands for r
-theorem equation_3 (r_ddot theta_ddot r_dot theta_dot sin_theta cos_theta M G m r : ℝ)
+theorem equation_7 (r_ddot theta_ddot r_dot theta_dot sin_theta cos_theta M G m r : ℝ)
     (h1 : sin_theta^2 + cos_theta^2 - 1 = 0)
     (h2 : -theta_dot^2*cos_theta*r^3 - 2*r_dot*theta_dot*sin_theta*r^2 - theta_ddot*sin_theta*r^3 + r_ddot*cos_theta*r^2 + cos_theta*M*G = 0)
     (h3 : -theta_dot^2*sin_theta*r^3 + 2*r_dot*theta_dot*cos_theta*r^2 + theta_ddot*cos_theta*r^3 + r_ddot*sin_theta*r^2 + sin_theta*M*G = 0)

@@ -146,7 +146,45 @@ def numbers_agree(names, functions, definitions, variables):
         sys.exit("no numbers were found for which the functions have values")
 
 
-# Equation 1: (an expression of 137 operations) = r\cdot \cos(\theta)\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot \sin(\theta))-r\cdot \sin(\theta)\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot \cos(\theta))
+# Equation 1: 0 = r\cdot \sin(\theta)\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot 0)-0\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot \sin(\theta))
+# r stands for r
+check(
+    names=["r_ddot", "theta_ddot", "r_dot", "theta_dot", "sin_theta", "cos_theta", "M", "G", "m", "r", "theta"],
+    left="0",
+    right="r*sin(theta)*(-(G*(M*m/r**2)*0)) - 0*(-(G*(M*m/r**2)*sin(theta)))",
+    relations=[
+    ],
+    d="1",
+    functions={
+        "sin(theta)": "sin_theta",
+    },
+    variables={
+        "sin_theta": "sin(theta)",
+        "cos_theta": "cos(theta)",
+    },
+)
+
+
+# Equation 2: 0 = 0\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot \cos(\theta))-r\cdot \cos(\theta)\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot 0)
+# r stands for r
+check(
+    names=["r_ddot", "theta_ddot", "r_dot", "theta_dot", "sin_theta", "cos_theta", "M", "G", "m", "r", "theta"],
+    left="0",
+    right="0*(-(G*(M*m/r**2)*cos(theta))) - r*cos(theta)*(-(G*(M*m/r**2)*0))",
+    relations=[
+    ],
+    d="1",
+    functions={
+        "cos(theta)": "cos_theta",
+    },
+    variables={
+        "sin_theta": "sin(theta)",
+        "cos_theta": "cos(theta)",
+    },
+)
+
+
+# Equation 3: (an expression of 137 operations) = r\cdot \cos(\theta)\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot \sin(\theta))-r\cdot \sin(\theta)\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot \cos(\theta))
 # r_ddot stands for \ddot{r}
 # theta_ddot stands for \ddot{\theta}
 # r_dot stands for \dot{r}
@@ -181,7 +219,45 @@ check(
 )
 
 
-# Equation 2: r\cdot \cos(\theta)\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot \sin(\theta))-r\cdot \sin(\theta)\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot \cos(\theta)) = 0
+# Equation 4: r\cdot \sin(\theta)\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot 0)-0\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot \sin(\theta)) = 0
+# r stands for r
+check(
+    names=["r_ddot", "theta_ddot", "r_dot", "theta_dot", "sin_theta", "cos_theta", "M", "G", "m", "r", "theta"],
+    left="r*sin(theta)*(-(G*(M*m/r**2)*0)) - 0*(-(G*(M*m/r**2)*sin(theta)))",
+    right="0",
+    relations=[
+    ],
+    d="1",
+    functions={
+        "sin(theta)": "sin_theta",
+    },
+    variables={
+        "sin_theta": "sin(theta)",
+        "cos_theta": "cos(theta)",
+    },
+)
+
+
+# Equation 5: 0\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot \cos(\theta))-r\cdot \cos(\theta)\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot 0) = 0
+# r stands for r
+check(
+    names=["r_ddot", "theta_ddot", "r_dot", "theta_dot", "sin_theta", "cos_theta", "M", "G", "m", "r", "theta"],
+    left="0*(-(G*(M*m/r**2)*cos(theta))) - r*cos(theta)*(-(G*(M*m/r**2)*0))",
+    right="0",
+    relations=[
+    ],
+    d="1",
+    functions={
+        "cos(theta)": "cos_theta",
+    },
+    variables={
+        "sin_theta": "sin(theta)",
+        "cos_theta": "cos(theta)",
+    },
+)
+
+
+# Equation 6: r\cdot \cos(\theta)\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot \sin(\theta))-r\cdot \sin(\theta)\cdot (-G\cdot \frac{M\cdot m}{r^2}\cdot \cos(\theta)) = 0
 # r stands for r
 check(
     names=["r_ddot", "theta_ddot", "r_dot", "theta_dot", "sin_theta", "cos_theta", "M", "G", "m", "r", "theta"],
@@ -201,7 +277,7 @@ check(
 )
 
 
-# Equation 3: (an expression of 137 operations) = 0
+# Equation 7: (an expression of 137 operations) = 0
 # r_ddot stands for \ddot{r}
 # theta_ddot stands for \ddot{\theta}
 # r_dot stands for \dot{r}
