@@ -14,9 +14,8 @@ use proof::{Identity, Point, Refutation, Wanted};
 use expr::{Graph, Leaf, Rational};
 
 use super::desk::{Given, pairs_of};
-use super::numbers::{absorbs, agreement, curves, holds_at, ratio};
+use super::numbers::{absorbs, agreement, as_fraction, curves, holds_at, ratio};
 use super::question::{Asked, Rests, tested, vanishes};
-use super::root::as_fraction;
 use super::slips::{Alteration, Slip, bare, size, slips, symbols};
 use super::{LintPicture, LintWitness};
 use paper::squeezed;

@@ -15,6 +15,7 @@ use super::facts::Stated;
 use super::judge::Judge;
 use super::lone::lone_name;
 use super::nearest::WrongStep;
+use super::numbers::as_fraction;
 use super::question::{Positive, Rests};
 use super::sentence::{Sentence, is_supposed};
 use super::setting::keys;
@@ -133,13 +134,4 @@ impl Judge<'_> {
 fn concludes_alone(between: &str) -> bool {
     let words = between.split(|c: char| !c.is_alphabetic()).filter(|w| !w.is_empty()).collect::<Vec<_>>().join(" ");
     between.contains(['$', ')']) && !between.contains('.') && CONCLUDING.contains(&words.trim_start_matches("and "))
-}
-
-/// A number as LaTeX has it: `-3/2` is `-\frac{3}{2}`.
-pub(super) fn as_fraction(value: &str) -> String {
-    let (sign, size) = value.strip_prefix('-').map_or(("", value), |size| ("-", size));
-    match size.split_once('/') {
-        Some((above, below)) => format!(r"{sign}\frac{{{above}}}{{{below}}}"),
-        None => value.to_owned(),
-    }
 }
