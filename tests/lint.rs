@@ -449,8 +449,8 @@ fn derivatives_of_what_is_defined_are_reckoned() {
     says("Let $y=x^3$ and $x'=2x$. Then $y'=3x^3$.", &[Defines, Defines, Defines]);
     says("Let $y=ax^3$. Then $y'=3x^3$.", &[Defines, Defines]);
     says(
-        r"\[ L=\frac12m\dot{x}_1^2+\frac12M\dot x_2^2 \] Then \[ \frac{\partial L}{\partial\dot{x}_1}=m\dot x_1 \] Hence \[ \frac{\partial L}{\partial\dot x_2}=2M\dot x_2 \]",
-        &[Defines, Follows, Wrong],
+        r"\[ L=\frac12m\dot{x}_1^2+\frac12M\dot x_2^2 \] Then \[ \frac{\partial L}{\partial\dot{x}_1}=2m\dot x_1 \] and \[ \frac{\partial L}{\partial\dot x_2}=M\dot x_2 \]",
+        &[Defines, Wrong, Follows],
     );
     let spring = r"\begin{gather} m\ddot y=-ky-mg \\ Y=y+mg/k \\ \ddot Y=\ddot y \Longrightarrow \ddot Y=\frac km Y \end{gather}";
     says(spring, &[Condition, Defines, Follows, Wrong]);
@@ -474,6 +474,17 @@ fn what_is_solved_for_and_what_differs_is_told() {
     says(r"\[ T=\frac12mv^2, \quad v=gt \] Now \[ T=mg^2t^2 \]", &[Defines, Defines, Defines]);
 }
 
+/// The page has a link to every wrong formula, with the formula, and a button for each word.
+#[test]
+fn the_page_shows_the_formulas_of_one_word() {
+    let paper = read(r"\[ E=mc^2 \] \[ A=(a+b)^2+c=a^2-2ab+b^2+c \]");
+    let page = rederive::report::lint_page(&paper, &lint::lint(&paper, &Limits::default()));
+    assert!(page.contains(r##"<a href="#f1">line 1</a>: <math"##), "{page}");
+    assert!(page.contains(r#"id="wrong""#) && page.contains(r#"data-word="defines""#), "{page}");
+    assert!(page.contains("body:has(#defines:checked) .relation:not([data-word=defines]){display:none}"), "{page}");
+    assert!(!page.contains("<script"), "{page}");
+}
+
 /// What holds no formula, no text, or an environment that is not known is said.
 #[test]
 fn what_is_not_read_is_named() {
@@ -495,4 +506,16 @@ fn what_is_not_read_is_named() {
     rederive(folder.path(), &["alone.tex.txt"]).code(2).stderr(predicate::str::contains("unrecognized"));
     fs::write(folder.path().join("plain.txt"), "words").expect("written");
     rederive(folder.path(), &["plain.txt"]).code(2).stderr(predicate::str::contains("rederive lint plain.txt"));
+}
+
+/// Of numbers alone nothing is a condition, but for what may be rounded; a word between two formulas of a text concludes as an arrow does.
+#[test]
+fn numbers_and_solutions_of_the_text_are_reckoned() {
+    use Word::{Condition, Wrong};
+    says("We have $0.1+0.2=0.4$.", &[Wrong]);
+    says(r"We have $\frac12+\frac13=\frac25$.", &[Wrong]);
+    assert_eq!(instead(r"We have $\frac12+\frac13=\frac25$.").as_deref(), Some(r"\frac{5}{6}"));
+    says("We have $2.5+1.3=4$ and $1/3+1/3=0.66$ and $0.33+0.33+0.33=1.0$.", &[Condition; 3]);
+    says("Here $3x+6=0$ so $x=2$.", &[Condition, Wrong]);
+    says("Here $3x+6=0$ so $x=-2$. And $3x+6=0$ or $x=2$.", &[Condition; 4]);
 }

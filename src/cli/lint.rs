@@ -181,15 +181,9 @@ pub fn instead_of_command(word: &std::ffi::OsStr) -> Option<String> {
             "`{name}` is a file, and no command: `rederive lint {name}` looks through a paper, `rederive check {name}` checks a derivation file"
         ));
     }
-    let entries = std::fs::read_dir(path).ok()?;
-    let mut papers: Vec<String> = entries
-        .flatten()
-        .map(|e| e.path())
-        .filter(|p| is_paper(p.as_os_str()))
-        .map(|p| in_one_line(&p.to_string_lossy()))
-        .collect();
-    papers.sort();
-    papers.truncate(MOST_NAMED);
+    let inside = path.is_dir().then(|| files::search(path, &|p| is_paper(p.as_os_str())).ok())??;
+    let name_of = |p: &PathBuf| in_one_line(&p.to_string_lossy());
+    let papers: Vec<String> = inside.found.iter().take(MOST_NAMED).map(name_of).collect();
     Some(match papers.is_empty() {
         true => format!(
             "`{name}` is a folder, and no command; no `.tex` file is in it. `rederive check {name}` checks the derivation files in it"

@@ -130,10 +130,10 @@ impl Judge<'_> {
         }
     }
 
-    /// Whether an equation between whole numbers reckons: no word near says that it is supposed, or of numbers of another kind.
+    /// Whether an equation between numbers reckons: no word near says that it is supposed, or of numbers of another kind.
     fn is_reckoned(&self, relation: &PrintedRelation) -> bool {
         let is_plain = |side: &PrintedSide| {
-            names(side).is_empty() && !side.text.contains(['.', ',', '[', '|']) && !side.text.contains("matrix}")
+            names(side).is_empty() && !side.text.contains([',', '[', '|']) && !side.text.contains("matrix}")
         };
         let digits: Vec<char> =
             relation.sides.iter().flat_map(|s| s.text.chars()).filter(char::is_ascii_digit).collect();

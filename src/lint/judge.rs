@@ -362,7 +362,11 @@ impl Judge<'_> {
                 Step::Numbers => tally.numbers += 1,
                 Step::Wrong(wrong) => {
                     out.span = right.span.clone();
-                    be_wrong(out, *wrong, "a point refutes it, and one slip away it holds");
+                    let why = match wrong.witness.values.is_empty() {
+                        true => "reckoned, its sides differ",
+                        false => "a point refutes it, and one slip away it holds",
+                    };
+                    be_wrong(out, *wrong, why);
                     return Vec::new();
                 }
                 // Said otherwise than before, of a name alone: it is defined anew.

@@ -14,7 +14,7 @@ use proof::{Identity, Point, Refutation, Wanted};
 use expr::{Graph, Leaf, Rational};
 
 use super::desk::{Given, pairs_of};
-use super::numbers::{absorbs, agreement, curves, holds_at, ratio};
+use super::numbers::{absorbs, agreement, as_fraction, curves, holds_at, ratio};
 use super::question::{Asked, Rests, tested, vanishes};
 use super::slips::{Alteration, Slip, bare, size, slips, symbols};
 use super::{LintPicture, LintWitness};
@@ -26,6 +26,8 @@ const OF_A_SLIP: u64 = 400_000;
 const MOST_SLIPS: usize = 260;
 /// Relative difference of two sides that rounding may make.
 const ROUNDED: f64 = 0.02;
+/// Relative error of a difference of decimals.
+const SAME: f64 = 1e-9;
 /// Fewest nodes of a side whose slip is told.
 const FEWEST_NODES: usize = 5;
 
@@ -104,7 +106,7 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     // A number that was rounded.
     let (left, right) = (refutation.left.decimal, refutation.right.decimal);
     let is_of_numbers = asked.desk.scalars.is_empty();
-    if is_of_numbers && last_place(&asked.text).is_some_and(|unit| (left - right).abs() < unit) {
+    if is_of_numbers && last_place(&asked.text).is_some_and(|unit| (left - right).abs() < unit * (1.0 - SAME)) {
         return None;
     }
     if (left - right).abs() < ROUNDED * left.abs().max(right.abs())
@@ -112,6 +114,11 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     {
         return None;
     }
+    // Of fractions the sum is told.
+    let has_fraction = asked.text.contains(['/']) || asked.text.contains(r"\frac");
+    let is_told = has_fraction && asked.equations.len() == 1 && !asked.text.contains('.');
+    let value = refutation.left.exact.as_ref().filter(|_| is_told);
+    let reckoned = value.map(|value| as_fraction(&value.to_string()));
     let witness = witness(&asked.desk.graph, refutation);
     let picture = drawn(&asked, &refutation.point);
     let points: Vec<Point> =
@@ -141,7 +148,8 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
         }
     }
     let is_scaled = sureness != Sureness::Doubted;
-    let instead = instead.or_else(|| search.scaled().filter(|_| is_scaled))?;
+    let instead = instead.or_else(|| search.scaled().filter(|_| is_scaled));
+    let instead = instead.or_else(|| reckoned.filter(|_| is_of_numbers && sureness >= Sureness::Chain))?;
     let mut with: Vec<usize> = rests.given.iter().map(|g| g.relation).collect();
     with.extend(rests.stated.iter().map(|s| s.relation));
     Some(WrongStep { witness, instead, picture, with })
@@ -221,10 +229,12 @@ pub fn is_slip_of(asked: &Asked) -> bool {
     altered.iter().any(|s| s.way == Alteration::Value && spelled(chain, &s.side) == wanted)
 }
 
-/// The unit of the last place of the decimal number with the fewest of them: 0.01 of `2/45=0.04`.
+/// The unit of the last place of the number with the fewest of them, where there are decimals: 0.01 of `2/45=0.04`, 1 of `2.5+1.3=4`.
 fn last_place(text: &str) -> Option<f64> {
     let digits = |rest: &str| rest.chars().take_while(char::is_ascii_digit).count();
     let places = text.match_indices('.').map(|(at, _)| digits(&text[at + 1..])).filter(|n| *n > 0).min()?;
+    let is_whole = text.rsplit('=').next().is_some_and(|right| !right.contains('.'));
+    let places = if is_whole { 0 } else { places };
     Some((0..places.min(18)).fold(1.0, |unit, _| unit / 10.0))
 }
 

@@ -167,3 +167,12 @@ pub fn curves(
     let differ = both.clone().filter(|d| d.abs() > 1e-9).count();
     (differ > 10).then_some(points)
 }
+
+/// A number as LaTeX has it: `-3/2` is `-\frac{3}{2}`.
+pub fn as_fraction(value: &str) -> String {
+    let (sign, size) = value.strip_prefix('-').map_or(("", value), |size| ("-", size));
+    match size.split_once('/') {
+        Some((above, below)) => format!(r"{sign}\frac{{{above}}}{{{below}}}"),
+        None => value.to_owned(),
+    }
+}

@@ -15,6 +15,7 @@ use super::facts::Stated;
 use super::judge::Judge;
 use super::lone::lone_name;
 use super::nearest::WrongStep;
+use super::numbers::as_fraction;
 use super::question::{Positive, Rests};
 use super::sentence::{Sentence, is_supposed};
 use super::setting::keys;
@@ -22,6 +23,10 @@ use super::standing::Standing;
 
 /// Relative difference between a value and the one that holds which rounding may make.
 const ROUNDED: f64 = 0.02;
+
+/// Words that conclude from the formula right before them.
+const CONCLUDING: &[&str] =
+    &["so", "so that", "hence", "thus", "therefore", "which gives", "which implies", "gives", "implies", "yields"];
 
 impl Judge<'_> {
     /// The error of a relation that concludes from an equation in one unknown, if it does not hold at the only solution of that.
@@ -73,12 +78,11 @@ impl Judge<'_> {
         Some(WrongStep { witness, instead, picture: None, with: vec![premise] })
     }
 
-    /// Whether two relations of the running text stand in one formula.
-    fn is_one_formula(&self, first: usize, second: usize) -> bool {
+    /// The text between two relations of one file.
+    fn between(&self, first: usize, second: usize) -> Option<&str> {
         let place = |k: usize| self.paper.locate(&self.paper.printed[k].span());
         let ((file, from), (other, to)) = (place(first), place(second));
-        let between = file.text.get(from.end..to.start).filter(|_| std::sync::Arc::ptr_eq(file, other));
-        between.is_some_and(|text| !text.contains(['$', '.']) && !text.contains(r"\)") && !text.contains(r"\("))
+        file.text.get(from.end..to.start).filter(|_| std::sync::Arc::ptr_eq(file, other))
     }
 
     /// Whether a relation stands right behind an equation, in its display or formula, or in the next display, and its words conclude from that.
@@ -90,7 +94,13 @@ impl Judge<'_> {
         let implied = relation.remark.as_deref() == Some("⇒");
         let has_words = |r: &PrintedRelation| r.remark.as_deref().is_some_and(|words| words != "⇒");
         let concludes = match relation.display == before.display {
-            true if relation.display.is_none() => implied && self.is_one_formula(premise, at),
+            true if relation.display.is_none() => {
+                let between = self.between(premise, at);
+                match implied {
+                    true => between.is_some_and(|text| !text.contains(['$', '.', '(', ')'])),
+                    false => between.is_some_and(concludes_alone),
+                }
+            }
             true => implied,
             false => {
                 before.display.is_some()
@@ -120,11 +130,8 @@ impl Judge<'_> {
     }
 }
 
-/// A number as LaTeX has it: `-3/2` is `-\frac{3}{2}`.
-fn as_fraction(value: &str) -> String {
-    let (sign, size) = value.strip_prefix('-').map_or(("", value), |size| ("-", size));
-    match size.split_once('/') {
-        Some((above, below)) => format!(r"{sign}\frac{{{above}}}{{{below}}}"),
-        None => value.to_owned(),
-    }
+/// Whether nothing stands between two formulas of the running text but a word that concludes: `$3x=6$ so $x=2$`.
+fn concludes_alone(between: &str) -> bool {
+    let words = between.split(|c: char| !c.is_alphabetic()).filter(|w| !w.is_empty()).collect::<Vec<_>>().join(" ");
+    between.contains(['$', ')']) && !between.contains('.') && CONCLUDING.contains(&words.trim_start_matches("and "))
 }

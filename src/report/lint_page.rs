@@ -56,27 +56,17 @@ pub fn lint_page(paper: &Paper, found: &Lint) -> String {
                 // Whatever a paper says, the page loads nothing and sends nothing.
                 meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; font-src data:";
                 title { (title) }
-                style { (PreEscaped(FONT)) (PreEscaped(STYLE)) }
+                style { (PreEscaped(FONT)) (PreEscaped(STYLE)) (PreEscaped(filters())) }
             }
             body {
                 header {
                     p.quiet { "A paper as it is" }
                     h1 { (title) }
                     p.quiet { (paper.file.path) }
-                    ul.counts {
-                        @for word in Word::ALL {
-                            @if found.count(word) > 0 || word == Word::Wrong {
-                                li { b { (found.count(word)) } " " (word.text()) }
-                            }
-                        }
-                    }
+                    (counts(found))
                     @if !wrong.is_empty() {
-                        p { "Wrong: "
-                            @for (k, j) in wrong.iter().enumerate() {
-                                @if k > 0 { ", " }
-                                a href=(format!("#f{}", j.relation)) { "line " (lint::line(paper, j)) }
-                            }
-                        }
+                        p { "Wrong:" }
+                        ul { @for j in &wrong { (link(paper, j, &typeset)) } }
                     }
                 }
                 main {
@@ -91,6 +81,43 @@ pub fn lint_page(paper: &Paper, found: &Lint) -> String {
         }
     };
     page.into_string() + "\n"
+}
+
+/// How often each word is said, each with a button that shows its formulas alone: styles hide the others, and no script.
+fn counts(found: &Lint) -> Markup {
+    let button = |id: &str| html! { input type="radio" name="shown" id=(id) checked[id == "all"]; };
+    html! {
+        ul.counts role="radiogroup" aria-label="formulas that are shown" {
+            li { label { (button("all")) " " b { (found.judgements.len()) } " all" } }
+            @for word in Word::ALL {
+                @if found.count(word) > 0 || word == Word::Wrong {
+                    li { label { (button(&key(word))) " " b { (found.count(word)) } " " (word.text()) } }
+                }
+            }
+        }
+    }
+}
+
+/// A word as a name in markup.
+fn key(word: Word) -> String {
+    word.text().replace(' ', "-")
+}
+
+/// The styles of the buttons.
+fn filters() -> String {
+    let one = |word: Word| format!("body:has(#{0}:checked) .relation:not([data-word={0}]){{display:none}}", key(word));
+    Word::ALL.map(one).concat()
+}
+
+/// A wrong formula of the summary, with a link to its place.
+fn link(paper: &Paper, judgement: &Judgement, typeset: &[Option<Typeset>]) -> Markup {
+    let how = typeset.get(judgement.relation).and_then(Option::as_ref);
+    html! {
+        li {
+            a href=(format!("#f{}", judgement.relation)) { "line " (lint::line(paper, judgement)) }
+            @if let Some(relation) = paper.printed.get(judgement.relation) { ": " (sides(relation, how)) }
+        }
+    }
 }
 
 /// Each relation that was judged as markup, in the order of [`Lint::judgements`].
@@ -135,7 +162,7 @@ fn one(paper: &Paper, judgement: &Judgement, typeset: &[Option<Typeset>]) -> Mar
     };
     let why = lint::explained(paper, judgement);
     html! {
-        div class=(class) id=(format!("f{}", judgement.relation)) {
+        div class=(class) id=(format!("f{}", judgement.relation)) data-word=(key(judgement.word)) {
             p.quiet {
                 "line " (lint::line(paper, judgement)) ": " span.word { (judgement.word.text()) }
                 @if !why.is_empty() { " – " (why) }
@@ -162,12 +189,13 @@ fn wrong(relation: &PrintedRelation, judgement: &Judgement, how: Option<&Typeset
         }
         @if let Some(witness) = &judgement.witness {
             p {
-                "For "
+                @if witness.values.is_empty() { "It" } @else { "For " }
                 @for (k, (name, value)) in witness.values.iter().take(8).enumerate() {
                     @if k > 0 { ", " }
                     (formula(name, scope)) " = " (value)
                 }
-                " it says " (lint::decimal(witness.left)) " = " (lint::decimal(witness.right)) "."
+                @if !witness.values.is_empty() { " it" }
+                " says " (lint::decimal(witness.left)) " = " (lint::decimal(witness.right)) "."
             }
         }
         @if let Some(picture) = &judgement.picture { (drawing(picture)) }
