@@ -477,7 +477,7 @@ impl Term {
 }
 
 /// Operation and arguments of a node, the second one being the first where there is none.
-fn operation(graph: &Graph, node: Expr) -> Option<(Op, Expr, Expr)> {
+pub(super) fn operation(graph: &Graph, node: Expr) -> Option<(Op, Expr, Expr)> {
     match *graph.node(node) {
         Node::Unary(op, a) => Some((op, a, a)),
         Node::Binary(op, a, b) => Some((op, a, b)),

@@ -4,6 +4,7 @@
 //! zero*: it makes no term, whatever it is multiplied by. Every other zero, written or computed, is a factor like any other:
 //! `0·e` has no value where `e` has none, so that the term goes only if `e` has a value for certain.
 
+use super::domain::{Nature, Parity, operation, row};
 use super::{Expr, FastSet, Graph, Leaf, Node, Op};
 
 impl Graph {
@@ -14,24 +15,23 @@ impl Graph {
 
     /// f of the structural zero, where that is structural, too.
     pub(super) fn unary_of_absent(&self, op: Op, a: Expr) -> Option<Expr> {
-        let vanishes = match op {
-            Op::Neg | Op::Abs | Op::Sqrt | Op::Sin | Op::Tan | Op::Arcsin | Op::Arctan | Op::Sinh | Op::Tanh => true,
-            Op::Powi(n) => n > 0,
-            _ => false,
-        };
+        let odd = matches!(row(op).nature, Nature::Transcendental { parity: Parity::Odd, .. });
+        let power = matches!(op, Op::Powi(n) if n > 0);
+        let vanishes = odd || power || [Op::Neg, Op::Abs, Op::Sqrt].contains(&op);
         (vanishes && self.is_absent(a)).then_some(a)
     }
 
     /// A sum or product with the structural zero.
     pub(super) fn binary_of_absent(&mut self, op: Op, a: Expr, b: Expr) -> Option<Expr> {
-        match (op, self.is_absent(a), self.is_absent(b)) {
-            (Op::Add, true, _) => Some(b),
-            (Op::Add | Op::Sub, _, true) => Some(a),
-            (Op::Sub, true, false) => Some(self.neg(b)),
-            (Op::Mul, true, _) => Some(a),
-            (Op::Mul, _, true) => Some(b),
-            _ => None,
+        let absent = [a, b].map(|e| self.is_absent(e));
+        if op == Op::Mul && absent.contains(&true) {
+            return Some(if absent[0] { a } else { b });
         }
+        let sum = op == Op::Add || op == Op::Sub;
+        if sum && absent[1] {
+            return Some(if op == Op::Add && absent[0] { b } else { a });
+        }
+        (sum && absent[0]).then(|| if op == Op::Add { b } else { self.neg(b) })
     }
 
     /// A product of factors of which one may be 0: the term is left out where that is structural, and is 0 where the other factor has
@@ -60,14 +60,13 @@ impl Graph {
     pub fn vanishes(&self, e: Expr) -> bool {
         let mut vanishing: FastSet<Expr> = FastSet::default();
         for node in self.reachable([e]) {
-            let is_zero = |e: &Expr| vanishing.contains(e);
-            let vanishes = match self.node(node) {
-                Node::Constant(_) => self.is_zero(node),
-                Node::Unary(Op::Neg | Op::Abs, a) => is_zero(a),
-                Node::Binary(Op::Add | Op::Sub, a, b) => is_zero(a) && is_zero(b),
-                Node::Binary(Op::Mul, a, b) => is_zero(a) || is_zero(b),
-                Node::Binary(Op::Div | Op::Restrict, a, _) => is_zero(a),
-                Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => false,
+            let vanishes = match operation(self, node) {
+                None => self.is_zero(node),
+                Some((op, a, b)) => {
+                    let [a, b] = [a, b].map(|e| vanishing.contains(&e));
+                    let both = a && b && (op == Op::Add || op == Op::Sub);
+                    both || op == Op::Mul && (a || b) || a && [Op::Neg, Op::Abs, Op::Div, Op::Restrict].contains(&op)
+                }
             };
             if vanishes {
                 vanishing.insert(node);
