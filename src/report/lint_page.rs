@@ -115,7 +115,11 @@ fn link(paper: &Paper, judgement: &Judgement, typeset: &[Option<Typeset>]) -> Ma
     html! {
         li {
             a href=(format!("#f{}", judgement.relation)) { "line " (lint::line(paper, judgement)) }
-            @if let Some(relation) = paper.printed.get(judgement.relation) { ": " (sides(relation, how)) }
+            @if let Some(relation) = paper.printed.get(judgement.relation) {
+                div.formula tabindex="0" role="group" aria-label=(format!("wrong formula of line {}", lint::line(paper, judgement))) {
+                    (sides(relation, how))
+                }
+            }
         }
     }
 }
