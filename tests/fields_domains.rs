@@ -289,7 +289,12 @@ fn what_claims_of_fields_should_have_said_is_offered() {
     let offered = |claim: &str| -> Vec<(String, bool)> {
         let (_, account) = tried(claim);
         let erratum = account.claims[0].variants.as_ref().and_then(|v| v.erratum.as_ref());
-        erratum.map_or_else(Vec::new, |e| e.corrections.iter().map(|c| (c.formula.clone(), c.proved)).collect())
+        erratum.map_or_else(Vec::new, |e| {
+            e.corrections
+                .iter()
+                .map(|c| (c.formula.clone(), c.strength == rederive::verdict::Strength::Proved))
+                .collect()
+        })
     };
     // On a box, and for all fields.
     let box_ = r"ranges = { 'x' = [0, 1], 't' = [0, 1], 'c' = [1, 2], 'u' = '\sin(x-ct)' }

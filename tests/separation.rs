@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use rederive::check::separation::{ConditionsAccount, Join, Need};
-use rederive::check::{Account, Options, check};
+use rederive::check::{Account, Options, Rigor, check};
 use rederive::derivation::parse;
 use rederive::diag::{Source, render};
 
@@ -259,4 +259,70 @@ fn the_comment_leaves_unsaid() {
     let possible = touching.conditions.separation.as_ref().map(|s| s.possible.clone()).unwrap_or_default();
     let first = possible.first().and_then(|(c, on)| c.id.clone().map(|id| (id, on.clone())));
     assert_eq!(first, Some(("axis-off-z".to_owned(), vec!["commuting-start".to_owned()])));
+}
+
+#[test]
+fn what_separates_is_asked_of_final_verdicts() {
+    // k and j of the first motion are nearer to one another than binary64 tells: only an enclosure tells them apart.
+    let motion = |id: &str, k: &str, j: &str, x: &str| {
+        format!(
+            "[[trajectory]]\nid = '{id}'\nsystem = 's'\nparameters = {{ 'k' = {k}, 'j' = {j} }}\ninitial = {{ 'x' = {x} }}\n\
+             span = [0, 1]\n"
+        )
+    };
+    let text = format!(
+        "{}{}{}{}{}",
+        r"
+[derivation]
+title = 'near'
+concerns = 'test'
+[symbols]
+'t' = { role = 'time' }
+'k' = { role = 'parameter' }
+'j' = { role = 'parameter' }
+'x' = { role = 'state' }
+[system.s]
+states = ['x']
+equations = ['\dot x=0']
+",
+        motion("near", "1", "1.00000000000000001", "3"),
+        motion("equal", "2", "2", "3"),
+        motion("apart", "2", "1", "-1"),
+        r"
+[[condition]]
+id = 'alike'
+says = 'k and j are equal'
+holds = ['j=k']
+[[claim]]
+id = 'same'
+says = 'equal'
+always = ['k=j']
+[[claim]]
+id = 'cubes'
+says = 'cubes'
+always = ['k^3=j^3']
+[[claim]]
+id = 'twice'
+says = 'no correction holds on both'
+always = ['k=2j']
+trajectories = ['near', 'equal']
+",
+    );
+    let source = Source { path: "test.toml".into(), text };
+    let derivation = parse(source, "test").unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let of = |rigor: Rigor| {
+        let options = Options { rigor, ..Options::default() };
+        let account = check(&derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+        let separation = account.claims[1].conditions.separation.clone();
+        let failing = separation.as_ref().map(|s| s.fails.clone()).unwrap_or_default();
+        let explained = separation.and_then(|s| Some(s.explanation?.conditions.first()?.formula.clone()));
+        let erratum = account.claims[2].variants.clone().and_then(|v| v.erratum);
+        let offered = erratum.map_or_else(Vec::new, |e| e.corrections.iter().map(|c| c.formula.clone()).collect());
+        (failing, explained, offered)
+    };
+    let (failing, explained, offered): (Vec<String>, Option<String>, Vec<String>) = of(Rigor::Enclosed);
+    assert_eq!(failing, ["near", "apart"]);
+    // On `near` cubes fail, and k = j fails: what samples say of either would make x > 0 a condition, and k = j a correction.
+    assert_eq!(explained.as_deref(), Some("j=k"));
+    assert!(offered.iter().all(|formula| formula != "k=j"), "{offered:?}");
 }

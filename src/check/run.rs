@@ -15,12 +15,14 @@ use claim::limits::Limits;
 use claim::options::{Options, Rigor};
 use derivation::{Claim, Derivation};
 use diag::Diagnostic;
-use findings::{Account, ClaimAccount, IdentityAccount};
+use findings::{Account, ClaimAccount, IdentityAccount, PairAccount};
 use meter::{Ended, Task};
 use proved::step::Step;
 use sampled::selection::{Selection, is_asked};
+use sampled::stage::Stage;
 use sampled::systems::Fields;
 use sampled::witness;
+use verdict::Verdict;
 use weight::variant;
 
 /// The code of a file whose claims take too much work to be compiled.
@@ -169,9 +171,9 @@ struct Method {
 const PLAN: &[Method] = &[
     Method { needs: &[], find: |work| work.sample() },
     Method { needs: &[], find: |work| work.prove() },
-    Method { needs: &[Need::EveryMotion], find: |work| work.separate() },
     Method { needs: &[], find: |work| work.lend() },
     Method { needs: &[Need::Rigor, Need::Time], find: |work| work.enclose() },
+    Method { needs: &[Need::EveryMotion], find: |work| work.separate() },
     Method { needs: &[], find: |work| work.point() },
     Method { needs: &[Need::EveryMotion], find: |work| work.weigh() },
 ];
@@ -189,6 +191,36 @@ impl enclosed::Recall for Enclosed<'_> {
 
     fn keep(&self, question: &enclosed::Question, answer: &enclosed::Answer) {
         self.known.keep(self.derivation, Question::Enclosed(*question), answer);
+    }
+}
+
+/// Encloses claims that the file does not make. Nothing of them is kept.
+struct EnclosedBeside<'e> {
+    fields: &'e Fields,
+    stage: &'e Stage,
+    selection: &'e Selection,
+    limits: &'e Limits,
+}
+
+impl variant::Encloses for EnclosedBeside<'_> {
+    fn enclose(&self, derivation: &Derivation, claims: Vec<variant::Beside>) -> Vec<Vec<Verdict>> {
+        let &EnclosedBeside { fields, stage, selection, limits } = self;
+        let pair = |(t, verdict): (usize, Verdict)| PairAccount {
+            trajectory: derivation.trajectories[t].id.clone(),
+            verdict,
+            expected: None,
+            discrimination: None,
+        };
+        let (mut prepared, mut accounts) = (Vec::new(), Vec::new());
+        for of in claims {
+            let Some(claim) = of.prepared.first().map(|p| p.claim) else { continue };
+            accounts.push(ClaimAccount::of(claim, of.verdicts.into_iter().map(pair).collect()));
+            prepared.push(of.prepared);
+        }
+        let recall = &enclosed::Nothing;
+        let request = enclosed::Request { derivation, fields, stage, prepared: &prepared, selection, limits, recall };
+        enclosed::strengthen(&request, &mut accounts);
+        accounts.into_iter().map(|of| of.results.into_iter().map(|pair| pair.verdict).collect()).collect()
     }
 }
 
@@ -273,15 +305,18 @@ impl Work<'_, '_> {
 
     /// Weighs the evidence by what altered formulas would do, where that is asked.
     fn weigh(&mut self) -> Result<(), CheckError> {
-        let OnMotions { run, selection, compiled, altered, .. } = self.claims;
+        let OnMotions { run, selection, compiled, altered, stage, .. } = self.claims;
         let Some(altered) = altered else { return Ok(()) };
         let Found { weighed, traces, .. } = &self.found;
+        let beside = EnclosedBeside { fields: &compiled.fields, stage, selection, limits: &run.options.limits };
+        let encloses = self.has(Need::Rigor).then_some(&beside as &dyn variant::Encloses);
         altered.conclude(
             &compiled.derivation,
             selection,
             &mut self.account.claims,
             weighed,
             (traces, &run.options.limits),
+            encloses,
         )
     }
 }

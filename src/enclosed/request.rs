@@ -49,3 +49,14 @@ pub trait Recall: Sync {
     /// Keeps an answer.
     fn keep(&self, question: &Question, answer: &Answer);
 }
+
+/// Where nothing was enclosed before, and nothing is kept.
+pub struct Nothing;
+
+impl Recall for Nothing {
+    fn known(&self, _: &Question) -> Option<Answer> {
+        None
+    }
+
+    fn keep(&self, _: &Question, _: &Answer) {}
+}

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
+use verdict::Strength;
 
 use crate::account::{Account, ClaimAccount};
 
@@ -158,8 +159,8 @@ pub struct Correction {
     pub difference: String,
     /// The edits that lead from the one to the other.
     pub classes: Vec<EditClass>,
-    /// Whether it is an identity, given what the claim follows from.
-    pub proved: bool,
+    /// The weakest strength with which it holds on a motion; *proved* where it is an identity, given what the claim follows from.
+    pub strength: Strength,
     /// On how many motions it holds: on all to which the claim applies.
     pub holds_on: usize,
 }

@@ -91,7 +91,11 @@ pub(super) fn corrections_markdown(erratum: &Erratum) -> String {
 
 /// How far a correction was examined.
 pub(super) fn standing(c: &Correction) -> String {
-    let proved = if c.proved { "**proved**, " } else { "" };
+    let proved = match c.strength {
+        verdict::Strength::Proved => "**proved**, ",
+        verdict::Strength::Enclosed => "**enclosed**, ",
+        verdict::Strength::Sampled => "",
+    };
     let classes: Vec<&str> = c.classes.iter().map(|c| c.word()).collect();
     match c.holds_on {
         // Over ranges, or for all fields.

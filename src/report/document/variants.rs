@@ -1,6 +1,6 @@
 //! What altered formulas say of the evidence, and what a claim that fails should have said.
 
-use super::value::objects;
+use super::value::{Strength, objects};
 use findings::SEED;
 
 objects! {
@@ -107,7 +107,9 @@ objects! {
         /// What was edited.
         classes: Vec<&'static str> = of.classes.iter().map(|c| c.word()).collect(),
         /// Whether it was proved for all values.
-        proved: bool = of.proved,
+        proved: bool = of.strength == verdict::Strength::Proved,
+        /// The weakest strength with which it holds on one of them.
+        strength: Option<Strength> = verdict::Outcome::Holds(of.strength).strength().map(Strength),
         /// Trajectories on which it holds; 0 where it holds over ranges or for all fields.
         holds_on: usize = of.holds_on,
     }

@@ -384,7 +384,7 @@ mod tests {
                 formula: formula.to_owned(),
                 difference: difference.to_owned(),
                 classes: Vec::new(),
-                proved: false,
+                strength: verdict::Strength::Sampled,
                 holds_on: 1,
             };
             super::difference(&correction).into_string()

@@ -8,10 +8,12 @@
 //! some claim. A condition that is met somewhere where a claim fails, and not met somewhere where it holds, explains nothing of
 //! it, whatever the other motions say.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
-use super::candidates::Candidate;
-use crate::derivation::{Claim, Derivation};
+use super::candidates::{self, Candidate};
+use crate::derivation::{Claim, DEFAULT_PRECISION, Derivation};
+use crate::expr::FastMap;
+use crate::findings::Account;
 use crate::flow::Points;
 use crate::verdict::Possible;
 use claim::comparison::judge;
@@ -78,6 +80,38 @@ impl Ask<'_> {
 
     fn program(&self, k: usize, trace: &Trace) -> Option<&Program> {
         self.programs.get(k)?.get(*self.start_of.get(trace.trajectory)?)
+    }
+
+    /// Puts in what is known of the claims that say what a condition says: a file is not told two things of one formula.
+    pub fn known(&self, stands: &mut Stands, traces: &[Trace], account: &Account) {
+        let columns: FastMap<&str, usize> = traces
+            .iter()
+            .enumerate()
+            .map(|(c, t)| (self.derivation.trajectories[t.trajectory].id.as_str(), c))
+            .collect();
+        let says = |claim: &Claim| candidates::said(&self.derivation.graph, claim);
+        let conditions: HashMap<_, usize> = self
+            .candidates
+            .iter()
+            .enumerate()
+            .map(|(k, of)| (says(&of.claim), k))
+            .filter(|(s, _)| !s.is_empty())
+            .collect();
+        // Where more or less than at every time is meant, it is another condition.
+        let plain = |c: &&Claim| {
+            c.at.is_none() && c.assuming.is_empty() && !c.branches_throughout && c.precision == DEFAULT_PRECISION
+        };
+        let declared: FastMap<_, &Claim> =
+            self.derivation.claims.iter().filter(plain).map(|c| ((c.id.as_str(), c.reading.as_deref()), c)).collect();
+        for of in &account.claims {
+            let declared = declared.get(&(of.id.as_str(), of.reading.as_deref()));
+            let Some(&k) = declared.and_then(|claim| conditions.get(&says(claim))) else { continue };
+            for pair in &of.results {
+                if let Some(&column) = columns.get(pair.trajectory.as_str()) {
+                    stands.all[k][column] = Stand::Judged(pair.verdict.is_met());
+                }
+            }
+        }
     }
 
     /// Judges what is asked for: candidates and columns.

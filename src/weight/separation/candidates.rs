@@ -108,7 +108,7 @@ pub(super) fn said(graph: &Graph, claim: &Claim) -> Vec<(Option<RelationKind>, E
                     out.extend(telling.map(|(&l, &r)| match relation.kind {
                         RelationKind::Equal if is_its_start(graph, l, r) => (None, l, None),
                         RelationKind::Equal if is_its_start(graph, r, l) => (None, r, None),
-                        kind => (Some(kind), l, Some(r)),
+                        kind => turned(kind, l, r),
                     }));
                 }
             }
@@ -120,6 +120,17 @@ pub(super) fn said(graph: &Graph, claim: &Claim) -> Vec<(Option<RelationKind>, E
     out.sort_unstable_by_key(|(kind, l, r)| (kind.map(|k| k as u8), *l, *r));
     out.dedup();
     out
+}
+
+/// A relation in one of the two ways in which it can be written.
+fn turned(kind: RelationKind, l: Expr, r: Expr) -> (Option<RelationKind>, Expr, Option<Expr>) {
+    let (kind, l, r) = match kind {
+        RelationKind::Equal | RelationKind::NotEqual => (kind, l.min(r), l.max(r)),
+        RelationKind::Greater => (RelationKind::Less, r, l),
+        RelationKind::GreaterEqual => (RelationKind::LessEqual, r, l),
+        RelationKind::Less | RelationKind::LessEqual => (kind, l, r),
+    };
+    (Some(kind), l, Some(r))
 }
 
 /// Marks the text of a quantity that does not change.

@@ -209,6 +209,7 @@ impl Probes {
         let sides: Vec<Sides> = split.iter().map(|&k| explain::sides(&account.claims[k], &ids)).collect();
         let all = || 0..self.candidates.len();
         let mut stands = ask.first(traces);
+        ask.known(&mut stands, traces, account);
         // Those of the file may be used the other way round, too.
         let from_file = |k: &usize| self.candidates[*k].name.id.is_some();
         let mut asked: BTreeSet<(usize, usize)> = all().filter(from_file).flat_map(|k| stands.left(k)).collect();

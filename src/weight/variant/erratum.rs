@@ -5,16 +5,17 @@
 //!
 //! First single edits, then [`completion`](super::completion), then pairs of edits; the latter only where nothing nearer holds.
 //! What passes at a few points of every motion is tried as a claim of its own, as it is printed, on the motions of the check:
-//! only what gets the verdict `holds` on every one is offered. So a correction is as strong as any verdict of this program.
+//! only what gets the verdict `holds` on every one is offered (see `confirm`). So a correction is as strong as any verdict of this program.
 //!
 //! A correction that holds because it says nothing (x = x) is refused, and so is one whose units do not agree, if those of the
 //! print do; one that is true by the definitions alone comes after those that are not. In which order they are offered is said
 //! in `nearness`.
 
-use meter::{Ended, Limits, Task};
+use meter::{Limits, Task};
 
 use super::atom::atoms;
 use super::completion::{Points, completions};
+use super::confirm::Encloses;
 use super::difference::difference;
 use super::equivalence::Sight;
 use super::gap::Insertions;
@@ -26,18 +27,16 @@ use super::tree::cancelled;
 use super::vocabulary::{Vocabulary, phrases};
 use super::{Altered, Battery, Memory, Weighed};
 use crate::derivation::{Claim, Derivation, Form, FormKind, Written};
-use crate::expr::{Expr, Graph, Leaf, Rational};
-use crate::findings::{ClaimAccount, Correction, EditClass, Erratum, PairAccount};
+use crate::expr::{Expr, Graph, Leaf};
+use crate::findings::{ClaimAccount, EditClass, Erratum, PairAccount};
 use crate::flow::Sample;
 use crate::latex::syntax::{Chain, Node, to_latex};
 use crate::latex::{self, RelationKind, Role};
 use crate::verdict::Outcome;
 use claim::error::CheckError;
-use claim::program::{Program, Values};
-use proved::step::Step;
+use claim::program::Values;
 use sampled::selection::Selection;
-use sampled::trace::{Trace, Trial};
-use sampled::trial::try_claim;
+use sampled::trace::Trace;
 
 /// Most candidates of one formula that are handed to the checker.
 const MOST_CANDIDATES: usize = 12;
@@ -66,12 +65,14 @@ pub(super) struct Search<'a> {
     /// What was found on each of the motions that were tried.
     pub weighed: &'a [Weighed],
     pub limits: &'a Limits,
+    /// Encloses what may be offered, where more than samples is asked.
+    pub encloses: Option<&'a dyn Encloses>,
 }
 
 /// A formula that may be what was meant.
 pub(super) struct Candidate {
-    claim: usize,
-    formula: usize,
+    pub claim: usize,
+    pub formula: usize,
     tree: Chain,
     pub text: String,
     pub classes: Vec<EditClass>,
@@ -314,125 +315,6 @@ impl Search<'_> {
             out.extend(left.into_iter().map(|v| (classes[v].clone(), group.variants[v].tree(&group.formulas))));
         }
     }
-
-    /// Tries the candidates on the motions of the check, and writes those that hold everywhere into the accounts.
-    fn confirm(
-        &self,
-        accounts: &mut [ClaimAccount],
-        candidates: Vec<Candidate>,
-        motions: &[Vec<usize>],
-        traces: &[Trace],
-    ) -> Result<(), CheckError> {
-        let mut grown = self.derivation.clone();
-        let mut read: Vec<(Candidate, Claim, Vec<Program>)> = Vec::new();
-        for (n, candidate) in candidates.into_iter().enumerate() {
-            if candidate.text.split_once('=').is_some_and(|(left, right)| left.trim() == right.trim()) {
-                continue;
-            }
-            let trajectories: Vec<usize> = motions[candidate.claim].iter().map(|&t| self.selection.tried[t]).collect();
-            let claim = &self.derivation.claims[self.selection.claims[candidate.claim]];
-            let manner = self.altered.claims[candidate.claim].formulas[candidate.formula].manner;
-            let id = format!("correction {n}");
-            let claim = as_claim(&mut grown.graph, claim, &id, &candidate, manner, trajectories);
-            let Some(claim) = claim else { continue };
-            let (graph, systems) = (&mut grown.graph, &self.derivation.systems);
-            let starts = self.selection.starts.iter().zip(&self.selection.shared);
-            let program = |(s, shared): (&Rational, &Vec<_>)| Program::new(graph, systems, &claim, s).sharing(shared);
-            let mut programs: Vec<Program> = starts.map(program).collect();
-            let known = &self.altered.known;
-            if programs.iter_mut().all(|p| p.compile(graph, known).is_ok()) {
-                read.push((candidate, claim, programs));
-            }
-        }
-        let grown = &grown;
-        let try_all = |t: usize, trace: &Trace| -> Vec<Option<bool>> {
-            let here = read.iter().filter(|(candidate, ..)| motions[candidate.claim].contains(&t));
-            let programs =
-                here.filter_map(|(_, _, programs)| programs.get(self.selection.start_of[self.selection.tried[t]]));
-            let trace = &trace.again(programs.flat_map(Program::inputs).copied().collect());
-            let holds = |(candidate, claim, programs): &(Candidate, Claim, Vec<Program>)| {
-                let program = programs.get(self.selection.start_of[self.selection.tried[t]])?;
-                motions[candidate.claim].contains(&t).then(|| {
-                    let trial = Trial { graph: &grown.graph, claim, program, trace, shown: false };
-                    matches!(try_claim(grown, &trial, None).outcome(), Outcome::Holds(_))
-                })
-            };
-            read.iter().map(holds).collect()
-        };
-        let on_one = |&t: &usize, limits: &Limits| {
-            // What was not tried on a motion on which it must hold is not offered.
-            let untried = |(candidate, ..): &(Candidate, _, _)| motions[candidate.claim].contains(&t).then_some(false);
-            let found = meter::piece(Task::Weighing, limits, || try_all(t, &traces[t]));
-            found.unwrap_or_else(|_| read.iter().map(untried).collect())
-        };
-        let all: Vec<usize> = (0..traces.len()).collect();
-        let found: Vec<Vec<Option<bool>>> = meter::each(self.limits, &all, on_one);
-        let holds = |n: usize| {
-            let mut tried = found.iter().filter_map(|column| column[n]).peekable();
-            tried.peek().is_some() && tried.all(|holds| holds)
-        };
-        let held: Vec<(&Candidate, &Claim)> =
-            read.iter().enumerate().filter(|(n, _)| holds(*n)).map(|(_, (c, claim, _))| (c, claim)).collect();
-        let shown = may_be_offered(&held.iter().map(|(candidate, _)| *candidate).collect::<Vec<_>>());
-        // All that is wanted is whether there is a proof: no assumption that it could do without, and no point where there is none.
-        let decided =
-            |claim: &Claim| Step::of(grown, claim).and_then(|step| step.with(true).with_few_points().decide());
-        let decided = |&((_, claim), shown): &((&Candidate, &Claim), bool), limits: &Limits| {
-            let decided = || shown.then(|| decided(claim)).flatten().transpose();
-            match meter::piece(Task::Proving, limits, decided) {
-                Ok(Ok(identity)) => Ok(identity.is_some_and(|i| i.finding.is_proved_in_part())),
-                Ok(Err(defect)) | Err(Ended::Defect(defect)) => Err(CheckError::Defect(defect)),
-                Err(_) => Ok(false),
-            }
-        };
-        let asked: Vec<_> = held.iter().copied().zip(shown).collect();
-        let proved: Vec<bool> = meter::each(self.limits, &asked, decided).into_iter().collect::<Result<_, _>>()?;
-        let mut order: Vec<usize> = (0..held.len()).collect();
-        order.sort_by(|&a, &b| {
-            let key = |i: usize| (held[i].0.claim, held[i].0.formula);
-            key(a).cmp(&key(b)).then_with(|| held[a].0.nearness.than(proved[a], &held[b].0.nearness, proved[b]))
-        });
-        for i in order {
-            let (candidate, _) = held[i];
-            let printed = &self.altered.claims[candidate.claim].formulas[candidate.formula].text;
-            let correction = Correction {
-                printed: printed.clone(),
-                formula: candidate.text.clone(),
-                difference: candidate.difference.clone(),
-                classes: candidate.classes.clone(),
-                proved: proved[i],
-                holds_on: motions[candidate.claim].len(),
-            };
-            let erratum = accounts[candidate.claim].variants.as_mut().and_then(|v| v.erratum.as_mut());
-            if let Some(erratum) = erratum.filter(|e| e.corrections.len() < MOST_OFFERED) {
-                erratum.corrections.push(correction);
-            }
-        }
-        for (k, account) in accounts.iter_mut().enumerate() {
-            let Some(erratum) = account.variants.as_mut().and_then(|v| v.erratum.as_mut()) else { continue };
-            if erratum.corrections.is_empty() && erratum.remark.is_none() {
-                let formulas = &self.altered.claims[k].formulas;
-                erratum.remark = Some(match formulas.is_empty() {
-                    true => "the claim has no formula that could be altered".to_owned(),
-                    false if formulas.iter().all(is_inequality) => {
-                        "inequalities are not corrected: near any print there are some that hold".to_owned()
-                    }
-                    false => {
-                        "of the altered formulas that were tried none holds on all motions to which the claim applies"
-                            .to_owned()
-                    }
-                });
-            }
-        }
-        Ok(())
-    }
-}
-
-/// For each of some candidates, whether it may be among those that are offered for its claim, whatever is proved.
-fn may_be_offered(held: &[&Candidate]) -> Vec<bool> {
-    let key = |c: &Candidate| (c.claim, c.formula, c.nearness.before_proofs());
-    let nearer = |c: &Candidate| held.iter().filter(|other| other.claim == c.claim && key(other) < key(c)).count();
-    held.iter().map(|c| nearer(c) < MOST_OFFERED).collect()
 }
 
 /// Candidates, the closest to the print first, without those that say nothing or what another says.

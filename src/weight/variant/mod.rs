@@ -15,6 +15,7 @@
 mod atom;
 mod battery;
 mod completion;
+mod confirm;
 mod convention;
 mod cover;
 mod difference;
@@ -31,6 +32,7 @@ mod sites;
 mod tree;
 mod vocabulary;
 
+pub use confirm::{Beside, Encloses};
 pub use motionless::weigh_still;
 
 use std::ops::Range;
@@ -327,12 +329,13 @@ impl Altered {
         accounts: &mut [ClaimAccount],
         weighed: &[Weighed],
         (traces, limits): (&[Trace], &Limits),
+        encloses: Option<&dyn Encloses>,
     ) -> Result<(), CheckError> {
         let columns = selection.columns(derivation);
         accounts.par_iter_mut().zip(&self.claims).enumerate().for_each(|(k, (account, variants))| {
             account.variants = Some(self.account(k, account, variants, weighed, &columns));
         });
-        erratum::Search { derivation, altered: self, selection, weighed, limits }.offer(accounts, traces)
+        erratum::Search { derivation, altered: self, selection, weighed, limits, encloses }.offer(accounts, traces)
     }
 
     fn account(

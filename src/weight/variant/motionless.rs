@@ -113,16 +113,16 @@ fn corrections(
         let passes = passes.chain(&variants.empty).filter(of);
         let made: Vec<Made> = passes.map(|v| (vec![v.class], v.tree(&variants.formulas))).collect();
         for candidate in ranked(derivation, (0, f), graph, setting, formula, &vocabulary, made) {
-            let Some(proved) = decided(derivation, claim, region, &candidate, formula) else { continue };
+            let Some(strength) = decided(derivation, claim, region, &candidate, formula) else { continue };
             let correction = Correction {
                 printed: formula.text.clone(),
                 formula: candidate.text.clone(),
                 difference: candidate.difference.clone(),
                 classes: candidate.classes.clone(),
-                proved,
+                strength,
                 holds_on: 0,
             };
-            offered.push((proved, candidate, correction));
+            offered.push((strength == Strength::Proved, candidate, correction));
         }
     }
     offered.sort_by(|a, b| a.1.nearness.than(a.0, &b.1.nearness, b.0));
@@ -133,14 +133,14 @@ fn corrections(
     out
 }
 
-/// Whether a candidate holds as a claim of its own, and then whether it is proved.
+/// How strongly a candidate holds as a claim of its own; none where it does not.
 fn decided(
     derivation: &Derivation,
     claim: &Claim,
     region: &Region,
     candidate: &Candidate,
     formula: &Formula,
-) -> Option<bool> {
+) -> Option<Strength> {
     let mut scratch = derivation.clone();
     let altered = as_claim(&mut scratch.graph, claim, "correction", candidate, formula.manner, Vec::new())?;
     let of = if altered.is_of_fields() {
@@ -150,7 +150,7 @@ fn decided(
         boxes::decide_one(&scratch, &altered, region)?
     };
     match of.verdict.outcome() {
-        Outcome::Holds(strength) => Some(strength == Strength::Proved),
+        Outcome::Holds(strength) => Some(strength),
         Outcome::Fails(_) | Outcome::NotApplicable(_) | Outcome::Undecided => None,
     }
 }
