@@ -40,6 +40,7 @@ mod domain_table;
 mod enclosure;
 mod enclosure_containment;
 mod enclosure_limits;
+mod exponents;
 mod families;
 mod fields;
 mod fields_as_motions;

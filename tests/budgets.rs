@@ -225,6 +225,19 @@ fn large_numbers_are_no_large_work() {
         let ran = check(&one(formula), &["--no-reports"], 200);
         assert!(matches!(ran.code, Some(1 | 3)), "{formula}: {}{}", ran.out, ran.err);
     }
+    // Thirty squares of squares.
+    for base in ["10^{9}", "2x+2k", r"\frac{3}{x}", r"2\sqrt{x}", "3+x-x"] {
+        let tower = format!("{}{base}{}", "(".repeat(30), ")^2".repeat(30));
+        for formula in [
+            format!("x={tower}"),
+            format!(r"\sqrt{{{tower}}}=x"),
+            format!(r"\ln({tower})=x"),
+            format!("x^2+{tower}=-1"),
+        ] {
+            let ran = check(&one(&formula), &["--no-reports"], 200);
+            assert!(matches!(ran.code, Some(0 | 1 | 3)), "{formula}: {}{}", ran.out, ran.err);
+        }
+    }
     let long = file(&claim(0, r"\dot x=-kx", "")).replace("span = [0, 1]", "span = [0, 1e12]");
     let ran = check(&long, &["--no-reports"], 300);
     assert!(matches!(ran.code, Some(0 | 3)), "{}{}", ran.out, ran.err);

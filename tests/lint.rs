@@ -479,7 +479,7 @@ fn what_is_solved_for_and_what_differs_is_told() {
 fn the_page_shows_the_formulas_of_one_word() {
     let paper = read(r"\[ E=mc^2 \] \[ A=(a+b)^2+c=a^2-2ab+b^2+c \]");
     let page = rederive::report::lint_page(&paper, &lint::lint(&paper, &Limits::default()));
-    assert!(page.contains(r##"<a href="#f1">line 1</a>: <math"##), "{page}");
+    assert!(page.contains(r##"<a href="#f1">line 1</a><div class="formula""##), "{page}");
     assert!(page.contains(r#"id="wrong""#) && page.contains(r#"data-word="defines""#), "{page}");
     assert!(page.contains("body:has(#defines:checked) .relation:not([data-word=defines]){display:none}"), "{page}");
     assert!(!page.contains("<script"), "{page}");

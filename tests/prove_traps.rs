@@ -9,13 +9,14 @@ use rederive::check::{Proposition, prove};
 use rederive::derivation::Derivation;
 
 pub type Row = (&'static str, &'static str, &'static str, &'static str);
+type One<'a> = (&'static str, &'a str, &'a str, &'a str);
 
 fn list(text: &str) -> Vec<String> {
     text.split("; ").filter(|t| !t.is_empty()).map(str::to_owned).collect()
 }
 
 #[track_caller]
-fn found((expected, formula, symbols, given): Row) -> Result<(), String> {
+fn found((expected, formula, symbols, given): One) -> Result<(), String> {
     let mut derivation = Derivation::blank();
     let typed: Vec<(String, String)> = list(symbols).into_iter().map(|s| (s.clone(), s)).collect();
     derivation.declare_typed(&typed).map_err(|e| format!("{formula}: {e:?}"))?;
@@ -31,6 +32,13 @@ fn found((expected, formula, symbols, given): Row) -> Result<(), String> {
     };
     let text = || format!("{formula}, given {given}: {word} instead of {expected}, {:?}", account.reason);
     if fits { Ok(()) } else { Err(text()) }
+}
+
+/// Asserts that something is not proved, with or without exceptions.
+#[track_caller]
+pub fn unproved(formula: &str, symbols: &str) {
+    assert_eq!(found(("unproved", formula, symbols, "")), Ok(()));
+    assert!(found(("except", formula, symbols, "")).is_err(), "{formula}");
 }
 
 #[track_caller]

@@ -197,3 +197,21 @@ defined = ['\frac1x']
         assert!(matches!(on_motion(&account, id), Outcome::Fails(_)), "{id}");
     }
 }
+
+#[test]
+fn values_at_several_times_are_joined_by_a_system() {
+    let account = file(
+        "[system.s]\nstates = ['x']\nequations = ['\\dot x=1']\n\
+         [[claim]]\nid = 'right'\nsays = 'test'\nfollows-from = ['s']\nalways = ['x(1)=x(0)+1']\ntrajectories = []\n\
+         [[claim]]\nid = 'wrong'\nsays = 'test'\nfollows-from = ['s']\nalways = ['x(1)=x(0)+2']\ntrajectories = []\n\
+         [[claim]]\nid = 'free'\nsays = 'test'\nfollows-from = ['s']\nalways = ['x(1)=3']\ntrajectories = []\n",
+    );
+    let standing = |id: &str| {
+        let claim = account.claims.iter().find(|c| c.id == id).expect("there");
+        claim.identity.as_ref().map(|i| i.standing())
+    };
+    // A point that satisfies what is given at each time need belong to no motion.
+    assert_ne!(standing("right"), Some("refuted"));
+    assert_ne!(standing("wrong"), Some("proved"));
+    assert_eq!(standing("free"), Some("refuted"));
+}

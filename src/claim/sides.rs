@@ -303,7 +303,7 @@ impl<'a> MeasuredGroup<'a> {
         signs: Vec<Vec<Series>>,
         (sizes, first): (Vec<Sizes<'a>>, usize),
     ) -> MeasuredGroup<'a> {
-        let mute = signs.iter().map(|s| vec![false; s.len()]).collect();
+        let none: Vec<Vec<bool>> = signs.iter().map(|s| vec![false; s.len()]).collect();
         let ends = |series: &Series| Some((series.differences().next()?, series.differences().next_back()?));
         let equal = |(series, comparison): (&Series, &Comparison)| {
             // Nothing else asks for it.
@@ -311,18 +311,15 @@ impl<'a> MeasuredGroup<'a> {
                 && ends(series).is_some_and(|(first, _)| first.contains_zero())
                 && series.differences().all(|d| d.contains_zero())
         };
-        let of_each = |one: &dyn Fn((&Series, &Comparison)) -> bool| -> Vec<Vec<bool>> {
-            signs.iter().map(|s| s.iter().zip(&group.comparisons).map(one).collect()).collect()
-        };
-        let (equal, said) = (of_each(&equal), of_each(&|_| false));
+        let equal = signs.iter().map(|s| s.iter().zip(&group.comparisons).map(equal).collect()).collect();
         let floors = signs.iter().map(|_| OnceCell::new()).collect();
         MeasuredGroup {
             group,
             signs,
             strict: false,
-            mute,
+            mute: none.clone(),
             equal,
-            said,
+            said: none,
             selects: false,
             doubted: false,
             crossing: Vec::new(),

@@ -171,6 +171,9 @@ fn folds(r: &Rational, n: i32) -> bool {
     bits(r).saturating_mul(n.unsigned_abs() as usize) <= 4096
 }
 
+/// The largest exponent of a whole power.
+const LARGEST_EXPONENT: u32 = 1 << 30;
+
 /// Most bits of two constants that are combined.
 const LARGEST_FOLDED: usize = 1 << 16;
 
@@ -178,6 +181,11 @@ const LARGEST_FOLDED: usize = 1 << 16;
 /// memory, either.
 pub fn combines(x: &Rational, y: &Rational) -> bool {
     bits(x) + bits(y) <= LARGEST_FOLDED
+}
+
+/// A power of a constant, where it is small enough to be written out: see [`combines`].
+pub fn raised(r: &Rational, n: i32) -> Option<Rational> {
+    (bits(r).saturating_mul(n.unsigned_abs() as usize) <= LARGEST_FOLDED).then(|| r.pow(n as isize))
 }
 
 impl Graph {
@@ -441,8 +449,10 @@ impl Graph {
             Op::Mul if self.is_one(a) => b,
             Op::Mul | Op::Div if self.is_one(b) => a,
             Op::Pow => {
+                // Beyond it is no whole power, but a power all the same.
                 let exponent = |factor: u8| {
-                    self.as_constant(b).and_then(|r| i32::try_from(r.clone() * Rational::from(factor)).ok())
+                    let n = self.as_constant(b).and_then(|r| i32::try_from(r.clone() * Rational::from(factor)).ok());
+                    n.filter(|n| n.unsigned_abs() <= LARGEST_EXPONENT)
                 };
                 match (exponent(1), exponent(2)) {
                     (Some(n), _) => self.unary(Op::Powi(n), a),

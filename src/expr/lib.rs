@@ -26,7 +26,7 @@ mod zero;
 
 pub use calculus::NoDerivative;
 pub use field::{HIGHEST_ORDER, MOST_COORDINATES, Partials};
-pub use graph::{Expr, Graph, Leaf, Node, Symbol, combines};
+pub use graph::{Expr, Graph, Leaf, Node, Symbol, combines, raised};
 pub use hash::{FastHasher, FastMap, FastSet};
 pub use number::{Op, Rational};
 pub use place::{DEEPEST_PLACE, Place};

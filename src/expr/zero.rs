@@ -15,10 +15,12 @@ impl Graph {
 
     /// f of the structural zero, where that is structural, too.
     pub(super) fn unary_of_absent(&self, op: Op, a: Expr) -> Option<Expr> {
+        if !self.is_absent(a) {
+            return None;
+        }
         let odd = matches!(row(op).nature, Nature::Transcendental { parity: Parity::Odd, .. });
         let power = matches!(op, Op::Powi(n) if n > 0);
-        let vanishes = odd || power || [Op::Neg, Op::Abs, Op::Sqrt].contains(&op);
-        (vanishes && self.is_absent(a)).then_some(a)
+        (odd || power || [Op::Neg, Op::Abs, Op::Sqrt].contains(&op)).then_some(a)
     }
 
     /// A sum or product with the structural zero.

@@ -8,7 +8,7 @@
 //! denominator, and their numerators are compared as vectors over the rational numbers. What is larger than is looked at stays as
 //! it is written: a relation that is missed leaves an identity open.
 
-use super::linear::{Combination, Combinations, Monomial, add_to, power, product, times};
+use super::linear::{Combination, Combinations, Monomial, add_to, multiplied, power, product, times};
 use super::polynomial::fraction;
 use expr::{Expr, FastMap, Graph, Node, Op, Rational};
 use std::collections::{BTreeMap, BTreeSet};
@@ -100,8 +100,9 @@ fn ratio(graph: &mut Graph, combinations: &mut Combinations, m: &Monomial) -> Op
         }
         let (scale, content, rest) = without_content(&above)?;
         out.top = product(&out.top, &power(&below, -k)?)?;
-        let factor: Monomial = content.into_iter().map(|(base, n)| (base, n.saturating_mul(k))).collect();
-        out.top = product(&out.top, &Combination::from([(factor, scale.pow(k as isize))]))?;
+        let factor: Monomial =
+            content.into_iter().map(|(base, n)| Some((base, multiplied(n, k)?))).collect::<Option<_>>()?;
+        out.top = product(&out.top, &Combination::from([(factor, expr::raised(&scale, k)?)]))?;
         *out.under.entry(rest).or_insert(0) += -k;
     }
     Some(out)
@@ -123,8 +124,8 @@ fn without_content(sum: &Combination) -> Option<(Rational, Monomial, Combination
     };
     let content: Monomial = bases.into_iter().map(|base| (base, least(base))).filter(|&(_, k)| k != 0).collect();
     let inverse: Monomial = content.iter().map(|&(base, k)| (base, -k)).collect();
-    let rest: Combination = sum.iter().map(|(m, q)| (times(m, &inverse), q.clone())).collect();
-    let (scale, rest) = scaled(&rest)?;
+    let rest: Option<Combination> = sum.iter().map(|(m, q)| Some((times(m, &inverse)?, q.clone()))).collect();
+    let (scale, rest) = scaled(&rest?)?;
     Some((scale, content, rest))
 }
 

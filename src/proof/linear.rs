@@ -37,16 +37,40 @@ pub(super) fn add_to(sum: &mut Combination, monomial: Monomial, q: Rational) {
     }
 }
 
-pub(super) fn times(a: &Monomial, b: &Monomial) -> Monomial {
+/// The largest exponent that is computed: larger ones are no numbers of this program, and two that are too large are not one.
+const HIGHEST: u32 = 1 << 30;
+
+/// The sum of two exponents; `None` where it is too large.
+pub(super) fn added(n: i32, k: i32) -> Option<i32> {
+    n.checked_add(k).filter(|sum| sum.unsigned_abs() <= HIGHEST)
+}
+
+/// The exponent of a power of a power; `None` where it is too large.
+pub(super) fn multiplied(n: i32, k: i32) -> Option<i32> {
+    n.checked_mul(k).filter(|product| product.unsigned_abs() <= HIGHEST)
+}
+
+/// Takes a base once more into a product.
+pub(super) fn put(all: &mut Vec<(Expr, i32)>, base: Expr, k: i32) {
+    // What would be too large stands beside what is there already: a product is a product in two parts, too.
+    let room = |(other, n): &&mut (Expr, i32)| *other == base && added(*n, k).is_some();
+    match all.iter_mut().find(room) {
+        Some((_, n)) => *n += k,
+        None => all.push((base, k)),
+    }
+}
+
+/// The product; `None` where an exponent is too large.
+pub(super) fn times(a: &Monomial, b: &Monomial) -> Option<Monomial> {
     let mut product: BTreeMap<Expr, i32> = a.iter().copied().collect();
     for &(base, n) in b {
         let power = product.entry(base).or_insert(0);
-        *power = power.saturating_add(n);
+        *power = added(*power, n)?;
         if *power == 0 {
             product.remove(&base);
         }
     }
-    product.into_iter().collect()
+    Some(product.into_iter().collect())
 }
 
 /// The product; `None` where it is too long.
@@ -60,13 +84,13 @@ pub(super) fn product(a: &Combination, b: &Combination) -> Option<Combination> {
             if !expr::combines(q, r) {
                 return None;
             }
-            add_to(&mut out, times(m, n), q * r);
+            add_to(&mut out, times(m, n)?, q * r);
         }
     }
     Some(out)
 }
 
-/// A power; `None` where it is too long, or one of a sum with a negative exponent.
+/// A power; `None` where it or a coefficient is too long, or for a power of a sum with a negative exponent.
 pub(super) fn power(a: &Combination, n: i32) -> Option<Combination> {
     if n.unsigned_abs() > 64 {
         return None;
@@ -74,8 +98,9 @@ pub(super) fn power(a: &Combination, n: i32) -> Option<Combination> {
     if a.len() == 1
         && let Some((m, q)) = a.iter().next()
     {
-        let m: Monomial = m.iter().map(|&(b, k)| (b, k.saturating_mul(n))).collect();
-        return Some(Combination::from([(m, q.pow(n as isize))]));
+        let m: Option<Monomial> = m.iter().map(|&(b, k)| Some((b, multiplied(k, n)?))).collect();
+        let m = m?;
+        return Some(Combination::from([(m, expr::raised(q, n)?)]));
     }
     if n <= 0 {
         return None;
@@ -105,9 +130,11 @@ fn without_squares(graph: &Graph, of: Combination) -> Combination {
     for _ in 0..LONGEST {
         let next = out.keys().find_map(|m| m.iter().find_map(squared).map(|found| (m.clone(), found)));
         let Some((monomial, (base, sine, sign))) = next else { break };
-        let q = out.remove(&monomial).unwrap_or(Rational::ZERO);
         let rest = times(&monomial, &vec![(base, -2)]);
-        add_to(&mut out, times(&rest, &vec![(sine, 2)]), &q * sign);
+        let Some(rest) = rest else { break };
+        let Some(turned) = times(&rest, &vec![(sine, 2)]) else { break };
+        let q = out.remove(&monomial).unwrap_or(Rational::ZERO);
+        add_to(&mut out, turned, &q * sign);
         add_to(&mut out, rest, q);
     }
     out

@@ -1,6 +1,6 @@
 //! Lowered expressions as fractions, products and polynomials in one leaf, without expanding the rest.
 
-use super::linear::{Combinations, Monomial, expression, times};
+use super::linear::{Combinations, Monomial, expression, multiplied, put, times};
 use super::structure::Powers;
 use expr::FastMap;
 use expr::{Expr, Graph, Node, Op, Rational};
@@ -38,8 +38,10 @@ pub(super) fn fraction_of_node(
         Node::Unary(Op::Powi(k), a) => match known.get(&a) {
             Some(&(n, d)) => {
                 let (n, d) = if k < 0 { (d, n) } else { (n, d) };
-                let k = k.saturating_abs();
-                (graph.powi(n, k), graph.powi(d, k))
+                match k.checked_abs() {
+                    Some(k) => (graph.powi(n, k), graph.powi(d, k)),
+                    None => (node, one),
+                }
             }
             None => (node, one),
         },
@@ -73,13 +75,10 @@ pub(super) fn factors(graph: &Graph, e: Expr) -> (Rational, Vec<(Expr, i32)>) {
                 }
                 stack.push((*a, k));
             }
-            Node::Unary(Op::Powi(n), a) if n.checked_mul(k).is_some_and(|m| m != 0) => stack.push((*a, n * k)),
+            Node::Unary(Op::Powi(n), a) if multiplied(*n, k).is_some_and(|m| m != 0) => stack.push((*a, n * k)),
             Node::Binary(Op::Mul, a, b) => stack.extend([(*a, k), (*b, k)]),
             Node::Binary(Op::Div, a, b) => stack.extend([(*a, k), (*b, -k)]),
-            _ => match out.iter_mut().find(|(base, _)| *base == e) {
-                Some((_, n)) => *n = n.saturating_add(k),
-                None => out.push((e, k)),
-            },
+            _ => put(&mut out, e, k),
         }
     }
     out.retain(|&(_, k)| k != 0);
@@ -167,10 +166,7 @@ pub(super) fn without_content(
     even: bool,
 ) -> (Rational, Vec<(Expr, i32)>) {
     let (mut q, mut out): (Rational, Vec<(Expr, i32)>) = (q, Vec::new());
-    let mut put = |base: Expr, k: i32| match out.iter_mut().find(|(b, _)| *b == base) {
-        Some((_, n)) => *n += k,
-        None => out.push((base, k)),
-    };
+    let mut put = |base: Expr, k: i32| put(&mut out, base, k);
     for (base, k) in parts {
         let sum = matches!(graph.node(base), Node::Binary(Op::Add | Op::Sub, ..));
         if !sum || k % 2 == 0 && !even || k.unsigned_abs() > 64 {
@@ -185,6 +181,10 @@ pub(super) fn without_content(
                 put(polynomial, k);
                 continue;
             };
+            let Some(scale) = expr::raised(&lead, k) else {
+                put(polynomial, k);
+                continue;
+            };
             let mut content = first;
             for m in all.keys() {
                 for (base, power) in &mut content {
@@ -192,17 +192,22 @@ pub(super) fn without_content(
                 }
             }
             content.retain(|&(_, power)| power != 0);
-            q *= lead.pow(k as isize);
-            for &(base, power) in &content {
-                put(base, power.saturating_mul(k));
-            }
+            let inverse: Monomial = content.iter().map(|&(base, power)| (base, -power)).collect();
+            let outside: Option<Monomial> =
+                content.iter().map(|&(b, power)| Some((b, multiplied(power, k)?))).collect();
+            let inside: Option<Vec<Monomial>> = all.keys().map(|m| times(m, &inverse)).collect();
+            let (Some(outside), Some(inside)) = (outside, inside) else {
+                put(polynomial, k);
+                continue;
+            };
+            q *= scale;
+            outside.into_iter().for_each(|(base, power)| put(base, power));
             if all.len() == 1 {
                 continue;
             }
-            let inverse: Monomial = content.iter().map(|&(base, power)| (base, -power)).collect();
             let mut rest = graph.integer(0);
-            for (m, coefficient) in &all {
-                let term = expression(graph, &times(m, &inverse), &(coefficient / &lead));
+            for (m, coefficient) in inside.iter().zip(all.values()) {
+                let term = expression(graph, m, &(coefficient / &lead));
                 rest = graph.add(rest, term);
             }
             put(rest, k);

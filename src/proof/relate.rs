@@ -665,7 +665,9 @@ fn without_common(sum: Combination) -> Combination {
         return sum;
     }
     let inverse: Monomial = common.iter().map(|&(base, power)| (base, -power)).collect();
-    sum.into_iter().map(|(m, q)| (super::linear::times(&m, &inverse), q)).collect()
+    let divided: Option<Combination> =
+        sum.iter().map(|(m, q)| Some((super::linear::times(m, &inverse)?, q.clone()))).collect();
+    divided.unwrap_or(sum)
 }
 
 /// The sum by the factors of its terms that are neither angles nor logarithms; `None` where a term has several of these.

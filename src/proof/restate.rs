@@ -5,7 +5,7 @@
 //! polynomials are expanded.
 
 use super::generators::Generators;
-use super::linear::{Combination, Combinations, Monomial, expression};
+use super::linear::{Combination, Combinations, Monomial, expression, multiplied, put};
 use super::outcome::Condition;
 use super::polynomial::{factors, fraction};
 use super::sign::Facts;
@@ -101,31 +101,33 @@ fn simple_factors(graph: &mut Graph, e: Expr) -> (Rational, Vec<(Expr, i32)>) {
             q = -q;
         }
         for (base, k) in bases {
-            let k = k.saturating_mul(sign);
+            let k = k * sign;
+            // Exponents that would be too large are left as they are.
+            let raised = |parts: &[(Expr, i32)], k: i32| -> Option<Monomial> {
+                parts.iter().map(|&(b, n)| Some((b, multiplied(n, k)?))).collect()
+            };
             match *graph.node(base) {
                 // Neither vanishes but where its argument does; and both are not negative.
                 Node::Unary(Op::Sqrt | Op::Abs, a) => {
                     let (_, parts) = without_content(graph, a);
-                    parts.into_iter().for_each(|(b, n)| put(&mut out, b, n.saturating_mul(k).saturating_mul(2)));
+                    let parts = multiplied(k, 2).and_then(|twice| raised(&parts, twice));
+                    parts.unwrap_or_else(|| vec![(base, k)]).into_iter().for_each(|(b, n)| put(&mut out, b, n));
                 }
                 _ => {
                     let (sign, parts) = without_content(graph, base);
+                    let Some(parts) = raised(&parts, k) else {
+                        put(&mut out, base, k);
+                        continue;
+                    };
                     if sign && k % 2 != 0 {
                         q = -q;
                     }
-                    parts.into_iter().for_each(|(b, n)| put(&mut out, b, n.saturating_mul(k)));
+                    parts.into_iter().for_each(|(b, n)| put(&mut out, b, n));
                 }
             }
         }
     }
     (q, out)
-}
-
-fn put(out: &mut Vec<(Expr, i32)>, base: Expr, k: i32) {
-    match out.iter_mut().find(|(b, _)| *b == base) {
-        Some((_, n)) => *n = n.saturating_add(k),
-        None => out.push((base, k)),
-    }
 }
 
 /// A sum as monomial times the rest, up to a positive number; whether a factor −1 is left out.

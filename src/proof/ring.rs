@@ -60,10 +60,17 @@ pub(super) struct System {
     pub(super) only_circles: bool,
 }
 
+/// The highest degree of a polynomial: that of a product of two is counted before they are multiplied.
+const MOST_DEGREE: u32 = 1 << 16;
+
+fn degree(p: &Poly) -> u32 {
+    p.terms.iter().map(|(m, _)| m.degree()).max().unwrap_or(0)
+}
+
 /// The operation on quotients: over a common denominator where there is one, and nothing is cancelled.
 pub(super) fn combined(op: Op, a: &(Poly, Poly), b: &(Poly, Poly), most: usize) -> Result<(Poly, Poly), NoCertificate> {
     let times = |p: &Poly, q: &Poly| {
-        let small = p.terms.len().saturating_mul(q.terms.len()) <= 8 * most;
+        let small = p.terms.len().saturating_mul(q.terms.len()) <= 8 * most && degree(p) + degree(q) <= MOST_DEGREE;
         let product = if small { p * q } else { return Err(NoCertificate::TooLarge) };
         if product.terms.len() <= most { Ok(product) } else { Err(NoCertificate::TooLarge) }
     };

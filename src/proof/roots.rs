@@ -325,11 +325,12 @@ impl<'a> Roots<'a> {
             if self.further
                 && sum
                 && let Some((m, p)) = polynomial_root(self.graph, base)
+                && let Some(scale) = expr::raised(&p, k)
             {
                 let size = self.absolute(m);
                 let power = self.graph.powi(size, k);
                 out = self.graph.mul(out, power);
-                q *= p.pow(k as isize);
+                q *= scale;
                 continue;
             }
             if k % 2 != 0 && self.not_positive(base) {

@@ -214,34 +214,36 @@ impl<'a> Setting<'a> {
 
     /// An expression in time alone; `None` if something in it is no function of time that is known by a formula.
     fn put(&mut self, scope: &Scope, e: Expr) -> Option<Expr> {
+        self.put_at(scope, e, self.start)
+    }
+
+    /// The same at a start, or over all times.
+    fn put_at(&mut self, scope: &Scope, e: Expr, start: Option<Expr>) -> Option<Expr> {
         let mut images: FastMap<Leaf, Expr> = FastMap::default();
         for leaf in self.graph.leaves([e]) {
-            match self.start {
+            match start {
                 Some(start) if leaf == self.time => images.insert(leaf, start),
                 None if leaf == self.time => continue,
-                Some(_) | None => images.insert(leaf, self.leaf(scope, leaf)?),
+                Some(_) | None => images.insert(leaf, self.leaf(scope, leaf, start)?),
             };
         }
         Some(self.graph.substitute(e, |_, l| images.get(&l).copied()))
     }
 
-    fn leaf(&mut self, scope: &Scope, leaf: Leaf) -> Option<Expr> {
+    fn leaf(&mut self, scope: &Scope, leaf: Leaf, start: Option<Expr>) -> Option<Expr> {
         let mut value = match self.values.get(&(leaf.symbol, leaf.component)) {
             Some(&known) => known,
             None => {
                 let definition = scope.definition(leaf.symbol)?;
                 let component = *definition.components.get(usize::from(leaf.component))?;
                 // Of formulas in time its rate is taken before the time is put in.
-                let start = self.start.take_if(|_| self.rates.is_none());
-                let put = self.put(scope, component);
-                self.start = self.start.or(start);
-                put?
+                self.put_at(scope, component, start.filter(|_| self.rates.is_some()))?
             }
         };
         if self.derivation.is_angle(leaf.symbol) && may_leap(&self.graph, value) {
             return None;
         }
-        if let (Some(_), Some(start)) = (&self.rates, self.start) {
+        if let (Some(_), Some(start)) = (&self.rates, start) {
             let then = leaf.instant.map_or(Some(start), |at| self.put(scope, at))?;
             let now = Leaf { instant: None, ..leaf };
             return match (then == start, leaf.rate) {
@@ -257,8 +259,8 @@ impl<'a> Setting<'a> {
             self.needs.extend(now.then_some(value));
         }
         let instant = match leaf.instant {
-            Some(instant) => self.put(scope, instant)?,
-            None => match self.start {
+            Some(instant) => self.put_at(scope, instant, start)?,
+            None => match start {
                 Some(start) => start,
                 None => return Some(value),
             },

@@ -42,7 +42,7 @@ fn product(graph: &mut Graph, factors: &BTreeMap<Expr, u32>) -> Expr {
     out
 }
 
-/// The factors of an expression that is divided by; numbers go into the numerator.
+/// The factors of an expression that is divided by; numbers go into the numerator. What would have too large a power stays as it is.
 fn split(graph: &mut Graph, e: Expr, power: u32, into: &mut BTreeMap<Expr, u32>, number: &mut Expr) {
     match *graph.node(e) {
         Node::Binary(Op::Mul, a, b) => {
@@ -55,12 +55,17 @@ fn split(graph: &mut Graph, e: Expr, power: u32, into: &mut BTreeMap<Expr, u32>,
             }
             split(graph, a, power, into, number);
         }
-        Node::Unary(Op::Powi(n), a) if n > 0 => split(graph, a, power.saturating_mul(n as u32), into, number),
+        Node::Unary(Op::Powi(n), a) if n > 0 && power.checked_mul(n as u32).is_some_and(|p| p <= LARGEST_POWER) => {
+            split(graph, a, power * n as u32, into, number)
+        }
         Node::Constant(_) => {
             let factor = graph.powi(e, power as i32);
             *number = graph.div(*number, factor);
         }
-        Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => *into.entry(e).or_insert(0) += power,
+        Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => {
+            let known = into.entry(e).or_insert(0);
+            *known = known.saturating_add(power);
+        }
     }
 }
 

@@ -10,6 +10,7 @@ use crate::expr::{Expr, Leaf};
 use proof::{
     Branching, Identity, Options, Premises, Proof, Reason, Wanted, When, branches_test_after, identity_test_after,
 };
+use std::collections::BTreeSet;
 
 impl Step<'_> {
     /// One question, with more and more definitions.
@@ -72,12 +73,15 @@ impl Step<'_> {
         let premises = &gathered.premises;
         let signs = premises.signs();
         let of_signs = self.graph.leaves_within(signs);
-        let moving = said.iter().chain(&of_signs).filter(|l| scope.moves(l));
-        let mut times: Vec<Option<Expr>> = moving.map(|l| l.instant).collect();
-        times.sort_unstable();
-        times.dedup();
+        let several = |leaves: &mut dyn Iterator<Item = &Leaf>| {
+            let times: BTreeSet<Option<Expr>> = leaves.filter(|l| scope.moves(l)).map(|l| l.instant).collect();
+            times.len() > 1
+        };
         let signed = of_signs.iter().any(|l| scope.moves(l) && l.instant.is_none());
-        now && named && (signed || given.iter().any(|l| l.rate > 0)) || signed && times.len() > 1
+        let rates = given.iter().any(|l| l.rate > 0);
+        now && named && (signed || rates)
+            || rates && several(&mut said.iter())
+            || signed && several(&mut said.iter().chain(&of_signs))
     }
 
     /// Whether values of fields at several places are named, and a sign that is given of a field at all of them: no field changes it

@@ -1,0 +1,29 @@
+//! Powers of powers: exponents that are too large to be computed are never taken for one another.
+//!
+//! The law is that two towers over one base are equal only if their exponents are, however large these grow.
+
+use crate::prove_traps::unproved;
+
+/// A base to the power of nᵏ.
+fn tower(base: &str, n: u32, k: usize) -> String {
+    format!("{}{base}{}", "(".repeat(k), format!(")^{{{n}}}").repeat(k))
+}
+
+#[test]
+fn towers_of_different_heights_are_not_equal() {
+    let around: [fn(&str) -> String; 7] = [
+        |t| format!(r"\sin({t})"),
+        |t| format!(r"e^{{{t}}}"),
+        |t| format!(r"\arctan(2y+{t})"),
+        |t| format!(r"\sin\frac{{y}}{{{t}}}"),
+        |t| format!(r"\sqrt{{{t}}}"),
+        |t| format!(r"\ln({t}y)"),
+        |t| format!(r"\cos(\frac{{1}}{{x}}+{t})"),
+    ];
+    for (n, k) in [(64, 5), (64, 6), (3, 19), (3, 20), (2, 30), (2, 31), (1000, 3), (1000, 4)] {
+        for around in around {
+            let [low, high] = [k, k + 1].map(|k| around(&tower("x", n, k)));
+            unproved(&format!("{low}={high}"), "x,y");
+        }
+    }
+}
