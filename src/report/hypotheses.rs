@@ -271,22 +271,22 @@ pub(super) fn limits<'a>(
     limited.sort_by_cached_key(|(w, claim)| {
         std::cmp::Reverse((assumed(claim), refuted(claim).is_some(), hangs.weight(w.id)))
     });
-    if let Some((whole, claim)) = limited.first() {
-        if let Some(reading) = whole.readings.iter().find(|r| std::ptr::eq(r.claim, *claim)) {
-            let fails = digest::verdict(reading);
-            let space = if out.is_empty() { "" } else { " " };
-            let readings = count(assumed(claim), "reading");
-            let assumed = if assumed(claim) > 0 { format!("; {readings} assume it") } else { String::new() };
-            out.extend([words(space), StorySpan::Claim(whole.id.to_owned(), Tone::Strong)]);
-            let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
-            let formula = claim.formulas.first().filter(|f| f.len() <= LONGEST_SHOWN);
-            out.extend(formula.into_iter().flat_map(|f| [quiet(" ("), StorySpan::Math(f.clone(), scope), quiet(")")]));
-            out.extend([
-                words(" stands as it is said; as it is needed, it "),
-                StorySpan::Prose(format!("{}{assumed}. ", fails.replacen('F', "f", 1)), &derivation.scope, Tone::Plain),
-            ]);
-            out.extend(refuted(claim).map(|m| m.says(&derivation.scope)).unwrap_or_default());
-        }
+    if let Some((whole, claim)) = limited.first()
+        && let Some(reading) = whole.readings.iter().find(|r| std::ptr::eq(r.claim, *claim))
+    {
+        let fails = digest::verdict(reading);
+        let space = if out.is_empty() { "" } else { " " };
+        let readings = count(assumed(claim), "reading");
+        let assumed = if assumed(claim) > 0 { format!("; {readings} assume it") } else { String::new() };
+        out.extend([words(space), StorySpan::Claim(whole.id.to_owned(), Tone::Strong)]);
+        let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
+        let formula = claim.formulas.first().filter(|f| f.len() <= LONGEST_SHOWN);
+        out.extend(formula.into_iter().flat_map(|f| [quiet(" ("), StorySpan::Math(f.clone(), scope), quiet(")")]));
+        out.extend([
+            words(" stands as it is said; as it is needed, it "),
+            StorySpan::Prose(format!("{}{assumed}. ", fails.replacen('F', "f", 1)), &derivation.scope, Tone::Plain),
+        ]);
+        out.extend(refuted(claim).map(|m| m.says(&derivation.scope)).unwrap_or_default());
     }
     let mut blocks = if out.is_empty() { Vec::new() } else { vec![StoryBlock::Paragraph(out)] };
     if limited.len() > 1 {
