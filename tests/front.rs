@@ -311,3 +311,16 @@ fn progress_is_said_on_a_terminal() {
         || says("proofs, enclosures, altered formulas");
     assert!(any || took < Duration::from_millis(900), "nothing is said in {took:?}:\n{out}");
 }
+
+/// Of claims that carry nothing the one that is off by more comes first, wherever the paper has it.
+#[test]
+fn a_large_error_comes_before_a_small_one() {
+    let nearly = "\n[[claim]]\nid = 'nearly'\nsays = 'Nearly.'\nalways = ['\\dot x=-1.001kx']\n";
+    let far = "\n[[claim]]\nid = 'far'\nsays = 'Far.'\nalways = ['\\dot x=-2kx']\n";
+    let folder = project(&[nearly, far]);
+    let run = rederive(folder.path(), &["check", "--no-reports", "--no-cache", "--summary"]);
+    let text = printed(&run);
+    let cards = text.split_once("heaviest first").map_or("", |(_, cards)| cards);
+    let place = |words: &str| cards.find(words).unwrap_or_else(|| panic!("{words} is missing: {text}"));
+    assert!(place("Far.") < place("Nearly."), "{text}");
+}

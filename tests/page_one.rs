@@ -67,7 +67,7 @@ fn what_stands_under_a_condition_is_told_with_numbers() {
     let text = front_page(derivation, account, false).split_whitespace().collect::<Vec<_>>().join(" ");
     for words in [
         "t11, t15 stand.",
-        "energy-relation stands as it is said; as it is needed, it fails on",
+        "energy-relation (2E= I^{-1}_i m_i^2) stands as it is said; as it is needed, it fails on",
         "readings assume it. On",
     ] {
         assert!(text.contains(words), "{words}: {text}");

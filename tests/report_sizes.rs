@@ -11,7 +11,7 @@ use rederive::{Ask, Findings, Session};
 use serde_json::Value;
 
 /// The largest page, in bytes.
-const LARGEST_PAGE: usize = 1_020_000;
+const LARGEST_PAGE: usize = 1_000_000;
 /// So many elements are too many.
 const ELEMENTS: usize = 31_000;
 /// The largest report for a forge, in bytes.

@@ -16,8 +16,8 @@ use crate::number::{Bounded, NoValue};
 use findings::{Line, LineKind, PictureAccount};
 use sampled::trace::Trace;
 
-/// Most points of a line.
-const MOST: usize = 120;
+/// Most points of a line: of these the drawing keeps as few as look the same.
+const MOST: usize = 600;
 /// Slopes that are drawn along a curve.
 const MARKS: usize = 18;
 /// Points of the grid of level sets, across the disc.

@@ -82,6 +82,8 @@ impl<'a> Run<'a> {
         let compile = || Compiled::new(self, &selection, derivation, fields);
         let mut compiled = meter::piece(Task::Compiling, limits, compile).map_err(too_large)?;
         let regions = self.regions(&compiled.derivation)?;
+        // Altered formulas are made in copies.
+        compiled.derivation.graph.share();
         let mut altered = match options.plain {
             true => None,
             false => Some(variant::Altered::new(&compiled.derivation, &selection, limits)?),

@@ -73,14 +73,18 @@ impl<'a> RefutingMotion<'a> {
         }
         let mut out = vec![words(format!("On {} at ", self.name)), StorySpan::Math(format!("t={}", six(w.t)), scope)];
         let label = super::wording::label(&w.formula);
-        if let Some(component) = label.component {
+        let agree = (w.left - w.right).abs() <= w.bound;
+        // What shall never be is refuted where it is, in every component.
+        let everywhere = agree && self.kind == FormKind::Never;
+        if let Some(component) = label.component.filter(|_| !everywhere) {
             out.push(words(" (component "));
             out.push(StorySpan::Math(component.to_owned(), scope));
             out.push(words(")"));
         }
-        if (w.left - w.right).abs() <= w.bound {
+        if agree {
             // What denies an equation is refuted where the sides agree.
-            out.push(words(" the sides agree"));
+            let components = if everywhere && label.component.is_some() { " in every component" } else { "" };
+            out.push(words(format!(" the sides agree{components}")));
         } else {
             let (left, right) = both(w.left, w.right);
             out.extend([words(": left "), StorySpan::Words(left, Tone::Strong)]);
@@ -89,6 +93,20 @@ impl<'a> RefutingMotion<'a> {
         out.push(quiet(format!(" (error bound {}).", size(w.bound))));
         out
     }
+}
+
+/// How many powers of ten the sides of a claim that fails differ by less than they are large, at the point that refutes it; 0 where
+/// no such point is known, and where the sides should differ.
+pub(super) fn error_decades(claim: &ClaimAccount) -> u32 {
+    let witness = RefutingMotion::found(claim).and_then(|(_, evidence)| evidence.witness.as_ref());
+    witness.map_or(0, |w| decades_apart(w.left, w.right, w.bound))
+}
+
+/// The same of two sides: 0 where they differ by a tenth or more, and where their difference is not known from 0.
+fn decades_apart(left: f64, right: f64, bound: f64) -> u32 {
+    let apart = (left - right).abs();
+    let share = apart / left.abs().max(right.abs());
+    if apart > bound && share > 0.0 { (-pxfm::f_log10(share)).floor().clamp(0.0, 300.0) as u32 } else { 0 }
 }
 
 /// The formula of a claim that is shown: that of the witness, or of the correction; else the first.
@@ -302,4 +320,22 @@ pub(super) fn sketch_that_holds(whole: &Whole<'_>) -> Option<(Sketch, String)> {
 pub(super) fn formula_line<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Option<Vec<StorySpan<'a>>> {
     let reading = whole.deciding().next()?;
     Some(formula_of(derivation, reading.claim, shown_formula(reading.claim, None))?.spans(None, false))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_is_as_heavy_as_its_share_of_the_sides() {
+        assert_eq!(decades_apart(1.0, -1.0, 1e-12), 0);
+        assert_eq!(decades_apart(2.3, 1e-4, 1e-12), 0);
+        assert_eq!(decades_apart(1.0, 1.002, 1e-12), 2);
+        assert_eq!(decades_apart(3e20, 3.000_000_1e20, 1.0), 7);
+        // The sides agree, or nothing is known of them.
+        assert_eq!(decades_apart(1.0, 1.0, 0.0), 0);
+        assert_eq!(decades_apart(1.0, 1.0 + 1e-12, 1e-9), 0);
+        assert_eq!(decades_apart(f64::NAN, 1.0, 0.0), 0);
+        assert_eq!(decades_apart(0.0, 0.0, 0.0), 0);
+    }
 }

@@ -213,14 +213,27 @@ impl<'a> Reading<'a> {
         }
     }
 
-    /// Its symbol: how strongly it holds, or that it does not.
+    /// Its symbol: how strongly it holds, or how surely it does not.
     pub fn shape(&self) -> VerdictShape {
         match self.standing {
             Standing::Holds => self.basis().shape(),
             Standing::Mixed => VerdictShape::Mixed,
-            Standing::Fails => VerdictShape::Fails,
+            Standing::Fails => match strongest_refutation(self.claim) {
+                Some(Strength::Sampled) => VerdictShape::Fails,
+                Some(Strength::Enclosed | Strength::Proved) => VerdictShape::Certified,
+                None if self.claim.verdict_alone() == Some("fails") => VerdictShape::Certified,
+                None => VerdictShape::Fails,
+            },
             Standing::Open => VerdictShape::Undecided,
             Standing::Nowhere => VerdictShape::NotApplicable,
+        }
+    }
+
+    /// The symbol of the sentence to which it is the contrary, and of which it holds.
+    fn shape_as_contrary(&self) -> VerdictShape {
+        match self.basis() {
+            Basis::Sampled(_) => VerdictShape::Fails,
+            _ => VerdictShape::Certified,
         }
     }
 
@@ -278,10 +291,18 @@ impl<'a> Whole<'a> {
             Fate::Stands => self.basis().map_or(VerdictShape::Sampled, |basis| basis.shape()),
             Fate::Reading => VerdictShape::Meaning,
             Fate::Partly => VerdictShape::Mixed,
-            Fate::Fails => VerdictShape::Fails,
+            Fate::Fails => self.failing().filter(|r| r.standing == Standing::Fails).map_or_else(
+                || self.contrary().map_or(VerdictShape::Fails, Reading::shape_as_contrary),
+                Reading::shape,
+            ),
             Fate::Open | Fate::Untested => VerdictShape::Undecided,
             Fate::Nowhere | Fate::Choice | Fate::Lemma | Fate::Added => VerdictShape::NotApplicable,
         }
+    }
+
+    /// The reading that says the contrary, and holds.
+    pub fn contrary(&self) -> Option<&Reading<'a>> {
+        self.readings.iter().find(|r| r.role == ClaimRole::Against && r.standing == Standing::Holds)
     }
 
     /// Whether all that it says is proved for all values, given nothing that is not.
@@ -415,15 +436,14 @@ pub(super) fn explanation(e: &Explanation) -> String {
 }
 
 /// How a refutation is known, over all pairs of a reading that fail: the strongest.
+fn strongest_refutation(claim: &ClaimAccount) -> Option<Strength> {
+    let of = |outcome| if let Outcome::Fails(strength) = outcome { Some(strength) } else { None };
+    claim.verdicts().filter_map(|j| of(j.verdict.outcome())).max()
+}
+
+/// The same in a word.
 fn refuted(claim: &ClaimAccount) -> &'static str {
-    let strongest = claim
-        .verdicts()
-        .filter_map(|j| match j.verdict.outcome() {
-            Outcome::Fails(strength) => Some(strength),
-            _ => None,
-        })
-        .max();
-    match strongest {
+    match strongest_refutation(claim) {
         Some(Strength::Proved | Strength::Enclosed) => "certified",
         Some(Strength::Sampled) => "at samples",
         None => "",

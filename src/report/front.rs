@@ -12,7 +12,7 @@ use super::consequence::Consequences;
 use super::digest::{self, Fate, Whole};
 use super::numbers::count;
 use super::tally::{Standing, name};
-use crate::derivation::{ClaimRole, Derivation};
+use crate::derivation::Derivation;
 use findings::{Account, ClaimAccount, IdentityAccount};
 
 /// Most claims that are told; the rest is counted.
@@ -65,8 +65,9 @@ impl Front {
     /// The same, of claims that were taken together already.
     pub fn of(derivation: &Derivation, account: &Account, wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> Front {
         let mut against: Vec<&Whole<'_>> = wholes.iter().filter(|w| w.fate.is_against()).collect();
-        // The sort is stable: equals stay in the order of the paper.
-        against.sort_by_cached_key(|w| (std::cmp::Reverse(hangs.weight(w.id)), w.fate));
+        // What falls with it comes first, then how far it is off. The sort is stable: equals stay in the order of the paper.
+        let decades = |w: &Whole<'_>| w.failing().map_or(0, |r| super::card::error_decades(r.claim));
+        against.sort_by_cached_key(|w| (std::cmp::Reverse(hangs.weight(w.id)), w.fate, decades(w)));
         let more = against.len().saturating_sub(MOST);
         let line = |whole: &&Whole<'_>| Line {
             id: whole.id.to_owned(),
@@ -154,8 +155,7 @@ enum MotionName {
 
 /// Why a claim does not stand, in a sentence.
 fn reason(whole: &Whole<'_>, name: MotionName) -> String {
-    let contrary = whole.readings.iter().find(|r| r.role == ClaimRole::Against && r.standing == Standing::Holds);
-    let shown = contrary.map(|r| format!("the contrary holds, {}", r.basis().words()));
+    let shown = whole.contrary().map(|r| format!("the contrary holds, {}", r.basis().words()));
     let Some(failing) = whole.failing() else {
         return shown.map_or_else(String::new, |s| format!("{}.", capital(&s)));
     };

@@ -4,6 +4,8 @@
 //! **In:** the account of each claim. **Out:** a bounded list, what most claims use first. Nothing is judged: what a claim assumes by its
 //! own words is not among it.
 
+use std::collections::BTreeMap;
+
 use super::card::RefutingMotion;
 use super::consequence::Consequences;
 use super::digest::{self, Fate, Whole};
@@ -22,7 +24,7 @@ const MOST: usize = 4;
 /// Longest hypothesis that comes first, in bytes.
 const LONGEST_SHOWN: usize = 70;
 /// Most that are told at all.
-const MOST_FOLDED: usize = 40;
+const MOST_FOLDED: usize = 60;
 /// Most claims that are named of each.
 const MOST_NAMED: usize = 3;
 /// Most conventions on page one.
@@ -58,14 +60,18 @@ pub(super) fn blocks<'a>(
     }
     let mut line = joined(all[..shown].iter().map(counted), "; ");
     let more = all.len() - shown;
-    line.push(quiet(if more > 0 { format!("; {more} more.") } else { ".".to_owned() }));
+    line.push(quiet(if more > 0 { format!("; {more} more on the page.") } else { ".".to_owned() }));
     out.push(StoryBlock::Paragraph(line));
     out.extend(conventions(derivation));
     let told = &all[..all.len().min(MOST_FOLDED)];
+    let mut folded = vec![StoryBlock::List(told.iter().map(item).collect())];
+    if all.len() > told.len() {
+        folded.push(StoryBlock::Paragraph(vec![quiet(format!("{} more are not listed.", all.len() - told.len()))]));
+    }
     out.push(StoryBlock::Fold {
         title: "Which claims use what".to_owned(),
         unfolded: Some(String::new()),
-        blocks: vec![StoryBlock::List(told.iter().map(item).collect())],
+        blocks: folded,
     });
     out
 }
@@ -128,10 +134,14 @@ fn of_proviso<'a>(of: &Proviso, scope: &'a Scope) -> (Vec<StorySpan<'a>>, String
 
 fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whole<'a>]) -> Vec<Hypothesis<'a>> {
     let mut out: Vec<Hypothesis<'a>> = Vec::new();
-    let mut add = |says: Vec<StorySpan<'a>>, key: String, claim: String| match out.iter_mut().find(|h| h.key == key) {
-        Some(known) if known.used.contains(&claim) => {}
-        Some(known) => known.used.push(claim),
-        None => out.push(Hypothesis { says, key, used: vec![claim] }),
+    let mut places: BTreeMap<String, usize> = BTreeMap::new();
+    let mut add = |says: Vec<StorySpan<'a>>, key: String, claim: String| {
+        let at = *places.entry(canonical(&key)).or_insert(out.len());
+        match out.get_mut(at) {
+            Some(known) if known.used.contains(&claim) => {}
+            Some(known) => known.used.push(claim),
+            None => out.push(Hypothesis { says, key, used: vec![claim] }),
+        }
     };
     for unsaid in digest::unsaid(derivation, account) {
         let text = digest::explanation(unsaid.explanation);
@@ -144,7 +154,7 @@ fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whol
     for reading in wholes.iter().flat_map(|w| &w.readings).filter(|r| argued(r.role)) {
         let claim = reading.claim;
         let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
-        let own: Vec<String> = claim.assumptions.iter().map(|a| dense(a)).collect();
+        let own: Vec<String> = claim.assumptions.iter().map(|a| canonical(a)).collect();
         let Some(identity) = claim.identity.as_ref().filter(|i| i.finding.is_proved_in_part()) else { continue };
         for (term, provisos) in identity.terms().iter().filter(|(term, _)| uses(*term)) {
             for proviso in provisos {
@@ -154,7 +164,7 @@ fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whol
                         of_proviso(proviso, scope)
                     }
                 };
-                if !own.contains(&dense(&key)) {
+                if !own.contains(&canonical(&key)) {
                     add(says, key, name(claim));
                 }
             }
@@ -176,6 +186,46 @@ fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whol
         let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
         for needed in claim.conditions.assumptions.iter().filter(|a| a.need == Need::Needed) {
             add(vec![StorySpan::Math(needed.text.clone(), scope)], needed.text.clone(), name(claim));
+        }
+    }
+    out
+}
+
+/// One spelling of a condition that is written in several: `A - B ≠ 0` is `A \ne B`, either way round, and factors have no order.
+fn canonical(text: &str) -> String {
+    let text = dense(text).replace("\\neq", "≠").replace("\\ne", "≠");
+    if let Some((left, right)) = text.split_once('≠') {
+        let minus: Vec<usize> = places_of(left, "-");
+        let mut sides = match (right, minus.as_slice()) {
+            ("0", &[at]) if at > 0 => [&left[..at], &left[at + 1..]],
+            _ => [left, right],
+        };
+        sides.sort_unstable();
+        return sides.join("≠");
+    }
+    let Some(at) = text.find(['≥', '≤', '<', '>']) else { return text };
+    let (left, rest) = text.split_at(at);
+    let mut factors = Vec::new();
+    let mut from = 0;
+    for dot in places_of(left, "\\cdot") {
+        factors.push(&left[from..dot]);
+        from = dot + "\\cdot".len();
+    }
+    factors.push(&left[from..]);
+    factors.sort_unstable();
+    format!("{}{rest}", factors.join("\\cdot"))
+}
+
+/// Where a word stands in a formula, outside of all brackets.
+fn places_of(formula: &str, word: &str) -> Vec<usize> {
+    let mut depth = 0_i32;
+    let mut out = Vec::new();
+    for (at, c) in formula.char_indices() {
+        match c {
+            '(' | '{' | '[' => depth += 1,
+            ')' | '}' | ']' => depth -= 1,
+            _ if depth == 0 && formula[at..].starts_with(word) => out.push(at),
+            _ => {}
         }
     }
     out
@@ -221,26 +271,29 @@ pub(super) fn limits<'a>(
     limited.sort_by_cached_key(|(w, claim)| {
         std::cmp::Reverse((assumed(claim), refuted(claim).is_some(), hangs.weight(w.id)))
     });
-    if let Some((whole, claim)) = limited.first() {
-        if let Some(reading) = whole.readings.iter().find(|r| std::ptr::eq(r.claim, *claim)) {
-            let fails = digest::verdict(reading);
-            let space = if out.is_empty() { "" } else { " " };
-            let readings = count(assumed(claim), "reading");
-            let assumed = if assumed(claim) > 0 { format!("; {readings} assume it") } else { String::new() };
-            out.extend([
-                words(space),
-                StorySpan::Claim(whole.id.to_owned(), Tone::Strong),
-                words(" stands as it is said; as it is needed, it "),
-                StorySpan::Prose(format!("{}{assumed}. ", fails.replacen('F', "f", 1)), &derivation.scope, Tone::Plain),
-            ]);
-            out.extend(refuted(claim).map(|m| m.says(&derivation.scope)).unwrap_or_default());
-        }
-        let beside = limited.len() - 1;
-        if beside > 0 {
-            out.push(quiet(format!(" So with {beside} more.")));
-        }
+    if let Some((whole, claim)) = limited.first()
+        && let Some(reading) = whole.readings.iter().find(|r| std::ptr::eq(r.claim, *claim))
+    {
+        let fails = digest::verdict(reading);
+        let space = if out.is_empty() { "" } else { " " };
+        let readings = count(assumed(claim), "reading");
+        let assumed = if assumed(claim) > 0 { format!("; {readings} assume it") } else { String::new() };
+        out.extend([words(space), StorySpan::Claim(whole.id.to_owned(), Tone::Strong)]);
+        let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
+        let formula = claim.formulas.first().filter(|f| f.len() <= LONGEST_SHOWN);
+        out.extend(formula.into_iter().flat_map(|f| [quiet(" ("), StorySpan::Math(f.clone(), scope), quiet(")")]));
+        out.extend([
+            words(" stands as it is said; as it is needed, it "),
+            StorySpan::Prose(format!("{}{assumed}. ", fails.replacen('F', "f", 1)), &derivation.scope, Tone::Plain),
+        ]);
+        out.extend(refuted(claim).map(|m| m.says(&derivation.scope)).unwrap_or_default());
     }
-    if out.is_empty() { Vec::new() } else { vec![StoryBlock::Paragraph(out)] }
+    let mut blocks = if out.is_empty() { Vec::new() } else { vec![StoryBlock::Paragraph(out)] };
+    if limited.len() > 1 {
+        let beside = vec![quiet(format!("So with {} more.", limited.len() - 1))];
+        blocks.push(StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(beside)]));
+    }
+    blocks
 }
 
 /// The reading that the paper needs and that fails, on some motion or wherever it applies.
@@ -271,4 +324,29 @@ fn equations<'a>(derivation: &'a Derivation, wholes: &[Whole<'a>]) -> Vec<StoryS
     let verb = if stand.len() == 1 { "stands" } else { "stand" };
     let named = stand.iter().take(MOST_LABELS).copied().collect::<Vec<_>>().join(", ");
     vec![words(format!("{word} {named}{more} {verb}."))]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_condition_in_several_spellings_is_one() {
+        for (one, other) in [
+            (r"I_2-I_1 ≠ 0", r"I_1\ne I_2"),
+            (r"m_3 ≠ 0", r"m_3\ne 0"),
+            (r"(I_3-I_1)\cdot (I_2-I_1) ≥ 0", r"(I_2-I_1)\cdot (I_3-I_1) ≥ 0"),
+        ] {
+            assert_eq!(canonical(one), canonical(other));
+        }
+        for (one, other) in [
+            (r"I_2-I_1 ≠ 0", r"I_2+I_1 ≠ 0"),
+            (r"-x ≠ 0", r"x\ne 0"),
+            (r"a-b-c ≠ 0", r"a\ne b-c"),
+            (r"(I_2-I_3)\cdot (I_2-I_1) ≥ 0", r"(I_2-I_1)\cdot (I_3-I_1) ≥ 0"),
+            (r"x ≥ 0", r"x ≤ 0"),
+        ] {
+            assert_ne!(canonical(one), canonical(other));
+        }
+    }
 }

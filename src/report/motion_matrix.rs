@@ -13,7 +13,7 @@ use super::digest::{self, Fate, Reading, Whole};
 use super::discrimination;
 use super::graph::ProofStanding;
 use super::numbers::count;
-use super::story::{StoryBlock, StoryItem, StorySpan, StoryTable, Tone, VerdictShape, joined, quiet, words};
+use super::story::{self, StoryBlock, StoryItem, StorySpan, StoryTable, Tone, VerdictShape, joined, quiet, words};
 use super::tally::Standing;
 use crate::derivation::{ClaimRole, Derivation};
 use findings::{Account, ClaimAccount, Outcome, Strength};
@@ -53,6 +53,12 @@ pub(super) fn that_matter<'w, 'a>(wholes: &'w [Whole<'a>], hangs: &Consequences<
     all.into_iter().map(|at| &wholes[at]).collect()
 }
 
+/// What symbols mean.
+pub(super) fn legend<'a>(seen: &BTreeSet<VerdictShape>) -> Vec<StorySpan<'a>> {
+    let legend = VerdictShape::ALL.into_iter().filter(|s| seen.contains(s));
+    joined(legend.map(|s| vec![StorySpan::Shape(s), quiet(format!(" {}", s.says()))]), "  ")
+}
+
 /// The matrix, its columns and its legend; where nothing was tried, that.
 pub(super) fn blocks<'a>(
     derivation: &'a Derivation,
@@ -68,14 +74,8 @@ pub(super) fn blocks<'a>(
         head: std::iter::once(Vec::new()).chain((0..columns.len()).map(|at| vec![quiet(letter(at))])).collect(),
         rows: rows.iter().map(|whole| row(whole, &columns, hangs)).collect(),
     };
-    let mut seen: BTreeSet<VerdictShape> = BTreeSet::new();
-    for span in table.rows.iter().flatten().flatten() {
-        if let StorySpan::Shape(shape) = span {
-            seen.insert(*shape);
-        }
-    }
-    let legend = VerdictShape::ALL.into_iter().filter(|s| seen.contains(s));
-    let mut legend = joined(legend.map(|s| vec![StorySpan::Shape(s), quiet(format!(" {}", s.says()))]), "  ");
+    let table = StoryBlock::Table(table);
+    let mut legend = legend(&story::shapes(std::slice::from_ref(&table)));
     if rows.iter().any(|whole| columns.iter().any(|column| share(whole, &column.of).is_some())) {
         legend.push(quiet("; 1/3: of three motions one tells"));
     }
@@ -89,7 +89,7 @@ pub(super) fn blocks<'a>(
         below: Vec::new(),
     });
     let keys: Vec<StoryItem<'a>> = keys.collect();
-    let mut out = vec![StoryBlock::Table(table)];
+    let mut out = vec![table];
     if keys.is_empty() {
         out.push(StoryBlock::Paragraph(vec![quiet("Nothing was tried on a motion, and nothing for all values.")]));
     } else {

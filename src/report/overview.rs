@@ -29,8 +29,8 @@ fn counted(account: &Account) -> String {
     let cell = |n: usize| vec![n.to_string()];
     let all = [s.holds, s.fails, s.not_applicable, s.undecided, s.unexpected].into_iter().flat_map(cell).collect();
     let mut out = format!(
-        "Readings counted one by one, these are {} on {}. Of the pairs:\n\n",
-        count(account.claims.len(), "claim"),
+        "Reading by reading, what is added for comparison among them, there are {} on {}. Of the pairs:\n\n",
+        account.claims.len(),
         count(account.trajectories.len(), "motion"),
     );
     out.push_str(&table(&["hold", "fail", "do not apply", "undecided", "not as expected"], [all]));

@@ -43,6 +43,14 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     let strip = Sketch::Strip(fields.collect());
     let mut matrix = vec![StoryBlock::Group("strip", vec![StoryBlock::Figure(strip, Vec::new())])];
     matrix.extend(motion_matrix::blocks(derivation, account, &wholes, &hangs));
+    let shown = front.lines.first().map(|l| l.id.as_str());
+    let mut concludes = argument::blocks(derivation, &wholes, &hangs, shown);
+    // The legend is that of the matrix, and of what it lacks.
+    let more = &story::shapes(&concludes) - &story::shapes(&matrix);
+    if !more.is_empty() {
+        let legend = StoryBlock::Paragraph(motion_matrix::legend(&more));
+        concludes.push(StoryBlock::Group("roomy", vec![StoryBlock::Group("keys", vec![legend])]));
+    }
     let strength = front.strength.iter().chain(&front.proofs).chain(&front.beside);
     let strength = strength.map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).collect();
     let mut unsaid = hypotheses::limits(derivation, &wholes, &hangs);
@@ -56,10 +64,7 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
             "argues",
             vec![
                 StoryBlock::Group("cards", wrong(derivation, &wholes, &hangs, &front)),
-                StoryBlock::Group(
-                    "concludes",
-                    argument::blocks(derivation, &wholes, &hangs, front.lines.first().map(|l| l.id.as_str())),
-                ),
+                StoryBlock::Group("concludes", concludes),
             ],
         ),
         StoryBlock::Group("unsaid", unsaid),

@@ -61,7 +61,7 @@ impl VerdictShape {
         match self {
             VerdictShape::Proved => ("◆", "h p", r"$\blacklozenge$", "holds, proved for all values"),
             VerdictShape::ProvedGiven => ("◈", "h g", r"$\lozenge$", "holds, proved given claims that are not"),
-            VerdictShape::ProvedExcept => ("⬖", "h g", r"$\blacklozenge^{-}$", "holds, proved, special cases apart"),
+            VerdictShape::ProvedExcept => ("⬖", "h c", r"$\blacklozenge^{-}$", "holds, proved, special cases apart"),
             VerdictShape::Enclosed => ("■", "h e", r"$\blacksquare$", "holds at every time"),
             VerdictShape::Sampled => ("●", "h", r"$\bullet$", "holds at all samples"),
             VerdictShape::Weak => ("○", "h w", r"$\circ$", "holds, but much else would"),

@@ -12,6 +12,8 @@ use findings::Residuals;
 const SIZE: (f64, f64) = (240.0, 76.0);
 /// What is left of it for the numbers at its edges.
 const EDGE: f64 = 13.0;
+/// Curves are drawn in so many parts of a unit: whole numbers are fine enough, and short.
+const PARTS: f64 = 4.0;
 /// So many letters are a line of a drawing on a terminal.
 const LETTERS: usize = 48;
 /// Sides that are apart by less than this share of what is drawn are one line: their difference is drawn.
@@ -110,10 +112,10 @@ impl Frame {
         if width > tiny { (value - self.up.0) / width } else { 0.5 }
     }
 
-    fn place(&self, t: f64, value: f64) -> (i64, i64) {
+    fn place(&self, t: f64, value: f64) -> (f64, f64) {
         let x = SIZE.0 * (t - self.along.0) / (self.along.1 - self.along.0);
         let y = EDGE + (SIZE.1 - 2.0 * EDGE) * (1.0 - self.height(value));
-        (x.round() as i64, y.round() as i64)
+        (x, y)
     }
 
     /// The letter of a side in a column: that of the nearest sample.
@@ -146,23 +148,14 @@ fn with_gaps(samples: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
 
 fn sides_svg(names: [&str; 2], samples: &[[f64; 3]], at: Option<f64>, title: &str) -> String {
     let Some(frame) = Frame::of(samples) else { return String::new() };
-    let curve = |side: usize| {
-        let mut out = String::new();
-        let mut pen = false;
-        for s in samples {
-            if !s[side].is_finite() {
-                pen = false;
-                continue;
-            }
-            let (x, y) = frame.place(s[0], s[side]);
-            out.push_str(&format!("{}{x} {y}", if pen { "L" } else { "M" }));
-            pen = true;
-        }
-        out
+    let curve = |side: usize| -> String {
+        let stretches = samples.split(|s| !s[side].is_finite());
+        let place = |s: &[f64; 3]| frame.place(s[0], s[side]);
+        stretches.map(|some| smooth(&some.iter().map(place).collect::<Vec<_>>())).collect()
     };
     let (width, height) = (SIZE.0 as i64, SIZE.1 as i64);
     let mark = at.filter(|t| t.is_finite()).map(|t| {
-        let x = frame.place(t, frame.up.0).0;
+        let x = frame.place(t, frame.up.0).0.round();
         format!("<path class=worst d=\"M{x} {}V{}\"/>", EDGE as i64, height - EDGE as i64)
     });
     let key = format!(
@@ -173,15 +166,61 @@ fn sides_svg(names: [&str; 2], samples: &[[f64; 3]], at: Option<f64>, title: &st
         format!("<text x={x} y={y}{more}>{words}{}</text>", six(value).replace('-', "−"))
     };
     format!(
-        "<svg viewBox=\"0 0 {width} {height}\" role=img><title>{}</title>{}<path class=left d=\"{}\"/><path class=right d=\"{}\"/>{key}{}{}{}</svg>",
+        "<svg viewBox=\"0 0 {width} {height}\" role=img><title>{}</title>{}<g transform=\"scale({})\"><path class=left d=\"{}\"/><path class=right d=\"{}\"/></g>{key}{}{}{}</svg>",
         escaped(title),
         mark.unwrap_or_default(),
+        1.0 / PARTS,
         curve(1),
         curve(2),
         text(0, 9, "", "", frame.up.1),
         text(0, height - 2, "", "", frame.up.0),
         text(width, height - 2, " text-anchor=end", &format!("t = {} … ", six(frame.along.0)), frame.along.1),
     )
+}
+
+/// A smooth line through points, without values beyond theirs, as a part of a path in [`PARTS`] of a unit: between two points a cubic
+/// whose slopes at the ends are the harmonic means of those on both sides. The page's script draws so, too.
+fn smooth(points: &[(f64, f64)]) -> String {
+    let whole = |x: f64| (PARTS * x).round() as i64;
+    let slopes: Vec<f64> = points.windows(2).map(|w| (w[1].1 - w[0].1) / (w[1].0 - w[0].0).max(1e-9)).collect();
+    let slope = |i: usize| match (i.checked_sub(1).and_then(|i| slopes.get(i)), slopes.get(i)) {
+        (Some(a), Some(b)) if a * b > 0.0 => 2.0 * a * b / (a + b),
+        (Some(_), Some(_)) | (None, None) => 0.0,
+        (Some(only), None) | (None, Some(only)) => *only,
+    };
+    let Some(first) = points.first() else { return String::new() };
+    let mut out = format!("M{} {}", whole(first.0), whole(first.1));
+    // What is level goes on in one piece.
+    let mut level = 0;
+    let flush = |out: &mut String, level: &mut i64| {
+        if *level > 0 {
+            out.push_str(&format!("h{level}"));
+        }
+        *level = 0;
+    };
+    for (i, w) in points.windows(2).enumerate() {
+        let [(x, y), (to_x, to_y)] = [w[0], w[1]];
+        let third = (to_x - x) / 3.0;
+        let controls = [(x + third, y + third * slope(i)), (to_x - third, to_y - third * slope(i + 1)), (to_x, to_y)];
+        let steps = controls.map(|(a, b)| (whole(a) - whole(x), whole(b) - whole(y)));
+        if steps.iter().all(|step| step.1 == 0) {
+            level += steps[2].0;
+            continue;
+        }
+        flush(&mut out, &mut level);
+        for (k, number) in steps.iter().flat_map(|step| [step.0, step.1]).enumerate() {
+            let before = if k == 0 {
+                "c"
+            } else if number < 0 {
+                ""
+            } else {
+                " "
+            };
+            out.push_str(&format!("{before}{number}"));
+        }
+    }
+    flush(&mut out, &mut level);
+    out
 }
 
 /// The fields, as many as are drawn: of several the worst.
@@ -228,11 +267,19 @@ mod tests {
     fn both_sides_are_drawn_and_a_title_is_no_markup() {
         let svg = wave().svg();
         assert_eq!((svg.matches("<path").count(), svg.matches("<text").count()), (3, 4), "{svg}");
-        assert!(svg.contains("&lt;b&gt;") && svg.len() < 1000, "{svg}");
+        assert!(svg.contains("&lt;b&gt;") && svg.len() < 1400, "{svg}");
         assert!(svg.contains(">t = 0 … 19</text>"), "{svg}");
         let lines = wave().lines();
         assert_eq!(lines.len(), 2);
         assert!(lines[0].contains('█') && lines[1].contains('▃'), "{lines:?}");
+    }
+
+    #[test]
+    fn curves_are_smooth_and_stay_within_their_samples() {
+        assert_eq!(smooth(&[(0.0, 1.0), (1.0, 1.0), (5.0, 1.0)]), "M0 4h20");
+        assert_eq!(smooth(&[]), "");
+        // At the top the line is level: the second control and the end have one height.
+        assert_eq!(smooth(&[(0.0, 0.0), (3.0, 6.0), (6.0, 0.0)]), "M0 0c4 8 8 24 12 24c4 0 8-16 12-24");
     }
 
     #[test]

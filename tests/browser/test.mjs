@@ -6,7 +6,7 @@ import { inflateSync } from "node:zlib";
 import { accessible, check, done, settled, visit } from "./visit.mjs";
 
 const reports = path.resolve(process.argv[2] ?? "../../reports");
-const LARGEST = 1_020_000;
+const LARGEST = 1_000_000;
 
 /** The data of a page, unpacked by other means than the page's own. */
 function dataOf(html) {
@@ -167,14 +167,18 @@ for (const id of fs.readdirSync(reports).sort()) {
       await detail.locator("details tbody tr").first().waitFor();
       check(await detail.locator("details tbody tr").count() === (lines[0].match(/C/g) ?? []).length + 1, `${id}: the points of a curve are there as numbers`);
       const pasted = await detail.locator("pre").innerText();
-      check(pasted.includes(`left = ${failing.witness.left}`), `${id}: the witness is there in full`);
+      // On a page of thousands of pairs in six digits at least.
+      const told = Number(/^left = (.+)$/m.exec(pasted)?.[1]), left = failing.witness.left;
+      check(wanted.length > 1000 ? Math.abs(told - left) <= 1e-5 * Math.abs(left) : told === left, `${id}: the witness is there: ${told}`);
       opened = address;
     }
     // What is looked for, and what is tried at events, is drawn as what it is.
     const data = dataOf(fs.readFileSync(file, "utf8"));
     const motions = json.trajectories.map(t => t.id);
-    const drawn = (name, some) => Object.entries(data.pairs[name] ?? {}).find(([, pair]) => pair[0] && some(pair[0]));
-    const kinds = { sought: ["Looked for: ", c => c[10] === 0, Object.keys(data.pairs)], events: ["each time", () => true, Object.keys(data.events)] };
+    const numbered = data.pairs.flatMap(([name, columns]) => columns.map(column => [name, column]));
+    const curves = numbered.map(([name, column], k) => [name, [String(column), [data.curves.map(c => c[k])]]]).filter(([, [, [c]]]) => c[0] !== null);
+    const drawn = (name, some) => curves.find(([of, [, [c]]]) => of === name && some(c))?.[1];
+    const kinds = { sought: ["Looked for: ", c => c[10] === 0, data.pairs.map(([name]) => name)], events: ["each time", () => true, Object.keys(data.events)] };
     for (const [kind, [words, some, names]] of Object.entries(kinds)) {
       const name = names.find(n => drawn(n, some));
       if (!name) continue;

@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 
 use super::super::family;
 use super::super::numbers::value;
-use super::super::plot::{Words, plane};
+use super::super::plot::{Scale, Words, plane};
 use super::super::tally::name;
 use super::map;
 use super::text::{plain, prose};
@@ -38,7 +38,7 @@ fn slopes(of: &SlopeAccount, claim: &str, scope: &Scope) -> Markup {
         short(of.to),
     );
     let across = format!("ln |{with}|");
-    let words = Words { title: claim, describe: &describe, across: &across, up: "slope", axes: &[] };
+    let words = Words { title: claim, describe: &describe, across: &across, up: "slope", axes: &[], scale: Scale::Own };
     let caption = format!(
         "Slopes between neighbours along ${}$; level, that of all by least squares; the two outer level lines, how far the claimed \
          power may be off.",

@@ -5,6 +5,7 @@ use maud::{Markup, html};
 use super::super::digest::{self, Fate, Whole};
 use super::super::numbers::count;
 use super::super::page_one;
+use super::super::shape::VerdictShape;
 use super::super::story;
 use super::super::tally::name;
 use super::text::prose;
@@ -67,7 +68,7 @@ fn counted(account: &Account) -> Markup {
     let s: Summary = account.summary();
     html! {
         p.quiet {
-            "Readings counted one by one, these are " (count(account.claims.len(), "claim")) " on "
+            "Reading by reading, what is added for comparison among them, there are " (account.claims.len()) " on "
             (count(account.trajectories.len(), "motion")) ": of the pairs " (s.holds) " hold, " (s.fails) " fail, "
             (s.not_applicable) " do not apply, " (s.undecided) " are undecided. "
             @match s.unexpected {
@@ -81,38 +82,20 @@ fn counted(account: &Account) -> Markup {
 
 /// Every claim of the paper in its order, with the shape of its fate: a map of the paper, at one glance.
 fn in_order(wholes: &[Whole<'_>], scope: &Scope) -> Markup {
-    let class = |whole: &Whole<'_>| match whole.fate {
-        Fate::Stands if whole.is_proved() => "h p",
-        Fate::Stands => "h",
-        Fate::Reading => "r",
-        Fate::Partly => "m",
-        Fate::Fails => "f",
-        Fate::Open | Fate::Untested => "u",
-        Fate::Nowhere | Fate::Choice | Fate::Lemma | Fate::Added => "n",
-    };
-    let words = [
-        ("h p", "stands, proved for all values"),
-        ("h", "stands"),
-        ("r", "depends on what it means"),
-        ("m", "holds on some motions only"),
-        ("f", "does not hold"),
-        ("u", "is not settled"),
-        ("n", "applies to no motion"),
-    ];
     let told: Vec<&Whole<'_>> = wholes.iter().filter(|w| w.fate.is_of_the_paper()).collect();
     html! {
         h3 id="/order" { "The claims in their order" }
         details { summary { "All of them" }
         ul.legend aria-label="Shapes" {
-            @for (c, text) in words.iter().filter(|(c, _)| told.iter().any(|w| class(w) == *c)) {
-                li { span class={ "mark " (c) } aria-hidden="true" {} " " (text) }
+            @for shape in VerdictShape::ALL.into_iter().filter(|s| told.iter().any(|w| w.shape() == *s)) {
+                li { span class={ "mark " (shape.class()) } aria-hidden="true" {} " " (shape.says()) }
             }
         }
         ol.order {
             @for whole in told {
                 @let stands = whole.fate == Fate::Stands;
                 li {
-                    span class={ "mark " (class(whole)) } aria-hidden="true" {}
+                    span class={ "mark " (whole.shape().class()) } aria-hidden="true" {}
                     @let target = if stands { format!("#{}", whole.id) } else { format!("#/why/{}", whole.id) };
                     a href=(target) { (prose(&whole.says, scope)) }
                     span.unseen { ", " (whole.fate.words(1)) }

@@ -195,12 +195,15 @@ fn figure(derivation: &Derivation, picture: &Picture, account: &PictureAccount) 
     let scope = &derivation.scope;
     let names: Vec<String> = picture.show.iter().map(|w| plain(&w.text)).collect();
     let title = format!("{}: {}", account.trajectory, picture.id);
-    let with_unit = |w: &Written<Expr>| {
+    let unit_of = |w: &Written<Expr>| {
         let entry = derivation.symbols.iter().find(|s| {
             derivation.graph.leaves([w.value]).iter().all(|l| l.symbol == s.symbol && l.rate == 0)
                 && w.text.starts_with(&s.name)
         });
-        let unit = entry.and_then(|s| s.unit.as_deref()).map(|u| format!(" ({})", unit(u))).unwrap_or_default();
+        entry.and_then(|s| s.unit.as_deref())
+    };
+    let with_unit = |w: &Written<Expr>| {
+        let unit = unit_of(w).map(|u| format!(" ({})", unit(u))).unwrap_or_default();
         format!("{}{unit}", plain(&w.text))
     };
     let time = derivation.scope.time().and_then(|l| derivation.symbols.iter().find(|s| s.symbol == l.symbol));
@@ -216,7 +219,12 @@ fn figure(derivation: &Derivation, picture: &Picture, account: &PictureAccount) 
         (PictureKind::Curve, [x, y]) => (x.clone(), y.clone()),
         _ => (format!("{time_name}{time_unit}"), units.join(", ")),
     };
-    let words = plot::Words { title: &title, describe: &describe, across: &across, up: &up, axes: &names };
+    // An orbit has its shape where both of its coordinates have one unit.
+    let scale = match (picture.kind, picture.show.as_slice()) {
+        (PictureKind::Curve, [x, y]) if unit_of(x).is_some() && unit_of(x) == unit_of(y) => plot::Scale::Equal,
+        _ => plot::Scale::Own,
+    };
+    let words = plot::Words { title: &title, describe: &describe, across: &across, up: &up, axes: &names, scale };
     let svg = match picture.kind {
         PictureKind::Sphere => plot::sphere(&account.lines, &words),
         _ => plot::plane(&account.lines, &words),

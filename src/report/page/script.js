@@ -167,10 +167,10 @@ table.addEventListener("keydown", e => {
 });
 
 // ---- the curves of a pair ----
-const DIGITS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%()*+,-./:;=?@[]^_{|", FINE = 12;
+const DIGITS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%()*+,-./:;=?@[]^_{|", ONE_DIGIT = 60;
 const digit = new Map([...DIGITS].map((c, i) => [c, i]));
 // The data are packed: base 85 of a zlib stream of JSON. They are not unpacked before a curve is asked for.
-let data, ready;
+let data, numbered, ready;
 const unpacked = () => ready ||= (async () => {
   const text = byId("/data").textContent, bytes = new Uint8Array(Math.floor(text.length * 4 / 5));
   for (let i = 0, at = 0; i < text.length; i += 5, at += 4) {
@@ -179,18 +179,27 @@ const unpacked = () => ready ||= (async () => {
     for (let k = 0; k < 4 && at + k < bytes.length; k++) bytes[at + k] = Math.floor(word / 256 ** (3 - k)) % 256;
   }
   data = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).json();
+  // Pairs are numbered as they come.
+  let pair = 0;
+  numbered = new Map(data.pairs.map(([claim, columns]) => [claim, new Map(columns.map(c => [c, pair++]))]));
 })();
 const stored = x => Array.isArray(x) ? x.map(stored).join("") : typeof x === "number" ? data.strings[x] : x;
-const unpack = (packed, low, high) => {
-  const text = stored(packed), n = text.length / 2, steps = DIGITS.length * FINE - 2;
-  return Array.from({ length: n }, (_, i) => {
-    const step = digit.get(text[i]) * FINE + digit.get(text[n + i]);
-    return step ? low + (high - low) * (step - 1) / steps : -Infinity;
-  });
+// A column: the changes of places among so many steps over the range, even numbers up, odd ones down; what is at 0 has no value.
+const unpack = (packed, low, high, steps) => {
+  const text = stored(packed), out = [];
+  for (let i = 0, place = 0; i < text.length; i++) {
+    let n = digit.get(text[i]);
+    if (n >= ONE_DIGIT) n = ONE_DIGIT + (n - ONE_DIGIT) * DIGITS.length + digit.get(text[++i]);
+    place += n % 2 ? -(n + 1) / 2 : n / 2;
+    out.push(place ? low + (high - low) * (place - 1) / (steps - 1) : -Infinity);
+  }
+  return out;
 };
+const STEPS = { time: 1020, side: 255, logarithm: 85 };
 const pairOf = place => {
-  const n = numbers(place);
-  return n && (data.pairs[names[n[0]]] || {})[n[1]];
+  const n = numbers(place), k = n ? numbered.get(names[n[0]])?.get(n[1]) : undefined;
+  const row = columns => columns[0][k] === null ? null : columns.map(c => c[k]);
+  return k === undefined ? undefined : [row(data.curves), row(data.worst), row(data.witness), data.excluded[k]];
 };
 const SVG = "http://www.w3.org/2000/svg";
 const add = (parent, name, attributes, text) => {
@@ -347,10 +356,10 @@ const points = (p, xs, ys, name) => xs.forEach((x, i) => {
 const marked = (p, xs) => xs.forEach(x => add(p.svg, "line", { class: "when", x1: p.X(x), x2: p.X(x), y1: T, y2: H - B }));
 function curves(box, [packed, w, found, left_out], id) {
   const [formula, samples, [low, high], span, decades, at, lefts, rights, residuals, bounds, pass] = packed;
-  const t = unpack(at, ...span), time = [...span], sought = pass === 0;
+  const t = unpack(at, ...span, STEPS.time), time = [...span], sought = pass === 0;
   const event = data.events[id.slice(0, id.lastIndexOf("@"))], draw = event === undefined ? line : points;
   for (const [a, b] of left_out || []) { time[0] = Math.min(time[0], a); time[1] = Math.max(time[1], b); }
-  const d = unpack(residuals, ...decades), b = unpack(bounds, ...decades);
+  const d = unpack(residuals, ...decades, STEPS.logarithm), b = unpack(bounds, ...decades, STEPS.logarithm);
   const head = element(box, "p", {}, sought ? "Looked for: " : "Compared: ");
   head.insertAdjacentHTML("beforeend", stored(formula));
   if (event !== undefined) head.insertAdjacentHTML("beforeend", ", each time " + stored(event) + ".");
@@ -381,7 +390,7 @@ function curves(box, [packed, w, found, left_out], id) {
   const rule = sought ? `How far the sides are apart (${one}) and the error bound of that (${two}): the relation is looked for, so a small distance is a find.`
     : `Residual (${one}) and its error bound (${two})` + (pass ? "; an equation passes where the residual is below its bound and the bound below the dotted line, the precision asked for." : ".");
   element(figure, "figcaption", {}, `${rule} ${worst}${when}${left_out ? " Grey: times left out." : ""} ${drawn}.`);
-  const l = unpack(lefts, low, high), r = rights === null ? l : unpack(rights, low, high);
+  const l = unpack(lefts, low, high, STEPS.side), r = rights === null ? l : unpack(rights, low, high, STEPS.side);
   const pad = (high - low) * .06 || Math.abs(high) * .1 || 1, range = [low - pad, high + pad];
   words = { title: "Both sides of " + id, describe: `The left side (${one}), the right side (${two}).`, label: "both sides" };
   const sides = [["left", "left side", l, short], ["right", "right side", r, short]];
@@ -408,7 +417,7 @@ function numbersOf(box, t, l, r, d, b, what) {
     element(more, "p", { class: "quiet" }, "As finely as they are drawn: sides to some thousandths of the height, residual and bound to a hundredth.");
   });
 }
-function witness(box, [label, t, left, right, bound, names, ...values]) {
+function witness(box, [label, t, left, right, bound, names, values]) {
   const p = element(box, "p", {}, `At t = ${t} the left side is ${left}, the right side ${right}, with an error bound of ${bound}: `);
   p.insertAdjacentHTML("beforeend", stored(label));
   element(box, "pre", { tabindex: 0 }, stored(names).split("\n").map((name, i) => `${name} = ${values[i]}\n`).join("") + `left = ${left}\nright = ${right}`);

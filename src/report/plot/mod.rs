@@ -19,6 +19,12 @@ const SIZE: (u32, u32) = (1400, 830);
 const ROUND: (u32, u32) = (999, 999);
 /// Height of letters.
 const LETTERS: u32 = 44;
+/// What is left free around a picture with axes, and to the right of it, in units of its canvas.
+const MARGIN: u32 = 14;
+const MARGIN_RIGHT: u32 = 40;
+/// Places of the labels to the left of it and below.
+const LEFT: u32 = 190;
+const BELOW: u32 = 110;
 
 /// What is said about a picture.
 pub(super) struct Words<'a> {
@@ -32,6 +38,17 @@ pub(super) struct Words<'a> {
     pub up: &'a str,
     /// The axes of a sphere.
     pub axes: &'a [String],
+    /// How the axes of a plane are scaled.
+    pub scale: Scale,
+}
+
+/// How the two axes of a plane are scaled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Scale {
+    /// Each by what is drawn along it.
+    Own,
+    /// A unit is as long across as up: a circle is round.
+    Equal,
 }
 
 /// Colours that stand for classes of the page.
@@ -72,6 +89,10 @@ pub(super) fn plane(lines: &[Line], words: &Words<'_>) -> Option<String> {
     let points = || lines.iter().filter(|l| matches!(l.kind, LineKind::Shown(_))).flat_map(|l| &l.points);
     let across = widened(points().map(|p| p.0), 0.0)?;
     let up = widened(points().map(|p| p.1), 0.05)?;
+    let (across, up) = match words.scale {
+        Scale::Equal => equally(across, up),
+        Scale::Own => (across, up),
+    };
     let mut out = String::new();
     let drawn = draw_plane(&mut out, lines, words, across, up);
     drawn.ok().map(|()| finished(&out, words))
@@ -92,6 +113,26 @@ fn widened(values: impl Iterator<Item = f64>, room: f64) -> Option<std::ops::Ran
     (low < high && (high - low).is_finite()).then_some(low..high)
 }
 
+/// Size of what is drawn between the axes, in units of the canvas.
+const INSIDE: (f64, f64) = ((SIZE.0 - MARGIN - MARGIN_RIGHT - LEFT) as f64, (SIZE.1 - 2 * MARGIN - BELOW) as f64);
+/// Where one side is longer than the other by more than this, equal scales would leave nothing to see of the shorter one.
+const MOST_OBLONG: f64 = 6.0;
+
+/// The ranges, one of them widened until both axes have one scale; as they are where that would flatten the motion.
+fn equally(across: std::ops::Range<f64>, up: std::ops::Range<f64>) -> (std::ops::Range<f64>, std::ops::Range<f64>) {
+    // Units of the quantities for one of the canvas.
+    let (wide, tall) = ((across.end - across.start) / INSIDE.0, (up.end - up.start) / INSIDE.1);
+    let scale = wide.max(tall);
+    if !(scale.is_finite() && scale <= MOST_OBLONG * wide.min(tall)) {
+        return (across, up);
+    }
+    let around = |range: std::ops::Range<f64>, length: f64| {
+        let (middle, half) = ((range.start + range.end) / 2.0, scale * length / 2.0);
+        middle - half..middle + half
+    };
+    (around(across, INSIDE.0), around(up, INSIDE.1))
+}
+
 type Drawn = Result<(), Box<dyn std::error::Error>>;
 
 fn draw_plane(
@@ -104,10 +145,10 @@ fn draw_plane(
     let area = SVGBackend::with_string(out, SIZE).into_drawing_area();
     let letters = ("sans-serif", LETTERS);
     let mut chart = ChartBuilder::on(&area)
-        .margin(14)
-        .margin_right(40)
-        .x_label_area_size(110)
-        .y_label_area_size(190)
+        .margin(MARGIN)
+        .margin_right(MARGIN_RIGHT)
+        .x_label_area_size(BELOW)
+        .y_label_area_size(LEFT)
         .build_cartesian_2d(across, up)?;
     chart
         .configure_mesh()
@@ -194,8 +235,8 @@ fn points_of(line: &str) -> Vec<(i32, i32)> {
     list.split_whitespace().filter_map(point).collect()
 }
 
-/// How far a drawn line may be from the computed one, in units of the canvas: half of the width of a line.
-const OFF: f64 = 2.0;
+/// How far a drawn line may be from the computed one, in units of the canvas: a quarter of the width of a line.
+const OFF: f64 = 1.0;
 
 /// As few of the points as draw the same.
 fn simplified(points: &[(i32, i32)]) -> Vec<(i32, i32)> {
@@ -346,7 +387,8 @@ fn finished(svg: &str, words: &Words<'_>) -> String {
 mod tests {
     use super::*;
 
-    const WORDS: Words<'_> = Words { title: "<t>", describe: "d & d", across: "t (s)", up: "x", axes: &[] };
+    const WORDS: Words<'_> =
+        Words { title: "<t>", describe: "d & d", across: "t (s)", up: "x", axes: &[], scale: Scale::Own };
 
     #[test]
     fn a_line_keeps_its_shape_with_fewer_points() {
@@ -389,6 +431,16 @@ mod tests {
     }
 
     #[test]
+    fn a_circle_is_round_and_a_thin_line_is_not_flattened() {
+        let (across, up) = equally(-1.0..1.0, -1.0..1.0);
+        let scale = |range: &std::ops::Range<f64>, length: f64| (range.end - range.start) / length;
+        assert!((scale(&across, INSIDE.0) - scale(&up, INSIDE.1)).abs() < 1e-12);
+        assert_eq!(up, -1.0..1.0);
+        assert!(across.start < -1.0 && across.end > 1.0 && across.start == -across.end);
+        assert_eq!(equally(0.0..100.0, 0.0..1.0), (0.0..100.0, 0.0..1.0));
+    }
+
+    #[test]
     fn odd_values_are_no_panic() {
         for points in [
             vec![(0.0, f64::NAN), (1.0, 2.0)],
@@ -399,6 +451,7 @@ mod tests {
         ] {
             let lines = [Line { kind: LineKind::Shown(7), points }];
             let _ = plane(&lines, &WORDS);
+            let _ = plane(&lines, &Words { scale: Scale::Equal, ..WORDS });
         }
     }
 }

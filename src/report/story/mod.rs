@@ -10,6 +10,8 @@ mod markdown;
 mod terminal;
 mod tex;
 
+use std::collections::BTreeSet;
+
 pub(super) use html::html;
 pub(super) use markdown::markdown;
 pub(super) use terminal::terminal;
@@ -75,6 +77,23 @@ pub(super) enum StoryBlock<'a> {
     Figure(Sketch, Vec<StorySpan<'a>>),
     /// Blocks that belong together, by the name that the style of the page has for them.
     Group(&'static str, Vec<StoryBlock<'a>>),
+}
+
+/// The symbols that stand in blocks.
+pub(super) fn shapes(blocks: &[StoryBlock<'_>]) -> BTreeSet<VerdictShape> {
+    let of_spans = |spans: &[StorySpan<'_>]| -> BTreeSet<VerdictShape> {
+        spans.iter().filter_map(|s| if let StorySpan::Shape(shape) = s { Some(*shape) } else { None }).collect()
+    };
+    let of_block = |block: &StoryBlock<'_>| match block {
+        StoryBlock::Paragraph(spans) | StoryBlock::Figure(_, spans) => of_spans(spans),
+        StoryBlock::Table(table) => table.rows.iter().flatten().flat_map(|cell| of_spans(cell)).collect(),
+        StoryBlock::List(items) => {
+            items.iter().flat_map(|item| of_spans(&item.line).into_iter().chain(shapes(&item.below))).collect()
+        }
+        StoryBlock::Fold { blocks, .. } | StoryBlock::Group(_, blocks) => shapes(blocks),
+        StoryBlock::Heading(_) => BTreeSet::new(),
+    };
+    blocks.iter().flat_map(of_block).collect()
 }
 
 /// Words without weight.

@@ -171,6 +171,8 @@ impl Altered {
                 let setting = Setting { claim, starts, shared };
                 let mut variants = ClaimVariants::new(derivation, &mut graph, &setting, room);
                 variants.reduce(derivation, claim, &mut graph);
+                // A file may have ten thousand claims, each with a hundred of them.
+                variants.variants.shrink_to_fit();
                 out.push(variants);
             }
             (graph, out)
