@@ -2,7 +2,7 @@
 //!
 //! The law is that two towers over one base are equal only if their exponents are, however large these grow.
 
-use crate::prove_traps::unproved;
+use crate::prove_traps::{all, unproved};
 
 /// A base to the power of nᵏ.
 fn tower(base: &str, n: u32, k: usize) -> String {
@@ -25,5 +25,14 @@ fn towers_of_different_heights_are_not_equal() {
             let [low, high] = [k, k + 1].map(|k| around(&tower("x", n, k)));
             unproved(&format!("{low}={high}"), "x,y");
         }
+    }
+}
+
+#[test]
+fn exponents_beyond_the_numbers_of_the_machine_are_exponents() {
+    for n in ["2147483647", "-2147483648", "2147483648", "-3000000000", "9000000000000000000"] {
+        unproved(&format!(r"\ln(\frac{{y}}{{x^{{{n}}}}})=\ln(\frac{{y}}{{x^2}})"), "x,y");
+        unproved(&format!(r"\left|(\frac{{x}}{{y}})^{{{n}}}\right|=\left|xy\right|"), "x,y");
+        all(&[("proved", r"x^{3000000000}=(x^{1000000})^{3000}", "x", "")]);
     }
 }

@@ -409,6 +409,7 @@ impl Graph {
             (Op::Powi(n), Node::Constant(r)) if (n >= 0 || *r != Rational::ZERO) && folds(&r, n) => {
                 self.constant(r.pow(n as isize))
             }
+            (Op::Powi(n), _) if n.unsigned_abs() > LARGEST_EXPONENT => self.whole_power(a, n.into()),
             (Op::Abs, Node::Constant(r)) => self.constant(if *r < Rational::ZERO { -&*r } else { (*r).clone() }),
             (Op::Sin | Op::Tan | Op::Arcsin | Op::Arctan | Op::Sinh | Op::Tanh | Op::Sqrt, Node::Constant(r))
                 if *r == Rational::ZERO =>
@@ -449,23 +450,36 @@ impl Graph {
             Op::Mul if self.is_one(a) => b,
             Op::Mul | Op::Div if self.is_one(b) => a,
             Op::Pow => {
-                // Beyond it is no whole power, but a power all the same.
                 let exponent = |factor: u8| {
-                    let n = self.as_constant(b).and_then(|r| i32::try_from(r.clone() * Rational::from(factor)).ok());
-                    n.filter(|n| n.unsigned_abs() <= LARGEST_EXPONENT)
+                    self.as_constant(b).and_then(|r| i64::try_from(r.clone() * Rational::from(factor)).ok())
                 };
                 match (exponent(1), exponent(2)) {
-                    (Some(n), _) => self.unary(Op::Powi(n), a),
+                    (Some(n), _) => self.whole_power(a, n),
                     // x^{n/2} by the root, which has derivatives where it should.
                     (None, Some(n)) => {
                         let root = self.unary(Op::Sqrt, a);
-                        self.unary(Op::Powi(n), root)
+                        self.whole_power(root, n)
                     }
                     (None, None) => self.intern(Node::Binary(op, a, b)),
                 }
             }
             _ => self.intern(Node::Binary(op, a, b)),
         }
+    }
+
+    /// aⁿ, as powers of powers where n is too large for one.
+    fn whole_power(&mut self, a: Expr, n: i64) -> Expr {
+        let most = i64::from(LARGEST_EXPONENT);
+        if let Some(n) = i32::try_from(n).ok().filter(|n| n.unsigned_abs() <= LARGEST_EXPONENT) {
+            return self.unary(Op::Powi(n), a);
+        }
+        let whole = self.unary(Op::Powi(LARGEST_EXPONENT as i32), a);
+        let (whole, rest) = (self.whole_power(whole, n / most), n % most);
+        if rest == 0 {
+            return whole;
+        }
+        let rest = self.whole_power(a, rest);
+        self.mul(whole, rest)
     }
 
     /// aᵇ of an exponent that is not written out, whatever it is: it needs what the operation needs. Numbers that have it are folded.
