@@ -211,3 +211,24 @@ fn values_at_several_times_are_joined_by_a_system() {
     assert!(!standing(&account, "wrong").starts_with("proved"));
     assert_eq!(standing(&account, "free"), "refuted");
 }
+
+#[test]
+fn no_point_where_no_motion_of_a_system_passes_refutes() {
+    // What has a sign at the start, and where right sides have values, leads from there; what leads there is the system.
+    for (equation, assuming, formula) in [
+        (r"\dot x=0", "x(0)>0", "|x|=x"),
+        (r"\dot x=x", "x(0)>0", "|x|=x"),
+        (r"\dot x=\sqrt x", "", "|x|=x"),
+        (r"\dot x=\ln x", "", r"\sqrt{x(0)^2}=x(0)"),
+        (r"\dot x=\arcsin x", "", r"\sqrt{(1-x)^2}=1-x"),
+        (r"\dot x=-x^2", "", "x(0)-x(1)=x(0)x(1)"),
+        (r"\dot x=x", "", "x(2)x(0)=x(1)^2"),
+    ] {
+        let assuming = if assuming.is_empty() { String::new() } else { format!("assuming = ['{assuming}']\n") };
+        let account = file(&format!(
+            "[system.s]\nstates = ['x']\nequations = ['{equation}']\n\
+             [[claim]]\nid = 'c'\nsays = 'test'\nfollows-from = ['s']\n{assuming}always = ['{formula}']\ntrajectories = []\n"
+        ));
+        assert_ne!(standing(&account, "c"), "refuted", "{equation}: {formula}");
+    }
+}

@@ -70,10 +70,18 @@ impl Step<'_> {
         systems > 1 || systems == 1 && self.rates_of_systems().is_none()
     }
 
+    /// Whether motions of the systems that are given are where something has one sign: where right sides have values, or where a sign is
+    /// given of what moves. A point elsewhere is on none, and what leads from the given place to another is the system.
+    fn leads_through_a_region(&mut self, systems: &[(Expr, Expr)], premises: &Premises) -> bool {
+        let signed = self.graph.leaves_within(premises.signs()).iter().any(|l| self.claim.scope.moves(l));
+        let needs = self.graph.needs_below(sides(systems));
+        !systems.is_empty() && (signed || needs.iter().any(|need| need.sign != Sign::NotZero))
+    }
+
     /// The definitions of the observables that occur, of those in these, and so on; where rates occur, the systems that
     /// are given join in. What does not occur is left out: a premise less can only lose a proof. Where a point may refute, the
-    /// systems join in, too, where an equation that is given ties what moves, or they have one without a rate: with the rates of that
-    /// they may say more.
+    /// systems join in, too, where an equation that is given ties what moves, or a sign; where their sides have values in a part
+    /// of space only; or where they have one without a rate: with the rates of that they may say more.
     pub(super) fn definitions(
         &mut self,
         equations: &Pairs,
@@ -90,6 +98,7 @@ impl Step<'_> {
         let mut moving = which == Definitions::Everything
             && (premises.pairs().any(|pair| tied(&self.graph, &pair))
                 || systems.iter().any(|pair| constraint(&self.graph, pair))
+                || self.leads_through_a_region(systems, premises)
                 || self.systems_tie_states());
         let roots: Vec<Expr> = sides(equations).chain(premises.sides()).chain(premises.signs()).collect();
         let mut open = self.graph.leaves_within(roots);
