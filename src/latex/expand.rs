@@ -192,7 +192,9 @@ impl<'a> Expansion<'a> {
             true => self.closing[base + 1] + 1,
             false => base + 2,
         };
-        (self.is(base, '_') && end == close && base + 1 < close).then_some((base, close))
+        // `\vec{r_1'}`: the prime is of the name.
+        let primes = (end..close).all(|at| self.is(at, '\''));
+        (self.is(base, '_') && end <= close && primes && base + 1 < close).then_some((base, close))
     }
 
     /// One argument of a command as TeX takes it: its tokens, and where it ends.

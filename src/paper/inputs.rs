@@ -199,6 +199,8 @@ fn document_alone(all: Vec<Token>) -> Vec<Token> {
 fn without_code(text: &str) -> String {
     let mut out: Vec<u8> = Vec::with_capacity(text.len());
     let mut fence: Option<(u8, usize, bool)> = None;
+    // Whether the options of a block of mathematics may stand here, `:label: energy`.
+    let mut options = false;
     for line in text.split_inclusive('\n') {
         let bare = line.trim_start();
         let mark = bare.bytes().next().filter(|b| matches!(b, b'`' | b'~'));
@@ -209,11 +211,17 @@ fn without_code(text: &str) -> String {
                 fence = None;
                 out.extend(fenced(line, math));
             }
-            (Some((_, _, true)), _) => out.extend(line.bytes()),
+
+            (Some((_, _, true)), _) if options && bare.starts_with(':') => out.extend(option(line)),
+            (Some((_, _, true)), _) => {
+                options = false;
+                out.extend(line.bytes());
+            }
             (Some(_), _) => out.extend(blank(line)),
             (None, Some(own)) if count >= 3 => {
                 let math = bare[count..].trim().trim_matches(['{', '}', '`']) == "math";
                 fence = Some((own, count, math));
+                options = math;
                 out.extend(fenced(line, math));
             }
             (None, _) => out.extend(without_spans(line)),
@@ -238,6 +246,21 @@ fn fenced(line: &str, math: bool) -> Vec<u8> {
             }
         })
         .collect()
+}
+
+/// A line with an option of a block of mathematics, of the same length: its label is that of a display in LaTeX, where there is room for it.
+fn option(line: &str) -> Vec<u8> {
+    let blank = || line.bytes().map(|b| if b == b'\n' { b } else { b' ' }).collect::<Vec<u8>>();
+    let Some(label) = line.trim().strip_prefix(":label:").map(str::trim).filter(|l| !l.is_empty()) else { return blank() };
+    let mut out = blank();
+    // `\label{x}` is as long as `:label: x`, spaces around it apart.
+    let shown = format!("\\label{{{label}}}");
+    let from = line.len() - line.trim_start().len();
+    let room = line.trim_end_matches('\n').len() - from;
+    if shown.len() <= room && !label.contains(['{', '}', '\\', '%']) {
+        out[from..from + shown.len()].copy_from_slice(shown.as_bytes());
+    }
+    out
 }
 
 /// A line of Markdown without its code; a percent sign begins no comment there.

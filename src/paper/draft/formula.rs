@@ -90,12 +90,24 @@ pub(super) fn displays(paper: &Paper) -> Vec<Printed> {
             printed.remarks.extend(relation.remark.clone().filter(|r| !r.is_empty()));
             match relation.sides.as_slice() {
                 [one] if one.text.is_empty() => {}
+                _ if is_range(relation) => {
+                    let sides: Vec<&PrintedSide> = relation.sides.iter().collect();
+                    printed.remarks.push(text_of(&sides, &relation.signs));
+                }
                 [one] => printed.expressions.push(one.text.clone()),
                 _ => printed.relations.push(relation.clone()),
             }
         }
     }
     out
+}
+
+/// Whether a relation says over what indices run, and nothing else: `i=1,2,\ldots,n`.
+fn is_range(relation: &PrintedRelation) -> bool {
+    let Some((last, before)) = relation.sides.split_last() else { return false };
+    let goes_on = [r"\ldots", r"\cdots", r"\dots"].iter().any(|dots| last.text.contains(dots));
+    let letters = |s: &PrintedSide| s.tokens.iter().all(|t| !matches!(t.text.as_str(), "+" | "-" | "(" | "frac"));
+    goes_on && last.is_list && !before.is_empty() && before.iter().all(letters) && relation.signs.iter().all(|s| s == "=")
 }
 
 impl Printed {

@@ -63,6 +63,8 @@ pub(super) fn readings(
     }
     let text: String = sides.iter().map(|s| s.text.as_str()).collect::<Vec<_>>().join(" ");
     let mut out: Vec<Vec<Reading>> = Vec::new();
+    let is_name = evidence.keys.contains_key("e") || !evidence.has_exponentials;
+    let has_charge = is_name && sides.iter().filter_map(|s| raised_e(s)).any(|(number, other)| number && !other);
     let size = sides.iter().find_map(|s| evidence::size(&s.tokens)).map(|(rows, _)| rows).filter(|n| *n > 1);
     for with_indices in ways {
         for (dimension, bold_matrices) in [(3, false), (size.unwrap_or(3), false), (3, true)] {
@@ -75,6 +77,8 @@ pub(super) fn readings(
                 dimension,
                 places_are_numbers: false,
                 moving_are_functions: false,
+                coordinates_are_numbers: false,
+                has_charge,
             };
             let mut tried: Vec<Reading> = Vec::new();
             for (places_are_numbers, moving_are_functions) in
@@ -84,6 +88,11 @@ pub(super) fn readings(
                 if !tried.contains(&reading) {
                     tried.push(reading);
                 }
+            }
+            if let Ok(reading) = (Names { coordinates_are_numbers: true, ..names }).reading()
+                && !tried.contains(&reading)
+            {
+                tried.push(reading);
             }
             if !out.contains(&tried) {
                 out.push(tried);
@@ -122,7 +131,7 @@ fn obstacle(sides: &[&PrintedSide], all: &[PaperName], evidence: &Evidence) -> R
     }
     let bare_e = evidence.keys.contains_key("e");
     let raised = |s: &&&PrintedSide, bare: bool| raised_e(s).is_some_and(|(a, b)| if bare { a } else { b });
-    if sides.iter().any(|s| raised(&s, true)) && (bare_e || !evidence.has_exponentials) {
+    if sides.iter().any(|s| raised(&s, true)) && bare_e && sides.iter().any(|s| raised(&s, false)) {
         return Err("e to a number: a charge, or Euler's number".to_owned());
     }
     if all.iter().any(|n| n.key() == "e") && sides.iter().any(|s| raised(&s, false)) {
@@ -160,6 +169,10 @@ struct Names<'a> {
     places_are_numbers: bool,
     /// Whether what moves is a function of the time, and no state.
     moving_are_functions: bool,
+    /// Whether coordinates are numbers, at which functions are taken and by which they are derived: a file has few coordinates.
+    coordinates_are_numbers: bool,
+    /// Whether `e` is raised to numbers alone here, and is a name in the paper, or the base of no power with letters in it.
+    has_charge: bool,
     /// How many components a vector has, where the paper does not show it.
     dimension: usize,
 }
@@ -188,6 +201,9 @@ impl Names<'_> {
             })
             .collect();
         let is_complex = self.evidence.is_complex && self.all.iter().any(|n| n.key() == "i");
+        if self.has_charge {
+            push(&mut out, Guess::parameter("e", "raised to numbers alone, in a paper where it is a factor or no base: a charge"));
+        }
         let mut at = 0;
         while let Some(name) = self.all.get(at) {
             at += 1;
@@ -209,7 +225,8 @@ impl Names<'_> {
             let bare = bare(place);
             let known = bare == "t" || coordinates.contains(bare) || out.iter().any(|g| g.bare() == bare);
             if !known {
-                let steady = self.places_are_numbers && self.is_of_primes(bare);
+                let steady = self.places_are_numbers && self.is_of_primes(bare)
+                    || self.coordinates_are_numbers && self.is_a_variable_here(bare);
                 let moves = self.evidence.moving.contains(bare) && !steady || bare != place;
                 let role = if moves { "state" } else { "parameter" };
                 let shape = is_vector(bare).then(|| self.dimension.to_string());
@@ -353,6 +370,9 @@ impl Names<'_> {
 
     /// What is a coordinate here.
     fn coordinates(&self, functions: &BTreeMap<String, Vec<String>>) -> BTreeSet<String> {
+        if self.coordinates_are_numbers {
+            return BTreeSet::new();
+        }
         let mut out: BTreeSet<String> = BTreeSet::new();
         let still = |p: &String| !self.moves_here(p) || self.is_of_primes(p);
         for place in functions.values().flatten().filter(|p| (is_variable(p) || is_vector(p)) && still(p)) {
