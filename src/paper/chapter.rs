@@ -75,16 +75,18 @@ fn preamble(path: &Path) -> Option<(PathBuf, String, Vec<Token>)> {
 fn includes(text: &str, folder: &Path, own: &Path) -> bool {
     let all = tokens(text);
     let stem = own.with_extension("");
-    (0..all.len()).filter(|&i| all[i].kind == Kind::Command && COMMANDS_OF_TEXT.contains(&all[i].text.as_str())).any(|i| {
-        let name = super::mark::group_text(&all, i + 1).0;
-        let mut path = folder.to_path_buf();
-        for part in Path::new(name.trim()).components() {
-            match part {
-                Component::Normal(part) => path.push(part),
-                Component::ParentDir => drop(path.pop()),
-                _ => {}
+    (0..all.len()).filter(|&i| all[i].kind == Kind::Command && COMMANDS_OF_TEXT.contains(&all[i].text.as_str())).any(
+        |i| {
+            let name = super::mark::group_text(&all, i + 1).0;
+            let mut path = folder.to_path_buf();
+            for part in Path::new(name.trim()).components() {
+                match part {
+                    Component::Normal(part) => path.push(part),
+                    Component::ParentDir => drop(path.pop()),
+                    _ => {}
+                }
             }
-        }
-        path == own || path == stem
-    })
+            path == own || path == stem
+        },
+    )
 }

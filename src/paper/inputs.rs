@@ -21,8 +21,33 @@ const LONGEST_NAME: usize = 200;
 const LARGEST_PACKAGE: u64 = 1 << 20;
 /// Packages whose commands have a meaning here, which a copy of the package beside the paper does not change.
 const KNOWN_PACKAGES: &[&str] = &[
-    "amsmath", "amssymb", "amsfonts", "amsthm", "amstext", "amsbsy", "bm", "braket", "cancel", "cases", "commath", "derivative", "diffcoeff", "empheq",
-    "esint", "gensymb", "mathtools", "nicefrac", "physics", "siunitx", "SIunits", "subfiles", "tensor", "units", "xcolor", "xfrac", "xparse",
+    "amsmath",
+    "amssymb",
+    "amsfonts",
+    "amsthm",
+    "amstext",
+    "amsbsy",
+    "bm",
+    "braket",
+    "cancel",
+    "cases",
+    "commath",
+    "derivative",
+    "diffcoeff",
+    "empheq",
+    "esint",
+    "gensymb",
+    "mathtools",
+    "nicefrac",
+    "physics",
+    "siunitx",
+    "SIunits",
+    "subfiles",
+    "tensor",
+    "units",
+    "xcolor",
+    "xfrac",
+    "xparse",
 ];
 /// Commands that name a file whose text stands in their place.
 pub(super) const COMMANDS_OF_TEXT: &[&str] = &["input", "include", "subfile", "subfileinclude"];
@@ -90,9 +115,14 @@ impl Inputs {
         let is_own = |folder: &PathBuf| {
             let path = folder.join(file);
             let plain = Path::new(file).components().all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
-            plain && files::lies_inside(&path, folder) && files::read(&path, LARGEST_PACKAGE).is_ok_and(|b| is_plain(&b))
+            plain
+                && files::lies_inside(&path, folder)
+                && files::read(&path, LARGEST_PACKAGE).is_ok_and(|b| is_plain(&b))
         };
-        if !self.folders().iter().any(is_own) || KNOWN_PACKAGES.contains(&stem) || self.seen.iter().any(|s| s.as_path() == Path::new(file)) {
+        if !self.folders().iter().any(is_own)
+            || KNOWN_PACKAGES.contains(&stem)
+            || self.seen.iter().any(|s| s.as_path() == Path::new(file))
+        {
             return Vec::new();
         }
         self.text(file, span)
@@ -120,7 +150,8 @@ impl Inputs {
             return self.refused(name, span, "the paper has more files than are read");
         }
         let folders = self.folders();
-        let Some(path) = folders.iter().map(|f| (f, f.join(&with_ending))).find(|(f, p)| files::lies_inside(p, f)) else {
+        let Some(path) = folders.iter().map(|f| (f, f.join(&with_ending))).find(|(f, p)| files::lies_inside(p, f))
+        else {
             return self.refused(name, span, "there is no such file inside of the folder of the paper");
         };
         let path = path.1;
@@ -251,7 +282,9 @@ fn fenced(line: &str, math: bool) -> Vec<u8> {
 /// A line with an option of a block of mathematics, of the same length: its label is that of a display in LaTeX, where there is room for it.
 fn option(line: &str) -> Vec<u8> {
     let blank = || line.bytes().map(|b| if b == b'\n' { b } else { b' ' }).collect::<Vec<u8>>();
-    let Some(label) = line.trim().strip_prefix(":label:").map(str::trim).filter(|l| !l.is_empty()) else { return blank() };
+    let Some(label) = line.trim().strip_prefix(":label:").map(str::trim).filter(|l| !l.is_empty()) else {
+        return blank();
+    };
     let mut out = blank();
     // `\label{x}` is as long as `:label: x`, spaces around it apart.
     let shown = format!("\\label{{{label}}}");

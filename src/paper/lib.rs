@@ -233,7 +233,8 @@ fn parse_with(file: Arc<Source>, sha256: String, folder: Option<&Path>) -> Resul
         let mut inputs = Inputs::new(&file, folder);
         let document = inputs::tokens_of(&file);
         let preamble = inputs.preamble(&file);
-        let found = macros::expanded(document, preamble, &passed, &mut |name, named, span| inputs.tokens(name, named, span));
+        let found =
+            macros::expanded(document, preamble, &passed, &mut |name, named, span| inputs.tokens(name, named, span));
         let Endless { name, span } = match found {
             Ok(all) => break (all, inputs),
             Err(endless) => endless,

@@ -29,12 +29,14 @@ struct Macro {
     /// What a call consists of behind its name, where that is more than arguments: `#1` and the signs between them, as in
     /// `\def\at(#1,#2){…}`, or the slash of `\def\ns/{…}`.
     pattern: Vec<Token>,
+    /// Defaults of options behind the arguments, as `\NewDocumentCommand{\rhs}{mmO{l}}{…}` has one.
+    options: Vec<Vec<Token>>,
 }
 
 impl Macro {
     /// A macro whose arguments stand behind each other.
     fn plain(arguments: usize, default: Option<Vec<Token>>, body: Vec<Token>) -> Macro {
-        Macro { arguments, default, body, pattern: Vec::new() }
+        Macro { arguments, default, body, pattern: Vec::new(), options: Vec::new() }
     }
 }
 
@@ -72,8 +74,8 @@ const PACKAGES: &[(&str, Named)] = &[
 /// The command that stands behind the text of a package while it is read; no text has it.
 const END_OF_DEFINITIONS: &str = "";
 
-/// Commands of classes for exercises that print their argument as it is; an option before it is not printed.
-const PRINT_THEIR_ARGUMENT: &[&str] = &["answer"];
+/// Commands of classes for exercises, and of layout, that print their argument as it is; options before it are not printed.
+const PRINT_THEIR_ARGUMENT: &[&str] = &["answer", "eqmathbox"];
 
 /// What a document defines.
 #[derive(Default)]
@@ -179,7 +181,7 @@ pub(super) fn expanded(
             let Some(body) = body else { return Err(Endless { name: token.text, span: token.span }) };
             rest.extend(body.into_iter().rev().map(|t| (t, depth + 1)));
         } else if PRINT_THEIR_ARGUMENT.contains(&token.text.as_str()) && takes_braces(&rest) {
-            optional(&mut rest);
+            while optional(&mut rest).is_some() {}
         } else if defined.packages == 0 {
             out.push(token);
         }
@@ -282,9 +284,10 @@ fn next_is(rest: &mut Rest, c: &str) -> bool {
 /// Whether an argument in braces comes next, or an option and then one.
 fn takes_braces(rest: &Rest) -> bool {
     let mut next = rest.iter().rev().map(|(t, _)| t).filter(|t| t.kind != Kind::Space).peekable();
-    if next.peek().is_some_and(|t| t.is_char("[")) {
-        let end = next.by_ref().take(MOST_NAME).position(|t| t.is_char("]"));
-        return end.is_some() && next.next().is_some_and(|t| t.kind == Kind::Open);
+    while next.peek().is_some_and(|t| t.is_char("[")) {
+        if next.by_ref().take(MOST_NAME).all(|t| !t.is_char("]")) {
+            return false;
+        }
     }
     next.next().is_some_and(|t| t.kind == Kind::Open)
 }
@@ -372,6 +375,7 @@ mod tests {
         );
         assert_eq!(shown(r"\NewDocumentCommand{\v}{m}{\vec{#1}}\v{x}"), r"\vec {x}");
         assert_eq!(shown(r"\NewDocumentCommand{\v}{O{2} m}{#2^{#1}}\v{x}\v[3]y"), "x^{2}y^{3}");
+        assert_eq!(shown(r"\NewDocumentCommand{\r}{mmO{l}}{#2_#3}\r{x}{y}\r{x}{z}[c]"), "y_lz_c");
         // Arguments with signs between them, as TeX takes them.
         assert_eq!(shown(r"\def\at(#1,#2)#3{#3_#1^#2}\at(a,{(b)})x \at (c,{d,e})y"), "x_a^(b)y_c^d,e");
         assert_eq!(shown(r"\def\to#1\by#2.{#1/#2}\to{a}b\by c.d"), "{a}b/cd");

@@ -25,10 +25,17 @@ pub(super) struct Reading {
     pub has_logarithm: bool,
 }
 
+impl Reading {
+    /// Whether all coordinates of space are among its symbols.
+    pub(super) fn has_space(&self) -> bool {
+        SPACE.iter().all(|c| self.symbols.iter().any(|g| g.role == "coordinate" && g.name == *c))
+    }
+}
+
 /// The most places of a function.
 const MOST_PLACES: usize = 4;
 /// The coordinates of space.
-const SPACE: [&str; 3] = ["x", "y", "z"];
+pub(super) const SPACE: [&str; 3] = ["x", "y", "z"];
 
 /// The readings of a formula, the best first: each with others that mean the same, and need less of the file.
 ///
@@ -89,7 +96,9 @@ pub(super) fn readings(
                     tried.push(reading);
                 }
             }
-            if let Ok(reading) = (Names { coordinates_are_numbers: true, ..names }).reading()
+            let numbers = Names { coordinates_are_numbers: true, ..names };
+            if !numbers.has_rate_of_function()
+                && let Ok(reading) = numbers.reading()
                 && !tried.contains(&reading)
             {
                 tried.push(reading);
@@ -121,6 +130,10 @@ fn obstacle(sides: &[&PrintedSide], all: &[PaperName], evidence: &Evidence) -> R
     }
     if evidence.has_complex_j && all.iter().any(|n| n.key() == "j") {
         return Err("j, which may be the imaginary unit".to_owned());
+    }
+    let is_called = |n: &PaperName| matches!(&n.call, Call::Places(p) if p.iter().all(|p| is_name(p)));
+    if all.iter().any(|n| unprimed(n) == "t" && (n.primes > 0 && is_called(n) || is_called(n) && n.dots == 0)) {
+        return Err("the time as a function of something else".to_owned());
     }
     if all.iter().any(|n| n.key() == "t" && n.derived_by.as_deref().is_some_and(|by| by != "t")) {
         return Err("the time as a function of something else".to_owned());
@@ -202,7 +215,10 @@ impl Names<'_> {
             .collect();
         let is_complex = self.evidence.is_complex && self.all.iter().any(|n| n.key() == "i");
         if self.has_charge {
-            push(&mut out, Guess::parameter("e", "raised to numbers alone, in a paper where it is a factor or no base: a charge"));
+            push(
+                &mut out,
+                Guess::parameter("e", "raised to numbers alone, in a paper where it is a factor or no base: a charge"),
+            );
         }
         let mut at = 0;
         while let Some(name) = self.all.get(at) {
@@ -287,6 +303,13 @@ impl Names<'_> {
         out
     }
 
+    /// Whether a function has a rate here: along a motion its places change, too, which numbers do not.
+    fn has_rate_of_function(&self) -> bool {
+        let functions = self.functions();
+        let rate = |n: &PaperName| n.dots > 0 || n.derived_by.as_deref() == Some("t") && !n.is_partial;
+        self.text.contains(r"\nabla") || self.all.iter().any(|n| rate(n) && functions.contains_key(&self.key(n)))
+    }
+
     /// Whether something is derived by this name here.
     fn is_a_variable_here(&self, key: &str) -> bool {
         let derives = |n: &PaperName| n.derived_by.as_deref() == Some(key) && !self.is_quotient_of_rates(n);
@@ -337,6 +360,14 @@ impl Names<'_> {
             }
             if called || needed && (often * 3 >= bare || self.is_prime_of(name)) {
                 return Some(places);
+            }
+        }
+        // `y(0)=1` of what the paper derives by one variable, by primes or otherwise.
+        let is_at_number = |n: &&PaperName| matches!(&n.call, Call::Places(p) if p.len() == 1 && !is_name(&p[0]));
+        if key != "t" && self.all.iter().filter(|n| self.key(n) == key).any(|n| is_at_number(&n)) {
+            let derived = self.evidence.derived.get(key).filter(|by| by.len() == 1).and_then(|by| by.first().cloned());
+            if let Some(by) = self.evidence.primed_by(key).or(derived).filter(|by| by != "t" && is_variable(by)) {
+                return Some(vec![by]);
             }
         }
         let here: BTreeSet<&str> = self

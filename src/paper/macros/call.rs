@@ -22,7 +22,8 @@ fn delimited(pattern: &[Token], rest: &mut Rest) -> Vec<Vec<Token>> {
             values.push(argument(rest));
             continue;
         }
-        let ends = |rest: &Rest| signs.iter().zip(rest.iter().rev()).filter(|(s, (t, _))| same(s, t)).count() == signs.len();
+        let ends =
+            |rest: &Rest| signs.iter().zip(rest.iter().rev()).filter(|(s, (t, _))| same(s, t)).count() == signs.len();
         let (mut value, mut depth) = (Vec::new(), 0usize);
         while !(depth == 0 && ends(rest))
             && let Some((t, _)) = rest.pop()
@@ -76,6 +77,7 @@ pub(super) fn call(found: &Macro, token: &Token, rest: &mut Rest, most: usize) -
     } else {
         values.extend(delimited(&found.pattern, rest));
     }
+    values.extend(found.options.iter().map(|default| optional(rest).unwrap_or_else(|| default.clone())));
     let mut out = Vec::new();
     for t in &found.body {
         if out.len() > most {

@@ -8,16 +8,69 @@ use super::{Defined, MOST_ARGUMENTS, Macro, Rest, argument, defined_name, next_i
 
 /// Commands of the frame of a document, which a package changes in looks alone.
 const OF_THE_FRAME: &[&str] = &[
-    "author", "begin", "bibitem", "bibliography", "caption", "chapter", "cite", "date", "documentclass", "end", "eqref", "footnote", "include",
-    "includegraphics", "index", "input", "item", "label", "maketitle", "paragraph", "part", "ref", "section", "subsection", "subsubsection",
-    "tableofcontents", "tag", "thanks", "title", "usepackage",
+    "author",
+    "begin",
+    "bibitem",
+    "bibliography",
+    "caption",
+    "chapter",
+    "cite",
+    "date",
+    "documentclass",
+    "end",
+    "eqref",
+    "footnote",
+    "include",
+    "includegraphics",
+    "index",
+    "input",
+    "item",
+    "label",
+    "maketitle",
+    "paragraph",
+    "part",
+    "ref",
+    "section",
+    "subsection",
+    "subsubsection",
+    "tableofcontents",
+    "tag",
+    "thanks",
+    "title",
+    "usepackage",
 ];
 
 /// Commands with which macros are programmed.
 const PROGRAMS: &[&str] = &[
-    "advance", "begingroup", "bgroup", "box", "catcode", "csname", "def", "edef", "egroup", "else", "endgroup", "expandafter", "fi", "futurelet",
-    "gdef", "global", "let", "loop", "newcommand", "noexpand", "or", "relax", "renewcommand", "repeat", "setbox", "setcounter", "setlength",
-    "the", "xdef",
+    "advance",
+    "begingroup",
+    "bgroup",
+    "box",
+    "catcode",
+    "csname",
+    "def",
+    "edef",
+    "egroup",
+    "else",
+    "endgroup",
+    "expandafter",
+    "fi",
+    "futurelet",
+    "gdef",
+    "global",
+    "let",
+    "loop",
+    "newcommand",
+    "noexpand",
+    "or",
+    "relax",
+    "renewcommand",
+    "repeat",
+    "setbox",
+    "setcounter",
+    "setlength",
+    "the",
+    "xdef",
 ];
 
 impl Defined {
@@ -26,7 +79,9 @@ impl Defined {
         let programs = |t: &Token| {
             let command = t.text.as_str();
             t.kind == Kind::Command
-                && (command.contains('@') || PROGRAMS.contains(&command) || command.starts_with("if") && command != "iff")
+                && (command.contains('@')
+                    || PROGRAMS.contains(&command)
+                    || command.starts_with("if") && command != "iff")
         };
         let switches = name.starts_with("if") && name.len() > 2 && name != "iff";
         self.packages == 0
@@ -75,7 +130,9 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
             let (begin, end) = (argument(rest), argument(rest));
             let arguments = count.trim().parse().map_or(0, |n: usize| n.min(MOST_ARGUMENTS));
             if defined.takes(&name, &begin) && defined.takes(&name, &end) {
-                defined.environments.insert(name, (Macro::plain(arguments, default, begin), Macro::plain(0, None, end)));
+                defined
+                    .environments
+                    .insert(name, (Macro::plain(arguments, default, begin), Macro::plain(0, None, end)));
             }
         }
         "def" | "gdef" | "edef" | "xdef" => {
@@ -93,7 +150,7 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
                 pattern.clear();
             }
             if arguments <= MOST_ARGUMENTS {
-                defined.put(name.text, Macro { arguments, default: None, body, pattern });
+                defined.put(name.text, Macro { arguments, default: None, body, pattern, options: Vec::new() });
             }
         }
         "let" => {
@@ -138,8 +195,8 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
             let name = defined_name(rest);
             let kinds = argument(rest);
             let body = argument(rest);
-            if let Some((name, (arguments, default))) = name.zip(document_arguments(kinds)) {
-                defined.put(name, Macro::plain(arguments, default, body));
+            if let Some((name, (arguments, default, options))) = name.zip(document_arguments(kinds)) {
+                defined.put(name, Macro { options, ..Macro::plain(arguments, default, body) });
             }
         }
         "DeclarePairedDelimiter" => {
@@ -161,13 +218,19 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
     true
 }
 
-/// How many arguments the second argument of `\NewDocumentCommand` asks for, and the default of the first; `None` where it asks for what
-/// is not understood.
-fn document_arguments(kinds: Vec<Token>) -> Option<(usize, Option<Vec<Token>>)> {
+/// What the second argument of `\NewDocumentCommand` asks for: so many arguments, the default of the first, and those of options behind
+/// them; `None` where it asks for what is not understood.
+fn document_arguments(kinds: Vec<Token>) -> Option<(usize, Option<Vec<Token>>, Vec<Vec<Token>>)> {
     let mut rest: Rest = kinds.into_iter().rev().map(|t| (t, 0)).collect();
     let default = next_is(&mut rest, "O").then(|| argument(&mut rest));
+    let mut arguments = usize::from(default.is_some());
+    while next_is(&mut rest, "m") {
+        arguments += 1;
+    }
+    let mut options = Vec::new();
+    while next_is(&mut rest, "O") {
+        options.push(argument(&mut rest));
+    }
     spaces(&mut rest);
-    let plain = rest.iter().all(|(t, _)| t.kind == Kind::Space || t.is_char("m"));
-    let arguments = rest.iter().filter(|(t, _)| t.is_char("m")).count() + usize::from(default.is_some());
-    plain.then(|| (arguments.min(MOST_ARGUMENTS), default))
+    (rest.is_empty() && arguments + options.len() <= MOST_ARGUMENTS).then_some((arguments, default, options))
 }
