@@ -213,6 +213,11 @@ pub fn lies_inside(path: &Path, folder: &Path) -> bool {
     }
 }
 
+/// A path with its links resolved; none where nothing is there.
+pub fn real(path: &Path) -> Option<PathBuf> {
+    path.canonicalize().ok()
+}
+
 /// The files of a folder with this ending, sorted, links resolved, at most so many; those that lie elsewhere are left out.
 pub fn listed(folder: &Path, ending: &str, most: usize) -> Vec<PathBuf> {
     let Ok(folder) = folder.canonicalize() else { return Vec::new() };

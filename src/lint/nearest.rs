@@ -105,7 +105,8 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     }
     // A number that was rounded.
     let (left, right) = (refutation.left.decimal, refutation.right.decimal);
-    let is_of_numbers = asked.desk.scalars.is_empty();
+    // Unknown functions, and what they depend on, are no numbers either.
+    let is_of_numbers = asked.desk.scalars.is_empty() && refutation.point.values.is_empty();
     if is_of_numbers && last_place(&asked.text).is_some_and(|unit| (left - right).abs() < unit * (1.0 - SAME)) {
         return None;
     }

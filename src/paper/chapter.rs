@@ -6,9 +6,8 @@
 
 use std::path::{Component, Path, PathBuf};
 
-use super::inputs::COMMANDS_OF_TEXT;
+use super::named::COMMANDS_OF_TEXT;
 use super::token::{Kind, Token, tokens};
-use super::{LARGEST_PAPER, text_from};
 
 /// The most files of a folder that are looked at.
 const MOST_FILES: usize = 40;
@@ -22,12 +21,12 @@ pub(super) fn main_of(text: &str, path: &str, folder: &Path) -> Option<(PathBuf,
     if text.contains("\\documentclass") && named_by_class(text).is_none() || text.contains("\\documentstyle") {
         return None;
     }
-    let own = folder.join(Path::new(path).file_name()?).canonicalize().ok()?;
+    let own = files::real(&folder.join(Path::new(path).file_name()?))?;
     let base = own.parent()?.to_path_buf();
     let allowed: Vec<PathBuf> = base.ancestors().take(3).map(Path::to_path_buf).collect();
     if let Some(name) = named_by_comment(text).or_else(|| named_by_class(text)) {
         let name = if Path::new(&name).extension().is_some() { name } else { format!("{name}.tex") };
-        let main = base.join(name).canonicalize().ok()?;
+        let main = files::real(&base.join(name))?;
         let near = main.parent().is_some_and(|p| allowed.iter().any(|a| a == p)) && main != own;
         return if near { preamble(&main) } else { None };
     }
@@ -61,8 +60,8 @@ fn named_by_class(text: &str) -> Option<String> {
 
 /// A file that is a document: its path, its text, and its tokens before the document begins.
 fn preamble(path: &Path) -> Option<(PathBuf, String, Vec<Token>)> {
-    let bytes = files::read(path, LARGEST_MAIN.min(LARGEST_PAPER)).ok()?;
-    let text = text_from(bytes);
+    let bytes = files::read(path, LARGEST_MAIN).ok()?;
+    let text = String::from_utf8(bytes).unwrap_or_else(|e| e.as_bytes().iter().map(|b| char::from(*b)).collect());
     let end = text.find("\\begin{document}")?;
     if !text[..end].contains("\\documentclass") {
         return None;

@@ -9,7 +9,7 @@ use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 use super::chapter::main_of;
-use super::macros::Named;
+use super::named::Named;
 use super::token::{MOST_TOKENS, Token, tokens};
 use super::{LARGEST_PAPER, PaperNote, text_from};
 use diag::Source;
@@ -49,8 +49,6 @@ const KNOWN_PACKAGES: &[&str] = &[
     "xfrac",
     "xparse",
 ];
-/// Commands that name a file whose text stands in their place.
-pub(super) const COMMANDS_OF_TEXT: &[&str] = &["input", "include", "subfile", "subfileinclude"];
 /// The most files of a paper.
 const MOST_FILES: usize = 400;
 /// The most bytes of all files together.

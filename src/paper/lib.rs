@@ -21,6 +21,7 @@ mod draft;
 mod inputs;
 mod macros;
 mod mark;
+mod named;
 mod names;
 mod opening;
 mod pasted;

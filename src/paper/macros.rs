@@ -4,55 +4,22 @@
 
 mod call;
 mod define;
+mod rest;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use call::call;
-use define::define;
+use define::{Defined, define};
+use rest::{MOST_NAME, Macro, Rest, argument, next_is, optional, spaces, takes_braces};
 
-use super::inputs::COMMANDS_OF_TEXT;
+use super::named::{COMMANDS_OF_TEXT, Input, Named, PACKAGES};
 use super::token::{Kind, MOST_TOKENS, Token};
 
 /// The most calls of macros.
 const MOST_CALLS: usize = 1_000_000;
-/// The most arguments of a macro, as TeX has it.
-const MOST_ARGUMENTS: usize = 9;
 /// The deepest that macros may call each other.
 const DEEPEST: usize = 200;
-
-#[derive(Clone, Debug)]
-struct Macro {
-    arguments: usize,
-    default: Option<Vec<Token>>,
-    body: Vec<Token>,
-    /// What a call consists of behind its name, where that is more than arguments: `#1` and the signs between them, as in
-    /// `\def\at(#1,#2){…}`, or the slash of `\def\ns/{…}`.
-    pattern: Vec<Token>,
-    /// Defaults of options behind the arguments, as `\NewDocumentCommand{\rhs}{mmO{l}}{…}` has one.
-    options: Vec<Vec<Token>>,
-}
-
-impl Macro {
-    /// A macro whose arguments stand behind each other.
-    fn plain(arguments: usize, default: Option<Vec<Token>>, body: Vec<Token>) -> Macro {
-        Macro { arguments, default, body, pattern: Vec::new(), options: Vec::new() }
-    }
-}
-
-/// What a document names with a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Named {
-    /// A part of its text.
-    Text,
-    /// A package, of which only the definitions count.
-    Package,
-    /// A class, likewise.
-    Class,
-}
-
-/// Gives the tokens of a file that the document names, if it may be read.
-pub(super) type Input<'i> = dyn FnMut(&str, Named, &Range<usize>) -> Vec<Token> + 'i;
 
 /// Macros that do not end.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -63,37 +30,11 @@ pub(super) struct Endless {
     pub span: Range<usize>,
 }
 
-/// Commands that name packages and classes.
-const PACKAGES: &[(&str, Named)] = &[
-    ("usepackage", Named::Package),
-    ("RequirePackage", Named::Package),
-    ("documentclass", Named::Class),
-    ("LoadClass", Named::Class),
-];
-
 /// The command that stands behind the text of a package while it is read; no text has it.
 const END_OF_DEFINITIONS: &str = "";
 
 /// Commands of classes for exercises, and of layout, that print their argument as it is; options before it are not printed.
 const PRINT_THEIR_ARGUMENT: &[&str] = &["answer", "eqmathbox"];
-
-/// What a document defines.
-#[derive(Default)]
-struct Defined {
-    /// Names whose definitions are passed over.
-    passed: BTreeSet<String>,
-    macros: BTreeMap<String, Macro>,
-    /// Names that `\let` gave to commands of LaTeX: they keep their meaning, whatever becomes of these.
-    aliases: BTreeMap<String, String>,
-    /// Environments: what stands at their beginning and at their end.
-    environments: BTreeMap<String, (Macro, Macro)>,
-    /// Conditions of `\newif`, `ifdraft`, and whether they hold.
-    conditions: BTreeMap<String, bool>,
-    /// Names of pairs of delimiters: a star, or a size in brackets, stands before the argument of some calls.
-    paired: BTreeSet<String>,
-    /// Packages that are being read: what they print is no text of the paper.
-    packages: usize,
-}
 
 /// The tokens of a document with its own macros expanded; definitions leave no token, and those of the names in `passed` no meaning. `preamble` is that of
 /// the main file of a chapter: only its definitions count. `input` gives the tokens of a file that the document names, if it may be read.
@@ -192,8 +133,6 @@ pub(super) fn expanded(
     Ok(out)
 }
 
-type Rest = Vec<(Token, usize)>;
-
 /// What a command names with a file, unless the document gave it another meaning.
 fn named_by(token: &Token, defined: &Defined, frozen: bool) -> Option<Named> {
     let command = token.text.as_str();
@@ -224,9 +163,6 @@ fn environment<'d>(token: &Token, rest: &Rest, defined: &'d Defined) -> Option<&
     let (begin, end) = defined.environments.get(&name).filter(|_| open)?;
     Some(if token.is("begin") { begin } else { end })
 }
-
-/// The most characters of the name of an environment or of a file.
-const MOST_NAME: usize = 200;
 
 /// The name of a file behind `\input`, in braces or not.
 fn file_name(rest: &mut Rest) -> String {
@@ -264,81 +200,6 @@ fn skip_branch(rest: &mut Rest) {
             _ => {}
         }
     }
-}
-
-fn spaces(rest: &mut Rest) {
-    while rest.last().is_some_and(|(t, _)| t.kind == Kind::Space) {
-        rest.pop();
-    }
-}
-
-fn next_is(rest: &mut Rest, c: &str) -> bool {
-    spaces(rest);
-    let found = rest.last().is_some_and(|(t, _)| t.is_char(c));
-    if found {
-        rest.pop();
-    }
-    found
-}
-
-/// Whether an argument in braces comes next, or an option and then one.
-fn takes_braces(rest: &Rest) -> bool {
-    let mut next = rest.iter().rev().map(|(t, _)| t).filter(|t| t.kind != Kind::Space).peekable();
-    while next.peek().is_some_and(|t| t.is_char("[")) {
-        if next.by_ref().take(MOST_NAME).all(|t| !t.is_char("]")) {
-            return false;
-        }
-    }
-    next.next().is_some_and(|t| t.kind == Kind::Open)
-}
-
-/// An argument: a group without its braces, or one token.
-fn argument(rest: &mut Rest) -> Vec<Token> {
-    spaces(rest);
-    match rest.pop() {
-        Some((t, _)) if t.kind == Kind::Open => {
-            let mut depth = 0;
-            let mut out = Vec::new();
-            while let Some((t, _)) = rest.pop() {
-                match t.kind {
-                    Kind::Open => depth += 1,
-                    Kind::Close if depth == 0 => break,
-                    Kind::Close => depth -= 1,
-                    _ => {}
-                }
-                out.push(t);
-            }
-            out
-        }
-        Some((t, _)) => vec![t],
-        None => Vec::new(),
-    }
-}
-
-/// An argument in brackets, if there is one.
-fn optional(rest: &mut Rest) -> Option<Vec<Token>> {
-    if !next_is(rest, "[") {
-        return None;
-    }
-    let mut depth = 0;
-    let mut out = Vec::new();
-    while let Some((t, _)) = rest.pop() {
-        match t.kind {
-            Kind::Open => depth += 1,
-            Kind::Close => depth -= 1,
-            _ if depth == 0 && t.is_char("]") => break,
-            _ => {}
-        }
-        out.push(t);
-    }
-    Some(out)
-}
-
-/// The name that a definition defines: `\name` or `{\name}`.
-fn defined_name(rest: &mut Rest) -> Option<String> {
-    let found = argument(rest);
-    let name = found.iter().find(|t| t.kind != Kind::Space)?;
-    (name.kind == Kind::Command).then(|| name.text.clone())
 }
 
 #[cfg(test)]

@@ -70,8 +70,8 @@ pub(super) fn readings(
     }
     let text: String = sides.iter().map(|s| s.text.as_str()).collect::<Vec<_>>().join(" ");
     let mut out: Vec<Vec<Reading>> = Vec::new();
-    let is_name = evidence.keys.contains_key("e") || !evidence.has_exponentials;
-    let has_charge = is_name && sides.iter().filter_map(|s| raised_e(s)).any(|(number, other)| number && !other);
+    let has_charge =
+        !evidence.has_exponentials && sides.iter().filter_map(|s| raised_e(s)).any(|(number, other)| number && !other);
     let size = sides.iter().find_map(|s| evidence::size(&s.tokens)).map(|(rows, _)| rows).filter(|n| *n > 1);
     for with_indices in ways {
         for (dimension, bold_matrices) in [(3, false), (size.unwrap_or(3), false), (3, true)] {
@@ -144,7 +144,8 @@ fn obstacle(sides: &[&PrintedSide], all: &[PaperName], evidence: &Evidence) -> R
     }
     let bare_e = evidence.keys.contains_key("e");
     let raised = |s: &&&PrintedSide, bare: bool| raised_e(s).is_some_and(|(a, b)| if bare { a } else { b });
-    if sides.iter().any(|s| raised(&s, true)) && bare_e && sides.iter().any(|s| raised(&s, false)) {
+    // In a paper without exponentials it is a charge, or another name.
+    if sides.iter().any(|s| raised(&s, true)) && bare_e && evidence.has_exponentials {
         return Err("e to a number: a charge, or Euler's number".to_owned());
     }
     if all.iter().any(|n| n.key() == "e") && sides.iter().any(|s| raised(&s, false)) {
@@ -184,7 +185,7 @@ struct Names<'a> {
     moving_are_functions: bool,
     /// Whether coordinates are numbers, at which functions are taken and by which they are derived: a file has few coordinates.
     coordinates_are_numbers: bool,
-    /// Whether `e` is raised to numbers alone here, and is a name in the paper, or the base of no power with letters in it.
+    /// Whether `e` is raised to numbers alone in the whole paper.
     has_charge: bool,
     /// How many components a vector has, where the paper does not show it.
     dimension: usize,
@@ -217,7 +218,7 @@ impl Names<'_> {
         if self.has_charge {
             push(
                 &mut out,
-                Guess::parameter("e", "raised to numbers alone, in a paper where it is a factor or no base: a charge"),
+                Guess::parameter("e", "raised to numbers alone in the whole paper: a charge, and not Euler's number"),
             );
         }
         let mut at = 0;

@@ -1,7 +1,7 @@
 //! Calls of macros: their arguments, and their bodies with these put in.
 
 use super::super::token::{Kind, Token};
-use super::{Macro, Rest, argument, optional, spaces};
+use super::rest::{Macro, Rest, argument, optional, spaces};
 
 /// The arguments of a call with signs between them, as TeX takes them: up to the signs behind each, outside of braces. What is missing stays out.
 fn delimited(pattern: &[Token], rest: &mut Rest) -> Vec<Vec<Token>> {

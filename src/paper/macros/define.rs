@@ -3,8 +3,28 @@
 //! **In:** the command that begins one, and what follows. **Out:** a macro, an environment, an alias, a condition. **Guaranteed:** of a package only
 //! what prints is taken.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::super::token::{Kind, Token};
-use super::{Defined, MOST_ARGUMENTS, Macro, Rest, argument, defined_name, next_is, optional, spaces};
+use super::rest::{MOST_ARGUMENTS, Macro, Rest, argument, defined_name, next_is, optional, spaces};
+
+/// What a document defines.
+#[derive(Default)]
+pub(super) struct Defined {
+    /// Names whose definitions are passed over.
+    pub passed: BTreeSet<String>,
+    pub macros: BTreeMap<String, Macro>,
+    /// Names that `\let` gave to commands of LaTeX: they keep their meaning, whatever becomes of these.
+    pub aliases: BTreeMap<String, String>,
+    /// Environments: what stands at their beginning and at their end.
+    pub environments: BTreeMap<String, (Macro, Macro)>,
+    /// Conditions of `\newif`, `ifdraft`, and whether they hold.
+    pub conditions: BTreeMap<String, bool>,
+    /// Names of pairs of delimiters: a star, or a size in brackets, stands before the argument of some calls.
+    pub paired: BTreeSet<String>,
+    /// Packages that are being read: what they print is no text of the paper.
+    pub packages: usize,
+}
 
 /// Commands of the frame of a document, which a package changes in looks alone.
 const OF_THE_FRAME: &[&str] = &[
