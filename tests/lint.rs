@@ -520,6 +520,13 @@ fn numbers_and_solutions_of_the_text_are_reckoned() {
     says("Here $3x+6=0$ so $x=-2$. And $3x+6=0$ or $x=2$.", &[Condition; 4]);
 }
 
+/// Beside decimals that are reckoned wrongly stands their value.
+#[test]
+fn a_wrong_sum_of_decimals_has_its_value_beside_it() {
+    assert_eq!(instead(r"\[ 0.1+0.2=0.4 \]").as_deref(), Some("0.3"));
+    assert_eq!(instead(r"\[ K=4.96+2.3=2.66 \]").as_deref(), Some("4.96-2.3 = 2.66"));
+}
+
 /// An equation that moves a name is another one than that which its formula solves, unless the sentence concludes; what unknown functions vary by is
 /// no number that could be reckoned.
 #[test]
@@ -552,7 +559,7 @@ fn a_chapter_has_the_macros_of_its_paper() {
     for (place, file) in [(folder.path().join("parts"), "one.tex"), (folder.path().to_path_buf(), "main.tex")] {
         let run = rederive(&place, &["lint", file]).code(1);
         let told = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
-        assert!(told.contains(r"A={(a+b)}^2 + m=") && told.contains(r"B=\frac12 d_c"), "{told}");
+        assert!(told.contains(r"A={(a+b)}^2+m=") && told.contains(r"B=\frac12c_{d}"), "{told}");
         assert!(told.contains("wrong") && !told.contains("1=2"), "{told}");
     }
     // A copy of a package whose commands have a meaning here changes none, nor does one in the language of LaTeX3.
