@@ -16,8 +16,16 @@ const LARGEST_MAIN: u64 = 1 << 20;
 /// The lines in which a text names its main file.
 const FIRST_LINES: usize = 30;
 
-/// The main file of a chapter, and its tokens before the document begins.
-pub(super) fn main_of(text: &str, path: &str, folder: &Path) -> Option<(PathBuf, String, Vec<Token>)> {
+/// The main file of a chapter.
+pub(super) struct Main {
+    pub path: PathBuf,
+    pub text: String,
+    /// Its tokens before the document begins.
+    pub preamble: Vec<Token>,
+}
+
+/// The main file of a chapter, if it has one.
+pub(super) fn main_of(text: &str, path: &str, folder: &Path) -> Option<Main> {
     if text.contains("\\documentclass") && named_by_class(text).is_none() || text.contains("\\documentstyle") {
         return None;
     }
@@ -37,7 +45,7 @@ pub(super) fn main_of(text: &str, path: &str, folder: &Path) -> Option<(PathBuf,
     allowed.iter().take(2).find_map(|above| {
         files::listed(above, "tex", MOST_FILES).iter().filter(|file| **file != own).find_map(|file| {
             let main = preamble(file)?;
-            includes(&main.1, above, &own).then_some(main)
+            includes(&main.text, above, &own).then_some(main)
         })
     })
 }
@@ -58,8 +66,8 @@ fn named_by_class(text: &str) -> Option<String> {
     class.trim_start().starts_with("{subfiles}").then(|| name.trim().to_owned())
 }
 
-/// A file that is a document: its path, its text, and its tokens before the document begins.
-fn preamble(path: &Path) -> Option<(PathBuf, String, Vec<Token>)> {
+/// A file, where it is a document with a preamble.
+fn preamble(path: &Path) -> Option<Main> {
     let bytes = files::read(path, LARGEST_MAIN).ok()?;
     let text = String::from_utf8(bytes).unwrap_or_else(|e| e.as_bytes().iter().map(|b| char::from(*b)).collect());
     let end = text.find("\\begin{document}")?;
@@ -67,7 +75,7 @@ fn preamble(path: &Path) -> Option<(PathBuf, String, Vec<Token>)> {
         return None;
     }
     let all = tokens(&text[..end]);
-    Some((path.to_path_buf(), text, all))
+    Some(Main { path: path.to_path_buf(), text, preamble: all })
 }
 
 /// Whether a main file includes this one.

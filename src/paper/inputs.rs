@@ -186,14 +186,14 @@ impl Inputs {
 
     /// Of a chapter, the preamble of its main file; that is told.
     pub(super) fn preamble(&mut self, paper: &Source) -> Vec<Token> {
-        let Some((path, text, all)) = self.folder.as_ref().and_then(|f| main_of(&paper.text, &paper.path, f)) else {
+        let Some(main) = self.folder.as_ref().and_then(|f| main_of(&paper.text, &paper.path, f)) else {
             return Vec::new();
         };
-        let name = path.file_name().map_or_else(String::new, |n| n.display().to_string());
+        let name = main.path.file_name().map_or_else(String::new, |n| n.display().to_string());
         let message = format!("read with the definitions of `{}`, which includes it", in_one_line(&name));
         self.notes.push(PaperNote { message, span: 0..0 });
-        self.main = path.parent().map(Path::to_path_buf);
-        self.placed(Source { path: path.display().to_string(), text }, all)
+        self.main = main.path.parent().map(Path::to_path_buf);
+        self.placed(Source { path: main.path.display().to_string(), text: main.text }, main.preamble)
     }
 
     fn refused(&mut self, name: &str, span: &Range<usize>, why: &str) -> Vec<Token> {

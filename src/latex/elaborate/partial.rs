@@ -236,10 +236,11 @@ impl Elaborator<'_> {
         Ok(value)
     }
 
-    /// Whether a field is taken at a place that names this.
+    /// Whether a field is taken at a place that names this, and no coordinate: of `f(x+ct)` nobody says that it does not depend on c otherwise.
     fn stands_at(&self, field: &Leaf, leaf: Leaf) -> bool {
-        let place = self.graph.place(field.symbol);
-        place.is_some_and(|p| self.graph.leaves_within(p.at.iter().map(|(_, e)| *e)).contains(&leaf))
+        let Some(place) = self.graph.place(field.symbol) else { return false };
+        let leaves = self.graph.leaves_within(place.at.iter().map(|(_, e)| *e));
+        leaves.contains(&leaf) && leaves.iter().all(|l| self.graph.coordinate(*l).is_none())
     }
 
     /// Whether a value depends on this parameter alone, of all that could change: its fields are at places that name nothing else.

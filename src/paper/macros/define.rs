@@ -215,8 +215,8 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
             let name = defined_name(rest);
             let kinds = argument(rest);
             let body = argument(rest);
-            if let Some((name, (arguments, default, options))) = name.zip(document_arguments(kinds)) {
-                defined.put(name, Macro { options, ..Macro::plain(arguments, default, body) });
+            if let Some((name, found)) = name.zip(document_macro(kinds, body)) {
+                defined.put(name, found);
             }
         }
         "DeclarePairedDelimiter" => {
@@ -238,9 +238,9 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
     true
 }
 
-/// What the second argument of `\NewDocumentCommand` asks for: so many arguments, the default of the first, and those of options behind
-/// them; `None` where it asks for what is not understood.
-fn document_arguments(kinds: Vec<Token>) -> Option<(usize, Option<Vec<Token>>, Vec<Vec<Token>>)> {
+/// A macro of `\NewDocumentCommand`, from what its second argument asks for: arguments, of which the first may have a default, and options
+/// behind them; `None` where it asks for what is not understood.
+fn document_macro(kinds: Vec<Token>, body: Vec<Token>) -> Option<Macro> {
     let mut rest: Rest = kinds.into_iter().rev().map(|t| (t, 0)).collect();
     let default = next_is(&mut rest, "O").then(|| argument(&mut rest));
     let mut arguments = usize::from(default.is_some());
@@ -252,5 +252,6 @@ fn document_arguments(kinds: Vec<Token>) -> Option<(usize, Option<Vec<Token>>, V
         options.push(argument(&mut rest));
     }
     spaces(&mut rest);
-    (rest.is_empty() && arguments + options.len() <= MOST_ARGUMENTS).then_some((arguments, default, options))
+    let is_known = rest.is_empty() && arguments + options.len() <= MOST_ARGUMENTS;
+    is_known.then(|| Macro { options, ..Macro::plain(arguments, default, body) })
 }
