@@ -93,6 +93,8 @@ pub(super) fn is_equation_of_motion(left: &PrintedSide, right: &PrintedSide) -> 
     let mut rates = all.iter().filter(|n| !n.is_variable && (n.primes > 0 || n.dots > 0 || n.derived_by.is_some()));
     let Some(rate) = rates.next().filter(|_| rates.next().is_none()) else { return false };
     let is_bare = |n: &paper::PaperName| n.primes == 0 && n.dots == 0 && n.derived_by.is_none();
-    all.iter().filter(|n| !n.is_variable).count() == 1
+    // `\frac{d}{dx}\sin x` is the derivative of a formula.
+    rate.derived_by.as_ref() != Some(&rate.key())
+        && all.iter().filter(|n| !n.is_variable).count() == 1
         && names(right).iter().any(|n| is_bare(n) && n.key() == unprimed(rate).key())
 }

@@ -238,7 +238,7 @@ mod tests {
         assert_eq!(shown(r"\NewDocumentCommand{\v}{O{2} m}{#2^{#1}}\v{x}\v[3]y"), "x^{2}y^{3}");
         assert_eq!(shown(r"\NewDocumentCommand{\r}{mmO{l}}{#2_#3}\r{x}{y}\r{x}{z}[c]"), "y_lz_c");
         // Arguments with signs between them, as TeX takes them.
-        assert_eq!(shown(r"\def\at(#1,#2)#3{#3_#1^#2}\at(a,{(b)})x \at (c,{d,e})y"), "x_a^(b)y_c^d,e");
+        assert_eq!(shown(r"\def\at(#1,#2)#3{#3_#1^#2}\at(a,{(b)})x \at (c,{d,e})y"), "x_a^(b) y_c^d,e");
         assert_eq!(shown(r"\def\to#1\by#2.{#1/#2}\to{a}b\by c.d"), "{a}b/cd");
         assert_eq!(shown(r"\DeclarePairedDelimiter\n{\lVert}{\rVert}\n{x}\n*{y}\n[\big]z").matches("left").count(), 3);
     }
