@@ -215,3 +215,29 @@ fn an_equation_of_motion_moves_its_state() {
         assert!(matches!(code, Some(0 | 3)), "{code:?}: {draft}");
     }
 }
+
+#[test]
+fn what_a_file_has_no_room_for_is_read_with_less_of_it() {
+    // Numbers in the place of coordinates: a function is derived by what it is applied to.
+    let draft = loads(
+        r"\[ \frac{\partial u}{\partial a}+\frac{\partial u}{\partial b}=0 \] \[ \frac{\partial v}{\partial g}=\frac{\partial v}{\partial h} \]
+           \[ \frac{\partial w}{\partial p}=\frac{\partial w}{\partial q} \]",
+    );
+    assert_eq!((draft.formulas, draft.refused), (3, 0), "{}", draft.text);
+    // A rate along a motion is none of what numbers could stand for.
+    let draft = loads(
+        r"\[ \frac{du}{dt}=\frac{\partial u}{\partial t}+\frac{\partial u}{\partial g}\frac{dg}{dt} \] \[ \frac{\partial v}{\partial a}=\frac{\partial v}{\partial b} \]
+           \[ \frac{\partial w}{\partial c}=\frac{\partial w}{\partial s} \] \[ \frac{\partial k}{\partial a}=\frac{\partial k}{\partial b} \]",
+    );
+    assert!(!draft.text.contains("'u(g,t)' = { role = \"field\" } # confirm: a function of what moves, or of numbers\n'g' = { role = \"parameter\""), "{}", draft.text);
+    // Over what an index runs is said beside the formula, and is none.
+    let draft = loads(r"\[ p_i=mv_i, \quad i=1,2,\ldots,n \]");
+    assert!(draft.text.contains("# printed beside it: i=1,2,") && draft.refused == 0, "{}", draft.text);
+    // Zero in bold, a determinant between bars, a sine before a vector.
+    let draft = loads(
+        r"\[ \mathbf F=\mathbf 0 \] \[ \begin{vmatrix} a & b \\ c & d \end{vmatrix}=ad-bc \] \[ \mathbf e=\cos a\,\mathbf i+\sin a\mathbf j \] \[ \boldsymbol{p_e'}=b\mathbf F \]",
+    );
+    assert_eq!(draft.refused, 0, "{}", draft.text);
+    let draft = loads(r"\[ U=\frac{e^2}{r} \] \[ x=ky \]");
+    assert!(draft.guesses.iter().any(|g| g.starts_with("e: parameter")), "{:?}", draft.guesses);
+}

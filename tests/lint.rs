@@ -519,3 +519,54 @@ fn numbers_and_solutions_of_the_text_are_reckoned() {
     says("Here $3x+6=0$ so $x=2$.", &[Condition, Wrong]);
     says("Here $3x+6=0$ so $x=-2$. And $3x+6=0$ or $x=2$.", &[Condition; 4]);
 }
+
+/// Beside decimals that are reckoned wrongly stands their value.
+#[test]
+fn a_wrong_sum_of_decimals_has_its_value_beside_it() {
+    assert_eq!(instead(r"\[ 0.1+0.2=0.4 \]").as_deref(), Some("0.3"));
+    assert_eq!(instead(r"\[ K=4.96+2.3=2.66 \]").as_deref(), Some("4.96-2.3 = 2.66"));
+}
+
+/// An equation that moves a name is another one than that which its formula solves, unless the sentence concludes; what unknown functions vary by is
+/// no number that could be reckoned.
+#[test]
+fn another_equation_of_motion_and_unknown_functions_are_not_wrong() {
+    use Word::{Defines, Follows, Wrong};
+    let next = r"\[ \frac{dy}{dx}=ky \] solved by \[ y=Ce^{kx} \] Next, we have \[ \frac{dy}{dx}=-ky \] solved by other functions.";
+    assert!(words(next).iter().all(|w| w.0 != Wrong), "{:?}", words(next));
+    says(r"\[ y=e^{kx} \] Hence \[ \frac{dy}{dx}=ky \]", &[Defines, Follows]);
+    says(r"\[ y=e^{kx} \] Hence \[ \frac{dy}{dx}=-ky \]", &[Defines, Wrong]);
+    let unknown = r"$x'=y+(x^2+y^2-1)x$, $y'=-x+(x^2+y^2-1)y$ is solved by $x=\cos(t)$, $y=\sin(t)$. Furthermore,
+        \[ \frac{\partial f}{\partial x}+\frac{\partial g}{\partial y}=4x^2+4y^2-2 \] where $x'=f(x,y)$.";
+    assert!(words(unknown).iter().all(|w| w.0 != Wrong), "{:?}", words(unknown));
+}
+
+/// A chapter is read with the definitions of the file that includes it, and of the packages beside that.
+#[test]
+fn a_chapter_has_the_macros_of_its_paper() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    fs::create_dir(at("parts")).expect("made");
+    let main = r"\documentclass{own}\usepackage{amsmath,own}\newcommand{\half}{\frac12}\begin{document}\input{parts/one}\end{document}";
+    fs::write(at("main.tex"), main).expect("written");
+    // Of a package only what prints counts: neither its frame nor its formulas.
+    let package = r"\def\over@all{x}\newcommand{\square}[1]{{#1}^2}\renewcommand{\section}[1]{}\def\at(#1,#2){#1_{#2}} \[ 1=2 \]
+        \newcommand{\sum}{\if@x 1\else 2\fi}";
+    fs::write(at("own.sty"), package).expect("written");
+    fs::write(at("own.cls"), r"\newcommand{\mass}{m}").expect("written");
+    let chapter = r"\section{One} \[ A=\square{(a+b)}+\mass=a^2-2ab+b^2+m \] \[ B=\half\at(c,d) \]";
+    fs::write(at("parts/one.tex"), chapter).expect("written");
+    for (place, file) in [(folder.path().join("parts"), "one.tex"), (folder.path().to_path_buf(), "main.tex")] {
+        let run = rederive(&place, &["lint", file]).code(1);
+        let told = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
+        assert!(told.contains(r"A={(a+b)}^2+m=") && told.contains(r"B=\frac12c_{d}"), "{told}");
+        assert!(told.contains("wrong") && !told.contains("1=2"), "{told}");
+    }
+    // A copy of a package whose commands have a meaning here changes none, nor does one in the language of LaTeX3.
+    fs::write(at("physics.sty"), r"\newcommand{\qty}[1]{0}").expect("written");
+    fs::write(at("new.sty"), r"\ExplSyntaxOn\newcommand{\frac}[2]{0}").expect("written");
+    let paper = r"\documentclass{article}\usepackage{physics,new}\begin{document}\[ x=\qty(\frac ab) \]\end{document}";
+    fs::write(at("paper.tex"), paper).expect("written");
+    let run = rederive(folder.path(), &["lint", "paper.tex"]).code(0);
+    assert!(String::from_utf8_lossy(&run.get_output().stdout).contains(r"\frac ab"), "the copies are not read");
+}

@@ -213,6 +213,21 @@ pub fn lies_inside(path: &Path, folder: &Path) -> bool {
     }
 }
 
+/// A path with its links resolved; none where nothing is there.
+pub fn real(path: &Path) -> Option<PathBuf> {
+    path.canonicalize().ok()
+}
+
+/// The files of a folder with this ending, sorted, links resolved, at most so many; those that lie elsewhere are left out.
+pub fn listed(folder: &Path, ending: &str, most: usize) -> Vec<PathBuf> {
+    let Ok(folder) = folder.canonicalize() else { return Vec::new() };
+    let entries = fs::read_dir(&folder).into_iter().flatten().filter_map(|e| Some(e.ok()?.path()));
+    let mut all: Vec<PathBuf> = entries.filter(|p| p.extension().is_some_and(|e| e == ending)).collect();
+    all.sort();
+    all.truncate(most);
+    all.iter().filter_map(|p| p.canonicalize().ok()).filter(|p| p.parent() == Some(&folder)).collect()
+}
+
 /// The rest of a path below a folder; `.` for the folder itself.
 fn inside(path: &Path, folder: &Path) -> Option<PathBuf> {
     let rest = path.strip_prefix(folder).ok()?;

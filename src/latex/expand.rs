@@ -134,6 +134,12 @@ impl<'a> Expansion<'a> {
                     self.region(script..close, depth + 1, out)?;
                     at = close + 1;
                 }
+                Kind::Command(c) if name::style(c).is_some_and(name::marks_tensor) && self.zero(at).is_some() => {
+                    // `\mathbf 0`: nothing, of any shape.
+                    let (zero, after) = self.zero(at).unwrap_or((at, at + 1));
+                    out.push(self.tokens[zero].clone());
+                    at = after;
+                }
                 Kind::Command(c) if is_short(token) => at = self.short(c, at, range.end, depth, out)?,
                 _ => {
                     out.push(token.clone());
@@ -174,6 +180,15 @@ impl<'a> Expansion<'a> {
         Ok(())
     }
 
+    /// At a style of vectors over a zero: where that stands, and what follows.
+    fn zero(&self, at: usize) -> Option<(usize, usize)> {
+        let is_zero = |at: usize| matches!(self.kind(at), Some(Kind::Number(n)) if n == "0");
+        match self.is(at + 1, '{') {
+            true => (is_zero(at + 2) && self.is(at + 3, '}')).then_some((at + 2, at + 4)),
+            false => is_zero(at + 1).then_some((at + 1, at + 2)),
+        }
+    }
+
     /// At an accent or a style over one name with a subscript: where the subscript begins, and where the braces close.
     fn lowered(&self, at: usize) -> Option<(usize, usize)> {
         let upright =
@@ -192,7 +207,9 @@ impl<'a> Expansion<'a> {
             true => self.closing[base + 1] + 1,
             false => base + 2,
         };
-        (self.is(base, '_') && end == close && base + 1 < close).then_some((base, close))
+        // `\vec{r_1'}`: the prime is of the name.
+        let primes = (end..close).all(|at| self.is(at, '\''));
+        (self.is(base, '_') && end <= close && primes && base + 1 < close).then_some((base, close))
     }
 
     /// One argument of a command as TeX takes it: its tokens, and where it ends.

@@ -10,7 +10,7 @@ use super::blame::OfStep;
 use super::cases::{Cases, Stance};
 use super::desk::{Given, NotRead, evidence_of};
 use super::facts::{Facts, Reach, Stated};
-use super::lone::lone_name;
+use super::lone::{is_equation_of_motion, lone_name};
 use super::nearest::WrongStep;
 use super::notation::Evidence;
 use super::relation::{free_indices, gives_values, is_congruence, is_letter_at_place, lone_right};
@@ -326,7 +326,9 @@ impl Judge<'_> {
             let solved = concludes && !sentence.changes && is_stated;
             let alone = relation.sides.len() == 2 && (first.is_none() || defining);
             let of = OfStep { relation, k, sentence, defining, derived, solved, alone };
-            let blame = self.blame(&of, at);
+            // `y'=-ky` may be another equation than the one before, unless its sentence concludes.
+            let is_another = k == 1 && (!concludes || sentence.changes) && is_equation_of_motion(left, right);
+            let blame = if is_another { Blame::Nothing } else { self.blame(&of, at) };
             // What is said again is no step from itself.
             if let Some(before) = self.same_definition(first.as_ref().filter(|_| k == 1 && known), right) {
                 out.steps.1 -= 1;

@@ -86,3 +86,15 @@ pub fn undotted(name: PaperName) -> PaperName {
 pub fn unprimed(name: &PaperName) -> PaperName {
     PaperName { base: name.base.trim_end_matches('\'').to_owned(), primes: 0, ..name.clone() }
 }
+
+/// Whether a side is a rate of one name, and the other one names it, too: an equation that moves it.
+pub(super) fn is_equation_of_motion(left: &PrintedSide, right: &PrintedSide) -> bool {
+    let all = names(left);
+    let mut rates = all.iter().filter(|n| !n.is_variable && (n.primes > 0 || n.dots > 0 || n.derived_by.is_some()));
+    let Some(rate) = rates.next().filter(|_| rates.next().is_none()) else { return false };
+    let is_bare = |n: &paper::PaperName| n.primes == 0 && n.dots == 0 && n.derived_by.is_none();
+    // `\frac{d}{dx}\sin x` is the derivative of a formula.
+    rate.derived_by.as_ref() != Some(&rate.key())
+        && all.iter().filter(|n| !n.is_variable).count() == 1
+        && names(right).iter().any(|n| is_bare(n) && n.key() == unprimed(rate).key())
+}

@@ -14,7 +14,7 @@ use proof::{Identity, Point, Refutation, Wanted};
 use expr::{Graph, Leaf, Rational};
 
 use super::desk::{Given, pairs_of};
-use super::numbers::{absorbs, agreement, as_fraction, curves, holds_at, ratio};
+use super::numbers::{absorbs, agreement, as_decimal, as_fraction, curves, holds_at, ratio};
 use super::question::{Asked, Rests, tested, vanishes};
 use super::slips::{Alteration, Slip, bare, size, slips, symbols};
 use super::{LintPicture, LintWitness};
@@ -105,7 +105,8 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     }
     // A number that was rounded.
     let (left, right) = (refutation.left.decimal, refutation.right.decimal);
-    let is_of_numbers = asked.desk.scalars.is_empty();
+    // Unknown functions, and what they depend on, are no numbers either.
+    let is_of_numbers = asked.desk.scalars.is_empty() && refutation.point.values.is_empty();
     if is_of_numbers && last_place(&asked.text).is_some_and(|unit| (left - right).abs() < unit * (1.0 - SAME)) {
         return None;
     }
@@ -119,6 +120,9 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     let is_told = has_fraction && asked.equations.len() == 1 && !asked.text.contains('.');
     let value = refutation.left.exact.as_ref().filter(|_| is_told);
     let reckoned = value.map(|value| as_fraction(&value.to_string()));
+    let refutation_value = refutation.left.exact.as_ref().map(ToString::to_string);
+    let printed = asked.text.clone();
+    let has_decimals = asked.equations.len() == 1 && asked.text.contains('.');
     let witness = witness(&asked.desk.graph, refutation);
     let picture = drawn(&asked, &refutation.point);
     let points: Vec<Point> =
@@ -150,6 +154,11 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     let is_scaled = sureness != Sureness::Doubted;
     let instead = instead.or_else(|| search.scaled().filter(|_| is_scaled));
     let instead = instead.or_else(|| reckoned.filter(|_| is_of_numbers && sureness >= Sureness::Chain))?;
+    // Of decimals the value is told, not which of them could have a factor.
+    let is_factor =
+        |text: &str| is_of_numbers && has_decimals && text.contains(r"\cdot") && !printed.contains(r"\cdot");
+    let decimal = refutation_value.and_then(|value| as_decimal(&value)).filter(|_| is_factor(&instead));
+    let instead = decimal.unwrap_or(instead);
     let mut with: Vec<usize> = rests.given.iter().map(|g| g.relation).collect();
     with.extend(rests.stated.iter().map(|s| s.relation));
     Some(WrongStep { witness, instead, picture, with })

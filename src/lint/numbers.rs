@@ -168,6 +168,24 @@ pub fn curves(
     (differ > 10).then_some(points)
 }
 
+/// A fraction as a decimal, where that ends soon: `-3/20` is `-0.15`.
+pub fn as_decimal(value: &str) -> Option<String> {
+    let (sign, size) = value.strip_prefix('-').map_or(("", value), |size| ("-", size));
+    let (above, below) = size.split_once('/').unwrap_or((size, "1"));
+    let (above, below): (u64, u64) = (above.parse().ok()?, below.parse().ok()?);
+    let (mut rest, mut digits) = (above.checked_rem(below)?, String::new());
+    while rest > 0 && digits.len() < MOST_DECIMALS {
+        rest = rest.checked_mul(10)?;
+        digits.push_str(&(rest / below).to_string());
+        rest %= below;
+    }
+    let point = if digits.is_empty() { "" } else { "." };
+    (rest == 0).then(|| format!("{sign}{}{point}{digits}", above / below))
+}
+
+/// The most decimals of a number that is told as one.
+const MOST_DECIMALS: usize = 9;
+
 /// A number as LaTeX has it: `-3/2` is `-\frac{3}{2}`.
 pub fn as_fraction(value: &str) -> String {
     let (sign, size) = value.strip_prefix('-').map_or(("", value), |size| ("-", size));

@@ -194,6 +194,8 @@ const CHANGES: &[&str] = &[
     "new",
     "modified",
     "corrected",
+    "next",
+    "third",
     "second",
     "other",
     "replace",

@@ -8,6 +8,8 @@ use std::ops::Range;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
+use super::chapter::main_of;
+use super::named::Named;
 use super::token::{MOST_TOKENS, Token, tokens};
 use super::{LARGEST_PAPER, PaperNote, text_from};
 use diag::Source;
@@ -15,6 +17,38 @@ use diag::escape::in_one_line;
 
 /// The most characters of the name of a file that are told.
 const LONGEST_NAME: usize = 200;
+/// The largest package that is read, in bytes.
+const LARGEST_PACKAGE: u64 = 1 << 20;
+/// Packages whose commands have a meaning here, which a copy of the package beside the paper does not change.
+const KNOWN_PACKAGES: &[&str] = &[
+    "amsmath",
+    "amssymb",
+    "amsfonts",
+    "amsthm",
+    "amstext",
+    "amsbsy",
+    "bm",
+    "braket",
+    "cancel",
+    "cases",
+    "commath",
+    "derivative",
+    "diffcoeff",
+    "empheq",
+    "esint",
+    "gensymb",
+    "mathtools",
+    "nicefrac",
+    "physics",
+    "siunitx",
+    "SIunits",
+    "subfiles",
+    "tensor",
+    "units",
+    "xcolor",
+    "xfrac",
+    "xparse",
+];
 /// The most files of a paper.
 const MOST_FILES: usize = 400;
 /// The most bytes of all files together.
@@ -23,6 +57,8 @@ const MOST_BYTES: u64 = 4 * LARGEST_PAPER;
 /// What is read beside the paper's own file.
 pub(super) struct Inputs {
     folder: Option<PathBuf>,
+    /// The folder of the main file, of a chapter.
+    main: Option<PathBuf>,
     /// Where each begins when all are written behind each other.
     pub files: Vec<(usize, Arc<Source>)>,
     pub notes: Vec<PaperNote>,
@@ -51,6 +87,7 @@ impl Inputs {
         let own = Path::new(&paper.path).file_name().map(PathBuf::from);
         Inputs {
             folder: folder.map(here),
+            main: None,
             files: Vec::new(),
             notes: Vec::new(),
             seen: own.into_iter().collect(),
@@ -59,11 +96,41 @@ impl Inputs {
         }
     }
 
-    /// The tokens of the file of this name; none, and a note, where it is not read.
-    pub(super) fn tokens(&mut self, name: &str, span: &Range<usize>) -> Vec<Token> {
-        let Some(folder) = self.folder.clone() else {
-            return self.refused(name, span, "files that a text names are not read");
+    /// The tokens of the file of this name; none, and a note, where it is not read. Of packages and classes those are read that lie in the folder of
+    /// the paper: others are part of TeX, and leave no note.
+    pub(super) fn tokens(&mut self, name: &str, named: Named, span: &Range<usize>) -> Vec<Token> {
+        match named {
+            Named::Text => self.text(name, span),
+            Named::Package => self.definitions(&format!("{name}.sty"), span),
+            Named::Class => self.definitions(&format!("{name}.cls"), span),
+        }
+    }
+
+    /// The tokens of a package of the paper's own.
+    fn definitions(&mut self, file: &str, span: &Range<usize>) -> Vec<Token> {
+        let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
+        let stem = stem.rsplit('/').next().unwrap_or(stem);
+        let is_own = |folder: &PathBuf| {
+            let path = folder.join(file);
+            let plain = Path::new(file).components().all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
+            plain
+                && files::lies_inside(&path, folder)
+                && files::read(&path, LARGEST_PACKAGE).is_ok_and(|b| is_plain(&b))
         };
+        if !self.folders().iter().any(is_own)
+            || KNOWN_PACKAGES.contains(&stem)
+            || self.seen.iter().any(|s| s.as_path() == Path::new(file))
+        {
+            return Vec::new();
+        }
+        self.text(file, span)
+    }
+
+    /// The tokens of a file with text.
+    fn text(&mut self, name: &str, span: &Range<usize>) -> Vec<Token> {
+        if self.folder.is_none() {
+            return self.refused(name, span, "files that a text names are not read");
+        }
         let wanted = Path::new(name.trim());
         let plain = wanted.components().all(|c| matches!(c, Component::Normal(_) | Component::CurDir));
         if name.trim().is_empty() || !plain {
@@ -80,29 +147,53 @@ impl Inputs {
         if self.files.len() >= MOST_FILES || self.bytes > MOST_BYTES {
             return self.refused(name, span, "the paper has more files than are read");
         }
-        let path = folder.join(&with_ending);
-        if !files::lies_inside(&path, &folder) {
+        let folders = self.folders();
+        let Some(path) = folders.iter().map(|f| (f, f.join(&with_ending))).find(|(f, p)| files::lies_inside(p, f))
+        else {
             return self.refused(name, span, "there is no such file inside of the folder of the paper");
-        }
+        };
+        let path = path.1;
         match files::read(&path, LARGEST_PAPER) {
             Err(_) => self.refused(name, span, "it cannot be read"),
             Ok(bytes) => {
                 self.seen.push(with_ending);
                 self.bytes += bytes.len() as u64;
                 let source = Source { path: path.display().to_string(), text: text_from(bytes) };
-                let base = self.next;
-                self.next += source.text.len() + 1;
-                let mut all = tokens_of(&source);
+                let all = tokens_of(&source);
                 if all.len() > MOST_TOKENS {
                     return self.refused(name, span, "it is longer than can be read");
                 }
-                for token in &mut all {
-                    token.span = token.span.start + base..token.span.end + base;
-                }
-                self.files.push((base, Arc::new(source)));
-                document_alone(all)
+                document_alone(self.placed(source, all))
             }
         }
+    }
+
+    /// The tokens of a file, behind all others.
+    fn placed(&mut self, source: Source, mut all: Vec<Token>) -> Vec<Token> {
+        let base = self.next;
+        self.next += source.text.len() + 1;
+        for token in &mut all {
+            token.span = token.span.start + base..token.span.end + base;
+        }
+        self.files.push((base, Arc::new(source)));
+        all
+    }
+
+    /// The folders in which files are looked for: that of the paper, and of a chapter that of its main file.
+    fn folders(&self) -> Vec<PathBuf> {
+        self.folder.iter().chain(&self.main).cloned().collect()
+    }
+
+    /// Of a chapter, the preamble of its main file; that is told.
+    pub(super) fn preamble(&mut self, paper: &Source) -> Vec<Token> {
+        let Some(main) = self.folder.as_ref().and_then(|f| main_of(&paper.text, &paper.path, f)) else {
+            return Vec::new();
+        };
+        let name = main.path.file_name().map_or_else(String::new, |n| n.display().to_string());
+        let message = format!("read with the definitions of `{}`, which includes it", in_one_line(&name));
+        self.notes.push(PaperNote { message, span: 0..0 });
+        self.main = main.path.parent().map(Path::to_path_buf);
+        self.placed(Source { path: main.path.display().to_string(), text: main.text }, main.preamble)
     }
 
     fn refused(&mut self, name: &str, span: &Range<usize>, why: &str) -> Vec<Token> {
@@ -114,6 +205,11 @@ impl Inputs {
         self.notes.push(PaperNote { message, span: span.clone() });
         Vec::new()
     }
+}
+
+/// Whether a package is written with the definitions of LaTeX, not in the language of its third version.
+fn is_plain(bytes: &[u8]) -> bool {
+    !["\\ExplSyntaxOn", "\\ProvidesExpl"].iter().any(|w| bytes.windows(w.len()).any(|b| b == w.as_bytes()))
 }
 
 /// Of a file that is a document of its own, what stands between its beginning and its end.
@@ -132,6 +228,8 @@ fn document_alone(all: Vec<Token>) -> Vec<Token> {
 fn without_code(text: &str) -> String {
     let mut out: Vec<u8> = Vec::with_capacity(text.len());
     let mut fence: Option<(u8, usize, bool)> = None;
+    // Whether the options of a block of mathematics may stand here, `:label: energy`.
+    let mut options = false;
     for line in text.split_inclusive('\n') {
         let bare = line.trim_start();
         let mark = bare.bytes().next().filter(|b| matches!(b, b'`' | b'~'));
@@ -142,11 +240,17 @@ fn without_code(text: &str) -> String {
                 fence = None;
                 out.extend(fenced(line, math));
             }
-            (Some((_, _, true)), _) => out.extend(line.bytes()),
+
+            (Some((_, _, true)), _) if options && bare.starts_with(':') => out.extend(option(line)),
+            (Some((_, _, true)), _) => {
+                options = false;
+                out.extend(line.bytes());
+            }
             (Some(_), _) => out.extend(blank(line)),
             (None, Some(own)) if count >= 3 => {
                 let math = bare[count..].trim().trim_matches(['{', '}', '`']) == "math";
                 fence = Some((own, count, math));
+                options = math;
                 out.extend(fenced(line, math));
             }
             (None, _) => out.extend(without_spans(line)),
@@ -171,6 +275,23 @@ fn fenced(line: &str, math: bool) -> Vec<u8> {
             }
         })
         .collect()
+}
+
+/// A line with an option of a block of mathematics, of the same length: its label is that of a display in LaTeX, where there is room for it.
+fn option(line: &str) -> Vec<u8> {
+    let blank = || line.bytes().map(|b| if b == b'\n' { b } else { b' ' }).collect::<Vec<u8>>();
+    let Some(label) = line.trim().strip_prefix(":label:").map(str::trim).filter(|l| !l.is_empty()) else {
+        return blank();
+    };
+    let mut out = blank();
+    // `\label{x}` is as long as `:label: x`, spaces around it apart.
+    let shown = format!("\\label{{{label}}}");
+    let from = line.len() - line.trim_start().len();
+    let room = line.trim_end_matches('\n').len() - from;
+    if shown.len() <= room && !label.contains(['{', '}', '\\', '%']) {
+        out[from..from + shown.len()].copy_from_slice(shown.as_bytes());
+    }
+    out
 }
 
 /// A line of Markdown without its code; a percent sign begins no comment there.

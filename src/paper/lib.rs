@@ -13,6 +13,7 @@
 
 #![forbid(unsafe_code)]
 
+mod chapter;
 mod compare;
 mod differences;
 mod document;
@@ -20,6 +21,7 @@ mod draft;
 mod inputs;
 mod macros;
 mod mark;
+mod named;
 mod names;
 mod opening;
 mod pasted;
@@ -231,7 +233,9 @@ fn parse_with(file: Arc<Source>, sha256: String, folder: Option<&Path>) -> Resul
     let (all, inputs) = loop {
         let mut inputs = Inputs::new(&file, folder);
         let document = inputs::tokens_of(&file);
-        let found = macros::expanded(document, &passed, &mut |name, span| inputs.tokens(name, span));
+        let preamble = inputs.preamble(&file);
+        let found =
+            macros::expanded(document, preamble, &passed, &mut |name, named, span| inputs.tokens(name, named, span));
         let Endless { name, span } = match found {
             Ok(all) => break (all, inputs),
             Err(endless) => endless,

@@ -2,26 +2,24 @@
 //!
 //! A token that comes out of a macro has the place of the call, so that a difference points at what the author wrote.
 
-use std::collections::{BTreeMap, BTreeSet};
+mod call;
+mod define;
+mod rest;
+
+use std::collections::BTreeSet;
 use std::ops::Range;
 
+use call::call;
+use define::{Defined, define};
+use rest::{MOST_NAME, Macro, Rest, argument, next_is, optional, spaces, takes_braces};
+
+use super::named::{COMMANDS_OF_TEXT, Input, Named, PACKAGES};
 use super::token::{Kind, MOST_TOKENS, Token};
 
 /// The most calls of macros.
 const MOST_CALLS: usize = 1_000_000;
-/// The most arguments of a macro, as TeX has it.
-const MOST_ARGUMENTS: usize = 9;
 /// The deepest that macros may call each other.
 const DEEPEST: usize = 200;
-
-#[derive(Clone, Debug)]
-struct Macro {
-    arguments: usize,
-    default: Option<Vec<Token>>,
-    body: Vec<Token>,
-    /// What stands behind each call, of a macro without arguments: the slash of `\def\ns/{…}`.
-    behind: Vec<Token>,
-}
 
 /// Macros that do not end.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,44 +30,19 @@ pub(super) struct Endless {
     pub span: Range<usize>,
 }
 
-/// Commands that name a file whose text stands in their place.
-const INPUTS: &[&str] = &["input", "include", "subfile", "subfileinclude"];
+/// The command that stands behind the text of a package while it is read; no text has it.
+const END_OF_DEFINITIONS: &str = "";
 
-/// Commands of classes for exercises that print their argument as it is; an option before it is not printed.
-const PRINT_THEIR_ARGUMENT: &[&str] = &["answer"];
+/// Commands of classes for exercises, and of layout, that print their argument as it is; options before it are not printed.
+const PRINT_THEIR_ARGUMENT: &[&str] = &["answer", "eqmathbox"];
 
-/// What a document defines.
-#[derive(Default)]
-struct Defined {
-    /// Names whose definitions are passed over.
-    passed: BTreeSet<String>,
-    macros: BTreeMap<String, Macro>,
-    /// Names that `\let` gave to commands of LaTeX: they keep their meaning, whatever becomes of these.
-    aliases: BTreeMap<String, String>,
-    /// Environments: what stands at their beginning and at their end.
-    environments: BTreeMap<String, (Macro, Macro)>,
-    /// Conditions of `\newif`, `ifdraft`, and whether they hold.
-    conditions: BTreeMap<String, bool>,
-}
-
-impl Defined {
-    /// At `\drafttrue` or `\draftfalse`: the condition, and what it becomes.
-    fn switched(&self, command: &str) -> Option<(String, bool)> {
-        let (name, value) = match command.strip_suffix("true") {
-            Some(name) => (name, true),
-            None => (command.strip_suffix("false")?, false),
-        };
-        let condition = format!("if{name}");
-        self.conditions.contains_key(&condition).then_some((condition, value))
-    }
-}
-
-/// The tokens of a document with its own macros expanded; definitions leave no token, and those of the names in `passed` no meaning. `input` gives
-/// the tokens of a file that the document names, if it may be read.
+/// The tokens of a document with its own macros expanded; definitions leave no token, and those of the names in `passed` no meaning. `preamble` is that of
+/// the main file of a chapter: only its definitions count. `input` gives the tokens of a file that the document names, if it may be read.
 pub(super) fn expanded(
     document: Vec<Token>,
+    preamble: Vec<Token>,
     passed: &BTreeSet<String>,
-    input: &mut dyn FnMut(&str, &Range<usize>) -> Vec<Token>,
+    input: &mut Input<'_>,
 ) -> Result<Vec<Token>, Endless> {
     let too_long = |all: &[Token]| Endless { name: String::new(), span: all.last().map_or(0..0, |t| t.span.clone()) };
     if document.len() > MOST_TOKENS {
@@ -81,6 +54,11 @@ pub(super) fn expanded(
     let mut out: Vec<Token> = Vec::new();
     // Macros that leave nothing can call each other more often than any paper has tokens.
     let mut calls = 0;
+    if !preamble.is_empty() {
+        defined.packages = 1;
+        rest.push((Token { kind: Kind::Command, text: END_OF_DEFINITIONS.to_owned(), span: 0..0 }, 0));
+        rest.extend(preamble.into_iter().rev().map(|t| (t, 0)));
+    }
     // Conditions of the document's own that hold and are not yet closed.
     let mut open_conditions = 0;
     while let Some((mut token, depth)) = rest.pop() {
@@ -89,7 +67,9 @@ pub(super) fn expanded(
             token.text.clone_from(meaning);
         }
         if token.kind != Kind::Command {
-            out.push(token);
+            if defined.packages == 0 {
+                out.push(token);
+            }
         } else if token.is("end") && begins_group(&rest, "document") {
             break;
         } else if token.is("iffalse") || defined.conditions.get(&token.text) == Some(&false) {
@@ -103,15 +83,21 @@ pub(super) fn expanded(
             skip_branch(&mut rest);
         } else if let Some(value) = defined.switched(&token.text) {
             defined.conditions.insert(value.0, value.1);
-        } else if INPUTS.contains(&token.text.as_str()) && (frozen || !defined.macros.contains_key(&token.text)) {
+        } else if token.is(END_OF_DEFINITIONS) {
+            defined.packages = defined.packages.saturating_sub(1);
+        } else if let Some(named) = named_by(&token, &defined, frozen) {
             calls += 1;
-            let name = file_name(&mut rest);
             if calls > MOST_CALLS || depth >= DEEPEST {
                 return Err(Endless { name: token.text, span: token.span });
             }
-            let file = input(&name, &token.span);
+            let file = files_named(named, &token, &mut rest, input);
             if file.len() + rest.len() + out.len() > MOST_TOKENS {
                 return Err(too_long(&file));
+            }
+            if named != Named::Text && !file.is_empty() {
+                defined.packages += 1;
+                let end = Token { kind: Kind::Command, text: END_OF_DEFINITIONS.to_owned(), span: token.span };
+                rest.push((end, depth));
             }
             rest.extend(file.into_iter().rev().map(|t| (t, depth + 1)));
         } else if define(&token.text, &mut rest, &mut defined) {
@@ -127,13 +113,17 @@ pub(super) fn expanded(
             rest.extend(body.into_iter().rev().map(|t| (t, depth + 1)));
         } else if let Some(found) = defined.macros.get(&token.text).filter(|_| !frozen) {
             calls += 1;
+            if defined.paired.contains(&token.text) {
+                next_is(&mut rest, "*");
+                optional(&mut rest);
+            }
             let room = MOST_TOKENS.saturating_sub(rest.len() + out.len());
             let body = if depth >= DEEPEST || calls > MOST_CALLS { None } else { call(found, &token, &mut rest, room) };
             let Some(body) = body else { return Err(Endless { name: token.text, span: token.span }) };
             rest.extend(body.into_iter().rev().map(|t| (t, depth + 1)));
         } else if PRINT_THEIR_ARGUMENT.contains(&token.text.as_str()) && takes_braces(&rest) {
-            optional(&mut rest);
-        } else {
+            while optional(&mut rest).is_some() {}
+        } else if defined.packages == 0 {
             out.push(token);
         }
         if out.len() > MOST_TOKENS {
@@ -143,7 +133,24 @@ pub(super) fn expanded(
     Ok(out)
 }
 
-type Rest = Vec<(Token, usize)>;
+/// What a command names with a file, unless the document gave it another meaning.
+fn named_by(token: &Token, defined: &Defined, frozen: bool) -> Option<Named> {
+    let command = token.text.as_str();
+    let package = || PACKAGES.iter().find(|(name, _)| *name == command).map(|(_, named)| *named);
+    let named = if COMMANDS_OF_TEXT.contains(&command) { Named::Text } else { package()? };
+    (frozen || !defined.macros.contains_key(&token.text)).then_some(named)
+}
+
+/// The tokens of the files that a command names, one behind the other.
+fn files_named(named: Named, token: &Token, rest: &mut Rest, input: &mut Input<'_>) -> Vec<Token> {
+    if named == Named::Text {
+        let name = file_name(rest);
+        return input(&name, named, &token.span);
+    }
+    optional(rest);
+    let names: String = argument(rest).iter().map(|t| t.text.as_str()).collect();
+    names.split(',').map(str::trim).filter(|n| !n.is_empty()).flat_map(|n| input(n, named, &token.span)).collect()
+}
 
 /// What stands at the beginning or at the end of an environment of the document's own.
 fn environment<'d>(token: &Token, rest: &Rest, defined: &'d Defined) -> Option<&'d Macro> {
@@ -156,9 +163,6 @@ fn environment<'d>(token: &Token, rest: &Rest, defined: &'d Defined) -> Option<&
     let (begin, end) = defined.environments.get(&name).filter(|_| open)?;
     Some(if token.is("begin") { begin } else { end })
 }
-
-/// The most characters of the name of an environment or of a file.
-const MOST_NAME: usize = 200;
 
 /// The name of a file behind `\input`, in braces or not.
 fn file_name(rest: &mut Rest) -> String {
@@ -198,222 +202,13 @@ fn skip_branch(rest: &mut Rest) {
     }
 }
 
-fn spaces(rest: &mut Rest) {
-    while rest.last().is_some_and(|(t, _)| t.kind == Kind::Space) {
-        rest.pop();
-    }
-}
-
-fn next_is(rest: &mut Rest, c: &str) -> bool {
-    spaces(rest);
-    let found = rest.last().is_some_and(|(t, _)| t.is_char(c));
-    if found {
-        rest.pop();
-    }
-    found
-}
-
-/// Whether an argument in braces comes next, or an option and then one.
-fn takes_braces(rest: &Rest) -> bool {
-    let mut next = rest.iter().rev().map(|(t, _)| t).filter(|t| t.kind != Kind::Space).peekable();
-    if next.peek().is_some_and(|t| t.is_char("[")) {
-        let end = next.by_ref().take(MOST_NAME).position(|t| t.is_char("]"));
-        return end.is_some() && next.next().is_some_and(|t| t.kind == Kind::Open);
-    }
-    next.next().is_some_and(|t| t.kind == Kind::Open)
-}
-
-/// An argument: a group without its braces, or one token.
-fn argument(rest: &mut Rest) -> Vec<Token> {
-    spaces(rest);
-    match rest.pop() {
-        Some((t, _)) if t.kind == Kind::Open => {
-            let mut depth = 0;
-            let mut out = Vec::new();
-            while let Some((t, _)) = rest.pop() {
-                match t.kind {
-                    Kind::Open => depth += 1,
-                    Kind::Close if depth == 0 => break,
-                    Kind::Close => depth -= 1,
-                    _ => {}
-                }
-                out.push(t);
-            }
-            out
-        }
-        Some((t, _)) => vec![t],
-        None => Vec::new(),
-    }
-}
-
-/// An argument in brackets, if there is one.
-fn optional(rest: &mut Rest) -> Option<Vec<Token>> {
-    if !next_is(rest, "[") {
-        return None;
-    }
-    let mut depth = 0;
-    let mut out = Vec::new();
-    while let Some((t, _)) = rest.pop() {
-        match t.kind {
-            Kind::Open => depth += 1,
-            Kind::Close => depth -= 1,
-            _ if depth == 0 && t.is_char("]") => break,
-            _ => {}
-        }
-        out.push(t);
-    }
-    Some(out)
-}
-
-/// The name that a definition defines: `\name` or `{\name}`.
-fn defined_name(rest: &mut Rest) -> Option<String> {
-    let found = argument(rest);
-    let name = found.iter().find(|t| t.kind != Kind::Space)?;
-    (name.kind == Kind::Command).then(|| name.text.clone())
-}
-
-/// Reads a definition, if `command` begins one.
-fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> bool {
-    let Defined { macros, aliases, environments, conditions, .. } = defined;
-    match command {
-        "newcommand" | "renewcommand" | "providecommand" | "DeclareRobustCommand" => {
-            next_is(rest, "*");
-            let name = defined_name(rest);
-            let count: String = optional(rest).unwrap_or_default().iter().map(|t| t.text.as_str()).collect();
-            let default = optional(rest);
-            let body = argument(rest);
-            let arguments = count.trim().parse().map_or(0, |n: usize| n.min(MOST_ARGUMENTS));
-            let fresh = |name: &String| command != "providecommand" || !macros.contains_key(name);
-            if let Some(name) = name.filter(fresh) {
-                aliases.remove(&name);
-                macros.insert(name, Macro { arguments, default, body, behind: Vec::new() });
-            }
-        }
-        "newenvironment" | "renewenvironment" => {
-            next_is(rest, "*");
-            let name: String = argument(rest).iter().map(|t| t.text.as_str()).collect();
-            let count: String = optional(rest).unwrap_or_default().iter().map(|t| t.text.as_str()).collect();
-            let default = optional(rest);
-            let (begin, end) = (argument(rest), argument(rest));
-            let arguments = count.trim().parse().map_or(0, |n: usize| n.min(MOST_ARGUMENTS));
-            let end = Macro { arguments: 0, default: None, body: end, behind: Vec::new() };
-            environments.insert(name, (Macro { arguments, default, body: begin, behind: Vec::new() }, end));
-        }
-        "def" | "gdef" | "edef" | "xdef" => {
-            let Some(name) = rest.pop().map(|(t, _)| t).filter(|t| t.kind == Kind::Command) else { return true };
-            let mut behind = Vec::new();
-            let mut arguments = 0;
-            while let Some((t, _)) = rest.last() {
-                match t.kind {
-                    Kind::Open => break,
-                    Kind::Argument => arguments += 1,
-                    Kind::Space => {}
-                    _ => behind.push(t.clone()),
-                }
-                rest.pop();
-            }
-            let body = argument(rest);
-            // Arguments that end with a text of their own are not understood; the call is left as it is. `\def\ns/{…}` has none.
-            if behind.is_empty() || arguments == 0 {
-                aliases.remove(&name.text);
-                macros.insert(name.text, Macro { arguments, default: None, body, behind });
-            }
-        }
-        "let" => {
-            let Some(name) = rest.pop().map(|(t, _)| t).filter(|t| t.kind == Kind::Command) else { return true };
-            next_is(rest, "=");
-            let Some((meaning, _)) = rest.pop() else { return true };
-            let known = macros.get(&meaning.text).filter(|_| meaning.kind == Kind::Command).cloned();
-            match known {
-                Some(known) => {
-                    aliases.remove(&name.text);
-                    macros.insert(name.text, known);
-                }
-                None if meaning.kind == Kind::Command => {
-                    let meaning = aliases.get(&meaning.text).cloned().unwrap_or(meaning.text);
-                    aliases.insert(name.text, meaning);
-                }
-                None => {
-                    aliases.remove(&name.text);
-                    macros.insert(
-                        name.text,
-                        Macro { arguments: 0, default: None, body: vec![meaning], behind: Vec::new() },
-                    );
-                }
-            }
-        }
-        "newif" => {
-            if let Some(name) = rest.pop().map(|(t, _)| t).filter(|t| t.kind == Kind::Command) {
-                conditions.insert(name.text, false);
-            }
-        }
-        "DeclareMathOperator" => {
-            next_is(rest, "*");
-            let name = defined_name(rest);
-            let body = argument(rest);
-            let brace = |kind, text: &str| Token { kind, text: text.to_owned(), span: 0..0 };
-            let mut all = vec![brace(Kind::Command, "operatorname"), brace(Kind::Open, "{")];
-            all.extend(body);
-            all.push(brace(Kind::Close, "}"));
-            if let Some(name) = name {
-                aliases.remove(&name);
-                macros.insert(name, Macro { arguments: 0, default: None, body: all, behind: Vec::new() });
-            }
-        }
-        "NewDocumentCommand" | "RenewDocumentCommand" => {
-            let name = defined_name(rest);
-            let kinds: String = argument(rest).iter().map(|t| t.text.as_str()).collect();
-            let body = argument(rest);
-            let plain = kinds.chars().all(|c| c == 'm' || c.is_whitespace());
-            let arguments = kinds.chars().filter(|c| *c == 'm').count().min(MOST_ARGUMENTS);
-            if let Some(name) = name.filter(|_| plain) {
-                aliases.remove(&name);
-                macros.insert(name, Macro { arguments, default: None, body, behind: Vec::new() });
-            }
-        }
-        _ => return false,
-    }
-    true
-}
-
-/// The body of a macro with its arguments put in; every token has the place of the call. `None` if it has more than `most`
-/// tokens.
-fn call(found: &Macro, token: &Token, rest: &mut Rest, most: usize) -> Option<Vec<Token>> {
-    let mut values: Vec<Vec<Token>> = Vec::new();
-    if let Some(default) = &found.default {
-        values.push(optional(rest).unwrap_or_else(|| default.clone()));
-    }
-    while values.len() < found.arguments {
-        values.push(argument(rest));
-    }
-    for expected in &found.behind {
-        if rest.last().is_some_and(|(t, _)| t.kind == expected.kind && t.text == expected.text) {
-            rest.pop();
-        }
-    }
-    let mut out = Vec::new();
-    for t in &found.body {
-        if out.len() > most {
-            return None;
-        }
-        match t.kind {
-            Kind::Argument => {
-                let nth: usize = t.text.parse().unwrap_or(1);
-                out.extend(values.get(nth.wrapping_sub(1)).into_iter().flatten().cloned());
-            }
-            _ => out.push(Token { span: token.span.clone(), ..t.clone() }),
-        }
-    }
-    (out.len() <= most).then_some(out)
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::token::tokens;
     use super::*;
 
     fn expanded(text: &str) -> Result<Vec<Token>, Endless> {
-        super::expanded(tokens(text), &BTreeSet::new(), &mut |_, _| Vec::new())
+        super::expanded(tokens(text), Vec::new(), &BTreeSet::new(), &mut |_, _, _| Vec::new())
     }
 
     fn shown(text: &str) -> String {
@@ -440,6 +235,12 @@ mod tests {
             r"\begin {equation}x\end {equation}"
         );
         assert_eq!(shown(r"\NewDocumentCommand{\v}{m}{\vec{#1}}\v{x}"), r"\vec {x}");
+        assert_eq!(shown(r"\NewDocumentCommand{\v}{O{2} m}{#2^{#1}}\v{x}\v[3]y"), "x^{2}y^{3}");
+        assert_eq!(shown(r"\NewDocumentCommand{\r}{mmO{l}}{#2_#3}\r{x}{y}\r{x}{z}[c]"), "y_lz_c");
+        // Arguments with signs between them, as TeX takes them.
+        assert_eq!(shown(r"\def\at(#1,#2)#3{#3_#1^#2}\at(a,{(b)})x \at (c,{d,e})y"), "x_a^(b) y_c^d,e");
+        assert_eq!(shown(r"\def\to#1\by#2.{#1/#2}\to{a}b\by c.d"), "{a}b/cd");
+        assert_eq!(shown(r"\DeclarePairedDelimiter\n{\lVert}{\rVert}\n{x}\n*{y}\n[\big]z").matches("left").count(), 3);
     }
 
     #[test]

@@ -180,6 +180,10 @@ impl Names {
 
     /// A variable by which something is derived, as a key, and the position after it.
     fn variable(&self, at: usize) -> Option<(String, usize)> {
+        self.variable_as_printed(at).map(|(text, end)| (canonical(&text), end))
+    }
+
+    fn variable_as_printed(&self, at: usize) -> Option<(String, usize)> {
         let text = self.text(at);
         let is_letter = text.len() == 1 && text.as_bytes()[0].is_ascii_alphabetic()
             || text.strip_prefix('\\').is_some_and(is_letter_command);
@@ -187,7 +191,7 @@ impl Names {
         if DOTS.iter().any(|(d, _)| *d == command) {
             // `\dot x_1`: the rate of the name with its index.
             let (inner, end) = (self.inner(at + 1).0, self.unit(at + 1));
-            let (mut key, inside) = self.variable(inner)?;
+            let (mut key, inside) = self.variable_as_printed(inner)?;
             let mut end = end.max(inside);
             if self.text(end) == "_" {
                 let index = end;
@@ -198,9 +202,11 @@ impl Names {
             return Some((format!("{text}{space}{key}"), end));
         }
         if BOLD.contains(&command) {
-            let end = self.unit(at + 1);
-            let inner = self.spelled(at, end);
-            return Some((inner, end));
+            let mut end = self.unit(at + 1);
+            if self.text(end) == "_" {
+                end = self.unit(end + 1);
+            }
+            return Some((self.spelled(at, end), end));
         }
         if !is_letter {
             return None;
@@ -485,6 +491,14 @@ pub(super) fn is_letter(token: &Token) -> bool {
         Kind::Other => token.text.chars().all(char::is_alphabetic),
         Kind::Command => is_letter_command(&token.text),
         _ => false,
+    }
+}
+
+/// The key of a name, however it is spelled: `\boldsymbol r` and `\mathbf{r}` are one, as `q_\alpha` and `q_{\alpha}` are.
+fn canonical(text: &str) -> String {
+    match names_of(&super::token::tokens(text)).as_slice() {
+        [one] if one.dots == 0 && one.primes == 0 && one.call == Call::None && !one.is_difference => one.key(),
+        _ => text.to_owned(),
     }
 }
 

@@ -207,9 +207,15 @@ impl Elaborator<'_> {
             value = self.spelled_out(value, span)?;
             // A field at a moving place depends on what moves there, and on no other state; nor on the time, unless that is a
             // coordinate.
-            let told = matches!(self.scope.role(leaf.symbol), Some(Role::State | Role::Time));
+            // One at a place that names a parameter depends on that parameter there.
+            let role = self.scope.role(leaf.symbol);
             let fields = self.graph.fields(value.components.iter().copied());
-            if let Some(field) = fields.iter().find(|l| !told || self.graph.place(l.symbol).is_none()) {
+            let hidden = |l: &&Leaf| match role {
+                Some(Role::State | Role::Time) => self.graph.place(l.symbol).is_none(),
+                Some(Role::Parameter) => !self.stands_at(l, leaf),
+                _ => true,
+            };
+            if let Some(field) = fields.iter().find(hidden) {
                 let message = format!("whether `{}` depends on it is not said", self.graph.name(field.symbol));
                 let hint = "give the field a `formula` where it is declared, or make this a coordinate of it";
                 return refuse("latex::derivative", message, &by.span, hint);
@@ -228,6 +234,27 @@ impl Elaborator<'_> {
             value = self.derived(value, span, |this, e| this.graph.partial_derivative(e, leaf))?;
         }
         Ok(value)
+    }
+
+    /// Whether a field is taken at a place that names this, and no coordinate: of `f(x+ct)` nobody says that it does not depend on c otherwise.
+    fn stands_at(&self, field: &Leaf, leaf: Leaf) -> bool {
+        let Some(place) = self.graph.place(field.symbol) else { return false };
+        let leaves = self.graph.leaves_within(place.at.iter().map(|(_, e)| *e));
+        leaves.contains(&leaf) && leaves.iter().all(|l| self.graph.coordinate(*l).is_none())
+    }
+
+    /// Whether a value depends on this parameter alone, of all that could change: its fields are at places that name nothing else.
+    pub(super) fn depends_on_parameter(&self, t: &Tensor, leaf: Leaf) -> bool {
+        let parameter = |l: &Leaf| self.scope.role(l.symbol) == Some(Role::Parameter) && l.instant.is_none();
+        let only = |l: &Leaf| {
+            let place = self.graph.place(l.symbol);
+            place.is_some_and(|p| self.graph.leaves_within(p.at.iter().map(|(_, e)| *e)).iter().all(|l| *l == leaf))
+        };
+        let fields = self.graph.fields(t.components.iter().copied());
+        let leaves = self.graph.leaves_within(t.components.iter().copied());
+        parameter(&leaf)
+            && fields.iter().all(|f| only(f) && self.stands_at(f, leaf))
+            && leaves.iter().all(|l| fields.contains(l) || parameter(l))
     }
 
     /// In `\partial_i`: the index, one of the letters from i to n that nothing is called.

@@ -578,6 +578,13 @@ impl Elaborator<'_> {
         {
             return (0..order).try_fold(value, |value, _| self.total(value, at, span));
         }
+        if let Some(leaf) = self.leaf(by_value)
+            && self.depends_on_parameter(&value, leaf)
+        {
+            return (0..order).try_fold(value, |value, _| {
+                self.derived(value, span, |this, e| this.graph.partial_derivative(e, leaf))
+            });
+        }
         let Some(time) = self.scope.time() else {
             let hint = "give one the role `time`";
             return refuse("latex::derivative", "no symbol is declared as the time", span, hint);

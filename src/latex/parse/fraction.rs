@@ -338,7 +338,7 @@ impl Parser<'_> {
                 }
                 self.expect('}')?;
             }
-            "pmatrix" | "bmatrix" | "matrix" | "psmallmatrix" | "bsmallmatrix" | "smallmatrix" => {}
+            "pmatrix" | "bmatrix" | "matrix" | "psmallmatrix" | "bsmallmatrix" | "smallmatrix" | "vmatrix" => {}
             _ => {
                 let message = format!("the environment `{environment}` is not known");
                 return refuse("latex::unsupported", message, span, "use `pmatrix`");
@@ -378,7 +378,12 @@ impl Parser<'_> {
         if rows.len() > WIDEST || columns > WIDEST {
             return refuse("latex::too-large", format!("a matrix of more than {WIDEST} rows or columns"), span, "");
         }
-        Ok(self.node(NodeKind::Matrix(rows), start))
+        let matrix = self.node(NodeKind::Matrix(rows), start);
+        Ok(match environment.as_str() {
+            // Between bars stands its determinant.
+            "vmatrix" => self.node(NodeKind::Function("det".to_owned(), None, vec![matrix]), start),
+            _ => matrix,
+        })
     }
 }
 

@@ -204,7 +204,7 @@ impl Parser<'_> {
                 // `\sin\theta\,\dot\varphi`: a space that is printed ends what can be an argument by itself.
                 let gap = self.is_spaced();
                 // `\sin\theta\dot\varphi`: so does a rate behind it, which no one writes into an argument without parentheses.
-                if (gap || self.begins_rate() && !has_dots(last)) && self.moves(last) {
+                if (gap || self.begins_rate() && !has_dots(last)) && self.moves(last) || self.begins_vector()? {
                     break;
                 }
                 spaced |= gap;
@@ -240,7 +240,8 @@ impl Parser<'_> {
                         && init.iter().all(|n| self.is_coefficient(n))
             }
         };
-        let ended = (self.is_spaced() || self.begins_rate()) && factors.last().is_some_and(|n| self.moves(n));
+        let ended = self.begins_vector()?
+            || (self.is_spaced() || self.begins_rate()) && factors.last().is_some_and(|n| self.moves(n));
         let followed = !ended
             && (self.is('(') || self.is('[') || *self.kind() == Kind::OpenBar || (self.is('|') && self.bars == 0));
         let grouped = matches!(factors.as_slice(), [Node { kind: NodeKind::Group(..), .. }]);
@@ -302,6 +303,43 @@ impl Parser<'_> {
     pub(super) fn begins_rate(&self) -> bool {
         let braces = (0..3).take_while(|&i| *self.kind_after(i) == Kind::Sign('{')).count();
         matches!(self.kind_after(braces), Kind::Command(c) if matches!(c.as_str(), "dot" | "ddot"))
+    }
+
+    /// Whether a name in bold, or with an arrow, stands here, and makes no number of what stands before it: no function of a number has a vector
+    /// in its argument. `\cos\omega\mathbf k\cdot\mathbf r` is not so.
+    pub(super) fn begins_vector(&mut self) -> Parsed<bool> {
+        let is_styled = |p: &Self| matches!(p.kind(), Kind::Command(c) if super::super::name::style(c).is_some_and(super::super::name::marks_tensor));
+        if !is_styled(self) {
+            return Ok(false);
+        }
+        let back = self.at;
+        let name = self.single_name()?.map(|(name, _)| name);
+        let mut scripts = 0;
+        while self.is('_') && scripts < 2 {
+            scripts += 1;
+            self.bump();
+            self.skip_argument();
+        }
+        let goes_on = self.is_command("cdot") || self.is_command("times") || self.is('^') || self.is('(');
+        self.at = back;
+        Ok(name.is_some_and(|n| !self.scope.is_number(&n, None)) && !goes_on)
+    }
+
+    /// Passes over a token, or what stands in braces.
+    fn skip_argument(&mut self) {
+        let mut depth = 0usize;
+        loop {
+            match self.kind() {
+                Kind::End => return,
+                Kind::Sign('{') => depth += 1,
+                Kind::Sign('}') => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            self.bump();
+            if depth == 0 {
+                return;
+            }
+        }
     }
 
     pub(super) fn is_time(&self, node: &Node) -> bool {

@@ -498,7 +498,11 @@ impl<'a> Parser<'a> {
     }
 
     /// Refuses a factor behind something whose end cannot be seen.
-    fn end_is_clear(&self) -> Parsed<()> {
+    fn end_is_clear(&mut self) -> Parsed<()> {
+        if self.open_here().is_none() {
+            return Ok(());
+        }
+        let before_vector = self.begins_vector()?;
         let Some(open) = self.open_here() else { return Ok(()) };
         let span = self.span();
         match open {
@@ -518,7 +522,7 @@ impl<'a> Parser<'a> {
             }
             Open::Function { name, .. } => {
                 let complete = matches!(open, Open::Function { steady: false, .. });
-                if self.begins_function() || complete && (self.is_spaced() || self.begins_rate()) {
+                if before_vector || self.begins_function() || complete && (self.is_spaced() || self.begins_rate()) {
                     return Ok(());
                 }
                 let message = format!("it is not clear where the argument of `{}` ends", function::spelled(name));

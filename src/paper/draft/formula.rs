@@ -90,12 +90,28 @@ pub(super) fn displays(paper: &Paper) -> Vec<Printed> {
             printed.remarks.extend(relation.remark.clone().filter(|r| !r.is_empty()));
             match relation.sides.as_slice() {
                 [one] if one.text.is_empty() => {}
+                _ if is_range(relation) => {
+                    let sides: Vec<&PrintedSide> = relation.sides.iter().collect();
+                    printed.remarks.push(text_of(&sides, &relation.signs));
+                }
                 [one] => printed.expressions.push(one.text.clone()),
                 _ => printed.relations.push(relation.clone()),
             }
         }
     }
     out
+}
+
+/// Whether a relation says over what indices run, and nothing else: `i=1,2,\ldots,n`.
+fn is_range(relation: &PrintedRelation) -> bool {
+    let Some((last, before)) = relation.sides.split_last() else { return false };
+    let goes_on = [r"\ldots", r"\cdots", r"\dots"].iter().any(|dots| last.text.contains(dots));
+    let letters = |s: &PrintedSide| s.tokens.iter().all(|t| !matches!(t.text.as_str(), "+" | "-" | "(" | "frac"));
+    goes_on
+        && last.is_list
+        && !before.is_empty()
+        && before.iter().all(letters)
+        && relation.signs.iter().all(|s| s == "=")
 }
 
 impl Printed {
@@ -216,6 +232,8 @@ fn one_line(text: &str) -> String {
     out
 }
 
+/// What is said where a file has no room for the coordinates of a formula.
+const OF_ROOM: &[&str] = &["coordinates", "is no place of a function"];
 /// Longest formula that is read, in bytes.
 const LONGEST: usize = 20_000;
 
@@ -239,12 +257,18 @@ pub(super) fn alone(
         return Err(why.to_owned());
     }
     let mut first: Option<String> = None;
-    for ways in readings(sides, evidence, is_of_indices)? {
-        match load(&write::single(text, &ways[0])) {
+    for mut ways in readings(sides, evidence, is_of_indices)? {
+        let why = match load(&write::single(text, &ways[0])) {
             Ok(_) => return Ok(ways),
-            Err(found) => {
-                first.get_or_insert_with(|| found.first().map_or_else(String::new, |d| d.message.clone()));
-            }
+            Err(found) => found.first().map_or_else(String::new, |d| d.message.clone()),
+        };
+        // What a file has no room for may be read with less of it.
+        let of_room = OF_ROOM.iter().any(|sign| why.contains(sign));
+        first.get_or_insert(why);
+        let loads = |r: &Reading| load(&write::single(text, r)).is_ok();
+        if of_room && let Some(at) = (1..ways.len()).find(|&at| loads(&ways[at])) {
+            ways.drain(..at);
+            return Ok(ways);
         }
     }
     Err(first.unwrap_or_default())

@@ -53,10 +53,11 @@ impl Guess {
 
     /// Whether it would change what another formula means that does not name it: `e` is Euler's number elsewhere, `d` a differential.
     pub fn is_of_its_formula(&self) -> bool {
-        matches!(
-            self.name.as_str(),
-            "e" | "d" | "i" | "D" | r"\delta" | r"\Delta" | r"\epsilon" | r"\varepsilon" | r"\pi"
-        )
+        self.bare() == "t"
+            || matches!(
+                self.name.as_str(),
+                "e" | "d" | "i" | "D" | r"\delta" | r"\Delta" | r"\epsilon" | r"\varepsilon" | r"\pi"
+            )
     }
 
     /// The line that declares it.

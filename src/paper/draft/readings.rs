@@ -25,10 +25,17 @@ pub(super) struct Reading {
     pub has_logarithm: bool,
 }
 
+impl Reading {
+    /// Whether all coordinates of space are among its symbols.
+    pub(super) fn has_space(&self) -> bool {
+        SPACE.iter().all(|c| self.symbols.iter().any(|g| g.role == "coordinate" && g.name == *c))
+    }
+}
+
 /// The most places of a function.
 const MOST_PLACES: usize = 4;
 /// The coordinates of space.
-const SPACE: [&str; 3] = ["x", "y", "z"];
+pub(super) const SPACE: [&str; 3] = ["x", "y", "z"];
 
 /// The readings of a formula, the best first: each with others that mean the same, and need less of the file.
 ///
@@ -63,6 +70,8 @@ pub(super) fn readings(
     }
     let text: String = sides.iter().map(|s| s.text.as_str()).collect::<Vec<_>>().join(" ");
     let mut out: Vec<Vec<Reading>> = Vec::new();
+    let has_charge =
+        !evidence.has_exponentials && sides.iter().filter_map(|s| raised_e(s)).any(|(number, other)| number && !other);
     let size = sides.iter().find_map(|s| evidence::size(&s.tokens)).map(|(rows, _)| rows).filter(|n| *n > 1);
     for with_indices in ways {
         for (dimension, bold_matrices) in [(3, false), (size.unwrap_or(3), false), (3, true)] {
@@ -75,6 +84,8 @@ pub(super) fn readings(
                 dimension,
                 places_are_numbers: false,
                 moving_are_functions: false,
+                coordinates_are_numbers: false,
+                has_charge,
             };
             let mut tried: Vec<Reading> = Vec::new();
             for (places_are_numbers, moving_are_functions) in
@@ -84,6 +95,13 @@ pub(super) fn readings(
                 if !tried.contains(&reading) {
                     tried.push(reading);
                 }
+            }
+            let numbers = Names { coordinates_are_numbers: true, ..names };
+            if !numbers.has_rate_of_function()
+                && let Ok(reading) = numbers.reading()
+                && !tried.contains(&reading)
+            {
+                tried.push(reading);
             }
             if !out.contains(&tried) {
                 out.push(tried);
@@ -113,6 +131,10 @@ fn obstacle(sides: &[&PrintedSide], all: &[PaperName], evidence: &Evidence) -> R
     if evidence.has_complex_j && all.iter().any(|n| n.key() == "j") {
         return Err("j, which may be the imaginary unit".to_owned());
     }
+    let is_called = |n: &PaperName| matches!(&n.call, Call::Places(p) if p.iter().all(|p| is_name(p)));
+    if all.iter().any(|n| unprimed(n) == "t" && (n.primes > 0 && is_called(n) || is_called(n) && n.dots == 0)) {
+        return Err("the time as a function of something else".to_owned());
+    }
     if all.iter().any(|n| n.key() == "t" && n.derived_by.as_deref().is_some_and(|by| by != "t")) {
         return Err("the time as a function of something else".to_owned());
     }
@@ -122,7 +144,8 @@ fn obstacle(sides: &[&PrintedSide], all: &[PaperName], evidence: &Evidence) -> R
     }
     let bare_e = evidence.keys.contains_key("e");
     let raised = |s: &&&PrintedSide, bare: bool| raised_e(s).is_some_and(|(a, b)| if bare { a } else { b });
-    if sides.iter().any(|s| raised(&s, true)) && (bare_e || !evidence.has_exponentials) {
+    // In a paper without exponentials it is a charge, or another name.
+    if sides.iter().any(|s| raised(&s, true)) && bare_e && evidence.has_exponentials {
         return Err("e to a number: a charge, or Euler's number".to_owned());
     }
     if all.iter().any(|n| n.key() == "e") && sides.iter().any(|s| raised(&s, false)) {
@@ -160,6 +183,10 @@ struct Names<'a> {
     places_are_numbers: bool,
     /// Whether what moves is a function of the time, and no state.
     moving_are_functions: bool,
+    /// Whether coordinates are numbers, at which functions are taken and by which they are derived: a file has few coordinates.
+    coordinates_are_numbers: bool,
+    /// Whether `e` is raised to numbers alone in the whole paper.
+    has_charge: bool,
     /// How many components a vector has, where the paper does not show it.
     dimension: usize,
 }
@@ -188,6 +215,12 @@ impl Names<'_> {
             })
             .collect();
         let is_complex = self.evidence.is_complex && self.all.iter().any(|n| n.key() == "i");
+        if self.has_charge {
+            push(
+                &mut out,
+                Guess::parameter("e", "raised to numbers alone in the whole paper: a charge, and not Euler's number"),
+            );
+        }
         let mut at = 0;
         while let Some(name) = self.all.get(at) {
             at += 1;
@@ -209,7 +242,8 @@ impl Names<'_> {
             let bare = bare(place);
             let known = bare == "t" || coordinates.contains(bare) || out.iter().any(|g| g.bare() == bare);
             if !known {
-                let steady = self.places_are_numbers && self.is_of_primes(bare);
+                let steady = self.places_are_numbers && self.is_of_primes(bare)
+                    || self.coordinates_are_numbers && self.is_a_variable_here(bare);
                 let moves = self.evidence.moving.contains(bare) && !steady || bare != place;
                 let role = if moves { "state" } else { "parameter" };
                 let shape = is_vector(bare).then(|| self.dimension.to_string());
@@ -270,6 +304,13 @@ impl Names<'_> {
         out
     }
 
+    /// Whether a function has a rate here: along a motion its places change, too, which numbers do not.
+    fn has_rate_of_function(&self) -> bool {
+        let functions = self.functions();
+        let rate = |n: &PaperName| n.dots > 0 || n.derived_by.as_deref() == Some("t") && !n.is_partial;
+        self.text.contains(r"\nabla") || self.all.iter().any(|n| rate(n) && functions.contains_key(&self.key(n)))
+    }
+
     /// Whether something is derived by this name here.
     fn is_a_variable_here(&self, key: &str) -> bool {
         let derives = |n: &PaperName| n.derived_by.as_deref() == Some(key) && !self.is_quotient_of_rates(n);
@@ -322,6 +363,14 @@ impl Names<'_> {
                 return Some(places);
             }
         }
+        // `y(0)=1` of what the paper derives by one variable, by primes or otherwise.
+        let is_at_number = |n: &&PaperName| matches!(&n.call, Call::Places(p) if p.len() == 1 && !is_name(&p[0]));
+        if key != "t" && self.all.iter().filter(|n| self.key(n) == key).any(|n| is_at_number(&n)) {
+            let derived = self.evidence.derived.get(key).filter(|by| by.len() == 1).and_then(|by| by.first().cloned());
+            if let Some(by) = self.evidence.primed_by(key).or(derived).filter(|by| by != "t" && is_variable(by)) {
+                return Some(vec![by]);
+            }
+        }
         let here: BTreeSet<&str> = self
             .all
             .iter()
@@ -353,6 +402,9 @@ impl Names<'_> {
 
     /// What is a coordinate here.
     fn coordinates(&self, functions: &BTreeMap<String, Vec<String>>) -> BTreeSet<String> {
+        if self.coordinates_are_numbers {
+            return BTreeSet::new();
+        }
         let mut out: BTreeSet<String> = BTreeSet::new();
         let still = |p: &String| !self.moves_here(p) || self.is_of_primes(p);
         for place in functions.values().flatten().filter(|p| (is_variable(p) || is_vector(p)) && still(p)) {

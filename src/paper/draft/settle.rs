@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::formula::{Formula, Printed, load};
 use super::formulas;
 use super::guess::Guess;
-use super::readings::Reading;
+use super::readings::{Reading, SPACE};
 use super::write;
 use diag::Diagnostic;
 
@@ -67,7 +67,13 @@ impl Settled {
             *n += 1;
         }
         let mut out = Settled::default();
-        let coordinates = most_coordinates(&order, &counts);
+        let mut coordinates = most_coordinates(&order, &counts);
+        // Where ∇ stands, the coordinates are those of space: formulas with others can be read with numbers in their place.
+        let is_of_space =
+            formulas(all).any(|f| f.refused.is_none() && f.needs.has_space() && f.text.contains(r"\nabla"));
+        if is_of_space {
+            coordinates = SPACE.iter().map(|c| (*c).to_owned()).collect();
+        }
         let parted = parted(&order);
         let able = |g: &Guess| {
             (g.role != "coordinate" || coordinates.contains(&g.name))
@@ -75,7 +81,10 @@ impl Settled {
                 && (g.is_of_the_file() && g.shape.is_none() || !parted.contains(&family(g)) || g.is_labelled)
         };
         // What only the file can declare goes before the rest; then what most formulas need, the first of several.
-        let weight = |g: &Guess| (g.is_of_the_file(), counts.get(g).copied().unwrap_or(0));
+        let count = |g: &Guess| counts.get(g).copied().unwrap_or(0);
+        // ∇ needs the coordinates of space; what moves can be a function of the time.
+        let of_space = |g: &Guess| is_of_space && g.role == "coordinate";
+        let weight = |g: &Guess| (g.is_of_the_file(), of_space(g), count(g));
         let mut best: BTreeMap<&str, &Guess> = BTreeMap::new();
         for guess in order.iter().filter(|g| able(g)) {
             let known = best.entry(guess.bare()).or_insert(guess);

@@ -375,7 +375,8 @@ fn named_beside(text: &str, words: &[&str]) -> BTreeSet<String> {
     let near = |at: usize| next_character(text, at);
     let mut out = BTreeSet::new();
     for word in words {
-        for (at, _) in text.match_indices(word) {
+        // `\operatorname` says nothing of an operator.
+        for (at, _) in text.match_indices(word).filter(|(at, _)| !text[..*at].ends_with('\\')) {
             let before = &text[near(at.saturating_sub(BESIDE))..at];
             let behind = &text[at..near(at + BESIDE)];
             // The rest of the word, then names with nothing but "and" between them.
