@@ -9,6 +9,7 @@
 use super::erratum::{Candidate, MOST_OFFERED, Search, as_claim, is_inequality};
 use crate::derivation::{Claim, Derivation};
 use crate::expr::Rational;
+use crate::findings::standing::Decision;
 use crate::findings::{ClaimAccount, Correction};
 use crate::verdict::{Outcome, Strength, Verdict};
 use claim::error::CheckError;
@@ -79,9 +80,14 @@ impl Search<'_> {
                 break;
             }
             asked.iter().for_each(|&n| enclosed[n] = true);
-            self.enclose(&grown, &mut held, &asked);
             let claims: Vec<&Claim> = asked.iter().map(|&n| &held[n].claim).collect();
-            for (&n, proved) in asked.iter().zip(self.proved(&grown, &claims)?) {
+            let decided = self.decided(&grown, &claims)?;
+            // What is proved without an exception is so on every motion.
+            let open: Vec<usize> =
+                asked.iter().zip(&decided).filter(|(_, d)| **d != Decision::Proved).map(|(&n, _)| n).collect();
+            self.enclose(&grown, &mut held, &open);
+            for (&n, decided) in asked.iter().zip(decided) {
+                let proved = [Decision::Proved, Decision::ProvedExcept].contains(&decided);
                 strengths[n] = held[n].holds().map(|found| if proved { Strength::Proved } else { found });
             }
             let stands: Vec<bool> = held.iter().map(|of| of.holds().is_some()).collect();
@@ -150,7 +156,7 @@ impl Search<'_> {
 
     /// Encloses some of the candidates, where that is asked.
     fn enclose(&self, grown: &Derivation, held: &mut [Read], asked: &[usize]) {
-        let Some(encloses) = self.encloses else { return };
+        let Some(encloses) = self.encloses.filter(|_| !asked.is_empty()) else { return };
         let beside = |&n: &usize| {
             let Read { claim, programs, verdicts, .. } = &held[n];
             let one = |program: &Program| Prepared { claim, program: program.clone(), gradients: None };
@@ -168,16 +174,16 @@ impl Search<'_> {
         }
     }
 
-    /// For each of some claims whether it is proved. All that is wanted is whether there is a proof: no assumption that it could do without,
-    /// and no point where there is none.
-    fn proved(&self, grown: &Derivation, claims: &[&Claim]) -> Result<Vec<bool>, CheckError> {
+    /// What some claims come to for all values. All that is wanted is whether there is a proof: no assumption that it could do without, and no
+    /// point where there is none.
+    fn decided(&self, grown: &Derivation, claims: &[&Claim]) -> Result<Vec<Decision>, CheckError> {
         let decided = |claim: &&Claim, limits: &Limits| {
             let step =
                 || Step::of(grown, claim).and_then(|step| step.with(true).with_few_points().decide()).transpose();
             match meter::piece(Task::Proving, limits, step) {
-                Ok(Ok(identity)) => Ok(identity.is_some_and(|i| i.finding.is_proved_in_part())),
+                Ok(Ok(identity)) => Ok(identity.map_or(Decision::Undecided, |i| i.finding.decision())),
                 Ok(Err(defect)) | Err(Ended::Defect(defect)) => Err(CheckError::Defect(defect)),
-                Err(_) => Ok(false),
+                Err(_) => Ok(Decision::Undecided),
             }
         };
         meter::each(self.limits, claims, decided).into_iter().collect()
