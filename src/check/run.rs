@@ -219,7 +219,7 @@ impl variant::Encloses for EnclosedBeside<'_> {
             accounts.push(ClaimAccount::of(claim, of.verdicts.into_iter().map(pair).collect()));
             prepared.push(of.prepared);
         }
-        let recall = &enclosed::Nothing;
+        let recall = &sampled::recall::Nothing;
         let request = enclosed::Request { derivation, fields, stage, prepared: &prepared, selection, limits, recall };
         enclosed::strengthen(&request, &mut accounts);
         accounts.into_iter().map(|of| of.results.into_iter().map(|pair| pair.verdict).collect()).collect()

@@ -47,7 +47,7 @@ use claim::comparison::Comparison;
 use cover::Along;
 use meter::{Ended, Limits, Task};
 use reason::{Enclosing, Reason};
-pub use request::{Answer, Nothing, Question, Recall, Request};
+pub use request::{Answer, Question, Recall, Request};
 use sampled::claim_program::Prepared;
 use sampled::setup::setup;
 

@@ -50,10 +50,7 @@ pub trait Recall: Sync {
     fn keep(&self, question: &Question, answer: &Answer);
 }
 
-/// Where nothing was enclosed before, and nothing is kept.
-pub struct Nothing;
-
-impl Recall for Nothing {
+impl Recall for sampled::recall::Nothing {
     fn known(&self, _: &Question) -> Option<Answer> {
         None
     }

@@ -8,7 +8,7 @@
 //! denominator, and their numerators are compared as vectors over the rational numbers. What is larger than is looked at stays as
 //! it is written: a relation that is missed leaves an identity open.
 
-use super::linear::{Combination, Combinations, Monomial, add_to, multiplied, power, product, times};
+use super::linear::{Combination, Combinations, Monomial, add_to, power, product, times, to_power};
 use super::polynomial::fraction;
 use expr::{Expr, FastMap, Graph, Node, Op, Rational};
 use std::collections::{BTreeMap, BTreeSet};
@@ -100,8 +100,7 @@ fn ratio(graph: &mut Graph, combinations: &mut Combinations, m: &Monomial) -> Op
         }
         let (scale, content, rest) = without_content(&above)?;
         out.top = product(&out.top, &power(&below, -k)?)?;
-        let factor: Monomial =
-            content.into_iter().map(|(base, n)| Some((base, multiplied(n, k)?))).collect::<Option<_>>()?;
+        let factor = to_power(&content, k)?;
         out.top = product(&out.top, &Combination::from([(factor, expr::raised(&scale, k)?)]))?;
         *out.under.entry(rest).or_insert(0) += -k;
     }

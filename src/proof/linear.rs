@@ -50,6 +50,11 @@ pub(super) fn multiplied(n: i32, k: i32) -> Option<i32> {
     n.checked_mul(k).filter(|product| product.unsigned_abs() <= HIGHEST)
 }
 
+/// A product to a power; `None` where an exponent is too large.
+pub(super) fn to_power(m: &[(Expr, i32)], k: i32) -> Option<Monomial> {
+    m.iter().map(|&(base, n)| Some((base, multiplied(n, k)?))).collect()
+}
+
 /// Takes a base once more into a product.
 pub(super) fn put(all: &mut Vec<(Expr, i32)>, base: Expr, k: i32) {
     // What would be too large stands beside what is there already: a product is a product in two parts, too.
@@ -98,8 +103,7 @@ pub(super) fn power(a: &Combination, n: i32) -> Option<Combination> {
     if a.len() == 1
         && let Some((m, q)) = a.iter().next()
     {
-        let m: Option<Monomial> = m.iter().map(|&(b, k)| Some((b, multiplied(k, n)?))).collect();
-        let m = m?;
+        let m = to_power(m, n)?;
         return Some(Combination::from([(m, expr::raised(q, n)?)]));
     }
     if n <= 0 {

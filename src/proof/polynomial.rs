@@ -1,6 +1,6 @@
 //! Lowered expressions as fractions, products and polynomials in one leaf, without expanding the rest.
 
-use super::linear::{Combinations, Monomial, expression, multiplied, put, times};
+use super::linear::{Combinations, Monomial, expression, multiplied, put, times, to_power};
 use super::structure::Powers;
 use expr::FastMap;
 use expr::{Expr, Graph, Node, Op, Rational};
@@ -193,8 +193,7 @@ pub(super) fn without_content(
             }
             content.retain(|&(_, power)| power != 0);
             let inverse: Monomial = content.iter().map(|&(base, power)| (base, -power)).collect();
-            let outside: Option<Monomial> =
-                content.iter().map(|&(b, power)| Some((b, multiplied(power, k)?))).collect();
+            let outside = to_power(&content, k);
             let inside: Option<Vec<Monomial>> = all.keys().map(|m| times(m, &inverse)).collect();
             let (Some(outside), Some(inside)) = (outside, inside) else {
                 put(polynomial, k);

@@ -5,7 +5,7 @@
 //! polynomials are expanded.
 
 use super::generators::Generators;
-use super::linear::{Combination, Combinations, Monomial, expression, multiplied, put};
+use super::linear::{Combination, Combinations, Monomial, expression, multiplied, put, to_power};
 use super::outcome::Condition;
 use super::polynomial::{factors, fraction};
 use super::sign::Facts;
@@ -103,19 +103,16 @@ fn simple_factors(graph: &mut Graph, e: Expr) -> (Rational, Vec<(Expr, i32)>) {
         for (base, k) in bases {
             let k = k * sign;
             // Exponents that would be too large are left as they are.
-            let raised = |parts: &[(Expr, i32)], k: i32| -> Option<Monomial> {
-                parts.iter().map(|&(b, n)| Some((b, multiplied(n, k)?))).collect()
-            };
             match *graph.node(base) {
                 // Neither vanishes but where its argument does; and both are not negative.
                 Node::Unary(Op::Sqrt | Op::Abs, a) => {
                     let (_, parts) = without_content(graph, a);
-                    let parts = multiplied(k, 2).and_then(|twice| raised(&parts, twice));
+                    let parts = multiplied(k, 2).and_then(|twice| to_power(&parts, twice));
                     parts.unwrap_or_else(|| vec![(base, k)]).into_iter().for_each(|(b, n)| put(&mut out, b, n));
                 }
                 _ => {
                     let (sign, parts) = without_content(graph, base);
-                    let Some(parts) = raised(&parts, k) else {
+                    let Some(parts) = to_power(&parts, k) else {
                         put(&mut out, base, k);
                         continue;
                     };
