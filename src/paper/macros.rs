@@ -133,7 +133,7 @@ pub(super) fn expanded(
     Ok(out)
 }
 
-/// What a command names with a file, unless the document gave it another meaning.
+/// The kind of file that a command names, unless the document gave it another meaning.
 fn named_by(token: &Token, defined: &Defined, frozen: bool) -> Option<Named> {
     let command = token.text.as_str();
     let package = || PACKAGES.iter().find(|(name, _)| *name == command).map(|(_, named)| *named);

@@ -16,7 +16,7 @@ pub(super) const PACKAGES: &[(&str, Named)] = &[
     ("LoadClass", Named::Class),
 ];
 
-/// What a document names with a file.
+/// The kind of a file that a document names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Named {
     /// A part of its text.

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::token::{Kind, Token};
 use super::rest::{MOST_ARGUMENTS, Macro, Rest, argument, defined_name, next_is, optional, spaces};
 
-/// What a document defines.
+/// The definitions of a document.
 #[derive(Default)]
 pub(super) struct Defined {
     /// Names whose definitions are passed over.

@@ -1,4 +1,4 @@
-//! What is still to be read of a document, and the pieces that are taken from it.
+//! The tokens of a document that are still to be read, and the pieces that are taken from them.
 //!
 //! **In:** tokens on a stack, the next one last, each with the depth of macros that it came from. **Out:** arguments, options, names.
 
@@ -14,7 +14,7 @@ pub(super) struct Macro {
     pub arguments: usize,
     pub default: Option<Vec<Token>>,
     pub body: Vec<Token>,
-    /// What a call consists of behind its name, where that is more than arguments: `#1` and the signs between them, as in
+    /// The pattern of a call behind its name, where that is more than arguments: `#1` and the signs between them, as in
     /// `\def\at(#1,#2){…}`, or the slash of `\def\ns/{…}`.
     pub pattern: Vec<Token>,
     /// Defaults of options behind the arguments, as `\NewDocumentCommand{\rhs}{mmO{l}}{…}` has one.
