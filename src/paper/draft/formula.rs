@@ -232,7 +232,7 @@ fn one_line(text: &str) -> String {
     out
 }
 
-/// The refusal where a file has no room for the coordinates of a formula.
+/// Words of refusals where a file has no room for the coordinates of a formula.
 const OF_ROOM: &[&str] = &["coordinates", "is no place of a function"];
 /// Longest formula that is read, in bytes.
 const LONGEST: usize = 20_000;
