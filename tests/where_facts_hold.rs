@@ -87,6 +87,8 @@ const HEAD: &str = "
 'x' = { role = 'state' }
 'y' = { role = 'state' }
 'w' = { role = 'observable', formula = '6-x' }
+'v' = { role = 'observable', formula = '\\sqrt x' }
+'a' = { role = 'parameter' }
 ";
 
 fn file(rest: &str) -> Account {
@@ -230,5 +232,44 @@ fn no_point_where_no_motion_of_a_system_passes_refutes() {
              [[claim]]\nid = 'c'\nsays = 'test'\nfollows-from = ['s']\n{assuming}always = ['{formula}']\ntrajectories = []\n"
         ));
         assert_ne!(standing(&account, "c"), "refuted", "{equation}: {formula}");
+    }
+}
+
+/// What comes of a claim that follows from another one, which has values in a part of space only.
+fn following(premise: &str, claim: &str) -> &'static str {
+    let account = file(&format!(
+        "[[claim]]\nid = 'p'\nsays = 'test'\npostulate = true\n{premise}\ntrajectories = []\n\
+         [[claim]]\nid = 'c'\nsays = 'test'\nfollows-from = ['p']\n{claim}\ntrajectories = []\n"
+    ));
+    standing(&account, "c")
+}
+
+#[test]
+fn a_claim_that_is_named_says_nothing_where_it_has_no_value() {
+    let size = r"always = ['|x|=x']";
+    for premise in [
+        r"always = ['\sqrt x^2=x']",
+        r"always = ['v^2=x']",
+        r"always = ['e^{\ln x}=x']",
+        r"always = ['\ln(x^2)=2\ln x']",
+        r"always = ['v\ge0']",
+    ] {
+        // On x = −1 the first says nothing.
+        assert_eq!(following(premise, size), "proved except", "{premise}");
+        for claim in ["never = ['x=-1']", "eventually = ['x=-1']", r"always = ['x\ne-1']"] {
+            assert_eq!(following(premise, claim), "undecided", "{premise}, {claim}");
+        }
+    }
+    assert_eq!(following(r"always = ['\frac yx=2']", "always = ['y=2x']"), "proved except");
+    assert_eq!(following(r"always = ['\arcsin x=y']", r"always = ['x=\sin y']"), "proved except");
+    assert_eq!(following(r"always = ['\sqrt{a}^2=a']", "always = ['|a|=a']"), "proved except");
+    // What is needed is assumed, or needed by the claim itself, or the premise is not.
+    for claim in [
+        "assuming = ['x>0']\nalways = ['|x|=x']",
+        r"always = ['\sqrt{x^2}=v^2']",
+        "assuming = ['y^2+1=x']\nalways = ['|x|=x']",
+        r"always = ['(x+1)^2=x^2+2x+1']",
+    ] {
+        assert_eq!(following(r"always = ['v^2=x']", claim), "proved", "{claim}");
     }
 }

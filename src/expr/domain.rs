@@ -18,11 +18,12 @@ mod words;
 pub use words::line;
 
 use number::{Bounded, Scalar};
+use serde::{Deserialize, Serialize};
 
 use super::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Rational, Symbol};
 
 /// What is asked of a term.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Sign {
     /// > 0
     Positive,

@@ -198,8 +198,6 @@ pub struct IdentityAccount {
     pub assumed_at_times: Vec<String>,
     /// Whether the proof leaves out special cases of what is given.
     pub generic: bool,
-    /// Whether what is given has values at fewer times than what is claimed: it says nothing of the others.
-    pub narrower: bool,
     /// Why undecided; a remark on a proof.
     pub reason: Option<Reason>,
     /// Parts of the claim that state or deny equations, by their positions, with what is shown of them.
@@ -241,10 +239,7 @@ impl IdentityAccount {
     pub fn lends_strength(&self) -> bool {
         let analytic = |e: &Exception| matches!(e, Exception::Divides(_));
         let finding = &self.finding;
-        finding.is_proved_in_part()
-            && finding.exceptions().iter().all(analytic)
-            && self.presupposed.is_empty()
-            && !self.narrower
+        finding.is_proved_in_part() && finding.exceptions().iter().all(analytic) && self.presupposed.is_empty()
     }
 
     /// Whether what is shown of its parts holds on every motion on which what it follows from holds exactly.

@@ -15,6 +15,7 @@
 //! derivation, see `conditional`.
 
 use crate::words::{self, Word};
+use expr::domain::Sign;
 use expr::{Expr, Graph, Rational};
 use proof::{Condition, Identity, Reason, order};
 use serde::{Deserialize, Serialize};
@@ -66,6 +67,8 @@ pub enum Exception {
     Divides(Expr),
     /// What lies beyond a time at which this vanishes, which is assumed not to.
     Passes(Expr),
+    /// Where this does not have the sign: something that is named has no value there, and the claim may.
+    HasNoValue(Expr, Sign),
     /// Where a part has no value with the sign of ± that is proved, and another is false with the other.
     OneSign,
 }
@@ -179,7 +182,7 @@ impl Finding {
     pub fn ends_on_the_way(&self) -> bool {
         self.exceptions.iter().any(|e| match e {
             Exception::Leaps(_) | Exception::Divides(_) | Exception::Passes(_) => true,
-            Exception::Vanishes(_) | Exception::OneSign => false,
+            Exception::Vanishes(_) | Exception::HasNoValue(..) | Exception::OneSign => false,
         })
     }
 

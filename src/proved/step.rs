@@ -44,17 +44,16 @@ mod valued;
 use crate::agreement::{Signs, answer, evidence, evidence_of, reach};
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Expr, FastMap, Graph, Leaf, Symbol};
-use crate::findings::standing::{self, Decision, Finding};
+use crate::findings::standing::{self, Decision};
 use crate::findings::{AssumptionsUsed, IdentityAccount, IdentityEvidence};
 use crate::latex::{Relation, RelationKind};
 use crate::motions;
-use crate::verdict::Witness;
 pub(crate) use chosen::chooses;
 use claim::denial::denies;
 use definitions::Definitions;
 use gather::{Gathered, sides};
 use proof::{Condition, Identity, Memory, Options, Premises, Proof, Reason, Wanted, When, excludes_motions, order};
-use reason::{Plain, Proving, Refuting};
+use reason::{Plain, Proving};
 
 /// A claim that is decided for all values.
 pub struct Step<'a> {
@@ -73,6 +72,8 @@ pub struct Step<'a> {
     inequalities: When,
     /// What is assumed to differ at the times that the claim chooses, and is taken to differ at all: where it does not is an exception.
     apart: Pairs,
+    /// Claims that are named, and not used.
+    left_out: Vec<usize>,
     /// Where the formulas of observables have edges, as far as that was asked for.
     edges: FastMap<Leaf, Vec<Expr>>,
     /// The fixed time at which a proof along motions begins.
@@ -104,6 +105,8 @@ struct Settled {
 const MOST_NODES: usize = 6_000;
 
 type Pairs = Vec<(Expr, Expr)>;
+/// What a step comes to; `Err` if two routes contradict each other.
+type Decided = Result<IdentityAccount, String>;
 
 /// The present value of a component.
 fn now(symbol: Symbol, component: usize) -> Leaf {
@@ -175,6 +178,7 @@ impl<'a> Step<'a> {
             memory: Memory::default(),
             sign: None,
             start: None,
+            left_out: Vec::new(),
             edges: FastMap::default(),
             in_part: Vec::new(),
             plain: false,
@@ -257,26 +261,6 @@ impl<'a> Step<'a> {
         claim.follows_from.is_empty() && !matches!(systems.as_slice(), [] | [Some(_)])
     }
 
-    /// The answer where a motion gives it: one on which everything given holds, and the claim does not.
-    pub fn refuted_by(&self, trajectory: &str, witness: &Witness) -> IdentityAccount {
-        let conditions = match self.is_about_parameters() {
-            true => Step::of(self.derivation, self.claim).map(|step| step.where_real()).unwrap_or_default(),
-            false => Vec::new(),
-        };
-        IdentityAccount {
-            finding: Finding::of_motion(witness),
-            from: Step::given(self.derivation, self.claim),
-            conditions,
-            witness: Some(Refuting::OnMotion {
-                left: witness.left,
-                right: witness.right,
-                trajectory: trajectory.into(),
-                t: witness.t,
-            }),
-            ..IdentityAccount::default()
-        }
-    }
-
     /// The same step; with `plain` it is not asked which assumptions a proof needs.
     pub fn with(self, plain: bool) -> Step<'a> {
         Step { plain, ..self }
@@ -292,6 +276,12 @@ impl<'a> Step<'a> {
         Step { inequalities: When::Always, ..self }
     }
 
+    /// The same step, before anything was asked.
+    fn afresh(&self) -> Option<Step<'a>> {
+        let step = Step::of(self.derivation, self.claim)?.with(self.plain);
+        Some(Step { has_few_points: self.has_few_points, inequalities: self.inequalities, ..step })
+    }
+
     /// Decides the step; `Err` if the two routes contradict each other.
     pub fn decide(mut self) -> Option<Result<IdentityAccount, String>> {
         if !self.is_equations() {
@@ -303,11 +293,7 @@ impl<'a> Step<'a> {
         if self.assumes_sign() && (self.claim.branches_throughout || !self.names_other_times()) {
             return self.for_each_sign();
         }
-        let fresh = || {
-            let step = Step::of(self.derivation, self.claim)?.with(self.plain);
-            Some(Step { has_few_points: self.has_few_points, inequalities: self.inequalities, ..step })
-        };
-        let (mut between, beside) = (fresh()?, fresh()?);
+        let (mut between, beside) = (self.afresh()?, self.afresh()?);
         between.apart = if self.inequalities == When::Always { Pairs::new() } else { self.chosen_apart() };
         let found = self.decide_or_search()?;
         // As long as what differs does so, all goes on.
@@ -461,7 +447,15 @@ impl<'a> Step<'a> {
             let differences = self.apart.iter().map(|&(l, r)| self.graph.sub(l, r));
             along.extend(differences.map(standing::Exception::Passes));
         }
-        let narrower = self.is_narrower(&identity, &equations);
+        if proved {
+            match self.beyond_what_is_named(&equations) {
+                (_, exceptions) if exceptions.is_empty() => {}
+                (left_out, exceptions) => match self.proved_without(left_out, Step::decide_equations) {
+                    Some(account) => return Some(Ok(account)),
+                    None => along.extend(exceptions),
+                },
+            }
+        }
         let contradicts = matches!(identity, Identity::Undecided(Reason::Contradiction));
         let complete = gathered.complete && self.in_part.is_empty();
         let account = self.account_along(identity, gathered.from.clone(), complete, along);
@@ -470,7 +464,7 @@ impl<'a> Step<'a> {
             let evidence = IdentityEvidence { contradiction: true, ..IdentityEvidence::default() };
             return Some(Ok(IdentityAccount { evidence, ..open }));
         }
-        let mut account = IdentityAccount { evidence, narrower, ..account };
+        let mut account = IdentityAccount { evidence, ..account };
         if let Some((one, other)) = contradicts.then(|| self.contradicting(&equations)).flatten() {
             account.reason = Some(Proving::Contradict(one.into(), other.into()).into());
         }

@@ -55,6 +55,8 @@ pub enum Bounded {
     Zero,
     NotNegative,
     Positive,
+    Negative,
+    NotPositive,
     /// Its absolute value is at most 1.
     ByOne,
 }
@@ -67,6 +69,8 @@ impl Bounded {
             Bounded::Zero => (formula.into(), " = 0"),
             Bounded::NotNegative => (formula.into(), " ≥ 0"),
             Bounded::Positive => (formula.into(), " > 0"),
+            Bounded::Negative => (formula.into(), " < 0"),
+            Bounded::NotPositive => (formula.into(), " ≤ 0"),
             Bounded::ByOne => (format!("|{formula}|").into(), " ≤ 1"),
         }
     }

@@ -44,6 +44,8 @@ fn written(of: &Proviso) -> Option<String> {
             Bounded::Zero => format!("{formula}=0"),
             Bounded::NotNegative => format!(r"{formula}\ge0"),
             Bounded::Positive => format!("{formula}>0"),
+            Bounded::Negative => format!("{formula}<0"),
+            Bounded::NotPositive => format!(r"{formula}\le0"),
             Bounded::ByOne => format!(r"|{formula}|\le1"),
         }),
         Proviso::Written(formula) => Some(formula.to_string()),

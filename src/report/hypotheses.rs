@@ -234,8 +234,14 @@ fn places_of(formula: &str, word: &str) -> Vec<usize> {
 /// What is used where a case is left out: that it is not so.
 pub(super) fn excluded(case: &Proviso) -> Proviso {
     match case {
-        Proviso::Where { formula, is: Bounded::Zero } => {
-            Proviso::Where { formula: formula.clone(), is: Bounded::NotZero }
+        Proviso::Where { formula, is } => {
+            let is = match is {
+                Bounded::Zero => Bounded::NotZero,
+                Bounded::Negative => Bounded::NotNegative,
+                Bounded::NotPositive => Bounded::Positive,
+                Bounded::NotZero | Bounded::NotNegative | Bounded::Positive | Bounded::ByOne => *is,
+            };
+            Proviso::Where { formula: formula.clone(), is }
         }
         other => other.clone(),
     }

@@ -154,7 +154,7 @@ def numbers_agree(names, functions, definitions, variables):
 # I2 stands for I_2
 # I1 stands for I_1
 check(
-    names=["root", "sin_psi", "cos_psi", "sin_theta", "cos_theta", "sin_psi_then", "cos_psi_then", "E", "m3", "I3", "I2", "I1", "theta", "psi", "psi_then"],
+    names=["root", "E", "m3", "I3", "I2", "I1"],
     left="(1/I1 - 1/I3 - (1/I1 - 1/I2)*cos(acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))**2)*(1/I3 - 2*E/m3**2 + (1/I1 - 1/I3) - (1/I1 - 1/I2)*cos(acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))**2)",
     right="0",
     relations=[
@@ -167,11 +167,5 @@ check(
     },
     variables={
         "root": "sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))",
-        "sin_psi": "sin(psi)",
-        "cos_psi": "cos(psi)",
-        "sin_theta": "sin(theta)",
-        "cos_theta": "cos(theta)",
-        "sin_psi_then": "sin(psi_then)",
-        "cos_psi_then": "cos(psi_then)",
     },
 )

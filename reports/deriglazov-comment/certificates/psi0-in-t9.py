@@ -155,7 +155,7 @@ def numbers_agree(names, functions, definitions, variables):
 # I2 stands for I_2
 # I1 stands for I_1
 check(
-    names=["root", "root_2", "sin_psi", "cos_psi", "sin_theta", "cos_theta", "sin_psi_then", "cos_psi_then", "m3", "I3", "I2", "I1", "theta", "psi", "psi_then"],
+    names=["root", "root_2", "sin_theta", "cos_theta", "m3", "I3", "I2", "I1", "theta"],
     left="0",
     right="-((m3/I1*sin(acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))**2 + m3/I2*cos(acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))**2)*cos(theta)) + m3/I3*cos(theta)",
     relations=[
@@ -173,11 +173,7 @@ check(
     variables={
         "root": "sqrt(1 - root_2**2)",
         "root_2": "sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))",
-        "sin_psi": "sin(psi)",
-        "cos_psi": "cos(psi)",
         "sin_theta": "sin(theta)",
         "cos_theta": "cos(theta)",
-        "sin_psi_then": "sin(psi_then)",
-        "cos_psi_then": "cos(psi_then)",
     },
 )

@@ -4,9 +4,11 @@
 //! exceptions as relations.
 
 use super::Step;
+use crate::expr::domain::Sign;
 use crate::expr::{Expr, Leaf};
 use crate::findings::standing::{Exception, Finding, Void};
 use crate::findings::{IdentityAccount, IdentityEvidence};
+use crate::verdict::Witness;
 use proof::{Condition, Identity, PointValue, Reason, Refutation, Side};
 use reason::{Bounded, Coordinate, Plain, Point, Proving, Proviso, Refuting};
 
@@ -15,7 +17,36 @@ const LONGEST: usize = 160;
 /// Most names that are listed for one that is not.
 const MOST_NAMES: usize = 6;
 
+/// What has a sign nowhere.
+fn opposite(sign: Sign) -> Bounded {
+    match sign {
+        Sign::Positive => Bounded::NotPositive,
+        Sign::NotNegative => Bounded::Negative,
+        Sign::NotZero => Bounded::Zero,
+    }
+}
+
 impl Step<'_> {
+    /// The answer where a motion gives it: one on which everything given holds, and the claim does not.
+    pub fn refuted_by(&self, trajectory: &str, witness: &Witness) -> IdentityAccount {
+        let conditions = match self.is_about_parameters() {
+            true => Step::of(self.derivation, self.claim).map(|step| step.where_real()).unwrap_or_default(),
+            false => Vec::new(),
+        };
+        IdentityAccount {
+            finding: Finding::of_motion(witness),
+            from: Step::given(self.derivation, self.claim),
+            conditions,
+            witness: Some(Refuting::OnMotion {
+                left: witness.left,
+                right: witness.right,
+                trajectory: trajectory.into(),
+                t: witness.t,
+            }),
+            ..IdentityAccount::default()
+        }
+    }
+
     /// What lies beyond something.
     fn unreached(&self, exceptions: &[Exception]) -> Vec<Proviso> {
         let mut out: Vec<Proviso> = Vec::new();
@@ -23,6 +54,7 @@ impl Step<'_> {
             let one = match *exception {
                 Exception::Leaps(e) => Proviso::Leap(self.shown(e).into()),
                 Exception::Divides(e) | Exception::Passes(e) => Proviso::Pole(self.shown(e).into()),
+                Exception::HasNoValue(e, sign) => Proviso::Where { formula: self.shown(e).into(), is: opposite(sign) },
                 Exception::OneSign => Proviso::OtherSign,
                 Exception::Vanishes(_) => continue,
             };

@@ -7,7 +7,7 @@
 use super::gather::{Gathered, sides};
 use super::valued::Valued;
 use super::{Pairs, Step, pairs};
-use crate::derivation::{Claim, Form, Premise, Written};
+use crate::derivation::{Claim, Form, Written};
 use crate::expr::domain::{Change, EdgeOf, Need, Sign};
 use crate::expr::{Expr, Graph, Leaf, Node};
 use crate::latex::{Relation, RelationKind, Scope, Statement};
@@ -207,11 +207,8 @@ impl<'a> Step<'a> {
 
     /// The first integrals that are given of all motions.
     fn first_integrals(&self) -> Vec<(&'a Scope, Expr)> {
-        let derivation = self.derivation;
         let mut out: Vec<(&'a Scope, Expr)> = Vec::new();
-        for name in Step::given(derivation, self.claim) {
-            let Premise::Claim(at) = derivation.premise(&name) else { continue };
-            let premise = &derivation.claims[at];
+        for premise in self.claims_named() {
             for form in premise.forms.iter().filter(|_| premise.assuming.is_empty() && premise.at.is_none()) {
                 if let Form::FirstIntegral(w) = form {
                     out.extend(w.value.components.iter().map(|&e| (&premise.scope, e)));

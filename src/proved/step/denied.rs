@@ -13,7 +13,7 @@
 //! A point at which R is false says nothing of other times, so it decides no negation. What is shown of each part is told beside the
 //! decision: a motion on which what is given holds has it, see [`PartShown`]. This is the one rule for all of them.
 
-use super::{Pairs, Step, sides};
+use super::{Decided, Pairs, Step, sides};
 use crate::agreement::answer;
 use crate::derivation::{Claim, Form, Written};
 use crate::expr::Rational;
@@ -30,8 +30,6 @@ use super::definitions::Definitions;
 
 /// Of claims that state more equations it is not asked which of them are never so.
 const MOST_STATED: usize = 24;
-
-type Decided = Result<IdentityAccount, String>;
 
 /// Parts of a claim by their positions, with what is shown of each.
 type ShownParts = Vec<(usize, PartShown)>;
@@ -213,9 +211,14 @@ impl Step<'_> {
             Ok(found) => found,
             Err(defect) => return Some(Err(defect)),
         };
-        let narrower = self.is_narrower(&identity, &equations);
-        let account = self.account(identity, given.from.clone(), given.complete);
+        let (left_out, beyond) = self.beyond_what_is_named(&equations);
+        if !beyond.is_empty()
+            && let Some(account) = self.proved_without(left_out, Step::excluded)
+        {
+            return Some(Ok(account));
+        }
+        let account = self.account_along(identity, given.from.clone(), given.complete, beyond);
         let (presupposed, assumed_at_times) = (given.inherited, given.assumed_at_times);
-        Some(Ok(IdentityAccount { evidence, narrower, presupposed, assumed_at_times, ..account }))
+        Some(Ok(IdentityAccount { evidence, presupposed, assumed_at_times, ..account }))
     }
 }

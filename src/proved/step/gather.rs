@@ -169,8 +169,8 @@ impl<'a> Step<'a> {
                     out.systems.extend(self.equations_of(system));
                     continue;
                 }
-                Premise::Claim(claim) => &derivation.claims[claim],
-                Premise::Definition => continue,
+                Premise::Claim(claim) if !self.left_out.contains(&claim) => &derivation.claims[claim],
+                Premise::Claim(_) | Premise::Definition => continue,
             };
             let mut at_others = true;
             let times = self.times_chosen(premise, &[]);
@@ -387,7 +387,7 @@ impl<'a> Step<'a> {
     }
 
     /// Which symbols move, and which are parameters.
-    fn roles(&mut self, premises: &mut Premises) {
+    pub(super) fn roles(&mut self, premises: &mut Premises) {
         let Derivation { symbols, claims, scope, .. } = self.derivation;
         premises.time = scope.time();
         for entry in symbols.iter().chain(claims.iter().flat_map(|c| &c.symbols)) {

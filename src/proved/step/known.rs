@@ -14,7 +14,7 @@ use super::definitions::Definitions;
 use super::gather::{Gathered, sides};
 use super::valued::Valued;
 use super::{LEFT_OUT_NODES, Pairs, Step, pairs};
-use crate::derivation::{Claim, Form, Premise};
+use crate::derivation::{Claim, Form};
 use crate::expr::domain::Sign;
 use crate::expr::{Expr, FastMap, Leaf};
 use crate::latex::{Relation, RelationKind, Scope};
@@ -97,7 +97,7 @@ impl Step<'_> {
     }
 
     /// An expression with the formulas that stand behind its names, in one scope after the other.
-    fn written_out(&mut self, e: Expr, scopes: &[&Scope]) -> Expr {
+    pub(super) fn written_out(&mut self, e: Expr, scopes: &[&Scope]) -> Expr {
         scopes.iter().fold(e, |e, scope| {
             let e = behind_rates(&mut self.graph, scope, e);
             traced(&mut self.graph, scope, e)
@@ -150,11 +150,8 @@ impl Step<'_> {
     /// The signs that the claims which are given say of all times: those of which both sides have values at all times. What one of them says
     /// may give another one its values.
     pub(super) fn signs_of_premises(&mut self, values: &mut Valued) -> Premises {
-        let (derivation, claim) = (self.derivation, self.claim);
         let mut open: Vec<(&Scope, &Relation)> = Vec::new();
-        for name in Step::given(derivation, claim) {
-            let Premise::Claim(at) = derivation.premise(&name) else { continue };
-            let premise = &derivation.claims[at];
+        for premise in self.claims_named() {
             // What it says under assumptions it may say at some times only.
             if self.inequalities == When::Always || premise.assuming.is_empty() {
                 let signs = self.said(premise).map(|(_, signs)| signs).unwrap_or_default();

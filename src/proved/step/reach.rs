@@ -1,7 +1,7 @@
 //! How far a proof reaches that goes along a motion: where something has no value, or leaps, the motion is another one beyond.
 //!
 //! **In:** what was proved, and the formulas of the claim and of what it is given. **Out:** what a proof does not reach, and
-//! whether what is given has values at fewer times than what is claimed.
+//! where what is given has no value.
 
 use super::gather::Gathered;
 use super::{Pairs, Step, pairs};
@@ -11,7 +11,7 @@ use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational, Symbol};
 use crate::findings::IdentityEvidence;
 use crate::findings::standing::Exception;
 use crate::latex::Role;
-use proof::{Condition, Identity, domains};
+use proof::Identity;
 
 impl Step<'_> {
     /// What a proof that goes along a motion does not reach.
@@ -90,29 +90,8 @@ impl Step<'_> {
         needs.all(|n| Some(n) == first)
     }
 
-    /// Whether a proof holds where something that moves is not negative, or lies in [−1, 1], for which neither the claim asks nor a
-    /// system: what is given has no value beyond, and says nothing there. At single times, as those at which a denominator is 0,
-    /// the sides are what they tend to.
-    pub(super) fn is_narrower(&mut self, identity: &Identity, equations: &Pairs) -> bool {
-        let Identity::Proved(proof) = identity else { return false };
-        let beyond = |c: &Condition| match *c {
-            Condition::Radicand(e) | Condition::Unit(e) | Condition::Positive(e) => Some(e),
-            Condition::Denominator(_) | Condition::Pivot(_) | Condition::Rate(_) | Condition::Discriminant(_) => None,
-        };
-        let asked: Vec<Condition> =
-            proof.conditions.iter().filter(|c| beyond(c).is_some_and(|e| self.moves(e))).copied().collect();
-        if asked.is_empty() {
-            return false;
-        }
-        let mut roots = self.along(equations);
-        roots.extend(self.sides_of_systems());
-        self.add_definitions(&mut roots);
-        let own = domains(&mut self.graph, &roots);
-        asked.iter().any(|c| !own.contains(c))
-    }
-
     /// What is claimed along a motion.
-    fn along(&self, equations: &Pairs) -> Vec<Expr> {
+    pub(super) fn along(&self, equations: &Pairs) -> Vec<Expr> {
         let integrals = self.claim.forms.iter().filter_map(|form| match form {
             Form::FirstIntegral(w) => Some(w.value.components.clone()),
             _ => None,

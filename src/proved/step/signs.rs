@@ -6,7 +6,6 @@
 use super::definitions::Definitions;
 use super::{Pairs, Step};
 use crate::agreement::answer;
-use crate::derivation::Premise;
 use crate::findings::standing::Decision;
 use crate::findings::{IdentityAccount, IdentityEvidence};
 use proof::{Identity, Reason};
@@ -31,7 +30,6 @@ fn both_signs(upper: IdentityAccount, lower: IdentityAccount) -> IdentityAccount
             let new: Vec<_> = more.into_iter().filter(|line| !list.contains(line)).collect();
             list.extend(new);
         }
-        first.narrower |= second.narrower;
         // Each sign has certificates of its own.
         first.evidence.certificates.clear();
         first.evidence.no_certificate = Some("each sign of an assumption is a case of its own".to_owned());
@@ -72,12 +70,8 @@ impl Step<'_> {
     /// Whether a value at a fixed time, or of a field at another place, stands in the step or in what it follows from. A sign that is chosen
     /// point by point may be another one there: x = ±t² and x(1) = 1 leave x = t|t|.
     pub(super) fn names_other_times(&mut self) -> bool {
-        let (derivation, claim) = (self.derivation, self.claim);
-        let mut of = vec![claim];
-        of.extend(Step::given(derivation, claim).iter().filter_map(|name| match derivation.premise(name) {
-            Premise::Claim(at) => Some(&derivation.claims[at]),
-            Premise::System(_) | Premise::Definition => None,
-        }));
+        let mut of = vec![self.claim];
+        of.extend(self.claims_named());
         let mut roots = Vec::new();
         for one in of {
             let (equations, signs) = self.said(one).unwrap_or_default();
