@@ -24,6 +24,7 @@
 //! Premises hold at all times. They are used at the present time and at the fixed times that the formulas name.
 
 mod account;
+mod beyond;
 mod chosen;
 mod definitions;
 mod denied;
