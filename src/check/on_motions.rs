@@ -199,7 +199,7 @@ impl Found<'_> {
 
     /// The account: the verdicts by claim, with what was measured and drawn, which is taken out.
     pub fn account(&mut self, derivation: &Derivation, selection: &Selection, stage: &Stage) -> Account {
-        let mut claims = Vec::new();
+        let mut claims = Vec::with_capacity(selection.claims.len());
         let premises = Premises::of(derivation);
         for (k, &c) in selection.claims.iter().enumerate() {
             let claim = &derivation.claims[c];
@@ -209,7 +209,8 @@ impl Found<'_> {
                 let trajectory = derivation.trajectories[t].id.clone();
                 Some(PairAccount { trajectory, verdict, expected, discrimination: None })
             };
-            let results = self.columns.iter().zip(&selection.tried).filter_map(pair).collect();
+            let mut results: Vec<PairAccount> = self.columns.iter().zip(&selection.tried).filter_map(pair).collect();
+            results.shrink_to_fit();
             let alone = AloneAccount::within(derivation, &premises, c);
             claims.push(ClaimAccount { alone, ..ClaimAccount::of(claim, results) });
         }

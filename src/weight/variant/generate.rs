@@ -180,7 +180,10 @@ impl Setting<'_> {
             new.sides == old.sides || new.sides == (old.sides.1, old.sides.0) && new.kind == RelationKind::Equal
         };
         let pairs = parts.into_iter().zip(&formula.parts).enumerate();
-        Some(pairs.filter(|pair| !same(pair)).map(|(at, (new, _))| (at, new)).collect())
+        let mut out: Vec<_> = pairs.filter(|pair| !same(pair)).map(|(at, (new, _))| (at, new)).collect();
+        // One of four, mostly; and a file may have a million of them.
+        out.shrink_to_fit();
+        Some(out)
     }
 }
 

@@ -148,10 +148,13 @@ pub struct Altered {
     /// How many claims share one.
     together: usize,
     claims: Vec<ClaimVariants>,
-    /// For each claim and initial time; empty for a claim without variants.
+    /// For each claim and initial time; empty for a claim without variants, and beyond what is kept.
     placed: Vec<Vec<Placed>>,
     known: Vec<Leaf>,
 }
+
+/// Most variants whose programs are kept from one motion to the next; those beyond are compiled for each motion, and dropped.
+const MOST_KEPT: usize = 100_000;
 
 impl Altered {
     /// Makes the variants of the chosen claims.
@@ -233,19 +236,27 @@ impl Altered {
         roots.map_or_else(Vec::new, |roots| self.graph(k).leaves(roots))
     }
 
-    /// Compiles them for points with values of these leaves, which are sorted.
+    /// Compiles them for points with values of these leaves, which are sorted: as many as are kept.
     pub fn compile(&mut self, starts: usize, sign: Leaf, known: &[Leaf], limits: &Limits) {
         self.known = known.to_vec();
-        let compiled = |k: usize| -> Vec<Placed> {
-            let (graph, claim) = (self.graph(k), &self.claims[k]);
-            let all = || (0..claim.variants.len()).collect();
-            let battery = |start| Battery::new(graph, claim, start, all(), sign).map(|b| Placed::new(b, known));
-            if claim.variants.is_empty() { Vec::new() } else { (0..starts).filter_map(battery).collect() }
-        };
-        let one =
-            |&k: &usize, limits: &Limits| meter::piece(Task::Weighing, limits, || compiled(k)).unwrap_or_default();
-        let all: Vec<usize> = (0..self.claims.len()).collect();
-        self.placed = meter::each(limits, &all, one);
+        let mut room = MOST_KEPT;
+        let kept = self.claims.iter().take_while(|claim| {
+            let size = claim.variants.len() * starts;
+            let fits = size <= room;
+            room = room.saturating_sub(size);
+            fits
+        });
+        let kept: Vec<usize> = (0..kept.count()).collect();
+        let all = |k: usize| (0..starts).filter_map(|start| self.compiled((k, start), sign)).collect();
+        let one = |&k: &usize, limits: &Limits| meter::piece(Task::Weighing, limits, || all(k)).unwrap_or_default();
+        self.placed = meter::each(limits, &kept, one);
+    }
+
+    /// The program of a claim for one initial time; `None` for a claim without variants.
+    fn compiled(&self, (k, start): (usize, usize), sign: Leaf) -> Option<Placed> {
+        let (graph, claim) = (self.graph(k), self.claims.get(k).filter(|claim| !claim.variants.is_empty())?);
+        let battery = Battery::new(graph, claim, start, (0..claim.variants.len()).collect(), sign)?;
+        Some(Placed::new(battery, &self.known))
     }
 
     /// Tries all variants on one motion; `found` has an entry for each claim that was tried there.
@@ -277,7 +288,14 @@ impl Altered {
         memory: &mut Memory,
     ) -> Option<(Option<Rejections>, Vec<Values>)> {
         let claim = found.claim;
-        let placed = self.placed.get(k)?.get(start)?;
+        let dropped: Placed;
+        let placed = match self.placed.get(k) {
+            Some(kept) => kept.get(start)?,
+            None => {
+                dropped = self.compiled((k, start), claim.scope.branch_sign())?;
+                &dropped
+            }
+        };
         let outcome = found.verdict.outcome();
         if !matches!(outcome, Outcome::Holds(_) | Outcome::Fails(_)) {
             return None;
