@@ -59,6 +59,7 @@ mod flow_systems;
 mod formats;
 mod front;
 mod grammar;
+mod grown;
 mod hidden_constraints;
 mod hostile;
 mod identity;

@@ -36,3 +36,17 @@ fn exponents_beyond_the_numbers_of_the_machine_are_exponents() {
         all(&[("proved", r"x^{3000000000}=(x^{1000000})^{3000}", "x", "")]);
     }
 }
+
+#[test]
+fn a_zero_power_and_what_is_divided_by_twice_are_plain_arguments() {
+    all(&[
+        ("proved", r"\exp(b^0)=e", "b", ""),
+        ("refuted", r"\exp(b^0)=e^2", "b", ""),
+        ("proved", r"\sin(b^0x)=\sin x", "b,x", ""),
+        ("proved", r"\cos((b+x)^0)=\cos1", "b,x", ""),
+        ("proved", r"\cos(\frac{1}{(b+1)^{-1}}-b)=\cos1", "b", ""),
+        ("proved", r"\cos(\frac{1}{(b+1)^{-2}})=\cos((b+1)^2)", "b", ""),
+        ("proved", r"e^{\frac{x}{(b+1)^{-1}(x+1)^{-1}}}=e^{x(b+1)(x+1)}", "b,x", ""),
+        ("refuted", r"\cos(\frac{1}{(b+1)^{-2}})=\cos((b+1)^3)", "b", ""),
+    ]);
+}

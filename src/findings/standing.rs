@@ -61,7 +61,7 @@ impl Decision {
 pub enum Exception {
     /// That this vanishes.
     Vanishes(Expr),
-    /// What lies beyond a time at which this leaps.
+    /// What lies beyond a time at which this leaps, or has an edge, as |x| has at 0.
     Leaps(Expr),
     /// What lies beyond a time at which this vanishes, under something.
     Divides(Expr),

@@ -100,13 +100,16 @@ pub(super) fn power(a: &Combination, n: i32) -> Option<Combination> {
     if n.unsigned_abs() > 64 {
         return None;
     }
+    if n == 0 {
+        return Some(Combination::from([(Monomial::new(), Rational::ONE)]));
+    }
     if a.len() == 1
         && let Some((m, q)) = a.iter().next()
     {
         let m = to_power(m, n)?;
         return Some(Combination::from([(m, expr::raised(q, n)?)]));
     }
-    if n <= 0 {
+    if n < 0 {
         return None;
     }
     if a.is_empty() {
@@ -161,13 +164,34 @@ impl Combinations {
         self.known.get(&e).cloned().unwrap_or_else(|| single(e, 1))
     }
 
+    /// The same without whole powers of sums, which come from under a fraction: what was divided by twice is a sum again.
+    fn opened(&self, of: Option<Combination>) -> Option<Combination> {
+        let of = of?;
+        let is_sum = |&(base, n): &(Expr, i32)| n > 0 && self.known.get(&base).is_some_and(|c| *c != single(base, 1));
+        if !of.keys().flatten().any(is_sum) {
+            return Some(of);
+        }
+        let mut out = Combination::new();
+        for (m, q) in of {
+            let (sums, rest): (Monomial, Monomial) = m.into_iter().partition(is_sum);
+            let mut term = Combination::from([(rest, q)]);
+            for (base, n) in sums {
+                term = product(&term, &power(self.known.get(&base)?, n)?)?;
+            }
+            for (m, q) in term {
+                add_to(&mut out, m, q);
+            }
+        }
+        Some(out)
+    }
+
     fn step(&self, graph: &Graph, node: Expr) -> Option<Combination> {
         let known = |e: Expr| self.known.get(&e);
         Some(match *graph.node(node) {
             Node::Constant(ref r) if **r == Rational::ZERO => Combination::new(),
             Node::Constant(ref r) => Combination::from([(Vec::new(), (**r).clone())]),
             Node::Unary(Op::Neg, a) => known(a)?.iter().map(|(m, q)| (m.clone(), -q.clone())).collect(),
-            Node::Unary(Op::Powi(n), a) => match power(known(a)?, n) {
+            Node::Unary(Op::Powi(n), a) => match self.opened(power(known(a)?, n)) {
                 Some(c) => c,
                 None => single(a, n),
             },
@@ -184,7 +208,7 @@ impl Combinations {
             }
             Node::Binary(Op::Mul, a, b) => product(known(a)?, known(b)?)?,
             Node::Binary(Op::Div, a, b) => {
-                let under = match power(known(b)?, -1) {
+                let under = match self.opened(power(known(b)?, -1)) {
                     Some(c) => c,
                     None => single(b, -1),
                 };

@@ -37,7 +37,7 @@ pub enum Proviso {
     /// For which orders of the sizes of parameters what is needed is so.
     #[error("{0}")]
     Orders(Arc<str>),
-    #[error("beyond a time at which {0} leaps")]
+    #[error("beyond a time at which {0} leaps or has an edge")]
     Leap(Arc<str>),
     #[error("beyond a time at which {0} = 0, unless the motion is analytic there")]
     Pole(Arc<str>),

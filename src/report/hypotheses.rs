@@ -121,7 +121,7 @@ fn of_proviso<'a>(of: &Proviso, scope: &'a Scope) -> (Vec<StorySpan<'a>>, String
         }
         Proviso::Written(formula) => vec![StorySpan::Math(formula.to_string(), scope)],
         Proviso::Leap(formula) => {
-            vec![StorySpan::Math(formula.to_string(), scope), words(" does not leap")]
+            vec![StorySpan::Math(formula.to_string(), scope), words(" neither leaps nor has an edge")]
         }
         Proviso::Pole(formula) => vec![
             StorySpan::Math(formula.to_string(), scope),

@@ -49,7 +49,7 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     let more = &story::shapes(&concludes) - &story::shapes(&matrix);
     if !more.is_empty() {
         let legend = StoryBlock::Paragraph(motion_matrix::legend(&more));
-        concludes.push(StoryBlock::Group("roomy", vec![StoryBlock::Group("keys", vec![legend])]));
+        concludes.push(StoryBlock::Group("keys", vec![legend]));
     }
     let strength = front.strength.iter().chain(&front.proofs).chain(&front.beside);
     let strength = strength.map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).collect();

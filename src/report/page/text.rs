@@ -188,7 +188,7 @@ pub(super) fn proviso(of: &Proviso, scope: &Scope) -> Markup {
             let (left, rest) = is.parts(of);
             html! { (formula(&left, scope)) (rest) }
         }
-        Proviso::Leap(of) => html! { "beyond a time at which " (formula(of, scope)) " leaps" },
+        Proviso::Leap(of) => html! { "beyond a time at which " (formula(of, scope)) " leaps or has an edge" },
         Proviso::Pole(of) => {
             html! { "beyond a time at which " (formula(of, scope)) " = 0, unless the motion is analytic there" }
         }
