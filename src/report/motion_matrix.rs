@@ -54,17 +54,17 @@ pub(super) fn that_matter<'w, 'a>(wholes: &'w [Whole<'a>], hangs: &Consequences<
 }
 
 /// What symbols mean.
-pub(super) fn legend<'a>(seen: &BTreeSet<VerdictShape>) -> Vec<StorySpan<'a>> {
+fn legend<'a>(seen: &BTreeSet<VerdictShape>) -> Vec<StorySpan<'a>> {
     let legend = VerdictShape::ALL.into_iter().filter(|s| seen.contains(s));
     joined(legend.map(|s| vec![StorySpan::Shape(s), quiet(format!(" {}", s.says()))]), "  ")
 }
 
-/// The matrix, its columns and its legend; where nothing was tried, that.
+/// The matrix, its columns and its legend, which tells the symbols of what follows, too; where nothing was tried, that.
 pub(super) fn blocks<'a>(
     derivation: &'a Derivation,
     account: &'a Account,
-    wholes: &[Whole<'a>],
-    hangs: &Consequences<'_>,
+    (wholes, hangs): (&[Whole<'a>], &Consequences<'_>),
+    following: BTreeSet<VerdictShape>,
 ) -> Vec<StoryBlock<'a>> {
     let rows = that_matter(wholes, hangs);
     let columns = columns(derivation, account, &rows);
@@ -75,13 +75,13 @@ pub(super) fn blocks<'a>(
         rows: rows.iter().map(|whole| row(whole, &columns, hangs)).collect(),
     };
     let table = StoryBlock::Table(table);
-    let mut legend = legend(&story::shapes(std::slice::from_ref(&table)));
+    let mut legend = legend(&(&story::shapes(std::slice::from_ref(&table)) | &following));
     if rows.iter().any(|whole| columns.iter().any(|column| share(whole, &column.of).is_some())) {
-        legend.push(quiet("; 1/3: of three motions one tells"));
+        legend.push(quiet("; 1/3: one of three"));
     }
     let more = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count().saturating_sub(rows.len());
     if more > 0 {
-        legend.push(quiet(format!("; and {}", count(more, "more claim"))));
+        legend.push(quiet(format!("; {}", count(more, "more claim"))));
     }
     let keys = columns.into_iter().enumerate().map(|(at, column)| StoryItem {
         mark: letter(at),

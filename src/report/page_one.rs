@@ -41,16 +41,10 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     }
     let fields = wholes.iter().filter(|w| w.fate.is_of_the_paper()).map(|w| w.shape());
     let strip = Sketch::Strip(fields.collect());
-    let mut matrix = vec![StoryBlock::Group("strip", vec![StoryBlock::Figure(strip, Vec::new())])];
-    matrix.extend(motion_matrix::blocks(derivation, account, &wholes, &hangs));
     let shown = front.lines.first().map(|l| l.id.as_str());
-    let mut concludes = argument::blocks(derivation, &wholes, &hangs, shown);
-    // The legend is that of the matrix, and of what it lacks.
-    let more = &story::shapes(&concludes) - &story::shapes(&matrix);
-    if !more.is_empty() {
-        let legend = StoryBlock::Paragraph(motion_matrix::legend(&more));
-        concludes.push(StoryBlock::Group("keys", vec![legend]));
-    }
+    let concludes = argument::blocks(derivation, &wholes, &hangs, shown);
+    let mut matrix = vec![StoryBlock::Group("strip", vec![StoryBlock::Figure(strip, Vec::new())])];
+    matrix.extend(motion_matrix::blocks(derivation, account, (&wholes, &hangs), story::shapes(&concludes)));
     let strength = front.strength.iter().chain(&front.proofs).chain(&front.beside);
     let strength = strength.map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).collect();
     let mut unsaid = hypotheses::limits(derivation, &wholes, &hangs);

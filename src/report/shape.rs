@@ -60,18 +60,18 @@ impl VerdictShape {
     pub fn row(self) -> (&'static str, &'static str, &'static str, &'static str) {
         match self {
             VerdictShape::Proved => ("◆", "h p", r"$\blacklozenge$", "holds, proved for all values"),
-            VerdictShape::ProvedGiven => ("◈", "h g", r"$\lozenge$", "holds, proved given claims that are not"),
+            VerdictShape::ProvedGiven => ("◈", "h g", r"$\lozenge$", "holds, proved given others"),
             VerdictShape::ProvedExcept => ("⬖", "h c", r"$\blacklozenge^{-}$", "holds, proved, special cases apart"),
             VerdictShape::Enclosed => ("■", "h e", r"$\blacksquare$", "holds at every time"),
             VerdictShape::Sampled => ("●", "h", r"$\bullet$", "holds at all samples"),
             VerdictShape::Weak => ("○", "h w", r"$\circ$", "holds, but much else would"),
             VerdictShape::Fails => ("✕", "f", r"$\times$", "fails at samples"),
             VerdictShape::Certified => ("✖", "f e", r"$\boldsymbol{\times}$", "fails, certified"),
-            VerdictShape::Mixed => ("◐", "m", r"$\oslash$", "holds on some, fails on others"),
-            VerdictShape::Meaning => ("◇", "r", r"$\Diamond$", "depends on what it means"),
+            VerdictShape::Mixed => ("◐", "m", r"$\oslash$", "holds on some only"),
+            VerdictShape::Meaning => ("◇", "r", r"$\Diamond$", "depends on the reading"),
             VerdictShape::NoIdentity => ("≢", "i", r"$\not\equiv$", "not for all values"),
             VerdictShape::NotApplicable => ("–", "n", "--", "does not apply"),
-            VerdictShape::Undecided => ("?", "u", "?", "undecided"),
+            VerdictShape::Undecided => ("?", "u", "?", "open"),
         }
     }
 
