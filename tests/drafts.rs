@@ -183,10 +183,8 @@ fn rates_in_places_keep_their_dots_and_spellings() {
 #[test]
 fn a_function_at_another_place_is_no_product() {
     let text = draft(r"\[ \rho(z) = a z \] \[ b = \rho(z+h) - \rho(z) \] \[ c = \rho(1-z) \]");
-    for formula in ["b=\\rho(z+h) - \\rho(z)"] {
-        let product = refused(&text, formula).is_none() && !text.contains(r"'\rho(z)' = { role = ");
-        assert!(!product, "{text}");
-    }
+    let is_drafted = refused(&text, r"b=\rho(z+h) - \rho(z)").is_none();
+    assert!(!is_drafted || text.contains(r"'\rho(z)' = { role = "), "{text}");
     // A function of one section, whose primes derive there, is another name where nothing is derived: refused.
     let text =
         draft(r"\section{A} \[ \frac{dn}{ds} = n'(s) \] \[ u'' + u = 0 \] \section{B} \[ n\sin\alpha = n'\sin\beta \]");

@@ -53,32 +53,13 @@ pub(super) fn readings(
 ) -> Result<Vec<Vec<Reading>>, String> {
     let all: Vec<PaperName> = sides.iter().flat_map(|s| names_apart(s)).collect();
     obstacle(sides, &all, evidence, place)?;
-    let summed = index::summed(sides, evidence);
-    let of_indices = all.iter().any(|n| evidence.has_indices(&n.letter));
-    let mut ways = Vec::new();
-    if of_indices && is_of_indices {
-        ways.push(true);
-    }
-    let mut refused = None;
-    if index::has_symbols_of_indices(&all) {
-        refused = Some("indices of δ or ε".to_owned());
-    } else if let Some(letter) = summed.first() {
-        refused = Some(format!("an index that may be summed over, {letter}"));
-    } else {
-        ways.push(false);
-    }
-    if of_indices && !is_of_indices {
-        ways.push(true);
-    }
-    if ways.is_empty() {
-        return Err(refused.unwrap_or_default());
-    }
+    let indices = ways_of_indices(sides, &all, evidence, is_of_indices)?;
     let text: String = sides.iter().map(|s| s.text.as_str()).collect::<Vec<_>>().join(" ");
     let mut out: Vec<Vec<Reading>> = Vec::new();
     let is_name = !evidence.has_exponentials || evidence.local.is_e_a_name(place.chapter);
     let has_charge = is_name && sides.iter().filter_map(|s| raised_e(s)).any(|(number, other)| number && !other);
     let size = sides.iter().find_map(|s| evidence::size(&s.tokens)).map(|(rows, _)| rows).filter(|n| *n > 1);
-    for with_indices in ways {
+    for with_indices in indices {
         let ways = [
             Way { dimension: 3, ..Way::default() },
             Way { dimension: size.unwrap_or(3), ..Way::default() },
@@ -125,4 +106,34 @@ pub(super) fn readings(
         }
     }
     Ok(out)
+}
+
+/// Whether subscripts are taken for indices of components, the better way first.
+fn ways_of_indices(
+    sides: &[&PrintedSide],
+    all: &[PaperName],
+    evidence: &Evidence,
+    is_of_indices: bool,
+) -> Result<Vec<bool>, String> {
+    let summed = index::summed(sides, evidence);
+    let of_indices = all.iter().any(|n| evidence.has_indices(&n.letter));
+    let mut ways = Vec::new();
+    if of_indices && is_of_indices {
+        ways.push(true);
+    }
+    let mut refused = None;
+    if index::has_symbols_of_indices(all) {
+        refused = Some("indices of δ or ε".to_owned());
+    } else if let Some(letter) = summed.first() {
+        refused = Some(format!("an index that may be summed over, {letter}"));
+    } else {
+        ways.push(false);
+    }
+    if of_indices && !is_of_indices {
+        ways.push(true);
+    }
+    if ways.is_empty() {
+        return Err(refused.unwrap_or_default());
+    }
+    Ok(ways)
 }

@@ -32,8 +32,8 @@ pub(super) struct Acting {
 impl Acting {
     /// The operators of a paper. One of quanta has them wherever it wants.
     pub fn of(paper: &Paper, is_quantum: bool) -> Acting {
-        let mut out = Acting::default();
-        out.chapters = paper.printed.iter().map(|r| (r.span().start, r.chapter)).collect();
+        let chapters = paper.printed.iter().map(|r| (r.span().start, r.chapter)).collect();
+        let mut out = Acting { chapters, ..Acting::default() };
         for file in files(paper) {
             let mut inside: Vec<(usize, usize)> = Vec::new();
             for relation in &paper.printed {
