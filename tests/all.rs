@@ -37,6 +37,7 @@ mod diff;
 mod directions;
 mod domain_edges;
 mod domain_table;
+mod drafts;
 mod enclosure;
 mod enclosure_containment;
 mod enclosure_limits;

@@ -108,10 +108,16 @@ pub(super) fn transposes(tokens: Vec<Token>) -> Vec<Token> {
     out
 }
 
-/// `\|` and `\Vert` do not say their side: two of them are a pair, more could be read in two ways.
+/// `\|` and `\Vert` do not say their side: two of them are a pair, more could be read in two ways. What is lowered, `w_\|`, is a label.
 pub(super) fn double_bars(mut tokens: Vec<Token>) -> Parsed<Vec<Token>> {
     let double = |t: &Token| matches!(&t.kind, Kind::Command(c) if c == "|" || c == "Vert");
-    let Some(first) = tokens.iter().position(double) else { return Ok(tokens) };
+    let is_lowered = |at: usize| {
+        let before = |n: usize| at.checked_sub(n).and_then(|i| tokens.get(i)).map(|t| &t.kind);
+        let alone = before(1) == Some(&Kind::Sign('{')) && sign_at(&tokens, at + 1, '}');
+        before(1) == Some(&Kind::Sign('_')) || alone && before(2) == Some(&Kind::Sign('_'))
+    };
+    let all: Vec<usize> = (0..tokens.len()).filter(|&at| double(&tokens[at]) && !is_lowered(at)).collect();
+    let Some(&first) = all.first() else { return Ok(tokens) };
     if tokens.iter().any(|t| t.kind == Kind::Sign('|')) {
         let hint = r"write `\left\|…\right\|` and `\left|…\right|`";
         return refuse(
@@ -121,10 +127,14 @@ pub(super) fn double_bars(mut tokens: Vec<Token>) -> Parsed<Vec<Token>> {
             hint,
         );
     }
-    for token in tokens.iter_mut().filter(|t| double(t)) {
-        token.kind = Kind::Sign('|');
+    for at in all {
+        tokens[at].kind = Kind::Sign('|');
     }
     Ok(tokens)
+}
+
+fn sign_at(tokens: &[Token], at: usize, sign: char) -> bool {
+    tokens.get(at).is_some_and(|t| t.kind == Kind::Sign(sign))
 }
 
 /// Primes in one form: `x^\prime`, `x^{\prime2}` and `x^{''}` as `x'`, `x'^{2}` and `x''`.

@@ -106,6 +106,14 @@ fn behind_length(text: &str) -> usize {
     if text[..digits].bytes().any(|b| b.is_ascii_digit()) && unit.is_some() { digits + 2 } else { 0 }
 }
 
+/// Where the space ends that a break of lines may have: `*`, `[1.5ex]`.
+fn behind_row(text: &str) -> usize {
+    let star = usize::from(text.starts_with('*'));
+    let inside = text[star..].trim_start().strip_prefix('[').and_then(|rest| rest.split_once(']'));
+    let length = inside.filter(|(length, _)| !length.is_empty() && behind_length(length) == length.trim_end().len());
+    length.map_or(star, |(_, rest)| text.len() - rest.len())
+}
+
 /// Longest formula that is read, in bytes.
 pub(super) const LONGEST: usize = 1 << 20;
 
@@ -190,7 +198,10 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                     at += symbol.len_utf8();
                     match symbol {
                         ',' | ';' | ':' | '>' | '!' | ' ' | '/' => {}
-                        '\\' => push(Kind::Row, at),
+                        '\\' => {
+                            push(Kind::Row, at);
+                            at += behind_row(&text[at..]);
+                        }
                         '{' | '}' => push(Kind::Command(symbol.to_string()), at),
                         '|' => push(Kind::Command("|".into()), at),
                         other => problems.push(problem(

@@ -33,7 +33,7 @@ const MACROS: &[Macro] = &[
     of("xcancel", 1, "{#1}"),
     of("boxed", 1, "{#1}"),
     of("fbox", 1, "{#1}"),
-    of("ensuremath", 1, "{#1}"),
+    of("ensuremath", 1, "#1"),
     of("smash", 1, "{#1}"),
     of("mathclap", 1, "{#1}"),
     of("mathllap", 1, "{#1}"),

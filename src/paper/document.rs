@@ -89,6 +89,7 @@ pub(super) struct Reader<'t> {
     pub borders: Borders,
     displays: usize,
     section: usize,
+    chapter: usize,
     /// The environments that have begun, and where.
     open: Vec<(String, Range<usize>)>,
     /// Those of which it is told that they are not read.
@@ -109,6 +110,7 @@ impl<'t> Reader<'t> {
             borders: Borders::default(),
             displays: 0,
             section: 0,
+            chapter: 0,
             open: Vec::new(),
             told: BTreeSet::new(),
         }
@@ -146,7 +148,10 @@ impl<'t> Reader<'t> {
                         let body = self.until(r"\)", |tokens, i| tokens[i].is(")").then_some(i + 1));
                         self.running(&body);
                     }
-                    name if SECTIONS.contains(&name) => self.section += 1,
+                    name if SECTIONS.contains(&name) => {
+                        self.section += 1;
+                        self.chapter += usize::from(name == "chapter");
+                    }
                     "refstepcounter" | "stepcounter" => {
                         let counter = group_text(self.tokens, self.at).0;
                         if !COUNTERS_OF_PAGES.contains(&counter.trim()) {
@@ -262,8 +267,9 @@ impl<'t> Reader<'t> {
     }
 
     fn running(&mut self, body: &[Token]) {
+        let body = &*printed::with_braces(body);
         self.differences.note(body);
-        let place = Place { environment: "", display: None, section: self.section };
+        let place = Place { environment: "", display: None, section: self.section, chapter: self.chapter };
         self.printed.extend(printed::relations(body, &place).into_iter().filter(|r| !r.signs.is_empty()));
         let part = Part::new(body);
         if part.marks.iter().any(|m| RELATIONS.contains(&m.text.as_str())) {
@@ -272,8 +278,9 @@ impl<'t> Reader<'t> {
     }
 
     fn equation(&mut self, body: &[Token], numbers: Numbers, environment: &str) {
+        let body = &*printed::with_braces(body);
         self.differences.note(body);
-        let place = Place { environment, display: Some(self.displays), section: self.section };
+        let place = Place { environment, display: Some(self.displays), section: self.section, chapter: self.chapter };
         self.printed.extend(printed::relations(body, &place));
         self.displays += 1;
         let lines = match numbers {

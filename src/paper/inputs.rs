@@ -8,6 +8,7 @@ use std::ops::Range;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
+use super::book::macros_of;
 use super::chapter::main_of;
 use super::named::Named;
 use super::token::{MOST_TOKENS, Token, tokens};
@@ -186,6 +187,15 @@ impl Inputs {
 
     /// Of a chapter, the preamble of its main file; that is told.
     pub(super) fn preamble(&mut self, paper: &Source) -> Vec<Token> {
+        if is_markdown(&paper.path)
+            && let Some(book) = self.folder.as_deref().and_then(macros_of)
+        {
+            let name = book.path.file_name().map_or_else(String::new, |n| n.display().to_string());
+            let message = format!("read with the macros of `{}`", in_one_line(&name));
+            self.notes.push(PaperNote { message, span: 0..0 });
+            let all = tokens(&book.definitions);
+            return self.placed(Source { path: book.path.display().to_string(), text: book.definitions }, all);
+        }
         let Some(main) = self.folder.as_ref().and_then(|f| main_of(&paper.text, &paper.path, f)) else {
             return Vec::new();
         };
@@ -232,7 +242,7 @@ fn without_code(text: &str) -> String {
     let mut options = false;
     for line in text.split_inclusive('\n') {
         let bare = line.trim_start();
-        let mark = bare.bytes().next().filter(|b| matches!(b, b'`' | b'~'));
+        let mark = bare.bytes().next().filter(|b| matches!(b, b'`' | b'~' | b':'));
         let count = mark.map_or(0, |m| bare.bytes().take_while(|b| *b == m).count());
         let blank = |line: &str| line.bytes().map(|b| if b == b'\n' { b } else { b' ' }).collect::<Vec<u8>>();
         match (fence, mark) {
@@ -247,8 +257,9 @@ fn without_code(text: &str) -> String {
                 out.extend(line.bytes());
             }
             (Some(_), _) => out.extend(blank(line)),
-            (None, Some(own)) if count >= 3 => {
-                let math = bare[count..].trim().trim_matches(['{', '}', '`']) == "math";
+            // What stands in other blocks of colons is text: a note, a card.
+            (None, Some(own)) if count >= 3 && (own != b':' || is_math(&bare[count..])) => {
+                let math = is_math(&bare[count..]);
                 fence = Some((own, count, math));
                 options = math;
                 out.extend(fenced(line, math));
@@ -257,6 +268,11 @@ fn without_code(text: &str) -> String {
         }
     }
     String::from_utf8(out).unwrap_or_default()
+}
+
+/// Whether a block of MyST is one of mathematics, by what stands behind its fence.
+fn is_math(behind: &str) -> bool {
+    behind.trim().trim_matches(['{', '}', '`']) == "math"
 }
 
 /// A line that opens or closes a block of code; of mathematics it is `$$`.

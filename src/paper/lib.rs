@@ -13,6 +13,7 @@
 
 #![forbid(unsafe_code)]
 
+mod book;
 mod chapter;
 mod compare;
 mod differences;

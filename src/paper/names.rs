@@ -9,6 +9,7 @@ mod derivatives;
 mod difference;
 pub mod evidence;
 pub mod letters;
+mod local;
 mod notation;
 mod order;
 mod subscripts;
@@ -198,8 +199,7 @@ impl Names {
                 end = self.unit(end + 1);
                 key.push_str(&self.spelled(index, end));
             }
-            let space = if key.starts_with('\\') { "" } else { " " };
-            return Some((format!("{text}{space}{key}"), end));
+            return Some((with_dots(&text[1..], &canonical(&key)), end));
         }
         if BOLD.contains(&command) {
             let mut end = self.unit(at + 1);
@@ -285,7 +285,7 @@ impl Names {
                 hat = true;
                 styles.push(r"\hat".into());
             } else if STYLES.contains(&command) {
-                styles.push(format!("\\{command}"));
+                styles.push(format!("\\{}", if command == "cal" { "mathcal" } else { command }));
             } else {
                 let one = text.chars().count() == 1 && text.chars().all(char::is_alphabetic);
                 if !one && !is_letter_command(command) {
@@ -417,7 +417,7 @@ impl Names {
         let inside: Vec<&str> = (from..to).map(|i| self.text(i)).collect();
         let digits = |t: &[&str]| !t.is_empty() && t.iter().all(|t| t.len() == 1 && t.as_bytes()[0].is_ascii_digit());
         let label = match inside.as_slice() {
-            ["(", inner @ .., ")"] => digits(inner),
+            ["(", inner @ .., ")"] => digits(inner) || is_word_in_parentheses(inner),
             [one] => matches!(*one, "*" | "+" | "-" | r"\ast" | r"\circ" | r"\star"),
             [r"\mathrm" | r"\text" | r"\rm" | r"\textrm", rest @ ..] => {
                 let word: String = rest.iter().filter(|t| !matches!(**t, "{" | "}")).copied().collect();
@@ -427,7 +427,12 @@ impl Names {
             }
             _ => false,
         };
-        label.then(|| (self.spelled(from, to), end))
+        // The braces of a single letter are those of its style.
+        let spelled = match inside.as_slice() {
+            ["(", style, letter, ")"] if style.starts_with('\\') => format!("({style}{{{letter}}})"),
+            _ => self.spelled(from, to),
+        };
+        label.then_some((spelled, end))
     }
 
     /// A subscript without its outer braces.
@@ -447,7 +452,10 @@ impl Names {
         let mut after_command = false;
         for text in inside {
             match text {
-                "," => places.push(String::new()),
+                "," => {
+                    places.push(String::new());
+                    after_command = false;
+                }
                 t if matches!(t, "{" | "}" | "_" | "'")
                     || t.chars().all(char::is_alphanumeric)
                     || t.strip_prefix('\\').is_some_and(|c| {
@@ -474,6 +482,10 @@ impl Names {
         let one = |p: String| match names_of(&super::token::tokens(&p)).as_slice() {
             // A vector is called as where it stands by itself.
             [name] if name.is_bold && name.dots == 0 => name.key(),
+            [name] if name.dots > 0 && name.primes == 0 && name.call == Call::None => {
+                let dots = DOTS.iter().find(|(_, n)| *n == name.dots).map_or("dot", |(d, _)| d);
+                with_dots(dots, &name.key())
+            }
             _ if is_variable(&p) || p.contains('_') => plain(&p).key(),
             _ => p,
         };
@@ -502,13 +514,36 @@ fn canonical(text: &str) -> String {
     }
 }
 
+/// Whether what stands above a name in parentheses is a label, and no order, index or place: a word, or a letter that is upright, a
+/// capital, or `e`, which is no number there.
+fn is_word_in_parentheses(inside: &[&str]) -> bool {
+    let upright = inside.first().is_some_and(|t| matches!(*t, r"\mathrm" | r"\text" | r"\textrm"));
+    let letters: Vec<&str> =
+        inside.iter().skip(usize::from(upright)).copied().filter(|t| !matches!(*t, "{" | "}")).collect();
+    let all = !letters.is_empty() && letters.iter().all(|t| t.len() == 1 && t.as_bytes()[0].is_ascii_alphabetic());
+    let indices = letters.iter().all(|t| "ijklmnpq".contains(t));
+    all && (upright
+        || letters.len() > 1 && !indices
+        || letters.iter().all(|t| *t == "e" || t.as_bytes()[0].is_ascii_uppercase()))
+}
+
+/// A key with dots above it: `\dot q_{\alpha}`, `\dot{\mathbf{r}}`.
+fn with_dots(dots: &str, key: &str) -> String {
+    let Some(command) = key.strip_prefix('\\') else { return format!("\\{dots} {key}") };
+    let end = command.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(command.len());
+    if is_letter_command(&command[..end]) { format!("\\{dots}{key}") } else { format!("\\{dots}{{{key}}}") }
+}
+
 /// A name that is nothing but this key, perhaps with dots.
 fn plain(key: &str) -> PaperName {
     let dotted = DOTS.iter().rev().find_map(|(d, n)| {
         let rest = key.strip_prefix('\\')?.strip_prefix(d)?;
         (!rest.starts_with(|c: char| c.is_ascii_alphabetic())).then_some((rest, *n))
     });
-    let (key, dots) = dotted.map_or((key, 0), |(rest, n)| (rest.trim_matches(['{', '}', ' ']), n));
+    let (key, dots) = dotted.map_or((key, 0), |(rest, n)| {
+        let rest = rest.trim();
+        (rest.strip_prefix('{').and_then(|r| r.strip_suffix('}')).unwrap_or(rest).trim(), n)
+    });
     let (base, subscript) = match key.split_once('_') {
         Some((base, sub)) => {
             let inside = sub.strip_prefix('{').and_then(|s| s.strip_suffix('}')).unwrap_or(sub);

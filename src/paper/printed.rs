@@ -7,6 +7,7 @@
 mod cases;
 mod pieces;
 mod rows;
+mod scripts;
 mod side;
 mod signs;
 #[cfg(test)]
@@ -20,6 +21,7 @@ use super::unicode;
 use diag::escape::shown;
 use pieces::{Piece, pieces};
 use rows::{Row, rows, unwrapped};
+pub(super) use scripts::with_braces;
 use side::{is_colon_equals, side_of, sign_at, stacked, without_labels};
 use signs::{BETWEEN_STATEMENTS, OPERATORS, RELATIONS, SPACES, WIDE_WORDS, WORDS};
 
@@ -44,6 +46,8 @@ pub struct PrintedRelation {
     pub display: Option<usize>,
     /// The number of its section.
     pub section: usize,
+    /// The number of its chapter; 0 in a paper without chapters, and before the first.
+    pub chapter: usize,
 }
 
 /// A side of a relation.
@@ -217,6 +221,8 @@ pub(super) struct Place<'p> {
     pub display: Option<usize>,
     /// The number of its section.
     pub section: usize,
+    /// The number of its chapter.
+    pub chapter: usize,
 }
 
 impl PrintedSide {
@@ -398,6 +404,7 @@ impl Relations<'_> {
             row: self.row,
             display: self.place.display,
             section: self.place.section,
+            chapter: self.place.chapter,
         });
         if let Some(open) = self.open.get_mut(column) {
             *open = Some(at);
@@ -474,6 +481,7 @@ impl Relations<'_> {
                     row: self.row,
                     display: self.place.display,
                     section: self.place.section,
+                    chapter: self.place.chapter,
                 });
             }
         }

@@ -433,7 +433,7 @@ impl Parser<'_> {
                 self.bump();
                 self.acting(Nabla::Wave, start).map(Some)
             }
-            "Delta" if self.begins_laplacian() => {
+            "Delta" if self.begins_laplacian()? => {
                 self.bump();
                 self.acting(Nabla::Laplacian { delta: true }, start).map(Some)
             }

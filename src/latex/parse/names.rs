@@ -159,7 +159,7 @@ impl Parser<'_> {
     }
 
     /// Whether a declared name as `\Delta t` stands here.
-    fn is_difference(&mut self) -> Parsed<bool> {
+    pub(super) fn is_difference(&mut self) -> Parsed<bool> {
         let (back, span) = (self.at, self.span());
         let Some(name) = self.difference()? else { return Ok(false) };
         let end = self.last_end();
@@ -173,6 +173,10 @@ impl Parser<'_> {
         if sign.is_some_and(|sign| self.scope.declares(&format!("\\{sign}"))) && self.scope.declares(of) {
             let message = format!("is `{shown}` a name, or a product?");
             return refuse("latex::ambiguous", message, span.start..end, "rename one of the two");
+        }
+        if sign == Some("Delta") && self.scope.has_space() && self.scope.is_field(of, None) {
+            let message = format!("is `{shown}` a name, or the Laplacian?");
+            return refuse("latex::ambiguous", message, span.start..end, r"write `\nabla^2`, or rename the difference");
         }
         if raised {
             let message = format!("`{shown}` to a power, or the difference of a power?");

@@ -254,9 +254,10 @@ impl Parser<'_> {
         self.acting(action, start)
     }
 
-    /// `\Delta`, where it is not declared and there are coordinates: the Laplacian.
-    pub(super) fn begins_laplacian(&self) -> bool {
-        self.is_command("Delta") && !self.scope.declares(r"\Delta") && self.scope.has_space()
+    /// `\Delta`, where it is not declared, alone or with what follows, and there are coordinates: the Laplacian.
+    pub(super) fn begins_laplacian(&mut self) -> Parsed<bool> {
+        let could_be = self.is_command("Delta") && !self.scope.declares(r"\Delta") && self.scope.has_space();
+        Ok(could_be && !self.is_difference()?)
     }
 
     /// An operator before what it acts on.

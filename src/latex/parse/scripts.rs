@@ -80,6 +80,9 @@ impl Parser<'_> {
         if *self.kind_after(1) != Kind::Sign('{') {
             return sign(self.kind_after(1)).map(|label| (label, 2));
         }
+        if let Some(found) = self.upright_in_parentheses() {
+            return Some(found);
+        }
         let end = (2..LONGEST_WORD).find(|&i| *self.kind_after(i) == Kind::Sign('}'))?;
         let inside = || (2..end).map(|i| self.kind_after(i));
         if end == 3 {
@@ -109,6 +112,20 @@ impl Parser<'_> {
         };
         let word = (from..to).map(|i| text(self.kind_after(i))).collect::<Option<String>>()?;
         (!word.is_empty()).then(|| (format!(r"{{\rm {word}}}"), tokens))
+    }
+
+    /// `R^{(\mathrm{e})}`: a word in upright letters and in parentheses, and the number of its tokens.
+    fn upright_in_parentheses(&self) -> Option<(String, usize)> {
+        let style =
+            |kind: &Kind| matches!(kind, Kind::Command(c) if name::style(c) == Some("rm") && !name::is_switch(c));
+        let sign = |at: usize, c: char| *self.kind_after(at) == Kind::Sign(c);
+        if !(sign(2, '(') && style(self.kind_after(3)) && sign(4, '{')) {
+            return None;
+        }
+        let end = (5..LONGEST_WORD).find(|&i| sign(i, '}')).filter(|&end| sign(end + 1, ')') && sign(end + 2, '}'))?;
+        let letter = |kind: &Kind| if let Kind::Letter(c) = kind { Some(*c) } else { None };
+        let word = (5..end).map(|i| letter(self.kind_after(i))).collect::<Option<String>>()?;
+        (!word.is_empty()).then(|| (format!(r"{{(\mathrm{{{word}}})}}"), end + 3))
     }
 
     /// Refuses a word above a name that is declared without it: it is no power.
@@ -251,7 +268,10 @@ impl Parser<'_> {
                 }
                 // Labels that are no names elsewhere.
                 Kind::Command(c)
-                    if matches!(c.as_str(), "infty" | "parallel" | "perp" | "odot" | "oplus" | "star" | "circ") =>
+                    if matches!(
+                        c.as_str(),
+                        "infty" | "parallel" | "perp" | "bot" | "|" | "odot" | "oplus" | "star" | "circ"
+                    ) =>
                 {
                     items.push(SubItem::Name(format!("\\{c}")));
                     self.bump();

@@ -9,7 +9,7 @@ use super::super::names::evidence::is_alone;
 use super::super::names::{Call, Evidence, Notation, names_apart};
 use super::super::printed::{PrintedRelation, PrintedSide};
 use super::super::{Paper, token};
-use super::readings::{Reading, readings};
+use super::readings::{Place, Reading, readings};
 use super::write;
 use derivation::{Derivation, parse};
 use diag::{Diagnostic, Source};
@@ -116,11 +116,11 @@ fn is_range(relation: &PrintedRelation) -> bool {
 
 impl Printed {
     /// Reads its relations: each as a whole, or step by step.
-    pub fn read(&mut self, read: &mut impl FnMut(&[&PrintedSide], &str) -> Result<Vec<Reading>, String>) {
+    pub fn read(&mut self, read: &mut impl FnMut(&[&PrintedSide], &str, Place) -> Result<Vec<Reading>, String>) {
         for relation in &self.relations {
             let mut take = |sides: &[&PrintedSide], signs: &[String]| {
                 let text = text_of(sides, signs);
-                let found = read(sides, &text);
+                let found = read(sides, &text, Place { section: relation.section, chapter: relation.chapter });
                 let (mut others, refused) = match found {
                     Ok(readings) => (readings, None),
                     Err(why) => (Vec::new(), Some(why)),
@@ -243,6 +243,7 @@ pub(super) fn alone(
     text: &str,
     (evidence, notation): (&Evidence, &Notation),
     is_of_indices: bool,
+    place: Place,
 ) -> Result<Vec<Reading>, String> {
     if text.len() > LONGEST {
         return Err("a formula of more than 20000 bytes".to_owned());
@@ -257,7 +258,7 @@ pub(super) fn alone(
         return Err(why.to_owned());
     }
     let mut first: Option<String> = None;
-    for mut ways in readings(sides, evidence, is_of_indices)? {
+    for mut ways in readings(sides, evidence, is_of_indices, place)? {
         let why = match load(&write::single(text, &ways[0])) {
             Ok(_) => return Ok(ways),
             Err(found) => found.first().map_or_else(String::new, |d| d.message.clone()),

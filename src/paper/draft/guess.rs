@@ -43,7 +43,7 @@ impl Guess {
     /// What a field depends on: names, without dots.
     pub fn places(&self) -> Vec<&str> {
         let inside = self.name.split_once('(').and_then(|(_, rest)| rest.strip_suffix(')')).unwrap_or_default();
-        inside.split(',').map(super::readings::bare).collect()
+        inside.split(',').map(super::places::bare).collect()
     }
 
     /// Whether the role can be declared for the whole file only.
@@ -53,10 +53,13 @@ impl Guess {
 
     /// Whether it would change what another formula means that does not name it: `e` is Euler's number elsewhere, `d` a differential.
     pub fn is_of_its_formula(&self) -> bool {
+        // Beside `\Delta_r`, `\Delta x` could be a product; beside `e_1`, `e^{kz}` could be anything.
+        let letter = self.name.split(['_', '^', '(']).next().unwrap_or_default();
         self.bare() == "t"
+            || matches!(letter, r"\delta" | r"\Delta" | "e")
             || matches!(
                 self.name.as_str(),
-                "e" | "d" | "i" | "D" | r"\delta" | r"\Delta" | r"\epsilon" | r"\varepsilon" | r"\pi"
+                "d" | "i" | "D" | r"\delta" | r"\Delta" | r"\epsilon" | r"\varepsilon" | r"\pi"
             )
     }
 

@@ -5,9 +5,12 @@
 //! the file stands in its own claim, so that no formula is lost because of another one, or read otherwise. It decides nothing, since
 //! it has no motions: every guess waits for a person.
 
+mod declared;
 mod formula;
 mod guess;
 mod index;
+mod obstacle;
+mod places;
 mod readings;
 mod settle;
 mod system;
@@ -18,7 +21,7 @@ use std::collections::BTreeMap;
 use super::Paper;
 use super::names::{Evidence, Notation};
 use formula::{Formula, Printed};
-use readings::Reading;
+use readings::{Place, Reading};
 use settle::Settled;
 
 /// The draft of a derivation file.
@@ -60,11 +63,11 @@ pub fn draft(paper: &Paper, name: &str) -> Draft {
     let notation = Notation::of(paper);
     let is_of_indices = index::is_of_indices(&paper.printed, &evidence);
     let mut all = formula::displays(paper);
-    let mut known: BTreeMap<String, Result<Vec<Reading>, String>> = BTreeMap::new();
+    let mut known: BTreeMap<(String, Place), Result<Vec<Reading>, String>> = BTreeMap::new();
     for printed in &mut all {
-        printed.read(&mut |sides, text| {
-            let found = known.entry(text.to_owned());
-            found.or_insert_with(|| formula::alone(sides, text, (&evidence, &notation), is_of_indices)).clone()
+        printed.read(&mut |sides, text, place| {
+            let found = known.entry((text.to_owned(), place));
+            found.or_insert_with(|| formula::alone(sides, text, (&evidence, &notation), is_of_indices, place)).clone()
         });
     }
     let mut settled = Settled::of(&mut all);

@@ -6,6 +6,7 @@ use super::super::Paper;
 use super::super::mark;
 use super::super::printed::{PrintedRelation, PrintedSide};
 use super::super::token::{Kind, Token};
+use super::local::Local;
 use super::{Call, PaperName, Subscripts, names_apart};
 
 /// Letters of unknown functions, whose primes derive them where two stand behind them somewhere.
@@ -56,6 +57,8 @@ pub struct Evidence {
     pub has_exponentials: bool,
     /// Whether `\ln` is printed: then `\log` may be another logarithm.
     pub has_ln: bool,
+    /// What single sections and chapters show.
+    pub local: Local,
 }
 
 impl Evidence {
@@ -74,6 +77,11 @@ impl Evidence {
         self.functions.contains(letter)
     }
 
+    /// Whether a place stands alone in parentheses behind a name somewhere, and is not the time.
+    pub fn is_called_at(&self, key: &str, place: &str) -> bool {
+        place != "t" && self.calls.get(key).is_some_and(|calls| calls.keys().flatten().any(|p| *p == [place]))
+    }
+
     /// Whether the subscripts of a letter are indices of its components: all could be, and one is a letter that is used so.
     pub fn has_indices(&self, letter: &str) -> bool {
         self.subscripts.get(letter).is_some_and(Subscripts::are_indices)
@@ -83,6 +91,7 @@ impl Evidence {
         let sizes: Vec<Option<(usize, usize)>> = relation.sides.iter().map(|s| size(&s.tokens)).collect();
         for (i, side) in relation.sides.iter().enumerate().filter(|(_, s)| s.text.len() <= LONGEST) {
             self.note_units(side);
+            self.local.note_side(relation, side);
             self.has_ln |= side.text.contains(r"\ln");
             let beside = [i.checked_sub(1), Some(i + 1)].into_iter().flatten();
             let found = beside.filter_map(|k| sizes.get(k).copied().flatten()).next();
@@ -90,12 +99,14 @@ impl Evidence {
                 && sizes[i].is_none()
                 && (name.derived_by.is_some() || is_alone(side))
             {
+                self.local.note_size(relation, &name.key());
                 *self.sizes.entry(name.key()).or_default().entry(size).or_default() += 1;
             }
         }
         for name in relation.sides.iter().filter(|s| s.text.len() <= LONGEST).flat_map(names_apart) {
             let key = name.key();
             let bare = unprimed(&name);
+            self.local.note_name(relation, &name);
             *self.keys.entry(bare.clone()).or_default() += 1;
             if name.dots > 0 {
                 self.dotted.insert(bare.clone());
@@ -208,7 +219,7 @@ impl Evidence {
         let letter = bare.split('_').next().unwrap_or_default();
         let is_function = FUNCTIONS.contains(&letter);
         let derive = called.is_some() || primes > 1 || self.has_double_primes;
-        if self.is_complex && matches!(letter, r"\psi" | r"\Psi" | r"\phi" | r"\varphi" | r"\chi") {
+        if self.may_be_wave(bare) {
             return Primes::Unclear;
         }
         match seen.into_iter().max_by_key(|(v, n)| (*n, std::cmp::Reverse(*v))) {
@@ -226,6 +237,24 @@ impl Evidence {
             None if primes > 1 || self.has_double_primes => Primes::Unclear,
             None => Primes::Name,
         }
+    }
+
+    /// The same in a section: where it derives nothing, and has no such function, a single prime is a part of the name.
+    pub fn primes_in(&self, bare: &str, section: usize) -> Primes {
+        let is_function = FUNCTIONS.contains(&bare.split('_').next().unwrap_or_default());
+        let is_single = self.primes.get(bare) == Some(&1) && !self.may_be_wave(bare);
+        match self.primes_of(bare) {
+            Primes::Unclear if is_single && !self.local.may_derive(section, bare) => Primes::Name,
+            // A function of another section, whose primes derive there, perhaps.
+            Primes::Derive(_) if is_single && !is_function && !self.local.may_derive(section, bare) => Primes::Unclear,
+            known => known,
+        }
+    }
+
+    /// Whether a name may be a wave function.
+    fn may_be_wave(&self, bare: &str) -> bool {
+        let letter = bare.split('_').next().unwrap_or_default();
+        self.is_complex && matches!(letter, r"\psi" | r"\Psi" | r"\phi" | r"\varphi" | r"\chi")
     }
 
     /// The variable by which primes derive a name.
@@ -270,7 +299,7 @@ pub fn unprimed(name: &PaperName) -> String {
 
 /// Whether a side is one name, with dots and labels, and nothing else.
 pub fn is_alone(side: &PrintedSide) -> bool {
-    let signs = ["+", "-", "(", "[", "=", r"\frac", r"\cdot", r"\times", "|"];
+    let signs = ["+", "-", "(", "[", "=", r"\frac", r"\cdot", r"\times", "|", r"\nabla", r"\int", r"\sum", r"\partial"];
     mark::marks(&side.tokens)
         .iter()
         .all(|m| !signs.contains(&m.text.as_str()) && !m.text.starts_with(|c: char| c.is_ascii_digit()))

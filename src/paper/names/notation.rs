@@ -4,26 +4,31 @@
 //! lone names, are looked at; what is seen of a letter once is so in the whole paper. A formula that is not read is told as that: a
 //! power that is an index, or two operators in another order, would be *proved*.
 
+mod acting;
 mod algebra;
 mod ambiguous;
+mod angles;
 mod print;
+mod words;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::{Paper, PrintedRelation, PrintedSide};
 use super::{PaperName, names_apart};
+use acting::Acting;
 use algebra::Algebra;
 use ambiguous::{
     applies_a_group, has_bare_degrees, has_commutator, has_cosets, has_expectation, has_ladder, has_map_of_vector,
     has_order_of_magnitude, has_plain_triple_product, has_primed_transpose, has_small_transpose, has_turned_subscripts,
     has_two_places, has_upright_derivative,
 };
-use diag::next_character;
+use angles::Angles;
 use print::{
     Raised, call, follows_a_flow, has_bare_brackets, has_bars, has_column_of_two, has_identity, has_imaginary,
     has_named_function, has_norm, has_pair, has_plain_function, has_product_of_letters, has_unit_of_italics,
     is_letter_token, is_twice, scripted, squares_an_absolute_value, tokens,
 };
+use words::{is_lone, named_beside};
 
 /// What a paper shows of its notation.
 #[derive(Clone, Debug, Default)]
@@ -34,8 +39,10 @@ pub struct Notation {
     numbered: BTreeSet<String>,
     /// Keys of names whose order counts: operators, matrices, elements of a group.
     ordered: BTreeSet<String>,
-    /// Keys of names that are called operators.
-    acting: BTreeSet<String>,
+    /// Names that are called operators.
+    acting: Acting,
+    /// What functions of angles are applied to.
+    angles: Angles,
     /// The relations that stand in a text of groups, rings, cardinals or logic: where each begins, and ends.
     algebra: BTreeMap<usize, usize>,
     /// Keys of names that are equal, to some power, to what has a rate in it: they vary, though no rate of them is printed.
@@ -97,16 +104,12 @@ const ORDERED: &[&str] = &[
     "group element",
     "linear map",
 ];
-/// Words beside a lone name that say that it acts on what follows.
-const ACTING: &[&str] = &["operator", "operators", "functional", "Operator"];
 /// Words beside a lone name that say that it is a vector.
 const VECTORS: &[&str] = &["vectors", "Vektoren", "vecteurs", "vettori", "vectores", "vetores"];
 /// Longest side, in bytes, of which the notation is looked at for evidence.
 const LONGEST: usize = 4_000;
 /// The most terms of a side that are compared with each other.
 const MOST_TERMS: usize = 60;
-/// How far from a name such a word may stand, in bytes.
-const BESIDE: usize = 70;
 
 impl Notation {
     /// The notation of a paper.
@@ -114,9 +117,8 @@ impl Notation {
         let mut out = Notation::default();
         for file in files(paper) {
             let text = file.text.to_lowercase();
-            out.ordered.extend(named_beside(&file.text, ORDERED));
-            out.acting.extend(named_beside(&file.text, ACTING));
-            out.vectors.extend(named_beside(&file.text, VECTORS));
+            out.ordered.extend(named_beside(&file.text, ORDERED).into_iter().map(|n| n.key));
+            out.vectors.extend(named_beside(&file.text, VECTORS).into_iter().map(|n| n.key));
             let says = |words: &[&str]| words.iter().any(|w| text.contains(w));
             out.is_stochastic |= says(STOCHASTIC) || says(&["expectation"]) && !says(&[r"\hbar", r"\psi"]);
             out.has_eigenvectors |= says(EIGEN);
@@ -125,6 +127,7 @@ impl Notation {
             out.is_quantum |= says(&[r"\hbar", "commutator", "kommutator", "commutateur"]);
         }
         out.algebra = algebraic(paper);
+        out.acting = Acting::of(paper, out.is_quantum);
         let mut pairs: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         for relation in &paper.printed {
             for side in relation.sides.iter().filter(|s| s.text.len() <= LONGEST) {
@@ -139,6 +142,7 @@ impl Notation {
                         pairs.entry(one.base.clone()).or_default().insert(digits);
                     }
                 }
+                out.angles.note(&side.text);
                 if has_imaginary(&side.text) {
                     out.has_imaginary = true;
                     out.complex.extend(relation.sides.iter().flat_map(names_apart).map(|n| n.key()));
@@ -232,6 +236,9 @@ impl Notation {
         if let Some(what) = call(&all) {
             return Some(what);
         }
+        if self.angles.stands_before_time(&all) {
+            return Some("an angle before the time: a factor, or a part of the argument");
+        }
         if has_order_of_magnitude(&all) {
             return Some("an order of magnitude");
         }
@@ -241,7 +248,7 @@ impl Notation {
         if all.contains(&r"\aleph") {
             return Some("a cardinal number");
         }
-        if names_apart(side).iter().any(|n| self.acting.contains(&squeezed(&n.key()))) {
+        if self.acting.acts_in(side) {
             return Some("an operator, or a factor");
         }
         None
@@ -368,66 +375,6 @@ fn files(paper: &Paper) -> Vec<std::sync::Arc<diag::Source>> {
         }
     }
     out
-}
-
-/// Lone names between dollars that a word is said of: "the operators $x$ and $p$", "let $A$ and $B$ be square matrices".
-fn named_beside(text: &str, words: &[&str]) -> BTreeSet<String> {
-    let near = |at: usize| next_character(text, at);
-    let mut out = BTreeSet::new();
-    for word in words {
-        // `\operatorname` says nothing of an operator.
-        for (at, _) in text.match_indices(word).filter(|(at, _)| !text[..*at].ends_with('\\')) {
-            let before = &text[near(at.saturating_sub(BESIDE))..at];
-            let behind = &text[at..near(at + BESIDE)];
-            // The rest of the word, then names with nothing but "and" between them.
-            let behind = behind.trim_start_matches(|c: char| c.is_alphabetic());
-            let mut pieces = behind.split('$');
-            while let Some(between) = pieces.next()
-                && matches!(between.trim().trim_end_matches(','), "" | "and" | "or" | "like" | "such as")
-                && let Some(name) = pieces.next()
-            {
-                out.extend(name.split(',').map(str::trim).filter(|p| is_lone(p)).map(squeezed));
-            }
-            // Names, then a few words up to this one.
-            let mut count = 0;
-            for (k, piece) in before.rsplit('$').enumerate() {
-                if k % 2 == 1 {
-                    out.extend(piece.split(',').map(str::trim).filter(|p| is_lone(p)).map(squeezed));
-                    continue;
-                }
-                count += piece.split_whitespace().count();
-                let is_said = k > 0
-                    || ["is", "are", "be", "being", "as", "two", "zwei", "due", "deux", "dos", "dois", "sind", "des"]
-                        .iter()
-                        .any(|w| piece.split_whitespace().any(|p| p == *w));
-                if count > MOST_WORDS_BETWEEN || piece.contains(['.', ';', '=']) || !is_said && !piece.trim().is_empty()
-                {
-                    break;
-                }
-            }
-        }
-    }
-    out
-}
-
-/// So many words may stand between a name and what is said of it.
-const MOST_WORDS_BETWEEN: usize = 6;
-
-/// Whether a text is one letter, with scripts and a style, perhaps.
-fn is_lone(text: &str) -> bool {
-    let all = tokens(text);
-    let letters = all
-        .iter()
-        .filter(|t| is_letter_token(t) && !matches!(**t, r"\mathbf" | r"\mathcal" | r"\boldsymbol" | r"\hat" | r"\vec"))
-        .count();
-    let sub = all.contains(&"_");
-    !text.is_empty()
-        && text.len() <= 14
-        && (letters == 1 || sub && letters <= 2)
-        && !text.contains(char::is_whitespace)
-        && all
-            .iter()
-            .all(|t| is_letter_token(t) || matches!(*t, "{" | "}" | "_" | "'") || t.chars().all(|c| c.is_ascii_digit()))
 }
 
 /// The names of two terms of a side that differ in nothing but their order, and in their sign: `xp-px`.

@@ -2,7 +2,7 @@ use super::super::token::tokens;
 use super::*;
 
 fn keys(text: &str) -> Vec<String> {
-    let place = super::super::printed::Place { environment: "", display: None, section: 0 };
+    let place = super::super::printed::Place { environment: "", display: None, section: 0, chapter: 0 };
     let relations = super::super::printed::relations(&tokens(text), &place);
     relations.iter().flat_map(|r| &r.sides).flat_map(names).map(|n| n.key()).collect()
 }
@@ -17,7 +17,7 @@ fn names_are_what_is_printed() {
 
 #[test]
 fn derivatives_are_seen() {
-    let place = super::super::printed::Place { environment: "", display: None, section: 0 };
+    let place = super::super::printed::Place { environment: "", display: None, section: 0, chapter: 0 };
     let seen = |text: &str| -> Vec<(String, Option<String>, bool)> {
         let relations = super::super::printed::relations(&tokens(text), &place);
         let all = relations.iter().flat_map(|r| &r.sides).flat_map(names);

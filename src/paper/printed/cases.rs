@@ -24,7 +24,8 @@ impl PrintedRelation {
             head.extend(side.tokens.iter().cloned());
             head.extend(sign_of(sign, side.span.end));
         }
-        let place = Place { environment: "equation", display: self.display, section: self.section };
+        let place =
+            Place { environment: "equation", display: self.display, section: self.section, chapter: self.chapter };
         let mut out = Vec::new();
         for (value, condition) in rows_of(&last.tokens)? {
             let mut body = head.clone();

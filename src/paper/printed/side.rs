@@ -146,13 +146,30 @@ pub(super) fn without_labels(tokens: &[Token]) -> (Vec<Token>, Option<String>, O
     (out, label.filter(|l| !l.is_empty()), tag)
 }
 
+/// Where the length ends that stands behind `\kern` and its kin without braces, `\mkern-1.5mu`.
+fn length_end(token: &Token, tokens: &[Token], from: usize) -> Option<usize> {
+    let is_kern = matches!(token.text.as_str(), "kern" | "mkern" | "hskip" | "mskip" | "vskip");
+    if token.kind != Kind::Command || !is_kern {
+        return None;
+    }
+    let part = |t: &Token| t.kind == Kind::Space || t.text.bytes().all(|b| b.is_ascii_digit() || b"+-.".contains(&b));
+    let digits = tokens[from..].iter().take_while(|t| part(t) && t.kind != Kind::Command).count();
+    let has_digit = tokens[from..from + digits].iter().any(|t| t.text.starts_with(|c: char| c.is_ascii_digit()));
+    let unit = tokens.get(from + digits..from + digits + 2)?;
+    let is_unit = unit.iter().all(|t| t.kind == Kind::Other && t.text.bytes().all(|b| b.is_ascii_lowercase()));
+    (has_digit && is_unit).then_some(from + digits + 2)
+}
+
 /// A side made of these tokens.
 pub(super) fn side_of(tokens: &[Token]) -> PrintedSide {
     let mut kept: Vec<Token> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while let Some(token) = tokens.get(at) {
         at += 1;
-        if token.kind == Kind::Command && matches!(token.text.as_str(), "hspace" | "vspace" | "hskip" | "vskip") {
+        if let Some(after) = length_end(token, tokens, at) {
+            at = after;
+        } else if token.kind == Kind::Command && matches!(token.text.as_str(), "hspace" | "vspace" | "hskip" | "vskip")
+        {
             let star = usize::from(tokens.get(at).is_some_and(|t| t.is_char("*")));
             at = group_text(tokens, at + star).1;
         } else if token.is("text") && group_text(tokens, at) == ("d".to_owned(), at + 3) {

@@ -9,7 +9,7 @@ fn read(environment: &str, text: &str) -> Vec<String> {
 }
 
 fn read_spaced(environment: &str, text: &str) -> Vec<String> {
-    let place = Place { environment, display: Some(0), section: 0 };
+    let place = Place { environment, display: Some(0), section: 0, chapter: 0 };
     relations(&tokens(text), &place)
         .iter()
         .map(|r| {

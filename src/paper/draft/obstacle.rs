@@ -1,0 +1,74 @@
+//! What keeps a formula from being read, whatever its names are declared as.
+//!
+//! **In:** the sides of a formula, its names, and the evidence of the paper. **Out:** the feature that is not understood, or both readings of
+//! what is ambiguous. **Guaranteed:** nothing is decided for a formula that has one.
+
+use super::super::names::{Call, Evidence, PaperName, Primes, order_counts, unprimed};
+use super::super::printed::PrintedSide;
+use super::index;
+use super::places::is_name;
+use super::readings::Place;
+
+/// What keeps a formula from being read as numbers, vectors and functions.
+pub(super) fn obstacle(
+    sides: &[&PrintedSide],
+    all: &[PaperName],
+    evidence: &Evidence,
+    place: Place,
+) -> Result<(), String> {
+    for side in sides {
+        if side.text.is_empty() {
+            return Err("a side that is missing".to_owned());
+        }
+        if let Some(letter) = index::upper(side) {
+            return Err(format!("an upper index, {letter}"));
+        }
+        let sizes = |n: &PaperName| n.is_bold || evidence.size(&n.key()).is_some();
+        if !all.iter().any(sizes) && order_counts(&side.text) {
+            return Err("products whose order may count: matrices, or operators".to_owned());
+        }
+    }
+    if let Some(name) = all.iter().find(|n| n.has_hat && !n.is_bold) {
+        return Err(format!("a hat, {}: an operator, or a unit vector", name.key()));
+    }
+    if evidence.has_complex_j && all.iter().any(|n| n.key() == "j") {
+        return Err("j, which may be the imaginary unit".to_owned());
+    }
+    let is_called = |n: &PaperName| matches!(&n.call, Call::Places(p) if p.iter().all(|p| is_name(p)));
+    if all.iter().any(|n| unprimed(n) == "t" && (n.primes > 0 && is_called(n) || is_called(n) && n.dots == 0)) {
+        return Err("the time as a function of something else".to_owned());
+    }
+    if all.iter().any(|n| n.key() == "t" && n.derived_by.as_deref().is_some_and(|by| by != "t")) {
+        return Err("the time as a function of something else".to_owned());
+    }
+    let unclear = |n: &&PaperName| n.primes > 0 && evidence.primes_in(&unprimed(n), place.section) == Primes::Unclear;
+    if let Some(name) = all.iter().find(unclear) {
+        return Err(format!("a prime, {}: a derivative, or another name", name.key()));
+    }
+    let bare_e = evidence.keys.contains_key("e");
+    let raised = |s: &&&PrintedSide, bare: bool| raised_e(s).is_some_and(|(a, b)| if bare { a } else { b });
+    // In a paper without exponentials it is a charge, or another name.
+    let is_unclear = bare_e && evidence.has_exponentials && !evidence.local.is_e_a_name(place.chapter);
+    if is_unclear && sides.iter().any(|s| raised(&s, true)) {
+        return Err("e to a number: a charge, or Euler's number".to_owned());
+    }
+    if all.iter().any(|n| n.key() == "e") && sides.iter().any(|s| raised(&s, false)) {
+        return Err("e as a factor, and to a power: a name, or Euler's number".to_owned());
+    }
+    Ok(())
+}
+
+/// Whether `e` stands in a side to a bare number, and to anything else.
+pub(super) fn raised_e(side: &PrintedSide) -> Option<(bool, bool)> {
+    let marks = super::super::mark::marks(&side.tokens);
+    let text = |i: usize| marks.get(i).map_or("", |m| m.text.as_str());
+    let (mut number, mut other) = (false, false);
+    for at in (0..marks.len()).filter(|&i| text(i) == "e" && text(i + 1) == "^" && (i == 0 || text(i - 1) != "_")) {
+        let end = super::super::mark::unit(&marks, at + 2);
+        let digits = (at + 2..end).map(text).filter(|t| !matches!(*t, "{" | "}"));
+        let bare = digits.clone().all(|t| t.chars().all(|c| c.is_ascii_digit()));
+        number |= bare;
+        other |= !bare;
+    }
+    (number || other).then_some((number, other))
+}

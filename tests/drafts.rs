@@ -1,0 +1,192 @@
+//! What `init` reads of a paper: which evidence counts where, and what stays refused with both readings.
+
+use rederive::derivation::parse;
+use rederive::diag::{Source, render};
+use rederive::paper;
+
+/// The text of a draft, which loads.
+#[track_caller]
+fn draft(tex: &str) -> String {
+    let source = Source { path: "paper.tex".into(), text: tex.into() };
+    let paper = paper::parse(source, String::new()).unwrap_or_else(|d| panic!("{}", render(&[*d], false)));
+    let text = paper::draft(&paper, "paper.tex").text;
+    let source = Source { path: "draft.toml".into(), text: text.clone() };
+    if let Err(found) = parse(source, "draft") {
+        panic!("{}\n{text}", render(&found, false));
+    }
+    text
+}
+
+/// What is said of a formula that is not read; `None` where it is drafted.
+#[track_caller]
+fn refused(text: &str, formula: &str) -> Option<String> {
+    let mut before = "";
+    for line in text.lines() {
+        if line.trim_start_matches(['#', ' ']) == formula {
+            let why = before.strip_prefix("# confirm: not read, ").map(|w| w.trim_end_matches(':').to_owned());
+            return Some(why.unwrap_or_else(|| panic!("{formula} stands in a comment of {text}")));
+        }
+        before = line;
+    }
+    assert!(
+        text.contains(&format!("'{formula}',")) || text.contains(&format!("'''{formula}''',")),
+        "{formula}: {text}"
+    );
+    None
+}
+
+#[track_caller]
+fn is_drafted(text: &str, formulas: &[&str]) {
+    for formula in formulas {
+        assert_eq!(refused(text, formula), None, "{formula}");
+    }
+}
+
+#[test]
+fn a_sign_behind_a_script_relates_nothing() {
+    let text = draft(r"\[ \delta w_\perp = a w_\parallel + b w_\| \] \[ a \perp b \] \[ v_\bot = 2 v^\perp \]");
+    is_drafted(&text, &[r"\delta w_{\perp}=a w_{\parallel}+ b w_\|"]);
+    assert!(refused(&text, r"a\perp b").is_some(), "{text}");
+}
+
+#[test]
+fn lengths_print_nothing() {
+    let text = draft(
+        r"\[ \Psi = A\cos(\mkern1.5mu\overline{\mkern-1.5mu\omega\mkern-1.5mu}\mkern1.5mu s) \]
+        \[ \begin{pmatrix} a \\[1.5ex] b \end{pmatrix} = \begin{pmatrix} b \\* [2pt] a \end{pmatrix} \]
+        \[ {\cal V}_1 + {\cal V}_2 = {\cal V} \]",
+    );
+    is_drafted(
+        &text,
+        &[
+            r"\Psi=A\cos(\overline{\omega} s)",
+            r"\begin{pmatrix} a \\[1.5ex] b \end{pmatrix}=\begin{pmatrix} b \\* [2pt] a \end{pmatrix}",
+            r"{\cal V}_1 + {\cal V}_2={\cal V}",
+        ],
+    );
+    assert!(text.contains(r"'\bar{\omega}' = ") || text.contains(r"'\overline{\omega}' = "), "{text}");
+}
+
+#[test]
+fn an_operator_of_one_chapter_is_a_number_where_another_shows_it() {
+    let chapters = |last: &str| {
+        format!(
+            r"\chapter{{A}} The operator $p$ acts. \[ a = p b \]
+            \chapter{{B}} \[ F = A p \] \[ q = p b \]
+            \chapter{{C}} {last}"
+        )
+    };
+    let text = draft(&chapters(r"\[ s = p r \]"));
+    assert!(refused(&text, "a=p b").is_some_and(|why| why.contains("operator")), "{text}");
+    assert!(refused(&text, "s=p r").is_some_and(|why| why.contains("operator")), "nothing shows it there: {text}");
+    is_drafted(&text, &["F=A p", "q=p b"]);
+    // One chapter, and one of quanta: the word counts in all of it.
+    let text = draft(r"The operator $p$ acts. \[ F = A p \] \[ q = p b \]");
+    assert!(refused(&text, "q=p b").is_some(), "{text}");
+    let text = draft(&chapters(r"\[ w = \hbar k \]"));
+    assert!(refused(&text, "q=p b").is_some(), "{text}");
+}
+
+#[test]
+fn a_prime_is_a_part_of_a_name_where_nothing_is_derived() {
+    let calculus = r"\section{A} \[ u'' + u = 0 \]";
+    let lens = r"\section{B} \[ \frac{1}{s} + \frac{1}{s'} = \frac{1}{f} \]";
+    let formula = r"\frac{1}{s} + \frac{1}{s'}=\frac{1}{f}";
+    is_drafted(&draft(&format!("{calculus} {lens}")), &[formula]);
+    for with in [r"\[ \frac{ds}{dr} = 2 \]", r"\[ \int_0^1 s\,dr = 2 \]", r"\[ p' = k p, \quad \dot q = 2 \]"] {
+        let text = draft(&format!("{calculus} {lens} {with}"));
+        let why = refused(&text, formula).unwrap_or_else(|| panic!("{with}: {text}"));
+        assert!(why.contains("a derivative, or another name"), "{with}: {why}");
+    }
+}
+
+#[test]
+fn e_is_a_name_in_a_chapter_of_its_factors() {
+    let orbits = r"\chapter{Orbits} \[ b = a\sqrt{1-e^2} \] \[ r = \frac{p}{1+e\cos\theta} \]";
+    let decay = r"\chapter{Decay} \[ N = N_0 e^{-kx} \]";
+    let text = draft(&format!("{decay} {orbits}"));
+    is_drafted(&text, &[r"b=a\sqrt{1-e^2}"]);
+    // Euler's number is raised in the same chapter, or divides as a number does: `1/e`.
+    let text = draft(&format!(r"{orbits} \[ N = N_0 e^{{-kx}} \]"));
+    assert!(refused(&text, r"b=a\sqrt{1-e^2}").is_some_and(|why| why.contains("Euler")), "{text}");
+    let text = draft(&format!(r"{decay} \chapter{{Beams}} \[ w = \frac{{I}}{{e^2}} \] \[ v = \frac{{I}}{{e}} \]"));
+    assert!(refused(&text, r"w=\frac{I}{e^2}").is_some_and(|why| why.contains("Euler")), "{text}");
+}
+
+#[test]
+fn what_moves_elsewhere_is_a_coordinate_where_it_is_derived_by() {
+    let text = draft(
+        r"\[ \frac{dx}{dt} = u(x,t) \] \[ \frac{\partial u}{\partial t} + u\frac{\partial u}{\partial x} = 0 \]
+        \[ \frac{\partial^2 u}{\partial x^2} = k u \] \[ \frac{\partial w}{\partial x} = 2 w \] \[ \frac{dE}{dt}=\frac{\partial E}{\partial x}\frac{dx}{dt} \]",
+    );
+    is_drafted(
+        &text,
+        &[
+            r"\frac{\partial u}{\partial t} + u\frac{\partial u}{\partial x}=0",
+            r"\frac{\partial^2 u}{\partial x^2}=k u",
+            r"\frac{\partial w}{\partial x}=2 w",
+        ],
+    );
+    // A total rate beside it: what moves is not held fixed.
+    let chain = refused(&text, r"\frac{dE}{dt}=\frac{\partial E}{\partial x}\frac{dx}{dt}");
+    assert!(chain.is_none_or(|why| why.contains("state")), "{text}");
+}
+
+#[test]
+fn a_function_at_a_place_is_that_of_its_variables() {
+    let text = draft(r"\[ \frac{dy}{dx} = f(x,y) \] \[ y_1 = y_0 + h f(x_0,y_0) \] \[ y_2 = y_1 + h f(x_1,y_1) \]");
+    is_drafted(&text, &[r"\frac{dy}{dx}=f(x,y)", "y_1=y_0 + h f(x_0,y_0)", "y_2=y_1 + h f(x_1,y_1)"]);
+    assert!(text.contains("'y(x)' = { role = \"field\" }"), "{text}");
+    assert!(!text.contains("'f(x_0,y_0)'"), "{text}");
+}
+
+#[test]
+fn a_difference_is_a_name_beside_coordinates_and_labels() {
+    let text = draft(
+        r"\[ \frac{\partial u}{\partial x} + \frac{\partial u}{\partial y} + \frac{\partial u}{\partial z} = 0 \]
+        \[ \nabla^2 u = 0 \] \[ \Delta T = T_2 - T_1 \] \[ T = 2 s \] \[ \Delta_r = 3 s \] \[ \delta J = 0 \] \[ J = \delta_{ab} \]",
+    );
+    is_drafted(&text, &[r"\Delta T=T_2 - T_1", r"\delta J=0", r"\Delta_r=3 s", "T=2 s"]);
+}
+
+#[test]
+fn a_letter_is_a_column_in_the_chapters_that_say_so() {
+    let text = draft(
+        r"\chapter{A} \[ A = \begin{pmatrix} a \\ b \\ c \end{pmatrix} \] \[ A\cdot A = s \]
+        \chapter{B} \[ r = \frac{m}{1+Am\cos\theta} \]",
+    );
+    is_drafted(&text, &[r"r=\frac{m}{1+Am\cos\theta}"]);
+    let text =
+        draft(r"\chapter{A} \[ A = \begin{pmatrix} a \\ b \\ c \end{pmatrix} \] \[ r = \frac{m}{1+Am\cos\theta} \]");
+    assert!(refused(&text, r"r=\frac{m}{1+Am\cos\theta}").is_some(), "{text}");
+}
+
+#[test]
+fn a_gradient_says_nothing_of_the_shape_of_its_function() {
+    let text = draft(
+        r"\[ \nabla\phi = \begin{pmatrix} u \\ v \\ w \end{pmatrix} \] \[ \phi = x y z \] \[ u = \frac{\partial\phi}{\partial x} \]",
+    );
+    is_drafted(&text, &[r"\phi=x y z", r"u=\frac{\partial\phi}{\partial x}"]);
+}
+
+#[test]
+fn rates_in_places_keep_their_dots_and_spellings() {
+    let text = draft(
+        r"\[ L(q_1,\dot q_1,t) = \frac12 m\dot q_1^2 \] \[ p_\alpha = \frac{\partial K}{\partial\dot{q}_\alpha} \]
+        \[ \frac{\partial K}{\partial q_\alpha} = 0 \] \[ g(\phi,t) = \phi t \]",
+    );
+    assert!(text.contains(r"L(q_1,\dot q_1,t)' = "), "{text}");
+    is_drafted(&text, &[r"p_\alpha=\frac{\partial K}{\partial\dot{q}_\alpha}", r"g(\phi,t)=\phi t"]);
+    assert!(!text.contains(r"' t'"), "{text}");
+}
+
+#[test]
+fn a_function_at_another_place_is_no_product() {
+    let text = draft(r"\[ \rho(z) = a z \] \[ b = \rho(z+h) - \rho(z) \] \[ c = \rho(1-z) \]");
+    let is_drafted = refused(&text, r"b=\rho(z+h) - \rho(z)").is_none();
+    assert!(!is_drafted || text.contains(r"'\rho(z)' = { role = "), "{text}");
+    // A function of one section, whose primes derive there, is another name where nothing is derived: refused.
+    let text =
+        draft(r"\section{A} \[ \frac{dn}{ds} = n'(s) \] \[ u'' + u = 0 \] \section{B} \[ n\sin\alpha = n'\sin\beta \]");
+    assert!(refused(&text, r"n\sin\alpha=n'\sin\beta").is_some(), "{text}");
+}
