@@ -427,12 +427,11 @@ impl Names {
             }
             _ => false,
         };
-        // The braces of a single letter are those of its style.
-        let spelled = match inside.as_slice() {
-            ["(", style, letter, ")"] if style.starts_with('\\') => format!("({style}{{{letter}}})"),
-            _ => self.spelled(from, to),
-        };
-        label.then_some((spelled, end))
+        label.then(|| match inside.as_slice() {
+            // The braces of a single letter are those of its style.
+            ["(", style, letter, ")"] if style.starts_with('\\') => (format!("({style}{{{letter}}})"), end),
+            _ => (self.spelled(from, to), end),
+        })
     }
 
     /// A subscript without its outer braces.

@@ -23,7 +23,8 @@ use pieces::{Piece, pieces};
 use rows::{Row, rows, unwrapped};
 pub(super) use scripts::with_braces;
 use side::{is_colon_equals, side_of, sign_at, stacked, without_labels};
-use signs::{BETWEEN_STATEMENTS, OPERATORS, RELATIONS, SPACES, WIDE_WORDS, WORDS};
+use signs::{BETWEEN_STATEMENTS, WIDE_WORDS, WORDS};
+pub(super) use signs::{is_operator, is_relation, is_space};
 
 /// What a reader sees as one: sides, and the signs between them.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -96,26 +97,6 @@ const MOST_TOKENS: usize = 200_000;
 
 fn is_wide(token: &Token) -> bool {
     token.is("quad") || token.is("qquad")
-}
-
-pub(super) fn is_space(token: &Token) -> bool {
-    token.kind == Kind::Space
-        || token.is_char("~")
-        || token.kind == Kind::Command && SPACES.contains(&token.text.as_str())
-}
-
-pub(super) fn is_operator(token: &Token) -> bool {
-    matches!(token.kind, Kind::Command | Kind::Other) && OPERATORS.contains(&token.text.as_str())
-}
-
-fn is_relation(token: &Token) -> bool {
-    match token.kind {
-        Kind::Other => {
-            matches!(token.text.as_str(), "=" | "<" | ">" | "≈" | "≤" | "≥" | "≠" | "≡" | "∼" | "∝" | "≪" | "≫")
-        }
-        Kind::Command => RELATIONS.contains(&token.text.as_str()),
-        _ => false,
-    }
 }
 
 /// How deep a place lies in braces, brackets and environments.

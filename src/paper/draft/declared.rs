@@ -6,9 +6,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::names::{Call, Evidence, PaperName, Primes, Subscripts, squeezed, unprimed};
-use super::guess::Guess;
-use super::places::{bare, is_vector};
-use super::readings::{Place, Reading, SPACE};
+use super::guess::{Guess, Place, Reading, SPACE};
+use super::spelling::{bare, is_vector};
 
 /// How shapes and motions are taken, where the paper leaves a choice.
 #[derive(Clone, Copy, Debug, Default)]

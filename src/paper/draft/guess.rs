@@ -43,7 +43,7 @@ impl Guess {
     /// What a field depends on: names, without dots.
     pub fn places(&self) -> Vec<&str> {
         let inside = self.name.split_once('(').and_then(|(_, rest)| rest.strip_suffix(')')).unwrap_or_default();
-        inside.split(',').map(super::places::bare).collect()
+        inside.split(',').map(super::spelling::bare).collect()
     }
 
     /// Whether the role can be declared for the whole file only.
@@ -71,3 +71,33 @@ impl Guess {
         format!("{} = {{ role = {}{shape}{complex}{labelled} }} # confirm: {}", self.key(), quoted(self.role), self.why)
     }
 }
+
+/// Where a formula stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Place {
+    /// The number of its section.
+    pub section: usize,
+    /// The number of its chapter.
+    pub chapter: usize,
+}
+
+/// What a formula is tried with.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Reading {
+    /// Its symbols, in the order in which they are declared.
+    pub symbols: Vec<Guess>,
+    /// Whether `i` is the imaginary unit.
+    pub is_complex: bool,
+    /// Whether `\log` is the natural logarithm.
+    pub has_logarithm: bool,
+}
+
+impl Reading {
+    /// Whether all coordinates of space are among its symbols.
+    pub(super) fn has_space(&self) -> bool {
+        SPACE.iter().all(|c| self.symbols.iter().any(|g| g.role == "coordinate" && g.name == *c))
+    }
+}
+
+/// The coordinates of space.
+pub(super) const SPACE: [&str; 3] = ["x", "y", "z"];

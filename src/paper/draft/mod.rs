@@ -13,6 +13,7 @@ mod obstacle;
 mod places;
 mod readings;
 mod settle;
+mod spelling;
 mod system;
 mod write;
 
@@ -21,7 +22,7 @@ use std::collections::BTreeMap;
 use super::Paper;
 use super::names::{Evidence, Notation};
 use formula::{Formula, Printed};
-use readings::{Place, Reading};
+use guess::{Place, Reading};
 use settle::Settled;
 
 /// The draft of a derivation file.

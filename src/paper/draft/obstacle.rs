@@ -5,9 +5,9 @@
 
 use super::super::names::{Call, Evidence, PaperName, Primes, order_counts, unprimed};
 use super::super::printed::PrintedSide;
+use super::guess::Place;
 use super::index;
-use super::places::is_name;
-use super::readings::Place;
+use super::spelling::is_name;
 
 /// What keeps a formula from being read as numbers, vectors and functions.
 pub(super) fn obstacle(

@@ -5,10 +5,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::names::letters::BOLD;
 use super::super::names::{Call, PaperName, Primes, is_variable, unprimed};
 use super::declared::Names;
-use super::readings::SPACE;
+use super::guess::SPACE;
+use super::spelling::{bare, is_name, is_vector};
 
 /// The most places of a function.
 const MOST_PLACES: usize = 4;
@@ -206,21 +206,4 @@ impl Names<'_> {
             [first, ..] => Some((*first).clone()),
         }
     }
-}
-
-/// What stands under the dots of a place.
-pub(super) fn bare(place: &str) -> &str {
-    let Some(inside) = place.strip_prefix(r"\ddot").or_else(|| place.strip_prefix(r"\dot")) else { return place };
-    let inside = inside.trim();
-    inside.strip_prefix('{').and_then(|s| s.strip_suffix('}')).unwrap_or(inside)
-}
-
-/// A name that may stand in the place of a function.
-pub(super) fn is_name(place: &str) -> bool {
-    !place.is_empty() && !place.chars().all(|c| c.is_ascii_digit())
-}
-
-/// Whether the style of a place is that of vectors.
-pub(super) fn is_vector(place: &str) -> bool {
-    BOLD.iter().any(|style| place.contains(&format!("\\{style}")))
 }

@@ -7,39 +7,9 @@
 use super::super::names::{Evidence, PaperName, evidence, names_apart};
 use super::super::printed::PrintedSide;
 use super::declared::{Names, Way};
-use super::guess::Guess;
+use super::guess::{Place, Reading};
 use super::index;
 use super::obstacle::{obstacle, raised_e};
-
-/// Where a formula stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Place {
-    /// The number of its section.
-    pub section: usize,
-    /// The number of its chapter.
-    pub chapter: usize,
-}
-
-/// What a formula is tried with.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Reading {
-    /// Its symbols, in the order in which they are declared.
-    pub symbols: Vec<Guess>,
-    /// Whether `i` is the imaginary unit.
-    pub is_complex: bool,
-    /// Whether `\log` is the natural logarithm.
-    pub has_logarithm: bool,
-}
-
-impl Reading {
-    /// Whether all coordinates of space are among its symbols.
-    pub(super) fn has_space(&self) -> bool {
-        SPACE.iter().all(|c| self.symbols.iter().any(|g| g.role == "coordinate" && g.name == *c))
-    }
-}
-
-/// The coordinates of space.
-pub(super) const SPACE: [&str; 3] = ["x", "y", "z"];
 
 /// The readings of a formula, the best first: each with others that mean the same, and need less of the file.
 ///
@@ -60,13 +30,17 @@ pub(super) fn readings(
     let has_charge = is_name && sides.iter().filter_map(|s| raised_e(s)).any(|(number, other)| number && !other);
     let size = sides.iter().find_map(|s| evidence::size(&s.tokens)).map(|(rows, _)| rows).filter(|n| *n > 1);
     for with_indices in indices {
-        let ways = [
+        let mut ways = vec![
             Way { dimension: 3, ..Way::default() },
             Way { dimension: size.unwrap_or(3), ..Way::default() },
             Way { dimension: 3, bold_matrices: true, ..Way::default() },
-            Way { dimension: 3, columns_of_chapter: true, ..Way::default() },
-            Way { dimension: 3, steady_before_time: true, ..Way::default() },
         ];
+        if !evidence.sizes.is_empty() {
+            ways.push(Way { dimension: 3, columns_of_chapter: true, ..Way::default() });
+        }
+        if text.contains('\\') {
+            ways.push(Way { dimension: 3, steady_before_time: true, ..Way::default() });
+        }
         for way in ways {
             let names = Names {
                 way,

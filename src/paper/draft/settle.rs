@@ -8,8 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::formula::{Formula, Printed, load};
 use super::formulas;
-use super::guess::Guess;
-use super::readings::{Reading, SPACE};
+use super::guess::{Guess, Reading, SPACE};
 use super::write;
 use diag::Diagnostic;
 

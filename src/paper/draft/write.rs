@@ -7,8 +7,7 @@ use std::fmt::Write;
 
 use super::super::Paper;
 use super::formula::{Formula, Printed};
-use super::guess::Guess;
-use super::readings::Reading;
+use super::guess::{Guess, Reading};
 use super::settle::Settled;
 use super::system::System;
 

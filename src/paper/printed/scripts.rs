@@ -5,10 +5,10 @@
 use std::borrow::Cow;
 
 use super::super::token::{Kind, Token};
-use super::{is_relation, is_space};
+use super::signs::{is_relation, is_space};
 
 /// Tokens in which no sign of relation stands bare behind `_` or `^`.
-pub(in super::super) fn with_braces(tokens: &[Token]) -> Cow<'_, [Token]> {
+pub fn with_braces(tokens: &[Token]) -> Cow<'_, [Token]> {
     let is_script = |t: &Token| t.is_char("_") || t.is_char("^");
     let behind = |at: usize| tokens[..at].iter().rev().find(|t| !is_space(t)).is_some_and(is_script);
     let bare = |at: usize| is_relation(&tokens[at]) && behind(at);

@@ -3,7 +3,8 @@
 use super::super::mark::{self, group_text};
 use super::super::span_of;
 use super::super::token::{Kind, Token};
-use super::{PrintedSide, RELATIONS, is_space, walk};
+use super::signs::RELATIONS;
+use super::{PrintedSide, is_space, walk};
 use diag::escape::shown;
 
 impl PrintedSide {

@@ -1,5 +1,7 @@
 //! Commands and characters of displays, by what they do: they relate, part statements, go on, print words, or space.
 
+use super::super::token::{Kind, Token};
+
 /// Signs that relate two sides.
 pub(super) const RELATIONS: &[&str] = &[
     "equiv",
@@ -144,3 +146,23 @@ pub(super) const SPACES: &[&str] = &[
     "smallskip",
     "medskip",
 ];
+
+pub fn is_space(token: &Token) -> bool {
+    token.kind == Kind::Space
+        || token.is_char("~")
+        || token.kind == Kind::Command && SPACES.contains(&token.text.as_str())
+}
+
+pub fn is_operator(token: &Token) -> bool {
+    matches!(token.kind, Kind::Command | Kind::Other) && OPERATORS.contains(&token.text.as_str())
+}
+
+pub fn is_relation(token: &Token) -> bool {
+    match token.kind {
+        Kind::Other => {
+            matches!(token.text.as_str(), "=" | "<" | ">" | "≈" | "≤" | "≥" | "≠" | "≡" | "∼" | "∝" | "≪" | "≫")
+        }
+        Kind::Command => RELATIONS.contains(&token.text.as_str()),
+        _ => false,
+    }
+}
