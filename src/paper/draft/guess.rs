@@ -2,7 +2,7 @@
 //!
 //! **In:** a role, a shape, why. **Out:** the line. **Guaranteed:** every guess is marked `confirm`, and says why.
 
-use super::write::quoted;
+use super::spelling::quoted;
 
 /// A guessed symbol.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -1,6 +1,7 @@
-//! How the places of a function are spelled: `\dot q`, `\mathbf{x}`, `0`.
+//! How a draft spells texts, and a paper the places of a function: `\dot q`, `\mathbf{x}`, `0`.
 //!
-//! **In:** a place as it is printed. **Out:** what stands under its dots, and whether it is a name, or a vector by its style.
+//! **In:** a place as it is printed. **Out:** what stands under its dots, and whether it is a name, or a vector by its style; a text
+//! in the quotes of TOML.
 
 use super::super::names::letters::BOLD;
 
@@ -19,4 +20,21 @@ pub(super) fn is_name(place: &str) -> bool {
 /// Whether the style of a place is that of vectors.
 pub(super) fn is_vector(place: &str) -> bool {
     BOLD.iter().any(|style| place.contains(&format!("\\{style}")))
+}
+
+/// A text in double quotes.
+pub(super) fn quoted(text: &str) -> String {
+    let mut out = String::from('"');
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => {
+                out.push('\\');
+                out.push(c);
+            }
+            c if c.is_control() => out.push(' '),
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
 }

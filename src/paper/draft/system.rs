@@ -94,7 +94,7 @@ impl System {
         let mut at = 0;
         let mut next = |key: &str| {
             at += 1;
-            let key = if key.contains('\'') { write::quoted(key) } else { format!("'{key}'") };
+            let key = if key.contains('\'') { super::spelling::quoted(key) } else { format!("'{key}'") };
             format!("{key} = {}", number(at - 1))
         };
         let parameters: Vec<String> = self.parameters.iter().map(|p| next(p)).collect();

@@ -9,6 +9,7 @@ use super::super::Paper;
 use super::formula::{Formula, Printed};
 use super::guess::{Guess, Reading};
 use super::settle::Settled;
+use super::spelling::quoted;
 use super::system::System;
 
 /// Ids of claims: labels, where there are.
@@ -39,23 +40,6 @@ fn id_of(label: &str) -> String {
         label.chars().map(|c| if c.is_ascii_alphanumeric() || "._".contains(c) { c } else { '-' }).collect();
     let kept: String = kept.trim_start_matches(|c: char| !c.is_ascii_alphanumeric()).chars().take(80).collect();
     if kept.is_empty() { "equation".to_owned() } else { kept }
-}
-
-/// A text in double quotes.
-pub(super) fn quoted(text: &str) -> String {
-    let mut out = String::from('"');
-    for c in text.chars() {
-        match c {
-            '"' | '\\' => {
-                out.push('\\');
-                out.push(c);
-            }
-            c if c.is_control() => out.push(' '),
-            c => out.push(c),
-        }
-    }
-    out.push('"');
-    out
 }
 
 /// A text in a comment of one line.
