@@ -67,9 +67,9 @@ impl VerdictShape {
             VerdictShape::Weak => ("○", "h w", r"$\circ$", "holds, but much else would"),
             VerdictShape::Fails => ("✕", "f", r"$\times$", "fails at samples"),
             VerdictShape::Certified => ("✖", "f e", r"$\boldsymbol{\times}$", "fails, certified"),
-            VerdictShape::Mixed => ("◐", "m", r"$\oslash$", "holds on some only"),
+            VerdictShape::Mixed => ("◐", "m", r"$\oslash$", "holds on some"),
             VerdictShape::Meaning => ("◇", "r", r"$\Diamond$", "depends on the reading"),
-            VerdictShape::NoIdentity => ("≢", "i", r"$\not\equiv$", "not for all values"),
+            VerdictShape::NoIdentity => ("≢", "i", r"$\not\equiv$", "no identity"),
             VerdictShape::NotApplicable => ("–", "n", "--", "does not apply"),
             VerdictShape::Undecided => ("?", "u", "?", "open"),
         }
