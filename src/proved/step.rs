@@ -284,7 +284,7 @@ impl<'a> Step<'a> {
     }
 
     /// Decides the step; `Err` if the two routes contradict each other.
-    pub fn decide(mut self) -> Option<Result<IdentityAccount, String>> {
+    pub fn decide(mut self) -> Option<Decided> {
         if !self.is_equations() {
             return match self.is_about_parameters() {
                 true => self.by_order().map(Ok),
@@ -315,7 +315,7 @@ impl<'a> Step<'a> {
     }
 
     /// Decides a claim that consists of equations; what stays open is looked for on motions.
-    fn decide_or_search(self) -> Option<Result<IdentityAccount, String>> {
+    fn decide_or_search(self) -> Option<Decided> {
         let (derivation, claim) = (self.derivation, self.claim);
         let (inequalities, searches) = (self.inequalities, !self.has_few_points);
         let found = self.decide_equations()?;
@@ -332,7 +332,7 @@ impl<'a> Step<'a> {
     }
 
     /// Decides a claim that consists of equations.
-    fn decide_equations(mut self) -> Option<Result<IdentityAccount, String>> {
+    fn decide_equations(mut self) -> Option<Decided> {
         let mut gathered = self.gather(None);
         if self.claim.states_integral() {
             gathered = match self.between_times(&gathered) {

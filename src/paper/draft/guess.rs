@@ -81,7 +81,7 @@ pub(super) struct Place {
     pub chapter: usize,
 }
 
-/// What a formula is tried with.
+/// The symbols with which a formula is tried, and how two letters are read.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Reading {
     /// Its symbols, in the order in which they are declared.

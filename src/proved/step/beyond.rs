@@ -13,7 +13,6 @@ use crate::expr::domain::Sign;
 use crate::expr::{Expr, FastMap, FastSet, Symbol};
 use crate::findings::IdentityAccount;
 use crate::findings::standing::Exception;
-use crate::latex::Scope;
 use proof::{When, is_never_negative};
 
 impl<'a> Step<'a> {
@@ -39,7 +38,6 @@ impl<'a> Step<'a> {
         if self.inequalities == When::Always || named.is_empty() {
             return (of, out);
         }
-        let own_scope = &self.claim.scope;
         let mut known: Option<(FastSet<(Expr, Sign)>, Gathered)> = None;
         for premise in named {
             let needs = self.needs_of(premise);
@@ -47,7 +45,7 @@ impl<'a> Step<'a> {
                 continue;
             }
             let (met, gathered) = known.get_or_insert_with(|| {
-                let met = self.needs_met(equations, own_scope);
+                let met = self.needs_met(equations);
                 let gathered = self.signs_of(&met);
                 (met, gathered)
             });
@@ -113,13 +111,13 @@ impl<'a> Step<'a> {
     }
 
     /// What the claim needs itself, what it assumes, and systems: where that is not so, nothing is said, or there is no motion.
-    fn needs_met(&mut self, equations: &Pairs, scope: &Scope) -> FastSet<(Expr, Sign)> {
+    fn needs_met(&mut self, equations: &Pairs) -> FastSet<(Expr, Sign)> {
         let mut roots = self.along(equations);
         roots.extend(
             self.claim.assuming.iter().flat_map(|w| &w.value.relations).flat_map(pairs).flat_map(|(l, r)| [l, r]),
         );
         roots.extend(self.sides_of_systems());
-        let written: Vec<Expr> = roots.into_iter().map(|e| self.written_out(e, &[scope])).collect();
+        let written: Vec<Expr> = roots.into_iter().map(|e| self.written_out(e, &[&self.claim.scope])).collect();
         let needs = self.graph.needs_below(written);
         let divided = self.divided_by_systems().into_iter().map(|e| (e, Sign::NotZero));
         needs.iter().map(|n| (n.value, n.sign)).chain(divided).collect()

@@ -4,7 +4,7 @@
 //! among the assumptions is one with that of the claim; under one of the two the assumptions may not be possible.
 
 use super::definitions::Definitions;
-use super::{Pairs, Step};
+use super::{Decided, Pairs, Step};
 use crate::agreement::answer;
 use crate::findings::standing::Decision;
 use crate::findings::{IdentityAccount, IdentityEvidence};
@@ -89,7 +89,7 @@ impl Step<'_> {
     ///
     /// Of a sign that is chosen point by point this is so where everything is said of one time and place: on an interval that is short enough
     /// one of the two residuals vanishes, with its derivatives.
-    pub(super) fn for_each_sign(self) -> Option<Result<IdentityAccount, String>> {
+    pub(super) fn for_each_sign(self) -> Option<Decided> {
         let mut all: Option<IdentityAccount> = None;
         for value in [1, -1] {
             let mut step = Step::of(self.derivation, self.claim)?.with(self.plain);

@@ -288,14 +288,6 @@ impl Altered {
         memory: &mut Memory,
     ) -> Option<(Option<Rejections>, Vec<Values>)> {
         let claim = found.claim;
-        let dropped: Placed;
-        let placed = match self.placed.get(k) {
-            Some(kept) => kept.get(start)?,
-            None => {
-                dropped = self.compiled((k, start), claim.scope.branch_sign())?;
-                &dropped
-            }
-        };
         let outcome = found.verdict.outcome();
         if !matches!(outcome, Outcome::Holds(_) | Outcome::Fails(_)) {
             return None;
@@ -332,6 +324,14 @@ impl Altered {
             first_counts: matches!(outcome, Outcome::Fails(_)),
             precision: claim.precision,
             one_sign_throughout: claim.branches_throughout,
+        };
+        let dropped: Placed;
+        let placed = match self.placed.get(k) {
+            Some(kept) => kept.get(start)?,
+            None => {
+                dropped = self.compiled((k, start), claim.scope.branch_sign())?;
+                &dropped
+            }
         };
         let rejections = rejection::rejected(&self.claims[k], placed, &evidence, memory);
         own.truncate(KEPT);
