@@ -102,6 +102,7 @@ mod printed;
 mod prove;
 mod prove_points;
 mod prove_traps;
+mod ranges;
 mod reach;
 mod readme;
 mod records;

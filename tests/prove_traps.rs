@@ -9,7 +9,7 @@ use rederive::check::{Proposition, prove};
 use rederive::derivation::Derivation;
 
 pub type Row = (&'static str, &'static str, &'static str, &'static str);
-type One<'a> = (&'static str, &'a str, &'a str, &'a str);
+pub type One<'a> = (&'static str, &'a str, &'a str, &'a str);
 
 fn list(text: &str) -> Vec<String> {
     text.split("; ").filter(|t| !t.is_empty()).map(str::to_owned).collect()
@@ -39,6 +39,12 @@ fn found((expected, formula, symbols, given): One) -> Result<(), String> {
 pub fn unproved(formula: &str, symbols: &str) {
     assert_eq!(found(("unproved", formula, symbols, "")), Ok(()));
     assert!(found(("except", formula, symbols, "")).is_err(), "{formula}");
+}
+
+/// Asserts what is found of a formula that is written by a test.
+#[track_caller]
+pub fn one(row: One) {
+    assert_eq!(found(row), Ok(()));
 }
 
 #[track_caller]

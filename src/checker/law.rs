@@ -65,6 +65,7 @@ laws! {
     LogarithmOfPower 2 "ln(u^v) = v ln u, for u > 0";
     Power 2 "u^v = exp(v ln u), for u > 0";
     PowerOfSum 3 "u^(v+w) = u^v · u^w, for u > 0";
+    PowerOfPower 3 "u^(vw) = (u^v)^w, for a whole number w, and u > 0 unless v and w are numbers above 0";
     SquareOfRoot 1 "(√u)² = u";
     RootOfSquare 1 "√(u²) = |u|";
     RootOfProduct 2 "√(uv) = √u √v";
@@ -91,6 +92,9 @@ laws! {
     DirectionCosine 2 "(u/√(u²+v²)) √(u²+v²) = u";
     MeanOfEquals 1 "agm(u,u) = u";
 }
+
+/// The largest whole exponent of [`Law::PowerOfPower`].
+const MOST_POWER: u32 = 64;
 
 /// Both sides, and the conditions.
 struct Row {
@@ -252,6 +256,19 @@ fn exponential(g: &mut Graph, law: Law, [u, v, w]: [Expr; 3], conditions: &mut V
             let both = g.add(v, w);
             let (a, b) = (g.binary(Op::Pow, u, v), g.binary(Op::Pow, u, w));
             (g.binary(Op::Pow, u, both), g.mul(a, b))
+        }
+        Law::PowerOfPower => {
+            // Of another w it says nothing. 0 to a power above 0 is 0.
+            let whole = g.as_constant(w).and_then(|w| i32::try_from(w.clone()).ok())?;
+            let is_above = whole > 0 && g.as_constant(v).is_some_and(|v| *v > Rational::ZERO);
+            if !is_above {
+                asks(u, Sign::Positive);
+            }
+            if whole.unsigned_abs() > MOST_POWER {
+                return None;
+            }
+            let (both, inner) = (g.mul(v, w), g.binary(Op::Pow, u, v));
+            (g.binary(Op::Pow, u, both), g.powi(inner, whole))
         }
         _ => return None,
     })

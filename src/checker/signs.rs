@@ -6,6 +6,7 @@
 use super::context::{Context, Says};
 use super::sequent::ConstantSign;
 use super::term::Sense;
+use expr::domain::{Bound, rises, stretches};
 use expr::{Expr, Node, Op, Rational};
 use std::collections::BTreeMap;
 
@@ -99,10 +100,15 @@ pub(crate) fn signs(context: &Context, e: Expr, known: &KnownSigns) -> Signs {
                 ConstantSign::NotNegative => Signs::POSITIVE.or(Signs::ZERO),
                 ConstantSign::NotZero => Signs::POSITIVE.or(Signs::NEGATIVE),
             },
-            Node::Unary(op, a) => unary(*op, found[a]),
+            Node::Unary(op, a) => unary(*op, found[a]).and(on_stretches(context, *op, *a, found[a], said)),
             Node::Binary(op, a, b) => {
                 let own = binary(*op, *a, *b, [found[a], found[b]]);
-                if *op == Op::Sub { own.and(said(*a, *b)).and(excess(context, *a, *b)) } else { own }
+                if *op == Op::Sub {
+                    let more = excess(context, *a, *b).and(rising(context, [*a, *b], &found, said));
+                    own.and(said(*a, *b)).and(more)
+                } else {
+                    own
+                }
             }
         };
         here = here.and(said(node, zero));
@@ -117,6 +123,64 @@ pub(crate) fn signs(context: &Context, e: Expr, known: &KnownSigns) -> Signs {
 /// The signs of a − b, if a is |b|. *Theorem.* |b| − b ≥ 0. *Proof.* It is 0 for b ≥ 0, and −2b otherwise. □
 fn excess(context: &Context, a: Expr, b: Expr) -> Signs {
     if context.graph.find(&Node::Unary(Op::Abs, b)) == Some(a) { Signs::POSITIVE.or(Signs::ZERO) } else { Signs::ALL }
+}
+
+/// The signs of f(a), by where a lies: what facts say of a and the ends of the stretches on which the values of f have a sign, which the table of domains tells.
+/// *Theorem.* On a stretch the value has its sign, or is 0, and that at ends only. *Proof.* The rows of the table: zeros and poles of sine, cosine and tangent; ln 1 = 0, and it rises; odd functions that rise. □
+fn on_stretches(context: &Context, op: Op, a: Expr, of_a: Signs, said: impl Fn(Expr, Expr) -> Signs) -> Signs {
+    let mut out = Signs::ALL;
+    for stretch in stretches(op) {
+        let (mut inside, mut within) = (true, true);
+        for (end, allowed) in [(stretch.from, Signs::POSITIVE), (stretch.to, Signs::NEGATIVE)] {
+            let Some(end) = end else { continue };
+            // The signs of a − end.
+            let signs =
+                of_end(context, end).map_or(Signs::ALL, |end| if end == context.zero { of_a } else { said(a, end) });
+            inside &= signs.within(allowed);
+            within &= signs.within(allowed.or(Signs::ZERO));
+        }
+        let sign = if stretch.is_positive { Signs::POSITIVE } else { Signs::NEGATIVE };
+        if within {
+            out = out.and(if inside { sign } else { sign.or(Signs::ZERO) });
+        }
+    }
+    out
+}
+
+/// An end as facts write it: a whole number, or a multiple of π; nothing where no formula has it.
+fn of_end(context: &Context, end: Bound) -> Option<Expr> {
+    let graph = &context.graph;
+    let constant = |r: Rational| graph.find(&Node::Constant(r.into()));
+    match end.quarter_turns {
+        0 => constant(end.whole.into()),
+        2 => graph.find(&Node::Pi),
+        turns => {
+            let factor = constant(Rational::from(turns) / Rational::from(2))?;
+            graph.find(&Node::Binary(Op::Mul, factor, graph.find(&Node::Pi)?))
+        }
+    }
+}
+
+/// The signs of x − y for x = f(a), y = f(b), and a rising f: those of a − b. Of exponentials, 1 is the value at 0.
+fn rising(
+    context: &Context,
+    [x, y]: [Expr; 2],
+    found: &BTreeMap<Expr, Signs>,
+    said: impl Fn(Expr, Expr) -> Signs,
+) -> Signs {
+    let function = |e: Expr| {
+        let Node::Unary(op, a) = *context.graph.node(e) else { return None };
+        rises(op).then_some((op, a))
+    };
+    let is_one = |e: Expr| context.graph.as_constant(e) == Some(&Rational::ONE);
+    let of_exponential = |(op, a): (Op, Expr)| if op == Op::Exp { found[&a] } else { Signs::ALL };
+    if let (Some((f, a)), Some((g, b))) = (function(x), function(y)) {
+        return if f == g { said(a, b) } else { Signs::ALL };
+    }
+    if is_one(y) {
+        return function(x).map_or(Signs::ALL, of_exponential);
+    }
+    if is_one(x) { function(y).map_or(Signs::ALL, of_exponential).opposite() } else { Signs::ALL }
 }
 
 /// What a relation e ≠ 0, e > 0 or e < 0 says of parts of e. *Theorem.* Where a product, a quotient, a power with an exponent above 0, |a| or −a is not 0, its factors, its numerator, its base, a are not 0; where √a is not 0, a > 0. (The

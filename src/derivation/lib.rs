@@ -37,6 +37,7 @@ mod region;
 mod role;
 mod schema;
 mod shared;
+mod span;
 mod start;
 mod symbols;
 mod table;

@@ -10,7 +10,6 @@ use super::formula::Written;
 use super::keys;
 use super::load::{Loader, is_equation};
 use super::model::{GivenValue, Motion, System, Trajectory};
-use super::number::finite;
 use super::table::{Table, Value, changes_backslashes, check_id, note_double_quoted, text_of};
 use super::values::Known;
 use expr::{Expr, Leaf, Rational, Symbol};
@@ -240,7 +239,7 @@ impl Loader<'_> {
         let before = self.problems.found.len();
         let title = table.text(&mut self.problems, "title").unwrap_or_else(|| draft.id.clone());
         let says = table.text(&mut self.problems, "says");
-        let times = self.times(table, source);
+        let times = self.times(table, source, &scope);
         let parameters = self.parameters(table, source, &scope, &[]);
         let motion = match (ways, source, draft.from) {
             ([_, _, true], Some(source), Some(from)) => {
@@ -274,53 +273,6 @@ impl Loader<'_> {
             initial_time,
             place: draft.place.clone(),
         })
-    }
-
-    /// Span and initial time.
-    fn times(&mut self, table: &Table<'_, '_>, source: Option<&Trajectory>) -> Option<((f64, f64), f64)> {
-        let problems = &mut self.problems;
-        let span = match (table.get("span"), source) {
-            (None, Some(source)) => source.span,
-            (None, None) => {
-                table.missing(problems, "span");
-                return None;
-            }
-            (Some(value), _) => {
-                let [a, b] = table.array(problems, "span", "two numbers") else {
-                    if value.get_ref().is_array() {
-                        let message = "`span` is the first and the last time";
-                        problems
-                            .note("derivation::bad-span", value.span(), message)
-                            .hint("for instance span = [0, 80]");
-                    }
-                    return None;
-                };
-                let (a, b) = (finite(problems, a, "span"), finite(problems, b, "span"));
-                let (a, b) = a.zip(b)?;
-                if a >= b {
-                    let message = "the first time of `span` must be before the last";
-                    problems.note("derivation::bad-span", value.span(), message);
-                    return None;
-                }
-                (a, b)
-            }
-        };
-        let inside = |t: f64| span.0 <= t && t <= span.1;
-        let initial = match table.get("initial-time") {
-            Some(value) => {
-                let t = finite(problems, value, "initial-time")?;
-                if !inside(t) {
-                    let message = "`initial-time` lies outside `span`";
-                    problems.note("derivation::bad-span", value.span(), message);
-                    return None;
-                }
-                t
-            }
-            None => {
-                source.map(|s| s.initial_time).filter(|t| inside(*t)).unwrap_or(if inside(0.0) { 0.0 } else { span.0 })
-            }
-        };
-        Some((span, initial))
     }
 
     /// The values that a table gives to symbols of a role, each with its name's place.

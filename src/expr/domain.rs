@@ -13,8 +13,10 @@
 //! A new operation does not compile without its row. (Values at complex arguments, cuts and the side that they belong to, get
 //! a column of their own here.)
 
+mod stretch;
 mod words;
 
+pub use stretch::{Stretch, rises, stretches};
 pub use words::line;
 
 use number::{Bounded, Scalar};

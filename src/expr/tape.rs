@@ -329,6 +329,18 @@ impl<N> Default for Slots<N> {
     }
 }
 
+impl Graph {
+    /// A number that is written as a formula, without symbols, as the binary64 number that is nearest to it as far as it is computed; nothing where it has no
+    /// finite value, or names a symbol.
+    pub fn number(&self, e: Expr) -> Option<f64> {
+        let tape = Tape::compile(self, &[], &[e]).ok()?;
+        let mut slots: Slots<Bounded> = tape.slots(&());
+        tape.run(&(), &mut slots);
+        let value = tape.output(0, &slots).ok()?.value;
+        value.is_finite().then_some(value)
+    }
+}
+
 impl<N> Slots<N> {
     /// Gives an input its value, or the reason why it has none.
     pub fn set(&mut self, input: usize, value: Result<N, NoValue>) {

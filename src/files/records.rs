@@ -21,8 +21,10 @@ use super::write::write_file;
 
 /// The ending of the name of a record.
 const ENDING: &str = "record";
-/// The largest record, in bytes.
-const LARGEST: u64 = 1 << 28;
+/// The largest record, in bytes: what is read takes several times as much memory, also where a file has become a small one.
+const LARGEST: u64 = 1 << 24;
+/// The largest index of a repository that is looked into.
+const LARGEST_INDEX: u64 = 1 << 28;
 /// The records of a folder have so many bytes together.
 const MOST: u64 = 1 << 30;
 /// Length of a sum.
@@ -162,7 +164,7 @@ fn is_tracked(folder: &Path) -> bool {
     // Of a further work tree, `.git` is a file that names the folder.
     let named = || fs::read_to_string(&git).ok().and_then(|text| Some(top.join(text.strip_prefix("gitdir:")?.trim())));
     let Some(git) = git.is_dir().then(|| git.clone()).or_else(named) else { return true };
-    let Ok(index) = super::read(&git.join("index"), LARGEST) else { return git.join("index").exists() };
+    let Ok(index) = super::read(&git.join("index"), LARGEST_INDEX) else { return git.join("index").exists() };
     // Names are written out up to version 3 of the index; what is written otherwise is not looked into.
     let is_written_out = index.starts_with(b"DIRC\0\0\0\x02") || index.starts_with(b"DIRC\0\0\0\x03");
     let mut name: Vec<u8> =

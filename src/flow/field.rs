@@ -398,9 +398,17 @@ fn product(graph: &mut Graph, a: Option<Expr>, b: Option<Expr>) -> Option<Expr> 
     Some(graph.mul(a?, b?))
 }
 
-/// x / d, with the signs of constants −1 taken out of the way.
+/// x / d, with the signs of constants −1 taken out of the way. A structural zero stays one where d is a number; else it is 0 where d is not: where d is 0 the
+/// equations leave the rate open.
 fn quotient(graph: &mut Graph, x: Option<Expr>, d: Expr) -> Option<Expr> {
-    let x = x?;
+    let Some(x) = x else {
+        if graph.as_constant(d).is_some() {
+            return None;
+        }
+        let (zero, one) = (graph.integer(0), graph.integer(1));
+        let inverse = graph.div(one, d);
+        return Some(graph.binary(Op::Restrict, zero, inverse));
+    };
     match graph.node(d).clone() {
         Node::Unary(Op::Neg, inner) => {
             let minus = graph.neg(x);

@@ -26,7 +26,7 @@ use nalgebra::DMatrix;
 use super::error::{FlowError, leaf_name};
 use super::field::VectorField;
 use expr::tape::Tape;
-use expr::{Expr, Graph, Leaf};
+use expr::{Expr, Graph, Leaf, Op, Rational};
 use number::{Decorated, Interval, Number, Precise, PreciseModel, Scalar};
 
 /// Most parts of the box that are looked at.
@@ -162,7 +162,7 @@ impl Ready<'_> {
         let near = sides
             .iter()
             .zip(self.guesses)
-            .map(|(side, guess)| format!("{:?} ≤ {} ≤ {:?}", side.lo(), guess.name, side.hi()));
+            .map(|(side, guess)| format!("{:?} ≤ {} ≤ {:?}", side.low.mid(), guess.name, side.high.mid()));
         let near = near.collect::<Vec<_>>().join(", ");
         let Some(equations) = Equations::new(graph, self, &value) else {
             let at = "any values".to_owned();
@@ -172,7 +172,8 @@ impl Ready<'_> {
             let each = self.guesses.iter().zip(x).map(|(guess, side)| format!("{} = {:?}", guess.name, side.mid()));
             each.collect::<Vec<_>>().join(", ")
         };
-        let found = equations.search(&sides);
+        let outer: Vec<Interval> = sides.iter().map(|side| side.outer).collect();
+        let found = equations.search(&outer);
         let mut zeros = found.zeros.iter();
         let enclosure = match (zeros.next(), zeros.next(), found.left.first()) {
             (Some(first), Some(second), _) if !found.unclear => {
@@ -186,7 +187,7 @@ impl Ready<'_> {
             }
             (_, _, Some(left)) => return Err(FlowError::UnclearStart { near, at: shown(left) }),
         };
-        if !sides.iter().zip(enclosure).all(|(side, x)| side.contains_interval(*x)) {
+        if !sides.iter().zip(enclosure).all(|(side, x)| side.inner.contains_interval(*x)) {
             return Err(FlowError::StartAtEdge { near, at: shown(enclosure) });
         }
         let narrowed = equations.narrowed(enclosure);
@@ -196,21 +197,40 @@ impl Ready<'_> {
     /// Where an unknown is looked for.
     fn side(
         &self,
-        graph: &Graph,
+        graph: &mut Graph,
         near: Expr,
         within: Option<Expr>,
         value: &impl Fn(Leaf) -> Option<Precise>,
-    ) -> Option<Interval> {
-        let number = |e: Expr| -> Option<f64> {
+    ) -> Option<Side> {
+        let within = within.unwrap_or_else(|| {
+            let (size, half) = (graph.unary(Op::Abs, near), graph.constant(Rational::ONE / Rational::from(2)));
+            graph.mul(half, size)
+        });
+        let ends = [graph.sub(near, within), graph.add(near, within)];
+        let number = |e: Expr| -> Option<Interval> {
             let leaves = graph.leaves([e]);
             let tape = Tape::compile(graph, &leaves, &[e]).ok()?;
             let inputs: Vec<Interval> = leaves.iter().map(|&l| Some(value(l)?.interval())).collect::<Option<_>>()?;
-            Some(values(&tape, &inputs)?.first()?.mid())
+            values(&tape, &inputs)?.first().copied()
         };
-        let near = number(near)?;
-        let within = within.map_or(Some(0.5 * near.abs()), number)?;
-        (near.is_finite() && within.is_finite() && within > 0.0).then(|| Interval::ball(near, within))
+        let [low, high] = [number(ends[0])?, number(ends[1])?];
+        Some(Side {
+            outer: Interval::new(low.lo(), high.hi()).ok()?,
+            inner: Interval::new(low.hi(), high.lo()).ok()?,
+            low,
+            high,
+        })
     }
+}
+
+/// Where an unknown is looked for: its ends are known up to rounding.
+struct Side {
+    /// No value that is meant is outside of it.
+    outer: Interval,
+    /// All values in it are meant.
+    inner: Interval,
+    low: Interval,
+    high: Interval,
 }
 
 /// F and F′, over constants and unknowns.

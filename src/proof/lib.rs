@@ -120,6 +120,7 @@ mod field;
 mod fractions;
 mod generators;
 mod growth;
+mod implied;
 mod insertion;
 mod inverse;
 mod jets;

@@ -3,19 +3,19 @@
 use super::absolute::AbsoluteValues;
 use super::field::Question;
 use super::generators::{Generator, Generators, Lowering};
+use super::implied::{Implied, implied};
 use super::insertion::Insertion;
 use super::linear::Combinations;
 use super::logarithm::Logarithms;
 use super::orthogonal::{Orthogonal, orthogonal};
-use super::outcome::{Premises, Reason};
-use super::polynomial::{factors, primitive};
+use super::outcome::Reason;
+use super::polynomial::factors;
 use super::prepare::{Premise, argument_leaves};
 use super::probe::Probe;
-use super::range::Ranges;
 use super::roots::Roots;
 use super::sign::Facts;
 use super::solve::{Resolved, insert_definitions};
-use expr::{Expr, Graph, Leaf, Node, Op, Rational};
+use expr::{Expr, Graph, Leaf, Node, Op};
 use expr::{FastMap, FastSet};
 
 type Pairs = Vec<(Expr, Expr)>;
@@ -62,7 +62,7 @@ pub(super) fn lower(
     roots.extend(residuals.iter().chain(nonzero).chain(positive).chain(not_negative).chain(definitions));
     let (mut logarithms, implied) = match further {
         true => (Logarithms::of(graph, &roots, positive), implied(graph, &roots, [positive, not_negative])),
-        false => (Logarithms::default(), Vec::new()),
+        false => (Logarithms::default(), Implied::default()),
     };
     let mut apart = |graph: &mut Graph, list: &[Expr]| -> Vec<Expr> {
         list.iter().map(|&e| logarithms.put_into(graph, e)).collect()
@@ -70,10 +70,11 @@ pub(super) fn lower(
     let residuals = apart(graph, &residuals);
     let claimed: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
     let claimed = apart(graph, &claimed);
-    let [nonzero, positive, not_negative, definitions, radicands, implied] =
-        [nonzero, positive, not_negative, definitions, &radicands, &implied].map(|list| apart(graph, list));
+    let [nonzero, positive, not_negative, definitions, radicands, implied, implied_positive] =
+        [nonzero, positive, not_negative, definitions, &radicands, &implied.not_negative, &implied.positive]
+            .map(|list| apart(graph, list));
     let mut roots = claimed.clone();
-    let lists = [&residuals, &nonzero, &positive, &not_negative, &definitions, &radicands, &implied];
+    let lists = [&residuals, &nonzero, &positive, &not_negative, &definitions, &radicands, &implied, &implied_positive];
     roots.extend(lists.into_iter().flatten());
     let mut given = Facts::default();
     positive.iter().for_each(|&e| given.note_positive(graph, e));
@@ -108,6 +109,10 @@ pub(super) fn lower(
     let mut of_values = Vec::new();
     for a in implied {
         of_values.push(lowering.lower(a)?);
+    }
+    let mut of_positive = Vec::new();
+    for a in implied_positive {
+        of_positive.push(lowering.lower(a)?);
     }
     let mut of_definitions = Vec::new();
     for e in definitions {
@@ -144,9 +149,8 @@ pub(super) fn lower(
     not_zero.iter().for_each(|&e| note(&mut facts, e));
     let mut given_facts = facts.clone();
     denominators.iter().for_each(|&e| note(&mut facts, e));
-    for e in of_values {
-        facts.note_not_negative(graph, e);
-    }
+    of_values.iter().for_each(|&e| facts.note_not_negative(graph, e));
+    of_positive.iter().for_each(|&e| facts.note_positive(graph, e));
     // What still stands in arguments after lowering must stay free.
     let named = |at: &usize| !further || !generators.radicals.iter().any(|r| r.generator == *at);
     let arguments = (0..generators.list.len()).filter(named).filter_map(|at| generators.list[at].argument());
@@ -171,64 +175,6 @@ pub(super) fn lower(
         further,
     })
 }
-
-/// What else is not negative wherever all formulas have values: sums, by the ranges of their parts, and what logarithms and
-/// powers are of. Only what has no function in it: it brings no generator.
-fn implied(graph: &mut Graph, roots: &[Expr], [positive, not_negative]: [&[Expr]; 2]) -> Vec<Expr> {
-    let mut out = Vec::new();
-    let plain = |graph: &Graph, e: Expr| {
-        let below = graph.reachable([e]);
-        below.len() <= MOST_BELOW
-            && below.iter().all(|&e| match *graph.node(e) {
-                Node::Constant(_) | Node::Leaf(_) => true,
-                Node::Pi => false,
-                Node::Unary(op, _) => matches!(op, Op::Neg | Op::Powi(_)),
-                Node::Binary(op, ..) => matches!(op, Op::Add | Op::Sub | Op::Mul | Op::Div),
-            })
-    };
-    let is_leaf = |e: &Expr| matches!(graph.node(*e), Node::Leaf(_));
-    let nodes = graph.reachable(roots.iter().copied());
-    let radicand = |&e: &Expr| match *graph.node(e) {
-        Node::Unary(Op::Sqrt, a) if plain(graph, a) => Some(a),
-        Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => None,
-    };
-    let radicands: Vec<Expr> = nodes.iter().filter_map(radicand).collect();
-    let restricted = !positive.iter().chain(not_negative).chain(&radicands).all(is_leaf);
-    let rooted =
-        nodes.iter().any(|&e| matches!(graph.node(e), Node::Unary(Op::Sqrt | Op::Abs, _) | Node::Binary(Op::Pow, ..)));
-    for &e in &nodes {
-        if let Node::Unary(Op::Ln, a) | Node::Binary(Op::Pow, a, _) = *graph.node(e)
-            && plain(graph, a)
-        {
-            let (q, parts) = primitive(graph, a);
-            match parts.as_slice() {
-                // An odd power has the sign of its base.
-                &[(base, k)] if k % 2 != 0 => out.push(if q > Rational::ZERO { base } else { graph.neg(base) }),
-                _ => out.push(a),
-            }
-        }
-    }
-    if restricted && rooted && nodes.len() <= MOST_NODES {
-        let not_negative = not_negative.iter().copied().chain(radicands).collect();
-        let given = Premises { positive: positive.to_vec(), not_negative, ..Premises::default() };
-        let ranges = Ranges::new(graph, &given);
-        for e in nodes {
-            if matches!(graph.node(e), Node::Leaf(_) | Node::Binary(Op::Add | Op::Sub, ..)) && plain(graph, e) {
-                let range = ranges.of(graph, e).range();
-                if range.lo() >= 0.0 {
-                    out.push(e);
-                } else if range.hi() <= 0.0 {
-                    out.push(graph.neg(e));
-                }
-            }
-        }
-    }
-    out
-}
-
-/// Larger expressions and problems are not looked at for signs.
-const MOST_BELOW: usize = 32;
-const MOST_NODES: usize = 400;
 
 /// What is asked of the field for one case: everything with the case's definitions, in normal form, circles parametrised.
 pub(super) fn question(

@@ -99,7 +99,11 @@ const MAGNITUDES: [(i64, i64); 10] = [(1, 1), (2, 1), (3, 1), (1, 2), (3, 2), (5
 /// Numbers below 1: entries of rotations with rational coefficients, above all.
 const SMALL: [(i64, i64); 10] = [(1, 3), (2, 3), (0, 1), (3, 5), (4, 5), (2, 7), (3, 7), (6, 7), (1, 2), (1, 4)];
 /// Half-angle tangents: cosine and sine are 3/5 and 4/5, 5/13 and 12/13 …
-const TANGENTS: [(i64, i64); 8] = [(1, 2), (1, 3), (2, 3), (-1, 2), (1, 4), (3, 2), (-1, 3), (3, 1)];
+const TANGENTS: [(i64, i64); 12] =
+    [(1, 2), (1, 3), (2, 3), (-1, 2), (1, 4), (3, 2), (-1, 3), (3, 1), (-2, 3), (-3, 2), (-3, 1), (7, 1)];
+/// The first points are simple: few numbers; few angles, and none beyond a half turn.
+const SIMPLE: u32 = 24;
+const SIMPLE_ANGLES: u32 = 12;
 
 fn ratio((n, d): (i64, i64)) -> Rational {
     Rational::from(n) / Rational::from(d)
@@ -260,7 +264,7 @@ impl Scene<'_> {
             let mut r = if number % 3 == 2 && !declared && !chosen {
                 ratio(SMALL[draws.below(10) as usize])
             } else {
-                ratio(MAGNITUDES[draws.below(if number < 24 { 6 } else { 10 }) as usize])
+                ratio(MAGNITUDES[draws.below(if number < SIMPLE { 6 } else { 10 }) as usize])
             };
             if !declared && !chosen && draws.bits() & 3 == 0 {
                 r = -r;
@@ -310,11 +314,17 @@ impl Scene<'_> {
         circles: &mut FastMap<Leaf, (Rational, Rational)>,
     ) {
         for &(ref q, leaf) in &frame.angles {
-            let t = ratio(TANGENTS[draws.below(if number < 24 { 4 } else { 8 }) as usize]);
+            let t = ratio(TANGENTS[draws.below(if number < SIMPLE_ANGLES { 4 } else { 12 }) as usize]);
             let square = &t * &t;
             let under = Rational::ONE + &square;
             circles.insert(leaf, ((Rational::ONE - &square) / &under, (&t + &t) / &under));
-            let angle = rounded(&t).and_then(|t| function(|out| Number::arctan(out, &(), &t)));
+            let mut angle = rounded(&t).and_then(|t| function(|out| Number::arctan(out, &(), &t)));
+            // Half of a whole turn, up or down.
+            if number >= SIMPLE_ANGLES && draws.bits() & 3 == 0 {
+                let half = function(|out| Number::pi(out, &()));
+                let half = if draws.bits() & 1 == 0 { half } else { half.map(|pi| -pi) };
+                angle = angle.zip(half).and_then(|(a, b)| function(|out| Number::add(out, &(), &a, &b)));
+            }
             let factor = rounded(&(Rational::from(2) / q));
             if let (Some(angle), Some(factor)) = (angle, factor) {
                 values.extend(function(|out| Number::mul(out, &(), &angle, &factor)).map(|v| (leaf, v)));

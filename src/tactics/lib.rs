@@ -24,6 +24,7 @@ mod prove;
 mod ring;
 mod sequent;
 mod signs;
+mod stretch;
 mod unique;
 mod used;
 mod vanish;

@@ -231,6 +231,9 @@ impl Attempt<'_> {
 
     /// How a function is changed.
     fn change(&mut self, node: Expr, units: &[(Expr, Rational)]) -> Option<Change> {
+        if let Node::Binary(Op::Pow, u, v) = *self.search.reader.graph.node(node) {
+            return self.power(u, v);
+        }
         let Node::Unary(op, a) = *self.search.reader.graph.node(node) else { return None };
         match op {
             Op::Tan => Some((Law::Tangent, vec![a])),
@@ -262,7 +265,11 @@ impl Attempt<'_> {
             }
             Op::Exp => {
                 let found = self.of_inverse(a, &[(Op::Ln, Law::ExponentialOfLogarithm)], None);
-                found.or_else(|| self.of_sum(a, [Law::ExponentialOfSum, Law::ExponentialOfOpposite], units))
+                found.or_else(|| {
+                    let laws = [Law::ExponentialOfSum, Law::ExponentialOfOpposite];
+                    let (sum, apart) = (self.of_sum(a, laws, units), self.distributed(a));
+                    sum.or_else(|| apart.map(|(p, q)| (Law::ExponentialOfSum, vec![p, q])))
+                })
             }
             // Below an exponential it stays whole.
             Op::Ln if units.iter().any(|(unit, _)| *unit == node) => None,
@@ -284,6 +291,42 @@ impl Attempt<'_> {
             | Op::DirectionCosine
             | Op::Restrict => None,
         }
+    }
+
+    /// A power with a rational exponent as a whole power of a root; another one as an exponential.
+    fn power(&mut self, u: Expr, v: Expr) -> Option<Change> {
+        let graph = &mut self.search.reader.graph;
+        let Some(exponent) = graph.as_constant(v).cloned() else { return Some((Law::Power, vec![u, v])) };
+        if *exponent.numerator() == 1.into() {
+            return None;
+        }
+        let whole = Rational::from_parts(exponent.numerator().clone(), 1u8.into());
+        let [part, whole] = [exponent / whole.clone(), whole].map(|r| graph.constant(r));
+        Some((Law::PowerOfPower, vec![u, part, whole]))
+    }
+
+    /// A product with a sum in it as a sum of two.
+    fn distributed(&mut self, e: Expr) -> Option<(Expr, Expr)> {
+        let node = self.search.reader.graph.node(e).clone();
+        if let Node::Unary(Op::Neg, u) = node {
+            let (p, q) = self.distributed(u)?;
+            let graph = &mut self.search.reader.graph;
+            return Some((graph.neg(p), graph.neg(q)));
+        }
+        let Node::Binary(op, u, v) = node else { return None };
+        if op == Op::Add || op == Op::Sub {
+            return Some((u, if op == Op::Add { v } else { self.search.reader.graph.neg(v) }));
+        }
+        if op != Op::Mul && op != Op::Div {
+            return None;
+        }
+        if let Some((p, q)) = self.distributed(u) {
+            let graph = &mut self.search.reader.graph;
+            return Some((graph.binary(op, p, v), graph.binary(op, q, v)));
+        }
+        let (p, q) = if op == Op::Mul { self.distributed(v)? } else { return None };
+        let graph = &mut self.search.reader.graph;
+        Some((graph.mul(u, p), graph.mul(u, q)))
     }
 
     /// Whether functions of parts of an angle are named, too.

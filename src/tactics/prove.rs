@@ -54,6 +54,8 @@ impl Attempt<'_> {
             let told = self.by_laws(fact);
             self.assumptions.extend(told);
         }
+        let places = self.on_stretches();
+        self.assumptions.extend(places);
         self.differentiate(u8::from(conserved.is_some()));
         let claim = self.sequent.claim.clone();
         if claim.sense != Sense::Equal {

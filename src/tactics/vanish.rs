@@ -5,7 +5,7 @@
 use crate::eliminate::{MOST_NODES, Solved};
 use crate::prove::Attempt;
 use checker::{FactId, Law, Relation, SymbolKind, Term};
-use expr::{Expr, Leaf, Node, Op};
+use expr::{Expr, Leaf, Node, Op, Rational};
 
 /// Most rounds of elimination.
 const MOST_ROUNDS: usize = 120;
@@ -198,11 +198,23 @@ impl Attempt<'_> {
                     out.extend(self.root_of_argument(node));
                     continue;
                 }
+                Node::Binary(Op::Pow, base, exponent) => {
+                    out.extend(self.power_of_root(base, exponent));
+                    continue;
+                }
                 Node::Unary(..) | Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => continue,
             };
             out.extend(self.search.law(law, &[argument]).map(|(fact, ..)| fact));
         }
         out
+    }
+
+    /// u = (u^{1/n})ⁿ.
+    fn power_of_root(&mut self, base: Expr, exponent: Expr) -> Option<FactId> {
+        let graph = &mut self.search.reader.graph;
+        let n = graph.as_constant(exponent).filter(|r| *r.numerator() == 1.into())?.denominator().clone();
+        let whole = graph.constant(Rational::from_parts(n.into(), 1u8.into()));
+        self.search.law(Law::PowerOfPower, &[base, exponent, whole]).map(|(fact, ..)| fact)
     }
 
     /// Facts about what stands in an expression, as the expression has it, with all that is solved put in.

@@ -259,8 +259,13 @@ impl Verdict {
     }
 
     /// A proof that parts are so, or are not so, on this motion, wherever they have a value. What is said to be false needs a time at which
-    /// it has one: the comparison there is the witness.
+    /// it has one: the comparison there is the witness. Where what is presupposed may be false, the proof says nothing of the parts.
     pub fn prove_parts(&mut self, parts: &[(usize, PartShown)], proof: &Proof) {
+        let known =
+            |part: usize| self.findings.get(part).and_then(|f| f.known(Strength::Sampled)).unwrap_or(Possible::ANY);
+        if self.claim.may_not_apply(&mut { known }) {
+            return;
+        }
         for &(part, shown) in parts {
             let Some(finding) = self.findings.get_mut(part) else { continue };
             let (truth, why) = match shown {

@@ -7,7 +7,7 @@
 //! The same type serves at a point (atoms are comparisons, there may be a sign of ±), and for a claim as a whole (atoms are
 //! its parts, each of which speaks of all times that count).
 
-use super::truth::Possible;
+use super::truth::{Possible, Truth};
 use serde::{Deserialize, Serialize};
 
 /// How many of the instances: every one, or some one.
@@ -110,6 +110,18 @@ impl Proposition {
             Proposition::Each(Quantifier::Some, _) => Vec::new(),
             Proposition::Given(then, _) => then.said(),
             Proposition::Assert(inner) => inner.said(),
+        }
+    }
+
+    /// Whether something that is presupposed of what is said may be false, as far as atoms are known.
+    pub fn may_not_apply(&self, atom: &mut impl FnMut(usize) -> Possible) -> bool {
+        match self {
+            Proposition::Atom(_) | Proposition::Not(_) | Proposition::Or(_) => false,
+            Proposition::And(all) | Proposition::Each(_, all) => all.iter().any(|p| p.may_not_apply(atom)),
+            Proposition::Given(then, condition) => {
+                condition.value(atom).may_be(Truth::False) || then.may_not_apply(atom)
+            }
+            Proposition::Assert(inner) => inner.may_not_apply(atom),
         }
     }
 

@@ -476,3 +476,43 @@ fn what_leaves_out_all_is_no_proof() {
     let fact = w.zero("x=5", "1", &[(fact, "1")]);
     w.refuse(Step::Conclude { fact }, "is never so");
 }
+
+#[test]
+fn a_function_has_a_sign_on_a_stretch_of_its_argument() {
+    // From, to; what follows; what follows where an end belongs to it.
+    let rows = [
+        ("x>0", "x<pi", "sin(x)>0", "sin(x)≥0"),
+        ("x>-1*pi", "x<0", "sin(x)<0", "sin(x)≤0"),
+        ("x>-1/2*pi", "x<1/2*pi", "cos(x)>0", "cos(x)≥0"),
+        ("x>1/2*pi", "x<3/2*pi", "cos(x)<0", "cos(x)≤0"),
+        ("x>0", "x<1/2*pi", "tan(x)>0", "tan(x)≥0"),
+        ("x>1", "0=0", "ln(x)>0", "ln(x)≥0"),
+        ("x<1", "0=0", "ln(x)<0", "ln(x)≤0"),
+        ("x>0", "0=0", "exp(x)-1>0", "exp(x)-1≥0"),
+        ("x>y", "0=0", "exp(x)-exp(y)>0", "arctan(x)-arctan(y)≥0"),
+    ];
+    for (low, high, inside, within) in rows {
+        let closed = |text: &str| text.replace('<', "≤").replace('>', "≥");
+        let s = sequent("x,y", 1, inside).premise(low).premise(high).premise(&closed(low)).premise(&closed(high));
+        let mut w = Work::new(&s);
+        let of: Vec<FactId> = (0..4).map(|at| w.premise(at)).collect();
+        w.sign(inside, &of[..2]);
+        w.sign(within, &of[2..]);
+        // With the ends, it may be 0; with one end alone, anything.
+        w.refuse(Step::Sign { says: rel(inside), from: of[2..].to_vec() }, "do not show");
+        w.refuse(Step::Sign { says: rel(within), from: vec![of[1]] }, "do not show");
+        if high != "0=0" {
+            w.refuse(Step::Sign { says: rel(within), from: vec![of[0]] }, "do not show");
+        }
+        // Nor does the other sign follow.
+        let other = if within.contains('≥') { within.replace('≥', "<") } else { within.replace('≤', ">") };
+        w.refuse(Step::Sign { says: rel(&other), from: of.clone() }, "do not show");
+    }
+    // Sine and tangent do not rise throughout, a cosine is about two sides of 0, and an end may be written otherwise.
+    let s = sequent("x,y", 1, "x>0").premise("x>y").premise("x>0").premise("x<3");
+    let mut w = Work::new(&s);
+    let of: Vec<FactId> = (0..3).map(|at| w.premise(at)).collect();
+    for says in ["sin(x)-sin(y)>0", "tan(x)-tan(y)>0", "cos(x)>0", "sin(x)>0", "exp(x)-2>0", "cosh(x)-cosh(y)>0"] {
+        w.refuse(Step::Sign { says: rel(says), from: of.clone() }, "do not show");
+    }
+}
