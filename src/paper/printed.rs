@@ -5,7 +5,6 @@
 //! side or in a remark: nothing is dropped without a word.
 
 mod cases;
-mod groups;
 mod pieces;
 mod rows;
 mod scripts;
@@ -20,9 +19,8 @@ use super::opening::{Opening, closes_case, is_link, opening};
 use super::token::{Kind, Token};
 use super::unicode;
 use diag::escape::shown;
-use groups::{Grid, Group};
 use pieces::{Piece, pieces};
-use rows::{Row, rows, unwrapped};
+use rows::{Grid, Group, Row, rows, unwrapped};
 pub(super) use scripts::with_braces;
 use side::{is_colon_equals, side_of, sign_at, stacked, without_labels};
 use signs::{BETWEEN_STATEMENTS, WIDE_WORDS, WORDS};
