@@ -190,3 +190,43 @@ fn a_function_at_another_place_is_no_product() {
         draft(r"\section{A} \[ \frac{dn}{ds} = n'(s) \] \[ u'' + u = 0 \] \section{B} \[ n\sin\alpha = n'\sin\beta \]");
     assert!(refused(&text, r"n\sin\alpha=n'\sin\beta").is_some(), "{text}");
 }
+
+#[test]
+fn values_of_a_function_of_several_places_are_of_what_stands_there_elsewhere() {
+    let text = draft(
+        r"\[ 3u(x) = 1 + x \] \[ 2u(x) = 2 - x \] \[ y(x,t) = x - 2t \] \[ y(x,0) = x \] \[ y(0,t) = -2t \]
+        \[ v(x,0) = \sin(x) \] \[ v(0,t) = t^2 \] \[ w(x,0) = x \] \[ w(s,0) = s \]",
+    );
+    is_drafted(&text, &["y(x,0)=x", "y(0,t)=-2t", r"v(x,0)=\sin(x)", "v(0,t)=t^2"]);
+    assert!(text.contains("'v(x,t)' = { role = \"field\" }"), "{text}");
+    // Which variables these are is not shown.
+    assert!(refused(&text, "w(x,0)=x").is_some(), "{text}");
+}
+
+#[test]
+fn vectors_have_as_many_components_as_the_matrices_beside_them() {
+    let text = draft(
+        r"\[ P = \begin{bmatrix} a & b \\ c & d \end{bmatrix} \] \[ \vec y = P\vec x \] \[ P\vec v = \lambda\vec v \]
+        \[ \begin{bmatrix} 1 & 2 \\ \noalign{\smallskip} 3 & 4 \end{bmatrix}\vec u = \vec w \]",
+    );
+    is_drafted(&text, &[r"\vec y=P\vec x", r"P\vec v=\lambda\vec v"]);
+    assert!(!text.contains("not read"), "{text}");
+    assert!(text.contains("shape = \"2\"") && !text.contains("shape = \"3\""), "{text}");
+    // Matrices of several sizes in the paper are square in a formula for all of them.
+    let text = draft(
+        r"\[ A = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \] \[ B = \begin{bmatrix} 1 & 2 & 0 \\ 3 & 4 & 1 \\ 0 & 1 & 1 \end{bmatrix} \]
+        \[ \det(A)\det(B)=\det(AB) \] \[ AB-BA=C \]",
+    );
+    is_drafted(&text, &[r"\det(A)\det(B)=\det(AB)"]);
+}
+
+#[test]
+fn a_matrix_of_another_section_is_a_number_where_no_matrix_is_printed() {
+    let matrices = r"\section{One} \[ M = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \] \[ N = \begin{bmatrix} 0 & 2 \\ 3 & 4 \end{bmatrix} \]";
+    let text =
+        draft(&format!(r"{matrices} \[ h-M=k \] \section{{Two}} \[ \frac{{dx}}{{dt}} = kx(M-x) \] \[ MN-NM=k \]"));
+    is_drafted(&text, &[r"\frac{dx}{dt}=kx(M-x)"]);
+    // Beside matrices, and where the order of the factors would count, it is none.
+    assert!(refused(&text, "h-M=k").is_some(), "{text}");
+    assert!(refused(&text, "MN-NM=k").is_some(), "{text}");
+}

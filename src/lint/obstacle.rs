@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::desk::NotRead;
 use super::notation::Evidence;
-use paper::{Call, PaperName, PrintedSide, names, order_counts};
+use paper::{Call, PaperName, PrintedSide, cancels_by_order, names, order_counts};
 
 /// Letters by which sums run, where they stand twice.
 fn index_count(names: &[PaperName], evidence: &Evidence) -> BTreeMap<char, usize> {
@@ -114,7 +114,7 @@ pub fn obstacle(
         if has_derivative_at(&side.text) {
             return Some(NotRead::of("a derivative with a place behind it, or a product"));
         }
-        if order_counts(&side.text) {
+        if order_counts(&side.text) || cancels_by_order(side) {
             return Some(NotRead::of("products whose order may count: matrices, or operators"));
         }
         if applies_a_sum(&side.text, evidence) {

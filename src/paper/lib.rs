@@ -41,7 +41,7 @@ pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, comp
 pub use differences::DifferenceSigns;
 pub use draft::{Draft, draft};
 pub use inputs::is_markdown;
-pub use names::{Call, Evidence, Notation, PaperName, names, order_counts, squeezed};
+pub use names::{Call, Evidence, Notation, PaperName, cancels_by_order, names, order_counts, squeezed};
 pub use opening::{Opening, opening};
 pub use printed::{PrintedRelation, PrintedSide};
 

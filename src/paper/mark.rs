@@ -78,6 +78,7 @@ const NO_PRINT_WITH_ARGUMENT: &[&str] = &[
     "vspace",
     "hskip",
     "vskip",
+    "noalign",
     "intertext",
     "shortintertext",
     "phantom",

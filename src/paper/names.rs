@@ -24,7 +24,7 @@ pub use evidence::Evidence;
 pub use evidence::{Primes, is_variable, unprimed};
 use letters::{BOLD, DOTS, FRACTIONS, HATS, SIGNS_OF_DIFFERENCES, STYLES, is_letter_command, is_switch};
 pub use notation::{Notation, squeezed};
-pub use order::order_counts;
+pub use order::{cancels_by_order, order_counts};
 pub use subscripts::Subscripts;
 
 /// A name of a formula, as it is printed.

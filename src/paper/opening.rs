@@ -120,6 +120,12 @@ const WORDS: &[(Opening, &[&str])] = &[
     ),
 ];
 
+/// Words between two formulas of one kind, as two values of a name: `x=1 \text{ or } {-1}`.
+const LINKS: &[&str] = &[
+    "and", "or", "und", "oder", "et", "ou", "e", "o", "ed", "y", "och", "eller", "og", "oraz", "lub", "и", "или", "或",
+    "和",
+];
+
 /// Words behind a formula that make a case of it: 当 x = 0 时.
 const BEHIND: &[&str] = &["时", "時", "のとき", "の場合", "일 때", "이면"];
 
@@ -148,6 +154,11 @@ pub fn opening(words: &str) -> Option<Opening> {
 /// Whether words are one of the table, and nothing more.
 pub(super) fn is_opening(words: &str) -> bool {
     WORDS.iter().any(|(_, all)| all.contains(&words.trim().to_lowercase().as_str()))
+}
+
+/// Whether words link two formulas, and say nothing more.
+pub(super) fn is_link(words: &str) -> bool {
+    LINKS.contains(&words.trim().to_lowercase().as_str())
 }
 
 /// Whether words make a case of the formula before them.

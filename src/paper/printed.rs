@@ -15,12 +15,12 @@ mod tests;
 
 use std::ops::Range;
 
-use super::opening::{Opening, closes_case, opening};
+use super::opening::{Opening, closes_case, is_link, opening};
 use super::token::{Kind, Token};
 use super::unicode;
 use diag::escape::shown;
 use pieces::{Piece, pieces};
-use rows::{Row, rows, unwrapped};
+use rows::{Grid, Group, Row, rows, unwrapped};
 pub(super) use scripts::with_braces;
 use side::{is_colon_equals, side_of, sign_at, stacked, without_labels};
 use signs::{BETWEEN_STATEMENTS, WIDE_WORDS, WORDS};
@@ -156,6 +156,13 @@ fn walk(tokens: &[Token], mut each: impl FnMut(usize, bool)) -> Nesting {
     nesting
 }
 
+/// Whether a sign of relation stands outside of all brackets.
+fn relates(tokens: &[Token]) -> bool {
+    let mut found = false;
+    walk(tokens, |i, outside| found |= outside && is_relation(&tokens[i]));
+    found
+}
+
 /// The sides of a formula, and whether a sign of relation stands before the first.
 pub(super) fn sides_of(tokens: &[Token]) -> (Vec<Vec<Token>>, bool) {
     let mut signs = Vec::new();
@@ -230,9 +237,11 @@ pub(super) fn relations(body: &[Token], place: &Place<'_>) -> Vec<PrintedRelatio
         return found.out;
     }
     let body = unicode::plain(&unwrapped(body));
-    for (number, row) in rows(&body).into_iter().enumerate() {
+    let rows = rows(&body);
+    let grid = Grid::of(&rows, place.environment);
+    for (number, row) in rows.into_iter().enumerate() {
         found.row = number;
-        found.row(row);
+        found.row(row, grid);
     }
     // A label of a display belongs to all that has none.
     let label = found.out.iter().find_map(|r| r.label.clone());
@@ -259,33 +268,30 @@ struct Relations<'p> {
 }
 
 impl Relations<'_> {
-    fn row(&mut self, row: Row) {
-        let cells = row.cells;
+    fn row(&mut self, row: Row, grid: Grid) {
         if let Some(words) = row.between {
             self.remark(&words);
         }
-        let single = cells.len() == 1;
-        let table = self.place.environment.starts_with("eqnarray") || cells.len() == 3 && is_sign_alone(&cells[1]);
-        let size = if table { 3 } else { 2 };
+        let single = row.cells.len() == 1;
         let mut last = None;
-        for (column, pair) in cells.chunks(size).enumerate() {
-            let left_empty = !single && pair[0].iter().all(|t| is_space(t) || is_idle(t) || is_braces(t));
-            let tokens: Vec<Token> = pair.concat();
-            if self.open.len() <= column {
-                self.open.resize(column + 1, None);
-                self.ended.resize(column + 1, true);
-                self.indented.resize(column + 1, false);
+        for group in grid.groups(&row.cells) {
+            if self.open.len() <= group.column {
+                self.open.resize(group.column + 1, None);
+                self.ended.resize(group.column + 1, true);
+                self.indented.resize(group.column + 1, false);
             }
-            last = self.pair(&tokens, column, last, Layout { left_empty, single });
+            last = self.group(&group, last, single);
         }
     }
 
-    /// Takes what stands in two cells; `before` is the column of the row that has something before it.
-    fn pair(&mut self, tokens: &[Token], column: usize, before: Option<usize>, layout: Layout) -> Option<usize> {
-        let (tokens, label, tag) = without_labels(tokens);
+    /// Takes what stands in the cells of a group; `before` is the column of the row that has something before it.
+    fn group(&mut self, group: &Group, before: Option<usize>, single: bool) -> Option<usize> {
+        let (tokens, label, tag) = without_labels(&group.tokens);
+        let layout = Layout { left_empty: group.left_empty && !single, single };
         let pieces = pieces(&tokens);
         let mut here = before;
-        let mut column = column;
+        let mut column = group.column;
+        let mut is_behind_relation = false;
         for (k, piece) in pieces.into_iter().enumerate() {
             let words = piece.words.clone();
             let opening =
@@ -295,6 +301,7 @@ impl Relations<'_> {
             {
                 last.opening = Some(Opening::Case);
             }
+            let links = words.as_deref().is_some_and(is_link);
             if let Some(words) = words.filter(|w| !w.is_empty()) {
                 self.remark(&words);
             }
@@ -307,13 +314,19 @@ impl Relations<'_> {
                 && begins
                 && (layout.left_empty || operator)
                 && self.open[column].is_none()
-                && let Some(previous) = before
+                && let Some(beside) = before.or_else(|| (0..column).rev().find(|&c| self.open[c].is_some()))
             {
-                column = previous;
+                column = beside;
             }
-            let goes_on =
-                if k == 0 { self.goes_on(&piece, column, layout) } else { begins && !piece.implied && !piece.comma };
-            let list = piece.comma && !piece.wide && k > 0 && !piece.relates();
+            let goes_on = match k {
+                0 => self.goes_on(&piece, column, layout),
+                _ => begins && !piece.implied && !piece.comma && !self.is_apart(&piece, column, is_behind_relation),
+            };
+            // A value behind another, `x=1 or -1`: neither is what the left is equal to.
+            let relates = self.open[column].is_some_and(|at| self.out[at].sides.len() > 1);
+            let is_value = links && relates && !piece.relates() && !piece.implied;
+            let list = piece.comma && !piece.wide && k > 0 && !piece.relates() || is_value;
+            is_behind_relation |= piece.relates();
             let ended = piece.ended;
             if (goes_on || list)
                 && let Some(at) = self.open[column]
@@ -322,6 +335,11 @@ impl Relations<'_> {
             } else {
                 self.begin(&piece, column, opening);
                 self.indented[column] = layout.left_empty;
+            }
+            if group.is_unclear
+                && let Some(at) = self.open[column]
+            {
+                self.out[at].sides.iter_mut().for_each(|side| side.is_list = true);
             }
             self.ended[column] = ended;
             here = Some(column);
@@ -338,16 +356,18 @@ impl Relations<'_> {
 
     /// Whether a piece at the beginning of a row goes on from the row before.
     fn goes_on(&self, piece: &Piece, column: usize, layout: Layout) -> bool {
-        let Some(at) = self.open[column] else { return false };
+        if self.open[column].is_none() {
+            return false;
+        }
         let Some(first) = piece.first() else { return false };
         if piece.implied {
             return false;
         }
-        let last = self.out[at].sides.last();
-        let unfinished = last.is_some_and(|side| {
-            let printed: Vec<&Token> = side.tokens.iter().filter(|t| !is_space(t)).collect();
-            printed.last().is_none_or(|t| is_operator(t)) || walk(&side.tokens, |_, _| {}).brackets > 0
-        });
+        // Words between two values, or before an equation with a sign: neither goes on from the other.
+        if piece.words.as_deref().is_some_and(is_link) && is_operator(first) {
+            return false;
+        }
+        let unfinished = self.waits(column);
         let lines = matches!(
             self.place.environment.trim_end_matches('*'),
             "multline" | "equation" | "dmath" | "displaymath" | "[" | "$$"
@@ -364,6 +384,22 @@ impl Relations<'_> {
             || is_relation(first)
             || is_operator(first) && behind
             || !piece.relates() && !self.ended[column] && (layout.left_empty || lines)
+    }
+
+    /// Whether a piece with a sign at its beginning, behind another in its row, is a formula of its own: it relates something, and words or a wide
+    /// space stand before its sign; or it is a value with a sign.
+    fn is_apart(&self, piece: &Piece, column: usize, is_behind_relation: bool) -> bool {
+        let signed = piece.first().is_some_and(|t| matches!(t.text.as_str(), "-" | "−" | "pm" | "mp"));
+        piece.wide && signed && piece.relates() && is_behind_relation && !self.waits(column)
+    }
+
+    /// Whether the formula of a column is not yet complete.
+    fn waits(&self, column: usize) -> bool {
+        let last = self.open[column].and_then(|at| self.out[at].sides.last());
+        last.is_some_and(|side| {
+            let printed = side.tokens.iter().rev().find(|t| !is_space(t));
+            printed.is_none_or(is_operator) || walk(&side.tokens, |_, _| {}).brackets > 0
+        })
     }
 
     fn begin(&mut self, piece: &Piece, column: usize, opening: Option<Opening>) {
@@ -476,17 +512,4 @@ struct Layout {
     left_empty: bool,
     /// There is no sign of alignment.
     single: bool,
-}
-
-fn is_sign_alone(cell: &[Token]) -> bool {
-    let printed: Vec<&Token> = cell.iter().filter(|t| !is_space(t)).collect();
-    matches!(printed.as_slice(), [one] if is_relation(one))
-}
-
-fn is_idle(token: &Token) -> bool {
-    token.is("label") || token.is("tag")
-}
-
-fn is_braces(token: &Token) -> bool {
-    matches!(token.kind, Kind::Open | Kind::Close)
 }

@@ -18,6 +18,10 @@ pub(super) struct Way {
     pub bold_matrices: bool,
     /// Whether a plain letter is a column only where its chapter sets it equal to one.
     pub columns_of_chapter: bool,
+    /// Whether all matrices are square and of this dimension, and all vectors have it: a formula for any dimension.
+    pub is_uniform: bool,
+    /// Whether plain letters are numbers, whatever they are in sections with matrices.
+    pub without_matrices: bool,
     /// Whether what stands between a function and the time, and has no rate in the formula, is a number: `\cos\omega t`.
     pub steady_before_time: bool,
 }
@@ -329,7 +333,14 @@ impl Names<'_> {
             let column = self.evidence.sizes.get(key).is_some_and(|s| s.keys().all(|(_, columns)| *columns == 1));
             column && !name.is_bold && !self.evidence.local.is_sized(self.place.chapter, key)
         };
+        let known = self.evidence.sizes.get(&key).or_else(|| self.evidence.sizes.get(&unprimed(name)));
         let size = match several {
+            _ if self.way.without_matrices && !name.is_bold => None,
+            _ if self.way.is_uniform && known.is_some_and(|s| s.keys().any(|(rows, _)| *rows > 1)) => {
+                let is_vector = name.is_bold && !name.letter.starts_with(|c: char| c.is_ascii_uppercase());
+                let is_column = is_vector || known.is_some_and(|s| s.keys().all(|(_, columns)| *columns == 1));
+                Some((self.way.dimension, if is_column { 1 } else { self.way.dimension }))
+            }
             _ if self.way.columns_of_chapter && (is_column(&key) || is_column(&unprimed(name))) => Some((1, 1)),
             true => Some(one),
             false => self.evidence.size(&key).or_else(|| self.evidence.size(&unprimed(name))),

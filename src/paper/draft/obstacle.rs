@@ -3,7 +3,7 @@
 //! **In:** the sides of a formula, its names, and the evidence of the paper. **Out:** the feature that is not understood, or both readings of
 //! what is ambiguous. **Guaranteed:** nothing is decided for a formula that has one.
 
-use super::super::names::{Call, Evidence, PaperName, Primes, order_counts, unprimed};
+use super::super::names::{Call, Evidence, PaperName, Primes, cancels_by_order, order_counts, unprimed};
 use super::super::printed::PrintedSide;
 use super::guess::Place;
 use super::index;
@@ -23,8 +23,9 @@ pub(super) fn obstacle(
         if let Some(letter) = index::upper(side) {
             return Err(format!("an upper index, {letter}"));
         }
-        let sizes = |n: &PaperName| n.is_bold || evidence.size(&n.key()).is_some();
-        if !all.iter().any(sizes) && order_counts(&side.text) {
+        let is_matrix = |n: &PaperName| evidence.size(&n.key()).is_some();
+        let is_unsized = || !all.iter().any(|n| n.is_bold || is_matrix(n)) && order_counts(&side.text);
+        if is_unsized() || !all.iter().any(is_matrix) && cancels_by_order(side) {
             return Err("products whose order may count: matrices, or operators".to_owned());
         }
     }

@@ -95,6 +95,9 @@ impl Names<'_> {
                 return Some(places);
             }
         }
+        if let Some(places) = self.places_of_values(key) {
+            return Some(places);
+        }
         // `y(0)=1` of what the paper derives by one variable, by primes or otherwise.
         let is_at_number = |n: &&PaperName| matches!(&n.call, Call::Places(p) if p.len() == 1 && !is_name(&p[0]));
         if key != "t" && self.all.iter().filter(|n| self.key(n) == key).any(|n| is_at_number(&n)) {
@@ -126,6 +129,25 @@ impl Names<'_> {
             places.push("t".to_owned());
         }
         Some(places)
+    }
+
+    /// The places of a function of several, of which only values stand here, `u(x,0)`: what the paper prints at each place, where that is
+    /// one variable alone.
+    fn places_of_values(&self, key: &str) -> Option<Vec<String>> {
+        let is_value = |p: &str| p.chars().all(|c| c.is_ascii_digit());
+        let is_one = |p: &Vec<String>| p.len() > 1 && p.iter().all(|v| is_value(v) || is_variable(v));
+        let calls = |n: &PaperName| if let Call::Places(p) = &n.call { Some(p.clone()) } else { None };
+        let here = self.all.iter().filter(|n| self.key(n) == key).filter_map(calls).find(is_one)?;
+        let printed: Vec<&Vec<String>> = self.evidence.calls.get(key)?.keys().flatten().collect();
+        let alike = |p: &&&Vec<String>| p.len() == here.len() && is_one(p);
+        let place = |at: usize| {
+            let mut seen: BTreeSet<&String> = printed.iter().filter(alike).map(|p| &p[at]).collect();
+            seen.retain(|v| !is_value(v));
+            if seen.len() == 1 { seen.pop_first().cloned() } else { None }
+        };
+        let places: Vec<String> = (0..here.len()).map(place).collect::<Option<_>>()?;
+        let distinct: BTreeSet<&String> = places.iter().collect();
+        (distinct.len() == places.len() && places != here).then_some(places)
     }
 
     fn derives_partially(&self) -> bool {

@@ -4,7 +4,9 @@
 //! keeps it from being read. **Guaranteed:** what could be an operator, a matrix, a function of anything, a sum over indices is not declared
 //! as a number: it is refused by its name.
 
-use super::super::names::{Evidence, PaperName, evidence, names_apart};
+use std::collections::BTreeSet;
+
+use super::super::names::{Evidence, PaperName, cancels_by_order, evidence, names_apart, order_counts, unprimed};
 use super::super::printed::PrintedSide;
 use super::declared::{Names, Way};
 use super::guess::{Place, Reading};
@@ -28,20 +30,8 @@ pub(super) fn readings(
     let mut out: Vec<Vec<Reading>> = Vec::new();
     let is_name = !evidence.has_exponentials || evidence.local.is_e_a_name(place.chapter);
     let has_charge = is_name && sides.iter().filter_map(|s| raised_e(s)).any(|(number, other)| number && !other);
-    let size = sides.iter().find_map(|s| evidence::size(&s.tokens)).map(|(rows, _)| rows).filter(|n| *n > 1);
     for with_indices in indices {
-        let mut ways = vec![
-            Way { dimension: 3, ..Way::default() },
-            Way { dimension: size.unwrap_or(3), ..Way::default() },
-            Way { dimension: 3, bold_matrices: true, ..Way::default() },
-        ];
-        if !evidence.sizes.is_empty() {
-            ways.push(Way { dimension: 3, columns_of_chapter: true, ..Way::default() });
-        }
-        if text.contains('\\') {
-            ways.push(Way { dimension: 3, steady_before_time: true, ..Way::default() });
-        }
-        for way in ways {
+        for way in ways(sides, &all, evidence, place) {
             let names = Names {
                 way,
                 place,
@@ -80,6 +70,39 @@ pub(super) fn readings(
         }
     }
     Ok(out)
+}
+
+/// How shapes and motions may be taken in a formula, the better way first.
+fn ways(sides: &[&PrintedSide], all: &[PaperName], evidence: &Evidence, place: Place) -> Vec<Way> {
+    let printed = sides.iter().find_map(|s| evidence::size(&s.tokens)).map(|(rows, _)| rows).filter(|n| *n > 1);
+    let usual = Way { dimension: 3, ..Way::default() };
+    let mut ways = vec![usual, Way { dimension: printed.unwrap_or(3), ..usual }, Way { bold_matrices: true, ..usual }];
+    if !evidence.sizes.is_empty() {
+        ways.push(Way { columns_of_chapter: true, ..usual });
+    }
+    if sides.iter().any(|s| s.text.contains('\\')) {
+        ways.push(Way { steady_before_time: true, ..usual });
+    }
+    let known = |n: &PaperName| evidence.sizes.get(&n.key()).or_else(|| evidence.sizes.get(&unprimed(n)));
+    let of_matrices: Vec<_> = all.iter().filter_map(known).flat_map(|sizes| sizes.keys()).collect();
+    let has_bold = all.iter().any(|n| n.is_bold);
+    if has_bold || !of_matrices.is_empty() {
+        // A vector has as many components as the matrices beside it have rows.
+        let mut dimensions: Vec<usize> = printed.into_iter().collect();
+        dimensions.extend(of_matrices.iter().map(|(rows, _)| *rows));
+        dimensions.extend([2, 3, 4]);
+        let mut seen = BTreeSet::new();
+        dimensions.retain(|n| *n > 1 && seen.insert(*n));
+        ways.extend(dimensions.iter().map(|&dimension| Way { dimension, ..usual }));
+        ways.extend(dimensions.iter().map(|&dimension| Way { dimension, is_uniform: true, ..usual }));
+    }
+    // A letter of another section may be a matrix there and a number here, unless the order of its factors counts.
+    let of_order = |s: &&PrintedSide| order_counts(&s.text) || cancels_by_order(s) || s.text.contains(r"\det");
+    let has_order = sides.iter().any(of_order);
+    if !of_matrices.is_empty() && !has_bold && !has_order && !evidence.local.has_matrices(place.section) {
+        ways.push(Way { without_matrices: true, ..usual });
+    }
+    ways
 }
 
 /// Whether subscripts are taken for indices of components, the better way first.

@@ -1,6 +1,6 @@
 //! What single sections and chapters show of their names, where the whole paper shows several things.
 //!
-//! **In:** printed relations. **Out:** in which sections something is derived; in which chapters `e` is a factor; which names a chapter sets equal to a matrix. **Guaranteed:** nothing is decided here.
+//! **In:** printed relations. **Out:** in which sections something is derived; in which there are matrices; in which chapters `e` is a factor; which names a chapter sets equal to a matrix. **Guaranteed:** nothing is decided here.
 
 use std::collections::BTreeSet;
 
@@ -23,6 +23,8 @@ pub struct Local {
     exponentials: BTreeSet<usize>,
     /// Chapters in which an italic `e` stands beside another factor.
     factors_e: BTreeSet<usize>,
+    /// Sections in which a matrix is written out, or a letter is bold.
+    matrices: BTreeSet<usize>,
     /// Names that are equal to a matrix, by chapter.
     sized: BTreeSet<(usize, String)>,
 }
@@ -32,6 +34,9 @@ impl Local {
     pub(super) fn note_side(&mut self, relation: &PrintedRelation, side: &PrintedSide) {
         if OF_CALCULUS.iter().any(|sign| side.text.contains(sign)) {
             self.calculus.insert(relation.section);
+        }
+        if side.text.contains("matrix}") || side.text.contains("array}") || side.text.contains(r"\det") {
+            self.matrices.insert(relation.section);
         }
         let all: Vec<&Token> = side.tokens.iter().filter(|t| t.kind != Kind::Space).collect();
         for at in (0..all.len()).filter(|&i| is_italic_e(&all, i)) {
@@ -57,6 +62,9 @@ impl Local {
         if matches!(name.call, Call::Places(_)) {
             self.called.insert((relation.section, unprimed(name)));
         }
+        if name.is_bold {
+            self.matrices.insert(relation.section);
+        }
         let differs = name.is_difference && name.letter == "d";
         if name.dots > 0 || name.derived_by.is_some() || name.primes > 1 || called || differs {
             self.calculus.insert(relation.section);
@@ -76,6 +84,11 @@ impl Local {
     /// Whether `e` is a name in a chapter: it stands there as a factor, and is raised to numbers alone.
     pub fn is_e_a_name(&self, chapter: usize) -> bool {
         self.factors_e.contains(&chapter) && !self.exponentials.contains(&chapter)
+    }
+
+    /// Whether a section prints a matrix, or a letter in bold.
+    pub fn has_matrices(&self, section: usize) -> bool {
+        self.matrices.contains(&section)
     }
 
     /// Whether a chapter sets a name equal to a matrix.

@@ -3,7 +3,9 @@
 use super::super::mark::group_text;
 use super::super::opening::{is_opening, is_printed_space, word_at};
 use super::super::token::{Kind, Token};
-use super::{BETWEEN_STATEMENTS, Nesting, WIDE_WORDS, WORDS, is_operator, is_relation, is_space, is_wide, walk};
+use super::{
+    BETWEEN_STATEMENTS, Nesting, WIDE_WORDS, WORDS, is_operator, is_relation, is_space, is_wide, relates, walk,
+};
 
 /// A part of a row: what stands between commas, wide spaces and words.
 #[derive(Default)]
@@ -29,9 +31,7 @@ impl Piece {
     }
 
     pub fn relates(&self) -> bool {
-        let mut found = false;
-        walk(&self.tokens, |i, outside| found |= outside && is_relation(&self.tokens[i]));
-        found
+        relates(&self.tokens)
     }
 
     /// Takes the parentheses away that stand around all of it, where it relates something.

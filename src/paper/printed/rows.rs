@@ -1,8 +1,13 @@
-//! Displays → rows and cells: what only says where lines are broken is gone.
+//! Displays → rows and cells: what only says where lines are broken is gone; rows → groups: which cells of a row print one formula.
+//!
+//! **In:** the tokens of a display. **Out:** its rows, and for each row its [`Group`]s with their columns. **Guaranteed:** every cell is in one
+//! group. Two cells are one formula where the first waits for more (it ends with a sign, or in an open bracket), where the second begins with a
+//! sign of relation, or where the columns of the environment are halves of one formula; two equations side by side never are.
 
 use super::super::mark::{self, INNER, group_text};
 use super::super::token::{Kind, Token};
-use super::{Nesting, is_relation, is_space};
+use super::side::without_labels;
+use super::{Nesting, is_operator, is_relation, is_space, is_wide, relates, walk};
 
 /// A row of a display.
 #[derive(Default)]
@@ -148,4 +153,168 @@ pub(super) fn rows(body: &[Token]) -> Vec<Row> {
         }
     }
     out
+}
+
+/// Cells of a row that print one formula.
+#[derive(Debug, Default)]
+pub(super) struct Group {
+    pub tokens: Vec<Token>,
+    /// The column of its first cell, in groups of the environment.
+    pub column: usize,
+    /// The column of its last cell.
+    last: usize,
+    /// Nothing stands before its sign of alignment.
+    pub left_empty: bool,
+    /// Two equations are set without a space between them: it is not known whether they are a chain.
+    pub is_unclear: bool,
+}
+
+/// How the cells of a display are one formula.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Grid {
+    /// How many cells are one formula, if they are all filled.
+    width: usize,
+    /// Columns stand side by side without a space.
+    is_tight: bool,
+    /// Terms of one side stand in columns of their own: each row is one equation.
+    has_columns_of_terms: bool,
+}
+
+impl Grid {
+    /// The grid of a display.
+    pub fn of(rows: &[Row], environment: &str) -> Grid {
+        let is_tight = environment.starts_with("alignat") || environment.starts_with("xalignat");
+        let mut grid = Grid { width: width(rows, environment), is_tight, has_columns_of_terms: false };
+        grid.has_columns_of_terms = rows.iter().any(|row| {
+            let all = grid.groups(&row.cells);
+            all.iter().any(|g| {
+                g.last > g.column
+                    && !g.left_empty
+                    && row.cells.iter().skip(1).any(|c| first(c).is_some_and(is_operator))
+            })
+        });
+        grid
+    }
+
+    /// The groups of a row.
+    pub fn groups(self, cells: &[Vec<Token>]) -> Vec<Group> {
+        let mut out: Vec<Group> = Vec::new();
+        for (column, chunk) in cells.chunks(self.width).enumerate() {
+            let mut group = Group {
+                column,
+                last: column,
+                left_empty: cells.len() > 1 && is_blank(&chunk[0]),
+                tokens: chunk.concat(),
+                is_unclear: has_border(chunk),
+            };
+            let before = out.iter_mut().rev().find(|g| !is_blank(&g.tokens));
+            match before {
+                Some(before) if self.is_one(before, &group) => {
+                    before.tokens.append(&mut group.tokens);
+                    before.last = column;
+                    before.left_empty &= !self.has_columns_of_terms;
+                    before.is_unclear |= group.is_unclear;
+                }
+                _ => out.push(group),
+            }
+        }
+        out
+    }
+
+    /// Whether a group prints one formula with the one before it in its row.
+    fn is_one(self, before: &Group, group: &Group) -> bool {
+        let Some(first) = first(&group.tokens) else { return false };
+        if is_ended(&before.tokens) {
+            return false;
+        }
+        if waits(&before.tokens) {
+            return true;
+        }
+        // What goes on from the row above has nothing to do with the column beside it.
+        let is_begun = self.has_columns_of_terms || !before.left_empty && !goes_on(&before.tokens);
+        let relates = relates(&before.tokens);
+        if is_relation(first) {
+            let is_beside = !group.left_empty && (self.width > 1 || !goes_on(&before.tokens));
+            return is_beside || !relates && is_begun;
+        }
+        let is_apart = begins_wide(&group.tokens) || is_in_parentheses(before) || group.left_empty;
+        let is_next = before.last + 1 == group.column || self.has_columns_of_terms;
+        let is_term = if relates { self.is_tight } else { is_begun && is_next };
+        is_operator(first) && !is_apart && is_term
+    }
+}
+
+/// How many cells of a display are one formula, if they are all filled.
+fn width(rows: &[Row], environment: &str) -> usize {
+    if environment.starts_with("eqnarray") {
+        // Columns with space between them: two equations in one row are two.
+        return if rows.iter().any(|row| has_border(&row.cells)) { 1 } else { 3 };
+    }
+    let count = rows.iter().map(|row| row.cells.len()).max().unwrap_or(0);
+    let signs: Vec<usize> = (0..count).filter(|&column| is_column_of_signs(rows, column)).collect();
+    let are_middle = !signs.is_empty() && signs.iter().all(|column| column % 3 == 1);
+    if are_middle && count > 2 { 3 } else { 2 }
+}
+
+/// Whether a column has signs of relation, each alone in its cell, and nothing else.
+fn is_column_of_signs(rows: &[Row], column: usize) -> bool {
+    let cells = || rows.iter().filter_map(|row| row.cells.get(column)).filter(|cell| !is_blank(cell));
+    cells().next().is_some() && cells().all(|cell| is_sign_alone(cell))
+}
+
+/// Whether two equations stand beside each other in these cells.
+fn has_border(cells: &[Vec<Token>]) -> bool {
+    let printed: Vec<&Vec<Token>> = cells.iter().filter(|cell| !is_blank(cell)).collect();
+    printed.windows(2).any(|two| is_border(two[0], two[1]))
+}
+
+/// Whether two cells are two equations: both relate, and no sign stands between them.
+fn is_border(left: &[Token], right: &[Token]) -> bool {
+    relates(left) && relates(right) && !waits(left) && !is_ended(left) && !goes_on(right) && !begins_wide(right)
+}
+
+/// Whether a formula begins with a sign that wants something before it.
+fn goes_on(tokens: &[Token]) -> bool {
+    first(tokens).is_some_and(|t| is_relation(t) || is_operator(t))
+}
+
+/// Whether a formula waits for more: it ends with a sign, or in an open bracket.
+fn waits(tokens: &[Token]) -> bool {
+    let last = tokens.iter().rev().find(|t| !is_space(t) && !is_brace(t));
+    last.is_some_and(|t| is_operator(t) || is_relation(t)) || walk(tokens, |_, _| {}).brackets > 0
+}
+
+/// Whether a mark of the sentence, or a wide space, ends a formula.
+fn is_ended(tokens: &[Token]) -> bool {
+    let mut spaces = tokens.iter().rev().take_while(|t| is_space(t));
+    let last = tokens.iter().rev().find(|t| !is_space(t));
+    spaces.any(is_wide) || last.is_some_and(|t| t.is_char(",") || t.is_char(";") || t.is_char("."))
+}
+
+fn begins_wide(tokens: &[Token]) -> bool {
+    tokens.iter().take_while(|t| is_space(t)).any(is_wide)
+}
+
+/// Whether parentheses are all of it: a number of a line, `(2)`.
+fn is_in_parentheses(group: &Group) -> bool {
+    let printed: Vec<&Token> = group.tokens.iter().filter(|t| !is_space(t)).collect();
+    printed.first().is_some_and(|t| t.is_char("(")) && printed.last().is_some_and(|t| t.is_char(")"))
+}
+
+fn first(tokens: &[Token]) -> Option<&Token> {
+    tokens.iter().find(|t| !is_space(t) && !is_brace(t))
+}
+
+fn is_brace(token: &Token) -> bool {
+    matches!(token.kind, Kind::Open | Kind::Close)
+}
+
+/// Whether nothing is printed in a cell.
+fn is_blank(cell: &[Token]) -> bool {
+    without_labels(cell).0.iter().all(|t| is_space(t) || is_brace(t))
+}
+
+fn is_sign_alone(cell: &[Token]) -> bool {
+    let printed: Vec<&Token> = cell.iter().filter(|t| !is_space(t) && !is_brace(t)).collect();
+    matches!(printed.as_slice(), [one] if is_relation(one))
 }

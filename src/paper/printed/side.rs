@@ -169,7 +169,8 @@ pub(super) fn side_of(tokens: &[Token]) -> PrintedSide {
         at += 1;
         if let Some(after) = length_end(token, tokens, at) {
             at = after;
-        } else if token.kind == Kind::Command && matches!(token.text.as_str(), "hspace" | "vspace" | "hskip" | "vskip")
+        } else if token.kind == Kind::Command
+            && matches!(token.text.as_str(), "hspace" | "vspace" | "hskip" | "vskip" | "noalign")
         {
             let star = usize::from(tokens.get(at).is_some_and(|t| t.is_char("*")));
             at = group_text(tokens, at + star).1;

@@ -48,6 +48,75 @@ fn lines_go_on() {
     assert_eq!(read("gather", r"a = b \\ c = d"), ["a = b", "c = d"]);
 }
 
+/// Formulas without the spaces that they are set with.
+fn close(environment: &str, text: &str) -> Vec<String> {
+    read(environment, text).iter().map(|r| r.replace(' ', "").replace(r"\quad", "").replace("{}", "")).collect()
+}
+
+/// A relation goes on from what stands before it in its row, or else from the row above in its column; equations side by side are no chain.
+#[test]
+fn equations_side_by_side_are_no_chain() {
+    // Cells of an `eqnarray` are set apart, whatever stands in them.
+    assert_eq!(close("eqnarray", r"a=b & c=d & e=f"), ["a=b", "c=d", "e=f"]);
+    assert_eq!(close("eqnarray*", r"a=b & c=d \\ =g & =h"), ["a=b=g", "c=d=h"]);
+    assert_eq!(close("eqnarray", r"a=b && c=d"), ["a=b", "c=d"]);
+    assert_eq!(close("eqnarray", r"a&=&b \\ c=d && e=f"), ["a=b", "c=d", "e=f"]);
+    assert_eq!(close("eqnarray", r"a&=&b & c&=&d \\ &=&e & &=&f"), ["a=b=e", "c=d=f"]);
+    // The columns that are printed, not those of the environment.
+    for environment in ["align", "eqnarray", "aligned"] {
+        assert_eq!(close(environment, r"a&=&b & c&=&d"), ["a=b", "c=d"], "{environment}");
+        assert_eq!(close(environment, r"a&=&b & c&=&d \\ &=&e & &=&f"), ["a=b=e", "c=d=f"], "{environment}");
+        assert_eq!(close(environment, r"a&=&b \\ &&+c"), ["a=b+c"], "{environment}");
+        assert_eq!(close(environment, r"a&{}={}&b \\ c&{}={}&d"), ["a=b", "c=d"], "{environment}");
+    }
+    // A column that goes on beside one that does not.
+    assert_eq!(close("align", r"u&=ab & v&=cd \\ &+e & -w&=f"), ["u=ab+e", "v=cd", "-w=f"]);
+    assert_eq!(close("align", r"u&=ab & v&=cd \\ &+e & &=dc"), ["u=ab+e", "v=cd=dc"]);
+    assert_eq!(close("align", r"u&=ab & v&=cd \\ w&=xy & &=dc"), ["u=ab", "v=cd=dc", "w=xy"]);
+    assert_eq!(close("align", r"a&=b & &=c \\ d&=e & &=f"), ["a=b=c", "d=e=f"]);
+    assert_eq!(close("align", r"a&=b & -c&=d"), ["a=b", "-c=d"]);
+    assert_eq!(close("align", r"(1)& & -x&=2"), ["(1)", "-x=2"]);
+}
+
+/// Terms in columns of their own, as systems of equations are set, are one side.
+#[test]
+fn terms_in_columns_are_one_side() {
+    for environment in ["align", "alignat", "alignedat"] {
+        assert_eq!(close(environment, r"x&+y&=2 \\ 2x&-y&=1"), ["x+y=2", "2x-y=1"], "{environment}");
+        assert_eq!(close(environment, r"x&+y&-z&=2 \\ &+y&-z&=1"), ["x+y-z=2", "+y-z=1"], "{environment}");
+        assert_eq!(close(environment, r"x&{}+{}&y&{}={}&2 \\ x&{}-{}&y&{}={}&0"), ["x+y=2", "x-y=0"], "{environment}");
+        assert_eq!(close(environment, r"x&+y& &=2 \\ x&-y& &=0"), ["x+y=2", "x-y=0"], "{environment}");
+    }
+    // In columns without a space between them, a sign goes on.
+    assert_eq!(close("alignat", r"a&=b &+c&=d"), ["a=b+c=d"]);
+    assert_eq!(close("alignat", r"a&=b &\qquad -c&=d"), ["a=b", "-c=d"]);
+}
+
+/// Words, and wide spaces before a sign, part two formulas.
+#[test]
+fn formulas_beside_each_other_are_no_sum() {
+    assert_eq!(close("[", r"a=b \qquad -c=d").len(), 2);
+    assert_eq!(close("[", r"a=b \text{ and } -c=d"), ["a=b[and]", "-c=d"]);
+    assert_eq!(close("[", r"a=b \text{ and } c=d"), ["a=b[and]", "c=d"]);
+    assert_eq!(close("gather", r"a=b \\ \text{or}\quad -c=d"), ["a=b[or]", "-c=d"]);
+    assert_eq!(close("[", r"a=b \quad =c"), ["a=b=c"]);
+    assert_eq!(close("[", r"a=b \quad +c"), ["a=b+c"]);
+    // Neither value is what the name is equal to.
+    for text in [
+        r"x=1 \text{ or } -1",
+        r"x=1 \text{ or } 2",
+        r"x=1 \quad\text{and}\quad 2",
+        r"x=1 \text{ or } x=2 \text{ or } 3",
+    ] {
+        let place = Place { environment: "[", display: Some(0), section: 0, chapter: 0 };
+        let found = relations(&tokens(text), &place);
+        assert!(found.last().is_some_and(|r| r.sides.last().is_some_and(|s| s.is_list)), "{text}: {found:?}");
+    }
+    // Two equations that are set without a space between them are read as neither.
+    let place = Place { environment: "align", display: Some(0), section: 0, chapter: 0 };
+    assert!(relations(&tokens("a=b & c=d"), &place).iter().flat_map(|r| &r.sides).all(|s| s.is_list));
+}
+
 /// A row with a sign and an equation of its own is one of its own where it begins where the row before does.
 #[test]
 fn rows_with_a_sign_and_an_equation() {
@@ -87,6 +156,8 @@ fn names_in_text_are_parts_of_a_formula() {
 fn what_is_between_brackets_is_not_cut() {
     assert_eq!(read("[", r"\Phi=\left\{T, V, n\right\}"), [r"\Phi = \left\{T, V, n\right\}"]);
     assert_eq!(read("[", r"\Phi=\{T, V, n\}"), [r"\Phi = \{T, V, n\}"]);
+    let lines = r"A=\begin{bmatrix} 1 \\ \noalign{\smallskip} 2 \end{bmatrix}";
+    assert_eq!(read("[", lines), [r"A = \begin{bmatrix} 1 \\ 2 \end{bmatrix}"]);
     assert_eq!(read("[", r"f(x,y)=1, \quad g=2."), ["f(x,y) = 1", "g = 2"]);
     assert_eq!(read("[", r"A=\begin{pmatrix}1&2\\3&4\end{pmatrix}."), [r"A = \begin{pmatrix}1&2\\3&4\end{pmatrix}"]);
     assert_eq!(read("[", r"x=1.5, y=2"), ["x = 1.5", "y = 2"]);
