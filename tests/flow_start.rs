@@ -85,6 +85,40 @@ fn there_are_two_solutions_near() {
     );
 }
 
+/// Bounds of guesses are what their decimals say, also where these are no numbers of the machine.
+#[test]
+fn a_border_is_exact() {
+    let two = "'(x-\\frac25)(x-\\frac7{10})=0'";
+    refused(&constrained("{ near = 0.6, within = 0.2 }", "0", two), "flow::initial", "x = 0.7, and x = 0.4");
+    let one = "'(x-\\frac15)(x-3)=0'";
+    refused(&constrained("{ near = 0.3, within = 0.1 }", "0", one), "flow::initial", "at the edge of");
+    let beyond = "'(x-\\frac{3}{10}-10^{-18})(x-3)=0'";
+    refused(&constrained("{ near = 0.1, within = 0.2 }", "0", beyond), "flow::initial", "x ≤ 0.3");
+    assert_eq!(problems(&constrained("{ near = 0.6, within = 0.25 }", "0", "'x=\\frac25'")), "");
+}
+
+/// Times may be written as formulas of numbers.
+#[test]
+fn a_span_is_a_formula_of_numbers() {
+    let of = |span: &str| {
+        let motion = format!(
+            "[[trajectory]]\nid = 'm'\nsystem = 's'\nparameters = {{ 'a' = 2 }}\nspan = {span}\ninitial = {{ 'x' = 0, 'y' = 1 }}\n"
+        );
+        let claim = "[[claim]]\nid = 'c'\nsays = 's'\nalways = ['x=\\sin t']\n";
+        let source = Source { path: "test.toml".into(), text: [HEAD, &motion, claim].concat() };
+        parse(source, "test").map(|d| d.trajectories[0].span).map_err(|found| render(&found, false))
+    };
+    assert_eq!(of(r"[0, '2\pi']"), Ok((0.0, 2.0 * std::f64::consts::PI)));
+    assert_eq!(of(r"['-\frac13', '1+10^{-15}']"), Ok((-1.0 / 3.0, 1.0 + 1e-15)));
+    for (span, words) in [
+        ("[0, 'a']", "a formula of numbers"),
+        (r"[0, '\frac10']", "a formula of numbers"),
+        ("['1', '0']", "before the last"),
+    ] {
+        assert!(of(span).is_err_and(|found| found.contains(words)), "{span}");
+    }
+}
+
 #[test]
 fn a_solution_is_not_simple() {
     refused(&constrained("{ near = 1 }", "0", "'(x-1)^2=0'"), "flow::initial", "Jacobian");

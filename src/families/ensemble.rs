@@ -114,6 +114,7 @@ impl<'a> Ensemble<'a> {
         members: &'a Members,
         asked: &[&Claim],
         measured: &[&Measure],
+        limits: &Limits,
     ) -> Result<Ensemble<'a>, CheckError> {
         let base = derivation.trajectories[members.family.of].clone();
         let slot = derivation.trajectories.len();
@@ -195,9 +196,14 @@ impl<'a> Ensemble<'a> {
             spare: Mutex::default(),
         };
         let mut graph = ensemble.derivation.graph.clone();
-        ensemble.pattern = ensemble.asking(&Limits::default(), |requests| {
-            Pattern::of(&ensemble.derivation, &ensemble.fields, requests, slot, &mut graph)
-        });
+        // Without it each member is prepared for itself.
+        let of_one =
+            |requests: &Requests| Pattern::of(&ensemble.derivation, &ensemble.fields, requests, slot, &mut graph);
+        ensemble.pattern = match meter::piece(Task::Members, limits, || ensemble.asking(limits, of_one)) {
+            Ok(pattern) => pattern,
+            Err(Ended::Defect(what)) => return Err(CheckError::Defect(what)),
+            Err(_) => None,
+        };
         // What is told of a verdict that is not sampled alone, or measured, is not seen by such a look.
         let alone = ensemble.beside.is_empty() && ensemble.estimation == Estimation::Steps;
         ensemble.screens = ensemble.pattern.as_ref().filter(|_| alone).and_then(|pattern| {

@@ -140,7 +140,7 @@ impl Families {
             if asked.is_empty() && measures.is_empty() {
                 continue;
             }
-            let ensemble = Ensemble::new(derivation, members, &asked, &measures)?;
+            let ensemble = Ensemble::new(derivation, members, &asked, &measures, &options.limits)?;
             let fits =
                 |j: &&Joined| j.sums.tallies.len() == asked.len() && j.sums.distributions.len() == measures.len();
             let joined = joined.filter(|j| j.family == at).filter(fits);

@@ -65,7 +65,7 @@ pub fn sweep(
         let hint = format!("take at least {} parts", size.div_ceil(MOST_MEMBERS));
         return Err(refused("sweep::too-large", message, hint));
     }
-    let ensemble = Ensemble::new(&families.derivation, members, &asked, &measures)?;
+    let ensemble = Ensemble::new(&families.derivation, members, &asked, &measures, &options.limits)?;
     let (sums, stopped) = ensemble.try_all(numbers, &options, &mut Budget::default(), progress, each)?;
     if let Some(stopped) = stopped {
         let message = format!("part {part} of the family `{family}` was not finished: {stopped}");

@@ -214,6 +214,9 @@ impl Ready<'_> {
             values(&tape, &inputs)?.first().copied()
         };
         let [low, high] = [number(ends[0])?, number(ends[1])?];
+        if low.hi() >= high.lo() {
+            return None;
+        }
         Some(Side {
             outer: Interval::new(low.lo(), high.hi()).ok()?,
             inner: Interval::new(low.hi(), high.lo()).ok()?,
