@@ -30,6 +30,7 @@ pub fn prove(question: &Question) -> Result<Vec<Step>, String> {
         sequent,
         facts: Vec::new(),
         assumptions: Vec::new(),
+        is_placed: false,
     };
     let shown = attempt.run(question.conserved).ok_or("no proof was found by algebra and rates")?;
     let mut draft = attempt.search.draft;
@@ -45,6 +46,7 @@ pub(crate) struct Attempt<'a> {
     pub(crate) facts: Vec<FactId>,
     /// Assumptions and inequalities.
     pub(crate) assumptions: Vec<FactId>,
+    is_placed: bool,
 }
 
 impl Attempt<'_> {
@@ -54,12 +56,13 @@ impl Attempt<'_> {
             let told = self.by_laws(fact);
             self.assumptions.extend(told);
         }
-        let places = self.on_stretches();
-        self.assumptions.extend(places);
         self.differentiate(u8::from(conserved.is_some()));
         let claim = self.sequent.claim.clone();
         if claim.sense != Sense::Equal {
-            let fact = self.ordered(&claim)?;
+            let fact = self.ordered(&claim).or_else(|| {
+                self.place();
+                self.ordered(&claim)
+            })?;
             return self.weaken(fact);
         }
         if let Some(at) = conserved
@@ -71,7 +74,17 @@ impl Attempt<'_> {
         let (left, right) = self.search.reader.sides(&says)?;
         let goal = self.search.reader.graph.sub(left, right);
         let fact = self.show(&claim, left, right, goal)?;
+        self.place();
         self.weaken(fact)
+    }
+
+    /// Learns where the arguments of functions lie: once, and no earlier than it is of use.
+    fn place(&mut self) {
+        if !self.is_placed {
+            self.is_placed = true;
+            let places = self.on_stretches();
+            self.assumptions.extend(places);
+        }
     }
 
     /// The claim, by one way after the other: by algebra alone, with values at fixed times, with formulas as wholes, by squares.
@@ -108,6 +121,7 @@ impl Attempt<'_> {
         if let Some(fact) = self.by_uniqueness(claim, goal) {
             return Some(fact);
         }
+        self.place();
         self.search.renew();
         self.by_squares(claim, left, right)
     }
