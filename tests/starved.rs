@@ -233,7 +233,7 @@ fn limits_of_the_page_are_reached_by_an_input() {
             "trying members of a family",
             "x.toml",
             file("", &motion(r"-k\sin(x)\cos(t)", 300), &(family.to_owned() + &of_family)),
-            "0.003",
+            "0.005",
         ),
     ];
     let page = include_str!("../docs/limits.md");

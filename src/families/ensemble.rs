@@ -75,6 +75,8 @@ pub struct Ensemble<'a> {
     idle: Vec<Symbol>,
     /// What members are made after.
     pattern: Option<Pattern>,
+    /// Why there is none, where that is what one member takes.
+    too_much: Option<Reason>,
     /// The claims, as members are tried that nobody is shown.
     screens: Option<Screens>,
     /// Copies of the derivation in which members were, to be used again.
@@ -192,17 +194,21 @@ impl<'a> Ensemble<'a> {
             estimation,
             idle,
             pattern: None,
+            too_much: None,
             screens: None,
             spare: Mutex::default(),
         };
         let mut graph = ensemble.derivation.graph.clone();
-        // Without it each member is prepared for itself.
         let of_one =
             |requests: &Requests| Pattern::of(&ensemble.derivation, &ensemble.fields, requests, slot, &mut graph);
         ensemble.pattern = match meter::piece(Task::Members, limits, || ensemble.asking(limits, of_one)) {
             Ok(pattern) => pattern,
             Err(Ended::Defect(what)) => return Err(CheckError::Defect(what)),
-            Err(_) => None,
+            // What is too much for one is too much for each.
+            Err(ended) => {
+                ensemble.too_much = Some(ended.into());
+                None
+            }
         };
         // What is told of a verdict that is not sampled alone, or measured, is not seen by such a look.
         let alone = ensemble.beside.is_empty() && ensemble.estimation == Estimation::Steps;
@@ -252,7 +258,8 @@ impl<'a> Ensemble<'a> {
         let (first, last) = numbers.into_inner();
         let mut next = first;
         while next <= last {
-            let stopped = options.limits.reached().map(Reason::from).or_else(|| budget.reached().map(Reason::from));
+            let reached = || options.limits.reached().map(Reason::from);
+            let stopped = self.too_much.clone().or_else(reached).or_else(|| budget.reached().map(Reason::from));
             if options.limits.is_cancelled() {
                 return Err(CheckError::Defect(CANCELLED.to_owned()));
             }

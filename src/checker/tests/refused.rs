@@ -482,8 +482,8 @@ fn a_function_has_a_sign_on_a_stretch_of_its_argument() {
     // From, to; what follows; what follows where an end belongs to it.
     let rows = [
         ("x>0", "x<pi", "sin(x)>0", "sin(x)≥0"),
-        ("x>-1*pi", "x<0", "sin(x)<0", "sin(x)≤0"),
-        ("x>-1/2*pi", "x<1/2*pi", "cos(x)>0", "cos(x)≥0"),
+        ("x>(0-1)*pi", "x<0", "sin(x)<0", "sin(x)≤0"),
+        ("x>(0-1/2)*pi", "x<1/2*pi", "cos(x)>0", "cos(x)≥0"),
         ("x>1/2*pi", "x<3/2*pi", "cos(x)<0", "cos(x)≤0"),
         ("x>0", "x<1/2*pi", "tan(x)>0", "tan(x)≥0"),
         ("x>1", "0=0", "ln(x)>0", "ln(x)≥0"),
