@@ -6,10 +6,32 @@
 use crate::prove::Attempt;
 use checker::{FactId, Relation, Sense, Step};
 use expr::domain::{Bound, rises, stretches};
-use expr::{Expr, Node, Op, Rational};
+use expr::{Expr, Graph, Node, Op, Rational};
 
 /// Most arguments that are looked at.
 const MOST_ARGUMENTS: usize = 12;
+
+/// What an argument, or two, may say the sign of.
+enum Candidate {
+    /// A function of something.
+    Function(Op, Expr),
+    /// The difference of two values of a rising function, at these.
+    Difference(Expr, Expr),
+}
+
+/// Functions whose sign the rules of signs do not tell from that of the argument, and differences of rising functions.
+fn candidates(graph: &Graph, sides: [Expr; 2]) -> Vec<Candidate> {
+    let of = |node: Expr| {
+        if let Node::Unary(op, a) = *graph.node(node) {
+            let by_argument = matches!(op, Op::Powi(_)) || stretches(op).is_empty();
+            return (!by_argument).then_some(Candidate::Function(op, a));
+        }
+        let Node::Binary(Op::Sub, x, y) = *graph.node(node) else { return None };
+        let (Node::Unary(f, a), Node::Unary(g, b)) = (graph.node(x), graph.node(y)) else { return None };
+        (f == g && rises(*f)).then_some(Candidate::Difference(*a, *b))
+    };
+    graph.reachable(sides).into_iter().filter_map(of).take(MOST_ARGUMENTS).collect()
+}
 
 impl Attempt<'_> {
     /// What is known of the arguments of functions in the sides of the claim.
@@ -18,30 +40,29 @@ impl Attempt<'_> {
         else {
             return Vec::new();
         };
+        let candidates = candidates(&self.search.reader.graph, [left, right]);
+        if candidates.is_empty() {
+            return Vec::new();
+        }
         let known = self.of_known_sign();
         if known.is_empty() {
             return Vec::new();
         }
         let mut out = Vec::new();
-        let nodes = self.search.reader.graph.reachable([left, right]);
-        for node in nodes {
-            let graph = &self.search.reader.graph;
-            if let Node::Unary(op, a) = *graph.node(node)
-                && out.len() < MOST_ARGUMENTS
-            {
-                let found = stretches(op).iter().find_map(|stretch| {
-                    let ends = [(stretch.from, true), (stretch.to, false)];
-                    let each = ends.into_iter().filter_map(|(end, is_lower)| Some((end?, is_lower)));
-                    each.map(|(end, is_lower)| self.beyond(a, end, is_lower, &known)).collect::<Option<Vec<FactId>>>()
-                });
-                out.extend(found.into_iter().flatten());
-            } else if let Node::Binary(Op::Sub, x, y) = *graph.node(node)
-                && let (Node::Unary(f, a), Node::Unary(g, b)) = (graph.node(x).clone(), graph.node(y).clone())
-                && f == g
-                && rises(f)
-            {
-                let found = self.ordered_by(a, b, &known).or_else(|| self.ordered_by(b, a, &known));
-                out.extend(found);
+        for candidate in candidates {
+            match candidate {
+                Candidate::Function(op, a) => {
+                    let found = stretches(op).iter().find_map(|stretch| {
+                        let ends = [(stretch.from, true), (stretch.to, false)];
+                        let each = ends.into_iter().filter_map(|(end, is_lower)| Some((end?, is_lower)));
+                        each.map(|(end, is_lower)| self.beyond(a, end, is_lower, &known))
+                            .collect::<Option<Vec<FactId>>>()
+                    });
+                    out.extend(found.into_iter().flatten());
+                }
+                Candidate::Difference(a, b) => {
+                    out.extend(self.ordered_by(a, b, &known).or_else(|| self.ordered_by(b, a, &known)));
+                }
             }
         }
         out
