@@ -296,7 +296,11 @@ pub(super) fn limits<'a>(
     }
     let mut blocks = if out.is_empty() { Vec::new() } else { vec![StoryBlock::Paragraph(out)] };
     if limited.len() > 1 {
-        let beside = vec![quiet(format!("So with {} more.", limited.len() - 1))];
+        let beside = match limited.len() - 1 {
+            1 => "1 more claim stands as said, and fails as needed.".to_owned(),
+            more => format!("{more} more claims stand as said, and fail as needed."),
+        };
+        let beside = vec![quiet(beside)];
         blocks.push(StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(beside)]));
     }
     blocks
