@@ -431,8 +431,8 @@ impl Loader<'_> {
         let hint = "give everything in the claim a range or a formula in `ranges`, or let it follow from something";
         // That it is tried on no motion may be said.
         let names_some = |value: &&Value<'_>| value.get_ref().as_array().is_none_or(|all| !all.is_empty());
-        let of_motions = OF_MOTIONS[..3].iter().flat_map(|key| tables.iter().filter_map(|t| t.get(key)));
-        if let Some(value) = of_motions.filter(names_some).next() {
+        let mut of_motions = OF_MOTIONS[..3].iter().flat_map(|key| tables.iter().filter_map(|t| t.get(key)));
+        if let Some(value) = of_motions.find(names_some) {
             self.problems.note("derivation::bad-region", value.span(), about).hint(hint);
         } else if let Some(form) = claim.forms.iter().find(|f| f.kind() != FormKind::Always) {
             let message = format!("{about}, and `{}` is said of motions", form.kind().key());

@@ -75,32 +75,27 @@ mod tests {
     use super::*;
     use std::f64::consts::FRAC_PI_2;
 
-    /// Values of the operations inside of all stretches have the sign, in floating numbers.
+    /// Values of the operations inside of all stretches have the sign, in floating numbers; where there is none, nothing is said.
     #[test]
     fn values_have_the_sign_inside_of_stretches() {
-        let functions: [(Op, fn(f64) -> f64); 9] = [
-            (Op::Sin, f64::sin),
-            (Op::Cos, f64::cos),
-            (Op::Tan, f64::tan),
-            (Op::Ln, f64::ln),
-            (Op::Arcsin, f64::asin),
-            (Op::Arctan, f64::atan),
-            (Op::Sinh, f64::sinh),
-            (Op::Tanh, f64::tanh),
-            (Op::Powi(-3), |x| x.powi(-3)),
-        ];
-        for (op, f) in functions {
+        use Op::{Arcsin, Arctan, Cos, Ln, Powi, Sin, Sinh, Tan, Tanh};
+        for op in [Sin, Cos, Tan, Ln, Arcsin, Arctan, Sinh, Tanh, Powi(-3), Powi(5)] {
             let rows = stretches(op);
             assert!(rows.len() > 1, "{op:?}");
+            let mut told = 0;
             for row in rows {
                 let end = |b: Bound| f64::from(b.whole) + FRAC_PI_2 * f64::from(b.quarter_turns);
                 let (low, high) = (row.from.map_or(-20.0, end), row.to.map_or(20.0, end));
-                for step in 1..40 {
-                    let x = low + (high - low) * f64::from(step) / 40.0;
-                    let value = f(x);
-                    assert!(value.is_nan() || (value > 0.0) == row.is_positive, "{op:?} at {x}: {value}");
+                for step in 1..400 {
+                    let x = low + (high - low) * f64::from(step) / 400.0;
+                    let mut value = 0.0;
+                    if op.apply(&(), &mut value, &x, &0.0).is_ok() {
+                        assert!((value > 0.0) == row.is_positive, "{op:?} at {x}: {value}");
+                        told += 1;
+                    }
                 }
             }
+            assert!(told > 10, "{op:?}");
         }
     }
 }
