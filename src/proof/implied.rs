@@ -9,14 +9,14 @@ use super::linear::{Combination, Combinations};
 use super::outcome::Premises;
 use super::polynomial::primitive;
 use super::range::Ranges;
-use expr::domain::{Bound, rises, stretches};
+use expr::domain::{rises, stretches};
 use expr::{Expr, FastSet, Graph, Node, Op, Rational};
 
 /// Larger expressions and problems are not looked at for signs.
 const MOST_BELOW: usize = 32;
 const MOST_NODES: usize = 400;
 
-/// What is implied.
+/// Signs that are implied.
 #[derive(Default)]
 pub(super) struct Implied {
     pub(super) positive: Vec<Expr>,
@@ -78,7 +78,7 @@ fn odd_base(graph: &mut Graph, e: Expr) -> Option<Expr> {
     }
 }
 
-/// What else is positive, or not negative.
+/// Other expressions that are positive, or not negative.
 pub(super) fn implied(graph: &mut Graph, roots: &[Expr], [positive, not_negative]: [&[Expr]; 2]) -> Implied {
     let mut out = Implied::default();
     let is_leaf = |graph: &Graph, e: Expr| matches!(graph.node(e), Node::Leaf(_));
@@ -86,6 +86,7 @@ pub(super) fn implied(graph: &mut Graph, roots: &[Expr], [positive, not_negative
     let mut rooted = false;
     let mut radicands = Vec::new();
     for &e in &nodes {
+        rooted |= matches!(graph.node(e), Node::Unary(Op::Sqrt | Op::Abs, _) | Node::Binary(Op::Pow, ..));
         let (below, is_root) = if let Node::Unary(Op::Sqrt, a) = *graph.node(e) {
             (a, true)
         } else if let Node::Unary(Op::Ln, a) | Node::Binary(Op::Pow, a, _) = *graph.node(e) {
@@ -102,9 +103,6 @@ pub(super) fn implied(graph: &mut Graph, roots: &[Expr], [positive, not_negative
             None => out.not_negative.push(below),
         }
         radicands.extend(is_root.then_some(below));
-    }
-    for &e in &nodes {
-        rooted |= matches!(graph.node(e), Node::Unary(Op::Sqrt | Op::Abs, _) | Node::Binary(Op::Pow, ..));
     }
     for (list, implied) in [(positive, &mut out.positive), (not_negative, &mut out.not_negative)] {
         for &e in list.iter().filter(|&&e| !is_leaf(graph, e) && is_plain(graph, e)).collect::<Vec<_>>() {
@@ -124,7 +122,7 @@ pub(super) fn implied(graph: &mut Graph, roots: &[Expr], [positive, not_negative
     out
 }
 
-/// What is known not to be negative, multiplied out.
+/// Expressions that are known not to be negative, multiplied out.
 fn of_known(graph: &Graph, given: &Premises) -> Vec<(Combination, Least)> {
     let mut combinations = Combinations::default();
     let of = [(&given.positive, Least::AboveZero), (&given.not_negative, Least::Zero)];
@@ -202,7 +200,7 @@ impl Search {
             let mut least = Least::AboveZero;
             for (bound, is_lower) in [(stretch.from, true), (stretch.to, false)] {
                 let Some(bound) = bound else { continue };
-                let end = of_bound(graph, bound);
+                let end = bound.expression(graph);
                 let beyond = if is_lower { graph.sub(a, end) } else { graph.sub(end, a) };
                 least = least.min(self.least(graph, beyond)?);
             }
@@ -274,13 +272,6 @@ fn parts(graph: &Graph, e: Expr) -> Vec<(Op, Expr)> {
         return vec![(Op::Sin, a), (Op::Cos, a)];
     }
     if let Node::Unary(Op::Tanh, a) = *graph.node(e) { vec![(Op::Sinh, a)] } else { Vec::new() }
-}
-
-fn of_bound(graph: &mut Graph, bound: Bound) -> Expr {
-    let turns = graph.constant(Rational::from(bound.quarter_turns) / Rational::from(2));
-    let pi = graph.pi();
-    let (turns, whole) = (graph.mul(turns, pi), graph.integer(bound.whole.into()));
-    if bound.quarter_turns == 0 { whole } else { graph.add(whole, turns) }
 }
 
 /// Whether a monomial is 1 or π.

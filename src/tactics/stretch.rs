@@ -6,12 +6,12 @@
 use crate::prove::Attempt;
 use checker::{FactId, Relation, Sense, Step};
 use expr::domain::{Bound, rises, stretches};
-use expr::{Expr, Graph, Node, Op, Rational};
+use expr::{Expr, Graph, Node, Op};
 
 /// Most arguments that are looked at.
 const MOST_ARGUMENTS: usize = 12;
 
-/// What an argument, or two, may say the sign of.
+/// A formula whose sign its argument may say, or two arguments.
 enum Candidate {
     /// A function of something.
     Function(Op, Expr),
@@ -34,7 +34,7 @@ fn candidates(graph: &Graph, sides: [Expr; 2]) -> Vec<Candidate> {
 }
 
 impl Attempt<'_> {
-    /// What is known of the arguments of functions in the sides of the claim.
+    /// Facts about the arguments of functions in the sides of the claim.
     pub(crate) fn on_stretches(&mut self) -> Vec<FactId> {
         let Some((left, right)) = self.search.draft.claim_says().and_then(|says| self.search.reader.sides(&says))
         else {
@@ -70,10 +70,7 @@ impl Attempt<'_> {
 
     /// a beyond an end.
     fn beyond(&mut self, a: Expr, end: Bound, is_lower: bool, known: &[FactId]) -> Option<FactId> {
-        let graph = &mut self.search.reader.graph;
-        let turns = graph.constant(Rational::from(end.quarter_turns) / Rational::from(2));
-        let pi = graph.pi();
-        let end = if end.quarter_turns == 0 { graph.integer(end.whole.into()) } else { graph.mul(turns, pi) };
+        let end = end.expression(&mut self.search.reader.graph);
         if is_lower { self.ordered_by(end, a, known) } else { self.ordered_by(a, end, known) }
     }
 

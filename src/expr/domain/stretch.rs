@@ -5,6 +5,7 @@
 //! go on for ever, the stretches about 0 are told.
 
 use super::{Bound, Change, Op, Slope, row};
+use crate::{Expr, Graph, Rational};
 
 /// A closed stretch of the argument of an operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +58,22 @@ pub fn stretches(op: Op) -> &'static [Stretch] {
         | Op::Agm
         | Op::DirectionCosine
         | Op::Restrict => &[],
+    }
+}
+
+impl Bound {
+    /// The bound as an expression: a whole number, a multiple of π, or the sum of both.
+    pub fn expression(self, graph: &mut Graph) -> Expr {
+        if self.quarter_turns == 0 {
+            return graph.integer(self.whole.into());
+        }
+        let (turns, pi) = (graph.constant(Rational::from(self.quarter_turns) / Rational::from(2)), graph.pi());
+        let turned = graph.mul(turns, pi);
+        if self.whole == 0 {
+            return turned;
+        }
+        let whole = graph.integer(self.whole.into());
+        graph.add(whole, turned)
     }
 }
 
