@@ -101,6 +101,7 @@ mod premises;
 mod printed;
 mod prove;
 mod prove_points;
+mod prove_rates;
 mod prove_traps;
 mod ranges;
 mod reach;

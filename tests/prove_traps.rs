@@ -57,6 +57,14 @@ pub fn all(rows: &[Row]) {
 fn signs_and_absolute_values() {
     all(&[
         ("refuted", r"y=5", "x,y", r"(x^{1/4})^4+y^2=0"),
+        // Neither sign makes the sides equal: x itself is among them, so that nothing is left to speak of.
+        ("undecided", "x=0", "x", r"\pm x\ne x"),
+        ("proved", r"x^2\ne4", "x", r"\pm x\ne2"),
+        ("proved", r"x\ne5", "x", r"x=\pm2"),
+        ("refuted", r"x^2\ne4", "x", r"x=\pm2"),
+        ("refuted", r"x\ne2", "x", r"x=\pm2"),
+        ("undecided", r"x\ne5", "x", r"\pm x\ne2"),
+        ("refuted", "x=0", "x", r"\pm x\ne2"),
         // A power of 0 is 0, the exponential that it is written as is not.
         ("refuted", r"y=0", "a,y", r"\sqrt[3]ay=0"),
         ("refuted", r"y=0", "a,y", r"a^{2/3}y=0"),

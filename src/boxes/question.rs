@@ -15,8 +15,9 @@ use crate::verdict::{self, Possible, Proposition};
 use claim::comparison::Group;
 use claim::denote::denote;
 use claim::program::Part as Compared;
+use claim::surroundings::Surroundings;
 
-use proof::{Identity, Premises, When};
+use proof::{Condition, Identity, Premises, Proof, When};
 use proved::agreement::answer;
 
 /// Comparisons with the relations by which they are known on cells, for each sign of ±.
@@ -36,8 +37,8 @@ struct Related {
     relations: Vec<usize>,
     left: Expr,
     right: Expr,
-    /// Whether it holds wherever all that is assumed does, and it has values.
-    follows: bool,
+    /// Whether it is proved to hold wherever all that is assumed does, and it has values.
+    settled: bool,
 }
 
 /// The two sides of the formula that fails at a point.
@@ -146,7 +147,7 @@ impl Question {
     /// # Errors
     /// A leaf without a value.
     pub fn new(graph: &mut Graph, claim: &Claim, put: &Insertion, variables: Vec<Variable>) -> Result<Question, Leaf> {
-        let denoted = denote(graph, &[], claim, &Rational::ZERO);
+        let denoted = denote(graph, Surroundings::default(), claim, &Rational::ZERO);
         let mut question = Question {
             signs: Signs::new(variables),
             selectors: Vec::new(),
@@ -234,7 +235,7 @@ impl Question {
                 for d in terms {
                     of.push(self.signs.add(graph, d, kind)?);
                 }
-                all.push(Related { relations: of, left, right, follows: false });
+                all.push(Related { relations: of, left, right, settled: false });
             }
             relations.push(all);
         }
@@ -260,22 +261,33 @@ impl Question {
             }
             let text = c.label.split("   [").next().unwrap_or_default().to_owned();
             let sides = [(related.left, related.right)];
-            let mut error = |premises: &Premises| match answer(graph, &sides, premises, None) {
-                Ok((Identity::Proved(proof), _)) if proof.conditions.iter().all(|c| c.leaves_out().is_none()) => {
-                    Some(proof.log2_error)
-                }
+            let mut proved = |premises: &Premises| match answer(graph, &sides, premises, None) {
+                Ok((Identity::Proved(proof), _)) => Some(proof),
                 _ => None,
             };
-            if let Some(error) = error(&Premises::default()) {
+            let whole = |proof: &Proof| proof.conditions.iter().all(|c| c.leaves_out().is_none());
+            // Where the formula for a rate of its own has no value nothing is said, see `Domain::Edges`.
+            let own = |c: &Condition| c.leaves_out().is_none() || matches!(c, Condition::Rate(_));
+            let identity = proved(&Premises::default()).filter(|proof| proof.conditions.iter().all(own));
+            related.settled = identity.as_ref().is_some_and(whole);
+            if let Some(proof) = &identity {
                 self.signs.vanishes(relation);
-                self.identities.push((text, error, false));
-            } else if let Some(error) = error(given) {
+                self.identities.push((text.clone(), proof.log2_error, false));
+            }
+            if !related.settled
+                && let Some(proof) = proved(given).filter(whole)
+            {
                 // The same difference may be among what is assumed, where nothing is proved of it.
-                related.follows = true;
-                self.identities.push((text, error, true));
-            } else {
+                related.settled = true;
+                if identity.is_none() {
+                    self.identities.push((text.clone(), proof.log2_error, true));
+                }
+            }
+            if !related.settled {
                 all = false;
-                self.equations.push(text);
+                if identity.is_none() {
+                    self.equations.push(text);
+                }
             }
         }
         all
@@ -293,15 +305,20 @@ impl Question {
 
     /// What is left possible of one comparison on a cell.
     fn known(&self, placed: &Placed, related: &Related, cell: &Cell, scratch: &mut Scratch) -> Possible {
-        let settled = placed.definedness || related.follows;
-        let each = related.relations.iter().map(|r| self.known_of(settled, *r, cell, scratch));
+        let each = related.relations.iter().map(|&r| match placed.definedness {
+            true => self.known_of(r, Some(Domain::Edges), cell, scratch),
+            false => self.known_of(r, related.settled.then_some(Domain::Open), cell, scratch),
+        });
         each.fold(Possible::TRUE, Possible::and)
     }
 
-    /// The same of one relation; `settled` where it is true wherever it says something of a point at which the claim applies.
-    fn known_of(&self, settled: bool, relation: usize, cell: &Cell, scratch: &mut Scratch) -> Possible {
-        let domain = self.signs.domain(relation, cell, scratch);
-        let truth = if settled { Truth::True } else { self.signs.truth(relation, cell, scratch) };
+    /// The same of one relation, which is true for certain where a domain is given: that in which it is at edges of rates.
+    fn known_of(&self, relation: usize, settled: Option<Domain>, cell: &Cell, scratch: &mut Scratch) -> Possible {
+        let domain = match self.signs.domain(relation, cell, scratch) {
+            Domain::Edges => settled.unwrap_or(Domain::Edges),
+            domain => domain,
+        };
+        let truth = if settled.is_some() { Truth::True } else { self.signs.truth(relation, cell, scratch) };
         match (domain, truth) {
             (Domain::Nowhere, _) => Possible::VOID,
             (Domain::Everywhere, Truth::True) => Possible::TRUE,
@@ -309,7 +326,7 @@ impl Question {
             (Domain::Everywhere, Truth::Open) => Possible::OPEN,
             (Domain::Open, Truth::True) => Possible::TRUE_OR_VOID,
             (Domain::Open, Truth::False) => Possible::FALSE_OR_VOID,
-            (Domain::Open, Truth::Open) => Possible::ANY,
+            (Domain::Open, Truth::Open) | (Domain::Edges, _) => Possible::ANY,
         }
     }
 

@@ -53,7 +53,10 @@ pub(super) enum Truth {
 pub(super) enum Domain {
     Everywhere,
     Nowhere,
+    /// Perhaps not everywhere: where it has a value it is that of D.
     Open,
+    /// There may be a rate at which its formula has no value: of the value nothing is known there.
+    Edges,
 }
 
 /// The range of D on a cell; `None` where D has a value nowhere on it.
@@ -246,18 +249,21 @@ impl Signs {
         }
         let (range, _) = self.look(relation, cell, scratch);
         match range {
-            None => return Domain::Nowhere,
+            None if self.all[relation].needs.iter().all(|&(_, certain)| certain) => return Domain::Nowhere,
             Some(range) if range.is_defined() => return Domain::Everywhere,
             _ => {}
         }
-        let mut all = true;
+        let mut found = Domain::Everywhere;
         for &(need, certain) in &self.all[relation].needs {
             match self.look(need, cell, scratch) {
                 (None, _) | (_, Truth::False) if certain => return Domain::Nowhere,
-                (_, truth) => all &= truth == Truth::True,
+                (_, Truth::True) => {}
+                _ if certain && found == Domain::Everywhere => found = Domain::Open,
+                _ if certain => {}
+                _ => found = Domain::Edges,
             }
         }
-        if all { Domain::Everywhere } else { Domain::Open }
+        found
     }
 
     /// Whether the relation is true, at the points of the cell at which D has a value.

@@ -294,7 +294,8 @@ impl Solver {
         for &relation in &self.relations {
             let truth = self.conditions.truth(relation, &cell, &mut scratch.conditions);
             match (self.conditions.domain(relation, &cell, &mut scratch.conditions), truth) {
-                (Domain::Nowhere, _) | (_, Truth::False) => return Truth::False,
+                (Domain::Nowhere, _) => return Truth::False,
+                (Domain::Everywhere | Domain::Open, Truth::False) => return Truth::False,
                 (Domain::Everywhere, Truth::True) => {}
                 _ => out = Truth::Open,
             }

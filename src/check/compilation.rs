@@ -45,7 +45,7 @@ impl<'a> Compiled<'a> {
             let claim = &file.claims[c];
             let starts = selection.starts.iter().zip(&selection.shared);
             let program =
-                |(s, shared): (&Rational, &Vec<_>)| Program::new(graph, &file.systems, claim, s).sharing(shared);
+                |(s, shared): (&Rational, &Vec<_>)| Program::new(graph, file.into(), claim, s).sharing(shared);
             let programs: Vec<Program> = starts.map(program).collect();
             let gradients = Gradients::of_claim(graph, &file.trajectories, claim, &fields);
             let one = |program| Prepared { claim, program, gradients: gradients.clone() };

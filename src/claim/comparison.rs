@@ -13,7 +13,7 @@ use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
 use crate::latex::{RelationKind, Role, Scope};
 use crate::mute::Told;
 use crate::number::Bounded;
-use crate::verdict::{Possible, Proposition, Quantifier};
+use crate::verdict::{Possible, Proposition, Quantifier, Truth};
 
 /// A residual refutes an equation only beyond this many error bounds.
 pub const GUARD: f64 = 10.0;
@@ -174,9 +174,9 @@ impl Group {
     /// The same for all signs of ± together, where one sign need not serve the whole motion.
     pub fn over_signs(&self, signs: impl Iterator<Item = Possible>) -> Possible {
         let mut silent = false;
-        let joined = signs.inspect(|s| silent |= *s == Possible::VOID).reduce(|a, b| self.signs.join(a, b));
+        let joined = signs.inspect(|s| silent |= s.may_be(Truth::Void)).reduce(|a, b| self.signs.join(a, b));
         match joined {
-            // The sign that serves throughout may be the one that says nothing here.
+            // The sign that serves throughout may be one that says nothing here.
             Some(Possible::FALSE) if silent && self.throughout => Possible::ANY,
             Some(joined) => joined,
             None => Possible::ANY,

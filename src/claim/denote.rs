@@ -9,13 +9,14 @@
 
 use crate::comparison::{Comparison, Group, at_instant, boundaries, cuts, presupposed, traced, traced_without_angles};
 use crate::denial::{Denial, denied};
-use crate::derivation::{Claim, Form, System, Written};
+use crate::derivation::{Claim, Form, Written};
 use crate::expr::domain::Sign;
 use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Op, Rational, Tensor};
 use crate::flow::may_hide;
 use crate::label::label;
 use crate::latex::{Relation, RelationKind, Role, Scope, Statement};
 use crate::program::{Assumption, Denoted, Part, Program, What};
+use crate::surroundings::Surroundings;
 use crate::verdict::{Proposition, Quantifier};
 
 /// The sum of squares of left − right, which vanishes where an equation holds; left − right itself for a scalar.
@@ -119,7 +120,7 @@ pub fn rapid(graph: &mut Graph, scope: &Scope, sides: Vec<Expr>) -> Vec<Expr> {
 /// is negative and touches 0, they have values at single times.
 fn edges<'c>(graph: &mut Graph, scope: &Scope, compared: impl Iterator<Item = &'c Comparison>) -> Vec<(Expr, bool)> {
     let sides: Vec<Expr> = compared.flat_map(|c| [c.left, c.right]).map(|e| traced(graph, scope, e)).collect();
-    let needs = graph.needs_below(sides).into_iter().filter(|n| n.certain);
+    let needs = graph.implied_below(sides).into_iter();
     let mut out: Vec<(Expr, bool)> = needs
         .filter_map(|n| match n.sign {
             Sign::NotNegative => Some((n.value, true)),
@@ -173,15 +174,15 @@ pub fn at_event(graph: &mut Graph, statement: &Statement) -> Option<Expr> {
 
 impl Program {
     /// A claim of a file, or beside it, not compiled yet; `initial_time` is that of the motion at hand.
-    pub fn new(graph: &mut Graph, systems: &[System], claim: &Claim, initial_time: &Rational) -> Program {
-        let mut program: Program = denote(graph, systems, claim, initial_time).into();
+    pub fn new(graph: &mut Graph, surroundings: Surroundings, claim: &Claim, initial_time: &Rational) -> Program {
+        let mut program: Program = denote(graph, surroundings, claim, initial_time).into();
         program.leaps_at = !cuts(graph, &claim.scope, program.at).is_empty();
         program
     }
 }
 
 /// What a claim denotes on motions that begin at `initial_time`.
-pub fn denote(graph: &mut Graph, systems: &[System], claim: &Claim, initial_time: &Rational) -> Denoted {
+pub fn denote(graph: &mut Graph, surroundings: Surroundings, claim: &Claim, initial_time: &Rational) -> Denoted {
     let start = graph.constant(initial_time.clone());
     let sign = claim.scope.branch_sign();
     let branches = |w: &Written<Statement>| w.value.relations.iter().any(|r| r.has_branches);
@@ -192,7 +193,7 @@ pub fn denote(graph: &mut Graph, systems: &[System], claim: &Claim, initial_time
     });
     let mut denotation = Denotation {
         graph,
-        systems,
+        surroundings,
         claim,
         start,
         selectors: Vec::new(),
@@ -241,7 +242,7 @@ pub fn denote(graph: &mut Graph, systems: &[System], claim: &Claim, initial_time
 /// A claim while it is read.
 struct Denotation<'a> {
     graph: &'a mut Graph,
-    systems: &'a [System],
+    surroundings: Surroundings<'a>,
     claim: &'a Claim,
     start: Expr,
     selectors: Vec<Assumption>,
@@ -390,7 +391,7 @@ impl Denotation<'_> {
                     says.push(one_or(both, Proposition::And));
                 }
                 Form::Solves { system } => {
-                    for w in &self.systems[*system].equations {
+                    for w in &self.surroundings.systems[*system].equations {
                         for said in self.relations(w, sign) {
                             let sides = [&said.1.left, &said.1.right].map(|side| Written {
                                 text: said.0.to_owned(),
@@ -493,23 +494,30 @@ impl Denotation<'_> {
         let sides_of =
             |r: &Relation| -> Vec<Expr> { r.left.components.iter().chain(&r.right.components).copied().collect() };
         let scope = &self.claim.scope;
-        let mut needs = |sides: Vec<Expr>| -> Vec<(Expr, Sign)> {
+        // What must be so, and which rates there must be: where a motion has a kink there is none.
+        let mut needs = |sides: Vec<Expr>, implied: bool| -> (Vec<(Expr, Sign)>, Vec<Leaf>) {
             let printed = self.graph.needs_below(sides.iter().copied());
             let written: Vec<Expr> = sides.into_iter().map(|e| traced_without_angles(self.graph, scope, e)).collect();
+            let mut rates = self.graph.leaves_within(written.iter().copied());
+            rates.retain(|leaf| leaf.rate > 0 && scope.moves(leaf));
             // What definitions divide by is 0 at single times; below a root they may lack a value for a while.
             let below = self.graph.needs_below(written).into_iter().filter(|need| need.sign != Sign::NotZero);
-            printed.into_iter().chain(below).map(|need| (need.value, need.sign)).collect()
+            let all = printed.into_iter().chain(below).filter(|need| !implied || need.certain);
+            (all.map(|need| (need.value, need.sign)).collect(), rates)
         };
         let sides = sides_of(relation);
-        let asked = needs(sides.clone());
-        if asked.is_empty() {
+        let (asked, rates) = needs(sides.clone(), false);
+        if asked.is_empty() && rates.is_empty() {
             return None;
         }
         // Where the claim itself has no value, nothing is said either.
         let said = self.claim.forms.iter().filter_map(|form| form.statement());
-        let own = needs(said.flat_map(|w| &w.value.relations).flat_map(sides_of).collect());
+        let (own, own_rates) = needs(said.flat_map(|w| &w.value.relations).flat_map(sides_of).collect(), true);
         let beyond: Vec<Expr> = asked.into_iter().filter(|n| !own.contains(n)).map(|(e, _)| e).collect();
-        if !self.graph.leaves_within(beyond).iter().any(|l| scope.moves(l)) {
+        let new = rates.into_iter().filter(|leaf| !own_rates.contains(leaf)).collect::<Vec<_>>();
+        let kink = new.iter().any(|leaf| self.surroundings.may_lack_a_rate(self.graph, self.claim, leaf.symbol));
+        let moving = self.graph.leaves_within(beyond).iter().any(|l| scope.moves(l));
+        if !moving && !kink {
             return None;
         }
         // 1 + |l| + |r| > 0.

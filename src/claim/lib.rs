@@ -3,7 +3,8 @@
 //! **In:** a claim of a derivation, and what its user asks for. **Out:** a [`Program`](program::Program): parts, each of them a group of
 //! [comparisons](comparison), measured at points of whatever kind: of a motion, of a box, of an altered formula.
 //!
-//! **Guaranteed:** forms of claims are read for their meaning in [`denote`] and nowhere else; no motion is known here, and no verdict is
+//! **Guaranteed:** forms of claims are read for their meaning in [`denote`] and nowhere else; of motions no more is known than which rates
+//! they may lack; no verdict is
 //! made.
 
 #![forbid(unsafe_code)]
@@ -23,4 +24,5 @@ pub mod program;
 pub mod quantity;
 pub mod screen;
 pub mod sides;
+pub mod surroundings;
 pub mod system;

@@ -5,7 +5,7 @@
 //! y = 0 and x < 0, and its derivative is restricted to elsewhere. An angle that is continued beyond its cut does not leap;
 //! who continues it says what its derivative is, see [`Graph::continued`].
 
-use super::FastMap;
+use super::{FastMap, FastSet};
 
 use super::{Expr, Graph, Leaf, Node, Op, Rational};
 
@@ -98,6 +98,65 @@ impl Graph {
             }
         }
         self.lifted(d, |of| off.contains(&of))
+    }
+
+    /// What breaks a function: of c·|v| and c·atan2(v, u), and what is smooth beside them, |v| or atan2(v, u). Where v passes 0, at a speed
+    /// that is not 0, it has a kink or leaps, and has no rate for certain. Of others nothing is said.
+    pub fn broken_by(&self, function: Expr) -> Option<Expr> {
+        let smooth = |e: Expr| self.reachable([e]).into_iter().all(|e| self.is_smooth(e));
+        let mut at = function;
+        loop {
+            at = match *self.node(at) {
+                Node::Unary(Op::Abs, v) => return smooth(v).then_some(at),
+                Node::Binary(Op::Arctan2, v, u) => return (smooth(v) && smooth(u)).then_some(at),
+                Node::Unary(Op::Neg, a) => a,
+                Node::Binary(Op::Add | Op::Sub, a, b) if smooth(a) => b,
+                Node::Binary(Op::Add | Op::Sub, a, b) if smooth(b) => a,
+                Node::Binary(Op::Mul, a, b) if self.as_constant(a).is_some_and(|c| !c.is_zero()) => b,
+                Node::Binary(Op::Mul | Op::Div, a, b) if self.as_constant(b).is_some_and(|c| !c.is_zero()) => a,
+                Node::Unary(..) | Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => return None,
+            }
+        }
+    }
+
+    /// The rate of a function with the domain that a rate has, see [`Graph::rate_of`], where `speed` is that of the first argument of what breaks
+    /// it: passed at a speed that is not 0, it leaves the function without a rate, just as the formula.
+    pub fn rate_known(
+        &mut self,
+        function: Expr,
+        formula: Expr,
+        speed: Option<Expr>,
+        partial: impl Fn(Leaf) -> bool,
+    ) -> Expr {
+        let breaks = speed.and_then(|s| self.as_constant(s)).is_some_and(|s| !s.is_zero());
+        let of = if breaks { self.add(function, formula) } else { function };
+        self.rate_of(of, formula, partial)
+    }
+
+    /// Half of the angle that is not π where an expression has a value, if it is one that is made for that.
+    fn off_cut(&self, e: Expr) -> Option<(Expr, Expr)> {
+        let Node::Unary(Op::Tan, half) = *self.node(e) else { return None };
+        let angle = self.node(half).children().find(|&e| matches!(self.node(e), Node::Binary(Op::Arctan2, ..)));
+        angle.map(|angle| (half, angle))
+    }
+
+    /// The halves of angles of which all that is named are rates of the angles themselves, with what is smooth beside them: where such a rate
+    /// is, it is what the formula says, on the cut, too. (The angle is continuous there, so that it is one that goes on, and has the rate of
+    /// that.) Of z·atan2(y, x) this is not so: along z = t, y = −t², x = −1 it has the rate −π at t = 0, and not π.
+    pub fn angles_with_rates(&self, roots: impl IntoIterator<Item = Expr>) -> FastSet<Expr> {
+        let (mut good, mut bad): (FastSet<Expr>, FastSet<Expr>) = Default::default();
+        for node in self.reachable(roots) {
+            let Node::Binary(Op::Restrict, formula, function) = *self.node(node) else { continue };
+            if self.off_cut(function).is_some() {
+                continue;
+            }
+            let own = self.broken_by(function);
+            for (half, angle) in self.reachable([formula]).into_iter().filter_map(|e| self.off_cut(e)) {
+                if Some(angle) == own { &mut good } else { &mut bad }.insert(half);
+            }
+        }
+        good.retain(|half| !bad.contains(half));
+        good
     }
 
     /// y and x of every atan2(y, x) below some expressions.

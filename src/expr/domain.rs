@@ -517,6 +517,13 @@ impl Graph {
         out
     }
 
+    /// What is so wherever the roots have values: of [`Graph::needs_below`] what is certain.
+    pub fn implied_below(&mut self, roots: impl IntoIterator<Item = Expr>) -> Vec<Need> {
+        let mut needs = self.needs_below(roots);
+        needs.retain(|need| need.certain);
+        needs
+    }
+
     /// What is 0 where an expression is, and changes its sign there sooner: |x|, xⁿ and √x are 0 where x is.
     pub fn root_of_zeros(&self, e: Expr) -> Expr {
         let mut root = e;
@@ -530,7 +537,7 @@ impl Graph {
     }
 
     /// The nodes without whose values the roots have none: all, but what stands in a formula for a rate only.
-    fn asked(&self, roots: &[Expr]) -> FastSet<Expr> {
+    pub fn asked(&self, roots: &[Expr]) -> FastSet<Expr> {
         let (mut seen, mut open) = (FastSet::default(), roots.to_vec());
         while let Some(e) = open.pop() {
             if seen.insert(e) {
@@ -627,6 +634,12 @@ impl Graph {
             }
         }
         true
+    }
+
+    /// Whether a node is smooth wherever it has a value, if its arguments are.
+    pub(super) fn is_smooth(&self, node: Expr) -> bool {
+        let ends = |edge: &Edge| matches!(edge.change, Change::Pole(..) | Change::Log);
+        operation(self, node).is_none_or(|(op, ..)| row(op).edges.iter().all(ends))
     }
 
     /// The edges of a node: where it is not analytic though its arguments are.

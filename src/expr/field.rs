@@ -157,7 +157,9 @@ impl Graph {
                 let mut image = value;
                 for at in leaf.partials.steps() {
                     let derivative = self.derivative_by(image, at)?;
-                    image = self.rate_of(image, derivative, |_| false);
+                    let argument = self.broken_by(image).and_then(|e| self.node(e).children().next());
+                    let speed = argument.and_then(|v| self.derivative_by(v, at).ok());
+                    image = self.rate_known(image, derivative, speed, |_| false);
                 }
                 if let Some(place) = self.place(leaf.symbol).cloned() {
                     let coordinates: Vec<Leaf> = self.coordinates().collect();

@@ -150,13 +150,15 @@ impl<'a> Ensemble<'a> {
         // As in the file with the member pasted into it: the motions share the memory.
         let mut graph = derivation.graph.clone();
         let fields = Fields::solve(&mut graph, &derivation).map_err(CheckError::Problems)?;
-        let Derivation { claims, systems, trajectories, .. } = &derivation;
+        let Derivation { claims, trajectories, .. } = &derivation;
         // What varies is told apart in each member, whose motion knows what is equal there.
         let varied: Vec<Leaf> = members.family.vary.iter().map(|v| v.leaf).collect();
         let mut shared = derivation.shared_parameters(&base);
         shared.retain(|(leaf, other)| !varied.contains(leaf) && !varied.contains(other));
-        let mut programs: Vec<Vec<Program>> =
-            claims.iter().map(|c| vec![Program::new(&mut graph, systems, c, &start).sharing(&shared)]).collect();
+        let mut programs: Vec<Vec<Program>> = claims
+            .iter()
+            .map(|c| vec![Program::new(&mut graph, (&derivation).into(), c, &start).sharing(&shared)])
+            .collect();
         let gradients: Vec<_> =
             claims.iter().map(|c| Gradients::of_claim(&mut graph, trajectories, c, &fields)).collect();
         let measures = measure::compile(&mut graph, &derivation);

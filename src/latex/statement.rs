@@ -42,6 +42,13 @@ pub struct Relation {
     pub span: Range<usize>,
 }
 
+impl Relation {
+    /// Whether it is meant for one of the signs of ±: `l \ne \pm r` says of both that they do not make the sides equal.
+    pub fn chooses_sign(&self) -> bool {
+        self.has_branches && self.kind != RelationKind::NotEqual
+    }
+}
+
 /// A chain of relations, `a = b = c`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {

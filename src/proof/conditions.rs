@@ -14,6 +14,8 @@ use expr::{FastMap, FastSet};
 /// Radicands, denominators … of the operations of some formulas, see [`Condition`].
 pub fn domains(graph: &mut Graph, exprs: &[Expr]) -> Vec<Condition> {
     let condition = |need: Need| match (need.term, need.sign) {
+        // The rate of √x at x = 0, of |x| at 0: there may be one.
+        (_, Sign::NotZero | Sign::Positive) if !need.certain => Condition::Rate(need.value),
         // Powers are shown to be what they are for positive bases, whatever the exponent.
         (Term::Support, _) => Condition::Positive(need.first),
         (Term::First, Sign::NotNegative) if need.op == Op::Pow => Condition::Positive(need.first),
@@ -22,7 +24,10 @@ pub fn domains(graph: &mut Graph, exprs: &[Expr]) -> Vec<Condition> {
         (_, Sign::NotNegative) => Condition::Radicand(need.value),
         (_, Sign::NotZero) => Condition::Denominator(need.value),
     };
-    let mut out: Vec<Condition> = graph.needs_below(exprs.iter().copied()).into_iter().map(condition).collect();
+    let angles = graph.angles_with_rates(exprs.iter().copied());
+    let open = |need: &Need| need.certain || need.op != Op::Tan || !angles.contains(&need.first);
+    let needs = graph.needs_below(exprs.iter().copied()).into_iter().filter(open);
+    let mut out: Vec<Condition> = needs.map(condition).collect();
     out.dedup();
     out
 }
@@ -78,10 +83,19 @@ fn bases(graph: &mut Graph, given: &Premises, formulas: &[Expr]) -> Vec<Expr> {
         }
     }
     // What a logarithm, or a divisor, needs anyway.
-    let needed = graph.needs_below(formulas.iter().copied());
+    let needed = graph.implied_below(formulas.iter().copied());
     let needed = |a: Expr| needed.iter().any(|n| n.op != Op::Pow && n.value == a && n.sign != Sign::NotNegative);
     out.retain(|&a| !needed(a));
     out
+}
+
+/// Whether something is not 0 where formulas have values, by their own conditions: x where they divide by |x|.
+fn is_needed(graph: &Graph, own: &[Condition], e: Expr) -> bool {
+    own.iter().any(|c| match *c {
+        Condition::Denominator(d) | Condition::Positive(d) => graph.root_of_zeros(d) == graph.root_of_zeros(e),
+        Condition::Pivot(_) | Condition::Rate(_) | Condition::Radicand(_) | Condition::Discriminant(_) => false,
+        Condition::Unit(_) => false,
+    })
 }
 
 /// Conditions that are not among the facts, in words of the formulas as given.
@@ -139,7 +153,8 @@ pub(super) fn conditions(
                     || told.contains(&e)
                     || facts.sign(graph, generators, e).nonzero
             }
-            Condition::Denominator(e) | Condition::Rate(e) => facts.sign(graph, generators, e).nonzero,
+            Condition::Denominator(e) => facts.sign(graph, generators, e).nonzero,
+            Condition::Rate(e) => is_needed(graph, &own, e) || facts.sign(graph, generators, e).nonzero,
             Condition::Discriminant(e) if own.contains(&Condition::Radicand(e)) => true,
             Condition::Radicand(e) | Condition::Discriminant(e) => facts.sign(graph, generators, e).not_negative,
             Condition::Positive(e) => {

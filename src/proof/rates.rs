@@ -41,7 +41,7 @@ pub(super) fn mark_partial(
     given.not_negative.iter().for_each(|&e| facts.note_not_negative(graph, e));
     given.nonzero.iter().for_each(|&e| note_nonzero(graph, &mut facts, e));
     let mut known_nonzero: Vec<Expr> = given.nonzero.iter().chain(&given.positive).copied().collect();
-    for need in graph.needs_below(own.iter().copied()) {
+    for need in graph.implied_below(own.iter().copied()) {
         match need.sign {
             Sign::Positive => facts.note_positive(graph, need.value),
             Sign::NotNegative => facts.note_not_negative(graph, need.value),

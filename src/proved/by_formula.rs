@@ -354,7 +354,7 @@ impl<'a> Setting<'a> {
         if claim.at.is_some() || claim.region.is_some() {
             return;
         }
-        let denoted = denote(&mut self.graph, &self.derivation.systems, claim, &start);
+        let denoted = denote(&mut self.graph, self.derivation.into(), claim, &start);
         self.needs.clear();
         let Some(guards) = self.guards(&claim.scope, &denoted.selectors) else { return };
         // Where a selector has no value, nothing counts.
@@ -388,7 +388,7 @@ impl<'a> Setting<'a> {
         let (Ok(start), None, None) = (Rational::try_from(motion.initial_time), &claim.at, &claim.region) else {
             return;
         };
-        let denoted = denote(&mut self.graph, &self.derivation.systems, claim, &start);
+        let denoted = denote(&mut self.graph, self.derivation.into(), claim, &start);
         let met = |this: &mut Self, part: &Part| this.now(&claim.scope, part).is_some_and(|(k, _)| k == Possible::TRUE);
         if !denoted.selectors.iter().all(|s| met(self, &s.part)) {
             return;
@@ -544,8 +544,8 @@ impl<'a> Setting<'a> {
 
     /// A time that counts at which one of these formulas has no value, shown in exact arithmetic; and why.
     fn missing(&mut self, guards: &InTime, presupposed: &[Expr], formulas: Vec<Expr>) -> Option<f64> {
-        let needs = self.graph.needs_below(formulas);
-        for need in needs.into_iter().filter(|n| n.certain && n.sign == Sign::NotZero) {
+        let needs = self.graph.implied_below(formulas);
+        for need in needs.into_iter().filter(|n| n.sign == Sign::NotZero) {
             for time in self.rational_zeros(need.value) {
                 let mut exactly = |e: Expr| {
                     let at = self.graph.constant(time.clone());

@@ -13,6 +13,7 @@ use crate::diag::{Diagnostic, Source, nearest};
 use crate::findings::IdentityAccount;
 use crate::latex::{self, Relation, RelationKind, Scope, Statement};
 use crate::step::Step;
+use claim::denial::denies;
 use claim::error::CheckError;
 use findings::Proposition;
 
@@ -48,6 +49,7 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
             account
         }),
         // Both sides are one expression: all that is left to see is whether it has a value, where what is given holds.
+        None if denies(&claim) => Ok(IdentityAccount::default()),
         None => {
             let relations = claim.forms.iter().filter_map(|form| match form {
                 Form::Always(w) => Some(&w.value.relations),

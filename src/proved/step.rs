@@ -158,6 +158,10 @@ impl<'a> Step<'a> {
             }
             out = vec![(sum, self.graph.integer(0))];
         }
+        if relation.kind == RelationKind::NotEqual && relation.has_branches {
+            // l ≠ ±r says that neither sign makes them equal.
+            return [1, -1].into_iter().flat_map(|value| self.branch(&out, value)).collect();
+        }
         match self.sign {
             Some(value) => self.branch(&out, value),
             None => out,
@@ -291,8 +295,8 @@ impl<'a> Step<'a> {
                 false => self.decide_denials(),
             };
         }
-        if self.assumes_sign() && (self.claim.branches_throughout || !self.names_other_times()) {
-            return self.for_each_sign();
+        if self.is_of_each_sign() {
+            return self.for_each_sign(Step::decide_equations);
         }
         let (mut between, beside) = (self.afresh()?, self.afresh()?);
         between.apart = if self.inequalities == When::Always { Pairs::new() } else { self.chosen_apart() };

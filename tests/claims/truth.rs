@@ -129,7 +129,7 @@ impl<'a> Scope<'a> {
                 // What does not move is known at all times, as one may see it.
                 let known = if self.reading.beyond && !of.moves() { None } else { self.known.clone() };
                 // A limit goes through the times that the selectors leave; `at` selects none.
-                let all = self.selected()?;
+                let all = self.valued(&self.selected()?)?;
                 let everywhere = selected.pieces.iter().all(|s| *s);
                 let selected = match (&self.claim.at, everywhere) {
                     (Some(_), false) => &all[usize::from(sign < 0)],
@@ -225,6 +225,21 @@ impl<'a> Scope<'a> {
         self.joined(found)
     }
 
+    /// Of these the points at which assumed equations have values.
+    fn valued(&self, selected: &Counting) -> Found<Counting> {
+        let mut found = Vec::new();
+        for (k, sign) in SIGNS.into_iter().enumerate() {
+            let mut s = selected[k].clone();
+            for statement in self.claim.assuming.iter().flatten().filter(|s| !self.is_selector(s)) {
+                let Statement::Relation { .. } = statement else { continue };
+                let t = self.together(statement, sign, &Line::constant(true))?;
+                s = s.zip(&t, |s, t| *s && *t != Void);
+            }
+            found.push(s);
+        }
+        self.joined(found)
+    }
+
     /// With ± in assumptions alone, some sign serves.
     fn joined(&self, mut found: Vec<Line<bool>>) -> Found<Counting> {
         let minus = found.pop().ok_or(Irrational)?;
@@ -287,8 +302,9 @@ impl<'a> Scope<'a> {
 
     fn claim(&self) -> Found<Truth> {
         let selected = self.selected()?;
-        let counting = self.counting(&selected)?;
         let hypotheses = self.hypotheses(&selected)?;
+        let selected = self.valued(&selected)?;
+        let counting = self.counting(&selected)?;
         if self.claimed_sign() {
             let shared = self.claim.assuming.iter().any(text_has_sign)
                 || self.claim.at.iter().any(|(l, r)| l.has_sign() || r.has_sign());

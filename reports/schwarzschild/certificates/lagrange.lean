@@ -31,7 +31,7 @@ example (varphi_ddot r_ddot T_ddot varphi_dot r_dot T_dot r M : ℝ) (hD : (2*r^
 -- T_dot stands for \dot{T}
 -- r stands for r
 -- M stands for M
-theorem equation_2 (r_ddot varphi_dot r_dot T_dot r M : ℝ)
+theorem equation_1 (r_ddot varphi_dot r_dot T_dot r M : ℝ)
     (h1 : -varphi_dot^2*r^6 + 4*varphi_dot^2*r^5*M - 4*varphi_dot^2*r^4*M^2 + r_ddot*r^5 - r_dot^2*r^3*M + T_dot^2*r^3*M - 2*r_ddot*r^4*M - 4*T_dot^2*r^2*M^2 + 4*T_dot^2*r*M^3 = 0)
     (hd : (1 : ℝ) ≠ 0) : (-4*varphi_dot^2*r^11 + 32*varphi_dot^2*r^10*M - 96*varphi_dot^2*r^9*M^2 + 128*varphi_dot^2*r^8*M^3 - 64*varphi_dot^2*r^7*M^4 + 4*r_ddot*r^10 - 4*r_dot^2*r^8*M + 4*T_dot^2*r^8*M - 24*r_ddot*r^9*M + 16*r_dot^2*r^7*M^2 - 32*T_dot^2*r^7*M^2 + 48*r_ddot*r^8*M^2 - 16*r_dot^2*r^6*M^3 + 96*T_dot^2*r^6*M^3 - 32*r_ddot*r^7*M^3 - 128*T_dot^2*r^5*M^4 + 64*T_dot^2*r^4*M^5 : ℝ) / (4*r^10 - 32*r^9*M + 96*r^8*M^2 - 128*r^7*M^3 + 64*r^6*M^4) = 0 := by
   have key : (1 : ℝ) * (-4*varphi_dot^2*r^11 + 32*varphi_dot^2*r^10*M - 96*varphi_dot^2*r^9*M^2 + 128*varphi_dot^2*r^8*M^3 - 64*varphi_dot^2*r^7*M^4 + 4*r_ddot*r^10 - 4*r_dot^2*r^8*M + 4*T_dot^2*r^8*M - 24*r_ddot*r^9*M + 16*r_dot^2*r^7*M^2 - 32*T_dot^2*r^7*M^2 + 48*r_ddot*r^8*M^2 - 16*r_dot^2*r^6*M^3 + 96*T_dot^2*r^6*M^3 - 32*r_ddot*r^7*M^3 - 128*T_dot^2*r^5*M^4 + 64*T_dot^2*r^4*M^5) = 0 := by linear_combination (4*r^5 - 16*r^4*M + 16*r^3*M^2) * h1
@@ -47,7 +47,7 @@ example (varphi_ddot r_ddot T_ddot varphi_dot r_dot T_dot r M : ℝ) (hD : (4*r^
 -- varphi_dot stands for \dot{\varphi}
 -- r_dot stands for \dot{r}
 -- r stands for r
-theorem equation_3 (varphi_ddot varphi_dot r_dot r : ℝ)
+theorem equation_2 (varphi_ddot varphi_dot r_dot r : ℝ)
     (h1 : 2*varphi_dot*r_dot + varphi_ddot*r = 0)
     (hd : (1 : ℝ) ≠ 0) : (4*varphi_dot*r_dot*r + 2*varphi_ddot*r^2 : ℝ) / (2) = 0 := by
   have key : (1 : ℝ) * (4*varphi_dot*r_dot*r + 2*varphi_ddot*r^2) = 0 := by linear_combination (2*r) * h1

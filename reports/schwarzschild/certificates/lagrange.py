@@ -164,7 +164,7 @@ check(
 )
 
 
-# Equation 2: \frac{1}{2}\cdot \frac{2\cdot \ddot{r}-\frac{2\cdot \dot{r}}{1-\frac{2\cdot M}{r}}\cdot (-\frac{-\frac{2\cdot M}{r}\cdot \dot{r}}{r})}{1-\frac{2\cdot M}{r}} = \frac{1}{2}\cdot (-(-\frac{-\frac{2\cdot M}{r}}{r})\cdot \dot{T}^2+\frac{-\frac{\dot{r}^2}{1-\frac{2\cdot M}{r}}\cdot (-\frac{-\frac{2\cdot M}{r}}{r})}{1-\frac{2\cdot M}{r}}+2\cdot r\cdot \dot{\varphi}^2)
+# Equation 1: \frac{1}{2}\cdot \frac{2\cdot \ddot{r}-\frac{2\cdot \dot{r}}{1-\frac{2\cdot M}{r}}\cdot (-\frac{-\frac{2\cdot M}{r}\cdot \dot{r}}{r})}{1-\frac{2\cdot M}{r}} = \frac{1}{2}\cdot (-(-\frac{-\frac{2\cdot M}{r}}{r})\cdot \dot{T}^2+\frac{-\frac{\dot{r}^2}{1-\frac{2\cdot M}{r}}\cdot (-\frac{-\frac{2\cdot M}{r}}{r})}{1-\frac{2\cdot M}{r}}+2\cdot r\cdot \dot{\varphi}^2)
 # r_ddot stands for \ddot{r}
 # varphi_dot stands for \dot{\varphi}
 # r_dot stands for \dot{r}
@@ -183,7 +183,7 @@ check(
 )
 
 
-# Equation 3: \frac{1}{2}\cdot (2\cdot r\cdot \dot{r}\cdot (2\cdot \dot{\varphi})+r^2\cdot (2\cdot \ddot{\varphi})) = 0
+# Equation 2: \frac{1}{2}\cdot (2\cdot r\cdot \dot{r}\cdot (2\cdot \dot{\varphi})+r^2\cdot (2\cdot \ddot{\varphi})) = 0
 # varphi_ddot stands for \ddot{\varphi}
 # varphi_dot stands for \dot{\varphi}
 # r_dot stands for \dot{r}

@@ -46,7 +46,12 @@ impl Elaborator<'_> {
         for e in t.components {
             let scope = self.scope;
             match derive(self, e) {
-                Ok(d) => components.push(self.graph.rate_of(e, d, |l| scope.role(l.symbol) == Some(Role::Observable))),
+                Ok(d) => {
+                    let argument = self.graph.broken_by(e).and_then(|e| self.graph.node(e).children().next());
+                    let speed = argument.and_then(|v| derive(self, v).ok());
+                    let partial = |l: Leaf| scope.role(l.symbol) == Some(Role::Observable);
+                    components.push(self.graph.rate_known(e, d, speed, partial));
+                }
                 Err(reason) => return refuse("latex::derivative", reason.to_string(), span, ""),
             }
         }

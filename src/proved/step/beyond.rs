@@ -118,7 +118,7 @@ impl<'a> Step<'a> {
         );
         roots.extend(self.sides_of_systems());
         let written: Vec<Expr> = roots.into_iter().map(|e| self.written_out(e, &[&self.claim.scope])).collect();
-        let needs = self.graph.needs_below(written);
+        let needs = self.graph.implied_below(written);
         let divided = self.divided_by_systems().into_iter().map(|e| (e, Sign::NotZero));
         needs.iter().map(|n| (n.value, n.sign)).chain(divided).collect()
     }

@@ -180,7 +180,7 @@ impl<'a> Step<'a> {
         instants.sort_unstable();
         instants.dedup();
         let values: Vec<Expr> = own.into_iter().flat_map(|e| presupposed(&mut self.graph, &claim.scope, e)).collect();
-        let needs = self.graph.needs_below(values).into_iter().filter(|n| n.sign == Sign::NotZero && n.certain);
+        let needs = self.graph.implied_below(values).into_iter().filter(|n| n.sign == Sign::NotZero);
         let mut known = Gathered::default();
         // What a formula needs at the present says nothing of a fixed time.
         known.throughout.nonzero = needs.map(|n| n.value).filter(|&e| !self.moves(e)).collect();

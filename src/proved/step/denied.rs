@@ -38,15 +38,24 @@ impl Step<'_> {
     /// The same question of another claim of the file, or beside it.
     fn asked_of<'c>(&'c self, claim: &'c Claim) -> Option<Step<'c>> {
         let step = Step::of(self.derivation, claim)?.with(self.plain);
-        Some(Step { inequalities: self.inequalities, has_few_points: self.has_few_points, ..step })
+        let (sign, inequalities, has_few_points) = (self.sign, self.inequalities, self.has_few_points);
+        Some(Step { sign, inequalities, has_few_points, ..step })
     }
 
     /// Decides a claim that denies equations.
     pub(super) fn decide_denials(mut self) -> Option<Decided> {
-        if self.assumes_sign() {
-            return None;
+        if self.is_of_each_sign() {
+            let found = self.for_each_sign(Step::decide_denials)?;
+            // What is shown of a part under one sign is not shown of it.
+            return Some(found.map(|account| IdentityAccount { parts: Vec::new(), ..account }));
         }
-        let denoted = denote(&mut self.graph, &self.derivation.systems, self.claim, &Rational::ZERO);
+        if self.sign.is_none() && self.assumes_sign() {
+            return Some(Ok(IdentityAccount {
+                reason: Some(Plain::DeniedIsOpen.into()),
+                ..IdentityAccount::default()
+            }));
+        }
+        let denoted = denote(&mut self.graph, self.derivation.into(), self.claim, &Rational::ZERO);
         let mut all: Vec<IdentityAccount> = Vec::new();
         let mut parts: Vec<(usize, PartShown)> = Vec::new();
         let mut parts_from: Vec<String> = Vec::new();
@@ -166,7 +175,7 @@ impl Step<'_> {
             return Ok(account);
         }
         let mut graph = self.graph.clone();
-        for (part, relation) in denote(&mut graph, &self.derivation.systems, self.claim, &Rational::ZERO).stated {
+        for (part, relation) in denote(&mut graph, self.derivation.into(), self.claim, &Rational::ZERO).stated {
             let span = relation.span.clone();
             let value = Statement { relations: vec![relation], span: span.clone() };
             let equal = Written { text: String::new(), span, value };

@@ -123,8 +123,14 @@ impl Step<'_> {
                 return false;
             }
         }
+        // So it is where the rate of √x is named at x = 0.
+        let of_rates: Vec<Expr> =
+            self.graph.needs_below(roots.iter().copied()).into_iter().filter(|n| !n.certain).map(|n| n.value).collect();
+        if of_rates.into_iter().any(|e| self.depends(e)) {
+            return false;
+        }
         let of_systems = self.sides_of_systems();
-        let needed: Vec<Expr> = self.graph.needs_below(of_systems).iter().map(|n| n.value).collect();
+        let needed: Vec<Expr> = self.graph.implied_below(of_systems).iter().map(|n| n.value).collect();
         let ends: Vec<Expr> = self
             .graph
             .needs_below(roots)

@@ -116,7 +116,7 @@ impl<'a> Step<'a> {
         let mut complete = true;
         let before = premises.equations.len();
         for relation in used.flat_map(|(_, w)| &w.value.relations) {
-            if relation.limit.is_some() || relation.has_branches && self.sign.is_none() {
+            if relation.limit.is_some() || relation.chooses_sign() && self.sign.is_none() {
                 complete = false;
                 continue;
             }

@@ -92,7 +92,7 @@ impl Step<'_> {
     pub(super) fn values(&mut self) -> Valued {
         let of_systems = self.sides_of_systems();
         let traced: Vec<Expr> = of_systems.into_iter().map(|e| traced(&mut self.graph, &self.claim.scope, e)).collect();
-        let needed = self.graph.needs_below(traced).iter().map(|n| (n.value, n.sign)).collect();
+        let needed = self.graph.implied_below(traced).iter().map(|n| (n.value, n.sign)).collect();
         Valued { needed, divided: self.divided_by_systems(), found: FastMap::default() }
     }
 

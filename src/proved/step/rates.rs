@@ -58,7 +58,7 @@ impl Step<'_> {
         let written = |this: &mut Self, e: Expr| traced(&mut this.graph, &claim.scope, e);
         let own: Vec<Expr> = self.equations(claim).unwrap_or_default().into_iter().flat_map(|(l, r)| [l, r]).collect();
         let own: Vec<Expr> = own.into_iter().map(|e| written(self, e)).collect();
-        let own: Vec<(Expr, Sign)> = self.graph.needs_below(own).iter().map(|n| (n.value, n.sign)).collect();
+        let own: Vec<(Expr, Sign)> = self.graph.implied_below(own).iter().map(|n| (n.value, n.sign)).collect();
         let then: Vec<Expr> = roots.into_iter().map(|e| at_instant(&mut self.graph, &claim.scope, e, start)).collect();
         let then: Vec<Expr> = then.into_iter().map(|e| written(self, e)).collect();
         let mut out = Vec::new();

@@ -144,8 +144,13 @@ impl Step<'_> {
 
     /// What vanishes where something below is infinite.
     pub(super) fn poles(&mut self, roots: Vec<Expr>) -> Vec<Expr> {
+        let nodes = self.graph.reachable(roots);
+        self.poles_of(nodes)
+    }
+
+    fn poles_of(&mut self, nodes: Vec<Expr>) -> Vec<Expr> {
         let mut out = Vec::new();
-        for e in self.graph.reachable(roots) {
+        for e in nodes {
             let poles = self.graph.edges(e).into_iter().filter(EdgeOf::is_pole);
             out.extend(poles.filter_map(|edge| edge.vanishing));
         }
@@ -181,11 +186,13 @@ impl Step<'_> {
         self.divided_by(&equations)
     }
 
-    /// Everything that equations divide by.
+    /// Everything that equations divide by: what is not 0 where they have values. A rate may be without what its formula divides by.
     pub(super) fn divided_by(&mut self, equations: &Pairs) -> Vec<Expr> {
         let mut roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
         self.add_definitions(&mut roots);
-        let mut open = self.poles(roots);
+        let asked = self.graph.asked(&roots);
+        let nodes = self.graph.reachable(roots).into_iter().filter(|e| asked.contains(e)).collect();
+        let mut open = self.poles_of(nodes);
         let mut out = Vec::new();
         while let Some(e) = open.pop() {
             if out.contains(&e) {

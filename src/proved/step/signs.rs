@@ -8,6 +8,7 @@ use super::{Decided, Pairs, Step};
 use crate::agreement::answer;
 use crate::findings::standing::Decision;
 use crate::findings::{IdentityAccount, IdentityEvidence};
+use crate::latex::Relation;
 use proof::{Identity, Reason};
 
 /// The accounts of both choices of a sign that stands among the assumptions.
@@ -64,7 +65,13 @@ impl Step<'_> {
 
     /// Whether ± stands among the assumptions of the claim.
     pub(super) fn assumes_sign(&self) -> bool {
-        self.claim.assuming.iter().flat_map(|w| &w.value.relations).any(|r| r.has_branches)
+        self.claim.assuming.iter().flat_map(|w| &w.value.relations).any(Relation::chooses_sign)
+    }
+
+    /// Whether the step is one for each sign that stands among the assumptions, and no sign was put in yet.
+    pub(super) fn is_of_each_sign(&mut self) -> bool {
+        let assumes = self.sign.is_none() && self.assumes_sign();
+        assumes && (self.claim.branches_throughout || !self.names_other_times())
     }
 
     /// Whether a value at a fixed time, or of a field at another place, stands in the step or in what it follows from. A sign that is chosen
@@ -89,12 +96,12 @@ impl Step<'_> {
     ///
     /// Of a sign that is chosen point by point this is so where everything is said of one time and place: on an interval that is short enough
     /// one of the two residuals vanishes, with its derivatives.
-    pub(super) fn for_each_sign(self) -> Option<Decided> {
+    pub(super) fn for_each_sign(self, decide: impl Fn(Self) -> Option<Decided>) -> Option<Decided> {
         let mut all: Option<IdentityAccount> = None;
         for value in [1, -1] {
             let mut step = Step::of(self.derivation, self.claim)?.with(self.plain);
             (step.sign, step.inequalities) = (Some(value), self.inequalities);
-            let one = match step.decide_equations()? {
+            let one = match decide(step)? {
                 Ok(account) => account,
                 Err(defect) => return Some(Err(defect)),
             };

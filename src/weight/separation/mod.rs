@@ -94,7 +94,7 @@ impl Probes {
         let conditions = candidates.iter().map(|c| (&c.claim, true));
         let mut compiled = |(claim, tells_apart): (&Claim, bool)| -> Vec<Program> {
             let one = |(start, shared): (&Rational, &Vec<_>)| {
-                let mut program = Program::new(graph, &derivation.systems, claim, start).sharing(shared);
+                let mut program = Program::new(graph, derivation.into(), claim, start).sharing(shared);
                 program.tells_apart = tells_apart;
                 program
             };

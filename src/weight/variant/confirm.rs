@@ -115,9 +115,10 @@ impl Search<'_> {
             let id = format!("correction {n}");
             let claim = as_claim(&mut grown.graph, claim, &id, &candidate, manner, trajectories);
             let Some(claim) = claim.filter(|_| !columns.is_empty()) else { continue };
-            let (graph, systems) = (&mut grown.graph, &self.derivation.systems);
+            let (graph, derivation) = (&mut grown.graph, self.derivation);
             let starts = self.selection.starts.iter().zip(&self.selection.shared);
-            let program = |(s, shared): (&Rational, &Vec<_>)| Program::new(graph, systems, &claim, s).sharing(shared);
+            let program =
+                |(s, shared): (&Rational, &Vec<_>)| Program::new(graph, derivation.into(), &claim, s).sharing(shared);
             let mut programs: Vec<Program> = starts.map(program).collect();
             if programs.iter_mut().all(|p| p.compile(graph, &self.altered.known).is_ok()) {
                 let verdicts = columns.iter().map(|&t| (t, None)).collect();
