@@ -99,7 +99,7 @@ fn item<'a>(
         Some(first) => {
             let mut line = chain(&hangs.chain(first.id, whole.id), by_id);
             if broken.len() > 1 {
-                line.push(quiet(format!("; {}", count(broken.len(), "break"))));
+                line.push(quiet(format!("; {} steps under it do not stand", broken.len())));
             }
             line.push(words(". "));
             // A conclusion that fails itself shows its own point; each break is shown once.
@@ -133,7 +133,12 @@ fn link<'a>(id: &'a str, by_id: &ById<'_, 'a>) -> Vec<StorySpan<'a>> {
     let Some(whole) = by_id.get(id) else { return vec![StorySpan::Claim(id.to_owned(), Tone::Plain)] };
     let tone = if breaks(whole) { Tone::Bad } else { Tone::Plain };
     let shape = whole.shape();
-    vec![StorySpan::Claim(id.to_owned(), tone), words("\u{a0}"), StorySpan::Shape(shape)]
+    let mut out = vec![StorySpan::Claim(id.to_owned(), tone), words("\u{a0}"), StorySpan::Shape(shape)];
+    // The sentence may stand where what the argument needs of it does not.
+    if let Some(needed) = failing_need(whole).filter(|_| !whole.fate.is_against()) {
+        out.extend([words("\u{a0}("), StorySpan::Shape(needed.shape()), words("\u{a0}as needed)")]);
+    }
+    out
 }
 
 /// A chain from its ground up.
@@ -186,7 +191,11 @@ fn break_says<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<StorySpa
     }
     match RefutingMotion::of(derivation, reading.claim) {
         Some(motion) => out.extend(motion.says(scope)),
-        None if whole.failing().is_none() => out.push(words("The contrary holds.")),
+        None if whole.failing().is_none() => {
+            let contrary = whole.contrary().map_or(reading, |found| found);
+            let says = contrary.claim.says.trim_end_matches('.');
+            out.push(StorySpan::Prose(format!("The contrary holds: “{says}”."), scope, Tone::Plain));
+        }
         None => {}
     }
     out

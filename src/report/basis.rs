@@ -50,11 +50,11 @@ impl Basis {
     /// The kind, for counting.
     pub fn kind(&self) -> &'static str {
         match self {
-            Basis::Sampled(_) => "at all samples of the motions tried",
-            Basis::Enclosed(_) => "at every time of the motions tried",
+            Basis::Sampled(_) => "at samples of motions",
+            Basis::Enclosed(_) => "at every time of motions",
             Basis::Ranges => "at every point of ranges",
-            Basis::Given(_) => "proved, given claims that are not proved",
-            Basis::Except => "proved, special cases apart",
+            Basis::Given(_) => "proved, given others",
+            Basis::Except => "proved but for special cases",
             Basis::Proved => "proved for all values",
         }
     }

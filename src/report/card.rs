@@ -69,7 +69,7 @@ impl<'a> RefutingMotion<'a> {
         };
         // What is looked for at some time, and not met, may be met in one of its components.
         if w.left == w.right && self.kind == FormKind::Eventually {
-            return vec![words(format!("On {} the sides agree at no time.", self.name))];
+            return vec![words(format!("On {} both sides are the same at no time.", self.name))];
         }
         let mut out = vec![words(format!("On {} at ", self.name)), StorySpan::Math(format!("t={}", six(w.t)), scope)];
         let label = super::wording::label(&w.formula);
@@ -83,8 +83,8 @@ impl<'a> RefutingMotion<'a> {
         }
         if agree {
             // What denies an equation is refuted where the sides agree.
-            let components = if everywhere && label.component.is_some() { " in every component" } else { "" };
-            out.push(words(format!(" the sides agree{components}")));
+            let components = if everywhere && label.component.is_some() { ", in every component" } else { "" };
+            out.push(words(format!(" both sides are the same{components}, which it denies")));
         } else {
             let (left, right) = both(w.left, w.right);
             out.extend([words(": left "), StorySpan::Words(left, Tone::Strong)]);

@@ -77,7 +77,7 @@ pub(super) fn blocks<'a>(
     let table = StoryBlock::Table(table);
     let mut legend = legend(&(&story::shapes(std::slice::from_ref(&table)) | &following));
     if rows.iter().any(|whole| columns.iter().any(|column| share(whole, &column.of).is_some())) {
-        legend.push(quiet("; 1/3: for 1 of 3"));
+        legend.push(quiet("; 1/3: it applies to 1 of the 3"));
     }
     let more = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count().saturating_sub(rows.len());
     if more > 0 {
@@ -148,8 +148,10 @@ fn cell(whole: &Whole<'_>, column: &ColumnMotions<'_>) -> Option<VerdictShape> {
     let weakest = |shapes: &mut dyn Iterator<Item = VerdictShape>| shapes.max();
     let is_bad = |shape: &VerdictShape| shape.tone() == Tone::Bad;
     let said = |role: ClaimRole| applies.iter().filter(move |(of, _)| *of == role).map(|(_, shape)| *shape);
-    if let Some(bad) = said(ClaimRole::Says).find(is_bad) {
-        return Some(bad);
+    // Of several that it says one that fails all along tells more than one that fails somewhere.
+    let bad: Vec<VerdictShape> = said(ClaimRole::Says).filter(is_bad).collect();
+    if let Some(worst) = bad.iter().find(|s| **s != VerdictShape::Mixed).or(bad.first()) {
+        return Some(*worst);
     }
     let meant: Vec<VerdictShape> = said(ClaimRole::MayMean).collect();
     let (bad, good) = (meant.iter().any(is_bad), meant.iter().any(|s| !is_bad(s)));

@@ -15,9 +15,6 @@ use findings::{Account, ClaimAccount};
 pub(super) fn section(derivation: &Derivation, account: &Account) -> String {
     let page_one = super::story::markdown(&super::page_one::blocks(derivation, account), &link_to);
     let mut out = format!("## What was found\n\n{page_one}");
-    if let Some(remark) = &derivation.remark {
-        out.push_str(&format!("> Remark of the file: {}\n\n", prose(remark)));
-    }
     out.push_str(&counted(account));
     out.push_str(&unsaid(derivation, account));
     out

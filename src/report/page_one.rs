@@ -23,6 +23,8 @@ use findings::Account;
 const MOST_NAMED: usize = 6;
 /// Cards on the first screen; more are folded. Conclusions need the room of one.
 const MOST_CARDS: usize = 3;
+/// Most bytes of the remark of a file that are not folded.
+const MOST_REMARKED: usize = 330;
 /// Cards that a terminal has room for, if there are few of them; of more only the first.
 const FEW_CARDS: usize = 2;
 
@@ -39,14 +41,17 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     for alarm in &front.alarms {
         head.push(StoryBlock::Paragraph(vec![StorySpan::Prose(format!("! {alarm}"), scope, Tone::Alarm)]));
     }
+    let quietly = |text: &String| StoryBlock::Paragraph(vec![StorySpan::Prose(text.clone(), scope, Tone::Quiet)]);
+    head.extend(front.strength.as_ref().map(|text| StoryBlock::Group("known", vec![quietly(text)])));
+    head.extend(front.beside.as_ref().map(|text| StoryBlock::Group("roomy", vec![quietly(text)])));
+    head.extend(remark(derivation));
     let fields = wholes.iter().filter(|w| w.fate.is_of_the_paper()).map(|w| w.shape());
     let strip = Sketch::Strip(fields.collect());
     let shown = front.lines.first().map(|l| l.id.as_str());
     let concludes = argument::blocks(derivation, &wholes, &hangs, shown);
     let mut matrix = vec![StoryBlock::Group("strip", vec![StoryBlock::Figure(strip, Vec::new())])];
     matrix.extend(motion_matrix::blocks(derivation, account, (&wholes, &hangs), story::shapes(&concludes)));
-    let strength = front.strength.iter().chain(&front.proofs).chain(&front.beside);
-    let strength = strength.map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).collect();
+    let strength = front.proofs.iter().map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).collect();
     let mut unsaid = hypotheses::limits(derivation, &wholes, &hangs);
     unsaid.extend(hypotheses::blocks(derivation, account, &wholes));
     let mut foot = vec![StorySpan::Prose(format!("{} To repeat it: ", front.author), scope, Tone::Quiet)];
@@ -67,6 +72,21 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
             vec![StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(strength)]), StoryBlock::Paragraph(foot)],
         ),
     ]
+}
+
+/// What the file remarks: its first sentences, and the others folded.
+fn remark(derivation: &Derivation) -> Option<StoryBlock<'_>> {
+    let text = derivation.remark.as_deref()?.trim();
+    let ends = text.match_indices(". ").map(|(at, _)| at + 1);
+    let end = ends.take_while(|&at| at <= MOST_REMARKED).last().filter(|_| text.len() > MOST_REMARKED);
+    let (first, rest) = text.split_at(end.unwrap_or(text.len()));
+    let prose = |text: &str| StorySpan::Prose(text.trim().to_owned(), &derivation.scope, Tone::Plain);
+    let mut inside = vec![StoryBlock::Paragraph(vec![quiet("Remark of the file: "), prose(first)])];
+    if !rest.trim().is_empty() {
+        let blocks = vec![StoryBlock::Paragraph(vec![prose(rest)])];
+        inside.push(StoryBlock::Fold { title: "The rest of the remark".to_owned(), unfolded: None, blocks });
+    }
+    Some(StoryBlock::Group("roomy", vec![StoryBlock::Group("remark", inside)]))
 }
 
 /// What does not stand, as cards; where all stands, what most rests on, as it is printed.

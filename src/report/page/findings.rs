@@ -37,9 +37,6 @@ pub(super) fn listed(derivation: &Derivation, account: &Account) -> Markup {
                     }
                 }
             }
-            @if let Some(remark) = &derivation.remark {
-                p.lead { span.quiet { "Remark of the file: " } (prose(remark, &derivation.scope)) }
-            }
             (counted(account))
             (in_order(&wholes, &derivation.scope))
             @for fate in Fate::ALL {
