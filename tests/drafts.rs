@@ -282,9 +282,14 @@ fn a_function_that_is_equal_to_a_matrix_is_one() {
         r"\[ A = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \] \[ A = \begin{bmatrix} 1 & 2 & 0 \\ 3 & 4 & 1 \\ 0 & 0 & 1 \end{bmatrix} \]
         \[ B(\alpha) = \begin{bmatrix} \cos\alpha & \sin\alpha & 0 \\ -\sin\alpha & \cos\alpha & 0 \\ 0 & 0 & 1 \end{bmatrix} \] \[ A = B(\phi)B(\psi) \]",
     );
-    is_drafted(&text, &[r"A=B(\phi)B(\psi)"]);
     let claim = text.split("[[claim]]").find(|c| c.contains(r"'A=B(\phi)B(\psi)'")).expect("a claim");
     assert!(!claim.contains("2x2"), "{text}");
+    // Where the other side is a matrix of another size, nothing is.
+    let text = draft(
+        r"\[ A = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \] \[ A(\phi) = B(\phi)B(\phi) \]
+        \[ B(\alpha) = \begin{bmatrix} \cos\alpha & \sin\alpha & 0 \\ -\sin\alpha & \cos\alpha & 0 \\ 0 & 0 & 1 \end{bmatrix} \]",
+    );
+    assert!(refused(&text, r"A(\phi)=B(\phi)B(\phi)").is_some(), "{text}");
 }
 
 #[test]

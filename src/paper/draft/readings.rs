@@ -126,9 +126,9 @@ fn ways(
     if sides.iter().any(|s| s.text.contains('\\')) {
         ways.push(Way { steady_before_time: true, ..usual });
     }
-    let known = |n: &PaperName| evidence.sizes.get(&n.key()).or_else(|| evidence.sizes.get(&unprimed(n)));
+    let sizes_of = |n: &PaperName| evidence.sizes.get(&n.key()).or_else(|| evidence.sizes.get(&unprimed(n)));
     // What is of one size in the whole paper goes before what is of several.
-    let mut known: Vec<_> = all.iter().filter_map(known).collect();
+    let mut known: Vec<_> = all.iter().filter_map(sizes_of).collect();
     known.sort_by_key(|sizes| sizes.len());
     let of_matrices: Vec<_> = known.into_iter().flat_map(|sizes| sizes.keys()).collect();
     let has_bold = all.iter().any(|n| n.is_bold);
@@ -140,6 +140,10 @@ fn ways(
         let mut seen = BTreeSet::new();
         dimensions.retain(|n| *n > 1 && seen.insert(*n));
         ways.extend(dimensions.iter().map(|&dimension| Way { dimension, ..usual }));
+        // A function that is equal to a matrix keeps its size.
+        let at_places = |n: &&PaperName| matches!(n.call, Call::Places(_));
+        let sized: Vec<_> = all.iter().filter(at_places).filter_map(sizes_of).collect();
+        dimensions.retain(|n| sized.iter().all(|sizes| sizes.keys().any(|(rows, _)| rows == n)));
         ways.extend(dimensions.iter().map(|&dimension| Way { dimension, is_uniform: true, ..usual }));
     }
     // `M=M_2M_1` beside a matrix: the order of the factors is kept, so that what holds of matrices holds of numbers.
