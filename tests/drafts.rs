@@ -230,3 +230,104 @@ fn a_matrix_of_another_section_is_a_number_where_no_matrix_is_printed() {
     assert!(refused(&text, "h-M=k").is_some(), "{text}");
     assert!(refused(&text, "MN-NM=k").is_some(), "{text}");
 }
+
+#[test]
+fn primes_behind_brackets_derive_by_what_stands_in_them() {
+    let text = draft(
+        r"\[ m\ddot z = -mg \] \[ (m\dot z)' = -mg \] \[ \left(mz^2\dot q\right)^\prime = 0 \]
+        \[ y(x) = x^2 \] \[ y'' + y' = x \] \[ y_1(x) = x \] \[ y_1'' = 0 \] \[ (ay + by_1)'' = ay'' + by_1'' \]
+        \[ A(s) = \begin{bmatrix} s & 0 \\ 1 & s \end{bmatrix} \] \[ \bigl(A(s)A(s)\bigr)' = A'(s)A(s)+A(s)A'(s) \]
+        \[ (z)' = w \] \[ (\dot z)' = w \] \[ (xz)' = w \]",
+    );
+    is_drafted(
+        &text,
+        &["(m\\dot z)'=-mg", r"\left(mz^2\dot q\right)^\prime=0", r"(ay + by_1)''=ay'' + by_1^{\prime\prime}"],
+    );
+    is_drafted(&text, &[r"\bigl(A(s)A(s)\bigr)'=A'(s)A(s)+A(s)A'(s)"]);
+    assert!(text.contains("'A(s)' = { role = \"field\", shape = \"2x2\" }"), "{text}");
+    // A name alone in brackets may be another name.
+    for formula in ["(z)'=w", r"(\dot z)'=w", "(xz)'=w"] {
+        assert!(refused(&text, formula).is_some(), "{formula}: {text}");
+    }
+}
+
+#[test]
+fn what_varies_is_a_number_where_only_other_rates_are_printed() {
+    let text = draft(
+        r"\[ \frac{dl}{dt} = kl \] \[ L = ml^2 \] \[ f(l) = l^2 \] \[ f(l) = 2l^3 \] \[ g(l) = l \] \[ \frac{\partial f}{\partial l}=2l \]
+        \[ \frac{\partial H}{\partial p} = \dot q = \frac{p}{ml^2} \]",
+    );
+    is_drafted(&text, &[r"\frac{\partial H}{\partial p}=\dot q=\frac{p}{ml^2}"]);
+    // Where it is derived by the time, it is none.
+    let text = draft(
+        r"\[ f(l) = l^2 \] \[ g(l) = l^3 \] \[ h(l) = l \] \[ \frac{\partial f}{\partial l}=2l \] \[ \frac{dl}{dt} = kl \]",
+    );
+    assert!(!text.contains("'l' = { role = \"parameter\" }"), "{text}");
+}
+
+#[test]
+fn sides_that_are_products_of_capitals_are_matrices_beside_one() {
+    let matrix = r"\begin{bmatrix} 1 & f \\ 0 & 1 \end{bmatrix}";
+    let text = draft(&format!(
+        r"\[ M_2M_1 = {matrix}{matrix} \] \[ M = M_2M_1 = {matrix} \] \[ I = I_2 = {matrix} \] \[ K = G = h \]"
+    ));
+    is_drafted(&text, &[&format!("M_2M_1={matrix}{matrix}"), &format!("M=M_2M_1={matrix}")]);
+    assert!(text.contains("'M_2' = { role = \"parameter\", shape = \"2x2\" }"), "{text}");
+    assert!(!text.contains("'G' = { role = \"parameter\", shape"), "{text}");
+}
+
+#[test]
+fn a_function_that_is_equal_to_a_matrix_is_one() {
+    let text = draft(
+        r"\[ A = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \] \[ A = \begin{bmatrix} 1 & 2 & 0 \\ 3 & 4 & 1 \\ 0 & 0 & 1 \end{bmatrix} \]
+        \[ B(\alpha) = \begin{bmatrix} \cos\alpha & \sin\alpha & 0 \\ -\sin\alpha & \cos\alpha & 0 \\ 0 & 0 & 1 \end{bmatrix} \] \[ A = B(\phi)B(\psi) \]",
+    );
+    let claim = text.split("[[claim]]").find(|c| c.contains(r"'A=B(\phi)B(\psi)'")).expect("a claim");
+    assert!(!claim.contains("2x2"), "{text}");
+    // Where the other side is a matrix of another size, nothing is.
+    let text = draft(
+        r"\[ A = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \] \[ A(\phi) = B(\phi)B(\phi) \]
+        \[ B(\alpha) = \begin{bmatrix} \cos\alpha & \sin\alpha & 0 \\ -\sin\alpha & \cos\alpha & 0 \\ 0 & 0 & 1 \end{bmatrix} \]",
+    );
+    assert!(refused(&text, r"A(\phi)=B(\phi)B(\phi)").is_some(), "{text}");
+}
+
+#[test]
+fn a_capital_beside_a_matrix_is_no_number() {
+    let matrix = r"\begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}";
+    let text = draft(&format!(
+        r"\[ A = {matrix} \] \[ B = {matrix} \] \[ A(BC) = (AB)C \] \[ A(BA) = (AB)A \] \[ A\vec x = K\vec x \]"
+    ));
+    assert!(refused(&text, "A(BC)=(AB)C").is_some_and(|why| why.contains("matrix")), "{text}");
+    is_drafted(&text, &["A(BA)=(AB)A"]);
+}
+
+#[test]
+fn a_letter_without_an_index_is_no_vector_for_those_of_others() {
+    let text = draft(r"\[ a_ib_i = c \] \[ a_i = kb_i \] \[ L = ma^2 \]");
+    is_drafted(&text, &["L=ma^2"]);
+    let claim = text.split("[[claim]]").find(|c| c.contains("'L=ma^2'")).expect("a claim");
+    assert!(!claim.contains("shape") || claim.contains("'a' = { role = \"parameter\" }"), "{text}");
+    let text = draft(r"\[ \frac{\partial f}{\partial q_k} = (\delta_{k1} - \delta_{k2})g \] \[ g = f^2 \]");
+    assert!(refused(&text, r"\frac{\partial f}{\partial q_k}=(\delta_{k1} - \delta_{k2})g").is_some(), "{text}");
+}
+
+#[test]
+fn boxed_displays_arrays_and_cases_are_read_as_they_print() {
+    let text = draft(
+        r"\newcommand{\boxedEquation}[2]{\begin{empheq}[box=\mybox]{equation}\label{#1}#2\end{empheq}}
+        \begin{document} \boxedEquation{eq:a}{E = \frac12 m v^2}
+        \begin{empheq}[left=\empheqlbrace]{align} p &= mv \\ k &= 2E \end{empheq}
+        \[ \begin{array}{c} a = b+c \\ d = 2a. \end{array} \]
+        \[ \begin{array}{c} a \\ d \end{array} \] \[ \begin{array}{ll} s=b & u = w \end{array} \]
+        \[ f = \left\{ \begin{array}{l l} 2x & \mbox{if \(x>0\)} \\ 0 & \mbox{for $x \le 0$} \end{array} \right. \]
+        \[ g = \left\{ \begin{array}{l l} 2x & \mbox{if \(x>0\)} \\ 0 & \mbox{otherwise} \end{array} \right. \]
+        \end{document}",
+    );
+    is_drafted(&text, &[r"E=\frac12 m v^2", "p=mv", "k=2E", "a=b+c", "d=2a", "f=2x", "f=0"]);
+    assert!(text.contains(r"\begin{array}{c} a \\ d \end{array}"), "{text}");
+    assert!(text.contains("otherwise"), "{text}");
+    for condition in ["x>0", r"x\le0"] {
+        assert!(text.contains(&format!("'{condition}'")), "{condition}: {text}");
+    }
+}

@@ -570,3 +570,59 @@ fn a_chapter_has_the_macros_of_its_paper() {
     let run = rederive(folder.path(), &["lint", "paper.tex"]).code(0);
     assert!(String::from_utf8_lossy(&run.get_output().stdout).contains(r"\frac ab"), "the copies are not read");
 }
+
+/// The words of the steps of a chain, and where its slip is told.
+fn steps(tex: &str) -> (Vec<Word>, Option<String>) {
+    let paper = read(tex);
+    let found = lint::lint(&paper, &Limits::default());
+    let judgement = found.judgements.first().expect("a relation");
+    let place = (judgement.word == Word::Wrong).then(|| paper.file.text[judgement.span.clone()].to_owned());
+    (judgement.chain.iter().map(|s| s.word).collect(), place)
+}
+
+#[test]
+fn every_step_of_a_chain_has_its_word() {
+    // A slip that is carried on is told once, and one that is taken back, too.
+    let (words, place) = steps(r"\[ (a+b)^2 = a^2+2ab+b^2 = a^2+3ab+b^2 = b^2+3ab+a^2 \]");
+    assert_eq!(words, [Word::Follows, Word::Wrong, Word::Follows]);
+    assert_eq!(place.as_deref(), Some("a^2+3ab+b^2"));
+    let (words, _) = steps(r"\[ (a+b)^2 = a^2+2ab+b^2 = a^2+3ab+b^2 = b^2+2ab+a^2 = (b+a)^2 \]");
+    assert_eq!(words, [Word::Follows, Word::Wrong, Word::Follows, Word::Follows]);
+    // What is not decided, or not read, hides no step behind it.
+    let (words, _) = steps(r"\[ q^2+w = (a+b)^2 = a^2+2ab+b^2 = \sum_k c_k = k^2 \]");
+    assert_eq!(words, [Word::NotFollowed, Word::Follows, Word::NotRead, Word::NotRead]);
+    let (words, _) = steps(r"\[ E = (a+b)^2 = a^2+2ab+b^2 \approx a^2 \]");
+    assert_eq!(words, [Word::Defines, Word::Follows, Word::Approximates]);
+    // The list has a line for each.
+    let paper = read("\\begin{align} q^2+w &= (a+b)^2 \\\\\n &= a^2+2ab+b^2 \\\\\n &= a^2+3ab+b^2 \\end{align}");
+    let text = lint::lint_text(&paper, &lint::lint(&paper, &Limits::default()));
+    for line in [
+        "     1    not followed   = (a+b)^2",
+        "     2    follows        = a^2+2ab+b^2",
+        "     3    wrong          = a^2+3ab+b^2",
+    ] {
+        assert!(text.contains(line), "{text}");
+    }
+    let document = rederive::report::lint_document(&paper, &lint::lint(&paper, &Limits::default()));
+    let words: Vec<&str> = document["relations"][0]["chain"]
+        .as_array()
+        .expect("steps")
+        .iter()
+        .filter_map(|s| s["word"].as_str())
+        .collect();
+    assert_eq!(words, ["not followed", "follows", "wrong"]);
+}
+
+#[test]
+fn a_slip_is_told_at_the_side_that_was_altered() {
+    // The later side has a slip that the next one goes on with, or takes back.
+    for rest in ["b^2+3ab+a^2", "b^2+2ab+a^2"] {
+        let (words, place) = steps(&format!(r"\[ (a+b)^2 = a^2+3ab+b^2 = {rest} \]"));
+        assert_eq!(words, [Word::Wrong, Word::Follows]);
+        assert_eq!(place.as_deref(), Some("a^2+3ab+b^2"));
+    }
+    // No slip of the later side is known, which is proved to go on: it is the earlier one.
+    let (words, place) = steps(r"\[ a^3-3a^2b+3ab^2+b^3 = (a-b)^3 = a^3-3a^2b+3ab^2-b^3 \]");
+    assert_eq!(words, [Word::Wrong, Word::Follows]);
+    assert_eq!(place.as_deref(), Some("a^3-3a^2b+3ab^2+b^3"));
+}

@@ -8,6 +8,7 @@ use paper::{Opening, Paper, PrintedRelation, PrintedSide, names};
 
 use super::blame::OfStep;
 use super::cases::{Cases, Stance};
+use super::chain::{Slip, said};
 use super::desk::{Given, NotRead, evidence_of};
 use super::facts::{Facts, Reach, Stated};
 use super::lone::{is_equation_of_motion, lone_name};
@@ -138,6 +139,7 @@ impl Judge<'_> {
             picture: None,
             with: Vec::new(),
             steps: (0, 0),
+            chain: Vec::new(),
         };
         if relation.sides.len() < 2 {
             let is_long = relation.sides.iter().any(PrintedSide::is_whole_display);
@@ -295,11 +297,15 @@ impl Judge<'_> {
         let concludes = sentence.concludes || relation.remark.as_deref().is_some_and(|r| r.contains('⇒'));
         let mut tally = Tally::default();
         let mut open = Vec::new();
+        let mut slip: Option<Slip> = None;
         for k in 1..relation.sides.len() {
-            if !EQUALS.contains(&relation.signs[k - 1].as_str()) {
+            let (left, right) = (&relation.sides[k - 1], &relation.sides[k]);
+            let sign = &relation.signs[k - 1];
+            if !EQUALS.contains(&sign.as_str()) {
+                let word = if is_one_of(ABOUT, sign) { Word::Approximates } else { Word::Condition };
+                out.chain.push(said(right.span.clone(), word));
                 continue;
             }
-            let (left, right) = (&relation.sides[k - 1], &relation.sides[k]);
             let known = first.as_ref().is_some_and(|n| {
                 let same_section = |g: &Given| !g.is_rate && g.section == self.section;
                 n.dots == 0 && self.facts.given.of(&n.key()).any(same_section)
@@ -313,11 +319,16 @@ impl Judge<'_> {
                 let rate = self.is_rate(first.as_ref());
                 match self.readable(left, right, &free) {
                     Err(found) => tally.unread = Some(found),
-                    Ok(()) if !concludes && !rate => continue,
+                    Ok(()) if !concludes && !rate => {
+                        out.chain.push(said(right.span.clone(), Word::Defines));
+                        continue;
+                    }
                     Ok(()) => {}
                 }
                 let is_asked = rate && !inline && !self.facts.given.is_empty() || concludes && is_stated;
                 if !derived && !is_asked {
+                    let word = if tally.unread.is_some() { Word::NotRead } else { Word::Defines };
+                    out.chain.push(said(right.span.clone(), word));
                     continue;
                 }
             }
@@ -334,6 +345,7 @@ impl Judge<'_> {
                 out.steps.1 -= 1;
                 tally.defines = true;
                 tally.anew = Some(before);
+                out.chain.push(said(right.span.clone(), Word::Defines));
                 continue;
             }
             let solves = defining && !self.is_rate(first.as_ref());
@@ -351,7 +363,11 @@ impl Judge<'_> {
                 is_first: k == 1,
                 solves,
             };
-            match self.step([left, right], &place) {
+            let mut step = self.step([left, right], &place);
+            if let (Some(slip), false) = (&mut slip, matches!(step, Step::Follows(_))) {
+                step = self.behind_slip(relation, slip, k, &place).unwrap_or(step);
+            }
+            let word = match step {
                 Step::Follows(support) => {
                     tally.follows += 1;
                     out.steps.0 += 1;
@@ -360,16 +376,17 @@ impl Judge<'_> {
                     if defining {
                         tally.defines = false;
                     }
+                    Word::Follows
                 }
-                Step::Numbers => tally.numbers += 1,
+                Step::Numbers => {
+                    tally.numbers += 1;
+                    Word::Numbers
+                }
                 Step::Wrong(wrong) => {
-                    out.span = right.span.clone();
-                    let why = match wrong.witness.values.is_empty() {
-                        true => "reckoned, its sides differ",
-                        false => "a point refutes it, and one slip away it holds",
-                    };
-                    be_wrong(out, *wrong, why);
-                    return Vec::new();
+                    if slip.is_none() {
+                        slip = Some(Slip { wrong: *wrong, k, is_taken_back: false });
+                    }
+                    Word::Wrong
                 }
                 // Said otherwise than before, of a name alone: it is defined anew.
                 Step::Open(_) if k == 1 && known => {
@@ -386,14 +403,32 @@ impl Judge<'_> {
                     {
                         tally.differs = before.and_then(|g| self.slip_from([left, right], &g, &place));
                     }
+                    Word::Defines
                 }
                 Step::Open(names) if !defining => {
                     open.push(k);
                     tally.open.extend(names);
+                    Word::NotFollowed
                 }
-                Step::Open(_) => out.steps.1 -= 1,
-                Step::NotRead(found) => tally.unread = Some(found),
-            }
+                Step::Open(_) => {
+                    out.steps.1 -= 1;
+                    Word::Defines
+                }
+                Step::NotRead(found) => {
+                    tally.unread = Some(found);
+                    Word::NotRead
+                }
+            };
+            out.chain.push(said(right.span.clone(), word));
+        }
+        if let Some(slip) = slip {
+            out.span = relation.sides[slip.side(&out.chain)].span.clone();
+            let why = match slip.wrong.witness.values.is_empty() {
+                true => "reckoned, its sides differ",
+                false => "a point refutes it, and one slip away it holds",
+            };
+            be_wrong(out, slip.wrong, why);
+            return Vec::new();
         }
         // The second rate of a name is an equation of motion.
         let is_second = first.as_ref().is_some_and(|n| n.dots > 1 || n.primes > 1);

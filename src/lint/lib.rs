@@ -15,6 +15,7 @@
 
 mod blame;
 mod cases;
+mod chain;
 mod defining;
 mod desk;
 mod excuse;
@@ -111,13 +112,13 @@ pub struct Judgement {
     pub relation: usize,
     /// The word.
     pub word: Word,
-    /// Where: of a wrong step its later side.
+    /// Where: of a wrong step the side that was altered.
     pub span: Range<usize>,
     /// Why, in a few words; may be empty.
     pub why: String,
     /// Of a wrong step: what refutes it.
     pub witness: Option<LintWitness>,
-    /// Of a wrong step: the side as it should be.
+    /// Of a wrong step: the altered side as it should be.
     pub instead: Option<String>,
     /// Of a wrong step: both sides along one name.
     pub picture: Option<LintPicture>,
@@ -125,6 +126,17 @@ pub struct Judgement {
     pub with: Vec<usize>,
     /// How many of its steps are proved, and how many it has.
     pub steps: (usize, usize),
+    /// Its steps in their order, where they were looked at.
+    pub chain: Vec<LintStep>,
+}
+
+/// A step from one side of a relation to the next, with its own word.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LintStep {
+    /// The place of its later side.
+    pub span: Range<usize>,
+    /// Its word.
+    pub word: Word,
 }
 
 /// A point at which two sides differ.

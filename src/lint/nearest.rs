@@ -78,6 +78,8 @@ pub struct WrongStep {
     pub picture: Option<LintPicture>,
     /// The relations that it contradicts.
     pub with: Vec<usize>,
+    /// Whether it is the earlier side that is altered.
+    pub is_of_earlier: bool,
 }
 
 /// How sure it is that a relation claims something.
@@ -134,7 +136,7 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     }
     let all = named(&chain.sides);
     let mut search = Search { asked, rests, chain, points, sureness };
-    let mut instead = None;
+    let (mut instead, mut is_of_earlier) = (None, false);
     'sides: for k in [1, 0] {
         let others = slips(&search.chain.sides[k], &all);
         let is_meant = |s: &Slip| match s.way {
@@ -147,6 +149,7 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
         for slip in others.into_iter().filter(is_meant).take(MOST_SLIPS) {
             instead = search.holds(k, &slip);
             if instead.is_some() {
+                is_of_earlier = k == 0;
                 break 'sides;
             }
         }
@@ -161,7 +164,7 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     let instead = decimal.unwrap_or(instead);
     let mut with: Vec<usize> = rests.given.iter().map(|g| g.relation).collect();
     with.extend(rests.stated.iter().map(|s| s.relation));
-    Some(WrongStep { witness, instead, picture, with })
+    Some(WrongStep { witness, instead, picture, with, is_of_earlier })
 }
 
 /// Whether a refuted relation claims something, by its print: it is long enough, no number that was rounded or put in, nothing that a

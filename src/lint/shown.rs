@@ -6,7 +6,7 @@ use diag::Diagnostic;
 use diag::escape::in_one_line;
 use paper::Paper;
 
-use super::{Judgement, Lint, LintWitness, Word, line};
+use super::{Judgement, Lint, LintStep, LintWitness, Word, line};
 
 /// The most characters of a formula in the list.
 const WIDTH: usize = 78;
@@ -90,6 +90,9 @@ pub fn lint_text(paper: &Paper, lint: &Lint) -> String {
         };
         let place = format!("{file}{}", line(paper, judgement));
         let _ = writeln!(out, "{place:>6}  {:<16} {short}{more}{why}", judgement.word.text());
+        if is_parted(judgement) {
+            judgement.chain.iter().for_each(|step| step_text(&mut out, paper, judgement, step));
+        }
     }
     for note in &paper.notes {
         let place = paper.line(&note.span);
@@ -100,6 +103,24 @@ pub fn lint_text(paper: &Paper, lint: &Lint) -> String {
     }
     let _ = writeln!(out, "\n{}", summary(lint));
     out
+}
+
+/// Whether the steps of a relation have different words, of which one is a proof, and its own word does not tell that.
+fn is_parted(judgement: &Judgement) -> bool {
+    let has = |word: Word| judgement.chain.iter().any(|step| step.word == word);
+    judgement.chain.len() > 1
+        && (has(Word::Follows) || has(Word::Numbers))
+        && matches!(judgement.word, Word::Wrong | Word::NotFollowed | Word::NotRead)
+}
+
+/// A line for a step of a chain: its later side, at its own line.
+fn step_text(out: &mut String, paper: &Paper, judgement: &Judgement, step: &LintStep) {
+    let relation = &paper.printed[judgement.relation];
+    let Some(k) = relation.sides.iter().position(|side| side.span == step.span).filter(|k| *k > 0) else { return };
+    let text = in_one_line(&format!("{} {}", relation.signs[k - 1], relation.sides[k].text));
+    let short: String = text.chars().take(WIDTH).collect();
+    let more = if text.chars().count() > WIDTH { "…" } else { "" };
+    let _ = writeln!(out, "{:>6}    {:<14} {short}{more}", paper.line(&step.span), step.word.text());
 }
 
 /// "31 relations: 1 wrong, 12 follow, …".

@@ -13,6 +13,9 @@ use super::token::{Kind, Token};
 use super::{Equation, PaperNote, Part, span_of};
 use diag::escape::in_one_line;
 
+/// The most tokens of the options of an environment.
+const MOST_OF_OPTIONS: usize = 60;
+
 /// How the lines of a display are numbered.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Numbers {
@@ -170,13 +173,17 @@ impl<'t> Reader<'t> {
                     }
                     "begin" => {
                         let (name, after) = group_text(self.tokens, self.at);
-                        if let Some(numbers) = display(&name) {
+                        let (inner, after) = match name.as_str() {
+                            "empheq" => group_text(self.tokens, self.after_options(after)),
+                            _ => (name.clone(), after),
+                        };
+                        if let Some(numbers) = display(&inner) {
                             self.at = after;
                             if ["alignat", "IEEEeqnarray"].iter().any(|with| name.starts_with(with)) {
                                 self.at = group_text(self.tokens, self.at).1;
                             }
                             let body = self.environment(&name);
-                            self.equation(&body, numbers, &name);
+                            self.equation(&body, numbers, &inner);
                         } else {
                             self.open.push((name, token.span.clone()));
                         }
@@ -191,6 +198,14 @@ impl<'t> Reader<'t> {
                 _ => {}
             }
         }
+    }
+
+    /// The position after `[box=\fbox]`, where that stands there.
+    fn after_options(&self, at: usize) -> usize {
+        let rest = self.tokens.get(at..).unwrap_or_default();
+        let begins = rest.iter().find(|t| t.kind != Kind::Space).is_some_and(|t| t.is_char("["));
+        let end = rest.iter().take(MOST_OF_OPTIONS).position(|t| t.is_char("]")).filter(|_| begins);
+        end.map_or(at, |end| at + end + 1)
     }
 
     /// The tokens up to where `ends` says, which gives the position after the end. Where there is no end, they go as far as what
@@ -220,7 +235,10 @@ impl<'t> Reader<'t> {
         match token.text.as_str() {
             _ if token.kind != Kind::Command => false,
             "[" => true,
-            "begin" => display(&group_text(self.tokens, i + 1).0).is_some_and(|_| true),
+            "begin" => {
+                let name = group_text(self.tokens, i + 1).0;
+                name == "empheq" || display(&name).is_some()
+            }
             name => SECTIONS.contains(&name),
         }
     }

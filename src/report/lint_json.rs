@@ -28,6 +28,11 @@ fn relation(paper: &Paper, j: &Judgement) -> Option<Value> {
     let place =
         |r: &paper::PrintedRelation| json!({ "file": paper.locate(&r.span()).0.path, "line": paper.line(&r.span()) });
     let places: Vec<Value> = j.with.iter().filter_map(|r| paper.printed.get(*r)).map(place).collect();
+    let step = |step: &lint::LintStep| {
+        let (line, column) = paper.line_and_column(&step.span);
+        json!({ "line": line, "column": column, "word": step.word.text(), "verdict": verdict(step.word) })
+    };
+    let chain: Vec<Value> = j.chain.iter().map(step).collect();
     Some(json!({
         "word": j.word.text(),
         "verdict": verdict(j.word),
@@ -45,6 +50,7 @@ fn relation(paper: &Paper, j: &Judgement) -> Option<Value> {
         "with_places": places,
         "steps": j.steps.1,
         "steps_proved": j.steps.0,
+        "chain": chain,
     }))
 }
 

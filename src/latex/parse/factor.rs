@@ -90,7 +90,7 @@ impl Parser<'_> {
                 return p.symbol_named(name, dots, start).map(Some);
             }
             if primed {
-                if let Some(by) = p.primes_are_rates().filter(|_| matches!(node.kind, NodeKind::Group(..))) {
+                if let Some(by) = p.derived_by_primes(&node) {
                     return p.primed_group(node, by).map(Some);
                 }
                 let message = "a prime behind something that is no name";

@@ -1,11 +1,23 @@
 //! Symbols with what is attached to them: dots, scripts, and parentheses that may or may not be arguments.
 
+use std::collections::BTreeSet;
+
 use super::super::lexer::Kind;
 use super::super::name::canonical;
 use super::super::syntax::{MOST_PRIMES, Name, Node, NodeKind, SubItem, SymbolNode};
 use super::names::plain;
 use super::{Parsed, Parser, refuse};
 use expr::HIGHEST_ORDER;
+
+/// On what a formula depends.
+#[derive(Default)]
+struct Variables {
+    names: BTreeSet<Name>,
+    /// Whether the time is printed in it: in a rate with dots, or where a function is taken.
+    shows_time: bool,
+    /// Whether something in it depends on what is not told by a name.
+    is_unclear: bool,
+}
 
 impl Parser<'_> {
     pub(super) fn symbol(&mut self, dots: u8) -> Parsed<Node> {
@@ -81,7 +93,47 @@ impl Parser<'_> {
             .then(|| variable.to_owned())
     }
 
-    /// `(uv)'`: the derivative of what stands in the brackets, by the independent variable.
+    /// By what primes behind brackets, or behind a matrix, derive: by the independent variable where that is so for names; else by the one
+    /// variable on which what stands there depends, the time only where it shows there: in a rate with dots, or in a function of it. A name
+    /// alone in brackets may be another name.
+    pub(super) fn derived_by_primes(&self, of: &Node) -> Option<Name> {
+        let inside = match &of.kind {
+            NodeKind::Group(inside, _) => Some(&**inside),
+            NodeKind::Matrix(_) => None,
+            _ => return None,
+        };
+        if let Some(by) = self.primes_are_rates().filter(|_| inside.is_some()) {
+            return Some(by);
+        }
+        if inside.is_some_and(|node| matches!(&node.kind, NodeKind::Symbol(s) if s.arguments.is_none())) {
+            return None;
+        }
+        let mut found = Variables::default();
+        self.note_variables(of, &mut found);
+        let time = self.scope.time_name();
+        match found.names.pop_first() {
+            Some(only) if found.names.is_empty() && !found.is_unclear => {
+                (found.shows_time || time != Some(only.as_str())).then_some(only)
+            }
+            _ => None,
+        }
+    }
+
+    fn note_variables(&self, node: &Node, found: &mut Variables) {
+        if let NodeKind::Symbol(s) = &node.kind {
+            match self.scope.variables(&s.name, s.sub.as_deref()) {
+                Some(names) => {
+                    let is_rate = s.dots > 0 && !s.primed || !self.scope.is_variable(&s.name, s.sub.as_deref());
+                    found.shows_time |= is_rate && names.iter().any(|n| Some(n.as_str()) == self.scope.time_name());
+                    found.names.extend(names);
+                }
+                None => found.is_unclear = true,
+            }
+        }
+        node.children().into_iter().for_each(|child| self.note_variables(child, found));
+    }
+
+    /// `(uv)'`: the derivative of what stands in the brackets.
     pub(super) fn primed_group(&mut self, of: Node, by: Name) -> Parsed<Node> {
         let (start, span) = (of.span.start, self.span());
         let mut order = 0u8;

@@ -200,6 +200,21 @@ impl Scope {
         self.find(name, sub, None).is_some_and(|f| f.coordinates.len() == 1)
     }
 
+    /// The variables on which a symbol depends, as it is written, by their names: coordinates, the time. `None` where they have no plain names.
+    pub(crate) fn variables(&self, name: &str, sub: Option<&[SubItem]>) -> Option<Vec<Name>> {
+        let Some(found) = self.find(name, sub, None) else { return Some(Vec::new()) };
+        let named = |symbol: Symbol| self.by_symbol(symbol).filter(|e| e.sub.is_empty()).map(|e| e.name.clone());
+        let time = || self.time_name().map(|name| vec![name.to_owned()]);
+        match found.role {
+            Role::Coordinate => named(found.symbol).map(|name| vec![name]),
+            Role::Field if found.place.is_empty() => found.coordinates.iter().map(|leaf| named(leaf.symbol)).collect(),
+            Role::Field | Role::Argument => None,
+            Role::Time | Role::State | Role::Observable => time(),
+            Role::Abbreviation if self.is_moving(name, sub) => time(),
+            Role::Abbreviation | Role::Parameter => Some(Vec::new()),
+        }
+    }
+
     /// The coordinates that a subscript of a scalar field names, if it names nothing else: it has no components, and a label would
     /// be declared.
     pub(super) fn derivatives(&self, entry: &Entry, subscript: &[SubItem]) -> Option<Vec<Leaf>> {

@@ -20,6 +20,8 @@ pub(super) struct Way {
     pub columns_of_chapter: bool,
     /// Whether all matrices are square and of this dimension, and all vectors have it: a formula for any dimension.
     pub is_uniform: bool,
+    /// Whether sides that are products of capital letters are products of square matrices: another side is a matrix.
+    pub products_are_of_matrices: bool,
     /// Whether plain letters are numbers, whatever they are in sections with matrices.
     pub without_matrices: bool,
     /// Whether what stands between a function and the time, and has no rate in the formula, is a number: `\cos\omega t`.
@@ -46,8 +48,12 @@ pub(super) struct Names<'a> {
     pub moving_are_functions: bool,
     /// Whether coordinates are numbers, at which functions are taken and by which they are derived: a file has few coordinates.
     pub coordinates_are_numbers: bool,
+    /// Whether what has no rate here is a number, where nothing is derived by the time: there it makes no difference.
+    pub only_rates_move: bool,
     /// Whether `e` is raised to numbers alone in the whole paper.
     pub has_charge: bool,
+    /// Names of sides that are products of capital letters, and of nothing else.
+    pub products: &'a BTreeSet<String>,
 }
 
 impl Names<'_> {
@@ -262,6 +268,9 @@ impl Names<'_> {
         if self.way.steady_before_time && !self.has_rate_here(key) && self.is_before_time(name) {
             return false;
         }
+        if self.only_rates_move && !self.has_rate_here(key) {
+            return false;
+        }
         let calls = self.evidence.calls.get(key);
         let printed = calls.is_some_and(|c| {
             c.keys().flatten().any(|p| p == &["t"] || p == &["t_0"] || p == &["0"] && !self.evidence.moving.is_empty())
@@ -354,6 +363,9 @@ impl Names<'_> {
                 let capital = name.letter.starts_with(|c: char| c.is_ascii_uppercase());
                 let n = self.way.dimension;
                 Some(if capital && self.way.bold_matrices { format!("{n}x{n}") } else { n.to_string() })
+            }
+            None if self.way.products_are_of_matrices && self.products.contains(&key) => {
+                Some(format!("{n}x{n}", n = self.way.dimension))
             }
             None => None,
         }

@@ -41,7 +41,15 @@ fn is_labelled(name: &PaperName, evidence: &Evidence) -> bool {
 /// Whether δ or ε with indices stands in a formula.
 pub(super) fn has_symbols_of_indices(all: &[PaperName]) -> bool {
     let symbol = |n: &PaperName| matches!(n.letter.as_str(), r"\delta" | r"\epsilon" | r"\varepsilon");
-    all.iter().any(|n| symbol(n) && n.index_letters().len() > 1)
+    // `\delta_{k1}` is one, too.
+    let two = |n: &PaperName| {
+        let sub = n.subscript.as_deref().unwrap_or_default();
+        let letters = sub.chars().filter(|c| "ijklmnpq".contains(*c)).count();
+        letters > 0
+            && letters < sub.chars().count()
+            && sub.chars().all(|c| c.is_ascii_digit() || "ijklmnpq, ".contains(c))
+    };
+    all.iter().any(|n| symbol(n) && (n.index_letters().len() > 1 || two(n)))
 }
 
 /// Whether a paper sums over indices of letters whose subscripts are indices.

@@ -3,7 +3,7 @@
 //! **In:** the sides of a formula, its names, and the evidence of the paper. **Out:** the feature that is not understood, or both readings of
 //! what is ambiguous. **Guaranteed:** nothing is decided for a formula that has one.
 
-use super::super::names::{Call, Evidence, PaperName, Primes, cancels_by_order, order_counts, unprimed};
+use super::super::names::{Call, Evidence, PaperName, Primes, cancels_by_order, order_counts, squeezed, unprimed};
 use super::super::printed::PrintedSide;
 use super::guess::Place;
 use super::index;
@@ -28,6 +28,9 @@ pub(super) fn obstacle(
         if is_unsized() || !all.iter().any(is_matrix) && cancels_by_order(side) {
             return Err("products whose order may count: matrices, or operators".to_owned());
         }
+    }
+    if evidence.local.has_matrices(place.section) && sides.iter().any(|s| has_capital_beside_matrix(s, evidence)) {
+        return Err("a letter beside a matrix: a matrix, or a number".to_owned());
     }
     if let Some(name) = all.iter().find(|n| n.has_hat && !n.is_bold) {
         return Err(format!("a hat, {}: an operator, or a unit vector", name.key()));
@@ -57,6 +60,21 @@ pub(super) fn obstacle(
         return Err("e as a factor, and to a power: a name, or Euler's number".to_owned());
     }
     Ok(())
+}
+
+/// Whether a capital letter of which nothing shows what it is stands right beside one that is a matrix, perhaps with brackets between: `A(BC)`.
+fn has_capital_beside_matrix(side: &PrintedSide, evidence: &Evidence) -> bool {
+    let letters: Vec<char> = squeezed(&side.text).chars().filter(|c| !matches!(c, '(' | ')')).collect();
+    let is_bare = |at: usize| {
+        let before = letters[..at].iter().rev().find(|c| !c.is_ascii_alphabetic());
+        letters[at].is_ascii_uppercase()
+            && !matches!(before, Some('\\' | '_'))
+            && !matches!(letters.get(at + 1), Some('_' | '\''))
+    };
+    let is_matrix = |at: usize| evidence.sizes.contains_key(letters[at].to_string().as_str());
+    (1..letters.len()).any(|at| {
+        is_bare(at - 1) && is_bare(at) && is_matrix(at - 1) != is_matrix(at) && letters[at - 1] != letters[at]
+    })
 }
 
 /// Whether `e` stands in a side to a bare number, and to anything else.

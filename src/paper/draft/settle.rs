@@ -145,8 +145,8 @@ impl Settled {
                 continue;
             }
             // A symbol of the file that has the name of a component here is declared where it is needed.
-            let other = problem.message.split('`').nth(3).unwrap_or_default();
-            let clash = self.symbols.iter().position(|s| s.name == other && !s.is_of_the_file());
+            let named: Vec<&str> = problem.message.split('`').skip(1).step_by(2).take(2).collect();
+            let clash = self.symbols.iter().position(|s| named.contains(&s.name.as_str()) && !s.is_of_the_file());
             if let Some(at) = clash.filter(|_| problem.code == "latex::bad-name") {
                 self.symbols.remove(at);
                 return true;

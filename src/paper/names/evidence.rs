@@ -7,7 +7,7 @@ use super::super::mark;
 use super::super::printed::{PrintedRelation, PrintedSide};
 use super::super::token::{Kind, Token};
 use super::local::Local;
-use super::{Call, PaperName, Subscripts, names_apart};
+use super::{Call, PaperName, Subscripts, names_apart, squeezed};
 
 /// Letters of unknown functions, whose primes derive them where two stand behind them somewhere.
 const FUNCTIONS: &[&str] =
@@ -95,9 +95,9 @@ impl Evidence {
             self.has_ln |= side.text.contains(r"\ln");
             let beside = [i.checked_sub(1), Some(i + 1)].into_iter().flatten();
             let found = beside.filter_map(|k| sizes.get(k).copied().flatten()).next();
-            if let (Some(size), [name]) = (found, names_apart(side).as_slice())
+            if let (Some(size), [name, rest @ ..]) = (found, names_apart(side).as_slice())
                 && sizes[i].is_none()
-                && (name.derived_by.is_some() || is_alone(side))
+                && (rest.is_empty() && (name.derived_by.is_some() || is_alone(side)) || is_at_places(name, side))
             {
                 self.local.note_size(relation, &name.key());
                 *self.sizes.entry(name.key()).or_default().entry(size).or_default() += 1;
@@ -295,6 +295,12 @@ pub fn is_variable(text: &str) -> bool {
 /// The key of a name without its primes.
 pub fn unprimed(name: &PaperName) -> String {
     PaperName { base: name.base.trim_end_matches('\'').to_owned(), ..name.clone() }.key()
+}
+
+/// Whether a side is a name at its places, and nothing else: `B(\alpha)`.
+fn is_at_places(name: &PaperName, side: &PrintedSide) -> bool {
+    let Call::Places(places) = &name.call else { return false };
+    squeezed(&side.text) == squeezed(&format!("{}({})", name.key(), places.join(",")))
 }
 
 /// Whether a side is one name, with dots and labels, and nothing else.

@@ -31,7 +31,7 @@ impl PrintedRelation {
             let mut body = head.clone();
             body.extend(value);
             let mut one = relations(&body, &place);
-            let mut when = relations(&condition, &place);
+            let mut when = relations(&opened(&condition), &place);
             let relates = |all: &[PrintedRelation]| all.len() == 1 && all[0].sides.len() > 1;
             if when.iter().any(|r| r.remark.as_deref().is_some_and(|r| !is_when(r))) {
                 return None;
@@ -64,15 +64,82 @@ fn sign_of(sign: &str, at: usize) -> Option<Token> {
     Some(Token { kind, text: text.to_owned(), span: at..at })
 }
 
+/// What stands between `\left\{` and `\right.`, where that is all.
+fn braced(tokens: &[Token], from: usize) -> Option<Vec<Token>> {
+    let printed: Vec<usize> = (from..tokens.len()).filter(|&i| !is_space(&tokens[i])).collect();
+    let is = |k: usize, command: &str| printed.get(k).is_some_and(|&i| tokens[i].is(command));
+    let last = printed.iter().rposition(|&i| tokens[i].is("right"))?;
+    let dot = printed.get(last + 1).is_some_and(|&i| tokens[i].is_char("."));
+    let rest = printed.get(last + 2..)?.iter().all(|&i| tokens[i].is_char(".") || tokens[i].is_char(","));
+    let begins = is(0, "left") && is(1, "{") && is(2, "begin") && last > 2;
+    (begins && dot && rest).then(|| {
+        let inside = &tokens[printed[2]..printed[last]];
+        let end = inside.iter().rposition(|t| !is_space(t)).map_or(0, |i| i + 1);
+        inside[..end].to_vec()
+    })
+}
+
+/// A condition with the formulas that stand in its words, `\text{if $x>0$}`, behind them.
+fn opened(tokens: &[Token]) -> Vec<Token> {
+    let mut out = Vec::with_capacity(tokens.len());
+    let mut at = 0;
+    while let Some(token) = tokens.get(at) {
+        let is_text = token.kind == Kind::Command && matches!(token.text.as_str(), "text" | "mbox" | "textrm");
+        let inside = if is_text { group(tokens, at + 1) } else { None };
+        let formula = |t: &Token| t.kind == Kind::Dollar || t.is("(") || t.is(")");
+        match inside.filter(|(from, to)| tokens[*from..*to].iter().any(formula)) {
+            Some((from, to)) => {
+                // Words, formulas, words: each of the words is a group of its own.
+                for (k, part) in tokens[from..to].split(formula).enumerate() {
+                    if k % 2 == 1 {
+                        out.extend_from_slice(part);
+                    } else if part.iter().any(|t| t.kind != Kind::Space) {
+                        out.extend_from_slice(&tokens[at..from]);
+                        out.extend_from_slice(part);
+                        out.push(tokens[to].clone());
+                    }
+                }
+                at = to + 1;
+            }
+            None => {
+                out.push(token.clone());
+                at += 1;
+            }
+        }
+    }
+    out
+}
+
+/// From where to where what stands in braces goes that begin here.
+fn group(tokens: &[Token], at: usize) -> Option<(usize, usize)> {
+    let open = at + tokens[at.min(tokens.len())..].iter().position(|t| t.kind != Kind::Space)?;
+    let mut depth = 0i32;
+    for (i, token) in tokens.iter().enumerate().skip(open) {
+        depth += i32::from(token.kind == Kind::Open) - i32::from(token.kind == Kind::Close);
+        if depth == 0 {
+            return (token.kind == Kind::Close).then_some((open + 1, i));
+        }
+    }
+    None
+}
+
 /// The rows of a side that is nothing but cases, each as its value and its condition.
 fn rows_of(tokens: &[Token]) -> Option<Vec<(Vec<Token>, Vec<Token>)>> {
     let from = tokens.iter().position(|t| !is_space(t))?;
     let to = tokens.iter().rposition(|t| !is_space(t) && !t.is_char(".") && !t.is_char(","))?;
-    let tokens = &tokens[from..=to];
-    let (name, begin) = group_text(tokens, tokens.first().filter(|t| t.is("begin")).map(|_| 1)?);
+    let is_braced = braced(tokens, from);
+    let tokens = match &is_braced {
+        Some(inside) => inside,
+        None => &tokens[from..=to],
+    };
+    let (name, mut begin) = group_text(tokens, tokens.first().filter(|t| t.is("begin")).map(|_| 1)?);
     let end = tokens.iter().rposition(|t| t.is("end"))?;
     let (closed, after) = group_text(tokens, end + 1);
-    if !CASES.contains(&name.as_str()) || closed != name || after < tokens.len() || begin > end {
+    let is_array = is_braced.is_some() && name == "array";
+    if is_array {
+        begin = group_text(tokens, begin).1;
+    }
+    if !(is_array || CASES.contains(&name.as_str())) || closed != name || after < tokens.len() || begin > end {
         return None;
     }
     let mut rows: Vec<Vec<Vec<Token>>> = vec![vec![Vec::new()]];

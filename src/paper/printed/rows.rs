@@ -85,32 +85,41 @@ fn without_brace(body: &[Token]) -> Option<Vec<Token>> {
     (!closed && environment).then(|| inside.to_vec())
 }
 
-/// Whether the array that begins here has rows `left & = & right`.
+/// Whether the array that begins here has rows `left & = & right`, or is all that is printed and has an equation in each row.
 fn is_table_of_relations(body: &[Token], at: usize) -> bool {
     if body[at].is("end") {
         return false;
     }
     let after = group_text(body, group_text(body, at + 1).1).1;
     let mut nesting = Nesting::default();
-    let mut cells = vec![Vec::new()];
+    let mut rows: Vec<Vec<Vec<Token>>> = vec![vec![Vec::new()]];
     let mut next = after;
     while let Some(token) = body.get(next) {
         let outside = nesting.is_outside();
-        if outside && (token.is("end") || token.is("\\") || token.is("cr")) {
+        if outside && token.is("end") {
             break;
         }
-        if outside && token.is_char("&") {
-            cells.push(Vec::new());
+        let more = nesting.take(token, &body[next + 1..]);
+        let Some(row) = rows.last_mut() else { break };
+        if outside && (token.is("\\") || token.is("cr")) {
+            rows.push(vec![Vec::new()]);
+        } else if outside && token.is_char("&") {
+            row.push(Vec::new());
         } else if !is_space(token)
-            && let Some(cell) = cells.last_mut()
+            && let Some(cell) = row.last_mut()
         {
-            cell.push(token);
+            cell.extend_from_slice(&body[next..(next + 1 + more).min(body.len())]);
         }
-        next += 1 + nesting.take(token, &body[next + 1..]);
+        next += 1 + more;
     }
     // It must be all that is printed: a matrix in a formula is none.
     let alone = body[..at].iter().all(is_space);
-    alone && cells.len() == 3 && matches!(cells[1].as_slice(), [one] if is_relation(one))
+    let in_three = |row: &[Vec<Token>]| row.len() == 3 && matches!(row[1].as_slice(), [one] if is_relation(one));
+    let end = group_text(body, next + 1).1.min(body.len());
+    let ends = without_labels(&body[end..]).0.iter().all(|t| is_space(t) || t.is_char(".") || t.is_char(","));
+    rows.retain(|row| row.iter().any(|cell| !cell.is_empty()));
+    let is_equation = |row: &Vec<Vec<Token>>| matches!(row.as_slice(), [one] if relates(one));
+    alone && (rows.first().is_some_and(|row| in_three(row)) || ends && rows.len() > 1 && rows.iter().all(is_equation))
 }
 
 /// The rows of a display, each in cells.

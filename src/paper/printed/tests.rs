@@ -190,6 +190,9 @@ fn every_mark_that_prints_is_somewhere() {
         ("gather", r"A \\ B = \\ C \\ + D \intertext{E} \Rightarrow F"),
         ("eqnarray", r"A &=& B \\ C & & D \\ & & E & F"),
         ("multline", r"A = B, \\ C \\ \text{D} = E"),
+        ("equation", r"\begin{array}{c} A = B \\ C = D \end{array}"),
+        ("equation", r"\begin{array}{c} A \\ C = D \end{array}"),
+        ("equation", r"\begin{array}{ll} A = B & C = D \\ E = F \end{array}"),
     ] {
         assert_eq!(letters(&read(environment, text).join(" ")), letters(text), "{text}");
     }
