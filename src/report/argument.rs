@@ -99,7 +99,7 @@ fn item<'a>(
         Some(first) => {
             let mut line = chain(&hangs.chain(first.id, whole.id), by_id);
             if broken.len() > 1 {
-                line.push(quiet(format!("; {} steps under it do not stand", broken.len())));
+                line.push(quiet(format!("; {} steps fail", broken.len())));
             }
             line.push(words(". "));
             // A conclusion that fails itself shows its own point; each break is shown once.

@@ -50,12 +50,12 @@ impl Basis {
     /// The kind, for counting.
     pub fn kind(&self) -> &'static str {
         match self {
-            Basis::Sampled(_) => "at samples of motions",
-            Basis::Enclosed(_) => "at every time of motions",
+            Basis::Sampled(_) => "at samples",
+            Basis::Enclosed(_) => "at every time",
             Basis::Ranges => "at every point of ranges",
             Basis::Given(_) => "proved, given others",
             Basis::Except => "proved but for special cases",
-            Basis::Proved => "proved for all values",
+            Basis::Proved => "proved",
         }
     }
 }

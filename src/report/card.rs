@@ -4,6 +4,7 @@
 //! **In:** a claim with all its readings. **Out:** blocks. What is right is found by the check: a correction, or a reading of the file that
 //! holds; that the contrary holds is no correction.
 
+use super::basis::Basis;
 use super::digest::{Reading, Whole};
 use super::discrimination::standing;
 use super::finding::{of_step, over_ranges};
@@ -193,7 +194,9 @@ fn right<'a>(
         out.extend(shown.spans(None, false));
         let says = format!(" — {}, ", reading.claim.says.trim_end_matches('.'));
         out.push(StorySpan::Prose(says, shown.scope, Tone::Quiet));
-        out.push(StorySpan::Prose(reading.basis().words(), shown.scope, Tone::Quiet));
+        let basis = reading.basis();
+        let known = if basis == Basis::Proved { basis.kind().to_owned() } else { basis.words() };
+        out.push(StorySpan::Prose(known, shown.scope, Tone::Quiet));
         return Some(out);
     }
     let erratum = failing.variants.as_ref()?.erratum.as_ref()?;

@@ -118,11 +118,11 @@ fn verdict(wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> String {
     let all = count(conclusions.len(), "conclusion");
     let mut parts = Vec::new();
     if fallen > 0 {
-        parts.push(format!("{fallen} {} not hold as stated", if fallen == 1 { "does" } else { "do" }));
+        parts.push(format!("{fallen} {} not hold", if fallen == 1 { "does" } else { "do" }));
     }
     if lost > 0 {
         let verb = if lost == 1 { "rests" } else { "rest" };
-        parts.push(format!("{lost} {}{verb} on claims that do not stand", if fallen > 0 { "more " } else { "" }));
+        parts.push(format!("{lost} {verb} on claims that do not stand"));
     }
     let of_conclusions = match parts.is_empty() {
         true => format!("of the paper's {all} none rests on a claim that fails"),

@@ -20,7 +20,7 @@ use findings::{Account, ClaimAccount};
 use reason::{Bounded, Proviso, Term};
 
 /// Most hypotheses that are told on page one; more are folded.
-const MOST: usize = 4;
+const MOST: usize = 3;
 /// Longest hypothesis that comes first, in bytes.
 const LONGEST_SHOWN: usize = 70;
 /// Most that are told at all.

@@ -77,11 +77,11 @@ pub(super) fn blocks<'a>(
     let table = StoryBlock::Table(table);
     let mut legend = legend(&(&story::shapes(std::slice::from_ref(&table)) | &following));
     if rows.iter().any(|whole| columns.iter().any(|column| share(whole, &column.of).is_some())) {
-        legend.push(quiet("; 1/3: it applies to 1 of the 3"));
+        legend.push(quiet("; 1/3: applies to 1 of 3"));
     }
     let more = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count().saturating_sub(rows.len());
     if more > 0 {
-        legend.push(quiet(format!("; {}", count(more, "more claim"))));
+        legend.push(quiet(format!("; {more} more rows")));
     }
     let keys = columns.into_iter().enumerate().map(|(at, column)| StoryItem {
         mark: letter(at),

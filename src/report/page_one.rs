@@ -21,10 +21,10 @@ use findings::Account;
 
 /// Most ids that a terminal names of what does not stand, beside the cards.
 const MOST_NAMED: usize = 6;
-/// Cards on the first screen; more are folded. Conclusions need the room of one.
+/// Cards on the first screen; more are folded. Conclusions need the room of those that a terminal leaves out, too.
 const MOST_CARDS: usize = 3;
 /// Most bytes of the remark of a file that are not folded.
-const MOST_REMARKED: usize = 330;
+const MOST_REMARKED: usize = 240;
 /// Cards that a terminal has room for, if there are few of them; of more only the first.
 const FEW_CARDS: usize = 2;
 
@@ -34,16 +34,12 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     let hangs = Consequences::new(derivation);
     let front = Front::of(derivation, account, &wholes, &hangs);
     let scope = &derivation.scope;
-    let mut head = vec![StoryBlock::Group(
-        "headline",
-        vec![StoryBlock::Paragraph(vec![StorySpan::Prose(front.verdict.clone(), scope, Tone::Strong)])],
-    )];
+    let mut verdict = vec![StorySpan::Prose(front.verdict.clone(), scope, Tone::Strong)];
+    verdict.extend(front.strength.iter().map(|text| StorySpan::Prose(format!(" {text}"), scope, Tone::Quiet)));
+    let mut head = vec![StoryBlock::Group("headline", vec![StoryBlock::Paragraph(verdict)])];
     for alarm in &front.alarms {
         head.push(StoryBlock::Paragraph(vec![StorySpan::Prose(format!("! {alarm}"), scope, Tone::Alarm)]));
     }
-    let quietly = |text: &String| StoryBlock::Paragraph(vec![StorySpan::Prose(text.clone(), scope, Tone::Quiet)]);
-    head.extend(front.strength.as_ref().map(|text| StoryBlock::Group("known", vec![quietly(text)])));
-    head.extend(front.beside.as_ref().map(|text| StoryBlock::Group("roomy", vec![quietly(text)])));
     head.extend(remark(derivation));
     let fields = wholes.iter().filter(|w| w.fate.is_of_the_paper()).map(|w| w.shape());
     let strip = Sketch::Strip(fields.collect());
@@ -51,7 +47,12 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     let concludes = argument::blocks(derivation, &wholes, &hangs, shown);
     let mut matrix = vec![StoryBlock::Group("strip", vec![StoryBlock::Figure(strip, Vec::new())])];
     matrix.extend(motion_matrix::blocks(derivation, account, (&wholes, &hangs), story::shapes(&concludes)));
-    let strength = front.proofs.iter().map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).collect();
+    let strength = front
+        .proofs
+        .iter()
+        .chain(&front.beside)
+        .map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet))
+        .collect();
     let mut unsaid = hypotheses::limits(derivation, &wholes, &hangs);
     unsaid.extend(hypotheses::blocks(derivation, account, &wholes));
     let mut foot = vec![StorySpan::Prose(format!("{} To repeat it: ", front.author), scope, Tone::Quiet)];
@@ -105,10 +106,10 @@ fn wrong<'a>(
             Some(StoryBlock::Group("card", card::blocks(derivation, of(line)?, line, at + 1)))
         });
     let mut cards: Vec<StoryBlock<'a>> = cards.collect();
-    let most = if hangs.conclusions().is_empty() { MOST_CARDS } else { MOST_CARDS - 1 };
+    let on_terminal = if front.lines.len() <= MOST_CARDS { FEW_CARDS } else { 1 };
+    let most = if hangs.conclusions().is_empty() { MOST_CARDS } else { on_terminal };
     let folded = cards.split_off(cards.len().min(most));
     let mut out = vec![StoryBlock::Heading("What does not stand, the heaviest first".to_owned())];
-    let on_terminal = if front.lines.len() <= MOST_CARDS { FEW_CARDS } else { 1 };
     let roomy = cards.split_off(cards.len().min(on_terminal));
     out.extend(cards);
     if !roomy.is_empty() {
