@@ -57,6 +57,12 @@ pub fn all(rows: &[Row]) {
 fn signs_and_absolute_values() {
     all(&[
         ("refuted", r"y=5", "x,y", r"(x^{1/4})^4+y^2=0"),
+        // The sign that is assumed is that of the claim, also where times are named: x = u = −1, with the upper one.
+        ("unproved", r"|x|=\pm x", "t: time; x: state; u: state", r"x(0)=\pm u(0)"),
+        ("unproved", r"|x|=\pm x", "t: time; x: state; u: state", r"u=\pm1; x=x(0)"),
+        ("unproved", r"|x|=\pm x", "t: time; x: state; u: state", r"u<\pm1; x(0)\ne0"),
+        ("unproved", r"\sqrt{x^2}=\pm x", "t: time; x: state; u: state", r"x+(\pm u)=\mp1; x(0)u=0"),
+        ("proved", r"|x|=\pm x", "t: time; x: state; u: state", "x(0)=u(0)"),
         // Neither sign makes the sides equal: x itself is among them, so that nothing is left to speak of.
         ("undecided", "x=0", "x", r"\pm x\ne x"),
         ("proved", r"x^2\ne4", "x", r"\pm x\ne2"),

@@ -298,6 +298,11 @@ impl<'a> Step<'a> {
         if self.is_of_each_sign() {
             return self.for_each_sign(Step::decide_equations);
         }
+        // One sign with that of the claim, which must be so for both: either of them would be less.
+        if self.sign.is_none() && self.assumes_sign() && self.claim.forms.iter().any(Form::has_branches) {
+            let reason = Some(Plain::SignAtOtherTimes.into());
+            return Some(Ok(IdentityAccount { reason, ..IdentityAccount::default() }));
+        }
         let (mut between, beside) = (self.afresh()?, self.afresh()?);
         between.apart = if self.inequalities == When::Always { Pairs::new() } else { self.chosen_apart() };
         let found = self.decide_or_search()?;
