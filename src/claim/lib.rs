@@ -4,8 +4,7 @@
 //! [comparisons](comparison), measured at points of whatever kind: of a motion, of a box, of an altered formula.
 //!
 //! **Guaranteed:** forms of claims are read for their meaning in [`denote`] and nowhere else; of motions no more is known than which rates
-//! they may lack; no verdict is
-//! made.
+//! they may lack; no verdict is made.
 
 #![forbid(unsafe_code)]
 

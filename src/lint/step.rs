@@ -263,12 +263,7 @@ impl Judge<'_> {
     }
 
     /// What is wrong, if something is: refuted by what this section says, and one slip away from what it proves.
-    pub(super) fn wrong(
-        &mut self,
-        sides: [&PrintedSide; 2],
-        place: &Place,
-        asked: &mut Vec<(Asked, Rests)>,
-    ) -> Option<WrongStep> {
+    fn wrong(&mut self, sides: [&PrintedSide; 2], place: &Place, asked: &mut Vec<(Asked, Rests)>) -> Option<WrongStep> {
         let defined = self.facts.definitions(&sides, place.reach, false);
         let is_open = sides.iter().any(|s| has_open_derivative(&s.text))
             || [true, false].iter().any(|&partial| held_fixed(sides, &defined, partial, false).is_some());

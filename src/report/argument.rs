@@ -192,7 +192,7 @@ fn break_says<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<StorySpa
     match RefutingMotion::of(derivation, reading.claim) {
         Some(motion) => out.extend(motion.says(scope)),
         None if whole.failing().is_none() => {
-            let contrary = whole.contrary().map_or(reading, |found| found);
+            let contrary = whole.contrary().unwrap_or(reading);
             let says = contrary.claim.says.trim_end_matches('.');
             out.push(StorySpan::Prose(format!("The contrary holds: “{says}”."), scope, Tone::Plain));
         }
