@@ -40,9 +40,9 @@ impl Answer {
     /// How it ends a run: a case that is left out, what must be assumed beside what is given, and what is open, are undecided.
     pub fn ending(&self) -> Ending {
         match self.account().finding.decision() {
-            Decision::Proved if self.account().is_proved() => Ending::Good,
+            Decision::Proved | Decision::Unreplayed if self.account().is_shown() => Ending::Good,
             Decision::Refuted => Ending::Different,
-            Decision::Proved | Decision::ProvedExcept | Decision::Undecided => Ending::Undecided,
+            Decision::Proved | Decision::ProvedExcept | Decision::Unreplayed | Decision::Undecided => Ending::Undecided,
         }
     }
 }

@@ -14,20 +14,16 @@ use crate::ask::{Ask, Unknown};
 use crate::check::family::{Join, Part, Row};
 use crate::check::search::SearchOptions;
 use crate::check::{
-    self, Account, Answers, Cache, CheckError, ClaimAccount, IdentityAccount, Limits, Options, Outcome, Proposition,
-    Recalled, Store, Witness,
+    self, Account, Cache, CheckError, ClaimAccount, IdentityAccount, Limits, Options, Outcome, Proposition, Recalled,
+    Store, Witness,
 };
 use crate::derivation::{Claim, Derivation, is_called, parse};
 use crate::diag::escape::shown;
 use crate::diag::{Diagnostic, Source};
-use crate::findings::recorded::{self, Recorded};
 use crate::findings::search::SearchAccount;
 use crate::report;
 use crate::verdict::Residuals;
 use meter::{Ended, Task};
-use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, Ordering};
-use tactics::May;
 
 /// Where diagnostics place a problem with the scope of a [`Question`].
 const SCOPE: &str = "scope";
@@ -403,7 +399,6 @@ impl Session {
             Err(Ended::Defect(what)) => return Err(Failure::Defect(what)),
             Err(ended) => IdentityAccount { reason: Some(ended.into()), ..IdentityAccount::default() },
         };
-        let account = with_steps(&mut derivation, &proposition, account);
         Ok(Answer { proposition, account, scope: derivation.scope })
     }
 
@@ -454,30 +449,8 @@ impl Session {
     }
 }
 
-/// A search for the steps of a proof, as far as its work goes.
-fn recording(search: impl FnOnce() -> recorded::Found) -> recorded::Found {
-    meter::piece(Task::Proving, &meter::limits(), search).unwrap_or_else(|ended| Err(ended.to_string()))
-}
-
-/// What a verdict leaves open, so that the recorded proof may.
-fn left_open(identity: &IdentityAccount) -> Vec<May> {
-    let presupposes = (!identity.presupposed.is_empty()).then_some(May::Presuppose);
-    let ends = identity.finding.ends_on_the_way().then_some(May::EndWithAssumptions);
-    presupposes.into_iter().chain(ends).collect()
-}
-
-/// An answer with its proof as steps, if it is proved.
-fn with_steps(derivation: &mut Derivation, proposition: &Proposition, account: IdentityAccount) -> IdentityAccount {
-    if !account.finding.is_proved_in_part() {
-        return account;
-    }
-    let stated = check::stated(derivation, proposition).map_err(|_| "it cannot be read".to_owned());
-    let found = stated.and_then(|claim| recording(|| tactics::record_throughout(derivation, &claim)));
-    IdentityAccount { recorded: Some(Recorded::of(found)), ..account }
-}
-
 impl Answer {
-    /// What was decided: `proved`, `proved except`, `refuted` or `undecided`.
+    /// What was decided: `proved`, `proved except`, `proved unreplayed`, `refuted` or `undecided`.
     pub fn standing(&self) -> &'static str {
         self.account.standing()
     }
@@ -557,36 +530,6 @@ impl Findings {
         let stands_alone = |c: &ClaimAccount| c.alone.is_some() && c.identity.is_some();
         of.any(|c| c.verdicts().any(is_on) || on.is_empty() && stands_alone(c))
             .then(|| report::explain(&self.derivation, &self.account, &[claim.to_owned()], on, colour))
-    }
-
-    /// Looks for proofs as steps that the checker replays, of what is proved and called so, `id` or `id/reading`; of all that is proved, if `only` names nothing.
-    /// What was found for one of the last states of the file is taken from the store, and replayed.
-    pub fn record(&mut self, only: Option<&str>, store: Option<&dyn Store>) {
-        let derivation = &self.derivation;
-        let name = check::in_digits(&check::key(&[b"searches", derivation.id.as_bytes()]));
-        let kept = store.and_then(|store| store.read(&name));
-        let mut answers = kept.and_then(|bytes| Answers::read(&bytes)).unwrap_or_default();
-        answers.grow_older();
-        let is_new = AtomicBool::new(false);
-        let search = |claim: &Claim, identity: &IdentityAccount| {
-            let asked = tactics::Asked::of(derivation, claim, &left_open(identity))?;
-            let found: String = answers.answer(Some(check::key(&[&asked.content()])), || {
-                is_new.store(true, Ordering::Relaxed);
-                recorded::written(&recording(|| asked.record()))
-            });
-            recorded::read(&found).unwrap_or_else(|| recording(|| asked.record()))
-        };
-        let is_meant = |c: &ClaimAccount| only.is_none_or(|name| is_called(name, &c.id, c.reading.as_deref()));
-        self.account.claims.par_iter_mut().with_max_len(1).filter(|c| is_meant(c)).for_each(|of| {
-            let declared = derivation.claim(&of.id, of.reading.as_deref());
-            let proved = of.identity.as_mut().filter(|i| i.finding.is_proved_in_part() && i.recorded.is_none());
-            if let (Some(claim), Some(identity)) = (declared, proved) {
-                identity.recorded = Some(Recorded::of(search(claim, identity)));
-            }
-        });
-        if let (Some(store), None, true) = (store, only, is_new.into_inner()) {
-            store.write(&name, &answers.written());
-        }
     }
 
     /// Whether every verdict is as the file expects.

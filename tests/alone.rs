@@ -1,5 +1,6 @@
 //! Claims that are tried on nothing: when what their step came to is their verdict, and that reports tell it.
 
+use crate::checked::said_by_prover;
 use rederive::check::{Account, Options, check};
 use rederive::derivation::{Derivation, parse};
 use rederive::diag::{Source, render};
@@ -36,7 +37,7 @@ fn found(claims: &[String]) -> (Derivation, Account) {
 /// The standing of the step of a claim, and its verdict.
 fn of(account: &Account, id: &str) -> (&'static str, Option<&'static str>) {
     let claim = account.claims.iter().find(|c| c.id == id).unwrap_or_else(|| panic!("no {id}"));
-    (claim.identity.as_ref().map_or("none", |i| i.standing()), claim.verdict_alone())
+    (claim.identity.as_ref().map_or("none", said_by_prover), claim.verdict_alone())
 }
 
 #[test]

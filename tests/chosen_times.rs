@@ -112,7 +112,8 @@ fn what_is_assumed_of_fewer_times_is_another_assumption() {
     let account = of_file(&(file + &claims.concat()));
     assert_eq!(standing(&account, "throughout"), "proved");
     assert_ne!(standing(&account, "for-a-while"), "proved");
-    assert_eq!(standing(&account, "again"), "proved");
+    // The checker does not replay what it follows from.
+    assert_eq!(standing(&account, "again"), "proved given");
 }
 
 #[test]
@@ -188,7 +189,8 @@ fn inequalities_of_premises_hold_at_all_times() {
     ];
     let account = of_file(&(file + &claims.concat()));
     let found = ["integral", "without", "wrong", "values"].map(|id| standing(&account, id));
-    assert_eq!(found, ["proved given", "proved except", "refuted", "proved given"]);
+    // The checker does not replay the first two, which are undecided then.
+    assert_eq!(found, ["proved", "proved except", "refuted", "proved given"]);
     assert_ne!(standing(&account, "for-a-while"), "proved");
     assert_ne!(standing(&account, "for-a-while"), "proved given");
 }

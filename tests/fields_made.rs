@@ -4,6 +4,7 @@
 //! they satisfy. What is added up from derivatives of premises follows, and must not be refuted. What has another value for
 //! these fields does not follow, and must not be proved.
 
+use crate::checked::said_by_prover;
 use std::collections::BTreeMap;
 
 use rederive::check::{Proposition, prove};
@@ -112,7 +113,8 @@ fn standing(claim: &str, given: &[String]) -> &'static str {
     let fields = "u(x,t), v(x,t): field".to_owned();
     derivation.declare_typed(&[(fields.clone(), fields)]).unwrap_or_else(|e| panic!("{e:?}"));
     let proposition = Proposition { formula: claim.to_owned(), given: given.to_vec(), throughout: false };
-    prove(&mut derivation, &proposition).unwrap_or_else(|e| panic!("{claim}, given {given:?}: {e:?}")).standing()
+    let account = prove(&mut derivation, &proposition);
+    said_by_prover(&account.unwrap_or_else(|e| panic!("{claim}, given {given:?}: {e:?}")))
 }
 
 #[test]

@@ -6,6 +6,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
 
+use crate::checked::said_by_prover;
 use std::rc::Rc;
 
 use rederive::check::{Proposition, prove};
@@ -208,7 +209,7 @@ fn standing(left: &Tree, right: &Tree) -> Result<&'static str, String> {
     let proposition = Proposition { formula: formula.clone(), given: Vec::new(), throughout: false };
     match prove(&mut derivation, &proposition) {
         Ok(account) if account.is_defect => Err(format!("{formula}: a defect, {:?}", account.reason)),
-        Ok(account) => Ok(account.standing()),
+        Ok(account) => Ok(said_by_prover(&account)),
         Err(error) => Err(format!("{formula}: {error:?}")),
     }
 }

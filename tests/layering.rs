@@ -36,6 +36,7 @@ pub const CRATES: &[(&str, &[&str])] = &[
             "number",
             "proof",
             "reason",
+            "tactics",
             "units",
             "verdict",
         ],

@@ -1,5 +1,6 @@
 //! What a claim follows from, and what its proof lends to verdicts.
 
+use crate::checked::said_by_prover;
 use std::path::Path;
 
 use rederive::check::{Account, Options, Outcome, check};
@@ -101,7 +102,7 @@ fn claim(id: &str, always: &str, more: &str) -> String {
 
 pub fn standing(account: &Account, id: &str) -> &'static str {
     let claim = account.claims.iter().find(|c| c.id == id).unwrap_or_else(|| panic!("no claim {id}"));
-    claim.identity.as_ref().map_or("none", |i| i.standing())
+    claim.identity.as_ref().map_or("none", said_by_prover)
 }
 
 #[test]

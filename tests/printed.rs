@@ -1,5 +1,6 @@
 //! Formulas as textbooks and programs print them: what each means is proved, and what it could be taken for is refuted.
 
+use crate::checked::said_by_prover;
 use rederive::check::{Cache, Proposition, prove};
 use rederive::derivation::{Derivation, parse};
 use rederive::diag::Source;
@@ -14,7 +15,7 @@ fn fate(formula: &str, symbols: &str, given: &[&str]) -> String {
     let given = given.iter().map(|&g| g.to_owned()).collect();
     let proposition = Proposition { formula: formula.to_owned(), given, throughout: false };
     match prove(&mut derivation, &proposition) {
-        Ok(account) => account.standing().to_owned(),
+        Ok(account) => said_by_prover(&account).to_owned(),
         Err(rederive::check::CheckError::Problems(found)) => found[0].code.to_owned(),
         Err(other) => panic!("{formula}: {other:?}"),
     }

@@ -5,6 +5,7 @@
 //! special cases are named that it does not reach; `refuted`; `undecided`; `unproved`: it does not follow, and is not
 //! proved; `unrefuted`: it is true, and not refuted. `throughout` asks for one sign everywhere.
 
+use crate::checked::said_by_prover;
 use rederive::check::{Proposition, prove};
 use rederive::derivation::Derivation;
 
@@ -23,7 +24,7 @@ fn found((expected, formula, symbols, given): One) -> Result<(), String> {
     let throughout = expected.ends_with("throughout");
     let proposition = Proposition { formula: formula.to_owned(), given: list(given), throughout };
     let account = prove(&mut derivation, &proposition).map_err(|e| format!("{formula}: {e:?}"))?;
-    let word = account.standing();
+    let word = said_by_prover(&account);
     let fits = match expected.trim_end_matches(" throughout") {
         "except" => word == "proved except",
         "unproved" => word != "proved",

@@ -238,7 +238,7 @@ fn the_program_keeps_records_where_it_is_told() {
     let folder = temporary.path().join("kept");
     let of = folder.to_str().expect("a plain name");
     // Long enough to be kept.
-    let check = ["check", "derivations/kepler.toml", "--no-reports", "--rigor", "sampled", "--only-verdicts"];
+    let check = ["check", "derivations/kepler-laws.toml", "--no-reports", "--rigor", "sampled", "--only-verdicts"];
     let (said, records) = run(&check, &folder, None);
     assert!(records.is_empty(), "an empty variable keeps nothing");
     let with = [&check[..], &["--cache", of]].concat();
@@ -266,9 +266,9 @@ fn what_is_explained_is_recalled() {
     let temporary = tempfile::tempdir().expect("a folder");
     let folder = temporary.path().join("kept");
     let of = folder.to_str().expect("a plain name");
-    let file = "derivations/kepler.toml";
+    let file = "derivations/kepler-laws.toml";
     let claims: Vec<String> =
-        open("kepler.toml", &derivation("kepler.toml")).claims().into_iter().map(|c| c.id).collect();
+        open("kepler-laws.toml", &derivation("kepler-laws.toml")).claims().into_iter().map(|c| c.id).collect();
     let explain =
         |more: &[&str]| run(&[&["explain", &claims[0], file, "--rigor", "sampled"], more].concat(), &folder, None);
     let (cold, none) = explain(&["--no-cache"]);
@@ -285,7 +285,7 @@ fn what_is_explained_is_recalled() {
     assert!(same == records, "nothing was found again");
 
     // One motion alone is told in the same words.
-    let on = open("kepler.toml", &derivation("kepler.toml")).derivation().trajectories[0].id.clone();
+    let on = open("kepler-laws.toml", &derivation("kepler-laws.toml")).derivation().trajectories[0].id.clone();
     let (alone, _) = explain(&["--cache", of, "--on", &on]);
     let (cold, _) = explain(&["--no-cache", "--on", &on]);
     assert!(alone == cold && alone.len() < first.len());

@@ -23,10 +23,10 @@ pub fn of_step(claim: &Claim, region: &Region, step: Option<&IdentityAccount>) -
         None => (Possible::ANY, Plain::NoEquation.into()),
         Some(step) => match (step.finding.decision(), &step.witness) {
             // What is given may assume more than this does, or say less.
-            (Decision::Proved, _) if !step.presupposed.is_empty() => {
+            _ if step.finding.is_whole() && !step.presupposed.is_empty() => {
                 (Possible::ANY, Ranges::Presupposes(step.presupposed.clone()).into())
             }
-            (Decision::Proved, _) if step.is_proved() && step.lends_strength() => {
+            _ if step.is_shown() && step.holds_on_motions() => {
                 let (given, assumed) = (!step.from.is_empty(), !claim.assuming.is_empty());
                 (Possible::TRUE, Ranges::AllFields { given, assumed }.into())
             }

@@ -128,7 +128,7 @@ fn checked_again(
     account.claims.extend(claims);
     check_some(derivation, account, rest)?;
     let mut late = account.claims.split_off(others);
-    strengthen_all(derivation, &mut late, &account.claims);
+    strengthen_all(derivation, &mut late, &account.claims, recall);
     account.claims.extend(late);
     Ok(())
 }

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use super::memory::{Known as Recalled, Question};
 use super::pieces;
-use super::premises::{Column, counterexample, refuted_on, strengthen};
+use super::premises::{Column, counterexample, refuted_on, replay, strengthen};
 use crate::derivation::{Claim, Derivation};
 use claim::limits::Limits;
 use findings::{ClaimAccount, IdentityAccount};
@@ -82,12 +82,19 @@ pub(super) fn follow(
 }
 
 /// Gives the verdicts of some claims the strength of the proofs behind them, once all have their accounts.
-pub(super) fn strengthen_all(derivation: &Derivation, claims: &mut [ClaimAccount], known: &[ClaimAccount]) {
+pub(super) fn strengthen_all(
+    derivation: &Derivation,
+    claims: &mut [ClaimAccount],
+    known: &[ClaimAccount],
+    recall: Recalled,
+) {
     let position = |a: &ClaimAccount| derivation.claims.iter().position(|c| c.id == a.id && c.reading == a.reading);
     // An account without a claim would be a defect of the caller; there is nothing to be said of it then.
     let Some(claimed) = claims.iter().map(position).collect::<Option<Vec<usize>>>() else { return };
     // Who follows a file sets no limits.
-    strengthen(derivation, &everywhere(derivation, claimed), claims, known, (&Limits::default(), Recalled::default()));
+    let limits = &Limits::default();
+    replay(derivation, claims, known, (limits, recall));
+    strengthen(derivation, &everywhere(derivation, claimed), claims, known, (limits, Recalled::default()));
 }
 
 /// These claims, on all trajectories.

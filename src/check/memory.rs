@@ -47,6 +47,8 @@ pub(super) enum Question<'q> {
     /// What a claim says for all values, where it is a claim of that kind; or how the program contradicts itself:
     /// `Option<Result<IdentityAccount, String>>`.
     Identity(&'q Claim),
+    /// The steps of a proof, by all that is given and claimed: `String`.
+    Steps(&'q [u8]),
     /// The verdict of a claim on a motion that is given by a formula, after one from samples: [`Verdict`].
     ByFormula { claim: &'q Claim, motion: usize, before: &'q Verdict },
     /// What an enclosure says: [`enclosed::Answer`].
@@ -325,6 +327,7 @@ impl State<'_> {
                 Some(key(&[b"condition", base, &self.asked(), &says, &self.motion(derivation, motion)?]))
             }
             Question::Identity(claim) => self.step(derivation, claim),
+            Question::Steps(content) => Some(key(&[b"steps", content])),
             Question::ByFormula { claim, motion, before } => {
                 let (motions, about) = (self.motions(derivation, claim, motion)?, self.stands(claim, before)?);
                 Some(key(&[b"by formula", base, &self.asked(), &motions, &about]))

@@ -99,6 +99,30 @@ fn may_leap(derivation: &Derivation, trajectory: usize) -> bool {
     }
 }
 
+/// Has the checker replay the proofs, of the file as it was read: what it does not replay is not called proved.
+pub(super) fn replay(
+    derivation: &Derivation,
+    claims: &mut [ClaimAccount],
+    known: &[ClaimAccount],
+    (limits, recall): (&Limits, Known),
+) {
+    // What a proof presupposes, its steps may.
+    proved::conditional::conditional(derivation, claims, known);
+    let of = |claim: &ClaimAccount, limits: &Limits| -> Option<IdentityAccount> {
+        let declared = derivation.claim(&claim.id, claim.reading.as_deref())?;
+        let account = claim.identity.clone().filter(|i| i.finding.is_proved_in_part())?;
+        Some(proved::replay::replayed(derivation, declared, account, limits, |content, find| {
+            recall.answer(derivation, Question::Steps(content), find)
+        }))
+    };
+    let found = meter::each(limits, claims, |claim, limits| of(claim, limits));
+    for (claim, replayed) in claims.iter_mut().zip(found) {
+        if replayed.is_some() {
+            claim.identity = replayed;
+        }
+    }
+}
+
 /// Gives verdicts the strength of the proofs behind them. Motions that are given by formulas come first, see [`by_formula`](proved::by_formula).
 ///
 /// What a claim says is proved on a motion when it follows for all values from systems that the trajectory was integrated from, or
@@ -111,6 +135,7 @@ pub(super) fn strengthen(
     (limits, recall): (&Limits, Known),
 ) {
     let Selection { claims: claimed, tried, .. } = selection;
+    // What is not replayed is open to all that follows from it.
     proved::conditional::conditional(derivation, claims, known);
     for (claim, &at) in claims.iter_mut().zip(claimed) {
         let declared = &derivation.claims[at];

@@ -9,7 +9,7 @@ use super::compilation::Compiled;
 use super::memory::{Known, Question};
 use super::on_motions::{Found, OnMotions};
 use super::pieces;
-use super::premises::{counterexample, refuted_on, strengthen};
+use super::premises::{counterexample, refuted_on, replay, strengthen};
 use claim::error::{CANCELLED, CheckError};
 use claim::limits::Limits;
 use claim::options::{Options, Rigor};
@@ -281,6 +281,7 @@ impl Work<'_, '_> {
     fn lend(&mut self) -> Result<(), CheckError> {
         let OnMotions { run, selection, compiled, .. } = self.claims;
         let limits = (&run.options.limits, run.recall);
+        replay(run.file, &mut self.account.claims, run.known, limits);
         strengthen(&compiled.derivation, selection, &mut self.account.claims, run.known, limits);
         Ok(())
     }

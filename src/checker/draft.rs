@@ -48,6 +48,7 @@ impl std::error::Error for Refused {}
 pub struct Shown {
     claim: Relation,
     leaves_out: Vec<Relation>,
+    leaves_out_words: Vec<String>,
     given: Vec<Given>,
     steps: usize,
     log2_error: f64,
@@ -63,6 +64,11 @@ impl Shown {
     /// The cases that are left out: the claim is shown at the times at which all of these are true. Nothing for a proof.
     pub fn leaves_out(&self) -> &[Relation] {
         &self.leaves_out
+    }
+
+    /// The same as formulas, in LaTeX between backquotes.
+    pub fn leaves_out_words(&self) -> &[String] {
+        &self.leaves_out_words
     }
 
     /// The places of the sequent that the proof rests on. (Definitions, and signs of constants, are used without being named.)
@@ -325,10 +331,12 @@ impl Draft {
         let Some((fact, needs)) = self.shown.clone() else {
             return Err(Refused { step: Some(at), why: "nothing is concluded".to_owned() });
         };
-        let leaves_out = needs.into_iter().filter_map(|need| self.relation_of(need)).collect();
+        let leaves_out = needs.iter().filter_map(|need| self.relation_of(*need)).collect();
+        let words = needs.iter().filter_map(|need| Some(format!("`{}`", self.context.latex(self.says_of(*need)?))));
+        let leaves_out_words = words.collect();
         let (given, steps) = (self.rests_on(fact), self.steps.len());
         let Draft { claim, log2_error, model, steps: recorded, .. } = self;
-        Ok((recorded, Shown { claim, leaves_out, given, steps, log2_error, model }))
+        Ok((recorded, Shown { claim, leaves_out, leaves_out_words, given, steps, log2_error, model }))
     }
 
     /// The places of the sequent that a fact rests on, or may: what shows that times are open is counted always.

@@ -106,6 +106,11 @@ pub(crate) fn signs(context: &Context, e: Expr, known: &KnownSigns) -> Signs {
                 if *op == Op::Sub {
                     let more = excess(context, *a, *b).and(rising(context, [*a, *b], &found, said));
                     own.and(said(*a, *b)).and(more)
+                } else if *op == Op::Add {
+                    // a + b = a − (−b)
+                    let minus = |e: Expr| context.graph.find(&Node::Unary(Op::Neg, e));
+                    let of = |a: Expr, b: Expr| minus(b).map_or(Signs::ALL, |minus| said(a, minus));
+                    own.and(of(*a, *b)).and(of(*b, *a))
                 } else {
                     own
                 }
@@ -156,7 +161,9 @@ fn of_end(context: &Context, end: Bound) -> Option<Expr> {
         2 => graph.find(&Node::Pi),
         turns => {
             let factor = constant(Rational::from(turns) / Rational::from(2))?;
-            graph.find(&Node::Binary(Op::Mul, factor, graph.find(&Node::Pi)?))
+            let pi = graph.find(&Node::Pi)?;
+            let product = |a, b| graph.find(&Node::Binary(Op::Mul, a, b));
+            product(factor, pi).or_else(|| product(pi, factor))
         }
     }
 }
@@ -183,29 +190,28 @@ fn rising(
     if is_one(x) { function(y).map_or(Signs::ALL, of_exponential).opposite() } else { Signs::ALL }
 }
 
-/// What a relation e ≠ 0, e > 0 or e < 0 says of parts of e. *Theorem.* Where a product, a quotient, a power with an exponent above 0, |a| or −a is not 0, its factors, its numerator, its base, a are not 0; where √a is not 0, a > 0. (The
-/// relation is true, so that all parts have values.)
+/// What a relation between e and 0 says of parts of e. *Theorem.* Where a product, a quotient, a power with an exponent above 0 or |a| is not 0, its factors, its numerator, its base, a are not 0; −a has the opposite sign of a, a power with an
+/// odd exponent above 0 has the sign of its base, and √a that of a, which is not negative. (The relation is true, so that all parts have values.)
 pub(crate) fn of_parts(context: &Context, says: Says) -> Vec<(Expr, Signs)> {
     let not_zero = Signs::NEGATIVE.or(Signs::POSITIVE);
-    let whole = match says.sides() {
-        [e, z] | [z, e] if z == context.zero && of_sense(says.sense).within(not_zero) => e,
+    let (whole, signs) = match says.sides() {
+        [e, z] if z == context.zero => (e, of_sense(says.sense)),
+        [z, e] if z == context.zero => (e, of_sense(says.sense).opposite()),
         _ => return Vec::new(),
     };
-    let (mut open, mut out) = (vec![whole], Vec::new());
-    while let Some(e) = open.pop() {
+    let (mut open, mut out) = (vec![(whole, signs)], Vec::new());
+    while let Some((e, signs)) = open.pop() {
         match *context.graph.node(e) {
-            Node::Binary(Op::Mul, a, b) => open.extend([a, b]),
-            Node::Binary(Op::Div, a, _) | Node::Unary(Op::Neg | Op::Abs, a) => open.push(a),
-            Node::Unary(Op::Powi(n), a) if n > 0 => open.push(a),
-            Node::Unary(Op::Sqrt, a) => {
-                out.push((a, Signs::POSITIVE));
-                open.push(a);
-                continue;
-            }
+            Node::Binary(Op::Mul, a, b) if signs.within(not_zero) => open.extend([(a, not_zero), (b, not_zero)]),
+            Node::Binary(Op::Div, a, _) | Node::Unary(Op::Abs, a) if signs.within(not_zero) => open.push((a, not_zero)),
+            Node::Unary(Op::Neg, a) => open.push((a, signs.opposite())),
+            Node::Unary(Op::Powi(n), a) if n > 0 && n % 2 == 1 => open.push((a, signs)),
+            Node::Unary(Op::Powi(n), a) if n > 0 && signs.within(not_zero) => open.push((a, not_zero)),
+            Node::Unary(Op::Sqrt, a) => open.push((a, signs.and(Signs::POSITIVE.or(Signs::ZERO)))),
             Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => {}
         }
         if e != whole {
-            out.push((e, not_zero));
+            out.push((e, signs));
         }
     }
     out

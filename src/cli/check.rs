@@ -150,11 +150,7 @@ fn each_file(arguments: &CheckArguments, run: &mut Run) -> Result<Ending, Stop> 
     let store = arguments.records.store();
     let mut ending = if asked.is_empty() { Ending::Undecided } else { Ending::Good };
     for (i, (session, ask)) in asked.into_iter().enumerate() {
-        let mut found = progress::check(&session, &ask, store.as_ref());
-        if let (Ok(found), Some(_)) = (&mut found, arguments.folder(session.derivation())) {
-            found.record(None, store.as_ref().map(|s| s as &dyn rederive::check::Store));
-        }
-        let document = match found {
+        let document = match progress::check(&session, &ask, store.as_ref()) {
             Err(Failure::Defect(what)) => {
                 run.add_defect(session.derivation(), &what);
                 ending = ending.max(defect(&format!("{}: {what}", session.derivation().file.path)));

@@ -29,8 +29,7 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Stop> {
     // What is explained is what `check` says, and it is what `check` may have left.
     let ask = Ask { rigor: rigor.rigor, ..Ask::default() };
     for (session, _) in files.sessions_with(claim, on)? {
-        let mut found = progress::check(&session, &ask, store.as_ref())?;
-        found.record(Some(claim), store.as_ref().map(|s| s as &dyn rederive::check::Store));
+        let found = progress::check(&session, &ask, store.as_ref())?;
         if let Some(text) = found.explanation(claim, on, true) {
             say(&text)?;
             shown = true;

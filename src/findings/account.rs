@@ -5,13 +5,13 @@ use crate::conditions::ConditionsAccount;
 use crate::family::{FamilyAccount, MeasureAccount};
 use crate::identity::IdentityEvidence;
 use crate::picture::PictureAccount;
-use crate::recorded::Recorded;
+use crate::recorded::{Grounds, Recorded};
 use crate::region::RegionAccount;
 use crate::standing::{Decision, Exception, Finding, Given};
 use crate::variant::{Discrimination, VariantAccount};
 use crate::words::{self, Word};
 use derivation::Claim;
-use reason::{Decided, Premises, Proviso, Reason, Refuting, Term, Unproved, Way};
+use reason::{Decided, Premises, Proviso, Reach, Reason, Refuting, Term, Unproved, Way};
 use serde::{Deserialize, Serialize};
 use units::UnitsAccount;
 use verdict::{Outcome, PartShown, Strength, Verdict};
@@ -211,7 +211,6 @@ pub struct IdentityAccount {
     /// What the verdict rests on: trials, certificates, numbers.
     pub evidence: IdentityEvidence,
     /// The proof as steps that anybody can replay, or why there is none; nothing where none was looked for.
-    #[serde(skip)]
     pub recorded: Option<Recorded>,
 }
 
@@ -228,18 +227,58 @@ impl IdentityAccount {
         self.finding.decision() == Decision::Proved && self.conditional_on.is_empty() && self.presupposed.is_empty()
     }
 
-    /// Whether it is proved for all values, given postulates alone: what is left out, assumed on the way, or not proved itself, is open.
-    pub(crate) fn is_proved_by_postulates(&self) -> bool {
-        let postulated = self.conditional_on.iter().all(|given| given.postulated);
-        self.finding.decision() == Decision::Proved && postulated && self.presupposed.is_empty()
+    /// The same, as the prover says at least.
+    pub fn is_shown(&self) -> bool {
+        self.finding.is_whole()
+            && self.exceptions.is_empty()
+            && self.conditional_on.is_empty()
+            && self.presupposed.is_empty()
     }
 
-    /// Whether the claim holds on every motion on which what it follows from holds exactly. What is said of poles and of
+    /// Whether it is proved for all values, by the prover at least, given postulates alone: what is left out, assumed on the way, or not proved itself, is open.
+    pub(crate) fn is_proved_by_postulates(&self) -> bool {
+        let is_shown = |given: &Given| given.postulated || given.standing == Some(Decision::Unreplayed.word());
+        let postulated = self.conditional_on.iter().all(is_shown);
+        self.finding.is_whole() && self.exceptions.is_empty() && postulated && self.presupposed.is_empty()
+    }
+
+    /// The account, once the checker has replayed the proof, or has not.
+    #[must_use]
+    pub fn replayed(mut self, recorded: Recorded) -> IdentityAccount {
+        self.finding = std::mem::take(&mut self.finding).replayed(&recorded);
+        if self.finding.exceptions().is_empty() {
+            self.exceptions.extend(recorded.left_out_words().map(|words| Proviso::Written(words.into())));
+        }
+        self.recorded = Some(recorded);
+        self
+    }
+
+    /// The account, with the claim left undecided, for a reason, and what the proof that does not count leaves out.
+    #[must_use]
+    pub fn left_open(self, reason: Reason) -> IdentityAccount {
+        let IdentityAccount { from, assumed_at_times, exceptions, presupposed, .. } = self;
+        IdentityAccount {
+            from,
+            assumed_at_times,
+            exceptions,
+            presupposed,
+            reason: Some(reason),
+            ..IdentityAccount::default()
+        }
+    }
+
+    /// Whether the claim holds on every motion on which what it follows from holds exactly, as the prover says at least. What is said of poles and of
     /// denominators is no exception on integrated motions, which are analytic.
-    pub fn lends_strength(&self) -> bool {
+    pub fn holds_on_motions(&self) -> bool {
         let analytic = |e: &Exception| matches!(e, Exception::Divides(_));
         let finding = &self.finding;
         finding.is_proved_in_part() && finding.exceptions().iter().all(analytic) && self.presupposed.is_empty()
+    }
+
+    /// The same, as the checker says.
+    pub fn lends_strength(&self) -> bool {
+        let is_replayed = self.recorded.as_ref().is_some_and(|recorded| recorded.grounds() == Grounds::Checker);
+        is_replayed && self.holds_on_motions()
     }
 
     /// Whether what is shown of its parts holds on every motion on which what it follows from holds exactly.
@@ -247,10 +286,12 @@ impl IdentityAccount {
         !self.parts.is_empty() && self.presupposed.is_empty()
     }
 
-    /// The verdict in full: `proved`, `proved except`, `proved given`, `refuted`, `undecided`.
+    /// The verdict in full: `proved`, `proved except`, `proved given`, each of them `unreplayed` where the prover alone says so; `refuted`, `undecided`.
     pub fn standing(&self) -> &'static str {
         match self.finding.decision() {
             Decision::Proved if !self.is_proved() => "proved given",
+            Decision::Unreplayed if !self.finding.is_whole() => "proved except unreplayed",
+            Decision::Unreplayed if !self.is_shown() => "proved given unreplayed",
             decision => decision.word(),
         }
     }
@@ -287,9 +328,9 @@ impl IdentityAccount {
             None => Way::Signs,
         };
         match self.finding.decision() {
-            decision @ (Decision::Proved | Decision::ProvedExcept) => {
-                Decided::Proved { except: decision == Decision::ProvedExcept, open: open.collect(), way, given }
-            }
+            Decision::Proved => Decided::Proved { reach: Reach::Whole, open: open.collect(), way, given },
+            Decision::ProvedExcept => Decided::Proved { reach: Reach::Except, open: open.collect(), way, given },
+            Decision::Unreplayed => Decided::Proved { reach: Reach::Unreplayed, open: open.collect(), way, given },
             Decision::Refuted => Decided::Refuted(given),
             Decision::Undecided => Decided::Undecided { given, reason: self.reason.clone().map(Arc::new) },
         }

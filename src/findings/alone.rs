@@ -113,7 +113,7 @@ impl IdentityAccount {
     fn word(&self) -> Option<&'static str> {
         match self.finding.decision() {
             Decision::Refuted => Some("fails"),
-            Decision::Proved | Decision::ProvedExcept | Decision::Undecided => {
+            Decision::Proved | Decision::ProvedExcept | Decision::Unreplayed | Decision::Undecided => {
                 self.is_proved_by_postulates().then_some("holds")
             }
         }

@@ -3,10 +3,16 @@
 //! **In:** what a search for steps came to. **Out:** [`Recorded`]. **Guaranteed:** what is called recorded was replayed by the checker; the word is made here and nowhere else.
 
 use checker::{ProofRecord, Told};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// Whether a proof is recorded.
-#[derive(Clone, Debug, PartialEq)]
+/// Most cases that are named in a sentence, and longest formula of one, in bytes.
+const MOST_NAMED: usize = 3;
+const LONGEST: usize = 120;
+
+/// Whether a proof is recorded. Kept as the record alone: what is read back is replayed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(from = "String", into = "String")]
 pub enum Recorded {
     /// It is, and the checker makes each step again.
     Proof(Arc<ProofRecord>, Vec<Told>),
@@ -47,6 +53,21 @@ pub fn written(found: &Found) -> String {
 /// The outcome that was kept.
 pub fn read(text: &str) -> Option<Found> {
     serde_json::from_str(text).ok()
+}
+
+impl From<String> for Recorded {
+    fn from(text: String) -> Recorded {
+        Recorded::of(read(&text).unwrap_or_else(|| Err("what was kept of it cannot be read".to_owned())))
+    }
+}
+
+impl From<Recorded> for String {
+    fn from(recorded: Recorded) -> String {
+        written(&match recorded {
+            Recorded::Proof(proof, _) => Ok(Arc::unwrap_or_clone(proof)),
+            Recorded::Not(why) => Err(why),
+        })
+    }
 }
 
 impl Recorded {
@@ -99,6 +120,25 @@ impl Recorded {
         self.told().iter().map(|t| t.shown.leaves_out().len()).sum()
     }
 
+    /// Where the steps say nothing, in words, if anywhere: up to so many cases, and no long formula.
+    pub fn left_out_words(&self) -> Option<String> {
+        let mut all: Vec<&str> = Vec::new();
+        for text in self.told().iter().flat_map(|t| t.shown.leaves_out_words()) {
+            if !all.contains(&text.as_str()) {
+                all.push(text);
+            }
+        }
+        let short: Vec<&str> = all.iter().copied().filter(|text| text.len() <= LONGEST).take(MOST_NAMED).collect();
+        let named = short.join(", ");
+        match (short.len(), all.len() - short.len()) {
+            (0, 0) => None,
+            (0, 1) => Some("where a long formula, which the audit prints, is not so".to_owned()),
+            (0, n) => Some(format!("where one of {n} long formulas, which the audit prints, is not so")),
+            (_, 0) => Some(format!("where it is not so that {named}")),
+            (_, n) => Some(format!("where it is not so that {named}, or one of {n} more, which the audit prints")),
+        }
+    }
+
     /// The record, as JSON.
     pub fn json(&self) -> Option<serde_json::Value> {
         match self {
@@ -115,12 +155,10 @@ impl Recorded {
                 self.why_not().unwrap_or_default()
             ),
             (Some(steps), 0) => format!("The proof is recorded: the checker replayed its {steps} steps."),
-            (Some(steps), 1) => {
-                format!("The proof is recorded, but for 1 case: the checker replayed its {steps} steps.")
-            }
-            (Some(steps), n) => {
-                format!("The proof is recorded, but for {n} cases: the checker replayed its {steps} steps.")
-            }
+            (Some(steps), _) => format!(
+                "The checker replayed its {steps} steps; they say nothing {}.",
+                self.left_out_words().unwrap_or_default()
+            ),
         };
         let sentence = match self.throughout() {
             all if all.is_empty() => sentence,

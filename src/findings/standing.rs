@@ -1,19 +1,21 @@
 //! What a step is worth: the only room that says *proved*.
 //!
-//! **In:** the answer of an identity test, and what the step knows of its circumstances. **Out:** [`Finding`]: the decision, with what it
+//! **In:** the answer of an identity test, with what the step knows of its circumstances; then what the checker replayed of it. **Out:** [`Finding`]: the decision, with what it
 //! leaves out, as data; words are made from it elsewhere.
 //!
 //! | decision | means |
 //! |---|---|
-//! | *proved* | no case is left out, and a real point was found at which it says something |
-//! | *proved except* | the cases listed are open |
+//! | *proved* | the checker replayed it, no case is left out, and a real point was found at which it says something |
+//! | *proved except* | the checker replayed it, and the cases listed are open, or those that its steps leave out |
+//! | *proved unreplayed* | the prover alone says so: there are no steps that the checker makes again |
 //! | *refuted* | a motion, or real constants, satisfy everything given, and not the claim |
 //! | *undecided* | else |
 //!
-//! **Guaranteed.** The fields are private, and `Finding::weigh` is the only way to a decision other than *undecided*, beside `Finding::of_motion`
-//! and `Finding::of_signs`, which take what decides. Whether all that a proof follows from is proved itself is seen in the graph of the
+//! **Guaranteed.** The fields are private. *Proved* and *proved except* have one maker, `Finding::replayed`, which takes what the checker showed; `Finding::weigh` and
+//! `Finding::of_signs`, which take what the prover says, come to *proved unreplayed* at most; `Finding::of_motion` takes the motion that refutes. Whether all that a proof follows from is proved itself is seen in the graph of the
 //! derivation, see `conditional`.
 
+use crate::recorded::{Grounds, Recorded};
 use crate::words::{self, Word};
 use expr::domain::Sign;
 use expr::{Expr, Graph, Rational};
@@ -24,10 +26,12 @@ use verdict::Witness;
 /// What was decided of a step, taken by itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Decision {
-    /// For all values.
+    /// For all values: the checker replayed it.
     Proved,
-    /// For all values but those of the exceptions.
+    /// For all values but those of the exceptions: the checker replayed it.
     ProvedExcept,
+    /// For all values but those of the exceptions, as the prover says; the checker has not replayed it.
+    Unreplayed,
     /// Not so.
     Refuted,
     /// Neither.
@@ -41,15 +45,16 @@ impl Decision {
         match self {
             Decision::Proved => "proved",
             Decision::ProvedExcept => "proved except",
+            Decision::Unreplayed => "proved unreplayed",
             Decision::Refuted => "refuted",
             Decision::Undecided => "undecided",
         }
     }
 
-    /// The word of schema 1 of the report, which does not tell exceptions.
+    /// The word of schema 1 of the report, which tells neither exceptions nor who proved it.
     pub fn contract_word(self) -> &'static str {
         match self {
-            Decision::Proved | Decision::ProvedExcept => "proved",
+            Decision::Proved | Decision::ProvedExcept | Decision::Unreplayed => "proved",
             Decision::Refuted => "refuted",
             Decision::Undecided => "undecided",
         }
@@ -113,8 +118,7 @@ impl Finding {
                     return undecided(Some(if exceptions.is_empty() { Void::Unseen } else { Void::OnlySpecial }));
                 }
                 exceptions.extend(along);
-                let decision = if exceptions.is_empty() { Decision::Proved } else { Decision::ProvedExcept };
-                Finding { decision, exceptions, void: None }
+                Finding { decision: Decision::Unreplayed, exceptions, void: None }
             }
             Identity::Refuted(_) if complete => Finding { decision: Decision::Refuted, ..Finding::default() },
             Identity::Refuted(_) => undecided(Some(Void::Incomplete)),
@@ -136,7 +140,7 @@ impl Finding {
     /// The signs of everything, for every order of size of positive parameters.
     pub fn of_signs(found: &order::Orders) -> Finding {
         let decision = match (found.is_proved(), found.refuting()) {
-            (true, _) => Decision::Proved,
+            (true, _) => Decision::Unreplayed,
             (false, Some(_)) => Decision::Refuted,
             (false, None) => Decision::Undecided,
         };
@@ -147,8 +151,9 @@ impl Finding {
     #[must_use]
     pub fn of_negation(&self) -> Finding {
         let decision = match self.decision {
-            Decision::Proved => Decision::Refuted,
-            Decision::ProvedExcept | Decision::Refuted | Decision::Undecided => Decision::Undecided,
+            Decision::Proved | Decision::Unreplayed if self.exceptions.is_empty() => Decision::Refuted,
+            Decision::Proved | Decision::ProvedExcept | Decision::Unreplayed => Decision::Undecided,
+            Decision::Refuted | Decision::Undecided => Decision::Undecided,
         };
         Finding { decision, ..Finding::default() }
     }
@@ -156,8 +161,9 @@ impl Finding {
     /// Both findings: of a claim that must follow in two cases.
     pub fn and(self, other: Finding) -> Finding {
         let rank = |d: Decision| match d {
-            Decision::Refuted => 3,
-            Decision::Undecided => 2,
+            Decision::Refuted => 4,
+            Decision::Undecided => 3,
+            Decision::Unreplayed => 2,
             Decision::ProvedExcept => 1,
             Decision::Proved => 0,
         };
@@ -168,14 +174,30 @@ impl Finding {
         Finding { decision, exceptions, void: self.void.or(other.void) }
     }
 
+    /// The finding, once the checker has replayed its proof, or has not: the one maker of *proved*.
+    #[must_use]
+    pub fn replayed(self, recorded: &Recorded) -> Finding {
+        let decision = match (self.decision, recorded.grounds()) {
+            (Decision::Unreplayed, Grounds::Checker) if self.exceptions.is_empty() => Decision::Proved,
+            (Decision::Unreplayed, Grounds::Checker | Grounds::CheckerBut(_)) => Decision::ProvedExcept,
+            (decision, _) => decision,
+        };
+        Finding { decision, ..self }
+    }
+
+    /// Whether the prover alone says that it is proved.
+    pub fn is_unreplayed(&self) -> bool {
+        self.decision == Decision::Unreplayed
+    }
+
     /// What was decided.
     pub fn decision(&self) -> Decision {
         self.decision
     }
 
-    /// Whether it is proved, and no case is left out.
-    pub fn is_proved(&self) -> bool {
-        self.decision == Decision::Proved
+    /// Whether it is proved, by the prover at least, and no case is left out.
+    pub fn is_whole(&self) -> bool {
+        self.is_proved_in_part() && self.exceptions.is_empty()
     }
 
     /// Whether it leaves out what lies beyond some times.
@@ -186,9 +208,9 @@ impl Finding {
         })
     }
 
-    /// Whether it is proved, perhaps with exceptions.
+    /// Whether it is proved, by the prover at least, perhaps with exceptions.
     pub fn is_proved_in_part(&self) -> bool {
-        matches!(self.decision, Decision::Proved | Decision::ProvedExcept)
+        matches!(self.decision, Decision::Proved | Decision::ProvedExcept | Decision::Unreplayed)
     }
 
     /// What a proof does not reach.
@@ -241,11 +263,12 @@ mod tests {
     #[test]
     fn of_two_findings_the_worse_counts() {
         let of = |decision| Finding { decision, ..Finding::default() };
-        use Decision::{Proved, ProvedExcept, Refuted, Undecided};
+        use Decision::{Proved, ProvedExcept, Refuted, Undecided, Unreplayed};
         for (a, b, both) in [
             (Proved, Proved, Proved),
             (Proved, ProvedExcept, ProvedExcept),
-            (ProvedExcept, Undecided, Undecided),
+            (ProvedExcept, Unreplayed, Unreplayed),
+            (Unreplayed, Undecided, Undecided),
             (Undecided, Refuted, Refuted),
         ] {
             assert_eq!(of(a).and(of(b)).decision(), both);

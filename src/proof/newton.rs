@@ -186,7 +186,7 @@ impl System {
     fn point(&self, place: &Place) -> Point {
         let each = self.leaves.iter().zip(&place.exact).zip(&place.boxes);
         let value = |((&leaf, exact), b): ((&Leaf, &Option<Rational>), &Interval)| {
-            (leaf, PointValue { exact: exact.clone(), circle: None, decimal: b.mid() })
+            (leaf, PointValue { exact: exact.clone(), circle: None, decimal: b.mid(), error: b.radius() })
         };
         Point { values: each.map(value).collect() }
     }

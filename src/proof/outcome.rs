@@ -196,6 +196,8 @@ pub struct PointValue {
     pub circle: Option<(Rational, Rational)>,
     /// In decimals.
     pub decimal: f64,
+    /// How far the value may be from these, beside rounding.
+    pub error: f64,
 }
 
 /// One side of an equation at a point.

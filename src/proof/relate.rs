@@ -177,7 +177,7 @@ fn finished(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, mut
         for leaf in graph.leaves(sides.iter().chain(&facts).copied()).into_iter().filter(|_| free) {
             if !point.values.iter().any(|(l, _)| *l == leaf) {
                 let half = Rational::ONE / Rational::from(2);
-                point.values.push((leaf, PointValue { exact: Some(half), circle: None, decimal: 0.5 }));
+                point.values.push((leaf, PointValue { exact: Some(half), circle: None, decimal: 0.5, error: 0.0 }));
             }
         }
         let holds = decimals(graph, &facts, &values_at(&point)).iter().all(|v| v.is_some_and(|v| v.value > v.error));
@@ -201,7 +201,8 @@ fn has_signs(given: &Premises) -> bool {
 fn point_of(graph: &Graph, known: &[(Leaf, Expr)]) -> Option<Point> {
     let numbers: Vec<Expr> = known.iter().map(|(_, number)| *number).collect();
     let value = |((leaf, _), value): (&(Leaf, Expr), Option<Bounded>)| {
-        Some((*leaf, PointValue { exact: None, circle: None, decimal: value?.value }))
+        let value = value?;
+        Some((*leaf, PointValue { exact: None, circle: None, decimal: value.value, error: value.error }))
     };
     let decimals = decimals(graph, &numbers, &FastMap::default());
     Some(Point { values: known.iter().zip(decimals).map(value).collect::<Option<Vec<_>>>()? })

@@ -160,6 +160,8 @@ struct Computed {
     precise: super::values::Values<Exact>,
     /// Angles that the bounds place on both sides of the cut.
     torn: Vec<Expr>,
+    /// Arguments that the bounds place on both sides of the end of what a function is defined of, with the function: a point at which premises touch, if it is one.
+    at_an_end: Vec<(Op, Expr)>,
     /// Whether exact values are computed.
     is_exact: bool,
 }
@@ -184,6 +186,14 @@ impl Computed {
         }
         self.decimal.compute(&(), graph, &new);
         for &e in &new {
+            if let &Node::Unary(op @ (Op::Sqrt | Op::Arcsin | Op::Arccos), a) = graph.node(e)
+                && let Some(Ok(at)) = self.decimal.of(a)
+            {
+                let inside = if op == Op::Sqrt { at.value } else { 1.0 - at.value.abs() };
+                if at.error > 0.0 && inside < at.error {
+                    self.at_an_end.push((op, a));
+                }
+            }
             if let &Node::Binary(Op::Arctan2, y, x) = graph.node(e)
                 && let (Some(Ok(y)), Some(Ok(x))) = (self.decimal.of(y), self.decimal.of(x))
                 && y.error > 0.0
@@ -198,6 +208,15 @@ impl Computed {
             self.torn.iter().any(|e| below.contains(e))
         };
         exprs.iter().map(|&e| self.decimal.of(e)?.ok().filter(|_| !torn)).collect()
+    }
+
+    /// Whether a function whose argument may lie beyond the end of what it is defined of has a value for certain.
+    fn are_inside(&self) -> bool {
+        self.at_an_end.iter().all(|&(op, a)| match self.precise.of(a) {
+            Some(Ok(Exact(r))) if op == Op::Sqrt => r >= Rational::ZERO,
+            Some(Ok(Exact(r))) => r <= Rational::ONE && r >= -Rational::ONE,
+            Some(Err(_)) | None => false,
+        })
     }
 
     /// Exact values, from those of the leaves that have one: no other leaf gets one later. None, where none are computed.
@@ -235,14 +254,19 @@ impl Scene<'_> {
         computed.is_exact = true;
         let Placed { values, exact, circles } = self.place(frame, &mut computed, number, draws)?;
         let mut found = self.sides(&mut computed, &values, &exact)?;
+        if !computed.are_inside() {
+            return None;
+        }
         let point = given
             .iter()
             .filter(|l| self.generators.get(**l).is_none())
             .filter_map(|&l| {
+                let &Bounded { value: decimal, error } = values.get(&l)?;
                 let value = PointValue {
                     exact: exact.get(&l).cloned(),
                     circle: circles.get(&l).filter(|_| self.is_whole_angle(l)).cloned(),
-                    decimal: values.get(&l)?.value,
+                    decimal,
+                    error,
                 };
                 Some((l, value))
             })
@@ -549,7 +573,7 @@ pub(super) fn values_at(point: &Point) -> Values {
     let value = |&(leaf, ref v): &(Leaf, PointValue)| {
         let rounding = v.decimal.abs() * 8.0 * f64::EPSILON;
         let exact = v.exact.as_ref().and_then(rounded);
-        (leaf, exact.unwrap_or(Bounded { value: v.decimal, error: rounding }))
+        (leaf, exact.unwrap_or(Bounded { value: v.decimal, error: rounding.max(v.error) }))
     };
     point.values.iter().map(value).collect()
 }

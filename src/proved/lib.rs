@@ -12,8 +12,10 @@
 use ::{derivation, diag, expr, findings, latex, number, verdict};
 
 pub mod agreement;
+mod alone;
 pub mod by_formula;
 pub mod conditional;
 mod motions;
 pub mod proposition;
+pub mod replay;
 pub mod step;

@@ -34,29 +34,33 @@ pub fn with_symbols_of(derivation: &mut Derivation, claim: &str, shown: &str) ->
     }
 }
 
-/// Decides a proposition.
+/// Decides a proposition; what is proved was replayed by the checker, or is *unreplayed*.
 ///
 /// # Errors
 /// [`CheckError::Problems`] for formulas and names that are not understood, with their places;
 /// [`CheckError::Defect`] when the two routes contradict each other.
 pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<IdentityAccount, CheckError> {
     let claim = stated(derivation, proposition)?;
-    match Step::of(derivation, &claim).map(Step::typed).and_then(Step::decide) {
+    Ok(crate::replay::replayed_throughout(derivation, &claim, decided(derivation, &claim)?))
+}
+
+fn decided(derivation: &Derivation, claim: &Claim) -> Result<IdentityAccount, CheckError> {
+    match Step::of(derivation, claim).map(Step::typed).and_then(Step::decide) {
         Some(account) => account.map_err(CheckError::Defect).map(|mut account| {
             if account.finding.is_proved_in_part() {
-                account.presupposed = presupposed(derivation, &claim);
+                account.presupposed = presupposed(derivation, claim);
             }
             account
         }),
         // Both sides are one expression: all that is left to see is whether it has a value, where what is given holds.
-        None if denies(&claim) => Ok(IdentityAccount::default()),
+        None if denies(claim) => Ok(IdentityAccount::default()),
         None => {
             let relations = claim.forms.iter().filter_map(|form| match form {
                 Form::Always(w) => Some(&w.value.relations),
                 _ => None,
             });
             let pairs: Vec<_> = relations.flatten().flat_map(sides).collect();
-            let step = Step::of(derivation, &claim).map(Step::typed);
+            let step = Step::of(derivation, claim).map(Step::typed);
             let step = step.ok_or_else(|| CheckError::Defect("an equation is no equation".to_owned()))?;
             step.of_one_expression(&pairs).map_err(CheckError::Defect)
         }

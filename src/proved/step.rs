@@ -329,7 +329,8 @@ impl<'a> Step<'a> {
         let (inequalities, searches) = (self.inequalities, !self.has_few_points);
         let found = self.decide_equations()?;
         let is_open = |account: &IdentityAccount| {
-            let refutable = account.finding.decision() == Decision::ProvedExcept || may_be_refuted(account);
+            let is_shown = account.finding.is_proved_in_part();
+            let refutable = is_shown && !account.finding.is_whole() || may_be_refuted(account);
             searches && refutable
         };
         if matches!(&found, Ok(account) if is_open(account))
@@ -469,7 +470,7 @@ impl<'a> Step<'a> {
         let contradicts = matches!(identity, Identity::Undecided(Reason::Contradiction));
         let complete = gathered.complete && self.in_part.is_empty();
         let account = self.account_along(identity, gathered.from.clone(), complete, along);
-        if account.finding.decision() == Decision::Proved && self.excludes_at_times(&gathered, &equations) {
+        if account.finding.is_whole() && self.excludes_at_times(&gathered, &equations) {
             let open = self.account(Identity::Undecided(Reason::Contradiction), account.from, true);
             let evidence = IdentityEvidence { contradiction: true, ..IdentityEvidence::default() };
             return Some(Ok(IdentityAccount { evidence, ..open }));

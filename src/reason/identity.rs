@@ -33,31 +33,44 @@ pub enum Way {
     Signs,
 }
 
+/// How far a proof reaches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Reach {
+    /// To all values.
+    Whole,
+    /// To all but special cases.
+    Except,
+    /// As far as the prover says: the checker has not replayed it.
+    Unreplayed,
+}
+
 /// The decision on an equation.
 #[derive(Clone, Debug, PartialEq, Error, Serialize, Deserialize)]
 pub enum Decided {
-    #[error("{}: {way}.", head(*.except, .open, *.way, .given))]
-    Proved {
-        /// Special cases are left out.
-        except: bool,
-        open: Vec<Unproved>,
-        way: Way,
-        given: Premises,
-    },
+    #[error("{}: {way}.", head(*.reach, .open, *.way, .given))]
+    Proved { reach: Reach, open: Vec<Unproved>, way: Way, given: Premises },
     #[error("Not an identity, given {0}: a point refutes it.")]
     Refuted(Premises),
     #[error("Whether it is an identity, given {given}, is undecided: {}.", .reason.as_ref().map_or_else(|| "no reason is known".to_owned(), ToString::to_string))]
     Undecided { given: Premises, reason: Option<Arc<Reason>> },
 }
 
-fn head(except: bool, open: &[Unproved], way: Way, given: &Premises) -> String {
+fn head(reach: Reach, open: &[Unproved], way: Way, given: &Premises) -> String {
     let named = open.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-    match (except, open.is_empty(), way) {
-        (true, true, _) => format!("Proved except in special cases, given {given}"),
-        (true, false, _) => format!("Proved except in special cases, and only given {named}, from {given}"),
-        (false, false, _) => format!("Proved only given {named}, from {given}"),
-        (false, true, Way::Algebraic | Way::Random(_)) => format!("An identity, given {given}"),
-        (false, true, Way::Signs) => format!("True for all values, given {given}"),
+    match (reach, open.is_empty(), way) {
+        (Reach::Except, true, _) => format!("Proved except in special cases, given {given}"),
+        (Reach::Except, false, _) => format!("Proved except in special cases, and only given {named}, from {given}"),
+        (Reach::Unreplayed, true, _) => {
+            format!("Proved by the prover alone, which the checker did not replay, given {given}")
+        }
+        (Reach::Unreplayed, false, _) => {
+            format!(
+                "Proved by the prover alone, which the checker did not replay, and only given {named}, from {given}"
+            )
+        }
+        (Reach::Whole, false, _) => format!("Proved only given {named}, from {given}"),
+        (Reach::Whole, true, Way::Algebraic | Way::Random(_)) => format!("An identity, given {given}"),
+        (Reach::Whole, true, Way::Signs) => format!("True for all values, given {given}"),
     }
 }
 

@@ -24,7 +24,7 @@ mod signs;
 mod single_motion;
 
 pub use enclosed::{Compared, Enclosing, Refutation};
-pub use identity::{Decided, Premises, Term, Unproved, Way};
+pub use identity::{Decided, Premises, Reach, Term, Unproved, Way};
 pub use plain::Plain;
 pub use proved::{Bounded, Coordinate, Point, Proving, Proviso, Refuting};
 pub use ranges::{Ranges, Shares};

@@ -111,6 +111,7 @@ sentences! {
     OnlySpecialCases: "it was proved outside of special cases only, and no real point was found outside of them",
     GivenHasNoValue: "what is given makes a formula have no value",
     RefutedWithoutAll: "refuted without something given that could not be used",
+    Unreplayed: "the prover finds a proof, which the checker does not replay: it may use what is known at some times at others",
     SignAtOtherTimes: "the sign that is assumed is one with that of the claim, and may be another one at the times that are named",
     SignsUndecided: "the signs of the coefficients do not decide in every order of the parameters",
     TooLargeForProof: "work limit: its formulas, with all that they follow from, are too large for a proof",

@@ -15,6 +15,8 @@ pub(super) enum Basis {
     Enclosed(usize),
     /// At every point of its ranges.
     Ranges,
+    /// For all values, as the prover says; the checker has not replayed it.
+    Unreplayed,
     /// For all values, given what is not proved.
     Given(Vec<String>),
     /// For all values, special cases apart.
@@ -30,6 +32,7 @@ impl Basis {
             Basis::Sampled(n) => format!("at all samples of {}", count(*n, "motion")),
             Basis::Enclosed(n) => format!("at every time of {}", count(*n, "motion")),
             Basis::Ranges => "at every point of its ranges".to_owned(),
+            Basis::Unreplayed => "proved by the prover alone, not replayed".to_owned(),
             Basis::Given(open) => format!("proved, given {}", given(open)),
             Basis::Except => "proved, special cases of what is given apart".to_owned(),
             Basis::Proved => "proved for all values".to_owned(),
@@ -41,6 +44,7 @@ impl Basis {
         match self {
             Basis::Sampled(_) => VerdictShape::Sampled,
             Basis::Enclosed(_) | Basis::Ranges => VerdictShape::Enclosed,
+            Basis::Unreplayed => VerdictShape::Unreplayed,
             Basis::Given(_) => VerdictShape::ProvedGiven,
             Basis::Except => VerdictShape::ProvedExcept,
             Basis::Proved => VerdictShape::Proved,
@@ -53,6 +57,7 @@ impl Basis {
             Basis::Sampled(_) => "at samples",
             Basis::Enclosed(_) => "at every time",
             Basis::Ranges => "at every point of ranges",
+            Basis::Unreplayed => "proved, not replayed",
             Basis::Given(_) => "proved, given others",
             Basis::Except => "proved but for special cases",
             Basis::Proved => "proved",

@@ -243,6 +243,7 @@ impl<'a> Reading<'a> {
             ProofStanding::Proved => return Basis::Proved,
             ProofStanding::Except => return Basis::Except,
             ProofStanding::Given(open) => return Basis::Given(open.clone()),
+            ProofStanding::Unreplayed => return Basis::Unreplayed,
             ProofStanding::Circular | ProofStanding::None => {}
         }
         if self.claim.region.is_some() {

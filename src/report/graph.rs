@@ -55,6 +55,8 @@ pub(super) enum ProofStanding {
     Except,
     /// The step is proved, these claims on the way are not.
     Given(Vec<String>),
+    /// The prover alone says so.
+    Unreplayed,
     /// It rests on itself.
     Circular,
     /// It is not proved, or no question of that kind.
@@ -66,10 +68,11 @@ impl ProofStanding {
     fn of(identity: &IdentityAccount, id: &str) -> ProofStanding {
         let open: Vec<String> = identity.conditional_on.iter().map(|g| g.name.clone()).collect();
         match identity.finding.decision() {
-            Decision::Proved | Decision::ProvedExcept if open.iter().any(|g| g == id) => ProofStanding::Circular,
+            _ if identity.finding.is_proved_in_part() && open.iter().any(|g| g == id) => ProofStanding::Circular,
             Decision::Proved if open.is_empty() => ProofStanding::Proved,
             Decision::ProvedExcept if open.is_empty() => ProofStanding::Except,
-            Decision::Proved | Decision::ProvedExcept => ProofStanding::Given(open),
+            Decision::Unreplayed if open.is_empty() => ProofStanding::Unreplayed,
+            Decision::Proved | Decision::ProvedExcept | Decision::Unreplayed => ProofStanding::Given(open),
             Decision::Refuted | Decision::Undecided => ProofStanding::None,
         }
     }
@@ -80,6 +83,7 @@ impl ProofStanding {
             ProofStanding::Proved => Some("proved"),
             ProofStanding::Except => Some("proved, special cases apart"),
             ProofStanding::Given(_) => Some("proved, given claims that are not"),
+            ProofStanding::Unreplayed => Some("proved by the prover, not replayed"),
             ProofStanding::Circular => Some("circular"),
             ProofStanding::None => None,
         }
@@ -90,7 +94,7 @@ impl ProofStanding {
 pub(super) fn sentence(identity: &IdentityAccount, proof: &ProofStanding) -> String {
     let sentence = identity.decided().to_string();
     match proof {
-        ProofStanding::Proved | ProofStanding::None => sentence,
+        ProofStanding::Proved | ProofStanding::Unreplayed | ProofStanding::None => sentence,
         ProofStanding::Except => format!("Special cases of what is given apart. {sentence}"),
         ProofStanding::Circular => format!("It rests on itself, which proves nothing. The step: {sentence}"),
         ProofStanding::Given(open) => {
@@ -109,6 +113,7 @@ pub(super) fn brief(identity: &IdentityAccount, proof: &ProofStanding) -> String
     match proof {
         ProofStanding::Proved => format!("proved{from}{error}."),
         ProofStanding::Except => format!("proved{from}, special cases of what is given apart{error}."),
+        ProofStanding::Unreplayed => format!("proved by the prover, not replayed{from}{error}."),
         ProofStanding::Given(open) => format!("proved, given {}{from}{error}.", open.join(", ")),
         ProofStanding::Circular => "it rests on itself, which proves nothing.".to_owned(),
         ProofStanding::None if verdict == "refuted" => format!("not so{from}: a point refutes it."),

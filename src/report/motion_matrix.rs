@@ -210,6 +210,7 @@ fn for_all_values(reading: &Reading<'_>) -> Option<VerdictShape> {
         (ProofStanding::Proved, ..) => Some(VerdictShape::Proved),
         (ProofStanding::Given(_), ..) => Some(VerdictShape::ProvedGiven),
         (ProofStanding::Except, ..) => Some(VerdictShape::ProvedExcept),
+        (ProofStanding::Unreplayed, ..) => Some(VerdictShape::Unreplayed),
         (_, Some("fails"), _) => Some(VerdictShape::Certified),
         (_, _, "refuted") => Some(VerdictShape::NoIdentity),
         (_, Some("undecided"), _) => Some(VerdictShape::Undecided),

@@ -23,14 +23,14 @@ pub fn proposition_text(
     }
     out.push('\n');
     match account.finding.decision() {
-        decision @ (Decision::Proved | Decision::ProvedExcept) => {
+        Decision::Proved | Decision::ProvedExcept | Decision::Unreplayed => {
             let where_true = if proposition.given.is_empty() { "" } else { " for which the premises hold" };
-            let words = match decision {
-                Decision::ProvedExcept => format!(
+            let words = match account.finding.is_whole() && account.exceptions.is_empty() {
+                false => format!(
                     "Holds for values of the symbols{where_true} and both sides have a value, but whether it holds in the \
                      cases that the proof does not reach is open."
                 ),
-                _ => format!("Holds for all values of the symbols{where_true} and both sides have a value."),
+                true => format!("Holds for all values of the symbols{where_true} and both sides have a value."),
             };
             out.push_str(&paragraph(&words, 2));
             if let Some(branch) = &evidence.branch {

@@ -73,10 +73,9 @@ pub(super) fn shown_words(shown: &Shown) -> String {
         let error = shown.log2_error().ceil();
         out += &format!("; an identity was tried at random, with an error probability of at most 2^{error:.0}");
     }
-    match shown.leaves_out().len() {
-        0 => {}
-        1 => out += "; a case is left out",
-        n => out += &format!("; {n} cases are left out"),
+    match shown.leaves_out_words() {
+        [] => {}
+        all => out += &format!("; where it is not so that {}, it says nothing", all.join(", ")),
     }
     out
 }

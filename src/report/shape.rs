@@ -26,6 +26,7 @@ pub(super) enum VerdictShape {
     Proved,
     ProvedGiven,
     ProvedExcept,
+    Unreplayed,
     Enclosed,
     Sampled,
     Weak,
@@ -40,10 +41,11 @@ pub(super) enum VerdictShape {
 
 impl VerdictShape {
     /// All, in the order of the legend.
-    pub const ALL: [VerdictShape; 13] = [
+    pub const ALL: [VerdictShape; 14] = [
         VerdictShape::Proved,
         VerdictShape::ProvedGiven,
         VerdictShape::ProvedExcept,
+        VerdictShape::Unreplayed,
         VerdictShape::Enclosed,
         VerdictShape::Sampled,
         VerdictShape::Weak,
@@ -62,6 +64,7 @@ impl VerdictShape {
             VerdictShape::Proved => ("◆", "h p", r"$\blacklozenge$", "holds, proved for all values"),
             VerdictShape::ProvedGiven => ("◈", "h g", r"$\lozenge$", "holds, proved given others"),
             VerdictShape::ProvedExcept => ("⬖", "h c", r"$\blacklozenge^{-}$", "holds, proved, special cases apart"),
+            VerdictShape::Unreplayed => ("⬗", "h o", r"$\Diamond^{+}$", "holds, proved, not replayed"),
             VerdictShape::Enclosed => ("■", "h e", r"$\blacksquare$", "holds at every time"),
             VerdictShape::Sampled => ("●", "h", r"$\bullet$", "holds at all samples"),
             VerdictShape::Weak => ("○", "h w", r"$\circ$", "holds, but much else would"),

@@ -144,8 +144,8 @@ impl Attempt<'_> {
     }
 
     /// Differences that facts say to be positive, or not negative, or not 0.
-    fn of_positive_sign(&mut self, known: &[FactId]) -> Vec<Expr> {
-        let mut out = Vec::new();
+    fn of_positive_sign(&mut self, known: &[FactId]) -> Vec<Factor> {
+        let (mut seen, mut out) = (Vec::new(), Vec::new());
         for &id in known {
             let Some(says) = self.search.draft.says(id) else { continue };
             let Some((l, r)) = self.search.reader.sides(&says) else { continue };
@@ -155,16 +155,40 @@ impl Attempt<'_> {
                 Sense::NotEqual => graph.sub(l, r),
                 Sense::Equal => continue,
             };
-            if !out.contains(&difference) && graph.reachable([difference]).len() <= LARGEST {
-                out.push(difference);
+            if seen.contains(&difference) || graph.reachable([difference]).len() > LARGEST {
+                continue;
             }
+            seen.push(difference);
+            out.extend(Factor::of(graph, difference));
         }
         out
     }
 }
 
+/// What is known to have a sign, without quotients.
+struct Factor {
+    /// A difference, times its denominator, or the square of it.
+    written: Expr,
+    /// The same as a polynomial.
+    polynomial: Expr,
+}
+
+impl Factor {
+    fn of(graph: &mut Graph, difference: Expr) -> Vec<Factor> {
+        let Some(f) = fraction(graph, difference) else { return Vec::new() };
+        if f.is_whole() {
+            return vec![Factor { written: difference, polynomial: f.numerator }];
+        }
+        let under = f.denominator(graph);
+        let square = graph.powi(under, 2);
+        let polynomials = [f.numerator, graph.mul(f.numerator, under)];
+        let written = [graph.mul(difference, under), graph.mul(difference, square)];
+        written.into_iter().zip(polynomials).map(|(written, polynomial)| Factor { written, polynomial }).collect()
+    }
+}
+
 /// Ways to write a quotient, over its denominator or the square of it.
-fn over_squares(graph: &mut Graph, e: Expr, factors: &[Expr]) -> Vec<Expr> {
+fn over_squares(graph: &mut Graph, e: Expr, factors: &[Factor]) -> Vec<Expr> {
     let Some(f) = fraction(graph, e) else { return Vec::new() };
     let under = f.denominator(graph);
     let (whole, square) = (graph.mul(f.numerator, under), graph.powi(under, 2));
@@ -178,17 +202,17 @@ fn over_squares(graph: &mut Graph, e: Expr, factors: &[Expr]) -> Vec<Expr> {
 }
 
 /// Ways to write a polynomial in which its sign may be seen.
-fn rewritten(graph: &mut Graph, e: Expr, factors: &[Expr]) -> Vec<Expr> {
-    let roots: Vec<Expr> = factors.iter().copied().chain([e]).collect();
+fn rewritten(graph: &mut Graph, e: Expr, factors: &[Factor]) -> Vec<Expr> {
+    let roots: Vec<Expr> = factors.iter().map(|w| w.polynomial).chain([e]).collect();
     let Some(ring) = Ring::of(graph, &roots) else { return Vec::new() };
     let mut work = MOST_PRODUCTS;
     let Some(p) = ring.read(graph, e, &mut work).filter(|p| !p.is_empty() && p.len() <= MOST_TERMS) else {
         return Vec::new();
     };
-    let read = |graph: &Graph, w: Expr, work: &mut usize| {
-        Some((w, ring.read(graph, w, work).filter(|w| w.len() > 1 && w.len() <= MOST_TERMS)?))
+    let read = |graph: &Graph, w: &Factor, work: &mut usize| {
+        Some((w.written, ring.read(graph, w.polynomial, work).filter(|w| w.len() > 1 && w.len() <= MOST_TERMS)?))
     };
-    let known: Vec<(Expr, Polynomial)> = factors.iter().filter_map(|&w| read(graph, w, &mut work)).collect();
+    let known: Vec<(Expr, Polynomial)> = factors.iter().filter_map(|w| read(graph, w, &mut work)).collect();
     let mut out = Vec::new();
     // As a product.
     let (mut product, mut rest) = (graph.integer(1), p.clone());
@@ -206,10 +230,10 @@ fn rewritten(graph: &mut Graph, e: Expr, factors: &[Expr]) -> Vec<Expr> {
     let p: Polynomial = p.into_iter().map(|(m, r)| (ratio(&m, &common), r)).collect();
     let common = ring.write(graph, &[(common, Rational::ONE)]);
     let mut products = known.clone();
-    for (at, (v, _)) in known.iter().enumerate() {
-        for (w, _) in &known[at..] {
+    for (at, (v, of_v)) in known.iter().enumerate() {
+        for (w, of_w) in &known[at..] {
             let both = graph.mul(*v, *w);
-            products.extend(ring.read(graph, both, &mut work).map(|polynomial| (both, polynomial)));
+            products.extend(ring.times(of_v, of_w, &mut work).map(|polynomial| (both, polynomial)));
         }
     }
     for (g, polynomial) in products {

@@ -17,6 +17,8 @@ use expr::{Expr, Leaf, Node, Op};
 const MOST_FACTS: usize = 160;
 /// Most formulas that are tried whether they are conserved.
 const MOST_CARRIED: usize = 8;
+/// Most inequalities of which two may be an equation.
+const MOST_ORDERED: usize = 8;
 
 /// The steps of a proof of a sequent.
 ///
@@ -262,7 +264,10 @@ impl Attempt<'_> {
             let fact = plain.or_else(|| self.search.push(Step::Given { given, because }));
             later.extend(fact.is_none().then_some(given));
             self.facts.extend(fact);
+            let says = fact.and_then(|fact| self.search.draft.says(fact));
+            self.assumptions.extend(fact.filter(|_| says.is_some_and(|says| says.sense != Sense::Equal)));
         }
+        self.meet();
         if later.is_empty() {
             return;
         }
@@ -274,6 +279,24 @@ impl Attempt<'_> {
         for given in later {
             let fact = self.search.push(Step::Given { given, because: because.clone() });
             self.facts.extend(fact);
+        }
+    }
+
+    /// Equations from inequalities in both directions.
+    fn meet(&mut self) {
+        let ordered: Vec<(FactId, Relation)> = self
+            .assumptions
+            .iter()
+            .filter_map(|&id| Some((id, self.search.draft.says(id)?)))
+            .filter(|(_, says)| says.sense == Sense::LessOrEqual)
+            .take(MOST_ORDERED)
+            .collect();
+        for (at, (one, says)) in ordered.iter().enumerate() {
+            for (other, _) in &ordered[at + 1..] {
+                let equal = Relation { sense: Sense::Equal, ..says.clone() };
+                let fact = self.search.push(Step::Sign { says: equal, from: vec![*one, *other] });
+                self.facts.extend(fact);
+            }
         }
     }
 

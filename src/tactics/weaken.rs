@@ -49,12 +49,22 @@ impl Attempt<'_> {
             return Some(best);
         }
         let mut known: Vec<FactId> = free.into_iter().filter(|&id| self.search.equation(id).is_none()).collect();
+        let best = self.without_needed(best, &known);
+        if self.search.draft.needs(best).is_empty() {
+            return Some(best);
+        }
+        // What laws say of them may need what is needed, and comes last.
         for fact in known.clone() {
             let by_laws = self.by_laws(fact);
             known.extend(by_laws.map(|told| self.discharged(told, &known)));
         }
-        let needed = self.needed(&[best], &known);
-        Some(self.discharged(best, &[&needed[..], &known].concat()))
+        Some(self.without_needed(best, &known))
+    }
+
+    /// A fact without what the rules of signs show of its needs.
+    fn without_needed(&mut self, fact: FactId, known: &[FactId]) -> FactId {
+        let needed = self.needed(&[fact], known);
+        self.discharged(fact, &[&needed[..], known].concat())
     }
 
     /// A fact without what others show of its needs, each alone and all together.
@@ -81,7 +91,8 @@ impl Attempt<'_> {
                 needed.extend(self.parts(l, false));
             }
         }
-        let known = self.known_not_zero();
+        let mut known = self.known_not_zero();
+        known.extend(self.positive_sides());
         let mut rest: Vec<Open> = Vec::new();
         for &fact in &self.facts.clone() {
             let Some((l, r)) = self.search.equation(fact) else { continue };
@@ -119,6 +130,24 @@ impl Attempt<'_> {
                 let says = Relation { left, sense: Sense::NotEqual, right: Term::integer(0) };
                 let made = self.search.push(Step::Sign { says, from: vec![fact] });
                 out.extend(made.map(|made| (part, made)));
+            }
+        }
+        out
+    }
+
+    /// Sides of equations that are positive by what is declared: √(x² + y²) = r says that the root is not 0.
+    fn positive_sides(&mut self) -> Vec<(Expr, FactId)> {
+        let mut out: Vec<(Expr, FactId)> = Vec::new();
+        for fact in self.facts.clone() {
+            let Some((l, r)) = self.search.equation(fact) else { continue };
+            for side in [l, r] {
+                let is_constant = self.search.reader.graph.as_constant(side).is_some();
+                if is_constant || !self.is_positive(side) || out.iter().any(|(known, _)| *known == side) {
+                    continue;
+                }
+                let Some(left) = self.search.reader.term(side) else { continue };
+                let says = Relation { left, sense: Sense::NotEqual, right: Term::integer(0) };
+                out.extend(self.search.push(Step::Sign { says, from: vec![] }).map(|made| (side, made)));
             }
         }
         out

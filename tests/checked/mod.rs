@@ -4,9 +4,33 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock, Mutex, OnceLock};
 
-use rederive::check::{Account, Options, check};
+use rederive::check::{Account, IdentityAccount, Options, check};
 use rederive::derivation::{Derivation, load};
 use rederive::diag::render;
+
+/// The word for a step, as the prover says: with what the checker has not replayed, and without what its steps leave out.
+pub fn said_by_prover(step: &IdentityAccount) -> &'static str {
+    if is_found(step) {
+        return match (step.exceptions.is_empty(), step.presupposed.is_empty()) {
+            (false, _) => "proved except",
+            (true, false) => "proved given",
+            (true, true) => "proved",
+        };
+    }
+    let is_open = |word: Option<&str>| word.is_none_or(|word| !word.starts_with("proved"));
+    let given = step.conditional_on.iter().any(|given| is_open(given.standing)) || !step.presupposed.is_empty();
+    match (step.finding.is_proved_in_part(), step.finding.is_whole(), given) {
+        (false, ..) => step.standing(),
+        (true, false, _) => "proved except",
+        (true, true, true) => "proved given",
+        (true, true, false) => "proved",
+    }
+}
+
+/// Whether the prover found a proof that does not count, since the checker does not replay it.
+fn is_found(step: &IdentityAccount) -> bool {
+    step.reason.as_ref().is_some_and(|why| why.to_string().starts_with("the prover finds a proof"))
+}
 
 /// A file, and what is found of it.
 pub type Checked = Arc<(Derivation, Account)>;

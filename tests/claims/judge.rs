@@ -1,5 +1,6 @@
 //! What the program says of random claims, compared with what they are.
 
+use crate::checked::said_by_prover;
 use rederive::check::{CheckError, Options, Proposition, Rigor, check, prove};
 use rederive::derivation::{Derivation, parse};
 use rederive::diag::Source;
@@ -125,7 +126,7 @@ fn proposition(claim: &Claim) -> Said {
     let proposition = Proposition { formula, given, throughout: claim.throughout };
     match caught(|| prove(&mut derivation, &proposition)) {
         Ok(account) => {
-            let word = if account.standing() == "proved except" { "except" } else { account.verdict() };
+            let word = if said_by_prover(&account) == "proved except" { "except" } else { account.verdict() };
             Said::Verdict(word.to_owned(), String::new(), format!("{:?}", account.reason))
         }
         Err(CheckError::Problems(problems)) => {

@@ -58,7 +58,7 @@ class Proof:
         return cls(
             formula=data["formula"],
             given=tuple(data["given"]),
-            verdict=Decision(data["standing"]),
+            verdict=Decision.of(data["standing"]),
             conditions=tuple(data["conditions"]),
             exceptions=tuple(data["exceptions"]),
             reason=data["reason"],

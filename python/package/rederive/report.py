@@ -344,14 +344,9 @@ def _claim(data: dict[str, Any]) -> Claim:
         says=data["says"],
         formulas=tuple(data["formulas"]),
         assumptions=tuple(data["assumptions"]),
-        decision=None if data["identity"] is None else Decision(_decided(data["identity"]["standing"])),
+        decision=None if data["identity"] is None else Decision.of(data["identity"]["standing"]),
         results=tuple(results),
     )
-
-
-def _decided(standing: str) -> str:
-    # What rests on something open is not proved without exception.
-    return "proved except" if standing == "proved given" else standing
 
 
 def _verdict(word: Optional[str]) -> Optional[Verdict]:

@@ -47,5 +47,14 @@ class Decision(Word):
     PROVED = "proved"
     PROVED_EXCEPT = "proved except"
     """Proved but for cases that are named."""
+    PROVED_UNREPLAYED = "proved unreplayed"
+    """Proved by the prover alone: the checker has not replayed it."""
     REFUTED = "refuted"
     UNDECIDED = "undecided"
+
+    @classmethod
+    def of(cls, standing: str) -> Decision:
+        """Of the word of a report: what rests on something open is not proved without exception."""
+        if standing.endswith(" unreplayed"):
+            return cls.PROVED_UNREPLAYED
+        return cls.PROVED_EXCEPT if standing == "proved given" else cls(standing)

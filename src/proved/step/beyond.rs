@@ -152,7 +152,7 @@ impl<'a> Step<'a> {
         let left_out = self.left_out.iter().copied().chain(left_out).collect();
         let step = Step { sign: self.sign, apart: self.apart.clone(), left_out, ..step };
         match decide(step)? {
-            Ok(account) if account.finding.is_proved() => Some(account),
+            Ok(account) if account.finding.is_whole() => Some(account),
             Ok(_) | Err(_) => None,
         }
     }

@@ -88,7 +88,7 @@ impl Step<'_> {
         let told = all.swap_remove(telling);
         let reason = match finding.decision() {
             Decision::Undecided => told.reason.or(Some(Plain::DeniedIsOpen.into())),
-            Decision::Proved | Decision::ProvedExcept | Decision::Refuted => told.reason,
+            Decision::Proved | Decision::ProvedExcept | Decision::Unreplayed | Decision::Refuted => told.reason,
         };
         Some(Ok(IdentityAccount { finding, parts, parts_from, reason, ..told }))
     }
@@ -117,7 +117,7 @@ impl Step<'_> {
         let (is_so, of) = match decided {
             Ok(account) if account.finding.is_proved_in_part() => (true, account),
             Ok(open) => match self.asked_of(&positive)?.excluded() {
-                Some(Ok(account)) if account.finding.is_proved() => (false, account),
+                Some(Ok(account)) if account.finding.is_whole() => (false, account),
                 Some(Err(defect)) => return Some(Err(defect)),
                 Some(Ok(_)) | None => {
                     let IdentityAccount { from, .. } = open;
@@ -129,7 +129,7 @@ impl Step<'_> {
             defect => return Some(defect),
         };
         let shown = if is_so { PartShown::IsNotSo } else { PartShown::IsSo };
-        let parts = if of.lends_strength() { vec![(denial.part, shown)] } else { Vec::new() };
+        let parts = if of.holds_on_motions() { vec![(denial.part, shown)] } else { Vec::new() };
         let parts_from = self.rests_on(&positive, &of);
         let finding = match (is_so, denial.happens) {
             (true, true) | (false, false) => of.finding.clone(),
@@ -137,9 +137,12 @@ impl Step<'_> {
         };
         let reason = match (finding.decision(), is_so) {
             (Decision::Refuted, true) => Some(Plain::DeniedIsProved.into()),
-            (Decision::Refuted, false) | (Decision::Proved, false) => Some(Plain::DeniedIsExcluded.into()),
+            (Decision::Refuted, false) => Some(Plain::DeniedIsExcluded.into()),
             (Decision::Undecided, _) => Some(Plain::DeniedIsOpen.into()),
-            (Decision::Proved | Decision::ProvedExcept, _) => of.reason.clone(),
+            (Decision::Proved | Decision::ProvedExcept | Decision::Unreplayed, false) if finding.is_whole() => {
+                Some(Plain::DeniedIsExcluded.into())
+            }
+            (Decision::Proved | Decision::ProvedExcept | Decision::Unreplayed, _) => of.reason.clone(),
         };
         Some(Ok(IdentityAccount { finding, parts, parts_from, reason, ..of }))
     }
@@ -156,7 +159,7 @@ impl Step<'_> {
         let mut positive = positive.clone();
         positive.follows_from.push(system.clone());
         match self.asked_of(&positive).and_then(Step::decide) {
-            Some(Ok(account)) if account.lends_strength() => {
+            Some(Ok(account)) if account.holds_on_motions() => {
                 Some((vec![(denial.part, PartShown::IsNotSo)], account.from))
             }
             Some(_) | None => nothing,
@@ -181,7 +184,7 @@ impl Step<'_> {
             let equal = Written { text: String::new(), span, value };
             let alone = Claim { forms: vec![Form::Always(equal)], ..self.claim.clone() };
             let excluded = self.asked_of(&alone).and_then(Step::excluded).transpose()?;
-            if let Some(excluded) = excluded.filter(|e| e.finding.is_proved() && e.lends_strength()) {
+            if let Some(excluded) = excluded.filter(|e| e.finding.is_whole() && e.holds_on_motions()) {
                 account.parts.push((part, PartShown::IsExcluded));
                 account.parts_from = self.rests_on(&alone, &excluded);
             }

@@ -16,8 +16,7 @@ fn both_signs(upper: IdentityAccount, lower: IdentityAccount) -> IdentityAccount
     let worse = |a: &IdentityAccount| match a.finding.decision() {
         Decision::Refuted => 3,
         Decision::Undecided => 2,
-        Decision::ProvedExcept => 1,
-        Decision::Proved => 0,
+        Decision::Proved | Decision::ProvedExcept | Decision::Unreplayed => u8::from(!a.finding.is_whole()),
     };
     let (mut first, second) = if worse(&upper) >= worse(&lower) { (upper, lower) } else { (lower, upper) };
     if first.finding.is_proved_in_part() {
@@ -55,7 +54,7 @@ impl Step<'_> {
             let premises = self.premises(&gathered, equations, Definitions::All);
             let (identity, evidence) = answer(&mut self.graph, equations, &premises, None)?;
             let account = self.of_identity(identity, evidence);
-            if account.finding.is_proved() {
+            if account.finding.is_whole() {
                 return Ok(account);
             }
             last = Some(account);

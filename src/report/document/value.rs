@@ -65,7 +65,7 @@ words! {
     /// What became of a step for all values.
     StepVerdict: "proved" | "refuted" | "undecided";
     /// The same in full.
-    StepStanding: "proved" | "proved except" | "proved given" | "refuted" | "undecided";
+    StepStanding: "proved" | "proved except" | "proved given" | "proved unreplayed" | "proved except unreplayed" | "proved given unreplayed" | "refuted" | "undecided";
     /// How a trajectory comes about.
     Origin: "integrated" | "formula" | "derived";
     /// Whether the units of a formula agree.

@@ -1,0 +1,145 @@
+//! Whether the word of the prover counts without the checker.
+//!
+//! **In:** a claim, with all that is given to it. **Out:** whether a proof of it that is not replayed is *proved unreplayed*, or leaves it undecided. **Guaranteed:** where it counts, no fact can be known at some times and
+//! be used at others, which is how proofs went wrong: nothing is given; or all is about one time; or all of it has a value, and is smooth, at all times, and nothing chooses times or names one.
+
+use derivation::{Claim, Derivation, Form, FormFormula, Premise, Written};
+use expr::domain::Sign;
+use expr::{Expr, FastSet, Graph, Leaf, Node, Partials};
+use latex::{RelationKind, Role, Statement};
+
+/// Whether it does.
+pub(crate) fn counts(derivation: &Derivation, claim: &Claim) -> bool {
+    let (claimed, mut given) = (Said::of_claim(derivation, claim), Said::default());
+    given.add(claim.assuming.iter());
+    for name in derivation.given_to(claim) {
+        match derivation.premise(&name) {
+            Premise::System(at) => given.add(derivation.systems[at].equations.iter()),
+            Premise::Claim(at) => {
+                let of = &derivation.claims[at];
+                given.join(Said::of_claim(derivation, of));
+                given.add(of.assuming.iter());
+            }
+            Premise::Definition => {}
+        }
+    }
+    let nothing_given = given.formulas.is_empty();
+    let (claimed, given) = (claimed.with_definitions(derivation), given.with_definitions(derivation));
+    nothing_given
+        || claimed.one_time(derivation).is_some_and(|time| given.one_time(derivation) == Some(time))
+        || !given.names_a_time(derivation)
+            && !given.chooses
+            && claimed.is_total(derivation)
+            && given.is_total(derivation)
+}
+
+/// Formulas, and what they are said to be.
+#[derive(Default)]
+struct Said {
+    formulas: Vec<Expr>,
+    /// Whether something other than an equation is among them, or ±: it may choose times.
+    chooses: bool,
+    /// Whether it is a claim of another form than relations at each time.
+    relates_times: bool,
+}
+
+impl Said {
+    fn of_claim(derivation: &Derivation, claim: &Claim) -> Said {
+        let mut out = Said::default();
+        for form in &claim.forms {
+            match form {
+                Form::Always(w) => out.add(std::iter::once(w)),
+                other => {
+                    out.relates_times = true;
+                    for formula in other.formulas() {
+                        match formula {
+                            FormFormula::Statement(w) => out.add(std::iter::once(w)),
+                            FormFormula::Quantity(w) => out.formulas.extend(&w.value.components),
+                            FormFormula::Limit { of, value } => {
+                                out.formulas.extend(of.value.components.iter().chain(&value.value.components));
+                            }
+                        }
+                    }
+                    if let Form::Solves { system, .. } = other {
+                        out.add(derivation.systems[*system].equations.iter());
+                    }
+                }
+            }
+        }
+        out
+    }
+
+    fn add<'a>(&mut self, statements: impl Iterator<Item = &'a Written<Statement>>) {
+        for relation in statements.flat_map(|w| &w.value.relations) {
+            self.chooses |= relation.kind != RelationKind::Equal || relation.has_branches || relation.limit.is_some();
+            self.formulas.extend(relation.left.components.iter().chain(&relation.right.components));
+        }
+    }
+
+    fn join(&mut self, other: Said) {
+        self.formulas.extend(other.formulas);
+        self.chooses |= other.chooses;
+        self.relates_times |= other.relates_times;
+    }
+
+    /// With the formulas of what is defined.
+    fn with_definitions(mut self, derivation: &Derivation) -> Said {
+        let mut known = FastSet::default();
+        let mut at = 0;
+        while at < self.formulas.len() {
+            for leaf in derivation.graph.leaves_within([self.formulas[at]]) {
+                if known.insert(leaf.symbol)
+                    && let Some(formula) = derivation.definition(leaf.symbol)
+                {
+                    self.formulas.extend(&formula.components);
+                }
+            }
+            at += 1;
+        }
+        self
+    }
+
+    /// The one time that it is about: a fixed one, or any; nothing where there are several, or rates.
+    fn one_time(&self, derivation: &Derivation) -> Option<Option<Expr>> {
+        let mut leaves = derivation.graph.leaves_within(self.formulas.iter().copied());
+        leaves.retain(|leaf| leaf.instant.is_some() || derivation.role(leaf.symbol) != Some(Role::Parameter));
+        let first = leaves.first().and_then(|leaf| leaf.instant);
+        let alike = |l: &Leaf| l.rate == 0 && l.partials == Partials::NONE && l.instant == first;
+        (!self.relates_times && !self.names_a_place(derivation) && leaves.iter().all(alike)).then_some(first)
+    }
+
+    /// Whether it names a place that does not move with the others, as f(0) does, and not f(x + y).
+    fn names_a_place(&self, derivation: &Derivation) -> bool {
+        let graph = &derivation.graph;
+        let is_fixed = |e: Expr| graph.leaves_within([e]).is_empty();
+        let leaves = graph.leaves_within(self.formulas.iter().copied());
+        let mut places = leaves.iter().filter_map(|leaf| graph.place(leaf.symbol));
+        places.any(|place| place.at.iter().any(|&(_, e)| is_fixed(e)))
+    }
+
+    /// Whether it names a fixed time, or a place.
+    fn names_a_time(&self, derivation: &Derivation) -> bool {
+        self.names_a_place(derivation)
+            || derivation.graph.leaves_within(self.formulas.iter().copied()).iter().any(|leaf| leaf.instant.is_some())
+    }
+
+    /// Whether all of it has a value, and is smooth, wherever its symbols have values.
+    fn is_total(&self, derivation: &Derivation) -> bool {
+        let mut graph = derivation.graph.clone();
+        let all: Vec<Expr> = graph.reachable(self.formulas.iter().copied());
+        all.into_iter().all(|node| {
+            let needs = graph.needs(node);
+            let edges = graph.edges(node);
+            needs.iter().all(|need| is_so(derivation, &graph, need.value, need.sign))
+                && edges.iter().filter_map(|edge| edge.vanishing).all(|e| is_so(derivation, &graph, e, Sign::NotZero))
+        })
+    }
+}
+
+/// Whether a number, or a parameter that is declared as positive, has a sign.
+fn is_so(derivation: &Derivation, graph: &Graph, e: Expr, sign: Sign) -> bool {
+    if let Node::Leaf(leaf) = graph.node(e) {
+        return derivation.is_positive_parameter(leaf.symbol);
+    }
+    graph.as_constant(e).is_some_and(|number| sign.is_of(number))
+}

@@ -1,0 +1,61 @@
+//! From what the prover says to what the checker shows: the last part of every proof.
+//!
+//! **In:** a claim with its account, in which the prover says *proved*. **Out:** the account once the checker has replayed the steps that tactics find; or has not, for a reason. **Guaranteed:**
+//! *proved* and *proved except* come from here alone: see [`Finding::replayed`](findings::standing::Finding::replayed); what the checker does not replay is *proved unreplayed* at most, and that only where times do not matter: see `alone.rs`.
+
+use crate::derivation::{Claim, Derivation};
+use findings::IdentityAccount;
+use findings::recorded::{self, Found, Recorded};
+use meter::{Limits, Task};
+use reason::Plain;
+use tactics::{Asked, May};
+
+/// A search for steps, as far as its work goes.
+fn search(limits: &Limits, work: impl FnOnce() -> Found) -> Found {
+    meter::piece(Task::Proving, limits, work).unwrap_or_else(|ended| Err(ended.to_string()))
+}
+
+/// What a verdict leaves open, so that the steps may.
+fn left_open(account: &IdentityAccount) -> Vec<May> {
+    let presupposes = (!account.presupposed.is_empty()).then_some(May::Presuppose);
+    let ends = account.finding.ends_on_the_way().then_some(May::EndWithAssumptions);
+    presupposes.into_iter().chain(ends).collect()
+}
+
+/// The account, with its proof replayed if there is one. `recall` finds the steps, or recalls them by all that is given and claimed, as text.
+pub fn replayed(
+    derivation: &Derivation,
+    claim: &Claim,
+    account: IdentityAccount,
+    limits: &Limits,
+    recall: impl FnOnce(&[u8], &dyn Fn() -> String) -> String,
+) -> IdentityAccount {
+    if !account.finding.is_proved_in_part() || account.recorded.is_some() {
+        return account;
+    }
+    let found = match Asked::of(derivation, claim, &left_open(&account)) {
+        Ok(asked) => {
+            let text = recall(&asked.content(), &|| recorded::written(&search(limits, || asked.record())));
+            recorded::read(&text).unwrap_or_else(|| search(limits, || asked.record()))
+        }
+        Err(why) => Err(why),
+    };
+    finished(derivation, claim, account.replayed(Recorded::of(found)))
+}
+
+/// What is not replayed leaves the claim undecided, where it might be that a fact was used at times at which it is not known.
+fn finished(derivation: &Derivation, claim: &Claim, account: IdentityAccount) -> IdentityAccount {
+    if account.finding.is_unreplayed() && !crate::alone::counts(derivation, claim) {
+        return account.left_open(Plain::Unreplayed.into());
+    }
+    account
+}
+
+/// The same of a claim that is typed, with premises of all times.
+pub fn replayed_throughout(derivation: &Derivation, claim: &Claim, account: IdentityAccount) -> IdentityAccount {
+    if !account.finding.is_proved_in_part() {
+        return account;
+    }
+    let found = search(&meter::limits(), || tactics::record_throughout(derivation, claim));
+    finished(derivation, claim, account.replayed(Recorded::of(found)))
+}
