@@ -89,11 +89,7 @@ fn remark(derivation: &Derivation) -> Option<StoryBlock<'_>> {
     let mut inside = vec![StoryBlock::Paragraph(vec![quiet(LEAD), prose(format!("{first}{dots}"))])];
     if !rest.trim().is_empty() {
         let blocks = vec![StoryBlock::Paragraph(vec![prose(rest.to_owned())])];
-        inside.push(StoryBlock::Fold {
-            title: "The rest of the remark".to_owned(),
-            unfolded: Some(String::new()),
-            blocks,
-        });
+        inside.push(StoryBlock::Fold { title: "The rest of the remark".to_owned(), unfolded: None, blocks });
     }
     Some(StoryBlock::Group("remark", inside))
 }

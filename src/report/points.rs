@@ -32,14 +32,14 @@ pub(super) fn lines<'a>(derivation: &'a Derivation, whole: &Whole<'a>, needed: N
             further.push(fails(derivation, reading));
         }
         Standing::Holds => {
-            tested.push(words("; "));
+            tested.extend((!tested.is_empty()).then(|| words("; ")));
             tested.extend(holds(derivation, reading));
         }
         Standing::Open | Standing::Nowhere => {
             further.push(vec![quiet("how sure: "), words(format!("{}.", lower(&digest::verdict(reading))))]);
         }
     }
-    let out = std::iter::once(tested).chain(further);
+    let out = std::iter::once(tested).filter(|line| !line.is_empty()).chain(further);
     out.map(StoryBlock::Paragraph).collect()
 }
 
@@ -61,8 +61,12 @@ fn tested<'a>(derivation: &'a Derivation, reading: &Reading<'a>) -> Vec<StorySpa
     let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
     let says = claim.says.trim_end_matches('.');
     let formula = short_formula(derivation, claim).filter(|shown| shown.is_within(room(claim)));
+    // Without a reading its words are those of the claim, which stand above.
+    if claim.reading.is_none() && formula.is_none() {
+        return Vec::new();
+    }
     let mut out = vec![quiet(lead)];
-    if claim.reading.is_some() || formula.is_none() {
+    if claim.reading.is_some() {
         out.push(StorySpan::Prose(says.to_owned(), scope, Tone::Plain));
         out.extend(formula.is_some().then(|| quiet(": ")));
     }

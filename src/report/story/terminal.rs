@@ -45,6 +45,8 @@ fn put(block: &StoryBlock<'_>, indent: usize, paint: Paint, out: &mut String) {
             }
         }
         StoryBlock::Group("roomy", _) => {}
+        // The rest of a remark is on the page.
+        StoryBlock::Group("remark", blocks) => blocks.iter().take(1).for_each(|b| put(b, indent, paint, out)),
         StoryBlock::Group("keys", blocks) => blocks.iter().for_each(|b| match b {
             StoryBlock::List(items) => put_in_line(items, indent + 1, paint, out),
             other => put(other, indent, paint, out),
