@@ -152,9 +152,10 @@ always = ['x>0']
         "Of 3 claims 2 stand and 1 holds on some motions and fails on others; of the paper's 1 conclusion 1 rests on claims \
          that do not stand.",
         "A All decays are alike (conclusion): stands.",
-        "unit-law ◐ → conclusion ■.",
+        "tested as: x>0; holds at every time of 2 motions.",
+        "unit-law ◐ → conclusion ■; 1 step fails.",
         "1. The rate is minus x. (unit-law)",
-        "tested as: \\dot x=-x",
+        "tested as: x\u{307}=-x",
         "Fails on 1 of 2 motions to which it applies (certified)",
         "On slow at t=",
         "On it rest conclusion A.",

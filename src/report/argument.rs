@@ -1,7 +1,8 @@
 //! What a paper concludes, with the chain of steps under each conclusion, and where it breaks.
 //!
-//! **In:** the claims with their readings, and what rests on what. **Out:** for each conclusion its sentence, what became of it, under
-//! which condition, and the shortest chain from the heaviest break to the conclusion; a witness of each break, once.
+//! **In:** the claims with their readings, and what rests on what. **Out:** for each conclusion its sentence, what became of it, as what it
+//! was tested, where it holds or fails and how sure that is, and the shortest chain from the heaviest break to the conclusion. Where a
+//! file names no conclusion, what its steps lead to; where it has no steps, nothing.
 //!
 //! A step breaks a chain if it does not stand, or if what the paper needs of it fails.
 
@@ -10,27 +11,25 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::card::RefutingMotion;
 use super::consequence::Consequences;
 use super::digest::{Fate, Whole};
-use super::motion_matrix::failing_need;
 use super::numbers::count;
+use super::points::{self, Needed};
 use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, quiet, words};
-use super::tally::{Standing, declared};
+use super::tally::declared;
 use crate::derivation::Derivation;
 
 /// Most conclusions that are told.
 const MOST_CONCLUSIONS: usize = 6;
 /// Most steps of a chain; of a longer one the middle is left out.
-const MOST_STEPS: usize = 5;
+const MOST_STEPS: usize = 4;
 /// Most grounds that are named of a conclusion whose chains are whole.
 const MOST_GROUNDS: usize = 6;
-/// Most conditions that are named.
-const MOST_CONDITIONS: usize = 3;
 
 /// The claims of a file by their ids.
 type ById<'w, 'a> = BTreeMap<&'a str, &'w Whole<'a>>;
 
 /// Whether a step breaks the chains that go through it.
 fn breaks(whole: &Whole<'_>) -> bool {
-    whole.fate.is_against() || failing_need(whole).is_some()
+    whole.fate.is_against() || whole.failing_need().is_some()
 }
 
 /// The conclusions with their chains. Where a file names no conclusion, what its steps lead to. The witness of the claim that is `shown`
@@ -45,16 +44,13 @@ pub(super) fn blocks<'a>(
     let named = hangs.conclusions();
     let title = if named.is_empty() { "Where the steps lead" } else { "The paper concludes" };
     let ends: Vec<&'a str> = if named.is_empty() { ends(wholes, hangs) } else { named.to_vec() };
-    let mut out = vec![StoryBlock::Heading(title.to_owned())];
     let mut told: BTreeSet<&'a str> = wholes.iter().map(|w| w.id).filter(|id| Some(*id) == shown).collect();
     let shown = ends.iter().take(MOST_CONCLUSIONS).filter_map(|id| by_id.get(id));
     let items: Vec<StoryItem<'a>> = shown.map(|whole| item(derivation, whole, &by_id, hangs, &mut told)).collect();
     if items.is_empty() {
-        let says = "The file says of no claim that it is a conclusion, or that it follows from another.";
-        out.push(StoryBlock::Paragraph(vec![quiet(says)]));
-        return out;
+        return Vec::new();
     }
-    out.push(StoryBlock::List(items));
+    let mut out = vec![StoryBlock::Heading(title.to_owned()), StoryBlock::List(items)];
     let more = ends.len().saturating_sub(MOST_CONCLUSIONS);
     if more > 0 {
         out.push(StoryBlock::Paragraph(vec![quiet(format!("And {} more.", count(more, "conclusion")))]));
@@ -87,46 +83,41 @@ fn item<'a>(
         Fate::Stands => Tone::Good,
         _ => Tone::Open,
     };
-    line.push(StorySpan::Words(whole.fate.words(1).to_owned(), tone));
-    line.extend(condition(derivation, whole));
-    line.push(words("."));
+    line.push(StorySpan::Words(whole.counted_as().words(1).to_owned(), tone));
     let mut broken: Vec<&&Whole<'a>> =
         hangs.grounds_of(whole.id).into_iter().filter_map(|id| by_id.get(id)).filter(|w| breaks(w)).collect();
     broken.sort_by_cached_key(|w| (!w.fate.is_against(), std::cmp::Reverse(hangs.weight(w.id))));
+    line.push(words("."));
     let mark = hangs.letter(whole.id).map(String::from).unwrap_or_default();
-    let below = match broken.first() {
-        None => grounds(whole, by_id, hangs),
-        Some(first) => {
-            let mut line = chain(&hangs.chain(first.id, whole.id), by_id);
-            if broken.len() > 1 {
-                line.push(quiet(format!("; {} steps fail", broken.len())));
-            }
-            line.push(words(". "));
-            // A conclusion that fails itself shows its own point; each break is shown once.
-            let shown: &Whole<'a> = if whole.fate.is_against() { whole } else { first };
-            if told.insert(shown.id) {
-                line.extend(break_says(derivation, shown));
-            }
-            line
-        }
+    told.insert(whole.id);
+    let mut below = points::lines(derivation, whole, Needed::NotShown);
+    let Some(first) = broken.first() else {
+        below.push(StoryBlock::Paragraph(grounds(whole, by_id, hangs)));
+        return StoryItem { mark, line, below: vec![StoryBlock::Group("chain", below)] };
     };
-    StoryItem { mark, line, below: vec![StoryBlock::Group("chain", vec![StoryBlock::Paragraph(below)])] }
-}
-
-/// Under which condition a sentence stands: what all its readings that hold assume.
-fn condition<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<StorySpan<'a>> {
-    let holding: Vec<_> = whole.deciding().filter(|r| r.standing == Standing::Holds).collect();
-    let Some(first) = holding.first().filter(|_| whole.fate == Fate::Stands) else { return Vec::new() };
-    let scope = declared(derivation, first.claim).map_or(&derivation.scope, |d| &d.scope);
-    let common = first.claim.assumptions.iter().filter(|a| holding.iter().all(|r| r.claim.assumptions.contains(a)));
-    let all: Vec<Vec<StorySpan<'a>>> =
-        common.take(MOST_CONDITIONS).map(|a| vec![StorySpan::Math(a.clone(), scope)]).collect();
-    if all.is_empty() {
-        return Vec::new();
-    }
-    let mut out = vec![words(", for ")];
-    out.extend(joined(all, ", "));
-    out
+    let failing = match broken.len() {
+        1 => "1 step fails.".to_owned(),
+        n => format!("{n} steps fail."),
+    };
+    let mut line_of_steps = chain(&hangs.chain(first.id, whole.id), by_id);
+    let steps = if whole.fate.is_against() {
+        // It has shown where it fails itself: a terminal has no room for its steps.
+        if let Some(StoryBlock::Paragraph(last)) = below.last_mut() {
+            last.push(words(format!(" {failing}")));
+        }
+        line_of_steps.push(words("."));
+        StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(line_of_steps)])
+    } else {
+        line_of_steps.push(words(format!("; {failing}")));
+        // Each break is shown once.
+        if told.insert(first.id) {
+            line_of_steps.push(words(" "));
+            line_of_steps.extend(break_says(derivation, first));
+        }
+        StoryBlock::Paragraph(line_of_steps)
+    };
+    below.push(steps);
+    StoryItem { mark, line, below: vec![StoryBlock::Group("chain", below)] }
 }
 
 fn link<'a>(id: &'a str, by_id: &ById<'_, 'a>) -> Vec<StorySpan<'a>> {
@@ -135,7 +126,7 @@ fn link<'a>(id: &'a str, by_id: &ById<'_, 'a>) -> Vec<StorySpan<'a>> {
     let shape = whole.shape();
     let mut out = vec![StorySpan::Claim(id.to_owned(), tone), words("\u{a0}"), StorySpan::Shape(shape)];
     // The sentence may stand where what the argument needs of it does not.
-    if let Some(needed) = failing_need(whole).filter(|_| !whole.fate.is_against()) {
+    if let Some(needed) = whole.failing_need().filter(|_| !whole.fate.is_against()) {
         out.extend([words("\u{a0}("), StorySpan::Shape(needed.shape()), words("\u{a0}as needed)")]);
     }
     out
@@ -172,31 +163,24 @@ fn grounds<'a>(whole: &Whole<'a>, by_id: &ById<'_, 'a>, hangs: &Consequences<'a>
     out
 }
 
-/// One witness of why a step breaks.
+/// Why a step breaks the chain of a conclusion that stands.
 fn break_says<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<StorySpan<'a>> {
-    let need = failing_need(whole).filter(|_| !whole.fate.is_against());
+    let need = whole.failing_need().filter(|_| !whole.fate.is_against());
     let reading = need.or_else(|| whole.failing()).or(whole.readings.first());
     let Some(reading) = reading else { return Vec::new() };
     let scope = declared(derivation, reading.claim).map_or(&derivation.scope, |d| &d.scope);
-    // A conclusion that fails is said to fail: here is where.
-    let mut out = Vec::new();
-    if !whole.conclusion {
-        out.push(StorySpan::Words("It breaks at ".to_owned(), Tone::Bad));
-        out.push(StorySpan::Claim(whole.id.to_owned(), Tone::Bad));
-        if need.is_some() {
-            let says = format!(", which needs: {}", reading.claim.says.trim_end_matches('.'));
-            out.push(StorySpan::Prose(says, scope, Tone::Plain));
-        }
-        out.push(words(". "));
+    let mut out = vec![StorySpan::Words("It breaks at ".to_owned(), Tone::Bad)];
+    out.push(StorySpan::Claim(whole.id.to_owned(), Tone::Bad));
+    if need.is_some() {
+        let says = format!(", which needs: {}", reading.claim.says.trim_end_matches('.'));
+        out.push(StorySpan::Prose(says, scope, Tone::Plain));
     }
-    match RefutingMotion::of(derivation, reading.claim) {
-        Some(motion) => out.extend(motion.says(scope)),
-        None if whole.failing().is_none() => {
-            let contrary = whole.contrary().unwrap_or(reading);
-            let says = contrary.claim.says.trim_end_matches('.');
-            out.push(StorySpan::Prose(format!("The contrary holds: “{says}”."), scope, Tone::Plain));
-        }
-        None => {}
+    out.push(words(". "));
+    if let Some(motion) = RefutingMotion::of(derivation, reading.claim) {
+        out.extend(motion.says(scope));
+    } else if let Some(contrary) = whole.contrary() {
+        let says = contrary.claim.says.trim_end_matches('.');
+        out.push(StorySpan::Prose(format!("The contrary holds: “{says}”."), scope, Tone::Plain));
     }
     out
 }

@@ -39,6 +39,14 @@ impl Basis {
         }
     }
 
+    /// Whether it is a proof.
+    pub fn is_proof(&self) -> bool {
+        match self {
+            Basis::Proved | Basis::Except | Basis::Given(_) => true,
+            Basis::Sampled(_) | Basis::Enclosed(_) | Basis::Ranges => false,
+        }
+    }
+
     /// Its symbol.
     pub fn shape(&self) -> VerdictShape {
         match self {

@@ -64,15 +64,22 @@ impl<'a> RefutingMotion<'a> {
 
     /// The point in a sentence, with six digits.
     pub fn says<'s>(&self, scope: &'s Scope) -> Vec<StorySpan<'s>> {
+        self.says_with(None, scope)
+    }
+
+    /// The same, with the title of the motion behind its name.
+    pub fn says_with<'s>(&self, title: Option<StorySpan<'s>>, scope: &'s Scope) -> Vec<StorySpan<'s>> {
+        let named = || std::iter::once(words(format!("On {}", self.name))).chain(title.clone()).collect::<Vec<_>>();
         let Some(w) = self.witness() else {
             let why = self.evidence.reason.as_ref().map(|r| format!(": {r}")).unwrap_or_default();
-            return vec![words(format!("On {}", self.name)), StorySpan::Prose(why, scope, Tone::Plain), words(".")];
+            return named().into_iter().chain([StorySpan::Prose(why, scope, Tone::Plain), words(".")]).collect();
         };
         // What is looked for at some time, and not met, may be met in one of its components.
         if w.left == w.right && self.kind == FormKind::Eventually {
-            return vec![words(format!("On {} both sides are the same at no time.", self.name))];
+            return named().into_iter().chain([words(" both sides are the same at no time.")]).collect();
         }
-        let mut out = vec![words(format!("On {} at ", self.name)), StorySpan::Math(format!("t={}", six(w.t)), scope)];
+        let mut out = named();
+        out.extend([words(" at "), StorySpan::Math(format!("t={}", six(w.t)), scope)]);
         let label = super::wording::label(&w.formula);
         let agree = (w.left - w.right).abs() <= w.bound;
         // What shall never be is refuted where it is, in every component.
@@ -111,7 +118,7 @@ fn decades_apart(left: f64, right: f64, bound: f64) -> u32 {
 }
 
 /// The formula of a claim that is shown: that of the witness, or of the correction; else the first.
-fn shown_formula(claim: &ClaimAccount, correction: Option<&Correction>) -> usize {
+pub(super) fn shown_formula(claim: &ClaimAccount, correction: Option<&Correction>) -> usize {
     let witness = RefutingMotion::found(claim).and_then(|(_, e)| e.witness.as_ref()).map(|w| dense(&w.formula));
     let wanted = correction.map(|c| dense(&c.printed)).or(witness);
     let is_wanted = |f: &String| wanted.as_ref().is_some_and(|w| *w == dense(f));
@@ -119,7 +126,11 @@ fn shown_formula(claim: &ClaimAccount, correction: Option<&Correction>) -> usize
 }
 
 /// A formula of a claim with what is said of it.
-fn formula_of<'a>(derivation: &'a Derivation, claim: &'a ClaimAccount, at: usize) -> Option<FormulaShown<'a>> {
+pub(super) fn formula_of<'a>(
+    derivation: &'a Derivation,
+    claim: &'a ClaimAccount,
+    at: usize,
+) -> Option<FormulaShown<'a>> {
     let declared = declared(derivation, claim);
     let scope = declared.map_or(&derivation.scope, |d| &d.scope);
     let text = claim.formulas.get(at)?;
@@ -137,7 +148,7 @@ fn formula_of<'a>(derivation: &'a Derivation, claim: &'a ClaimAccount, at: usize
 }
 
 /// A formula as it is shown.
-struct FormulaShown<'a> {
+pub(super) struct FormulaShown<'a> {
     /// What is said of it.
     lead: String,
     formula: Option<String>,
@@ -147,8 +158,13 @@ struct FormulaShown<'a> {
 }
 
 impl<'a> FormulaShown<'a> {
+    /// Whether there is a formula of at most so many bytes.
+    pub fn is_within(&self, most: usize) -> bool {
+        self.formula.as_ref().is_some_and(|f| f.len() <= most)
+    }
+
     /// The line, the formula marked where it differs from another.
-    fn spans(&self, beside: Option<&str>, wrong: bool) -> Vec<StorySpan<'a>> {
+    pub fn spans(&self, beside: Option<&str>, wrong: bool) -> Vec<StorySpan<'a>> {
         let mut out = Vec::new();
         if self.lead != "At every time" || self.formula.is_none() {
             let colon = if self.formula.is_some() { ": " } else { "" };
@@ -250,7 +266,9 @@ pub(super) fn blocks<'a>(
         let at = m.witness().map(|w| w.t);
         Sketch::sides(m.series()?, at, &m.name)
     }) {
-        out.push(StoryBlock::Figure(sketch, Vec::new()));
+        // Beside conclusions a terminal has no room for a drawing.
+        let figure = StoryBlock::Figure(sketch, Vec::new());
+        out.push(if line.is_brief { StoryBlock::Group("roomy", vec![figure]) } else { figure });
     }
     if let Some(shown) = formula_of(derivation, claim, shown_formula(claim, correction)) {
         let is_print = declared(derivation, claim).is_some_and(|d| d.printed && d.label.is_some());

@@ -1,6 +1,6 @@
 //! What became of each sentence: the readings of a claim taken together.
 //!
-//! **In:** the account. **Out:** one [`Whole`] for each claim of the file, with its [`Fate`], and the sentence that counts them.
+//! **In:** the account. **Out:** one [`Whole`] for each claim of the file, with its [`Fate`].
 //! A reader asks which claims stand; thousands of verdicts do not say it. Nothing is judged here: a fate follows from the
 //! verdicts of the readings by [`Fate::of`].
 //!
@@ -10,6 +10,7 @@
 
 use super::basis::Basis;
 use super::graph::{DerivationGraph, ProofStanding};
+use super::headline::CountedFate;
 use super::numbers::count;
 use super::story::VerdictShape;
 use super::tally::{Standing, declared};
@@ -313,6 +314,20 @@ impl<'a> Whole<'a> {
             && self.deciding().filter(applies).all(|r| r.proof == ProofStanding::Proved)
     }
 
+    /// A reading that the paper needs, and that fails.
+    pub fn failing_need(&self) -> Option<&Reading<'a>> {
+        let fails = |r: &&Reading<'_>| matches!(r.standing, Standing::Fails | Standing::Mixed);
+        self.readings.iter().filter(|r| r.role == ClaimRole::Needs).find(fails)
+    }
+
+    /// What became of it, with what the paper needs of it.
+    pub fn counted_as(&self) -> CountedFate {
+        match self.fate {
+            Fate::Stands if self.failing_need().is_some() => CountedFate::AsSaid,
+            fate => CountedFate::Fate(fate),
+        }
+    }
+
     /// The reading that does not hold, of those that decide: one that fails everywhere before one that fails somewhere.
     pub fn failing(&self) -> Option<&Reading<'a>> {
         let with = |standing: Standing| self.deciding().find(move |r| r.standing == standing);
@@ -352,39 +367,6 @@ pub(super) fn listed(parts: &[String]) -> String {
         [one, last] => format!("{one} and {last}"),
         [more @ .., last] => format!("{}, and {last}", more.join(", ")),
     }
-}
-
-/// The sentence that counts: `Of 54 claims of the paper 33 stand, 4 do not hold, …`.
-pub(super) fn headline(wholes: &[Whole<'_>]) -> String {
-    let of = |fate: Fate| wholes.iter().filter(|w| w.fate == fate).count();
-    let mut parts: Vec<String> = Vec::new();
-    for fate in Fate::TOLD {
-        let n = of(fate);
-        if n > 0 {
-            parts.push(format!("{n} {}", fate.words(n)));
-        }
-    }
-    let told = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count();
-    let all = count(told, "claim");
-    match parts.as_slice() {
-        [] => format!("{all}."),
-        [_] => {
-            let fate = wholes.iter().map(|w| w.fate).find(|f| f.is_of_the_paper()).unwrap_or(Fate::Nowhere);
-            if told == 1 { format!("The claim {}.", fate.words(1)) } else { format!("All {all} {}.", fate.words(2)) }
-        }
-        parts => format!("Of {all} {}.", listed(parts)),
-    }
-}
-
-/// What is in the file beside the paper's claims, in a sentence; `None` where there is nothing.
-pub(super) fn beside(wholes: &[Whole<'_>]) -> Option<String> {
-    let parts: Vec<String> = [Fate::Choice, Fate::Lemma, Fate::Added]
-        .into_iter()
-        .map(|fate| (fate, wholes.iter().filter(|w| w.fate == fate).count()))
-        .filter(|(_, n)| *n > 0)
-        .map(|(fate, n)| format!("{n} {}", fate.words(n)))
-        .collect();
-    (!parts.is_empty()).then(|| format!("Not counted: {}.", listed(&parts)))
 }
 
 /// A condition under which claims hold that fail without it.
@@ -595,7 +577,5 @@ mod tests {
         assert_eq!(readings, account.claims.len());
         let told: usize = Fate::ALL.iter().map(|f| wholes.iter().filter(|w| w.fate == *f).count()).sum();
         assert_eq!(told, wholes.len());
-        let sentence = headline(&wholes);
-        assert!(sentence.starts_with(['O', 'A']) && sentence.ends_with('.'), "{sentence}");
     }
 }

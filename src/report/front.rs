@@ -10,6 +10,7 @@ use std::collections::BTreeSet;
 use super::basis::Basis;
 use super::consequence::Consequences;
 use super::digest::{self, Fate, Whole};
+use super::headline::{self, CountedFate};
 use super::numbers::count;
 use super::tally::{Standing, name};
 use crate::derivation::Derivation;
@@ -31,6 +32,8 @@ pub(super) struct Line {
     pub brief: String,
     /// What falls with it: a sentence, or nothing.
     pub consequence: Option<String>,
+    /// Whether a terminal has little room for it: conclusions are told, too.
+    pub is_brief: bool,
 }
 
 /// The first page.
@@ -76,6 +79,7 @@ impl Front {
             reason: reason(whole, MotionName::Said),
             brief: reason(whole, MotionName::Left),
             consequence: consequence(whole, hangs),
+            is_brief: !hangs.conclusions().is_empty(),
         };
         let file = project_path(&derivation.file.path);
         Front {
@@ -85,7 +89,7 @@ impl Front {
             lines: against.iter().take(MOST).map(line).collect(),
             more,
             alarms: alarms(derivation, account),
-            beside: digest::beside(wholes),
+            beside: headline::beside(wholes),
             author: match &derivation.encoded_by {
                 Some(author) => format!("Encoded by {}.", author.trim_end_matches('.')),
                 None => "Who encoded it is not said in the file.".to_owned(),
@@ -103,26 +107,35 @@ impl Front {
 
 /// The verdict in one sentence: of the conclusions first, then of all claims.
 fn verdict(wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> String {
-    let counted = digest::headline(wholes);
+    let counted = headline::headline(wholes);
     let conclusions: Vec<&Whole<'_>> = wholes.iter().filter(|w| w.conclusion).collect();
     if conclusions.is_empty() {
         return counted;
     }
-    let against: BTreeSet<&str> = wholes.iter().filter(|w| w.fate.is_against()).map(|w| w.id).collect();
-    let falls = |w: &&&Whole<'_>| w.fate.is_against();
-    let loses = |w: &&&Whole<'_>| {
-        let hit = || hangs.grounds_of(w.id).iter().any(|ground| against.contains(ground));
-        !w.fate.is_against() && !against.is_empty() && hit()
+    let with = |is: fn(&Whole<'_>) -> bool| wholes.iter().filter(|w| is(w)).map(|w| w.id).collect::<BTreeSet<&str>>();
+    let against = with(|w| w.fate.is_against());
+    let as_needed = with(|w| w.counted_as() == CountedFate::AsSaid);
+    let rests_on = |w: &Whole<'_>, some: &BTreeSet<&str>| {
+        !some.is_empty() && hangs.grounds_of(w.id).iter().any(|ground| some.contains(ground))
     };
-    let (fallen, lost) = (conclusions.iter().filter(falls).count(), conclusions.iter().filter(loses).count());
+    let (mut fallen, mut lost, mut unmet) = (0, 0, 0);
+    for whole in &conclusions {
+        match (whole.fate.is_against(), rests_on(whole, &against)) {
+            (true, _) => fallen += 1,
+            (false, true) => lost += 1,
+            (false, false) if rests_on(whole, &as_needed) => unmet += 1,
+            (false, false) => {}
+        }
+    }
     let all = count(conclusions.len(), "conclusion");
     let mut parts = Vec::new();
     if fallen > 0 {
         parts.push(format!("{fallen} {} not hold", if fallen == 1 { "does" } else { "do" }));
     }
-    if lost > 0 {
-        let verb = if lost == 1 { "rests" } else { "rest" };
-        parts.push(format!("{lost} {verb} on claims that do not stand"));
+    for (n, what) in [(lost, "that do not stand"), (unmet, "that fail as needed")] {
+        if n > 0 {
+            parts.push(format!("{n} {} on claims {what}", if n == 1 { "rests" } else { "rest" }));
+        }
     }
     let of_conclusions = match parts.is_empty() {
         true => format!("of the paper's {all} none rests on a claim that fails"),
@@ -133,7 +146,8 @@ fn verdict(wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> String {
 
 /// With what strength claims stand.
 fn strength(wholes: &[Whole<'_>]) -> Option<String> {
-    let mut found: Vec<Basis> = wholes.iter().filter(|w| w.fate == Fate::Stands).filter_map(Whole::basis).collect();
+    let mut found: Vec<Basis> =
+        wholes.iter().filter(|w| w.counted_as() == CountedFate::Fate(Fate::Stands)).filter_map(Whole::basis).collect();
     found.sort_by(|a, b| b.cmp(a));
     let mut kinds: Vec<(&str, usize)> = Vec::new();
     for basis in &found {

@@ -9,7 +9,9 @@ use std::collections::BTreeMap;
 use super::card::RefutingMotion;
 use super::consequence::Consequences;
 use super::digest::{self, Fate, Whole};
+use super::headline::CountedFate;
 use super::numbers::count;
+use super::points::{self, Needed};
 use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, quiet, words};
 use super::tally::{Standing, declared, name};
 use super::wording::dense;
@@ -20,7 +22,7 @@ use findings::{Account, ClaimAccount};
 use reason::{Bounded, Proviso, Term};
 
 /// Most hypotheses that are told on page one; more are folded.
-const MOST: usize = 3;
+const MOST: usize = 5;
 /// Longest hypothesis that comes first, in bytes.
 const LONGEST_SHOWN: usize = 70;
 /// Most that are told at all.
@@ -28,15 +30,25 @@ const MOST_FOLDED: usize = 60;
 /// Most claims that are named of each.
 const MOST_NAMED: usize = 3;
 /// Most conventions on page one.
-const MOST_CONVENTIONS: usize = 3;
+const MOST_CONVENTIONS: usize = 2;
 /// Longest convention on page one, in bytes.
 const LONGEST_CONVENTION: usize = 90;
+
+/// How well a hypothesis is read: what has words comes first.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Readable {
+    /// The words of the file, or an order of letters.
+    Words,
+    /// A short formula.
+    Formula,
+    /// What is too long for a line of page one.
+    Long,
+}
 
 /// Something that steps use.
 struct Hypothesis<'a> {
     says: Vec<StorySpan<'a>>,
-    /// By which equals are found.
-    key: String,
+    readable: Readable,
     /// The claims that use it.
     used: Vec<String>,
 }
@@ -48,17 +60,21 @@ pub(super) fn blocks<'a>(
     wholes: &[Whole<'a>],
 ) -> Vec<StoryBlock<'a>> {
     let mut all = gathered(derivation, account, wholes);
-    // What is too long for a line of page one is among the last.
-    all.sort_by_key(|h| (h.key.len() > LONGEST_SHOWN, std::cmp::Reverse(h.used.len())));
+    // What has words comes first, then what most claims use.
+    all.sort_by_key(|h| (h.readable, std::cmp::Reverse(h.used.len())));
     let mut out = vec![StoryBlock::Heading("Used and not said".to_owned())];
-    let short = all.iter().take_while(|h| h.key.len() <= LONGEST_SHOWN).count();
+    let short = all.iter().take_while(|h| h.readable != Readable::Long).count();
     let shown = all.len().min(MOST).min(short.max(1));
     if all.is_empty() {
         out.push(StoryBlock::Paragraph(vec![quiet("No step uses a condition that its claim does not say.")]));
         out.extend(conventions(derivation));
         return out;
     }
-    let mut line = joined(all[..shown].iter().map(counted), "; ");
+    let counted = all[..shown].iter().enumerate().map(|(at, of)| {
+        let unit = if at == 0 { count(of.used.len(), "claim") } else { of.used.len().to_string() };
+        of.says.iter().cloned().chain([quiet(format!(" ({unit})"))]).collect()
+    });
+    let mut line = joined(counted, "; ");
     let more = all.len() - shown;
     line.push(quiet(if more > 0 { format!("; {more} more on the page.") } else { ".".to_owned() }));
     out.push(StoryBlock::Paragraph(line));
@@ -73,13 +89,6 @@ pub(super) fn blocks<'a>(
         unfolded: Some(String::new()),
         blocks: folded,
     });
-    out
-}
-
-/// A hypothesis, and how many claims use it.
-fn counted<'a>(of: &Hypothesis<'a>) -> Vec<StorySpan<'a>> {
-    let mut out = of.says.clone();
-    out.push(quiet(format!(" ({})", count(of.used.len(), "claim"))));
     out
 }
 
@@ -111,15 +120,70 @@ fn conventions<'a>(derivation: &'a Derivation) -> Option<StoryBlock<'a>> {
     Some(StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(out)]))
 }
 
+/// Letters that are said to differ, or to be no values between others: what a condition says of them.
+struct Sides {
+    letters: Vec<String>,
+    between: Option<bool>,
+}
+
+/// The letters of a condition that is `a ≠ b`, or `(a-b)(a-c)` with a sign.
+fn sides(key: &str) -> Option<Sides> {
+    let text = canonical(key);
+    let is_letter = |of: &str| {
+        of == "0" || of.starts_with(|c: char| c.is_alphabetic() || c == '\\') && !of.contains(['+', '-', '(', '^'])
+    };
+    if let Some((a, b)) = text.split_once('≠') {
+        // What is zero is said last.
+        let (a, b) = if a == "0" { (b, a) } else { (a, b) };
+        let letters = vec![a.to_owned(), b.to_owned()];
+        return letters.iter().all(|l| is_letter(l)).then_some(Sides { letters, between: None });
+    }
+    let (product, at_least) = match (text.strip_suffix("≥0"), text.strip_suffix("≤0")) {
+        (Some(product), _) => (product, true),
+        (_, Some(product)) => (product, false),
+        (None, None) => return None,
+    };
+    let (one, other) = product.split_once("\\cdot")?;
+    let difference = |of: &'_ str| -> Option<(String, String)> {
+        let (a, b) = of.strip_prefix('(')?.strip_suffix(')')?.split_once('-')?;
+        (is_letter(a) && is_letter(b)).then(|| (a.to_owned(), b.to_owned()))
+    };
+    let ((a, b), (c, d)) = (difference(one)?, difference(other)?);
+    let (middle, left, right, same) = match () {
+        () if a == c => (a, b, d, true),
+        () if b == d => (b, a, c, true),
+        () if a == d => (a, b, c, false),
+        () if b == c => (b, a, d, false),
+        () => return None,
+    };
+    let (left, right) = if right < left { (right, left) } else { (left, right) };
+    Some(Sides { letters: vec![middle, left, right], between: Some(same != at_least) })
+}
+
+/// A condition on the order of letters, in words.
+fn ordered<'a>(key: &str, scope: &'a Scope) -> Option<Vec<StorySpan<'a>>> {
+    let of = sides(key)?;
+    let letter = |at: usize| StorySpan::Math(of.letters[at].clone(), scope);
+    Some(match of.between {
+        None => vec![letter(0), words(" ≠ "), letter(1)],
+        Some(true) => {
+            vec![letter(0), words(" between "), letter(1), words(" and "), letter(2), words(", or one of them")]
+        }
+        Some(false) => vec![letter(0), words(" not strictly between "), letter(1), words(" and "), letter(2)],
+    })
+}
+
 /// What a proof needs, as it is shown, and by which equals are found.
 fn of_proviso<'a>(of: &Proviso, scope: &'a Scope) -> (Vec<StorySpan<'a>>, String) {
     let key = of.to_string();
     let says = match of {
-        Proviso::Where { formula, is } => {
+        Proviso::Where { formula, is } => ordered(&key, scope).unwrap_or_else(|| {
             let (left, rest) = is.parts(formula);
             vec![StorySpan::Math(left.into_owned(), scope), words(rest)]
+        }),
+        Proviso::Written(formula) => {
+            ordered(&key, scope).unwrap_or_else(|| vec![StorySpan::Math(formula.to_string(), scope)])
         }
-        Proviso::Written(formula) => vec![StorySpan::Math(formula.to_string(), scope)],
         Proviso::Leap(formula) => {
             vec![StorySpan::Math(formula.to_string(), scope), words(" neither leaps nor has an edge")]
         }
@@ -140,7 +204,15 @@ fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whol
         match out.get_mut(at) {
             Some(known) if known.used.contains(&claim) => {}
             Some(known) => known.used.push(claim),
-            None => out.push(Hypothesis { says, key, used: vec![claim] }),
+            None => {
+                let readable = match says.as_slice() {
+                    _ if key.len() > LONGEST_SHOWN => Readable::Long,
+                    [StorySpan::Prose(text, ..) | StorySpan::Words(text, _)] if !text.contains('$') => Readable::Words,
+                    _ if places_of(&key, "\\cdot").len() < 2 && sides(&key).is_some() => Readable::Words,
+                    _ => Readable::Formula,
+                };
+                out.push(Hypothesis { says, readable, used: vec![claim] });
+            }
         }
     };
     for unsaid in digest::unsaid(derivation, account) {
@@ -183,16 +255,17 @@ fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whol
     }
     for reading in wholes.iter().flat_map(|w| &w.readings).filter(|r| r.role == ClaimRole::MayMean) {
         let claim = reading.claim;
-        let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
         for needed in claim.conditions.assumptions.iter().filter(|a| a.need == Need::Needed) {
-            add(vec![StorySpan::Math(needed.text.clone(), scope)], needed.text.clone(), name(claim));
+            let says = points::in_words(derivation, &needed.text, claim);
+            let key = if let StorySpan::Prose(text, ..) = &says { text.clone() } else { needed.text.clone() };
+            add(vec![says], key, name(claim));
         }
     }
     out
 }
 
 /// One spelling of a condition that is written in several: `A - B ≠ 0` is `A \ne B`, either way round, and factors have no order.
-fn canonical(text: &str) -> String {
+pub(super) fn canonical(text: &str) -> String {
     let text = dense(text).replace("\\neq", "≠").replace("\\ne", "≠");
     if let Some((left, right)) = text.split_once('≠') {
         let minus: Vec<usize> = places_of(left, "-");
@@ -255,6 +328,8 @@ pub(super) fn uses(term: Term) -> bool {
     }
 }
 
+/// Most claims that stand as said, and fail as needed, that are unfolded.
+const MOST_AS_NEEDED: usize = 12;
 /// Most labels of equations.
 const MOST_LABELS: usize = 12;
 
@@ -265,9 +340,9 @@ pub(super) fn limits<'a>(
     wholes: &[Whole<'a>],
     hangs: &Consequences<'a>,
 ) -> Vec<StoryBlock<'a>> {
-    let mut out = equations(derivation, wholes);
+    let out = equations(derivation, wholes);
     let mut limited: Vec<(&Whole<'a>, &'a ClaimAccount)> =
-        wholes.iter().filter(|w| w.fate == Fate::Stands).filter_map(|w| Some((w, needed(w)?))).collect();
+        wholes.iter().filter(|w| w.fate == Fate::Stands).filter_map(|w| Some((w, w.failing_need()?.claim))).collect();
     // What other claims assume comes first, then the heaviest; equals stay in the order of the paper.
     let refuted = |claim: &'a ClaimAccount| RefutingMotion::of(derivation, claim).filter(|m| m.witness().is_some());
     let assumed = |claim: &ClaimAccount| {
@@ -277,39 +352,40 @@ pub(super) fn limits<'a>(
     limited.sort_by_cached_key(|(w, claim)| {
         std::cmp::Reverse((assumed(claim), refuted(claim).is_some(), hangs.weight(w.id)))
     });
-    if let Some((whole, claim)) = limited.first()
-        && let Some(reading) = whole.readings.iter().find(|r| std::ptr::eq(r.claim, *claim))
-    {
-        let fails = digest::verdict(reading);
-        let space = if out.is_empty() { "" } else { " " };
-        let readings = count(assumed(claim), "reading");
-        let assumed = if assumed(claim) > 0 { format!("; {readings} assume it") } else { String::new() };
-        out.extend([words(space), StorySpan::Claim(whole.id.to_owned(), Tone::Strong)]);
-        let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
-        let formula = claim.formulas.first().filter(|f| f.len() <= LONGEST_SHOWN);
-        out.extend(formula.into_iter().flat_map(|f| [quiet(" ("), StorySpan::Math(f.clone(), scope), quiet(")")]));
-        out.extend([
-            words(" stands as it is said; as it is needed, it "),
-            StorySpan::Prose(format!("{}{assumed}. ", fails.replacen('F', "f", 1)), &derivation.scope, Tone::Plain),
-        ]);
-        out.extend(refuted(claim).map(|m| m.says(&derivation.scope)).unwrap_or_default());
+    let Some((first, rest)) = limited.split_first() else {
+        return if out.is_empty() { Vec::new() } else { vec![StoryBlock::Paragraph(out)] };
+    };
+    let item = |(whole, claim): &(&Whole<'a>, &'a ClaimAccount)| as_needed(derivation, whole, assumed(claim));
+    let mut told = item(first);
+    if let StoryBlock::Paragraph(line) = &mut told[0] {
+        if !out.is_empty() {
+            line.splice(0..0, out.into_iter().chain([words(" ")]));
+        }
+        line.push(quiet(" As needed: in the sense in which the argument uses it."));
     }
-    let mut blocks = if out.is_empty() { Vec::new() } else { vec![StoryBlock::Paragraph(out)] };
-    if limited.len() > 1 {
-        let beside = match limited.len() - 1 {
-            1 => "1 more claim stands as said, and fails as needed.".to_owned(),
-            more => format!("{more} more claims stand as said, and fail as needed."),
+    let mut blocks = vec![StoryBlock::Group("needed", told)];
+    if !rest.is_empty() {
+        let items = rest.iter().take(MOST_AS_NEEDED).flat_map(item).collect();
+        let title = match rest.len() {
+            1 => "1 more claim stands as said, and fails as needed".to_owned(),
+            more => format!("{more} more claims stand as said, and fail as needed"),
         };
-        let beside = vec![quiet(beside)];
-        blocks.push(StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(beside)]));
+        blocks.push(StoryBlock::Fold { title, unfolded: Some(String::new()), blocks: items });
     }
     blocks
 }
 
-/// The reading that the paper needs and that fails, on some motion or wherever it applies.
-fn needed<'a>(whole: &Whole<'a>) -> Option<&'a ClaimAccount> {
-    let fails = |standing: Standing| standing == Standing::Fails || standing == Standing::Mixed;
-    whole.readings.iter().find(|r| r.role == ClaimRole::Needs && fails(r.standing)).map(|r| r.claim)
+/// A claim that stands as it is said, and fails as it is needed, with the lines on what is needed.
+fn as_needed<'a>(derivation: &'a Derivation, whole: &Whole<'a>, assumed: usize) -> Vec<StoryBlock<'a>> {
+    let mut line = vec![StorySpan::Claim(whole.id.to_owned(), Tone::Strong)];
+    let says = format!(" {}", CountedFate::AsSaid.words(1));
+    line.push(words(match assumed {
+        0 => format!("{says}."),
+        n => format!("{says} ({} {} it).", count(n, "reading"), if n == 1 { "assumes" } else { "assume" }),
+    }));
+    let mut out = vec![StoryBlock::Paragraph(line)];
+    out.extend(points::lines(derivation, whole, Needed::Shown));
+    out
 }
 
 /// The labels of printed equations of which all claims stand.
@@ -339,6 +415,19 @@ fn equations<'a>(derivation: &'a Derivation, wholes: &[Whole<'a>]) -> Vec<StoryS
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_order_of_letters_has_words() {
+        let of = |key: &str| sides(key).map(|s| (s.letters.join(" "), s.between));
+        assert_eq!(of(r"I_2-I_1 ≠ 0"), Some(("I_1 I_2".to_owned(), None)));
+        assert_eq!(of(r"m_3 ≠ 0"), Some(("m_3 0".to_owned(), None)));
+        assert_eq!(of(r"(I_2-I_3)\cdot (I_2-I_1) ≥ 0"), Some(("I_2 I_1 I_3".to_owned(), Some(false))));
+        assert_eq!(of(r"(I_3-I_1)\cdot (I_2-I_3) ≥ 0"), Some(("I_3 I_1 I_2".to_owned(), Some(true))));
+        assert_eq!(of(r"(I_3-I_1)\cdot (I_3-I_2) ≤ 0"), Some(("I_3 I_1 I_2".to_owned(), Some(true))));
+        assert_eq!(of(r"a+b ≠ 0"), None);
+        assert_eq!(of(r"(a-b)\cdot (c-d) ≥ 0"), None);
+        assert_eq!(of(r"x ≥ 0"), None);
+    }
 
     #[test]
     fn one_condition_in_several_spellings_is_one() {

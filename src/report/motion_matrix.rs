@@ -14,12 +14,13 @@ use super::discrimination;
 use super::graph::ProofStanding;
 use super::numbers::count;
 use super::story::{self, StoryBlock, StoryItem, StorySpan, StoryTable, Tone, VerdictShape, joined, quiet, words};
-use super::tally::Standing;
 use crate::derivation::{ClaimRole, Derivation};
 use findings::{Account, ClaimAccount, Outcome, Strength};
 
 /// Most claims that are shown.
 pub(super) const MOST_ROWS: usize = 9;
+/// The same where the paper has conclusions, which page one tells by themselves, too.
+const MOST_ROWS_BESIDE: usize = 6;
 /// Most classes of motions that are shown.
 pub(super) const MOST_COLUMNS: usize = 6;
 /// Most motions that are named of a class.
@@ -48,7 +49,7 @@ pub(super) fn that_matter<'w, 'a>(wholes: &'w [Whole<'a>], hangs: &Consequences<
         let whole = &wholes[at];
         (!whole.conclusion, !whole.fate.is_against(), std::cmp::Reverse(hangs.weight(whole.id)), at)
     });
-    all.truncate(MOST_ROWS);
+    all.truncate(if hangs.conclusions().is_empty() { MOST_ROWS } else { MOST_ROWS_BESIDE });
     all.sort_unstable();
     all.into_iter().map(|at| &wholes[at]).collect()
 }
@@ -81,7 +82,7 @@ pub(super) fn blocks<'a>(
     }
     let more = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count().saturating_sub(rows.len());
     if more > 0 {
-        legend.push(quiet(format!("; {more} more rows")));
+        legend.push(quiet(format!("; +{more} rows")));
     }
     let keys = columns.into_iter().enumerate().map(|(at, column)| StoryItem {
         mark: letter(at),
@@ -254,7 +255,7 @@ fn columns<'a>(derivation: &'a Derivation, account: &'a Account, rows: &[&Whole<
         }
     }
     if known {
-        out.push(MatrixColumn { says: vec![words("for all values, without a motion")], of: ColumnMotions::AllValues });
+        out.push(MatrixColumn { says: vec![words("for all values")], of: ColumnMotions::AllValues });
     }
     out
 }
@@ -273,6 +274,28 @@ enum ClassMark<'a> {
     Conditions(Vec<Option<bool>>),
     /// The verdicts of the claims that are shown.
     Verdicts(Vec<Option<&'a str>>),
+}
+
+/// Which of the conditions a class of motions meets, in words: those that are met; where only some are, that; else that none is.
+fn condition_words<'a>(
+    derivation: &'a Derivation,
+    met: &[Option<bool>],
+    conditions: &[digest::Unsaid<'_>],
+) -> Vec<Vec<StorySpan<'a>>> {
+    let with = |is: bool| met.iter().zip(conditions).filter(move |(met, _)| **met == Some(is)).map(|(_, u)| u);
+    let (some, others) = (with(true).count(), with(false).count());
+    let says = |u: &digest::Unsaid<'_>, lead: &str| {
+        let text = format!("{lead}{}", digest::explanation(u.explanation));
+        vec![StorySpan::Prose(text, &derivation.scope, Tone::Plain)]
+    };
+    match (some, others) {
+        (0, 0) => Vec::new(),
+        (0, 1) => with(false).map(|u| says(u, "not: ")).collect(),
+        (0, 2) => vec![vec![words("neither")]],
+        (0, _) => vec![vec![words("none of these")]],
+        (_, 0) => with(true).map(|u| says(u, "")).collect(),
+        _ => with(true).map(|u| says(u, "only ")).collect(),
+    }
 }
 
 /// Classes of motions, at most so many: the smallest are put together.
@@ -323,14 +346,14 @@ fn motions<'a>(
         match mark {
             ClassMark::Verdicts(_) => vec![words(named(ids))],
             ClassMark::Conditions(of) => {
-                let parts = of.iter().zip(&conditions).filter_map(|(is, u)| {
-                    let text = digest::explanation(u.explanation);
-                    let text = if (*is)? { text } else { format!("not: {text}") };
-                    Some(vec![StorySpan::Prose(text, &derivation.scope, Tone::Plain)])
-                });
-                let mut out = joined(parts, "; ");
+                let mut out = joined(condition_words(derivation, of, &conditions), "; ");
                 let lead = if out.is_empty() { "neither is known: " } else { ": " };
-                out.push(quiet(format!("{lead}{n}, e.g. {}", ids.first().copied().unwrap_or_default())));
+                let first = ids.first().copied().unwrap_or_default();
+                out.push(quiet(if ids.len() == 1 {
+                    format!("{lead}{first}")
+                } else {
+                    format!("{lead}{n}, e.g. {first}")
+                }));
                 out
             }
         }
@@ -347,10 +370,4 @@ fn motions<'a>(
         out.push(MatrixColumn { says, of: ColumnMotions::Motions(rest.into_iter().collect()) });
     }
     out
-}
-
-/// Whether a claim with all its readings has a reading that the paper needs, and that fails.
-pub(super) fn failing_need<'w, 'a>(whole: &'w Whole<'a>) -> Option<&'w Reading<'a>> {
-    let fails = |r: &&Reading<'_>| matches!(r.standing, Standing::Fails | Standing::Mixed);
-    whole.readings.iter().filter(|r| r.role == ClaimRole::Needs).find(fails)
 }

@@ -23,8 +23,8 @@ use findings::Account;
 const MOST_NAMED: usize = 6;
 /// Cards on the first screen; more are folded. Conclusions need the room of those that a terminal leaves out, too.
 const MOST_CARDS: usize = 3;
-/// Most bytes of the remark of a file that are not folded.
-const MOST_REMARKED: usize = 240;
+/// Most lines of a terminal that have the remark of a file; the rest is folded.
+const MOST_REMARKED: usize = 2;
 /// Cards that a terminal has room for, if there are few of them; of more only the first.
 const FEW_CARDS: usize = 2;
 
@@ -75,19 +75,23 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     ]
 }
 
-/// What the file remarks: its first sentences, and the others folded.
+/// What the file remarks: the sentences that have room in two lines of a terminal, and the others folded.
 fn remark(derivation: &Derivation) -> Option<StoryBlock<'_>> {
+    const LEAD: &str = "Remark of the file: ";
     let text = derivation.remark.as_deref()?.trim();
-    let ends = text.match_indices(". ").map(|(at, _)| at + 1);
-    let end = ends.take_while(|&at| at <= MOST_REMARKED).last().filter(|_| text.len() > MOST_REMARKED);
-    let (first, rest) = text.split_at(end.unwrap_or(text.len()));
-    let prose = |text: &str| StorySpan::Prose(text.trim().to_owned(), &derivation.scope, Tone::Plain);
-    let mut inside = vec![StoryBlock::Paragraph(vec![quiet("Remark of the file: "), prose(first)])];
+    let fits = |end: &usize| paragraph(&format!("{LEAD}{}", &text[..*end]), 0).lines().count() <= MOST_REMARKED;
+    let sentences = text.match_indices(". ").map(|(at, _)| at + 1).chain([text.len()]);
+    let spaces = text.match_indices(' ').map(|(at, _)| at);
+    let end = sentences.take_while(fits).last().or_else(|| spaces.take_while(fits).last()).unwrap_or(text.len());
+    let (first, rest) = text.split_at(end);
+    let dots = if first.ends_with('.') { "" } else { " …" };
+    let prose = |text: String| StorySpan::Prose(text.trim().to_owned(), &derivation.scope, Tone::Plain);
+    let mut inside = vec![StoryBlock::Paragraph(vec![quiet(LEAD), prose(format!("{first}{dots}"))])];
     if !rest.trim().is_empty() {
-        let blocks = vec![StoryBlock::Paragraph(vec![prose(rest)])];
+        let blocks = vec![StoryBlock::Paragraph(vec![prose(rest.to_owned())])];
         inside.push(StoryBlock::Fold { title: "The rest of the remark".to_owned(), unfolded: None, blocks });
     }
-    Some(StoryBlock::Group("roomy", vec![StoryBlock::Group("remark", inside)]))
+    Some(StoryBlock::Group("remark", inside))
 }
 
 /// What does not stand, as cards; where all stands, what most rests on, as it is printed.
@@ -116,11 +120,10 @@ fn wrong<'a>(
         out.push(StoryBlock::Group("roomy", roomy));
     }
     let ids: Vec<&str> = front.lines.iter().map(|l| l.id.as_str()).collect();
-    let more = if front.more > 0 { format!(", and {} more", front.more) } else { String::new() };
     if ids.len() > on_terminal {
         let hidden = ids.get(most..).unwrap_or_default();
         out.push(StoryBlock::Fold {
-            title: format!("{} more: {}{more}", hidden.len(), hidden.join(", ")),
+            title: format!("{} more: {}", hidden.len() + front.more, first_of(hidden, front.more)),
             unfolded: Some(format!("Nor do these: {}.", first_of(&ids[on_terminal..], front.more))),
             blocks: folded,
         });
@@ -195,7 +198,7 @@ fn capital(text: &str) -> String {
 /// Page one for a terminal, with escape codes if `colour`.
 pub fn front_page(derivation: &Derivation, account: &Account, colour: bool) -> String {
     let paint = Paint(colour);
-    let head = format!("{}\n{}\n", paint.bold(&derivation.title), paragraph(&derivation.concerns, 2));
+    let head = format!("{}\n{}", paint.bold(&derivation.title), paragraph(&derivation.concerns, 2));
     head + &story::terminal(&blocks(derivation, account), paint)
 }
 

@@ -62,17 +62,17 @@ impl VerdictShape {
     pub fn row(self) -> (&'static str, &'static str, &'static str, &'static str) {
         match self {
             VerdictShape::Proved => ("◆", "h p", r"$\blacklozenge$", "holds, proved for all values"),
-            VerdictShape::ProvedGiven => ("◈", "h g", r"$\lozenge$", "holds, proved given others"),
+            VerdictShape::ProvedGiven => ("◈", "h g", r"$\lozenge$", "proved, given others"),
             VerdictShape::ProvedExcept => ("⬖", "h c", r"$\blacklozenge^{-}$", "holds, proved, special cases apart"),
             VerdictShape::Unreplayed => ("⬗", "h o", r"$\Diamond^{+}$", "holds, proved, not replayed"),
             VerdictShape::Enclosed => ("■", "h e", r"$\blacksquare$", "holds at every time"),
             VerdictShape::Sampled => ("●", "h", r"$\bullet$", "holds at all samples"),
-            VerdictShape::Weak => ("○", "h w", r"$\circ$", "holds, but much else would"),
+            VerdictShape::Weak => ("○", "h w", r"$\circ$", "holds, weakly: altered formulas would, too"),
             VerdictShape::Fails => ("✕", "f", r"$\times$", "fails at samples"),
             VerdictShape::Certified => ("✖", "f e", r"$\boldsymbol{\times}$", "fails, certified"),
             VerdictShape::Mixed => ("◐", "m", r"$\oslash$", "holds on some"),
-            VerdictShape::Meaning => ("◇", "r", r"$\Diamond$", "depends on the reading"),
-            VerdictShape::NoIdentity => ("≢", "i", r"$\not\equiv$", "no identity"),
+            VerdictShape::Meaning => ("◇", "r", r"$\Diamond$", "depends on reading"),
+            VerdictShape::NoIdentity => ("≢", "i", r"$\not\equiv$", "not for all values"),
             VerdictShape::NotApplicable => ("–", "n", "--", "does not apply"),
             VerdictShape::Undecided => ("?", "u", "?", "open"),
         }

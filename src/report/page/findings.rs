@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use super::super::digest::{self, Fate, Whole};
+use super::super::headline::CountedFate;
 use super::super::numbers::count;
 use super::super::page_one;
 use super::super::shape::VerdictShape;
@@ -30,10 +31,11 @@ pub(super) fn listed(derivation: &Derivation, account: &Account) -> Markup {
     let of = |fate: Fate| -> Vec<&Whole<'_>> { wholes.iter().filter(|w| w.fate == fate).collect() };
     html! {
             ul.counts aria-label="What became of the claims" {
-                @for fate in Fate::TOLD {
-                    @let n = of(fate).len();
+                @for counted in CountedFate::told() {
+                    @let n = wholes.iter().filter(|w| w.counted_as() == counted).count();
+                    @let key = counted.fate().key();
                     @if n > 0 {
-                        li class=(fate.key()) { a href={ "#/found/" (fate.key()) } { b { (n) } " " (fate.words(n)) } }
+                        li class=(key) { a href={ "#/found/" (key) } { b { (n) } " " (counted.words(n)) } }
                     }
                 }
             }
@@ -43,7 +45,7 @@ pub(super) fn listed(derivation: &Derivation, account: &Account) -> Markup {
                 @let found = of(fate);
                 @if !found.is_empty() {
                     h3 id={ "/found/" (fate.key()) } { (count(found.len(), "claim")) " " (fate.words(found.len())) }
-                    p.quiet { (fate.meaning()) }
+                    p.quiet { (fate.meaning()) (of_these(&found)) }
                     @if fate == Fate::Stands {
                         details { summary { "All of them" } (standing(&found, &derivation.scope)) }
                     } @else if !fate.is_of_the_paper() {
@@ -52,6 +54,17 @@ pub(super) fn listed(derivation: &Derivation, account: &Account) -> Markup {
                 }
             }
             (unsaid(derivation, account))
+    }
+}
+
+/// How many of some claims fail in the sense in which the paper uses them.
+fn of_these(found: &[&Whole<'_>]) -> String {
+    match found.iter().filter(|w| w.counted_as() == CountedFate::AsSaid).count() {
+        0 => String::new(),
+        n => format!(
+            " Of these {n} {}: in the sense in which the paper's argument uses them.",
+            if n == 1 { "fails as needed" } else { "fail as needed" }
+        ),
     }
 }
 

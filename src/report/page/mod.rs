@@ -111,8 +111,10 @@ fn header(derivation: &Derivation, contents_of: Option<&Account>) -> Markup {
             @if contents_of.is_some() { a.skip href="#/main" { "Skip to the report" } }
             p.kind { "A check of a derivation" }
             h1 { (prose(&derivation.title, scope)) }
-            p { (prose(&derivation.concerns, scope)) }
-            @if let Some(source) = &derivation.source { p.quiet { "Source: " (prose(source, scope)) } }
+            p {
+                (prose(&derivation.concerns, scope))
+                @if let Some(source) = &derivation.source { " " span.quiet { "Source: " (prose(source, scope)) } }
+            }
             @if let Some(account) = contents_of { (contents(derivation, account)) }
         }
     }

@@ -3,6 +3,7 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::super::mathml;
+pub(super) use super::super::plain::{bare, plain};
 pub(super) use super::super::wording::unit;
 use super::super::wording::{self, Part};
 use crate::latex::Scope;
@@ -54,131 +55,6 @@ pub(in super::super) fn formula(text: &str, scope: &Scope) -> Markup {
         Some(name) => html! { math { mi { (name) } } },
         None => html! { code { (plain(text)) } },
     }
-}
-
-/// A text that is no formula, without the signs that only LaTeX needs, its indices below the line.
-pub(super) fn plain(text: &str) -> String {
-    scripts(&commandless(text)).replace(['{', '}', '\u{2063}'], "").trim_start().to_owned()
-}
-
-/// The same in letters that can be pasted into a program.
-pub(super) fn bare(text: &str) -> String {
-    commandless(text).replace(['{', '}', '\u{2063}'], "")
-}
-
-/// What stands in the braces with which a text begins, and what follows them.
-fn braced(text: &str) -> Option<(&str, &str)> {
-    let inner = text.strip_prefix('{')?;
-    let mut depth = 1;
-    for (at, c) in inner.char_indices() {
-        depth += match c {
-            '{' => 1,
-            '}' => -1,
-            _ => 0,
-        };
-        if depth == 0 {
-            return Some((&inner[..at], &inner[at + 1..]));
-        }
-    }
-    None
-}
-
-/// The argument of a command, in braces or one sign, and what follows it.
-fn argument(text: &str) -> Option<(&str, &str)> {
-    let text = text.trim_start();
-    if text.starts_with('{') {
-        return braced(text);
-    }
-    let first = text.chars().next()?;
-    let length = match first {
-        '\\' => 1 + text[1..].find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(text.len() - 1),
-        first => first.len_utf8(),
-    };
-    Some(text.split_at(length))
-}
-
-fn commandless(text: &str) -> String {
-    let mut out = String::new();
-    let mut rest = text;
-    while let Some(at) = rest.find('\\') {
-        out.push_str(&rest[..at]);
-        let tail = &rest[at + 1..];
-        let length = tail.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(tail.len());
-        let (command, after) = tail.split_at(length);
-        if command == "frac"
-            && let Some((top, bottom, after)) =
-                argument(after).and_then(|(a, rest)| argument(rest).map(|(b, rest)| (a, b, rest)))
-        {
-            let part = |of: &str| match of.contains(['+', '-']) {
-                true => format!("({})", commandless(of)),
-                false => commandless(of),
-            };
-            out.push_str(&format!("{}/{}", part(top), part(bottom)));
-            rest = after;
-            continue;
-        }
-        let above = [("dot", '\u{307}'), ("ddot", '\u{308}'), ("dddot", '\u{20db}')];
-        if let Some((_, mark)) = above.into_iter().find(|(name, _)| *name == command)
-            && let Some((of, after)) = argument(after)
-        {
-            let of = commandless(of).replace(['{', '}'], "");
-            let first = of.trim_start().chars().next().map_or(0, char::len_utf8);
-            let (letter, more) = of.trim_start().split_at(first);
-            out.extend([letter, mark.encode_utf8(&mut [0; 4]), more]);
-            rest = after;
-            continue;
-        }
-        out.push_str(match command {
-            "partial" => "∂",
-            "nabla" => "∇",
-            "cdot" => "·",
-            "sqrt" => "√",
-            "ldots" => "…",
-            "rightarrow" | "to" => "→",
-            "bf" | "boldsymbol" | "left" | "right" | "operatorname" | "mathrm" | "text" | "" => "",
-            name => mathml::letter(name).unwrap_or(name),
-        });
-        rest = if ["partial", "rightarrow", "to"].contains(&command) { after.trim_start() } else { after };
-    }
-    out.push_str(rest);
-    out
-}
-
-/// Indices and exponents as letters below and above the line, where there are such letters for all of an index.
-fn scripts(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut rest = text;
-    while let Some(at) = rest.find(['_', '^']) {
-        let (before, tail) = rest.split_at(at);
-        let (mark, tail) = tail.split_at(1);
-        out.push_str(before);
-        let (index, after) = match tail.strip_prefix('{').and_then(|inner| inner.split_once('}')) {
-            Some((index, after)) => (index, after),
-            None => tail.split_at(tail.chars().next().map_or(0, char::len_utf8)),
-        };
-        let letters: Option<String> = index.chars().map(if mark == "_" { lowered } else { raised }).collect();
-        match letters.filter(|l| !l.is_empty()) {
-            Some(letters) => out.push_str(&letters),
-            None => {
-                out.push_str(mark);
-                out.push_str(index);
-            }
-        }
-        rest = after;
-    }
-    out.push_str(rest);
-    out
-}
-
-/// The letter below the line.
-fn lowered(c: char) -> Option<char> {
-    const LOW: [(&str, &str); 2] = [("0123456789+-=()", "₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎"), ("aehijklmnoprstuvx", "ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ")];
-    LOW.iter().find_map(|(plain, low)| low.chars().nth(plain.chars().position(|p| p == c)?))
-}
-
-/// The letter above the line.
-fn raised(c: char) -> Option<char> {
-    "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾".chars().nth("0123456789+-=()".chars().position(|p| p == c)?)
 }
 
 /// What a proof needs or leaves out, with its formulas.
@@ -280,26 +156,6 @@ mod tests {
             ("t", "t"),
         ] {
             assert_eq!(identifier(name), word, "{name}");
-        }
-    }
-
-    #[test]
-    fn indices_are_below_the_line() {
-        for (text, shown) in [
-            (r"I_1", "I₁"),
-            (r"{\bf m}_{12}", "m₁₂"),
-            (r"I_1^2+m_i", "I₁²+mᵢ"),
-            (r"x_Q", "x_Q"),
-            (r"\theta", "θ"),
-            (r"\frac{\partial u}{\partial t}+6u=\frac{a+1}{b}", "∂u/∂t+6u=(a+1)/b"),
-            (r"\nabla^2u=\frac{1", "∇²u=frac1"),
-            (r"q\rightarrow 0", "q→0"),
-            (r"\frac12\ell^2\dot q^2+\ddot{\bf r}_1", "1/2ℓ²q\u{307}²+r\u{308}₁"),
-            (r"\operatorname{Re}(\dot\psi)", "Re(ψ\u{307})"),
-            ("x_", "x_"),
-            ("", ""),
-        ] {
-            assert_eq!(plain(text), shown);
         }
     }
 

@@ -1,7 +1,9 @@
 //! A story for a terminal: at most a hundred letters wide, readable without colour.
 
+use super::super::plain::plain as plain_formula;
 use super::super::text::{Paint, WIDTH, fitted, wrapped};
-use super::{StoryBlock, StoryItem, StorySpan, StoryTable, Tone};
+use super::super::wording::{self, Part};
+use super::{StoryBlock, StoryItem, StorySpan, StoryTable, Tone, joined};
 
 /// Widest head of a row of a table.
 const HEAD: usize = 44;
@@ -9,10 +11,24 @@ const HEAD: usize = 44;
 /// The text, with escape codes if `paint` has colours.
 pub(in super::super) fn terminal(blocks: &[StoryBlock<'_>], paint: Paint) -> String {
     let mut out = String::new();
-    for block in blocks {
-        put(block, 0, paint, &mut out);
-    }
+    put_all(blocks, 0, paint, &mut out);
     out
+}
+
+/// Blocks, one below the other; what is a sentence stands behind its heading.
+fn put_all(blocks: &[StoryBlock<'_>], indent: usize, paint: Paint, out: &mut String) {
+    let mut all = blocks.iter().peekable();
+    while let Some(block) = all.next() {
+        match (block, all.peek()) {
+            (StoryBlock::Heading(text), Some(StoryBlock::Paragraph(spans))) => {
+                all.next();
+                let lead = [StorySpan::Words(format!("{text}: "), Tone::Strong)];
+                let line: Vec<StorySpan<'_>> = lead.into_iter().chain(spans.iter().cloned()).collect();
+                out.push_str(&format!("\n{}", lines(&line, indent, indent, paint)));
+            }
+            _ => put(block, indent, paint, out),
+        }
+    }
 }
 
 fn put(block: &StoryBlock<'_>, indent: usize, paint: Paint, out: &mut String) {
@@ -29,12 +45,27 @@ fn put(block: &StoryBlock<'_>, indent: usize, paint: Paint, out: &mut String) {
             }
         }
         StoryBlock::Group("roomy", _) => {}
+        // The rest of a remark is on the page.
+        StoryBlock::Group("remark", blocks) => blocks.iter().take(1).for_each(|b| put(b, indent, paint, out)),
+        StoryBlock::Group("keys", blocks) => blocks.iter().for_each(|b| match b {
+            StoryBlock::List(items) => put_in_line(items, indent + 1, paint, out),
+            other => put(other, indent, paint, out),
+        }),
         StoryBlock::Group("card", blocks) => {
             // Below its first line a card stands deeper: there is no frame.
             blocks.iter().enumerate().for_each(|(at, b)| put(b, indent + if at > 0 { 3 } else { 0 }, paint, out));
         }
-        StoryBlock::Group(_, blocks) => blocks.iter().for_each(|b| put(b, indent, paint, out)),
+        StoryBlock::Group(_, blocks) => put_all(blocks, indent, paint, out),
     }
+}
+
+/// Short items, one behind the other.
+fn put_in_line(items: &[StoryItem<'_>], indent: usize, paint: Paint, out: &mut String) {
+    let item = |item: &StoryItem<'_>| -> Vec<StorySpan<'static>> {
+        let line = plain(&item.line);
+        vec![StorySpan::Words(format!("{} ", item.mark), Tone::Strong), StorySpan::Words(line, Tone::Plain)]
+    };
+    out.push_str(&lines(&joined(items.iter().map(item), "; "), indent, indent, paint));
 }
 
 fn put_item(item: &StoryItem<'_>, indent: usize, paint: Paint, out: &mut String) {
@@ -46,17 +77,23 @@ fn put_item(item: &StoryItem<'_>, indent: usize, paint: Paint, out: &mut String)
     item.below.iter().for_each(|b| put(b, deeper, paint, out));
 }
 
-/// A text without what only a typesetter needs.
-fn bare(text: &str) -> String {
-    text.replace('$', "")
+/// A text of the file, its formulas as plain text.
+fn prose(text: &str) -> String {
+    let part = |part| match part {
+        Part::Words(words) => words.replace('$', ""),
+        Part::Formula(formula) => plain_formula(formula),
+    };
+    wording::parts(text).into_iter().map(part).collect()
 }
 
 fn text(span: &StorySpan<'_>) -> (String, Tone) {
     match span {
         StorySpan::Words(text, tone) => (text.clone(), *tone),
-        StorySpan::Prose(text, _, tone) => (bare(text), *tone),
-        StorySpan::Math(formula, _) => (formula.clone(), Tone::Plain),
-        StorySpan::Marked { formula, wrong, .. } => (formula.clone(), if *wrong { Tone::Bad } else { Tone::Good }),
+        StorySpan::Prose(text, _, tone) => (prose(text), *tone),
+        StorySpan::Math(formula, _) => (plain_formula(formula), Tone::Plain),
+        StorySpan::Marked { formula, wrong, .. } => {
+            (plain_formula(formula), if *wrong { Tone::Bad } else { Tone::Good })
+        }
         StorySpan::Claim(name, tone) => (name.clone(), *tone),
         StorySpan::Code(text) => (text.clone(), Tone::Plain),
         StorySpan::Shape(shape) => (shape.sign().to_owned(), shape.tone()),

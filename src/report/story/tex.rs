@@ -26,6 +26,8 @@ fn put(block: &StoryBlock<'_>, out: &mut String) {
         // A drawing of a few lines is for a screen; what it shows is in words beside it.
         StoryBlock::Figure(..) => {}
         StoryBlock::Group("roomy", _) => {}
+        // The rest of a remark is on the page.
+        StoryBlock::Group("remark", blocks) => blocks.iter().take(1).for_each(|b| put(b, out)),
         StoryBlock::Group(_, blocks) => blocks.iter().for_each(|b| put(b, out)),
     }
 }

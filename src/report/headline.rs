@@ -1,0 +1,105 @@
+//! The sentence that counts the claims of a paper by what became of them.
+//!
+//! **In:** the claims, each with all its readings. **Out:** `Of 54 claims 33 stand, 4 do not hold, …`, and what is in the file beside
+//! the paper's claims. A claim is counted once: what stands in its words, and fails in the sense in which the paper's argument uses
+//! it, has a number of its own.
+
+use super::digest::{Fate, Whole, listed};
+use super::numbers::count;
+
+/// What a claim is counted as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum CountedFate {
+    Fate(Fate),
+    /// It stands as it is said, and a reading that the paper needs fails.
+    AsSaid,
+}
+
+impl CountedFate {
+    /// In the order of the sentence.
+    pub fn told() -> impl Iterator<Item = CountedFate> {
+        let of_fate =
+            |fate| [CountedFate::Fate(fate)].into_iter().chain((fate == Fate::Stands).then_some(CountedFate::AsSaid));
+        Fate::TOLD.into_iter().flat_map(of_fate)
+    }
+
+    /// The fate.
+    pub fn fate(self) -> Fate {
+        match self {
+            CountedFate::Fate(fate) => fate,
+            CountedFate::AsSaid => Fate::Stands,
+        }
+    }
+
+    /// The verb, for so many claims.
+    pub fn words(self, n: usize) -> &'static str {
+        match (self, n) {
+            (CountedFate::Fate(fate), n) => fate.words(n),
+            (CountedFate::AsSaid, 1) => "stands as said, and fails as needed",
+            (CountedFate::AsSaid, _) => "stand as said, and fail as needed",
+        }
+    }
+}
+
+/// The sentence that counts.
+pub(super) fn headline(wholes: &[Whole<'_>]) -> String {
+    let all = CountedFate::told().map(|counted| (counted, wholes.iter().filter(|w| w.counted_as() == counted).count()));
+    let found: Vec<(CountedFate, usize)> = all.filter(|(_, n)| *n > 0).collect();
+    let told: usize = found.iter().map(|(_, n)| n).sum();
+    let claims = count(told, "claim");
+    match found.as_slice() {
+        [] => format!("{claims}."),
+        [(counted, 1)] => format!("The claim {}.", counted.words(1)),
+        [(counted, n)] => format!("All {claims} {}.", counted.words(*n)),
+        several => {
+            let parts: Vec<String> = several.iter().map(|(counted, n)| format!("{n} {}", counted.words(*n))).collect();
+            format!("Of {claims} {}.", listed(&parts))
+        }
+    }
+}
+
+/// What is in the file beside the paper's claims, in a sentence; `None` where there is nothing.
+pub(super) fn beside(wholes: &[Whole<'_>]) -> Option<String> {
+    let parts: Vec<String> = [Fate::Choice, Fate::Lemma, Fate::Added]
+        .into_iter()
+        .map(|fate| (fate, wholes.iter().filter(|w| w.fate == fate).count()))
+        .filter(|(_, n)| *n > 0)
+        .map(|(fate, n)| format!("{n} {}", fate.words(n)))
+        .collect();
+    (!parts.is_empty()).then(|| format!("Not counted: {}.", listed(&parts)))
+}
+
+#[cfg(all(test, debug_assertions))]
+mod tests {
+    use super::super::digest::wholes;
+    use super::super::tests::derivation;
+    use super::*;
+    use crate::derivation::ClaimRole;
+    use findings::sample;
+
+    #[test]
+    fn the_sentence_counts_every_claim_of_the_paper_once() {
+        let (derivation, account) = (derivation(), sample::account());
+        let wholes = wholes(&derivation, &account);
+        let told: usize = CountedFate::told().map(|c| wholes.iter().filter(|w| w.counted_as() == c).count()).sum();
+        assert_eq!(told, wholes.iter().filter(|w| w.fate.is_of_the_paper()).count());
+        let sentence = headline(&wholes);
+        assert!(sentence.starts_with(['O', 'A']) && sentence.ends_with('.'), "{sentence}");
+    }
+
+    /// A claim of which a needed reading fails is not among those that stand.
+    #[test]
+    fn what_fails_as_it_is_needed_has_its_own_number() {
+        let (derivation, account) = (derivation(), sample::account());
+        let mut all = wholes(&derivation, &account);
+        let refuted = |w: &Whole<'_>| w.failing().is_some() && w.readings.len() == 1;
+        let at = all.iter().position(refuted).expect("a claim that fails");
+        let mut needed = all.remove(at).readings;
+        needed.iter_mut().for_each(|r| r.role = ClaimRole::Needs);
+        let stands = all.iter().position(|w| w.fate == Fate::Stands).expect("a claim that stands");
+        let mut one = vec![all.remove(stands)];
+        assert_eq!(headline(&one), "The claim stands.");
+        one[0].readings.extend(needed);
+        assert_eq!(headline(&one), "The claim stands as said, and fails as needed.");
+    }
+}
