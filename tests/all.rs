@@ -119,6 +119,7 @@ mod supply_chain;
 mod sweep;
 mod two_routes;
 mod units;
+mod unreplayed;
 mod variants;
 mod watch;
 mod where_facts_hold;

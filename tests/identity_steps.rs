@@ -1,5 +1,6 @@
 //! Steps of a derivation, from the file to the verdict for all values.
 
+use crate::checked::said_by_prover;
 use rederive::check::{Account, IdentityAccount, Options, check};
 use rederive::derivation::load;
 use rederive::diag::render;
@@ -357,7 +358,7 @@ fn the_comment() {
     let proved: Vec<String> = found
         .claims
         .iter()
-        .filter(|c| c.identity.as_ref().is_some_and(|i| i.verdict() == "proved"))
+        .filter(|c| c.identity.as_ref().is_some_and(|i| said_by_prover(i).starts_with("proved")))
         .map(name)
         .collect();
     for wanted in [

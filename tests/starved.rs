@@ -83,7 +83,10 @@ fn starve(name: &str) -> usize {
         for (of, now) in found {
             // Of what is no claim for all values nothing is said there, unless it was not found out.
             let full = whole.get(&of);
-            let is_weaker = full.is_some_and(|full| now.word == full.word && now.strength <= full.strength);
+            let is_weaker = full.is_some_and(|full| {
+                let unreplayed = now.word.strip_suffix(" unreplayed");
+                (now.word == full.word || unreplayed == Some(&full.word)) && now.strength <= full.strength
+            });
             let is_open = now.word == "undecided" && !now.why.is_empty();
             assert!(is_weaker || is_open, "{name} {share}: {of} was {full:?}, is {now:?}");
             open += usize::from(!is_weaker);

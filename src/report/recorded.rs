@@ -146,7 +146,7 @@ pub(super) fn fold(recorded: &Recorded, scope: &Scope) -> Markup {
             @for (told, steps) in shown {
                 p { (prose(&beginning(&told.sequent), scope)) }
                 ol { @for step in steps { li { (prose(step, scope)) } } }
-                p { "Replayed: " (shown_words(&told.shown)) "." }
+                p { "Replayed: " (prose(&beginning(&shown_words(&told.shown)), scope)) "." }
             }
             @if more > 0 { p { "And " (more) " steps more, of " (all.len()) " relations in all, which are in proofs.json." } }
         }

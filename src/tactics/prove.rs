@@ -8,8 +8,8 @@ use crate::used::used;
 use crate::vanish::{Beginning, order};
 use crate::write::Reader;
 use checker::{
-    CaseId, Draft, FactId, Given, Instant, Manner, Relation, Sense, Sequent, Split, Step, SymbolKind, Term, TermNode,
-    When,
+    CaseId, Definition, Draft, FactId, Given, Instant, Manner, Relation, Sense, Sequent, Split, Step, SymbolKind, Term,
+    TermNode, When,
 };
 use expr::{Expr, Leaf, Node, Op};
 
@@ -414,8 +414,29 @@ impl Attempt<'_> {
         }
     }
 
-    /// e = e(c), if the rate of e is found to be 0.
+    /// e = e(c), if the rate of e is found to be 0; or that of its argument, if e is a function: √u needs no rate where u is 0.
     fn carry(&mut self, of: &Term, at: u32) -> Option<FactId> {
+        self.carry_by_rate(of, at).or_else(|| {
+            let formula = self.formula_of(of).unwrap_or(of).clone();
+            let e = self.search.reader.read(&formula)?;
+            let Node::Unary(op, a) = *self.search.reader.graph.node(e) else { return None };
+            let inner = self.search.reader.term(a)?;
+            let fact = self.carry_by_rate(&inner, at)?;
+            let (_, then) = self.search.equation(fact)?;
+            let right = self.search.reader.graph.unary(op, then);
+            let says = Relation::equal(of.clone(), self.search.reader.term(right)?);
+            self.search.push(Step::Congruence { says, from: None, equal: vec![fact] })
+        })
+    }
+
+    /// The formula of a symbol that is defined.
+    fn formula_of(&self, of: &Term) -> Option<&Term> {
+        let [TermNode::Leaf { name, component, rate: 0, at: None }] = of.0.as_slice() else { return None };
+        let is_this = |d: &&Definition| d.name == *name && d.component == *component;
+        self.sequent.definitions.iter().find(is_this).map(|d| &d.formula)
+    }
+
+    fn carry_by_rate(&mut self, of: &Term, at: u32) -> Option<FactId> {
         let rate = match self.search.draft.derivative(of) {
             Ok(rate) => rate,
             Err(_) => {

@@ -516,3 +516,20 @@ fn a_function_has_a_sign_on_a_stretch_of_its_argument() {
         w.refuse(Step::Sign { says: rel(says), from: of.clone() }, "do not show");
     }
 }
+
+#[test]
+fn a_power_has_the_sign_of_its_base_if_its_exponent_is_odd() {
+    let s = sequent("x,y", 1, "x>0").premise("x^3>0").premise("y^2>0").premise("x*y>0");
+    let mut w = Work::new(&s);
+    let (odd, even, product) = (w.premise(0), w.premise(1), w.premise(2));
+    w.step(Step::Sign { says: rel("x>0"), from: vec![odd] });
+    w.step(Step::Sign { says: rel("y#0"), from: vec![even] });
+    w.refuse(Step::Sign { says: rel("y>0"), from: vec![even] }, "do not show");
+    w.refuse(Step::Sign { says: rel("x>0"), from: vec![product] }, "do not show");
+    w.step(Step::Sign { says: rel("x#0"), from: vec![product] });
+    // A product that is not negative says nothing of its factors.
+    let s = sequent("x,y", 1, "x>0").premise("x*y≥0");
+    let mut w = Work::new(&s);
+    let product = w.premise(0);
+    w.refuse(Step::Sign { says: rel("x≥0"), from: vec![product] }, "do not show");
+}

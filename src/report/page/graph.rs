@@ -104,7 +104,9 @@ fn hover(account: &Account, whole: &Whole<'_>) -> String {
     let formulas = of.map_or(&[][..], |c| c.formulas.as_slice());
     let mut out = plain(&whole.says);
     for text in formulas.iter().take(FORMULAS) {
-        out.push_str(&format!("\n{}", plain(text)));
+        // A matrix has no plain form.
+        let formula = Some(plain(text)).filter(|formula| !formula.contains('\\'));
+        out.extend(formula.map(|formula| format!("\n{formula}")));
     }
     out
 }

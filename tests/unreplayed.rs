@@ -1,0 +1,109 @@
+//! What the prover finds and the checker does not replay; points that nearly satisfy what is given.
+//!
+//! Beside each line that is false stands what shows it.
+
+use crate::premises::of_file;
+use rederive::check::{Proposition, prove};
+use rederive::derivation::Derivation;
+
+/// A claim, its symbols, what is given.
+type Line<'a> = (&'a str, &'a [&'a str], &'a [&'a str]);
+
+const MOTION: &[&str] = &["t: time", "x, y, z: state"];
+
+fn word(&(formula, symbols, given): &Line) -> (&'static str, &'static str) {
+    let mut derivation = Derivation::blank();
+    let symbols: Vec<(String, String)> = symbols.iter().map(|s| ((*s).to_owned(), (*s).to_owned())).collect();
+    derivation.declare_typed(&symbols).unwrap_or_else(|e| panic!("{formula}: {e:?}"));
+    let given = given.iter().map(|g| (*g).to_owned()).collect();
+    let proposition = Proposition { formula: formula.to_owned(), given, throughout: false };
+    let account = prove(&mut derivation, &proposition).unwrap_or_else(|e| panic!("{formula}: {e:?}"));
+    (account.standing(), account.verdict())
+}
+
+/// A fact that is known at some times, used at others.
+#[test]
+fn what_may_hold_at_some_times_alone_is_not_proved_by_the_prover_alone() {
+    let lines: [Line; 8] = [
+        // x leaves its value while y < 0.
+        ("x=x(1)", MOTION, &[r"\dot x=\sqrt y-\sqrt y", r"y(\frac12)=-1", "y(0)=1", "y(1)=1"]),
+        ("x=x(0)", MOTION, &[r"\frac{\dot x}{y}=0", r"y(\frac12)=0"]),
+        // x = e^{−1/t²} before 0, and 0 behind it.
+        ("x=x(-1)", MOTION, &[r"\frac{\dot x}{|t|+t}=0"]),
+        // x = y = t.
+        (r"\dot x=0", MOTION, &[r"x^2+\sqrt{-y^2}=0"]),
+        (r"\dot x=0", MOTION, &[r"x+0\cdot\sqrt{-t^2}=0"]),
+        // x = t, y = −t².
+        (r"\dot x=0", MOTION, &[r"x=\sqrt y-\sqrt y"]),
+        // x = t, y = −t.
+        (r"\dot x=\dot y", MOTION, &[r"\sqrt[3]x=\sqrt[3]y"]),
+        ("y=y(0)", MOTION, &[r"x^{-4}\dot y=0", "x(1)=0"]),
+    ];
+    for line in &lines {
+        assert_eq!(word(line), ("undecided", "undecided"), "{line:?}");
+    }
+}
+
+/// The same of assumptions, one of which has no value on a stretch.
+#[test]
+fn an_assumption_without_values_on_a_stretch_chooses_the_times() {
+    // y = t² − 1, and x goes from one number to another within |t| < 1.
+    for hole in [r"\sqrt y=\sqrt y", r"y^{3/2}-y^{3/2}=0", r"\ln(y^2)=2\ln y", r"z=\ln y"] {
+        for says in ["first-integral = ['x']", "always = ['x=x(2)']"] {
+            let states = ["x", "y", "z"].map(|s| format!("'{s}' = {{ role = 'state' }}\n")).concat();
+            let claim = format!("[[claim]]\nid = 'c'\nsays = 'c'\nassuming = ['\\dot x=0', '{hole}']\n{says}\n");
+            let account = of_file(&(states + &claim));
+            let word = account.claims[0].identity.as_ref().map_or("none", |i| i.standing());
+            assert!(!word.starts_with("proved"), "{hole}: {says}: {word}");
+        }
+    }
+}
+
+/// At a point at which premises touch, what rounding leaves is no motion.
+#[test]
+fn points_at_which_premises_touch_do_not_refute() {
+    let lines: [Line; 14] = [
+        (r"\dot x=0", MOTION, &[r"x^2-2\sqrt2x+2=0"]),
+        (r"\dot x=0", MOTION, &["x^2+2x+1+e^z=e^z"]),
+        (r"\dot x=\dot y", MOTION, &[r"\cos(x-y)=1"]),
+        (r"\dot x=\dot y", MOTION, &[r"\sin x\sin y+\cos x\cos y=1"]),
+        (r"\dot x=\dot y", MOTION, &["x^2+y^2+e^z=2xy+e^z"]),
+        (r"\dot x=0", MOTION, &[r"\cosh x+e^z=1+e^z"]),
+        (r"\ddot x=0", MOTION, &[r"\dot x^2+2\dot x+1+e^z=e^z"]),
+        ("f'=1", &["x: coordinate", "f(x): field"], &[r"\cos(f-x)=1"]),
+        ("|y|=y", &["x, y"], &[r"\cos x=1-10^{-15}y"]),
+        ("|y|=y", &["x, y"], &[r"\cosh x=1+10^{-18}y"]),
+        ("|y|=y", &["x, y"], &[r"e^x+e^{-x}=2+10^{-34}y"]),
+        ("x=5", &["x, z"], &["x^2+2x+1+e^z+10^{-18}=e^z"]),
+        ("y=1", &["x, y, z"], &["x^2+2x+1+e^z+10^{-18}=e^z", "y=1"]),
+        (r"\dot y=2", MOTION, &["x^2+2x+1+e^z+10^{-18}=e^z"]),
+    ];
+    for line in &lines {
+        assert_eq!(word(line).0, "undecided", "{line:?}");
+    }
+    // Where they cross they do, and where the point is exact.
+    for line in [
+        ("x=2", &["x"][..], &["x^2=4"][..]),
+        (r"\dot x=0", MOTION, &[r"\cos(x-y)=\frac12"]),
+        ("z=1", &["x, y, z"], &[r"\sin x+\sin y=2", r"z\cos x=\cos x"]),
+    ] {
+        assert_eq!(word(&line).0, "refuted", "{line:?}");
+    }
+}
+
+/// What is about one time, and what nothing is given to, the prover may say alone; it is told apart.
+#[test]
+fn of_one_time_the_prover_may_speak_alone() {
+    let lines: [Line; 3] = [
+        (r"\sqrt{x^3}=|x|^{3/2}", &["x"], &[]),
+        (r"\arcsin x=\frac13", &["x"], &[r"x=\sin\frac13"]),
+        (r"\left|\ln(|x|^2)+1\right|=\left|2\ln|x|+1\right|", &["x"], &[]),
+    ];
+    for line in &lines {
+        assert_eq!(word(line), ("proved unreplayed", "proved"), "{line:?}");
+    }
+    assert_eq!(word(&(r"\sqrt{x^2}=|x|", &["x"], &[])), ("proved", "proved"));
+    // A case that the steps leave out is an exception, and is named.
+    let (standing, _) = word(&(r"\frac{d}{dx}|x|^3=3x|x|", &["x"], &[]));
+    assert_eq!(standing, "proved except");
+}
