@@ -44,6 +44,16 @@ fn what_may_hold_at_some_times_alone_is_not_proved_by_the_prover_alone() {
     }
 }
 
+/// A formula with holes does not say what a field is at other places: f may be e^{1/x} for x < 0.
+#[test]
+fn a_field_is_not_known_at_other_places_by_the_prover_alone() {
+    const F: &[&str] = &["x: coordinate", "f(x): field"];
+    for claim in ["f(-x)=f(x)", "f(-x^2)=0"] {
+        let found = word(&(claim, F, &[r"f=\sqrt x-\sqrt x"]));
+        assert!(!found.0.starts_with("proved") || found.0 == "proved except", "{claim}: {found:?}");
+    }
+}
+
 /// The same of assumptions, one of which has no value on a stretch.
 #[test]
 fn an_assumption_without_values_on_a_stretch_chooses_the_times() {

@@ -175,6 +175,11 @@ impl<'a> Known<'a> {
         Known(Some(State { memory, names }))
     }
 
+    /// Whether nothing is kept or recalled.
+    pub fn is_nothing(&self) -> bool {
+        self.0.is_none()
+    }
+
     /// Where motions are kept, too.
     fn of_motions(&self) -> Option<State<'a>> {
         self.0.filter(|state| !state.memory.once)

@@ -11,7 +11,7 @@ use super::memory::{Known, Question};
 use claim::comparison;
 use claim::limits::Limits;
 use derivation::{Claim, Derivation, Premise};
-use findings::{ClaimAccount, IdentityAccount};
+use findings::{ClaimAccount, IdentityAccount, recorded};
 use meter::{Ended, Task};
 use proved::conditional::premises_first;
 use proved::step::Step;
@@ -111,8 +111,12 @@ pub(super) fn replay(
     let of = |claim: &ClaimAccount, limits: &Limits| -> Option<IdentityAccount> {
         let declared = derivation.claim(&claim.id, claim.reading.as_deref())?;
         let account = claim.identity.clone().filter(|i| i.finding.is_proved_in_part())?;
-        Some(proved::replay::replayed(derivation, declared, account, limits, |content, find| {
-            recall.answer(derivation, Question::Steps(content), find)
+        Some(proved::replay::replayed(derivation, declared, account, limits, &|asked, find| {
+            if recall.is_nothing() {
+                return find();
+            }
+            let text = recall.answer(derivation, Question::Steps(&asked.content()), || recorded::written(&find()));
+            recorded::read(&text).unwrap_or_else(find)
         }))
     };
     let found = meter::each(limits, claims, |claim, limits| of(claim, limits));

@@ -3,6 +3,7 @@
 //! **In:** the sequents of a claim, which differ in what is claimed, and steps for each. **Out:** [`ProofRecord`], and what its replay shows. **Guaranteed:** a
 //! record says nothing by itself.
 
+use super::draft::{Refused, Shown, replay};
 use super::sequent::Sequent;
 use super::step::Step;
 use super::term::Relation;
@@ -33,6 +34,15 @@ pub struct ProofRecord {
 }
 
 impl ProofRecord {
+    /// What the replay of all relations shows.
+    ///
+    /// # Errors
+    /// The position of the relation, and the step that is refused.
+    pub fn shown(&self) -> Result<Vec<Shown>, (usize, Refused)> {
+        let each = self.relations.iter().enumerate();
+        each.map(|(at, of)| replay(&self.sequent_of(of), &of.steps).map_err(|refused| (at, refused))).collect()
+    }
+
     /// The sequent of a relation.
     pub fn sequent_of(&self, relation: &RelationRecord) -> Sequent {
         Sequent { claim: relation.claim.clone(), ..self.sequent.clone() }

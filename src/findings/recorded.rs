@@ -2,7 +2,7 @@
 //!
 //! **In:** what a search for steps came to. **Out:** [`Recorded`]. **Guaranteed:** what is called recorded was replayed by the checker; the word is made here and nowhere else.
 
-use checker::{ProofRecord, Told};
+use checker::{ProofRecord, Shown, Told};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ const LONGEST: usize = 120;
 #[serde(from = "String", into = "String")]
 pub enum Recorded {
     /// It is, and the checker makes each step again.
-    Proof(Arc<ProofRecord>, Vec<Told>),
+    Proof(Arc<ProofRecord>, Vec<Shown>),
     /// It is not: why.
     Not(String),
 }
@@ -74,8 +74,8 @@ impl Recorded {
     /// The outcome of a search for steps, which are replayed.
     pub fn of(found: Found) -> Recorded {
         match found {
-            Ok(proof) => match proof.told() {
-                Ok(told) => Recorded::Proof(Arc::new(proof), told),
+            Ok(proof) => match proof.shown() {
+                Ok(shown) => Recorded::Proof(Arc::new(proof), shown),
                 Err((_, refused)) => Recorded::Not(format!("the checker refuses it: {refused}")),
             },
             Err(why) => Recorded::Not(why),
@@ -91,18 +91,26 @@ impl Recorded {
         }
     }
 
-    /// The relations, in words; nothing where the proof is not recorded.
-    pub fn told(&self) -> &[Told] {
+    /// What was shown of each relation; nothing where the proof is not recorded.
+    fn shown(&self) -> &[Shown] {
         match self {
-            Recorded::Proof(_, told) => told,
+            Recorded::Proof(_, shown) => shown,
             Recorded::Not(_) => &[],
+        }
+    }
+
+    /// The relations, in words, which are made when they are asked for; nothing where the proof is not recorded.
+    pub fn told(&self) -> Vec<Told> {
+        match self {
+            Recorded::Proof(proof, _) => proof.told().unwrap_or_default(),
+            Recorded::Not(_) => Vec::new(),
         }
     }
 
     /// The number of steps.
     pub fn steps(&self) -> Option<usize> {
         match self {
-            Recorded::Proof(_, told) => Some(told.iter().map(|t| t.shown.steps()).sum()),
+            Recorded::Proof(_, shown) => Some(shown.iter().map(Shown::steps).sum()),
             Recorded::Not(_) => None,
         }
     }
@@ -117,13 +125,13 @@ impl Recorded {
 
     /// The cases that the steps leave out.
     pub fn left_out(&self) -> usize {
-        self.told().iter().map(|t| t.shown.leaves_out().len()).sum()
+        self.shown().iter().map(|shown| shown.leaves_out().len()).sum()
     }
 
     /// Where the steps say nothing, in words, if anywhere: up to so many cases, and no long formula.
     pub fn left_out_words(&self) -> Option<String> {
         let mut all: Vec<&str> = Vec::new();
-        for text in self.told().iter().flat_map(|t| t.shown.leaves_out_words()) {
+        for text in self.shown().iter().flat_map(Shown::leaves_out_words) {
             if !all.contains(&text.as_str()) {
                 all.push(text);
             }

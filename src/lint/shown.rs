@@ -72,11 +72,13 @@ pub fn decimal(x: f64) -> String {
 /// The list of all relations, then what is wrong.
 pub fn lint_text(paper: &Paper, lint: &Lint) -> String {
     let mut out = String::new();
+    let mut unlisted = 0;
     let several = paper.printed.iter().any(|r| !std::sync::Arc::ptr_eq(paper.locate(&r.span()).0, &paper.file));
     for judgement in &lint.judgements {
         let relation = &paper.printed[judgement.relation];
         // A formula of the running text is shown where something is said of it.
         if relation.display.is_none() && matches!(judgement.word, Word::NotRead | Word::Condition | Word::NotFollowed) {
+            unlisted += 1;
             continue;
         }
         let text = in_one_line(&relation.text());
@@ -102,6 +104,19 @@ pub fn lint_text(paper: &Paper, lint: &Lint) -> String {
         let _ = write!(out, "\n{found}\n");
     }
     let _ = writeln!(out, "\n{}", summary(lint));
+    if unlisted > 0 {
+        let formulas = if unlisted == 1 { "formula" } else { "formulas" };
+        let _ = writeln!(
+            out,
+            "{unlisted} {formulas} of the running text, of which nothing is said, not listed: --format json has them"
+        );
+    }
+    let is_said = |word: &Word| {
+        !matches!(word, Word::NotRead | Word::Condition | Word::NotFollowed | Word::Defines | Word::Approximates)
+    };
+    if !lint.judgements.is_empty() && !lint.judgements.iter().any(|j| is_said(&j.word)) {
+        let _ = writeln!(out, "Nothing is said of whether any of them is right.");
+    }
     out
 }
 

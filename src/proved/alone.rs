@@ -105,7 +105,9 @@ impl Said {
         leaves.retain(|leaf| leaf.instant.is_some() || derivation.role(leaf.symbol) != Some(Role::Parameter));
         let first = leaves.first().and_then(|leaf| leaf.instant);
         let alike = |l: &Leaf| l.rate == 0 && l.partials == Partials::NONE && l.instant == first;
-        (!self.relates_times && !self.names_a_place(derivation) && leaves.iter().all(alike)).then_some(first)
+        // A field at another place is not known by its formula here.
+        let is_here = !derivation.graph.has_places(self.formulas.iter().copied());
+        (!self.relates_times && is_here && leaves.iter().all(alike)).then_some(first)
     }
 
     /// Whether it names a place that does not move with the others, as f(0) does, and not f(x + y).

@@ -5,7 +5,7 @@
 
 use crate::derivation::{Claim, Derivation};
 use findings::IdentityAccount;
-use findings::recorded::{self, Found, Recorded};
+use findings::recorded::{Found, Recorded};
 use meter::{Limits, Task};
 use reason::Plain;
 use tactics::{Asked, May};
@@ -22,22 +22,22 @@ fn left_open(account: &IdentityAccount) -> Vec<May> {
     presupposes.into_iter().chain(ends).collect()
 }
 
-/// The account, with its proof replayed if there is one. `recall` finds the steps, or recalls them by all that is given and claimed, as text.
+/// Finds steps, or recalls them by all that is given and claimed.
+pub type Recall<'a> = &'a dyn Fn(&Asked, &dyn Fn() -> Found) -> Found;
+
+/// The account, with its proof replayed if there is one.
 pub fn replayed(
     derivation: &Derivation,
     claim: &Claim,
     account: IdentityAccount,
     limits: &Limits,
-    recall: impl FnOnce(&[u8], &dyn Fn() -> String) -> String,
+    recall: Recall,
 ) -> IdentityAccount {
     if !account.finding.is_proved_in_part() || account.recorded.is_some() {
         return account;
     }
     let found = match Asked::of(derivation, claim, &left_open(&account)) {
-        Ok(asked) => {
-            let text = recall(&asked.content(), &|| recorded::written(&search(limits, || asked.record())));
-            recorded::read(&text).unwrap_or_else(|| search(limits, || asked.record()))
-        }
+        Ok(asked) => recall(&asked, &|| search(limits, || asked.record())),
         Err(why) => Err(why),
     };
     finished(derivation, claim, account.replayed(Recorded::of(found)))

@@ -89,7 +89,7 @@ fn printed(told: &Told) -> (&[String], usize) {
 /// The sentence, the sequents and the steps, indented.
 pub(super) fn text(recorded: &Recorded) -> String {
     let mut out = paragraph(&recorded.sentence(), 2);
-    for told in recorded.told() {
+    for told in &recorded.told() {
         out += &format!("\n{}", paragraph(&told.sequent, 4));
         let (steps, more) = printed(told);
         for (at, step) in steps.iter().enumerate() {
@@ -138,7 +138,7 @@ pub(super) fn fold(recorded: &Recorded, scope: &Scope) -> Markup {
     if recorded.steps().is_none() {
         return html! {};
     }
-    let all = recorded.told();
+    let all = &recorded.told();
     let (shown, more) = on_page(all);
     html! {
         details.steps {
