@@ -30,7 +30,7 @@ fn id(claim: &str, reading: Option<&String>) -> String {
 }
 
 impl Answer {
-    /// The `verdict` (`proved`, `proved_except`, `refuted_by_a_point`, `undecided`, …), and what there is of: `formula`, `given`, `reason`,
+    /// The `verdict` (`proved`, `proved_except`, `proved_unreplayed`, `refuted_by_a_point`, `undecided`, …), and what there is of: `formula`, `given`, `reason`,
     /// `witness`, `exceptions`, `conditions`, `given_only_where`, `contradiction`.
     pub fn brief(&self) -> Value {
         const KEPT: [&str; 8] =
