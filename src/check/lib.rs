@@ -30,7 +30,6 @@ pub mod search;
 
 pub use ::proof as identity;
 pub use ::units;
-pub use answers::{Answers, Key, in_digits, key};
 pub use cache::Cache;
 pub use claim::error::CheckError;
 pub use claim::limits::{Cancel, Limits, WorkFactor};

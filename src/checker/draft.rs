@@ -332,8 +332,7 @@ impl Draft {
             return Err(Refused { step: Some(at), why: "nothing is concluded".to_owned() });
         };
         let leaves_out = needs.iter().filter_map(|need| self.relation_of(*need)).collect();
-        let words = needs.iter().filter_map(|need| Some(format!("`{}`", self.context.latex(self.says_of(*need)?))));
-        let leaves_out_words = words.collect();
+        let leaves_out_words = self.needs_latex(&needs);
         let (given, steps) = (self.rests_on(fact), self.steps.len());
         let Draft { claim, log2_error, model, steps: recorded, .. } = self;
         Ok((recorded, Shown { claim, leaves_out, leaves_out_words, given, steps, log2_error, model }))

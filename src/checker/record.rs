@@ -34,7 +34,7 @@ pub struct ProofRecord {
 }
 
 impl ProofRecord {
-    /// What the replay of all relations shows.
+    /// Replays all relations.
     ///
     /// # Errors
     /// The position of the relation, and the step that is refused.

@@ -23,7 +23,7 @@ fn left_open(account: &IdentityAccount) -> Vec<May> {
 }
 
 /// Finds steps, or recalls them by all that is given and claimed.
-pub type Recall<'a> = &'a dyn Fn(&Asked, &dyn Fn() -> Found) -> Found;
+pub type RecallSteps<'a> = &'a dyn Fn(&Asked, &dyn Fn() -> Found) -> Found;
 
 /// The account, with its proof replayed if there is one.
 pub fn replayed(
@@ -31,7 +31,7 @@ pub fn replayed(
     claim: &Claim,
     account: IdentityAccount,
     limits: &Limits,
-    recall: Recall,
+    recall: RecallSteps,
 ) -> IdentityAccount {
     if !account.finding.is_proved_in_part() || account.recorded.is_some() {
         return account;

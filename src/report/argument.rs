@@ -12,7 +12,7 @@ use super::card::RefutingMotion;
 use super::consequence::Consequences;
 use super::digest::{Fate, Whole};
 use super::numbers::count;
-use super::points::{self, Needed};
+use super::points::{self, NeededReading};
 use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, quiet, words};
 use super::tally::declared;
 use crate::derivation::Derivation;
@@ -90,7 +90,7 @@ fn item<'a>(
     line.push(words("."));
     let mark = hangs.letter(whole.id).map(String::from).unwrap_or_default();
     told.insert(whole.id);
-    let mut below = points::lines(derivation, whole, Needed::NotShown);
+    let mut below = points::lines(derivation, whole, NeededReading::NotShown);
     let Some(first) = broken.first() else {
         below.push(StoryBlock::Paragraph(grounds(whole, by_id, hangs)));
         return StoryItem { mark, line, below: vec![StoryBlock::Group("chain", below)] };

@@ -12,6 +12,7 @@ use super::markdown::{anchor, whose};
 use super::markup::{display, math, prose, table};
 use super::numbers::{both, count, six, size, time};
 use super::tally::{Group, Standing, declared, groups, name};
+use super::text::uncapital;
 use super::wording::{label, slack_sentence};
 use super::{discrimination, family};
 use crate::derivation::{ClaimRole, DEFAULT_PRECISION, Derivation, FormKind};
@@ -140,11 +141,6 @@ fn fares(derivation: &Derivation, reading: &Reading<'_>) -> String {
         out.push_str(&format!("; on {} some times are left out", count(left_out, "motion")));
     }
     out + if super::certificates::file_name(claim).is_some() { " †" } else { "" }
-}
-
-fn uncapital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map(|first| first.to_lowercase().collect::<String>() + letters.as_str()).unwrap_or_default()
 }
 
 /// What is said of a claim of which there is something to say.

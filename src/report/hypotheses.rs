@@ -11,7 +11,7 @@ use super::consequence::Consequences;
 use super::digest::{self, Fate, Whole};
 use super::headline::CountedFate;
 use super::numbers::count;
-use super::points::{self, Needed};
+use super::points::{self, NeededReading};
 use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, quiet, words};
 use super::tally::{Standing, declared, name};
 use super::wording::dense;
@@ -384,7 +384,7 @@ fn as_needed<'a>(derivation: &'a Derivation, whole: &Whole<'a>, assumed: usize) 
         n => format!("{says} ({} {} it).", count(n, "reading"), if n == 1 { "assumes" } else { "assume" }),
     }));
     let mut out = vec![StoryBlock::Paragraph(line)];
-    out.extend(points::lines(derivation, whole, Needed::Shown));
+    out.extend(points::lines(derivation, whole, NeededReading::Shown));
     out
 }
 

@@ -8,6 +8,7 @@ use super::digest::{self, Reading, Whole};
 use super::hypotheses::canonical;
 use super::story::{StoryBlock, StorySpan, Tone, joined, quiet, words};
 use super::tally::{Standing, declared};
+use super::text::uncapital;
 use crate::derivation::{ClaimRole, Derivation};
 use findings::{ClaimAccount, Grounds, Recorded};
 
@@ -19,8 +20,8 @@ const LONGEST_TITLE: usize = 48;
 const MOST_CONDITIONS: usize = 3;
 
 /// The lines on a claim: on the reading that the paper needs, if `needed`, else on that from which its fate follows.
-pub(super) fn lines<'a>(derivation: &'a Derivation, whole: &Whole<'a>, needed: Needed) -> Vec<StoryBlock<'a>> {
-    let need = whole.failing_need().filter(|_| needed == Needed::Shown);
+pub(super) fn lines<'a>(derivation: &'a Derivation, whole: &Whole<'a>, needed: NeededReading) -> Vec<StoryBlock<'a>> {
+    let need = whole.failing_need().filter(|_| needed == NeededReading::Shown);
     let holding = || whole.deciding().find(|r| r.standing == Standing::Holds);
     let reading = need.or_else(|| whole.failing()).or_else(|| whole.contrary()).or_else(holding);
     let Some(reading) = reading.or(whole.readings.first()) else { return Vec::new() };
@@ -36,7 +37,7 @@ pub(super) fn lines<'a>(derivation: &'a Derivation, whole: &Whole<'a>, needed: N
             tested.extend(holds(derivation, reading));
         }
         Standing::Open | Standing::Nowhere => {
-            further.push(vec![quiet("how sure: "), words(format!("{}.", lower(&digest::verdict(reading))))]);
+            further.push(vec![quiet("how sure: "), words(format!("{}.", uncapital(&digest::verdict(reading))))]);
         }
     }
     let out = std::iter::once(tested).filter(|line| !line.is_empty()).chain(further);
@@ -45,7 +46,7 @@ pub(super) fn lines<'a>(derivation: &'a Derivation, whole: &Whole<'a>, needed: N
 
 /// Whether the lines are on the reading that the paper needs.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Needed {
+pub(super) enum NeededReading {
     Shown,
     NotShown,
 }
@@ -99,7 +100,7 @@ fn fails<'a>(derivation: &'a Derivation, reading: &Reading<'a>) -> Vec<StorySpan
     let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
     let says = digest::verdict(reading).replace(" to which it applies", "");
     let mut out = vec![StorySpan::Words("fails".to_owned(), Tone::Bad)];
-    let rest = says.strip_prefix("Fails").map_or_else(|| format!(": {}", lower(&says)), str::to_owned);
+    let rest = says.strip_prefix("Fails").map_or_else(|| format!(": {}", uncapital(&says)), str::to_owned);
     out.push(StorySpan::Prose(rest, scope, Tone::Plain));
     // What is left and right at the witness is said here, where it is not said before.
     if let Some(shown) = short_formula(derivation, claim).filter(|shown| !shown.is_within(room(claim))) {
@@ -159,9 +160,4 @@ fn said<'a>(derivation: &'a Derivation, formula: &str) -> Option<&'a str> {
     let wanted = canonical(formula);
     let of = |c: &&crate::derivation::Condition| matches!(c.holds.as_slice(), [one] if canonical(&one.text) == wanted);
     derivation.conditions.iter().find(of).map(|c| c.says.as_str())
-}
-
-fn lower(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |c| c.to_lowercase().chain(letters).collect())
 }
