@@ -126,7 +126,7 @@ impl Document {
         }
     }
 
-    /// The files of the folder of its report, by name. For proofs as steps, see [`Findings::record`].
+    /// The files of the folder of its report, by name. Proofs as steps among them: `proofs/`.
     pub fn files(&self) -> Vec<(String, String)> {
         let found = &self.findings;
         let data = || (self.json(), report::certificates(found.derivation(), found.account()));

@@ -101,6 +101,17 @@ fn points_at_which_premises_touch_do_not_refute() {
     }
 }
 
+/// At one fixed place all moves with time alone; what crosses it, and other places, do not follow.
+#[test]
+fn at_one_place_a_field_moves_with_time_alone() {
+    let symbols: &[&str] = &["u(x,t): field"];
+    assert_eq!(word(&("u_t(0,t)=0", symbols, &["u(0,t)=0"])).0, "proved unreplayed");
+    for claim in ["u_x(0,t)=0", "u(1,t)=0", "u_t(1,t)=0", "u=0", "u_t=0", "u_{xt}(0,t)=0"] {
+        assert_eq!(word(&(claim, symbols, &["u(0,t)=0"])).0, "undecided", "{claim}");
+    }
+    assert_eq!(word(&("u_t(0,t)=0", symbols, &["u(0,t)=0", "u(1,t)=t"])).0, "undecided");
+}
+
 /// What is about one time, and what nothing is given to, the prover may say alone; it is told apart.
 #[test]
 fn of_one_time_the_prover_may_speak_alone() {

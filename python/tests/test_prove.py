@@ -127,7 +127,7 @@ def test_functions_of_sympy_are_fields() -> None:
     ]
     for equation, given in true:
         proof = rederive.prove(equation, given=given)
-        assert proof.verdict is Decision.PROVED, (equation, proof.formula, proof.text)
+        assert proof.verdict in (Decision.PROVED, Decision.PROVED_UNREPLAYED), (equation, proof.formula, proof.text)
     false: list[tuple[object, list[Any]]] = [
         (sp.Eq(d(u, t, t), -(c**2) * d(u, x, x)), [transport]),
         (sp.Eq(d(u, x), d(u, t)), []),

@@ -25,9 +25,11 @@ pub(crate) fn counts(derivation: &Derivation, claim: &Claim) -> bool {
     }
     let nothing_given = given.formulas.is_empty();
     let (claimed, given) = (claimed.with_definitions(derivation), given.with_definitions(derivation));
+    let at = claimed.one_place(derivation);
     nothing_given
         || claimed.one_time(derivation).is_some_and(|time| given.one_time(derivation) == Some(time))
-        || !given.names_a_time(derivation)
+        || (!given.names_a_time(derivation)
+            || !given.names_an_instant(derivation) && at.is_some() && given.one_place(derivation) == at)
             && !given.chooses
             && claimed.is_total(derivation)
             && given.is_total(derivation)
@@ -119,10 +121,31 @@ impl Said {
         places.any(|place| place.at.iter().any(|&(_, e)| is_fixed(e)))
     }
 
+    /// The one fixed place at which every field in it is taken, u(0,t), without a rate across it: there all of it moves with time
+    /// alone. Nothing where there are several, or something that moves beside fields.
+    fn one_place(&self, derivation: &Derivation) -> Option<Vec<(usize, Expr)>> {
+        let graph = &derivation.graph;
+        let mut leaves = graph.leaves_within(self.formulas.iter().copied());
+        leaves.retain(|leaf| derivation.role(leaf.symbol) != Some(Role::Parameter));
+        let at = &graph.place(leaves.iter().find(|leaf| graph.is_field(leaf.symbol))?.symbol)?.at;
+        let own: Vec<Leaf> = graph.coordinates().collect();
+        let is_own = |e: Expr| matches!(graph.node(e), Node::Leaf(leaf) if own.contains(&leaf));
+        let fixed = |&&(_, e): &&(usize, Expr)| graph.leaves_within([e]).is_empty();
+        let is_known = at.iter().all(|one| fixed(&one) || is_own(one.1));
+        let is_there = |leaf: &Leaf| {
+            let across = at.iter().filter(fixed).any(|&(at, _)| leaf.partials.steps().any(|by| by == at));
+            own.contains(leaf) || graph.place(leaf.symbol).is_some_and(|place| &place.at == at) && !across
+        };
+        (is_known && leaves.iter().all(is_there)).then(|| at.clone())
+    }
+
+    fn names_an_instant(&self, derivation: &Derivation) -> bool {
+        derivation.graph.leaves_within(self.formulas.iter().copied()).iter().any(|leaf| leaf.instant.is_some())
+    }
+
     /// Whether it names a fixed time, or a place.
     fn names_a_time(&self, derivation: &Derivation) -> bool {
-        self.names_a_place(derivation)
-            || derivation.graph.leaves_within(self.formulas.iter().copied()).iter().any(|leaf| leaf.instant.is_some())
+        self.names_a_place(derivation) || self.names_an_instant(derivation)
     }
 
     /// Whether all of it has a value, and is smooth, wherever its symbols have values.
