@@ -101,6 +101,78 @@ fn points_at_which_premises_touch_do_not_refute() {
     }
 }
 
+/// What is wrong by less than binary64 shows is wrong: no point satisfies it.
+#[test]
+fn what_holds_within_rounding_alone_does_not_refute() {
+    let (numbers, pair) = (&["x, y"][..], &["a"][..]);
+    let lines: [Line; 12] = [
+        ("a=1", pair, &[r"(a-1)(\pi-3.14159265358979323846)=0"]),
+        ("a=1", pair, &[r"(a-1)(\ln2-0.69314718055994530942)=0"]),
+        ("y=0", numbers, &[r"y\ln x=0", "x=1+10^{-30}"]),
+        ("y=2", numbers, &[r"(y-2)(\sin^2x+\cos^2x)=(y-2)(1+10^{-20})"]),
+        ("y=2", numbers, &[r"(y-2)\ln(e^x)=(y-2)(x+10^{-25})"]),
+        ("y=2", numbers, &[r"(y-2)(\arcsin x+\arccos x)=(y-2)(\frac\pi2-10^{-18})"]),
+        ("y=2", numbers, &[r"(y-2)\arctan1=(y-2)(\frac\pi4+10^{-17})"]),
+        ("x=2", numbers, &[r"\arcsin x+10^{17}\pi=10^{17}\pi+5"]),
+        ("y=0", numbers, &[r"y\sin x=0", "x=3.14159265358979323846"]),
+        ("y=0", numbers, &[r"y(e^x-2)=0", "x=0.69314718055994530942"]),
+        ("y=0", numbers, &[r"y\sqrt{x^2+10^{-40}}=yx", "x=1"]),
+        (r"\dot y=0", MOTION, &[r"\dot y\cdot(\pi-3.14159265358979323846)=0"]),
+    ];
+    for line in &lines {
+        assert!(["undecided", "proved", "proved except", "proved unreplayed"].contains(&word(line).0), "{line:?}");
+    }
+    // Points that satisfy what is given for certain, though no decimals show it.
+    let lines: [Line; 12] = [
+        ("y=0", numbers, &[r"y\ln x=0", "x=1"]),
+        ("a=1", pair, &[r"(a-1)(\sin^2a+\cos^2a-1)=0"]),
+        ("x=2", numbers, &["x^2=2"]),
+        ("x=1", numbers, &["x^2+x=1"]),
+        ("x=y", numbers, &[r"\cos x=\frac12", r"\cos y=\frac12"]),
+        ("x=y", numbers, &[r"\sin x+\sin y=0"]),
+        ("x=1", numbers, &["e^x=2", "y=x"]),
+        ("y=1", numbers, &[r"\ln x=3", r"y=\ln(x^2)"]),
+        ("x=y", numbers, &[r"\sqrt x+\sqrt y=2"]),
+        ("y=0", numbers, &[r"y\sin x=0", r"x=\pi"]),
+        (r"\ddot x=x", MOTION, &[r"\ddot x=-\sin x", r"\dot x=2\cos\frac x2"]),
+        (r"\dot x=y", MOTION, &[r"x=\cos z", r"\dot z=1", r"y=\sin z"]),
+    ];
+    for line in &lines {
+        assert_eq!(word(line).0, "refuted", "{line:?}");
+    }
+}
+
+/// What is denied is refuted by a proof that counts, as what is claimed is proved.
+#[test]
+fn what_is_denied_is_refuted_by_what_is_replayed() {
+    // x leaves its value while y < 0, so that it may be another one.
+    let given: &[&str] = &[r"\dot x=\sqrt y-\sqrt y", r"y(\frac12)=-1", "y(0)=1", "y(1)=1", "x(0)=2"];
+    assert_eq!(word(&(r"x(1)\ne2", MOTION, given)).0, "undecided");
+    assert_eq!(word(&(r"x(1)\ne2", MOTION, &[r"\dot x=0", "x(0)=2"])).0, "refuted");
+}
+
+/// What is conserved has at one time the value that it has at another, where it has a rate on all times between them.
+#[test]
+fn what_is_conserved_is_known_at_other_times() {
+    let circle: &[&str] = &[r"\dot x=y", r"\dot y=-x", "x(0)=1", "y(0)=0"];
+    let lines: [Line; 5] = [
+        ("x(1)=2", MOTION, &[r"\dot x=0", "x(0)=2"]),
+        ("x(1)=x(0)", MOTION, &[r"\dot x=0"]),
+        ("x(1)^2=x(0)^2", MOTION, &[r"x\dot x=0"]),
+        ("x(1)=y(1)", MOTION, &[r"\dot x=\dot y", "x(0)=y(0)"]),
+        ("x(1)^2+y(1)^2=1", MOTION, circle),
+    ];
+    for line in &lines {
+        assert_eq!(word(line).0, "proved", "{line:?}");
+    }
+    assert_eq!(word(&("x(2)=3", MOTION, &[r"\dot x=0", "x(0)=2"])).0, "refuted");
+    // x leaves its value where y < 0.
+    for between in [r"\dot x=\sqrt y-\sqrt y", r"\dot x\ln y=0", r"\frac{\dot x}{\sqrt y}=0"] {
+        let line: Line = ("x(1)=2", MOTION, &[between, r"y(\frac12)=-1", "y(0)=1", "y(1)=1", "x(0)=2"]);
+        assert_eq!(word(&line).0, "undecided", "{line:?}");
+    }
+}
+
 /// At one fixed place all moves with time alone; what crosses it, and other places, do not follow.
 #[test]
 fn at_one_place_a_field_moves_with_time_alone() {

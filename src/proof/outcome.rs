@@ -181,7 +181,7 @@ impl Condition {
 }
 
 /// Values of leaves.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Point {
     /// In order of first appearance in the graph.
     pub values: Vec<(Leaf, PointValue)>,

@@ -702,6 +702,7 @@ fn look(
     for number in 0..attempts {
         if let Some(f) = scene.attempt(&frame, number, draws)
             && counts(&f)
+            && scene.is_certain(&frame, &f)
         {
             found.push(f);
             if enough(&found) {

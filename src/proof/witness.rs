@@ -2,9 +2,10 @@
 //!
 //! A point is built in the order of the resolution: small rational values for the free leaves, angles with rational cosine
 //! and sine, then the definitions. It counts only after every premise, as it was given, has been evaluated there and found to
-//! hold; so a mistake in the resolution can lose a witness, not forge one. Sides are computed twice: in binary64 from the
+//! hold, within rounding first, then for certain: see `certain.rs`; so a mistake in the resolution can lose a witness, not forge one. Sides are computed twice: in binary64 from the
 //! formulas as given, and exactly from the lowered formulas where every root is rational.
 
+mod certain;
 mod frame;
 
 use self::frame::Frame;
@@ -85,14 +86,17 @@ pub(super) fn targets(graph: &Graph, generators: &Generators, defined: &FastMap<
 }
 
 /// A point that satisfies all premises, and what the claim's sides are there.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Found {
     pub(super) point: Point,
     pub(super) sides: Vec<(Side, Side)>,
     /// First equation whose sides certainly differ.
     pub(super) differs: Option<usize>,
-    /// Whether every equation's sides agree within rounding.
-    pub(super) agrees: bool,
+    /// Whether these are apart by their decimals, not by exact values alone.
+    is_apart: bool,
+    /// Whether the sides of all premises are equal as rational numbers.
+    is_exact: bool,
+    placed: Placed,
 }
 
 const MAGNITUDES: [(i64, i64); 10] = [(1, 1), (2, 1), (3, 1), (1, 2), (3, 2), (5, 1), (1, 3), (4, 1), (2, 3), (7, 2)];
@@ -167,7 +171,7 @@ struct Computed {
 }
 
 /// The values of leaves at one point.
-#[derive(Default)]
+#[derive(Clone, Debug, Default)]
 struct Placed {
     values: Values,
     exact: FastMap<Leaf, Rational>,
@@ -252,8 +256,9 @@ impl Scene<'_> {
         // The same draws once more; what is known in decimals is not computed again.
         *draws = before;
         computed.is_exact = true;
-        let Placed { values, exact, circles } = self.place(frame, &mut computed, number, draws)?;
-        let mut found = self.sides(&mut computed, &values, &exact)?;
+        let placed = self.place(frame, &mut computed, number, draws)?;
+        let Placed { values, exact, circles } = &placed;
+        let mut found = self.sides(&mut computed, values, exact)?;
         if !computed.are_inside() {
             return None;
         }
@@ -272,6 +277,8 @@ impl Scene<'_> {
             })
             .collect();
         found.point = Point { values: point };
+        found.is_exact = self.is_exact(&mut computed, exact);
+        found.placed = placed;
         Some(found)
     }
 
@@ -497,11 +504,15 @@ impl Scene<'_> {
             }
             _ => false,
         });
+        equal && self.has_facts(computed, values)
+    }
+
+    /// Whether what is given beside equations holds at a point for certain.
+    fn has_facts(&self, computed: &mut Computed, values: &Values) -> bool {
         let nonzero = computed.decimals(self.graph, self.nonzero, values);
         let positive = computed.decimals(self.graph, self.positive, values);
         let not_negative = computed.decimals(self.graph, self.not_negative, values);
-        equal
-            && not_negative.iter().all(|v| v.is_some_and(|v| v.value >= v.error))
+        not_negative.iter().all(|v| v.is_some_and(|v| v.value >= v.error))
             && nonzero.iter().all(|v| v.is_some_and(|v| !v.contains_zero()))
             && positive.iter().all(|v| v.is_some_and(|v| v.value > v.error))
     }
@@ -511,7 +522,7 @@ impl Scene<'_> {
         let given = computed.decimals(self.graph, &exprs, values);
         let exprs: Vec<Expr> = self.lowered.iter().flat_map(|&(l, r)| [l, r]).collect();
         let precise = computed.exactly(self.graph, &exprs, exact);
-        let mut found = Found { point: Point { values: vec![] }, sides: vec![], differs: None, agrees: true };
+        let mut found = Found::default();
         for (at, pair) in given.chunks(2).enumerate() {
             let &[Some(left), Some(right)] = pair else { return None };
             let (l, r) = (precise[2 * at].clone(), precise[2 * at + 1].clone());
@@ -530,9 +541,8 @@ impl Scene<'_> {
                 _ => apart,
             };
             if differs && found.differs.is_none() {
-                found.differs = Some(at);
+                (found.differs, found.is_apart) = (Some(at), apart);
             }
-            found.agrees &= !differs && error <= 1e-6 * left.value.abs().max(1.0);
             found.sides.push((Side { exact: l, decimal: left.value }, Side { exact: r, decimal: right.value }));
         }
         Some(found)

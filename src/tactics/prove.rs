@@ -114,6 +114,8 @@ impl Attempt<'_> {
         }
         if !instants.is_empty() {
             let carried = self.carried([&claim.left, &claim.right], goal, &instants);
+            let since = self.carried_here(claim, goal);
+            self.facts.extend(since);
             self.take_values(&instants);
             self.facts.extend(carried);
             if let Some(fact) = ways.into_iter().find_map(|beginning| self.renewed(claim, goal, beginning)) {
@@ -171,6 +173,22 @@ impl Attempt<'_> {
         }
         of.extend(self.differences(goal));
         let each = instants.iter().flat_map(|&at| of.iter().map(move |term| (term, at)));
+        each.filter_map(|(term, at)| if self.is_constant(term) { None } else { self.carry(term, at) }).collect()
+    }
+
+    /// What a claim says of fixed times, if it is conserved as it is at any time: x = x(0), where x(1) is asked for.
+    fn carried_here(&mut self, claim: &Relation, goal: Expr) -> Vec<FactId> {
+        let sides = [&claim.left, &claim.right].into_iter().filter_map(|side| self.search.reader.read(side));
+        let mut of: Vec<Term> = Vec::new();
+        for then in sides.chain([goal]).collect::<Vec<_>>() {
+            let present = |leaf: Leaf| leaf.instant.map(|_| Leaf { instant: None, ..leaf });
+            let graph = &mut self.search.reader.graph;
+            let now = graph.replaced(then, |graph, leaf| present(leaf).map(|leaf| graph.leaf(leaf)));
+            of.extend(Some(now).filter(|now| *now != then).and_then(|now| self.search.reader.term(now)));
+        }
+        of.dedup();
+        let instants = 0..(self.sequent.instants.len().min(MOST_CARRIED) as u32);
+        let each = of.iter().flat_map(|term| instants.clone().map(move |at| (term, at)));
         each.filter_map(|(term, at)| if self.is_constant(term) { None } else { self.carry(term, at) }).collect()
     }
 

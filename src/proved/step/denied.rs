@@ -10,6 +10,8 @@
 //!
 //! So of `always` R: excluded equations are so at no time, however close their sides are, and a point of them alone refutes it as a step.
 //!
+//! What refutes a negation must count, as what is proved must: it is replayed by the checker, or is about no times.
+//!
 //! A point at which R is false says nothing of other times, so it decides no negation. What is shown of each part is told beside the
 //! decision: a motion on which what is given holds has it, see [`PartShown`]. This is the one rule for all of them.
 
@@ -33,6 +35,17 @@ const MOST_STATED: usize = 24;
 
 /// Parts of a claim by their positions, with what is shown of each.
 type ShownParts = Vec<(usize, PartShown)>;
+
+/// That what a claim says is so at no time.
+fn never(claim: &Claim) -> Claim {
+    let mut out = claim.clone();
+    for form in &mut out.forms {
+        if let Form::Always(stated) = form {
+            *form = Form::Never(stated.clone());
+        }
+    }
+    out
+}
 
 impl Step<'_> {
     /// The same question of another claim of the file, or beside it.
@@ -133,7 +146,14 @@ impl Step<'_> {
         let parts_from = self.rests_on(&positive, &of);
         let finding = match (is_so, denial.happens) {
             (true, true) | (false, false) => of.finding.clone(),
-            (true, false) | (false, true) => of.finding.of_negation(),
+            (true, false) | (false, true) => {
+                let said = if is_so { positive.clone() } else { never(&positive) };
+                let typed = self.inequalities == When::Always;
+                match crate::replay::counts(self.derivation, &said, of.clone(), typed) {
+                    true => of.finding.of_negation(),
+                    false => Finding::default(),
+                }
+            }
         };
         let reason = match (finding.decision(), is_so) {
             (Decision::Refuted, true) => Some(Plain::DeniedIsProved.into()),
