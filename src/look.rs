@@ -2,7 +2,7 @@
 //!
 //! **In:** the text of a paper or of a derivation file, again whenever it has changed. **Out:** [`Looked`]: findings, a word for each formula
 //! or claim, the names that the text declares. **Guaranteed:** problems of a text come before its verdicts; a defect ends the look at one
-//! text. **Why this way:** places are bytes of the text, so that every editor counts them as it likes.
+//! text, and one that is not wanted any more is ended from another thread. **Why this way:** places are bytes of the text, so that every editor counts them as it likes.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -10,7 +10,7 @@ use std::panic::AssertUnwindSafe;
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::check::{ClaimAccount, Limits};
+use crate::check::{Cancel, ClaimAccount, Limits};
 use crate::derivation::{Claim, Form, SymbolEntry};
 use crate::diag::escape::in_one_line;
 use crate::diag::{Diagnostic, Source};
@@ -94,14 +94,22 @@ pub struct Looker {
 
 impl Looker {
     /// Looks through the text that a file has, or would have; `each` is told what was found, the problems before the verdicts. A file whose
-    /// name ends with `.toml` is a derivation file, another is a paper.
-    pub fn look(&mut self, path: &Path, text: String, each: &mut dyn FnMut(Looked)) {
+    /// name ends with `.toml` is a derivation file, another is a paper. Once `cancel` is raised, nothing more is told, and the look ends.
+    pub fn look(&mut self, path: &Path, text: String, cancel: &Cancel, each: &mut dyn FnMut(Looked)) {
         let name = path.display().to_string();
         let source = Arc::new(Source { path: name.clone(), text });
+        let limits = Limits { cancel: Some(cancel.clone()), ..Limits::default() };
+        let each = &mut |looked| {
+            if !cancel.is_raised() {
+                each(looked);
+            }
+        };
         let looked = std::panic::catch_unwind(AssertUnwindSafe(|| match name.ends_with(".toml") {
-            true => self.derivation(&source, each),
+            true => self.derivation(&source, cancel, each),
             // What has no folder, such as a text without a file, includes no files.
-            false => each(of_paper(&source, path.parent().filter(|folder| !folder.as_os_str().is_empty()))),
+            false => {
+                each(of_paper(&source, path.parent().filter(|folder| !folder.as_os_str().is_empty()), &limits));
+            }
         }));
         if looked.is_err() {
             self.sessions.remove(&name);
@@ -115,7 +123,7 @@ impl Looker {
         self.sessions.remove(&path.display().to_string());
     }
 
-    fn derivation(&mut self, source: &Arc<Source>, each: &mut dyn FnMut(Looked)) {
+    fn derivation(&mut self, source: &Arc<Source>, cancel: &Cancel, each: &mut dyn FnMut(Looked)) {
         let changed = match self.sessions.get_mut(&source.path) {
             Some(session) => session.change(source.text.clone()),
             None => Session::open(&source.path, source.text.clone())
@@ -125,7 +133,7 @@ impl Looker {
             return each(with_problems(source, &changed.err().unwrap_or_default()));
         };
         each(Looked { declared: declared(session), ..with_problems(source, &[]) });
-        match session.check_again() {
+        match session.check_again_until(cancel) {
             Ok((found, _)) => each(with_verdicts(source, session, &found)),
             Err(Failure::Problems(problems)) => each(with_problems(source, &problems)),
             Err(other) => {
@@ -193,12 +201,12 @@ fn as_it_is(text: &str) -> String {
     report::fenced("text", text.trim_end())
 }
 
-fn of_paper(source: &Arc<Source>, folder: Option<&Path>) -> Looked {
+fn of_paper(source: &Arc<Source>, folder: Option<&Path>, limits: &Limits) -> Looked {
     let paper = match paper::parse_in(Arc::clone(source), folder) {
         Ok(paper) => paper,
         Err(problem) => return with_problems(source, &[*problem]),
     };
-    let found = lint::lint(&paper, &Limits::default());
+    let found = lint::lint(&paper, limits);
     // Other files have places of their own.
     let mut findings = report::lint_findings(&paper, &found);
     findings.retain(|f| Arc::ptr_eq(&f.place.source, source));
@@ -247,7 +255,7 @@ mod tests {
 
     fn looked(path: &str, text: &str) -> Vec<Looked> {
         let mut all = Vec::new();
-        Looker::default().look(Path::new(path), text.to_owned(), &mut |one| all.push(one));
+        Looker::default().look(Path::new(path), text.to_owned(), &Cancel::default(), &mut |one| all.push(one));
         all
     }
 
@@ -279,12 +287,12 @@ mod tests {
         let text = "[derivation]\ntitle = 'A'\nconcerns = 'B'\n[symbols]\n'a' = { role = 'parameter' }\n[[claim]]\nid = 'one'\nsays = 'c'\nalways = ['a=a']\n";
         let (one, other) = (Path::new("/one.toml"), Path::new("/other.toml"));
         for path in [one, other] {
-            looker.look(path, text.to_owned(), &mut |_| {});
+            looker.look(path, text.to_owned(), &Cancel::default(), &mut |_| {});
         }
         assert_eq!(looker.sessions.len(), 2);
         looker.forget(one);
         assert_eq!(looker.sessions.len(), 1);
-        looker.look(one, text.to_owned(), &mut |of| assert!(of.findings.is_empty()));
+        looker.look(one, text.to_owned(), &Cancel::default(), &mut |of| assert!(of.findings.is_empty()));
         assert_eq!(looker.sessions.len(), 2);
     }
 

@@ -10,12 +10,14 @@
 //! **Why this way:** a command line, an editor and a notebook want the same things in another order. What they share is here;
 //! what is left to them is where the text comes from and how findings are shown.
 
+use std::sync::Arc;
+
 use crate::ask::{Ask, Unknown};
 use crate::check::family::{Join, Part, Row};
 use crate::check::search::SearchOptions;
 use crate::check::{
-    self, Account, Cache, CheckError, ClaimAccount, IdentityAccount, Limits, Options, Outcome, Proposition, Recalled,
-    Store, Witness,
+    self, Account, Cache, Cancel, CheckError, ClaimAccount, IdentityAccount, Limits, Options, Outcome, Proposition,
+    Recalled, Store, Witness,
 };
 use crate::derivation::{Claim, Derivation, is_called, parse};
 use crate::diag::escape::shown;
@@ -32,7 +34,8 @@ const SCOPE: &str = "scope";
 #[derive(Debug)]
 pub struct Session {
     name: String,
-    derivation: Derivation,
+    /// Shared with what was found: it is the largest part of a large file.
+    derivation: Arc<Derivation>,
     cache: Cache,
 }
 
@@ -174,12 +177,12 @@ impl Session {
     /// assert_eq!(problems[0].line_and_column(), Some((1, 1)));
     /// ```
     pub fn open(name: &str, text: impl Into<String>) -> Result<Session, Vec<Diagnostic>> {
-        Ok(Session { name: name.to_owned(), derivation: read(name, text.into())?, cache: Cache::default() })
+        Ok(Session { name: name.to_owned(), derivation: Arc::new(read(name, text.into())?), cache: Cache::default() })
     }
 
     /// A derivation that was read already, for instance by [`load`](crate::derivation::load).
     pub fn of(derivation: Derivation) -> Session {
-        Session { name: derivation.id.clone(), derivation, cache: Cache::default() }
+        Session { name: derivation.id.clone(), derivation: Arc::new(derivation), cache: Cache::default() }
     }
 
     /// A session without a file, for [`prove`](Session::prove). Unless it is declared, i is the imaginary unit.
@@ -268,7 +271,7 @@ impl Session {
         store: Option<&dyn Store>,
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Findings, Failure> {
-        ask.check_names(std::iter::once(&self.derivation))?;
+        ask.check_names(std::iter::once(&*self.derivation))?;
         let limits = ask.limits.of_file(self.derivation.work);
         let options = Options {
             claims: ask.claims.iter().map(|name| name.split('/').next().unwrap_or(name).to_owned()).collect(),
@@ -288,7 +291,7 @@ impl Session {
         let (mut account, recalled) = found.map_err(|ended| Failure::Defect(ended.to_string()))??;
         let is_asked = |c: &ClaimAccount| ask.claims.iter().any(|name| is_called(name, &c.id, c.reading.as_deref()));
         account.claims.retain(|c| ask.claims.is_empty() || is_asked(c));
-        Ok(Findings { derivation: self.derivation.clone(), account, recalled })
+        Ok(Findings { derivation: Arc::clone(&self.derivation), account, recalled })
     }
 
     /// Counts one part of the members of a family: the text of its file. `progress` is told how many of how many members are done.
@@ -361,7 +364,7 @@ impl Session {
         if limits.is_cancelled() {
             return Err(Failure::Cancelled);
         }
-        Ok(Findings { derivation: self.derivation.clone(), account: found?, recalled: Recalled::Nothing })
+        Ok(Findings { derivation: Arc::clone(&self.derivation), account: found?, recalled: Recalled::Nothing })
     }
 
     /// Decides an equation for all values of its symbols.
@@ -379,7 +382,7 @@ impl Session {
     /// # Ok::<(), rederive::Failure>(())
     /// ```
     pub fn prove(&self, question: &Question) -> Result<Answer, Failure> {
-        let mut derivation = self.derivation.clone();
+        let mut derivation = Derivation::clone(&self.derivation);
         if let Some(claim) = &question.scope {
             check::with_symbols_of(&mut derivation, claim, SCOPE)?;
         }
@@ -426,7 +429,7 @@ impl Session {
 
     /// The same, with a state that was read already, for instance by [`load`](crate::derivation::load).
     pub fn replace(&mut self, derivation: Derivation) {
-        self.derivation = derivation;
+        self.derivation = Arc::new(derivation);
     }
 
     /// Checks all claims, and recalls what is known from earlier states of the file. The names of the claims for which
@@ -435,8 +438,22 @@ impl Session {
     /// # Errors
     /// As for [`check`](Session::check).
     pub fn check_again(&mut self) -> Result<(Findings, Vec<String>), Failure> {
-        let (account, checked) = self.cache.check(&self.derivation)?;
-        Ok((Findings { derivation: self.derivation.clone(), account, recalled: Recalled::Nothing }, checked))
+        let (account, checked) = self.cache.check(&self.derivation, None)?;
+        Ok((Findings { derivation: Arc::clone(&self.derivation), account, recalled: Recalled::Nothing }, checked))
+    }
+
+    /// The same, unless the flag is raised before the end: then everything that was known before is still known.
+    ///
+    /// # Errors
+    /// As for [`check`](Session::check).
+    pub fn check_again_until(&mut self, cancel: &Cancel) -> Result<(Findings, Vec<String>), Failure> {
+        let limits = Limits { cancel: Some(cancel.clone()), ..Limits::default() };
+        let found = meter::under(&limits, || self.cache.check(&self.derivation, Some(cancel)));
+        if cancel.is_raised() {
+            return Err(Failure::Cancelled);
+        }
+        let (account, checked) = found.map_err(|ended| Failure::Defect(ended.to_string()))??;
+        Ok((Findings { derivation: Arc::clone(&self.derivation), account, recalled: Recalled::Nothing }, checked))
     }
 
     /// The same, with what earlier processes left in a store: a state of the file that was checked before is not checked again.
@@ -445,7 +462,7 @@ impl Session {
     /// As for [`check`](Session::check).
     pub fn check_again_recorded(&mut self, store: &dyn Store) -> Result<(Findings, Vec<String>), Failure> {
         let (account, checked) = check::check_again_recorded(&mut self.cache, &self.derivation, store)?;
-        Ok((Findings { derivation: self.derivation.clone(), account, recalled: Recalled::Nothing }, checked))
+        Ok((Findings { derivation: Arc::clone(&self.derivation), account, recalled: Recalled::Nothing }, checked))
     }
 }
 
@@ -489,7 +506,7 @@ fn read(name: &str, text: String) -> Result<Derivation, Vec<Diagnostic>> {
 /// What was found.
 #[derive(Clone, Debug)]
 pub struct Findings {
-    derivation: Derivation,
+    derivation: Arc<Derivation>,
     account: Account,
     recalled: Recalled,
 }

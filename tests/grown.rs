@@ -2,12 +2,13 @@
 //!
 //! The laws: the two routes never contradict each other (that would be exit 70), what is the same by rules is not refuted, and what differs
 //! at a point at which both sides have values is not proved. The long run: `REDERIVE_CASES=1000000 REDERIVE_SEED=7 cargo test --release
-//! --test all grown`.
+//! --test all grown -- --nocapture`, which tells the longest question, too.
 
 #![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
 
 use crate::checked::said_by_prover;
 use std::rc::Rc;
+use std::time::{Duration, Instant};
 
 use rederive::check::{Proposition, prove};
 use rederive::derivation::Derivation;
@@ -238,13 +239,20 @@ fn neither_route_contradicts_the_other_nor_the_numbers() {
         |name: &str, otherwise: u64| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(otherwise);
     let mut make = Maker(Draws::new(number("REDERIVE_SEED", 1)));
     let mut found = Vec::new();
+    let mut longest = (Duration::ZERO, String::new());
     for _ in 0..number("REDERIVE_CASES", 1_000) {
         let depth = 1 + make.pick(4);
         let one = make.tree(depth);
         let other = make.rewritten(&one);
         let altered = make.altered(&other);
-        found.extend(wrong(&one, &other, true));
-        found.extend(wrong(&one, &altered, false));
+        for (other, is_same) in [(&other, true), (&altered, false)] {
+            let started = Instant::now();
+            found.extend(wrong(&one, other, is_same));
+            if started.elapsed() > longest.0 {
+                longest = (started.elapsed(), format!("{}={}", one.text(), other.text()));
+            }
+        }
     }
+    println!("the longest took {:?}: {}", longest.0, longest.1);
     assert!(found.is_empty(), "{} wrong:\n{}", found.len(), found.join("\n"));
 }

@@ -239,7 +239,10 @@ fn hostile_sources_end() {
     run(&format!("\\[ {} \\]", "{".repeat(10_000))).code(0);
     run(&format!("\\[ a={}b \\]", "(".repeat(5_000))).code(0);
     run(&format!("\\[ a={} \\]", "\\frac{".repeat(5_000))).code(0);
-    run(&format!("\\[ a=b{} \\]", "+c".repeat(100_000))).code(0);
+    run(&format!("\\[ a=b{} \\]", "+c".repeat(40_000))).code(0).stdout(predicate::str::contains("1 relation"));
+    let too_long = || predicate::str::contains("longer than 100000 signs");
+    run(&format!("\\[ a=b{} \\]", "+c".repeat(100_000))).code(0).stdout(too_long());
+    run(&format!("${}$ and $x=x$", "a".repeat(100_001))).code(0).stdout(too_long());
     run(&"\\[ a=b ".repeat(2_000)).code(0);
     run(&"\\[ a=\\int b \\]\n".repeat(20_000)).code(0).stdout(predicate::str::contains("20000 relations"));
     run("").code(0).stdout(predicate::str::contains("0 relations"));

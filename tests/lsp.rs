@@ -52,6 +52,11 @@ impl Editor {
         }
     }
 
+    /// The next message.
+    fn next(&mut self) -> Message {
+        Message::read(&mut self.from).expect("a message").expect("the server lives")
+    }
+
     fn open(&mut self, uri: &str, text: &str) {
         let document = json!({ "uri": uri, "languageId": "latex", "version": 1, "text": text });
         self.tell("textDocument/didOpen", json!({ "textDocument": document }));
@@ -346,4 +351,42 @@ fn the_end_of_a_talk_waits_for_no_work() {
         }
         assert_eq!(editor.ends_within(10), Some(0));
     }
+}
+
+/// Twenty edits of a text of which each look takes many seconds: they do not queue up, and nothing is said of a text after a newer one came.
+#[test]
+fn edits_do_not_queue_up() {
+    let mut editor = Editor::start();
+    let uri = "file:///typed.toml";
+    editor.open(uri, &long());
+    editor.diagnostics(1, &|_| true);
+    for version in 2..22 {
+        editor.change(uri, version, &format!("{}# {version}\n", long()));
+        std::thread::sleep(Duration::from_millis(100));
+    }
+    let started = Instant::now();
+    editor.change(uri, 22, SPRING);
+    let mut told = vec![0; 23];
+    let mut newest = 1;
+    // Problems, then verdicts.
+    while told[22] < 2 {
+        let Message::Notification(one) = editor.next() else { continue };
+        if let Some(version) = one.params["version"].as_u64() {
+            assert!(version >= newest, "{version} after {newest}");
+            newest = version;
+            told[version as usize] += 1;
+        }
+    }
+    // Of what was typed over, no look came to its verdicts.
+    assert!(told[..22].iter().all(|times| *times <= 1), "{told:?}");
+    assert!(started.elapsed() < Duration::from_secs(60), "{:?}", started.elapsed());
+    let document = json!({ "uri": uri });
+    let all = json!({ "start": place(0, 0), "end": place(99, 0) });
+    let hints = editor.ask("textDocument/inlayHint", json!({ "textDocument": document, "range": all }));
+    assert!(hints[0]["label"].as_str().is_some_and(|label| label.starts_with("holds")), "{hints}");
+    // What is closed is not known any more.
+    editor.tell("textDocument/didClose", json!({ "textDocument": document }));
+    let hints = editor.ask("textDocument/inlayHint", json!({ "textDocument": document, "range": all }));
+    assert_eq!(hints, json!([]));
+    editor.stop();
 }

@@ -202,7 +202,7 @@ fn a_change_of_the_logarithm_is_noticed() {
     let mut cache = Cache::default();
     let mut verdict = |log: &str| {
         let derivation = file(log);
-        let (account, _) = cache.check(&derivation).unwrap_or_else(|e| panic!("{e:?}"));
+        let (account, _) = cache.check(&derivation, None).unwrap_or_else(|e| panic!("{e:?}"));
         rederive::report::json(&derivation, &account)
     };
     let outcome = |json: String| json.contains("\"fails\": 1");

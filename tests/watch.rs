@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 use std::path::Path;
 use std::sync::{LazyLock, Mutex};
+use std::time::Duration;
 
-use rederive::check::{Cache, Options, check};
+use rederive::check::{Cache, Cancel, Options, check};
 use rederive::derivation::{Derivation, parse};
 use rederive::diag::{Source, render};
 use rederive::report;
@@ -18,7 +19,7 @@ fn read(text: &str) -> Derivation {
 #[track_caller]
 fn step(cache: &mut Cache, text: &str) -> Vec<String> {
     let derivation = read(text);
-    let (account, checked) = cache.check(&derivation).unwrap_or_else(|e| panic!("{e:?}"));
+    let (account, checked) = cache.check(&derivation, None).unwrap_or_else(|e| panic!("{e:?}"));
     let quick = report::json(&derivation, &account);
     assert!(quick == whole(text), "the cache says something else than a check of the whole file");
     checked
@@ -85,6 +86,36 @@ fn the_cache_says_what_a_whole_check_says() {
     let moved = text.replacen("span = [0, ", "span = [0.0, ", 1);
     assert!(moved != text, "the edit changes something");
     assert_eq!(step(&mut cache, &moved).len(), all.len());
+}
+
+/// Checks that are ended at any moment, between others: what is said afterwards is what a check of the whole file says.
+#[test]
+fn a_check_that_is_cancelled_leaves_nothing_behind() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("derivations/kepler.toml");
+    let text = std::fs::read_to_string(path).expect("it is there");
+    let derivation = read(&text);
+    let claim = format!("id = \"{}\"\n", derivation.claims[1].id);
+    let of_claim = text.replacen(&claim, &format!("{claim}precision = 1e-7\n"), 1);
+    let of_motions = text.replacen("span = [0,", "span = [0.25,", 1);
+    assert!(of_claim != text && of_motions != text && of_motions != of_claim, "the edits change something");
+    let mut cache = Cache::default();
+    let mut cancelled = 0;
+    for (n, changed) in [&text, &of_claim, &of_motions, &of_claim, &text, &of_motions].into_iter().enumerate() {
+        let derivation = read(changed);
+        for milliseconds in [0, 1, 10, 40, 200].into_iter().skip(n % 2).step_by(2) {
+            let cancel = Cancel::default();
+            let found = std::thread::scope(|scope| {
+                scope.spawn(|| {
+                    std::thread::sleep(Duration::from_millis(milliseconds));
+                    cancel.raise();
+                });
+                cache.check(&derivation, Some(&cancel))
+            });
+            cancelled += usize::from(found.is_err());
+        }
+        step(&mut cache, changed);
+    }
+    assert!(cancelled > 5, "{cancelled}");
 }
 
 #[test]

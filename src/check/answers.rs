@@ -12,6 +12,8 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
 
+use claim::limits::Cancel;
+
 /// For how many states of a file an answer is kept that is not asked for.
 pub(super) const AGES: u64 = 8;
 
@@ -52,12 +54,24 @@ pub struct Answers {
     recalled: AtomicU64,
     /// How many answers were known when they were asked for, and how many were found and kept, since the table is there.
     counts: [AtomicUsize; 2],
+    /// Ends the check at hand: what is found once it is raised may not be the answer, and is not kept.
+    cancel: Option<Cancel>,
 }
 
 impl Answers {
     /// How many answers were known when they were asked for, and how many were found and kept, in this process.
     pub fn counts(&self) -> [usize; 2] {
         self.counts.each_ref().map(|count| count.load(Ordering::Relaxed))
+    }
+
+    /// What ends the check that comes next.
+    pub fn until(&mut self, cancel: Option<&Cancel>) {
+        self.cancel = cancel.cloned();
+    }
+
+    /// Whether the check at hand was ended from outside.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancel.as_ref().is_some_and(Cancel::is_raised)
     }
 
     /// A new state of the file begins.
@@ -93,8 +107,11 @@ impl Answers {
         Some(answer)
     }
 
-    /// Keeps an answer; one that cannot be written is found again.
+    /// Keeps an answer; one that cannot be written is found again, and so is one of a check that was ended.
     pub fn keep<T: Serialize>(&self, name: Key, answer: &T) {
+        if self.is_cancelled() {
+            return;
+        }
         self.counts[1].fetch_add(1, Ordering::Relaxed);
         if let Ok(bytes) = postcard::to_allocvec(answer) {
             let kept = Kept { age: self.age, work: None, answer: bytes.into() };

@@ -22,7 +22,8 @@ use super::memory::{Contents, Known as Recalled, Memory, Names};
 use super::{check, check_beside, check_recalling};
 use crate::derivation::{Derivation, Family, Motion};
 use crate::expr::FastMap;
-use claim::error::CheckError;
+use claim::error::{CANCELLED, CheckError};
+use claim::limits::{Cancel, Limits};
 use claim::options::Options;
 use findings::{Account, AloneAccount, ClaimAccount, Premises};
 use verdict::Outcome;
@@ -34,28 +35,49 @@ pub struct Cache {
     memory: Memory,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Known {
     contents: Contents,
     account: Account,
 }
 
 impl Cache {
-    /// The account of the whole file, and the ids of the claims that were checked for it.
+    /// The account of the whole file, and the ids of the claims that were checked for it; `cancel` ends the check from another thread.
     ///
     /// # Errors
-    /// Those of [`check()`]; what was known is forgotten then.
-    pub fn check(&mut self, derivation: &Derivation) -> Result<(Account, Vec<String>), CheckError> {
+    /// Those of [`check()`]; what was known is forgotten then, unless the check was cancelled.
+    pub fn check(
+        &mut self,
+        derivation: &Derivation,
+        cancel: Option<&Cancel>,
+    ) -> Result<(Account, Vec<String>), CheckError> {
         let known = self.known.take();
+        let before = known.clone().filter(|_| cancel.is_some());
+        let found = self.check_from(derivation, known, cancel);
+        // Whatever it says: it was not finished.
+        if cancel.is_some_and(Cancel::is_raised) {
+            self.known = before;
+            return Err(CheckError::Defect(CANCELLED.to_owned()));
+        }
+        found
+    }
+
+    fn check_from(
+        &mut self,
+        derivation: &Derivation,
+        known: Option<Known>,
+        cancel: Option<&Cancel>,
+    ) -> Result<(Account, Vec<String>), CheckError> {
+        let options = Options { limits: Limits { cancel: cancel.cloned(), ..Limits::default() }, ..Options::default() };
         let Some(contents) = contents(derivation) else {
-            let account = check(derivation, &Options::default(), &|_, _| {})?;
+            let account = check(derivation, &options, &|_, _| {})?;
             let all = ids(derivation);
             return Ok((account, all));
         };
         if known.as_ref().is_none_or(|known| known.contents.base != contents.base) {
             self.memory = Memory::default();
         }
-        self.memory.grow_older();
+        self.memory.grow_older(cancel);
         let fresh = self.memory.is_new();
         let names = Names::of(&contents);
         let recall = Recalled::new(&self.memory, &names);
@@ -70,22 +92,17 @@ impl Cache {
                     let (others, before): (Vec<_>, Vec<_>) =
                         account.claims.into_iter().partition(|c| !checked.contains(&c.id));
                     account.claims = others;
-                    checked_again(derivation, &mut account, (&checked, &changed), &before, recall)?;
+                    checked_again((derivation, &options), &mut account, (&checked, &changed), &before, recall)?;
                 }
                 account
             }
-            _ => check_recalling(derivation, &Options::default(), recall, None, &|_, _| {})?,
+            _ => check_recalling(derivation, &options, recall, None, &|_, _| {})?,
         };
         if self.memory.is_misled() && !fresh {
             self.memory = Memory::default();
             checked = ids(derivation);
-            account = check_recalling(
-                derivation,
-                &Options::default(),
-                Recalled::new(&self.memory, &names),
-                None,
-                &|_, _| {},
-            )?;
+            self.memory.grow_older(cancel);
+            account = check_recalling(derivation, &options, Recalled::new(&self.memory, &names), None, &|_, _| {})?;
         }
         describe(derivation, &mut account);
         self.known = Some(Known { contents, account: account.clone() });
@@ -99,7 +116,7 @@ impl Cache {
 /// # Errors
 /// Those of [`check()`].
 fn checked_again(
-    derivation: &Derivation,
+    (derivation, options): (&Derivation, &Options),
     account: &mut Account,
     (checked, changed): (&[String], &BTreeSet<String>),
     before: &[ClaimAccount],
@@ -108,7 +125,7 @@ fn checked_again(
     let check_some = |derivation: &Derivation, account: &mut Account, some: Vec<String>| {
         if !some.is_empty() {
             let found =
-                check_beside(derivation, &Options { claims: some, ..Options::default() }, &account.claims, recall)?;
+                check_beside(derivation, &Options { claims: some, ..options.clone() }, &account.claims, recall)?;
             account.claims.extend(found);
         }
         Ok(())
@@ -124,11 +141,11 @@ fn checked_again(
     let following: Vec<usize> =
         (0..derivation.claims.len()).filter(|&c| rest.contains(&derivation.claims[c].id)).collect();
     let others = account.claims.len();
-    let Followed { claims, rest } = follow(derivation, &following, &account.claims, before, recall);
+    let Followed { claims, rest } = follow(derivation, &following, &account.claims, before, (&options.limits, recall));
     account.claims.extend(claims);
     check_some(derivation, account, rest)?;
     let mut late = account.claims.split_off(others);
-    strengthen_all(derivation, &mut late, &account.claims, recall);
+    strengthen_all(derivation, &mut late, &account.claims, (&options.limits, recall));
     account.claims.extend(late);
     Ok(())
 }
@@ -232,20 +249,18 @@ fn ids(derivation: &Derivation) -> Vec<String> {
 
 /// The changed claims, and all that follow from them, in the order of the file.
 fn affected(derivation: &Derivation, changed: BTreeSet<String>) -> Vec<String> {
-    let follows = |of: &str, from: &str| {
-        let base = |name: &str| name.split('/').next().unwrap_or(name) == from;
-        derivation.claims.iter().any(|c| c.id == of && c.follows_from.iter().any(|f| base(f)))
-    };
-    let all = ids(derivation);
-    let mut out = changed;
-    loop {
-        let next = |id: &&String| !out.contains(*id) && out.iter().any(|known| follows(id, known));
-        let more: Vec<String> = all.iter().filter(next).cloned().collect();
-        if more.is_empty() {
-            return all.into_iter().filter(|id| out.contains(id)).collect();
+    let mut following: FastMap<&str, Vec<&str>> = FastMap::default();
+    for claim in &derivation.claims {
+        for name in &claim.follows_from {
+            following.entry(name.split('/').next().unwrap_or(name)).or_default().push(&claim.id);
         }
-        out.extend(more);
     }
+    let mut todo: Vec<&str> = changed.iter().map(String::as_str).collect();
+    let mut out: BTreeSet<&str> = todo.iter().copied().collect();
+    while let Some(id) = todo.pop() {
+        todo.extend(following.get(id).into_iter().flatten().copied().filter(|next| out.insert(next)));
+    }
+    ids(derivation).into_iter().filter(|id| out.contains(id.as_str())).collect()
 }
 
 /// Brings an account into the order of the file, with its words, expectations and units.

@@ -34,7 +34,7 @@ pub(super) fn follow(
     following: &[usize],
     known: &[ClaimAccount],
     before: &[ClaimAccount],
-    recall: Recalled,
+    (limits, recall): (&Limits, Recalled),
 ) -> Followed {
     let claim = |&c: &usize| &derivation.claims[c];
     let mut rest: Vec<String> = Vec::new();
@@ -67,7 +67,7 @@ pub(super) fn follow(
         match counterexample(derivation, &selection, k, known, &columns) {
             Some((t, witness)) => Some(refuted_on(&step, (&derivation.trajectories[t].id, witness), k, &columns)),
             None => recall.answer(derivation, Question::Identity(claim), || {
-                pieces::decided(derivation, claim, &Limits::default(), || step.decide())
+                pieces::decided(derivation, claim, limits, || step.decide())
             }),
         }
     };
@@ -86,13 +86,11 @@ pub(super) fn strengthen_all(
     derivation: &Derivation,
     claims: &mut [ClaimAccount],
     known: &[ClaimAccount],
-    recall: Recalled,
+    (limits, recall): (&Limits, Recalled),
 ) {
     let position = |a: &ClaimAccount| derivation.claims.iter().position(|c| c.id == a.id && c.reading == a.reading);
     // An account without a claim would be a defect of the caller; there is nothing to be said of it then.
     let Some(claimed) = claims.iter().map(position).collect::<Option<Vec<usize>>>() else { return };
-    // Who follows a file sets no limits.
-    let limits = &Limits::default();
     replay(derivation, claims, known, (limits, recall));
     strengthen(derivation, &everywhere(derivation, claimed), claims, known, (limits, Recalled::default()));
 }

@@ -24,6 +24,7 @@ use crate::derivation::{Claim, Derivation, Form, Motion, Premise};
 use crate::expr::{FastMap, Graph, Leaf};
 use crate::findings::{ClaimAccount, FamilyAccount, family::MeasureAccount};
 use crate::verdict::Verdict;
+use claim::limits::Cancel;
 use proved::conditional::premises_first;
 use proved::step::Step;
 use sampled::recall::Recall;
@@ -98,8 +99,9 @@ impl Memory {
         self.answers.counts()
     }
 
-    /// A new state of the file begins.
-    pub fn grow_older(&mut self) {
+    /// A new state of the file begins; what ends its check, where something may.
+    pub fn grow_older(&mut self, cancel: Option<&Cancel>) {
+        self.answers.until(cancel);
         self.answers.grow_older();
         let now = self.answers.age();
         self.families.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| *age + AGES >= now);
@@ -273,12 +275,16 @@ impl Recall for Known<'_> {
             *age = known.memory.answers.age();
             Arc::clone(family)
         };
-        let mut kept = kept.lock().unwrap_or_else(PoisonError::into_inner);
-        kept.again(derivation, requests, members)
+        let again = kept.lock().unwrap_or_else(PoisonError::into_inner).again(derivation, requests, members);
+        if known.memory.answers.is_cancelled() {
+            // What was searched for may not have been looked for to the end.
+            known.memory.families.lock().unwrap_or_else(PoisonError::into_inner).remove(&name);
+        }
+        again
     }
 
     fn keep(&self, derivation: &Derivation, members: &[usize], graph: Graph, built: &[(usize, Built)]) {
-        let Some(known) = self.of_motions() else { return };
+        let Some(known) = self.of_motions().filter(|known| !known.memory.answers.is_cancelled()) else { return };
         if let Some(name) = known.family(derivation, members) {
             let family = Family::new(derivation, graph, members, built);
             let kept = (known.memory.answers.age(), Arc::new(Mutex::new(family)));

@@ -172,14 +172,14 @@ pub fn check_again_recorded(
     derivation: &Derivation,
     store: &dyn Store,
 ) -> Result<(Account, Vec<String>), CheckError> {
-    let Some(contents) = contents(derivation) else { return cache.check(derivation) };
+    let Some(contents) = contents(derivation) else { return cache.check(derivation, None) };
     let options = Options::default();
     let of_account = name_of_account(derivation, &options, &contents);
     if let Some(account) = recalled(derivation, &contents, &of_account, store) {
         return Ok((account, Vec::new()));
     }
     let states = States::of(derivation, &options, store);
-    let (account, checked) = cache.check(derivation)?;
+    let (account, checked) = cache.check(derivation, None)?;
     let record = Record { contents, account };
     states.keep(&of_account, &record, store);
     Ok((record.account, checked))

@@ -266,6 +266,8 @@ impl Work<'_, '_> {
         for ((claim, identity), &c) in self.account.claims.iter_mut().zip(identities).zip(&selection.claims) {
             claim.identity = identity.map(|found| pieces::account(derivation, &derivation.claims[c], found));
         }
+        // The accounts have the verdicts: nobody asks for them by motions any more.
+        self.found.columns = Vec::new();
         Ok(())
     }
 

@@ -36,6 +36,9 @@ fn display(name: &str) -> Option<Numbers> {
     }
 }
 
+/// The most tokens of a formula that is read: a display of a hundred pages.
+const LONGEST_FORMULA: usize = 100_000;
+
 /// Signs that make a formula of the running text one that says something.
 const RELATIONS: &[&str] = &[
     "=", "<", ">", r"\le", r"\ge", r"\ne", r"\equiv", r"\approx", r"\sim", r"\simeq", r"\to", r"\propto", r"\ll",
@@ -284,7 +287,19 @@ impl<'t> Reader<'t> {
         })
     }
 
+    /// Whether a formula is longer than one that is read, which is noted.
+    fn is_too_long(&mut self, body: &[Token]) -> bool {
+        if body.len() > LONGEST_FORMULA {
+            let message = format!("this formula is longer than {LONGEST_FORMULA} signs, and is not read");
+            self.notes.push(PaperNote { message, span: span_of(body) });
+        }
+        body.len() > LONGEST_FORMULA
+    }
+
     fn running(&mut self, body: &[Token]) {
+        if self.is_too_long(body) {
+            return;
+        }
         let body = &*printed::with_braces(body);
         self.differences.note(body);
         let place = Place { environment: "", display: None, section: self.section, chapter: self.chapter };
@@ -296,6 +311,9 @@ impl<'t> Reader<'t> {
     }
 
     fn equation(&mut self, body: &[Token], numbers: Numbers, environment: &str) {
+        if self.is_too_long(body) {
+            return;
+        }
         let body = &*printed::with_braces(body);
         self.differences.note(body);
         let place = Place { environment, display: Some(self.displays), section: self.section, chapter: self.chapter };

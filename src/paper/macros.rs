@@ -51,7 +51,7 @@ pub(super) fn expanded(
     let mut defined = Defined { passed: passed.clone(), ..Defined::default() };
     // A stack of what is still to be read, the next token last; the depth of macros it came from beside it.
     let mut rest: Vec<(Token, usize)> = document.into_iter().rev().map(|t| (t, 0)).collect();
-    let mut out: Vec<Token> = Vec::new();
+    let mut out: Vec<Token> = Vec::with_capacity(rest.len());
     // Macros that leave nothing can call each other more often than any paper has tokens.
     let mut calls = 0;
     if !preamble.is_empty() {

@@ -69,7 +69,8 @@ pub(super) const MOST_TOKENS: usize = 4_000_000;
 
 /// Splits a text; comments and verbatim texts leave no token. Of a text with more than [`MOST_TOKENS`] one more is given, for who asks.
 pub(super) fn tokens(text: &str) -> Vec<Token> {
-    let mut out = Vec::new();
+    // A list that grows is copied, and is there twice then; room that is not used takes no memory.
+    let mut out = Vec::with_capacity(text.len().min(MOST_TOKENS + 1));
     let mut at = 0;
     // Whether a comment ended here, so that an empty line that follows ends a paragraph.
     let mut after_comment = false;

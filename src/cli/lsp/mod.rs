@@ -3,7 +3,7 @@
 //! **In:** requests of an editor on standard input, and the texts that it has open. **Out:** problems and verdicts at their places, and
 //! what is asked of a place: its meaning, its definition, a formula that would be right.
 //!
-//! **Guaranteed:** problems of a text come before its verdicts, and what is said is of the newest text that was looked through. A defect
+//! **Guaranteed:** problems of a text come before its verdicts, and what is said is of the newest text. A defect
 //! ends the look at one text, not the server, and so does a message that is not understood. The end of the talk waits for nothing.
 //!
 //! **Why this way:** one thread reads, another looks texts through, so that an answer never waits for a motion; both find with the
@@ -14,8 +14,7 @@ mod answers;
 mod positions;
 mod texts;
 
-use std::sync::mpsc::{Sender, channel};
-use std::sync::{Arc, PoisonError};
+use std::sync::Arc;
 
 use rederive::Ending;
 use rederive::diag::escape::in_one_line;
@@ -23,7 +22,7 @@ use serde_json::{Value, json};
 
 use super::ending::Stop;
 use super::wire::{self, NO_METHOD, NO_REQUEST, NOT_BEGUN, refused, send};
-use texts::{Known, Told, look_through, newest};
+use texts::{Desk, look_through, newest};
 
 #[derive(clap::Args)]
 pub struct LspArguments {
@@ -41,17 +40,16 @@ enum Talk {
 }
 
 pub fn lsp(_: &LspArguments) -> Result<Ending, Stop> {
-    let known = Known::default();
-    let (to_looker, told) = channel();
-    let of_looker = Arc::clone(&known);
+    let desk = Arc::new(Desk::default());
+    let of_looker = Arc::clone(&desk);
     // It is not waited for: what it still looks for when the editor ends the talk is wanted by nobody.
-    rederive::threads().build()?.spawn(move || look_through(&told, &of_looker));
+    rederive::threads().build()?.spawn(move || look_through(&of_looker));
     let mut input = std::io::stdin().lock();
     let mut talk = Talk::Before;
     while let Some(body) = wire::next(&mut input)? {
         let answer = match wire::message(&body) {
             Ok(message) if message["method"] == "exit" => break,
-            Ok(message) => taken(message, &mut talk, &known, &to_looker),
+            Ok(message) => taken(message, &mut talk, &desk),
             Err(refused) => Some(refused),
         };
         if answer.is_some_and(|answer| send(&answer).is_err()) {
@@ -63,14 +61,13 @@ pub fn lsp(_: &LspArguments) -> Result<Ending, Stop> {
 }
 
 /// Takes a message; the answer, where one is wanted.
-fn taken(message: Value, talk: &mut Talk, known: &Known, to_looker: &Sender<Told>) -> Option<Value> {
+fn taken(message: Value, talk: &mut Talk, desk: &Desk) -> Option<Value> {
     let (id, params) = (message.get("id"), message.get("params").unwrap_or(&Value::Null));
     let (method, id) = match (message.get("method").and_then(Value::as_str), id) {
         (Some(method), Some(id)) => (method, id),
         (Some(method), None) => {
             if let Some(told) = newest(method, params).filter(|_| *talk == Talk::Open) {
-                // It ends with the talk alone.
-                drop(to_looker.send(told));
+                desk.take(told);
             }
             return None;
         }
@@ -89,7 +86,7 @@ fn taken(message: Value, talk: &mut Talk, known: &Known, to_looker: &Sender<Told
             *talk = Talk::ShutDown;
             Value::Null
         }
-        (_, Talk::Open) => match answered(method, params, known) {
+        (_, Talk::Open) => match answered(method, params, desk) {
             Some(found) => found.unwrap_or(Value::Null),
             None => return Some(refused(id, NO_METHOD, &format!("`{}` is not known here", in_one_line(method)))),
         },
@@ -110,9 +107,9 @@ fn capabilities() -> Value {
 }
 
 /// What was found for a request; `None` where the method is not known.
-fn answered(method: &str, params: &Value, known: &Known) -> Option<Option<Value>> {
+fn answered(method: &str, params: &Value, desk: &Desk) -> Option<Option<Value>> {
     let uri = params.pointer("/textDocument/uri").and_then(Value::as_str).unwrap_or_default();
-    let of = known.lock().unwrap_or_else(PoisonError::into_inner).get(uri).cloned();
+    let of = desk.known(uri);
     let or_none = |of: Option<Value>| Some(of.unwrap_or_else(|| json!([])));
     Some(match method {
         "textDocument/hover" => of.and_then(|of| answers::hover(&of, params)),

@@ -1,12 +1,14 @@
 //! The texts that an editor has open, and the thread that looks them through.
 //!
-//! **In:** what the editor says of texts, in its order. **Out:** their problems, to the editor, and what is known of each.
+//! **In:** what the editor says of texts, in its order. **Out:** their problems, to the editor, and what is known of each. **Guaranteed:** a
+//! text that was changed or closed is looked through no longer, and nothing more is said of it: however fast somebody types, one look is under
+//! way, and the newest text waits for it to end.
 
 use std::collections::HashMap;
 use std::path::PathBuf;
-use std::sync::mpsc::Receiver;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 
+use rederive::check::Cancel;
 use rederive::look::{Looked, Looker};
 use serde_json::{Value, json};
 
@@ -21,8 +23,87 @@ pub(super) enum Told {
     Closed { uri: String },
 }
 
-/// What was found of each text, by its address.
-pub(super) type Known = Arc<Mutex<HashMap<String, Arc<Looked>>>>;
+/// A text that waits.
+struct Text {
+    uri: String,
+    version: i64,
+    text: String,
+}
+
+/// The texts that an editor has open: what was found of each, those that wait, and the one that is looked through.
+#[derive(Default)]
+pub(super) struct Desk {
+    state: Mutex<State>,
+    news: Condvar,
+}
+
+#[derive(Default)]
+struct State {
+    known: HashMap<String, Arc<Looked>>,
+    /// Of each address the newest text alone.
+    waiting: Vec<Text>,
+    closed: Vec<String>,
+    /// The address of the text at hand, and what ends the look at it.
+    at: Option<(String, Cancel)>,
+}
+
+impl Desk {
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// What was found of a text.
+    pub fn known(&self, uri: &str) -> Option<Arc<Looked>> {
+        self.state().known.get(uri).cloned()
+    }
+
+    /// Takes what an editor says of a text. An older one of this address is looked through no longer.
+    pub fn take(&self, told: Told) {
+        let mut state = self.state();
+        let (Told::Opened { uri, .. } | Told::Closed { uri }) = &told;
+        state.waiting.retain(|older| older.uri != *uri);
+        state.at.iter().filter(|(at, _)| at == uri).for_each(|(_, cancel)| cancel.raise());
+        match told {
+            Told::Opened { uri, version, text } => {
+                state.closed.retain(|closed| *closed != uri);
+                state.waiting.push(Text { uri, version, text });
+            }
+            Told::Closed { uri } => {
+                state.known.remove(&uri);
+                state.closed.push(uri);
+            }
+        }
+        self.news.notify_one();
+    }
+
+    /// The addresses that were closed, and the text that came last, with what ends the look at it; waits until there is something.
+    fn next(&self) -> (Vec<String>, Option<(Text, Cancel)>) {
+        let mut state = self.state();
+        state.at = None;
+        while state.waiting.is_empty() && state.closed.is_empty() {
+            state = self.news.wait(state).unwrap_or_else(PoisonError::into_inner);
+        }
+        let next = state.waiting.pop().map(|text| (text, Cancel::default()));
+        state.at = next.as_ref().map(|(text, cancel)| (text.uri.clone(), cancel.clone()));
+        (std::mem::take(&mut state.closed), next)
+    }
+
+    /// Keeps what was found of the text at hand, and tells the editor, unless there is a newer one.
+    fn found(&self, of: &Text, cancel: &Cancel, looked: Looked) {
+        let diagnostics: Vec<Value> = looked.findings.iter().filter_map(answers::diagnostic).collect();
+        {
+            let mut state = self.state();
+            if cancel.is_raised() {
+                return;
+            }
+            state.known.insert(of.uri.clone(), Arc::new(looked));
+        }
+        let params = json!({ "uri": of.uri, "version": of.version, "diagnostics": diagnostics });
+        let told = json!({ "jsonrpc": "2.0", "method": "textDocument/publishDiagnostics", "params": params });
+        // Where the editor is gone, the talk ends.
+        drop(send(&told));
+    }
+}
 
 /// What a notification says of a text; `None` where it says nothing.
 pub(super) fn newest(method: &str, params: &Value) -> Option<Told> {
@@ -38,38 +119,15 @@ pub(super) fn newest(method: &str, params: &Value) -> Option<Told> {
     Some(Told::Opened { uri, version, text: text.as_str()?.to_owned() })
 }
 
-/// Looks texts through, of each the newest alone, until no more come.
-pub(super) fn look_through(told: &Receiver<Told>, known: &Known) {
+/// Looks texts through, of each the newest alone, as long as the process lives.
+pub(super) fn look_through(desk: &Desk) {
     let mut looker = Looker::default();
-    let mut waiting: Vec<(String, i64, String)> = Vec::new();
-    let known = || known.lock().unwrap_or_else(PoisonError::into_inner);
     loop {
-        let first = if waiting.is_empty() { told.recv().ok() } else { None };
-        if waiting.is_empty() && first.is_none() {
-            return;
-        }
-        for one in first.into_iter().chain(told.try_iter()) {
-            match one {
-                Told::Opened { uri, version, text } => {
-                    waiting.retain(|(older, ..)| *older != uri);
-                    waiting.push((uri, version, text));
-                }
-                Told::Closed { uri } => {
-                    waiting.retain(|(older, ..)| *older != uri);
-                    looker.forget(&path_of(&uri));
-                    known().remove(&uri);
-                }
-            }
-        }
-        let Some((uri, version, text)) = waiting.pop() else { continue };
-        looker.look(&path_of(&uri), text, &mut |looked| {
-            let diagnostics: Vec<Value> = looked.findings.iter().filter_map(answers::diagnostic).collect();
-            let params = json!({ "uri": uri, "version": version, "diagnostics": diagnostics });
-            known().insert(uri.clone(), Arc::new(looked));
-            // Where the editor is gone, the talk ends.
-            let told = json!({ "jsonrpc": "2.0", "method": "textDocument/publishDiagnostics", "params": params });
-            drop(send(&told));
-        });
+        let (closed, next) = desk.next();
+        closed.iter().for_each(|uri| looker.forget(&path_of(uri)));
+        let Some((mut of, cancel)) = next else { continue };
+        let text = std::mem::take(&mut of.text);
+        looker.look(&path_of(&of.uri), text, &cancel, &mut |looked| desk.found(&of, &cancel, looked));
     }
 }
 

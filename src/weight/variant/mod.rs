@@ -150,11 +150,15 @@ pub struct Altered {
     claims: Vec<ClaimVariants>,
     /// For each claim and initial time; empty for a claim without variants, and beyond what is kept.
     placed: Vec<Vec<Placed>>,
+    /// Most variants whose programs are kept.
+    room: usize,
     known: Vec<Leaf>,
 }
 
 /// Most variants whose programs are kept from one motion to the next; those beyond are compiled for each motion, and dropped.
 const MOST_KEPT: usize = 100_000;
+/// The same where one motion is tried: nothing asks for them after it, and so many are compiled side by side before it.
+const MOST_KEPT_OF_ONE: usize = 10_000;
 
 impl Altered {
     /// Makes the variants of the chosen claims.
@@ -195,7 +199,8 @@ impl Altered {
         let made = meter::each(limits, &chunks, one).into_iter().collect::<Result<Vec<_>, _>>()?;
         let (graphs, claims): (Vec<_>, Vec<_>) = made.into_iter().unzip();
         let claims = claims.into_iter().flatten().collect();
-        Ok(Altered { graphs, together, claims, placed: Vec::new(), known: Vec::new() })
+        let room = if selection.tried.len() > 1 { MOST_KEPT } else { MOST_KEPT_OF_ONE };
+        Ok(Altered { graphs, together, claims, placed: Vec::new(), room, known: Vec::new() })
     }
 
     /// The graph of the k-th claim.
@@ -239,7 +244,7 @@ impl Altered {
     /// Compiles them for points with values of these leaves, which are sorted: as many as are kept.
     pub fn compile(&mut self, starts: usize, sign: Leaf, known: &[Leaf], limits: &Limits) {
         self.known = known.to_vec();
-        let mut room = MOST_KEPT;
+        let mut room = self.room;
         let kept = self.claims.iter().take_while(|claim| {
             let size = claim.variants.len() * starts;
             let fits = size <= room;
