@@ -149,15 +149,15 @@ always = ['x>0']
     let text = printed(&rederive(project.path(), &["check", "--no-reports", "--summary"]).code(0));
     let one_line = text.split_whitespace().collect::<Vec<_>>().join(" ");
     for part in [
-        "Of 3 claims 2 stand and 1 holds on some motions and fails on others; of the paper's 1 conclusion 1 rests on claims \
-         that do not stand.",
+        "“The rate is minus x” fails on 1 of 2 motions (certified).",
+        "Of its one conclusion A holds, but rests on claims that do not.",
         "A All decays are alike (conclusion): stands.",
         "tested as: x>0; holds at every time of 2 motions.",
-        "unit-law ◐ → conclusion ■; 1 step fails.",
+        "unit-law ◐ → conclusion ■; 1 of 1 step fails.",
         "1. The rate is minus x. (unit-law)",
         "tested as: x\u{307}=-x",
         "Fails on 1 of 2 motions to which it applies (certified)",
-        "On slow at t=",
+        "On slow (A slow one) at t=",
         "On it rest conclusion A.",
         "Encoded by a test. To repeat it: rederive check derivations/decay.toml",
     ] {

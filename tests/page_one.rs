@@ -71,17 +71,21 @@ fn what_stands_under_a_condition_is_told_with_numbers() {
     let (derivation, account) = &*checked(Path::new("derivations/deriglazov-comment.toml"));
     let text = front_page(derivation, account, false).split_whitespace().collect::<Vec<_>>().join(" ");
     for words in [
-        "t11, t15 stand.",
-        " stand as said, and fail as needed",
-        "energy-relation stands as said, and fails as needed (17 readings assume it).",
-        "As needed: in the sense in which the argument uses it.",
-        "needed, and tested: For every motion of a rigid body: 2E= I⁻¹ᵢ mᵢ²",
-        "fails on 28 of 49 motions (certified). On racket-letter-in",
+        "t11, and t15 hold as printed; t8 only in one of its meanings.",
+        "is true as stated (for motions with R(0) = 1), and false where the paper uses it (for every motion of a rigid body): on \
+         28 of 49 motions.",
+        "Stated and used differently: energy-relation (17 readings assume it), and 9 more claims.",
+        "as the paper uses it: For every motion of a rigid body: 2E= I⁻¹ᵢ mᵢ²; fails on 28 of 49 motions (certified). On \
+         racket-letter-in",
+        // What is constant has no time, and its sides have their names.
+        "left 2E = 4.45012, right I⁻¹ᵢ mᵢ² = 60.2479 (error bound 3e-13; both constant).",
     ] {
         assert!(text.contains(words), "{words}: {text}");
     }
     let (derivation, account) = &*checked(Path::new("derivations/pendulum.toml"));
-    assert!(!front_page(derivation, account, false).contains("as needed"), "nothing more is needed there");
+    assert!(!front_page(derivation, account, false).contains("as the paper uses it"), "nothing more is used there");
+    let markdown = front_markdown(derivation, account);
+    assert!(!markdown.contains("Stated and used differently"), "{markdown}");
 }
 
 /// Each conclusion says as what it was tested, and where it fails with the quantities of the motion, or how it is known to hold.
@@ -90,9 +94,15 @@ fn conclusions_are_told_with_their_motion_and_how_sure_they_are() {
     let (derivation, account) = &*checked(Path::new("derivations/deriglazov-comment.toml"));
     let text = front_page(derivation, account, false).split_whitespace().collect::<Vec<_>>().join(" ");
     for words in [
-        "tested as: While the handle makes one turn about m, the face stays where it is",
-        "fails on the one motion (at samples)",
-        "On t15-renamed (t15-racket with its axes renamed) at t=3.89705: left -0.973692, right 0 (error bound",
+        "Of its 4 conclusions A, B, and D do not hold; C holds, but rests on claims that do not.",
+        // Of several readings that fail the one that is refuted on most motions, and on how many motions any of them is.
+        "tested as: The third axis stays on its side of the plane normal to m; fails on 7 of 9 motions (certified)",
+        "Nor in another sense: “While the handle makes one turn about m, the face stays where it is” fails on the one motion \
+         (certified); 8 motions in all.",
+        "A t15-no-racket – ✖ 8/40",
+        "→ t15-no-racket ✖; 2 of 18 steps fail.",
+        "→ t15-no-motion ✖; 6 of 22 steps fail.",
+        "→ closing ✖; 13 of 34 steps fail.",
         "where m=(0,0,m₃), R(0) = 1; holds at all samples of 3 motions",
         "the contrary holds: It has: along every motion with momentum along z",
         "proved, given others",
@@ -100,8 +110,12 @@ fn conclusions_are_told_with_their_motion_and_how_sure_they_are() {
         assert!(text.contains(words), "{words}: {text}");
     }
     let unsaid = text.split_once("Used and not said").map_or("", |(_, rest)| rest);
-    assert!(unsaid.contains("I₁ ≠ I₂ (") && unsaid.contains("R(0) = 1 ("), "{unsaid}");
-    assert!(text.contains("Remark of the file: Every formula of the Comment is right"), "{text}");
+    assert!(unsaid.contains("I₁ ≠ I₂ (t15, ") && unsaid.contains("I₃ between I₁ and I₂"), "{unsaid}");
+    // The paper itself demands it: it is used in more places than say so.
+    assert!(!unsaid.contains("R(0) = 1 (") && !unsaid.contains("strictly between"), "{unsaid}");
+    let markdown = front_markdown(derivation, account);
+    assert!(markdown.contains("Said by the paper in one place, and used in others: R(0) = 1 ("), "{markdown}");
+    assert!(markdown.contains("Remark of the file: Every formula of the Comment is right"), "{markdown}");
 }
 
 /// Where a claim fails on a motion, both of its sides are drawn along it.

@@ -49,7 +49,7 @@ use paper::Paper;
 
 pub use desk::NotRead;
 pub use judge::lint;
-pub use shown::{at_a_point, decimal, diagnostic, explained, lint_text, summary};
+pub use shown::{at_a_point, decimal, diagnostic, explained, lint_text, nothing_tested, summary};
 pub use typeset::{Typeset, typesetting};
 
 /// What is said of a printed relation.

@@ -71,7 +71,7 @@ pub fn decimal(x: f64) -> String {
 
 /// The list of all relations, then what is wrong.
 pub fn lint_text(paper: &Paper, lint: &Lint) -> String {
-    let mut out = String::new();
+    let mut out = nothing_tested(lint).map(|text| text + "\n\n").unwrap_or_default();
     let mut unlisted = 0;
     let several = paper.printed.iter().any(|r| !std::sync::Arc::ptr_eq(paper.locate(&r.span()).0, &paper.file));
     for judgement in &lint.judgements {
@@ -111,13 +111,23 @@ pub fn lint_text(paper: &Paper, lint: &Lint) -> String {
             "{unlisted} {formulas} of the running text, of which nothing is said, not listed: --format json has them"
         );
     }
-    let is_said = |word: &Word| {
-        !matches!(word, Word::NotRead | Word::Condition | Word::NotFollowed | Word::Defines | Word::Approximates)
-    };
-    if !lint.judgements.is_empty() && !lint.judgements.iter().any(|j| is_said(&j.word)) {
-        let _ = writeln!(out, "Nothing is said of whether any of them is right.");
-    }
     out
+}
+
+/// That nothing was tested, where that is so: a reader must not take silence for approval.
+pub fn nothing_tested(lint: &Lint) -> Option<String> {
+    let is_tested = |word: Word| match word {
+        Word::Follows | Word::Numbers | Word::Wrong | Word::Differs => true,
+        Word::Defines | Word::Condition | Word::Approximates | Word::NotFollowed | Word::NotRead => false,
+    };
+    if lint.judgements.iter().any(|j| is_tested(j.word) || j.steps.0 > 0) {
+        return None;
+    }
+    Some(match lint.judgements.len() {
+        0 => "Nothing was tested: no formula was found.".to_owned(),
+        1 => "Nothing was tested: of the one formula it is not said whether it is right.".to_owned(),
+        n => format!("Nothing was tested: of none of the {n} formulas is it said whether it is right."),
+    })
 }
 
 /// Whether the steps of a relation have different words, of which one is a proof, and its own word does not tell that.

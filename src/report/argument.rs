@@ -95,28 +95,16 @@ fn item<'a>(
         below.push(StoryBlock::Paragraph(grounds(whole, by_id, hangs)));
         return StoryItem { mark, line, below: vec![StoryBlock::Group("chain", below)] };
     };
-    let failing = match broken.len() {
-        1 => "1 step fails.".to_owned(),
-        n => format!("{n} steps fail."),
-    };
-    let mut line_of_steps = chain(&hangs.chain(first.id, whole.id), by_id);
-    let steps = if whole.fate.is_against() {
-        // It has shown where it fails itself: a terminal has no room for its steps.
-        if let Some(StoryBlock::Paragraph(last)) = below.last_mut() {
-            last.push(words(format!(" {failing}")));
-        }
-        line_of_steps.push(words("."));
-        StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(line_of_steps)])
-    } else {
-        line_of_steps.push(words(format!("; {failing}")));
-        // Each break is shown once.
-        if told.insert(first.id) {
-            line_of_steps.push(words(" "));
-            line_of_steps.extend(break_says(derivation, first));
-        }
-        StoryBlock::Paragraph(line_of_steps)
-    };
-    below.push(steps);
+    let under = hangs.grounds_of(whole.id).len();
+    let mut steps = chain(&hangs.chain(first.id, whole.id), by_id);
+    let verb = if broken.len() == 1 { "fails" } else { "fail" };
+    steps.push(words(format!("; {} of {} {verb}.", broken.len(), count(under, "step"))));
+    // A conclusion that does not hold has shown where it fails; each break is shown once.
+    if !whole.fate.is_against() && told.insert(first.id) {
+        steps.push(words(" "));
+        steps.extend(break_says(derivation, first));
+    }
+    below.push(StoryBlock::Paragraph(steps));
     StoryItem { mark, line, below: vec![StoryBlock::Group("chain", below)] }
 }
 
@@ -127,7 +115,7 @@ fn link<'a>(id: &'a str, by_id: &ById<'_, 'a>) -> Vec<StorySpan<'a>> {
     let mut out = vec![StorySpan::Claim(id.to_owned(), tone), words("\u{a0}"), StorySpan::Shape(shape)];
     // The sentence may stand where what the argument needs of it does not.
     if let Some(needed) = whole.failing_need().filter(|_| !whole.fate.is_against()) {
-        out.extend([words("\u{a0}("), StorySpan::Shape(needed.shape()), words("\u{a0}as needed)")]);
+        out.extend([words("\u{a0}("), StorySpan::Shape(needed.shape()), words("\u{a0}as used)")]);
     }
     out
 }
@@ -172,12 +160,12 @@ fn break_says<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<StorySpa
     let mut out = vec![StorySpan::Words("It breaks at ".to_owned(), Tone::Bad)];
     out.push(StorySpan::Claim(whole.id.to_owned(), Tone::Bad));
     if need.is_some() {
-        let says = format!(", which needs: {}", reading.claim.says.trim_end_matches('.'));
+        let says = format!(", which is used as: {}", reading.claim.says.trim_end_matches('.'));
         out.push(StorySpan::Prose(says, scope, Tone::Plain));
     }
     out.push(words(". "));
     if let Some(motion) = RefutingMotion::of(derivation, reading.claim) {
-        out.extend(motion.says(scope));
+        out.extend(motion.says(derivation, scope));
     } else if let Some(contrary) = whole.contrary() {
         let says = contrary.claim.says.trim_end_matches('.');
         out.push(StorySpan::Prose(format!("The contrary holds: “{says}”."), scope, Tone::Plain));

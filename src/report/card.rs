@@ -13,7 +13,7 @@ use super::front::Line;
 use super::numbers::{both, six, size};
 use super::sketch::Sketch;
 use super::story::{StoryBlock, StorySpan, Tone, joined, quiet, words};
-use super::tally::{Standing, declared};
+use super::tally::{Standing, declared, motion_title};
 use super::wording::dense;
 use crate::derivation::{ClaimRole, Derivation, FormKind};
 use crate::latex::Scope;
@@ -21,6 +21,12 @@ use findings::{ClaimAccount, Correction, Evidence, Residuals, Witness};
 
 /// Longest formula, in bytes of LaTeX, that page one prints: the whole is in the section on the claim.
 const LONGEST: usize = 600;
+/// Longest side, in bytes of LaTeX, that stands before its value.
+const LONGEST_SIDE: usize = 40;
+/// Longest title of a motion, in letters.
+const LONGEST_TITLE: usize = 48;
+/// A side that changes by no more than this share of itself is constant.
+const SAME: f64 = 1e-9;
 
 /// A motion that refutes a claim: its name, and what was found on it.
 pub(super) struct RefutingMotion<'a> {
@@ -57,29 +63,43 @@ impl<'a> RefutingMotion<'a> {
         self.evidence.witness.as_ref()
     }
 
+    /// Both sides along it, drawn.
+    pub fn sketch(&self) -> Option<Sketch> {
+        Sketch::sides(self.series()?, self.witness().map(|w| w.t), &self.name)
+    }
+
     /// Both sides along it.
     fn series(&self) -> Option<&'a Residuals> {
         self.evidence.series.as_deref()
     }
 
-    /// The point in a sentence, with six digits.
-    pub fn says<'s>(&self, scope: &'s Scope) -> Vec<StorySpan<'s>> {
-        self.says_with(None, scope)
+    /// Whether both sides keep their values along it, as far as it was sampled: then no time is named.
+    fn is_constant(&self) -> bool {
+        let Some((first, rest)) = self.series().and_then(|s| s.points.split_first()) else { return false };
+        let same = |a: f64, b: f64, bound: f64| (a - b).abs() <= bound + SAME * a.abs().max(b.abs());
+        !rest.is_empty()
+            && rest.iter().all(|p| same(p.left, first.left, p.bound) && same(p.right, first.right, p.bound))
     }
 
-    /// The same, with the title of the motion behind its name.
-    pub fn says_with<'s>(&self, title: Option<StorySpan<'s>>, scope: &'s Scope) -> Vec<StorySpan<'s>> {
-        let named = || std::iter::once(words(format!("On {}", self.name))).chain(title.clone()).collect::<Vec<_>>();
+    /// The point in a sentence, with six digits: the motion with its title, the sides by their formulas.
+    pub fn says<'s>(&self, derivation: &'s Derivation, scope: &'s Scope) -> Vec<StorySpan<'s>> {
+        let title = motion_title(derivation, &self.name, LONGEST_TITLE);
+        let title = title.map(|t| StorySpan::Prose(format!(" ({t})"), &derivation.scope, Tone::Quiet));
+        let mut out: Vec<StorySpan<'s>> = std::iter::once(words(format!("On {}", self.name))).chain(title).collect();
         let Some(w) = self.witness() else {
             let why = self.evidence.reason.as_ref().map(|r| format!(": {r}")).unwrap_or_default();
-            return named().into_iter().chain([StorySpan::Prose(why, scope, Tone::Plain), words(".")]).collect();
+            out.extend([StorySpan::Prose(why, scope, Tone::Plain), words(".")]);
+            return out;
         };
         // What is looked for at some time, and not met, may be met in one of its components.
         if w.left == w.right && self.kind == FormKind::Eventually {
-            return named().into_iter().chain([words(" both sides are the same at no time.")]).collect();
+            out.push(words(" both sides are the same at no time."));
+            return out;
         }
-        let mut out = named();
-        out.extend([words(" at "), StorySpan::Math(format!("t={}", six(w.t)), scope)]);
+        let constant = self.is_constant();
+        if !constant {
+            out.extend([words(" at "), StorySpan::Math(format!("t={}", six(w.t)), scope)]);
+        }
         let label = super::wording::label(&w.formula);
         let agree = (w.left - w.right).abs() <= w.bound;
         // What shall never be is refuted where it is, in every component.
@@ -94,13 +114,47 @@ impl<'a> RefutingMotion<'a> {
             let components = if everywhere && label.component.is_some() { ", in every component" } else { "" };
             out.push(words(format!(" both sides are the same{components}, which it denies")));
         } else {
+            let sides = label.component.is_none().then(|| sides(label.formula)).flatten();
             let (left, right) = both(w.left, w.right);
-            out.extend([words(": left "), StorySpan::Words(left, Tone::Strong)]);
-            out.extend([words(", right "), StorySpan::Words(right, Tone::Strong)]);
+            out.extend(named_side(": left ", sides.map(|s| s.0), left, scope));
+            out.extend(named_side(", right ", sides.map(|s| s.1), right, scope));
         }
-        out.push(quiet(format!(" (error bound {}).", size(w.bound))));
+        let constant = if constant && !agree { "; both constant" } else { "" };
+        // What is exact needs no bound.
+        out.push(quiet(match agree && w.bound == 0.0 {
+            true => ".".to_owned(),
+            false => format!(" (error bound {}{constant}).", size(w.bound)),
+        }));
         out
     }
+}
+
+/// A side with its value, and by its formula where that is no number itself.
+fn named_side<'s>(lead: &str, formula: Option<&str>, value: String, scope: &'s Scope) -> Vec<StorySpan<'s>> {
+    let mut out = vec![words(lead.to_owned())];
+    if let Some(formula) = formula.filter(|f| !is_number(f)) {
+        out.extend([StorySpan::Math(formula.to_owned(), scope), words(" = ")]);
+    }
+    out.push(StorySpan::Words(value, Tone::Strong));
+    out
+}
+
+/// Whether a formula is a number: its value says all.
+fn is_number(formula: &str) -> bool {
+    formula.chars().all(|c| c.is_ascii_digit() || "+-. ^{}".contains(c))
+}
+
+/// The sides of a relation, where it has two, and both are short.
+fn sides(formula: &str) -> Option<(&str, &str)> {
+    let signs = ["=", "<", ">", r"\le ", r"\ge ", r"\leq ", r"\geq "];
+    let mut found = signs.iter().flat_map(|sign| formula.match_indices(sign));
+    let (at, sign) = found.next()?;
+    if found.next().is_some() {
+        return None;
+    }
+    let (left, right) = (formula[..at].trim(), formula[at + sign.len()..].trim());
+    let is_short = |side: &str| !side.is_empty() && side.len() <= LONGEST_SIDE;
+    (is_short(left) && is_short(right)).then_some((left, right))
 }
 
 /// How many powers of ten the sides of a claim that fails differ by less than they are large, at the point that refutes it; 0 where
@@ -262,10 +316,7 @@ pub(super) fn blocks<'a>(
     let own = declared(derivation, claim).map_or(scope, |d| &d.scope);
     let correction = correction(claim).filter(|_| fails);
     let motion = RefutingMotion::of(derivation, claim).filter(|_| fails);
-    if let Some(sketch) = motion.as_ref().and_then(|m| {
-        let at = m.witness().map(|w| w.t);
-        Sketch::sides(m.series()?, at, &m.name)
-    }) {
+    if let Some(sketch) = motion.as_ref().and_then(RefutingMotion::sketch) {
         // Beside conclusions a terminal has no room for a drawing.
         let figure = StoryBlock::Figure(sketch, Vec::new());
         out.push(if line.is_brief { StoryBlock::Group("roomy", vec![figure]) } else { figure });
@@ -285,7 +336,7 @@ pub(super) fn blocks<'a>(
     out.extend(right(derivation, whole, claim, correction).filter(|_| fails).map(StoryBlock::Paragraph));
     let mut why = vec![StorySpan::Prose(format!("{} ", line.brief), scope, Tone::Plain)];
     match &motion {
-        Some(motion) => why.extend(motion.says(own)),
+        Some(motion) => why.extend(motion.says(derivation, own)),
         None => why.extend(
             over_ranges(claim)
                 .or_else(|| of_step(claim))
@@ -346,6 +397,17 @@ pub(super) fn formula_line<'a>(derivation: &'a Derivation, whole: &Whole<'a>) ->
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_relation_of_two_short_sides_has_their_names() {
+        assert_eq!(sides("2E= I^{-1}_i m_i^2"), Some(("2E", "I^{-1}_i m_i^2")));
+        assert_eq!(sides(r"0\le x"), Some(("0", "x")));
+        assert_eq!(sides(r"\left|x\right|<1"), Some((r"\left|x\right|", "1")));
+        assert_eq!(sides("a=b=c"), None);
+        assert_eq!(sides(r"0\le x<1"), None);
+        assert_eq!(sides("x"), None);
+        assert!(is_number("-1.5") && !is_number("2E"));
+    }
 
     #[test]
     fn an_error_is_as_heavy_as_its_share_of_the_sides() {

@@ -238,6 +238,12 @@ impl<'a> Reading<'a> {
         }
     }
 
+    /// On how many motions it fails, members of families among them.
+    pub fn refuting(&self) -> usize {
+        let members: usize = self.claim.families.iter().map(|f| super::family::with(f, "fails")).sum();
+        self.claim.results.iter().filter(|p| matches!(p.verdict.outcome(), Outcome::Fails(_))).count() + members
+    }
+
     /// How it is known that it holds.
     pub fn basis(&self) -> Basis {
         match &self.proof {
@@ -293,7 +299,7 @@ impl<'a> Whole<'a> {
             Fate::Stands => self.basis().map_or(VerdictShape::Sampled, |basis| basis.shape()),
             Fate::Reading => VerdictShape::Meaning,
             Fate::Partly => VerdictShape::Mixed,
-            Fate::Fails => self.failing().filter(|r| r.standing == Standing::Fails).map_or_else(
+            Fate::Fails => self.deciding().find(|r| r.standing == Standing::Fails).map_or_else(
                 || self.contrary().map_or(VerdictShape::Fails, Reading::shape_as_contrary),
                 Reading::shape,
             ),
@@ -328,10 +334,15 @@ impl<'a> Whole<'a> {
         }
     }
 
-    /// The reading that does not hold, of those that decide: one that fails everywhere before one that fails somewhere.
+    /// The readings that do not hold, of those that decide.
+    pub fn all_failing(&self) -> impl Iterator<Item = &Reading<'a>> {
+        self.deciding().filter(|r| matches!(r.standing, Standing::Fails | Standing::Mixed))
+    }
+
+    /// Of these the one that is refuted most: for all values before on motions, on more motions before on fewer.
     pub fn failing(&self) -> Option<&Reading<'a>> {
-        let with = |standing: Standing| self.deciding().find(move |r| r.standing == standing);
-        with(Standing::Fails).or_else(|| with(Standing::Mixed))
+        let weight = |r: &Reading<'_>| (r.claim.verdict_alone() == Some("fails"), r.refuting(), r.standing);
+        self.all_failing().reduce(|a, b| if weight(b) > weight(a) { b } else { a })
     }
 }
 

@@ -132,7 +132,7 @@ fn verdict(wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> String {
     if fallen > 0 {
         parts.push(format!("{fallen} {} not hold", if fallen == 1 { "does" } else { "do" }));
     }
-    for (n, what) in [(lost, "that do not stand"), (unmet, "that fail as needed")] {
+    for (n, what) in [(lost, "that do not stand"), (unmet, "that fail as the paper uses them")] {
         if n > 0 {
             parts.push(format!("{n} {} on claims {what}", if n == 1 { "rests" } else { "rest" }));
         }

@@ -35,8 +35,8 @@ impl CountedFate {
     pub fn words(self, n: usize) -> &'static str {
         match (self, n) {
             (CountedFate::Fate(fate), n) => fate.words(n),
-            (CountedFate::AsSaid, 1) => "stands as said, and fails as needed",
-            (CountedFate::AsSaid, _) => "stand as said, and fail as needed",
+            (CountedFate::AsSaid, 1) => "stands as stated, and fails as the paper uses it",
+            (CountedFate::AsSaid, _) => "stand as stated, and fail as the paper uses them",
         }
     }
 }
@@ -100,6 +100,6 @@ mod tests {
         let mut one = vec![all.remove(stands)];
         assert_eq!(headline(&one), "The claim stands.");
         one[0].readings.extend(needed);
-        assert_eq!(headline(&one), "The claim stands as said, and fails as needed.");
+        assert_eq!(headline(&one), "The claim stands as stated, and fails as the paper uses it.");
     }
 }

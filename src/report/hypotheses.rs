@@ -8,27 +8,29 @@ use std::collections::BTreeMap;
 
 use super::card::RefutingMotion;
 use super::consequence::Consequences;
-use super::digest::{self, Fate, Whole};
+use super::digest::{self, Fate, Reading, Whole};
 use super::headline::CountedFate;
 use super::numbers::count;
 use super::points::{self, NeededReading};
 use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, quiet, words};
 use super::tally::{Standing, declared, name};
 use super::wording::dense;
-use crate::derivation::{ClaimRole, Derivation};
+use crate::derivation::{ClaimRole, Derivation, FormKind};
 use crate::latex::Scope;
+use findings::Account;
 use findings::conditions::Need;
-use findings::{Account, ClaimAccount};
 use reason::{Bounded, Proviso, Term};
 
 /// Most hypotheses that are told on page one; more are folded.
-const MOST: usize = 5;
+const MOST: usize = 4;
 /// Longest hypothesis that comes first, in bytes.
 const LONGEST_SHOWN: usize = 70;
 /// Most that are told at all.
 const MOST_FOLDED: usize = 60;
 /// Most claims that are named of each.
 const MOST_NAMED: usize = 3;
+/// Most equations and claims that are named of each on page one.
+const MOST_PLACES: usize = 2;
 /// Most conventions on page one.
 const MOST_CONVENTIONS: usize = 2;
 /// Longest convention on page one, in bytes.
@@ -48,6 +50,8 @@ enum Readable {
 /// Something that steps use.
 struct Hypothesis<'a> {
     says: Vec<StorySpan<'a>>,
+    /// By which equals are found.
+    key: String,
     readable: Readable,
     /// The claims that use it.
     used: Vec<String>,
@@ -59,7 +63,9 @@ pub(super) fn blocks<'a>(
     account: &'a Account,
     wholes: &[Whole<'a>],
 ) -> Vec<StoryBlock<'a>> {
-    let mut all = gathered(derivation, account, wholes);
+    let (said, unsaid): (Vec<_>, Vec<_>) =
+        gathered(derivation, account, wholes).into_iter().partition(|h| is_stated(derivation, wholes, &h.key));
+    let mut all = with_intermediate(unsaid, &derivation.scope);
     // What has words comes first, then what most claims use.
     all.sort_by_key(|h| (h.readable, std::cmp::Reverse(h.used.len())));
     let mut out = vec![StoryBlock::Heading("Used and not said".to_owned())];
@@ -70,14 +76,14 @@ pub(super) fn blocks<'a>(
         out.extend(conventions(derivation));
         return out;
     }
-    let counted = all[..shown].iter().enumerate().map(|(at, of)| {
-        let unit = if at == 0 { count(of.used.len(), "claim") } else { of.used.len().to_string() };
-        of.says.iter().cloned().chain([quiet(format!(" ({unit})"))]).collect()
-    });
+    let counted = all[..shown]
+        .iter()
+        .map(|of| of.says.iter().cloned().chain([quiet(format!(" ({})", places(derivation, &of.used)))]).collect());
     let mut line = joined(counted, "; ");
     let more = all.len() - shown;
     line.push(quiet(if more > 0 { format!("; {more} more on the page.") } else { ".".to_owned() }));
     out.push(StoryBlock::Paragraph(line));
+    out.extend(said_elsewhere(derivation, &said));
     out.extend(conventions(derivation));
     let told = &all[..all.len().min(MOST_FOLDED)];
     let mut folded = vec![StoryBlock::List(told.iter().map(item).collect())];
@@ -90,6 +96,99 @@ pub(super) fn blocks<'a>(
         blocks: folded,
     });
     out
+}
+
+/// What claims use without saying so that the paper says in another place.
+fn said_elsewhere<'a>(derivation: &'a Derivation, said: &[Hypothesis<'a>]) -> Option<StoryBlock<'a>> {
+    if said.is_empty() {
+        return None;
+    }
+    let mut out = vec![quiet("Said by the paper in one place, and used in others: ")];
+    let one = |of: &Hypothesis<'a>| {
+        of.says.iter().cloned().chain([quiet(format!(" ({})", places(derivation, &of.used)))]).collect()
+    };
+    out.extend(joined(said.iter().take(MOST).map(one), "; "));
+    out.push(quiet("."));
+    Some(StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(out)]))
+}
+
+/// Whether the paper itself states a condition, or chooses it: then it is not unsaid.
+fn is_stated(derivation: &Derivation, wholes: &[Whole<'_>], key: &str) -> bool {
+    let named = derivation.conditions.iter().find(|c| c.says.trim_end_matches('.') == key);
+    let wanted: Vec<String> = match named {
+        Some(condition) => condition.holds.iter().map(|f| canonical(&f.text)).collect(),
+        None => vec![canonical(key.trim_matches('$'))],
+    };
+    let states = |r: &&Reading<'_>| matches!(r.role, ClaimRole::Says | ClaimRole::Choice);
+    let always = |r: &Reading<'_>| {
+        declared(derivation, r.claim).is_none_or(|d| d.formulas.iter().all(|f| f.kind == FormKind::Always))
+    };
+    wholes.iter().flat_map(|w| &w.readings).filter(states).filter(|r| always(r)).any(|r| {
+        let stated: Vec<String> = r.claim.formulas.iter().map(|f| canonical(f)).collect();
+        wanted.iter().all(|w| stated.contains(w))
+    })
+}
+
+/// Of three letters two that are not strictly between the others leave the third there, or these two are equal: both conditions are put
+/// together for the claims that use both.
+fn with_intermediate<'a>(all: Vec<Hypothesis<'a>>, scope: &'a Scope) -> Vec<Hypothesis<'a>> {
+    let mut out: Vec<Hypothesis<'a>> = all;
+    let outer = |h: &Hypothesis<'_>| sides(&h.key).filter(|s| s.between == Some(false)).map(|s| s.letters);
+    let found: Vec<(usize, Vec<String>)> = out.iter().enumerate().filter_map(|(at, h)| Some((at, outer(h)?))).collect();
+    let mut merged = Vec::new();
+    for (i, (one, a)) in found.iter().enumerate() {
+        for (other, b) in &found[i + 1..] {
+            let is_twin = a[0] != b[0] && a[1..].contains(&b[0]) && b[1..].contains(&a[0]);
+            let Some(third) = a[1..].iter().find(|l| **l != b[0] && b[1..].contains(l)).filter(|_| is_twin) else {
+                continue;
+            };
+            let both: Vec<String> = out[*one].used.iter().filter(|c| out[*other].used.contains(c)).cloned().collect();
+            if both.is_empty() {
+                continue;
+            }
+            for at in [*one, *other] {
+                out[at].used.retain(|claim| !both.contains(claim));
+            }
+            let differ = canonical(&format!("{}≠{}", a[0], b[0]));
+            let known = out.iter().find(|h| canonical(&h.key) == differ);
+            let exact = known.is_some_and(|h| both.iter().all(|claim| h.used.contains(claim)));
+            let letter = |of: &String| StorySpan::Math(of.clone(), scope);
+            let (a, b) = if b[0] < a[0] { (b, a) } else { (a, b) };
+            let mut says = vec![letter(third), words(" between "), letter(&a[0]), words(" and "), letter(&b[0])];
+            says.push(words(", or equal to one"));
+            if !exact {
+                says.extend([words(", or "), letter(&a[0]), words(" = "), letter(&b[0])]);
+            }
+            let key = format!("{third} between {} and {}", a[0], b[0]);
+            merged.push(Hypothesis { says, key, readable: Readable::Words, used: both });
+        }
+    }
+    out.retain(|h| !h.used.is_empty());
+    out.extend(merged);
+    out
+}
+
+/// Where a hypothesis is used: the labels of the first equations, or the names of claims without one, and how many claims more.
+fn places(derivation: &Derivation, used: &[String]) -> String {
+    let label = |name: &String| derivation.claims.iter().find(|c| c.name() == *name)?.label.clone();
+    let mut labels: Vec<(String, usize)> = Vec::new();
+    let mut others = Vec::new();
+    for name in used {
+        match label(name) {
+            Some(label) => match labels.iter_mut().find(|(known, _)| *known == label) {
+                Some((_, n)) => *n += 1,
+                None => labels.push((label, 1)),
+            },
+            None => others.push((name.split('/').next().unwrap_or(name).to_owned(), 1)),
+        }
+    }
+    let named: Vec<(String, usize)> = labels.into_iter().chain(others).take(MOST_PLACES).collect();
+    let told: usize = named.iter().map(|(_, n)| n).sum();
+    let list = named.into_iter().map(|(name, _)| name).collect::<Vec<_>>().join(", ");
+    match used.len() - told {
+        0 => list,
+        more => format!("{list}, {more} more"),
+    }
 }
 
 fn item<'a>(of: &Hypothesis<'a>) -> StoryItem<'a> {
@@ -211,7 +310,7 @@ fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whol
                     _ if places_of(&key, "\\cdot").len() < 2 && sides(&key).is_some() => Readable::Words,
                     _ => Readable::Formula,
                 };
-                out.push(Hypothesis { says, readable, used: vec![claim] });
+                out.push(Hypothesis { says, key, readable, used: vec![claim] });
             }
         }
     };
@@ -328,88 +427,81 @@ pub(super) fn uses(term: Term) -> bool {
     }
 }
 
-/// Most claims that stand as said, and fail as needed, that are unfolded.
+/// Most claims that fail as they are used, that are unfolded.
 const MOST_AS_NEEDED: usize = 12;
-/// Most labels of equations.
-const MOST_LABELS: usize = 12;
 
-/// How far what stands stands: the printed equations that do, and the claims that hold as they are said, but fail where the paper needs
-/// more. One paragraph, bounded: one claim with its numbers, the one that most others assume, and how many there are beside it.
+/// A claim that stands as it is stated, and fails as the paper uses it.
+pub(super) struct Limited<'w, 'a> {
+    pub whole: &'w Whole<'a>,
+    /// The reading that the paper uses.
+    pub used: &'w Reading<'a>,
+    /// How many readings assume it.
+    pub assumed: usize,
+}
+
+/// All of them: what other claims assume comes first, then the heaviest; equals stay in the order of the paper.
+pub(super) fn limited<'w, 'a>(
+    derivation: &Derivation,
+    wholes: &'w [Whole<'a>],
+    hangs: &Consequences<'_>,
+) -> Vec<Limited<'w, 'a>> {
+    let refuted = |r: &Reading<'a>| RefutingMotion::of(derivation, r.claim).is_some_and(|m| m.witness().is_some());
+    let assumed = |r: &Reading<'a>| {
+        let all = wholes.iter().flat_map(|w| &w.readings);
+        all.filter(|other| other.claim.assumptions.iter().any(|a| r.claim.formulas.contains(a))).count()
+    };
+    let standing = wholes.iter().filter(|w| w.fate == Fate::Stands);
+    let with_use = standing.filter_map(|whole| Some((whole, whole.failing_need()?)));
+    let mut out: Vec<Limited<'w, 'a>> =
+        with_use.map(|(whole, used)| Limited { whole, used, assumed: assumed(used) }).collect();
+    out.sort_by_cached_key(|l| std::cmp::Reverse((l.assumed, refuted(l.used), hangs.weight(l.whole.id))));
+    out
+}
+
+/// How far what stands stands: the claims that hold as they are stated, but fail where the paper uses them. Bounded: one claim with its
+/// numbers, the one that most others assume, and the others folded.
 pub(super) fn limits<'a>(
     derivation: &'a Derivation,
     wholes: &[Whole<'a>],
     hangs: &Consequences<'a>,
 ) -> Vec<StoryBlock<'a>> {
-    let out = equations(derivation, wholes);
-    let mut limited: Vec<(&Whole<'a>, &'a ClaimAccount)> =
-        wholes.iter().filter(|w| w.fate == Fate::Stands).filter_map(|w| Some((w, w.failing_need()?.claim))).collect();
-    // What other claims assume comes first, then the heaviest; equals stay in the order of the paper.
-    let refuted = |claim: &'a ClaimAccount| RefutingMotion::of(derivation, claim).filter(|m| m.witness().is_some());
-    let assumed = |claim: &ClaimAccount| {
-        let all = wholes.iter().flat_map(|w| &w.readings);
-        all.filter(|r| r.claim.assumptions.iter().any(|a| claim.formulas.contains(a))).count()
-    };
-    limited.sort_by_cached_key(|(w, claim)| {
-        std::cmp::Reverse((assumed(claim), refuted(claim).is_some(), hangs.weight(w.id)))
-    });
-    let Some((first, rest)) = limited.split_first() else {
-        return if out.is_empty() { Vec::new() } else { vec![StoryBlock::Paragraph(out)] };
-    };
-    let item = |(whole, claim): &(&Whole<'a>, &'a ClaimAccount)| as_needed(derivation, whole, assumed(claim));
-    let mut told = item(first);
-    if let StoryBlock::Paragraph(line) = &mut told[0] {
-        if !out.is_empty() {
-            line.splice(0..0, out.into_iter().chain([words(" ")]));
-        }
-        line.push(quiet(" As needed: in the sense in which the argument uses it."));
+    let limited = limited(derivation, wholes, hangs);
+    let Some((first, rest)) = limited.split_first() else { return Vec::new() };
+    let mut card = as_used(derivation, first);
+    if let Some(StoryBlock::Paragraph(line)) = card.first_mut() {
+        line.insert(0, StorySpan::Words("Stated and used differently: ".to_owned(), Tone::Strong));
+        line.push(quiet(match rest.len() {
+            0 => ".".to_owned(),
+            n => format!(", and {}.", count(n, "more claim")),
+        }));
     }
-    let mut blocks = vec![StoryBlock::Group("needed", told)];
+    let sketch = RefutingMotion::of(derivation, first.used.claim).and_then(|motion| motion.sketch());
+    if let Some(sketch) = sketch {
+        card.insert(1, StoryBlock::Group("roomy", vec![StoryBlock::Figure(sketch, Vec::new())]));
+    }
+    let mut blocks = vec![StoryBlock::Group("card", card)];
     if !rest.is_empty() {
-        let items = rest.iter().take(MOST_AS_NEEDED).flat_map(item).collect();
-        let title = match rest.len() {
-            1 => "1 more claim stands as said, and fails as needed".to_owned(),
-            more => format!("{more} more claims stand as said, and fail as needed"),
-        };
+        let items = rest.iter().take(MOST_AS_NEEDED).flat_map(|l| as_used(derivation, l)).collect();
+        let n = rest.len();
+        let verb = CountedFate::AsSaid.words(n);
+        let title = format!("{n} more {} {verb}", if n == 1 { "claim" } else { "claims" });
         blocks.push(StoryBlock::Fold { title, unfolded: Some(String::new()), blocks: items });
     }
     blocks
 }
 
-/// A claim that stands as it is said, and fails as it is needed, with the lines on what is needed.
-fn as_needed<'a>(derivation: &'a Derivation, whole: &Whole<'a>, assumed: usize) -> Vec<StoryBlock<'a>> {
-    let mut line = vec![StorySpan::Claim(whole.id.to_owned(), Tone::Strong)];
-    let says = format!(" {}", CountedFate::AsSaid.words(1));
-    line.push(words(match assumed {
-        0 => format!("{says}."),
-        n => format!("{says} ({} {} it).", count(n, "reading"), if n == 1 { "assumes" } else { "assume" }),
+/// What such a claim says, in what sense it stands, and where it fails as it is used.
+fn as_used<'a>(derivation: &'a Derivation, of: &Limited<'_, 'a>) -> Vec<StoryBlock<'a>> {
+    let mut line = vec![StorySpan::Claim(of.whole.id.to_owned(), Tone::Strong)];
+    line.push(quiet(match of.assumed {
+        0 => String::new(),
+        n => format!(" ({} {} it)", count(n, "reading"), if n == 1 { "assumes" } else { "assume" }),
     }));
     let mut out = vec![StoryBlock::Paragraph(line)];
-    out.extend(points::lines(derivation, whole, NeededReading::Shown));
+    // A terminal has the first sentences for it.
+    out.extend(points::as_stated(derivation, of.whole).map(|line| StoryBlock::Group("roomy", vec![line])));
+    out.extend(points::lines(derivation, of.whole, NeededReading::Shown));
     out
-}
-
-/// The labels of printed equations of which all claims stand.
-fn equations<'a>(derivation: &'a Derivation, wholes: &[Whole<'a>]) -> Vec<StorySpan<'a>> {
-    let mut labels: Vec<(&'a str, bool)> = Vec::new();
-    for whole in wholes.iter().filter(|w| w.fate.is_of_the_paper()) {
-        let label = whole.readings.iter().find_map(|r| declared(derivation, r.claim)?.label.as_deref());
-        let Some(label) = label else { continue };
-        let stands = whole.fate == Fate::Stands;
-        match labels.iter_mut().find(|(l, _)| *l == label) {
-            Some((_, all)) => *all &= stands,
-            None => labels.push((label, stands)),
-        }
-    }
-    let stand: Vec<&str> = labels.iter().filter(|(_, stands)| *stands).map(|(l, _)| *l).collect();
-    if stand.is_empty() {
-        return Vec::new();
-    }
-    let more = stand.len().saturating_sub(MOST_LABELS);
-    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-    let word = if stand.len() == 1 { "Equation" } else { "Equations" };
-    let verb = if stand.len() == 1 { "stands" } else { "stand" };
-    let named = stand.iter().take(MOST_LABELS).copied().collect::<Vec<_>>().join(", ");
-    vec![words(format!("{word} {named}{more} {verb}."))]
 }
 
 #[cfg(test)]

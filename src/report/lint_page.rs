@@ -63,6 +63,7 @@ pub fn lint_page(paper: &Paper, found: &Lint) -> String {
                     p.quiet { "A paper as it is" }
                     h1 { (title) }
                     p.quiet { (paper.file.path) }
+                    @if let Some(text) = lint::nothing_tested(found) { p { b { (text) } } }
                     (counts(found))
                     @if !wrong.is_empty() {
                         p { "Wrong:" }

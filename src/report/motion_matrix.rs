@@ -14,8 +14,9 @@ use super::discrimination;
 use super::graph::ProofStanding;
 use super::numbers::count;
 use super::story::{self, StoryBlock, StoryItem, StorySpan, StoryTable, Tone, VerdictShape, joined, quiet, words};
+use super::tally::motion_title;
 use crate::derivation::{ClaimRole, Derivation};
-use findings::{Account, ClaimAccount, Outcome, Strength};
+use findings::{Account, ClaimAccount, Outcome, PairAccount, Strength};
 
 /// Most claims that are shown.
 pub(super) const MOST_ROWS: usize = 9;
@@ -77,8 +78,9 @@ pub(super) fn blocks<'a>(
     };
     let table = StoryBlock::Table(table);
     let mut legend = legend(&(&story::shapes(std::slice::from_ref(&table)) | &following));
-    if rows.iter().any(|whole| columns.iter().any(|column| share(whole, &column.of).is_some())) {
-        legend.push(quiet("; 1/3: applies to 1 of 3"));
+    let has_share = |whole: &Whole<'_>, of| cell(whole, of).and_then(|shape| share(whole, of, shape)).is_some();
+    if rows.iter().any(|whole| columns.iter().any(|column| has_share(whole, &column.of))) {
+        legend.push(quiet("; 1/3: so on 1 of 3 motions"));
     }
     let more = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count().saturating_sub(rows.len());
     if more > 0 {
@@ -113,24 +115,28 @@ fn row<'a>(whole: &Whole<'a>, columns: &[MatrixColumn<'a>], hangs: &Consequences
     let cells = columns.iter().map(|column| match cell(whole, &column.of) {
         None => Vec::new(),
         Some(shape) => {
-            let share = share(whole, &column.of).map(|(some, all)| quiet(format!("\u{a0}{some}/{all}")));
+            let share = share(whole, &column.of, shape).map(|(some, all)| quiet(format!("\u{a0}{some}/{all}")));
             std::iter::once(StorySpan::Shape(shape)).chain(share).collect()
         }
     });
     std::iter::once(head).chain(cells).collect()
 }
 
-/// On how many motions of a class a claim was tried and applies, and how many there are, where it is not all of them: a symbol says nothing
-/// of the others. Where much else would hold counts where no motion tells more.
-fn share(whole: &Whole<'_>, column: &ColumnMotions<'_>) -> Option<(usize, usize)> {
+/// On how many motions of a class it is as the symbol says, and how many there are, where it is not so on all of them: fails, holds (of
+/// one that holds on some), or applies.
+fn share(whole: &Whole<'_>, column: &ColumnMotions<'_>, shape: VerdictShape) -> Option<(usize, usize)> {
     let ColumnMotions::Motions(named) = column else { return None };
-    let shown = whole.deciding().flat_map(|reading| &reading.claim.results);
-    let applies = shown.filter(|p| !matches!(p.verdict.outcome(), Outcome::NotApplicable(_)));
-    let applies = applies.filter(|p| named.contains(p.trajectory.as_str()));
-    let (weak, telling): (Vec<_>, Vec<_>) = applies.partition(|p| discrimination::is_weak(p));
-    let of = if telling.is_empty() { weak } else { telling };
-    let some = of.iter().map(|p| p.trajectory.as_str()).collect::<BTreeSet<_>>().len();
-    (some > 0 && some < named.len()).then_some((some, named.len()))
+    let is_so = |p: &&PairAccount| match (shape, p.verdict.outcome()) {
+        (_, Outcome::NotApplicable(_)) => false,
+        (VerdictShape::Fails | VerdictShape::Certified, outcome) => matches!(outcome, Outcome::Fails(_)),
+        (VerdictShape::Weak, _) => true,
+        // Where much else would hold counts where no motion tells more.
+        (_, Outcome::Holds(_)) => !discrimination::is_weak(p),
+        (_, Outcome::Fails(_) | Outcome::Undecided) => shape.tone() == Tone::Open,
+    };
+    let pairs = whole.deciding().flat_map(|reading| &reading.claim.results).filter(is_so);
+    let found = pairs.map(|p| p.trajectory.as_str()).filter(|id| named.contains(id)).collect::<BTreeSet<_>>();
+    (!found.is_empty() && found.len() < named.len()).then_some((found.len(), named.len()))
 }
 
 /// What a class of motions says of a claim with all its readings.
@@ -246,7 +252,7 @@ fn columns<'a>(derivation: &'a Derivation, account: &'a Account, rows: &[&Whole<
     let mut out = motions(derivation, account, &shown, MOST_COLUMNS - of_families - usize::from(known));
     match families.as_slice() {
         few if few.len() <= 2 => out.extend(few.iter().map(|family| MatrixColumn {
-            says: vec![words("the family "), StorySpan::Words((*family).to_owned(), Tone::Strong)],
+            says: family_says(derivation, family),
             of: ColumnMotions::Families(vec![family]),
         })),
         all => {
@@ -265,6 +271,35 @@ fn named(of: &[&str]) -> String {
     let more = of.len() - shown;
     let list = of[..shown].join(", ");
     if more > 0 { format!("{list} and {more} more") } else { list }
+}
+
+/// Longest title of a motion, in letters.
+const LONGEST_TITLE: usize = 30;
+/// The same of a family.
+const LONGEST_FAMILY_TITLE: usize = 50;
+
+/// Motions by their names, each with its title where that is short.
+fn titled<'a>(derivation: &'a Derivation, of: &[&str]) -> Vec<StorySpan<'a>> {
+    let shown = if of.len() > MOST_NAMED + 1 { MOST_NAMED } else { of.len() };
+    let one = |id: &&str| {
+        let title = motion_title(derivation, id, LONGEST_TITLE);
+        let title = title.map(|t| StorySpan::Prose(format!(" ({t})"), &derivation.scope, Tone::Quiet));
+        std::iter::once(words(id.to_string())).chain(title).collect()
+    };
+    let mut out = joined(of[..shown].iter().map(one), ", ");
+    if of.len() > shown {
+        out.push(words(format!(" and {} more", of.len() - shown)));
+    }
+    out
+}
+
+/// A family by its name and its title up to the first stop.
+fn family_says<'a>(derivation: &'a Derivation, id: &str) -> Vec<StorySpan<'a>> {
+    let title = derivation.families.iter().find(|f| f.id == id).and_then(|f| f.title.split([':', ';']).next());
+    let title = title.filter(|t| *t != id && t.chars().count() <= LONGEST_FAMILY_TITLE);
+    let title = title.map(|t| StorySpan::Prose(format!(" ({t})"), &derivation.scope, Tone::Quiet));
+    let name = [words("the family "), StorySpan::Words(id.to_owned(), Tone::Strong)];
+    name.into_iter().chain(title).collect()
 }
 
 /// What tells motions apart.
@@ -344,7 +379,7 @@ fn motions<'a>(
     let says = |mark: &ClassMark<'a>, ids: &[&str]| -> Vec<StorySpan<'a>> {
         let n = count(ids.len(), "motion");
         match mark {
-            ClassMark::Verdicts(_) => vec![words(named(ids))],
+            ClassMark::Verdicts(_) => titled(derivation, ids),
             ClassMark::Conditions(of) => {
                 let mut out = joined(condition_words(derivation, of, &conditions), "; ");
                 let lead = if out.is_empty() { "neither is known: " } else { ": " };
@@ -366,7 +401,8 @@ fn motions<'a>(
         })
         .collect();
     if !rest.is_empty() {
-        let says = vec![words(format!("the other {}: {}", count(rest.len(), "motion"), named(&rest)))];
+        let mut says = vec![words(format!("the other {}: ", count(rest.len(), "motion")))];
+        says.extend(titled(derivation, &rest));
         out.push(MatrixColumn { says, of: ColumnMotions::Motions(rest.into_iter().collect()) });
     }
     out

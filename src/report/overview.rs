@@ -26,7 +26,7 @@ fn counted(account: &Account) -> String {
     let cell = |n: usize| vec![n.to_string()];
     let all = [s.holds, s.fails, s.not_applicable, s.undecided, s.unexpected].into_iter().flat_map(cell).collect();
     let mut out = format!(
-        "Reading by reading, what is added for comparison among them, there are {} on {}. Of the pairs:\n\n",
+        "Reading by reading, what is added for comparison among them, there are {} on {}. Of the pairs of a reading and a motion:\n\n",
         account.claims.len(),
         count(account.trajectories.len(), "motion"),
     );

@@ -8,14 +8,16 @@
 use super::argument;
 use super::card;
 use super::consequence::Consequences;
-use super::digest::{self, Fate, Whole};
+use super::digest::{self, Fate, Reading, Whole};
 use super::front::{Front, Line};
+use super::headline;
 use super::hypotheses;
 use super::motion_matrix::{self, that_matter};
 use super::numbers::count;
 use super::sketch::Sketch;
 use super::story::{self, StoryBlock, StorySpan, Tone, quiet, words};
-use super::text::{Paint, paragraph};
+use super::tally::{Standing, declared};
+use super::text::{Paint, paragraph, uncapital};
 use crate::derivation::Derivation;
 use findings::Account;
 
@@ -25,6 +27,8 @@ const MOST_NAMED: usize = 6;
 const MOST_CARDS: usize = 3;
 /// Most lines of a terminal that have the remark of a file; the rest is folded.
 const MOST_REMARKED: usize = 2;
+/// Most labels and letters that a sentence lists.
+const MOST_LABELS: usize = 12;
 /// Cards that a terminal has room for, if there are few of them; of more only the first.
 const FEW_CARDS: usize = 2;
 
@@ -34,13 +38,13 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     let hangs = Consequences::new(derivation);
     let front = Front::of(derivation, account, &wholes, &hangs);
     let scope = &derivation.scope;
-    let mut verdict = vec![StorySpan::Prose(front.verdict.clone(), scope, Tone::Strong)];
-    verdict.extend(front.strength.iter().map(|text| StorySpan::Prose(format!(" {text}"), scope, Tone::Quiet)));
-    let mut head = vec![StoryBlock::Group("headline", vec![StoryBlock::Paragraph(verdict)])];
+    let mut head = headline(derivation, &wholes, &hangs, &front);
+    let is_plain = head.len() == 1;
     for alarm in &front.alarms {
         head.push(StoryBlock::Paragraph(vec![StorySpan::Prose(format!("! {alarm}"), scope, Tone::Alarm)]));
     }
-    head.extend(remark(derivation));
+    // Beside the sentences on equations and conclusions a terminal has no room for it.
+    head.extend(remark(derivation).map(|block| if is_plain { block } else { StoryBlock::Group("roomy", vec![block]) }));
     let fields = wholes.iter().filter(|w| w.fate.is_of_the_paper()).map(|w| w.shape());
     let strip = Sketch::Strip(fields.collect());
     let shown = front.lines.first().map(|l| l.id.as_str());
@@ -73,6 +77,146 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
             vec![StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(strength)]), StoryBlock::Paragraph(foot)],
         ),
     ]
+}
+
+/// The first sentences, for a reader who knows none of the words of a report: what became of the printed equations, where the argument goes
+/// wrong, what became of the conclusions; and the counts. Of a paper without labels and conclusions the counts are the first sentence.
+fn headline<'a>(
+    derivation: &'a Derivation,
+    wholes: &[Whole<'a>],
+    hangs: &Consequences<'a>,
+    front: &Front,
+) -> Vec<StoryBlock<'a>> {
+    let scope = &derivation.scope;
+    let of_equations = equations(derivation, wholes);
+    let of_conclusions = conclusions(wholes, hangs);
+    let is_short = of_equations.is_none() && of_conclusions.is_none();
+    let mut counts =
+        vec![StorySpan::Prose(headline::headline(wholes), scope, if is_short { Tone::Strong } else { Tone::Quiet })];
+    counts.extend(front.strength.iter().map(|text| StorySpan::Prose(format!(" {text}"), scope, Tone::Quiet)));
+    let gap = gap(derivation, wholes, hangs, front);
+    let sentences = of_equations.into_iter().chain(gap).chain(of_conclusions);
+    let sentence = |text| StoryBlock::Paragraph(vec![StorySpan::Prose(text, scope, Tone::Strong)]);
+    let mut first: Vec<StoryBlock<'a>> = sentences.map(sentence).collect();
+    let counts = StoryBlock::Paragraph(counts);
+    if is_short {
+        first.insert(0, counts);
+        return vec![StoryBlock::Group("headline", first)];
+    }
+    vec![StoryBlock::Group("headline", first), StoryBlock::Group("roomy", vec![counts])]
+}
+
+/// What became of the printed equations: those that hold as they are printed, and the others by what became of the worst claim on them.
+fn equations(derivation: &Derivation, wholes: &[Whole<'_>]) -> Option<String> {
+    let mut labels: Vec<(&str, Fate)> = Vec::new();
+    for whole in wholes.iter().filter(|w| w.fate.is_of_the_paper()) {
+        let label = whole.readings.iter().find_map(|r| declared(derivation, r.claim)?.label.as_deref());
+        let Some(label) = label else { continue };
+        match labels.iter_mut().find(|(known, _)| *known == label) {
+            Some((_, worst)) => *worst = whole.fate.min(*worst),
+            None => labels.push((label, whole.fate)),
+        }
+    }
+    let mut parts = Vec::new();
+    for fate in Fate::TOLD {
+        let of: Vec<String> = labels.iter().filter(|(_, f)| *f == fate).map(|(l, _)| (*l).to_owned()).collect();
+        let shown = &of[..of.len().min(MOST_LABELS)];
+        let more = (of.len() > shown.len()).then(|| format!("{} more", of.len() - shown.len()));
+        let listed = digest::listed(&shown.iter().cloned().chain(more).collect::<Vec<_>>());
+        let word = match (parts.is_empty(), of.len()) {
+            (_, 0) => continue,
+            (false, _) => "",
+            (true, 1) => "Equation ",
+            (true, _) => "Equations ",
+        };
+        let verb = match (fate, of.len()) {
+            (Fate::Stands, 1) => "holds as printed",
+            (Fate::Stands, _) => "hold as printed",
+            (Fate::Reading, 1) if !parts.is_empty() => "only in one of its meanings",
+            (Fate::Reading, _) if !parts.is_empty() => "only in one of their meanings",
+            (fate, n) => fate.words(n),
+        };
+        parts.push(format!("{word}{listed} {verb}"));
+    }
+    (!parts.is_empty()).then(|| format!("{}.", parts.join("; ")))
+}
+
+/// Where the argument goes wrong: at a claim that holds as it is stated and fails as it is used, which most others assume; where there is
+/// none, at the heaviest of those that do not hold.
+fn gap(derivation: &Derivation, wholes: &[Whole<'_>], hangs: &Consequences<'_>, front: &Front) -> Option<String> {
+    let fails_on = |reading: &Reading<'_>| {
+        let text = digest::verdict(reading).replace(" to which it applies", "");
+        text.strip_prefix("Fails on ")
+            .map(|rest| format!("fails on {rest}"))
+            .unwrap_or_else(|| format!("fails: {}", uncapital(&text)))
+    };
+    let quoted = |whole: &Whole<'_>| format!("“{}”", whole.says.trim_end_matches('.'));
+    let limited = hypotheses::limited(derivation, wholes, hangs);
+    if let Some(first) = limited.first() {
+        let sense = |r: &Reading<'_>| match r.claim.reading {
+            Some(_) => format!(" ({})", uncapital(r.claim.says.trim_end_matches('.'))),
+            None => String::new(),
+        };
+        let stated = first.whole.deciding().find(|r| r.standing == Standing::Holds).map(sense).unwrap_or_default();
+        return Some(format!(
+            "{} is true as stated{stated}, and false where the paper uses it{}: {}.",
+            quoted(first.whole),
+            sense(first.used),
+            fails_on(first.used).trim_start_matches("fails ").trim_end_matches(" (certified)")
+        ));
+    }
+    let heaviest = front.lines.first()?;
+    let whole = wholes.iter().find(|w| w.id == heaviest.id)?;
+    Some(match (whole.failing(), whole.contrary()) {
+        (Some(failing), _) => format!("{} {}.", quoted(whole), fails_on(failing)),
+        (None, Some(contrary)) => {
+            format!("{} is false: the contrary holds, {}.", quoted(whole), contrary.basis().words())
+        }
+        (None, None) => format!("{} {}.", quoted(whole), whole.fate.words(1)),
+    })
+}
+
+/// What became of the conclusions, by their letters.
+fn conclusions(wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> Option<String> {
+    let all: Vec<&Whole<'_>> =
+        hangs.conclusions().iter().filter_map(|id| wholes.iter().find(|w| w.id == *id)).collect();
+    if all.is_empty() {
+        return None;
+    }
+    let is_broken = |whole: &Whole<'_>, breaks: &dyn Fn(&Whole<'_>) -> bool| {
+        let grounds = hangs.grounds_of(whole.id);
+        wholes.iter().any(|w| grounds.contains(&w.id) && breaks(w))
+    };
+    let after = |whole: &Whole<'_>| match () {
+        () if is_broken(whole, &|w| w.fate.is_against()) => ", but rests on claims that do not",
+        () if is_broken(whole, &|w| w.failing_need().is_some()) => {
+            ", but rests on claims that fail where they are used"
+        }
+        () => "",
+    };
+    let mut groups: Vec<(Fate, &str, Vec<String>)> = Vec::new();
+    for whole in &all {
+        let key = (whole.fate, if whole.fate.is_against() { "" } else { after(whole) });
+        let letter = hangs.letter(whole.id).map_or_else(|| whole.id.to_owned(), String::from);
+        match groups.iter_mut().find(|(fate, after, _)| (*fate, *after) == key) {
+            Some((.., letters)) => letters.push(letter),
+            None => groups.push((key.0, key.1, vec![letter])),
+        }
+    }
+    let part = |(fate, after, letters): &(Fate, &str, Vec<String>)| {
+        let n = letters.len();
+        let verb = match fate {
+            Fate::Stands if n == 1 => "holds",
+            Fate::Stands => "hold",
+            fate => fate.words(n),
+        };
+        // One that holds rests on what does not: with more of them the verb is another.
+        let after = if n > 1 { after.replace("but rests", "but rest") } else { (*after).to_owned() };
+        format!("{} {verb}{after}", digest::listed(&letters[..n.min(MOST_LABELS)]))
+    };
+    let of =
+        if all.len() == 1 { "Of its one conclusion".to_owned() } else { format!("Of its {} conclusions", all.len()) };
+    Some(format!("{of} {}.", groups.iter().map(part).collect::<Vec<_>>().join("; ")))
 }
 
 /// What the file remarks: the sentences that have room in two lines of a terminal, and the others folded.
@@ -148,7 +292,14 @@ fn nothing_wrong<'a>(
 ) -> Vec<StoryBlock<'a>> {
     let scope = &derivation.scope;
     let told = that_matter(wholes, hangs);
-    let mut out = vec![StoryBlock::Heading("Nothing is refuted".to_owned())];
+    let of_file = wholes.iter().filter(|w| w.fate == Fate::Added && w.all_failing().next().is_some());
+    let of_file: Vec<&str> = of_file.map(|w| w.id).collect();
+    let title = if of_file.is_empty() { "Nothing is refuted" } else { "Nothing of the paper is refuted" };
+    let mut out = vec![StoryBlock::Heading(title.to_owned())];
+    if !of_file.is_empty() {
+        let named = first_of(&of_file, 0);
+        out.push(StoryBlock::Paragraph(vec![quiet(format!("Added for comparison, and refuted: {named}."))]));
+    }
     let mut heaviest: Vec<&&Whole<'a>> = told.iter().collect();
     heaviest.sort_by_cached_key(|w| {
         let drawn = card::sketch_that_holds(w);

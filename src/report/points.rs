@@ -3,19 +3,20 @@
 //! **In:** a reading of a claim. **Out:** at most four short lines, each with its name before it. Conditions have the words of the file,
 //! where it has words for them.
 
+use std::collections::BTreeSet;
+
 use super::card::{FormulaShown, RefutingMotion, formula_of, shown_formula};
 use super::digest::{self, Reading, Whole};
 use super::hypotheses::canonical;
+use super::numbers::count;
 use super::story::{StoryBlock, StorySpan, Tone, joined, quiet, words};
 use super::tally::{Standing, declared};
 use super::text::uncapital;
 use crate::derivation::{ClaimRole, Derivation};
-use findings::{ClaimAccount, Grounds, Recorded};
+use findings::{ClaimAccount, Grounds, Outcome, Recorded};
 
 /// Longest formula, in bytes of LaTeX; beside the words of a reading it has what room they leave.
 const LONGEST: usize = 60;
-/// Longest title of a motion, in letters.
-const LONGEST_TITLE: usize = 48;
 /// Most conditions that are named.
 const MOST_CONDITIONS: usize = 3;
 
@@ -29,8 +30,10 @@ pub(super) fn lines<'a>(derivation: &'a Derivation, whole: &Whole<'a>, needed: N
     let mut further = Vec::new();
     match reading.standing {
         Standing::Fails | Standing::Mixed => {
+            tested.extend((!tested.is_empty()).then(|| words("; ")));
+            tested.extend(fails(derivation, reading));
+            tested.extend(fails_too(derivation, whole, reading));
             further.extend(separated(derivation, reading.claim));
-            further.push(fails(derivation, reading));
         }
         Standing::Holds => {
             tested.extend((!tested.is_empty()).then(|| words("; ")));
@@ -42,6 +45,21 @@ pub(super) fn lines<'a>(derivation: &'a Derivation, whole: &Whole<'a>, needed: N
     }
     let out = std::iter::once(tested).filter(|line| !line.is_empty()).chain(further);
     out.map(StoryBlock::Paragraph).collect()
+}
+
+/// In what sense a claim stands that fails as it is used, and how that is known.
+pub(super) fn as_stated<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Option<StoryBlock<'a>> {
+    let reading = whole.deciding().find(|r| r.standing == Standing::Holds)?;
+    let scope = declared(derivation, reading.claim).map_or(&derivation.scope, |d| &d.scope);
+    let mut out = vec![quiet("as stated: ")];
+    if reading.claim.reading.is_some() {
+        let says = reading.claim.says.trim_end_matches('.');
+        out.push(StorySpan::Prose(format!("{says}; "), scope, Tone::Plain));
+        out.extend(known(reading));
+    } else {
+        out.extend(holds(derivation, reading));
+    }
+    Some(StoryBlock::Paragraph(out))
 }
 
 /// Whether the lines are on the reading that the paper needs.
@@ -56,7 +74,7 @@ fn tested<'a>(derivation: &'a Derivation, reading: &Reading<'a>) -> Vec<StorySpa
     let claim = reading.claim;
     let lead = match (reading.role, reading.standing) {
         (ClaimRole::Against, Standing::Holds) => "the contrary holds: ",
-        (ClaimRole::Needs, _) => "needed, and tested: ",
+        (ClaimRole::Needs, _) => "as the paper uses it: ",
         _ => "tested as: ",
     };
     let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
@@ -85,13 +103,11 @@ fn room(claim: &ClaimAccount) -> usize {
     if claim.reading.is_some() { LONGEST.saturating_sub(claim.says.len()) } else { LONGEST }
 }
 
-/// What separates the motions on which a claim holds from those on which it fails.
+/// What separates the motions on which a claim holds from those on which it fails; nothing, where other conditions fit as well.
 fn separated<'a>(derivation: &'a Derivation, claim: &'a ClaimAccount) -> Option<Vec<StorySpan<'a>>> {
-    let separation = claim.conditions.separation.as_ref()?;
+    let separation = claim.conditions.separation.as_ref().filter(|s| s.rivals.is_empty() && s.more_rivals == 0)?;
     let text = digest::explanation(separation.explanation.as_ref()?);
-    let others =
-        if separation.rivals.is_empty() { "" } else { ", or where another condition is met that fits as well" };
-    Some(vec![quiet("holds just where: "), StorySpan::Prose(format!("{text}{others}"), &derivation.scope, Tone::Plain)])
+    Some(vec![quiet("holds just where: "), StorySpan::Prose(text, &derivation.scope, Tone::Plain)])
 }
 
 /// On how much a reading fails, how sure that is, and the motion that tells most, in its own words and with its numbers.
@@ -112,11 +128,30 @@ fn fails<'a>(derivation: &'a Derivation, reading: &Reading<'a>) -> Vec<StorySpan
         return out;
     };
     out.push(words(". "));
-    let title = derivation.trajectories.iter().find(|t| t.id == motion.name).map(|t| t.title.as_str());
-    let title = title.and_then(|t| t.split([':', ',', ';']).next());
-    let is_short = |t: &&str| *t != motion.name && t.chars().count() <= LONGEST_TITLE;
-    let title = title.filter(is_short).map(|t| StorySpan::Prose(format!(" ({t})"), &derivation.scope, Tone::Quiet));
-    out.extend(motion.says_with(title, scope));
+    out.extend(motion.says(derivation, scope));
+    out
+}
+
+/// What else of a claim fails that fails in the sense that was shown, and on how many motions it does in one sense or another.
+fn fails_too<'a>(derivation: &'a Derivation, whole: &Whole<'a>, shown: &Reading<'a>) -> Vec<StorySpan<'a>> {
+    if !shown.role.decides() {
+        return Vec::new();
+    }
+    let others: Vec<&Reading<'a>> = whole.all_failing().filter(|r| !std::ptr::eq(r.claim, shown.claim)).collect();
+    let Some(first) = others.first() else { return Vec::new() };
+    let scope = declared(derivation, first.claim).map_or(&derivation.scope, |d| &d.scope);
+    let says = first.claim.says.trim_end_matches('.');
+    let on = uncapital(&digest::verdict(first)).replace(" to which it applies", "");
+    let mut out =
+        vec![quiet(" Nor in another sense: "), StorySpan::Prose(format!("“{says}” {on}"), scope, Tone::Plain)];
+    let failing = whole.all_failing().flat_map(|r| &r.claim.results);
+    let failing = failing.filter(|p| matches!(p.verdict.outcome(), Outcome::Fails(_)));
+    let motions = failing.map(|p| p.trajectory.as_str()).collect::<BTreeSet<_>>().len();
+    out.push(words(match others.len() {
+        1 if motions > 1 => format!("; {motions} motions in all."),
+        1 => ".".to_owned(),
+        more => format!("; with {} more, {} in all.", more - 1, count(motions, "motion")),
+    }));
     out
 }
 
@@ -130,18 +165,22 @@ fn holds<'a>(derivation: &'a Derivation, reading: &Reading<'a>) -> Vec<StorySpan
         out.extend(joined(assumed, ", "));
         out.push(words("; "));
     }
+    out.extend(known(reading));
+    out
+}
+
+/// How a reading is known to hold, and whether its proof was made again.
+fn known<'a>(reading: &Reading<'a>) -> Vec<StorySpan<'a>> {
     let replayed = match reading.claim.identity.as_ref().and_then(|i| i.recorded.as_ref()).map(Recorded::grounds) {
         _ if !reading.basis().is_proof() => "",
-        Some(Grounds::Checker) => ", replayed by the checker",
+        Some(Grounds::Checker) => ", replayed",
         Some(Grounds::CheckerBut(_)) => ", replayed but for some cases",
         Some(Grounds::Prover) => ", not replayed by the checker",
         None => "",
     };
     let basis = reading.basis();
     let known = if basis.is_proof() { basis.kind().to_owned() } else { format!("holds {}", basis.words()) };
-    out.push(StorySpan::Words(known, Tone::Good));
-    out.push(words(format!("{replayed}.")));
-    out
+    vec![StorySpan::Words(known, Tone::Good), words(format!("{replayed}."))]
 }
 
 /// A condition in the words of the file; the formula, where the file has none.

@@ -104,3 +104,10 @@ pub(super) fn says(derivation: &Derivation, claim: &ClaimAccount) -> String {
 pub(super) fn declared<'d>(derivation: &'d Derivation, claim: &ClaimAccount) -> Option<&'d Claim> {
     derivation.claim(&claim.id, claim.reading.as_deref())
 }
+
+/// The title of a motion up to its first stop, where it is at most so many letters long and says more than the name.
+pub(super) fn motion_title<'a>(derivation: &'a Derivation, id: &str, longest: usize) -> Option<&'a str> {
+    let title = derivation.trajectories.iter().find(|t| t.id == id)?.title.split([':', ',', ';']).next()?;
+    let bare = ["a ", "an ", "the "].iter().find_map(|article| title.strip_prefix(article)).unwrap_or(title);
+    (bare != id && title.chars().count() <= longest).then_some(title)
+}

@@ -72,7 +72,7 @@ fn findings(derivation: &Derivation, account: &Account, out: &mut String) {
         out.push_str(&format!("\\emph{{Remark of the file:}} {}\n\n", prose(remark, scope)));
     }
     out.push_str(&format!(
-        "Reading by reading, what is added for comparison among them, there are {} on {}: of the pairs {} hold, {} fail, {} do not apply, {} are undecided; \
+        "Reading by reading, what is added for comparison among them, there are {} on {}: of the pairs of a reading and a motion {} hold, {} fail, {} do not apply, {} are undecided; \
          {} differ from what the derivation file expects.\n\n",
         account.claims.len(),
         count(account.trajectories.len(), "motion"),

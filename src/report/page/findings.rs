@@ -62,8 +62,8 @@ fn of_these(found: &[&Whole<'_>]) -> String {
     match found.iter().filter(|w| w.counted_as() == CountedFate::AsSaid).count() {
         0 => String::new(),
         n => format!(
-            " Of these {n} {}: in the sense in which the paper's argument uses them.",
-            if n == 1 { "fails as needed" } else { "fail as needed" }
+            " Of these {n} {} in the sense in which the paper's argument uses them.",
+            if n == 1 { "fails" } else { "fail" }
         ),
     }
 }
@@ -78,8 +78,9 @@ fn counted(account: &Account) -> Markup {
     let s: Summary = account.summary();
     html! {
         p.quiet {
-            "Reading by reading, what is added for comparison among them, there are " (account.claims.len()) " on "
-            (count(account.trajectories.len(), "motion")) ": of the pairs " (s.holds) " hold, " (s.fails) " fail, "
+            "These numbers count claims. Reading by reading, what is added for comparison among them, there are "
+            (account.claims.len()) " on " (count(account.trajectories.len(), "motion"))
+            ": of the pairs of a reading and a motion " (s.holds) " hold, " (s.fails) " fail, "
             (s.not_applicable) " do not apply, " (s.undecided) " are undecided. "
             @match s.unexpected {
                 0 => { "Every verdict is as the derivation file expects." },
