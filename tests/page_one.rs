@@ -78,7 +78,8 @@ fn what_stands_under_a_condition_is_told_with_numbers() {
         "as the paper uses it: For every motion of a rigid body: 2E= I⁻¹ᵢ mᵢ²; fails on 28 of 49 motions (certified). On \
          racket-letter-in",
         // What is constant has no time, and its sides have their names.
-        "left 2E = 4.45012, right I⁻¹ᵢ mᵢ² = 60.2479 (error bound 3e-13; both constant).",
+        "left 2E = 4.45012, right I⁻¹ᵢ mᵢ² = 60.2479 (error bound",
+        "; both constant).",
     ] {
         assert!(text.contains(words), "{words}: {text}");
     }
