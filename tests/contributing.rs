@@ -172,7 +172,7 @@ fn front_ends_are_thin() {
         let files = fs::read_dir(&folder).expect("a folder").map(|entry| entry.expect("an entry").path());
         let rust = files.filter(|path| path.extension().is_some_and(|e| e == "rs"));
         let lines: usize = rust.map(|path| code(&fs::read_to_string(path).expect("a file"))).sum();
-        assert!((20..=250).contains(&lines), "{target}: {lines} lines");
+        assert!((20..=280).contains(&lines), "{target}: {lines} lines");
         seen += 1;
     }
     assert_eq!(seen, 4);

@@ -151,6 +151,38 @@ fn what_is_denied_is_refuted_by_what_is_replayed() {
     assert_eq!(word(&(r"x(1)\ne2", MOTION, &[r"\dot x=0", "x(0)=2"])).0, "refuted");
 }
 
+/// Where no motion satisfies what is given, nothing is refuted: neither what is denied, nor what is claimed.
+#[test]
+fn nothing_is_refuted_where_no_motion_is_known() {
+    let symbols: &[&str] = &["t: time", "x, y, z: state", "a"];
+    let lines: [Line; 11] = [
+        (r"x\ne2", symbols, &["x=2", r"\dot y=1", "y(0)=0", "y(1)=2"]),
+        (r"a\ne3", symbols, &["a=3", r"\dot y=\ddot y", r"\dot y=t"]),
+        (r"a\ne3", symbols, &["a=3", "y=|z|", r"\dot y=1", "z(0)=0"]),
+        (r"x(2)\ne2", symbols, &["x=2", r"\dot y=y^2", "y(0)=1"]),
+        (r"a\ne3", symbols, &["a=3", r"z\ne0", "z(0)+z(1)=0"]),
+        (r"y\ne y", symbols, &[r"\dot y=y", "y(0)=1", "y(1)=-1"]),
+        // Between two times lies one that is excluded.
+        ("a=3", symbols, &[r"t\ne0", "x(-1)=1", "x(1)=1"]),
+        ("a=3", symbols, &["|t|>1", "x(-2)=1", "x(2)=1"]),
+        ("x(2)=x(-2)", symbols, &[r"t\ne0"]),
+        ("a=3", symbols, &[r"\sin t>0", "x(1)=1", "x(7)=1"]),
+        ("a=3", symbols, &[r"\ln t\ne0", r"x(\frac12)=1", "x(2)=1"]),
+    ];
+    for line in &lines {
+        assert_eq!(word(line).0, "undecided", "{line:?}");
+    }
+    for line in [
+        (r"x\ne2", symbols, &["x=2", r"\dot y=1"][..]),
+        (r"\ddot x\ne-x", symbols, &[r"\ddot x=-x"]),
+        ("a=3", symbols, &["t>0", "x(1)=1"]),
+    ] {
+        assert_eq!(word(&line).0, "refuted", "{line:?}");
+    }
+    // An exponent that is 0 at a fixed time.
+    assert_eq!(word(&("x=x(0)", symbols, &[r"t^t\dot x=0"])).0, "undecided");
+}
+
 /// What is conserved has at one time the value that it has at another, where it has a rate on all times between them.
 #[test]
 fn what_is_conserved_is_known_at_other_times() {

@@ -41,6 +41,9 @@ pub enum Proviso {
     Leap(Arc<str>),
     #[error("beyond a time at which {0} = 0, unless the motion is analytic there")]
     Pole(Arc<str>),
+    /// What is assumed not to vanish may also have no value between times.
+    #[error("beyond a time at which {0} = 0 or has no value")]
+    Hole(Arc<str>),
     #[error("where some of it has no value: the other sign counts there")]
     OtherSign,
     /// A relation of the file.

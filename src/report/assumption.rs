@@ -49,7 +49,7 @@ fn written(of: &Proviso) -> Option<String> {
             Bounded::ByOne => format!(r"|{formula}|\le1"),
         }),
         Proviso::Written(formula) => Some(formula.to_string()),
-        Proviso::Orders(_) | Proviso::Leap(_) | Proviso::Pole(_) | Proviso::OtherSign => None,
+        Proviso::Orders(_) | Proviso::Leap(_) | Proviso::Pole(_) | Proviso::Hole(_) | Proviso::OtherSign => None,
     }
 }
 

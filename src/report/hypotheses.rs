@@ -290,6 +290,9 @@ fn of_proviso<'a>(of: &Proviso, scope: &'a Scope) -> (Vec<StorySpan<'a>>, String
             StorySpan::Math(formula.to_string(), scope),
             words(" ≠ 0, or the motion is analytic where it vanishes"),
         ],
+        Proviso::Hole(formula) => {
+            vec![StorySpan::Math(formula.to_string(), scope), words(" has a value other than 0 throughout")]
+        }
         Proviso::Orders(_) | Proviso::OtherSign => vec![StorySpan::Prose(key.clone(), scope, Tone::Plain)],
     };
     (says, key)

@@ -80,7 +80,7 @@ pub(super) fn blocks<'a>(
     let mut legend = legend(&(&story::shapes(std::slice::from_ref(&table)) | &following));
     let has_share = |whole: &Whole<'_>, of| cell(whole, of).and_then(|shape| share(whole, of, shape)).is_some();
     if rows.iter().any(|whole| columns.iter().any(|column| has_share(whole, &column.of))) {
-        legend.push(quiet("; 1/3: so on 1 of 3 motions"));
+        legend.push(quiet("; 1/3: 1 of 3 motions"));
     }
     let more = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count().saturating_sub(rows.len());
     if more > 0 {

@@ -297,7 +297,7 @@ impl Attempt<'_> {
     fn power(&mut self, u: Expr, v: Expr) -> Option<Change> {
         let graph = &mut self.search.reader.graph;
         let Some(exponent) = graph.as_constant(v).cloned() else { return Some((Law::Power, vec![u, v])) };
-        if *exponent.numerator() == 1.into() {
+        if *exponent.numerator() == 1.into() || exponent == Rational::ZERO {
             return None;
         }
         let whole = Rational::from_parts(exponent.numerator().clone(), 1u8.into());

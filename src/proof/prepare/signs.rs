@@ -8,7 +8,7 @@
 use super::super::known::When;
 use super::super::outcome::{Point, Premises};
 use super::super::witness::{decimals, values_at};
-use expr::{Expr, Graph, Leaf};
+use expr::{Expr, Graph, Leaf, Node};
 use number::Bounded;
 
 /// Places on the way from one value to another.
@@ -25,6 +25,8 @@ pub(super) struct Signs {
     positive: Vec<Expr>,
     /// Whether rates are bound, or the time is named.
     of_rates: bool,
+    /// Whether something is known of the time itself: t ≠ 0 parts −1 from 1.
+    of_time: bool,
     /// What moves in them, at the present.
     moving: Vec<Leaf>,
 }
@@ -37,6 +39,10 @@ impl Signs {
             return out;
         }
         let now = |l: &Leaf| l.instant.is_none() && moves(*l);
+        // Between times that are positive all are.
+        let is_time = |e: Expr| matches!(graph.node(e), Node::Leaf(l) if *l == time);
+        let ordered = premises.positive.iter().chain(&premises.not_negative).copied().filter(|&e| !is_time(e));
+        out.of_time = graph.leaves_within(premises.nonzero.iter().copied().chain(ordered)).contains(&time);
         let changes = |e: &Expr| graph.leaves_within([*e]).iter().any(now);
         out.nonzero = premises.nonzero.iter().copied().filter(&changes).collect();
         out.positive = premises.positive.iter().chain(&premises.not_negative).copied().filter(&changes).collect();
@@ -48,6 +54,9 @@ impl Signs {
 
     /// Whether a motion can have the values of a point at its several times and keep the signs.
     pub(super) fn allow(&self, graph: &Graph, point: &Point) -> bool {
+        if self.of_time && point.values.iter().any(|(l, _)| l.instant.is_some()) {
+            return false;
+        }
         let of = |l: &Leaf| self.moving.iter().any(|m| (m.symbol, m.component) == (l.symbol, l.component));
         let mut times: Vec<Option<Expr>> =
             point.values.iter().map(|(l, _)| l).filter(|l| of(l)).map(|l| l.instant).collect();

@@ -53,6 +53,9 @@ impl Step<'_> {
         for exception in exceptions {
             let one = match *exception {
                 Exception::Leaps(e) => Proviso::Leap(self.shown(e).into()),
+                Exception::Passes(e) if !self.graph.clone().needs_below([e]).is_empty() => {
+                    Proviso::Hole(self.shown(e).into())
+                }
                 Exception::Divides(e) | Exception::Passes(e) => Proviso::Pole(self.shown(e).into()),
                 Exception::HasNoValue(e, sign) => Proviso::Where { formula: self.shown(e).into(), is: opposite(sign) },
                 Exception::OneSign => Proviso::OtherSign,

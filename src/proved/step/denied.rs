@@ -10,7 +10,8 @@
 //!
 //! So of `always` R: excluded equations are so at no time, however close their sides are, and a point of them alone refutes it as a step.
 //!
-//! What refutes a negation must count, as what is proved must: it is replayed by the checker, or is about no times.
+//! What refutes a negation must count, as what is proved must: it is replayed by the checker, or is about no times; and there must be
+//! a motion on which what is given holds, which is shown as everywhere, by a point that refutes 0 = 1.
 //!
 //! A point at which R is false says nothing of other times, so it decides no negation. What is shown of each part is told beside the
 //! decision: a motion on which what is given holds has it, see [`PartShown`]. This is the one rule for all of them.
@@ -149,10 +150,9 @@ impl Step<'_> {
             (true, false) | (false, true) => {
                 let said = if is_so { positive.clone() } else { never(&positive) };
                 let typed = self.inequalities == When::Always;
-                match crate::replay::counts(self.derivation, &said, of.clone(), typed) {
-                    true => of.finding.of_negation(),
-                    false => Finding::default(),
-                }
+                let counts = crate::replay::counts(self.derivation, &said, of.clone(), typed)
+                    && self.asked_of(&positive)?.has_motion()?;
+                if counts { of.finding.of_negation() } else { Finding::default() }
             }
         };
         let reason = match (finding.decision(), is_so) {
@@ -165,6 +165,15 @@ impl Step<'_> {
             (Decision::Proved | Decision::ProvedExcept | Decision::Unreplayed, _) => of.reason.clone(),
         };
         Some(Ok(IdentityAccount { finding, parts, parts_from, reason, ..of }))
+    }
+
+    /// Whether there is a motion on which all that is given holds: a point of one refutes 0 = 1.
+    fn has_motion(mut self) -> Option<bool> {
+        let gathered = self.gather(None);
+        let equations = self.equations(self.claim)?;
+        let premises = self.premises(&gathered, &equations, Definitions::All);
+        let nothing: Pairs = vec![(self.graph.integer(0), self.graph.integer(1))];
+        Some(matches!(self.test_only(&premises, &nothing, &Options::default()), Identity::Refuted(_)))
     }
 
     /// What follows of a part on the motions of the claim: they obey their system, whether the claim is said to follow from it or not.

@@ -68,6 +68,7 @@ pub(super) fn proviso(of: &Proviso, scope: &Scope) -> Markup {
         Proviso::Pole(of) => {
             html! { "beyond a time at which " (formula(of, scope)) " = 0, unless the motion is analytic there" }
         }
+        Proviso::Hole(of) => html! { "beyond a time at which " (formula(of, scope)) " = 0 or has no value" },
         Proviso::Written(of) => formula(of, scope),
         Proviso::Orders(_) | Proviso::OtherSign => html! { (plain(&of.to_string())) },
     }
