@@ -129,7 +129,7 @@ impl Said {
         leaves.retain(|leaf| derivation.role(leaf.symbol) != Some(Role::Parameter));
         let at = &graph.place(leaves.iter().find(|leaf| graph.is_field(leaf.symbol))?.symbol)?.at;
         let own: Vec<Leaf> = graph.coordinates().collect();
-        let is_own = |e: Expr| matches!(graph.node(e), Node::Leaf(leaf) if own.contains(&leaf));
+        let is_own = |e: Expr| matches!(graph.node(e), Node::Leaf(leaf) if own.contains(leaf));
         let fixed = |&&(_, e): &&(usize, Expr)| graph.leaves_within([e]).is_empty();
         let is_known = at.iter().all(|one| fixed(&one) || is_own(one.1));
         let is_there = |leaf: &Leaf| {
