@@ -64,7 +64,7 @@ impl Answers {
         self.counts.each_ref().map(|count| count.load(Ordering::Relaxed))
     }
 
-    /// What ends the check that comes next.
+    /// The flag that ends the check that comes next.
     pub fn until(&mut self, cancel: Option<&Cancel>) {
         self.cancel = cancel.cloned();
     }

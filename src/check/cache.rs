@@ -52,7 +52,7 @@ impl Cache {
         cancel: Option<&Cancel>,
     ) -> Result<(Account, Vec<String>), CheckError> {
         let known = self.known.take();
-        let before = known.clone().filter(|_| cancel.is_some());
+        let before = cancel.and_then(|_| known.clone());
         let found = self.check_from(derivation, known, cancel);
         // Whatever it says: it was not finished.
         if cancel.is_some_and(Cancel::is_raised) {

@@ -62,7 +62,7 @@ pub fn replayed_throughout(derivation: &Derivation, claim: &Claim, account: Iden
 
 /// Whether what the prover says of a claim beside the one that is asked about counts: of what that one denies. `typed`: its premises
 /// are of all times.
-pub(crate) fn counts(derivation: &Derivation, claim: &Claim, account: IdentityAccount, typed: bool) -> bool {
+pub(crate) fn is_replayed(derivation: &Derivation, claim: &Claim, account: IdentityAccount, typed: bool) -> bool {
     let account = match typed {
         true => replayed_throughout(derivation, claim, account),
         false => replayed(derivation, claim, account, &meter::limits(), &|_, search| search()),

@@ -150,7 +150,7 @@ impl Closing<'_> {
         self.by_argument(leaf, (argument, 1), (principal, true))
     }
 
-    /// What a generator was solved as.
+    /// The formula that a generator was solved as.
     fn definition(&mut self, generator: usize) -> Option<Expr> {
         let leaf = self.scene.generators.leaf(generator)?;
         match self.placed.exact.get(&leaf) {

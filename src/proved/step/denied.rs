@@ -37,17 +37,6 @@ const MOST_STATED: usize = 24;
 /// Parts of a claim by their positions, with what is shown of each.
 type ShownParts = Vec<(usize, PartShown)>;
 
-/// That what a claim says is so at no time.
-fn never(claim: &Claim) -> Claim {
-    let mut out = claim.clone();
-    for form in &mut out.forms {
-        if let Form::Always(stated) = form {
-            *form = Form::Never(stated.clone());
-        }
-    }
-    out
-}
-
 impl Step<'_> {
     /// The same question of another claim of the file, or beside it.
     fn asked_of<'c>(&'c self, claim: &'c Claim) -> Option<Step<'c>> {
@@ -148,9 +137,10 @@ impl Step<'_> {
         let finding = match (is_so, denial.happens) {
             (true, true) | (false, false) => of.finding.clone(),
             (true, false) | (false, true) => {
-                let said = if is_so { positive.clone() } else { never(&positive) };
+                let never = || Claim { forms: vec![Form::Never(denial.equal.clone())], ..self.claim.clone() };
+                let said = if is_so { positive.clone() } else { never() };
                 let typed = self.inequalities == When::Always;
-                let counts = crate::replay::counts(self.derivation, &said, of.clone(), typed)
+                let counts = crate::replay::is_replayed(self.derivation, &said, of.clone(), typed)
                     && self.asked_of(&positive)?.has_motion()?;
                 if counts { of.finding.of_negation() } else { Finding::default() }
             }
