@@ -205,6 +205,37 @@ fn what_is_conserved_is_known_at_other_times() {
     }
 }
 
+/// Where values at several fixed times are named, what is given must be so on a motion that is known: else it may be that nothing is claimed.
+#[test]
+fn between_fixed_times_a_motion_must_be_known() {
+    let lines: [Line; 9] = [
+        // y goes from 0 to 1 in the time 1, not to 2.
+        ("a=3", &["a", "y: state"], &["a=3", r"\dot y=1", "y(0)=0", "y(1)=2"]),
+        ("a=3", &["a", "y: state"], &["a=3", r"\dot y=t", "y(0)=0", "y(2)=1"]),
+        ("a=3", &["a", "x, y: state"], &["a=3", r"\dot y=x", r"\dot x=0", "y(0)=0", "y(1)=1", "y(2)=3"]),
+        // The exceptions are all times between those that are named.
+        ("x(-1)=x(2)", MOTION, &["y(0)=0", r"\ln(\ln(y-2))\cdot2x\dot x=0", "x(-2)=3", r"\dot y=1"]),
+        ("x(1)=x(2)", MOTION, &["y(0)=0", r"\ln(y-5)x\dot x=0", r"\dot y=1"]),
+        ("x(1)=x(0)", MOTION, &[r"\frac{\dot x}{\sqrt{y-5}}=0", r"\dot y=1", "y(0)=0"]),
+        // Time passes from −2 to 2 through 0.
+        ("x(2)=x(-2)", MOTION, &["t^2>1", r"\dot x=0"]),
+        ("x(2)=x(-2)", MOTION, &[r"t\ne0", r"\dot x=0"]),
+        ("x(2)=x(-2)", MOTION, &[r"y\ne0", "y(-2)=-1", "y(2)=1", r"\dot x=0"]),
+    ];
+    for line in &lines {
+        assert_eq!(word(line).0, "undecided", "{line:?}");
+    }
+    let known: [Line; 4] = [
+        ("a=3", &["a", "y: state"], &["a=3", r"\dot y=1", "y(0)=0", "y(1)=1"]),
+        ("x(2)=x(-2)", MOTION, &["t^2<9", r"\dot x=0"]),
+        ("x(2)=x(-2)", MOTION, &[r"y\ne0", "y(-2)=1", "y(2)=1", r"\dot x=0"]),
+        ("x(1)=3", MOTION, &[r"\dot x=0", "x(0)=3", "x(2)=3"]),
+    ];
+    for line in &known {
+        assert_eq!(word(line).0, "proved", "{line:?}");
+    }
+}
+
 /// At one fixed place all moves with time alone; what crosses it, and other places, do not follow.
 #[test]
 fn at_one_place_a_field_moves_with_time_alone() {

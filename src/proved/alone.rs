@@ -8,8 +8,8 @@ use expr::domain::Sign;
 use expr::{Expr, FastSet, Graph, Leaf, Node, Partials};
 use latex::{RelationKind, Role, Statement};
 
-/// Whether it does.
-pub(crate) fn counts(derivation: &Derivation, claim: &Claim) -> bool {
+/// What a claim says, and what is given to it, with the formulas of what is defined.
+fn said(derivation: &Derivation, claim: &Claim) -> (Said, Said) {
     let (claimed, mut given) = (Said::of_claim(derivation, claim), Said::default());
     given.add(claim.assuming.iter());
     for name in derivation.given_to(claim) {
@@ -23,8 +23,22 @@ pub(crate) fn counts(derivation: &Derivation, claim: &Claim) -> bool {
             Premise::Definition => {}
         }
     }
+    (claimed.with_definitions(derivation), given.with_definitions(derivation))
+}
+
+/// Whether a proof says nothing before a motion is known on which everything given is so: values at several fixed times are named, and
+/// what is given fixes some of them at two, chooses times, or has no value at some; or the proof leaves out times. `is_whole`: it does not.
+pub(crate) fn needs_motion(derivation: &Derivation, claim: &Claim, is_whole: bool) -> bool {
+    let (claimed, given) = said(derivation, claim);
+    let (of_claim, of_given) = (claimed.instants(derivation), given.instants(derivation));
+    let several = of_claim.union(&of_given).count() > 1;
+    several && (of_given.len() > 1 || !is_whole || given.chooses || !given.is_total(derivation))
+}
+
+/// Whether it does.
+pub(crate) fn counts(derivation: &Derivation, claim: &Claim) -> bool {
+    let (claimed, given) = said(derivation, claim);
     let nothing_given = given.formulas.is_empty();
-    let (claimed, given) = (claimed.with_definitions(derivation), given.with_definitions(derivation));
     let at = claimed.one_place(derivation);
     nothing_given
         || claimed.one_time(derivation).is_some_and(|time| given.one_time(derivation) == Some(time))
@@ -139,8 +153,13 @@ impl Said {
         (is_known && leaves.iter().all(is_there)).then(|| at.clone())
     }
 
+    fn instants(&self, derivation: &Derivation) -> FastSet<Expr> {
+        let leaves = derivation.graph.leaves_within(self.formulas.iter().copied());
+        leaves.into_iter().filter_map(|leaf| leaf.instant).collect()
+    }
+
     fn names_an_instant(&self, derivation: &Derivation) -> bool {
-        derivation.graph.leaves_within(self.formulas.iter().copied()).iter().any(|leaf| leaf.instant.is_some())
+        !self.instants(derivation).is_empty()
     }
 
     /// Whether it names a fixed time, or a place.

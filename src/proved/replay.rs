@@ -7,6 +7,7 @@ use crate::derivation::{Claim, Derivation};
 use findings::IdentityAccount;
 use findings::recorded::{Found, Recorded};
 use meter::{Limits, Task};
+use proof::When;
 use reason::Plain;
 use tactics::{Asked, May};
 
@@ -40,11 +41,19 @@ pub fn replayed(
         Ok(asked) => recall(&asked, &|| search(limits, || asked.record())),
         Err(why) => Err(why),
     };
-    finished(derivation, claim, account.replayed(Recorded::of(found)))
+    finished(derivation, claim, account.replayed(Recorded::of(found)), When::Chosen)
 }
 
-/// What is not replayed leaves the claim undecided, where it might be that a fact was used at times at which it is not known.
-fn finished(derivation: &Derivation, claim: &Claim, account: IdentityAccount) -> IdentityAccount {
+/// What is not replayed leaves the claim undecided, where it might be that a fact was used at times at which it is not known; and so does
+/// what is given of several fixed times, if no motion is found that is so. `inequalities`: when those that are assumed hold.
+fn finished(derivation: &Derivation, claim: &Claim, account: IdentityAccount, inequalities: When) -> IdentityAccount {
+    let is_shown = account.finding.is_proved_in_part();
+    if is_shown
+        && crate::alone::needs_motion(derivation, claim, account.finding.is_whole())
+        && !crate::motions::has_example(derivation, claim, inequalities)
+    {
+        return account.left_open(Plain::NoMotionKnown.into());
+    }
     if account.finding.is_unreplayed() && !crate::alone::counts(derivation, claim) {
         return account.left_open(Plain::Unreplayed.into());
     }
@@ -57,7 +66,7 @@ pub fn replayed_throughout(derivation: &Derivation, claim: &Claim, account: Iden
         return account;
     }
     let found = search(&meter::limits(), || tactics::record_throughout(derivation, claim));
-    finished(derivation, claim, account.replayed(Recorded::of(found)))
+    finished(derivation, claim, account.replayed(Recorded::of(found)), When::Always)
 }
 
 /// Whether what the prover says of a claim beside the one that is asked about counts: of what that one denies. `typed`: its premises

@@ -31,8 +31,18 @@ pub(super) struct Demand<'a> {
     pub(super) names: FastSet<(Symbol, u16)>,
 }
 
+/// What a motion on which everything given holds is to show of the claim.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wanted {
+    /// That it is false.
+    Fault,
+    /// That it says something, and is true.
+    Example,
+}
+
 /// The question of a step, as a search for a motion.
 pub(super) struct Question<'a> {
+    pub(super) wanted: Wanted,
     /// What plays the time.
     pub(super) clock: Option<Leaf>,
     pub(super) demands: Vec<Demand<'a>>,
@@ -187,7 +197,12 @@ fn named(derivation: &Derivation, claim: &Claim) -> Vec<Leaf> {
 }
 
 /// What a claim asks of a motion that refutes it; `inequalities`: when those that are assumed hold; where that is not always, they choose the times.
-pub(super) fn question<'a>(derivation: &'a Derivation, claim: &'a Claim, inequalities: When) -> Option<Question<'a>> {
+pub(super) fn question<'a>(
+    derivation: &'a Derivation,
+    claim: &'a Claim,
+    inequalities: When,
+    wanted: Wanted,
+) -> Option<Question<'a>> {
     // Motions of several systems obey more than is given.
     if Step::lacks_systems(derivation, claim) {
         return None;
@@ -249,5 +264,5 @@ pub(super) fn question<'a>(derivation: &'a Derivation, claim: &'a Claim, inequal
     });
     let signed = signed.collect();
     let claimed = claimed.into_iter().filter(|said| !said.has_branches()).collect();
-    Some(Question { clock, demands, claimed, signed, claim_names, chosen_by, names, instants, order, numbers })
+    Some(Question { wanted, clock, demands, claimed, signed, claim_names, chosen_by, names, instants, order, numbers })
 }

@@ -45,8 +45,14 @@ pub(crate) struct At {
 
 /// A motion that refutes a claim as a step.
 pub(crate) fn refuting(derivation: &Derivation, claim: &Claim, inequalities: When) -> Option<Motion> {
-    let question = demand::question(derivation, claim, inequalities)?;
+    let question = demand::question(derivation, claim, inequalities, demand::Wanted::Fault)?;
     search::search(derivation, claim, &question)
+}
+
+/// Whether a motion is found on which everything given holds, and the claim says something.
+pub(crate) fn has_example(derivation: &Derivation, claim: &Claim, inequalities: When) -> bool {
+    let question = demand::question(derivation, claim, inequalities, demand::Wanted::Example);
+    question.is_some_and(|question| search::search(derivation, claim, &question).is_some())
 }
 
 /// The account of a step that a motion refutes.

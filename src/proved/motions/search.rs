@@ -1,7 +1,7 @@
 //! The search: courses of what moves, one after the other, each step checked by what is given.
 
 use super::clock::{has_course, read};
-use super::demand::{Demand, Question, Said};
+use super::demand::{Demand, Question, Said, Wanted};
 use super::polynomial::{Fraction, Polynomial};
 use super::scene::{Course, Scene, definition};
 use super::value::{Cell, Stop, Value, difference};
@@ -45,7 +45,7 @@ struct Search<'q, 'a> {
     most_work: usize,
 }
 
-/// A motion that refutes, if the search finds one.
+/// A motion that is as is wanted, if the search finds one.
 pub(super) fn search<'a>(derivation: &'a Derivation, claim: &'a Claim, question: &Question<'a>) -> Option<Motion> {
     let scope = &claim.scope;
     let is_free = |l: &&Leaf| definition(derivation, scope, **l).is_none();
@@ -182,9 +182,11 @@ impl<'a> Search<'_, 'a> {
         let mut chosen = chosen.clone();
         chosen.insert(component);
         let positive = self.positive.contains(&leaf.symbol);
-        let numbers: &[i64] = if positive { &[1, 2] } else { &[1, 0, 2, -1] };
+        // Those that are named come last.
+        let named = self.numbers.get(4..).unwrap_or_default();
+        let numbers: Vec<i64> = [1, 0, 2, -1].iter().chain(named).copied().filter(|n| !positive || *n > 0).collect();
         let before = self.scene.breaks().to_vec();
-        for &number in numbers {
+        for number in numbers {
             if self.scene.work() > self.most_work {
                 break;
             }
@@ -322,12 +324,42 @@ impl<'a> Search<'_, 'a> {
         if !due.into_iter().all(|demand| self.parted(|this| this.demanded(demand)) == Some(true)) {
             return false;
         }
-        // Once the claim is decided: it must be false somewhere.
+        // Once the claim is decided: it must be as is wanted somewhere.
         let decided = question.claim_names.contains(&component) && question.claim_names.iter().all(defined);
         !decided
             || self
-                .parted(|this| this.refutes(&this.chosen(&question.chosen_by)?))
+                .parted(|this| this.wanted(&this.chosen(&question.chosen_by)?))
                 .is_some_and(|found| !found.is_empty())
+    }
+
+    /// The times of some cells that are wanted.
+    fn wanted(&self, cells: &[usize]) -> Result<Vec<At>, Stop> {
+        match self.question.wanted {
+            Wanted::Fault => self.refutes(cells),
+            Wanted::Example => self.is_example(cells),
+        }
+    }
+
+    /// A time of some cells at which the claim says something, and is true, as far as it does not compare several; with ± of one sign.
+    fn is_example(&self, cells: &[usize]) -> Result<Vec<At>, Stop> {
+        let question = self.question;
+        let signed: Vec<Said> = question.signed.iter().map(|r| Said::Relation(r)).collect();
+        for &cell in cells {
+            let is_so = |said: &Said| match said {
+                Said::Relation(_) => self.truth(*said, cell).map(|truth| truth == Truth::True),
+                Said::Constant(e) => self.scene.value(*e, cell).map(|_| true),
+            };
+            let all = |list: &[Said]| list.iter().try_fold(true, |all, said| Ok::<_, Stop>(all && is_so(said)?));
+            let any_sign = [1, -1].into_iter().try_fold(false, |any, sign| {
+                self.scene.sign.set(sign);
+                Ok::<_, Stop>(any || all(&signed)?)
+            });
+            let place = self.scene.cells().get(cell).ok_or(Stop::Unknown)?;
+            if all(&question.claimed)? && any_sign? {
+                return Ok(vec![At { t: place.inside().to_string(), sides: Default::default() }]);
+            }
+        }
+        Ok(Vec::new())
     }
 
     /// A time of some cells at which the claim is false; of a sign that should serve for the whole motion, one for the upper sign and one
@@ -487,8 +519,7 @@ impl<'a> Search<'_, 'a> {
                     reached.push(cell);
                 }
             }
-            let cells = reached;
-            this.refutes(&cells)
+            this.wanted(&reached)
         })?;
         let mut found = found.into_iter();
         let (first, second) = (found.next()?, found.next());
