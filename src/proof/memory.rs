@@ -4,7 +4,7 @@
 //! refutations also say which definitions and which real points they rest on. Beside the answers, what expressions are by
 //! their structure alone is computed once.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 use super::generators::Generator;
@@ -23,6 +23,8 @@ pub struct Memory {
     /// How many nodes the graph had when the first question was asked.
     begun: usize,
     pub(super) structure: Rc<RefCell<Structure>>,
+    /// So many points may still be looked at as formulas of numbers, for the present question and those that it leads to.
+    pub(super) closings: Rc<Cell<u32>>,
 }
 
 /// Everything that decides what solving can do.
@@ -54,6 +56,9 @@ impl Asked {
 /// Most questions that one may lead to: each may lead to as many again, at each depth.
 const MOST_QUESTIONS: usize = 160;
 
+/// Most points that are looked at as formulas of numbers.
+const MOST_CLOSINGS: u32 = 128;
+
 /// Most nodes that all of them may make: as many as a few single questions are allowed.
 const MOST_MADE: usize = 60_000;
 
@@ -63,6 +68,7 @@ impl Memory {
     pub(super) fn may_ask(&mut self, depth: u32, nodes: usize) -> bool {
         if depth == 0 {
             (self.led_to, self.begun) = (0, nodes);
+            self.closings.set(MOST_CLOSINGS);
             return true;
         }
         self.led_to += 1;

@@ -24,6 +24,8 @@ use expr::{FastMap, FastSet};
 
 pub(super) use super::lowering::{Lowered, lower};
 use number::Draws;
+use std::cell::Cell;
+use std::rc::Rc;
 
 type Pairs = Vec<(Expr, Expr)>;
 
@@ -269,7 +271,7 @@ fn decide_with(
     if let Some(reason) = memory.why_open(&asked) {
         return Err(reason.into());
     }
-    let probe = Probe::new(&mut draws, std::rc::Rc::clone(&memory.structure));
+    let probe = Probe::new(&mut draws, Rc::clone(&memory.structure));
     let parameters: FastSet<Leaf> =
         given.parameters.iter().copied().chain(given.positive.iter().filter_map(|&e| leaf_of(graph, e))).collect();
     lowered.frozen.extend(given.time);
@@ -292,6 +294,7 @@ fn decide_with(
         limit,
         shortened: false,
         solutions,
+        closings: Rc::clone(&memory.closings),
     };
     let own = examination.lowered.premises.clone();
     let settled = examination.generic(&own);
@@ -392,6 +395,8 @@ struct Examination<'a> {
     shortened: bool,
     /// Which points belong to motions, and to fields.
     solutions: &'a Solutions,
+    /// So many points may still be looked at as formulas of numbers.
+    closings: Rc<Cell<u32>>,
 }
 
 impl Examination<'_> {
@@ -567,7 +572,8 @@ impl Examination<'_> {
         };
         match outcome {
             Trials::Vanish(bound) => {
-                let found = look(&scene, &mut self.draws, self.examples, |_| true, |f| !f.is_empty());
+                let found =
+                    look(&scene, &mut self.draws, (self.examples, &*self.closings), |_| true, |f| !f.is_empty());
                 if let Some(f) = found.iter().find(|f| f.differs.is_some()) {
                     let sides = f.differs.map(|at| format!("{:?}", f.sides[at])).unwrap_or_default();
                     let what = format!("proved over finite fields, but at a real point: {sides}");
@@ -599,7 +605,8 @@ impl Examination<'_> {
                     passed_over |= !extends;
                     extends
                 };
-                match refutation(&look(&scene, &mut self.draws, options.attempts, on_a_motion, enough)) {
+                let most = (options.attempts, &*self.closings);
+                match refutation(&look(&scene, &mut self.draws, most, on_a_motion, enough)) {
                     Some(refutation) => Outcome::Refuted(Box::new(refutation)),
                     None if passed_over => Outcome::Open(Reason::Unextended),
                     None => {
@@ -693,7 +700,7 @@ fn leaf_of(graph: &Graph, e: Expr) -> Option<Leaf> {
 fn look(
     scene: &Scene<'_>,
     draws: &mut Draws,
-    attempts: u32,
+    (attempts, closings): (u32, &Cell<u32>),
     mut counts: impl FnMut(&Found) -> bool,
     enough: impl Fn(&[Found]) -> bool,
 ) -> Vec<Found> {
@@ -702,7 +709,7 @@ fn look(
     for number in 0..attempts {
         if let Some(f) = scene.attempt(&frame, number, draws)
             && counts(&f)
-            && scene.is_certain(&frame, &f)
+            && scene.is_certain(&frame, &f, closings)
         {
             found.push(f);
             if enough(&found) {

@@ -13,6 +13,7 @@ use super::{
 };
 use crate::outcome::{Identity, Options, Premises, Wanted};
 use crate::prove::identity_test;
+use std::cell::Cell;
 use std::f64::consts::TAU;
 
 impl Scene<'_> {
@@ -23,10 +24,15 @@ impl Scene<'_> {
         values.as_chunks().0.iter().all(|[l, r]| l.is_some() && l == r)
     }
 
-    /// Whether there is a real point where `found` is one within rounding.
-    pub(in super::super) fn is_certain(&self, frame: &Frame, found: &Found) -> bool {
-        found.is_exact && found.differs.is_none_or(|at| found.is_apart || self.differ_exactly(at))
-            || self.closes(frame, found).unwrap_or(false)
+    /// Whether there is a real point where `found` is one within rounding; `closings`: so many may be looked at as
+    /// formulas of numbers.
+    pub(in super::super) fn is_certain(&self, frame: &Frame, found: &Found, closings: &Cell<u32>) -> bool {
+        if found.is_exact && found.differs.is_none_or(|at| found.is_apart || self.differ_exactly(at)) {
+            return true;
+        }
+        let Some(left) = closings.get().checked_sub(1) else { return false };
+        closings.set(left);
+        self.closes(frame, found).unwrap_or(false)
     }
 
     /// Whether sides differ where their exact values do: neither a function that was solved for, nor a sign that was chosen, which are
