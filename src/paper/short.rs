@@ -128,7 +128,7 @@ mod tests {
             ["", "x", "−", "a command of 22 bytes.", "a command of 23 bytes..", &"ü".repeat(11), &"ü".repeat(400)]
         {
             let short = Short::from(text);
-            assert_eq!((short.as_str(), &short == text, String::from(short.clone())), (text, true, text.to_owned()));
+            assert_eq!((short.as_str(), short == *text, String::from(short.clone())), (text, true, text.to_owned()));
         }
         assert_eq!(Short::from('é').as_str(), "é");
     }

@@ -8,12 +8,11 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 
-use meter::Defects;
 use rederive::check::Cancel;
 use rederive::look::{Looked, Looker};
 use serde_json::{Value, json};
 
-use super::super::wire::send;
+use super::super::wire::{send, tell_of_defect};
 use super::answers;
 
 /// What an editor says of a text.
@@ -128,13 +127,9 @@ pub(super) fn look_through(desk: &Desk) {
         closed.iter().for_each(|uri| looker.forget(&path_of(uri)));
         let Some((mut of, cancel)) = next else { continue };
         let text = std::mem::take(&mut of.text);
-        let before = Defects::so_far();
+        let before = meter::Defects::so_far();
         looker.look(&path_of(&of.uri), text, &cancel, &mut |looked| desk.found(&of, &cancel, looked));
-        if let Some(what) = before.since() {
-            let message = format!("a defect of rederive, not of your file; please report it, with the file: {what}");
-            let params = json!({ "type": 1, "message": message });
-            drop(send(&json!({ "jsonrpc": "2.0", "method": "window/showMessage", "params": params })));
-        }
+        tell_of_defect(&before);
     }
 }
 
