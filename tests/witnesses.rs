@@ -145,7 +145,7 @@ struct Counts {
 
 /// Recomputes every witness of a report.
 fn recompute(derivation: &mut Derivation, report: &Value, counts: &mut Counts) {
-    let claims: Vec<Claim> = derivation.claims.clone();
+    let claims = derivation.claims.clone();
     let sign = derivation.scope.branch_sign();
     for account in report["claims"].as_array().expect("claims") {
         let (id, reading) = (account["id"].as_str().expect("id"), account["reading"].as_str());

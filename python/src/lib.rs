@@ -16,8 +16,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::time::{Duration, Instant};
 
+use pyo3::exceptions::PyRuntimeWarning;
 use pyo3::prelude::*;
-use rederive::check::{Cancel, Limits, Proposition};
+use rederive::check::{Cancel, Defects, Limits, Proposition};
 use rederive::diag::{Diagnostic, sort};
 use rederive::files::records::{Records, are_of_library};
 use rederive::threads::Kept;
@@ -39,6 +40,13 @@ fn class<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
 
 fn defect(py: Python<'_>, what: &str) -> PyErr {
     raised(class(py, "Defect").and_then(|c| c.call1((what,))))
+}
+
+/// Warns that a piece of the work ended in a defect: all else was done.
+fn warned(py: Python<'_>, what: &str) -> PyResult<()> {
+    let text = format!("a defect of rederive, please report it: {what}");
+    let text = std::ffi::CString::new(text.replace('\0', " ")).unwrap_or_default();
+    PyErr::warn(py, &py.get_type::<PyRuntimeWarning>(), &text, 1)
 }
 
 fn problems(py: Python<'_>, mut found: Vec<Diagnostic>) -> PyErr {
@@ -75,6 +83,7 @@ struct Wait<'a> {
 impl Wait<'_> {
     /// Computes something on the threads of the library.
     fn compute<T: Send + 'static>(self, py: Python<'_>, work: impl FnOnce() -> T + Send + 'static) -> PyResult<T> {
+        let before = Defects::so_far();
         let (sender, mut receiver) = sync_channel(1);
         let pool = POOL.threads().map_err(|e| defect(py, &format!("no threads can be started: {e}")))?;
         pool.spawn(move || drop(sender.send(work())));
@@ -83,7 +92,10 @@ impl Wait<'_> {
             let waiting = &mut receiver;
             let left = self.until.map_or(TICK, |until| TICK.min(until.saturating_duration_since(Instant::now())));
             match py.detach(move || waiting.recv_timeout(left)) {
-                Ok(value) => return Ok(value),
+                Ok(value) => {
+                    before.since().map_or(Ok(()), |what| warned(py, &what))?;
+                    return Ok(value);
+                }
                 Err(RecvTimeoutError::Disconnected) => return Err(defect(py, "it has stopped in its work")),
                 Err(RecvTimeoutError::Timeout) => {}
             }

@@ -48,6 +48,7 @@ pub use findings::{
     family::{FailingShare, FamilyAccount, MemberAccount},
     standing,
 };
+pub use meter::Defects;
 pub use proved::agreement::agree;
 pub use proved::proposition::{prove, stated, with_symbols_of};
 pub use record::{Recalled, check_again_recorded, check_recorded};

@@ -77,7 +77,8 @@ pub(super) struct Evaluation<'a> {
     changing: Vec<usize>,
     /// For every output, whether something that it depends on has no value at any of the points.
     never: Vec<bool>,
-    block: Option<Slots<Block>>,
+    /// The memory of blocks, and whether what does not change stands in it.
+    block: (Option<Slots<Block>>, bool),
     single: Option<Slots<Bounded>>,
 }
 
@@ -86,13 +87,23 @@ impl<'a> Evaluation<'a> {
     pub fn new(part: &'a Part, points: &'a Points, sign: f64, outputs: Range<usize>) -> Evaluation<'a> {
         let Part { tape, inputs } = part;
         let absent: Vec<bool> = inputs.iter().map(|&at| points.absent(at).is_some()).collect();
-        let never = tape.depends(&absent);
+        let never = if absent.contains(&true) { tape.depends(&absent) } else { Vec::new() };
         let changes: Vec<bool> = inputs.iter().map(|&at| !points.is_constant(at)).collect();
         let mut needed = tape.needed(outputs.clone(), &changes);
         // The sign of ± is set by itself.
         needed.inputs.retain(|&i| i < inputs.len());
         let changing = needed.inputs.iter().copied().filter(|&i| changes[i]).collect();
-        Evaluation { part, points, sign, outputs, needed, changing, never, block: None, single: None }
+        Evaluation { part, points, sign, outputs, needed, changing, never, block: (None, false), single: None }
+    }
+
+    /// The same in the memory of another evaluation of the part: fresh memory is for all outputs, whatever is asked for.
+    pub fn in_memory(self, memory: Option<Slots<Block>>) -> Evaluation<'a> {
+        Evaluation { block: (memory, false), ..self }
+    }
+
+    /// The memory, for another evaluation.
+    pub fn into_memory(self) -> Option<Slots<Block>> {
+        self.block.0
     }
 
     /// Evaluates at a point.
@@ -126,25 +137,23 @@ impl<'a> Evaluation<'a> {
             Some(reason) => Some(Err(reason)),
             None => self.points.lanes_at(at, inputs[i]).map(Ok),
         };
-        match &mut self.block {
-            Some(slots) => {
-                for &i in &self.changing {
-                    slots.set(i, lanes(i)?);
-                }
-                tape.run_some(&(), slots, &self.needed.varying);
+        let (memory, is_begun) = &mut self.block;
+        let slots = memory.get_or_insert_with(|| tape.slots::<Block>(&()));
+        if *is_begun {
+            for &i in &self.changing {
+                slots.set(i, lanes(i)?);
             }
-            none => {
-                let mut slots = tape.slots::<Block>(&());
-                for &i in &self.needed.inputs {
-                    slots.set(i, lanes(i)?);
-                }
-                slots.set(inputs.len(), Ok(Block::splat(Bounded::exact(self.sign))));
-                tape.run_some(&(), &mut slots, &self.needed.instructions);
-                *none = Some(slots);
+            tape.run_some(&(), slots, &self.needed.varying);
+        } else {
+            for &i in &self.needed.inputs {
+                slots.set(i, lanes(i)?);
             }
+            slots.set(inputs.len(), Ok(Block::splat(Bounded::exact(self.sign))));
+            tape.run_some(&(), slots, &self.needed.instructions);
+            *is_begun = true;
         }
-        let slots = self.block.as_ref()?;
-        let valued = |o: usize| self.never[o] || tape.output(o, slots).is_ok();
+        let slots = &*slots;
+        let valued = |o: usize| self.never.get(o) == Some(&true) || tape.output(o, slots).is_ok();
         self.outputs.clone().all(valued).then_some(slots)
     }
 }

@@ -14,6 +14,8 @@ use crate::number::{Bounded, NoValue};
 use crate::sides::{Measured, Series};
 use crate::verdict::{Finding, Proposition, Verdict};
 use reason::Reason;
+use std::cell::RefCell;
+use std::ops::Range;
 
 /// The values of all leaves at one time.
 pub type Values = Vec<Result<Bounded, NoValue>>;
@@ -363,12 +365,25 @@ impl Program {
     }
 
     /// Measures every comparison at the first `times` of the points, for one sign of ±.
-    pub fn measure(&self, (points, times): (&Points, usize), sign: f64) -> Vec<Series> {
+    pub fn measure(&self, points: (&Points, usize), sign: f64) -> Vec<Series> {
+        self.measure_some(points, sign, 0..self.comparisons().count(), &RefCell::default())
+    }
+
+    /// Measures some of the comparisons, by their positions. The memory is used again: fresh memory is for all of them.
+    pub(crate) fn measure_some(
+        &self,
+        (points, times): (&Points, usize),
+        sign: f64,
+        some: Range<usize>,
+        memory: &RefCell<Option<Slots<Wide>>>,
+    ) -> Vec<Series> {
         let Some(sides) = &self.sides else { return Vec::new() };
-        let count = self.comparisons().count();
-        let mut out: Vec<Series> = (0..count).map(|_| Series::with_capacity(times)).collect();
-        let mut evaluation = Evaluation::new(sides, points, sign, 0..sides.tape().output_count());
+        let mut out: Vec<Series> = some.clone().map(|_| Series::with_capacity(times)).collect();
         let has_cuts = self.cuts().next().is_some();
+        // What tells of cuts stands behind all sides.
+        let outputs = if has_cuts { 0..sides.tape().output_count() } else { SIDES * some.start..SIDES * some.end };
+        let count = if has_cuts { self.comparisons().count() } else { 0 };
+        let mut evaluation = Evaluation::new(sides, points, sign, outputs).in_memory(memory.take());
         let mut failed = 0;
         let mut from = 0;
         while from < times {
@@ -383,7 +398,7 @@ impl Program {
                 };
                 if let Some(slots) = all.filter(clear) {
                     failed = 0;
-                    for (k, series) in out.iter_mut().enumerate() {
+                    for (k, series) in some.clone().zip(&mut out) {
                         series.push_block(three(|n| sides.tape().output(SIDES * k + n, slots)), from - begin);
                     }
                     from = end;
@@ -395,7 +410,7 @@ impl Program {
                 let slots = evaluation.at(at);
                 let crossed: Vec<usize> =
                     self.crossed(count, |output| sides.tape().output(output, slots).ok().copied()).collect();
-                for (k, series) in out.iter_mut().enumerate() {
+                for (k, series) in some.clone().zip(&mut out) {
                     if crossed.contains(&k) {
                         series.push(Err(NoValue::Indeterminate));
                         continue;
@@ -410,6 +425,7 @@ impl Program {
             }
             from = end;
         }
+        memory.replace(evaluation.into_memory());
         out
     }
 

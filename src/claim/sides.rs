@@ -161,6 +161,7 @@ pub struct Asked<'a> {
     points: Arc<Points>,
     sign: f64,
     slots: RefCell<Option<Slots<Bounded>>>,
+    blocks: RefCell<Option<Slots<Block>>>,
     /// `[comparison][sample]`: at some samples of all.
     typical: OnceCell<Vec<Vec<Option<f64>>>>,
 }
@@ -184,7 +185,8 @@ impl Asked<'_> {
     /// The sizes of some comparisons at some times: `[comparison][time]`.
     fn table(&self, comparisons: Range<usize>, times: &[usize]) -> Vec<Vec<Option<f64>>> {
         let mut all = vec![Vec::with_capacity(times.len()); comparisons.len()];
-        let mut evaluation = Evaluation::new(self.part, &self.points, self.sign, comparisons.clone());
+        let evaluation = Evaluation::new(self.part, &self.points, self.sign, comparisons.clone());
+        let mut evaluation = evaluation.in_memory(self.blocks.take());
         let tape = self.part.tape();
         for block in times.chunks(BLOCK) {
             // The last block is filled up with its last time.
@@ -204,6 +206,7 @@ impl Asked<'_> {
                 }
             }
         }
+        self.blocks.replace(evaluation.into_memory());
         all
     }
 
@@ -509,6 +512,8 @@ pub struct Measurements<'a> {
     pub hypotheses: Vec<MeasuredGroup<'a>>,
     /// What the claim says, part by part.
     pub parts: Vec<MeasuredGroup<'a>>,
+    /// Memory for measuring single parts at other points.
+    memory: RefCell<Option<Slots<Block>>>,
 }
 
 impl Measurements<'_> {
@@ -566,7 +571,35 @@ fn gathered<'a>(
     let hypotheses = each(program.hypotheses.iter().map(|a| &a.part).collect(), along.map(|m| &m.hypotheses));
     let mut parts = each(program.parts.iter().collect(), along.map(|m| &m.parts));
     parts.iter_mut().for_each(|group| group.selects = program.tells_apart);
-    Measurements { selectors, hypotheses, parts }
+    Measurements { selectors, hypotheses, parts, memory: RefCell::default() }
+}
+
+/// Measures one part of a program, the only one then, and the selectors, at other points than those `along` the motion: of a claim with many
+/// parts, each of which is looked at elsewhere, all of them each time would be the square of their number.
+pub fn measure_part<'a>(
+    program: &'a Program,
+    points: &Arc<Points>,
+    along: &Measurements,
+    position: usize,
+) -> Measurements<'a> {
+    meter::charge(OF_A_GROUP * (program.selectors.len() + 1) as u64);
+    let signs: &[f64] = if program.is_branching() { &[1.0, -1.0] } else { &[1.0] };
+    let sizes: Vec<Sizes> = signs.iter().map(|&sign| sizes(program, points, sign)).collect();
+    let beside = |group: &'a Group, known: &MeasuredGroup| {
+        let used = if group.branching { signs.len() } else { 1 };
+        let some = known.first..known.first + group.comparisons.len();
+        let of = |&sign: &f64| program.measure_some((points, points.len()), sign, some.clone(), &along.memory);
+        let series = signs[..used].iter().map(of).collect();
+        MeasuredGroup::beside(group, series, (sizes[..used].to_vec(), known.first), known)
+    };
+    let selectors = program.selectors.iter().zip(&along.selectors).map(|(a, known)| beside(&a.part.group, known));
+    let part = beside(&program.parts[position].group, &along.parts[position]);
+    Measurements {
+        selectors: selectors.collect(),
+        hypotheses: Vec::new(),
+        parts: vec![part],
+        memory: RefCell::default(),
+    }
 }
 
 /// The sizes of the terms of all comparisons of a program, for one sign of ±.
@@ -574,8 +607,8 @@ fn sizes<'a>(program: &'a Program, points: &Arc<Points>, sign: f64) -> Sizes<'a>
     match program.sizes() {
         None => Sizes::Known(Rc::default()),
         Some(part) => {
-            let (slots, typical) = (RefCell::new(None), OnceCell::new());
-            Sizes::Asked(Rc::new(Asked { part, points: Arc::clone(points), sign, slots, typical }))
+            let (slots, blocks, typical) = (RefCell::default(), RefCell::default(), OnceCell::new());
+            Sizes::Asked(Rc::new(Asked { part, points: Arc::clone(points), sign, slots, blocks, typical }))
         }
     }
 }

@@ -6,6 +6,7 @@ use std::error::Error;
 use std::io::Write;
 use std::panic::AssertUnwindSafe;
 
+use meter::Defects;
 use rederive::diag::escape::{in_one_line, spoken};
 use rederive::diag::{Diagnostic, render, sort};
 use rederive::{Conclusion, Demand, Document, Ending, Failure, Format};
@@ -25,20 +26,26 @@ Exit codes:
 /// Why a command stops before its end: a [`Failure`], or anything else that the user can change, in a sentence.
 pub type Stop = Box<dyn Error>;
 
-/// Runs a command; problems are printed, and a panic is a defect of the program.
+/// Runs a command; problems are printed. A panic is a defect of the program, also one that ended a piece of the work, and after which the
+/// command went on to its end.
 pub fn guarded(command: impl FnOnce() -> Result<Ending, Stop>) -> Ending {
+    let before = Defects::so_far();
     let Ok(ended) = std::panic::catch_unwind(AssertUnwindSafe(command)) else {
         // The panic itself has been printed.
         return defect("it has stopped in the middle of its work");
     };
-    ended.unwrap_or_else(|stop| {
+    let ending = ended.unwrap_or_else(|stop| {
         match stop.downcast_ref() {
             Some(Failure::Problems(found)) => say_problems(found.clone()),
             Some(Failure::Defect(message)) => return defect(message),
             _ => complain(&format!("error: {}", in_one_line(&stop.to_string()))),
         }
         Ending::BadInput
-    })
+    });
+    match before.since() {
+        Some(what) if ending != Ending::Defect => defect(&what),
+        _ => ending,
+    }
 }
 
 /// How what was found ends a run; what is not to be seen in the verdicts is said.
@@ -107,6 +114,7 @@ pub fn as_json(document: &serde_json::Value) -> Result<String, Stop> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use meter::{Limits, Task};
 
     #[test]
     fn a_panic_is_a_defect() {
@@ -114,5 +122,10 @@ mod tests {
         assert_eq!(guarded(|| Err(Failure::Defect("1 = 2".into()).into())), Ending::Defect);
         assert_eq!(guarded(|| Err("wrong".into())), Ending::BadInput);
         assert_eq!(guarded(|| Ok(Ending::Different)), Ending::Different);
+        let in_a_piece = || {
+            let found = meter::piece(Task::Weighing, &Limits::default(), || panic!("on purpose"));
+            found.unwrap_or_else(|_| Ok(Ending::Good))
+        };
+        assert_eq!(guarded(in_a_piece), Ending::Defect);
     }
 }

@@ -5,6 +5,7 @@
 
 use std::io::{BufRead, Read, Write};
 
+use meter::Defects;
 use rederive::diag::values::bounded;
 use rederive::paper::LARGEST_PAPER;
 use serde_json::{Value, json};
@@ -76,6 +77,16 @@ pub(super) fn message(body: &[u8]) -> Result<Value, Value> {
 /// An answer that says why there is none.
 pub(super) fn refused(id: &Value, code: i32, why: &str) -> Value {
     json!({ "jsonrpc": "2.0", "id": id, "error": { "code": code, "message": why } })
+}
+
+/// Shows an editor a panic that ended a piece of the work since then: all else was done.
+pub(super) fn tell_of_defect(before: &Defects) {
+    if let Some(what) = before.since() {
+        let message = format!("a defect of rederive, not of your file; please report it, with the file: {what}");
+        let params = json!({ "type": 1, "message": message });
+        // Where the editor is gone, the talk ends.
+        drop(send(&json!({ "jsonrpc": "2.0", "method": "window/showMessage", "params": params })));
+    }
 }
 
 /// Sends a message.

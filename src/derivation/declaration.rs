@@ -12,6 +12,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::constants::exact_value;
+use super::list::Shared;
 use super::load::declared;
 use super::model::{Derivation, SymbolEntry};
 use super::symbols::{CONSTANT, ROLES, parse_shape};
@@ -40,10 +41,10 @@ impl Derivation {
             graph,
             scope,
             systems: Vec::new(),
-            trajectories: Vec::new(),
+            trajectories: Shared::default(),
             families: Arc::default(),
             domains: Vec::new(),
-            claims: Vec::new(),
+            claims: Shared::default(),
             measures: Vec::new(),
             conditions: Vec::new(),
             pictures: Vec::new(),

@@ -26,6 +26,7 @@ mod family;
 mod form;
 mod formula;
 pub mod keys;
+mod list;
 mod load;
 mod map;
 mod model;
@@ -51,6 +52,7 @@ pub use event::{Direction, Event, Occasion, Since};
 pub use family::{Constraint, Drawing, Family, LARGEST_FAMILY, Spread, Varied, WIDEST_ROW};
 pub use form::{Across, Form, FormFormula, FormKind};
 pub use formula::{Ranged, Values, Written};
+pub use list::Shared;
 pub use load::{LARGEST_FILE, load, load_all, meant, parse};
 pub use model::{
     Claim, Condition, Derivation, Domain, Formula, GivenValue, Measure, Motion, Picture, PictureKind, Region, Start,

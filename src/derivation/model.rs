@@ -11,6 +11,7 @@ use super::event::{Event, Since};
 use super::family::Family;
 use super::form::{Form, FormKind};
 use super::formula::{Ranged, Written};
+use super::list::Shared;
 use super::premise::Index;
 use super::role::ClaimRole;
 use super::unit::Unit;
@@ -46,14 +47,14 @@ pub struct Derivation {
     pub scope: Scope,
     /// Systems of differential equations.
     pub systems: Vec<System>,
-    /// Motions, in the order of the file.
-    pub trajectories: Vec<Trajectory>,
+    /// Motions, in the order of the file, as the claims.
+    pub trajectories: Shared<Trajectory>,
     /// Families of motions, in the order of the file; copies have them in common.
     pub families: Arc<Vec<Family>>,
     /// Boxes of values that claims share, in the order of the file.
     pub domains: Vec<Domain>,
-    /// Claims, in the order of the file; one entry for each reading.
-    pub claims: Vec<Claim>,
+    /// Claims, in the order of the file; one entry for each reading. Copies have them in common until one is changed.
+    pub claims: Shared<Claim>,
     /// Quantities to be measured.
     pub measures: Vec<Measure>,
     /// Conditions that may tell where a claim holds and where it fails.

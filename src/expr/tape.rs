@@ -173,28 +173,30 @@ impl Tape {
         self.outputs.iter().map(|&o| depends[o as usize]).collect()
     }
 
-    /// What some outputs need; inputs that change from one evaluation to the next are marked.
+    /// What some outputs need; inputs that change from one evaluation to the next are marked. Takes no longer than what is needed is large.
     pub fn needed(&self, outputs: impl Iterator<Item = usize>, changing: &[bool]) -> Needed {
-        let mut needed = vec![false; self.slot_count()];
-        outputs.for_each(|o| needed[self.outputs[o] as usize] = true);
-        for step in self.instructions.iter().rev() {
-            if needed[step.out as usize] {
-                needed[step.a as usize] = true;
-                needed[step.b as usize] = true;
+        let first = self.inputs.len() + self.presets.len();
+        // Results stand in the order of their instructions, after what they are computed from.
+        let step = |slot: u32| (slot as usize).checked_sub(first).map(|k| self.instructions[k]);
+        let mut needed: FastMap<u32, bool> = FastMap::default();
+        let mut open: Vec<u32> = outputs.map(|o| self.outputs[o]).collect();
+        while let Some(slot) = open.pop() {
+            if let Entry::Vacant(place) = needed.entry(slot) {
+                place.insert(changing.get(slot as usize).copied().unwrap_or(false));
+                open.extend(step(slot).iter().flat_map(|step| [step.a, step.b]));
             }
         }
-        let mut depends = changing.to_vec();
-        depends.resize(self.slot_count(), false);
-        let instructions: Vec<Instruction> =
-            self.instructions.iter().copied().filter(|i| needed[i.out as usize]).collect();
+        let mut slots: Vec<u32> = needed.keys().copied().collect();
+        slots.sort_unstable();
+        let instructions: Vec<Instruction> = slots.iter().filter_map(|&slot| step(slot)).collect();
         let mut varying = Vec::with_capacity(instructions.len());
         for step in &instructions {
-            if depends[step.a as usize] || depends[step.b as usize] {
-                depends[step.out as usize] = true;
+            if needed[&step.a] || needed[&step.b] {
+                needed.insert(step.out, true);
                 varying.push(*step);
             }
         }
-        let inputs = (0..self.inputs.len()).filter(|&i| needed[i]).collect();
+        let inputs = slots.into_iter().map(|slot| slot as usize).filter(|&slot| slot < self.inputs.len()).collect();
         Needed { inputs, instructions, varying }
     }
 

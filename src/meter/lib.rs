@@ -15,8 +15,8 @@
 use std::any::Any;
 use std::cell::{Cell, RefCell};
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 pub mod factor;
@@ -314,6 +314,36 @@ pub fn piece<R>(task: Task, limits: &Limits, work: impl FnOnce() -> R) -> Result
     run(here, work).0.map_err(|payload| ended_by(payload.as_ref()))
 }
 
+/// The panics that ended pieces of this process.
+static DEFECTS: Mutex<Defects> = Mutex::new(Defects { count: 0, last: String::new() });
+
+/// Panics that ended pieces of the work. Whatever was made of such a piece: a run in which there was one has shown a defect of the program.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Defects {
+    /// How many there were.
+    pub count: u64,
+    /// The last of them, in a sentence.
+    pub last: String,
+}
+
+impl Defects {
+    /// Those of this process so far.
+    pub fn so_far() -> Defects {
+        DEFECTS.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// The last one since then, if there was one.
+    pub fn since(&self) -> Option<String> {
+        let now = Defects::so_far();
+        (now.count > self.count).then_some(now.last)
+    }
+
+    fn add(what: &str) {
+        let mut all = DEFECTS.lock().unwrap_or_else(PoisonError::into_inner);
+        *all = Defects { count: all.count + 1, last: what.to_owned() };
+    }
+}
+
 /// Does a part of the piece that is under way on this thread: it may take what a piece of its task may, as far as the piece has that left,
 /// and is counted with it. Where none is under way, it is a piece.
 ///
@@ -396,7 +426,9 @@ fn ended_by(payload: &(dyn Any + Send)) -> Ended {
         return ended.clone();
     }
     let text = payload.downcast_ref::<String>().map(String::as_str).or_else(|| payload.downcast_ref().copied());
-    Ended::Defect(format!("it stopped in the middle of its work: {}", text.unwrap_or("for no reason that is known")))
+    let what = format!("it stopped in the middle of its work: {}", text.unwrap_or("for no reason that is known"));
+    Defects::add(&what);
+    Ended::Defect(what)
 }
 
 #[cfg(test)]

@@ -66,9 +66,12 @@ fn a_piece_takes_nothing_else_with_it() {
 
 #[test]
 fn a_panic_is_a_defect_of_its_piece() {
+    let before = Defects::so_far();
     let found: Result<(), Ended> = piece(Task::Reading, &Limits::default(), || resume_unwind(Box::new("on purpose")));
     let Err(Ended::Defect(what)) = found else { panic!("a defect") };
     assert!(what.contains("on purpose"), "{what}");
+    assert_eq!(before.since(), Some(what));
+    assert_eq!(Defects::so_far().since(), None);
 }
 
 #[test]

@@ -382,8 +382,7 @@ fn columns(line: &[Token], is_table: bool) -> Vec<Vec<Token>> {
         if breaks {
             // Every column goes on in the next line.
             let span = token.span.clone();
-            out.iter_mut()
-                .for_each(|c| c.push(Token { kind: Kind::Command, text: "\\".to_owned(), span: span.clone() }));
+            out.iter_mut().for_each(|c| c.push(Token { kind: Kind::Command, text: "\\".into(), span: span.clone() }));
             (cell, row) = (0, row + 1);
             continue;
         }
@@ -405,7 +404,7 @@ fn joined(parts: Vec<Vec<Token>>) -> Vec<Vec<Token>> {
         match out.last_mut().filter(|_| goes_on) {
             Some(last) => {
                 let at = last.last().map_or(0, |t| t.span.end);
-                last.push(Token { kind: Kind::Space, text: " ".to_owned(), span: at..at });
+                last.push(Token { kind: Kind::Space, text: " ".into(), span: at..at });
                 last.extend(part);
             }
             None => out.push(part),
@@ -449,7 +448,7 @@ fn numbered(body: &[Token]) -> Vec<Vec<Token>> {
         let last = out.pop().unwrap_or_default();
         if let Some(before) = out.last_mut() {
             let end = last.first().map_or(0, |t| t.span.start);
-            before.push(Token { kind: Kind::Command, text: "\\".to_owned(), span: end..end });
+            before.push(Token { kind: Kind::Command, text: "\\".into(), span: end..end });
             before.extend(last);
         }
     }

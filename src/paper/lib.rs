@@ -27,6 +27,7 @@ mod names;
 mod opening;
 mod pasted;
 mod printed;
+mod short;
 mod token;
 mod unicode;
 
@@ -153,7 +154,9 @@ pub struct Part {
 
 impl Part {
     fn new(tokens: &[Token]) -> Part {
-        Part { text: shown(&text_of(tokens)).into_owned(), span: span_of(tokens), marks: marks(tokens) }
+        let mut marks = marks(tokens);
+        marks.shrink_to_fit();
+        Part { text: shown(&text_of(tokens)).into_owned(), span: span_of(tokens), marks }
     }
 }
 

@@ -56,15 +56,15 @@ pub(super) fn expanded(
     let mut calls = 0;
     if !preamble.is_empty() {
         defined.packages = 1;
-        rest.push((Token { kind: Kind::Command, text: END_OF_DEFINITIONS.to_owned(), span: 0..0 }, 0));
+        rest.push((Token { kind: Kind::Command, text: END_OF_DEFINITIONS.into(), span: 0..0 }, 0));
         rest.extend(preamble.into_iter().rev().map(|t| (t, 0)));
     }
     // Conditions of the document's own that hold and are not yet closed.
     let mut open_conditions = 0;
     while let Some((mut token, depth)) = rest.pop() {
-        let frozen = token.kind == Kind::Command && defined.aliases.contains_key(&token.text);
-        if frozen && let Some(meaning) = defined.aliases.get(&token.text) {
-            token.text.clone_from(meaning);
+        let frozen = token.kind == Kind::Command && defined.aliases.contains_key(token.text.as_str());
+        if frozen && let Some(meaning) = defined.aliases.get(token.text.as_str()) {
+            token.text = meaning.as_str().into();
         }
         if token.kind != Kind::Command {
             if defined.packages == 0 {
@@ -72,9 +72,9 @@ pub(super) fn expanded(
             }
         } else if token.is("end") && begins_group(&rest, "document") {
             break;
-        } else if token.is("iffalse") || defined.conditions.get(&token.text) == Some(&false) {
+        } else if token.is("iffalse") || defined.conditions.get(token.text.as_str()) == Some(&false) {
             skip_branch(&mut rest);
-        } else if defined.conditions.get(&token.text) == Some(&true) {
+        } else if defined.conditions.get(token.text.as_str()) == Some(&true) {
             open_conditions += 1;
         } else if open_conditions > 0 && token.is("fi") {
             open_conditions -= 1;
@@ -88,7 +88,7 @@ pub(super) fn expanded(
         } else if let Some(named) = named_by(&token, &defined, frozen) {
             calls += 1;
             if calls > MOST_CALLS || depth >= DEEPEST {
-                return Err(Endless { name: token.text, span: token.span });
+                return Err(Endless { name: token.text.into(), span: token.span });
             }
             let file = files_named(named, &token, &mut rest, input);
             if file.len() + rest.len() + out.len() > MOST_TOKENS {
@@ -96,7 +96,7 @@ pub(super) fn expanded(
             }
             if named != Named::Text && !file.is_empty() {
                 defined.packages += 1;
-                let end = Token { kind: Kind::Command, text: END_OF_DEFINITIONS.to_owned(), span: token.span };
+                let end = Token { kind: Kind::Command, text: END_OF_DEFINITIONS.into(), span: token.span };
                 rest.push((end, depth));
             }
             rest.extend(file.into_iter().rev().map(|t| (t, depth + 1)));
@@ -109,17 +109,17 @@ pub(super) fn expanded(
             argument(&mut rest);
             let room = MOST_TOKENS.saturating_sub(rest.len() + out.len());
             let body = if depth >= DEEPEST || calls > MOST_CALLS { None } else { call(found, &token, &mut rest, room) };
-            let Some(body) = body else { return Err(Endless { name: token.text, span: token.span }) };
+            let Some(body) = body else { return Err(Endless { name: token.text.into(), span: token.span }) };
             rest.extend(body.into_iter().rev().map(|t| (t, depth + 1)));
-        } else if let Some(found) = defined.macros.get(&token.text).filter(|_| !frozen) {
+        } else if let Some(found) = defined.macros.get(token.text.as_str()).filter(|_| !frozen) {
             calls += 1;
-            if defined.paired.contains(&token.text) {
+            if defined.paired.contains(token.text.as_str()) {
                 next_is(&mut rest, "*");
                 optional(&mut rest);
             }
             let room = MOST_TOKENS.saturating_sub(rest.len() + out.len());
             let body = if depth >= DEEPEST || calls > MOST_CALLS { None } else { call(found, &token, &mut rest, room) };
-            let Some(body) = body else { return Err(Endless { name: token.text, span: token.span }) };
+            let Some(body) = body else { return Err(Endless { name: token.text.into(), span: token.span }) };
             rest.extend(body.into_iter().rev().map(|t| (t, depth + 1)));
         } else if PRINT_THEIR_ARGUMENT.contains(&token.text.as_str()) && takes_braces(&rest) {
             while optional(&mut rest).is_some() {}
@@ -138,7 +138,7 @@ fn named_by(token: &Token, defined: &Defined, frozen: bool) -> Option<Named> {
     let command = token.text.as_str();
     let package = || PACKAGES.iter().find(|(name, _)| *name == command).map(|(_, named)| *named);
     let named = if COMMANDS_OF_TEXT.contains(&command) { Named::Text } else { package()? };
-    (frozen || !defined.macros.contains_key(&token.text)).then_some(named)
+    (frozen || !defined.macros.contains_key(token.text.as_str())).then_some(named)
 }
 
 /// The tokens of the files that a command names, one behind the other.
@@ -167,14 +167,14 @@ fn environment<'d>(token: &Token, rest: &Rest, defined: &'d Defined) -> Option<&
 /// The name of a file behind `\input`, in braces or not.
 fn file_name(rest: &mut Rest) -> String {
     spaces(rest);
-    let text = |t: &Token| if t.kind == Kind::Command { format!("\\{}", t.text) } else { t.text.clone() };
+    let text = |t: &Token| if t.kind == Kind::Command { format!("\\{}", t.text) } else { t.text.to_string() };
     if rest.last().is_some_and(|(t, _)| t.kind == Kind::Open) {
         // Quotation marks hold a name with blanks together.
         return argument(rest).iter().map(text).collect::<String>().replace('"', "").trim().to_owned();
     }
     let mut out = String::new();
     while rest.last().is_some_and(|(t, _)| t.kind == Kind::Other) && out.len() < MOST_NAME {
-        out.extend(rest.pop().map(|(t, _)| t.text));
+        out.extend(rest.pop().map(|(t, _)| String::from(t.text)));
     }
     out
 }
@@ -213,7 +213,7 @@ mod tests {
 
     fn shown(text: &str) -> String {
         let all = expanded(text).unwrap_or_else(|e| panic!("{e:?}"));
-        let one = |t: &Token| if t.kind == Kind::Command { format!("\\{} ", t.text) } else { t.text.clone() };
+        let one = |t: &Token| if t.kind == Kind::Command { format!("\\{} ", t.text) } else { t.text.to_string() };
         all.iter().map(one).collect::<String>().trim().to_owned()
     }
 

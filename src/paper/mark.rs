@@ -2,12 +2,13 @@
 
 use std::ops::Range;
 
+use super::short::Short;
 use super::token::{Kind, Token};
 
 /// A token of a formula, in one spelling, and where it was written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Mark {
-    pub text: String,
+    pub text: Short,
     pub span: Range<usize>,
 }
 
@@ -113,7 +114,7 @@ pub(super) fn marks(tokens: &[Token]) -> Vec<Mark> {
     let mut at = 0;
     while let Some(token) = tokens.get(at) {
         at += 1;
-        let mut push = |text: &str| out.push(Mark { text: text.to_owned(), span: token.span.clone() });
+        let mut push = |text: &str| out.push(Mark { text: text.into(), span: token.span.clone() });
         match token.kind {
             Kind::Space => {}
             Kind::Other if token.text == "~" || token.text == "&" => {}
@@ -425,7 +426,7 @@ mod tests {
     use super::*;
 
     fn shown(text: &str) -> String {
-        marks(&tokens(text)).into_iter().map(|m| m.text).collect::<Vec<_>>().join(" ")
+        marks(&tokens(text)).into_iter().map(|m| m.text.to_string()).collect::<Vec<_>>().join(" ")
     }
 
     #[track_caller]

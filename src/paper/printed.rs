@@ -71,6 +71,16 @@ impl PrintedRelation {
         start..self.sides.iter().map(|s| s.span.end).max().unwrap_or(start)
     }
 
+    /// Gives back the room that its lists do not use: a paper has hundreds of thousands.
+    fn fit(&mut self) {
+        self.signs.shrink_to_fit();
+        self.sides.shrink_to_fit();
+        for side in &mut self.sides {
+            side.text.shrink_to_fit();
+            side.tokens.shrink_to_fit();
+        }
+    }
+
     /// Whether its words make it say when another one holds, or what a name stands for.
     pub fn is_condition(&self) -> bool {
         matches!(self.opening, Some(Opening::Case | Opening::Remark | Opening::Meaning))
@@ -249,6 +259,7 @@ pub(super) fn relations(body: &[Token], place: &Place<'_>) -> Vec<PrintedRelatio
         found.out.iter_mut().for_each(|r| r.label = label.clone());
     }
     found.out.retain(|r| !(r.sides.len() == 1 && r.sides[0].text.is_empty() && r.remark.is_none()));
+    found.out.iter_mut().for_each(PrintedRelation::fit);
     found.out
 }
 
@@ -437,7 +448,7 @@ impl Relations<'_> {
         let was_list = list;
         if list {
             let end = current.last().map_or(0, |t| t.span.end);
-            current.push(Token { kind: Kind::Other, text: ",".to_owned(), span: end..end });
+            current.push(Token { kind: Kind::Other, text: ",".into(), span: end..end });
         }
         let mut nesting = Nesting::default();
         for token in &current {

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use super::short::Short;
+
 /// What a token is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -25,7 +27,7 @@ pub(super) enum Kind {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Token {
     pub kind: Kind,
-    pub text: String,
+    pub text: Short,
     pub span: Range<usize>,
 }
 
@@ -86,7 +88,7 @@ pub(super) fn tokens(text: &str) -> Vec<Token> {
         {
             // Inside of a formula this is told; in the running text nobody looks at it.
             at += end + c.len_utf8();
-            out.push(Token { kind: Kind::Command, text: "verb".to_owned(), span: start..at });
+            out.push(Token { kind: Kind::Command, text: "verb".into(), span: start..at });
             continue;
         }
         let (kind, shown) = match c {
@@ -103,7 +105,7 @@ pub(super) fn tokens(text: &str) -> Vec<Token> {
             '#' => match text[at..].chars().next() {
                 Some(d @ '1'..='9') => {
                     at += 1;
-                    out.push(Token { kind: Kind::Argument, text: d.to_string(), span: start..at });
+                    out.push(Token { kind: Kind::Argument, text: d.into(), span: start..at });
                     continue;
                 }
                 _ => (Kind::Other, "#"),
@@ -130,7 +132,7 @@ pub(super) fn tokens(text: &str) -> Vec<Token> {
                     at = end;
                     continue;
                 }
-                out.push(Token { kind: Kind::Command, text: name.to_owned(), span: start..at });
+                out.push(Token { kind: Kind::Command, text: name.into(), span: start..at });
                 if letters > 0 {
                     at += text[at..].len() - text[at..].trim_start_matches([' ', '\t']).len();
                 }
@@ -142,11 +144,11 @@ pub(super) fn tokens(text: &str) -> Vec<Token> {
                 (Kind::Space, if breaks > 1 { "\n" } else { " " })
             }
             _ => {
-                out.push(Token { kind: Kind::Other, text: c.to_string(), span: start..at });
+                out.push(Token { kind: Kind::Other, text: c.into(), span: start..at });
                 continue;
             }
         };
-        out.push(Token { kind, text: shown.to_owned(), span: start..at });
+        out.push(Token { kind, text: shown.into(), span: start..at });
     }
     out
 }
@@ -193,7 +195,7 @@ mod tests {
     use super::*;
 
     fn shown(text: &str) -> Vec<String> {
-        tokens(text).into_iter().map(|t| t.text).collect()
+        tokens(text).into_iter().map(|t| t.text.to_string()).collect()
     }
 
     #[test]

@@ -21,7 +21,7 @@ use crate::trace::Trial;
 use crate::verdict::{Evidence, Finding, Possible, Strength, Truth};
 use crate::weigh::weigh;
 use claim::program::What;
-use claim::sides::{Measurements, measure};
+use claim::sides::{Measurements, measure_part};
 use reason::{Plain, Reason, Sampling, Search};
 
 /// Up to this share of the span a gap in the search is one point for relations that admit equality: what is true on both
@@ -50,6 +50,7 @@ struct Between<'a> {
     roles: Vec<Role>,
     /// What the search leaves open.
     open: Vec<Reason>,
+    /// The selectors, and the part alone.
     measured: Measurements<'a>,
     position: usize,
 }
@@ -97,8 +98,14 @@ pub(super) fn is_weak(kind: RelationKind) -> bool {
 }
 
 impl<'a> Between<'a> {
-    /// Looks for the changes of a part of the program, which was measured `along` the times that were `tried`.
-    fn look(trial: &Trial<'a>, (along, tried): (&Measurements, &Tried), position: usize, void: bool) -> Between<'a> {
+    /// Looks for the changes of a part of the program, which was measured `along` the times that were `tried`; `None` where there is no time
+    /// to look at.
+    fn look(
+        trial: &Trial<'a>,
+        (along, tried): (&Measurements, &Tried),
+        position: usize,
+        void: bool,
+    ) -> Option<Between<'a>> {
         let Trial { program, trace, .. } = *trial;
         let (from, to) = trace.stage.span(trace.trajectory);
         let mut found: Vec<(f64, Role)> = Vec::new();
@@ -148,13 +155,16 @@ impl<'a> Between<'a> {
             inside.into_iter().any(clear)
         });
         found.extend(unseen.into_iter().map(|t| (t, Role::Inside)));
+        if found.is_empty() {
+            return None;
+        }
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
         let event = |&(t, role): &(f64, Role)| match role {
             Role::Crossing { slack, .. } => (t, Some(slack)),
             Role::Inside | Role::Probe { .. } => (t, None),
         };
         let points = trace.points_at_events(program, &found.iter().map(event).collect::<Vec<_>>());
-        let mut measured = measure(program, &points, Some(along));
+        let mut measured = measure_part(program, &points, along, position);
         for group in &mut measured.selectors {
             group.equal.iter_mut().flatten().for_each(|equal| *equal = true);
         }
@@ -164,13 +174,13 @@ impl<'a> Between<'a> {
             Role::Crossing { comparison, .. } => Some(*comparison),
             Role::Inside | Role::Probe { .. } => None,
         };
-        measured.parts[position].crossing = roles.iter().map(crosses).collect();
-        Between { times, points, roles, open, measured, position }
+        measured.parts[0].crossing = roles.iter().map(crosses).collect();
+        Some(Between { times, points, roles, open, measured, position })
     }
 
     /// What the search leaves open at times that may count.
     fn still_open(&self, left: &[Left], judged: &Pointwise, precision: f64) -> Option<&Reason> {
-        let group = &self.measured.parts[self.position];
+        let group = &self.measured.parts[0];
         let reason = |(i, role): (usize, &Role)| {
             let Role::Probe { reason, comparison, equal } = *role else { return None };
             if matches!(left[i], Left::Out(_)) || judged.at(i) == Possible::VOID {
@@ -193,7 +203,7 @@ impl<'a> Between<'a> {
     fn valued(&self, trial: &Trial) -> Option<Reason> {
         let describer = Describer::new(trial, &self.times, &self.points);
         let left = selected(trial, &self.measured, &describer);
-        let judged = Pointwise::new(&self.measured.parts[self.position], trial.claim.precision);
+        let judged = Pointwise::new(&self.measured.parts[0], trial.claim.precision);
         let valued = |i: &usize| !matches!(left[*i], Left::Out(_)) && judged.at(*i) != Possible::VOID;
         let i = (0..self.times.len()).find(valued)?;
         Some(Sampling::ValueBetween(self.times[i]).into())
@@ -202,10 +212,7 @@ impl<'a> Between<'a> {
     /// What is known of a part that is true at all samples; `None` where there is nothing to add.
     /// `within` is what [`Evidence::within`] becomes.
     fn held(&self, trial: &Trial, within: &mut f64) -> Option<Finding> {
-        let group = &self.measured.parts[self.position];
-        if self.times.is_empty() {
-            return None;
-        }
+        let group = &self.measured.parts[0];
         let describer = Describer::new(trial, &self.times, &self.points);
         let left = selected(trial, &self.measured, &describer);
         let precision = trial.claim.precision;
@@ -254,7 +261,7 @@ pub(super) fn between_samples(
         return finding;
     }
     if void {
-        return match Between::look(trial, along, position, void).valued(trial) {
+        return match Between::look(trial, along, position, void).and_then(|between| between.valued(trial)) {
             Some(reason) => {
                 Finding::sampled(Possible::ANY, Evidence { reason: Some(reason), ..finding.evidence().clone() })
             }
@@ -267,7 +274,8 @@ pub(super) fn between_samples(
         return finding;
     }
     let mut within = finding.evidence().within;
-    let found = match Between::look(trial, along, position, void).held(trial, &mut within) {
+    let between = Between::look(trial, along, position, void);
+    let found = match between.and_then(|between| between.held(trial, &mut within)) {
         Some(found) if !asserted || found.known(Strength::Sampled) == Some(Possible::FALSE) => found,
         _ if asserted => return finding,
         Some(_) | None => return Finding::sampled(Possible::TRUE, Evidence { within, ..finding.evidence().clone() }),

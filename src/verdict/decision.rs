@@ -181,6 +181,11 @@ impl Verdict {
         let mut verdict =
             Verdict { claim, findings, outcome: Outcome::Undecided, evidence: Evidence::default(), defect: None };
         verdict.fold();
+        if verdict.findings.len() > MANY {
+            // Of many parts the curve of the one that is told is looked at, and all of them would be most of what a verdict takes.
+            let told = verdict.evidence.series.as_ref();
+            verdict.findings.iter_mut().for_each(|finding| finding.evidence.thin(told));
+        }
         verdict
     }
 

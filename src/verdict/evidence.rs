@@ -199,8 +199,48 @@ impl Evidence {
         Some(Witness { t, formula: series.formula.clone(), left, right, bound, values: Vec::new() })
     }
 
+    /// Keeps of the curve the one point that [`Evidence::compared`] gives, unless it is the curve that is `shown`.
+    pub(super) fn thin(&mut self, shown: Option<&Arc<Residuals>>) {
+        let Some(series) = self.series.take_if(|own| shown.is_none_or(|shown| !Arc::ptr_eq(own, shown))) else {
+            return;
+        };
+        let worst = self.residual.as_ref().map(|r| r.at);
+        let point = series.points.iter().find(|p| Some(p.t) == worst).or(series.points.first());
+        let points = point.copied().into_iter().collect();
+        let Residuals { formula, equation, sought, of, .. } = &*series;
+        self.series = Some(Arc::new(Residuals {
+            formula: formula.clone(),
+            equation: *equation,
+            sought: *sought,
+            of: *of,
+            points,
+        }));
+    }
+
     /// Nothing but a reason.
     pub fn because(reason: impl Into<Reason>) -> Evidence {
         Evidence { reason: Some(reason.into()), ..Evidence::default() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_thinned_curve_has_the_point_that_stands_for_it() {
+        let at = |t: f64| ResidualPoint { t, left: t, right: 1.0, residual: t - 1.0, bound: 0.1, limit: 1.0 };
+        let points: Vec<ResidualPoint> = (0..9).map(|n| at(f64::from(n))).collect();
+        let series = Residuals { formula: "x=1".into(), equation: true, sought: false, of: 9, points };
+        for worst in [Some(5.0), None] {
+            let residual = worst.map(|at| Residual { max: 1.0, bound: 0.1, at });
+            let whole = Evidence { residual, series: Some(Arc::new(series.clone())), ..Evidence::default() };
+            let (mut shown, mut other) = (whole.clone(), whole.clone());
+            shown.thin(whole.series.as_ref());
+            assert_eq!(shown, whole);
+            other.thin(None);
+            assert_eq!(other.compared(), whole.compared());
+            assert_eq!(other.series.map(|s| (s.points.len(), s.of)), Some((1, 9)));
+        }
     }
 }

@@ -12,7 +12,7 @@ use rederive::check::Cancel;
 use rederive::look::{Looked, Looker};
 use serde_json::{Value, json};
 
-use super::super::wire::send;
+use super::super::wire::{send, tell_of_defect};
 use super::answers;
 
 /// What an editor says of a text.
@@ -127,7 +127,9 @@ pub(super) fn look_through(desk: &Desk) {
         closed.iter().for_each(|uri| looker.forget(&path_of(uri)));
         let Some((mut of, cancel)) = next else { continue };
         let text = std::mem::take(&mut of.text);
+        let before = meter::Defects::so_far();
         looker.look(&path_of(&of.uri), text, &cancel, &mut |looked| desk.found(&of, &cancel, looked));
+        tell_of_defect(&before);
     }
 }
 

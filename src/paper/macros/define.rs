@@ -170,40 +170,41 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
                 pattern.clear();
             }
             if arguments <= MOST_ARGUMENTS {
-                defined.put(name.text, Macro { arguments, default: None, body, pattern, options: Vec::new() });
+                defined.put(name.text.into(), Macro { arguments, default: None, body, pattern, options: Vec::new() });
             }
         }
         "let" => {
             let Some(name) = rest.pop().map(|(t, _)| t).filter(|t| t.kind == Kind::Command) else { return true };
             next_is(rest, "=");
             let Some((meaning, _)) = rest.pop() else { return true };
-            let known = defined.macros.get(&meaning.text).filter(|_| meaning.kind == Kind::Command).cloned();
+            let known = defined.macros.get(meaning.text.as_str()).filter(|_| meaning.kind == Kind::Command).cloned();
             match known {
                 Some(known) => {
-                    defined.put(name.text, known);
+                    defined.put(name.text.into(), known);
                 }
                 None if meaning.kind == Kind::Command => {
-                    let meaning = defined.aliases.get(&meaning.text).cloned().unwrap_or(meaning.text);
+                    let meaning =
+                        defined.aliases.get(meaning.text.as_str()).cloned().unwrap_or_else(|| meaning.text.into());
                     if defined.takes(&name.text, &[]) {
-                        defined.aliases.insert(name.text, meaning);
+                        defined.aliases.insert(name.text.into(), meaning);
                     }
                 }
                 None => {
-                    defined.put(name.text, Macro::plain(0, None, vec![meaning]));
+                    defined.put(name.text.into(), Macro::plain(0, None, vec![meaning]));
                 }
             }
         }
         "newif" => {
             let name = rest.pop().map(|(t, _)| t).filter(|t| t.kind == Kind::Command);
             if let Some(name) = name.filter(|n| defined.takes(&n.text, &[])) {
-                defined.conditions.insert(name.text, false);
+                defined.conditions.insert(name.text.into(), false);
             }
         }
         "DeclareMathOperator" => {
             next_is(rest, "*");
             let name = defined_name(rest);
             let body = argument(rest);
-            let brace = |kind, text: &str| Token { kind, text: text.to_owned(), span: 0..0 };
+            let brace = |kind, text: &str| Token { kind, text: text.into(), span: 0..0 };
             let mut all = vec![brace(Kind::Command, "operatorname"), brace(Kind::Open, "{")];
             all.extend(body);
             all.push(brace(Kind::Close, "}"));
@@ -222,7 +223,7 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
         "DeclarePairedDelimiter" => {
             let name = defined_name(rest);
             let (left, right) = (argument(rest), argument(rest));
-            let piece = |kind, text: &str| Token { kind, text: text.to_owned(), span: 0..0 };
+            let piece = |kind, text: &str| Token { kind, text: text.into(), span: 0..0 };
             let mut body = vec![piece(Kind::Command, "left")];
             body.extend(left);
             body.push(piece(Kind::Argument, "1"));

@@ -102,5 +102,5 @@ pub(super) fn optional(rest: &mut Rest) -> Option<Vec<Token>> {
 pub(super) fn defined_name(rest: &mut Rest) -> Option<String> {
     let found = argument(rest);
     let name = found.iter().find(|t| t.kind != Kind::Space)?;
-    (name.kind == Kind::Command).then(|| name.text.clone())
+    (name.kind == Kind::Command).then(|| name.text.to_string())
 }

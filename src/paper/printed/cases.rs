@@ -61,7 +61,7 @@ fn sign_of(sign: &str, at: usize) -> Option<Token> {
         Some(command) => (Kind::Command, command),
         None => (Kind::Other, sign),
     };
-    Some(Token { kind, text: text.to_owned(), span: at..at })
+    Some(Token { kind, text: text.into(), span: at..at })
 }
 
 /// What stands between `\left\{` and `\right.`, where that is all.

@@ -17,7 +17,7 @@ pub fn with_braces(tokens: &[Token]) -> Cow<'_, [Token]> {
     }
     let mut out = Vec::with_capacity(tokens.len() + 2);
     for (at, token) in tokens.iter().enumerate() {
-        let brace = |kind, text: &str| Token { kind, text: text.to_owned(), span: token.span.clone() };
+        let brace = |kind, text: &str| Token { kind, text: text.into(), span: token.span.clone() };
         if bare(at) {
             out.extend([brace(Kind::Open, "{"), token.clone(), brace(Kind::Close, "}")]);
         } else {

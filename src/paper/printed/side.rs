@@ -16,11 +16,7 @@ impl PrintedSide {
             let opens = bracket(Some(token)) && !(at > 0 && is_size(&self.tokens[at - 1]))
                 || is_size(token) && bracket(self.tokens.get(at + 1));
             if opens && base_before(&out).is_some_and(is_factor) {
-                out.push(Token {
-                    kind: Kind::Command,
-                    text: "cdot".to_owned(),
-                    span: token.span.start..token.span.start,
-                });
+                out.push(Token { kind: Kind::Command, text: "cdot".into(), span: token.span.start..token.span.start });
             }
             out.push(token.clone());
         }
@@ -88,7 +84,7 @@ pub(super) fn is_colon_equals(tokens: &[Token], at: usize) -> bool {
 
 /// The sign that begins at a place, and the position after it: `:=`, `\not=`, `=`.
 pub(super) fn sign_at(tokens: &[Token], at: usize) -> (String, usize) {
-    let spelled = |t: &Token| if t.kind == Kind::Command { format!("\\{}", t.text) } else { t.text.clone() };
+    let spelled = |t: &Token| if t.kind == Kind::Command { format!("\\{}", t.text) } else { t.text.to_string() };
     let mut next = at + 1;
     let mut sign = spelled(&tokens[at]);
     if is_colon_equals(tokens, at) {
@@ -176,10 +172,10 @@ pub(super) fn side_of(tokens: &[Token]) -> PrintedSide {
             at = group_text(tokens, at + star).1;
         } else if token.is("text") && group_text(tokens, at) == ("d".to_owned(), at + 3) {
             // An upright differential, whichever command makes it upright.
-            kept.push(Token { text: "mathrm".to_owned(), ..token.clone() });
+            kept.push(Token { text: "mathrm".into(), ..token.clone() });
         } else if token.kind == Kind::Command && is_space(token) || token.is_char("~") {
             // A space of any width is a space.
-            kept.push(Token { kind: Kind::Space, text: " ".to_owned(), span: token.span.start..token.span.start });
+            kept.push(Token { kind: Kind::Space, text: " ".into(), span: token.span.start..token.span.start });
         } else {
             kept.push(token.clone());
         }
