@@ -236,6 +236,23 @@ fn between_fixed_times_a_motion_must_be_known() {
     }
 }
 
+/// Of a fact that is a product, a factor of a known sign is divided by.
+#[test]
+fn a_factor_of_a_known_sign_is_divided_by() {
+    let lines: [Line; 4] = [
+        ("x=2", &["x"], &["x^2=4", "x>0"]),
+        ("x=a", &["x, a"], &["x^2=a^2", "x>0", "a>0"]),
+        ("x=1", &["x"], &["x^2+x=2", "x>0"]),
+        (r"v=\sqrt{2gh}", &["v, g, h"], &["v^2=2gh", "v>0"]),
+    ];
+    for line in &lines {
+        assert_eq!(word(line), ("proved", "proved"), "{line:?}");
+    }
+    for premises in [&["x^2=4"][..], &["x^2=4", "x<3"], &["x^2=4", r"x\ne2"], &["x^2+x=2", "x>-3"]] {
+        assert_eq!(word(&("x=2", &["x"], premises)).0, "refuted", "{premises:?}");
+    }
+}
+
 /// At one fixed place all moves with time alone; what crosses it, and other places, do not follow.
 #[test]
 fn at_one_place_a_field_moves_with_time_alone() {

@@ -71,7 +71,8 @@ impl Attempt<'_> {
         }
         let goal = fraction(&mut self.search.reader.graph, e)?;
         let under = goal.denominator(&mut self.search.reader.graph);
-        let factors = self.factors(e);
+        let mut factors = self.factors(e);
+        factors.extend(self.cofactors(goal.numerator, inputs));
         let allowed = effort.min(self.search.multiples);
         let (mut completion, mut targets) = self.begin(goal.numerator, &factors, inputs, allowed)?;
         let found = completion.search(&mut targets);
@@ -109,6 +110,26 @@ impl Attempt<'_> {
             }
         }
         out.truncate(1 + 2 * MOST_FACTORS);
+        out
+    }
+
+    /// What is known not to be 0, and is before what is to vanish in a fact: x + 2 in x² − 4, where x > 0.
+    fn cofactors(&mut self, goal: Expr, inputs: &[Input]) -> Vec<Expr> {
+        let mut out = Vec::new();
+        for &(_, top, _) in inputs.iter().take(MOST_INPUTS) {
+            let graph = &mut self.search.reader.graph;
+            let mut work = MOST_EXPANDED / MOST_INPUTS;
+            let Some(ring) = Ring::of(graph, &[top, goal]) else { continue };
+            let polynomials = ring.read(graph, top, &mut work).zip(ring.read(graph, goal, &mut work));
+            let quotient = polynomials.and_then(|(p, goal)| ring.quotient(p, &goal, &mut work));
+            let Some(terms) = quotient.filter(|q| q.keys().any(|m| ring.degree(m) > 0)) else { continue };
+            let factor = ring.write(graph, &terms.into_iter().collect::<Vec<_>>());
+            let known = self.of_known_sign();
+            if self.signed(factor, Sense::NotEqual, &known).is_some() {
+                out.push(factor);
+            }
+        }
+        out.truncate(MOST_FACTORS);
         out
     }
 

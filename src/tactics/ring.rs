@@ -151,6 +151,24 @@ impl Ring {
         (out.len() <= MOST_TERMS).then_some(out)
     }
 
+    /// p/d, where d divides p; nothing where it does not, or that is too large.
+    pub(crate) fn quotient(&self, mut p: Polynomial, d: &Polynomial, work: &mut usize) -> Option<Polynomial> {
+        let (lead, over) = d.last_key_value()?;
+        let mut out = Polynomial::new();
+        while let Some((m, r)) = p.last_key_value().map(|(m, r)| (*m, r.clone())) {
+            *work = work.checked_sub(d.len())?;
+            if !divides(lead, &m) {
+                return None;
+            }
+            let (factor, r) = (ratio(&m, lead), r / over);
+            for (n, s) in d {
+                add(&mut p, self.product(n, &factor)?, -(s * &r));
+            }
+            out.insert(factor, r);
+        }
+        Some(out)
+    }
+
     /// An expression as a polynomial; nothing where it is none in these indeterminates, or too large.
     pub(crate) fn read(&self, graph: &Graph, e: Expr, work: &mut usize) -> Option<Polynomial> {
         let mut image: BTreeMap<Expr, Polynomial> = BTreeMap::new();
