@@ -28,6 +28,7 @@ mod complex;
 mod constants;
 mod contributing;
 mod corpus;
+mod corrections;
 mod counted;
 mod decimals;
 mod derivation_docs;

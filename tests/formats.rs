@@ -228,6 +228,7 @@ fn junit_has_every_pair_and_unknown_is_no_pass() {
     let case = root.children[0].all("testcase").find(|c| c.attribute("classname") == "decay.wrong").expect("there");
     let failure = case.all("failure").next().expect("it fails");
     assert!(failure.text.contains(r"\frac{\dot x}{1}=x"), "{}", failure.text);
+    assert!(failure.text.contains("Holds instead: "), "{}", failure.text);
     assert!(!text.contains("timestamp") && !text.contains(" time="), "no clock");
 }
 

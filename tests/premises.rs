@@ -324,3 +324,50 @@ fn a_claim_that_is_tried_on_nothing_has_the_verdict_of_its_step() {
     assert_eq!(unexpected(&[claim("law", "h=gT^2", "trajectories = []")]), 1);
     assert_eq!(unexpected(&[claim("law", "h=gT^2", "trajectories = []\nexpect = 'holds'")]), 1);
 }
+
+#[test]
+fn of_motions_of_several_systems_the_line_to_add_is_named() {
+    let text = r"
+[derivation]
+title = 'Thrown, and at rest'
+concerns = 'Any textbook'
+[symbols]
+'t' = { role = 'time' }
+'g' = { role = 'parameter', positive = true }
+'z' = { role = 'state' }
+'w' = { role = 'state' }
+[system.fall]
+states = ['z', 'w']
+equations = ['\dot z=w, \quad \dot w=-g']
+[system.rest]
+states = ['z', 'w']
+equations = ['\dot z=0, \quad \dot w=0']
+[[trajectory]]
+id = 'up'
+system = 'fall'
+parameters = { 'g' = 9.81 }
+initial = { 'z' = 0.7, 'w' = 5.3 }
+span = [0, 1]
+[[trajectory]]
+id = 'still'
+system = 'rest'
+parameters = { 'g' = 9.81 }
+initial = { 'z' = 0, 'w' = 0 }
+span = [0, 1]
+[[claim]]
+id = 'law'
+says = 'The law'
+always = ['\dot z=w']
+";
+    let decided = |more: &str| {
+        let source = Source { path: "two.toml".into(), text: format!("{text}{more}") };
+        let derivation = parse(source, "two").unwrap_or_else(|found| panic!("{}", render(&found, false)));
+        let account = check(&derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+        account.claims[0].identity.as_ref().expect("it was asked").decided().to_string()
+    };
+    let said = decided("");
+    for part in ["`fall` and `rest`", "follows-from = [\"fall\"]", "trajectories = […]"] {
+        assert!(said.contains(part), "{said}");
+    }
+    assert!(decided("follows-from = ['fall']\n").starts_with("An identity"));
+}

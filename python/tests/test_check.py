@@ -151,6 +151,18 @@ def test_problems_have_places() -> None:
     assert copy.problems == e.value.problems
 
 
+def test_what_holds_instead_is_offered(spring: str) -> None:
+    text = spring.replace("['v=0']\nexpect = { fails = 'all' }", "['\\dot v=-2\\omega^2x']")
+    claim = rederive.check(text=text, claims="rest/at-once")["rest/at-once"]
+    first = claim.corrections[0]
+    assert (first.formula, first.edits, first.holds_on) == (r"\dot v=-\omega^2x", ("factor",), 2)
+    assert first.strength is rederive.Strength.PROVED and r"holds instead: \dot v=-\omega^2x, proved" in str(first)
+    with pytest.raises(TypeError, match="neither true nor false"):
+        bool(first)
+    assert rederive.check(text=text, only_verdicts=True)["rest/at-once"].corrections == ()
+    assert rederive.check(text=text)["energy"].corrections == ()
+
+
 def test_a_session_takes_another_state(spring: str) -> None:
     session = rederive.Session(text=spring)
     assert ("rest/begin", "pushed") in session.pairs and len(session.pairs) == 6

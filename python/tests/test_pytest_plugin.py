@@ -23,6 +23,13 @@ def test_a_test_for_each_claim_and_motion(project: pytest.Pytester) -> None:
     assert "Traceback" not in out
 
 
+def test_what_holds_instead_is_told(pytester: pytest.Pytester, spring: str) -> None:
+    pytester.makefile(".derivation.toml", spring=spring.replace("['v=0']\nexpect = { fails = 'all' }", "['\\dot v=-2\\omega^2x']"))
+    result = pytester.runpytest_subprocess("-p", "no:cacheprovider", "-k", "at-once and pulled")
+    result.assert_outcomes(failed=1, deselected=5)
+    assert r"holds instead: \dot v=-\omega^2x, proved, holds on 2 trajectories (factor)" in result.stdout.str()
+
+
 def test_tests_are_selected_by_name(project: pytest.Pytester) -> None:
     result = project.runpytest_subprocess("-v", "-k", "energy and pulled")
     result.assert_outcomes(passed=2, deselected=10)

@@ -174,6 +174,8 @@ pub struct Erratum {
     pub tried: (usize, usize, usize),
     /// Why nothing was found, or not everything was tried.
     pub remark: Option<String>,
+    /// Of a quantity that is not constant, its rate by one term, as an equation: proved from what the claim follows from.
+    pub rate: Option<String>,
 }
 
 /// The variants of a claim.

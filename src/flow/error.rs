@@ -125,7 +125,7 @@ pub enum FlowError {
         leaf: String,
     },
     /// The rate of a state has no value at the initial time: a moment of inertia that is 0, for instance.
-    #[error("the rate of {state} has no value at t = {time}: {reason}")]
+    #[error("the rate of {state} has no value at t = {}: {reason}", number::six(*time))]
     Singular {
         /// The state, as a formula writes it.
         state: String,
@@ -186,13 +186,13 @@ impl FlowError {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Problem {
     /// The step size shrank below what binary64 can resolve: a singularity is near.
-    #[error("the step size collapses at t = {time}, where a singularity of the motion is near")]
+    #[error("the step size collapses at t = {}, where a singularity of the motion is near", number::six(*time))]
     StepCollapsed {
         /// The time that was reached.
         time: f64,
     },
     /// More steps than the limit.
-    #[error("t = {time} is reached after {steps} steps, which is the limit")]
+    #[error("t = {} is reached after {steps} steps, which is the limit", number::six(*time))]
     TooManySteps {
         /// The time that was reached.
         time: f64,
@@ -200,7 +200,7 @@ pub enum Problem {
         steps: usize,
     },
     /// A rate without a value.
-    #[error("the rate of {state} has no value after t = {time}: {reason}")]
+    #[error("the rate of {state} has no value after t = {}: {reason}", number::six(*time))]
     NoRate {
         /// The state, as a formula writes it.
         state: String,
@@ -211,15 +211,15 @@ pub enum Problem {
     },
     /// A right side that jumps or has an infinite slope there.
     #[error(
-        "the motion is not determined after t = {time}: a right side jumps there, or its slope by a state is infinite, so \
-         that several motions may go on, or none"
+        "the motion is not determined after t = {}: a right side jumps there, or its slope by a state is infinite, so \
+         that several motions may go on, or none", number::six(*time)
     )]
     Undetermined {
         /// The time up to which it is.
         time: f64,
     },
     /// The independent integration, from which the error is estimated, ends earlier.
-    #[error("the error is not known after t = {time}")]
+    #[error("the error is not known after t = {}", number::six(*time))]
     ErrorUnknown {
         /// The time up to which it is known.
         time: f64,

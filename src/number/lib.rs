@@ -30,6 +30,7 @@ mod real;
 mod register;
 mod scalar;
 mod series;
+mod shown;
 mod slope;
 mod wide;
 mod wide_lanes;
@@ -49,6 +50,7 @@ pub use lanes::{DualLanes, Lanes, Work, widely};
 pub use operation::{Instruction, Number, Op, Uniform};
 pub use random::Draws;
 pub use scalar::Scalar;
+pub use shown::six;
 
 /// Why an operation has no value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]

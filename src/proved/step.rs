@@ -266,6 +266,17 @@ impl<'a> Step<'a> {
         claim.follows_from.is_empty() && !matches!(systems.as_slice(), [] | [Some(_)])
     }
 
+    /// Why a point refutes nothing: what is missing among what is given.
+    fn not_given(&self) -> reason::Reason {
+        let (derivation, claim) = (self.derivation, self.claim);
+        let systems = derivation.systems_of_motions(claim).into_iter().flatten();
+        let systems: Vec<std::sync::Arc<str>> = systems.map(|at| derivation.systems[at].id.as_str().into()).collect();
+        if Step::lacks_systems(derivation, claim) && systems.len() > 1 {
+            return reason::Proving::SeveralSystems(systems).into();
+        }
+        reason::Plain::RefutedWithoutAll.into()
+    }
+
     /// The same step; with `plain` it is not asked which assumptions a proof needs.
     pub fn with(self, plain: bool) -> Step<'a> {
         Step { plain, ..self }

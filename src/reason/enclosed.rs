@@ -2,7 +2,7 @@
 
 use super::shape::after;
 use super::{Instant, Place, Proving, Reason};
-use number::NoValue;
+use number::{NoValue, six};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use thiserror::Error;
@@ -32,15 +32,15 @@ pub enum Enclosing {
     AlsoCertified(Arc<Reason>),
     #[error("an assumption is not met: {0}")]
     Unmet(Arc<Reason>),
-    #[error("at t = {0} the limit is another one")]
+    #[error("at t = {} the limit is another one", six(*.0))]
     AnotherLimit(f64),
-    #[error("at t = {0} the limits of the sides are at most {1:.1e} apart")]
+    #[error("at t = {t} the limits of the sides are at most {1:.1e} apart", t = six(*.0))]
     LimitsAgree(f64, f64),
-    #[error("certain of the limit at t = {0}")]
+    #[error("certain of the limit at t = {}", six(*.0))]
     LimitCertain(f64),
     #[error("by the laws of limits at {0}{gap}", gap = after(": the limits of the sides are at most ", &.1.map(|gap| format!("{gap:.1e} apart"))))]
     LawsOfLimits(Instant, Option<f64>),
-    #[error("no time near t = {0} counts")]
+    #[error("no time near t = {} counts", six(*.0))]
     NoTimeNear(f64),
     /// What the enclosure does not settle, beside what was known before.
     #[error("{}not enclosed: {why}", .before.as_ref().map_or_else(String::new, |before| format!("{before}; ")))]
@@ -63,33 +63,33 @@ pub enum Enclosing {
     ValueUnknown(NoValue),
     #[error("its values are known only to within {0:.1e}")]
     KnownWithin(f64),
-    #[error("near t = {0:.6} the sides differ")]
+    #[error("near t = {} the sides differ", six(*.0))]
     DifferNear(f64),
     #[error("at {0} the {1} differ by something in [{2:.2e}, {3:.2e}]")]
     DifferBy(Instant, Compared, f64, f64),
-    #[error("that the assumptions hold near t = {0} is not certain")]
+    #[error("that the assumptions hold near t = {} is not certain", six(*.0))]
     AssumedNear(f64),
-    #[error("whether the assumptions hold at t = {0} is not certain")]
+    #[error("whether the assumptions hold at t = {} is not certain", six(*.0))]
     AssumedAt(f64),
-    #[error("near t = {0} the quantity is {1}")]
+    #[error("near t = {t} the quantity is {1}", t = six(*.0))]
     NoLimit(f64, NoValue),
     #[error("after some time the quantity is {0}")]
     NoTail(NoValue),
     #[error("whether there is a limit at {0} is not seen from the formula")]
     LimitUnknown(Instant),
-    #[error("at t = {0} the enclosures of the two motions overlap")]
+    #[error("at t = {} the enclosures of the two motions overlap", six(*.0))]
     MotionsOverlap(f64),
-    #[error("at t = {0} the enclosure does not exclude it{why}", why = after(": ", .1))]
+    #[error("at t = {} the enclosure does not exclude it{why}", six(*.0), why = after(": ", .1))]
     NotExcluded(f64, Option<Arc<Reason>>),
-    #[error("at the event at t = {0} the enclosure does not exclude it")]
+    #[error("at the event at t = {} the enclosure does not exclude it", six(*.0))]
     NotExcludedAtEvent(f64),
     #[error("whether there is an event at an end of [{0:.6}, {1:.6}] cannot be told")]
     EventAtEnd(f64, f64),
-    #[error("which way the event at t = {0:.6} is passed is not certain")]
+    #[error("which way the event at t = {} is passed is not certain", six(*.0))]
     DirectionOpen(f64),
-    #[error("whether the event at t = {0:.6} counts is not certain")]
+    #[error("whether the event at t = {} counts is not certain", six(*.0))]
     EventCounts(f64),
-    #[error("the work limit of {operations} operations was reached at t = {at:.6}")]
+    #[error("the work limit of {operations} operations was reached at t = {}", six(*.at))]
     WorkLimit { operations: usize, at: f64 },
     #[error("the sampled motion is withdrawn: {0}")]
     Withdrawn(Arc<Reason>),
@@ -115,19 +115,19 @@ pub enum Compared {
 /// How something is false for certain.
 #[derive(Clone, Copy, Debug, PartialEq, Error, Serialize, Deserialize)]
 pub enum Refutation {
-    #[error(" at t = {0}")]
+    #[error(" at t = {}", six(*.0))]
     At(f64),
-    #[error(" at t = {0}: no value exists there")]
+    #[error(" at t = {}: no value exists there", six(*.0))]
     NoValue(f64),
-    #[error(", the enclosures of the two {} lie apart: at t = {t}", if *.motions { "motions" } else { "sides" })]
+    #[error(", the enclosures of the two {} lie apart: at t = {}", if *.motions { "motions" } else { "sides" }, six(*.t))]
     Apart { motions: bool, t: f64 },
-    #[error(", at the event at t = {0}")]
+    #[error(", at the event at t = {}", six(*.0))]
     AtEvent(f64),
-    #[error(": it takes different values at t = {0} and t = {1}")]
+    #[error(": it takes different values at t = {} and t = {}", six(*.0), six(*.1))]
     TwoValues(f64, f64),
-    #[error(" in exact arithmetic: at t = {t} only {rank} of the {of} functions are independent")]
+    #[error(" in exact arithmetic: at t = {} only {rank} of the {of} functions are independent", six(*.t))]
     Dependent { t: f64, rank: usize, of: usize },
-    #[error(" by the laws of limits: at {0} the sides differ by {1:.6e}")]
+    #[error(" by the laws of limits: at {0} the sides differ by {t}", t = six(*.1))]
     LimitsDiffer(Instant, f64),
     #[error(" by the laws of limits: at {at} the difference goes to {}∞, beyond all bounds", if *.up { "" } else { "−" })]
     Unbounded { at: Instant, up: bool },

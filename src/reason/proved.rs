@@ -1,5 +1,6 @@
 //! What a proof shows, on a motion and for all values, and why there is none. Formulas are as they are shown.
 
+use number::six;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -8,25 +9,40 @@ use thiserror::Error;
 /// What is proved of a claim, and why it is not.
 #[derive(Clone, Debug, PartialEq, Error, Serialize, Deserialize)]
 pub enum Proving {
-    #[error("whether there is a value near t = {0} is open: a rate may have none")]
+    #[error("whether there is a value near t = {} is open: a rate may have none", six(*.0))]
     RateOpen(f64),
     #[error("by the initial values, at t = {0} exactly")]
     ByStart(f64),
     #[error("with the formulas of the motion put in, it divides by 0 at t = {0} exactly")]
     DividesByZero(f64),
     /// Both sides, which differ by less than numbers of binary64 show where that is said.
-    #[error("with the formulas of the motion put in it is an {} in time alone, whose sides differ for certain at t = {t}{}", if *.equation { "equation" } else { "inequality" }, if *.unseen { ", by less than binary64 shows" } else { "" })]
+    #[error("with the formulas of the motion put in it is an {} in time alone, whose sides differ for certain at t = {}{}", if *.equation { "equation" } else { "inequality" }, six(*.t), if *.unseen { ", by less than binary64 shows" } else { "" })]
     Differ { equation: bool, t: f64, unseen: bool },
     #[error("what is given holds at most where {formula} = 0,{} which was not decided", if *.base { " the base of a power," } else { "" })]
     OnlyWhere { formula: Arc<str>, base: bool },
     #[error("{0} and {1} contradict each other: nothing satisfies both, and nothing follows from them")]
     Contradict(Arc<str>, Arc<str>),
+    /// Of a claim that follows from nothing: the systems of its motions.
+    #[error(
+        "its motions are of several systems, {}, and none of these is given: `follows-from = [\"{}\"]` gives one, and `trajectories = \
+         […]` may name the motions of one alone", listed(.0), .0.first().map_or("…", |system| system)
+    )]
+    SeveralSystems(Vec<Arc<str>>),
     #[error("a premise could not be solved for any of its unknowns: {0} = 0")]
     Unsolved(Arc<str>),
     #[error(
         "both sides agree at one time and have the same rates, but `{0}` may leap to another of its values between"
     )]
     MayLeap(Arc<str>),
+}
+
+/// Names, as a sentence counts them.
+fn listed(names: &[Arc<str>]) -> String {
+    let named: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    match named.as_slice() {
+        [others @ .., last] if !others.is_empty() => format!("{} and {last}", others.join(", ")),
+        all => all.concat(),
+    }
 }
 
 /// What a proof needs, or leaves out. Formulas are as they are shown.
@@ -93,7 +109,7 @@ pub enum Refuting {
     /// Where one sign should serve for a whole motion: where the upper one does not, and where the lower one does not.
     #[error("upper sign: {upper}; lower sign: {lower}")]
     Signs { upper: Point, lower: Point },
-    #[error("left {left}, right {right} on the trajectory {trajectory} at t = {t}")]
+    #[error("left {}, right {} on the trajectory {trajectory} at t = {}", six(*.left), six(*.right), six(*.t))]
     OnMotion { left: f64, right: f64, trajectory: Arc<str>, t: f64 },
     #[error("it does not hold for {}", joined(.0, false))]
     Sizes(Vec<Coordinate>),

@@ -1,18 +1,18 @@
 //! What many reasons have in common: where, by how much.
 
-use number::NoValue;
+use number::{NoValue, six};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// A number with as many digits as a reader wants.
+/// A number with as many digits as a reader compares.
 pub fn short(x: &f64) -> String {
-    if *x == 0.0 || (1e-3..1e5).contains(&x.abs()) { format!("{x:.6}") } else { format!("{x:.4e}") }
+    six(*x)
 }
 
 /// A time, or the direction in which it goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Error, Serialize, Deserialize)]
 pub enum Instant {
-    #[error("t = {0}")]
+    #[error("t = {}", six(*.0))]
     Time(f64),
     #[error("∞")]
     Infinity,
@@ -24,13 +24,13 @@ pub enum Instant {
 #[derive(Clone, Copy, Debug, PartialEq, Error, Serialize, Deserialize)]
 pub enum Place {
     /// A stretch that is not halved any more.
-    #[error(", on [{0:.6}, {1:.6}]")]
+    #[error(", on [{}, {}]", six(*.0), six(*.1))]
     Stretch(f64, f64),
     /// A time that no shorter stretch could help.
-    #[error(", at t = {0:.6}, where the enclosure is too wide")]
+    #[error(", at t = {}, where the enclosure is too wide", six(*.0))]
     Time(f64),
     /// An event, which lies between two times.
-    #[error(", at the event at t = {middle:.6}")]
+    #[error(", at the event at t = {}", six(*.middle))]
     Event { middle: f64, from: f64, to: f64 },
 }
 

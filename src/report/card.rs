@@ -249,6 +249,10 @@ fn right<'a>(
         out.push(quiet(format!(", {}", standing(c).replace("**", ""))));
         return Some(out);
     }
+    if let Some(rate) = rate(failing) {
+        let scope = declared(derivation, failing).map_or(&derivation.scope, |d| &d.scope);
+        return Some(vec![quiet("its rate: "), StorySpan::Math(rate.to_owned(), scope), quiet(", proved")]);
+    }
     let order = [ClaimRole::Added, ClaimRole::MayMean, ClaimRole::Says];
     let holds = |role: ClaimRole| {
         whole.readings.iter().find(move |r| {
@@ -280,10 +284,22 @@ pub(super) fn correction(claim: &ClaimAccount) -> Option<&Correction> {
 }
 
 /// The nearest right formula of a claim that fails, in a sentence; `None` where none was found.
-pub(super) fn correction_says(claim: &ClaimAccount) -> Option<String> {
+fn correction_says(claim: &ClaimAccount) -> Option<String> {
     let c = correction(claim)?;
     let formula = c.formula.split_whitespace().collect::<Vec<_>>().join(" ");
     Some(format!("Holds instead: {formula}, {}.", standing(c).replace("**", "")))
+}
+
+/// The rate of a quantity that is said to be constant and is not, as an equation that is proved; `None` where none was found.
+pub(super) fn rate(claim: &ClaimAccount) -> Option<&str> {
+    claim.variants.as_ref()?.erratum.as_ref()?.rate.as_deref()
+}
+
+/// What holds instead of a claim that fails, and how fast a quantity changes that is said not to, in sentences.
+pub(super) fn instead(claim: &ClaimAccount) -> Option<String> {
+    let rate = rate(claim).map(|rate| format!("Its rate: {rate}, proved."));
+    let says: Vec<String> = correction_says(claim).into_iter().chain(rate).collect();
+    (!says.is_empty()).then(|| says.join(" "))
 }
 
 /// The reading that a card is about: that which fails, else that which shows the contrary, else the first.

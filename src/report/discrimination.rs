@@ -73,9 +73,11 @@ pub(super) fn corrections_markdown(erratum: &Erratum) -> String {
         return String::new();
     }
     let tried = format!("{single} single edits, {completions} completions and {pairs} pairs of edits were tried");
+    let rate =
+        erratum.rate.as_ref().map_or_else(String::new, |rate| format!("**Its rate**, proved: {}.\n\n", math(rate)));
     if erratum.corrections.is_empty() {
         let remark = erratum.remark.as_deref().unwrap_or("no correction was found");
-        return format!("**No correction:** {}. ({tried}.)\n\n", prose(remark));
+        return format!("**No correction:** {}. ({tried}.)\n\n{rate}", prose(remark));
     }
     let mut out = format!(
         "**Altered formulas that hold instead**, the closest to the print first; which one was meant is for the reader to \
@@ -86,6 +88,7 @@ pub(super) fn corrections_markdown(erratum: &Erratum) -> String {
         out.push_str(&format!("  \n  `{}`\n", c.difference.replace('`', "'")));
     }
     out.push('\n');
+    out.push_str(&rate);
     out
 }
 

@@ -85,7 +85,7 @@ fn about_claim(derivation: &Derivation, claim: &ClaimAccount, graph: &Derivation
         }
         out.push_str(&list("Refuting point", &identity.witness.iter().map(ToString::to_string).collect::<Vec<_>>()));
     }
-    if let Some(text) = super::card::correction_says(claim) {
+    if let Some(text) = super::card::instead(claim) {
         out.push_str(&format!("\n{}", paragraph(&text, 2)));
     }
     out.push('\n');

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use sha2::{Digest, Sha256};
 
-use super::numbers::{count, size, time, value};
+use super::numbers::{both, count, size, time};
 use super::tally::{Group, declared, groups, name, says};
 use crate::derivation::{Derivation, Form};
 use crate::diag::{Diagnostic, Source};
@@ -204,7 +204,7 @@ fn verdict(derivation: &Derivation, claim: &ClaimAccount, group: &Group<'_>) -> 
         message.push(' ');
         message.push_str(&told);
     }
-    if let Some(text) = super::card::correction_says(claim).filter(|_| group.word == "fails") {
+    if let Some(text) = super::card::instead(claim).filter(|_| group.word == "fails") {
         message.push(' ');
         message.push_str(&text);
     }
@@ -350,12 +350,11 @@ pub(super) fn told(pair: &PairAccount) -> Option<String> {
     let evidence = pair.verdict.evidence();
     if let Some(w) = &evidence.witness {
         let formula = w.formula.split_whitespace().collect::<Vec<_>>().join(" ");
+        let (left, right) = both(w.left, w.right);
         return Some(format!(
-            "On {} at t = {}: {formula} has the left side {}, the right side {}, error bound {}.",
+            "On {} at t = {}: {formula} has the left side {left}, the right side {right}, error bound {}.",
             pair.trajectory,
             time(w.t),
-            value(w.left),
-            value(w.right),
             size(w.bound),
         ));
     }

@@ -107,8 +107,10 @@ fn case_with(
     };
     status.set_message(format!("{} ({is_expected} expected)", phrase(word)));
     status.set_type(word);
-    if let Some(told) = told {
-        status.set_description(told);
+    let corrected = super::card::instead(claim).filter(|_| unexpected && word == "fails");
+    let told: Vec<String> = told.into_iter().chain(corrected).collect();
+    if !told.is_empty() {
+        status.set_description(told.join(" "));
     }
     let mut case = TestCase::new(on, status);
     case.set_classname(format!("{}.{}", derivation.id, name(claim)));

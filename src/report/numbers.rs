@@ -14,7 +14,7 @@ pub(super) fn value(x: f64) -> String {
 
 /// A value with six digits: as many as a reader compares.
 pub(super) fn six(x: f64) -> String {
-    value(format!("{x:.5e}").parse().unwrap_or(x))
+    reason::short(&x)
 }
 
 /// Both sides of a relation with six digits each; with all of them, where six do not tell them apart.
@@ -32,10 +32,9 @@ pub(super) fn size(x: f64) -> String {
     }
 }
 
-/// A time: as a value, with at most ten digits.
+/// A time.
 pub(super) fn time(x: f64) -> String {
-    let rounded = format!("{x:.9e}").parse().unwrap_or(x);
-    value(rounded)
+    six(x)
 }
 
 /// `1 claim`, `2 claims`.

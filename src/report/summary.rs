@@ -252,7 +252,7 @@ fn block(derivation: &Derivation, claim: &ClaimAccount, group: &Group<'_>, paint
     let place = claim.place.as_ref().map(|p| format!(" ({p})")).unwrap_or_default();
     out.push_str(&paragraph(&format!("{}{place}", says(derivation, claim)), 4));
     out.push_str(&telling_point(telling, 4));
-    if let Some(text) = super::card::correction_says(claim).filter(|_| group.word == "fails") {
+    if let Some(text) = super::card::instead(claim).filter(|_| group.word == "fails") {
         out.push_str(&paragraph(&text, 4));
     }
     let others: Vec<&str> =

@@ -27,13 +27,14 @@ from .errors import (
 from .notebook import load_ipython_extension
 from .paper import Lint, Relation, lint
 from .proof import Counterexample, Proof, Proofs
-from .report import Claim, Curve, Exclusion, Members, Report, Residual, Result, Summary, Witness
+from .report import Claim, Correction, Curve, Exclusion, Members, Report, Residual, Result, Summary, Witness
 from .session import Session, check, prove
 from .verdict import Decision, Strength, Verdict
 
 __all__ = [
     "Cancelled",
     "Claim",
+    "Correction",
     "Counterexample",
     "Curve",
     "DeadlineReached",

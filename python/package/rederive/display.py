@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Callable, Iterable, Optional
 if TYPE_CHECKING:
     from .paper import Lint, Relation
     from .proof import Proof
-    from .report import Report, Result, Rows, Side, Witness
+    from .report import Correction, Report, Result, Rows, Side, Witness
 
 SHOWN = 12
 """The most curves, and the most columns of a matrix."""
@@ -62,6 +62,12 @@ def witness_text(witness: Witness) -> str:
     if witness.values:
         lines.append("  at " + "; ".join(f"{name} = {value:.12g}" for name, value in witness.values.items()))
     return "\n".join(lines)
+
+
+def correction_text(correction: Correction) -> str:
+    """What holds instead of a formula, how it is known, and what was edited."""
+    on = f", holds on {correction.holds_on} {'trajectory' if correction.holds_on == 1 else 'trajectories'}" if correction.holds_on else ""
+    return f"holds instead: {correction.formula}, {correction.strength}{on} ({', '.join(correction.edits)})"
 
 
 def result_text(result: Result) -> str:

@@ -12,9 +12,9 @@ from typing import Any, Iterator, Optional, Union
 
 import pytest
 
-from .display import result_text
+from .display import correction_text, result_text
 from .errors import Error
-from .report import Report, Result
+from .report import Correction, Report, Result
 from .session import Session
 from .verdict import Verdict
 
@@ -40,6 +40,7 @@ class DerivationFile(pytest.File):
 
     _session: Optional[Session] = None
     _reports: dict[Optional[str], Union[Report, Error]]
+    _corrections: dict[str, tuple[Correction, ...]]
 
     def collect(self) -> Iterator[Pair]:
         try:
@@ -47,6 +48,7 @@ class DerivationFile(pytest.File):
         except (Error, UnicodeDecodeError, ValueError) as e:
             raise self.CollectError(str(e)) from None
         self._reports = {}
+        self._corrections = {}
         for claim, trajectory in self._session.pairs:
             yield Pair.of(self, claim, trajectory)
 
@@ -67,6 +69,17 @@ class DerivationFile(pytest.File):
         if isinstance(report, Error):
             raise report
         return report[claim, trajectory]
+
+    def corrections(self, claim: str) -> tuple[Correction, ...]:
+        """What holds instead of a claim that fails: it is looked for when a test of it has failed, once."""
+        assert self._session is not None
+        if claim not in self._corrections:
+            rigor: Any = self.config.getini("rederive_rigor")
+            try:
+                self._corrections[claim] = self._session.check([claim], rigor=rigor, progress=False)[claim].corrections
+            except Error:
+                self._corrections[claim] = ()
+        return self._corrections[claim]
 
 
 class Unexpected(Exception):
@@ -90,7 +103,8 @@ class Pair(pytest.Item):
     def runtest(self) -> None:
         result = self.parent.found(self.claim, self.trajectory)
         if result.unexpected:
-            raise Unexpected(result_text(result))
+            corrections = self.parent.corrections(self.claim) if result.verdict is Verdict.FAILS else ()
+            raise Unexpected("\n".join([result_text(result), *(f"  {correction_text(one)}" for one in corrections[:1])]))
         if result.verdict is Verdict.UNDECIDED and result.expected is None:
             pytest.skip(f"undecided: {result.reason}")
 

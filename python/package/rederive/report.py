@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import pandas
     from matplotlib.axes import Axes
 
-__all__ = ["Claim", "Curve", "Exclusion", "Members", "Report", "Residual", "Result", "Summary", "Witness"]
+__all__ = ["Claim", "Correction", "Curve", "Exclusion", "Members", "Report", "Residual", "Result", "Summary", "Witness"]
 
 Side = Union[float, tuple[float, float], None]
 
@@ -112,6 +112,26 @@ class Result:
 
 
 @dataclass(frozen=True)
+class Correction:
+    """A formula that holds where the printed one fails."""
+
+    printed: str
+    formula: str
+    edits: tuple[str, ...]
+    """What was edited: ``sign``, ``factor``, ``missing``, ..."""
+    strength: Strength
+    """How it is known: the weakest strength with which it holds on a motion; *proved* where it follows for all values."""
+    holds_on: int
+    """On how many motions it holds: on all to which the claim applies; 0 where it holds over ranges."""
+
+    def __bool__(self) -> NoReturn:
+        raise TypeError("a Correction is neither true nor false: look at its `strength`")
+
+    def __str__(self) -> str:
+        return display.correction_text(self)
+
+
+@dataclass(frozen=True)
 class Claim:
     """A claim with all that was found of it."""
 
@@ -123,6 +143,8 @@ class Claim:
     decision: Optional[Decision]
     """Whether it holds for all values, where that was asked."""
     results: tuple[Result, ...]
+    corrections: tuple[Correction, ...] = ()
+    """Where it fails: what holds instead, the closest to the print first. None are looked for by ``only_verdicts``."""
 
     @property
     def name(self) -> str:
@@ -346,6 +368,22 @@ def _claim(data: dict[str, Any]) -> Claim:
         assumptions=tuple(data["assumptions"]),
         decision=None if data["identity"] is None else Decision.of(data["identity"]["standing"]),
         results=tuple(results),
+        corrections=_corrections(data["variants"]),
+    )
+
+
+def _corrections(variants: Optional[dict[str, Any]]) -> tuple[Correction, ...]:
+    erratum = None if variants is None else variants["erratum"]
+    return () if erratum is None else tuple(_correction(one) for one in erratum["corrections"])
+
+
+def _correction(data: dict[str, Any]) -> Correction:
+    return Correction(
+        printed=data["printed"],
+        formula=data["formula"],
+        edits=tuple(data["classes"]),
+        strength=Strength(data["strength"]),
+        holds_on=data["holds_on"],
     )
 
 

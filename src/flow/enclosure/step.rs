@@ -82,7 +82,7 @@ pub(super) struct Field {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Stop {
     /// The set of states has become so wide that nothing is left to be said.
-    #[error("the enclosure is {width:.1e} wide at t = {time}")]
+    #[error("the enclosure is {width:.1e} wide at t = {}", number::six(*time))]
     TooWide {
         /// The time that was reached.
         time: f64,
@@ -90,7 +90,7 @@ pub enum Stop {
         width: f64,
     },
     /// No step could be validated, however short: a singularity is near, or the set is too wide.
-    #[error("no step could be validated at t = {time}, where the enclosure is {width:.1e} wide: {reason}")]
+    #[error("no step could be validated at t = {}, where the enclosure is {width:.1e} wide: {reason}", number::six(*time))]
     NoStep {
         /// The time that was reached.
         time: f64,
@@ -101,8 +101,8 @@ pub enum Stop {
     },
     /// More steps than the limit, or as it seems twice as many as that.
     #[error(
-        "t = {time} is reached after {steps} validated steps, and the limit of {MAX_STEPS} is too few for the span; the \
-         enclosure is {width:.1e} wide there"
+        "t = {} is reached after {steps} validated steps, and the limit of {MAX_STEPS} is too few for the span; the \
+         enclosure is {width:.1e} wide there", number::six(*time)
     )]
     TooManySteps {
         /// The time that was reached.

@@ -173,7 +173,7 @@ impl Step<'_> {
                 out.witness = Some(Refuting::Point { first, second });
             }
             Identity::Refuted(_) => {
-                out.reason = Some(Plain::RefutedWithoutAll.into());
+                out.reason = Some(self.not_given());
             }
             Identity::Undecided(open) => {
                 out.reason = Some(match open {

@@ -94,6 +94,8 @@ objects! {
         tried: Tried = Tried::of(of.tried),
         /// Why there is none, or not all were tried.
         remark: Option<&'a str> = of.remark.as_deref(),
+        /// Of a quantity that is said to be constant and is not: an equation that says its rate by one term, which is proved.
+        rate: Option<&'a str> = of.rate.as_deref(),
     }
 
     /// A formula that holds where the printed one does not.

@@ -177,8 +177,20 @@ fn monomials(values: &[Vec<f64>], line: &Line) -> Vec<Found> {
     out
 }
 
+/// The monomials that have the wanted values at the points, the simplest first: coefficient, and atoms with their powers.
+pub(super) fn fits(values: &[Vec<f64>], wanted: &[f64]) -> Vec<(Rational, Vec<(usize, i32)>)> {
+    let at = wanted.iter().map(|w| -w).collect();
+    let line = Line { at, slope: vec![1.0; wanted.len()], before: vec![None; wanted.len()], constant: false };
+    monomials(values, &line).into_iter().map(|found| (found.coefficient, found.powers)).collect()
+}
+
 /// The scalar atoms that have a value at every point.
-fn valued_atoms(graph: &mut Graph, setting: &Setting, all: &[Node], points: &Points) -> (Vec<Node>, Vec<Vec<f64>>) {
+pub(super) fn valued_atoms(
+    graph: &mut Graph,
+    setting: &Setting,
+    all: &[Node],
+    points: &Points,
+) -> (Vec<Node>, Vec<Vec<f64>>) {
     let mut nodes = Vec::new();
     let mut roots: Vec<Expr> = Vec::new();
     for atom in all {

@@ -12,7 +12,7 @@ use super::battery::{Battery, Outputs};
 use super::generate::{ClaimVariants, Manner, Part, Variant};
 use super::point::{self, Ground, Point, assumes_equations};
 use crate::derivation::{Claim, Derivation};
-use crate::expr::{FastSet, Graph};
+use crate::expr::{FastMap, Graph};
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
 
@@ -30,8 +30,8 @@ pub(super) enum Sight {
     Empty,
     /// Another formula of the claim says it.
     Said,
-    /// The same equation as an earlier variant.
-    Repeated,
+    /// The same equation as an earlier variant, which is at this position.
+    Repeated(usize),
 }
 
 /// Whether v = c·r with one constant c ≠ 0 at all points; c > 0 where the direction matters.
@@ -64,11 +64,14 @@ impl ClaimVariants {
     /// Removes the variants that are no variants, and counts them.
     pub fn reduce(&mut self, derivation: &Derivation, claim: &Claim, graph: &mut Graph) {
         let sights = self.sights(derivation, claim, graph, true);
-        let mut kept = Vec::new();
-        for (variant, sight) in std::mem::take(&mut self.variants).into_iter().zip(sights) {
+        let mut kept: Vec<Variant> = Vec::new();
+        // Where each is among those that are kept.
+        let mut places = vec![None; sights.len()];
+        for (v, (variant, sight)) in std::mem::take(&mut self.variants).into_iter().zip(sights).enumerate() {
             let count = self.count(variant.class);
             match sight {
                 Sight::New => {
+                    places[v] = Some(kept.len());
                     kept.push(variant);
                     continue;
                 }
@@ -80,7 +83,13 @@ impl ClaimVariants {
                     self.empty.push(variant);
                     continue;
                 }
-                Sight::Repeated => count.repeated += 1,
+                Sight::Repeated(first) => {
+                    count.repeated += 1;
+                    count.kept -= 1;
+                    let first = places.get(first).copied().flatten();
+                    self.alike.extend(first.and_then(|at| Some((at, variant.on_another_side(kept.get(at)?)?))));
+                    continue;
+                }
             }
             count.kept -= 1;
         }
@@ -130,11 +139,17 @@ impl ClaimVariants {
         // A factor made of parameters makes no difference, and a constant may be any function of them: so they stay what they are.
         let steady = ground.filter(Ground::has_parameters).map(|ground| ground.draw(true));
         let fixed = steady.as_ref().unwrap_or(&free);
-        let mut seen: FastSet<(usize, Fingerprint)> = FastSet::default();
+        let mut seen: FastMap<(usize, Fingerprint), usize> = FastMap::default();
         (0..self.variants.len()).map(|v| self.sight(v, &free, fixed, &mut seen)).collect()
     }
 
-    fn sight(&self, v: usize, free: &[Point], fixed: &[Point], seen: &mut FastSet<(usize, Fingerprint)>) -> Sight {
+    fn sight(
+        &self,
+        v: usize,
+        free: &[Point],
+        fixed: &[Point],
+        seen: &mut FastMap<(usize, Fingerprint), usize>,
+    ) -> Sight {
         let variant = &self.variants[v];
         let formula = &self.formulas[variant.formula];
         let constant = formula.manner == Manner::Constant;
@@ -189,7 +204,11 @@ impl ClaimVariants {
         let rows = if moves { &fixed } else { &rows };
         let key: Fingerprint =
             variant.altered.iter().zip(rows).map(|((part, _), row)| (*part, fingerprint(&altered(row)))).collect();
-        if equations && !seen.insert((variant.formula, key)) { Sight::Repeated } else { Sight::New }
+        if !equations {
+            return Sight::New;
+        }
+        let first = *seen.entry((variant.formula, key)).or_insert(v);
+        if first == v { Sight::New } else { Sight::Repeated(first) }
     }
 
     /// The points at which everything has a value, for each altered part of a variant.

@@ -3,7 +3,8 @@
 //! **In:** claims that fail where they are stated to hold, their variants, and the points at which they were tried. **Out:**
 //! corrections: altered formulas that hold on every motion to which the claim applies.
 //!
-//! First single edits, then [`completion`](super::completion), then pairs of edits; the latter only where nothing nearer holds.
+//! First single edits and exchanges of symbols; then, where none of them is proved, [`completion`](super::completion); then pairs of
+//! edits, only where nothing nearer passes.
 //! What passes at a few points of every motion is tried as a claim of its own, as it is printed, on the motions of the check:
 //! only what gets the verdict `holds` on every one is offered (see `confirm`). So a correction is as strong as any verdict of this program.
 //!
@@ -14,32 +15,29 @@
 use meter::{Limits, Task};
 
 use super::atom::atoms;
-use super::completion::{Points, completions};
+use super::completion::{Points, completions, valued_atoms};
 use super::confirm::Encloses;
-use super::difference::difference;
-use super::equivalence::Sight;
 use super::gap::Insertions;
 use super::generate::{ClaimVariants, Formula, Manner, Part, Setting, Source, Variant, drawn};
-use super::nearness::{Nearness, edits_between};
+use super::pairs::Pairs;
+use super::ranked::{Candidate, Made, ranked};
+use super::rate::rates;
 use super::rejection::{self, Evidence, Placed};
 use super::sites::Sites;
-use super::tree::cancelled;
 use super::vocabulary::{Vocabulary, phrases};
 use super::{Altered, Battery, Memory, Weighed};
 use crate::derivation::{Claim, Derivation, Form, FormKind, Written};
-use crate::expr::{Expr, Graph, Leaf};
+use crate::expr::{Graph, Leaf};
 use crate::findings::{ClaimAccount, EditClass, Erratum, PairAccount};
 use crate::flow::Sample;
-use crate::latex::syntax::{Chain, Node, to_latex};
-use crate::latex::{self, RelationKind, Role};
+use crate::latex::syntax::Node;
+use crate::latex::{self, RelationKind};
 use crate::verdict::Outcome;
 use claim::error::CheckError;
 use claim::program::Values;
 use sampled::selection::Selection;
 use sampled::trace::Trace;
 
-/// Most candidates of one formula that are handed to the checker.
-const MOST_CANDIDATES: usize = 12;
 /// Most pairs of edits of one formula that are tried.
 const MOST_PAIRS: usize = 4_000;
 /// Pairs of edits that are evaluated together.
@@ -69,20 +67,6 @@ pub(super) struct Search<'a> {
     pub encloses: Option<&'a dyn Encloses>,
 }
 
-/// A formula that may be what was meant.
-pub(super) struct Candidate {
-    pub claim: usize,
-    pub formula: usize,
-    tree: Chain,
-    pub text: String,
-    pub classes: Vec<EditClass>,
-    pub difference: String,
-    pub nearness: Nearness,
-}
-
-/// An altered formula, with the edits that lead to it.
-pub(super) type Made = (Vec<EditClass>, Chain);
-
 /// The motions on which a correction must hold.
 struct Asked {
     /// Columns.
@@ -111,87 +95,191 @@ fn is_absent(pair: &PairAccount) -> bool {
     matches!(pair.verdict.outcome(), Outcome::NotApplicable(_)) && pair.expected == Some("holds")
 }
 
+/// What the single edits of a formula came to.
+struct Edited {
+    /// Which formula.
+    formula: usize,
+    /// Whether the print has no value.
+    absent: bool,
+    /// Those that no point refutes.
+    made: Vec<Made>,
+}
+
+/// What was tried of one claim.
+#[derive(Default)]
+struct Tried {
+    edited: Vec<Edited>,
+    candidates: Vec<Candidate>,
+    /// Equations that may say the rate of a quantity.
+    rates: Vec<Candidate>,
+}
+
 impl Search<'_> {
-    /// Looks for corrections of all claims that need one.
+    /// Looks for corrections of all claims that need one: single edits first, and more only where none of them is proved.
     pub fn offer(&self, accounts: &mut [ClaimAccount], traces: &[Trace]) -> Result<(), CheckError> {
-        let wanted: Vec<Vec<bool>> = accounts.iter().map(asked).collect();
-        let corrected: Vec<usize> = (0..wanted.len()).filter(|&k| wanted[k].contains(&true)).collect();
-        let last = corrected.get(MOST_CORRECTED - 1).copied().unwrap_or(usize::MAX);
-        let columns = self.selection.columns(self.derivation);
-        let of_claim = |k: usize, account: &ClaimAccount| {
-            let asked = &wanted[k];
-            let on: Vec<usize> = account
-                .results
-                .iter()
-                .zip(asked)
-                .filter(|(_, asked)| **asked)
-                .filter_map(|(p, _)| columns.get(p.trajectory.as_str()).copied())
-                .collect();
-            if on.is_empty() || k > last {
-                return (Vec::new(), None, on);
+        let asked = self.asked(accounts);
+        let mut errata: Vec<Erratum> = asked.iter().map(|_| Erratum::default()).collect();
+        let edits = |k: usize, asked: &Asked, erratum: &mut Erratum| self.edits(k, asked, erratum);
+        let first = self.of_each(&asked, &mut errata, &edits);
+        let motions: Vec<Vec<usize>> =
+            asked.iter().map(|a| a.as_ref().map(|a| a.on.clone()).unwrap_or_default()).collect();
+        let candidates = |tried: &[Tried]| tried.iter().flat_map(|t| t.candidates.clone()).collect();
+        let mut held = self.confirm(candidates(&first), &motions, traces)?;
+        let settled = |k: usize, formula: usize| held.iter().any(|of| of.settles(k, formula));
+        let open: Vec<Vec<&Edited>> = first
+            .iter()
+            .enumerate()
+            .map(|(k, t)| t.edited.iter().filter(|e| !settled(k, e.formula)).collect())
+            .collect();
+        let more = |k: usize, asked: &Asked, erratum: &mut Erratum| {
+            let known = first.get(k).map_or(&[][..], |tried| &tried.candidates);
+            self.more(k, asked, erratum, (open.get(k).map_or(&[][..], Vec::as_slice), known))
+        };
+        let second = self.of_each(&asked, &mut errata, &more);
+        held.extend(self.confirm(candidates(&second), &motions, traces)?);
+        for (claim, rate) in self.proved_rates(second.into_iter().flat_map(|t| t.rates).collect(), &motions, traces)? {
+            if let Some(erratum) = errata.get_mut(claim).filter(|erratum| erratum.rate.is_none()) {
+                erratum.rate = Some(rate);
             }
-            let mut erratum = Erratum::default();
-            let absent = account.results.iter().any(is_absent);
-            let candidates = self.candidates(k, &Asked { on: on.clone(), absent }, &mut erratum);
-            (candidates, Some(erratum), on)
-        };
-        let one = |&k: &usize, limits: &Limits| {
-            meter::piece(Task::Weighing, limits, || of_claim(k, &accounts[k])).unwrap_or_else(|ended| {
-                let remark = Some(ended.to_string());
-                (Vec::new(), Some(Erratum { remark, ..Erratum::default() }), Vec::new())
-            })
-        };
-        let all: Vec<usize> = (0..accounts.len()).collect();
-        let found = meter::each(self.limits, &all, one);
-        let (mut candidates, mut motions) = (Vec::new(), Vec::new());
-        for ((of_claim, erratum, on), account) in found.into_iter().zip(accounts.iter_mut()) {
-            candidates.push(of_claim);
-            motions.push(on);
-            if let (Some(variants), Some(erratum)) = (&mut account.variants, erratum) {
+        }
+        for ((account, erratum), _) in accounts.iter_mut().zip(errata).zip(&asked).filter(|(_, asked)| asked.is_some())
+        {
+            if let Some(variants) = &mut account.variants {
                 variants.erratum = Some(erratum);
             }
         }
-        self.confirm(accounts, candidates.into_iter().flatten().collect(), &motions, traces)
+        self.write(accounts, held);
+        Ok(())
     }
 
-    /// What passes at the points at which the claim was tried.
-    fn candidates(&self, k: usize, asked: &Asked, erratum: &mut Erratum) -> Vec<Candidate> {
+    /// The motions on which a correction must hold, for each claim that needs one.
+    fn asked(&self, accounts: &[ClaimAccount]) -> Vec<Option<Asked>> {
+        let columns = self.selection.columns(self.derivation);
+        let mut room = MOST_CORRECTED;
+        let of_claim = |account: &ClaimAccount| {
+            let wanted = asked(account);
+            let pairs = account.results.iter().zip(&wanted).filter(|(_, wanted)| **wanted);
+            let on: Vec<usize> = pairs.filter_map(|(p, _)| columns.get(p.trajectory.as_str()).copied()).collect();
+            if on.is_empty() || room == 0 {
+                return None;
+            }
+            room -= 1;
+            Some(Asked { on, absent: account.results.iter().any(is_absent) })
+        };
+        accounts.iter().map(of_claim).collect()
+    }
+
+    /// Something for each claim that is asked for a correction; what takes too long is left out, with a remark.
+    fn of_each(
+        &self,
+        asked: &[Option<Asked>],
+        errata: &mut [Erratum],
+        tried: &(dyn Fn(usize, &Asked, &mut Erratum) -> Tried + Sync),
+    ) -> Vec<Tried> {
+        let one = |&k: &usize, limits: &Limits| {
+            let Some(asked) = asked.get(k).and_then(Option::as_ref) else { return Default::default() };
+            let mut erratum = Erratum::default();
+            meter::piece(Task::Weighing, limits, || tried(k, asked, &mut erratum)).map_or_else(
+                |ended| (Tried::default(), Erratum { remark: Some(ended.to_string()), ..Erratum::default() }),
+                |tried| (tried, erratum.clone()),
+            )
+        };
+        let all: Vec<usize> = (0..asked.len()).collect();
+        let (tried, told): (Vec<Tried>, Vec<Erratum>) = meter::each(self.limits, &all, one).into_iter().unzip();
+        for (erratum, told) in errata.iter_mut().zip(told) {
+            let ((a, b, c), (x, y, z)) = (erratum.tried, told.tried);
+            erratum.tried = (a + x, b + y, c + z);
+            erratum.remark = erratum.remark.take().or(told.remark);
+        }
+        tried
+    }
+
+    /// The single edits of a claim, and exchanges of symbols, that pass at the points at which it was tried.
+    fn edits(&self, k: usize, asked: &Asked, erratum: &mut Erratum) -> Tried {
         let claim = &self.derivation.claims[self.selection.claims[k]];
         let variants = &self.altered.claims[k];
         let mut graph = self.altered.graph(k).clone();
         let setting = Setting { claim, starts: &self.selection.starts, shared: self.derivation.graph.len() };
         let vocabulary = Vocabulary::new(self.derivation, claim);
-        let near = phrases(self.derivation, claim);
         let rejections: Vec<_> = asked.on.iter().filter_map(|&t| self.weighed[t].rejections[k].as_ref()).collect();
-        let mut out = Vec::new();
+        let mut out = Tried::default();
         for (f, formula) in variants.formulas.iter().enumerate() {
             let absent = asked.absent && self.has_no_value(k, asked, &graph, formula);
             if is_inequality(formula) || !absent && !rejections.iter().any(|r| r.formulas[f]) {
                 continue;
             }
             // Where the print has no value, what is tried instead must have one.
-            let formula = &if absent { without_print(&mut graph, formula) } else { formula.clone() };
-            let size = formula.size(&graph);
-            let screened = |graph: &mut Graph, trees: &mut dyn Iterator<Item = Made>| {
-                self.screened(k, asked, graph, &setting, (formula, size), trees)
-            };
+            let tried = &if absent { without_print(&mut graph, formula) } else { formula.clone() };
+            let of = (tried, tried.size(&graph));
             let mut made: Vec<Made> = Vec::new();
             for (v, variant) in variants.variants.iter().enumerate().filter(|(_, v)| v.formula == f) {
                 erratum.tried.0 += 1;
                 if rejections.iter().all(|r| !r.variants[v]) {
                     made.push((vec![variant.class], variant.tree(&variants.formulas)));
+                    let alike = variants.alike.iter().filter(|(first, _)| *first == v);
+                    made.extend(alike.map(|(_, edit)| (vec![edit.class], edit.apply(&formula.tree))));
                 }
             }
             let empty = variants.empty.iter().filter(|v| v.formula == f);
             made.extend(empty.map(|v| (vec![v.class], v.tree(&variants.formulas))));
             if absent {
-                made = screened(&mut graph, &mut made.into_iter());
+                made = self.screened(k, asked, &mut graph, &setting, of, &mut made.into_iter());
             }
+            let exchanges = Sites::new(&formula.tree, &vocabulary).exchanges();
+            erratum.tried.0 += exchanges.len();
+            let mut exchanges = exchanges.iter().map(|edit| (vec![edit.class], edit.apply(&formula.tree)));
+            made.extend(self.screened(k, asked, &mut graph, &setting, of, &mut exchanges));
+            let at = (k, f);
+            out.candidates.extend(ranked(
+                self.derivation,
+                at,
+                &mut graph,
+                &setting,
+                formula,
+                &vocabulary,
+                made.clone(),
+            ));
+            out.edited.push(Edited { formula: f, absent, made });
+        }
+        out
+    }
+
+    /// Formulas with something more that pass, and where nothing nearer does, pairs of edits; none that is known already.
+    fn more(
+        &self,
+        k: usize,
+        asked: &Asked,
+        erratum: &mut Erratum,
+        (edited, known): (&[&Edited], &[Candidate]),
+    ) -> Tried {
+        let mut out = Tried::default();
+        if edited.is_empty() {
+            return out;
+        }
+        let claim = &self.derivation.claims[self.selection.claims[k]];
+        let variants = &self.altered.claims[k];
+        let mut graph = self.altered.graph(k).clone();
+        let setting = Setting { claim, starts: &self.selection.starts, shared: self.derivation.graph.len() };
+        let vocabulary = Vocabulary::new(self.derivation, claim);
+        let near = phrases(self.derivation, claim);
+        for of in edited {
+            let (f, absent) = (of.formula, of.absent);
+            let Some(formula) = variants.formulas.get(f) else { continue };
+            let tried = &if absent { without_print(&mut graph, formula) } else { formula.clone() };
+            let size = tried.size(&graph);
+            let screened = |graph: &mut Graph, trees: &mut dyn Iterator<Item = Made>| {
+                self.screened(k, asked, graph, &setting, (tried, size), trees)
+            };
+            let mut made = of.made.clone();
             let atoms = atoms(&formula.tree, &vocabulary, &near);
             let insertions = Insertions::new(&formula.tree, &vocabulary, &atoms);
             let inserted = insertions.count().min(MOST_INSERTED_NODES / size);
             let places = MOST_FITTED_NODES / size;
-            let complete = self.completed(k, asked, &mut graph, &setting, &vocabulary, formula, (&atoms, places));
+            out.rates.extend(self.rates((k, f), asked, &mut graph, &setting, &atoms));
+            let points = self.fitted(k, asked);
+            let complete = points.map_or_else(Vec::new, |points| {
+                completions(&mut graph, &setting, &vocabulary, tried, &atoms, &points, places)
+            });
             erratum.tried.1 += inserted + complete.len();
             let count = insertions.count();
             let mut complete = insertions.at(drawn(count, inserted)).chain(complete);
@@ -203,7 +291,9 @@ impl Search<'_> {
                 made.extend(screened(&mut graph, &mut pairs.inspect(|_| tried += 1)));
                 erratum.tried.2 += tried;
             }
-            out.extend(ranked(self.derivation, (k, f), &mut graph, &setting, &variants.formulas[f], &vocabulary, made));
+            let mut all = ranked(self.derivation, (k, f), &mut graph, &setting, formula, &vocabulary, made);
+            all.retain(|c| !known.iter().any(|k| k.formula == f && k.text == c.text));
+            out.candidates.extend(all);
         }
         out
     }
@@ -233,22 +323,10 @@ impl Search<'_> {
         out
     }
 
-    #[expect(clippy::too_many_arguments, reason = "a formula, its surroundings, and where it is tried")]
-    fn completed(
-        &self,
-        k: usize,
-        asked: &Asked,
-        graph: &mut Graph,
-        setting: &Setting,
-        vocabulary: &Vocabulary,
-        formula: &Formula,
-        (atoms, places): (&[Node], usize),
-    ) -> Vec<Chain> {
+    /// Points at which something is fitted: a few motions of one initial time, three points or more of each.
+    fn fitted(&self, k: usize, asked: &Asked) -> Option<Points<'_>> {
         let each = FITTED.div_ceil(asked.on.len()).max(4);
-        // A few motions, three points or more of each: with all of them for one initial time.
-        let Some(start) = asked.on.first().map(|&t| self.selection.start_of[self.selection.tried[t]]) else {
-            return Vec::new();
-        };
+        let start = asked.on.first().map(|&t| self.selection.start_of[self.selection.tried[t]])?;
         let on: Vec<usize> =
             asked.on.iter().copied().filter(|&t| self.selection.start_of[self.selection.tried[t]] == start).collect();
         let step = on.len().div_ceil(FITTED / 3).max(1);
@@ -260,11 +338,26 @@ impl Search<'_> {
             }
         }
         // Two points agree with almost anything.
-        if points.len() < 3 {
+        (points.len() >= 3).then_some(Points { start, points, motions, known: &self.altered.known })
+    }
+
+    /// Equations that may say the rate of a quantity that is said to be constant.
+    fn rates(
+        &self,
+        at: (usize, usize),
+        asked: &Asked,
+        graph: &mut Graph,
+        setting: &Setting,
+        atoms: &[Node],
+    ) -> Vec<Candidate> {
+        let (k, f) = at;
+        let Some(formula) = self.altered.claims[k].formulas.get(f).filter(|of| of.rate.is_some()) else {
             return Vec::new();
-        }
-        let points = Points { start, points, motions, known: &self.altered.known };
-        completions(graph, setting, vocabulary, formula, atoms, &points, places)
+        };
+        let Some(points) = self.fitted(k, asked) else { return Vec::new() };
+        let (nodes, values) = valued_atoms(graph, setting, atoms, &points);
+        let found = rates(self.derivation, setting.claim, graph, formula, (&nodes, &values), &points);
+        found.into_iter().map(|tree| Candidate::of_rate(at, tree)).collect()
     }
 
     /// Those of the trees that no point refutes.
@@ -317,82 +410,6 @@ impl Search<'_> {
     }
 }
 
-/// Candidates, the closest to the print first, without those that say nothing or what another says.
-pub(super) fn ranked(
-    derivation: &Derivation,
-    (k, f): (usize, usize),
-    graph: &mut Graph,
-    setting: &Setting,
-    formula: &Formula,
-    vocabulary: &Vocabulary,
-    made: Vec<Made>,
-) -> Vec<Candidate> {
-    let print = to_latex(&formula.tree);
-    let mut group = ClaimVariants { formulas: vec![formula.clone()], ..ClaimVariants::default() };
-    let mut kept = Vec::new();
-    for (classes, tree) in made {
-        // What is multiplied and divided again was never there; an addition that only undoes what is printed is none.
-        let plain = Chain { sides: tree.sides.iter().map(cancelled).collect(), ..tree.clone() };
-        if plain != tree && classes == [EditClass::Missing] {
-            continue;
-        }
-        let tree = plain;
-        let Some(altered) = setting.altered(graph, formula, &tree).filter(|a| !a.is_empty()) else { continue };
-        // Both sides are one expression, or nothing is left that could be compared.
-        let says_nothing = altered
-            .iter()
-            .all(|(_, p)| p.sides.0 == p.sides.1 || graph.leaves(p.difference.iter().copied()).is_empty());
-        if says_nothing && altered.len() == formula.parts.len() {
-            continue;
-        }
-        let (difference, changed) = difference(&print, &to_latex(&tree));
-        let class = classes.first().copied().unwrap_or(EditClass::Missing);
-        let variant = Variant { class, formula: 0, source: Source::Tree(Box::new(tree)), altered };
-        kept.push((variant, classes, difference, changed));
-    }
-    let nearness = Nearness::of_all(derivation, setting.claim, graph, formula, vocabulary, &kept);
-    // What adds joules to kilograms is no correction of what did not.
-    let as_printed: Vec<_> = formula.parts.iter().map(|p| (p.sides.0, Some(p.sides.1))).collect();
-    let odd = units::inconsistent(derivation, graph, &[as_printed]).contains(&true);
-    let mut kept: Vec<_> = kept.into_iter().zip(nearness).filter(|(_, n)| odd || !n.inconsistent).collect();
-    kept.sort_by(|a, b| a.1.cmp(&b.1));
-    let mut rest = Vec::new();
-    for ((variant, classes, difference, _), nearness) in kept {
-        group.variants.push(variant);
-        rest.push((classes, difference, nearness));
-    }
-    let sights = group.sights(derivation, setting.claim, graph, true);
-    let by_algebra = group.sights(derivation, setting.claim, graph, false);
-    let sights = sights.into_iter().zip(by_algebra);
-    // What is made of parameters alone can only be true by algebra.
-    let scope = &setting.claim.scope;
-    let residuals: Vec<Expr> = formula.parts.iter().flat_map(|p| p.difference.iter().copied()).collect();
-    let leaves = graph.leaves(residuals);
-    let moves = leaves.iter().any(|l| l.instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter));
-    let mut out: Vec<Candidate> = Vec::new();
-    for ((variant, (sight, alone)), (classes, difference, mut nearness)) in
-        std::mem::take(&mut group.variants).into_iter().zip(sights).zip(rest)
-    {
-        if matches!(sight, Sight::Same | Sight::Repeated | Sight::Said) {
-            continue;
-        }
-        // What does not move anyway says nothing by being constant, and what was added only to make both sides one
-        // expression says nothing either.
-        let trivial = sight == Sight::Empty && formula.manner == Manner::Constant;
-        let made_up = moves && alone == Sight::Empty && edits_between(&classes) > edits_between(&[EditClass::Sign]);
-        if trivial || made_up {
-            continue;
-        }
-        let tree = variant.tree(&group.formulas);
-        let text = to_latex(&tree);
-        nearness.empty = sight == Sight::Empty;
-        out.push(Candidate { claim: k, formula: f, tree, text, classes, difference, nearness });
-    }
-    out.sort_by(|a, b| a.nearness.cmp(&b.nearness));
-    out.truncate(MOST_CANDIDATES);
-    out
-}
-
 /// A formula of which nothing is known but its tree, so that nothing is compared with its print: every part says 0 = 0.
 fn without_print(graph: &mut Graph, formula: &Formula) -> Formula {
     let zero = graph.integer(0);
@@ -440,45 +457,4 @@ pub(super) fn as_claim(
     let expect = vec![None; trajectories.len()];
     let id = id.to_owned();
     Some(Claim { id, reading: None, forms: vec![form], formulas, trajectories, expect, ..claim.clone() })
-}
-
-/// Pairs of edits of a formula: every edit of every variant of it, thinned evenly where there are too many.
-struct Pairs<'a> {
-    formulas: &'a [Formula],
-    vocabulary: &'a Vocabulary,
-    /// The variants that are left.
-    of: std::vec::IntoIter<&'a Variant>,
-    /// Pairs that may still be made of them.
-    room: usize,
-    /// Those of one variant.
-    made: std::vec::IntoIter<Made>,
-}
-
-impl<'a> Pairs<'a> {
-    fn new(variants: &'a ClaimVariants, f: usize, vocabulary: &'a Vocabulary, room: usize) -> Pairs<'a> {
-        let of: Vec<&Variant> = variants.variants.iter().filter(|v| v.formula == f).collect();
-        Pairs { formulas: &variants.formulas, vocabulary, of: of.into_iter(), room, made: Vec::new().into_iter() }
-    }
-}
-
-impl Iterator for Pairs<'_> {
-    type Item = Made;
-
-    fn next(&mut self) -> Option<Made> {
-        loop {
-            if let Some(made) = self.made.next() {
-                return Some(made);
-            }
-            // The same share of each variant's edits.
-            let share = self.room / self.of.len().max(1);
-            let variant = self.of.next()?;
-            let tree = variant.tree(self.formulas);
-            let sites = Sites::new(&tree, self.vocabulary);
-            let step = sites.count().div_ceil(share.max(1)).max(1);
-            let edits = sites.at(&mut (0..sites.count()).step_by(step).take(self.room));
-            self.room -= edits.len();
-            let made = edits.into_iter().map(|edit| (vec![variant.class, edit.class], edit.apply(&tree)));
-            self.made = made.collect::<Vec<Made>>().into_iter();
-        }
-    }
 }

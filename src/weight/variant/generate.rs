@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::edit::Edit;
+use super::rate::Rate;
 use super::sites::Sites;
 use super::tree::walk;
 use super::vocabulary::Vocabulary;
@@ -57,6 +58,8 @@ pub(super) struct Formula {
     pub magnitudes: Vec<Option<Expr>>,
     /// Whether a ± occurs.
     pub branching: bool,
+    /// Of a scalar that is said to be constant, its rate, in rates of the states.
+    pub rate: Option<Rate>,
 }
 
 /// An altered formula.
@@ -90,6 +93,14 @@ impl Variant {
         }
     }
 
+    /// Its edit, where another says the same by an edit of another side.
+    pub fn on_another_side(&self, other: &Variant) -> Option<Edit> {
+        match (&self.source, &other.source) {
+            (Source::Edit(own), Source::Edit(other)) if own.side != other.side => Some(own.clone()),
+            _ => None,
+        }
+    }
+
     /// The altered formula, of one of these.
     pub fn text(&self, formulas: &[Formula]) -> String {
         match &self.source {
@@ -108,6 +119,8 @@ pub(super) struct ClaimVariants {
     pub variants: Vec<Variant>,
     /// Edited formulas that are true by the definitions alone: no variants, but they may be what was meant.
     pub empty: Vec<Variant>,
+    /// Edits of another side that say what a variant says: its position, and the edit. It may be the simpler to print.
+    pub alike: Vec<(usize, Edit)>,
     /// What became of all edits.
     pub counts: BTreeMap<EditClass, ClassCount>,
     /// Formulas without variants, and why.
@@ -210,12 +223,12 @@ impl Formula {
         let magnitudes = vec![None; parts.len()];
         let sign = setting.claim.scope.branch_sign();
         let branching = graph.leaves(parts.iter().map(|p| p.difference[0])).contains(&sign);
-        Some(Formula { text: text.to_owned(), place: None, tree, manner, parts, magnitudes, branching })
+        Some(Formula { text: text.to_owned(), place: None, tree, manner, parts, magnitudes, branching, rate: None })
     }
 }
 
 /// The definition of a symbol, where a text is nothing but its name.
-fn defined_as<'a>(derivation: &'a Derivation, claim: &'a Claim, text: &str) -> Option<&'a str> {
+pub(super) fn defined_as<'a>(derivation: &'a Derivation, claim: &'a Claim, text: &str) -> Option<&'a str> {
     let symbols = claim.symbols.iter().rev().chain(&derivation.symbols);
     let named = symbols.into_iter().find(|s| s.name == text.trim())?;
     // The definition must mean here what it meant where it stands.
@@ -293,7 +306,11 @@ fn formulas(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> (V
         let magnitudes = parts.iter().map(&mut size).collect();
         let text = text.trim().to_owned();
         let place = place.cloned();
-        out.push(Formula { text, place, tree, manner, parts, magnitudes, branching });
+        let rate = match parts.as_slice() {
+            [part] if manner == Manner::Constant => Rate::of(graph, claim, part.sides.0),
+            _ => None,
+        };
+        out.push(Formula { text, place, tree, manner, parts, magnitudes, branching, rate });
     }
     (out, skipped)
 }

@@ -26,7 +26,10 @@ mod gap;
 mod generate;
 mod motionless;
 mod nearness;
+mod pairs;
 mod point;
+mod ranked;
+mod rate;
 mod rejection;
 mod sites;
 mod tree;
@@ -50,6 +53,7 @@ use battery::{Battery, Memory};
 use claim::error::CheckError;
 use claim::program::{Program, Values};
 use generate::{ClaimVariants, Formula, MOST_NODES, Manner, Setting, Source, Variant};
+use rate::Rate;
 use rejection::{Evidence, Placed, Rejections};
 use sampled::events;
 use sampled::selection::Selection;
@@ -218,6 +222,11 @@ impl Altered {
             }
         }
         let highest = out.iter().map(|l: &Leaf| l.rate).max().unwrap_or(0).max(1);
+        for (k, claim) in self.claims.iter().enumerate() {
+            let rates: Vec<&Rate> = claim.formulas.iter().filter_map(|formula| formula.rate.as_ref()).collect();
+            out.extend(self.graph(k).leaves(rates.iter().map(|rate| rate.value)));
+            out.extend(rates.iter().flat_map(|rate| &rate.named));
+        }
         for symbol in derivation.symbols.iter().map(|s| s.symbol) {
             let rates = match derivation.scope.role(symbol) {
                 Some(Role::Parameter) => 0,
@@ -267,8 +276,11 @@ impl Altered {
     /// Tries all variants on one motion; `found` has an entry for each claim that was tried there.
     pub fn weigh(&self, graph: &Graph, start: usize, trace: &Trace, found: &[Option<Found>]) -> Weighed {
         let mut out = Weighed { rejections: Vec::new(), kept: Vec::new(), of_claims: Vec::new() };
-        let kept = rejection::spread(trace.times.len(), KEPT);
-        out.kept = kept.into_iter().map(|i| (trace.times[i], trace.points.row(i))).collect();
+        // Where a motion runs away, its last points are known to few digits, and tell nothing apart.
+        let of = |i: usize| (trace.times[i], trace.points.row(i));
+        let several = rejection::spread(trace.times.len(), 4 * KEPT).into_iter().map(of);
+        let (well, badly): (Vec<_>, Vec<_>) = several.partition(|(_, values)| values.iter().all(is_well_known));
+        out.kept = well.into_iter().chain(badly).take(KEPT).collect();
         let mut memory = Memory::default();
         for (k, found) in found.iter().enumerate() {
             let (rejections, own) = match found {
@@ -412,6 +424,11 @@ impl Altered {
 
 /// Points of a motion that are kept for corrections.
 const KEPT: usize = 12;
+
+/// Whether a value is known to seven digits, or is next to nothing; what has none is not known badly.
+fn is_well_known(value: &Result<number::Bounded, number::NoValue>) -> bool {
+    value.as_ref().map_or(true, |v| v.error <= 1e-7 * v.value.abs().max(1e-3))
+}
 
 /// What one motion says of the variants of all claims.
 pub struct Weighed {

@@ -10,8 +10,9 @@
 //! hold over the box, or does not follow. Where no points are known, none was tried, and nothing is said.
 
 use super::battery::{Battery, Memory};
-use super::erratum::{Candidate, MOST_OFFERED, Made, as_claim, is_inequality, ranked};
+use super::erratum::{MOST_OFFERED, as_claim, is_inequality};
 use super::generate::{ClaimVariants, Formula, MOST_NODES, Setting, Variant};
+use super::ranked::{Candidate, Made, ranked};
 use super::rejection::{self, Evidence, Placed, Rejections};
 use super::vocabulary::Vocabulary;
 use crate::derivation::{Claim, Derivation, Region};
@@ -111,7 +112,9 @@ fn corrections(
         out.tried.0 += variants.variants.iter().filter(of).count();
         let passes = variants.variants.iter().enumerate().filter(|(v, _)| !found.variants[*v]).map(|(_, v)| v);
         let passes = passes.chain(&variants.empty).filter(of);
-        let made: Vec<Made> = passes.map(|v| (vec![v.class], v.tree(&variants.formulas))).collect();
+        let mut made: Vec<Made> = passes.map(|v| (vec![v.class], v.tree(&variants.formulas))).collect();
+        let alike = variants.alike.iter().filter(|(v, _)| !found.variants[*v] && of(&&variants.variants[*v]));
+        made.extend(alike.map(|(_, edit)| (vec![edit.class], edit.apply(&formula.tree))));
         for candidate in ranked(derivation, (0, f), graph, setting, formula, &vocabulary, made) {
             let Some(strength) = decided(derivation, claim, region, &candidate, formula) else { continue };
             let correction = Correction {

@@ -6,25 +6,26 @@
 //! 2. Fewer slips go before more. A correction undoes a slip, and a slip leaves something out more often than it puts something
 //!    in: so leaving out a term or a factor of the print comes after single edits and completions.
 //! 3. What is true by the definitions alone comes later: it would hardly have been printed.
-//! 4. Fewer changed pieces of text go before more.
-//! 5. What is proved from what the claim follows from goes before what was only found to hold.
-//! 6. Symbols that were declared for this claim alone are there to be used in it.
-//! 7. The simpler meaning: fewer operations once every definition is inserted.
-//! 8. What defines something usually stands on the right: there the slip is looked for first. Then shorter text.
+//! 4. What is proved from what the claim follows from goes before what was only found to hold.
+//! 5. Where one side is a symbol or a rate alone, the formula says what that is: the slip is on the other side.
+//! 6. Fewer changed pieces of text go before more.
+//! 7. Symbols that were declared for this claim alone are there to be used in it.
+//! 8. The simpler meaning: fewer operations once every definition is inserted.
+//! 9. What defines something usually stands on the right: there the slip is looked for first. Then shorter text.
 
 use std::cmp::{Ordering, Reverse};
 
 use super::generate::{Formula, Manner, Variant};
-use super::tree::walk;
+use super::tree::{walk, without_places};
 use super::vocabulary::Vocabulary;
 use crate::derivation::{Claim, Derivation};
 use crate::expr::Graph;
 use crate::findings::EditClass;
-use crate::latex::syntax::{NodeKind, to_latex};
+use crate::latex::syntax::{Chain, Node, NodeKind, SymbolNode, to_latex};
 use claim::comparison::traced;
 
 /// How near a correction is to the print; smaller is nearer. Fields in the order of their weight.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Nearness {
     /// Whether its units are inconsistent.
     pub inconsistent: bool,
@@ -32,8 +33,10 @@ pub(super) struct Nearness {
     pub edits: usize,
     /// Whether it is true by the definitions alone.
     pub empty: bool,
+    /// Whether a side that was a symbol or a rate alone was changed.
+    defined: bool,
     /// Pieces of text that were changed.
-    pub changed: usize,
+    changed: usize,
     /// Symbols in it that are declared for the claim alone.
     own: Reverse<usize>,
     /// Operations of its residual.
@@ -90,6 +93,7 @@ impl Nearness {
                 inconsistent,
                 edits: edits_between(classes),
                 empty: false,
+                defined: formula.tree.sides.iter().zip(&tree.sides).any(|(old, new)| is_alone(old) && old != new),
                 changed: *changed,
                 own: Reverse(own),
                 operations: graph.reachable(basic).len(),
@@ -106,9 +110,49 @@ impl Nearness {
     }
 
     /// What counts before it is asked which are proved.
-    pub fn before_proofs(&self) -> (bool, usize, bool, usize) {
-        (self.inconsistent, self.edits, self.empty, self.changed)
+    pub fn before_proofs(&self) -> (bool, usize, bool) {
+        (self.inconsistent, self.edits, self.empty)
     }
+
+    /// Whether nothing else needs to be looked for, once it is proved: one slip, and it says something.
+    pub fn settles(&self) -> bool {
+        !self.inconsistent && !self.empty && self.edits <= edits_between(&[EditClass::Sign])
+    }
+}
+
+/// Whether a side is a symbol or a rate, and nothing else.
+fn is_alone(side: &Node) -> bool {
+    match &side.kind {
+        NodeKind::Symbol(s) => s.sup.is_none(),
+        NodeKind::Derivative { of, .. } => is_alone(of),
+        _ => false,
+    }
+}
+
+/// Whether a formula says what a symbol is, by that symbol: it stands alone on one side, and on the other, where the print does
+/// not have it.
+pub(super) fn is_circular(print: &Chain, altered: &Chain) -> bool {
+    let ([_, _], [left, right]) = (print.sides.as_slice(), altered.sides.as_slice()) else { return false };
+    let has = |side: &Node, symbol: &SymbolNode| {
+        let mut nodes = Vec::new();
+        walk(side, &mut nodes);
+        nodes.iter().any(|n| matches!(&n.kind, NodeKind::Symbol(s) if is_same(s, symbol)))
+    };
+    [(left, right, 1), (right, left, 0)].into_iter().any(|(alone, other, at)| match &alone.kind {
+        NodeKind::Symbol(symbol) if is_alone(alone) => {
+            has(other, symbol) && !print.sides.get(at).is_some_and(|side| has(side, symbol))
+        }
+        _ => false,
+    })
+}
+
+/// Whether two symbols are one, whatever their powers.
+fn is_same(a: &SymbolNode, b: &SymbolNode) -> bool {
+    let plain = |s: &SymbolNode| {
+        let s = SymbolNode { sup: None, sup_first: false, ..s.clone() };
+        without_places(&Node::new(NodeKind::Symbol(s), 0..0))
+    };
+    a.name == b.name && plain(a) == plain(b)
 }
 
 #[cfg(test)]

@@ -12,6 +12,9 @@ use crate::expr::{FastMap, FastSet, Rational};
 use crate::findings::EditClass;
 use crate::latex::syntax::{Bracket, Chain, Name, Node, NodeKind, Sign, SubItem, SymbolNode, Target};
 
+/// Most symbols of a formula that change places with others of another kind.
+const MOST_EXCHANGED: usize = 24;
+
 /// What a node stands for in the formula around it.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Place {
@@ -123,6 +126,20 @@ impl<'a> Sites<'a> {
     /// The edits at some positions, which ascend.
     pub fn at(&self, positions: &mut dyn Iterator<Item = usize>) -> Vec<Edit> {
         self.walk(positions).out
+    }
+
+    /// Two symbols of different kinds change places throughout. These are many, and few authors make them: only corrections
+    /// are made of them.
+    pub fn exchanges(&self) -> Vec<Edit> {
+        let present = &self.present[..self.present.len().min(MOST_EXCHANGED)];
+        let mut out = Vec::new();
+        for (i, (a, word)) in present.iter().enumerate() {
+            for (b, _) in present[i + 1..].iter().filter(|(_, other)| word.may_change_places_with(other)) {
+                let change = Change::Throughout(Convention::Exchange(a.clone(), b.clone()));
+                out.push(Edit { class: EditClass::Symbol, side: 0, path: Box::default(), change });
+            }
+        }
+        out
     }
 
     fn walk<'w>(&self, wanted: &'w mut dyn Iterator<Item = usize>) -> Walk<'w> {

@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use crate::expr::Rational;
-use crate::latex::syntax::{Nabla, Node, NodeKind, Sign, SymbolNode, Target};
+use crate::latex::syntax::{Bracket, Nabla, Node, NodeKind, Sign, SymbolNode, Target};
 
 /// A number as a formula writes it.
 pub(super) fn number(r: Rational, span: &Range<usize>) -> Node {
@@ -246,11 +246,18 @@ pub(super) fn without_places(node: &Node) -> Node {
     out
 }
 
-/// A tree in which no quotient has the same factor above and below: what is multiplied and divided again says nothing.
+/// A tree in which no quotient has the same factor above and below, and no sum a term and its opposite: what is multiplied and
+/// divided again, and what is added and taken away again, says nothing.
 pub(super) fn cancelled(node: &Node) -> Node {
     let mut out = node.clone();
+    let mut vanished = false;
     for part in parts_mut(&mut out) {
-        *part = cancelled(part);
+        let new = cancelled(part);
+        vanished |= new.is_zero() && !part.is_zero();
+        *part = new;
+    }
+    if let Some(without) = without_opposites(&out, vanished) {
+        return without;
     }
     if let NodeKind::Product(parts) = &out.kind {
         let divides = |factor: &Node| {
@@ -296,6 +303,66 @@ pub(super) fn cancelled(node: &Node) -> Node {
     }
 }
 
+/// The opposite of a sign; `None` of ±.
+fn turned(sign: Sign) -> Option<Sign> {
+    match sign {
+        Sign::Plus => Some(Sign::Minus),
+        Sign::Minus => Some(Sign::Plus),
+        Sign::PlusMinus | Sign::MinusPlus => None,
+    }
+}
+
+/// The terms of a sum, those of sums in parentheses among them.
+fn flattened(terms: &[(Sign, Node)]) -> Vec<(Sign, Node)> {
+    let mut out = Vec::new();
+    for (sign, term) in terms {
+        let inner = match &term.kind {
+            NodeKind::Group(inner, Bracket::Round) => &inner.kind,
+            other => other,
+        };
+        let signed = |(own, part): &(Sign, Node)| {
+            let own = if *sign == Sign::Plus { Some(*own) } else { turned(*own).filter(|_| *sign == Sign::Minus) };
+            own.map(|own| (own, part.clone()))
+        };
+        let parts: Option<Vec<_>> = match inner {
+            NodeKind::Sum(inner) => inner.iter().map(signed).collect(),
+            _ => None,
+        };
+        match parts {
+            Some(parts) => out.extend(parts),
+            None => out.push((*sign, term.clone())),
+        }
+    }
+    out
+}
+
+/// A sum without terms that take each other away, and what holds such a sum alone; `None` where nothing has vanished. `vanished`:
+/// whether a part did.
+fn without_opposites(node: &Node, vanished: bool) -> Option<Node> {
+    let zero = || Node::new(NodeKind::Number(Rational::ZERO), node.span.clone());
+    match &node.kind {
+        NodeKind::Sum(terms) => {
+            let mut left: Vec<(Sign, Node)> = Vec::new();
+            let all = flattened(terms);
+            for (sign, term) in &all {
+                let opposite = |(other, known): &(Sign, Node)| {
+                    turned(*sign) == Some(*other) && without_places(known) == without_places(term)
+                };
+                match left.iter().position(opposite) {
+                    Some(at) => drop(left.remove(at)),
+                    None if vanished && term.is_zero() => {}
+                    None => left.push((*sign, term.clone())),
+                }
+            }
+            let gone = left.len() < all.len();
+            gone.then(|| if left.is_empty() { zero() } else { sum(left, &node.span) })
+        }
+        NodeKind::Product(parts) if vanished => parts.iter().any(Node::is_zero).then(zero),
+        NodeKind::Group(inner, _) if vanished => inner.is_zero().then(zero),
+        _ => None,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -325,5 +392,11 @@ mod tests {
         assert_eq!(simple(r"1+\frac{a}{a}"), "1+1");
         assert_eq!(simple(r"\frac{a^2b}{a^{2}}"), "b");
         assert_eq!(simple(r"\frac{2a}{2}"), r"\frac{2a}{2}");
+        assert_eq!(simple(r"a+7(b-b)"), "a");
+        assert_eq!(simple(r"7(b-b)"), "0");
+        assert_eq!(simple(r"-a+b+a"), "b");
+        assert_eq!(simple(r"t+7(a-b-(a-b))"), "t");
+        assert_eq!(simple(r"t-(a-b)"), "t-(a-b)");
+        assert_eq!(simple(r"a=0"), "a=0");
     }
 }

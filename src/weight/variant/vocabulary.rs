@@ -85,6 +85,13 @@ impl Word {
     pub fn may_be(&self, other: &Word) -> bool {
         self.kind.is_some() && self.kind == other.kind && self != other
     }
+
+    /// Whether it is of another kind, and may change places with it nevertheless: an axis and a mass, say.
+    pub fn may_change_places_with(&self, other: &Word) -> bool {
+        let plain = |w: &Word| !w.is_function && !w.has_places;
+        let alike = self.extents == other.extents && self.diagonal == other.diagonal && self.complex == other.complex;
+        plain(self) && plain(other) && alike && !self.may_be(other) && self != other
+    }
 }
 
 /// Which symbols have a value on some motion on which the claim is tried. What has none would be noticed by anybody.
