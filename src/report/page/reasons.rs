@@ -121,7 +121,7 @@ fn enclosing(of: &Enclosing, reason: &Reason) -> Told {
 /// Where something stays open, in a line of a table.
 fn spoken(place: &Place) -> String {
     match place {
-        Place::Stretch(from, to) => format!("for t in [{from:.6}, {to:.6}]"),
+        Place::Stretch(from, to) => format!("for t in [{}, {}]", short(&from), short(&to)),
         Place::Time(_) | Place::Event { .. } => place.to_string().trim_start_matches(", ").to_owned(),
     }
 }
@@ -201,16 +201,16 @@ mod tests {
         let unmet = Reason::from(Sampling::NotMet { text: "m_1=0".into(), sides });
         let found = told(&unmet);
         assert_eq!(found.head, "the assumption `m_1=0` is not met");
-        assert_eq!(found.own, "at t = 0.500000: 1.000000 and 0.000000 (± 2.2e-16)");
+        assert_eq!(found.own, "at t = 0.5: 1 and 0 (± 2.2e-16)");
         assert!(found.sentence().ends_with("the error bound of their difference"));
         let found = told(&Enclosing::NotEnclosed { before: None, why: Arc::new(open().into()) }.into());
         assert_eq!(found.head, "not enclosed: the sides of `x: at t = 1` cannot be told apart");
-        assert_eq!(found.own, "their difference lies in [-1.00e0, 1.00e0], for t in [2.000000, 3.000000]");
+        assert_eq!(found.own, "their difference lies in [-1.00e0, 1.00e0], for t in [2, 3]");
         let both = told(&Enclosing::NotEnclosed { before: Some(Arc::new(unmet)), why: Arc::new(open().into()) }.into());
         assert_eq!(both.head, "the assumption `m_1=0` is not met");
         assert!(both.own.ends_with(
             "(± 2.2e-16); not enclosed: the sides of `x: at t = 1` cannot be told apart: their \
-                                    difference lies in [-1.00e0, 1.00e0], for t in [2.000000, 3.000000]"
+                                    difference lies in [-1.00e0, 1.00e0], for t in [2, 3]"
         ));
     }
 
