@@ -93,7 +93,7 @@ pub enum Refuting {
     /// Where one sign should serve for a whole motion: where the upper one does not, and where the lower one does not.
     #[error("upper sign: {upper}; lower sign: {lower}")]
     Signs { upper: Point, lower: Point },
-    #[error("left {left}, right {right} on the trajectory {trajectory} at t = {t}")]
+    #[error("left {left}, right {right} on {trajectory} at t = {t}")]
     OnMotion { left: f64, right: f64, trajectory: Arc<str>, t: f64 },
     #[error("it does not hold for {}", joined(.0, false))]
     Sizes(Vec<Coordinate>),

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use sha2::{Digest, Sha256};
 
-use super::numbers::{count, size, time, value};
+use super::numbers::{ascii_size as size, ascii_time as time, count, value};
 use super::tally::{Group, declared, groups, name, says};
 use crate::derivation::{Derivation, Form};
 use crate::diag::{Diagnostic, Source};
