@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
 
 use crate::flow_support::World;
+use approx::assert_abs_diff_eq;
 use rederive::flow::{Incomplete, Motion, Setup, Source, Zeros};
 use rederive::number::NoValue;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -65,7 +66,8 @@ fn close_pairs_turning_points_and_near_misses() {
     assert!(miss.times.is_empty() && miss.touching.is_empty(), "{miss:?}");
     let g = w.e("x - 1.25");
     let least = m.minimum(&mut w.graph, g).unwrap().unwrap();
-    assert!((least.time - FRAC_PI_2).abs() < 1e-7 && (least.value.value + 0.25).abs() < 1e-14);
+    assert_abs_diff_eq!(least.time, FRAC_PI_2, epsilon = 1e-7);
+    assert_abs_diff_eq!(least.value.value, -0.25, epsilon = 1e-14);
     assert_eq!(least.incomplete, None);
     let g = w.e("sqrt(x) + 1");
     assert!(m.minimum(&mut w.graph, g).unwrap().unwrap().incomplete.is_some());

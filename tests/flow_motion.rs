@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
 
 use crate::flow_support::{UNIT, World, rigid_motion};
+use approx::{assert_abs_diff_eq, assert_relative_eq};
 use rederive::flow::{FlowError, Motion, Setup, Source};
 use rederive::number::NoValue;
 use std::f64::consts::{PI, TAU};
@@ -63,7 +64,7 @@ fn euler_angles_of_a_rotating_racket_are_continuous_and_have_their_rates() {
     w.prepare(&mut m, &["theta", "psi", "phi", "theta'", "psi'", "phi'", "O1", "O2", "O3"]);
     assert_continuous(&m, 1, 4);
     // Surveyed independently: psi goes from 0.4 to 83.39 on this span.
-    assert!((value(&m, 0.0, 1) - 0.4).abs() < 1e-14);
+    assert_abs_diff_eq!(value(&m, 0.0, 1), 0.4, epsilon = 1e-14);
     assert!((value(&m, 60.0, 1) - 83.39).abs() < 0.01, "{}", value(&m, 60.0, 1));
     for t in m.sample_times(3) {
         let x: Vec<f64> = m.at(t).iter().map(|x| x.unwrap().value).collect();
@@ -219,8 +220,8 @@ fn parameters_without_a_value_spoil_only_what_needs_them() {
     w.prepare(&mut m, &["b", "c", "y", "z", "z'", "d"]);
     let x = m.at(1.5);
     assert_eq!([x[0], x[1], x[2]], [Err(NoValue::OutOfDomain); 3]);
-    assert!((x[3].unwrap().value - 1.0).abs() < 1e-15);
-    assert!((x[4].unwrap().value - 4.0 / 3.0).abs() < 1e-15);
+    assert_abs_diff_eq!(x[3].unwrap().value, 1.0, epsilon = 1e-15);
+    assert_relative_eq!(x[4].unwrap().value, 4.0 / 3.0, max_relative = 1e-15);
     assert!(x[5].unwrap().error > 0.0, "2/3 is rounded");
 }
 

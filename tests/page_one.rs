@@ -98,8 +98,6 @@ fn conclusions_are_told_with_their_motion_and_how_sure_they_are() {
         "Of its 4 conclusions A, B, and D do not hold; C holds, but rests on claims that do not.",
         // Of several readings that fail the one that is refuted on most motions, and on how many motions any of them is.
         "tested as: The third axis stays on its side of the plane normal to m; fails on 7 of 9 motions (at samples)",
-        "Nor in another sense: “While the handle makes one turn about m, the face stays where it is” fails on the one motion \
-         (at samples); 8 motions in all.",
         "A t15-no-racket – ✕ 8/40",
         "→ t15-no-racket ✕; 2 of 18 steps fail.",
         "→ t15-no-motion ✖; 6 of 22 steps fail.",
@@ -115,7 +113,16 @@ fn conclusions_are_told_with_their_motion_and_how_sure_they_are() {
     // The paper itself demands it: it is used in more places than say so.
     assert!(!unsaid.contains("R(0) = 1 (") && !unsaid.contains("strictly between"), "{unsaid}");
     let markdown = front_markdown(derivation, account);
-    assert!(markdown.contains("Said by the paper in one place, and used in others: R(0) = 1 ("), "{markdown}");
+    assert!(page(derivation, account).contains("Said by the paper in one place, and used in others: "));
+    // A terminal has no room for what else fails.
+    let also = "nor in another sense: “While the handle makes one turn about m, the face stays where it is” fails on the one motion \
+                (at samples); 8 motions in all.";
+    assert!(markdown.contains(also) && markdown.contains("It breaks at"), "{markdown}");
+    // What a printed formula uses comes before what is technical.
+    assert!(
+        markdown.contains("Conventions: euler angles: zxz") && markdown.contains("a × b, right-handed"),
+        "{markdown}"
+    );
     assert!(markdown.contains("Remark of the file: Every formula of the Comment is right"), "{markdown}");
 }
 
@@ -127,5 +134,54 @@ fn a_failure_on_a_motion_has_its_picture() {
         let whole = page(derivation, account);
         let cards = between(&whole, "<div class=cards>", "<div class=concludes>");
         assert!(cards.contains("class=left d=") && cards.contains("class=right d="), "{name}");
+    }
+}
+
+/// The gap of the argument: premises that exclude one another, and an effect that a motion shows all the same, are on the first page.
+#[test]
+fn what_the_argument_needs_and_what_fails_is_on_the_first_page() {
+    let (derivation, account) = &*checked(Path::new("derivations/deriglazov-comment.toml"));
+    let text = front_page(derivation, account, false).split_whitespace().collect::<Vec<_>>().join(" ");
+    for words in [
+        "R(0) = 1, from which the relation between E and m was derived, can hold together with θ ≠ 0",
+        "A motion with R(0) = 1 does not show the racket effect",
+        "165.7°",
+        "Remark of the file: Every formula of the Comment is right",
+    ] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    // A capital of a formula stays one.
+    assert!(!text.contains("r(0)"), "{text}");
+}
+
+/// Where the words of a claim may be right and its formula is wrong, the sentence shows the formula, and the right one.
+#[test]
+fn a_sentence_is_not_called_false_without_its_formula() {
+    let (derivation, account) = &*checked(Path::new("derivations/kepler-laws.toml"));
+    let text = front_page(derivation, account, false);
+    assert!(!text.contains("Conventions: ;") && !text.contains("too long to print"), "{text}");
+    assert!(text.contains("left T = "), "the side that has a short formula is named: {text}");
+}
+
+/// One word for a motion, one way to write numbers, and sentences that end.
+#[test]
+fn readers_see_one_word_and_one_way_to_write_numbers() {
+    for name in ["deriglazov-comment.toml", "kepler.toml", "pendulum.toml"] {
+        let (derivation, account) = &*checked(Path::new("derivations").join(name));
+        let whole = page(derivation, account);
+        let body = between(&whole, "<body", "<script type=\"text/plain\"");
+        let seen: Vec<&str> = body.split('<').filter_map(|part| Some(part.split_once('>')?.1)).collect();
+        let code = ["[[trajectory]]", "trajectory ="];
+        let said = seen.iter().find(|t| t.to_lowercase().contains("trajector") && !code.iter().any(|c| t.contains(c)));
+        assert_eq!(said, None, "{name}");
+        let terminal = front_page(derivation, account, false);
+        assert!(!terminal.contains("trajector"), "{name}");
+        for text in [terminal, front_markdown(derivation, account)] {
+            let is_scientific = |word: &str| {
+                let word = word.trim_matches(|c: char| !c.is_ascii_digit());
+                word.contains("e-") && word.parse::<f64>().is_ok()
+            };
+            assert_eq!(text.split_whitespace().find(|w| is_scientific(w)), None, "{name}: {text}");
+        }
     }
 }

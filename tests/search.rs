@@ -202,7 +202,7 @@ fn the_command() {
     let table = String::from_utf8(found.get_output().stdout.clone()).expect("text");
     assert!(table.contains("[[trajectory]]") && table.contains("against-never-round-1"), "{table}");
     run(&["energy", "--tries", "24"]).code(3).stdout(predicates::str::is_empty());
-    run(&["listed"]).code(0).stderr(predicates::str::contains("names its trajectories"));
+    run(&["listed"]).code(0).stderr(predicates::str::contains("names its motions"));
     run(&["energy", "--variant", "999"]).code(2).stderr(predicates::str::contains("numbered from 0"));
     run(&["nothing"]).code(2).stdout(predicates::str::is_empty().and(predicates::str::is_empty()));
     // All of standard output can be appended to the file.

@@ -35,5 +35,5 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Ending, Stop> {
             shown = true;
         }
     }
-    if shown { Ok(Ending::Good) } else { Err(format!("`{claim}` is not tried on this trajectory").into()) }
+    if shown { Ok(Ending::Good) } else { Err(format!("`{claim}` is not tried on this motion").into()) }
 }

@@ -89,8 +89,21 @@ enum Command {
     Manual(manual::ManualArguments),
 }
 
+/// The width of the terminal that is written to: as `COLUMNS` says, else as the terminal itself does; `None` where it is none.
+fn terminal_width() -> Option<usize> {
+    let out = std::io::stdout();
+    if !std::io::IsTerminal::is_terminal(&out) {
+        return None;
+    }
+    let told = std::env::var("COLUMNS").ok().and_then(|text| text.trim().parse().ok());
+    told.or_else(|| terminal_size::terminal_size_of(out).map(|(width, _)| usize::from(width.0)))
+}
+
 /// Runs a command line, the name of the program first; the exit code.
 pub fn run(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
+    if let Some(columns) = terminal_width() {
+        rederive::report::fit_terminal(columns);
+    }
     let mut line: Vec<std::ffi::OsString> = line.into_iter().collect();
     // A paper in the place of a command is looked through.
     if line.get(1).is_some_and(|word| lint::is_paper(word)) {

@@ -154,6 +154,7 @@ fn parsed(source: Arc<Source>, stem: &str) -> Result<Derivation, Vec<Diagnostic>
     loader.measures(&root);
     loader.conditions(&root);
     loader.pictures(&root);
+    loader.default_pictures();
     loader.finish()
 }
 

@@ -300,7 +300,7 @@ pub(super) fn refuted(ready: &Ready, along: &mut Along, near: f64) -> Result<Wit
     Err(Enclosing::NotExcluded(near, along.incomplete().map(Arc::new)).into())
 }
 
-/// A time that counts, with both sides: for what never happens though it should.
+/// A time that counts, with both sides of a component in which they differ, where there is one: for what never happens though it should.
 pub(super) fn some_time(ready: &Ready, along: &mut Along) -> Option<Witness> {
     let mut times = exact_times(along);
     times.extend(along.pieces().iter().map(Interval::mid));
@@ -309,8 +309,9 @@ pub(super) fn some_time(ready: &Ready, along: &mut Along) -> Option<Witness> {
         if ready.selected(&ranges) != Some(true) {
             return None;
         }
-        let (left, right) = ready.sides_at(along, t, ready.place(0, 0))?;
-        let (formula, bound) = (ready.group.comparisons.first()?.label.clone(), left.width() + right.width());
+        let component = ready.violated(&ranges, 0).unwrap_or(0);
+        let (left, right) = ready.sides_at(along, t, ready.place(0, component))?;
+        let (formula, bound) = (ready.group.comparisons.get(component)?.label.clone(), left.width() + right.width());
         Some(Witness { t, formula, left: left.mid(), right: right.mid(), bound, values: Vec::new() })
     })
 }

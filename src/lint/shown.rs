@@ -148,14 +148,16 @@ fn step_text(out: &mut String, paper: &Paper, judgement: &Judgement, step: &Lint
     let _ = writeln!(out, "{:>6}    {:<14} {short}{more}", paper.line(&step.span), step.word.text());
 }
 
-/// "31 relations: 1 wrong, 12 follow, …".
+/// "31 relations: 1 wrong, 12 follow, …". Where nothing was tested, that nothing is wrong is not said.
 pub fn summary(lint: &Lint) -> String {
+    let is_tested = nothing_tested(lint).is_none();
     let counts: Vec<String> = Word::ALL
         .iter()
         .map(|w| (w, lint.count(*w)))
-        .filter(|(w, n)| *n > 0 || **w == Word::Wrong)
+        .filter(|(w, n)| *n > 0 || **w == Word::Wrong && is_tested)
         .map(|(w, n)| format!("{n} {}", w.text()))
         .collect();
     let noun = if lint.judgements.len() == 1 { "relation" } else { "relations" };
-    format!("{} {noun}: {}", lint.judgements.len(), counts.join(", "))
+    let counted = if counts.is_empty() { String::new() } else { format!(": {}", counts.join(", ")) };
+    format!("{} {noun}{counted}", lint.judgements.len())
 }

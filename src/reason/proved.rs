@@ -109,7 +109,7 @@ pub enum Refuting {
     /// Where one sign should serve for a whole motion: where the upper one does not, and where the lower one does not.
     #[error("upper sign: {upper}; lower sign: {lower}")]
     Signs { upper: Point, lower: Point },
-    #[error("left {}, right {} on the trajectory {trajectory} at t = {}", six(*.left), six(*.right), six(*.t))]
+    #[error("left {}, right {} on {trajectory} at t = {}", six(*.left), six(*.right), six(*.t))]
     OnMotion { left: f64, right: f64, trajectory: Arc<str>, t: f64 },
     #[error("it does not hold for {}", joined(.0, false))]
     Sizes(Vec<Coordinate>),

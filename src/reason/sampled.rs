@@ -24,7 +24,7 @@ pub enum Sampling {
     #[error("{count} more stretches, the first because {first}")]
     MoreStretches { count: usize, first: Arc<Reason> },
     /// Error bounds are too large; `lost`: a term of the formula is below what can be seen.
-    #[error("the error bound is too large to tell at {count} of {of} times: {example}; {} would decide", if *.lost { "a formula whose large terms do not cancel" } else { "a more accurate trajectory or a lower precision" })]
+    #[error("the error bound is too large to tell at {count} of {of} times: {example}; {} would decide", if *.lost { "a formula whose large terms do not cancel" } else { "a more accurate motion or a lower precision" })]
     TooLarge { count: usize, of: usize, example: Arc<Reason>, lost: bool },
     #[error("at {0} further times the error bound is too large to tell")]
     TooLargeElsewhere(usize),

@@ -91,6 +91,7 @@ fn item<'a>(
     let mark = hangs.letter(whole.id).map(String::from).unwrap_or_default();
     told.insert(whole.id);
     let mut below = points::lines(derivation, whole, NeededReading::NotShown);
+    below.extend(points::needs(derivation, whole));
     let Some(first) = broken.first() else {
         below.push(StoryBlock::Paragraph(grounds(whole, by_id, hangs)));
         return StoryItem { mark, line, below: vec![StoryBlock::Group("chain", below)] };
@@ -99,12 +100,19 @@ fn item<'a>(
     let mut steps = chain(&hangs.chain(first.id, whole.id), by_id);
     let verb = if broken.len() == 1 { "fails" } else { "fail" };
     steps.push(words(format!("; {} of {} {verb}.", broken.len(), count(under, "step"))));
-    // A conclusion that does not hold has shown where it fails; each break is shown once.
-    if !whole.fate.is_against() && told.insert(first.id) {
-        steps.push(words(" "));
-        steps.extend(break_says(derivation, first));
+    // Each break is shown once; a terminal has room for that of a conclusion that stands.
+    let says = told.insert(first.id).then(|| break_says(derivation, first)).filter(|says| !says.is_empty());
+    match says {
+        Some(says) if !whole.fate.is_against() => {
+            steps.push(words(" "));
+            steps.extend(says);
+            below.push(StoryBlock::Paragraph(steps));
+        }
+        says => {
+            below.push(StoryBlock::Paragraph(steps));
+            below.extend(says.map(|says| StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(says)])));
+        }
     }
-    below.push(StoryBlock::Paragraph(steps));
     StoryItem { mark, line, below: vec![StoryBlock::Group("chain", below)] }
 }
 

@@ -10,7 +10,8 @@ use super::discrimination::standing;
 use super::finding::{of_step, over_ranges};
 use super::form::{Heading, heading};
 use super::front::Line;
-use super::numbers::{both, six, size};
+use super::numbers::{ascii_six, both, count, six, size};
+use super::refuting::Refutes;
 use super::sketch::Sketch;
 use super::story::{StoryBlock, StorySpan, Tone, joined, quiet, words};
 use super::tally::{Standing, declared, motion_title};
@@ -40,9 +41,7 @@ impl<'a> RefutingMotion<'a> {
     /// The motion that tells most of why a claim fails: the largest residual, else a member of a family.
     pub fn of(derivation: &Derivation, claim: &'a ClaimAccount) -> Option<RefutingMotion<'a>> {
         let (name, evidence) = Self::found(claim)?;
-        let formula = evidence.witness.as_ref().map(|w| dense(&w.formula));
-        let at = claim.formulas.iter().position(|f| Some(dense(f)) == formula).unwrap_or(0);
-        let (kind, _) = heading(claim, declared(derivation, claim), at);
+        let kind = kind_at(derivation, claim, evidence.witness.as_ref());
         Some(RefutingMotion { name, evidence, kind })
     }
 
@@ -63,8 +62,11 @@ impl<'a> RefutingMotion<'a> {
         self.evidence.witness.as_ref()
     }
 
-    /// Both sides along it, drawn.
+    /// Both sides along it, drawn; nothing of two constants.
     pub fn sketch(&self) -> Option<Sketch> {
+        if self.is_constant() {
+            return None;
+        }
         Sketch::sides(self.series()?, self.witness().map(|w| w.t), &self.name)
     }
 
@@ -98,35 +100,51 @@ impl<'a> RefutingMotion<'a> {
         }
         let constant = self.is_constant();
         if !constant {
-            out.extend([words(" at "), StorySpan::Math(format!("t={}", six(w.t)), scope)]);
+            out.extend([words(" at "), StorySpan::Math(format!("t={}", ascii_six(w.t)), scope)]);
         }
         let label = super::wording::label(&w.formula);
-        let agree = (w.left - w.right).abs() <= w.bound;
+        let refutes = Refutes::of(w);
         // What shall never be is refuted where it is, in every component.
-        let everywhere = agree && self.kind == FormKind::Never;
+        let everywhere = refutes == Refutes::Same && self.kind == FormKind::Never;
         if let Some(component) = label.component.filter(|_| !everywhere) {
             out.push(words(" (component "));
             out.push(StorySpan::Math(component.to_owned(), scope));
             out.push(words(")"));
         }
-        if agree {
+        let constant = if constant && refutes == Refutes::Apart { "; both constant" } else { "" };
+        match refutes {
+            Refutes::NoValue => {
+                out.extend([words(" "), StorySpan::Math(label.formula.to_owned(), scope), words(" has no value.")]);
+                return out;
+            }
             // What denies an equation is refuted where the sides agree.
-            let components = if everywhere && label.component.is_some() { ", in every component" } else { "" };
-            out.push(words(format!(" both sides are the same{components}, which it denies")));
-        } else {
-            let sides = label.component.is_none().then(|| sides(label.formula)).flatten();
-            let (left, right) = both(w.left, w.right);
-            out.extend(named_side(": left ", sides.map(|s| s.0), left, scope));
-            out.extend(named_side(", right ", sides.map(|s| s.1), right, scope));
+            Refutes::Same => {
+                let components = if everywhere && label.component.is_some() { ", in every component" } else { "" };
+                let value = if components.is_empty() { format!(" ({})", six(w.left)) } else { String::new() };
+                out.push(words(format!(" both sides are the same{components}{value}, which it denies")));
+            }
+            Refutes::Apart => {
+                let sides = label.component.is_none().then(|| sides(label.formula)).flatten();
+                let (left, right) = both(w.left, w.right);
+                let short = |side: &&str| side.len() <= LONGEST_SIDE;
+                out.extend(named_side(": left ", sides.map(|s| s.0).filter(short), left, scope));
+                out.extend(named_side(", right ", sides.map(|s| s.1).filter(short), right, scope));
+            }
         }
-        let constant = if constant && !agree { "; both constant" } else { "" };
         // What is exact needs no bound.
-        out.push(quiet(match agree && w.bound == 0.0 {
+        out.push(quiet(match refutes == Refutes::Same && w.bound == 0.0 {
             true => ".".to_owned(),
             false => format!(" (error bound {}{constant}).", size(w.bound)),
         }));
         out
     }
+}
+
+/// What a claim says of the formula that a witness is of.
+pub(super) fn kind_at(derivation: &Derivation, claim: &ClaimAccount, witness: Option<&Witness>) -> FormKind {
+    let formula = witness.map(|w| dense(super::wording::label(&w.formula).formula));
+    let at = claim.formulas.iter().position(|f| Some(dense(f)) == formula).unwrap_or(0);
+    heading(claim, declared(derivation, claim), at).0
 }
 
 /// A side with its value, and by its formula where that is no number itself.
@@ -144,7 +162,7 @@ fn is_number(formula: &str) -> bool {
     formula.chars().all(|c| c.is_ascii_digit() || "+-. ^{}".contains(c))
 }
 
-/// The sides of a relation, where it has two, and both are short.
+/// The sides of a relation, where it has two.
 fn sides(formula: &str) -> Option<(&str, &str)> {
     let signs = ["=", "<", ">", r"\le ", r"\ge ", r"\leq ", r"\geq "];
     let mut found = signs.iter().flat_map(|sign| formula.match_indices(sign));
@@ -153,8 +171,7 @@ fn sides(formula: &str) -> Option<(&str, &str)> {
         return None;
     }
     let (left, right) = (formula[..at].trim(), formula[at + sign.len()..].trim());
-    let is_short = |side: &str| !side.is_empty() && side.len() <= LONGEST_SIDE;
-    (is_short(left) && is_short(right)).then_some((left, right))
+    (!left.is_empty() && !right.is_empty()).then_some((left, right))
 }
 
 /// How many powers of ten the sides of a claim that fails differ by less than they are large, at the point that refutes it; 0 where
@@ -229,7 +246,7 @@ impl<'a> FormulaShown<'a> {
             None => StorySpan::Math(formula, self.scope),
         }));
         if self.more > 0 {
-            out.push(quiet(format!(" and {} more", self.more)));
+            out.push(quiet(format!(" and {}", count(self.more, "more formula"))));
         }
         out
     }
@@ -400,7 +417,7 @@ pub(super) fn sketch_that_holds(whole: &Whole<'_>) -> Option<(Sketch, String)> {
     let pairs = whole.deciding().flat_map(|r| &r.claim.results);
     let drawn = pairs.filter_map(|p| Some((p.verdict.evidence().series.as_deref()?, p)));
     let (series, pair) = drawn.max_by_key(|(s, _)| s.points.len())?;
-    let sketch = Sketch::sides(series, None, &pair.trajectory)?;
+    let sketch = Sketch::sides(series, None, &pair.trajectory).filter(Sketch::varies)?;
     Some((sketch, pair.trajectory.clone()))
 }
 

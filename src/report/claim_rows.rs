@@ -8,9 +8,11 @@
 use super::digest::{self, Fate, Reading, Whole};
 use super::form::{Heading, heading};
 use super::graph::{DerivationGraph, ProofStanding};
+use super::headline;
 use super::markdown::{anchor, whose};
 use super::markup::{display, math, prose, table};
-use super::numbers::{both, count, six, size, time};
+use super::numbers::{count, six, size, time};
+use super::refuting;
 use super::tally::{Group, Standing, declared, groups, name};
 use super::text::uncapital;
 use super::wording::{label, slack_sentence};
@@ -28,8 +30,7 @@ pub(super) fn section(derivation: &Derivation, account: &Account, graph: &Deriva
         if found.is_empty() {
             continue;
         }
-        let number = found.len();
-        out.push_str(&format!("### {} {}\n\n{}\n\n", count(number, "claim"), fate.words(number), fate.meaning()));
+        out.push_str(&format!("### {}\n\n{}\n\n", headline::heading(fate, &found), fate.meaning()));
         let has_row = |whole: &&Whole<'_>| whole.readings.iter().all(|r| is_short(r)) && !fate.is_against();
         let (plain, others): (Vec<&Whole<'_>>, Vec<&Whole<'_>>) = found.into_iter().partition(has_row);
         others
@@ -105,7 +106,7 @@ fn rows(derivation: &Derivation, whole: &Whole<'_>) -> Vec<Vec<String>> {
         out.push(vec![
             format!("{}{shown}{}", target(&name(claim)), role_of(reading)),
             format!("{}{place}", prose(&claim.says)),
-            said(derivation, claim, true),
+            said_in_a_row(derivation, reading),
             format!("{} {}", reading.shape().sign(), fares(derivation, reading)),
         ]);
     }
@@ -192,7 +193,7 @@ fn reading_section(derivation: &Derivation, graph: &DerivationGraph, reading: &R
     groups.sort_by_key(|g| ["fails", "holds", "undecided"].iter().position(|w| *w == g.word).unwrap_or(3));
     // What does not apply, as it should not, is seen in the matrix.
     let told = groups.iter().filter(|g| g.unexpected || g.word != "not-applicable" || groups.len() == 1);
-    let lines: Vec<String> = told.map(|g| group_line(claim, g, of)).collect();
+    let lines: Vec<String> = told.map(|g| group_line(derivation, claim, g, of)).collect();
     if !lines.is_empty() {
         out.push_str(&format!("{}\n\n", lines.join(" ")));
     }
@@ -245,6 +246,12 @@ fn said(derivation: &Derivation, claim: &ClaimAccount, row: bool) -> String {
     out.trim_end().to_owned()
 }
 
+/// The same in a row of a table. Long formulas that the paper does not say are on the page.
+fn said_in_a_row(derivation: &Derivation, reading: &Reading<'_>) -> String {
+    let text = said(derivation, reading.claim, true);
+    if reading.role == ClaimRole::Added && text.len() > MOST_ADDED { "on the page".to_owned() } else { text }
+}
+
 /// The formulas, each kind with its words, of which what holds at every time needs none; in a row of a table all in one line.
 fn formulas(derivation: &Derivation, claim: &ClaimAccount, row: bool) -> String {
     let mut out = String::new();
@@ -260,7 +267,7 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount, row: bool) -> String 
                 continue;
             }
             Heading::Trajectory => {
-                out.push_str(&format!("The motion is that of the trajectory `{formula}`. "));
+                out.push_str(&format!("The motion is that of `{formula}`. "));
                 continue;
             }
         };
@@ -280,6 +287,9 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount, row: bool) -> String 
     out
 }
 
+/// Longest formulas of a claim that is there for comparison, in bytes.
+const MOST_ADDED: usize = 200;
+
 /// Longest formula that stands in a line with others, in bytes of LaTeX.
 const SHORT: usize = 90;
 
@@ -287,7 +297,7 @@ const SHORT: usize = 90;
 const NAMED: usize = 3;
 
 /// The pairs of a claim with the same verdict, in one line: where, the largest residual, and a witness or a reason.
-fn group_line(claim: &ClaimAccount, group: &Group<'_>, of: usize) -> String {
+fn group_line(derivation: &Derivation, claim: &ClaimAccount, group: &Group<'_>, of: usize) -> String {
     let names: Vec<String> = group.pairs.iter().map(|p| format!("`{}`", p.trajectory)).collect();
     let verdict = match group.word {
         "holds" => "Holds",
@@ -296,7 +306,7 @@ fn group_line(claim: &ClaimAccount, group: &Group<'_>, of: usize) -> String {
         _ => "Does not apply",
     };
     let on = if group.pairs.len() == claim.results.len() && names.len() > NAMED {
-        let all = count(names.len(), "trajectory");
+        let all = count(names.len(), "motion");
         if names.len() < of { format!("on all {all} on which it is tried") } else { format!("on all {all}") }
     } else if names.len() > NAMED && !group.unexpected {
         // The matrix names them.
@@ -313,7 +323,7 @@ fn group_line(claim: &ClaimAccount, group: &Group<'_>, of: usize) -> String {
     let Some(pair) = group.telling() else { return out + "." };
     let word = group.word;
     let told = match word {
-        "fails" => witness(claim, pair),
+        "fails" => witness(derivation, claim, pair),
         "not-applicable" if !group.unexpected => String::new(),
         word => told(pair, word == "holds"),
     };
@@ -346,20 +356,16 @@ fn told(pair: &PairAccount, holds: bool) -> String {
 }
 
 /// A refuting point: both sides in a line, and what they depend on.
-fn witness(claim: &ClaimAccount, pair: &PairAccount) -> String {
+fn witness(derivation: &Derivation, claim: &ClaimAccount, pair: &PairAccount) -> String {
     let Some(w) = &pair.verdict.evidence().witness else { return String::new() };
     // The only formula of a claim stands above.
     let of = label(&w.formula);
     let alone = matches!(claim.formulas.as_slice(), [one] if one == of.formula);
     let formula = if alone { String::new() } else { format!(", for {}{}{}", of.before, math(of.formula), of.after) };
     let component = of.component.map(|c| format!(" (component {})", math(c))).unwrap_or_default();
-    let (left, right) = both(w.left, w.right);
-    let mut out = format!(
-        " On `{}` at t = {}{formula}{component}: left **{left}**, right **{right}**, error bound {}.",
-        pair.trajectory,
-        six(w.t),
-        size(w.bound)
-    );
+    let kind = super::card::kind_at(derivation, claim, Some(w));
+    let said = refuting::bare_values(claim, kind, w, &|text| format!("**{text}**"));
+    let mut out = format!(" On `{}` at t = {}{formula}{component}: {said}.", pair.trajectory, six(w.t));
     // Values that would fill a page are in `report.json`, to be recomputed.
     if (1..=FEW).contains(&w.values.len()) {
         let values: Vec<String> = w.values.iter().map(|(n, v)| format!("{} = {}", math(n), six(*v))).collect();

@@ -93,8 +93,8 @@ fn sentences(s: &Separation, style: &Style) -> Vec<String> {
                 let all: Vec<String> = s.rivals.iter().map(|r| rival(r, style)).collect();
                 let more = if s.more_rivals > 0 { format!("; and {} more", s.more_rivals) } else { String::new() };
                 out.push(format!(
-                    "The trajectories to which it applies cannot tell this from: {}{more}. To tell them apart takes a \
-                     trajectory that meets the claim's assumptions and only one of the two conditions.",
+                    "The motions to which it applies cannot tell this from: {}{more}. To tell them apart takes a \
+                     motion that meets the claim's assumptions and only one of the two conditions.",
                     all.join("; ")
                 ));
             }
@@ -185,7 +185,7 @@ pub(super) fn terminal(account: &Account, paint: Paint) -> String {
         for assumption in claim.conditions.assumptions.iter().filter(|a| a.need == Need::NotNeeded) {
             let on = match assumption.on.as_slice() {
                 [one] => one.clone(),
-                more => count(more.len(), "trajectory"),
+                more => count(more.len(), "motion"),
             };
             let text = format!("{}: {}; it holds without it on {on}", name(claim), assumption.text);
             idle.push_str(&paragraph(&text, 2));

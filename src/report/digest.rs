@@ -326,6 +326,12 @@ impl<'a> Whole<'a> {
         self.readings.iter().filter(|r| r.role == ClaimRole::Needs).find(fails)
     }
 
+    /// A reading that the paper needs, and that fails wherever it applies; of several that on most motions.
+    pub fn failing_nowhere_true(&self) -> Option<&Reading<'a>> {
+        let fails = |r: &&Reading<'_>| r.role == ClaimRole::Needs && r.standing == Standing::Fails;
+        self.readings.iter().filter(fails).max_by_key(|r| r.refuting())
+    }
+
     /// What became of it, with what the paper needs of it.
     pub fn counted_as(&self) -> CountedFate {
         match self.fate {
@@ -472,17 +478,19 @@ pub(super) fn verdict(reading: &Reading<'_>) -> String {
         reading.claim.results.iter().filter(|r| r.verdict.outcome().word() == word).count() + members(word)
     };
     let how = refuted(reading.claim);
+    let has_members = ["holds", "fails", "undecided"].into_iter().any(|word| members(word) > 0);
+    let among = if has_members { ", members of families among them," } else { "" };
     match reading.standing {
         Standing::Holds => format!("Holds, {}", reading.basis().words()),
         Standing::Fails => match n("fails") {
             1 if n("undecided") == 0 => format!("Fails on the one motion to which it applies ({how})"),
             f if n("undecided") > 0 => format!("Fails on {} ({how}), undecided on others", count(f, "motion")),
             2 => format!("Fails on both motions to which it applies ({how})"),
-            f => format!("Fails on all {f} motions to which it applies ({how})"),
+            f => format!("Fails on all {f} motions{among} to which it applies ({how})"),
         },
         Standing::Mixed => {
             let of = n("holds") + n("fails") + n("undecided");
-            format!("Fails on {} of {of} motions to which it applies ({how})", n("fails"))
+            format!("Fails on {} of {of} motions{among} to which it applies ({how})", n("fails"))
         }
         Standing::Open if n("holds") > 0 => {
             format!("Holds on {}, undecided on {}", count(n("holds"), "motion"), n("undecided"))

@@ -49,7 +49,7 @@ pub(super) fn tried_where(claim: &ClaimAccount, variants: &VariantAccount) -> St
     match &claim.region {
         Some(region) if region.is_of_fields() => "by solutions of what is given".to_owned(),
         Some(_) => "at points of the ranges".to_owned(),
-        None => format!("on {}", count(variants.tried_on, "trajectory")),
+        None => format!("on {}", count(variants.tried_on, "motion")),
     }
 }
 
@@ -103,7 +103,7 @@ pub(super) fn standing(c: &Correction) -> String {
     match c.holds_on {
         // Over ranges, or for all fields.
         0 => format!("{proved}holds ({})", classes.join(", ")),
-        n => format!("{proved}holds on {} ({})", count(n, "trajectory"), classes.join(", ")),
+        n => format!("{proved}holds on {} ({})", count(n, "motion"), classes.join(", ")),
     }
 }
 
@@ -128,7 +128,7 @@ pub(super) fn summary(account: &Account, paint: Paint) -> String {
             paint.bold("Holds, but many altered formulas would hold there, too")
         ));
         if !lines.is_empty() {
-            out.push_str(&format!("\n  On every trajectory, for these claims:\n{lines}"));
+            out.push_str(&format!("\n  On every motion, for these claims:\n{lines}"));
         }
         out.push('\n');
     }

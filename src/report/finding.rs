@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use sha2::{Digest, Sha256};
 
-use super::numbers::{both, count, size, time};
+use super::numbers::{ascii_both as both, ascii_six as time, ascii_size as size, count};
 use super::tally::{Group, declared, groups, name, says};
 use crate::derivation::{Derivation, Form};
 use crate::diag::{Diagnostic, Source};

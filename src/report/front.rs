@@ -13,6 +13,7 @@ use super::digest::{self, Fate, Whole};
 use super::headline::{self, CountedFate};
 use super::numbers::count;
 use super::tally::{Standing, name};
+use super::text::{capital, uncapital};
 use crate::derivation::Derivation;
 use findings::{Account, ClaimAccount, IdentityAccount};
 
@@ -157,7 +158,9 @@ fn strength(wholes: &[Whole<'_>]) -> Option<String> {
         }
     }
     let parts: Vec<String> = kinds.iter().map(|(kind, n)| format!("{n} {kind}")).collect();
-    (!parts.is_empty()).then(|| format!("Of those that stand: {}.", parts.join("; ")))
+    let told = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count();
+    let lead = if told == found.len() { "How that is known" } else { "Of those that stand" };
+    (!parts.is_empty()).then(|| format!("{lead}: {}.", parts.join("; ")))
 }
 
 /// Whether a sentence names a motion on which a claim fails.
@@ -178,7 +181,7 @@ fn reason(whole: &Whole<'_>, name: MotionName) -> String {
     if several && failing.claim.reading.is_some() {
         let before = if whole.fate == Fate::Reading { "In one meaning, “" } else { "“" };
         out.push_str(&format!("{before}{}”: ", failing.claim.says.trim_end_matches('.')));
-        out.push_str(&lower(&digest::verdict(failing)));
+        out.push_str(&uncapital(&digest::verdict(failing)));
     } else {
         out.push_str(&digest::verdict(failing));
     }
@@ -280,16 +283,6 @@ fn refuted_premises(derivation: &Derivation, account: &Account) -> Vec<String> {
         Standing::Open | Standing::Nowhere => c.identity.as_ref().is_some_and(|i| i.verdict() == "refuted"),
     };
     account.claims.iter().filter(is_premise).filter(is_refuted).map(name).collect()
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |c| c.to_uppercase().chain(letters).collect())
-}
-
-fn lower(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |c| c.to_lowercase().chain(letters).collect())
 }
 
 /// The path as the project sees it; nothing outside the project is named.

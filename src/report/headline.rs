@@ -58,6 +58,21 @@ pub(super) fn headline(wholes: &[Whole<'_>]) -> String {
     }
 }
 
+/// The heading over the claims of one fate. What stands in its words and fails as it is used is told in it: a page has one count.
+pub(super) fn heading(fate: Fate, found: &[&Whole<'_>]) -> String {
+    let all = format!("{} {}", count(found.len(), "claim"), fate.words(found.len()));
+    match found.iter().filter(|w| w.counted_as() == CountedFate::AsSaid).count() {
+        0 => all,
+        n if n == found.len() => format!("{} {}", count(n, "claim"), CountedFate::AsSaid.words(n)),
+        n => format!(
+            "{} {}, and {n} {}",
+            count(found.len() - n, "claim"),
+            fate.words(found.len() - n),
+            CountedFate::AsSaid.words(n)
+        ),
+    }
+}
+
 /// What is in the file beside the paper's claims, in a sentence; `None` where there is nothing.
 pub(super) fn beside(wholes: &[Whole<'_>]) -> Option<String> {
     let parts: Vec<String> = [Fate::Choice, Fate::Lemma, Fate::Added]

@@ -1,28 +1,23 @@
-//! What the steps of a paper use and its claims do not say: conditions of proofs, what separates motions, conventions; and how far
-//! what stands stands.
+//! What the steps of a paper use and its claims do not say: conditions of proofs, what separates motions, conventions.
 //!
 //! **In:** the account of each claim. **Out:** a bounded list, what most claims use first. Nothing is judged: what a claim assumes by its
 //! own words is not among it.
 
 use std::collections::BTreeMap;
 
-use super::card::RefutingMotion;
-use super::consequence::Consequences;
-use super::digest::{self, Fate, Reading, Whole};
-use super::headline::CountedFate;
-use super::numbers::count;
-use super::points::{self, NeededReading};
+use super::digest::{self, Reading, Whole};
+use super::points;
 use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, quiet, words};
 use super::tally::{Standing, declared, name};
 use super::wording::dense;
 use crate::derivation::{ClaimRole, Derivation, FormKind};
 use crate::latex::Scope;
-use findings::Account;
 use findings::conditions::Need;
+use findings::{Account, ClaimAccount};
 use reason::{Bounded, Proviso, Term};
 
 /// Most hypotheses that are told on page one; more are folded.
-const MOST: usize = 4;
+const MOST: usize = 3;
 /// Longest hypothesis that comes first, in bytes.
 const LONGEST_SHOWN: usize = 70;
 /// Most that are told at all.
@@ -32,9 +27,9 @@ const MOST_NAMED: usize = 3;
 /// Most equations and claims that are named of each on page one.
 const MOST_PLACES: usize = 2;
 /// Most conventions on page one.
-const MOST_CONVENTIONS: usize = 2;
+const MOST_CONVENTIONS: usize = 4;
 /// Longest convention on page one, in bytes.
-const LONGEST_CONVENTION: usize = 90;
+const LONGEST_CONVENTION: usize = 170;
 
 /// How well a hypothesis is read: what has words comes first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -47,12 +42,24 @@ enum Readable {
     Long,
 }
 
+/// What kind of thing is used.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum HypothesisKind {
+    /// A condition of the paper's subject: moments that differ, a laboratory.
+    OfPaper,
+    /// Which sign of ± is meant.
+    Sign,
+    /// What a proof divides by, and where a function has a value.
+    Technical,
+}
+
 /// Something that steps use.
 struct Hypothesis<'a> {
     says: Vec<StorySpan<'a>>,
     /// By which equals are found.
     key: String,
     readable: Readable,
+    kind: HypothesisKind,
     /// The claims that use it.
     used: Vec<String>,
 }
@@ -63,39 +70,65 @@ pub(super) fn blocks<'a>(
     account: &'a Account,
     wholes: &[Whole<'a>],
 ) -> Vec<StoryBlock<'a>> {
-    let (said, unsaid): (Vec<_>, Vec<_>) =
-        gathered(derivation, account, wholes).into_iter().partition(|h| is_stated(derivation, wholes, &h.key));
+    let found = gathered(derivation, account, wholes);
+    let signs: Vec<String> =
+        found.iter().filter(|h| h.kind == HypothesisKind::Sign).map(|h| sign(derivation, h)).collect();
+    let (said, unsaid): (Vec<_>, Vec<_>) = found
+        .into_iter()
+        .filter(|h| h.kind != HypothesisKind::Sign)
+        .partition(|h| is_stated(derivation, wholes, &h.key));
+    let (technical, unsaid): (Vec<_>, Vec<_>) = unsaid.into_iter().partition(|h| h.kind == HypothesisKind::Technical);
     let mut all = with_intermediate(unsaid, &derivation.scope);
     // What has words comes first, then what most claims use.
     all.sort_by_key(|h| (h.readable, std::cmp::Reverse(h.used.len())));
-    let mut out = vec![StoryBlock::Heading("Used and not said".to_owned())];
     let short = all.iter().take_while(|h| h.readable != Readable::Long).count();
-    let shown = all.len().min(MOST).min(short.max(1));
-    if all.is_empty() {
-        out.push(StoryBlock::Paragraph(vec![quiet("No step uses a condition that its claim does not say.")]));
-        out.extend(conventions(derivation));
-        return out;
-    }
-    let counted = all[..shown]
-        .iter()
-        .map(|of| of.says.iter().cloned().chain([quiet(format!(" ({})", places(derivation, &of.used)))]).collect());
+    let shown = short.min(MOST);
+    let counted = all[..shown].iter().map(|of| with_places(derivation, of)).collect::<Vec<_>>();
     let mut line = joined(counted, "; ");
-    let more = all.len() - shown;
-    line.push(quiet(if more > 0 { format!("; {more} more on the page.") } else { ".".to_owned() }));
-    out.push(StoryBlock::Paragraph(line));
-    out.extend(said_elsewhere(derivation, &said));
-    out.extend(conventions(derivation));
-    let told = &all[..all.len().min(MOST_FOLDED)];
-    let mut folded = vec![StoryBlock::List(told.iter().map(item).collect())];
-    if all.len() > told.len() {
-        folded.push(StoryBlock::Paragraph(vec![quiet(format!("{} more are not listed.", all.len() - told.len()))]));
+    let more = all.len() - shown + technical.len();
+    line.push(quiet(match (shown, more) {
+        (0, 0) => "No step uses a condition that its claim does not say.".to_owned(),
+        (0, n) => format!("Divisions and domains of proofs alone: {n}, listed on the page."),
+        (_, 0) => ".".to_owned(),
+        (_, n) => format!("; {n} more on the page."),
+    }));
+    let mut out = vec![StoryBlock::Heading("Used and not said".to_owned()), StoryBlock::Paragraph(line)];
+    out.extend(conventions(derivation, &signs));
+    let mut folded = listed(&all);
+    folded.extend(said_elsewhere(derivation, &said));
+    if !technical.is_empty() {
+        folded
+            .push(StoryBlock::Paragraph(vec![quiet("What proofs divide by, and where their functions have values:")]));
+        folded.extend(listed(&technical));
     }
-    out.push(StoryBlock::Fold {
-        title: "Which claims use what".to_owned(),
-        unfolded: Some(String::new()),
-        blocks: folded,
-    });
+    if !folded.is_empty() {
+        let title = "Which claims use what".to_owned();
+        out.push(StoryBlock::Fold { title, unfolded: Some(String::new()), blocks: folded });
+    }
     out
+}
+
+/// A hypothesis, and where it is used.
+fn with_places<'a>(derivation: &Derivation, of: &Hypothesis<'a>) -> Vec<StorySpan<'a>> {
+    of.says.iter().cloned().chain([quiet(format!(" ({})", places(derivation, &of.used)))]).collect()
+}
+
+/// Hypotheses as a list, bounded.
+fn listed<'a>(all: &[Hypothesis<'a>]) -> Vec<StoryBlock<'a>> {
+    let told = &all[..all.len().min(MOST_FOLDED)];
+    let mut out = Vec::new();
+    if !told.is_empty() {
+        out.push(StoryBlock::List(told.iter().map(item).collect()));
+    }
+    if all.len() > told.len() {
+        out.push(StoryBlock::Paragraph(vec![quiet(format!("{} more are not listed.", all.len() - told.len()))]));
+    }
+    out
+}
+
+/// Which sign of ± is meant, and in which equations.
+fn sign(derivation: &Derivation, of: &Hypothesis<'_>) -> String {
+    format!("sign in {}: {}", places(derivation, &of.used), of.key)
 }
 
 /// What claims use without saying so that the paper says in another place.
@@ -104,12 +137,9 @@ fn said_elsewhere<'a>(derivation: &'a Derivation, said: &[Hypothesis<'a>]) -> Op
         return None;
     }
     let mut out = vec![quiet("Said by the paper in one place, and used in others: ")];
-    let one = |of: &Hypothesis<'a>| {
-        of.says.iter().cloned().chain([quiet(format!(" ({})", places(derivation, &of.used)))]).collect()
-    };
-    out.extend(joined(said.iter().take(MOST).map(one), "; "));
+    out.extend(joined(said.iter().take(MOST).map(|of| with_places(derivation, of)), "; "));
     out.push(quiet("."));
-    Some(StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(out)]))
+    Some(StoryBlock::Paragraph(out))
 }
 
 /// Whether the paper itself states a condition, or chooses it: then it is not unsaid.
@@ -155,12 +185,12 @@ fn with_intermediate<'a>(all: Vec<Hypothesis<'a>>, scope: &'a Scope) -> Vec<Hypo
             let letter = |of: &String| StorySpan::Math(of.clone(), scope);
             let (a, b) = if b[0] < a[0] { (b, a) } else { (a, b) };
             let mut says = vec![letter(third), words(" between "), letter(&a[0]), words(" and "), letter(&b[0])];
-            says.push(words(", or equal to one"));
+            says.push(words(", or equal to one of them"));
             if !exact {
-                says.extend([words(", or "), letter(&a[0]), words(" = "), letter(&b[0])]);
+                says.extend([words("; or "), letter(&a[0]), words(" = "), letter(&b[0])]);
             }
             let key = format!("{third} between {} and {}", a[0], b[0]);
-            merged.push(Hypothesis { says, key, readable: Readable::Words, used: both });
+            merged.push(Hypothesis { says, key, readable: Readable::Words, kind: HypothesisKind::OfPaper, used: both });
         }
     }
     out.retain(|h| !h.used.is_empty());
@@ -179,7 +209,13 @@ fn places(derivation: &Derivation, used: &[String]) -> String {
                 Some((_, n)) => *n += 1,
                 None => labels.push((label, 1)),
             },
-            None => others.push((name.split('/').next().unwrap_or(name).to_owned(), 1)),
+            None => {
+                let id = name.split('/').next().unwrap_or(name);
+                match others.iter_mut().find(|(known, _): &&mut (String, usize)| known == id) {
+                    Some((_, n)) => *n += 1,
+                    None => others.push((id.to_owned(), 1)),
+                }
+            }
         }
     }
     let named: Vec<(String, usize)> = labels.into_iter().chain(others).take(MOST_PLACES).collect();
@@ -201,22 +237,37 @@ fn item<'a>(of: &Hypothesis<'a>) -> StoryItem<'a> {
     StoryItem { mark: String::new(), line, below: Vec::new() }
 }
 
-/// What was chosen: of the conventions of the file, the first.
-fn conventions<'a>(derivation: &'a Derivation) -> Option<StoryBlock<'a>> {
-    if derivation.conventions.is_empty() {
+/// What was chosen: of the conventions of the file those that a printed formula uses, then the others; and which signs are meant.
+fn conventions<'a>(derivation: &'a Derivation, signs: &[String]) -> Option<StoryBlock<'a>> {
+    let mut all: Vec<&(String, String)> = derivation.conventions.iter().collect();
+    all.sort_by_key(|(_, text)| !is_of_notation(text));
+    let mut told: Vec<String> = all.iter().map(|(key, text)| convention(key, text)).collect();
+    let of_notation = all.iter().filter(|(_, text)| is_of_notation(text)).count();
+    // A sign stands before what is no notation.
+    told.splice(of_notation..of_notation, signs.iter().cloned());
+    told.retain(|text| text.len() <= LONGEST_CONVENTION);
+    told.truncate(MOST_CONVENTIONS);
+    let more = (all.len() + signs.len()).saturating_sub(told.len());
+    if told.is_empty() {
         return None;
     }
-    let is_short = |(_, text): &&(String, String)| text.len() <= LONGEST_CONVENTION;
-    let told: Vec<_> = derivation.conventions.iter().filter(is_short).take(MOST_CONVENTIONS).collect();
-    let more = derivation.conventions.len() - told.len();
-    let told = told.into_iter().map(|(key, text)| {
-        let text = format!("{}: {}", key.replace('-', " "), text.trim_end_matches('.'));
-        vec![StorySpan::Prose(text, &derivation.scope, Tone::Quiet)]
-    });
+    let told = told.into_iter().map(|text| vec![StorySpan::Prose(text, &derivation.scope, Tone::Quiet)]);
     let mut out = vec![quiet("Conventions: ")];
     out.extend(joined(told, "; "));
     out.push(quiet(if more > 0 { format!("; {more} more.") } else { ".".to_owned() }));
     Some(StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(out)]))
+}
+
+/// A convention in a few words: its first part.
+fn convention(key: &str, text: &str) -> String {
+    let text = text.split_once("; ").map_or(text, |(first, _)| first);
+    format!("{}: {}", key.replace('-', " "), text.trim_end_matches('.'))
+}
+
+/// Whether a convention says what a sign of a formula means.
+fn is_of_notation(text: &str) -> bool {
+    let first = text.split_once("; ").map_or(text, |(first, _)| first);
+    ["=", "×", "index", "indices", "summed"].iter().any(|sign| first.contains(sign))
 }
 
 /// Letters that are said to differ, or to be no values between others: what a condition says of them.
@@ -266,7 +317,14 @@ fn ordered<'a>(key: &str, scope: &'a Scope) -> Option<Vec<StorySpan<'a>>> {
     Some(match of.between {
         None => vec![letter(0), words(" ≠ "), letter(1)],
         Some(true) => {
-            vec![letter(0), words(" between "), letter(1), words(" and "), letter(2), words(", or one of them")]
+            vec![
+                letter(0),
+                words(" between "),
+                letter(1),
+                words(" and "),
+                letter(2),
+                words(", or equal to one of them"),
+            ]
         }
         Some(false) => vec![letter(0), words(" not strictly between "), letter(1), words(" and "), letter(2)],
     })
@@ -301,8 +359,8 @@ fn of_proviso<'a>(of: &Proviso, scope: &'a Scope) -> (Vec<StorySpan<'a>>, String
 fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whole<'a>]) -> Vec<Hypothesis<'a>> {
     let mut out: Vec<Hypothesis<'a>> = Vec::new();
     let mut places: BTreeMap<String, usize> = BTreeMap::new();
-    let mut add = |says: Vec<StorySpan<'a>>, key: String, claim: String| {
-        let at = *places.entry(canonical(&key)).or_insert(out.len());
+    let mut add = |says: Vec<StorySpan<'a>>, key: String, claim: String, kind: HypothesisKind| {
+        let at = *places.entry(one_spelling(derivation, &key)).or_insert(out.len());
         match out.get_mut(at) {
             Some(known) if known.used.contains(&claim) => {}
             Some(known) => known.used.push(claim),
@@ -313,15 +371,15 @@ fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whol
                     _ if places_of(&key, "\\cdot").len() < 2 && sides(&key).is_some() => Readable::Words,
                     _ => Readable::Formula,
                 };
-                out.push(Hypothesis { says, key, readable, used: vec![claim] });
+                out.push(Hypothesis { says, key, readable, kind, used: vec![claim] });
             }
         }
     };
     for unsaid in digest::unsaid(derivation, account) {
         let text = digest::explanation(unsaid.explanation);
         let says = || vec![StorySpan::Prose(text.clone(), &derivation.scope, Tone::Plain)];
-        for claim in &unsaid.claims {
-            add(says(), text.clone(), name(claim));
+        for claim in unsaid.claims.iter().filter(|c| !is_assumed_as_stated(wholes, c)) {
+            add(says(), text.clone(), name(claim), HypothesisKind::OfPaper);
         }
     }
     let argued = |role: ClaimRole| matches!(role, ClaimRole::Says | ClaimRole::MayMean | ClaimRole::Lemma);
@@ -339,20 +397,22 @@ fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whol
                     }
                 };
                 if !own.contains(&canonical(&key)) {
-                    add(says, key, name(claim));
+                    let kind = if is_technical(&key) { HypothesisKind::Technical } else { HypothesisKind::OfPaper };
+                    add(says, key, name(claim), kind);
                 }
             }
         }
         if let Some(branch) = &identity.evidence.branch {
-            let text = format!("of ±: it holds {branch}");
-            add(vec![StorySpan::Prose(text.clone(), scope, Tone::Plain)], text, name(claim));
+            let text = branch.to_string();
+            let says = vec![StorySpan::Prose(text.clone(), scope, Tone::Plain)];
+            add(says, text, name(claim), HypothesisKind::Sign);
         }
     }
     for reading in wholes.iter().flat_map(|w| &w.readings).filter(|r| argued(r.role) && r.standing == Standing::Holds) {
         let mut left_out = reading.claim.results.iter().flat_map(|p| &p.verdict.evidence().excluded);
         if left_out.any(|e| e.reason.is_no_value()) {
             let text = "times at which a side has no value are left out";
-            add(vec![words(text)], text.to_owned(), name(reading.claim));
+            add(vec![words(text)], text.to_owned(), name(reading.claim), HypothesisKind::Technical);
         }
     }
     for reading in wholes.iter().flat_map(|w| &w.readings).filter(|r| r.role == ClaimRole::MayMean) {
@@ -360,8 +420,74 @@ fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whol
         for needed in claim.conditions.assumptions.iter().filter(|a| a.need == Need::Needed) {
             let says = points::in_words(derivation, &needed.text, claim);
             let key = if let StorySpan::Prose(text, ..) = &says { text.clone() } else { needed.text.clone() };
-            add(vec![says], key, name(claim));
+            add(vec![says], key, name(claim), HypothesisKind::OfPaper);
         }
+    }
+    out
+}
+
+/// Whether the paper's own reading of a sentence stands under an assumption that this one leaves out: then the condition is said, and what
+/// is tried is what the paper makes of the sentence.
+fn is_assumed_as_stated(wholes: &[Whole<'_>], claim: &ClaimAccount) -> bool {
+    let Some(whole) = wholes.iter().find(|w| w.id == claim.id) else { return false };
+    let is_read_so = |r: &Reading<'_>| r.role == ClaimRole::Needs && r.claim.reading == claim.reading;
+    let is_stated = |r: &Reading<'_>| {
+        r.role == ClaimRole::Says
+            && r.standing == Standing::Holds
+            && r.claim.assumptions.len() > claim.assumptions.len()
+            && r.claim.formulas == claim.formulas
+    };
+    whole.readings.iter().any(is_read_so) && whole.readings.iter().any(is_stated)
+}
+
+/// Whether a condition of a proof tells nothing of the paper: a division by an expression or a rate, and the domain of a function. That
+/// two letters differ, or one is not 0, is of the paper.
+fn is_technical(key: &str) -> bool {
+    match sides(&upright(key)) {
+        // A rate, and a function of a letter, are none.
+        Some(of) => of.letters.iter().any(|letter| {
+            letter.starts_with("\\dot") || letter.starts_with("\\ddot") || letter.matches('\\').count() > 1
+        }),
+        None => key.contains('≠') || key.contains("|") || key.contains("too long to print"),
+    }
+}
+
+/// What is the same condition has one spelling, in the words of the file or as a formula: letters are not told apart by how they are
+/// printed, nor by the order of what is raised and lowered.
+fn one_spelling(derivation: &Derivation, key: &str) -> String {
+    let named = derivation.conditions.iter().find(|c| c.says.trim_end_matches('.') == key);
+    let formula = match named.map(|c| c.holds.as_slice()) {
+        Some([one]) => one.text.as_str(),
+        _ => key.trim_matches('$'),
+    };
+    lowered_first(&upright(&canonical(formula)))
+}
+
+/// A formula whose letters are printed alike.
+fn upright(formula: &str) -> String {
+    let mut text = formula.to_owned();
+    for print in ["{\\bf", "\\mathbf{", "\\vec{", "\\boldsymbol{"] {
+        while let Some(at) = text.find(print) {
+            let end = text[at..].find('}').map_or(text.len(), |n| at + n);
+            let inner = text[at + print.len()..end].trim().to_owned();
+            text.replace_range(at..(end + 1).min(text.len()), &inner);
+        }
+    }
+    text
+}
+
+/// A formula in which what is lowered stands before what is raised: `I^{-1}_i` is `I_i^{-1}`.
+fn lowered_first(text: &str) -> String {
+    let mut out = text.to_owned();
+    let mut from = 0;
+    while let Some(at) = out[from..].find("^{").map(|n| from + n) {
+        let Some(end) = out[at..].find('}').map(|n| at + n + 1) else { break };
+        let index = out[end..].strip_prefix('_').and_then(|rest| rest.chars().next());
+        if let Some(index) = index.filter(|c| c.is_alphanumeric()) {
+            let raised = out[at..end].to_owned();
+            out.replace_range(at..end + 1 + index.len_utf8(), &format!("_{index}{raised}"));
+        }
+        from = end;
     }
     out
 }
@@ -430,83 +556,6 @@ pub(super) fn uses(term: Term) -> bool {
     }
 }
 
-/// Most claims that fail as they are used, that are unfolded.
-const MOST_AS_NEEDED: usize = 12;
-
-/// A claim that stands as it is stated, and fails as the paper uses it.
-pub(super) struct Limited<'w, 'a> {
-    pub whole: &'w Whole<'a>,
-    /// The reading that the paper uses.
-    pub used: &'w Reading<'a>,
-    /// How many readings assume it.
-    pub assumed: usize,
-}
-
-/// All of them: what other claims assume comes first, then the heaviest; equals stay in the order of the paper.
-pub(super) fn limited<'w, 'a>(
-    derivation: &Derivation,
-    wholes: &'w [Whole<'a>],
-    hangs: &Consequences<'_>,
-) -> Vec<Limited<'w, 'a>> {
-    let refuted = |r: &Reading<'a>| RefutingMotion::of(derivation, r.claim).is_some_and(|m| m.witness().is_some());
-    let assumed = |r: &Reading<'a>| {
-        let all = wholes.iter().flat_map(|w| &w.readings);
-        all.filter(|other| other.claim.assumptions.iter().any(|a| r.claim.formulas.contains(a))).count()
-    };
-    let standing = wholes.iter().filter(|w| w.fate == Fate::Stands);
-    let with_use = standing.filter_map(|whole| Some((whole, whole.failing_need()?)));
-    let mut out: Vec<Limited<'w, 'a>> =
-        with_use.map(|(whole, used)| Limited { whole, used, assumed: assumed(used) }).collect();
-    out.sort_by_cached_key(|l| std::cmp::Reverse((l.assumed, refuted(l.used), hangs.weight(l.whole.id))));
-    out
-}
-
-/// How far what stands stands: the claims that hold as they are stated, but fail where the paper uses them. Bounded: one claim with its
-/// numbers, the one that most others assume, and the others folded.
-pub(super) fn limits<'a>(
-    derivation: &'a Derivation,
-    wholes: &[Whole<'a>],
-    hangs: &Consequences<'a>,
-) -> Vec<StoryBlock<'a>> {
-    let limited = limited(derivation, wholes, hangs);
-    let Some((first, rest)) = limited.split_first() else { return Vec::new() };
-    let mut card = as_used(derivation, first);
-    if let Some(StoryBlock::Paragraph(line)) = card.first_mut() {
-        line.insert(0, StorySpan::Words("Stated and used differently: ".to_owned(), Tone::Strong));
-        line.push(quiet(match rest.len() {
-            0 => ".".to_owned(),
-            n => format!(", and {}.", count(n, "more claim")),
-        }));
-    }
-    let sketch = RefutingMotion::of(derivation, first.used.claim).and_then(|motion| motion.sketch());
-    if let Some(sketch) = sketch {
-        card.insert(1, StoryBlock::Group("roomy", vec![StoryBlock::Figure(sketch, Vec::new())]));
-    }
-    let mut blocks = vec![StoryBlock::Group("card", card)];
-    if !rest.is_empty() {
-        let items = rest.iter().take(MOST_AS_NEEDED).flat_map(|l| as_used(derivation, l)).collect();
-        let n = rest.len();
-        let verb = CountedFate::AsSaid.words(n);
-        let title = format!("{n} more {} {verb}", if n == 1 { "claim" } else { "claims" });
-        blocks.push(StoryBlock::Fold { title, unfolded: Some(String::new()), blocks: items });
-    }
-    blocks
-}
-
-/// What such a claim says, in what sense it stands, and where it fails as it is used.
-fn as_used<'a>(derivation: &'a Derivation, of: &Limited<'_, 'a>) -> Vec<StoryBlock<'a>> {
-    let mut line = vec![StorySpan::Claim(of.whole.id.to_owned(), Tone::Strong)];
-    line.push(quiet(match of.assumed {
-        0 => String::new(),
-        n => format!(" ({} {} it)", count(n, "reading"), if n == 1 { "assumes" } else { "assume" }),
-    }));
-    let mut out = vec![StoryBlock::Paragraph(line)];
-    // A terminal has the first sentences for it.
-    out.extend(points::as_stated(derivation, of.whole).map(|line| StoryBlock::Group("roomy", vec![line])));
-    out.extend(points::lines(derivation, of.whole, NeededReading::Shown));
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -522,6 +571,20 @@ mod tests {
         assert_eq!(of(r"a+b ≠ 0"), None);
         assert_eq!(of(r"(a-b)\cdot (c-d) ≥ 0"), None);
         assert_eq!(of(r"x ≥ 0"), None);
+    }
+
+    #[test]
+    fn what_proofs_divide_by_is_not_of_the_paper() {
+        for key in [r"r^2-a ≠ 0", r"\dot{\theta} ≠ 0", r"|-h/(g\ell)| ≤ 1", r"\sin(\theta) ≠ 0"] {
+            assert!(is_technical(key), "{key}");
+        }
+        for key in [r"{\bf m}_3 ≠ 0", r"m_3 ≠ 0", r"I_1\ne I_2", r"(I_2-I_3)\cdot (I_2-I_1) ≥ 0", "R(0) = 1"] {
+            assert!(!is_technical(key), "{key}");
+        }
+        assert!(is_technical(r"\sin\theta\ne 0"));
+        assert_eq!(lowered_first("2E=I^{-1}_im_i^2"), "2E=I_i^{-1}m_i^2");
+        assert!(is_of_notation("[a,b] = a × b, right-handed") && !is_of_notation("any consistent units; a = b"));
+        assert_eq!(convention("euler-angles", "zxz: R = Z; more."), "euler angles: zxz: R = Z");
     }
 
     #[test]

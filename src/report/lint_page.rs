@@ -9,6 +9,7 @@ use latex::Scope;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use paper::{Paper, PrintedRelation};
 
+use super::differing::differing;
 use super::mathml;
 use super::page::FONT;
 use lint::{Judgement, Lint, LintPicture, PicturePoint, Typeset, Word};
@@ -91,7 +92,7 @@ fn counts(found: &Lint) -> Markup {
         ul.counts role="radiogroup" aria-label="formulas that are shown" {
             li { label { (button("all")) " " b { (found.judgements.len()) } " all" } }
             @for word in Word::ALL {
-                @if found.count(word) > 0 || word == Word::Wrong {
+                @if found.count(word) > 0 || word == Word::Wrong && lint::nothing_tested(found).is_none() {
                     li { label { (button(&key(word))) " " b { (found.count(word)) } " " (word.text()) } }
                 }
             }
@@ -187,9 +188,9 @@ fn wrong(relation: &PrintedRelation, judgement: &Judgement, how: Option<&Typeset
     let printed = at.map_or("", |k| text_of(relation, how, k));
     html! {
         div.sides {
-            div { h3 { "As printed" } div.formula tabindex="0" role="group" aria-label="as printed" { (formula(printed, scope)) } }
+            div { h3 { "As printed" } div.formula tabindex="0" role="group" aria-label="as printed" { (marked(printed, judgement.instead.as_deref(), scope, "bad")) } }
             @if let Some(instead) = &judgement.instead {
-                div { h3 { "Holds" } div.formula tabindex="0" role="group" aria-label="what holds" { (formula(instead, scope)) } }
+                div { h3 { "Holds" } div.formula tabindex="0" role="group" aria-label="what holds" { (marked(instead, Some(printed), scope, "good")) } }
             }
         }
         @if let Some(witness) = &judgement.witness {
@@ -226,6 +227,16 @@ fn text_of<'a>(relation: &'a PrintedRelation, how: Option<&'a Typeset>, k: usize
 
 fn character(sign: &str) -> &str {
     SIGNS.iter().find(|(command, _)| *command == sign).map_or(sign, |(_, c)| c)
+}
+
+/// A formula in which the signs have a class that the other has not: what is wrong is seen at once.
+fn marked(text: &str, other: Option<&str>, scope: Option<&Scope>, class: &str) -> Markup {
+    let own = Scope::new(&mut Graph::new());
+    let typeset = |text: &str| mathml::formula_mathml(text, scope.unwrap_or(&own));
+    match (typeset(text), other.and_then(typeset)) {
+        (Some(one), Some(other)) => PreEscaped(differing(&one, &other, class)),
+        _ => formula(text, scope),
+    }
 }
 
 /// A formula as MathML; as it is written, where it is not read.

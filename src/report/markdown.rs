@@ -72,7 +72,7 @@ fn folded(summary: &str, body: &str) -> String {
 fn matrix(account: &Account) -> String {
     let Some(body) = letters(account) else { return String::new() };
     format!(
-        "## Claims and trajectories\n\n{LEGEND} Columns are the [trajectories](#trajectories) by number.\n\n{}",
+        "## Claims and motions\n\n{LEGEND} Columns are the [motions](#motions) by number.\n\n{}",
         fenced("text", body.trim_end())
     )
 }
@@ -115,7 +115,7 @@ fn systems(derivation: &Derivation) -> String {
 }
 
 fn trajectories(account: &Account) -> String {
-    let mut out = String::from("## Trajectories\n\n");
+    let mut out = String::from("## Motions\n\n");
     let rows = account.trajectories.iter().enumerate().map(|(i, t)| {
         let steps = if t.steps > 0 { t.steps.to_string() } else { String::new() };
         vec![
@@ -129,7 +129,7 @@ fn trajectories(account: &Account) -> String {
         ]
     });
     let head = ["no.", "id", "title", "t", "source", "steps", "error at most"];
-    let summary = count(account.trajectories.len(), "trajectory");
+    let summary = count(account.trajectories.len(), "motion");
     out.push_str(&folded(&summary, &table(&head, rows)));
     out.push_str("Parameters and initial values are in the derivation file and in `report.json`.\n\n");
     for t in &account.trajectories {
@@ -179,7 +179,7 @@ fn range(account: &Account, measure: &str) -> String {
     let told = |(m, t, v, b): (&&Measurement, f64, f64, f64)| {
         format!("{} ± {} (`{}`, t = {})", six(v), size(b), m.trajectory, six(t))
     };
-    let on = count(found.iter().filter(|m| !m.values.is_empty()).count(), "trajectory");
+    let on = count(found.iter().filter(|m| !m.values.is_empty()).count(), "motion");
     let without = found.iter().filter(|m| m.values.is_empty()).count();
     let without = if without > 0 { format!(" No value on {without}.") } else { String::new() };
     let (least, most) = (each().min_by(|a, b| a.2.total_cmp(&b.2)), each().max_by(|a, b| a.2.total_cmp(&b.2)));
@@ -200,7 +200,7 @@ fn repeat(derivation: &Derivation) -> String {
          - command `rederive check {path}`\n\
          - precision asked for, unless a claim says otherwise: {}\n\n\
          A residual, left side minus right side, is compared with its own error bound, which is propagated from the error of \
-         the trajectory and from rounding. A bound that is larger than the precision asked for leaves the claim undecided.\n",
+         the motion and from rounding. A bound that is larger than the precision asked for leaves the claim undecided.\n",
         crate::PROGRAM,
         env!("CARGO_PKG_VERSION"),
         derivation.sha256,

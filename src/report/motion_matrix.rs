@@ -84,7 +84,7 @@ pub(super) fn blocks<'a>(
     }
     let more = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count().saturating_sub(rows.len());
     if more > 0 {
-        legend.push(quiet(format!("; +{more} rows")));
+        legend.extend([quiet("; "), StorySpan::Section(format!("+{more} rows"), "/claims")]);
     }
     let keys = columns.into_iter().enumerate().map(|(at, column)| StoryItem {
         mark: letter(at),

@@ -12,12 +12,13 @@ use super::digest::{self, Fate, Reading, Whole};
 use super::front::{Front, Line};
 use super::headline;
 use super::hypotheses;
+use super::limited::{self, Limited};
 use super::motion_matrix::{self, that_matter};
 use super::numbers::count;
 use super::sketch::Sketch;
 use super::story::{self, StoryBlock, StorySpan, Tone, quiet, words};
 use super::tally::{Standing, declared};
-use super::text::{Paint, paragraph, uncapital};
+use super::text::{Paint, capital, paragraph, uncapital};
 use crate::derivation::Derivation;
 use findings::Account;
 
@@ -29,6 +30,8 @@ const MOST_CARDS: usize = 3;
 const MOST_REMARKED: usize = 2;
 /// Most labels and letters that a sentence lists.
 const MOST_LABELS: usize = 12;
+/// Longest formula, in bytes of LaTeX, that a sentence quotes.
+const LONGEST_TOLD: usize = 80;
 /// Cards that a terminal has room for, if there are few of them; of more only the first.
 const FEW_CARDS: usize = 2;
 
@@ -39,25 +42,22 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     let front = Front::of(derivation, account, &wholes, &hangs);
     let scope = &derivation.scope;
     let mut head = headline(derivation, &wholes, &hangs, &front);
-    let is_plain = head.len() == 1;
     for alarm in &front.alarms {
         head.push(StoryBlock::Paragraph(vec![StorySpan::Prose(format!("! {alarm}"), scope, Tone::Alarm)]));
     }
-    // Beside the sentences on equations and conclusions a terminal has no room for it.
-    head.extend(remark(derivation).map(|block| if is_plain { block } else { StoryBlock::Group("roomy", vec![block]) }));
+    head.extend(remark(derivation));
     let fields = wholes.iter().filter(|w| w.fate.is_of_the_paper()).map(|w| w.shape());
     let strip = Sketch::Strip(fields.collect());
     let shown = front.lines.first().map(|l| l.id.as_str());
     let concludes = argument::blocks(derivation, &wholes, &hangs, shown);
     let mut matrix = vec![StoryBlock::Group("strip", vec![StoryBlock::Figure(strip, Vec::new())])];
     matrix.extend(motion_matrix::blocks(derivation, account, (&wholes, &hangs), story::shapes(&concludes)));
-    let strength = front
-        .proofs
-        .iter()
-        .chain(&front.beside)
-        .map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet))
-        .collect();
-    let mut unsaid = hypotheses::limits(derivation, &wholes, &hangs);
+    // What has no room on the first screen: the counts, where they are not the first sentence, and how much is proved.
+    let counts = [Some(headline::headline(&wholes)), front.strength.clone()].into_iter().flatten();
+    let counts = counts.filter(|_| has_sentences(derivation, &wholes, &hangs));
+    let strength = counts.chain(front.proofs.clone()).chain(front.beside.clone());
+    let strength = strength.map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).collect();
+    let mut unsaid = limited::limits(derivation, &wholes, &hangs);
     unsaid.extend(hypotheses::blocks(derivation, account, &wholes));
     let mut foot = vec![StorySpan::Prose(format!("{} To repeat it: ", front.author), scope, Tone::Quiet)];
     foot.extend([StorySpan::Code(front.command.clone()), quiet(format!(" ({}).", front.version))]);
@@ -74,9 +74,14 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
         StoryBlock::Group("unsaid", unsaid),
         StoryBlock::Group(
             "foot",
-            vec![StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(strength)]), StoryBlock::Paragraph(foot)],
+            vec![StoryBlock::Paragraph(foot), StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(strength)])],
         ),
     ]
+}
+
+/// Whether something is said of printed equations or of conclusions, before claims are counted.
+fn has_sentences(derivation: &Derivation, wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> bool {
+    equations(derivation, wholes).is_some() || conclusions(wholes, hangs).is_some()
 }
 
 /// The first sentences, for a reader who knows none of the words of a report: what became of the printed equations, where the argument goes
@@ -90,20 +95,19 @@ fn headline<'a>(
     let scope = &derivation.scope;
     let of_equations = equations(derivation, wholes);
     let of_conclusions = conclusions(wholes, hangs);
-    let is_short = of_equations.is_none() && of_conclusions.is_none();
-    let mut counts =
-        vec![StorySpan::Prose(headline::headline(wholes), scope, if is_short { Tone::Strong } else { Tone::Quiet })];
+    let is_short = !has_sentences(derivation, wholes, hangs);
+    let mut counts = vec![StorySpan::Prose(headline::headline(wholes), scope, Tone::Strong)];
     counts.extend(front.strength.iter().map(|text| StorySpan::Prose(format!(" {text}"), scope, Tone::Quiet)));
-    let gap = gap(derivation, wholes, hangs, front);
+    let limited = limited::limited(derivation, wholes, hangs);
+    let besides = limited.first().and_then(|first| needed_besides(wholes, hangs, Some(first.whole.id)));
+    let gap = gap(&limited, wholes, front).map(|text| text + " " + &besides.unwrap_or_default());
     let sentences = of_equations.into_iter().chain(gap).chain(of_conclusions);
     let sentence = |text| StoryBlock::Paragraph(vec![StorySpan::Prose(text, scope, Tone::Strong)]);
     let mut first: Vec<StoryBlock<'a>> = sentences.map(sentence).collect();
-    let counts = StoryBlock::Paragraph(counts);
     if is_short {
-        first.insert(0, counts);
-        return vec![StoryBlock::Group("headline", first)];
+        first.insert(0, StoryBlock::Paragraph(counts));
     }
-    vec![StoryBlock::Group("headline", first), StoryBlock::Group("roomy", vec![counts])]
+    vec![StoryBlock::Group("headline", first)]
 }
 
 /// What became of the printed equations: those that hold as they are printed, and the others by what became of the worst claim on them.
@@ -143,7 +147,7 @@ fn equations(derivation: &Derivation, wholes: &[Whole<'_>]) -> Option<String> {
 
 /// Where the argument goes wrong: at a claim that holds as it is stated and fails as it is used, which most others assume; where there is
 /// none, at the heaviest of those that do not hold.
-fn gap(derivation: &Derivation, wholes: &[Whole<'_>], hangs: &Consequences<'_>, front: &Front) -> Option<String> {
+fn gap(limited: &[Limited<'_, '_>], wholes: &[Whole<'_>], front: &Front) -> Option<String> {
     let fails_on = |reading: &Reading<'_>| {
         let text = digest::verdict(reading).replace(" to which it applies", "");
         text.strip_prefix("Fails on ")
@@ -151,7 +155,6 @@ fn gap(derivation: &Derivation, wholes: &[Whole<'_>], hangs: &Consequences<'_>, 
             .unwrap_or_else(|| format!("fails: {}", uncapital(&text)))
     };
     let quoted = |whole: &Whole<'_>| format!("“{}”", whole.says.trim_end_matches('.'));
-    let limited = hypotheses::limited(derivation, wholes, hangs);
     if let Some(first) = limited.first() {
         let sense = |r: &Reading<'_>| match r.claim.reading {
             Some(_) => format!(" ({})", uncapital(r.claim.says.trim_end_matches('.'))),
@@ -168,12 +171,36 @@ fn gap(derivation: &Derivation, wholes: &[Whole<'_>], hangs: &Consequences<'_>, 
     let heaviest = front.lines.first()?;
     let whole = wholes.iter().find(|w| w.id == heaviest.id)?;
     Some(match (whole.failing(), whole.contrary()) {
-        (Some(failing), _) => format!("{} {}.", quoted(whole), fails_on(failing)),
+        (Some(failing), _) => match corrected(failing) {
+            Some((printed, right)) => {
+                format!("{}, tested as ${printed}$, {}; ${right}$ holds instead.", quoted(whole), fails_on(failing))
+            }
+            None => format!("{} {}.", quoted(whole), fails_on(failing)),
+        },
         (None, Some(contrary)) => {
             format!("{} is false: the contrary holds, {}.", quoted(whole), contrary.basis().words())
         }
         (None, None) => format!("{} {}.", quoted(whole), whole.fate.words(1)),
     })
+}
+
+/// The formula of a claim that fails, and the nearest right one, where both are short: the words of a sentence may say what is right.
+fn corrected<'a>(failing: &Reading<'a>) -> Option<(&'a str, &'a str)> {
+    let found = card::correction(failing.claim)?;
+    let is_short = |formula: &str| formula.len() <= LONGEST_TOLD && !formula.contains('$');
+    (is_short(&found.printed) && is_short(&found.formula)).then_some((found.printed.trim(), found.formula.trim()))
+}
+
+/// What the argument of the paper needs besides, and what fails on every motion: premises that exclude one another, an effect that a
+/// motion shows all the same. Of these the one under which most conclusions stand, and not one that is told already.
+fn needed_besides(wholes: &[Whole<'_>], hangs: &Consequences<'_>, told: Option<&str>) -> Option<String> {
+    let fails = |w: &Whole<'_>| -> bool { w.failing_nowhere_true().is_some() };
+    let others =
+        wholes.iter().filter(|w| Some(w.id) != told && !w.fate.is_against() && w.fate.is_of_the_paper() && fails(w));
+    let whole = others.reduce(|a, b| if hangs.weight(b.id) > hangs.weight(a.id) { b } else { a })?;
+    let reading = whole.failing_nowhere_true()?;
+    let on = digest::verdict(reading).replace(" to which it applies", "").replace(" (certified)", "");
+    Some(format!("It also needs “{}”, which {}.", reading.claim.says.trim_end_matches('.'), uncapital(&on)))
 }
 
 /// What became of the conclusions, by their letters.
@@ -294,7 +321,7 @@ fn nothing_wrong<'a>(
     let told = that_matter(wholes, hangs);
     let of_file = wholes.iter().filter(|w| w.fate == Fate::Added && w.all_failing().next().is_some());
     let of_file: Vec<&str> = of_file.map(|w| w.id).collect();
-    let title = if of_file.is_empty() { "Nothing is refuted" } else { "Nothing of the paper is refuted" };
+    let title = if of_file.is_empty() { "Nothing is refuted" } else { "No claim of the paper is refuted" };
     let mut out = vec![StoryBlock::Heading(title.to_owned())];
     if !of_file.is_empty() {
         let named = first_of(&of_file, 0);
@@ -339,11 +366,6 @@ fn nothing_wrong<'a>(
     let card = StoryBlock::Group("card", inside);
     out.push(if whole.fate == Fate::Stands { StoryBlock::Group("good", vec![card]) } else { card });
     out
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |c| c.to_uppercase().chain(letters).collect())
 }
 
 /// Page one for a terminal, with escape codes if `colour`.

@@ -11,12 +11,14 @@ use super::hypotheses::canonical;
 use super::numbers::count;
 use super::story::{StoryBlock, StorySpan, Tone, joined, quiet, words};
 use super::tally::{Standing, declared};
-use super::text::uncapital;
+use super::text::{capital, uncapital};
 use crate::derivation::{ClaimRole, Derivation};
 use findings::{ClaimAccount, Grounds, Outcome, Recorded};
 
 /// Longest formula, in bytes of LaTeX; beside the words of a reading it has what room they leave.
 const LONGEST: usize = 60;
+/// Longest remark of the file, in bytes, that stands beside numbers.
+const LONGEST_REMARK: usize = 160;
 /// Most conditions that are named.
 const MOST_CONDITIONS: usize = 3;
 
@@ -27,12 +29,12 @@ pub(super) fn lines<'a>(derivation: &'a Derivation, whole: &Whole<'a>, needed: N
     let reading = need.or_else(|| whole.failing()).or_else(|| whole.contrary()).or_else(holding);
     let Some(reading) = reading.or(whole.readings.first()) else { return Vec::new() };
     let mut tested = tested(derivation, reading);
-    let mut further = Vec::new();
+    let (mut further, mut also) = (Vec::new(), Vec::new());
     match reading.standing {
         Standing::Fails | Standing::Mixed => {
             tested.extend((!tested.is_empty()).then(|| words("; ")));
             tested.extend(fails(derivation, reading));
-            tested.extend(fails_too(derivation, whole, reading));
+            also = fails_too(derivation, whole, reading);
             further.extend(separated(derivation, reading.claim));
         }
         Standing::Holds => {
@@ -44,7 +46,11 @@ pub(super) fn lines<'a>(derivation: &'a Derivation, whole: &Whole<'a>, needed: N
         }
     }
     let out = std::iter::once(tested).filter(|line| !line.is_empty()).chain(further);
-    out.map(StoryBlock::Paragraph).collect()
+    let mut out: Vec<StoryBlock<'a>> = out.map(StoryBlock::Paragraph).collect();
+    if !also.is_empty() {
+        out.push(StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(also)]));
+    }
+    out
 }
 
 /// In what sense a claim stands that fails as it is used, and how that is known.
@@ -60,6 +66,26 @@ pub(super) fn as_stated<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Op
         out.extend(holds(derivation, reading));
     }
     Some(StoryBlock::Paragraph(out))
+}
+
+/// What the paper needs of a claim whose contrary holds, and what fails, too: with its motion and its numbers.
+pub(super) fn needs<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<StoryBlock<'a>> {
+    // What fails in its own words has its numbers.
+    let is_silent = whole.fate.is_against() && whole.failing().is_none();
+    let Some(reading) = whole.failing_nowhere_true().filter(|_| is_silent) else { return Vec::new() };
+    let scope = declared(derivation, reading.claim).map_or(&derivation.scope, |d| &d.scope);
+    let says = reading.claim.says.trim_end_matches('.').to_owned();
+    let mut out = vec![quiet("it needs: "), StorySpan::Prose(says, scope, Tone::Plain)];
+    out.extend([words(" ("), StorySpan::Shape(reading.shape()), words(").")]);
+    // A short remark tells what the numbers mean.
+    let remark = reading.claim.remark.as_deref().filter(|text| text.len() <= LONGEST_REMARK);
+    let told = remark.map(|text| capital(text.trim_start_matches("Refuted: ")));
+    out.extend(told.map(|text| StorySpan::Prose(format!(" {text}"), scope, Tone::Quiet)));
+    let numbers = RefutingMotion::of(derivation, reading.claim).map(|motion| motion.says(derivation, scope));
+    let numbers = numbers.map(StoryBlock::Paragraph);
+    // Where the remark tells it, a terminal has no room for the numbers.
+    let numbers = numbers.map(|line| if remark.is_some() { StoryBlock::Group("roomy", vec![line]) } else { line });
+    std::iter::once(StoryBlock::Paragraph(out)).chain(numbers).collect()
 }
 
 /// Whether the lines are on the reading that the paper needs.
@@ -142,8 +168,7 @@ fn fails_too<'a>(derivation: &'a Derivation, whole: &Whole<'a>, shown: &Reading<
     let scope = declared(derivation, first.claim).map_or(&derivation.scope, |d| &d.scope);
     let says = first.claim.says.trim_end_matches('.');
     let on = uncapital(&digest::verdict(first)).replace(" to which it applies", "");
-    let mut out =
-        vec![quiet(" Nor in another sense: "), StorySpan::Prose(format!("“{says}” {on}"), scope, Tone::Plain)];
+    let mut out = vec![quiet("nor in another sense: "), StorySpan::Prose(format!("“{says}” {on}"), scope, Tone::Plain)];
     let failing = whole.all_failing().flat_map(|r| &r.claim.results);
     let failing = failing.filter(|p| matches!(p.verdict.outcome(), Outcome::Fails(_)));
     let motions = failing.map(|p| p.trajectory.as_str()).collect::<BTreeSet<_>>().len();

@@ -28,12 +28,12 @@ pub fn search_notes(id: &str, account: &SearchAccount) -> Vec<String> {
     let what = if account.variant.is_some() { "the altered formula" } else { "the claim" };
     let mut out = Vec::new();
     if let Some((first, more)) = account.known.split_first() {
-        let others = if more.is_empty() { String::new() } else { format!(" and {} more trajectories", more.len()) };
+        let others = if more.is_empty() { String::new() } else { format!(" and {} more motions", more.len()) };
         out.push(format!("{what} fails already on {first}{others} of the file"));
     }
     match &account.found {
         Some(found) if found.listed => {
-            out.push(format!("`{}` names its trajectories: add \"{}\" to them", found.claim, found.id));
+            out.push(format!("`{}` names its motions: add \"{}\" to them", found.claim, found.id));
         }
         Some(_) => {}
         None => {

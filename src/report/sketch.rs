@@ -6,6 +6,7 @@
 use super::mathml::escaped;
 use super::numbers::six;
 use super::shape::VerdictShape;
+use crate::derivation::DEFAULT_PRECISION;
 use findings::Residuals;
 
 /// Width and height of a drawing of both sides.
@@ -18,6 +19,8 @@ const PARTS: f64 = 4.0;
 const LETTERS: usize = 48;
 /// Sides that are apart by less than this share of what is drawn are one line: their difference is drawn.
 const UNSEEN: f64 = 5e-3;
+/// Values that differ by less than this share of the terms differ by rounding.
+const ROUNDING: f64 = 1e-12;
 /// Times that are apart by so many of the usual steps have others between them that were left out.
 const GAP: f64 = 4.0;
 /// A strip has at most so many fields; of more claims than that, one field is the worst of several.
@@ -26,8 +29,8 @@ const FIELDS: usize = 160;
 /// What is drawn.
 #[derive(Clone, Debug)]
 pub(super) enum Sketch {
-    /// What is drawn at times, by its names: time, left, right; and the time of the witness.
-    Sides { names: [&'static str; 2], samples: Vec<[f64; 3]>, at: Option<f64>, title: String },
+    /// What is drawn at times, by its names: time, left, right; the time of the witness; and from where to where values are drawn.
+    Sides { names: [&'static str; 2], samples: Vec<[f64; 3]>, at: Option<f64>, title: String, up: (f64, f64) },
     /// One field for each claim, in the order of the paper.
     Strip(Vec<VerdictShape>),
 }
@@ -40,23 +43,30 @@ impl Sketch {
         if samples.iter().filter(|s| is_drawn(s)).count() < 2 {
             return None;
         }
-        let Frame { up: (low, high), .. } = Frame::of(&samples)?;
+        let (low, high) = extent(&samples)?;
         let apart = samples.iter().filter(|s| is_drawn(s)).map(|s| (s[1] - s[2]).abs()).fold(0.0, f64::max);
-        let names = if series.equation && at.is_some() && apart > 0.0 && apart < UNSEEN * (high - low) {
+        // A difference within its error bound is rounding: drawn by itself it would look like one.
+        let is_known = series.points.iter().any(|p| (p.left - p.right).abs() > p.bound.max(ROUNDING * p.left.abs()));
+        let is_small = apart > 0.0 && apart < UNSEEN * (high - low);
+        let names = if series.equation && at.is_some() && is_known && is_small {
             samples.iter_mut().for_each(|s| *s = [s[0], s[1] - s[2], 0.0]);
             ["left − right", "0"]
         } else {
             ["left", "right"]
         };
-        Some(Sketch::Sides { names, samples: with_gaps(samples), at, title: format!("Both sides along {motion}") })
+        let up = widened(extent(&samples)?, series);
+        Some(Sketch::Sides { names, samples: with_gaps(samples), at, title: format!("Both sides along {motion}"), up })
     }
 
     /// Whether a side changes by what can be seen: the picture of a constant tells little.
     pub fn varies(&self) -> bool {
         match self {
-            Sketch::Sides { samples, .. } => {
-                Frame::of(samples).is_some_and(|f| f.up.1 - f.up.0 > 1e-9 * f.up.0.abs().max(f.up.1.abs()))
-            }
+            Sketch::Sides { samples, up, .. } => [1, 2].into_iter().any(|side| {
+                let drawn = samples.iter().map(|s| s[side]).filter(|x| x.is_finite());
+                let (low, high) =
+                    drawn.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+                high - low > 1e-9 * up.0.abs().max(up.1.abs())
+            }),
             Sketch::Strip(_) => true,
         }
     }
@@ -64,7 +74,7 @@ impl Sketch {
     /// One `svg` element.
     pub fn svg(&self) -> String {
         match self {
-            Sketch::Sides { names, samples, at, title } => sides_svg(*names, samples, *at, title),
+            Sketch::Sides { names, samples, at, title, up } => sides_svg(*names, samples, *at, (title, *up)),
             Sketch::Strip(fields) => strip_svg(fields),
         }
     }
@@ -72,8 +82,8 @@ impl Sketch {
     /// The same in letters, for a terminal.
     pub fn lines(&self) -> Vec<String> {
         match self {
-            Sketch::Sides { names: [first, second], samples, .. } => {
-                let Some(frame) = Frame::of(samples) else { return Vec::new() };
+            Sketch::Sides { names: [first, second], samples, up, .. } => {
+                let Some(frame) = Frame::of(samples, *up) else { return Vec::new() };
                 let row = |side: usize| (0..LETTERS).map(|k| frame.letter(samples, k, side)).collect::<String>();
                 let (low, high) = frame.up;
                 let width = first.chars().count().max(second.chars().count());
@@ -88,6 +98,27 @@ impl Sketch {
     }
 }
 
+/// The least and the largest of some values that are numbers.
+fn between(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    let start = (f64::INFINITY, f64::NEG_INFINITY);
+    values.filter(|x| x.is_finite()).fold(start, |(low, high), x| (low.min(x), high.max(x)))
+}
+
+/// The values of both sides, from the least to the largest.
+fn extent(samples: &[[f64; 3]]) -> Option<(f64, f64)> {
+    let (low, high) = between(samples.iter().flat_map(|s| [s[1], s[2]]));
+    (low <= high).then_some((low, high))
+}
+
+/// From where to where is drawn: where values differ by rounding alone, on the scale of the terms.
+fn widened((low, high): (f64, f64), series: &Residuals) -> (f64, f64) {
+    let bound = series.points.iter().map(|p| p.bound).filter(|b| b.is_finite()).fold(0.0, f64::max);
+    let terms = series.points.iter().map(|p| p.limit / DEFAULT_PRECISION).filter(|s| s.is_finite()).fold(0.0, f64::max);
+    let (middle, scale) = ((low + high) / 2.0, terms.max(low.abs()).max(high.abs()));
+    let is_rounding = high - low <= (4.0 * bound).max(ROUNDING * scale);
+    if is_rounding && scale > 0.0 { (middle - scale, middle + scale) } else { (low, high) }
+}
+
 /// The ranges of a drawing.
 struct Frame {
     along: (f64, f64),
@@ -95,13 +126,8 @@ struct Frame {
 }
 
 impl Frame {
-    fn of(samples: &[[f64; 3]]) -> Option<Frame> {
-        let extent = |values: &mut dyn Iterator<Item = f64>| {
-            let start = (f64::INFINITY, f64::NEG_INFINITY);
-            values.filter(|x| x.is_finite()).fold(start, |(low, high), x| (low.min(x), high.max(x)))
-        };
-        let along = extent(&mut samples.iter().map(|s| s[0]));
-        let up = extent(&mut samples.iter().flat_map(|s| [s[1], s[2]]));
+    fn of(samples: &[[f64; 3]], up: (f64, f64)) -> Option<Frame> {
+        let along = between(samples.iter().map(|s| s[0]));
         (along.0 < along.1 && up.0 <= up.1).then_some(Frame { along, up })
     }
 
@@ -146,8 +172,8 @@ fn with_gaps(samples: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
     out
 }
 
-fn sides_svg(names: [&str; 2], samples: &[[f64; 3]], at: Option<f64>, title: &str) -> String {
-    let Some(frame) = Frame::of(samples) else { return String::new() };
+fn sides_svg(names: [&str; 2], samples: &[[f64; 3]], at: Option<f64>, (title, up): (&str, (f64, f64))) -> String {
+    let Some(frame) = Frame::of(samples, up) else { return String::new() };
     let curve = |side: usize| -> String {
         let stretches = samples.split(|s| !s[side].is_finite());
         let place = |s: &[f64; 3]| frame.place(s[0], s[side]);
@@ -163,7 +189,7 @@ fn sides_svg(names: [&str; 2], samples: &[[f64; 3]], at: Option<f64>, title: &st
         names[0], names[1]
     );
     let text = |x: i64, y: i64, more: &str, words: &str, value: f64| {
-        format!("<text x={x} y={y}{more}>{words}{}</text>", six(value).replace('-', "−"))
+        format!("<text x={x} y={y}{more}>{words}{}</text>", six(value))
     };
     format!(
         "<svg viewBox=\"0 0 {width} {height}\" role=img><title>{}</title>{}<g transform=\"scale({})\"><path class=left d=\"{}\"/><path class=right d=\"{}\"/></g>{key}{}{}{}</svg>",
@@ -260,7 +286,7 @@ mod tests {
 
     fn wave() -> Sketch {
         let samples = (0..20).map(|k| [f64::from(k), f64::from(k % 5), 1.0]).collect();
-        Sketch::Sides { names: ["left", "right"], samples, at: Some(3.0), title: "<b>".into() }
+        Sketch::Sides { names: ["left", "right"], samples, at: Some(3.0), title: "<b>".into(), up: (0.0, 4.0) }
     }
 
     #[test]
@@ -272,6 +298,45 @@ mod tests {
         let lines = wave().lines();
         assert_eq!(lines.len(), 2);
         assert!(lines[0].contains('█') && lines[1].contains('▃'), "{lines:?}");
+    }
+
+    /// Sides that agree within rounding have no picture of a difference: it would say that they differ.
+    #[test]
+    fn rounding_is_no_difference() {
+        let of = |scale: f64, bound: f64, apart: f64| {
+            let point = |k: i32| {
+                let t = f64::from(k);
+                let left = scale * f64::from(k % 5 - 2);
+                let right = left + apart * f64::from(k % 3 - 1);
+                let limit = scale * DEFAULT_PRECISION;
+                findings::ResidualPoint { t, left, right, residual: (left - right).abs(), bound, limit }
+            };
+            let points: Vec<_> = (0..20).map(point).collect();
+            let (formula, of) = ("x=y".to_owned(), points.len());
+            let series = Residuals { formula, equation: true, sought: false, of, points };
+            match Sketch::sides(&series, Some(0.0), "m") {
+                Some(Sketch::Sides { names, up, .. }) => (names[0], up.1),
+                _ => ("", 0.0),
+            }
+        };
+        assert_eq!(of(1.0, 1e-15, 4e-16).0, "left");
+        assert_eq!(of(1.0, 1e-15, 1e-4).0, "left − right");
+        // Of nothing but rounding the frame is that of the terms.
+        let zero = Residuals {
+            formula: "x=0".to_owned(),
+            equation: true,
+            sought: false,
+            of: 9,
+            points: (0..9)
+                .map(|k| {
+                    let (t, left) = (f64::from(k), 1e-15 * f64::from(k % 3 - 1));
+                    findings::ResidualPoint { t, left, right: 0.0, residual: left.abs(), bound: 1e-14, limit: 2e-9 }
+                })
+                .collect(),
+        };
+        let drawn = Sketch::sides(&zero, Some(0.0), "m").expect("a picture");
+        assert!(matches!(&drawn, Sketch::Sides { up, .. } if (up.1 - 2.0).abs() < 1e-9), "{drawn:?}");
+        assert!(!drawn.varies());
     }
 
     #[test]

@@ -1,9 +1,10 @@
 //! What `rederive check` prints: the matrix of verdicts, what differs, what fails, and the counts.
 
 use super::finding::{self, Finding};
-use super::numbers::{both, count, six, size, time, value};
+use super::numbers::{both, count, retold, six, size, time, value};
+use super::refuting::Refutes;
 use super::tally::{Group, glyph, groups, name, says};
-use super::text::{Paint, WIDTH, fitted, paragraph, wrapped};
+use super::text::{Paint, fitted, paragraph, width, wrapped};
 use super::{discrimination, family, region};
 use crate::derivation::Derivation;
 use findings::{Account, ClaimAccount, FamilyAccount, PairAccount, Summary, Witness};
@@ -155,7 +156,7 @@ fn matrix(account: &Account, paint: Paint) -> String {
     }
     let names: Vec<String> = rows.iter().map(|c| name(c)).collect();
     let wide = names.iter().map(|n| n.chars().count()).max().unwrap_or(0).clamp(8, NAME_WIDTH);
-    let columns = (WIDTH - 4 - wide) / 2;
+    let columns = width().saturating_sub(4 + wide).max(2) / 2;
     let numbered: Vec<(String, &str)> =
         account.trajectories.iter().enumerate().map(|(i, t)| ((i + 1).to_string(), t.id.as_str())).collect();
     let digits = numbered.last().map_or(1, |(n, _)| n.len());
@@ -199,7 +200,7 @@ fn left_open(account: &Account, paint: Paint) -> String {
     for claim in &account.claims {
         for group in groups(claim).iter().filter(|g| g.word == "undecided" && g.expected == Some("undecided")) {
             let first = group.pairs.first().map_or("", |p| p.trajectory.as_str());
-            let of = format!("{} of {}", group.pairs.len(), count(claim.results.len(), "trajectory"));
+            let of = format!("{} of {}", group.pairs.len(), count(claim.results.len(), "motion"));
             lines.push(format!("  {}  on {of}, e.g. {first}\n", name(claim)));
         }
     }
@@ -241,7 +242,7 @@ fn blocks(
 fn block(derivation: &Derivation, claim: &ClaimAccount, group: &Group<'_>, paint: Paint) -> String {
     let Some(telling) = group.telling() else { return String::new() };
     let outcome = telling.verdict.outcome();
-    let tried = count(claim.results.len(), "trajectory");
+    let tried = count(claim.results.len(), "motion");
     let expected = match group.expected {
         Some(word) if group.unexpected => format!(", expected: {word}"),
         _ => String::new(),
@@ -281,12 +282,12 @@ fn telling_point(pair: &PairAccount, indent: usize) -> String {
     let space = " ".repeat(indent);
     let mut out = String::new();
     if let Some(reason) = &evidence.reason {
-        out.push_str(&paragraph(&format!("{}: {reason}", pair.trajectory), indent));
+        out.push_str(&paragraph(&retold(&format!("{}: {reason}", pair.trajectory)), indent));
     }
     match (&evidence.witness, &evidence.residual) {
         (Some(witness), _) => {
             let place = format!("{} at t = {}:", pair.trajectory, time(witness.t));
-            if indent + place.chars().count() + 2 + witness.formula.chars().count() > WIDTH {
+            if indent + place.chars().count() + 2 + witness.formula.chars().count() > width() {
                 out.push_str(&format!("{space}{place}\n{}", paragraph(&witness.formula, indent)));
             } else {
                 out.push_str(&format!("{space}{place}  {}\n", witness.formula));
@@ -314,8 +315,14 @@ pub(super) fn sides(witness: &Witness, indent: usize, digits: Digits) -> String 
         Digits::All => (value(witness.left), value(witness.right)),
         Digits::Six => both(witness.left, witness.right),
     };
-    let mut out = format!("{space}left   {left}\n{space}right  {right}\n");
-    out.push_str(&format!("{space}{difference}error bound {}\n", size(witness.bound)));
+    let bound = size(witness.bound.max(0.0));
+    let mut out = match Refutes::of(witness) {
+        Refutes::NoValue => format!("{space}it has no value there\n"),
+        Refutes::Same => format!("{space}both sides are {left}, error bound {bound}\n"),
+        Refutes::Apart => {
+            format!("{space}left   {left}\n{space}right  {right}\n{space}{difference}error bound {bound}\n")
+        }
+    };
     let shown = |x: f64| if digits == Digits::All { value(x) } else { six(x) };
     if !witness.values.is_empty() {
         let mut words: Vec<String> =
@@ -377,7 +384,7 @@ fn problems(account: &Account, paint: Paint) -> String {
     let mut out = String::new();
     for t in &account.trajectories {
         if let Some(problem) = &t.problem {
-            out.push_str(&paint.alarm(&paragraph(&format!("trajectory {}: {problem}", t.id), 2)));
+            out.push_str(&paint.alarm(&paragraph(&format!("motion {}: {problem}", t.id), 2)));
         }
     }
     if out.is_empty() { out } else { out + "\n" }
@@ -408,7 +415,7 @@ fn verdicts(s: &Summary) -> String {
 fn counts(account: &Account, paint: Paint) -> String {
     let s = account.summary();
     let claims = count(account.claims.len(), "claim");
-    let mut trajectories = count(account.trajectories.len(), "trajectory");
+    let mut trajectories = count(account.trajectories.len(), "motion");
     let mut families: Vec<&str> = account.claims.iter().flat_map(|c| &c.families).map(|f| f.family.as_str()).collect();
     families.sort_unstable();
     families.dedup();
@@ -454,9 +461,9 @@ mod tests {
         }
         let text = summary(&derivation(), &account, false, true);
         for line in text.lines() {
-            assert!(line.chars().count() <= WIDTH, "{line}");
+            assert!(line.chars().count() <= width(), "{line}");
         }
-        assert!(text.contains("fails on 131 of 131 trajectories"));
+        assert!(text.contains("fails on 131 of 131 motions"));
         assert_eq!(text.matches("left   ").count(), 1, "one witness for all of them");
     }
 

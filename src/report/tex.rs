@@ -10,7 +10,8 @@
 use super::digest::{self, Fate, Whole};
 use super::form::{Heading, heading};
 use super::graph::DerivationGraph;
-use super::numbers::{count, size, time, value};
+use super::numbers::count;
+use super::numbers::{ascii_six as six, ascii_six as time, ascii_size as size};
 use super::tally::{Group, declared, groups, name, says};
 use super::wording::{self, Part};
 use crate::derivation::Derivation;
@@ -177,7 +178,7 @@ fn claims(derivation: &Derivation, account: &Account, out: &mut String) {
                     continue;
                 }
                 Heading::Trajectory => {
-                    out.push_str(&format!("The motion is that of the trajectory {}.\n\n", escaped(text)));
+                    out.push_str(&format!("The motion is that of {}.\n\n", escaped(text)));
                     continue;
                 }
             };
@@ -240,8 +241,8 @@ fn verdicts(group: &Group<'_>, scope: &Scope, out: &mut String) {
                 "For instance on {} at $t={}$: left side ${}$, right side ${}$, error bound ${}$, in {}.\n\n",
                 escaped(&telling.trajectory),
                 power(&time(w.t)),
-                power(&value(w.left)),
-                power(&value(w.right)),
+                power(&six(w.left)),
+                power(&six(w.right)),
                 power(&size(w.bound)),
                 label(&w.formula, scope)
             ));
@@ -268,10 +269,8 @@ fn verdicts(group: &Group<'_>, scope: &Scope, out: &mut String) {
 }
 
 fn trajectories(derivation: &Derivation, account: &Account, out: &mut String) {
-    out.push_str(
-        "\\subsection*{Trajectories}\n\\begin{longtable}{p{0.28\\linewidth}p{0.4\\linewidth}p{0.2\\linewidth}}\n",
-    );
-    out.push_str("trajectory & what it is & error at most\\\\\n\\hline\n\\endhead\n");
+    out.push_str("\\subsection*{Motions}\n\\begin{longtable}{p{0.28\\linewidth}p{0.4\\linewidth}p{0.2\\linewidth}}\n");
+    out.push_str("motion & what it is & error at most\\\\\n\\hline\n\\endhead\n");
     for t in &account.trajectories {
         out.push_str(&format!(
             "{} & {} ($t$ from ${}$ to ${}$) & ${}$\\\\\n",

@@ -73,7 +73,7 @@ for (const id of fs.readdirSync(reports).sort()) {
   // Without the script everything essential is there.
   await visit({ javaScriptEnabled: false, viewport: { width: 1280, height: 900 } }, url, async page => {
     const text = await page.locator("body").innerText();
-    const matrix = json.trajectories.length ? ["Claims and trajectories"] : [];
+    const matrix = json.trajectories.length ? ["Claims and motions"] : [];
     for (const part of ["What was found", ...matrix, json.derivation.sha256])
       check(text.includes(part), `${id}: without a script, "${part}" is shown`);
     // A large matrix comes as runs of equal cells: letters, and how many of them; a point is no pair.

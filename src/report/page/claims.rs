@@ -2,13 +2,15 @@
 
 use maud::{Markup, html};
 
+use super::super::card;
 use super::super::digest::{self, Reading};
 use super::super::discrimination::is_weak;
 use super::super::form::{Heading, heading};
 use super::super::graph::{DerivationGraph, ProofStanding};
 use super::super::letters::{LEGEND, letters};
 use super::super::markdown::whose;
-use super::super::numbers::{count, size, time, value};
+use super::super::numbers::{count, size, time};
+use super::super::refuting;
 use super::super::tally::{Group, Standing, declared, groups, name};
 use super::super::wording::slack_sentence;
 use super::matrix::{anchors, class};
@@ -144,8 +146,8 @@ fn stated(derivation: &Derivation, account: &Account, claim: &ClaimAccount) -> M
 const MANY: usize = 40;
 
 /// What a claim says, and what was found of it. Of one that stands, and of what is no reading of the paper's, a sentence is read,
-/// and the rest is folded: few ask how it is known. Among many claims the evidence of the others is folded, too: what is wrong
-/// stands above, with its witness. What is not as expected is never folded.
+/// and the rest is folded: few ask how it is known. Among many claims that of the others is folded, too: what is wrong stands above, with
+/// its witness. What is not as expected is never folded.
 fn found(derivation: &Derivation, account: &Account, graph: &DerivationGraph, claim: &ClaimAccount) -> Markup {
     let scope = scope_of(derivation, claim);
     let reading = Reading::of(derivation, graph, claim);
@@ -159,7 +161,7 @@ fn found(derivation: &Derivation, account: &Account, graph: &DerivationGraph, cl
         (support::separation(claim, scope))
         (support::erratum(claim, scope))
         (support::behind(graph, claim, scope))
-        @for group in &groups { (verdicts(account, claim, group, scope)) }
+        @for group in &groups { (verdicts(derivation, account, claim, group)) }
         (family::blocks(claim, scope))
         (region::block(claim, scope))
     };
@@ -170,7 +172,7 @@ fn found(derivation: &Derivation, account: &Account, graph: &DerivationGraph, cl
         return html! { (stated) (evidence) };
     }
     let verdict = digest::verdict(&reading);
-    let seen = !many || is_told;
+    let seen = !many;
     html! {
         @if seen { (stated) }
         details.evidence {
@@ -215,7 +217,7 @@ pub(super) fn printed(derivation: &Derivation, account: &Account) -> Markup {
                     }
                     p { @for group in groups(claim) { (printed_group(&group)) " " } }
                     @for group in groups(claim).iter().filter(|g| g.word == "fails") {
-                        @if let Some(pair) = group.telling() { (witness(pair, scope)) }
+                        @if let Some(pair) = group.telling() { (witness(derivation, claim, pair, scope)) }
                     }
                     (support::separation(claim, scope))
                     (support::erratum(claim, scope))
@@ -233,7 +235,7 @@ fn printed_group(group: &Group<'_>) -> Markup {
     const FEW: usize = 4;
     html! {
         b { (group_word(group.word)) } " on "
-        @if group.pairs.len() > FEW && !group.unexpected { (count(group.pairs.len(), "trajectory")) }
+        @if group.pairs.len() > FEW && !group.unexpected { (count(group.pairs.len(), "motion")) }
         @else { @for (i, pair) in group.pairs.iter().enumerate() { @if i > 0 { ", " } (pair.trajectory) } }
         @if group.unexpected {
             ", " strong.alarm { @match group.expected { Some(word) => { "expected: " (word) }, None => { "not expected" } } }
@@ -247,8 +249,8 @@ pub(super) fn printed_matrix(account: &Account) -> Markup {
     html! {
         @if let Some(letters) = letters(account) {
             section id="/matrix" {
-                h2 { "Claims and trajectories" }
-                p { (LEGEND) " Columns are the trajectories by number." }
+                h2 { "Claims and motions" }
+                p { (LEGEND) " Columns are the motions by number." }
                 pre.letters { (letters) }
             }
         }
@@ -303,7 +305,7 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> Markup {
                     p { "The motion solves the system " a href={ "#/system/" (text) } { (text) } "." }
                 }
                 (_, Heading::Trajectory) => {
-                    p { "The motion is that of the trajectory " a href={ "#/trajectory/" (text) } { (text) } "." }
+                    p { "The motion is that of " a href={ "#/trajectory/" (text) } { (text) } "." }
                 }
                 (kind, Heading::Words(words)) => {
                     @if last.replace(kind) != Some(kind) {
@@ -320,13 +322,14 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> Markup {
 const NAMED: usize = 6;
 
 /// The pairs of a claim with the same verdict: in words, with a witness, and all of them in a table.
-fn verdicts(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Scope) -> Markup {
+fn verdicts(derivation: &Derivation, account: &Account, claim: &ClaimAccount, group: &Group<'_>) -> Markup {
+    let scope = scope_of(derivation, claim);
     let of = account.trajectories.len();
     let word = group_word(group.word);
     let on = match group.pairs.len() {
-        n if n == claim.results.len() && n == of && n > 1 => format!("on all {}", count(n, "trajectory")),
-        n if n == claim.results.len() && n > 1 => format!("on all {} on which it is tried", count(n, "trajectory")),
-        n => format!("on {}", count(n, "trajectory")),
+        n if n == claim.results.len() && n == of && n > 1 => format!("on all {}", count(n, "motion")),
+        n if n == claim.results.len() && n > 1 => format!("on all {} on which it is tried", count(n, "motion")),
+        n => format!("on {}", count(n, "motion")),
     };
     let telling = group.telling().filter(|_| group.word == "fails");
     html! {
@@ -349,7 +352,7 @@ fn verdicts(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &
             }
             div.scroll tabindex="0" role="group" aria-label={ (word) " " (on) } { (table(account, claim, group, scope)) }
         }
-        @if let Some(pair) = telling { (witness(pair, scope)) }
+        @if let Some(pair) = telling { (witness(derivation, claim, pair, scope)) }
     }
 }
 
@@ -376,7 +379,7 @@ fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Sco
         table {
             thead {
                 tr {
-                    th { "trajectory" }
+                    th { "motion" }
                     @if compared {
                         @for head in ["strength", "worst residual", "its bound", "at t", "samples"] {
                             th { (head) }
@@ -449,15 +452,13 @@ fn notes(pair: &PairAccount, own: Option<&str>, scope: &Scope) -> Markup {
 }
 
 /// A refuting point: both sides, and what they depend on.
-fn witness(pair: &PairAccount, scope: &Scope) -> Markup {
+fn witness(derivation: &Derivation, claim: &ClaimAccount, pair: &PairAccount, scope: &Scope) -> Markup {
     let Some(w) = &pair.verdict.evidence().witness else { return html! {} };
+    let kind = card::kind_at(derivation, claim, Some(w));
+    let said = refuting::values(claim, kind, w, &|text| text.to_owned());
     html! {
         div.witness {
-            p {
-                "On " b { (pair.trajectory) } " at t = " (time(w.t)) ", for " (label(&w.formula, scope)) ": left side "
-                b { (value(w.left)) } ", right side " b { (value(w.right)) } ", error bound of the difference "
-                (size(w.bound)) "."
-            }
+            p { "On " b { (pair.trajectory) } " at t = " (time(w.t)) ", for " (label(&w.formula, scope)) ": " (said) "." }
             @if !w.values.is_empty() {
                 details { summary { "Values there" } pre tabindex="0" { (pasted(w)) } }
             }

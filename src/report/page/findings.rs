@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::super::digest::{self, Fate, Whole};
-use super::super::headline::CountedFate;
+use super::super::headline::{self, CountedFate};
 use super::super::numbers::count;
 use super::super::page_one;
 use super::super::shape::VerdictShape;
@@ -44,27 +44,15 @@ pub(super) fn listed(derivation: &Derivation, account: &Account) -> Markup {
             @for fate in Fate::ALL {
                 @let found = of(fate);
                 @if !found.is_empty() {
-                    h3 id={ "/found/" (fate.key()) } { (count(found.len(), "claim")) " " (fate.words(found.len())) }
-                    p.quiet { (fate.meaning()) (of_these(&found)) }
-                    @if fate == Fate::Stands {
-                        details { summary { "All of them" } (standing(&found, &derivation.scope)) }
-                    } @else if !fate.is_of_the_paper() {
-                        details { summary { "All of them" } (reasons(derivation, &found)) }
-                    } @else { (reasons(derivation, &found)) }
+                    h3 id={ "/found/" (fate.key()) } { (headline::heading(fate, &found)) }
+                    p.quiet { (fate.meaning()) }
+                    details {
+                        summary { "All of them" }
+                        @if fate == Fate::Stands { (standing(&found, &derivation.scope)) } @else { (reasons(derivation, &found)) }
+                    }
                 }
             }
             (unsaid(derivation, account))
-    }
-}
-
-/// How many of some claims fail in the sense in which the paper uses them.
-fn of_these(found: &[&Whole<'_>]) -> String {
-    match found.iter().filter(|w| w.counted_as() == CountedFate::AsSaid).count() {
-        0 => String::new(),
-        n => format!(
-            " Of these {n} {} in the sense in which the paper's argument uses them.",
-            if n == 1 { "fails" } else { "fail" }
-        ),
     }
 }
 

@@ -82,14 +82,14 @@ pub(super) fn section(account: &Account) -> Markup {
     let is_large = super::has_many_pairs(account);
     html! {
         section id="/matrix" hidden[!has_pairs(account)] {
-            h2 { "Claims and trajectories" }
-            p.quiet { "Each cell leads to the verdict of a claim on a trajectory, with its evidence; so does each name to its claim." }
+            h2 { "Claims and motions" }
+            p.quiet { "Each cell leads to the verdict of a claim on a motion, with its evidence; so does each name to its claim." }
             (legend())
             (filters(account))
             div.scroll.wide tabindex="0" role="group" aria-label="Matrix of verdicts" {
                 table.matrix {
                     caption {
-                        "Rows are claims, columns are trajectories."
+                        "Rows are claims, columns are motions."
                         @if is_large { span.unseen { " Where the script does not run, equal neighbours are told once, with their number." } }
                         span.unseen { @for (letter, words) in LETTERS { " " span data-l=(letter) { (letter) ": " (words) } "." } }
                     }
@@ -196,7 +196,7 @@ fn filters(account: &Account) -> Markup {
             }
             datalist id="/claim-names" { @for c in account.claims.iter().filter(|c| c.results.is_empty()) { option value=(name(c)) {} } }
             label {
-                "Trajectory "
+                "Motion "
                 input type="search" name="trajectory" list="/trajectory-names" autocomplete="off" placeholder="part of a name";
             }
             datalist id="/trajectory-names" {}

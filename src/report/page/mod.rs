@@ -162,9 +162,9 @@ fn contents(derivation: &Derivation, account: &Account) -> Markup {
             ul {
                 li { a href="#/findings" { "What was found" } }
                 @if graph::is_drawn(derivation, account) { li { a href="#/graph" { "What follows from what" } } }
-                @if matrix::has_pairs(account) { li { a href="#/matrix" { "Claims and trajectories" } } }
+                @if matrix::has_pairs(account) { li { a href="#/matrix" { "Claims and motions" } } }
                 li { a href="#/claims" { "Claims" } }
-                @if !account.trajectories.is_empty() { li { a href="#/trajectories" { "Trajectories" } } }
+                @if !account.trajectories.is_empty() { li { a href="#/trajectories" { "Motions" } } }
                 @if !derivation.conventions.is_empty() { li { a href="#/conventions" { "Conventions" } } }
                 li { a href="#/symbols" { "Symbols" } }
                 @if !derivation.systems.is_empty() { li { a href="#/systems" { "Systems" } } }
@@ -270,7 +270,7 @@ fn measures(derivation: &Derivation, account: &Account) -> Markup {
                     summary { "Values" }
                     div.scroll tabindex="0" role="group" aria-label={ "Values of " (measure.id) } {
                         table {
-                            thead { tr { th scope="col" { "trajectory" } th scope="col" { "value ± error bound (time)" } } }
+                            thead { tr { th scope="col" { "motion" } th scope="col" { "value ± error bound (time)" } } }
                             tbody {
                                 @for m in account.measurements.iter().filter(|m| m.measure == measure.id) {
                                     tr {

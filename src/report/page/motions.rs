@@ -14,7 +14,7 @@ use findings::{Account, PictureAccount, TrajectoryAccount};
 pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
     html! {
         section id="/trajectories" hidden[account.trajectories.is_empty()] {
-            h2 { "Trajectories" }
+            h2 { "Motions" }
             (what_is_drawn(derivation))
             @for (at, t) in account.trajectories.iter().enumerate() { (article(derivation, account, t, at >= SHOWN)) }
         }
@@ -29,7 +29,7 @@ pub(super) fn listed(derivation: &Derivation, account: &Account) -> Markup {
     let scope = &derivation.scope;
     html! {
         section id="/trajectories" hidden[account.trajectories.is_empty()] {
-            h2 { "Trajectories" }
+            h2 { "Motions" }
             table {
                 thead { tr { th { "no." } th { "id" } th { "what it is" } th { "t" } th { "error at most" } } }
                 tbody {
@@ -245,7 +245,7 @@ fn figure(derivation: &Derivation, picture: &Picture, account: &PictureAccount) 
                             ": "
                             @for (k, w) in picture.show.iter().enumerate() {
                                 @if k > 0 { ", " }
-                                span class={ "key k" (k % 6) } aria-hidden="true" {} (plain(&w.text))
+                                span { span class={ "key k" (k % 6) } aria-hidden="true" {} (plain(&w.text)) }
                             }
                         }
                     }

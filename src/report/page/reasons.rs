@@ -177,7 +177,7 @@ mod tests {
         let found = told(&every(Some((6.8e-10, 11.0))).into());
         assert_eq!(
             (found.stretches, found.apart.clone(), found.own.as_str()),
-            (Some(293), Some(("6.8e-10".to_owned(), "11".to_owned())), "")
+            (Some(293), Some(("6.8·10⁻¹⁰".to_owned(), "11".to_owned())), "")
         );
         let sentence = found.sentence();
         assert!(

@@ -220,9 +220,15 @@ const nice = (low, high, n) => {
   for (let x = Math.ceil(low / step - 1e-9) * step; x <= high + step * 1e-9; x += step) out.push(Math.abs(x) < step * 1e-9 ? 0 : x);
   return out;
 };
-const shown = x => { const a = Math.abs(x); return x === 0 ? "0" : a >= 1e5 || a < 1e-3 ? x.toExponential(1).replace("e+", "e") : String(+x.toPrecision(4)); };
+// Numbers as the rest of the page has them: −0.25, 1.2·10⁻¹⁴.
+const numeral = text => {
+  const [, digits, power] = /^([^e]*)(?:e\+?(-?\d+))?$/.exec(text) || [0, text], high = c => c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c];
+  const short = power ? digits.replace(/\.0$/, "") : digits;
+  return (power ? (Math.abs(+short) === 1 ? short.replace("1", "") : short + "·") + "10" + [...power].map(high).join("") : short).replace("-", "−");
+};
+const shown = x => { const a = Math.abs(x); return x === 0 ? "0" : numeral(a >= 1e5 || a < 1e-3 ? x.toExponential(1) : String(+x.toPrecision(4))); };
 // As finely as curves are drawn: a value, and one of which the logarithm is drawn.
-const short = x => shown(+x.toPrecision(3)), power = x => Number.isFinite(x) ? (10 ** x).toExponential(1).replace("e+", "e") : "0";
+const short = x => shown(+x.toPrecision(3)), power = x => Number.isFinite(x) ? numeral((10 ** x).toExponential(1)) : "0";
 // On a narrow screen the drawing is narrow, not its letters small.
 const W = Math.min(640, Math.max(340, innerWidth - 50)), H = 300, L = 76, R = 14, T = 12, B = 46;
 function frame(svg, { title, describe, label }, time, range, ticks) {
@@ -244,6 +250,7 @@ function frame(svg, { title, describe, label }, time, range, ticks) {
   add(svg, "text", { x: 14, y: (T + H - B) / 2, "text-anchor": "middle", "font-size": 13, transform: `rotate(-90 14 ${(T + H - B) / 2})` }, label);
   return { svg, X, Y };
 }
+const six = x => Number.isFinite(+x) ? numeral(String(+(+x).toPrecision(6))) : x;
 let clips = 0;
 // A drawing that can be asked: values under the pointer or the arrow keys, a stretch by dragging or + and −, lines one by one.
 // `lines` are [name, words, values, value as text]; `paint` draws all else.
@@ -418,10 +425,70 @@ function numbersOf(box, t, l, r, d, b, what) {
   });
 }
 function witness(box, [label, t, left, right, bound, names, values]) {
-  const p = element(box, "p", {}, `At t = ${t} the left side is ${left}, the right side ${right}, with an error bound of ${bound}: `);
+  const p = element(box, "p", {}, `At t = ${six(t)} the left side is ${six(left)}, the right side ${six(right)}, with an error bound of ${six((+bound).toPrecision(2))}: `);
   p.insertAdjacentHTML("beforeend", stored(label));
   element(box, "pre", { tabindex: 0 }, stored(names).split("\n").map((name, i) => `${name} = ${values[i]}\n`).join("") + `left = ${left}\nright = ${right}`);
 }
+
+// A picture of a motion can be asked, too: values under the pointer or the arrow keys, lines one by one.
+const pictures = new WeakMap();
+function ask(figure) {
+  if (pictures.has(figure)) return pictures.get(figure);
+  const svg = figure.querySelector("svg"), [x0, x1, y0, y1, a, b, c, d] = svg.dataset.axes.split(" ").map(Number);
+  // The points of a path of lines, of which later ones are told from the one before.
+  const points = text => {
+    const out = [];
+    let x = 0, y = 0;
+    for (const [, kind, list] of text.matchAll(/([Mlhv])([^Mlhv]*)/g)) {
+      const n = (list.match(/-?\d+/g) || []).map(Number);
+      for (let i = 0; i < n.length; i += kind === "h" || kind === "v" ? 1 : 2) {
+        if (kind === "M" && !i) [x, y] = n; else if (kind === "h") x += n[i]; else if (kind === "v") y += n[i]; else [x, y] = [x + n[i], y + n[i + 1]];
+        out.push([x, y]);
+      }
+    }
+    return out;
+  };
+  const keys = [...figure.querySelectorAll("figcaption .key")], lines = [...svg.querySelectorAll("path[class^=c]")];
+  const of = lines.map(path => points(path.getAttribute("d"))), value = y => c + (d - c) * (y - y0) / (y1 - y0), time = x => a + (b - a) * (x - x0) / (x1 - x0);
+  const told = element(figure, "output", { class: "quiet" }), plane = figure.classList.contains("curve");
+  const name = k => keys[k]?.parentElement.textContent.trim() || "";
+  let at = x0;
+  const tell = (x, y) => {
+    at = Math.min(x1, Math.max(x0, x));
+    const near = k => of[k].reduce((best, p) => (plane ? Math.hypot(p[0] - x, p[1] - y) < Math.hypot(best[0] - x, best[1] - y) : Math.abs(p[0] - at) < Math.abs(best[0] - at)) ? p : best);
+    const seen = lines.map((line, k) => k).filter(k => of[k].length && lines[k].style.display !== "none");
+    told.textContent = plane ? seen.slice(0, 1).map(k => near(k)).map(p => `(${shown(time(p[0]))}, ${shown(value(p[1]))})`).join("")
+      : `at ${shown(+time(at).toPrecision(4))}: ` + seen.map(k => `${name(k)} ${shown(+value(near(k)[1]).toPrecision(3))}`).join(", ");
+  };
+  keys.forEach((key, k) => {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.setAttribute("aria-pressed", "true");
+    const name = key.parentElement;
+    name.before(button);
+    button.append(name);
+    button.addEventListener("click", () => {
+      const hide = button.getAttribute("aria-pressed") === "true";
+      button.setAttribute("aria-pressed", String(!hide));
+      for (const line of svg.querySelectorAll(".c" + k)) line.style.display = hide ? "none" : "";
+    });
+  });
+  const place = e => {
+    const r = svg.getBoundingClientRect(), box = svg.viewBox.baseVal;
+    tell((e.clientX - r.left) * box.width / r.width, (e.clientY - r.top) * box.height / r.height);
+  };
+  svg.addEventListener("pointermove", place);
+  svg.addEventListener("keydown", e => {
+    const step = { ArrowLeft: -1, ArrowRight: 1 }[e.key];
+    if (step && !plane) { tell(at + step * (x1 - x0) / 50, 0); e.preventDefault(); }
+  });
+  pictures.set(figure, tell);
+  return tell;
+}
+for (const event of ["pointerover", "focusin"]) document.addEventListener(event, e => {
+  const svg = e.target.closest?.("figure.picture svg[data-axes]");
+  if (svg) ask(svg.parentElement);
+});
 
 // What is folded comes into the page when it is asked for.
 function unfold(details) {

@@ -373,7 +373,7 @@ mod tests {
         assert!(page.starts_with(&format!("<pre tabindex=\"0\">{lines}</pre>")), "{page}");
         assert!(page.ends_with("left = -6\nright = 0\nx = 2\n</pre>"), "{page}");
         let motion = Refuting::OnMotion { left: 1.0, right: -2.5, trajectory: "slow".into(), t: 0.5 };
-        assert_eq!(refuting(&motion).into_string(), "<p>left 1, right -2.5 on the trajectory slow at t = 0.5.</p>");
+        assert_eq!(refuting(&motion).into_string(), "<p>left 1, right -2.5 on slow at t = 0.5.</p>");
     }
 
     #[test]

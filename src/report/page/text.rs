@@ -3,10 +3,11 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::super::mathml;
+use super::super::numbers::retold;
 pub(super) use super::super::plain::{bare, plain};
 pub(super) use super::super::wording::unit;
 use super::super::wording::{self, Part};
-use crate::latex::Scope;
+use latex::Scope;
 use reason::Proviso;
 
 /// Longest formula, in bytes of LaTeX, that fits on a narrow screen.
@@ -17,7 +18,7 @@ pub(in super::super) fn prose(text: &str, scope: &Scope) -> Markup {
     let mut out = String::new();
     for part in wording::parts(&wording::one_line(text)) {
         match part {
-            Part::Words(words) => out.push_str(&mathml::escaped(words)),
+            Part::Words(words) => out.push_str(&mathml::escaped(&retold(words))),
             Part::Formula(text) => out.push_str(&formula(text, scope).into_string()),
         }
     }

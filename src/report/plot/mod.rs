@@ -94,8 +94,17 @@ pub(super) fn plane(lines: &[Line], words: &Words<'_>) -> Option<String> {
         Scale::Own => (across, up),
     };
     let mut out = String::new();
+    let axes = axes(&across, &up);
     let drawn = draw_plane(&mut out, lines, words, across, up);
-    drawn.ok().map(|()| finished(&out, words))
+    drawn.ok().map(|()| finished(&out, words).replacen("<svg ", &format!("<svg {axes} "), 1))
+}
+
+/// For the script of the page, which tells values under the pointer: where the axes begin and end on the canvas, and at which values.
+fn axes(across: &std::ops::Range<f64>, up: &std::ops::Range<f64>) -> String {
+    let (left, bottom) = (f64::from(MARGIN + LEFT), f64::from(MARGIN) + INSIDE.1);
+    let places = [left, left + INSIDE.0, bottom, f64::from(MARGIN)].map(|x| format!("{x}"));
+    let values = [across.start, across.end, up.start, up.end].map(numbers::ascii_six);
+    format!("tabindex=\"0\" data-axes=\"{} {}\"", places.join(" "), values.join(" "))
 }
 
 /// The least and largest value, with some room.

@@ -57,6 +57,7 @@ fn span(span: &StorySpan<'_>) -> Markup {
         StorySpan::Math(text, scope) => formula(text, scope),
         StorySpan::Marked { formula: text, beside, scope, wrong } => marked_formula(text, beside, scope, *wrong),
         StorySpan::Claim(name, tone) => marked(markup! { a href={ "#" (name) } { (name) } }, *tone),
+        StorySpan::Section(text, place) => markup! { a href={ "#" (place) } { (text) } },
         StorySpan::Code(text) => markup! { code { (text) } },
         StorySpan::Shape(shape) => {
             markup! { span class={ "mark " (shape.class()) } role="img" aria-label=(shape.says()) {} }

@@ -92,6 +92,7 @@ fn span(span: &StorySpan<'_>, link: &dyn Fn(&str) -> String) -> String {
         StorySpan::Words(text, tone) | StorySpan::Prose(text, _, tone) => marked(&kept(text), *tone),
         StorySpan::Math(formula, _) | StorySpan::Marked { formula, .. } => prose(&format!("${}$", formula.trim())),
         StorySpan::Claim(name, tone) => marked(&link(name), *tone),
+        StorySpan::Section(text, _) => prose(text),
         StorySpan::Code(text) => code(text),
         StorySpan::Shape(shape) => shape.sign().to_owned(),
     }

@@ -34,6 +34,8 @@ pub(super) enum StorySpan<'a> {
     Marked { formula: String, beside: String, scope: &'a Scope, wrong: bool },
     /// The name of a claim, which leads to what is said of it.
     Claim(String, Tone),
+    /// Words that lead to a section of the page, by its place.
+    Section(String, &'static str),
     /// What can be typed.
     Code(String),
     /// A symbol.

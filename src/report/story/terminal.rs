@@ -1,7 +1,8 @@
 //! A story for a terminal: at most a hundred letters wide, readable without colour.
 
+use super::super::numbers::retold;
 use super::super::plain::plain as plain_formula;
-use super::super::text::{Paint, WIDTH, fitted, wrapped};
+use super::super::text::{Paint, fitted, width as columns, wrapped};
 use super::super::wording::{self, Part};
 use super::{StoryBlock, StoryItem, StorySpan, StoryTable, Tone, joined};
 
@@ -24,7 +25,7 @@ fn put_all(blocks: &[StoryBlock<'_>], indent: usize, paint: Paint, out: &mut Str
                 all.next();
                 let lead = [StorySpan::Words(format!("{text}: "), Tone::Strong)];
                 let line: Vec<StorySpan<'_>> = lead.into_iter().chain(spans.iter().cloned()).collect();
-                out.push_str(&format!("\n{}", lines(&line, indent, indent, paint)));
+                out.push_str(&lines(&line, indent, indent, paint));
             }
             _ => put(block, indent, paint, out),
         }
@@ -33,7 +34,7 @@ fn put_all(blocks: &[StoryBlock<'_>], indent: usize, paint: Paint, out: &mut Str
 
 fn put(block: &StoryBlock<'_>, indent: usize, paint: Paint, out: &mut String) {
     match block {
-        StoryBlock::Heading(text) => out.push_str(&format!("\n{}\n", paint.bold(text))),
+        StoryBlock::Heading(text) => out.push_str(&format!("{}\n", paint.bold(text))),
         StoryBlock::Paragraph(spans) => out.push_str(&lines(spans, indent, indent, paint)),
         StoryBlock::Table(of) => out.push_str(&table(of, paint)),
         StoryBlock::List(items) => items.iter().for_each(|item| put_item(item, indent, paint, out)),
@@ -45,8 +46,13 @@ fn put(block: &StoryBlock<'_>, indent: usize, paint: Paint, out: &mut String) {
             }
         }
         StoryBlock::Group("roomy", _) => {}
-        // The rest of a remark is on the page.
-        StoryBlock::Group("remark", blocks) => blocks.iter().take(1).for_each(|b| put(b, indent, paint, out)),
+        // Of a remark the first line is shown; the rest is on the page.
+        StoryBlock::Group("remark", blocks) => {
+            if let Some(StoryBlock::Paragraph(spans)) = blocks.first() {
+                let line = plain(spans).split_whitespace().collect::<Vec<_>>().join(" ");
+                out.push_str(&format!("{}\n", paint.faint(fitted(&line, columns() - indent).trim_end())));
+            }
+        }
         StoryBlock::Group("keys", blocks) => blocks.iter().for_each(|b| match b {
             StoryBlock::List(items) => put_in_line(items, indent + 1, paint, out),
             other => put(other, indent, paint, out),
@@ -80,7 +86,7 @@ fn put_item(item: &StoryItem<'_>, indent: usize, paint: Paint, out: &mut String)
 /// A text of the file, its formulas as plain text.
 fn prose(text: &str) -> String {
     let part = |part| match part {
-        Part::Words(words) => words.replace('$', ""),
+        Part::Words(words) => retold(&words.replace('$', "")),
         Part::Formula(formula) => plain_formula(formula),
     };
     wording::parts(text).into_iter().map(part).collect()
@@ -95,7 +101,7 @@ fn text(span: &StorySpan<'_>) -> (String, Tone) {
             (plain_formula(formula), if *wrong { Tone::Bad } else { Tone::Good })
         }
         StorySpan::Claim(name, tone) => (name.clone(), *tone),
-        StorySpan::Code(text) => (text.clone(), Tone::Plain),
+        StorySpan::Section(text, _) | StorySpan::Code(text) => (text.clone(), Tone::Plain),
         StorySpan::Shape(shape) => (shape.sign().to_owned(), shape.tone()),
     }
 }
@@ -132,7 +138,7 @@ fn lines(spans: &[StorySpan<'_>], first: usize, further: usize, paint: Paint) ->
     let mut fresh = true;
     for word in all.iter().filter(|w| !w.is_empty()) {
         let length: usize = word.iter().map(|(part, _)| part.chars().count()).sum();
-        if !fresh && width + 1 + length > WIDTH {
+        if !fresh && width + 1 + length > columns() {
             out.push('\n');
             out.push_str(&" ".repeat(further));
             (width, fresh) = (further, true);
@@ -199,6 +205,6 @@ mod tests {
         ];
         let text = lines(&spans, 2, 4, Paint(false));
         assert!(text.starts_with("  a bold, and word word"), "{text}");
-        assert!(text.lines().skip(1).all(|l| l.starts_with("    word")) && text.lines().all(|l| l.len() <= WIDTH));
+        assert!(text.lines().skip(1).all(|l| l.starts_with("    word")) && text.lines().all(|l| l.len() <= columns()));
     }
 }

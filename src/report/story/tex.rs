@@ -56,6 +56,7 @@ fn span(span: &StorySpan<'_>) -> String {
         StorySpan::Prose(text, scope, tone) => marked(prose(text, scope), *tone),
         StorySpan::Math(formula, scope) | StorySpan::Marked { formula, scope, .. } => inline(formula, scope),
         StorySpan::Claim(name, tone) => marked(escaped(name), *tone),
+        StorySpan::Section(text, _) => escaped(text),
         StorySpan::Code(text) => format!("\\texttt{{{}}}", escaped(text)),
         StorySpan::Shape(shape) => shape.row().2.to_owned(),
     }
