@@ -135,7 +135,7 @@ fn a_singularity_ends_the_enclosure() {
     let (_, end) = e.reach();
     assert!(end > 0.9 && end < 1.0, "{end}");
     let text = e.stop().expect("it stops").to_string();
-    assert!(text.contains("wide") && text.contains("t = 0.9"), "{text}");
+    assert!(text.contains("wide") && text.contains("t = 1,"), "{text}");
     assert!(e.state(Interval::point(1.0)).is_none());
 }
 

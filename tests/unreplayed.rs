@@ -236,6 +236,42 @@ fn between_fixed_times_a_motion_must_be_known() {
     }
 }
 
+/// Fixed times that are parameters may be one: what has two values then is no motion.
+#[test]
+fn a_point_has_one_value_at_one_time() {
+    let symbols: &[&str] = &["x, y: state", "t_0, t_1, a"];
+    let lines: [Line; 7] = [
+        ("ax(t_0)=ax(t_1)", symbols, &["at_0=at_1"]),
+        ("x(t_0)=x(0)", symbols, &[r"t_0\cdot(x(t_0)-x(0))=0"]),
+        ("x(t_0)=x(t_1)", symbols, &["(t_0-t_1)(x(t_0)-x(t_1))=0"]),
+        ("x(t_0)=1", symbols, &["t_0^2=1", "x(1)=1", "x(-1)=1"]),
+        ("x(t_0)=1", symbols, &["|t_0|=1", "x(1)=1", "x(-1)=1"]),
+        ("x(1)=2", symbols, &["t_0=y(0)", "y(0)=1", "x(t_0)=2"]),
+        ("x(t_0)=x(t_1)", symbols, &["(t_0-t_1)^2+y(0)^2=0"]),
+    ];
+    for line in &lines {
+        assert_ne!(word(line).0, "refuted", "{line:?}");
+    }
+    assert_eq!(word(&("x(t_0)=x(t_1)", symbols, &["t_0=2t_1", "t_1=1"])).0, "refuted");
+}
+
+/// Where a premise about what moves has no value at some times, nothing is given at these, and the prover does not speak alone.
+#[test]
+fn what_moves_and_has_no_value_at_some_times_is_not_given_there() {
+    let lines: [Line; 5] = [
+        ("|y|-y=0", &["y: state"], &[r"\sqrt y\ge0", "y=t"]),
+        ("|t|-t=0", &["y: state"], &[r"\sqrt t\ge0"]),
+        ("|y|-y=0", &["y: state"], &[r"\sqrt y=\sqrt y"]),
+        (r"\sin z=\sin x", &["x, y, z: state"], &[r"\frac{z-x}{y}=0"]),
+        (r"z=\sin y", &["y, z: state"], &[r"\arcsin z=y"]),
+    ];
+    for line in &lines {
+        assert!(!["proved", "proved unreplayed"].contains(&word(line).0), "{line:?}: {:?}", word(line));
+    }
+    // A case that was divided by is another one.
+    assert_ne!(word(&("|y|+y=0", &["y: state", "b"], &["b(|y|+y)=0", "b(t-1)=0"])).0, "proved");
+}
+
 /// Of a fact that is a product, a factor of a known sign is divided by.
 #[test]
 fn a_factor_of_a_known_sign_is_divided_by() {

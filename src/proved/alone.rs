@@ -1,7 +1,7 @@
 //! Whether the word of the prover counts without the checker.
 //!
 //! **In:** a claim, with all that is given to it. **Out:** whether a proof of it that is not replayed is *proved unreplayed*, or leaves it undecided. **Guaranteed:** where it counts, no fact can be known at some times and
-//! be used at others, which is how proofs went wrong: nothing is given; or all is about one time; or all of it has a value, and is smooth, at all times, and nothing chooses times or names one.
+//! be used at others, which is how proofs went wrong: nothing is given; or all is about one time, and what is given of what moves has a value at all; or all of it has a value, and is smooth, at all times, and nothing chooses times or names one.
 
 use derivation::{Claim, Derivation, Form, FormFormula, Premise, Written};
 use expr::domain::Sign;
@@ -42,6 +42,7 @@ pub(crate) fn counts(derivation: &Derivation, claim: &Claim) -> bool {
     let at = claimed.one_place(derivation);
     nothing_given
         || claimed.one_time(derivation).is_some_and(|time| given.one_time(derivation) == Some(time))
+            && (given.is_total(derivation) || !given.moves(derivation))
         || (!given.names_a_time(derivation)
             || !given.names_an_instant(derivation) && at.is_some() && given.one_place(derivation) == at)
             && !given.chooses
@@ -151,6 +152,12 @@ impl Said {
             own.contains(leaf) || graph.place(leaf.symbol).is_some_and(|place| &place.at == at) && !across
         };
         (is_known && leaves.iter().all(is_there)).then(|| at.clone())
+    }
+
+    /// Whether it names something that moves: where that has no value at some times, nothing is given at these.
+    fn moves(&self, derivation: &Derivation) -> bool {
+        let leaves = derivation.graph.leaves_within(self.formulas.iter().copied());
+        leaves.iter().any(|leaf| leaf.instant.is_none() && derivation.role(leaf.symbol) != Some(Role::Parameter))
     }
 
     fn instants(&self, derivation: &Derivation) -> FastSet<Expr> {

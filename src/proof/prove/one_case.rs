@@ -12,7 +12,7 @@ use crate::lowering::question;
 use crate::outcome::{Options, Proof, Reason, Wanted};
 use crate::sign::Facts;
 use crate::solve::{Resolved, closed, insert_definitions};
-use crate::witness::{Found, Scene, refutation, targets};
+use crate::witness::{Found, Scene, refutation, targets, vanishing};
 use expr::{Expr, FastMap, Leaf};
 use number::Draws;
 use std::cell::Cell;
@@ -63,8 +63,14 @@ impl Examination<'_> {
         };
         match outcome {
             Trials::Vanish(bound) => {
-                let found =
-                    look(&scene, &mut self.draws, (self.examples, &*self.closings), |_| true, |f| !f.is_empty());
+                // Where something vanishes that was divided by, or a sign is another one than an equation asks for, it is another case.
+                let pivots: Vec<Expr> = case.pivots.iter().map(|(e, _)| *e).collect();
+                let belongs = |f: &Found| {
+                    let may = case.unsolved.is_empty() || f.differs.is_none();
+                    may && vanishing(scene.graph, &pivots, &f.point).is_none()
+                };
+                let most = (self.examples, &*self.closings);
+                let found = look(&scene, &mut self.draws, most, belongs, |f| !f.is_empty());
                 if let Some(f) = found.iter().find(|f| f.differs.is_some()) {
                     let sides = f.differs.map(|at| format!("{:?}", f.sides[at])).unwrap_or_default();
                     let what = format!("proved over finite fields, but at a real point: {sides}");

@@ -9,9 +9,9 @@
 
 use super::{
     Bounded, Computed, Expr, FastMap, Found, Frame, Generator, Graph, Leaf, Op, Placed, Rational, Scene, Values,
-    decimals,
+    decimals, values_at,
 };
-use crate::outcome::{Identity, Options, Premises, Wanted};
+use crate::outcome::{Identity, Options, Point, PointValue, Premises, Wanted};
 use crate::prove::identity_test;
 use std::cell::Cell;
 use std::f64::consts::TAU;
@@ -27,12 +27,37 @@ impl Scene<'_> {
     /// Whether there is a real point where `found` is one within rounding; `closings`: so many may be looked at as
     /// formulas of numbers.
     pub(in super::super) fn is_certain(&self, frame: &Frame, found: &Found, closings: &Cell<u32>) -> bool {
+        if self.leaps(&found.point) {
+            return false;
+        }
         if found.is_exact && found.differs.is_none_or(|at| found.is_apart || self.differ_exactly(at)) {
             return true;
         }
         let Some(left) = closings.get().checked_sub(1) else { return false };
         closings.set(left);
         self.closes(frame, found).unwrap_or(false)
+    }
+
+    /// Whether something has two values at one fixed time: at the point two times are equal, as t₀ and 1 are where t₀ = 1.
+    fn leaps(&self, point: &Point) -> bool {
+        let then: Vec<(Leaf, Expr, &PointValue)> =
+            point.values.iter().filter_map(|(leaf, value)| Some((*leaf, leaf.instant?, value))).collect();
+        let times: Vec<Expr> = then.iter().map(|(_, instant, _)| *instant).collect();
+        let times = decimals(self.graph, &times, &values_at(point));
+        let pairs = (0..then.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+        pairs.into_iter().any(|(i, j)| {
+            let ((a, at, v), (b, to, w)) = (then[i], then[j]);
+            let alike = Leaf { instant: b.instant, ..a } == b && at != to;
+            let together = || match (&times[i], &times[j]) {
+                (Some(s), Some(t)) => (s.value - t.value).abs() <= s.error + t.error,
+                _ => false,
+            };
+            let differ = match (&v.exact, &w.exact) {
+                (Some(v), Some(w)) => v != w,
+                _ => v.decimal != w.decimal,
+            };
+            alike && differ && together()
+        })
     }
 
     /// Whether sides differ where their exact values do: neither a function that was solved for, nor a sign that was chosen, which are
