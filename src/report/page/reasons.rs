@@ -121,7 +121,7 @@ fn enclosing(of: &Enclosing, reason: &Reason) -> Told {
 /// Where something stays open, in a line of a table.
 fn spoken(place: &Place) -> String {
     match place {
-        Place::Stretch(from, to) => format!("for t in [{}, {}]", short(&from), short(&to)),
+        Place::Stretch(from, to) => format!("for t in [{}, {}]", short(from), short(to)),
         Place::Time(_) | Place::Event { .. } => place.to_string().trim_start_matches(", ").to_owned(),
     }
 }
