@@ -20,7 +20,7 @@ STEPS = [
     (r"\frac{x^2-1}{x-1}=x+1", [], ["x"], "proved"),
     (r"\arcsin(\sin x)=x", [], ["x"], "refuted_by_a_point"),
     (r"x=2", ["x^2=4"], ["x"], "refuted_by_a_point"),
-    (r"x=2", ["x^2=4", "x>0"], ["x"], "proved_unreplayed"),
+    (r"x=2", ["x^2=4", "x>0"], ["x"], "proved"),
     (r"\cos 2x=1-\sin^2x", [], ["x"], "refuted_by_a_point"),
     (r"\cos 2x=1-2\sin^2x", [], ["x"], "proved"),
     (r"\frac{d}{dt}\dot q^2=\dot q\ddot q", [], ["q: state"], "refuted_by_a_point"),
