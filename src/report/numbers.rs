@@ -41,7 +41,7 @@ pub(super) fn time(x: f64) -> String {
 
 /// A value with six digits, as programs and formulas read it.
 pub(super) fn ascii_six(x: f64) -> String {
-    value(format!("{x:.5e}").parse().unwrap_or(x))
+    reason::short(&x)
 }
 
 /// A size, of which two digits are enough, as programs and formulas read it.
