@@ -316,3 +316,52 @@ fn of_one_time_the_prover_may_speak_alone() {
     let (standing, _) = word(&(r"\frac{d}{dx}|x|^3=3x|x|", &["x"], &[]));
     assert_eq!(standing, "proved except");
 }
+
+/// From what is so on no motion, anything would follow: nothing is proved from it.
+#[test]
+fn what_no_motion_satisfies_proves_nothing() {
+    let lines: [Line; 20] = [
+        ("y=2t", MOTION, &[r"\dot x=y", r"\dot y=-x", "x=t^2"]),
+        (r"\dot x=x", MOTION, &[r"\dot x=x", "x^2=t+2"]),
+        (r"\dot x=x", MOTION, &[r"\dot x=x", "x^2=t^2+1"]),
+        ("x(0)=0", MOTION, &["t(x-1)=0", "x(0)=0"]),
+        ("z=z(0)", MOTION, &[r"x\le x(0)", r"\dot x=1", r"\dot z=0"]),
+        ("x(0)=1", MOTION, &[r"x\ge1", "x(0)=1", r"\dot x=y", "y>0"]),
+        (r"\cos t=t", MOTION, &[r"\cos t=t"]),
+        (r"\dot x(0)^2=4", MOTION, &[r"x\dot x=t", "x(0)=0", r"\dot x(0)=2"]),
+        ("x=5", MOTION, &["x=t^2", r"\dot x=1"]),
+        ("z=1", MOTION, &[r"z\ge1+t^2", r"z\le1"]),
+        ("x=7", MOTION, &["x(0)=7", r"\dot x=0", "y^2=-1-t^2"]),
+        ("x=7", MOTION, &["x(0)=7", r"\dot x=0", r"y=\sqrt{-1-t^2}"]),
+        // It has no value at the time that is named.
+        ("x=7", MOTION, &["x(0)=7", r"\dot x=0", r"y=\sqrt{t-1}"]),
+        ("x=7", MOTION, &["x(0)=7", r"\dot x=0", r"y\dot y=1", "y(0)=0"]),
+        ("x=7", MOTION, &["x(0)=7", r"\dot x=0", r"\dot y=\sqrt y", "y(0)=-1"]),
+        // The third rate follows from the system: it is 0.
+        ("x=7", MOTION, &["x(0)=7", r"\dot x=0", r"\ddot y=-\sin y", "y(0)=1", r"\dot y(0)=0", r"\dddot y(0)=1"]),
+        ("x=7", MOTION, &["x(0)=7", r"\dot x=0", "y=z+1", "z=y-1", "y(0)=0", "z(0)=0"]),
+        ("x=7", MOTION, &["x(0)=7", r"\dot x=0", "y=|t|", r"\dot y(0)=1"]),
+        ("u=3", &["x: coordinate", "u(x): field"], &[r"u^2\le0", r"\partial_xu=1"]),
+        ("f(0)=1", &["s: coordinate", "f(s): field"], &["f=1", "f^2=s+1"]),
+    ];
+    for line in &lines {
+        assert_eq!(word(line).0, "undecided", "{line:?}");
+    }
+    // One motion is enough, of each reason that there is.
+    let lines: [Line; 11] = [
+        ("x=x(0)", MOTION, &[r"\dot x=0"]),
+        ("x^2+y^2=1", MOTION, &[r"\dot x=y", r"\dot y=-x", "x(0)=1", "y(0)=0"]),
+        ("x=7", MOTION, &["x(0)=7", r"\dot x=0", r"\dot y=\sqrt y", "y(0)=1"]),
+        ("x=7", MOTION, &["x(0)=7", r"\dot x=0", r"\ddot y=-\sin y", "y(0)=1", r"\dot y(0)=0"]),
+        ("x=7", MOTION, &["x(0)=7", r"\dot x=0", "y=z+1", "z=y-1"]),
+        (r"\dot x=1", MOTION, &["x=t+2"]),
+        (r"x\dot x=-y\dot y", MOTION, &["x^2+y^2=1"]),
+        (r"\dot x=\dot y", MOTION, &["x=y"]),
+        ("x=2", MOTION, &["x^2=4", "x>0"]),
+        (r"\partial_xu=2x", &["x, y: coordinate", "s: coordinate", "f(s): field", "u(x,y): field"], &["u=x^2+f(y)"]),
+        ("u_x=0", &["x, y: coordinate", "u(x,y): field"], &["u_x=u_y", "u_y=0"]),
+    ];
+    for line in &lines {
+        assert!(["proved", "proved unreplayed"].contains(&word(line).0), "{line:?}");
+    }
+}

@@ -5,7 +5,7 @@
 
 use crate::comparison::{behind_rates, traced_now};
 use crate::derivation::System;
-use crate::expr::{Expr, Graph, Leaf};
+use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::flow::{FlowError, VectorField};
 use crate::latex::Scope;
 
@@ -26,7 +26,20 @@ pub fn solved(graph: &mut Graph, scope: &Scope, system: &System, time: Leaf) -> 
             closed.push((l, r));
         }
     }
-    VectorField::solve(graph, Some(time), &system.states, &closed)
+    field(graph, Some(time), &system.states, &closed)
+}
+
+/// Equations in states, parameters and the time, solved for the highest rate of each of some states.
+///
+/// # Errors
+/// See [`VectorField::solve`].
+pub fn field(
+    graph: &mut Graph,
+    time: Option<Leaf>,
+    states: &[Symbol],
+    equations: &[(Expr, Expr)],
+) -> Result<VectorField, FlowError> {
+    VectorField::solve(graph, time, states, equations)
 }
 
 /// The rate of each state variable; `None` where the system cannot be solved.

@@ -6,29 +6,33 @@
 use derivation::{Claim, Derivation, Form, FormFormula, Premise, Written};
 use expr::domain::Sign;
 use expr::{Expr, FastSet, Graph, Leaf, Node, Partials};
-use latex::{RelationKind, Role, Statement};
+use latex::{Relation, RelationKind, Role, Statement};
 
 /// What a claim says, and what is given to it, with the formulas of what is defined.
-fn said(derivation: &Derivation, claim: &Claim) -> (Said, Said) {
-    let (claimed, mut given) = (Said::of_claim(derivation, claim), Said::default());
-    given.add(claim.assuming.iter());
-    for name in derivation.given_to(claim) {
-        match derivation.premise(&name) {
-            Premise::System(at) => given.add(derivation.systems[at].equations.iter()),
-            Premise::Claim(at) => {
-                let of = &derivation.claims[at];
-                given.join(Said::of_claim(derivation, of));
-                given.add(of.assuming.iter());
-            }
-            Premise::Definition => {}
-        }
-    }
+fn said<'a>(derivation: &'a Derivation, claim: &'a Claim) -> (Said<'a>, Said<'a>) {
+    let (claimed, mut given) = (Said::of_claim(derivation, claim), Said::given(derivation, claim));
+    given.join(Said::assumed(claim));
     (claimed.with_definitions(derivation), given.with_definitions(derivation))
 }
 
-/// Whether a proof says nothing before a motion is known on which everything given is so: values at several fixed times are named, and
+/// What is given, and what is assumed, where all of it is relations of each time.
+pub(crate) fn relations<'a>(
+    derivation: &'a Derivation,
+    claim: &'a Claim,
+) -> Option<(Vec<&'a Relation>, Vec<&'a Relation>)> {
+    let (given, assumed) = (Said::given(derivation, claim), Said::assumed(claim));
+    (!given.relates_times).then_some((given.relations, assumed.relations))
+}
+
+/// The fixed times that a claim names, and those that are named by what is given to it.
+pub(crate) fn instants(derivation: &Derivation, claim: &Claim) -> [FastSet<Expr>; 2] {
+    let (claimed, given) = said(derivation, claim);
+    [claimed.instants(derivation), given.instants(derivation)]
+}
+
+/// Whether a proof says nothing before polynomials are found on which everything given is so: values at several fixed times are named, and
 /// what is given fixes some of them at two, chooses times, or has no value at some; or the proof leaves out times. `is_whole`: it does not.
-pub(crate) fn needs_motion(derivation: &Derivation, claim: &Claim, is_whole: bool) -> bool {
+pub(crate) fn needs_example(derivation: &Derivation, claim: &Claim, is_whole: bool) -> bool {
     let (claimed, given) = said(derivation, claim);
     let (of_claim, of_given) = (claimed.instants(derivation), given.instants(derivation));
     let several = of_claim.union(&of_given).count() > 1;
@@ -50,18 +54,25 @@ pub(crate) fn counts(derivation: &Derivation, claim: &Claim) -> bool {
             && given.is_total(derivation)
 }
 
+/// Whether a fixed time, or a place, is named by a claim, or by what is given to it.
+pub(crate) fn names_a_time(derivation: &Derivation, claim: &Claim) -> bool {
+    let (claimed, given) = said(derivation, claim);
+    claimed.names_a_time(derivation) || given.names_a_time(derivation)
+}
+
 /// Formulas, and what they are said to be.
 #[derive(Default)]
-struct Said {
+struct Said<'a> {
     formulas: Vec<Expr>,
+    relations: Vec<&'a Relation>,
     /// Whether something other than an equation is among them, or ±: it may choose times.
     chooses: bool,
     /// Whether it is a claim of another form than relations at each time.
     relates_times: bool,
 }
 
-impl Said {
-    fn of_claim(derivation: &Derivation, claim: &Claim) -> Said {
+impl<'a> Said<'a> {
+    fn of_claim(derivation: &'a Derivation, claim: &'a Claim) -> Said<'a> {
         let mut out = Said::default();
         for form in &claim.forms {
             match form {
@@ -86,21 +97,45 @@ impl Said {
         out
     }
 
-    fn add<'a>(&mut self, statements: impl Iterator<Item = &'a Written<Statement>>) {
+    fn assumed(claim: &'a Claim) -> Said<'a> {
+        let mut assumed = Said::default();
+        assumed.add(claim.assuming.iter());
+        assumed
+    }
+
+    fn given(derivation: &'a Derivation, claim: &'a Claim) -> Said<'a> {
+        let mut given = Said::default();
+        for name in derivation.given_to(claim) {
+            match derivation.premise(&name) {
+                Premise::System(at) => given.add(derivation.systems[at].equations.iter()),
+                Premise::Claim(at) => {
+                    let of = &derivation.claims[at];
+                    given.join(Said::of_claim(derivation, of));
+                    given.add(of.assuming.iter());
+                }
+                Premise::Definition => {}
+            }
+        }
+        given
+    }
+
+    fn add(&mut self, statements: impl Iterator<Item = &'a Written<Statement>>) {
         for relation in statements.flat_map(|w| &w.value.relations) {
             self.chooses |= relation.kind != RelationKind::Equal || relation.has_branches || relation.limit.is_some();
+            self.relations.push(relation);
             self.formulas.extend(relation.left.components.iter().chain(&relation.right.components));
         }
     }
 
-    fn join(&mut self, other: Said) {
+    fn join(&mut self, other: Said<'a>) {
         self.formulas.extend(other.formulas);
+        self.relations.extend(other.relations);
         self.chooses |= other.chooses;
         self.relates_times |= other.relates_times;
     }
 
     /// With the formulas of what is defined.
-    fn with_definitions(mut self, derivation: &Derivation) -> Said {
+    fn with_definitions(mut self, derivation: &Derivation) -> Said<'a> {
         let mut known = FastSet::default();
         let mut at = 0;
         while at < self.formulas.len() {
@@ -174,21 +209,24 @@ impl Said {
         self.names_a_place(derivation) || self.names_an_instant(derivation)
     }
 
-    /// Whether all of it has a value, and is smooth, wherever its symbols have values.
     fn is_total(&self, derivation: &Derivation) -> bool {
-        let mut graph = derivation.graph.clone();
-        let all: Vec<Expr> = graph.reachable(self.formulas.iter().copied());
-        all.into_iter().all(|node| {
-            let needs = graph.needs(node);
-            let edges = graph.edges(node);
-            needs.iter().all(|need| is_so(derivation, &graph, need.value, need.sign))
-                && edges.iter().filter_map(|edge| edge.vanishing).all(|e| is_so(derivation, &graph, e, Sign::NotZero))
-        })
+        is_total(derivation, &mut derivation.graph.clone(), &self.formulas)
     }
 }
 
+/// Whether formulas have values, and are smooth, wherever their symbols have values.
+pub(crate) fn is_total(derivation: &Derivation, graph: &mut Graph, formulas: &[Expr]) -> bool {
+    let all: Vec<Expr> = graph.reachable(formulas.iter().copied());
+    all.into_iter().all(|node| {
+        let needs = graph.needs(node);
+        let edges = graph.edges(node);
+        needs.iter().all(|need| is_so(derivation, graph, need.value, need.sign))
+            && edges.iter().filter_map(|edge| edge.vanishing).all(|e| is_so(derivation, graph, e, Sign::NotZero))
+    })
+}
+
 /// Whether a number, or a parameter that is declared as positive, has a sign.
-fn is_so(derivation: &Derivation, graph: &Graph, e: Expr, sign: Sign) -> bool {
+pub(crate) fn is_so(derivation: &Derivation, graph: &Graph, e: Expr, sign: Sign) -> bool {
     if let Node::Leaf(leaf) = graph.node(e) {
         return derivation.is_positive_parameter(leaf.symbol);
     }

@@ -48,10 +48,11 @@ pub fn replayed(
 /// what is given of several fixed times, if no motion is found that is so. `inequalities`: when those that are assumed hold.
 fn finished(derivation: &Derivation, claim: &Claim, account: IdentityAccount, inequalities: When) -> IdentityAccount {
     let is_shown = account.finding.is_proved_in_part();
-    if is_shown
-        && crate::alone::needs_motion(derivation, claim, account.finding.is_whole())
-        && !crate::motions::has_example(derivation, claim, inequalities)
-    {
+    let has_motion = || match crate::alone::needs_example(derivation, claim, account.finding.is_whole()) {
+        true => crate::motions::has_example(derivation, claim, inequalities),
+        false => crate::existence::is_known(derivation, claim, inequalities),
+    };
+    if is_shown && !has_motion() {
         return account.left_open(Plain::NoMotionKnown.into());
     }
     if account.finding.is_unreplayed() && !crate::alone::counts(derivation, claim) {

@@ -112,7 +112,7 @@ sentences! {
     GivenHasNoValue: "what is given makes a formula have no value",
     RefutedWithoutAll: "refuted without something given that could not be used",
     Unreplayed: "the prover finds a proof, which the checker does not replay: it may use what is known at some times at others",
-    NoMotionKnown: "what is given names values at several fixed times, and no motion is found on which all of it is so",
+    NoMotionKnown: "no motion is found on which all that is given is so: of what may never be so, everything would follow",
     SignAtOtherTimes: "the sign that is assumed is one with that of the claim, and may be another one at the times that are named",
     SignsUndecided: "the signs of the coefficients do not decide in every order of the parameters",
     TooLargeForProof: "work limit: its formulas, with all that they follow from, are too large for a proof",

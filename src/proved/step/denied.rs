@@ -158,7 +158,7 @@ impl Step<'_> {
     }
 
     /// Whether there is a motion on which all that is given holds: a point of one refutes 0 = 1.
-    fn has_motion(mut self) -> Option<bool> {
+    pub(crate) fn has_motion(mut self) -> Option<bool> {
         let gathered = self.gather(None);
         let equations = self.equations(self.claim)?;
         let premises = self.premises(&gathered, &equations, Definitions::All);
