@@ -4,6 +4,7 @@
 //!
 //! | what is given | why there is a motion |
 //! |---|---|
+//! | values at several fixed times, and more than a system | polynomials are found; else one of these: |
 //! | the claim has motions in its file | these |
 //! | nothing of what moves | a proof needs a point, see [`proof`] |
 //! | formulas of what moves | they have values near a point |
@@ -17,28 +18,45 @@
 mod given;
 
 use crate::derivation::{Claim, Derivation};
+use crate::said::Sayings;
 use crate::step::Step;
 use given::Given;
 use proof::When;
 
-/// Whether there is.
-pub(crate) fn is_known(derivation: &Derivation, claim: &Claim, inequalities: When) -> bool {
+/// Whether there is, for a proof that is whole, or leaves out times.
+pub(crate) fn is_known(
+    derivation: &Derivation,
+    claim: &Claim,
+    said: &Sayings,
+    is_whole: bool,
+    inequalities: When,
+) -> bool {
+    let example = || crate::motions::has_example(derivation, claim, inequalities);
+    if needs_example(derivation, said, is_whole) {
+        return example();
+    }
     if !claim.trajectories.is_empty() || !claim.families.is_empty() {
         return true;
     }
-    let given = || Given::of(derivation, claim, inequalities);
+    let given = || Given::of(derivation, claim, said, inequalities);
     given().is_some_and(|mut given| given.has_solution())
-        || through_a_point(derivation, claim, inequalities)
+        || !said.names_a_time(derivation) && through_a_point(derivation, claim, inequalities)
         || given().is_some_and(|mut given| given.has_rest())
-        || given().is_some_and(|given| given.has_simple_fields())
-        || crate::motions::has_example(derivation, claim, inequalities)
+        || given().is_some_and(Given::has_simple_fields)
+        || example()
 }
 
-/// Whether a point is found through which a motion passes, where nothing is said of fixed times and places.
+/// Whether polynomials alone will do: values at several fixed times are named, and what is given fixes some of them at two, chooses times, or
+/// has no value at some; or the proof leaves out times.
+fn needs_example(derivation: &Derivation, said: &Sayings, is_whole: bool) -> bool {
+    let Sayings { claimed, given, .. } = said;
+    let (of_claim, of_given) = (claimed.instants(derivation), given.instants(derivation));
+    let several = of_claim.union(&of_given).count() > 1;
+    several && (of_given.len() > 1 || !is_whole || given.chooses || !given.is_total(derivation))
+}
+
+/// Whether a point is found through which a motion passes.
 fn through_a_point(derivation: &Derivation, claim: &Claim, inequalities: When) -> bool {
-    if crate::alone::names_a_time(derivation, claim) {
-        return false;
-    }
     let step = Step::of(derivation, claim);
     let step = step.map(|step| if inequalities == When::Always { step.typed() } else { step });
     step.and_then(Step::has_motion) == Some(true)

@@ -19,4 +19,5 @@ mod existence;
 mod motions;
 pub mod proposition;
 pub mod replay;
+mod said;
 pub mod step;

@@ -4,6 +4,7 @@
 //! *proved* and *proved except* come from here alone: see [`Finding::replayed`](findings::standing::Finding::replayed); what the checker does not replay is *proved unreplayed* at most, and that only where times do not matter: see `alone.rs`.
 
 use crate::derivation::{Claim, Derivation};
+use crate::said::Sayings;
 use findings::IdentityAccount;
 use findings::recorded::{Found, Recorded};
 use meter::{Limits, Task};
@@ -47,15 +48,14 @@ pub fn replayed(
 /// What is not replayed leaves the claim undecided, where it might be that a fact was used at times at which it is not known; and so does
 /// what is given of several fixed times, if no motion is found that is so. `inequalities`: when those that are assumed hold.
 fn finished(derivation: &Derivation, claim: &Claim, account: IdentityAccount, inequalities: When) -> IdentityAccount {
-    let is_shown = account.finding.is_proved_in_part();
-    let has_motion = || match crate::alone::needs_example(derivation, claim, account.finding.is_whole()) {
-        true => crate::motions::has_example(derivation, claim, inequalities),
-        false => crate::existence::is_known(derivation, claim, inequalities),
-    };
-    if is_shown && !has_motion() {
+    if !account.finding.is_proved_in_part() {
+        return account;
+    }
+    let said = Sayings::of(derivation, claim);
+    if !crate::existence::is_known(derivation, claim, &said, account.finding.is_whole(), inequalities) {
         return account.left_open(Plain::NoMotionKnown.into());
     }
-    if account.finding.is_unreplayed() && !crate::alone::counts(derivation, claim) {
+    if account.finding.is_unreplayed() && !crate::alone::counts(derivation, &said) {
         return account.left_open(Plain::Unreplayed.into());
     }
     account

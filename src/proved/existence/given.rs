@@ -3,11 +3,11 @@
 //! **In:** a claim, and what it is said to follow from. **Out:** whether it is a system that has a motion; whether all of it is so at rest.
 //! **Guaranteed:** nothing given is left out; a point is an exact one, see [`proof`].
 
-use crate::alone::{instants, is_so, names_a_time, relations};
 use crate::derivation::{Claim, Derivation};
 use crate::expr::domain::Sign;
 use crate::expr::{Expr, Graph, Leaf, Node, Partials, Rational, Shape, Symbol};
 use crate::latex::{Relation, RelationKind, Role, Scope};
+use crate::said::{Sayings, is_so};
 use proof::{Identity, Options, Premises, When, identity_test};
 
 /// Most components of fields for which formulas are tried.
@@ -20,6 +20,7 @@ type Condition = (RelationKind, Expr, Expr);
 pub(super) struct Given<'a> {
     derivation: &'a Derivation,
     claim: &'a Claim,
+    said: &'a Sayings<'a>,
     graph: Graph,
     conditions: Vec<Condition>,
     /// What must be so at some time: inequalities of a file choose the times of which a claim speaks.
@@ -30,13 +31,18 @@ pub(super) struct Given<'a> {
 
 impl<'a> Given<'a> {
     /// Nothing where something given is no relation of each time. Of ± the upper sign is taken.
-    pub(super) fn of(derivation: &'a Derivation, claim: &'a Claim, inequalities: When) -> Option<Given<'a>> {
+    pub(super) fn of(
+        derivation: &'a Derivation,
+        claim: &'a Claim,
+        said: &'a Sayings<'a>,
+        inequalities: When,
+    ) -> Option<Given<'a>> {
         let graph = derivation.graph.clone();
         let empty = Vec::new;
-        let mut out = Given { derivation, claim, graph, conditions: empty(), chosen: empty(), domain: empty() };
-        let (given, assumed) = relations(derivation, claim)?;
-        out.conditions = out.written_out(&given)?;
-        let assumed = out.written_out(&assumed)?;
+        let mut out = Given { derivation, claim, said, graph, conditions: empty(), chosen: empty(), domain: empty() };
+        let (given, assumed) = said.relations()?;
+        out.conditions = out.written_out(given)?;
+        let assumed = out.written_out(assumed)?;
         let chooses = |c: &Condition| c.0 != RelationKind::Equal && !out.named(&[*c]).is_empty();
         if inequalities != When::Always && assumed.iter().any(chooses) {
             out.chosen = assumed;
@@ -101,9 +107,9 @@ impl<'a> Given<'a> {
         let Ok(field) = claim::system::field(&mut self.graph, time, &states, &equations) else { return false };
         self.add_domain(field.rates());
         // From where what is given begins, a motion need not reach the other times that are named.
-        let [of_claim, of_given] = instants(self.derivation, self.claim);
+        let [of_claim, of_given] = [&self.said.claimed, &self.said.given].map(|said| said.instants(self.derivation));
         let named = of_claim.union(&of_given).count();
-        let names_a_place = named == 0 && names_a_time(self.derivation, self.claim);
+        let names_a_place = named == 0 && self.said.names_a_time(self.derivation);
         let is_local = !self.domain.is_empty() || !self.chosen.is_empty();
         if of_given.len() > 1 || is_local && (named > 1 || names_a_place) || named == 1 && !self.chosen.is_empty() {
             return false;
