@@ -5,14 +5,15 @@
 
 use super::cases::{Outcome, Stop, merge};
 use super::{Examination, Pairs};
+use crate::conditions::raised;
 use crate::field::{Trials, trials};
 use crate::generators::Generator;
 use crate::insertion::Insertion;
 use crate::lowering::question;
-use crate::outcome::{Options, Proof, Reason, Wanted};
+use crate::outcome::{Options, Point, Proof, Reason, Wanted};
 use crate::sign::Facts;
 use crate::solve::{Resolved, closed, insert_definitions};
-use crate::witness::{Found, Scene, refutation, targets, vanishing};
+use crate::witness::{Found, Scene, decimals, refutation, targets, values_at, vanishing};
 use expr::{Expr, FastMap, Leaf};
 use number::Draws;
 use std::cell::Cell;
@@ -66,8 +67,8 @@ impl Examination<'_> {
                 // Where something vanishes that was divided by, or a sign is another one than an equation asks for, it is another case.
                 let pivots: Vec<Expr> = case.pivots.iter().map(|(e, _)| *e).collect();
                 let belongs = |f: &Found| {
-                    let may = case.unsolved.is_empty() || f.differs.is_none();
-                    may && vanishing(scene.graph, &pivots, &f.point).is_none()
+                    let may = || case.unsolved.is_empty() && obeys(&scene, &case.definitions, &f.point);
+                    vanishing(scene.graph, &pivots, &f.point).is_none() && (f.differs.is_none() || may())
                 };
                 let most = (self.examples, &*self.closings);
                 let found = look(&scene, &mut self.draws, most, belongs, |f| !f.is_empty());
@@ -185,6 +186,19 @@ impl Examination<'_> {
             known.not_positive && (strict || known.nonzero)
         })
     }
+}
+
+/// Whether a point has what was solved for in a case, as far as numbers show.
+fn obeys(scene: &Scene<'_>, definitions: &[(Leaf, Expr)], point: &Point) -> bool {
+    let mut graph = scene.graph.clone();
+    let apart = definitions.iter().map(|&(leaf, e)| {
+        let leaf = graph.leaf(leaf);
+        let apart = graph.sub(leaf, e);
+        raised(&mut graph, scene.generators, apart)
+    });
+    let apart: Vec<Expr> = apart.collect();
+    let at = decimals(&graph, &apart, &values_at(point));
+    at.into_iter().flatten().all(|v| v.contains_zero())
 }
 
 /// Real points of a case that count, and are points for certain.
