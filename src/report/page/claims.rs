@@ -5,6 +5,7 @@ use maud::{Markup, html};
 use super::super::card;
 use super::super::digest::{self, Reading};
 use super::super::discrimination::is_weak;
+use super::super::drawn;
 use super::super::form::{Heading, heading};
 use super::super::graph::{DerivationGraph, ProofStanding};
 use super::super::letters::{LEGEND, letters};
@@ -164,11 +165,15 @@ fn found(derivation: &Derivation, account: &Account, graph: &DerivationGraph, cl
         @for group in &groups { (verdicts(derivation, account, claim, group)) }
         (family::blocks(claim, scope))
         (region::block(claim, scope))
+        @if let Some(text) = drawn::plain(derivation, claim) { p { (prose(&text, scope)) } }
+        @if let Some(table) = drawn::table(claim) {
+            details { summary { "The motion, to be put into the file" } pre tabindex="0" { (table) } }
+        }
     };
     let many = account.claims.len() > MANY;
     let beside = claim.reading.is_some() && !reading.role.decides() && reading.role != ClaimRole::Needs;
     let is_told = reading.standing != Standing::Holds && !beside;
-    if groups.iter().any(|g| g.unexpected) || is_told && !many {
+    if groups.iter().any(|g| g.unexpected) || is_told && !many || drawn::table(claim).is_some() {
         return html! { (stated) (evidence) };
     }
     let verdict = digest::verdict(&reading);
@@ -224,6 +229,7 @@ pub(super) fn printed(derivation: &Derivation, account: &Account) -> Markup {
                     (support::behind_in_print(&graph, claim, scope))
                     (family::blocks(claim, scope))
                     (region::block(claim, scope))
+                    @if let Some(text) = drawn::plain(derivation, claim) { p { (prose(&text, scope)) } }
                 }
             }
         }
