@@ -5,7 +5,7 @@
 //! motions of the file, and those are others. What is found fails when its text is put into the file. A file has the same draws every time;
 //! the seed is part of the account.
 //!
-//! **How:** claims that are tried on the same motions are tried on the same drafts ([`draft`](super::draft)) of these, at samples. Only
+//! **How:** claims are tried together on the same drafts ([`draft`](super::draft)) of these, at samples. Only
 //! integrated motions are drawn from: they obey their equations with any numbers, while a formula may solve them for its own alone.
 //! The work of it is counted for itself, and is a small share of what a file may take. What that does not suffice for is not tried.
 
@@ -34,12 +34,9 @@ const TOGETHER: usize = 4;
 /// The seed of the draws.
 const SEED: u64 = 1;
 /// All of them may take one of so many parts of the work of a file, beside the file: that may be used up.
-const PARTS: u64 = 100;
+const PARTS: u64 = 60;
 /// Those that are tried together may take one of so many.
 const PARTS_TOGETHER: u64 = 400;
-/// Claims are tried so, that are tried on the first so many sets of motions that the file has for them.
-const MOST_SETS: usize = 6;
-
 /// The number of a draft, and a verdict on it; nothing where it is no motion.
 type Tried = (usize, Option<Verdict>);
 
@@ -53,81 +50,57 @@ pub(super) fn add(
     options: &Options,
     recall: Known,
 ) -> Result<(), CheckError> {
-    // By the trajectories that they are tried on: the positions of accounts, and claims, in the order of the file.
-    let mut groups: BTreeMap<Vec<usize>, Vec<(usize, &Claim)>> = BTreeMap::new();
     account.claims.iter_mut().for_each(|found| found.drawn = None);
-    let sets = sets(derivation);
     let places: BTreeMap<_, usize> =
         account.claims.iter().enumerate().map(|(at, c)| ((c.id.as_str(), c.reading.as_deref()), at)).collect();
-    for claim in derivation.claims.iter().filter(|claim| sets.contains(&claim.trajectories.as_slice())) {
-        let Some(&at) = places.get(&(claim.id.as_str(), claim.reading.as_deref())) else { continue };
-        let on = drawn_from(derivation, claim, &account.claims[at]);
-        if !on.is_empty() {
-            groups.entry(on).or_default().push((at, claim));
-        }
+    // In the order of the file: the claims, and the positions of their accounts.
+    let of = |claim: &'_ Claim| places.get(&(claim.id.as_str(), claim.reading.as_deref())).copied();
+    let asked = derivation.claims.iter().filter_map(|claim| Some((claim, of(claim)?)));
+    let (claims, at): (Vec<&Claim>, Vec<usize>) =
+        asked.filter(|(claim, at)| is_asked(claim, &account.claims[*at])).unzip();
+    let families = derivation.trajectories.iter().filter_map(|t| Draft::of(derivation, t));
+    let families = families.filter(|family| family.system.is_some() && family.is_free());
+    let families: Vec<Draft> = families.map(|family| family.up_to(LONGEST)).collect();
+    if claims.is_empty() || families.is_empty() || options.limits.reached().is_some() {
+        return Ok(());
     }
-    for (on, claims) in &groups {
-        if options.limits.reached().is_some() {
-            break;
+    // How far the work goes depends on all of the claims.
+    let found = match recall.known(derivation, Question::Drawn(&claims)) {
+        Some(known) => known,
+        None => {
+            let found = on_drafts(derivation, &families, &claims, &options.limits)?;
+            recall.keep(derivation, Question::Drawn(&claims), &found);
+            found
         }
-        let claimed: Vec<&Claim> = claims.iter().map(|(_, claim)| *claim).collect();
-        // How far the work goes depends on all of them.
-        let question = Question::Drawn { claims: &claimed, on };
-        let found = match recall.known(derivation, question) {
-            Some(known) => known,
-            None => {
-                let found = on_drafts(derivation, on, &claimed, &options.limits)?;
-                recall.keep(derivation, question, &found);
-                found
-            }
-        };
-        for ((at, _), drawn) in claims.iter().zip(found) {
-            account.claims[*at].drawn = Some(drawn);
-        }
+    };
+    for (at, drawn) in at.into_iter().zip(found) {
+        account.claims[at].drawn = Some(drawn);
     }
     Ok(())
 }
 
-/// The first sets of trajectories that claims of the file are tried on, in its order.
-fn sets(derivation: &Derivation) -> Vec<&[usize]> {
-    let mut out: Vec<&[usize]> = Vec::new();
-    for of in derivation.claims.iter().map(|claim| claim.trajectories.as_slice()) {
-        if out.len() < MOST_SETS && !out.contains(&of) {
-            out.push(of);
-        }
-    }
-    out
-}
-
-/// The integrated trajectories that a claim is tried on, by their positions; none, where it does not hold on all that it applies to, or
-/// nothing is to be asked of others. One that it does not apply to may be near to one that it applies to, and fails on.
-fn drawn_from(derivation: &Derivation, claim: &Claim, found: &ClaimAccount) -> Vec<usize> {
+/// Whether a claim is tried on other motions: it holds on all that it applies to, and nothing says that it must on others. What names its
+/// motions is said of these.
+fn is_asked(claim: &Claim, found: &ClaimAccount) -> bool {
     let holds = |v: &Verdict| matches!(v.outcome(), Outcome::Holds(_) | Outcome::NotApplicable(_));
     let is_open = |v: &Verdict| matches!(v.outcome(), Outcome::Holds(strength) if strength < Strength::Proved);
-    let is_asked = found.results.iter().any(|pair| is_open(&pair.verdict));
     let is_proved = found.identity.as_ref().is_some_and(|i| i.finding.is_proved_in_part());
-    if is_proved || !is_asked || compares_motions(claim) || !found.verdicts().all(|j| holds(j.verdict)) {
-        return Vec::new();
-    }
-    let on = |t: &usize| {
-        let trajectory = &derivation.trajectories[*t];
-        found.on(&trajectory.id).is_some()
-            && Draft::of(derivation, trajectory).is_some_and(|draft| draft.system.is_some() && draft.is_free())
-    };
-    (0..derivation.trajectories.len()).filter(on).collect()
+    !claim.names_trajectories
+        && !is_proved
+        && !compares_motions(claim)
+        && found.verdicts().all(|j| holds(j.verdict))
+        && found.results.iter().any(|pair| is_open(&pair.verdict))
 }
 
-/// What is found of claims that are tried on the same trajectories.
+/// What is found of claims on drafts of some families.
 fn on_drafts(
     derivation: &Derivation,
-    on: &[usize],
+    families: &[Draft],
     claims: &[&Claim],
     limits: &Limits,
 ) -> Result<Vec<DrawnAccount>, CheckError> {
-    let families = on.iter().filter_map(|&t| Draft::of(derivation, &derivation.trajectories[t]));
-    let families: Vec<Draft> = families.map(|family| family.up_to(LONGEST)).collect();
     let id = fresh_id(derivation, "all", None, SEED);
-    let draft = |number: usize| Some((format!("{id}-{number}"), draw(&families, SEED, number)?));
+    let draft = |number: usize| Some((format!("{id}-{number}"), draw(families, SEED, number)?));
     let drafts: Vec<(String, Draft)> = (0..MOST).filter_map(draft).collect();
     let all = limits.of_part(PARTS);
     let mut found: Vec<Vec<Tried>> = vec![Vec::new(); claims.len()];
@@ -149,7 +122,7 @@ fn on_drafts(
             tried.extend(some.filter(|(_, verdict)| !(is_over && is_open(verdict))));
         }
     }
-    let one = |(claim, found): (&&Claim, Vec<_>)| one(derivation, claim, (&families, &drafts, &found), limits);
+    let one = |(claim, found): (&&Claim, Vec<_>)| one(derivation, claim, (families, &drafts, &found), limits);
     claims.iter().zip(found).map(one).collect()
 }
 
@@ -209,6 +182,6 @@ fn alone(
         id,
         changed: draft.changed(family),
         verdict,
-        listed: claim.names_trajectories,
+        listed: false,
     }))
 }

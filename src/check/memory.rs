@@ -58,8 +58,8 @@ pub(super) enum Question<'q> {
     OnFamilies(&'q [ClaimAccount]),
     /// What a claim asks of motions: the names of leaves.
     Leaves(&'q Claim),
-    /// How claims fare on motions that are drawn from these trajectories: of each its `DrawnAccount`.
-    Drawn { claims: &'q [&'q Claim], on: &'q [usize] },
+    /// How claims fare on motions that are drawn from those of the file: of each its `DrawnAccount`.
+    Drawn(&'q [&'q Claim]),
 }
 
 /// Something that is kept, with the last age in which it was asked for.
@@ -354,19 +354,15 @@ impl State<'_> {
                 let content = self.claim(&claim.id).unwrap_or_default();
                 Some(key(&[b"leaves", base, content.as_bytes(), claim.name().as_bytes()]))
             }
-            Question::Drawn { claims, on } => self.drawn(derivation, claims, on),
+            Question::Drawn(claims) => self.drawn(claims),
         }
     }
 
-    /// Claims with the motions that others are drawn from.
-    fn drawn(&self, derivation: &Derivation, claims: &[&Claim], on: &[usize]) -> Option<Key> {
-        let mut sum = key(&[b"drawn", &self.names.base]);
+    /// Claims, with all motions: others are drawn from these.
+    fn drawn(&self, claims: &[&Claim]) -> Option<Key> {
+        let mut sum = key(&[b"drawn", &self.names.base, &self.names.all_motions]);
         for claim in claims {
             sum = key(&[&sum, self.claim(&claim.id)?.as_bytes(), claim.name().as_bytes()]);
-        }
-        for &t in on {
-            let id = &derivation.trajectories.get(t)?.id;
-            sum = key(&[&sum, id.as_bytes(), &self.motion(derivation, t)?]);
         }
         Some(sum)
     }
