@@ -80,7 +80,7 @@ pub(super) fn table(claim: &ClaimAccount) -> Option<&str> {
 
 /// What to do about it.
 pub(super) const ADVICE: &str =
-    "If such a motion is meant, the claim is false as it stands; if not, what it assumes is not said (`assuming`).";
+    "If such a motion is meant, the claim is false as it stands; if not, what it assumes is not said.";
 
 /// The claims that hold on every motion of the file and fail on others: those of the paper first.
 fn refuted<'a>(derivation: &Derivation, wholes: &[Whole<'a>]) -> Vec<(&'a ClaimAccount, &'a FailingMotion)> {
@@ -125,9 +125,12 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, wholes: &[Whole<'a>]) -> Ve
             .then(|| format!("So {}: {}{more}.", if rest.len() == 1 { "does" } else { "do" }, names.join(", ")))
     };
     out.extend(named(MOST_TOLD).map(|text| StoryBlock::Paragraph(vec![quiet(text)])));
-    out.push(StoryBlock::Paragraph(vec![quiet(format!(
-        "{ADVICE} Motions to put into the file: rederive explain CLAIM."
-    ))]));
+    let first = found.first().map(|(claim, _)| name(claim)).unwrap_or_default();
+    out.push(StoryBlock::Paragraph(vec![
+        quiet(format!("{ADVICE} The motion, to be put into the file: ")),
+        StorySpan::Code(format!("{} explain {first}", crate::PROGRAM)),
+        quiet("."),
+    ]));
     vec![StoryBlock::Group("drawn", out)]
 }
 

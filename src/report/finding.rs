@@ -183,7 +183,7 @@ fn drawn(derivation: &Derivation, claim: &ClaimAccount) -> Option<Finding> {
             "`{}` holds on every motion of the file, and fails on another. It says: {} {told} {}",
             name(claim),
             sentence(&says(derivation, claim)),
-            super::drawn::ADVICE.replace('`', ""),
+            super::drawn::ADVICE,
         ),
         place: Place::new(&derivation.file, place_of_claim(derivation, claim)),
         related: Vec::new(),

@@ -186,7 +186,7 @@ fn found(claims: &Claims<'_>, claim: &ClaimAccount) -> Markup {
         (region::block(claim, scope))
         @if let Some(text) = drawn::plain(derivation, claim) { p { (prose(&text, scope)) } }
         @if let Some(table) = drawn::table(claim) {
-            details { summary { "The motion, to be put into the file" } pre tabindex="0" { (table) } }
+            details { summary { "The motion, to be put into the file" } pre.toml tabindex="0" { (table) } }
         }
     };
     let many = account.claims.len() > MANY;
