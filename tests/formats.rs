@@ -122,6 +122,7 @@ fn sarif_has_what_is_not_as_expected_with_its_place() {
         [
             ("verdict::fails", "error", r"\frac{\dot x}{1}=x"),
             ("verdict::holds", "error", r"\dot x=-x"),
+            ("verdict::drawn", "note", r"\ln x\le 1"),
             ("verdict::undecided", "warning", r"\lim_{t\rightarrow\infty}x=0"),
         ]
     );
@@ -237,7 +238,7 @@ fn annotations_can_be_read_back() {
     let project = project(FILE);
     let text = printed(project.path(), "github", 1);
     let found = commands(&text).unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(found.iter().map(|c| c.kind.as_str()).collect::<Vec<_>>(), ["error", "error", "warning"]);
+    assert_eq!(found.iter().map(|c| c.kind.as_str()).collect::<Vec<_>>(), ["error", "error", "notice", "warning"]);
     let line = FILE.lines().position(|l| l.contains(r"\frac{\dot x}{1}=x")).expect("there") + 1;
     assert_eq!(found[0].properties["line"], line.to_string());
     assert_eq!(found[0].properties["file"], "derivations/decay.toml");

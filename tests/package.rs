@@ -233,6 +233,25 @@ fn binstall_takes_what_a_release_makes() {
     assert_eq!(taken("bin-dir"), format!("{name}/{{ bin }}{{ binary-ext }}"));
 }
 
+/// What a workflow takes from elsewhere is named by the hash of its content, with the version beside it. Workflows are not in the package.
+#[test]
+fn workflows_name_what_they_take_by_its_hash() {
+    let Ok(folder) = std::fs::read_dir(root().join(".github/workflows")) else { return };
+    let mut taken = 0;
+    for file in folder.map(|entry| entry.expect("an entry").path()) {
+        let text = std::fs::read_to_string(&file).expect("a workflow");
+        assert!(text.contains("\npermissions: {}\n"), "{}: a job has the permissions that it names", file.display());
+        for line in text.lines().filter_map(|l| l.trim().trim_start_matches("- ").strip_prefix("uses: ")) {
+            let (name, version) = line.split_once(" # v").unwrap_or((line, ""));
+            let hash = name.split_once('@').map_or("", |(_, hash)| hash);
+            let is_hash = hash.len() == 40 && hash.bytes().all(|b| b.is_ascii_hexdigit());
+            assert!(is_hash && !version.is_empty(), "{}: {line}", file.display());
+            taken += 1;
+        }
+    }
+    assert!(taken > 10, "{taken}");
+}
+
 /// `cargo run` is about all crates here, `cargo install` about one: what the first has compiled serves the second.
 #[test]
 fn what_is_run_here_is_what_is_installed() {

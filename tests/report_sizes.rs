@@ -248,3 +248,35 @@ fn what_is_open_behind_a_step_is_told_up_to_a_bound() {
     assert_eq!(told(130), (odd(2, 130), Some(true), "proved given"), "the nearest");
     assert_eq!(told(198), (odd(70, 198), Some(true), "proved given"));
 }
+
+/// A page of a thousand claims, two thirds of them not as expected: what is seen at first is small, and every claim is on it with its verdict.
+#[test]
+fn a_page_of_a_thousand_claims_is_small() {
+    let mut text = String::from(
+        "[derivation]\ntitle = 'many'\nconcerns = 'test'\n[symbols]\n't' = { role = 'time', unit = 's' }\n\
+         'q' = { role = 'state', unit = 'm' }\n'p' = { role = 'state', unit = 'm/s' }\n[system.s]\nstates = ['q', 'p']\n\
+         equations = ['\\dot q=p', '\\dot p=-q']\n",
+    );
+    for (id, start) in [("one", 1), ("two", 2)] {
+        let _ = write!(
+            text,
+            "[[trajectory]]\nid = '{id}'\nsystem = 's'\ninitial = {{ 'q' = {start}, 'p' = 0 }}\nspan = [0, 1]\n"
+        );
+    }
+    for i in 0..1000 {
+        let formula = ["q^2+p^2<", r"\left|q\right|>1+", "p="][i % 3];
+        let says =
+            format!("A claim with the number {i}, told in a sentence of an ordinary length, as a paper has them.");
+        let _ = write!(text, "[[claim]]\nid = 'claim-number-{i}'\nsays = '{says}'\nalways = ['{formula}{}']\n", i + 5);
+    }
+    let session = Session::open("many.toml", text).unwrap_or_else(|found| panic!("{found:?}"));
+    let findings = session.check(&Ask::default(), &|_, _| {}).expect("it is checked");
+    let page = findings.page();
+    let body = page.find("<body").expect("a body");
+    assert!(page.len() < LARGEST_PAGE, "{}", page.len());
+    for i in 0..1000 {
+        let at = page[body..].find(&format!("id=claim-number-{i}>")).unwrap_or_else(|| panic!("{i} is not there"));
+        let claim = page[body + at..].split("</article>").next().unwrap_or_default();
+        assert!(claim.contains("Holds") || claim.contains("Fails") || claim.contains("Undecided"), "{claim}");
+    }
+}

@@ -63,6 +63,8 @@ fn what_a_report_always_has_is_required() {
     let seldom = [
         "alone",
         "distributions",
+        "drawn",
+        "found",
         "paper",
         "families",
         "map",

@@ -214,3 +214,112 @@ fn the_command() {
     check("never-round").code(1);
     check("energy").code(0);
 }
+
+/// A threshold from which a factor 2 is lost: true on both motions of the file.
+const LOST: &str = r"
+[[trajectory]]
+id = 'swings'
+system = 's'
+parameters = { 'w' = 1.3 }
+initial = { 'q' = 0, 'p' = 1 }
+span = [0, 12]
+[[trajectory]]
+id = 'round'
+system = 's'
+parameters = { 'w' = 1.3 }
+initial = { 'q' = 0, 'p' = 4 }
+span = [0, 12]
+[[claim]]
+id = 'lost'
+says = 'below the threshold it does not go over the top'
+assuming = ['q(0)=0', 'p(0)^2<8w^2']
+always = ['\left|q\right|<\pi']
+[[claim]]
+id = 'right'
+says = 'below the threshold it does not go over the top'
+assuming = ['q(0)=0', 'p(0)^2<4w^2']
+always = ['\left|q\right|<\pi']
+";
+
+fn checked(text: &str, claims: &[&str]) -> Vec<rederive::check::ClaimAccount> {
+    let claims = claims.iter().map(|c| (*c).to_owned()).collect();
+    let options = Options { claims, ..Options::default() };
+    check(&read(text), &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}")).claims
+}
+
+/// What holds on every motion of the file is tried on others, and what is found of it changes no verdict.
+#[test]
+fn a_check_finds_a_motion_on_which_a_lost_factor_shows() {
+    let text = format!("{PENDULUM}{LOST}");
+    let claims = checked(&text, &[]);
+    let of = |id: &str| claims.iter().find(|c| c.id == id).expect("a claim");
+    let lost = of("lost");
+    assert!(lost.results.iter().all(|p| !matches!(p.verdict.outcome(), Outcome::Fails(_))));
+    let drawn = lost.drawn.as_ref().expect("drawn");
+    let found = drawn.found.as_deref().expect("a motion");
+    assert!(!found.changed.is_empty() && found.changed.iter().all(|c| c.now != c.then), "{found:?}");
+    let account = SearchAccount {
+        claim: "lost".into(),
+        variant: None,
+        seed: drawn.seed,
+        found: Some(found.clone()),
+        tries: drawn.tries,
+        known: Vec::new(),
+    };
+    fails_when_pasted(&text, &account);
+    // What is true stays true; what is proved, or fails already, is not asked.
+    let right = of("right").drawn.as_ref().expect("drawn");
+    assert!(right.found.is_none() && right.tries.fails == 0 && right.tries.holds > 2, "{right:?}");
+    assert!(of("energy").drawn.is_none() && of("never-round").drawn.is_none());
+}
+
+/// The draws of a claim do not depend on what else is checked; where nothing but verdicts is asked, there are none.
+#[test]
+fn what_a_check_draws_is_the_same_every_time() {
+    let text = format!("{PENDULUM}{LOST}");
+    let all = checked(&text, &[]);
+    let drawn = |claims: &[rederive::check::ClaimAccount]| {
+        format!("{:?}", claims.iter().find(|c| c.id == "lost").and_then(|c| c.drawn.clone()).expect("drawn"))
+    };
+    assert!(drawn(&all) == drawn(&checked(&text, &[])), "the same twice");
+    assert!(drawn(&all) == drawn(&checked(&text, &["lost"])), "the same alone");
+    let plain = Options { plain: true, ..Options::default() };
+    let plain = check(&read(&text), &plain, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    assert!(plain.claims.iter().all(|c| c.drawn.is_none()));
+}
+
+/// It is told on page one, in `explain`, and to machines, and the exit code is that of the verdicts.
+#[test]
+fn what_a_check_draws_is_told_everywhere() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("lost.toml");
+    // Of the others some fail.
+    let (symbols, _) = PENDULUM.split_once("[[trajectory]]").expect("motions");
+    std::fs::write(&file, format!("{symbols}{LOST}")).expect("written");
+    let run = |arguments: &[&str]| {
+        let ran = Command::cargo_bin("rederive")
+            .expect("built")
+            .env("REDERIVE_CACHE", "")
+            .args(arguments)
+            .arg(&file)
+            .output();
+        let ran = ran.expect("it runs");
+        assert_eq!(ran.status.code(), Some(0), "{}", String::from_utf8_lossy(&ran.stderr));
+        String::from_utf8_lossy(&ran.stdout).into_owned()
+    };
+    let one_line = |text: String| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let page = one_line(run(&["check", "--no-reports"]));
+    assert!(page.contains("One claim holds on every motion of the file, and on others fails"), "{page}");
+    assert!(page.contains("It fails on ") && page.contains("in place of"), "{page}");
+    let told = run(&["explain", "lost"]);
+    assert!(told.contains("[[trajectory]]") && told.contains("against-lost-1"), "{told}");
+    for format in ["sarif", "junit", "json"] {
+        let text = run(&["check", "--no-reports", "--format", format]);
+        let key = match format {
+            "sarif" => "verdict::drawn",
+            "junit" => "drawn at random with seed 1",
+            _ => "\"drawn\"",
+        };
+        assert!(text.contains(key), "{format}: {text}");
+    }
+}

@@ -19,7 +19,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::follow::{Followed, follow, strengthen_all};
 use super::memory::{Contents, Known as Recalled, Memory, Names};
-use super::{check, check_beside, check_recalling};
+use super::{check, check_beside, check_recalling, drawn};
 use crate::derivation::{Derivation, Family, Motion};
 use crate::expr::FastMap;
 use claim::error::{CANCELLED, CheckError};
@@ -93,6 +93,7 @@ impl Cache {
                         account.claims.into_iter().partition(|c| !checked.contains(&c.id));
                     account.claims = others;
                     checked_again((derivation, &options), &mut account, (&checked, &changed), &before, recall)?;
+                    drawn::add(derivation, &mut account, &options, recall)?;
                 }
                 account
             }

@@ -17,9 +17,12 @@ use ::{derivation, diag, expr, findings, flow, latex, number, verdict};
 mod answers;
 mod cache;
 mod compilation;
+mod draft;
+mod drawn;
 mod follow;
 mod memory;
 mod motions;
+mod on_drafts;
 mod on_motions;
 mod picture;
 mod pieces;
@@ -109,6 +112,10 @@ fn check_recalling(
         account.distributions = recall.on_families(derivation, &mut account.claims, |claims| {
             families.try_all(&Trajectories, options, claims, joined, progress)
         })?;
+    }
+    // A part of the trajectories does not say that a claim holds on all.
+    if !options.plain && options.trajectories.is_empty() {
+        drawn::add(derivation, &mut account, options, recall)?;
     }
     account.units = units::units(derivation);
     account.units.keep(&options.claims);

@@ -58,6 +58,8 @@ pub(super) enum Question<'q> {
     OnFamilies(&'q [ClaimAccount]),
     /// What a claim asks of motions: the names of leaves.
     Leaves(&'q Claim),
+    /// How claims fare on motions that are drawn from those of the file: of each its `DrawnAccount`.
+    Drawn(&'q [&'q Claim]),
 }
 
 /// Something that is kept, with the last age in which it was asked for.
@@ -352,7 +354,17 @@ impl State<'_> {
                 let content = self.claim(&claim.id).unwrap_or_default();
                 Some(key(&[b"leaves", base, content.as_bytes(), claim.name().as_bytes()]))
             }
+            Question::Drawn(claims) => self.drawn(claims),
         }
+    }
+
+    /// Claims, with all motions: others are drawn from these.
+    fn drawn(&self, claims: &[&Claim]) -> Option<Key> {
+        let mut sum = key(&[b"drawn", &self.names.base, &self.names.all_motions]);
+        for claim in claims {
+            sum = key(&[&sum, self.claim(&claim.id)?.as_bytes(), claim.name().as_bytes()]);
+        }
+        Some(sum)
     }
 
     /// A claim with what is known of it.
@@ -452,6 +464,6 @@ impl State<'_> {
 }
 
 /// Whether a claim depends on another motion, too.
-fn compares_motions(claim: &Claim) -> bool {
+pub(super) fn compares_motions(claim: &Claim) -> bool {
     claim.forms.iter().any(|f| matches!(f, Form::SameMotion { .. } | Form::Across(_)))
 }

@@ -59,6 +59,18 @@ impl<'a> Run<'a> {
     /// # Errors
     /// See [`check()`](super::check()).
     pub fn account(&self) -> Result<Account, CheckError> {
+        self.account_by(PLAN)
+    }
+
+    /// The verdicts that samples give, with their witnesses.
+    ///
+    /// # Errors
+    /// See [`check()`](super::check()).
+    pub fn sampled(&self) -> Result<Account, CheckError> {
+        self.account_by(SAMPLES)
+    }
+
+    fn account_by(&self, plan: &[Method]) -> Result<Account, CheckError> {
         let &Run { file, options, .. } = self;
         let motionless = file.trajectories.is_empty() && file.systems.is_empty();
         if file.scope.time().is_none() && motionless && file.claims.iter().all(Claim::is_over_ranges) {
@@ -106,7 +118,7 @@ impl<'a> Run<'a> {
             stage: &stage,
         };
         let mut work = Work { claims, found: Found::default(), account: Account::default() };
-        for method in PLAN {
+        for method in plan {
             if method.needs.iter().all(|need| work.has(*need)) {
                 (method.find)(&mut work)?;
             }
@@ -179,6 +191,10 @@ const PLAN: &[Method] = &[
     Method { needs: &[], find: |work| work.point() },
     Method { needs: &[Need::EveryMotion], find: |work| work.weigh() },
 ];
+
+/// Those that look at samples alone.
+const SAMPLES: &[Method] =
+    &[Method { needs: &[], find: |work| work.sample() }, Method { needs: &[], find: |work| work.point() }];
 
 /// What was enclosed of a file before.
 struct Enclosed<'e> {

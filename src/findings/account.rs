@@ -7,6 +7,7 @@ use crate::identity::IdentityEvidence;
 use crate::picture::PictureAccount;
 use crate::recorded::{Grounds, Recorded};
 use crate::region::RegionAccount;
+use crate::search::DrawnAccount;
 use crate::standing::{Decision, Exception, Finding, Given};
 use crate::variant::{Discrimination, VariantAccount};
 use crate::words::{self, Word};
@@ -368,6 +369,8 @@ pub struct ClaimAccount {
     pub alone: Option<AloneAccount>,
     /// What single edits of its formulas say of the evidence, where they were tried.
     pub variants: Option<VariantAccount>,
+    /// For a claim that holds on every motion of the file and is not proved: how it fares on others.
+    pub drawn: Option<DrawnAccount>,
 }
 
 /// Everything that was found for one derivation file.
@@ -463,6 +466,7 @@ impl ClaimAccount {
             region: None,
             alone: None,
             variants: None,
+            drawn: None,
         }
     }
 }

@@ -157,6 +157,7 @@ fn claim(id: &str, reading: Option<&str>, says: &str, formula: &str, results: Ve
         region: None,
         alone: None,
         variants: None,
+        drawn: None,
     }
 }
 

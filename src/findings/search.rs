@@ -1,9 +1,10 @@
 //! What a search for a motion on which a claim fails came to.
 
+use serde::{Deserialize, Serialize};
 use verdict::Verdict;
 
 /// How the tries ended.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Tries {
     /// The claim holds.
     pub holds: usize,
@@ -24,8 +25,19 @@ impl Tries {
     }
 }
 
+/// A number of a motion that is other than in the motion that it was made from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ChangedNumber {
+    /// LaTeX of what has this value.
+    pub name: String,
+    /// What it is.
+    pub now: f64,
+    /// What it is there.
+    pub then: f64,
+}
+
 /// A motion on which the claim fails.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FailingMotion {
     /// The number of the try, from 0.
     pub number: usize,
@@ -37,10 +49,23 @@ pub struct FailingMotion {
     pub id: String,
     /// The table `[[trajectory]]`, ready to be put into the file.
     pub table: String,
+    /// The numbers of it that are other than there.
+    pub changed: Vec<ChangedNumber>,
     /// The verdict on it.
     pub verdict: Verdict,
     /// Whether the claim names its trajectories: the id must then be added there.
     pub listed: bool,
+}
+
+/// What a check found of a claim that holds on every motion of its file, on motions that it drew beside these.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct DrawnAccount {
+    /// The seed of all draws.
+    pub seed: u64,
+    /// How the claim fares on them.
+    pub tries: Tries,
+    /// The first on which it fails, if there is one.
+    pub found: Option<Box<FailingMotion>>,
 }
 
 /// What a search has found.

@@ -162,7 +162,16 @@ impl Limits {
     /// The same for one file, of whose work so much is used already.
     #[must_use]
     pub fn of_file(&self, used: u64) -> Limits {
-        let most = self.work.of(OF_A_FILE);
+        self.of_most(self.work.of(OF_A_FILE), used)
+    }
+
+    /// The same for one of so many equal parts of the work of a file, of which nothing is used yet.
+    #[must_use]
+    pub fn of_part(&self, parts: u64) -> Limits {
+        self.of_most(self.work.of(OF_A_FILE) / parts.max(1), 0)
+    }
+
+    fn of_most(&self, most: u64, used: u64) -> Limits {
         let total = Total::of(Account::Whole { most, used: AtomicU64::new(used.min(most)) });
         Limits { total, ..self.clone() }
     }

@@ -59,6 +59,7 @@ fn is_plain(reading: &Reading<'_>) -> bool {
         && is_expected(claim)
         && claim.conditions.separation.is_none()
         && claim.variants.as_ref().is_none_or(|v| v.erratum.is_none())
+        && super::drawn::table(claim).is_none()
         && claim.results.iter().all(along)
 }
 
@@ -198,6 +199,10 @@ fn reading_section(derivation: &Derivation, graph: &DerivationGraph, reading: &R
         out.push_str(&format!("{}\n\n", lines.join(" ")));
     }
     out.push_str(&on_families(claim));
+    if super::drawn::table(claim).is_some() {
+        let told = super::drawn::plain(derivation, claim).unwrap_or_default();
+        out.push_str(&format!("**On other motions:** {}\n\n", prose(&told)));
+    }
     if let Some(erratum) = claim.variants.as_ref().and_then(|v| v.erratum.as_ref()) {
         out.push_str(&discrimination::corrections_markdown(erratum));
     }

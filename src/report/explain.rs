@@ -88,6 +88,14 @@ fn about_claim(derivation: &Derivation, claim: &ClaimAccount, graph: &Derivation
     if let Some(text) = super::card::instead(claim) {
         out.push_str(&format!("\n{}", paragraph(&text, 2)));
     }
+    if let Some(text) = super::drawn::plain(derivation, claim) {
+        out.push_str(&format!("\n{}", paragraph(&text.replace('$', ""), 2)));
+    }
+    if let Some(table) = super::drawn::table(claim) {
+        out.push_str(&paragraph(super::drawn::ADVICE, 2));
+        out.push('\n');
+        out.extend(table.lines().map(|line| format!("    {line}\n")));
+    }
     out.push('\n');
     out
 }

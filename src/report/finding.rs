@@ -148,6 +148,7 @@ pub fn findings(derivation: &Derivation, account: &Account) -> Vec<Finding> {
         out.extend(claim.families.iter().filter_map(|of| family(derivation, claim, of)));
         out.extend(region(derivation, claim));
         out.extend(alone(derivation, claim));
+        out.extend(drawn(derivation, claim));
     }
     let summary = account.summary();
     if summary.holds + summary.fails == 0 {
@@ -168,6 +169,27 @@ pub fn findings(derivation: &Derivation, account: &Account) -> Vec<Finding> {
         });
     }
     out
+}
+
+/// The finding of a claim that holds on every motion of the file and fails on one that was drawn: no verdict is other than expected, so
+/// that it is a note.
+fn drawn(derivation: &Derivation, claim: &ClaimAccount) -> Option<Finding> {
+    claim.drawn.as_ref()?.found.as_ref()?;
+    let told = super::drawn::plain(derivation, claim)?.replace('$', "");
+    Some(Finding {
+        rule: "verdict::drawn",
+        level: Level::Note,
+        message: format!(
+            "`{}` holds on every motion of the file, and fails on another. It says: {} {told} {}",
+            name(claim),
+            sentence(&says(derivation, claim)),
+            super::drawn::ADVICE,
+        ),
+        place: Place::new(&derivation.file, place_of_claim(derivation, claim)),
+        related: Vec::new(),
+        identity: format!("{}\n{}", derivation.id, name(claim)),
+        fix: None,
+    })
 }
 
 /// The rule of a verdict that is not as expected, or open.
@@ -416,6 +438,7 @@ pub fn rule_says(rule: &str) -> &'static str {
         "verdict::not-applicable" => "A claim does not apply, and the file expects another verdict.",
         "verdict::undecided" => "The evidence does not settle a claim, and the file does not expect that.",
         "verdict::nothing-decided" => "No claim of a file was decided.",
+        "verdict::drawn" => "A claim holds on every motion of the file, and fails on one that was drawn at random.",
         "paper::differs" => "A formula is not what the paper prints under its label.",
         "paper::unknown-label" => "The paper has no equation with this label.",
         "paper::not-covered" => "No claim covers an equation of the paper.",

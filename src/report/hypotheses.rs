@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::digest::{self, Reading, Whole};
+use super::numbers::count;
 use super::points;
 use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, quiet, words};
 use super::tally::{Standing, declared, name};
@@ -88,7 +89,9 @@ pub(super) fn blocks<'a>(
     let more = all.len() - shown + technical.len();
     line.push(quiet(match (shown, more) {
         (0, 0) => "No step uses a condition that its claim does not say.".to_owned(),
-        (0, n) => format!("Divisions and domains of proofs alone: {n}, listed on the page."),
+        (0, n) => {
+            format!("{}, on the page: what proofs divide by, and where functions have values.", count(n, "condition"))
+        }
         (_, 0) => ".".to_owned(),
         (_, n) => format!("; {n} more on the page."),
     }));

@@ -115,7 +115,9 @@ fn case_with(
     let mut case = TestCase::new(on, status);
     case.set_classname(format!("{}.{}", derivation.id, name(claim)));
     let strength = strength.map(|s| format!(" ({s})")).unwrap_or_default();
-    case.set_system_out(format!("{}\n{}{strength}", in_one_line(&says(derivation, claim)), phrase(word)));
+    let drawn = super::drawn::plain(derivation, claim).map(|text| format!("\n{}", in_one_line(&text.replace('$', ""))));
+    let drawn = drawn.unwrap_or_default();
+    case.set_system_out(format!("{}\n{}{strength}{drawn}", in_one_line(&says(derivation, claim)), phrase(word)));
     case
 }
 

@@ -28,6 +28,7 @@ mod differing;
 mod digest;
 mod discrimination;
 mod document;
+mod drawn;
 mod explain;
 mod family;
 mod finding;

@@ -9,6 +9,7 @@ use super::argument;
 use super::card;
 use super::consequence::Consequences;
 use super::digest::{self, Fate, Reading, Whole};
+use super::drawn;
 use super::front::{Front, Line};
 use super::headline;
 use super::hypotheses;
@@ -68,6 +69,7 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
             "argues",
             vec![
                 StoryBlock::Group("cards", wrong(derivation, &wholes, &hangs, &front)),
+                StoryBlock::Group("drawn", drawn::blocks(derivation, &wholes)),
                 StoryBlock::Group("concludes", concludes),
             ],
         ),

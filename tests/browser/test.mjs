@@ -110,8 +110,8 @@ for (const id of fs.readdirSync(reports).sort()) {
     // Formulas, with everything unfolded that is not a table of verdicts.
     await page.evaluate(() => document.querySelectorAll("details").forEach(d => { d.open = true; }));
     formulas = await formulasAreLaidOut(page);
-    // A correction shows the source, in which it has to be made; a member of a family what is pasted there.
-    await page.evaluate(() => document.querySelectorAll("code.difference, .region pre").forEach(e => { e.hidden = true; }));
+    // A correction shows the source, in which it has to be made; a member of a family, and a motion that was drawn, what is pasted.
+    await page.evaluate(() => document.querySelectorAll("code.difference, .region pre, pre.toml").forEach(e => { e.hidden = true; }));
     const raw = (await visibleText(page)).match(/.{0,30}\\[a-zA-Z]{2,}.{0,30}/);
     check(!raw, `${id}: LaTeX is shown: ${raw}`);
     await page.evaluate(() => document.querySelectorAll("details").forEach(d => { d.open = false; }));

@@ -59,9 +59,57 @@ objects! {
         alone: Option<Alone> = of.verdict_alone().map(|_| Alone::of(of)),
         /// One entry for each trajectory on which it is tried.
         results: Vec<TrajectoryResult<'a>> = of.results.iter().map(TrajectoryResult::of).collect(),
+        /// How a claim that holds on every motion of the file, and is not proved, fares on motions that were drawn beside these.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[schemars(with = "Drawn")]
+        drawn: Option<Drawn<'a>> = of.drawn.as_ref().map(Drawn::of),
         /// One entry for each family on which it is tried.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         families: Vec<Family<'a>> = of.families.iter().map(Family::of).collect(),
+    }
+
+    /// How a claim fares on motions that are not in the file: no verdict depends on it.
+    Drawn<'a> of (of: &'a findings::search::DrawnAccount) {
+        /// The seed of all draws.
+        seed: u64 = of.seed,
+        /// On how many it holds.
+        holds: usize = of.tries.holds,
+        /// On how many it fails.
+        fails: usize = of.tries.fails,
+        /// To how many it does not apply.
+        not_applicable: usize = of.tries.not_applicable,
+        /// On how many it is undecided.
+        undecided: usize = of.tries.undecided,
+        /// How many draws are no motions.
+        impossible: usize = of.tries.impossible,
+        /// The first on which it fails.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[schemars(with = "DrawnMotion")]
+        found: Option<DrawnMotion<'a>> = of.found.as_deref().map(DrawnMotion::of),
+    }
+
+    /// A motion on which such a claim fails.
+    DrawnMotion<'a> of (of: &'a findings::search::FailingMotion) {
+        /// The trajectory of the file that it was made from.
+        from: &'a str = &of.from,
+        /// The numbers that are other than there.
+        changed: Vec<ChangedNumber<'a>> = of.changed.iter().map(ChangedNumber::of).collect(),
+        /// The motion as a table of the file.
+        toml: &'a str = &of.table,
+        /// Whether the claim names its trajectories: the id of the table must then be added there.
+        listed: bool = of.listed,
+        /// A point that can be checked by hand.
+        witness: Option<Witness<'a>> = of.verdict.evidence().witness.as_ref().map(Witness::of),
+    }
+
+    /// A number that is other than in the trajectory that a motion was made from.
+    ChangedNumber<'a> of (of: &'a findings::search::ChangedNumber) {
+        /// LaTeX of what has this value.
+        name: &'a str = &of.name,
+        /// What it is.
+        now: f64 = of.now,
+        /// What it is there.
+        then: f64 = of.then,
     }
 
     /// The verdict on a claim of which the step is the verdict.

@@ -1,10 +1,13 @@
 //! The claims, one by one: what is claimed, for all values, and on every trajectory.
 
+use std::collections::BTreeSet;
+
 use maud::{Markup, html};
 
 use super::super::card;
 use super::super::digest::{self, Reading};
 use super::super::discrimination::is_weak;
+use super::super::drawn;
 use super::super::form::{Heading, heading};
 use super::super::graph::{DerivationGraph, ProofStanding};
 use super::super::letters::{LEGEND, letters};
@@ -21,9 +24,24 @@ use crate::derivation::{ClaimRole, DEFAULT_PRECISION, Derivation};
 use crate::latex::Scope;
 use findings::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 
+/// What the claims are shown with.
+struct Claims<'a> {
+    derivation: &'a Derivation,
+    account: &'a Account,
+    graph: &'a DerivationGraph,
+    /// The names of those whose evidence is seen whatever became of them.
+    open: BTreeSet<String>,
+}
+
+/// The first claims that are not as expected, or fail on motions that were drawn.
+fn open(account: &Account) -> BTreeSet<String> {
+    let is_open = |claim: &&ClaimAccount| groups(claim).iter().any(|g| g.unexpected) || drawn::table(claim).is_some();
+    account.claims.iter().filter(is_open).take(MANY).map(name).collect()
+}
+
 /// All claims.
 pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
-    let graph = DerivationGraph::new(derivation, account);
+    let claims = Claims { derivation, account, graph: &DerivationGraph::new(derivation, account), open: open(account) };
     let mut families: Vec<Vec<&ClaimAccount>> = Vec::new();
     for claim in &account.claims {
         match families.last_mut() {
@@ -36,8 +54,8 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
             h2 { "Claims" }
             @for family in &families {
                 @match family.as_slice() {
-                    [one] if one.reading.is_none() => { (article(derivation, account, &graph, one)) },
-                    several => { (readings(derivation, account, &graph, several)) },
+                    [one] if one.reading.is_none() => { (article(&claims, one)) },
+                    several => { (readings(&claims, several)) },
                 }
             }
         }
@@ -45,7 +63,8 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
 }
 
 /// A claim that can be understood in several ways: the readings side by side, then each by itself.
-fn readings(derivation: &Derivation, account: &Account, graph: &DerivationGraph, family: &[&ClaimAccount]) -> Markup {
+fn readings(claims: &Claims<'_>, family: &[&ClaimAccount]) -> Markup {
+    let &Claims { derivation, account, .. } = claims;
     let Some(first) = family.first() else { return html! {} };
     let parent = declared(derivation, first).and_then(|d| d.parent_says.clone());
     let tally = |claim: &ClaimAccount| {
@@ -85,7 +104,7 @@ fn readings(derivation: &Derivation, account: &Account, graph: &DerivationGraph,
                     }
                 }
             } }
-            @for claim in family { (article(derivation, account, graph, claim)) }
+            @for claim in family { (article(claims, claim)) }
         }
     }
 }
@@ -94,8 +113,8 @@ fn scope_of<'d>(derivation: &'d Derivation, claim: &ClaimAccount) -> &'d Scope {
     declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope)
 }
 
-fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, claim: &ClaimAccount) -> Markup {
-    let scope = scope_of(derivation, claim);
+fn article(claims: &Claims<'_>, claim: &ClaimAccount) -> Markup {
+    let scope = scope_of(claims.derivation, claim);
     html! {
         article.claim id=(name(claim)) {
             @if claim.reading.is_some() {
@@ -103,7 +122,7 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
             } @else {
                 h3 { (name(claim)) ": " (prose(&claim.says, scope)) }
             }
-            (found(derivation, account, graph, claim))
+            (found(claims, claim))
         }
     }
 }
@@ -147,8 +166,9 @@ const MANY: usize = 40;
 
 /// What a claim says, and what was found of it. Of one that stands, and of what is no reading of the paper's, a sentence is read,
 /// and the rest is folded: few ask how it is known. Among many claims that of the others is folded, too: what is wrong stands above, with
-/// its witness. What is not as expected is never folded.
-fn found(derivation: &Derivation, account: &Account, graph: &DerivationGraph, claim: &ClaimAccount) -> Markup {
+/// its witness. What is not as expected is not folded, up to so many claims.
+fn found(claims: &Claims<'_>, claim: &ClaimAccount) -> Markup {
+    let &Claims { derivation, account, graph, .. } = claims;
     let scope = scope_of(derivation, claim);
     let reading = Reading::of(derivation, graph, claim);
     let groups = groups(claim);
@@ -164,11 +184,15 @@ fn found(derivation: &Derivation, account: &Account, graph: &DerivationGraph, cl
         @for group in &groups { (verdicts(derivation, account, claim, group)) }
         (family::blocks(claim, scope))
         (region::block(claim, scope))
+        @if let Some(text) = drawn::plain(derivation, claim) { p { (prose(&text, scope)) } }
+        @if let Some(table) = drawn::table(claim) {
+            details { summary { "The motion, to be put into the file" } pre.toml tabindex="0" { (table) } }
+        }
     };
     let many = account.claims.len() > MANY;
     let beside = claim.reading.is_some() && !reading.role.decides() && reading.role != ClaimRole::Needs;
     let is_told = reading.standing != Standing::Holds && !beside;
-    if groups.iter().any(|g| g.unexpected) || is_told && !many {
+    if claims.open.contains(&name(claim)) || is_told && !many {
         return html! { (stated) (evidence) };
     }
     let verdict = digest::verdict(&reading);
@@ -224,6 +248,7 @@ pub(super) fn printed(derivation: &Derivation, account: &Account) -> Markup {
                     (support::behind_in_print(&graph, claim, scope))
                     (family::blocks(claim, scope))
                     (region::block(claim, scope))
+                    @if let Some(text) = drawn::plain(derivation, claim) { p { (prose(&text, scope)) } }
                 }
             }
         }

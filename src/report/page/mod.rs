@@ -60,12 +60,14 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
     let folding = html! { (claims) (motions) (measures(derivation, account)) };
     let mut folding = reuse::drawn_once(&tight::tight(&folding.into_string()));
     let mut listed = tight::tight(&listed.into_string());
+    let mut units = tight::tight(&support::units(account, &derivation.scope).into_string());
     // A large page keeps what is folded out of the document until it is unfolded.
     let is_large = has_many_pairs(account) || folding.len() > MOST_FOLDED;
     let mut folds = Vec::new();
     if is_large {
         listed = details::taken_out(&listed, &mut folds);
         folding = details::taken_out(&folding, &mut folds);
+        units = details::taken_out(&units, &mut folds);
     }
     let findings = findings::section(derivation, account, &PreEscaped(listed));
     let data = compression::packed(&data::json(derivation, account, &folds));
@@ -74,7 +76,7 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
         (conventions(derivation))
         (symbols(derivation))
         (systems(derivation))
-        (support::units(account, &derivation.scope))
+        (PreEscaped(units))
         (making(derivation))
     };
     let body = html! {

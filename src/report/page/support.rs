@@ -326,6 +326,13 @@ pub(super) fn units_of(account: &Account, claim: &ClaimAccount, scope: &Scope) -
     }
 }
 
+/// So many formulas whose units do not agree are seen; the others are folded.
+const MOST_UNITS: usize = 40;
+
+fn inconsistent_list<'a>(found: impl Iterator<Item = &'a UnitAccount>, scope: &Scope) -> Markup {
+    html! { ul { @for found in found { li { (found.kind) " " (found.of) ", " (unit_words(found, scope)) } } } }
+}
+
 /// The units of all formulas.
 pub(super) fn units(account: &Account, scope: &Scope) -> Markup {
     let units = &account.units;
@@ -340,7 +347,13 @@ pub(super) fn units(account: &Account, scope: &Scope) -> Markup {
                 "The units of " (n("consistent")) " agree, those of " (n("inconsistent")) " do not, and "
                 (n("not-checked")) " could not be checked."
             }
-            ul { @for found in inconsistent(account) { li { (found.kind) " " (found.of) ", " (unit_words(found, scope)) } } }
+            (inconsistent_list(inconsistent(account).take(MOST_UNITS), scope))
+            @if inconsistent(account).nth(MOST_UNITS).is_some() {
+                details {
+                    summary { (inconsistent(account).count() - MOST_UNITS) " more" }
+                    (inconsistent_list(inconsistent(account).skip(MOST_UNITS), scope))
+                }
+            }
         }
     }
 }

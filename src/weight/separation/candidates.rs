@@ -7,6 +7,7 @@ use crate::derivation::{Claim, DEFAULT_PRECISION, Derivation, Form, FormKind, Fo
 use crate::expr::{Expr, Graph, Leaf, Node, Tensor};
 use crate::findings::conditions::ConditionName;
 use crate::latex::{self, RelationKind, Role, Statement};
+use sampled::trace::Trace;
 
 /// What the ids of claims begin with that are made here: no id of a file can.
 pub(super) const PROBE: char = '~';
@@ -96,7 +97,7 @@ fn is_its_start(graph: &Graph, l: Expr, r: Expr) -> bool {
 }
 
 /// What a claim says, in whatever words: the sides of its relations, and what is constant, in a fixed order.
-pub(super) fn said(graph: &Graph, claim: &Claim) -> Vec<(Option<RelationKind>, Expr, Option<Expr>)> {
+pub(super) fn said(graph: &Graph, claim: &Claim) -> Vec<Part> {
     let mut out = Vec::new();
     for form in &claim.forms {
         match form {
@@ -122,8 +123,37 @@ pub(super) fn said(graph: &Graph, claim: &Claim) -> Vec<(Option<RelationKind>, E
     out
 }
 
+/// A part of what a claim says.
+type Part = (Option<RelationKind>, Expr, Option<Expr>);
+
+/// Times of a motion at which two quantities are compared.
+const COMPARED: usize = 8;
+
+/// Whether a condition and a claim say of one quantity each that it does not change, and the two move alike on all of some motions: then
+/// the condition is the claim in other words, as far as these motions tell.
+pub(super) fn is_alike(graph: &Graph, (condition, own): (&[Part], &[Part]), on: &[&Trace]) -> bool {
+    let constant = |said: &[Part]| match said {
+        [(None, e, None)] => match graph.node(*e) {
+            Node::Leaf(leaf) if leaf.instant.is_none() => Some(*leaf),
+            _ => None,
+        },
+        _ => None,
+    };
+    let Some((a, b)) = constant(condition).zip(constant(own)) else { return false };
+    let on_one = |trace: &&Trace| {
+        let place = |leaf: Leaf| trace.leaves.binary_search(&leaf).ok();
+        let Some((a, b)) = place(a).zip(place(b)) else { return false };
+        let step = (trace.times.len() / COMPARED).max(1);
+        let values = trace.times.iter().step_by(step).map(|t| trace.values(*t));
+        let moved: Option<Vec<_>> = values.map(|v| v.get(a)?.ok().zip(v.get(b)?.ok()).map(|(a, b)| a - b)).collect();
+        let Some(apart) = moved else { return false };
+        apart.first().is_some_and(|first| apart.iter().all(|x| (*x - *first).contains_zero()))
+    };
+    !on.is_empty() && on.iter().all(on_one)
+}
+
 /// A relation in one of the two ways in which it can be written.
-fn turned(kind: RelationKind, l: Expr, r: Expr) -> (Option<RelationKind>, Expr, Option<Expr>) {
+fn turned(kind: RelationKind, l: Expr, r: Expr) -> Part {
     let (kind, l, r) = match kind {
         RelationKind::Equal | RelationKind::NotEqual => (kind, l.min(r), l.max(r)),
         RelationKind::Greater => (RelationKind::Less, r, l),

@@ -239,9 +239,12 @@ impl Probes {
                 // It is a condition of the file itself: where it holds is what it says.
                 continue;
             }
+            let on: Vec<&Trace> =
+                sides.holds.iter().chain(&sides.fails).filter_map(|&column| traces.get(column)).collect();
             let others = all().filter(|&k| {
                 let condition = said(&self.candidates[k].claim);
-                condition.is_empty() || !condition.iter().all(|part| own.contains(part))
+                let is_part = !condition.is_empty() && condition.iter().all(|part| own.contains(part));
+                !is_part && !candidates::is_alike(&derivation.graph, (&condition, &own), &on)
             });
             let others: Vec<usize> = others.collect();
             let may = |k: &&usize| from_file(k) || stands.may_explain(**k, sides);
