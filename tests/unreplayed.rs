@@ -320,7 +320,8 @@ fn of_one_time_the_prover_may_speak_alone() {
 /// A factor that is 0 is another case: a point of it does not contradict what is proved of the others.
 #[test]
 fn a_point_of_another_factor_refutes() {
-    let vanishing = [r"(|z|+z)(\ln x-\sqrt x)t=0", r"\lfloor z\rfloor(\ln x-\sqrt x)t=0", r"(|z|-z)(\ln x-\sqrt x)(t-1)=0"];
+    let vanishing =
+        [r"(|z|+z)(\ln x-\sqrt x)t=0", r"\lfloor z\rfloor(\ln x-\sqrt x)t=0", r"(|z|-z)(\ln x-\sqrt x)(t-1)=0"];
     for given in vanishing {
         assert_eq!(word(&(r"\ln x=\sqrt x", MOTION, &[given])).0, "refuted", "{given}");
     }
