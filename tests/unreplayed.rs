@@ -317,11 +317,43 @@ fn of_one_time_the_prover_may_speak_alone() {
     assert_eq!(standing, "proved except");
 }
 
+/// In a file, too: what a claim assumes is to be so on an interval of a motion.
+#[test]
+fn what_a_claim_assumes_is_so_on_a_motion() {
+    let file = |rate: &str, assumed: &str, says: &str| {
+        let states = ["x", "y", "z"].map(|s| format!("'{s}' = {{ role = 'state' }}\n")).concat();
+        let system = format!("[system.s]\nstates = ['x']\nequations = ['\\dot x={rate}']\n");
+        let claim = format!(
+            "[[claim]]\nid = 'c'\nsays = 'c'\nfollows-from = ['s']\nassuming = [{assumed}]\nalways = ['{says}']\n"
+        );
+        of_file(&(states + &system + &claim))
+    };
+    let lines = [
+        ("3x", "'x=-t-1'", "x^2=(t+1)^2"),
+        ("x", "'x=t'", "x=t"),
+        ("1", r"'t\ge0', 'x=0'", r"\dot x=1"),
+        ("1", r"'x\ge1', 'x=1'", r"\dot x=1"),
+        ("x", "'x^2=t+2'", r"\dot x=x"),
+        ("1+x^2", r"'\dot z=0'", "z(10)=z(0)"),
+    ];
+    for (rate, assumed, says) in lines {
+        let account = file(rate, assumed, says);
+        let word = account.claims[0].identity.as_ref().map_or("none", |i| i.standing());
+        assert!(!word.starts_with("proved"), "{rate}: {assumed}: {word}");
+    }
+    for (rate, assumed, says) in
+        [("1", "'x>1'", r"\dot x=1"), ("3x", r"'\dot z=0'", "z(1)=z(0)"), ("1", "'x=t'", "x=t")]
+    {
+        let account = file(rate, assumed, says);
+        let word = account.claims[0].identity.as_ref().map_or("none", |i| i.standing());
+        assert_eq!(word, "proved", "{rate}: {assumed}");
+    }
+}
+
 /// A factor that is 0 is another case: a point of it does not contradict what is proved of the others.
 #[test]
 fn a_point_of_another_factor_refutes() {
-    let vanishing =
-        [r"(|z|+z)(\ln x-\sqrt x)t=0", r"\lfloor z\rfloor(\ln x-\sqrt x)t=0", r"(|z|-z)(\ln x-\sqrt x)(t-1)=0"];
+    let vanishing = [r"(|z|+z)(\ln x-\sqrt x)t=0", r"\lfloor z\rfloor(\ln x-\sqrt x)t=0", r"(|z|-z)(\ln x-\sqrt x)t=0"];
     for given in vanishing {
         assert_eq!(word(&(r"\ln x=\sqrt x", MOTION, &[given])).0, "refuted", "{given}");
     }
@@ -330,7 +362,26 @@ fn a_point_of_another_factor_refutes() {
 /// From what is so on no motion, anything would follow: nothing is proved from it.
 #[test]
 fn what_no_motion_satisfies_proves_nothing() {
-    let lines: [Line; 20] = [
+    let lines: [Line; 36] = [
+        // Motions of 1 + x² are shorter than π.
+        ("y(10)=y(0)", MOTION, &[r"\dot x=1+x^2", r"\dot y=0"]),
+        ("y(10)=y(-10)", MOTION, &[r"\ddot x=6x^2+1", r"\dot y=0"]),
+        // There is one time at which it has a value.
+        (r"y+\sqrt{-t^2}=2y", MOTION, &[r"y=\sqrt{-t^2}"]),
+        ("x=5", MOTION, &[r"y=\sqrt{-t^2}"]),
+        ("x=5", MOTION, &[r"y=\arcsin(1+t^2)"]),
+        ("x=x", MOTION, &[r"\dot y=\sqrt t+\sqrt{-t}"]),
+        ("x=5", MOTION, &[r"t\le0", r"t\ge0"]),
+        ("x=x", MOTION, &[r"t^2\le0"]),
+        // The claim has a value on no such motion.
+        (r"\frac xx=1", MOTION, &[r"\dot x=0", "x(0)=0"]),
+        (r"\ln x=\ln y", MOTION, &["x=y", r"\dot x=-x", "x(0)=-1"]),
+        (r"\frac1x=\frac1y", MOTION, &["x=y", r"\dot x=x", "x(0)=0"]),
+        (r"\sqrt x-\sqrt x=0", MOTION, &[r"\dot x=0", "x(0)=-1"]),
+        (r"\ln(x(3))=\ln(y(3))", MOTION, &["x=y", r"\dot x=-x^3", "x(0)=-2"]),
+        (r"\frac1{x^2+y^2-1}=\frac1{y^2+x^2-1}", MOTION, &[r"\dot x=y", r"\dot y=-x", "x(0)=1", "y(0)=0"]),
+        (r"\dot x=3x^2", MOTION, &[r"\dot x=3x^2", r"x(0)=-\frac12", r"\ddot x(0)=\frac94"]),
+        ("x=7", MOTION, &["x(0)=7", r"\dot x=0", "y>0", "y(0)=-1", r"\dot y=1"]),
         ("y=2t", MOTION, &[r"\dot x=y", r"\dot y=-x", "x=t^2"]),
         (r"\dot x=x", MOTION, &[r"\dot x=x", "x^2=t+2"]),
         (r"\dot x=x", MOTION, &[r"\dot x=x", "x^2=t^2+1"]),
@@ -358,7 +409,11 @@ fn what_no_motion_satisfies_proves_nothing() {
         assert_eq!(word(line).0, "undecided", "{line:?}");
     }
     // One motion is enough, of each reason that there is.
-    let lines: [Line; 11] = [
+    let lines: [Line; 15] = [
+        (r"\dot x(5)^2+x(5)^2=1", MOTION, &[r"\ddot x=-x", "x(0)=1", r"\dot x(0)=0"]),
+        (r"\frac{\dot x}x=-2", MOTION, &[r"\dot x=-2x", "x>0", "x(0)=1"]),
+        (r"\dot x=3x^2", MOTION, &[r"\dot x=3x^2", r"x(0)=-\frac12", r"\ddot x(0)=-\frac94"]),
+        ("x=7", MOTION, &["x(0)=7", r"\dot x=0", "y>0", "y(0)=1", r"\dot y=1"]),
         ("x=x(0)", MOTION, &[r"\dot x=0"]),
         ("x^2+y^2=1", MOTION, &[r"\dot x=y", r"\dot y=-x", "x(0)=1", "y(0)=0"]),
         ("x=7", MOTION, &["x(0)=7", r"\dot x=0", r"\dot y=\sqrt y", "y(0)=1"]),

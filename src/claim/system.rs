@@ -6,7 +6,8 @@
 use crate::comparison::{behind_rates, traced_now};
 use crate::derivation::System;
 use crate::expr::{Expr, Graph, Leaf, Symbol};
-use crate::flow::{FlowError, VectorField};
+use crate::flow::FlowError;
+pub use crate::flow::VectorField;
 use crate::latex::Scope;
 
 /// A system, solved for its rates. Observables in its equations are part of the system: it is closed in its states.

@@ -190,12 +190,13 @@ fn at_one_place(graph: &mut Graph, roots: impl Iterator<Item = Expr>) -> Vec<Pre
     out
 }
 
-/// What must be positive at a point so that what is given besides equations holds around it, as far as it is about what moves, or
-/// fields: 0 ≤ u and u ≤ 0 hold at many points, and for one field.
+/// What must be positive at a point so that what is given besides equations holds around it, as far as it is about the time, what moves,
+/// coordinates, or fields: 0 ≤ u and u ≤ 0 hold at many points, and for one field.
 fn strictly(graph: &mut Graph, premises: &Premises, moves: &impl Fn(Leaf) -> bool) -> Vec<Expr> {
     let changes = |graph: &Graph, e: Expr| {
+        let goes_on = |l: &Leaf| Some(*l) == premises.time || graph.coordinate(*l).is_some();
         let leaves = graph.leaves([e]);
-        leaves.into_iter().any(|l| l.instant.is_none() && moves(l) || graph.is_field(l.symbol))
+        leaves.iter().any(|l| l.instant.is_none() && moves(*l) || graph.is_field(l.symbol) || goes_on(l))
     };
     let mut out: Vec<Expr> = premises.not_negative.iter().copied().filter(|&e| changes(graph, e)).collect();
     let facts = premises.not_negative.iter().chain(&premises.positive).chain(&premises.nonzero);

@@ -1,4 +1,4 @@
-//! Whether a motion is known on which everything given is so: from none, anything would follow.
+//! Whether a motion is known on which everything given is so, and the claim has values: from none, anything would follow.
 //!
 //! **In:** a claim, and what it is said to follow from. **Out:** whether there is a motion for certain. **Guaranteed:** one of these is the reason:
 //!
@@ -10,6 +10,7 @@
 //! | formulas of what moves | they have values near a point |
 //! | a system that is solved for its rates | one begins at every point of its domain |
 //! | that, with values at one fixed time | one begins at that time, at a point that has these values, inside of the domain |
+//! | a linear system | it goes on for ever: also other fixed times may be named |
 //! | nothing of fixed times and places | a point is found through which one passes, see [`Step::has_motion`] |
 //! | nothing of the time | what moves is at rest at a point at which all of it is so |
 //! | equations of fields | fields as simple as a coordinate, or half its square, satisfy them |
@@ -38,9 +39,9 @@ pub(crate) fn is_known(
     if !claim.trajectories.is_empty() || !claim.families.is_empty() {
         return true;
     }
-    let given = || Given::of(derivation, claim, said, inequalities);
+    let given = || Given::of(derivation, claim, said);
     given().is_some_and(|mut given| given.has_solution())
-        || !said.names_a_time(derivation) && through_a_point(derivation, claim, inequalities)
+        || !said.names_a_time(derivation) && through_a_point(derivation, claim)
         || given().is_some_and(|mut given| given.has_rest())
         || given().is_some_and(Given::has_simple_fields)
         || example()
@@ -55,9 +56,7 @@ fn needs_example(derivation: &Derivation, said: &Sayings, is_whole: bool) -> boo
     several && (of_given.len() > 1 || !is_whole || given.chooses || !given.is_total(derivation))
 }
 
-/// Whether a point is found through which a motion passes.
-fn through_a_point(derivation: &Derivation, claim: &Claim, inequalities: When) -> bool {
-    let step = Step::of(derivation, claim);
-    let step = step.map(|step| if inequalities == When::Always { step.typed() } else { step });
-    step.and_then(Step::has_motion) == Some(true)
+/// Whether a point is found through which a motion passes, on which all that is assumed is so on an interval.
+fn through_a_point(derivation: &Derivation, claim: &Claim) -> bool {
+    Step::of(derivation, claim).map(Step::typed).and_then(Step::has_motion) == Some(true)
 }

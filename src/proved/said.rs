@@ -11,22 +11,19 @@ use latex::{Relation, RelationKind, Role, Statement};
 pub(crate) struct Sayings<'a> {
     pub(crate) claimed: Said<'a>,
     pub(crate) given: Said<'a>,
-    /// How many of the relations that are given are premises: those behind them are assumed.
-    premises: usize,
 }
 
 impl<'a> Sayings<'a> {
     pub(crate) fn of(derivation: &'a Derivation, claim: &'a Claim) -> Sayings<'a> {
         let (claimed, mut given) = (Said::of_claim(derivation, claim), Said::given(derivation, claim));
-        let premises = given.relations.len();
         given.add(claim.assuming.iter());
         let [claimed, given] = [claimed, given].map(|said| said.with_definitions(derivation));
-        Sayings { claimed, given, premises }
+        Sayings { claimed, given }
     }
 
-    /// The relations that are given, and those that are assumed, where all of it is relations of each time.
-    pub(crate) fn relations(&self) -> Option<(&[&'a Relation], &[&'a Relation])> {
-        (!self.given.relates_times).then(|| self.given.relations.split_at(self.premises))
+    /// The relations that are given, or assumed, where all of it is relations of each time.
+    pub(crate) fn relations(&self) -> Option<&[&'a Relation]> {
+        (!self.given.relates_times).then_some(&self.given.relations)
     }
 
     /// Whether a fixed time, or a place, is named.

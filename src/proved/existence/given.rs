@@ -8,7 +8,11 @@ use crate::expr::domain::Sign;
 use crate::expr::{Expr, Graph, Leaf, Node, Partials, Rational, Shape, Symbol};
 use crate::latex::{Relation, RelationKind, Role, Scope};
 use crate::said::{Sayings, is_so};
+use claim::system::VectorField;
 use proof::{Identity, Options, Premises, When, identity_test};
+
+/// Rounds in which rates at the start are formed from those of the system.
+const MOST_ORDER: usize = 4;
 
 /// Most components of fields for which formulas are tried.
 const MOST_FIELDS: usize = 3;
@@ -23,36 +27,24 @@ pub(super) struct Given<'a> {
     said: &'a Sayings<'a>,
     graph: Graph,
     conditions: Vec<Condition>,
-    /// What must be so at some time: inequalities of a file choose the times of which a claim speaks.
-    chosen: Vec<Condition>,
+    /// What must be so where the claim is to have values.
+    valued: Vec<Condition>,
     /// What must be so besides, near a point of a motion.
     domain: Vec<Condition>,
 }
 
 impl<'a> Given<'a> {
-    /// Nothing where something given is no relation of each time. Of ± the upper sign is taken.
-    pub(super) fn of(
-        derivation: &'a Derivation,
-        claim: &'a Claim,
-        said: &'a Sayings<'a>,
-        inequalities: When,
-    ) -> Option<Given<'a>> {
+    /// Nothing where something given is no relation of each time. Of ± the upper sign is taken; what chooses times is to be so on an interval.
+    pub(super) fn of(derivation: &'a Derivation, claim: &'a Claim, said: &'a Sayings<'a>) -> Option<Given<'a>> {
         let graph = derivation.graph.clone();
-        let empty = Vec::new;
-        let mut out = Given { derivation, claim, said, graph, conditions: empty(), chosen: empty(), domain: empty() };
-        let (given, assumed) = said.relations()?;
-        out.conditions = out.written_out(given)?;
-        let assumed = out.written_out(assumed)?;
-        let chooses = |c: &Condition| c.0 != RelationKind::Equal && !out.named(&[*c]).is_empty();
-        if inequalities != When::Always && assumed.iter().any(chooses) {
-            out.chosen = assumed;
-        } else {
-            out.conditions.extend(assumed);
-        }
+        let mut out =
+            Given { derivation, claim, said, graph, conditions: Vec::new(), valued: Vec::new(), domain: Vec::new() };
+        out.valued = out.values_of(&said.claimed.formulas);
+        out.conditions = out.written_out(said.relations()?)?;
         Some(out)
     }
 
-    fn written_out(&mut self, relations: &[&Relation]) -> Option<Vec<Condition>> {
+    fn written_out(&mut self, relations: &[&'a Relation]) -> Option<Vec<Condition>> {
         let (graph, scope) = (&mut self.graph, &self.claim.scope);
         let sign = scope.branch_sign();
         let mut out = Vec::new();
@@ -80,64 +72,120 @@ impl<'a> Given<'a> {
     }
 
     /// Whether it is a system that is solved for its rates, and formulas, with values at one fixed time, if there are any, from which a motion
-    /// begins; or numbers alone.
+    /// begins on which the claim has values; or numbers alone.
     pub(super) fn has_solution(&mut self) -> bool {
-        if self.named(&self.conditions).is_empty() && self.chosen.is_empty() {
+        if self.named(&self.conditions).is_empty() {
             return true;
         }
         if self.insert_formulas().is_none() {
             return false;
         }
-        let of_start = |this: &Self, c: &Condition| {
-            let leaves = this.named(&[*c]);
+        let (starts, moving): (Vec<Condition>, Vec<Condition>) = self.conditions.iter().partition(|condition| {
+            let leaves = self.named(&[**condition]);
             leaves.iter().all(|leaf| leaf.instant.is_some())
-        };
-        let (mut starts, moving): (Vec<Condition>, Vec<Condition>) =
-            self.conditions.iter().partition(|condition| of_start(self, condition));
-        let leaves = self.named(&moving);
+        });
         let is_state = |l: &Leaf| l.instant.is_none() && l.partials == Partials::NONE && !self.graph.is_field(l.symbol);
-        let equations: Vec<(Expr, Expr)> = moving.iter().map(|&(_, l, r)| (l, r)).collect();
-        if moving.iter().any(|(kind, ..)| *kind != RelationKind::Equal) || !leaves.iter().all(is_state) {
+        if !self.named(&moving).iter().all(is_state) {
             return false;
         }
-        let mut states: Vec<Symbol> = leaves.iter().filter(|l| l.rate > 0).map(|l| l.symbol).collect();
+        let (moving, inequalities): (Vec<Condition>, Vec<Condition>) =
+            moving.into_iter().partition(|(kind, ..)| *kind == RelationKind::Equal);
+        // What is so at the beginning, and strictly, is so for a while.
+        self.domain.extend(inequalities.into_iter().map(|(kind, l, r)| (strict(kind), l, r)));
+        let equations: Vec<(Expr, Expr)> = moving.iter().map(|&(_, l, r)| (l, r)).collect();
+        let mut states: Vec<Symbol> = self.named(&moving).iter().filter(|l| l.rate > 0).map(|l| l.symbol).collect();
         states.sort_unstable();
         states.dedup();
         let time = self.claim.scope.time();
         let Ok(field) = claim::system::field(&mut self.graph, time, &states, &equations) else { return false };
         self.add_domain(field.rates());
-        // From where what is given begins, a motion need not reach the other times that are named.
+        self.begins(&field, starts)
+    }
+
+    /// Whether a motion of a system begins with some values.
+    fn begins(&mut self, field: &VectorField, mut starts: Vec<Condition>) -> bool {
         let [of_claim, of_given] = [&self.said.claimed, &self.said.given].map(|said| said.instants(self.derivation));
         let named = of_claim.union(&of_given).count();
-        let names_a_place = named == 0 && self.said.names_a_time(self.derivation);
-        let is_local = !self.domain.is_empty() || !self.chosen.is_empty();
-        if of_given.len() > 1 || is_local && (named > 1 || names_a_place) || named == 1 && !self.chosen.is_empty() {
+        // A motion begins at one time; it need not reach another one, if the system is not linear.
+        let reaches = named <= 1 || self.domain.is_empty() && self.is_linear(field);
+        let is_local = !self.domain.is_empty();
+        if of_given.len() > 1 || !reaches || named == 0 && is_local && self.said.names_a_time(self.derivation) {
             return false;
         }
         let begun = of_given.into_iter().chain(of_claim).next();
-        starts.append(&mut self.domain);
-        starts.append(&mut self.chosen);
-        if starts.is_empty() {
-            return true;
-        }
-        // The point at which it begins, with the rates that the system gives it.
-        let rates: Vec<(Leaf, Expr)> = field.states().iter().copied().zip(field.rates().iter().copied()).collect();
-        let rate = |leaf: Leaf| {
-            let of = |(state, _): &&(Leaf, Expr)| Leaf { rate: state.rate + 1, ..*state } == leaf;
-            rates.iter().find(of).filter(|_| !field.states().contains(&leaf)).map(|(_, rate)| *rate)
-        };
-        for side in starts.iter_mut().flat_map(|(_, l, r)| [l, r]) {
-            let here = |graph: &mut Graph, leaf: Leaf| Some(graph.leaf(Leaf { instant: None, ..leaf }));
-            *side = self.graph.replaced(*side, |graph, leaf| leaf.instant.and_then(|_| here(graph, leaf)));
-            *side = self.graph.replaced(*side, |_, leaf| rate(leaf));
-            *side = self.graph.replaced(*side, |_, leaf| begun.filter(|_| Some(leaf) == time));
-        }
-        // Higher rates than the system gives are no numbers of their own.
-        let is_given = |l: &Leaf| l.rate > 0 && states.contains(&l.symbol) && !field.states().contains(l);
-        if self.named(&starts).iter().any(is_given) {
+        if self.named(&self.valued).iter().any(|l| l.instant.is_some_and(|at| Some(at) != begun)) {
             return false;
         }
-        self.has_point(&starts)
+        starts.append(&mut self.valued);
+        starts.append(&mut self.domain);
+        for side in starts.iter_mut().flat_map(|(_, l, r)| [l, r]) {
+            let Some(there) = self.at_the_start(field, *side, begun) else { return false };
+            *side = there;
+        }
+        starts.is_empty() || self.has_point(&starts)
+    }
+
+    /// Whether the rates of a system are linear in its states, so that its motions go on for ever.
+    fn is_linear(&mut self, field: &VectorField) -> bool {
+        field.rates().iter().all(|&rate| {
+            let states = self.graph.leaves_within([rate]).into_iter().filter(|l| field.states().contains(l));
+            states.collect::<Vec<_>>().into_iter().all(|state| {
+                let slope = self.graph.slope(rate, state);
+                slope.is_ok_and(|slope| !self.graph.leaves_within([slope]).iter().any(|l| field.states().contains(l)))
+            })
+        })
+    }
+
+    /// A formula at the time at which a motion begins, in the states of its system: what they are there is a point.
+    fn at_the_start(&mut self, field: &VectorField, e: Expr, begun: Option<Expr>) -> Option<Expr> {
+        let (graph, scope) = (&mut self.graph, &self.claim.scope);
+        let time = scope.time();
+        let mut e =
+            graph.replaced(e, |graph, leaf| leaf.instant.is_some().then(|| graph.leaf(Leaf { instant: None, ..leaf })));
+        let rates: Vec<(Leaf, Expr)> = field.states().iter().copied().zip(field.rates().iter().copied()).collect();
+        // Rates that the system gives, and their rates.
+        for _ in 0..MOST_ORDER {
+            let mut formed: Vec<(Leaf, Expr)> = Vec::new();
+            for leaf in graph.leaves_within([e]) {
+                let of = |(state, _): &&(Leaf, Expr)| (state.symbol, state.component) == (leaf.symbol, leaf.component);
+                let Some(&(state, rate)) = rates.iter().rfind(of).filter(|_| !field.states().contains(&leaf)) else {
+                    continue;
+                };
+                let mut value = rate;
+                for _ in state.rate + 1..leaf.rate {
+                    value = graph.time_derivative(value, time?, |leaf| scope.moves(&leaf)).ok()?;
+                }
+                formed.push((leaf, value));
+            }
+            if formed.is_empty() {
+                return Some(graph.replaced(e, |_, leaf| begun.filter(|_| Some(leaf) == time)));
+            }
+            e = graph.replaced(e, |_, leaf| formed.iter().find(|(l, _)| *l == leaf).map(|(_, value)| *value));
+        }
+        None
+    }
+
+    /// What must be so where formulas are to have values.
+    fn values_of(&mut self, formulas: &[Expr]) -> Vec<Condition> {
+        let zero = self.graph.integer(0);
+        let scope = &self.claim.scope;
+        let written = formulas.iter().map(|&e| {
+            let e = claim::comparison::behind_rates(&mut self.graph, scope, e);
+            claim::comparison::traced(&mut self.graph, scope, e)
+        });
+        let written: Vec<Expr> = written.collect();
+        let mut out: Vec<Condition> = Vec::new();
+        for need in self.graph.needs_below(written) {
+            if !is_so(self.derivation, &self.graph, need.value, need.sign) {
+                let kind = match need.sign {
+                    Sign::NotZero => RelationKind::NotEqual,
+                    Sign::Positive => RelationKind::Greater,
+                    Sign::NotNegative => RelationKind::GreaterEqual,
+                };
+                out.push((kind, need.value, zero));
+            }
+        }
+        out
     }
 
     /// Inserts the formulas of what moves: x = cos t. Nothing where one of them cannot be inserted.
@@ -152,8 +200,8 @@ impl<'a> Given<'a> {
 
     /// Inserts a formula of what moves; conditions that it meets are left out.
     fn insert(&mut self, leaf: Leaf, formula: Expr) -> Option<()> {
-        let Given { graph, claim, conditions, chosen, domain, .. } = self;
-        for all in [conditions, chosen, domain] {
+        let Given { graph, claim, conditions, valued, domain, .. } = self;
+        for all in [conditions, valued, domain] {
             for side in all.iter_mut().flat_map(|(_, l, r)| [l, r]) {
                 *side = inserted(graph, &claim.scope, *side, leaf, formula)?;
             }
@@ -175,7 +223,7 @@ impl<'a> Given<'a> {
         }
         fields.sort_unstable();
         fields.dedup();
-        let all = self.conditions.iter().all(is_equation) && leaves.iter().all(is_of_fields) && self.chosen.is_empty();
+        let all = self.conditions.iter().all(is_equation) && leaves.iter().all(is_of_fields);
         all && !fields.is_empty() && fields.len() <= MOST_FIELDS && self.is_met_by(&fields)
     }
 
@@ -231,10 +279,10 @@ impl<'a> Given<'a> {
         }
     }
 
-    /// Whether all of it is so where what moves is at rest: nothing names the time, or a coordinate.
+    /// Whether all of it is so, and the claim has values, where what moves is at rest: nothing names the time, or a coordinate.
     pub(super) fn has_rest(&mut self) -> bool {
         let mut conditions = std::mem::take(&mut self.conditions);
-        conditions.append(&mut self.chosen);
+        conditions.append(&mut self.valued);
         for side in conditions.iter_mut().flat_map(|(_, l, r)| [l, r]) {
             *side = self.graph.replaced(*side, |graph, leaf| {
                 let changes = leaf.rate > 0 || leaf.partials != Partials::NONE;
@@ -316,4 +364,13 @@ fn is_identity(graph: &mut Graph, l: Expr, r: Expr) -> bool {
     let options = Options { attempts: 1, ..Options::default() };
     graph.vanishes(apart)
         || matches!(identity_test(graph, &[(l, r)], &Premises::default(), &options), Identity::Proved(proof) if proof.conditions.is_empty())
+}
+
+/// The relation without equality.
+fn strict(kind: RelationKind) -> RelationKind {
+    match kind {
+        RelationKind::GreaterEqual => RelationKind::Greater,
+        RelationKind::LessEqual => RelationKind::Less,
+        RelationKind::Equal | RelationKind::NotEqual | RelationKind::Greater | RelationKind::Less => kind,
+    }
 }

@@ -159,8 +159,11 @@ impl Step<'_> {
 
     /// Whether there is a motion on which all that is given holds: a point of one refutes 0 = 1.
     pub(crate) fn has_motion(mut self) -> Option<bool> {
-        let gathered = self.gather(None);
+        let mut gathered = self.gather(None);
         let equations = self.equations(self.claim)?;
+        // Also of systems whose rates are not asked for; and what is assumed at some times is to be so on an interval.
+        gathered.premises.give(gathered.systems.iter().copied(), When::Always);
+        gathered.premises.equations.iter_mut().for_each(|known| known.when = When::Always);
         let premises = self.premises(&gathered, &equations, Definitions::All);
         let nothing: Pairs = vec![(self.graph.integer(0), self.graph.integer(1))];
         Some(matches!(self.test_only(&premises, &nothing, &Options::default()), Identity::Refuted(_)))
