@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use paper::{PrintedRelation, PrintedSide, names, squeezed};
 
-use super::desk::{Desk, Given, NotRead};
+use super::desk::{Desk, Given};
 use super::facts::Reach;
 use super::judge::Judge;
 use super::lone::{lone_name, unprimed};
@@ -16,6 +16,7 @@ use super::sentence::is_supposed;
 use super::signs::EQUALS;
 use super::standing::Standing;
 use super::step::IN_SENTENCE;
+use super::refusal::NotRead;
 
 impl Judge<'_> {
     /// Whether an equation before, in this section, has a name in it, or the definition of another name that it is said to be made of.

@@ -12,40 +12,16 @@ use super::lone::{bare, undotted, unprimed};
 use super::obstacle::{is_place, obstacle};
 use expr::{Expr, Graph, Leaf, Symbol};
 use latex::{Declaration, Role, Scope, Statement};
-use meter::{Ended, Limits};
+use meter::Limits;
 use paper::{Call, Paper, PaperName, PrintedSide, names};
 
 use super::notation::Evidence;
+use super::refusal::{NotRead, refusal, refused};
+use super::space::coordinates_for;
 use paper::squeezed;
 
 /// Longest side, in bytes, that is looked at for evidence.
 const LONGEST_SIDE: usize = 20_000;
-
-/// Why a formula was not read: the feature that is not understood, and a sentence.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NotRead {
-    /// The feature, in few words: `an integral`, `an operator`.
-    pub feature: String,
-    /// What the reader of formulas says, where it was asked.
-    pub why: Option<String>,
-    /// The limit that ended the work on it: of the formula itself nothing is said.
-    pub ended: Option<Ended>,
-}
-
-impl NotRead {
-    /// A feature that was seen.
-    pub fn of(feature: impl Into<String>) -> NotRead {
-        NotRead { feature: feature.into(), why: None, ended: None }
-    }
-
-    /// Nothing was found out, since the work was ended.
-    pub fn ended(by: Ended) -> NotRead {
-        match by {
-            Ended::Defect(what) => NotRead { why: Some(what), ..NotRead::of("a defect of this program") },
-            by => NotRead { ended: Some(by.clone()), ..NotRead::of(by.to_string()) },
-        }
-    }
-}
 
 /// A formula with the key that it defines, or of which it gives the rate.
 #[derive(Clone, Debug)]
@@ -78,6 +54,8 @@ pub struct Desk {
     pub scalars: Vec<(String, Symbol, bool)>,
     /// Whether the imaginary unit occurs: then the names may be complex.
     pub is_complex: bool,
+    /// Whether something is read more generally than it is meant: what refutes it then says nothing.
+    pub is_general: bool,
     /// The relations whose definitions were used.
     pub used: Vec<usize>,
     /// The limits of questions: all of a paper together may take as much as a file may.
@@ -90,6 +68,10 @@ fn variable(all: &[PaperName], given: &[&Given], evidence: &Evidence) -> Result<
     for name in all {
         if let Some(by) = primed_by(name, all, given, evidence) {
             found.insert(by);
+        }
+        // `y(0)=1`: a value of a function.
+        if matches!(&name.call, Call::Places(p) if p.len() == 1 && !is_place(p)) {
+            found.extend(evidence.variable_of(name));
         }
         if name.dots > 0 {
             found.insert("t".to_owned());
@@ -218,7 +200,7 @@ fn primed_by(name: &PaperName, all: &[PaperName], given: &[&Given], evidence: &E
         [one] => Some((*one).to_owned()),
         [] => match seen.into_iter().max_by_key(|(v, n)| (*n, std::cmp::Reverse(*v))) {
             Some((by, _)) => Some(by.to_owned()),
-            None => only_letter(&key, given, evidence),
+            None => only_letter(&key, given, evidence).or_else(|| evidence.primes_derive_by(&key)),
         },
         _ => None,
     }
@@ -331,7 +313,10 @@ impl Desk {
             all.sort_by_key(|n| n.derived_by.is_none());
         }
         let mut graph = Graph::new();
-        let scope = Scope::new(&mut graph);
+        let mut scope = Scope::new(&mut graph);
+        if let Some(logarithm) = evidence.logarithm() {
+            scope.set_logarithm(logarithm);
+        }
         let mut desk = Desk {
             graph,
             scope,
@@ -339,6 +324,7 @@ impl Desk {
             moving: Vec::new(),
             scalars: Vec::new(),
             is_complex: false,
+            is_general: all.iter().any(|n| n.has_hat),
             used: Vec::new(),
             limits: evidence.limits().clone(),
         };
@@ -359,7 +345,11 @@ impl Desk {
             desk.scalars.push(("e".to_owned(), declared, true));
         }
         let place = sides.first().map_or(0, |s| s.span.start);
-        desk.declare(&all, given, (evidence, place), time.as_deref())?;
+        let by: BTreeSet<String> = all.iter().filter(|n| n.is_partial).filter_map(|n| n.derived_by.clone()).collect();
+        let printed = || sides.iter().copied().chain(given.iter().map(|g| &g.right));
+        let space = coordinates_for(printed(), &by, time.as_deref());
+        desk.is_general |= !space.is_empty();
+        desk.declare(&all, given, (evidence, place), time.as_deref(), space)?;
         Ok(desk)
     }
 
@@ -369,10 +359,11 @@ impl Desk {
         given: &[&Given],
         (evidence, place): (&Evidence, usize),
         time: Option<&str>,
+        space: &[&str],
     ) -> Result<(), NotRead> {
         let defined: BTreeSet<&str> = given.iter().filter(|g| !g.is_rate).map(|g| g.key.as_str()).collect();
         // By what something that is not defined is derived partially: the coordinates.
-        let mut coordinates: BTreeSet<String> = BTreeSet::new();
+        let mut coordinates: BTreeSet<String> = space.iter().map(|&by| by.to_owned()).collect();
         for name in all.iter().filter(|n| n.is_partial) {
             let key = name.key();
             if !defined.contains(key.as_str()) {
@@ -401,7 +392,7 @@ impl Desk {
             if skipped {
                 continue;
             }
-            let (declared, moves, is_field) = self.role_of(name, &key, all, evidence, time, &coordinates)?;
+            let (declared, moves, is_field) = self.role_of(name, &key, all, evidence, time, (&coordinates, space))?;
             if !seen.insert(declared.clone()) {
                 continue;
             }
@@ -447,9 +438,11 @@ impl Desk {
         all: &[PaperName],
         evidence: &Evidence,
         time: Option<&str>,
-        coordinates: &BTreeSet<String>,
+        (coordinates, space): (&BTreeSet<String>, &[&str]),
     ) -> Result<(String, bool, bool), NotRead> {
-        if is_field(name, key, all, evidence, coordinates) {
+        // Of ∇ everything is a field; and a unit vector may turn.
+        let is_any = !space.is_empty() || name.has_hat && !coordinates.is_empty();
+        if is_any || is_field(name, key, all, evidence, coordinates) {
             let places: Vec<String> = coordinates
                 .iter()
                 .cloned()
@@ -463,6 +456,8 @@ impl Desk {
                 || t == "t" && evidence.moving.contains(key)
                 || t != "t" && evidence.derived.get(key).is_some_and(|by| by.contains(t))
                 || evidence.calls.get(key).is_some_and(|c| c.contains_key(&Some(vec![t.to_owned()])))
+                || name.has_hat
+                || all.iter().filter(here).any(|n| n.call != Call::None) && evidence.variable_of(name).as_deref() == Some(t)
         });
         let places: BTreeSet<&Vec<String>> = all
             .iter()
@@ -563,26 +558,4 @@ fn is_field(
     let paper = evidence.partial.get(key).is_some_and(|by| by.iter().any(|b| coordinates.contains(b)));
     let place = matches!(&name.call, Call::Places(p) if p.iter().any(|p| coordinates.contains(p)));
     here || paper || place
-}
-
-fn refused(error: latex::DeclareError) -> NotRead {
-    match error {
-        latex::DeclareError::Key(problem) => refusal(&[problem]),
-        latex::DeclareError::Formula(problems) => refusal(&problems),
-    }
-}
-
-/// A refusal of the reader of formulas as data.
-fn refusal(problems: &[diag::Problem]) -> NotRead {
-    let Some(first) = problems.first() else { return NotRead::of("something") };
-    let feature = match first.code {
-        "latex::unknown-symbol" => "a name",
-        "latex::unknown-command" => "a command",
-        "latex::bad-name" => "a name",
-        "latex::index" | "latex::double-script" => "indices",
-        "latex::shape" => "vectors and numbers in one sum, or in one product",
-        "latex::ambiguous" => "something with two readings",
-        _ => "a notation",
-    };
-    NotRead { why: Some(first.message.clone()), ..NotRead::of(feature) }
 }

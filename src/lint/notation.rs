@@ -5,11 +5,12 @@
 use std::collections::BTreeSet;
 use std::ops::Deref;
 
+use latex::Logarithm;
 use meter::{Ended, Limits, Task};
-use paper::{DifferenceSigns, Notation, Paper, PaperName, PrintedSide};
+use paper::{DifferenceSigns, Notation, Paper, PaperName, PrintedSide, is_variable, unprimed};
 
-use super::desk::NotRead;
 use super::letters::{Sizes, sizes};
+use super::refusal::NotRead;
 
 /// What the whole paper shows of its names and of its notation.
 #[derive(Clone, Debug, Default)]
@@ -22,6 +23,8 @@ pub struct Evidence {
     sizes: Sizes,
     /// Which signs of differences are something else somewhere.
     differences: DifferenceSigns,
+    /// What `\log` is, where somebody says it.
+    logarithm: Option<Logarithm>,
     /// The work of the paper.
     limits: Limits,
 }
@@ -39,8 +42,31 @@ impl Evidence {
         let labelled = names.subscripts.iter().filter(|(_, all)| all.have_label()).map(|(letter, _)| letter.clone());
         let labelled = labelled.collect();
         let sizes = sizes(paper);
-        let differences = paper.differences.clone();
-        Evidence { names, notation: Notation::of(paper), labelled, sizes, differences, limits: limits.of_file(0) }
+        let (differences, logarithm) = (paper.differences.clone(), paper.logarithm);
+        let (notation, limits) = (Notation::of(paper), limits.of_file(0));
+        Evidence { names, notation, labelled, sizes, differences, logarithm, limits }
+    }
+
+    /// The one variable of which the paper shows a name to be a function: by a place behind it, a derivative, or two primes.
+    pub fn variable_of(&self, name: &PaperName) -> Option<String> {
+        let bare = unprimed(name);
+        let places = self.names.calls.get(&bare).into_iter().flat_map(|calls| calls.keys().flatten());
+        let single = places.filter_map(|places| if let [one] = places.as_slice() { Some(one) } else { None });
+        let mut seen: BTreeSet<String> = single.filter(|place| is_variable(place)).cloned().collect();
+        seen.extend(self.names.derived.get(&bare).into_iter().flatten().cloned());
+        seen.extend(self.primes_derive_by(&bare));
+        seen.pop_first().filter(|_| seen.is_empty())
+    }
+
+    /// The variable by which the primes of a name derive it, where the paper prints two of them on it.
+    pub fn primes_derive_by(&self, bare: &str) -> Option<String> {
+        let are_two = self.names.primes.get(bare).is_some_and(|most| *most > 1);
+        self.names.primed_by(bare).filter(|_| are_two)
+    }
+
+    /// What `\log` is, where somebody says it.
+    pub fn logarithm(&self) -> Option<Logarithm> {
+        self.logarithm
     }
 
     /// The limits of the questions of the paper, with one total for all of them.

@@ -4,7 +4,7 @@
 
 use std::collections::BTreeSet;
 
-use paper::{PrintedRelation, PrintedSide, names, squeezed};
+use paper::{PaperName, PrintedRelation, PrintedSide, names, squeezed};
 
 use super::lone::{lone_name, unprimed};
 
@@ -151,8 +151,15 @@ pub(super) fn moved(sides: &[&PrintedSide]) -> Option<String> {
 /// Index letters that stand once in a lone name on the left: they are free, and nothing is summed over them. What is a number somewhere in the
 /// relation is no index: `E_n=n^2\pi^2\ldots`.
 pub(super) fn free_indices(relation: &PrintedRelation) -> BTreeSet<char> {
-    let Some(name) = lone_name(&relation.sides[0]) else { return BTreeSet::new() };
-    let letters = name.index_letters();
+    let Some(left) = relation.sides.first() else { return BTreeSet::new() };
+    let letters = match lone_name(left) {
+        Some(name) => name.index_letters(),
+        // A rate, `\frac{\partial c_i}{\partial T}`: a single term, in which nothing is raised.
+        None if squeezed(&left.text).starts_with(r"\frac") && !left.text.contains(['^', '+', '-']) => {
+            names(left).iter().flat_map(PaperName::index_letters).collect()
+        }
+        None => return BTreeSet::new(),
+    };
     let numbers: BTreeSet<String> = relation.sides.iter().flat_map(names).map(|n| n.key()).collect();
     let is_free = |l: &char| letters.iter().filter(|m| *m == l).count() == 1 && !numbers.contains(&l.to_string());
     letters.iter().copied().filter(is_free).collect()

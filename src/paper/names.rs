@@ -123,7 +123,8 @@ enum Differences {
 
 fn read(tokens: &[Token], differences: Differences) -> Vec<PaperName> {
     let marks = without_braces_of_names(mark::marks(tokens));
-    let mut reader = Names { units: mark::units(&marks), marks, out: Vec::new(), differences };
+    let cells = tokens.iter().filter(|t| t.is_char("&")).map(|t| t.span.start).collect();
+    let mut reader = Names { units: mark::units(&marks), marks, cells, out: Vec::new(), differences };
     let end = reader.marks.len();
     reader.range(0, end, &None, 0);
     reader.out
@@ -133,6 +134,8 @@ struct Names {
     marks: Vec<Mark>,
     /// Where the unit ends that begins with each mark.
     units: Vec<usize>,
+    /// Where a cell of a matrix ends.
+    cells: Vec<usize>,
     out: Vec<PaperName>,
     differences: Differences,
 }
@@ -398,7 +401,14 @@ impl Names {
             || HATS.contains(&command)
             || STYLES.contains(&command)
             || DOTS.iter().any(|(d, _)| *d == command);
-        at < to && (letter || text == "(" || is_letter_command(command) || styled)
+        at < to && !self.begins_cell(at) && (letter || text == "(" || is_letter_command(command) || styled)
+    }
+
+    /// Whether a cell of a matrix ends before a mark, and another begins with it.
+    fn begins_cell(&self, at: usize) -> bool {
+        let place = |at: usize| self.marks.get(at).map(|m| m.span.start);
+        let before = at.checked_sub(1).and_then(place);
+        before.zip(place(at)).is_some_and(|(from, to)| self.cells.iter().any(|cell| (from..to).contains(cell)))
     }
 
     /// The end of a script that begins here: a command of style takes its argument with it, `p_\mathrm{max}`.
