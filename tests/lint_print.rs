@@ -141,19 +141,25 @@ fn nabla_of_a_paper_without_coordinates_is_that_of_any_fields() {
 
 #[test]
 fn a_value_of_a_function_is_read_where_the_paper_shows_its_variable() {
-    let tex = r"\[ y''=-y \] \[ y=C\cos x+D\sin x \] \[ y(0)=C\cos 0+D\sin 0=C \]";
+    let tex = r"\[ y(x)=C\cos x+D\sin x \] \[ y(0)=C\cos 0+D\sin 0=C \]";
     assert_eq!(last(tex).0, Word::Follows, "{:?}", said(tex));
-    // Of what is nowhere a function, or one of several variables, it is a product as well.
-    for tex in [r"\[ k=2 \] \[ a=k(3) \]", r"\[ f(x)=x \] \[ f(t)=t \] \[ b=f(0)+1 \]"] {
+    assert_ne!(last(r"\[ x(t)=t \] \[ x'(0)=2 \]").0, Word::NotRead);
+    // Of what is nowhere a function it is a product as well.
+    for tex in [r"\[ k=2 \] \[ a=k(3) \]", r"\[ f=x+t \] \[ b=f(0)+1 \]"] {
         assert_eq!(last(tex).0, Word::NotRead, "{tex}: {:?}", said(tex));
     }
 }
 
 #[test]
-fn one_prime_is_a_rate_where_two_are_printed_on_the_same_name() {
-    assert_ne!(last(r"\[ x''+x=0 \] \[ x'=y \]").0, Word::NotRead);
-    // Other axes have primes, too.
-    assert_eq!(last(r"\[ x'=x\cos\theta+y\sin\theta \] \[ x'^2=x^2 \]").0, last(r"\[ u=x\cos\theta+y\sin\theta \] \[ u^2=x^2 \]").0);
+fn a_prime_is_a_rate_where_the_paper_prints_a_place_behind_the_name() {
+    let tex = r"\[ x(t)=\cos t \] \[ x'(t)=-\sin t \]";
+    assert_eq!(last(tex).0, Word::Follows, "{:?}", said(tex));
+    assert_ne!(last(r"\[ x'(t)=1 \] \[ x'=y \]").0, Word::NotRead);
+    // Other axes have primes, too, two of them as well.
+    for axes in [r"\[ x''=x'\cos\theta \]", r"\[ x'=x\cos\theta+y\sin\theta \]"] {
+        let tex = format!(r"{axes} \[ x'^2=x^2 \]");
+        assert_eq!(said(&tex)[1].0, said(&tex.replace("x''", "w").replace("x'", "u"))[1].0, "{tex}: {:?}", said(&tex));
+    }
 }
 
 #[test]

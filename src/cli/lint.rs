@@ -90,7 +90,8 @@ fn once(arguments: &LintArguments, papers: &[PathBuf]) -> Result<Ending, Stop> {
     let logarithm = arguments.log.or_configured()?;
     let mut all = Vec::new();
     for path in papers {
-        let paper = Paper { logarithm, ..read(path)? };
+        let mut paper = read(path)?;
+        paper.logarithm = logarithm;
         let found = lint::lint(&paper, &limits);
         all.push((paper, found));
     }

@@ -69,9 +69,8 @@ fn variable(all: &[PaperName], given: &[&Given], evidence: &Evidence) -> Result<
         if let Some(by) = primed_by(name, all, given, evidence) {
             found.insert(by);
         }
-        // `y(0)=1`: a value of a function.
-        if matches!(&name.call, Call::Places(p) if p.len() == 1 && !is_place(p)) {
-            found.extend(evidence.variable_of(name));
+        if is_value(name) {
+            found.extend(variable_here(name, all, evidence));
         }
         if name.dots > 0 {
             found.insert("t".to_owned());
@@ -84,6 +83,22 @@ fn variable(all: &[PaperName], given: &[&Given], evidence: &Evidence) -> Result<
         0 => Ok(None),
         1 => Ok(found.pop_first()),
         _ => Err(NotRead::of("derivatives by several variables")),
+    }
+}
+
+/// Whether a name stands at a number: `y(0)`.
+fn is_value(name: &PaperName) -> bool {
+    matches!(&name.call, Call::Places(places) if places.len() == 1 && !is_place(places))
+}
+
+/// The variable of a name that stands at a number: that of a step, or, where the step has none, which of them it is does not matter.
+fn variable_here(name: &PaperName, all: &[PaperName], evidence: &Evidence) -> Option<String> {
+    let known = evidence.variables_of(name);
+    let mut here = known.keys().filter(|by| all.iter().any(|n| n.key() == **by));
+    match (here.next(), here.next()) {
+        (Some(one), None) => Some(one.clone()),
+        (Some(_), Some(_)) => None,
+        (None, _) => known.into_iter().max_by_key(|(by, n)| (*n, std::cmp::Reverse(by.clone()))).map(|(by, _)| by),
     }
 }
 
@@ -191,8 +206,10 @@ fn primed_by(name: &PaperName, all: &[PaperName], given: &[&Given], evidence: &E
             *seen.entry(one).or_default() += n;
         }
     }
-    for by in evidence.derived.get(&key).into_iter().flatten() {
-        *seen.entry(by).or_default() += 1;
+    let primed = evidence.primed_places.get(&key).into_iter().flatten().map(|(by, n)| (by.as_str(), *n));
+    let derived = evidence.derived.get(&key).into_iter().flatten().map(|by| (by.as_str(), 1));
+    for (by, n) in primed.chain(derived) {
+        *seen.entry(by).or_default() += n;
     }
     seen.retain(|v, _| v.chars().count() == 1 && v.chars().all(char::is_alphabetic));
     let here: Vec<&str> = seen.keys().copied().filter(|v| all.iter().any(|n| n.key() == *v)).collect();
@@ -200,7 +217,7 @@ fn primed_by(name: &PaperName, all: &[PaperName], given: &[&Given], evidence: &E
         [one] => Some((*one).to_owned()),
         [] => match seen.into_iter().max_by_key(|(v, n)| (*n, std::cmp::Reverse(*v))) {
             Some((by, _)) => Some(by.to_owned()),
-            None => only_letter(&key, given, evidence).or_else(|| evidence.primes_derive_by(&key)),
+            None => only_letter(&key, given, evidence),
         },
         _ => None,
     }
@@ -302,6 +319,7 @@ impl Desk {
             }
         }
         // A prime of a function of one variable is its derivative; there, `t` has primes too.
+        let has_derived_primes = all.iter().any(|n| primed_by(n, &all, given, evidence).is_some());
         let mut all: Vec<PaperName> = all
             .iter()
             .map(|n| match primed_by(n, &all, given, evidence) {
@@ -343,6 +361,10 @@ impl Desk {
             let declared =
                 desk.scope.declare(&mut desk.graph, "e", Declaration::of(Role::Parameter)).map_err(refused)?;
             desk.scalars.push(("e".to_owned(), declared, true));
+        }
+        // Of what the paper shows as a function a prime derives, also by the time.
+        if time.is_some() && has_derived_primes {
+            desk.scope.set_primes();
         }
         let place = sides.first().map_or(0, |s| s.span.start);
         let by: BTreeSet<String> = all.iter().filter(|n| n.is_partial).filter_map(|n| n.derived_by.clone()).collect();
@@ -457,7 +479,7 @@ impl Desk {
                 || t != "t" && evidence.derived.get(key).is_some_and(|by| by.contains(t))
                 || evidence.calls.get(key).is_some_and(|c| c.contains_key(&Some(vec![t.to_owned()])))
                 || name.has_hat
-                || all.iter().filter(here).any(|n| n.call != Call::None) && evidence.variable_of(name).as_deref() == Some(t)
+                || all.iter().filter(here).any(is_value) && evidence.variables_of(name).contains_key(t)
         });
         let places: BTreeSet<&Vec<String>> = all
             .iter()

@@ -2,7 +2,7 @@
 //!
 //! **In:** a paper. **Out:** an [`Evidence`]. **Guaranteed:** nothing is decided here.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Deref;
 
 use latex::Logarithm;
@@ -47,21 +47,23 @@ impl Evidence {
         Evidence { names, notation, labelled, sizes, differences, logarithm, limits }
     }
 
-    /// The one variable of which the paper shows a name to be a function: by a place behind it, a derivative, or two primes.
-    pub fn variable_of(&self, name: &PaperName) -> Option<String> {
+    /// The variables of which the paper shows a name to be a function, and how often: by a place behind it, with primes or without, or a derivative.
+    pub fn variables_of(&self, name: &PaperName) -> BTreeMap<String, usize> {
         let bare = unprimed(name);
-        let places = self.names.calls.get(&bare).into_iter().flat_map(|calls| calls.keys().flatten());
-        let single = places.filter_map(|places| if let [one] = places.as_slice() { Some(one) } else { None });
-        let mut seen: BTreeSet<String> = single.filter(|place| is_variable(place)).cloned().collect();
-        seen.extend(self.names.derived.get(&bare).into_iter().flatten().cloned());
-        seen.extend(self.primes_derive_by(&bare));
-        seen.pop_first().filter(|_| seen.is_empty())
-    }
-
-    /// The variable by which the primes of a name derive it, where the paper prints two of them on it.
-    pub fn primes_derive_by(&self, bare: &str) -> Option<String> {
-        let are_two = self.names.primes.get(bare).is_some_and(|most| *most > 1);
-        self.names.primed_by(bare).filter(|_| are_two)
+        let mut out: BTreeMap<String, usize> = BTreeMap::new();
+        for (places, n) in self.names.calls.get(&bare).into_iter().flatten() {
+            if let Some([one]) = places.as_deref()
+                && is_variable(one)
+            {
+                *out.entry(one.clone()).or_default() += n;
+            }
+        }
+        let primed = self.names.primed_places.get(&bare).into_iter().flatten().map(|(by, n)| (by.clone(), *n));
+        let derived = self.names.derived.get(&bare).into_iter().flatten().map(|by| (by.clone(), 1));
+        for (by, n) in primed.chain(derived) {
+            *out.entry(by).or_default() += n;
+        }
+        out
     }
 
     /// What `\log` is, where somebody says it.
@@ -126,6 +128,7 @@ impl Evidence {
 
     /// What keeps a side from being read as numbers: nothing is declared of its names.
     pub fn obstacle(&self, side: &PrintedSide) -> Option<NotRead> {
-        self.notation.not_numbers(side).or_else(|| self.notation.unsure(side)).map(NotRead::of)
+        let is_matrix = |letter: &str| self.matrix_size(letter, side.span.start).is_some();
+        self.notation.not_numbers(side).or_else(|| self.notation.unsure(side, &is_matrix)).map(NotRead::of)
     }
 }

@@ -141,7 +141,7 @@ pub fn obstacle(
         let is_number = |p: &String| p.chars().all(|c| c.is_ascii_digit());
         if matches!(&name.call, Call::Places(places) if places.iter().all(is_number)) && name.letter != r"\pi" {
             let is_called = known.is_some_and(|calls| calls.keys().flatten().any(|p| is_place(p)));
-            if !is_called && evidence.variable_of(name).is_none() {
+            if !is_called && evidence.variables_of(name).is_empty() {
                 return Some(NotRead::of("a value at a place, or a product"));
             }
         }

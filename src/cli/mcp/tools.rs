@@ -8,7 +8,6 @@ use rederive::check::{Limits, Proposition, Rigor};
 use rederive::derivation::LARGEST_FILE;
 use rederive::diag::Source;
 use rederive::latex::Logarithm;
-use rederive::paper::Paper;
 use rederive::{Ask, Findings, Question, Session, diag, files, lint, paper, report};
 use serde_json::{Map, Value, json};
 
@@ -140,7 +139,8 @@ impl Workbench {
             Some(folder) => paper::parse_in(Arc::new(source), Some(&folder)),
             None => paper::parse_pasted(&source.path, &source.text),
         };
-        let paper = Paper { logarithm: logarithm(given)?, ..paper.map_err(|p| diag::render(&[*p], false))? };
+        let mut paper = paper.map_err(|p| diag::render(&[*p], false))?;
+        paper.logarithm = logarithm(given)?;
         if paper.relations.len() > MOST_RELATIONS {
             let n = paper.relations.len();
             return Err(format!("there are {n} relations, and {MOST_RELATIONS} are looked through: hand over a part"));
