@@ -17,7 +17,7 @@ use paper::{Call, Paper, PaperName, PrintedSide, names};
 
 use super::notation::Evidence;
 use super::refusal::{NotRead, refusal, refused};
-use super::space::coordinates_for;
+use super::space::{General, coordinates_for};
 use paper::squeezed;
 
 /// Longest side, in bytes, that is looked at for evidence.
@@ -54,8 +54,8 @@ pub struct Desk {
     pub scalars: Vec<(String, Symbol, bool)>,
     /// Whether the imaginary unit occurs: then the names may be complex.
     pub is_complex: bool,
-    /// Whether something is read more generally than it is meant: what refutes it then says nothing.
-    pub is_general: bool,
+    /// What is read more generally than it is meant: what refutes it then says nothing.
+    pub general: General,
     /// The relations whose definitions were used.
     pub used: Vec<usize>,
     /// The limits of questions: all of a paper together may take as much as a file may.
@@ -211,7 +211,8 @@ fn primed_by(name: &PaperName, all: &[PaperName], given: &[&Given], evidence: &E
     for (by, n) in primed.chain(derived) {
         *seen.entry(by).or_default() += n;
     }
-    seen.retain(|v, _| v.chars().count() == 1 && v.chars().all(char::is_alphabetic));
+    // Of a derivative of what stands in brackets, `\frac{d}{dx}[\cosh x]`, the variable is inside.
+    seen.retain(|v, _| *v != key && v.chars().count() == 1 && v.chars().all(char::is_alphabetic));
     let here: Vec<&str> = seen.keys().copied().filter(|v| all.iter().any(|n| n.key() == *v)).collect();
     match here.as_slice() {
         [one] => Some((*one).to_owned()),
@@ -342,7 +343,7 @@ impl Desk {
             moving: Vec::new(),
             scalars: Vec::new(),
             is_complex: false,
-            is_general: all.iter().any(|n| n.has_hat),
+            general: General { fields: false, vectors: all.iter().any(|n| n.has_hat) },
             used: Vec::new(),
             limits: evidence.limits().clone(),
         };
@@ -370,7 +371,7 @@ impl Desk {
         let by: BTreeSet<String> = all.iter().filter(|n| n.is_partial).filter_map(|n| n.derived_by.clone()).collect();
         let printed = || sides.iter().copied().chain(given.iter().map(|g| &g.right));
         let space = coordinates_for(printed(), &by, time.as_deref());
-        desk.is_general |= !space.is_empty();
+        desk.general.fields = !space.is_empty();
         desk.declare(&all, given, (evidence, place), time.as_deref(), space)?;
         Ok(desk)
     }
@@ -409,7 +410,7 @@ impl Desk {
                 || Some(key.as_str()) == time
                 || coordinates.contains(&key)
                 || defined.contains(key.as_str())
-                || name.letter == "e" && name.base != "e"
+                || name.letter == "e" && name.base != "e" && !name.is_bold
                 || key == r"\pi";
             if skipped {
                 continue;

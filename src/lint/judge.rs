@@ -22,6 +22,7 @@ use super::standing::{Standing, standings};
 use super::step::{Blame, Place, Step};
 use super::{Judgement, Lint, Word};
 use super::refusal::NotRead;
+use super::space::General;
 use paper::squeezed;
 
 /// Longest side, in bytes, that is looked at.
@@ -95,8 +96,8 @@ struct Tally {
     numbers: usize,
     /// Whether a proof is one for positive names.
     of_positive: bool,
-    /// Whether a proof is one for any fields of ∇, and for vectors of any length.
-    is_general: bool,
+    /// What proofs read more generally than it is meant.
+    general: General,
     /// Whether a name is defined.
     defines: bool,
     /// The relation that defined it before.
@@ -375,7 +376,7 @@ impl Judge<'_> {
                     tally.follows += 1;
                     out.steps.0 += 1;
                     tally.of_positive |= support.of_positive;
-                    tally.is_general |= support.is_general;
+                    tally.general = tally.general.or(support.general);
                     out.with.extend(support.with);
                     if defining {
                         tally.defines = false;
@@ -465,7 +466,7 @@ impl Judge<'_> {
         out.with.sort_unstable();
         out.with.dedup();
         out.with.retain(|w| *w != at);
-        let Tally { mut open, unread, follows, numbers, of_positive, is_general, defines, anew, differs } = tally;
+        let Tally { mut open, unread, follows, numbers, of_positive, general, defines, anew, differs } = tally;
         let undecided = out.steps.1 - follows - numbers;
         if let Some(found) = unread {
             out.why = match &found.why {
@@ -520,8 +521,7 @@ impl Judge<'_> {
         }
         let is_proved = matches!(out.word, Word::Follows | Word::NotFollowed);
         let positive = (of_positive && is_proved).then(|| "where its constants are positive".to_owned());
-        let general = (is_general && is_proved)
-            .then(|| "for any fields of x, y and z under ∇, and vectors of any length under hats".to_owned());
+        let general = general.words().filter(|_| is_proved);
         let words = relation.described.as_ref().map(|words| format!("the words in the place of a side, “{words}”, are left out"));
         for more in [positive, general, words].into_iter().flatten() {
             out.why = if out.why.is_empty() { more } else { format!("{}; {more}", out.why) };

@@ -11,6 +11,7 @@ use paper::{DifferenceSigns, Notation, Paper, PaperName, PrintedSide, is_variabl
 
 use super::letters::{Sizes, sizes};
 use super::refusal::NotRead;
+use super::space::prints_operators;
 
 /// What the whole paper shows of its names and of its notation.
 #[derive(Clone, Debug, Default)]
@@ -23,6 +24,8 @@ pub struct Evidence {
     sizes: Sizes,
     /// Which signs of differences are something else somewhere.
     differences: DifferenceSigns,
+    /// Whether hats may be those of operators.
+    has_operators: bool,
     /// What `\log` is, where somebody says it.
     logarithm: Option<Logarithm>,
     /// The work of the paper.
@@ -44,7 +47,13 @@ impl Evidence {
         let sizes = sizes(paper);
         let (differences, logarithm) = (paper.differences.clone(), paper.logarithm);
         let (notation, limits) = (Notation::of(paper), limits.of_file(0));
-        Evidence { names, notation, labelled, sizes, differences, logarithm, limits }
+        let has_operators = notation.is_quantum() && prints_operators(paper);
+        Evidence { names, notation, labelled, sizes, differences, has_operators, logarithm, limits }
+    }
+
+    /// Whether hats may be those of operators.
+    pub fn has_operators_with_hats(&self) -> bool {
+        self.has_operators
     }
 
     /// The variables of which the paper shows a name to be a function, and how often: by a place behind it, with primes or without, or a derivative.
@@ -63,6 +72,7 @@ impl Evidence {
         for (by, n) in primed.chain(derived) {
             *out.entry(by).or_default() += n;
         }
+        out.remove(&bare);
         out
     }
 

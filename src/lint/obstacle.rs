@@ -136,6 +136,9 @@ pub fn obstacle(
         if name.has_hat && !is_vector_with_hat(name, evidence) {
             return Some(NotRead::of("a hat: an operator, or a unit vector"));
         }
+        if evidence.has_complex_j && name.key() == "j" {
+            return Some(NotRead::of("j, which may be the imaginary unit"));
+        }
         let known = evidence.calls.get(&name.key());
         // `f(0)f(1)`: a number in parentheses is a place as often as a factor.
         let is_number = |p: &String| p.chars().all(|c| c.is_ascii_digit());

@@ -5,9 +5,38 @@
 
 use std::collections::BTreeSet;
 
-use paper::{PaperName, PrintedSide};
+use paper::{Paper, PaperName, PrintedSide, names, squeezed};
 
 use super::notation::Evidence;
+
+/// What is read more generally than it is meant.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct General {
+    /// All names are fields, since ∇ has no coordinates.
+    pub fields: bool,
+    /// Hats are over vectors of any length.
+    pub vectors: bool,
+}
+
+impl General {
+    /// Whether anything is.
+    pub fn is_some(self) -> bool {
+        self.fields || self.vectors
+    }
+
+    /// What one or the other reads so.
+    pub fn or(self, other: General) -> General {
+        General { fields: self.fields || other.fields, vectors: self.vectors || other.vectors }
+    }
+
+    /// What a proof is one for.
+    pub fn words(self) -> Option<String> {
+        let fields = self.fields.then_some("for any fields of x, y and z under ∇");
+        let vectors = self.vectors.then_some("for vectors of any length under hats");
+        let both: Vec<&str> = fields.into_iter().chain(vectors).collect();
+        (!both.is_empty()).then(|| both.join("; "))
+    }
+}
 
 /// Cartesian coordinates: whatever the paper uses, ∇ is the same.
 const COORDINATES: [&str; 3] = ["x", "y", "z"];
@@ -32,5 +61,15 @@ pub(super) fn coordinates_for<'s>(
 
 /// Whether a name with a hat is read: in bold it is a vector, unless it may be an operator.
 pub(super) fn is_vector_with_hat(name: &PaperName, evidence: &Evidence) -> bool {
-    name.has_hat && name.is_bold && !evidence.is_quantum()
+    name.has_hat && name.is_bold && !evidence.has_operators_with_hats()
+}
+
+/// Whether hats may be those of operators among quanta: one stands over a letter that is not bold, or in a commutator.
+pub(super) fn prints_operators(paper: &Paper) -> bool {
+    let sides = || paper.printed.iter().flat_map(|relation| &relation.sides);
+    let in_commutator = |side: &PrintedSide| {
+        let text = squeezed(&side.text).replace(r"\left", "");
+        [r"[\hat", r"[\mathbf\hat", r"[\boldsymbol\hat", r"[\widehat"].iter().any(|begin| text.contains(begin))
+    };
+    sides().any(in_commutator) || sides().flat_map(names).any(|n| n.has_hat && !n.is_bold)
 }

@@ -18,6 +18,7 @@ use super::question::{Asked, Positive, Rests, ask};
 use super::relation::moved;
 use super::setting::keys;
 use super::refusal::NotRead;
+use super::space::General;
 
 /// Random points at which a step that is not proved is tried.
 const POINTS: usize = 40;
@@ -47,8 +48,8 @@ pub(super) struct Support {
     pub(super) with: Vec<usize>,
     /// Whether all that does not depend on time was taken to be positive.
     pub(super) of_positive: bool,
-    /// Whether it is one for any fields of ∇, and for vectors of any length.
-    pub(super) is_general: bool,
+    /// What was read more generally than it is meant.
+    pub(super) general: General,
 }
 
 /// Of what *wrong* may be said.
@@ -99,7 +100,7 @@ impl Judge<'_> {
                 }
                 // `\partial L/\partial x=0` of $L=T-V$: that T and V have no x is said nowhere.
                 Ok(answer) if answer.is_proved() && !lacks_variable(sides, &rests.given) => {
-                    return Step::Follows(Support { is_general: answer.desk.is_general, ..support(&rests) });
+                    return Step::Follows(Support { general: answer.desk.general, ..support(&rests) });
                 }
                 Ok(answer) if answer.is_proved() => {
                     first_refusal.get_or_insert(NotRead::of("a derivative by what the definition does not show"));
@@ -232,8 +233,8 @@ impl Judge<'_> {
             if let Ok(answer) = self.ask(sides, &rests, place.free)
                 && answer.is_proved()
             {
-                let is_general = answer.desk.is_general;
-                return Some(Step::Follows(Support { of_positive: true, is_general, ..support(&rests) }));
+                let general = answer.desk.general;
+                return Some(Step::Follows(Support { of_positive: true, general, ..support(&rests) }));
             }
         }
         None
@@ -263,7 +264,7 @@ impl Judge<'_> {
         let positive = Positive::Named(BTreeSet::new());
         let rests = Rests { given: Vec::new(), stated: Vec::new(), positive };
         let asked = self.ask([&before.right, right], &rests, place.free).ok()?;
-        (!asked.desk.is_general && is_slip_of(&asked)).then(|| before.right.text.clone())
+        (!asked.desk.general.is_some() && is_slip_of(&asked)).then(|| before.right.text.clone())
     }
 
     /// What is wrong, if something is: refuted by what this section says, and one slip away from what it proves.
@@ -307,7 +308,7 @@ impl Judge<'_> {
                     Err(_) => continue,
                 },
             };
-            if !matches!(answer.identity, Identity::Refuted(_)) || answer.desk.is_general {
+            if !matches!(answer.identity, Identity::Refuted(_)) || answer.desk.general.is_some() {
                 continue;
             }
             // Where signs matter, it has to fail for positive names, too, and what holds is looked for among these.
@@ -429,7 +430,7 @@ fn has_open_derivative(text: &str) -> bool {
 fn support(rests: &Rests) -> Support {
     let mut with: Vec<usize> = rests.given.iter().map(|g| g.relation).collect();
     with.extend(rests.stated.iter().map(|s| s.relation));
-    Support { with, of_positive: false, is_general: false }
+    Support { with, of_positive: false, general: General::default() }
 }
 
 /// Whether a question without premises that is not decided has both sides equal at random points.

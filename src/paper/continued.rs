@@ -1,7 +1,7 @@
 //! Displays that go on from the one before.
 //!
 //! **In:** the printed relations of a paper, and the text between them. **Out:** the last side of the display before, as the first of one that
-//! begins with `=`. **Guaranteed:** nothing at all is printed between the two; else the side stays a missing one.
+//! begins with `=`. **Guaranteed:** nothing but a comma is printed between the two; else the side stays a missing one.
 
 use std::ops::Range;
 
@@ -48,5 +48,5 @@ fn is_silent(paper: &Paper, between: Range<usize>, sign: &str) -> bool {
         }
     }
     let rest = SIGNS.iter().fold(text, |text, sign| text.replace(sign, ""));
-    rest.chars().all(|c| c.is_whitespace() || matches!(c, '.' | ','))
+    rest.chars().all(|c| c.is_whitespace() || c == ',')
 }
