@@ -106,6 +106,27 @@ fn an_index_that_is_free_on_the_left_is_summed_nowhere() {
 }
 
 #[test]
+fn a_name_that_is_added_to_a_number_has_labels_below() {
+    let of = |first: &str| last(&format!(r"\[ F={first} \] \[ Q=\frac{{P_{{r,i}}a_i}}{{b}}+P_{{r,i}} \]"));
+    assert_eq!(of(r"\frac{c}{1+P_{r, i}}").0, Word::Defines, "{:?}", of(r"\frac{c}{1+P_{r, i}}"));
+    // A sum with a name, or one that goes on, shows nothing of it.
+    for first in [r"\frac{c}{q+P_{r,i}}", r"1+P_{r,i}a_i", r"\frac{c}{1+P_{r,i}a_i}", r"\frac{c}{1+P_{r,j}}"] {
+        assert_eq!(of(first).0, Word::NotRead, "{first}: {:?}", of(first));
+    }
+}
+
+#[test]
+fn primes_print_the_same_however_they_are_written() {
+    for primed in ["S''", r"S^{\prime\prime}", r"S^{''}", r"{S}''"] {
+        let tex = format!(r"\[ A=({primed}_j-b)^2={primed}_j^2-2b{primed}_j+b^2 \]");
+        let plain = tex.replace("_j", "");
+        assert_eq!(last(&plain).0, last(r"\[ A=(S''-b)^2=S''^2-2bS''+b^2 \]").0, "{plain}: {:?}", last(&plain));
+    }
+    // What has more above it than primes is no prime.
+    assert_ne!(read(r"\[ a=S^{\prime2} \]").printed[0].text(), read(r"\[ a=S' \]").printed[0].text());
+}
+
+#[test]
 fn a_sign_of_derivatives_may_stand_in_a_label() {
     assert_eq!(last(r"\[ \Theta_{F_i,\partial T}=a+b \] \[ \Theta_{F_i,\partial T}^2=a^2+2ab+b^2 \]").0, Word::Follows);
     assert_ne!(last(r"\[ \Theta_{\partial T}=a \] \[ \Theta_{\partial V}=a^2 \] \[ \Theta_{\partial T}=\sqrt{a^2} \]").0, Word::Wrong);

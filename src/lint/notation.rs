@@ -7,7 +7,7 @@ use std::ops::Deref;
 
 use latex::Logarithm;
 use meter::{Ended, Limits, Task};
-use paper::{DifferenceSigns, Notation, Paper, PaperName, PrintedSide, is_variable, unprimed};
+use paper::{DifferenceSigns, Notation, Paper, PaperName, PrintedSide, is_variable, names, unprimed};
 
 use super::letters::{Sizes, sizes};
 use super::refusal::NotRead;
@@ -24,6 +24,8 @@ pub struct Evidence {
     sizes: Sizes,
     /// Which signs of differences are something else somewhere.
     differences: DifferenceSigns,
+    /// Names with subscripts that stand in a sum with a bare number: `P_{r,i}+1`.
+    numbers: BTreeSet<String>,
     /// Whether hats may be those of operators.
     has_operators: bool,
     /// What `\log` is, where somebody says it.
@@ -48,7 +50,13 @@ impl Evidence {
         let (differences, logarithm) = (paper.differences.clone(), paper.logarithm);
         let (notation, limits) = (Notation::of(paper), limits.of_file(0));
         let has_operators = notation.is_quantum() && prints_operators(paper);
-        Evidence { names, notation, labelled, sizes, differences, has_operators, logarithm, limits }
+        let numbers = beside_numbers(paper);
+        Evidence { names, notation, labelled, sizes, differences, numbers, has_operators, logarithm, limits }
+    }
+
+    /// Whether a name is a number, and its subscripts are labels: it stands in a sum with a bare number, of which each term would have the index.
+    pub fn is_a_number(&self, key: &str) -> bool {
+        self.numbers.contains(key)
     }
 
     /// Whether hats may be those of operators.
@@ -141,4 +149,21 @@ impl Evidence {
         let is_matrix = |letter: &str| self.matrix_size(letter, side.span.start).is_some();
         self.notation.not_numbers(side).or_else(|| self.notation.unsure(side, &is_matrix)).map(NotRead::of)
     }
+}
+
+/// The names with letters below of which a sum with 1 stands alone in brackets, or in braces: `\frac{P_{r,i}}{1+P_{r,i}}`.
+fn beside_numbers(paper: &Paper) -> BTreeSet<String> {
+    let mut out = BTreeSet::new();
+    for side in paper.printed.iter().flat_map(|relation| &relation.sides) {
+        let text: String = side.text.chars().filter(|c| !c.is_whitespace()).collect();
+        let text = text.replace(r"\left", "").replace(r"\right", "");
+        if !["1+", "+1", "1-"].iter().any(|sum| text.contains(sum)) {
+            continue;
+        }
+        let is_alone = |sum: &str| [("{", "}"), ("(", ")")].iter().any(|(a, b)| text.contains(&format!("{a}{sum}{b}")));
+        let keys = names(side).into_iter().filter(|n| !n.index_letters().is_empty()).map(|n| n.key());
+        let sums = |key: &str| [format!("1+{key}"), format!("{key}+1"), format!("1-{key}")];
+        out.extend(keys.filter(|key| sums(key).iter().any(|sum| is_alone(sum))));
+    }
+    out
 }

@@ -10,7 +10,8 @@ use paper::{Call, PaperName, PrintedSide, cancels_by_order, names, order_counts}
 /// Letters by which sums run, where they stand twice.
 fn index_count(names: &[PaperName], evidence: &Evidence) -> BTreeMap<char, usize> {
     let mut out = BTreeMap::new();
-    for letter in names.iter().filter(|n| !evidence.is_labelled(&n.letter)).flat_map(PaperName::index_letters) {
+    let is_index = |n: &&PaperName| !evidence.is_labelled(&n.letter) && !evidence.is_a_number(&n.key());
+    for letter in names.iter().filter(is_index).flat_map(PaperName::index_letters) {
         *out.entry(letter).or_insert(0) += 1;
     }
     out

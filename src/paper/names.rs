@@ -322,9 +322,10 @@ impl Names {
         loop {
             match self.text(next) {
                 "'" => primes += 1,
-                "^" if matches!(self.text(next + 1), r"\prime" | "'") => {
-                    primes += 1;
-                    next += 1;
+                "^" if self.primes_above(next + 1) > 0 => {
+                    primes += self.primes_above(next + 1);
+                    next = self.unit(next + 1);
+                    continue;
                 }
                 "_" if subscript.is_none() && next < to => {
                     let end = self.script_end(next + 1);
@@ -402,6 +403,13 @@ impl Names {
             || STYLES.contains(&command)
             || DOTS.iter().any(|(d, _)| *d == command);
         at < to && !self.begins_cell(at) && (letter || text == "(" || is_letter_command(command) || styled)
+    }
+
+    /// How many primes a unit prints that has nothing else: `\prime`, `{\prime\prime}`.
+    fn primes_above(&self, at: usize) -> usize {
+        let (from, to) = self.inner(at);
+        let are_primes = (from..to).all(|i| matches!(self.text(i), r"\prime" | "'"));
+        if are_primes { to.saturating_sub(from) } else { 0 }
     }
 
     /// Whether a cell of a matrix ends before a mark, and another begins with it.
