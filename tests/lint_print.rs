@@ -79,7 +79,12 @@ fn a_display_that_begins_with_a_sign_goes_on_from_the_one_before() {
     assert_eq!(said(tex).iter().map(|s| s.0).collect::<Vec<_>>(), [Word::Defines, Word::Follows]);
     assert_eq!(last(r"\[ A=(a+b)^2 \] \[ =a^2-2ab+b^2 \]").0, Word::Wrong);
     // With anything between, or another file's, the side stays missing.
-    for tex in [r"\[ A=(a+b)^2. \] \[ =a^2 \]", r"\[ A=(a+b)^2 \] and \[ =a^2 \]", r"\[ =a^2 \]", r"\[ A=(a+b)^2 \] $x=1$ \[ =a^2 \]"] {
+    for tex in [
+        r"\[ A=(a+b)^2. \] \[ =a^2 \]",
+        r"\[ A=(a+b)^2 \] and \[ =a^2 \]",
+        r"\[ =a^2 \]",
+        r"\[ A=(a+b)^2 \] $x=1$ \[ =a^2 \]",
+    ] {
         assert_eq!(last(tex), (Word::NotRead, "a side that is missing".to_owned()), "{tex}");
     }
 }
@@ -129,13 +134,19 @@ fn primes_print_the_same_however_they_are_written() {
 #[test]
 fn a_sign_of_derivatives_may_stand_in_a_label() {
     assert_eq!(last(r"\[ \Theta_{F_i,\partial T}=a+b \] \[ \Theta_{F_i,\partial T}^2=a^2+2ab+b^2 \]").0, Word::Follows);
-    assert_ne!(last(r"\[ \Theta_{\partial T}=a \] \[ \Theta_{\partial V}=a^2 \] \[ \Theta_{\partial T}=\sqrt{a^2} \]").0, Word::Wrong);
+    assert_ne!(
+        last(r"\[ \Theta_{\partial T}=a \] \[ \Theta_{\partial V}=a^2 \] \[ \Theta_{\partial T}=\sqrt{a^2} \]").0,
+        Word::Wrong
+    );
 }
 
 #[test]
 fn upright_words_are_read_where_they_are_a_transpose_or_a_function() {
     let matrix = r"\[ A=\begin{pmatrix}a&b\\0&d\end{pmatrix} \] ";
-    assert_eq!(last(&format!(r"{matrix} \[ A^{{\text{{T}}}}=\begin{{pmatrix}}a&0\\b&d\end{{pmatrix}} \]")).0, Word::Follows);
+    assert_eq!(
+        last(&format!(r"{matrix} \[ A^{{\text{{T}}}}=\begin{{pmatrix}}a&0\\b&d\end{{pmatrix}} \]")).0,
+        Word::Follows
+    );
     assert_eq!(last(r"\[ x=\text{exp}\left(a+b\right)=e^ae^b \]").0, Word::Follows);
     // Of a name of which nothing shows that it is a matrix it is anything; what is no function is words.
     assert_eq!(last(r"\[ Q^{\text{T}}R=RQ^{\text{T}} \]").0, Word::NotRead);
@@ -144,21 +155,35 @@ fn upright_words_are_read_where_they_are_a_transpose_or_a_function() {
 
 #[test]
 fn a_bold_name_with_a_hat_is_a_vector_and_refuted_by_nothing() {
-    let (word, why) = last(r"\[ \mathbf{w}=(\hat{\mathbf{r}}+\mathbf{e})\times\hat{\mathbf{r}}=\mathbf{e}\times\hat{\mathbf{r}} \]");
+    let (word, why) =
+        last(r"\[ \mathbf{w}=(\hat{\mathbf{r}}+\mathbf{e})\times\hat{\mathbf{r}}=\mathbf{e}\times\hat{\mathbf{r}} \]");
     assert!(word == Word::Follows && why.contains("of any length"), "{word:?} {why}");
     // Its length is not any length, it may turn, it may be an operator.
     assert_ne!(last(r"\[ a=\hat{\mathbf{r}}\cdot\hat{\mathbf{r}}+b=1+b \]").0, Word::Wrong);
-    assert_ne!(last(r"\[ \mathbf{v}=r\hat{\mathbf{r}} \] \[ \dot{\mathbf{v}}=\dot r\hat{\mathbf{r}} \]").0, Word::Follows);
-    assert_eq!(last(r"\[ [\hat{\mathbf{x}},\hat{\mathbf{p}}]=i\hbar \] \[ \hat{\mathbf{p}}=m\mathbf{v} \]").0, Word::NotRead);
+    assert_ne!(
+        last(r"\[ \mathbf{v}=r\hat{\mathbf{r}} \] \[ \dot{\mathbf{v}}=\dot r\hat{\mathbf{r}} \]").0,
+        Word::Follows
+    );
+    assert_eq!(
+        last(r"\[ [\hat{\mathbf{x}},\hat{\mathbf{p}}]=i\hbar \] \[ \hat{\mathbf{p}}=m\mathbf{v} \]").0,
+        Word::NotRead
+    );
     assert_eq!(last(r"\[ \hat p\hat x=\hat x\hat p \]").0, Word::NotRead);
     // A vector may be called e, as well; and j a product of two of them.
-    assert_eq!(last(r"\[ \mathbf{w}=(\mathbf{e}+\mathbf{a})\times\mathbf{a}=\mathbf{e}\times\mathbf{a} \]").0, Word::Follows);
-    assert_eq!(last(r"\[ \mathbf{k}=\mathbf{e}_3e^{j\theta}=\mathbf{e}_3\cos\theta+\mathbf{e}_1\sin\theta \]").0, Word::NotRead);
+    assert_eq!(
+        last(r"\[ \mathbf{w}=(\mathbf{e}+\mathbf{a})\times\mathbf{a}=\mathbf{e}\times\mathbf{a} \]").0,
+        Word::Follows
+    );
+    assert_eq!(
+        last(r"\[ \mathbf{k}=\mathbf{e}_3e^{j\theta}=\mathbf{e}_3\cos\theta+\mathbf{e}_1\sin\theta \]").0,
+        Word::NotRead
+    );
 }
 
 #[test]
 fn nabla_of_a_paper_without_coordinates_is_that_of_any_fields() {
-    let (word, why) = last(r"\[ \mathbf{w}=\nabla\times(f\mathbf{E})=f\nabla\times\mathbf{E}+\nabla f\times\mathbf{E} \]");
+    let (word, why) =
+        last(r"\[ \mathbf{w}=\nabla\times(f\mathbf{E})=f\nabla\times\mathbf{E}+\nabla f\times\mathbf{E} \]");
     assert!(word == Word::Follows && why.contains("any fields"), "{word:?} {why}");
     assert_eq!(last(r"\[ q=\nabla\cdot(\nabla\times\mathbf{A})=0 \]").0, Word::Follows);
     // What is constant is not known: nothing is wrong, and what holds of constants alone does not follow.
@@ -217,4 +242,14 @@ fn a_sign_of_differences_ends_with_its_cell() {
     let tex = r"\[ M=\begin{pmatrix}\cos\delta & m\\ m & \cos\delta\end{pmatrix} \] \[ \delta=a+b \]";
     assert_eq!(said(tex).iter().map(|s| s.0).collect::<Vec<_>>(), [Word::Defines, Word::Defines], "{:?}", said(tex));
     assert_eq!(said(r"\[ M=a\delta m+b \] \[ \delta=a+b \]")[0].0, Word::NotRead);
+}
+
+/// What is read more generally than it is meant is refuted by points of which nothing was said.
+#[test]
+fn of_what_is_read_more_generally_nothing_is_wrong() {
+    let of = |u: &str| last(&format!(r"\[ A=({u}+b)^2+c={u}^2-2b{u}+b^2+c \]")).0;
+    assert_eq!(of("u"), Word::Wrong);
+    for u in [r"(\hat{\mathbf{r}}\cdot\mathbf{a})", r"(\nabla\cdot\mathbf{a})"] {
+        assert_eq!(of(u), Word::NotFollowed, "{u}");
+    }
 }

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use super::config::Config;
 use super::ending::Stop;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use rederive::Format;
 use rederive::check::{Limits, Rigor, WorkFactor};
 use rederive::latex::Logarithm;

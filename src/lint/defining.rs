@@ -11,12 +11,12 @@ use super::desk::{Desk, Given};
 use super::facts::Reach;
 use super::judge::Judge;
 use super::lone::{lone_name, unprimed};
+use super::refusal::NotRead;
 use super::relation::free_indices;
 use super::sentence::is_supposed;
 use super::signs::EQUALS;
 use super::standing::Standing;
 use super::step::IN_SENTENCE;
-use super::refusal::NotRead;
 
 impl Judge<'_> {
     /// Whether an equation before, in this section, has a name in it, or the definition of another name that it is said to be made of.

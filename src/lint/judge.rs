@@ -14,15 +14,15 @@ use super::facts::{Facts, Reach, Stated};
 use super::lone::{is_equation_of_motion, lone_name};
 use super::nearest::WrongStep;
 use super::notation::Evidence;
+use super::refusal::NotRead;
 use super::relation::{free_indices, gives_values, is_congruence, is_letter_at_place, lone_right};
 use super::sentence::{Sentence, explains, is_supposed, parts};
 use super::setting::Noted;
 use super::signs::{ABOUT, COMPARES, EQUALS, is_one_of};
+use super::space::General;
 use super::standing::{Standing, standings};
 use super::step::{Blame, Place, Step};
 use super::{Judgement, Lint, Word};
-use super::refusal::NotRead;
-use super::space::General;
 use paper::squeezed;
 
 /// Longest side, in bytes, that is looked at.
@@ -522,7 +522,10 @@ impl Judge<'_> {
         let is_proved = matches!(out.word, Word::Follows | Word::NotFollowed);
         let positive = (of_positive && is_proved).then(|| "where its constants are positive".to_owned());
         let general = general.words().filter(|_| is_proved);
-        let words = relation.described.as_ref().map(|words| format!("the words in the place of a side, “{words}”, are left out"));
+        let words = relation
+            .described
+            .as_ref()
+            .map(|words| format!("the words in the place of a side, “{words}”, are left out"));
         for more in [positive, general, words].into_iter().flatten() {
             out.why = if out.why.is_empty() { more } else { format!("{}; {more}", out.why) };
         }

@@ -270,12 +270,11 @@ pub fn is_place(places: &[String]) -> bool {
 
 fn words_outside(text: &str) -> bool {
     [r"\text", r"\mbox"].iter().any(|w| {
-        text.match_indices(w)
-            .any(|(i, _)| {
-                let before = text[..i].trim_end();
-                let is_label = before.ends_with(['_', '^']) || before.ends_with("_{") || before.ends_with("^{");
-                !is_label && !is_function(&text[i..])
-            })
+        text.match_indices(w).any(|(i, _)| {
+            let before = text[..i].trim_end();
+            let is_label = before.ends_with(['_', '^']) || before.ends_with("_{") || before.ends_with("^{");
+            !is_label && !is_function(&text[i..])
+        })
     })
 }
 

@@ -169,7 +169,8 @@ pub(super) fn free_indices(relation: &PrintedRelation) -> BTreeSet<char> {
 fn last_letters(name: &PaperName) -> Vec<char> {
     let own = name.index_letters();
     let Some(below) = name.subscript.as_deref().filter(|_| own.is_empty()) else { return own };
-    let all: Vec<char> = std::iter::once(',').chain(below.chars()).chain([',']).filter(|c| !c.is_whitespace()).collect();
+    let all: Vec<char> =
+        std::iter::once(',').chain(below.chars()).chain([',']).filter(|c| !c.is_whitespace()).collect();
     let ends = |c: char| matches!(c, ',' | '{' | '}' | '_');
     let alone = |w: &&[char]| "ijklmn".contains(w[1]) && ends(w[0]) && matches!(w[2], ',' | '}');
     all.windows(3).filter(alone).map(|w| w[1]).collect()

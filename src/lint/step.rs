@@ -15,9 +15,9 @@ use super::lone::{lone_name, unprimed};
 use super::nearest::{Sureness, WrongStep, introduces_nothing, is_slip_of, nearest};
 use super::numbers::agreement;
 use super::question::{Asked, Positive, Rests, ask};
+use super::refusal::NotRead;
 use super::relation::moved;
 use super::setting::keys;
-use super::refusal::NotRead;
 use super::space::General;
 
 /// Random points at which a step that is not proved is tried.

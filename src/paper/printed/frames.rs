@@ -27,7 +27,8 @@ const DEEPEST: usize = 4;
 
 /// A display without frames around relations.
 pub(super) fn opened(mut body: Vec<Token>) -> Vec<Token> {
-    let has_any = |t: &Token| t.kind == Kind::Command && (BOXES.contains(&t.text.as_str()) || arguments_of(t).is_some());
+    let has_any =
+        |t: &Token| t.kind == Kind::Command && (BOXES.contains(&t.text.as_str()) || arguments_of(t).is_some());
     for _ in 0..DEEPEST {
         if !body.iter().any(has_any) {
             break;
