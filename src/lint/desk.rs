@@ -238,6 +238,43 @@ fn only_letter(key: &str, given: &[&Given], evidence: &Evidence) -> Option<Strin
     is_plain.then_some(letter)
 }
 
+/// Whether what a step derives is known to depend on what it is derived by.
+fn rates_are_given(
+    all: &[PaperName],
+    given: &[&Given],
+    evidence: &Evidence,
+    time: Option<&str>,
+) -> Result<(), NotRead> {
+    if let Some(time) = time {
+        for one in given.iter().filter(|g| !g.is_rate) {
+            let is_derived =
+                |n: &PaperName| n.key() == one.key && (n.dots > 0 || n.derived_by.as_deref() == Some(time));
+            if all.iter().any(is_derived) && !varies(one, given, evidence, time) {
+                return Err(NotRead::of(format!("a rate of {}, which is defined by what has none", one.key)));
+            }
+        }
+    }
+    // The same of what is derived partially: that names in its definition do not depend on the variable is nowhere said.
+    for name in all.iter().filter(|n| n.is_partial) {
+        let Some(by) = &name.derived_by else { continue };
+        let key = name.key();
+        if given.iter().any(|g| g.key == key && !g.is_rate) && !names_variable(&key, by, given) {
+            return Err(NotRead::of(format!("a derivative of {key} by {by}, which its definition does not name")));
+        }
+    }
+    if time == Some("t") {
+        let rate_of = |n: &&PaperName| n.dots > 0 || n.derived_by.as_deref() == Some("t") && !n.is_partial;
+        let derived: Vec<String> = all.iter().filter(rate_of).map(PaperName::key).collect();
+        let is_known =
+            |key: &String| given.iter().any(|g| g.key == *key) || all.iter().any(|n| n.dots > 0 && n.key() == *key);
+        let is_unknown = |key: &String| key != "t" && evidence.varies(key) && !is_known(key);
+        if let Some(key) = inside(&derived, given).into_iter().find(is_unknown) {
+            return Err(NotRead::of(format!("a rate of {key}, which the paper does not give")));
+        }
+    }
+    Ok(())
+}
+
 /// What a lone `i` is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
@@ -292,33 +329,7 @@ impl Desk {
         if let Some(time) = &time {
             constants_apart(&mut all, evidence, time);
         }
-        if let Some(time) = &time {
-            for one in given.iter().filter(|g| !g.is_rate) {
-                let is_derived =
-                    |n: &PaperName| n.key() == one.key && (n.dots > 0 || n.derived_by.as_deref() == Some(time));
-                if all.iter().any(is_derived) && !varies(one, given, evidence, time) {
-                    return Err(NotRead::of(format!("a rate of {}, which is defined by what has none", one.key)));
-                }
-            }
-        }
-        // The same of what is derived partially: that names in its definition do not depend on the variable is nowhere said.
-        for name in all.iter().filter(|n| n.is_partial) {
-            let Some(by) = &name.derived_by else { continue };
-            let key = name.key();
-            if given.iter().any(|g| g.key == key && !g.is_rate) && !names_variable(&key, by, given) {
-                return Err(NotRead::of(format!("a derivative of {key} by {by}, which its definition does not name")));
-            }
-        }
-        if time.as_deref() == Some("t") {
-            let rate_of = |n: &&PaperName| n.dots > 0 || n.derived_by.as_deref() == Some("t") && !n.is_partial;
-            let derived: Vec<String> = all.iter().filter(rate_of).map(PaperName::key).collect();
-            let is_known =
-                |key: &String| given.iter().any(|g| g.key == *key) || all.iter().any(|n| n.dots > 0 && n.key() == *key);
-            let is_unknown = |key: &String| key != "t" && evidence.varies(key) && !is_known(key);
-            if let Some(key) = inside(&derived, given).into_iter().find(is_unknown) {
-                return Err(NotRead::of(format!("a rate of {key}, which the paper does not give")));
-            }
-        }
+        rates_are_given(&all, given, evidence, time.as_deref())?;
         // A prime of a function of one variable is its derivative; there, `t` has primes too.
         let has_derived_primes = all.iter().any(|n| primed_by(n, &all, given, evidence).is_some());
         let mut all: Vec<PaperName> = all
