@@ -23,6 +23,7 @@ use crate::derivation::{Claim, Derivation, is_called, parse};
 use crate::diag::escape::shown;
 use crate::diag::{Diagnostic, Source};
 use crate::findings::search::SearchAccount;
+use crate::latex::Logarithm;
 use crate::report;
 use crate::verdict::Residuals;
 use meter::{Ended, Task};
@@ -191,6 +192,13 @@ impl Session {
         // What is not declared here is not declared elsewhere.
         blank.scope.set_imaginary();
         Session::of(blank)
+    }
+
+    /// The same, where `\log` is this logarithm, whatever the file says.
+    #[must_use]
+    pub fn with_logarithm(mut self, logarithm: Logarithm) -> Session {
+        Arc::make_mut(&mut self.derivation).scope.set_logarithm(logarithm);
+        self
     }
 
     /// The derivation, as it was read.

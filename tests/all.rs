@@ -84,6 +84,7 @@ mod latex_spellings;
 mod latex_typeset;
 mod layering;
 mod lint;
+mod lint_print;
 mod lsp;
 mod maps;
 mod mcp;

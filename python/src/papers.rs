@@ -4,8 +4,10 @@
 
 use std::path::Path;
 
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use rederive::diag::{Diagnostic, escape};
+use rederive::latex::Logarithm;
 use rederive::{files, lint, paper, report};
 
 use super::{Limits, Wait, problems};
@@ -18,18 +20,27 @@ fn read(name: &str, text: Option<String>) -> Result<paper::Paper, Box<Diagnostic
     paper::read(&files::named(Path::new(name)).map_err(unreadable)?)
 }
 
+/// What `\log` is, by its name.
+fn logarithm(name: Option<&str>) -> PyResult<Option<Logarithm>> {
+    let unknown = || PyValueError::new_err("`log` is \"natural\" or \"decimal\"");
+    name.map(|name| Logarithm::named(name).ok_or_else(unknown)).transpose()
+}
+
 /// Looks through the paper `name`, or through a text of that name.
 #[pyfunction]
-#[pyo3(signature = (name, text=None, deadline=None))]
+#[pyo3(signature = (name, text=None, deadline=None, log=None))]
 pub(super) fn lint_paper(
     py: Python<'_>,
     name: String,
     text: Option<String>,
     deadline: Option<f64>,
+    log: Option<String>,
 ) -> PyResult<(String, Vec<String>, String)> {
+    let logarithm = logarithm(log.as_deref())?;
     let limits = Limits { deadline: Limits::after(deadline), ..Limits::default() };
     let found = Wait { until: limits.deadline, ..Wait::default() }.compute(py, move || {
-        let paper = read(&name, text)?;
+        let mut paper = read(&name, text)?;
+        paper.logarithm = logarithm;
         let found = lint::lint(&paper, &limits);
         let document = escape::in_json(&report::lint_document(&paper, &found).to_string());
         Ok::<_, Box<Diagnostic>>((document, report::lint_formulas(&paper, &found), report::lint_page(&paper, &found)))

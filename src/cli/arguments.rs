@@ -3,9 +3,12 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
+use super::config::Config;
+use super::ending::Stop;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use rederive::Format;
 use rederive::check::{Limits, Rigor, WorkFactor};
+use rederive::latex::Logarithm;
 
 /// One of some values, each with its name and with what it is.
 pub fn one_of<T: Clone + Send + Sync + 'static>(
@@ -37,6 +40,20 @@ pub struct RigorArgument {
     /// How much is asked of a verdict
     #[arg(long, value_parser = one_of(Rigor::ALL.map(|r| (r.words().0, r.words().1, r))), default_value = "enclosed")]
     pub rigor: Rigor,
+}
+
+#[derive(clap::Args)]
+pub struct LogarithmArgument {
+    /// What `\log` is; unless given, what `rederive.toml` says, or else it is not read
+    #[arg(long = "log", value_name = "WHICH", value_parser = one_of(Logarithm::ALL))]
+    log: Option<Logarithm>,
+}
+
+impl LogarithmArgument {
+    /// What the command line says, or else the configuration.
+    pub fn or_configured(&self) -> Result<Option<Logarithm>, Stop> {
+        self.log.map_or_else(|| Ok(Config::find()?.log), |said| Ok(Some(said)))
+    }
 }
 
 #[derive(clap::Args)]

@@ -12,6 +12,7 @@ use rederive::Failure;
 use rederive::check::Rigor;
 use rederive::diag::{Diagnostic, Source};
 use rederive::files;
+use rederive::latex::Logarithm;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -30,6 +31,8 @@ pub struct Config {
     pub files: Vec<PathBuf>,
     /// How much is asked of a verdict.
     pub rigor: Option<Rigor>,
+    /// What `\log` is in papers, and in what is proved without a file.
+    pub log: Option<Logarithm>,
 }
 
 impl Config {
@@ -90,9 +93,14 @@ fn read(path: &Path, text: String, table: &[&str], folder: Option<&Path>) -> Res
                 config.rigor =
                     Some(found.ok_or_else(|| problem(span, format!("`rigor` is one of {}", names.join(", "))))?);
             }
+            "log" => {
+                let found = value.get_ref().as_str().and_then(Logarithm::named);
+                let names = Logarithm::ALL.map(|(name, ..)| name).join(", ");
+                config.log = Some(found.ok_or_else(|| problem(span, format!("`log` is one of {names}")))?);
+            }
             other => {
                 let other = rederive::diag::escape::in_one_line(other);
-                let message = format!("the key `{other}` is not known; there are `sources`, `files`, `rigor`");
+                let message = format!("the key `{other}` is not known; there are `sources`, `files`, `rigor`, `log`");
                 return Err(problem(key.span(), message));
             }
         }

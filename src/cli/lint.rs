@@ -12,7 +12,7 @@ use rederive::paper::{self, Paper};
 use rederive::report::{self, github, lint_findings, sarif};
 use rederive::{Ending, Failure, Format, files};
 
-use super::arguments::{LimitArguments, printed_as};
+use super::arguments::{LimitArguments, LogarithmArgument, printed_as};
 use super::config::Config;
 use super::ending::{Stop, as_json, print, say, say_problems};
 
@@ -59,6 +59,8 @@ pub struct LintArguments {
     #[arg(long, value_name = "FILE", requires = "format", conflicts_with = "watch")]
     output: Option<PathBuf>,
     #[command(flatten)]
+    log: LogarithmArgument,
+    #[command(flatten)]
     limits: LimitArguments,
 }
 
@@ -85,9 +87,11 @@ pub fn lint(arguments: &LintArguments) -> Result<Ending, Stop> {
 /// Looks through papers, and says what was found.
 fn once(arguments: &LintArguments, papers: &[PathBuf]) -> Result<Ending, Stop> {
     let limits = arguments.limits.begun();
+    let logarithm = arguments.log.or_configured()?;
     let mut all = Vec::new();
     for path in papers {
-        let paper = read(path)?;
+        let mut paper = read(path)?;
+        paper.logarithm = logarithm;
         let found = lint::lint(&paper, &limits);
         all.push((paper, found));
     }

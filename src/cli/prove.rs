@@ -6,7 +6,7 @@ use clap::ArgAction;
 use rederive::check::Proposition;
 use rederive::{Ending, Failure, Format, Question, Session};
 
-use super::arguments::{LimitArguments, one_of, printed_as};
+use super::arguments::{LimitArguments, LogarithmArgument, one_of, printed_as};
 use super::ending::{Stop, print, say};
 use super::files::session;
 
@@ -61,12 +61,20 @@ pub struct ProveArguments {
     #[arg(long, value_parser = printed_as(&[Format::Text, Format::Json]), default_value = "text")]
     format: Format,
     #[command(flatten)]
+    log: LogarithmArgument,
+    #[command(flatten)]
     limits: LimitArguments,
 }
 
 pub fn prove(arguments: &ProveArguments) -> Result<Ending, Stop> {
     let limits = arguments.limits.begun();
-    let session = arguments.file.as_ref().map_or_else(|| Ok(Session::blank()), |path| session(path))?;
+    let session = match &arguments.file {
+        Some(path) => session(path)?,
+        None => {
+            let logarithm = arguments.log.or_configured()?;
+            logarithm.into_iter().fold(Session::blank(), Session::with_logarithm)
+        }
+    };
     let proposition = Proposition {
         formula: arguments.formula.clone(),
         given: arguments.given.clone(),

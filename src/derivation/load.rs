@@ -280,10 +280,10 @@ impl<'s> Loader<'s> {
                     for (key, value) in entries {
                         if let Some(text) = text_of(problems, value, key.get_ref()) {
                             if key.get_ref() == "log" {
-                                match text.trim() {
-                                    "natural" => self.out.scope.set_logarithm(Logarithm::Natural),
-                                    "decimal" => self.out.scope.set_logarithm(Logarithm::Decimal),
-                                    other => {
+                                match Logarithm::named(text.trim()) {
+                                    Some(which) => self.out.scope.set_logarithm(which),
+                                    None => {
+                                        let other = text.trim();
                                         let message = format!("`log` is `natural` or `decimal`, not `{other}`");
                                         problems.note("derivation::wrong-type", value.span(), message);
                                     }

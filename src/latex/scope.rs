@@ -98,6 +98,19 @@ pub enum Logarithm {
     Decimal,
 }
 
+impl Logarithm {
+    /// All, each with its name and with what it is.
+    pub const ALL: [(&'static str, &'static str, Logarithm); 2] = [
+        ("natural", "The natural one, `\\ln`", Logarithm::Natural),
+        ("decimal", "That of base 10", Logarithm::Decimal),
+    ];
+
+    /// The one of a name.
+    pub fn named(name: &str) -> Option<Logarithm> {
+        Logarithm::ALL.iter().find(|(of, ..)| *of == name).map(|(.., which)| *which)
+    }
+}
+
 /// The signs of a metric: which of time and space counts positive, by a convention of the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Signature {

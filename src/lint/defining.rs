@@ -7,10 +7,11 @@ use std::collections::BTreeSet;
 
 use paper::{PrintedRelation, PrintedSide, names, squeezed};
 
-use super::desk::{Desk, Given, NotRead};
+use super::desk::{Desk, Given};
 use super::facts::Reach;
 use super::judge::Judge;
 use super::lone::{lone_name, unprimed};
+use super::refusal::NotRead;
 use super::relation::free_indices;
 use super::sentence::is_supposed;
 use super::signs::EQUALS;

@@ -12,40 +12,16 @@ use super::lone::{bare, undotted, unprimed};
 use super::obstacle::{is_place, obstacle};
 use expr::{Expr, Graph, Leaf, Symbol};
 use latex::{Declaration, Role, Scope, Statement};
-use meter::{Ended, Limits};
+use meter::Limits;
 use paper::{Call, Paper, PaperName, PrintedSide, names};
 
 use super::notation::Evidence;
+use super::refusal::{NotRead, refusal, refused};
+use super::space::{General, coordinates_for};
 use paper::squeezed;
 
 /// Longest side, in bytes, that is looked at for evidence.
 const LONGEST_SIDE: usize = 20_000;
-
-/// Why a formula was not read: the feature that is not understood, and a sentence.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NotRead {
-    /// The feature, in few words: `an integral`, `an operator`.
-    pub feature: String,
-    /// What the reader of formulas says, where it was asked.
-    pub why: Option<String>,
-    /// The limit that ended the work on it: of the formula itself nothing is said.
-    pub ended: Option<Ended>,
-}
-
-impl NotRead {
-    /// A feature that was seen.
-    pub fn of(feature: impl Into<String>) -> NotRead {
-        NotRead { feature: feature.into(), why: None, ended: None }
-    }
-
-    /// Nothing was found out, since the work was ended.
-    pub fn ended(by: Ended) -> NotRead {
-        match by {
-            Ended::Defect(what) => NotRead { why: Some(what), ..NotRead::of("a defect of this program") },
-            by => NotRead { ended: Some(by.clone()), ..NotRead::of(by.to_string()) },
-        }
-    }
-}
 
 /// A formula with the key that it defines, or of which it gives the rate.
 #[derive(Clone, Debug)]
@@ -78,6 +54,8 @@ pub struct Desk {
     pub scalars: Vec<(String, Symbol, bool)>,
     /// Whether the imaginary unit occurs: then the names may be complex.
     pub is_complex: bool,
+    /// What is read more generally than it is meant: what refutes it then says nothing.
+    pub general: General,
     /// The relations whose definitions were used.
     pub used: Vec<usize>,
     /// The limits of questions: all of a paper together may take as much as a file may.
@@ -91,6 +69,9 @@ fn variable(all: &[PaperName], given: &[&Given], evidence: &Evidence) -> Result<
         if let Some(by) = primed_by(name, all, given, evidence) {
             found.insert(by);
         }
+        if is_value(name) {
+            found.extend(variable_here(name, all, evidence));
+        }
         if name.dots > 0 {
             found.insert("t".to_owned());
         }
@@ -102,6 +83,22 @@ fn variable(all: &[PaperName], given: &[&Given], evidence: &Evidence) -> Result<
         0 => Ok(None),
         1 => Ok(found.pop_first()),
         _ => Err(NotRead::of("derivatives by several variables")),
+    }
+}
+
+/// Whether a name stands at a number: `y(0)`.
+fn is_value(name: &PaperName) -> bool {
+    matches!(&name.call, Call::Places(places) if places.len() == 1 && !is_place(places))
+}
+
+/// The variable of a name that stands at a number: that of a step, or, where the step has none, which of them it is does not matter.
+fn variable_here(name: &PaperName, all: &[PaperName], evidence: &Evidence) -> Option<String> {
+    let known = evidence.variables_of(name);
+    let mut here = known.keys().filter(|by| all.iter().any(|n| n.key() == **by));
+    match (here.next(), here.next()) {
+        (Some(one), None) => Some(one.clone()),
+        (Some(_), Some(_)) => None,
+        (None, _) => known.into_iter().max_by_key(|(by, n)| (*n, std::cmp::Reverse(by.clone()))).map(|(by, _)| by),
     }
 }
 
@@ -209,10 +206,13 @@ fn primed_by(name: &PaperName, all: &[PaperName], given: &[&Given], evidence: &E
             *seen.entry(one).or_default() += n;
         }
     }
-    for by in evidence.derived.get(&key).into_iter().flatten() {
-        *seen.entry(by).or_default() += 1;
+    let primed = evidence.primed_places.get(&key).into_iter().flatten().map(|(by, n)| (by.as_str(), *n));
+    let derived = evidence.derived.get(&key).into_iter().flatten().map(|by| (by.as_str(), 1));
+    for (by, n) in primed.chain(derived) {
+        *seen.entry(by).or_default() += n;
     }
-    seen.retain(|v, _| v.chars().count() == 1 && v.chars().all(char::is_alphabetic));
+    // Of a derivative of what stands in brackets, `\frac{d}{dx}[\cosh x]`, the variable is inside.
+    seen.retain(|v, _| *v != key && v.chars().count() == 1 && v.chars().all(char::is_alphabetic));
     let here: Vec<&str> = seen.keys().copied().filter(|v| all.iter().any(|n| n.key() == *v)).collect();
     match here.as_slice() {
         [one] => Some((*one).to_owned()),
@@ -236,6 +236,43 @@ fn only_letter(key: &str, given: &[&Given], evidence: &Evidence) -> Option<Strin
         && of(&letter).is_none()
         && ![key, &letter].iter().any(|k| evidence.dotted.contains(*k));
     is_plain.then_some(letter)
+}
+
+/// Whether what a step derives is known to depend on what it is derived by.
+fn rates_are_given(
+    all: &[PaperName],
+    given: &[&Given],
+    evidence: &Evidence,
+    time: Option<&str>,
+) -> Result<(), NotRead> {
+    if let Some(time) = time {
+        for one in given.iter().filter(|g| !g.is_rate) {
+            let is_derived =
+                |n: &PaperName| n.key() == one.key && (n.dots > 0 || n.derived_by.as_deref() == Some(time));
+            if all.iter().any(is_derived) && !varies(one, given, evidence, time) {
+                return Err(NotRead::of(format!("a rate of {}, which is defined by what has none", one.key)));
+            }
+        }
+    }
+    // The same of what is derived partially: that names in its definition do not depend on the variable is nowhere said.
+    for name in all.iter().filter(|n| n.is_partial) {
+        let Some(by) = &name.derived_by else { continue };
+        let key = name.key();
+        if given.iter().any(|g| g.key == key && !g.is_rate) && !names_variable(&key, by, given) {
+            return Err(NotRead::of(format!("a derivative of {key} by {by}, which its definition does not name")));
+        }
+    }
+    if time == Some("t") {
+        let rate_of = |n: &&PaperName| n.dots > 0 || n.derived_by.as_deref() == Some("t") && !n.is_partial;
+        let derived: Vec<String> = all.iter().filter(rate_of).map(PaperName::key).collect();
+        let is_known =
+            |key: &String| given.iter().any(|g| g.key == *key) || all.iter().any(|n| n.dots > 0 && n.key() == *key);
+        let is_unknown = |key: &String| key != "t" && evidence.varies(key) && !is_known(key);
+        if let Some(key) = inside(&derived, given).into_iter().find(is_unknown) {
+            return Err(NotRead::of(format!("a rate of {key}, which the paper does not give")));
+        }
+    }
+    Ok(())
 }
 
 /// What a lone `i` is.
@@ -292,34 +329,9 @@ impl Desk {
         if let Some(time) = &time {
             constants_apart(&mut all, evidence, time);
         }
-        if let Some(time) = &time {
-            for one in given.iter().filter(|g| !g.is_rate) {
-                let is_derived =
-                    |n: &PaperName| n.key() == one.key && (n.dots > 0 || n.derived_by.as_deref() == Some(time));
-                if all.iter().any(is_derived) && !varies(one, given, evidence, time) {
-                    return Err(NotRead::of(format!("a rate of {}, which is defined by what has none", one.key)));
-                }
-            }
-        }
-        // The same of what is derived partially: that names in its definition do not depend on the variable is nowhere said.
-        for name in all.iter().filter(|n| n.is_partial) {
-            let Some(by) = &name.derived_by else { continue };
-            let key = name.key();
-            if given.iter().any(|g| g.key == key && !g.is_rate) && !names_variable(&key, by, given) {
-                return Err(NotRead::of(format!("a derivative of {key} by {by}, which its definition does not name")));
-            }
-        }
-        if time.as_deref() == Some("t") {
-            let rate_of = |n: &&PaperName| n.dots > 0 || n.derived_by.as_deref() == Some("t") && !n.is_partial;
-            let derived: Vec<String> = all.iter().filter(rate_of).map(PaperName::key).collect();
-            let is_known =
-                |key: &String| given.iter().any(|g| g.key == *key) || all.iter().any(|n| n.dots > 0 && n.key() == *key);
-            let is_unknown = |key: &String| key != "t" && evidence.varies(key) && !is_known(key);
-            if let Some(key) = inside(&derived, given).into_iter().find(is_unknown) {
-                return Err(NotRead::of(format!("a rate of {key}, which the paper does not give")));
-            }
-        }
+        rates_are_given(&all, given, evidence, time.as_deref())?;
         // A prime of a function of one variable is its derivative; there, `t` has primes too.
+        let has_derived_primes = all.iter().any(|n| primed_by(n, &all, given, evidence).is_some());
         let mut all: Vec<PaperName> = all
             .iter()
             .map(|n| match primed_by(n, &all, given, evidence) {
@@ -331,7 +343,10 @@ impl Desk {
             all.sort_by_key(|n| n.derived_by.is_none());
         }
         let mut graph = Graph::new();
-        let scope = Scope::new(&mut graph);
+        let mut scope = Scope::new(&mut graph);
+        if let Some(logarithm) = evidence.logarithm() {
+            scope.set_logarithm(logarithm);
+        }
         let mut desk = Desk {
             graph,
             scope,
@@ -339,6 +354,7 @@ impl Desk {
             moving: Vec::new(),
             scalars: Vec::new(),
             is_complex: false,
+            general: General { fields: false, vectors: all.iter().any(|n| n.has_hat) },
             used: Vec::new(),
             limits: evidence.limits().clone(),
         };
@@ -358,8 +374,16 @@ impl Desk {
                 desk.scope.declare(&mut desk.graph, "e", Declaration::of(Role::Parameter)).map_err(refused)?;
             desk.scalars.push(("e".to_owned(), declared, true));
         }
+        // Of what the paper shows as a function a prime derives, also by the time.
+        if time.is_some() && has_derived_primes {
+            desk.scope.set_primes();
+        }
         let place = sides.first().map_or(0, |s| s.span.start);
-        desk.declare(&all, given, (evidence, place), time.as_deref())?;
+        let by: BTreeSet<String> = all.iter().filter(|n| n.is_partial).filter_map(|n| n.derived_by.clone()).collect();
+        let printed = || sides.iter().copied().chain(given.iter().map(|g| &g.right));
+        let space = coordinates_for(printed(), &by, time.as_deref());
+        desk.general.fields = !space.is_empty();
+        desk.declare(&all, given, (evidence, place), time.as_deref(), space)?;
         Ok(desk)
     }
 
@@ -369,10 +393,11 @@ impl Desk {
         given: &[&Given],
         (evidence, place): (&Evidence, usize),
         time: Option<&str>,
+        space: &[&str],
     ) -> Result<(), NotRead> {
         let defined: BTreeSet<&str> = given.iter().filter(|g| !g.is_rate).map(|g| g.key.as_str()).collect();
         // By what something that is not defined is derived partially: the coordinates.
-        let mut coordinates: BTreeSet<String> = BTreeSet::new();
+        let mut coordinates: BTreeSet<String> = space.iter().map(|&by| by.to_owned()).collect();
         for name in all.iter().filter(|n| n.is_partial) {
             let key = name.key();
             if !defined.contains(key.as_str()) {
@@ -396,12 +421,12 @@ impl Desk {
                 || Some(key.as_str()) == time
                 || coordinates.contains(&key)
                 || defined.contains(key.as_str())
-                || name.letter == "e" && name.base != "e"
+                || name.letter == "e" && name.base != "e" && !name.is_bold
                 || key == r"\pi";
             if skipped {
                 continue;
             }
-            let (declared, moves, is_field) = self.role_of(name, &key, all, evidence, time, &coordinates)?;
+            let (declared, moves, is_field) = self.role_of(name, &key, all, evidence, time, (&coordinates, space))?;
             if !seen.insert(declared.clone()) {
                 continue;
             }
@@ -447,9 +472,11 @@ impl Desk {
         all: &[PaperName],
         evidence: &Evidence,
         time: Option<&str>,
-        coordinates: &BTreeSet<String>,
+        (coordinates, space): (&BTreeSet<String>, &[&str]),
     ) -> Result<(String, bool, bool), NotRead> {
-        if is_field(name, key, all, evidence, coordinates) {
+        // Of ∇ everything is a field; and a unit vector may turn.
+        let is_any = !space.is_empty() || name.has_hat && !coordinates.is_empty();
+        if is_any || is_field(name, key, all, evidence, coordinates) {
             let places: Vec<String> = coordinates
                 .iter()
                 .cloned()
@@ -463,6 +490,8 @@ impl Desk {
                 || t == "t" && evidence.moving.contains(key)
                 || t != "t" && evidence.derived.get(key).is_some_and(|by| by.contains(t))
                 || evidence.calls.get(key).is_some_and(|c| c.contains_key(&Some(vec![t.to_owned()])))
+                || name.has_hat
+                || all.iter().filter(here).any(is_value) && evidence.variables_of(name).contains_key(t)
         });
         let places: BTreeSet<&Vec<String>> = all
             .iter()
@@ -563,26 +592,4 @@ fn is_field(
     let paper = evidence.partial.get(key).is_some_and(|by| by.iter().any(|b| coordinates.contains(b)));
     let place = matches!(&name.call, Call::Places(p) if p.iter().any(|p| coordinates.contains(p)));
     here || paper || place
-}
-
-fn refused(error: latex::DeclareError) -> NotRead {
-    match error {
-        latex::DeclareError::Key(problem) => refusal(&[problem]),
-        latex::DeclareError::Formula(problems) => refusal(&problems),
-    }
-}
-
-/// A refusal of the reader of formulas as data.
-fn refusal(problems: &[diag::Problem]) -> NotRead {
-    let Some(first) = problems.first() else { return NotRead::of("something") };
-    let feature = match first.code {
-        "latex::unknown-symbol" => "a name",
-        "latex::unknown-command" => "a command",
-        "latex::bad-name" => "a name",
-        "latex::index" | "latex::double-script" => "indices",
-        "latex::shape" => "vectors and numbers in one sum, or in one product",
-        "latex::ambiguous" => "something with two readings",
-        _ => "a notation",
-    };
-    NotRead { why: Some(first.message.clone()), ..NotRead::of(feature) }
 }

@@ -9,15 +9,17 @@ use paper::{Opening, Paper, PrintedRelation, PrintedSide, names};
 use super::blame::OfStep;
 use super::cases::{Cases, Stance};
 use super::chain::{Slip, said};
-use super::desk::{Given, NotRead, evidence_of};
+use super::desk::{Given, evidence_of};
 use super::facts::{Facts, Reach, Stated};
 use super::lone::{is_equation_of_motion, lone_name};
 use super::nearest::WrongStep;
 use super::notation::Evidence;
+use super::refusal::NotRead;
 use super::relation::{free_indices, gives_values, is_congruence, is_letter_at_place, lone_right};
 use super::sentence::{Sentence, explains, is_supposed, parts};
 use super::setting::Noted;
 use super::signs::{ABOUT, COMPARES, EQUALS, is_one_of};
+use super::space::General;
 use super::standing::{Standing, standings};
 use super::step::{Blame, Place, Step};
 use super::{Judgement, Lint, Word};
@@ -94,6 +96,8 @@ struct Tally {
     numbers: usize,
     /// Whether a proof is one for positive names.
     of_positive: bool,
+    /// What proofs read more generally than it is meant.
+    general: General,
     /// Whether a name is defined.
     defines: bool,
     /// The relation that defined it before.
@@ -372,6 +376,7 @@ impl Judge<'_> {
                     tally.follows += 1;
                     out.steps.0 += 1;
                     tally.of_positive |= support.of_positive;
+                    tally.general = tally.general.or(support.general);
                     out.with.extend(support.with);
                     if defining {
                         tally.defines = false;
@@ -461,7 +466,7 @@ impl Judge<'_> {
         out.with.sort_unstable();
         out.with.dedup();
         out.with.retain(|w| *w != at);
-        let Tally { mut open, unread, follows, numbers, of_positive, defines, anew, differs } = tally;
+        let Tally { mut open, unread, follows, numbers, of_positive, general, defines, anew, differs } = tally;
         let undecided = out.steps.1 - follows - numbers;
         if let Some(found) = unread {
             out.why = match &found.why {
@@ -514,8 +519,14 @@ impl Judge<'_> {
             };
             out.with.push(before);
         }
-        if of_positive && matches!(out.word, Word::Follows | Word::NotFollowed) {
-            let more = "where its constants are positive".to_owned();
+        let is_proved = matches!(out.word, Word::Follows | Word::NotFollowed);
+        let positive = (of_positive && is_proved).then(|| "where its constants are positive".to_owned());
+        let general = general.words().filter(|_| is_proved);
+        let words = relation
+            .described
+            .as_ref()
+            .map(|words| format!("the words in the place of a side, “{words}”, are left out"));
+        for more in [positive, general, words].into_iter().flatten() {
             out.why = if out.why.is_empty() { more } else { format!("{}; {more}", out.why) };
         }
         let value = relation.sides.len() == 2

@@ -30,6 +30,7 @@ mod notation;
 mod numbers;
 mod obstacle;
 mod question;
+mod refusal;
 mod relation;
 mod root;
 mod sentence;
@@ -37,6 +38,7 @@ mod setting;
 mod shown;
 mod signs;
 mod slips;
+mod space;
 mod standing;
 mod step;
 #[cfg(test)]
@@ -47,8 +49,8 @@ use std::ops::Range;
 
 use paper::Paper;
 
-pub use desk::NotRead;
 pub use judge::lint;
+pub use refusal::NotRead;
 pub use shown::{at_a_point, decimal, diagnostic, explained, lint_text, nothing_tested, summary};
 pub use typeset::{Typeset, typesetting};
 

@@ -2,14 +2,16 @@
 //!
 //! **In:** a paper. **Out:** an [`Evidence`]. **Guaranteed:** nothing is decided here.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Deref;
 
+use latex::Logarithm;
 use meter::{Ended, Limits, Task};
-use paper::{DifferenceSigns, Notation, Paper, PaperName, PrintedSide};
+use paper::{DifferenceSigns, Notation, Paper, PaperName, PrintedSide, is_variable, names, unprimed};
 
-use super::desk::NotRead;
 use super::letters::{Sizes, sizes};
+use super::refusal::NotRead;
+use super::space::prints_operators;
 
 /// What the whole paper shows of its names and of its notation.
 #[derive(Clone, Debug, Default)]
@@ -22,6 +24,12 @@ pub struct Evidence {
     sizes: Sizes,
     /// Which signs of differences are something else somewhere.
     differences: DifferenceSigns,
+    /// Names with subscripts that stand in a sum with a bare number: `P_{r,i}+1`.
+    numbers: BTreeSet<String>,
+    /// Whether hats may be those of operators.
+    has_operators: bool,
+    /// What `\log` is, where somebody says it.
+    logarithm: Option<Logarithm>,
     /// The work of the paper.
     limits: Limits,
 }
@@ -39,8 +47,46 @@ impl Evidence {
         let labelled = names.subscripts.iter().filter(|(_, all)| all.have_label()).map(|(letter, _)| letter.clone());
         let labelled = labelled.collect();
         let sizes = sizes(paper);
-        let differences = paper.differences.clone();
-        Evidence { names, notation: Notation::of(paper), labelled, sizes, differences, limits: limits.of_file(0) }
+        let (differences, logarithm) = (paper.differences.clone(), paper.logarithm);
+        let (notation, limits) = (Notation::of(paper), limits.of_file(0));
+        let has_operators = notation.is_quantum() && prints_operators(paper);
+        let numbers = beside_numbers(paper);
+        Evidence { names, notation, labelled, sizes, differences, numbers, has_operators, logarithm, limits }
+    }
+
+    /// Whether a name is a number, and its subscripts are labels: it stands in a sum with a bare number, of which each term would have the index.
+    pub fn is_a_number(&self, key: &str) -> bool {
+        self.numbers.contains(key)
+    }
+
+    /// Whether hats may be those of operators.
+    pub fn has_operators_with_hats(&self) -> bool {
+        self.has_operators
+    }
+
+    /// The variables of which the paper shows a name to be a function, and how often: by a place behind it, with primes or without, or a derivative.
+    pub fn variables_of(&self, name: &PaperName) -> BTreeMap<String, usize> {
+        let bare = unprimed(name);
+        let mut out: BTreeMap<String, usize> = BTreeMap::new();
+        for (places, n) in self.names.calls.get(&bare).into_iter().flatten() {
+            if let Some([one]) = places.as_deref()
+                && is_variable(one)
+            {
+                *out.entry(one.clone()).or_default() += n;
+            }
+        }
+        let primed = self.names.primed_places.get(&bare).into_iter().flatten().map(|(by, n)| (by.clone(), *n));
+        let derived = self.names.derived.get(&bare).into_iter().flatten().map(|by| (by.clone(), 1));
+        for (by, n) in primed.chain(derived) {
+            *out.entry(by).or_default() += n;
+        }
+        out.remove(&bare);
+        out
+    }
+
+    /// What `\log` is, where somebody says it.
+    pub fn logarithm(&self) -> Option<Logarithm> {
+        self.logarithm
     }
 
     /// The limits of the questions of the paper, with one total for all of them.
@@ -100,6 +146,24 @@ impl Evidence {
 
     /// What keeps a side from being read as numbers: nothing is declared of its names.
     pub fn obstacle(&self, side: &PrintedSide) -> Option<NotRead> {
-        self.notation.not_numbers(side).or_else(|| self.notation.unsure(side)).map(NotRead::of)
+        let is_matrix = |letter: &str| self.matrix_size(letter, side.span.start).is_some();
+        self.notation.not_numbers(side).or_else(|| self.notation.unsure(side, &is_matrix)).map(NotRead::of)
     }
+}
+
+/// The names with letters below of which a sum with 1 stands alone in brackets, or in braces: `\frac{P_{r,i}}{1+P_{r,i}}`.
+fn beside_numbers(paper: &Paper) -> BTreeSet<String> {
+    let mut out = BTreeSet::new();
+    for side in paper.printed.iter().flat_map(|relation| &relation.sides) {
+        let text: String = side.text.chars().filter(|c| !c.is_whitespace()).collect();
+        let text = text.replace(r"\left", "").replace(r"\right", "");
+        if !["1+", "+1", "1-"].iter().any(|sum| text.contains(sum)) {
+            continue;
+        }
+        let is_alone = |sum: &str| [("{", "}"), ("(", ")")].iter().any(|(a, b)| text.contains(&format!("{a}{sum}{b}")));
+        let keys = names(side).into_iter().filter(|n| !n.index_letters().is_empty()).map(|n| n.key());
+        let sums = |key: &str| [format!("1+{key}"), format!("{key}+1"), format!("1-{key}")];
+        out.extend(keys.filter(|key| sums(key).iter().any(|sum| is_alone(sum))));
+    }
+    out
 }

@@ -2,14 +2,16 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::desk::NotRead;
 use super::notation::Evidence;
+use super::refusal::NotRead;
+use super::space::is_vector_with_hat;
 use paper::{Call, PaperName, PrintedSide, cancels_by_order, names, order_counts};
 
 /// Letters by which sums run, where they stand twice.
 fn index_count(names: &[PaperName], evidence: &Evidence) -> BTreeMap<char, usize> {
     let mut out = BTreeMap::new();
-    for letter in names.iter().filter(|n| !evidence.is_labelled(&n.letter)).flat_map(PaperName::index_letters) {
+    let is_index = |n: &&PaperName| !evidence.is_labelled(&n.letter) && !evidence.is_a_number(&n.key());
+    for letter in names.iter().filter(is_index).flat_map(PaperName::index_letters) {
         *out.entry(letter).or_insert(0) += 1;
     }
     out
@@ -132,15 +134,18 @@ pub fn obstacle(
         if name.is_difference || evidence.is_unsure_difference(name) {
             return Some(NotRead::of("a differential or a difference"));
         }
-        if name.has_hat {
+        if name.has_hat && !is_vector_with_hat(name, evidence) {
             return Some(NotRead::of("a hat: an operator, or a unit vector"));
+        }
+        if evidence.has_complex_j && name.key() == "j" {
+            return Some(NotRead::of("j, which may be the imaginary unit"));
         }
         let known = evidence.calls.get(&name.key());
         // `f(0)f(1)`: a number in parentheses is a place as often as a factor.
         let is_number = |p: &String| p.chars().all(|c| c.is_ascii_digit());
         if matches!(&name.call, Call::Places(places) if places.iter().all(is_number)) && name.letter != r"\pi" {
-            let is_function = known.is_some_and(|calls| calls.keys().flatten().any(|p| is_place(p)));
-            if !is_function {
+            let is_called = known.is_some_and(|calls| calls.keys().flatten().any(|p| is_place(p)));
+            if !is_called && evidence.variables_of(name).is_empty() {
                 return Some(NotRead::of("a value at a place, or a product"));
             }
         }
@@ -265,8 +270,20 @@ pub fn is_place(places: &[String]) -> bool {
 
 fn words_outside(text: &str) -> bool {
     [r"\text", r"\mbox"].iter().any(|w| {
-        text.match_indices(w)
-            .any(|(i, _)| !text[..i].trim_end().ends_with(['_', '^']) && !text[..i].trim_end().ends_with("_{"))
+        text.match_indices(w).any(|(i, _)| {
+            let before = text[..i].trim_end();
+            let is_label = before.ends_with(['_', '^']) || before.ends_with("_{") || before.ends_with("^{");
+            !is_label && !is_function(&text[i..])
+        })
+    })
+}
+
+/// Whether what stands here is the name of a function in upright letters, and its argument in parentheses: `\text{exp}\left(x\right)`.
+fn is_function(text: &str) -> bool {
+    let inside = text.find('{').and_then(|at| text[at + 1..].split_once('}'));
+    inside.is_some_and(|(word, behind)| {
+        let behind = behind.trim_start();
+        latex::is_function(word.trim()) && (behind.starts_with('(') || behind.starts_with(r"\left("))
     })
 }
 

@@ -13,10 +13,11 @@ use meter::{Ended, Task};
 use paper::PrintedSide;
 use proof::{Condition, Identity, Known, Options, Premises, Proof, Wanted, When, identity_test};
 
-use super::desk::{Desk, Given, NotRead, Unit, pairs_of};
+use super::desk::{Desk, Given, Unit, pairs_of};
 use super::facts::Stated;
 use super::notation::Evidence;
 use super::numbers::agreement;
+use super::refusal::NotRead;
 
 /// The counted work of reading a question, beside what its formulas take.
 const OF_A_QUESTION: u64 = 200_000;

@@ -4,7 +4,7 @@
 
 use std::collections::BTreeSet;
 
-use paper::{PrintedRelation, PrintedSide, names, squeezed};
+use paper::{PaperName, PrintedRelation, PrintedSide, names, squeezed};
 
 use super::lone::{lone_name, unprimed};
 
@@ -151,11 +151,29 @@ pub(super) fn moved(sides: &[&PrintedSide]) -> Option<String> {
 /// Index letters that stand once in a lone name on the left: they are free, and nothing is summed over them. What is a number somewhere in the
 /// relation is no index: `E_n=n^2\pi^2\ldots`.
 pub(super) fn free_indices(relation: &PrintedRelation) -> BTreeSet<char> {
-    let Some(name) = lone_name(&relation.sides[0]) else { return BTreeSet::new() };
-    let letters = name.index_letters();
+    let Some(left) = relation.sides.first() else { return BTreeSet::new() };
+    let letters = match lone_name(left) {
+        Some(name) => last_letters(&name),
+        // A rate, `\frac{\partial c_i}{\partial T}`: a single term, in which nothing is raised.
+        None if squeezed(&left.text).starts_with(r"\frac") && !left.text.contains(['^', '+', '-']) => {
+            names(left).iter().flat_map(last_letters).collect()
+        }
+        None => return BTreeSet::new(),
+    };
     let numbers: BTreeSet<String> = relation.sides.iter().flat_map(names).map(|n| n.key()).collect();
     let is_free = |l: &char| letters.iter().filter(|m| *m == l).count() == 1 && !numbers.contains(&l.to_string());
     letters.iter().copied().filter(is_free).collect()
+}
+
+/// The letters of a subscript that may be indices: its own, and those behind commas or below its labels, `k_{f,i}`, `\Theta_{F_i,\partial T}`.
+fn last_letters(name: &PaperName) -> Vec<char> {
+    let own = name.index_letters();
+    let Some(below) = name.subscript.as_deref().filter(|_| own.is_empty()) else { return own };
+    let all: Vec<char> =
+        std::iter::once(',').chain(below.chars()).chain([',']).filter(|c| !c.is_whitespace()).collect();
+    let ends = |c: char| matches!(c, ',' | '{' | '}' | '_');
+    let alone = |w: &&[char]| "ijklmn".contains(w[1]) && ends(w[0]) && matches!(w[2], ',' | '}');
+    all.windows(3).filter(alone).map(|w| w[1]).collect()
 }
 
 #[cfg(test)]

@@ -8,15 +8,17 @@ use std::collections::BTreeSet;
 use paper::{PrintedSide, names, squeezed};
 use proof::Identity;
 
-use super::desk::{Given, NotRead, names_variable};
+use super::desk::{Given, names_variable};
 use super::facts::{Reach, Stated};
 use super::judge::Judge;
 use super::lone::{lone_name, unprimed};
 use super::nearest::{Sureness, WrongStep, introduces_nothing, is_slip_of, nearest};
 use super::numbers::agreement;
 use super::question::{Asked, Positive, Rests, ask};
+use super::refusal::NotRead;
 use super::relation::moved;
 use super::setting::keys;
+use super::space::General;
 
 /// Random points at which a step that is not proved is tried.
 const POINTS: usize = 40;
@@ -46,6 +48,8 @@ pub(super) struct Support {
     pub(super) with: Vec<usize>,
     /// Whether all that does not depend on time was taken to be positive.
     pub(super) of_positive: bool,
+    /// What was read more generally than it is meant.
+    pub(super) general: General,
 }
 
 /// Of what *wrong* may be said.
@@ -96,7 +100,7 @@ impl Judge<'_> {
                 }
                 // `\partial L/\partial x=0` of $L=T-V$: that T and V have no x is said nowhere.
                 Ok(answer) if answer.is_proved() && !lacks_variable(sides, &rests.given) => {
-                    return Step::Follows(support(&rests));
+                    return Step::Follows(Support { general: answer.desk.general, ..support(&rests) });
                 }
                 Ok(answer) if answer.is_proved() => {
                     first_refusal.get_or_insert(NotRead::of("a derivative by what the definition does not show"));
@@ -229,7 +233,8 @@ impl Judge<'_> {
             if let Ok(answer) = self.ask(sides, &rests, place.free)
                 && answer.is_proved()
             {
-                return Some(Step::Follows(Support { of_positive: true, ..support(&rests) }));
+                let general = answer.desk.general;
+                return Some(Step::Follows(Support { of_positive: true, general, ..support(&rests) }));
             }
         }
         None
@@ -259,7 +264,7 @@ impl Judge<'_> {
         let positive = Positive::Named(BTreeSet::new());
         let rests = Rests { given: Vec::new(), stated: Vec::new(), positive };
         let asked = self.ask([&before.right, right], &rests, place.free).ok()?;
-        is_slip_of(&asked).then(|| before.right.text.clone())
+        (!asked.desk.general.is_some() && is_slip_of(&asked)).then(|| before.right.text.clone())
     }
 
     /// What is wrong, if something is: refuted by what this section says, and one slip away from what it proves.
@@ -303,7 +308,7 @@ impl Judge<'_> {
                     Err(_) => continue,
                 },
             };
-            if !matches!(answer.identity, Identity::Refuted(_)) {
+            if !matches!(answer.identity, Identity::Refuted(_)) || answer.desk.general.is_some() {
                 continue;
             }
             // Where signs matter, it has to fail for positive names, too, and what holds is looked for among these.
@@ -425,7 +430,7 @@ fn has_open_derivative(text: &str) -> bool {
 fn support(rests: &Rests) -> Support {
     let mut with: Vec<usize> = rests.given.iter().map(|g| g.relation).collect();
     with.extend(rests.stated.iter().map(|s| s.relation));
-    Support { with, of_positive: false }
+    Support { with, of_positive: false, general: General::default() }
 }
 
 /// Whether a question without premises that is not decided has both sides equal at random points.

@@ -16,6 +16,7 @@
 mod book;
 mod chapter;
 mod compare;
+mod continued;
 mod differences;
 mod document;
 mod draft;
@@ -42,7 +43,9 @@ pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, comp
 pub use differences::DifferenceSigns;
 pub use draft::{Draft, draft};
 pub use inputs::is_markdown;
-pub use names::{Call, Evidence, Notation, PaperName, cancels_by_order, names, order_counts, squeezed};
+pub use names::{
+    Call, Evidence, Notation, PaperName, cancels_by_order, is_variable, names, order_counts, squeezed, unprimed,
+};
 pub use opening::{Opening, opening};
 pub use printed::{PrintedRelation, PrintedSide};
 
@@ -52,6 +55,7 @@ pub use document::Borders;
 use document::Reader;
 use files::Why;
 use inputs::Inputs;
+use latex::Logarithm;
 use macros::Endless;
 use mark::{Mark, marks, text_of};
 use token::{Kind, Token};
@@ -80,6 +84,8 @@ pub struct Paper {
     pub notes: Vec<PaperNote>,
     /// Where examples, exercises and theorems begin.
     pub borders: Borders,
+    /// What `\log` is, where somebody says it.
+    pub logarithm: Option<Logarithm>,
     /// Files that the paper names, each with where its text begins when all are written behind each other.
     inputs: Vec<(usize, Arc<Source>)>,
     /// Where the lines of each file begin, the paper's own first.
@@ -271,7 +277,7 @@ fn parse_with(file: Arc<Source>, sha256: String, folder: Option<&Path>) -> Resul
     notes.sort_by_key(|n| (n.span.start, n.span.end));
     let starts = |text: &str| std::iter::once(0).chain(text.match_indices('\n').map(|(i, _)| i + 1)).collect();
     let lines = std::iter::once(&file).chain(inputs.files.iter().map(|(_, f)| f)).map(|f| starts(&f.text)).collect();
-    Ok(Paper {
+    let mut paper = Paper {
         file,
         sha256,
         title,
@@ -281,9 +287,12 @@ fn parse_with(file: Arc<Source>, sha256: String, folder: Option<&Path>) -> Resul
         differences,
         notes,
         borders,
+        logarithm: None,
         inputs: inputs.files,
         lines,
-    })
+    };
+    continued::join(&mut paper);
+    Ok(paper)
 }
 
 #[cfg(test)]

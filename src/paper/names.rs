@@ -123,7 +123,8 @@ enum Differences {
 
 fn read(tokens: &[Token], differences: Differences) -> Vec<PaperName> {
     let marks = without_braces_of_names(mark::marks(tokens));
-    let mut reader = Names { units: mark::units(&marks), marks, out: Vec::new(), differences };
+    let cells = tokens.iter().filter(|t| t.is_char("&")).map(|t| t.span.start).collect();
+    let mut reader = Names { units: mark::units(&marks), marks, cells, out: Vec::new(), differences };
     let end = reader.marks.len();
     reader.range(0, end, &None, 0);
     reader.out
@@ -133,6 +134,8 @@ struct Names {
     marks: Vec<Mark>,
     /// Where the unit ends that begins with each mark.
     units: Vec<usize>,
+    /// Where a cell of a matrix ends.
+    cells: Vec<usize>,
     out: Vec<PaperName>,
     differences: Differences,
 }
@@ -319,9 +322,10 @@ impl Names {
         loop {
             match self.text(next) {
                 "'" => primes += 1,
-                "^" if matches!(self.text(next + 1), r"\prime" | "'") => {
-                    primes += 1;
-                    next += 1;
+                "^" if self.primes_above(next + 1) > 0 => {
+                    primes += self.primes_above(next + 1);
+                    next = self.unit(next + 1);
+                    continue;
                 }
                 "_" if subscript.is_none() && next < to => {
                     let end = self.script_end(next + 1);
@@ -398,7 +402,21 @@ impl Names {
             || HATS.contains(&command)
             || STYLES.contains(&command)
             || DOTS.iter().any(|(d, _)| *d == command);
-        at < to && (letter || text == "(" || is_letter_command(command) || styled)
+        at < to && !self.begins_cell(at) && (letter || text == "(" || is_letter_command(command) || styled)
+    }
+
+    /// How many primes a unit prints that has nothing else: `\prime`, `{\prime\prime}`.
+    fn primes_above(&self, at: usize) -> usize {
+        let (from, to) = self.inner(at);
+        let are_primes = (from..to).all(|i| matches!(self.text(i), r"\prime" | "'"));
+        if are_primes { to.saturating_sub(from) } else { 0 }
+    }
+
+    /// Whether a cell of a matrix ends before a mark, and another begins with it.
+    fn begins_cell(&self, at: usize) -> bool {
+        let place = |at: usize| self.marks.get(at).map(|m| m.span.start);
+        let before = at.checked_sub(1).and_then(place);
+        before.zip(place(at)).is_some_and(|(from, to)| self.cells.iter().any(|cell| (from..to).contains(cell)))
     }
 
     /// The end of a script that begins here: a command of style takes its argument with it, `p_\mathrm{max}`.

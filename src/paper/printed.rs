@@ -5,6 +5,7 @@
 //! side or in a remark: nothing is dropped without a word.
 
 mod cases;
+mod frames;
 mod pieces;
 mod rows;
 mod scripts;
@@ -39,6 +40,8 @@ pub struct PrintedRelation {
     pub tag: Option<String>,
     /// What stands beside it in words.
     pub remark: Option<String>,
+    /// Words that are printed in the place of a last side, and are none: `=\text{angular velocity}`.
+    pub described: Option<String>,
     /// What the words before it, in its display, make of it: "for x > 0".
     pub opening: Option<Opening>,
     /// The last row of its display in which it stands, from 0.
@@ -69,6 +72,15 @@ impl PrintedRelation {
         // A side that is missing stands nowhere.
         let start = self.sides.iter().filter(|s| !s.span.is_empty()).map(|s| s.span.start).min().unwrap_or(0);
         start..self.sides.iter().map(|s| s.span.end).max().unwrap_or(start)
+    }
+
+    /// Takes a last side that is words and nothing else, `\Omega=\dot\phi=\text{angular velocity}`, for what is said beside the others.
+    fn describe(&mut self) {
+        let ends = self.sides.len() > 2 && self.signs.last().is_some_and(|sign| sign == "=");
+        let Some(words) = self.sides.last().filter(|_| ends).and_then(PrintedSide::words) else { return };
+        self.sides.pop();
+        self.signs.pop();
+        self.described = Some(words);
     }
 
     /// Gives back the room that its lists do not use: a paper has hundreds of thousands.
@@ -259,7 +271,10 @@ pub(super) fn relations(body: &[Token], place: &Place<'_>) -> Vec<PrintedRelatio
         found.out.iter_mut().for_each(|r| r.label = label.clone());
     }
     found.out.retain(|r| !(r.sides.len() == 1 && r.sides[0].text.is_empty() && r.remark.is_none()));
-    found.out.iter_mut().for_each(PrintedRelation::fit);
+    for relation in &mut found.out {
+        relation.describe();
+        relation.fit();
+    }
     found.out
 }
 
@@ -428,6 +443,7 @@ impl Relations<'_> {
             label: None,
             tag: None,
             remark,
+            described: None,
             opening: None,
             row: self.row,
             display: self.place.display,
@@ -505,6 +521,7 @@ impl Relations<'_> {
                     label: None,
                     tag: None,
                     remark: Some(words),
+                    described: None,
                     opening: None,
                     row: self.row,
                     display: self.place.display,

@@ -114,7 +114,11 @@ class Lint:
 
 
 def lint(
-    path: Union[None, str, os.PathLike[str]] = None, *, text: Optional[str] = None, deadline: Optional[float] = None
+    path: Union[None, str, os.PathLike[str]] = None,
+    *,
+    text: Optional[str] = None,
+    deadline: Optional[float] = None,
+    log: Optional[str] = None,
 ) -> Lint:
     """Says of every relation that a paper prints whether it follows, holds in numbers, is wrong, or is not followed.
 
@@ -122,6 +126,7 @@ def lint(
     ``text``: in its place LaTeX; where nothing in it says where formulas begin, it is formulas, one in a line, or a chain whose
     lines end with ``\\\\``. A text is never taken for a path.
     ``deadline``: after so many seconds :class:`DeadlineReached` is raised.
+    ``log``: what ``\\log`` is, ``"natural"`` or ``"decimal"``; otherwise a formula with it is not read.
 
     Raises :class:`DerivationError` where the paper cannot be read.
     """
@@ -130,4 +135,4 @@ def lint(
     if path is not None:
         # What is not there is told as Python tells it.
         os.stat(path)
-    return Lint(*_rederive.lint_paper("text" if path is None else os.fspath(path), text, deadline))
+    return Lint(*_rederive.lint_paper("text" if path is None else os.fspath(path), text, deadline, log))

@@ -7,6 +7,7 @@ use rederive::check::search::SearchOptions;
 use rederive::check::{Limits, Proposition, Rigor};
 use rederive::derivation::LARGEST_FILE;
 use rederive::diag::Source;
+use rederive::latex::Logarithm;
 use rederive::{Ask, Findings, Question, Session, diag, files, lint, paper, report};
 use serde_json::{Map, Value, json};
 
@@ -138,7 +139,8 @@ impl Workbench {
             Some(folder) => paper::parse_in(Arc::new(source), Some(&folder)),
             None => paper::parse_pasted(&source.path, &source.text),
         };
-        let paper = paper.map_err(|p| diag::render(&[*p], false))?;
+        let mut paper = paper.map_err(|p| diag::render(&[*p], false))?;
+        paper.logarithm = logarithm(given)?;
         if paper.relations.len() > MOST_RELATIONS {
             let n = paper.relations.len();
             return Err(format!("there are {n} relations, and {MOST_RELATIONS} are looked through: hand over a part"));
@@ -147,11 +149,17 @@ impl Workbench {
     }
 }
 
+/// What `\log` is, where a call says it.
+fn logarithm(given: &Arguments<'_>) -> Result<Option<Logarithm>, String> {
+    let named = |name| Logarithm::named(name).ok_or_else(|| "`log` is `natural` or `decimal`".to_owned());
+    given.text("log").map(named).transpose()
+}
+
 fn prove(given: &Arguments<'_>) -> Result<Value, String> {
     let (formula, premises) = (given.needed("formula"), given.texts("given"));
     let proposition = Proposition { formula, given: premises, ..Proposition::default() };
     let question = Question { proposition, symbols: given.texts("symbols"), scope: None };
-    let answer = Session::blank().prove(&question);
+    let answer = logarithm(given)?.into_iter().fold(Session::blank(), Session::with_logarithm).prove(&question);
     let told = answer.map_err(|f| f.where_symbols_are_declared("declare it in `symbols`").to_string());
     Ok(told?.brief())
 }

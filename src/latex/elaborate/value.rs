@@ -551,7 +551,7 @@ impl Elaborator<'_> {
                 Ok(self.graph.unary(Op::Ln, ten))
             }
             None => {
-                let hint = r#"write `\ln`, or say `log = "natural"` or `log = "decimal"` under [conventions]"#;
+                let hint = r#"write `\ln`, or say `log = "natural"` or `log = "decimal"` under [conventions] of a derivation file; `rederive prove` and `rederive lint` take `--log natural` or `--log decimal`"#;
                 refuse("latex::ambiguous", "the base of `\\log` is not clear", span, hint)
             }
         }

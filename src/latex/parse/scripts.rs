@@ -270,7 +270,7 @@ impl Parser<'_> {
                 Kind::Command(c)
                     if matches!(
                         c.as_str(),
-                        "infty" | "parallel" | "perp" | "bot" | "|" | "odot" | "oplus" | "star" | "circ"
+                        "infty" | "parallel" | "perp" | "bot" | "|" | "odot" | "oplus" | "star" | "circ" | "partial"
                     ) =>
                 {
                     items.push(SubItem::Name(format!("\\{c}")));

@@ -24,7 +24,7 @@ use ambiguous::{
 };
 use angles::Angles;
 use print::{
-    Raised, call, follows_a_flow, has_bare_brackets, has_bars, has_column_of_two, has_identity, has_imaginary,
+    call, follows_a_flow, has_bare_brackets, has_bars, has_column_of_two, has_identity, has_imaginary,
     has_named_function, has_norm, has_pair, has_plain_function, has_product_of_letters, has_unit_of_italics,
     is_letter_token, is_twice, scripted, squares_an_absolute_value, tokens,
 };
@@ -263,10 +263,11 @@ impl Notation {
         has_two_places(&all, is_function).then_some("a value at a place, or a product")
     }
 
-    /// Why a side may be no formula of numbers, where nothing says that its names are matrices, vectors or complex.
-    pub fn unsure(&self, side: &PrintedSide) -> Option<&'static str> {
+    /// Why a side may be no formula of numbers, where nothing says that its names are matrices, vectors or complex; of some letters it may be known that
+    /// they are matrices.
+    pub fn unsure(&self, side: &PrintedSide, is_matrix: &dyn Fn(&str) -> bool) -> Option<&'static str> {
         let all = tokens(&side.text);
-        if scripted(&all).iter().any(Raised::is_transpose) {
+        if scripted(&all).iter().any(|one| one.is_transpose() && !is_matrix(&one.base)) {
             return Some("a transpose, or a power");
         }
         if has_small_transpose(&all) || has_primed_transpose(&all) {

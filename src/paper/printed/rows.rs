@@ -6,6 +6,7 @@
 
 use super::super::mark::{self, INNER, group_text};
 use super::super::token::{Kind, Token};
+use super::frames::opened;
 use super::side::without_labels;
 use super::{Nesting, is_operator, is_relation, is_space, is_wide, relates, walk};
 
@@ -19,7 +20,7 @@ pub(super) struct Row {
 
 /// A display without environments that only say where its lines are broken, and without a brace that encloses all.
 pub(super) fn unwrapped(body: &[Token]) -> Vec<Token> {
-    let mut body = body.to_vec();
+    let mut body = opened(body.to_vec());
     if let Some(inside) = without_brace(&body) {
         body = inside;
     }

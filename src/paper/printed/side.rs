@@ -7,6 +7,9 @@ use super::signs::RELATIONS;
 use super::{PrintedSide, is_space, walk};
 use diag::escape::shown;
 
+/// So many letters are those of a name, or of a unit, as often as those of a word.
+const SHORT: usize = 4;
+
 impl PrintedSide {
     /// The formula with a dot wherever a name that `is_factor` stands right before parentheses, so that it is read as a factor.
     pub fn with_factors(&self, is_factor: &dyn Fn(&str) -> bool) -> String {
@@ -21,6 +24,20 @@ impl PrintedSide {
             out.push(token.clone());
         }
         shown(&mark::text_of(&out)).into_owned()
+    }
+
+    /// The words that it consists of, where it is a text of several words, or of one of many letters, and nothing else.
+    pub fn words(&self) -> Option<String> {
+        let [command, rest @ ..] = self.tokens.as_slice() else { return None };
+        if command.kind != Kind::Command || !super::WORDS.contains(&command.text.as_str()) || rest.is_empty() {
+            return None;
+        }
+        let (words, end) = group_text(&self.tokens, 1);
+        let is_all = self.tokens.iter().skip(end).all(|t| is_space(t) || t.is_char("."));
+        let words = words.trim();
+        let are_words = words.chars().all(|c| c.is_alphabetic() || matches!(c, ' ' | '-' | ',' | '.'))
+            && words.split_whitespace().any(|word| word.chars().filter(|c| c.is_alphabetic()).count() > SHORT);
+        (is_all && are_words).then(|| words.to_owned())
     }
 
     /// What stands before and behind each space that the author set in it, outside of all brackets: a space alone may part two formulas.
