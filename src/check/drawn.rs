@@ -27,6 +27,8 @@ use findings::{Account, ClaimAccount};
 const ENOUGH: usize = 24;
 /// Most motions that are drawn for that.
 const MOST: usize = 96;
+/// Of more claims than that none is tried: their file is read with every few motions.
+const MOST_CLAIMS: usize = 200;
 /// The longest stretch of time that they are tried on.
 const LONGEST: f64 = 20.0;
 /// So many of them are tried together: one that takes much work leaves none for those beside it, but for the others.
@@ -34,7 +36,7 @@ const TOGETHER: usize = 4;
 /// The seed of the draws.
 const SEED: u64 = 1;
 /// All of them may take one of so many parts of the work of a file, beside the file: that may be used up.
-const PARTS: u64 = 60;
+const PARTS: u64 = 150;
 /// Those that are tried together may take one of so many.
 const PARTS_TOGETHER: u64 = 400;
 /// The number of a draft, and a verdict on it; nothing where it is no motion.
@@ -61,7 +63,7 @@ pub(super) fn add(
     let families = derivation.trajectories.iter().filter_map(|t| Draft::of(derivation, t));
     let families = families.filter(|family| family.system.is_some() && family.is_free());
     let families: Vec<Draft> = families.map(|family| family.up_to(LONGEST)).collect();
-    if claims.is_empty() || families.is_empty() || options.limits.reached().is_some() {
+    if claims.is_empty() || claims.len() > MOST_CLAIMS || families.is_empty() || options.limits.reached().is_some() {
         return Ok(());
     }
     // How far the work goes depends on all of the claims.
