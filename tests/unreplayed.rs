@@ -317,6 +317,17 @@ fn of_one_time_the_prover_may_speak_alone() {
     assert_eq!(standing, "proved except");
 }
 
+/// A time has one name, whatever defined names it is written with.
+#[test]
+fn a_fixed_time_may_be_a_constant() {
+    const B: &[&str] = &["x: state", r"A: constant=\pi", r"C: constant=\pi", "B: constant=2"];
+    for claim in ["x(B)=x(2)", r"x(C)=x(\pi)", r"x(2A)=x(2\pi)", "x(C)=x(A)"] {
+        assert_eq!(word(&(claim, B, &[])).0, "proved", "{claim}");
+    }
+    assert_eq!(word(&("x(B)=4", B, &["x(2)=4"])).0, "proved");
+    assert_eq!(word(&("x(B)=x(3)", B, &[])).0, "refuted");
+}
+
 /// In a file, too: what a claim assumes is to be so on an interval of a motion.
 #[test]
 fn what_a_claim_assumes_is_so_on_a_motion() {
@@ -362,7 +373,33 @@ fn a_point_of_another_factor_refutes() {
 /// From what is so on no motion, anything would follow: nothing is proved from it.
 #[test]
 fn what_no_motion_satisfies_proves_nothing() {
-    let lines: [Line; 36] = [
+    const E: &[&str] = &["t: time", "x: state", r"E: observable=\frac12\dot x^2+\frac12x^2"];
+    const PI: &[&str] = &["a", r"C: constant=\pi"];
+    let lines: [Line; 56] = [
+        // Rates of what is defined are no numbers of their own, and constants have values.
+        ("x=x", E, &[r"\dot E(0)=1", r"\ddot x=-x"]),
+        ("x=x", E, &[r"\dot E(0)=1", "x=1"]),
+        ("x=x", E, &[r"\ddot E(0)=1", r"\dot x=x", "x(0)=1"]),
+        ("a=a", PI, &["C=3"]),
+        ("a=a", PI, &["C<3"]),
+        ("a=a", PI, &[r"\sqrt{3-C}=a"]),
+        // The claim has no value: x is 0.
+        (r"\frac xx=1", MOTION, &[r"y=-2\dot x", r"\ddot x=-y", r"\ddot x=x"]),
+        (r"\frac xx=1", MOTION, &["tx=0"]),
+        (r"\frac xx=1", MOTION, &[r"(e^t-1)x=0"]),
+        (r"\frac xx=1", MOTION, &[r"x=\dot y", "y^2=4"]),
+        (r"\frac uu=1", &["x: coordinate", "u(x): field"], &["xu=0"]),
+        (r"\ell-\ell=0", &["x: state", r"\ell: observable=\ln(-x^2)"], &[]),
+        (r"\frac\ell\ell=1", &["x: state", r"\ell: observable=\sqrt{-1-x^2}"], &[]),
+        // What cancels has values where it is written.
+        ("y=y", MOTION, &[r"\dot x=1", r"\frac{\dot x}x=\frac{\dot x}x", "x(0)=0"]),
+        ("y=y", MOTION, &[r"\dot x=1", r"\dot x\ln x=\dot x\ln x", "x(0)=-1"]),
+        ("y=y", MOTION, &[r"\dot x=1", r"\dot x\ln(-1-x^2)=\dot x\ln(-1-x^2)"]),
+        // What moves is the same at all places.
+        ("q=q", &["x: coordinate", "q: state"], &["q=x"]),
+        ("q=q", &["x: coordinate", "q: state"], &[r"\dot q=x"]),
+        ("x=x", MOTION, &[r"\dot x\ln x=0", "x=-1"]),
+        ("x=x", E, &[r"\dot E(0)=1", "x(0)=0", r"\dot x(0)=0"]),
         // Motions of 1 + x² are shorter than π.
         ("y(10)=y(0)", MOTION, &[r"\dot x=1+x^2", r"\dot y=0"]),
         ("y(10)=y(-10)", MOTION, &[r"\ddot x=6x^2+1", r"\dot y=0"]),

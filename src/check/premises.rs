@@ -111,13 +111,18 @@ pub(super) fn replay(
     let of = |claim: &ClaimAccount, limits: &Limits| -> Option<IdentityAccount> {
         let declared = derivation.claim(&claim.id, claim.reading.as_deref())?;
         let account = claim.identity.clone().filter(|i| i.finding.is_proved_in_part())?;
-        Some(proved::replay::replayed(derivation, declared, account, limits, &|asked, find| {
+        // Where it was tried on motions, it must apply to one.
+        let is_tried = claim.verdicts().next().is_some();
+        let applies = claim.verdicts().any(|j| !matches!(j.verdict.outcome(), Outcome::NotApplicable(_)));
+        let has_motion = if is_tried { applies } else { proved::replay::has_motions(declared) };
+        let steps: proved::replay::RecallSteps = &|asked, find| {
             if recall.is_nothing() {
                 return find();
             }
             let text = recall.answer(derivation, Question::Steps(&asked.content()), || recorded::written(&find()));
             recorded::read(&text).unwrap_or_else(find)
-        }))
+        };
+        Some(proved::replay::replayed(derivation, declared, account, has_motion, (limits, steps)))
     };
     let found = meter::each(limits, claims, |claim, limits| of(claim, limits));
     for (claim, replayed) in claims.iter_mut().zip(found) {

@@ -5,7 +5,7 @@
 //! | what is given | why there is a motion |
 //! |---|---|
 //! | values at several fixed times, and more than a system | polynomials are found; else one of these: |
-//! | the claim has motions in its file | these |
+//! | the claim applies to motions of its file | these |
 //! | nothing of what moves | a proof needs a point, see [`proof`] |
 //! | formulas of what moves | they have values near a point |
 //! | a system that is solved for its rates | one begins at every point of its domain |
@@ -29,19 +29,19 @@ pub(crate) fn is_known(
     derivation: &Derivation,
     claim: &Claim,
     said: &Sayings,
-    is_whole: bool,
+    (is_whole, has_motion): (bool, bool),
     inequalities: When,
 ) -> bool {
     let example = || crate::motions::has_example(derivation, claim, inequalities);
     if needs_example(derivation, said, is_whole) {
         return example();
     }
-    if !claim.trajectories.is_empty() || !claim.families.is_empty() {
+    if has_motion {
         return true;
     }
     let given = || Given::of(derivation, claim, said);
     given().is_some_and(|mut given| given.has_solution())
-        || !said.names_a_time(derivation) && through_a_point(derivation, claim)
+        || !said.names_a_time(derivation) && through_a_point(derivation, claim, said)
         || given().is_some_and(|mut given| given.has_rest())
         || given().is_some_and(Given::has_simple_fields)
         || example()
@@ -56,7 +56,8 @@ fn needs_example(derivation: &Derivation, said: &Sayings, is_whole: bool) -> boo
     several && (of_given.len() > 1 || !is_whole || given.chooses || !given.is_total(derivation))
 }
 
-/// Whether a point is found through which a motion passes, on which all that is assumed is so on an interval.
-fn through_a_point(derivation: &Derivation, claim: &Claim) -> bool {
-    Step::of(derivation, claim).map(Step::typed).and_then(Step::has_motion) == Some(true)
+/// Whether a point is found through which a motion passes, on which all that is assumed is so on an interval, and the claim has values.
+fn through_a_point(derivation: &Derivation, claim: &Claim, said: &Sayings) -> bool {
+    let has_motion = |step: Step<'_>| step.typed().has_motion(&said.claimed.formulas);
+    Step::of(derivation, claim).and_then(has_motion) == Some(true)
 }

@@ -24,16 +24,21 @@ fn left_open(account: &IdentityAccount) -> Vec<May> {
     presupposes.into_iter().chain(ends).collect()
 }
 
+/// Whether a claim has motions in its file; on which of them all that is given is so is another question.
+pub fn has_motions(claim: &Claim) -> bool {
+    !claim.trajectories.is_empty() || !claim.families.is_empty()
+}
+
 /// Finds steps, or recalls them by all that is given and claimed.
 pub type RecallSteps<'a> = &'a dyn Fn(&Asked, &dyn Fn() -> Found) -> Found;
 
-/// The account, with its proof replayed if there is one.
+/// The account, with its proof replayed if there is one. `has_motion`: whether a motion of the file is known on which what is given is so.
 pub fn replayed(
     derivation: &Derivation,
     claim: &Claim,
     account: IdentityAccount,
-    limits: &Limits,
-    recall: RecallSteps,
+    has_motion: bool,
+    (limits, recall): (&Limits, RecallSteps),
 ) -> IdentityAccount {
     if !account.finding.is_proved_in_part() || account.recorded.is_some() {
         return account;
@@ -42,17 +47,24 @@ pub fn replayed(
         Ok(asked) => recall(&asked, &|| search(limits, || asked.record())),
         Err(why) => Err(why),
     };
-    finished(derivation, claim, account.replayed(Recorded::of(found)), When::Chosen)
+    finished(derivation, claim, account.replayed(Recorded::of(found)), has_motion, When::Chosen)
 }
 
 /// What is not replayed leaves the claim undecided, where it might be that a fact was used at times at which it is not known; and so does
 /// what is given of several fixed times, if no motion is found that is so. `inequalities`: when those that are assumed hold.
-fn finished(derivation: &Derivation, claim: &Claim, account: IdentityAccount, inequalities: When) -> IdentityAccount {
+fn finished(
+    derivation: &Derivation,
+    claim: &Claim,
+    account: IdentityAccount,
+    has_motion: bool,
+    inequalities: When,
+) -> IdentityAccount {
     if !account.finding.is_proved_in_part() {
         return account;
     }
     let said = Sayings::of(derivation, claim);
-    if !crate::existence::is_known(derivation, claim, &said, account.finding.is_whole(), inequalities) {
+    let known = (account.finding.is_whole(), has_motion);
+    if !crate::existence::is_known(derivation, claim, &said, known, inequalities) {
         return account.left_open(Plain::NoMotionKnown.into());
     }
     if account.finding.is_unreplayed() && !crate::alone::counts(derivation, &said) {
@@ -67,7 +79,7 @@ pub fn replayed_throughout(derivation: &Derivation, claim: &Claim, account: Iden
         return account;
     }
     let found = search(&meter::limits(), || tactics::record_throughout(derivation, claim));
-    finished(derivation, claim, account.replayed(Recorded::of(found)), When::Always)
+    finished(derivation, claim, account.replayed(Recorded::of(found)), false, When::Always)
 }
 
 /// Whether what the prover says of a claim beside the one that is asked about counts: of what that one denies. `typed`: its premises
@@ -75,7 +87,7 @@ pub fn replayed_throughout(derivation: &Derivation, claim: &Claim, account: Iden
 pub(crate) fn is_replayed(derivation: &Derivation, claim: &Claim, account: IdentityAccount, typed: bool) -> bool {
     let account = match typed {
         true => replayed_throughout(derivation, claim, account),
-        false => replayed(derivation, claim, account, &meter::limits(), &|_, search| search()),
+        false => replayed(derivation, claim, account, has_motions(claim), (&meter::limits(), &|_, search| search())),
     };
     account.finding.is_proved_in_part()
 }

@@ -241,6 +241,21 @@ impl<'a> Elaborator<'a> {
         Ok(Tensor { shape: body.shape, components })
     }
 
+    /// A fixed time with what defined names stand for: one time has one name.
+    fn without_names(&mut self, mut instant: Expr) -> Expr {
+        let scope = self.scope;
+        // Definitions are acyclic.
+        loop {
+            let written = self.graph.substitute(instant, |_, leaf| {
+                scope.definition(leaf.symbol)?.components.get(usize::from(leaf.component)).copied()
+            });
+            if written == instant {
+                return instant;
+            }
+            instant = written;
+        }
+    }
+
     /// The value at a time: the present one for the time itself.
     pub(super) fn at_instant(&mut self, t: Tensor, instant: Expr, span: &Range<usize>) -> Elaborated<Tensor> {
         let time = self.scope.time();
@@ -256,6 +271,7 @@ impl<'a> Elaborator<'a> {
         if self.graph.leaves_within([instant]).contains(&self.scope.branch_sign()) {
             return refuse("latex::instant", "a time with ±", span, "write the two times");
         }
+        let instant = self.without_names(instant);
         let scope = self.scope;
         let moving = |leaf: &Leaf| leaf.instant.is_none() && scope.moves(leaf);
         let fixed = |graph: &mut Graph, leaf: Leaf| {

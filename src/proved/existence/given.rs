@@ -55,6 +55,7 @@ impl<'a> Given<'a> {
             for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
                 let [l, r] = [l, r].map(|side| {
                     let side = claim::comparison::behind_rates(graph, scope, side);
+                    let side = then(graph, scope, side);
                     let side = claim::comparison::traced(graph, scope, side);
                     graph.replaced(side, |graph, leaf| (leaf == sign).then(|| graph.integer(1)))
                 });
@@ -74,7 +75,7 @@ impl<'a> Given<'a> {
     /// Whether it is a system that is solved for its rates, and formulas, with values at one fixed time, if there are any, from which a motion
     /// begins on which the claim has values; or numbers alone.
     pub(super) fn has_solution(&mut self) -> bool {
-        if self.named(&self.conditions).is_empty() {
+        if self.conditions.is_empty() && self.valued.is_empty() {
             return true;
         }
         if self.insert_formulas().is_none() {
@@ -84,7 +85,8 @@ impl<'a> Given<'a> {
             let leaves = self.named(&[**condition]);
             leaves.iter().all(|leaf| leaf.instant.is_some())
         });
-        let is_state = |l: &Leaf| l.instant.is_none() && l.partials == Partials::NONE && !self.graph.is_field(l.symbol);
+        let is_of_places = |l: &Leaf| self.graph.is_field(l.symbol) || self.graph.coordinate(*l).is_some();
+        let is_state = |l: &Leaf| l.instant.is_none() && l.partials == Partials::NONE && !is_of_places(l);
         if !self.named(&moving).iter().all(is_state) {
             return false;
         }
@@ -99,6 +101,8 @@ impl<'a> Given<'a> {
         let time = self.claim.scope.time();
         let Ok(field) = claim::system::field(&mut self.graph, time, &states, &equations) else { return false };
         self.add_domain(field.rates());
+        // An equation says nothing of rates that cancel, and has values where they have.
+        self.add_domain(&equations.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>());
         self.begins(&field, starts)
     }
 
@@ -171,6 +175,7 @@ impl<'a> Given<'a> {
         let scope = &self.claim.scope;
         let written = formulas.iter().map(|&e| {
             let e = claim::comparison::behind_rates(&mut self.graph, scope, e);
+            let e = then(&mut self.graph, scope, e);
             claim::comparison::traced(&mut self.graph, scope, e)
         });
         let written: Vec<Expr> = written.collect();
@@ -210,7 +215,7 @@ impl<'a> Given<'a> {
         Some(())
     }
 
-    /// Whether equations of fields alone are met by fields that are 0, a number, a coordinate, or half the square of one.
+    /// Whether equations of fields alone are met, and the claim has values, by fields that are 0, a number, a coordinate, or half the square of one.
     pub(super) fn has_simple_fields(mut self) -> bool {
         let is_equation = |c: &Condition| c.0 == RelationKind::Equal;
         let leaves = self.named(&self.conditions);
@@ -228,7 +233,10 @@ impl<'a> Given<'a> {
     }
 
     fn is_met_by(&mut self, fields: &[Leaf]) -> bool {
-        let Some((field, others)) = fields.split_first() else { return self.conditions.is_empty() };
+        let Some((field, others)) = fields.split_first() else {
+            let valued = std::mem::take(&mut self.valued);
+            return self.conditions.is_empty() && (valued.is_empty() || self.has_point(&valued));
+        };
         let graph = &mut self.graph;
         let half = graph.constant(Rational::ONE / Rational::from(2));
         let mut formulas = vec![graph.integer(0), graph.integer(1)];
@@ -256,7 +264,10 @@ impl<'a> Given<'a> {
                     && matches!(self.claim.scope.role(leaf.symbol), Some(Role::State | Role::Field | Role::Observable));
                 let within = graph.leaves_within([formula]);
                 let itself = within.iter().any(|l| graph.field_of(l.symbol) == leaf.symbol || l.instant.is_some());
-                (is_course && !itself).then_some((at, leaf, formula))
+                // What moves is the same at all places.
+                let is_here = graph.is_field(leaf.symbol)
+                    || within.iter().all(|l| graph.coordinate(*l).is_none() && !graph.is_field(l.symbol));
+                (is_course && is_here && !itself).then_some((at, leaf, formula))
             })
         })
     }
@@ -349,10 +360,7 @@ fn inserted(graph: &mut Graph, scope: &Scope, e: Expr, course: Leaf, formula: Ex
             value = graph.time_derivative(value, scope.time()?, |leaf| scope.moves(&leaf)).ok()?;
         }
         if let Some(at) = leaf.instant {
-            value = graph.replaced(value, |graph, leaf| match scope.moves(&leaf) {
-                true => Some(graph.leaf(Leaf { instant: Some(at), ..leaf })),
-                false => (Some(leaf) == scope.time()).then_some(at),
-            });
+            value = taken(graph, scope, value, at);
         }
         all.push((leaf, value));
     }
@@ -373,4 +381,27 @@ fn strict(kind: RelationKind) -> RelationKind {
         RelationKind::LessEqual => RelationKind::Less,
         RelationKind::Equal | RelationKind::NotEqual | RelationKind::Greater | RelationKind::Less => kind,
     }
+}
+
+/// Rates of what is defined, at fixed times, written out; what cannot be formed stays.
+fn then(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
+    let mut formed: Vec<(Leaf, Expr)> = Vec::new();
+    for leaf in graph.leaves_within([e]) {
+        let Some(at) = leaf.instant.filter(|_| leaf.rate > 0 && scope.definition(leaf.symbol).is_some()) else {
+            continue;
+        };
+        let now = graph.leaf(Leaf { instant: None, ..leaf });
+        let rate = claim::comparison::behind_rates(graph, scope, now);
+        let rate = claim::comparison::traced_now(graph, scope, rate);
+        formed.push((leaf, taken(graph, scope, rate, at)));
+    }
+    graph.replaced(e, |_, leaf| formed.iter().find(|(l, _)| *l == leaf).map(|(_, value)| *value))
+}
+
+/// A formula at a fixed time.
+fn taken(graph: &mut Graph, scope: &Scope, e: Expr, at: Expr) -> Expr {
+    graph.replaced(e, |graph, leaf| match scope.moves(&leaf) {
+        true => Some(graph.leaf(Leaf { instant: Some(at), ..leaf })),
+        false => (Some(leaf) == scope.time()).then_some(at),
+    })
 }

@@ -19,7 +19,8 @@
 use super::{Decided, Pairs, Step, sides};
 use crate::agreement::answer;
 use crate::derivation::{Claim, Form, Written};
-use crate::expr::Rational;
+use crate::expr::domain::Sign;
+use crate::expr::{Expr, Rational};
 use crate::findings::IdentityAccount;
 use crate::findings::standing::{Decision, Finding};
 use crate::latex::{RelationKind, Statement};
@@ -141,7 +142,7 @@ impl Step<'_> {
                 let said = if is_so { positive.clone() } else { never() };
                 let typed = self.inequalities == When::Always;
                 let counts = crate::replay::is_replayed(self.derivation, &said, of.clone(), typed)
-                    && self.asked_of(&positive)?.has_motion()?;
+                    && self.asked_of(&positive)?.has_motion(&[])?;
                 if counts { of.finding.of_negation() } else { Finding::default() }
             }
         };
@@ -157,13 +158,24 @@ impl Step<'_> {
         Some(Ok(IdentityAccount { finding, parts, parts_from, reason, ..of }))
     }
 
-    /// Whether there is a motion on which all that is given holds: a point of one refutes 0 = 1.
-    pub(crate) fn has_motion(mut self) -> Option<bool> {
+    /// Whether there is a motion on which all that is given holds, and some formulas have values: a point of one refutes 0 = 1.
+    pub(crate) fn has_motion(mut self, valued: &[Expr]) -> Option<bool> {
         let mut gathered = self.gather(None);
+        if !gathered.complete {
+            return Some(false);
+        }
         let equations = self.equations(self.claim)?;
         // Also of systems whose rates are not asked for; and what is assumed at some times is to be so on an interval.
         gathered.premises.give(gathered.systems.iter().copied(), When::Always);
         gathered.premises.equations.iter_mut().for_each(|known| known.when = When::Always);
+        for need in self.graph.needs_below(valued.iter().copied()) {
+            let signs = match need.sign {
+                Sign::NotZero => &mut gathered.premises.nonzero,
+                Sign::Positive => &mut gathered.premises.positive,
+                Sign::NotNegative => &mut gathered.premises.not_negative,
+            };
+            signs.push(need.value);
+        }
         let premises = self.premises(&gathered, &equations, Definitions::All);
         let nothing: Pairs = vec![(self.graph.integer(0), self.graph.integer(1))];
         Some(matches!(self.test_only(&premises, &nothing, &Options::default()), Identity::Refuted(_)))
