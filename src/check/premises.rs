@@ -111,8 +111,8 @@ pub(super) fn replay(
     let of = |claim: &ClaimAccount, limits: &Limits| -> Option<IdentityAccount> {
         let declared = derivation.claim(&claim.id, claim.reading.as_deref())?;
         let account = claim.identity.clone().filter(|i| i.finding.is_proved_in_part())?;
-        // Where it was tried on motions, it must apply to one.
-        let is_tried = claim.verdicts().next().is_some();
+        // Where it was tried on all of its motions, it must apply to one.
+        let is_tried = claim.results.len() >= declared.trajectories.len() && claim.verdicts().next().is_some();
         let applies = claim.verdicts().any(|j| !matches!(j.verdict.outcome(), Outcome::NotApplicable(_)));
         let has_motion = if is_tried { applies } else { proved::replay::has_motions(declared) };
         let steps: proved::replay::RecallSteps = &|asked, find| {

@@ -75,15 +75,21 @@ impl<'a> Given<'a> {
     /// Whether it is a system that is solved for its rates, and formulas, with values at one fixed time, if there are any, from which a motion
     /// begins on which the claim has values; or numbers alone.
     pub(super) fn has_solution(&mut self) -> bool {
-        if self.conditions.is_empty() && self.valued.is_empty() {
+        // A proof has a point of its own, at which what is defined may have any value.
+        let formulas = self.said.claimed.formulas.iter().chain(&self.said.given.formulas).copied();
+        let is_defined = |l: &Leaf| self.claim.scope.definition(l.symbol).is_some();
+        let names_defined = self.graph.leaves_within(formulas).iter().any(is_defined);
+        if self.named(&self.conditions).is_empty() && !names_defined {
             return true;
         }
         if self.insert_formulas().is_none() {
             return false;
         }
         let (starts, moving): (Vec<Condition>, Vec<Condition>) = self.conditions.iter().partition(|condition| {
+            // An equation of coordinates alone chooses places.
             let leaves = self.named(&[**condition]);
             leaves.iter().all(|leaf| leaf.instant.is_some())
+                || leaves.iter().all(|leaf| self.graph.coordinate(*leaf).is_some())
         });
         let is_of_places = |l: &Leaf| self.graph.is_field(l.symbol) || self.graph.coordinate(*l).is_some();
         let is_state = |l: &Leaf| l.instant.is_none() && l.partials == Partials::NONE && !is_of_places(l);
