@@ -28,7 +28,7 @@ const ENOUGH: usize = 24;
 /// Most motions that are drawn for that.
 const MOST: usize = 96;
 /// Of more claims than that none is tried: their file is read with every few motions.
-const MOST_CLAIMS: usize = 200;
+const MOST_CLAIMS: usize = 60;
 /// The longest stretch of time that they are tried on.
 const LONGEST: f64 = 20.0;
 /// So many of them are tried together: one that takes much work leaves none for those beside it, but for the others.
