@@ -5,7 +5,7 @@
 
 use crate::comparison::{behind_rates, traced_now};
 use crate::derivation::System;
-use crate::expr::{Expr, Graph, Leaf, Symbol};
+use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::FlowError;
 pub use crate::flow::VectorField;
 use crate::latex::Scope;
@@ -27,20 +27,7 @@ pub fn solved(graph: &mut Graph, scope: &Scope, system: &System, time: Leaf) -> 
             closed.push((l, r));
         }
     }
-    field(graph, Some(time), &system.states, &closed)
-}
-
-/// Equations in states, parameters and the time, solved for the highest rate of each of some states.
-///
-/// # Errors
-/// See [`VectorField::solve`].
-pub fn field(
-    graph: &mut Graph,
-    time: Option<Leaf>,
-    states: &[Symbol],
-    equations: &[(Expr, Expr)],
-) -> Result<VectorField, FlowError> {
-    VectorField::solve(graph, time, states, equations)
+    VectorField::solve(graph, Some(time), &system.states, &closed)
 }
 
 /// The rate of each state variable; `None` where the system cannot be solved.

@@ -39,11 +39,11 @@ pub(crate) fn is_known(
     if has_motion {
         return true;
     }
-    let given = || Given::of(derivation, claim, said);
-    given().is_some_and(|mut given| given.has_solution())
+    let given = Given::of(derivation, claim, said);
+    given.clone().is_some_and(|mut given| given.has_solution())
         || !said.names_a_time(derivation) && through_a_point(derivation, claim, said)
-        || given().is_some_and(|mut given| given.has_rest())
-        || given().is_some_and(Given::has_simple_fields)
+        || given.clone().is_some_and(|mut given| given.has_rest())
+        || given.is_some_and(Given::has_simple_fields)
         || example()
 }
 

@@ -54,9 +54,7 @@ impl<'a> Given<'a> {
             }
             for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
                 let [l, r] = [l, r].map(|side| {
-                    let side = claim::comparison::behind_rates(graph, scope, side);
-                    let side = then(graph, scope, side);
-                    let side = claim::comparison::traced(graph, scope, side);
+                    let side = written(graph, scope, side);
                     graph.replaced(side, |graph, leaf| (leaf == sign).then(|| graph.integer(1)))
                 });
                 out.push((relation.kind, l, r));
@@ -105,7 +103,7 @@ impl<'a> Given<'a> {
         states.sort_unstable();
         states.dedup();
         let time = self.claim.scope.time();
-        let Ok(field) = claim::system::field(&mut self.graph, time, &states, &equations) else { return false };
+        let Ok(field) = VectorField::solve(&mut self.graph, time, &states, &equations) else { return false };
         self.add_domain(field.rates());
         // An equation says nothing of rates that cancel, and has values where they have.
         self.add_domain(&equations.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>());
@@ -179,21 +177,11 @@ impl<'a> Given<'a> {
     fn values_of(&mut self, formulas: &[Expr]) -> Vec<Condition> {
         let zero = self.graph.integer(0);
         let scope = &self.claim.scope;
-        let written = formulas.iter().map(|&e| {
-            let e = claim::comparison::behind_rates(&mut self.graph, scope, e);
-            let e = then(&mut self.graph, scope, e);
-            claim::comparison::traced(&mut self.graph, scope, e)
-        });
-        let written: Vec<Expr> = written.collect();
+        let written: Vec<Expr> = formulas.iter().map(|&e| written(&mut self.graph, scope, e)).collect();
         let mut out: Vec<Condition> = Vec::new();
         for need in self.graph.needs_below(written) {
             if !is_so(self.derivation, &self.graph, need.value, need.sign) {
-                let kind = match need.sign {
-                    Sign::NotZero => RelationKind::NotEqual,
-                    Sign::Positive => RelationKind::Greater,
-                    Sign::NotNegative => RelationKind::GreaterEqual,
-                };
-                out.push((kind, need.value, zero));
+                out.push((of_sign(need.sign), need.value, zero));
             }
         }
         out
@@ -286,11 +274,7 @@ impl<'a> Given<'a> {
             let edges = self.graph.edges(node).into_iter().filter_map(|edge| edge.vanishing);
             for (sign, value) in needs.chain(edges.map(|e| (Sign::NotZero, e))).collect::<Vec<_>>() {
                 if !is_so(self.derivation, &self.graph, value, sign) {
-                    let kind = match sign {
-                        Sign::NotZero => RelationKind::NotEqual,
-                        Sign::Positive | Sign::NotNegative => RelationKind::Greater,
-                    };
-                    self.domain.push((kind, value, zero));
+                    self.domain.push((strict(of_sign(sign)), value, zero));
                 }
             }
         }
@@ -380,6 +364,15 @@ fn is_identity(graph: &mut Graph, l: Expr, r: Expr) -> bool {
         || matches!(identity_test(graph, &[(l, r)], &Premises::default(), &options), Identity::Proved(proof) if proof.conditions.is_empty())
 }
 
+/// What a sign says, beside 0.
+fn of_sign(sign: Sign) -> RelationKind {
+    match sign {
+        Sign::NotZero => RelationKind::NotEqual,
+        Sign::Positive => RelationKind::Greater,
+        Sign::NotNegative => RelationKind::GreaterEqual,
+    }
+}
+
 /// The relation without equality.
 fn strict(kind: RelationKind) -> RelationKind {
     match kind {
@@ -387,6 +380,13 @@ fn strict(kind: RelationKind) -> RelationKind {
         RelationKind::LessEqual => RelationKind::Less,
         RelationKind::Equal | RelationKind::NotEqual | RelationKind::Greater | RelationKind::Less => kind,
     }
+}
+
+/// A formula in which nothing that is defined is left, nor its rates.
+fn written(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
+    let e = claim::comparison::behind_rates(graph, scope, e);
+    let e = then(graph, scope, e);
+    claim::comparison::traced(graph, scope, e)
 }
 
 /// Rates of what is defined, at fixed times, written out; what cannot be formed stays.
