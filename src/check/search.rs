@@ -5,7 +5,7 @@
 //! text that is handed out. The same seed gives the same text on any number of threads: every try has its own draws, and the
 //! first try that fails is taken.
 //!
-//! **How:** numbers of the file's trajectories are changed, see [`draft`](super::draft). What is found is then made simple: numbers go back
+//! **How:** numbers of the file's trajectories are changed, see `draft.rs`. What is found is then made simple: numbers go back
 //! to those of the file, or to fewer digits, as long as the claim still fails.
 
 use super::draft::{Draft, draw, rounded};
