@@ -7,11 +7,11 @@ use rederive::check::{Proposition, prove};
 use rederive::derivation::Derivation;
 
 /// A claim, its symbols, what is given.
-type Line<'a> = (&'a str, &'a [&'a str], &'a [&'a str]);
+pub(crate) type Line<'a> = (&'a str, &'a [&'a str], &'a [&'a str]);
 
 const MOTION: &[&str] = &["t: time", "x, y, z: state"];
 
-fn word(&(formula, symbols, given): &Line) -> (&'static str, &'static str) {
+pub(crate) fn word(&(formula, symbols, given): &Line) -> (&'static str, &'static str) {
     let mut derivation = Derivation::blank();
     let symbols: Vec<(String, String)> = symbols.iter().map(|s| ((*s).to_owned(), (*s).to_owned())).collect();
     derivation.declare_typed(&symbols).unwrap_or_else(|e| panic!("{formula}: {e:?}"));

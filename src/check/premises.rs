@@ -99,6 +99,33 @@ fn may_leap(derivation: &Derivation, trajectory: usize) -> bool {
     }
 }
 
+/// Whether a claim applies to a motion of its file on which all that it follows from is so.
+fn has_motion(derivation: &Derivation, declared: &Claim, claim: &ClaimAccount, accounts: &[&[ClaimAccount]]) -> bool {
+    let premises: Vec<Option<&ClaimAccount>> = (declared.follows_from.iter())
+        .filter_map(|name| match derivation.premise(name) {
+            Premise::Claim(at) => Some(&derivation.claims[at]),
+            Premise::System(_) | Premise::Definition => None,
+        })
+        .map(|of| accounts.iter().copied().flatten().find(|a| a.id == of.id && a.reading == of.reading))
+        .collect();
+    let is_so = |on: &dyn Fn(&ClaimAccount) -> Option<Outcome>| {
+        let applies = on(claim).is_some_and(|outcome| !matches!(outcome, Outcome::NotApplicable(_)));
+        let holds = |premise: &Option<&ClaimAccount>| {
+            premise.and_then(on).is_some_and(|outcome| matches!(outcome, Outcome::Holds(_)))
+        };
+        applies && premises.iter().all(holds)
+    };
+    let may_be_so = proved::existence::motions_of_file(derivation, declared);
+    let on_motion = |at: &usize| {
+        let id = &derivation.trajectories[*at].id;
+        is_so(&|of| Some(of.on(id)?.verdict.outcome()))
+    };
+    let on_family = |of: &&derivation::Family| {
+        may_be_so.contains(&of.of) && is_so(&|a| Some(a.families.iter().find(|f| f.family == of.id)?.verdict.outcome()))
+    };
+    may_be_so.iter().any(|at| on_motion(at)) || declared.families.iter().any(|&f| on_family(&&derivation.families[f]))
+}
+
 /// Has the checker replay the proofs, of the file as it was read: what it does not replay is not called proved.
 pub(super) fn replay(
     derivation: &Derivation,
@@ -111,10 +138,7 @@ pub(super) fn replay(
     let of = |claim: &ClaimAccount, limits: &Limits| -> Option<IdentityAccount> {
         let declared = derivation.claim(&claim.id, claim.reading.as_deref())?;
         let account = claim.identity.clone().filter(|i| i.finding.is_proved_in_part())?;
-        // Where it was tried on all of its motions, it must apply to one.
-        let is_tried = claim.results.len() >= declared.trajectories.len() && claim.verdicts().next().is_some();
-        let applies = claim.verdicts().any(|j| !matches!(j.verdict.outcome(), Outcome::NotApplicable(_)));
-        let has_motion = if is_tried { applies } else { proved::replay::has_motions(declared) };
+        let has_motion = has_motion(derivation, declared, claim, &[&*claims, known]);
         let steps: proved::replay::RecallSteps = &|asked, find| {
             if recall.is_nothing() {
                 return find();

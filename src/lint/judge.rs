@@ -430,7 +430,7 @@ impl Judge<'_> {
             out.span = relation.sides[slip.side(&out.chain)].span.clone();
             let why = match slip.wrong.witness.values.is_empty() {
                 true => "reckoned, its sides differ",
-                false => "a point refutes it, and one slip away it holds",
+                false => "false at a point; with one change it is proved",
             };
             be_wrong(out, slip.wrong, why);
             return Vec::new();

@@ -55,10 +55,10 @@ pub fn diagnostic(paper: &Paper, judgement: &Judgement) -> Option<Diagnostic> {
     Some(found)
 }
 
-/// "for a = 2, b = 1 it says 3 = 5".
+/// "for a = 2, b = 1 its sides are 3 and 5".
 pub fn at_a_point(witness: &LintWitness) -> String {
     let values: Vec<String> = witness.values.iter().take(8).map(|(n, v)| format!("{} = {v}", in_one_line(n))).collect();
-    let sides = format!("it says {} = {}", decimal(witness.left), decimal(witness.right));
+    let sides = format!("its sides are {} and {}", decimal(witness.left), decimal(witness.right));
     if values.is_empty() { sides } else { format!("for {} {sides}", values.join(", ")) }
 }
 
@@ -105,10 +105,10 @@ pub fn lint_text(paper: &Paper, lint: &Lint) -> String {
     }
     let _ = writeln!(out, "\n{}", summary(lint));
     if unlisted > 0 {
-        let formulas = if unlisted == 1 { "formula" } else { "formulas" };
+        let (formulas, verb, them) = if unlisted == 1 { ("formula", "is", "it") } else { ("formulas", "are", "them") };
         let _ = writeln!(
             out,
-            "{unlisted} {formulas} of the running text, of which nothing is said, not listed: --format json has them"
+            "{unlisted} {formulas} of the running text, which nothing above decides, {verb} not listed: --format json has {them}"
         );
     }
     out

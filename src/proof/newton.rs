@@ -100,7 +100,15 @@ pub(super) fn example(
         return None;
     }
     let sides: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
-    let facts = [&given.nonzero, &given.positive, &given.not_negative].into_iter().flatten().chain(divided).copied();
+    let facts: Vec<Expr> =
+        [&given.nonzero, &given.positive, &given.not_negative].into_iter().flatten().copied().collect();
+    // Where it depends on a sign that was made up on the way, it is not known whether it vanishes.
+    let given_sides = equations.iter().flat_map(|&(l, r)| [l, r]);
+    let known = graph.leaves(given_sides.chain(sides.iter().copied()).chain(facts.iter().copied()));
+    if graph.leaves(divided.iter().copied()).iter().any(|leaf| !known.contains(leaf)) {
+        return None;
+    }
+    let facts = facts.into_iter().chain(divided.iter().copied());
     let system = System::of(graph, &equations, sides.iter().copied().chain(facts).collect())?;
     let mut draws = Draws::new(options.seed);
     let starts = Starts::of(graph, given);

@@ -5,7 +5,7 @@
 //! | what is given | why there is a motion |
 //! |---|---|
 //! | values at several fixed times, and more than a system | polynomials are found; else one of these: |
-//! | the claim applies to motions of its file | these |
+//! | the claim applies to a motion of its file, which has its systems and goes through the times that are named | this, see [`motions_of_file`] |
 //! | nothing of what moves | a proof needs a point, see [`proof`] |
 //! | formulas of what moves | they have values near a point |
 //! | a system that is solved for its rates | one begins at every point of its domain |
@@ -17,11 +17,13 @@
 //! | anything | polynomials of the time are found |
 
 mod given;
+mod of_file;
 
 use crate::derivation::{Claim, Derivation};
 use crate::said::Sayings;
 use crate::step::Step;
 use given::Given;
+pub use of_file::motions_of_file;
 use proof::When;
 
 /// Whether there is, for a proof that is whole, or leaves out times.
@@ -58,6 +60,6 @@ fn needs_example(derivation: &Derivation, said: &Sayings, is_whole: bool) -> boo
 
 /// Whether a point is found through which a motion passes, on which all that is assumed is so on an interval, and the claim has values.
 fn through_a_point(derivation: &Derivation, claim: &Claim, said: &Sayings) -> bool {
-    let has_motion = |step: Step<'_>| step.typed().has_motion(&said.claimed.formulas);
+    let has_motion = |step: Step<'_>| step.typed().has_motion(&said.claimed.formulas, &said.given.formulas);
     Step::of(derivation, claim).and_then(has_motion) == Some(true)
 }

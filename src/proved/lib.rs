@@ -15,7 +15,7 @@ pub mod agreement;
 mod alone;
 pub mod by_formula;
 pub mod conditional;
-mod existence;
+pub mod existence;
 mod motions;
 pub mod proposition;
 pub mod replay;

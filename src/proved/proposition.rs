@@ -175,10 +175,12 @@ fn read(
     problems: &mut Vec<Diagnostic>,
 ) -> Vec<Written<Statement>> {
     match latex::read(&source.text, scope, &mut derivation.graph) {
+        // What stands alone is told as it was typed, its brackets with their sizes.
         Ok(statements) if !statements.is_empty() => statements
-            .into_iter()
+            .iter()
+            .cloned()
             .map(|s| {
-                let span: Range<usize> = s.span.clone();
+                let span: Range<usize> = if statements.len() == 1 { 0..source.text.len() } else { s.span.clone() };
                 let text = source.text.get(span.clone()).unwrap_or(&source.text).trim().to_owned();
                 Written { text, span, value: s }
             })

@@ -24,9 +24,9 @@ fn left_open(account: &IdentityAccount) -> Vec<May> {
     presupposes.into_iter().chain(ends).collect()
 }
 
-/// Whether a claim has motions in its file; on which of them all that is given is so is another question.
-pub fn has_motions(claim: &Claim) -> bool {
-    !claim.trajectories.is_empty() || !claim.families.is_empty()
+/// Whether a claim has motions in its file that move by its systems; on which of them all that is given is so is another question.
+pub fn has_motions(derivation: &Derivation, claim: &Claim) -> bool {
+    !crate::existence::motions_of_file(derivation, claim).is_empty()
 }
 
 /// Finds steps, or recalls them by all that is given and claimed.
@@ -87,7 +87,13 @@ pub fn replayed_throughout(derivation: &Derivation, claim: &Claim, account: Iden
 pub(crate) fn is_replayed(derivation: &Derivation, claim: &Claim, account: IdentityAccount, typed: bool) -> bool {
     let account = match typed {
         true => replayed_throughout(derivation, claim, account),
-        false => replayed(derivation, claim, account, has_motions(claim), (&meter::limits(), &|_, search| search())),
+        false => replayed(
+            derivation,
+            claim,
+            account,
+            has_motions(derivation, claim),
+            (&meter::limits(), &|_, search| search()),
+        ),
     };
     account.finding.is_proved_in_part()
 }

@@ -96,10 +96,8 @@ fn item<'a>(
         below.push(StoryBlock::Paragraph(grounds(whole, by_id, hangs)));
         return StoryItem { mark, line, below: vec![StoryBlock::Group("chain", below)] };
     };
-    let under = hangs.grounds_of(whole.id).len();
     let mut steps = chain(&hangs.chain(first.id, whole.id), by_id);
-    let verb = if broken.len() == 1 { "fails" } else { "fail" };
-    steps.push(words(format!("; {} of {} {verb}.", broken.len(), count(under, "step"))));
+    steps.push(words("."));
     // Each break is shown once; a terminal has room for that of a conclusion that stands.
     let says = told.insert(first.id).then(|| break_says(derivation, first)).filter(|says| !says.is_empty());
     match says {

@@ -121,14 +121,24 @@ impl<'a> RefutingMotion<'a> {
             Refutes::Same => {
                 let components = if everywhere && label.component.is_some() { ", in every component" } else { "" };
                 let value = if components.is_empty() { format!(" ({})", six(w.left)) } else { String::new() };
-                out.push(words(format!(" both sides are the same{components}{value}, which it denies")));
+                out.push(words(format!(" both sides are equal{components}{value}; it says that they are not")));
             }
             Refutes::Apart => {
                 let sides = label.component.is_none().then(|| sides(label.formula)).flatten();
                 let (left, right) = both(w.left, w.right);
                 let short = |side: &&str| side.len() <= LONGEST_SIDE;
-                out.extend(named_side(": left ", sides.map(|s| s.0).filter(short), left, scope));
-                out.extend(named_side(", right ", sides.map(|s| s.1).filter(short), right, scope));
+                match sides {
+                    // Beside a number a value says all.
+                    Some((side, sign, number)) if sign != "=" && is_number(number) && short(&side) => {
+                        out.extend(named_side(": ", Some(side), left, scope));
+                        out.push(words(", not "));
+                        out.push(StorySpan::Math(format!("{sign}{number}"), scope));
+                    }
+                    sides => {
+                        out.extend(named_side(": left ", sides.map(|s| s.0).filter(short), left, scope));
+                        out.extend(named_side(", right ", sides.map(|s| s.2).filter(short), right, scope));
+                    }
+                }
             }
         }
         // What is exact needs no bound.
@@ -162,8 +172,8 @@ fn is_number(formula: &str) -> bool {
     formula.chars().all(|c| c.is_ascii_digit() || "+-. ^{}".contains(c))
 }
 
-/// The sides of a relation, where it has two.
-fn sides(formula: &str) -> Option<(&str, &str)> {
+/// The sides of a relation, where it has two, with the sign between them.
+fn sides(formula: &str) -> Option<(&str, &str, &str)> {
     let signs = ["=", "<", ">", r"\le ", r"\ge ", r"\leq ", r"\geq "];
     let mut found = signs.iter().flat_map(|sign| formula.match_indices(sign));
     let (at, sign) = found.next()?;
@@ -171,7 +181,7 @@ fn sides(formula: &str) -> Option<(&str, &str)> {
         return None;
     }
     let (left, right) = (formula[..at].trim(), formula[at + sign.len()..].trim());
-    (!left.is_empty() && !right.is_empty()).then_some((left, right))
+    (!left.is_empty() && !right.is_empty()).then_some((left, sign, right))
 }
 
 /// How many powers of ten the sides of a claim that fails differ by less than they are large, at the point that refutes it; 0 where
@@ -292,7 +302,7 @@ fn right<'a>(
     }
     let erratum = failing.variants.as_ref()?.erratum.as_ref()?;
     let tried = erratum.tried.0 + erratum.tried.1 + erratum.tried.2;
-    (tried > 0).then(|| vec![quiet(format!("{tried} altered formulas were tried: none holds"))])
+    (tried > 0).then(|| vec![quiet(format!("no formula one change away holds: {tried} were tried"))])
 }
 
 /// The correction nearest to the print.
@@ -374,7 +384,7 @@ pub(super) fn blocks<'a>(
             over_ranges(claim)
                 .or_else(|| of_step(claim))
                 .filter(|_| fails)
-                .map(|text| StorySpan::Prose(text, own, Tone::Plain)),
+                .map(|text| StorySpan::Prose(super::plain::plain(&text), own, Tone::Plain)),
         ),
     }
     if let Some(text) = &line.consequence {
@@ -433,9 +443,9 @@ mod tests {
 
     #[test]
     fn a_relation_of_two_short_sides_has_their_names() {
-        assert_eq!(sides("2E= I^{-1}_i m_i^2"), Some(("2E", "I^{-1}_i m_i^2")));
-        assert_eq!(sides(r"0\le x"), Some(("0", "x")));
-        assert_eq!(sides(r"\left|x\right|<1"), Some((r"\left|x\right|", "1")));
+        assert_eq!(sides("2E= I^{-1}_i m_i^2"), Some(("2E", "=", "I^{-1}_i m_i^2")));
+        assert_eq!(sides(r"0\le x"), Some(("0", r"\le ", "x")));
+        assert_eq!(sides(r"\left|x\right|<1"), Some((r"\left|x\right|", "<", "1")));
         assert_eq!(sides("a=b=c"), None);
         assert_eq!(sides(r"0\le x<1"), None);
         assert_eq!(sides("x"), None);

@@ -19,6 +19,8 @@ use findings::{Account, ClaimAccount, IdentityAccount};
 
 /// Most claims that are told; the rest is counted.
 const MOST: usize = 14;
+/// Most claims that were added and are refuted, of which more is told than the name.
+const MOST_COMPARED: usize = 2;
 /// Most ids that are named in one line.
 const MOST_NAMED: usize = 4;
 
@@ -49,6 +51,8 @@ pub(super) struct Front {
     pub lines: Vec<Line>,
     /// How many more do not stand.
     pub more: usize,
+    /// What was added for comparison, and is refuted: the first of it.
+    pub compared: Vec<Line>,
     /// What asks for attention: what was not checked, and what rests on nothing.
     pub alarms: Vec<String>,
     /// What is in the file beside the paper's claims.
@@ -73,7 +77,7 @@ impl Front {
         let decades = |w: &Whole<'_>| w.failing().map_or(0, |r| super::card::error_decades(r.claim));
         against.sort_by_cached_key(|w| (std::cmp::Reverse(hangs.weight(w.id)), w.fate, decades(w)));
         let more = against.len().saturating_sub(MOST);
-        let line = |whole: &&Whole<'_>| Line {
+        let line = |whole: &Whole<'_>| Line {
             id: whole.id.to_owned(),
             says: whole.says.clone(),
             place: whole.place.map(str::to_owned),
@@ -82,13 +86,15 @@ impl Front {
             consequence: consequence(whole, hangs),
             is_brief: !hangs.conclusions().is_empty(),
         };
+        let compared = refuted_beside(wholes);
         let file = project_path(&derivation.file.path);
         Front {
             verdict: verdict(wholes, hangs),
             strength: strength(wholes),
             proofs: super::recorded::rests(account),
-            lines: against.iter().take(MOST).map(line).collect(),
+            lines: against.iter().copied().take(MOST).map(line).collect(),
             more,
+            compared: compared.take(MOST_COMPARED).map(line).collect(),
             alarms: alarms(derivation, account),
             beside: headline::beside(wholes),
             author: match &derivation.encoded_by {
@@ -104,6 +110,11 @@ impl Front {
             command: format!("{} check {file}", crate::PROGRAM),
         }
     }
+}
+
+/// What was added for comparison, and is refuted.
+pub(super) fn refuted_beside<'w, 'a>(wholes: &'w [Whole<'a>]) -> impl Iterator<Item = &'w Whole<'a>> {
+    wholes.iter().filter(|w| w.fate == Fate::Added && w.all_failing().next().is_some())
 }
 
 /// The verdict in one sentence: of the conclusions first, then of all claims.

@@ -6,6 +6,7 @@
 
 use super::digest::{Fate, Whole, listed};
 use super::numbers::count;
+use findings::{Account, ClaimAccount};
 
 /// What a claim is counted as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,6 +72,28 @@ pub(super) fn heading(fate: Fate, found: &[&Whole<'_>]) -> String {
             CountedFate::AsSaid.words(n)
         ),
     }
+}
+
+/// How the claims were tried, each meaning and what is added for comparison by itself, in a sentence.
+pub(super) fn tried(account: &Account) -> String {
+    let s = account.summary();
+    let parts = [
+        (s.holds, "holds", "hold"),
+        (s.fails, "fails", "fail"),
+        (s.not_applicable, "does not apply", "do not apply"),
+        (s.undecided, "is undecided", "are undecided"),
+    ];
+    let parts = parts.into_iter().filter(|(n, ..)| *n > 0);
+    let parts: Vec<String> = parts.map(|(n, one, more)| format!("{n} {}", if n == 1 { one } else { more })).collect();
+    let motions = count(account.trajectories.len(), "motion");
+    let told = if parts.is_empty() { "nothing was decided".to_owned() } else { listed(&parts) };
+    format!("On {motions}, with every meaning and what is added for comparison, one by one: {told}.")
+}
+
+/// The claims and meanings of which a verdict is not as the file expects.
+pub(super) fn unexpected(account: &Account) -> Vec<&ClaimAccount> {
+    let is_unexpected = |c: &&ClaimAccount| c.is_unexpected_alone() || c.verdicts().any(|j| j.unexpected);
+    account.claims.iter().filter(is_unexpected).collect()
 }
 
 /// What is in the file beside the paper's claims, in a sentence; `None` where there is nothing.

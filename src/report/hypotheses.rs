@@ -28,9 +28,9 @@ const MOST_NAMED: usize = 3;
 /// Most equations and claims that are named of each on page one.
 const MOST_PLACES: usize = 2;
 /// Most conventions on page one.
-const MOST_CONVENTIONS: usize = 4;
+const MOST_CONVENTIONS: usize = 3;
 /// Longest convention on page one, in bytes.
-const LONGEST_CONVENTION: usize = 170;
+const LONGEST_CONVENTION: usize = 90;
 
 /// How well a hypothesis is read: what has words comes first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -82,18 +82,25 @@ pub(super) fn blocks<'a>(
     let mut all = with_intermediate(unsaid, &derivation.scope);
     // What has words comes first, then what most claims use.
     all.sort_by_key(|h| (h.readable, std::cmp::Reverse(h.used.len())));
-    let short = all.iter().take_while(|h| h.readable != Readable::Long).count();
-    let shown = short.min(MOST);
-    let counted = all[..shown].iter().map(|of| with_places(derivation, of)).collect::<Vec<_>>();
-    let mut line = joined(counted, "; ");
-    let more = all.len() - shown + technical.len();
-    line.push(quiet(match (shown, more) {
-        (0, 0) => "No step uses a condition that its claim does not say.".to_owned(),
-        (0, n) => {
-            format!("{}, on the page: what proofs divide by, and where functions have values.", count(n, "condition"))
-        }
-        (_, 0) => ".".to_owned(),
-        (_, n) => format!("; {n} more on the page."),
+    // What proofs divide by is told where nothing else is.
+    let first = if all.is_empty() { &technical } else { &all };
+    let is_short = |h: &&Hypothesis<'_>| h.readable != Readable::Long;
+    let shown: Vec<&Hypothesis<'a>> = first.iter().filter(is_short).take(MOST).collect();
+    let more = all.len() + technical.len() - shown.len();
+    let is_none = shown.is_empty();
+    // What the same claims use is told together.
+    let together = shown.chunk_by(|a, b| a.used == b.used).map(|of| {
+        let mut says = joined(of.iter().map(|h| h.says.clone()), ", ");
+        says.extend(of.first().map(|h| quiet(format!(" ({})", places(derivation, &h.used)))));
+        says
+    });
+    let shown: Vec<_> = together.collect();
+    let mut line = joined(shown, "; ");
+    line.push(quiet(match (is_none, more) {
+        (true, 0) => "No step uses a condition that its claim does not say.".to_owned(),
+        (true, n) => format!("{}, below.", count(n, "long condition")),
+        (false, 0) => ".".to_owned(),
+        (false, n) => format!("; {n} more."),
     }));
     let mut out = vec![StoryBlock::Heading("Used and not said".to_owned()), StoryBlock::Paragraph(line)];
     out.extend(conventions(derivation, &signs));
@@ -176,24 +183,32 @@ fn with_intermediate<'a>(all: Vec<Hypothesis<'a>>, scope: &'a Scope) -> Vec<Hypo
                 continue;
             };
             let both: Vec<String> = out[*one].used.iter().filter(|c| out[*other].used.contains(c)).cloned().collect();
-            if both.is_empty() {
-                continue;
-            }
             for at in [*one, *other] {
                 out[at].used.retain(|claim| !both.contains(claim));
             }
+            // Where the two may be equal, the third may be anything.
             let differ = canonical(&format!("{}≠{}", a[0], b[0]));
             let known = out.iter().find(|h| canonical(&h.key) == differ);
-            let exact = known.is_some_and(|h| both.iter().all(|claim| h.used.contains(claim)));
+            let (apart, other): (Vec<String>, Vec<String>) =
+                both.into_iter().partition(|claim| known.is_some_and(|h| h.used.contains(claim)));
             let letter = |of: &String| StorySpan::Math(of.clone(), scope);
             let (a, b) = if b[0] < a[0] { (b, a) } else { (a, b) };
             let mut says = vec![letter(third), words(" between "), letter(&a[0]), words(" and "), letter(&b[0])];
             says.push(words(", or equal to one of them"));
-            if !exact {
-                says.extend([words("; or "), letter(&a[0]), words(" = "), letter(&b[0])]);
-            }
+            let equal = [words("; or "), letter(&a[0]), words(" = "), letter(&b[0])];
+            let loose = says.iter().cloned().chain(equal).collect();
             let key = format!("{third} between {} and {}", a[0], b[0]);
-            merged.push(Hypothesis { says, key, readable: Readable::Words, kind: HypothesisKind::OfPaper, used: both });
+            for (says, key, used) in [(says, key.clone(), apart), (loose, format!("{key} or equal"), other)] {
+                if !used.is_empty() {
+                    merged.push(Hypothesis {
+                        says,
+                        key,
+                        readable: Readable::Words,
+                        kind: HypothesisKind::OfPaper,
+                        used,
+                    });
+                }
+            }
         }
     }
     out.retain(|h| !h.used.is_empty());

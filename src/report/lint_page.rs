@@ -61,9 +61,8 @@ pub fn lint_page(paper: &Paper, found: &Lint) -> String {
             }
             body {
                 header {
-                    p.quiet { "A paper as it is" }
                     h1 { (title) }
-                    p.quiet { (paper.file.path) }
+                    @if paper.title.is_some() { p.quiet { (paper.file.path) } }
                     @if let Some(text) = lint::nothing_tested(found) { p { b { (text) } } }
                     (counts(found))
                     @if !wrong.is_empty() {
@@ -121,9 +120,30 @@ fn link(paper: &Paper, judgement: &Judgement, typeset: &[Option<Typeset>]) -> Ma
                 div.formula tabindex="0" role="group" aria-label=(format!("wrong formula of line {}", lint::line(paper, judgement))) {
                     (sides(relation, how))
                 }
+                @if let Some(instead) = &judgement.instead {
+                    @let printed = as_printed(relation, judgement, how);
+                    div.formula tabindex="0" role="group" aria-label="what holds" {
+                        span.quiet { "holds: " } (marked(instead, Some(&printed), how.map(|h| &h.scope), "good"))
+                    }
+                }
             }
         }
     }
+}
+
+/// What is wrong: a side, or the whole relation where what holds in its place is one.
+fn as_printed(relation: &PrintedRelation, judgement: &Judgement, how: Option<&Typeset>) -> String {
+    let text = |k: usize| text_of(relation, how, k);
+    let is_relation = judgement.instead.as_ref().is_some_and(|i| i.contains('='));
+    if let ([sign], true) = (relation.signs.as_slice(), is_relation) {
+        return format!("{} {sign} {}", text(0), text(1));
+    }
+    relation.sides.iter().position(|s| s.span == judgement.span).map_or("", text).to_owned()
+}
+
+/// A number with the sign that a formula has.
+fn signed(x: f64) -> String {
+    lint::decimal(x).replace('-', "−")
 }
 
 /// Each relation that was judged as markup, in the order of [`Lint::judgements`].
@@ -184,24 +204,22 @@ fn one(paper: &Paper, judgement: &Judgement, typeset: &[Option<Typeset>]) -> Mar
 /// The side that is wrong, what holds in its place, a point, a picture.
 fn wrong(relation: &PrintedRelation, judgement: &Judgement, how: Option<&Typeset>) -> Markup {
     let scope = how.map(|h| &h.scope);
-    let at = relation.sides.iter().position(|s| s.span == judgement.span);
-    let printed = at.map_or("", |k| text_of(relation, how, k));
+    let printed = as_printed(relation, judgement, how);
     html! {
         div.sides {
-            div { h3 { "As printed" } div.formula tabindex="0" role="group" aria-label="as printed" { (marked(printed, judgement.instead.as_deref(), scope, "bad")) } }
+            div { h3 { "As printed" } div.formula tabindex="0" role="group" aria-label="as printed" { (marked(&printed, judgement.instead.as_deref(), scope, "bad")) } }
             @if let Some(instead) = &judgement.instead {
-                div { h3 { "Holds" } div.formula tabindex="0" role="group" aria-label="what holds" { (marked(instead, Some(printed), scope, "good")) } }
+                div { h3 { "Holds" } div.formula tabindex="0" role="group" aria-label="what holds" { (marked(instead, Some(&printed), scope, "good")) } }
             }
         }
         @if let Some(witness) = &judgement.witness {
             p {
-                @if witness.values.is_empty() { "It" } @else { "For " }
+                @if witness.values.is_empty() { "Its sides" } @else { "For " }
                 @for (k, (name, value)) in witness.values.iter().take(8).enumerate() {
                     @if k > 0 { ", " }
                     (formula(name, scope)) " = " (value)
                 }
-                @if !witness.values.is_empty() { " it" }
-                " says " (lint::decimal(witness.left)) " = " (lint::decimal(witness.right)) "."
+                ": " (signed(witness.left)) " on the left, " (signed(witness.right)) " on the right."
             }
         }
         @if let Some(picture) = &judgement.picture { (drawing(picture)) }

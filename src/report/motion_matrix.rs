@@ -12,6 +12,7 @@ use super::consequence::Consequences;
 use super::digest::{self, Fate, Reading, Whole};
 use super::discrimination;
 use super::graph::ProofStanding;
+use super::limited::limited;
 use super::numbers::count;
 use super::story::{self, StoryBlock, StoryItem, StorySpan, StoryTable, Tone, VerdictShape, joined, quiet, words};
 use super::tally::motion_title;
@@ -42,13 +43,25 @@ struct MatrixColumn<'a> {
     of: ColumnMotions<'a>,
 }
 
-/// The claims that matter, in the order of the paper: its conclusions, what does not stand, and what most rests on.
-pub(super) fn that_matter<'w, 'a>(wholes: &'w [Whole<'a>], hangs: &Consequences<'_>) -> Vec<&'w Whole<'a>> {
+/// The claims that matter, in the order of the paper: its conclusions, what is stated and used differently, what does not stand, and what
+/// most rests on.
+pub(super) fn that_matter<'w, 'a>(
+    derivation: &Derivation,
+    wholes: &'w [Whole<'a>],
+    hangs: &Consequences<'_>,
+) -> Vec<&'w Whole<'a>> {
+    let used_otherwise = limited(derivation, wholes, hangs).first().map(|l| l.whole.id);
     let of_paper: Vec<usize> = (0..wholes.len()).filter(|&at| wholes[at].fate.is_of_the_paper()).collect();
     let mut all: Vec<usize> = if of_paper.is_empty() { (0..wholes.len()).collect() } else { of_paper };
     all.sort_by_cached_key(|&at| {
         let whole = &wholes[at];
-        (!whole.conclusion, !whole.fate.is_against(), std::cmp::Reverse(hangs.weight(whole.id)), at)
+        (
+            !whole.conclusion,
+            Some(whole.id) != used_otherwise,
+            !whole.fate.is_against(),
+            std::cmp::Reverse(hangs.weight(whole.id)),
+            at,
+        )
     });
     all.truncate(if hangs.conclusions().is_empty() { MOST_ROWS } else { MOST_ROWS_BESIDE });
     all.sort_unstable();
@@ -68,7 +81,7 @@ pub(super) fn blocks<'a>(
     (wholes, hangs): (&[Whole<'a>], &Consequences<'_>),
     following: BTreeSet<VerdictShape>,
 ) -> Vec<StoryBlock<'a>> {
-    let rows = that_matter(wholes, hangs);
+    let rows = that_matter(derivation, wholes, hangs);
     let columns = columns(derivation, account, &rows);
     let letter = |at: usize| char::from_u32(u32::from('a') + at as u32).map(String::from).unwrap_or_default();
     let table = StoryTable {
@@ -80,7 +93,10 @@ pub(super) fn blocks<'a>(
     let mut legend = legend(&(&story::shapes(std::slice::from_ref(&table)) | &following));
     let has_share = |whole: &Whole<'_>, of| cell(whole, of).and_then(|shape| share(whole, of, shape)).is_some();
     if rows.iter().any(|whole| columns.iter().any(|column| has_share(whole, &column.of))) {
-        legend.push(quiet("; 1/3: 1 of 3 motions"));
+        legend.push(quiet("; 1/3: where it applies"));
+    }
+    if rows.iter().any(|whole| columns.iter().any(|column| as_used(whole, &column.of).is_some())) {
+        legend.push(quiet("; / ✖: as used"));
     }
     let more = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count().saturating_sub(rows.len());
     if more > 0 {
@@ -112,18 +128,26 @@ fn row<'a>(whole: &Whole<'a>, columns: &[MatrixColumn<'a>], hangs: &Consequences
     if let Some(letter) = hangs.letter(whole.id) {
         head.insert(0, StorySpan::Words(format!("{letter} "), Tone::Strong));
     }
-    let cells = columns.iter().map(|column| match cell(whole, &column.of) {
-        None => Vec::new(),
-        Some(shape) => {
+    let cells = columns.iter().map(|column| {
+        let stated = cell(whole, &column.of).into_iter().flat_map(|shape| {
             let share = share(whole, &column.of, shape).map(|(some, all)| quiet(format!("\u{a0}{some}/{all}")));
-            std::iter::once(StorySpan::Shape(shape)).chain(share).collect()
-        }
+            std::iter::once(StorySpan::Shape(shape)).chain(share)
+        });
+        let used =
+            as_used(whole, &column.of).into_iter().flat_map(|shape| [quiet("\u{a0}/\u{a0}"), StorySpan::Shape(shape)]);
+        stated.chain(used).collect()
     });
     std::iter::once(head).chain(cells).collect()
 }
 
-/// On how many motions of a class it is as the symbol says, and how many there are, where it is not so on all of them: fails, holds (of
-/// one that holds on some), or applies.
+/// The symbol of a claim that stands as it is stated where it fails as the paper uses it.
+fn as_used(whole: &Whole<'_>, column: &ColumnMotions<'_>) -> Option<VerdictShape> {
+    let used = whole.failing_need().filter(|_| !whole.fate.is_against())?;
+    of_reading(used, column).filter(|shape| shape.tone() == Tone::Bad)
+}
+
+/// On how many motions of a class it is as the symbol says, and to how many it applies, where it is not so on all of these: fails, or holds
+/// (of one that holds on some).
 fn share(whole: &Whole<'_>, column: &ColumnMotions<'_>, shape: VerdictShape) -> Option<(usize, usize)> {
     let ColumnMotions::Motions(named) = column else { return None };
     let is_so = |p: &&PairAccount| match (shape, p.verdict.outcome()) {
@@ -134,9 +158,13 @@ fn share(whole: &Whole<'_>, column: &ColumnMotions<'_>, shape: VerdictShape) -> 
         (_, Outcome::Holds(_)) => !discrimination::is_weak(p),
         (_, Outcome::Fails(_) | Outcome::Undecided) => shape.tone() == Tone::Open,
     };
-    let pairs = whole.deciding().flat_map(|reading| &reading.claim.results).filter(is_so);
-    let found = pairs.map(|p| p.trajectory.as_str()).filter(|id| named.contains(id)).collect::<BTreeSet<_>>();
-    (!found.is_empty() && found.len() < named.len()).then_some((found.len(), named.len()))
+    let applies = |p: &&PairAccount| !matches!(p.verdict.outcome(), Outcome::NotApplicable(_));
+    let on = |is: &dyn Fn(&&PairAccount) -> bool| {
+        let pairs = whole.deciding().flat_map(|reading| &reading.claim.results).filter(is);
+        pairs.map(|p| p.trajectory.as_str()).filter(|id| named.contains(id)).collect::<BTreeSet<_>>().len()
+    };
+    let (found, of) = (on(&is_so), on(&applies));
+    (found > 0 && found < of).then_some((found, of))
 }
 
 /// What a class of motions says of a claim with all its readings.

@@ -10,7 +10,7 @@ use super::card;
 use super::consequence::Consequences;
 use super::digest::{self, Fate, Reading, Whole};
 use super::drawn;
-use super::front::{Front, Line};
+use super::front::{self, Front, Line};
 use super::headline;
 use super::hypotheses;
 use super::limited::{self, Limited};
@@ -18,7 +18,7 @@ use super::motion_matrix::{self, that_matter};
 use super::numbers::count;
 use super::sketch::Sketch;
 use super::story::{self, StoryBlock, StorySpan, Tone, quiet, words};
-use super::tally::{Standing, declared};
+use super::tally::{Standing, declared, name};
 use super::text::{Paint, capital, paragraph, uncapital};
 use crate::derivation::Derivation;
 use findings::Account;
@@ -28,7 +28,7 @@ const MOST_NAMED: usize = 6;
 /// Cards on the first screen; more are folded. Conclusions need the room of those that a terminal leaves out, too.
 const MOST_CARDS: usize = 3;
 /// Most lines of a terminal that have the remark of a file; the rest is folded.
-const MOST_REMARKED: usize = 2;
+const MOST_REMARKED: usize = 3;
 /// Most labels and letters that a sentence lists.
 const MOST_LABELS: usize = 12;
 /// Longest formula, in bytes of LaTeX, that a sentence quotes.
@@ -46,12 +46,14 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     for alarm in &front.alarms {
         head.push(StoryBlock::Paragraph(vec![StorySpan::Prose(format!("! {alarm}"), scope, Tone::Alarm)]));
     }
+    head.extend(not_as_expected(account));
     head.extend(remark(derivation));
     let fields = wholes.iter().filter(|w| w.fate.is_of_the_paper()).map(|w| w.shape());
     let strip = Sketch::Strip(fields.collect());
     let shown = front.lines.first().map(|l| l.id.as_str());
     let concludes = argument::blocks(derivation, &wholes, &hangs, shown);
-    let mut matrix = vec![StoryBlock::Group("strip", vec![StoryBlock::Figure(strip, Vec::new())])];
+    let mut matrix =
+        vec![StoryBlock::Group("strip", vec![StoryBlock::Figure(strip, vec![quiet("its claims in order")])])];
     matrix.extend(motion_matrix::blocks(derivation, account, (&wholes, &hangs), story::shapes(&concludes)));
     // What has no room on the first screen: the counts, where they are not the first sentence, and how much is proved.
     let counts = [Some(headline::headline(&wholes)), front.strength.clone()].into_iter().flatten();
@@ -79,6 +81,15 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
             vec![StoryBlock::Paragraph(foot), StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(strength)])],
         ),
     ]
+}
+
+/// The claims of which a verdict is not as the file expects; a terminal tells of each by itself.
+fn not_as_expected<'a>(account: &Account) -> Option<StoryBlock<'a>> {
+    let names: Vec<String> = headline::unexpected(account).into_iter().map(name).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let told = format!("Not as the file expects: {}.", first_of(&names, 0));
+    let line = StoryBlock::Paragraph(vec![StorySpan::Words(told, Tone::Alarm)]);
+    (!names.is_empty()).then(|| StoryBlock::Group("roomy", vec![line]))
 }
 
 /// Whether something is said of printed equations or of conclusions, before claims are counted.
@@ -201,8 +212,9 @@ fn needed_besides(wholes: &[Whole<'_>], hangs: &Consequences<'_>, told: Option<&
         wholes.iter().filter(|w| Some(w.id) != told && !w.fate.is_against() && w.fate.is_of_the_paper() && fails(w));
     let whole = others.reduce(|a, b| if hangs.weight(b.id) > hangs.weight(a.id) { b } else { a })?;
     let reading = whole.failing_nowhere_true()?;
-    let on = digest::verdict(reading).replace(" to which it applies", "").replace(" (certified)", "");
-    Some(format!("It also needs “{}”, which {}.", reading.claim.says.trim_end_matches('.'), uncapital(&on)))
+    let on = digest::verdict(reading).replace(" to which it applies", "");
+    let on = on.trim_end_matches(" (certified)").trim_end_matches(" (at samples)");
+    Some(format!("Its argument needs “{}”, too: that {}.", reading.claim.says.trim_end_matches('.'), uncapital(on)))
 }
 
 /// What became of the conclusions, by their letters.
@@ -275,7 +287,7 @@ fn wrong<'a>(
     front: &Front,
 ) -> Vec<StoryBlock<'a>> {
     if front.lines.is_empty() {
-        return nothing_wrong(derivation, wholes, hangs);
+        return nothing_wrong(derivation, wholes, hangs, front);
     }
     let of = |line: &Line| wholes.iter().find(|w| w.id == line.id);
     let cards =
@@ -318,11 +330,11 @@ fn nothing_wrong<'a>(
     derivation: &'a Derivation,
     wholes: &[Whole<'a>],
     hangs: &Consequences<'a>,
+    front: &Front,
 ) -> Vec<StoryBlock<'a>> {
     let scope = &derivation.scope;
-    let told = that_matter(wholes, hangs);
-    let of_file = wholes.iter().filter(|w| w.fate == Fate::Added && w.all_failing().next().is_some());
-    let of_file: Vec<&str> = of_file.map(|w| w.id).collect();
+    let told = that_matter(derivation, wholes, hangs);
+    let of_file: Vec<&str> = front::refuted_beside(wholes).map(|w| w.id).collect();
     let title = if of_file.is_empty() { "Nothing is refuted" } else { "No claim of the paper is refuted" };
     let mut out = vec![StoryBlock::Heading(title.to_owned())];
     if !of_file.is_empty() {
@@ -367,6 +379,15 @@ fn nothing_wrong<'a>(
     }
     let card = StoryBlock::Group("card", inside);
     out.push(if whole.fate == Fate::Stands { StoryBlock::Group("good", vec![card]) } else { card });
+    let compared = front.compared.iter().enumerate().filter_map(|(at, line)| {
+        let whole = wholes.iter().find(|w| w.id == line.id)?;
+        Some(StoryBlock::Group("card", card::blocks(derivation, whole, line, at + 1)))
+    });
+    let compared: Vec<StoryBlock<'a>> = compared.collect();
+    if !compared.is_empty() {
+        let title = StoryBlock::Heading("Added for comparison, and refuted".to_owned());
+        out.push(StoryBlock::Group("roomy", std::iter::once(title).chain(compared).collect()));
+    }
     out
 }
 

@@ -12,7 +12,8 @@ const STYLES: &str = "bf rm it cal boldsymbol mathbf mathrm mathit mathbb mathca
 const SIGNS: &str = "cdot · times × le ≤ leq ≤ ge ≥ geq ≥ ne ≠ neq ≠ pm ± mp ∓ approx ≈ equiv ≡ propto ∝ sim ∼ ll ≪ gg ≫ in ∈ \
                      rightarrow → to → ldots … dots … cdots …";
 /// Signs that are, or begin, one of the parts.
-const LETTERS: &str = "partial ∂ nabla ∇ infty ∞ int ∫ sum ∑ prod ∏ dagger † ast * prime ′ langle ⟨ rangle ⟩ Box □";
+const LETTERS: &str = "partial ∂ nabla ∇ infty ∞ int ∫ sum ∑ prod ∏ dagger † ast * prime ′ langle ⟨ rangle ⟩ lfloor ⌊ rfloor ⌋ lceil ⌈ rceil ⌉ lvert | rvert | lVert ‖ rVert ‖ \
+                       Box □";
 /// Marks above a letter.
 const ABOVE: &str = "dot \u{307} ddot \u{308} dddot \u{20db} hat \u{302} bar \u{304} tilde \u{303} vec \u{20d7}";
 

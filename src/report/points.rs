@@ -80,12 +80,11 @@ pub(super) fn needs<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<St
     // A short remark tells what the numbers mean.
     let remark = reading.claim.remark.as_deref().filter(|text| text.len() <= LONGEST_REMARK);
     let told = remark.map(|text| capital(text.trim_start_matches("Refuted: ")));
-    out.extend(told.map(|text| StorySpan::Prose(format!(" {text}"), scope, Tone::Quiet)));
-    let numbers = RefutingMotion::of(derivation, reading.claim).map(|motion| motion.says(derivation, scope));
-    let numbers = numbers.map(StoryBlock::Paragraph);
-    // Where the remark tells it, a terminal has no room for the numbers.
-    let numbers = numbers.map(|line| if remark.is_some() { StoryBlock::Group("roomy", vec![line]) } else { line });
-    std::iter::once(StoryBlock::Paragraph(out)).chain(numbers).collect()
+    let mut numbers: Vec<StorySpan<'a>> =
+        told.map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).into_iter().collect();
+    numbers.extend(RefutingMotion::of(derivation, reading.claim).into_iter().flat_map(|m| m.says(derivation, scope)));
+    // A terminal has no room for them.
+    vec![StoryBlock::Paragraph(out), StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(numbers)])]
 }
 
 /// Whether the lines are on the reading that the paper needs.

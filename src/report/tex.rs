@@ -10,6 +10,7 @@
 use super::digest::{self, Fate, Whole};
 use super::form::{Heading, heading};
 use super::graph::DerivationGraph;
+use super::headline;
 use super::numbers::count;
 use super::numbers::{ascii_six as six, ascii_six as time, ascii_size as size};
 use super::tally::{Group, declared, groups, name, says};
@@ -66,23 +67,17 @@ pub fn tex(derivation: &Derivation, account: &Account) -> String {
 fn findings(derivation: &Derivation, account: &Account, out: &mut String) {
     let scope = &derivation.scope;
     let wholes = digest::wholes(derivation, account);
-    let s = account.summary();
     out.push_str("\\subsection*{What was found}\n\n");
     out.push_str(&super::story::tex(&super::page_one::blocks(derivation, account)));
     if let Some(remark) = &derivation.remark {
         out.push_str(&format!("\\emph{{Remark of the file:}} {}\n\n", prose(remark, scope)));
     }
-    out.push_str(&format!(
-        "Reading by reading, what is added for comparison among them, there are {} on {}: of the pairs of a reading and a motion {} hold, {} fail, {} do not apply, {} are undecided; \
-         {} differ from what the derivation file expects.\n\n",
-        account.claims.len(),
-        count(account.trajectories.len(), "motion"),
-        s.holds,
-        s.fails,
-        s.not_applicable,
-        s.undecided,
-        s.unexpected
-    ));
+    let unexpected: Vec<String> = headline::unexpected(account).into_iter().map(name).collect();
+    let expected = match unexpected.is_empty() {
+        true => "Every verdict is as the derivation file expects.".to_owned(),
+        false => format!("Not as the derivation file expects: {}.", unexpected.join(", ")),
+    };
+    out.push_str(&format!("{} {}\n\n", escaped(&headline::tried(account)), escaped(&expected)));
     for fate in Fate::ALL {
         let found: Vec<&Whole<'_>> = wholes.iter().filter(|w| w.fate == fate).collect();
         if found.is_empty() {

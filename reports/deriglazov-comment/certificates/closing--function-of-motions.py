@@ -1,4 +1,4 @@
-# deriglazov-comment / closing/function-of-motions: It has: along every motion with momentum along z, ψ as a function of φ obeys t11.
+# deriglazov-comment / closing/function-of-motions: Along every motion with momentum along z, ψ as a function of φ obeys t11.
 #
 # Given: the definitions, the assumptions and t11.
 #

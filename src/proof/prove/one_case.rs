@@ -66,13 +66,17 @@ impl Examination<'_> {
             Trials::Vanish(bound) => {
                 // Where something vanishes that was divided by, or a sign is another one than an equation asks for, it is another case.
                 let pivots: Vec<Expr> = case.pivots.iter().map(|(e, _)| *e).collect();
+                let obeyed = |f: &Found| obeys(&scene, &case.definitions, &f.point);
                 let belongs = |f: &Found| {
-                    let may = || case.unsolved.is_empty() && obeys(&scene, &case.definitions, &f.point);
+                    let may = || case.unsolved.is_empty() && obeyed(f) != Some(false);
                     vanishing(scene.graph, &pivots, &f.point).is_none() && (f.differs.is_none() || may())
                 };
                 let most = (self.examples, &*self.closings);
                 let found = look(&scene, &mut self.draws, most, belongs, |f| !f.is_empty());
                 if let Some(f) = found.iter().find(|f| f.differs.is_some()) {
+                    if obeyed(f).is_none() {
+                        return Outcome::Open(Reason::Branches { failing: 1, of: 2 });
+                    }
                     let sides = f.differs.map(|at| format!("{:?}", f.sides[at])).unwrap_or_default();
                     let what = format!("proved over finite fields, but at a real point: {sides}");
                     return Outcome::Open(Reason::Defect(what));
@@ -188,8 +192,9 @@ impl Examination<'_> {
     }
 }
 
-/// Whether a point has what was solved for in a case, as far as numbers show.
-fn obeys(scene: &Scene<'_>, definitions: &[(Leaf, Expr)], point: &Point) -> bool {
+/// Whether a point has what was solved for in a case, as far as numbers show; nothing where it depends on a sign that the point does not
+/// have.
+fn obeys(scene: &Scene<'_>, definitions: &[(Leaf, Expr)], point: &Point) -> Option<bool> {
     let mut graph = scene.graph.clone();
     let apart = definitions.iter().map(|&(leaf, e)| {
         let leaf = graph.leaf(leaf);
@@ -198,7 +203,10 @@ fn obeys(scene: &Scene<'_>, definitions: &[(Leaf, Expr)], point: &Point) -> bool
     });
     let apart: Vec<Expr> = apart.collect();
     let at = decimals(&graph, &apart, &values_at(point));
-    at.into_iter().flatten().all(|v| v.contains_zero())
+    match at.iter().flatten().all(|v| v.contains_zero()) {
+        true => at.iter().all(Option::is_some).then_some(true),
+        false => Some(false),
+    }
 }
 
 /// Real points of a case that count, and are points for certain.

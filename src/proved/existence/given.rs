@@ -80,15 +80,20 @@ impl<'a> Given<'a> {
         if self.named(&self.conditions).is_empty() && !names_defined {
             return true;
         }
-        if self.insert_formulas().is_none() {
+        // An equation of coordinates alone chooses places, if it is written so: what becomes one is no law of all places.
+        let of_places = |given: &Self, condition: &Condition| {
+            given.named(&[*condition]).iter().all(|leaf| given.graph.coordinate(*leaf).is_some())
+        };
+        let (mut choosing, laws) = self.conditions.iter().copied().partition(|c| of_places(self, c));
+        self.conditions = laws;
+        if self.insert_formulas().is_none() || self.conditions.iter().any(|c| of_places(self, c)) {
             return false;
         }
-        let (starts, moving): (Vec<Condition>, Vec<Condition>) = self.conditions.iter().partition(|condition| {
-            // An equation of coordinates alone chooses places.
-            let leaves = self.named(&[**condition]);
-            leaves.iter().all(|leaf| leaf.instant.is_some())
-                || leaves.iter().all(|leaf| self.graph.coordinate(*leaf).is_some())
-        });
+        let (mut starts, moving): (Vec<Condition>, Vec<Condition>) = self
+            .conditions
+            .iter()
+            .partition(|condition| self.named(&[**condition]).iter().all(|leaf| leaf.instant.is_some()));
+        starts.append(&mut choosing);
         let is_of_places = |l: &Leaf| self.graph.is_field(l.symbol) || self.graph.coordinate(*l).is_some();
         let is_state = |l: &Leaf| l.instant.is_none() && l.partials == Partials::NONE && !is_of_places(l);
         if !self.named(&moving).iter().all(is_state) {
@@ -247,7 +252,19 @@ impl<'a> Given<'a> {
         })
     }
 
-    /// A condition that says what something that moves is.
+    /// Whether it is a number, the same at all times and places.
+    fn is_fixed(&self, leaf: Leaf) -> bool {
+        self.claim.scope.role(leaf.symbol) == Some(Role::Parameter)
+    }
+
+    /// Whether it is a field that depends on no other coordinates than another one.
+    fn is_within(&self, leaf: Leaf, field: Symbol) -> bool {
+        let graph = &self.graph;
+        let only = |at| !graph.depends(leaf.symbol, at) || graph.depends(field, at);
+        graph.is_field(leaf.symbol) && (0..graph.coordinates().count()).all(only)
+    }
+
+    /// A condition that says what something that moves is, or what a field is, by the coordinates on which it depends.
     fn formula(&self) -> Option<(usize, Leaf, Expr)> {
         let graph = &self.graph;
         self.conditions.iter().enumerate().find_map(|(at, &(kind, l, r))| {
@@ -258,10 +275,13 @@ impl<'a> Given<'a> {
                     && matches!(self.claim.scope.role(leaf.symbol), Some(Role::State | Role::Field | Role::Observable));
                 let within = graph.leaves_within([formula]);
                 let itself = within.iter().any(|l| graph.field_of(l.symbol) == leaf.symbol || l.instant.is_some());
-                // What moves is the same at all places.
-                let is_here = graph.is_field(leaf.symbol)
-                    || within.iter().all(|l| graph.coordinate(*l).is_none() && !graph.is_field(l.symbol));
-                (is_course && is_here && !itself).then_some((at, leaf, formula))
+                let depends_on = |l: &Leaf| match graph.coordinate(*l) {
+                    Some(coordinate) => graph.depends(leaf.symbol, coordinate),
+                    None if graph.is_field(leaf.symbol) => self.is_fixed(*l) || self.is_within(*l, leaf.symbol),
+                    // What moves is the same at all places.
+                    None => !graph.is_field(l.symbol),
+                };
+                (is_course && within.iter().all(depends_on) && !itself).then_some((at, leaf, formula))
             })
         })
     }

@@ -20,7 +20,7 @@ use super::{Decided, Pairs, Step, sides};
 use crate::agreement::answer;
 use crate::derivation::{Claim, Form, Written};
 use crate::expr::domain::Sign;
-use crate::expr::{Expr, Rational};
+use crate::expr::{Expr, Leaf, Rational};
 use crate::findings::IdentityAccount;
 use crate::findings::standing::{Decision, Finding};
 use crate::latex::{RelationKind, Statement};
@@ -142,7 +142,7 @@ impl Step<'_> {
                 let said = if is_so { positive.clone() } else { never() };
                 let typed = self.inequalities == When::Always;
                 let counts = crate::replay::is_replayed(self.derivation, &said, of.clone(), typed)
-                    && self.asked_of(&positive)?.has_motion(&[])?;
+                    && self.asked_of(&positive)?.has_motion(&[], &[])?;
                 if counts { of.finding.of_negation() } else { Finding::default() }
             }
         };
@@ -158,8 +158,9 @@ impl Step<'_> {
         Some(Ok(IdentityAccount { finding, parts, parts_from, reason, ..of }))
     }
 
-    /// Whether there is a motion on which all that is given holds, and some formulas have values: a point of one refutes 0 = 1.
-    pub(crate) fn has_motion(mut self, valued: &[Expr]) -> Option<bool> {
+    /// Whether there is a motion on which all that is given holds, and some formulas have values: a point of one refutes 0 = 1. Angles that
+    /// these formulas or those that are `given` name are on the branch of their formulas.
+    pub(crate) fn has_motion(mut self, valued: &[Expr], given: &[Expr]) -> Option<bool> {
         let mut gathered = self.gather(None);
         if !gathered.complete {
             return Some(false);
@@ -168,6 +169,8 @@ impl Step<'_> {
         // Also of systems whose rates are not asked for; and what is assumed at some times is to be so on an interval.
         gathered.premises.give(gathered.systems.iter().copied(), When::Always);
         gathered.premises.equations.iter_mut().for_each(|known| known.when = When::Always);
+        let angles = self.angles(valued.iter().chain(given).copied().collect());
+        gathered.premises.give(angles, When::Always);
         for need in self.graph.needs_below(valued.iter().copied()) {
             let signs = match need.sign {
                 Sign::NotZero => &mut gathered.premises.nonzero,
@@ -179,6 +182,27 @@ impl Step<'_> {
         let premises = self.premises(&gathered, &equations, Definitions::All);
         let nothing: Pairs = vec![(self.graph.integer(0), self.graph.integer(1))];
         Some(matches!(self.test_only(&premises, &nothing, &Options::default()), Identity::Refuted(_)))
+    }
+
+    /// The continued angles that formulas name, each beside its formula.
+    fn angles(&mut self, mut open: Vec<Expr>) -> Pairs {
+        let scope = &self.claim.scope;
+        let mut out: Pairs = Vec::new();
+        while let Some(formula) = open.pop() {
+            let written = claim::comparison::traced_without_angles(&mut self.graph, scope, formula);
+            for leaf in self.graph.leaves_within([written]) {
+                let definition = scope.definition(leaf.symbol).filter(|_| scope.is_angle(leaf.symbol));
+                let Some(&value) = definition.and_then(|d| d.components.get(usize::from(leaf.component))) else {
+                    continue;
+                };
+                let angle = (self.graph.leaf(Leaf::now(leaf.symbol, leaf.component)), value);
+                if !out.contains(&angle) {
+                    out.push(angle);
+                    open.push(value);
+                }
+            }
+        }
+        out
     }
 
     /// What follows of a part on the motions of the claim: they obey their system, whether the claim is said to follow from it or not.

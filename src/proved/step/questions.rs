@@ -77,10 +77,16 @@ impl Step<'_> {
             let times: BTreeSet<Option<Expr>> = leaves.filter(|l| scope.moves(l)).map(|l| l.instant).collect();
             times.len() > 1
         };
+        let fixed = |leaves: &[Leaf]| -> BTreeSet<Expr> {
+            leaves.iter().filter(|l| scope.moves(l)).filter_map(|l| l.instant).collect()
+        };
+        // What is given of one fixed time says nothing at once of another one.
+        let (claimed, started) = (fixed(&said), fixed(&given));
+        let elsewhere = !claimed.is_empty() && claimed.union(&started).count() > 1;
         let signed = of_signs.iter().any(|l| scope.moves(l) && l.instant.is_none());
         let rates = given.iter().any(|l| l.rate > 0);
         now && named && (signed || rates)
-            || rates && several(&mut said.iter())
+            || rates && (elsewhere || several(&mut said.iter()))
             || signed && several(&mut said.iter().chain(&of_signs))
     }
 

@@ -12,7 +12,10 @@ use super::super::tally::name;
 use super::text::prose;
 use crate::derivation::Derivation;
 use crate::latex::Scope;
-use findings::{Account, ClaimAccount, Summary};
+use findings::{Account, ClaimAccount};
+
+/// Most claims that are named of those that are not as expected.
+const MOST_UNEXPECTED: usize = 8;
 
 /// Page one, and below it what is [listed].
 pub(super) fn section<M: maud::Render>(derivation: &Derivation, account: &Account, listed: &M) -> Markup {
@@ -61,19 +64,20 @@ pub(super) fn front(derivation: &Derivation, account: &Account) -> Markup {
     html! { div.front id="/front" { (story::html(&page_one::blocks(derivation, account))) } }
 }
 
-/// The counts of all pairs, in a sentence.
+/// The counts of all pairs, in sentences; what is not as expected is named.
 fn counted(account: &Account) -> Markup {
-    let s: Summary = account.summary();
+    let unexpected = headline::unexpected(account);
     html! {
         p.quiet {
-            "These numbers count claims. Reading by reading, what is added for comparison among them, there are "
-            (account.claims.len()) " on " (count(account.trajectories.len(), "motion"))
-            ": of the pairs of a reading and a motion " (s.holds) " hold, " (s.fails) " fail, "
-            (s.not_applicable) " do not apply, " (s.undecided) " are undecided. "
-            @match s.unexpected {
-                0 => { "Every verdict is as the derivation file expects." },
-                1 => { strong.alarm { "One verdict is not as the derivation file expects." } },
-                n => { strong.alarm { (n) " verdicts are not as the derivation file expects." } },
+            (headline::tried(account)) " "
+            @match unexpected.as_slice() {
+                [] => { "Every verdict is as the derivation file expects." },
+                some => {
+                    strong.alarm { "Not as the derivation file expects: " }
+                    @for (at, claim) in some.iter().take(MOST_UNEXPECTED).enumerate() { @if at > 0 { ", " } (link(claim)) }
+                    @if some.len() > MOST_UNEXPECTED { ", and " (count(some.len() - MOST_UNEXPECTED, "more claim")) }
+                    "."
+                },
             }
         }
     }

@@ -46,13 +46,8 @@ fn put(block: &StoryBlock<'_>, indent: usize, paint: Paint, out: &mut String) {
             }
         }
         StoryBlock::Group("roomy", _) => {}
-        // Of a remark the first line is shown; the rest is on the page.
-        StoryBlock::Group("remark", blocks) => {
-            if let Some(StoryBlock::Paragraph(spans)) = blocks.first() {
-                let line = plain(spans).split_whitespace().collect::<Vec<_>>().join(" ");
-                out.push_str(&format!("{}\n", paint.faint(fitted(&line, columns() - indent).trim_end())));
-            }
-        }
+        // Of a remark the first sentences are shown; the rest is on the page.
+        StoryBlock::Group("remark", blocks) => blocks.iter().take(1).for_each(|b| put(b, indent, paint, out)),
         StoryBlock::Group("keys", blocks) => blocks.iter().for_each(|b| match b {
             StoryBlock::List(items) => put_in_line(items, indent + 1, paint, out),
             other => put(other, indent, paint, out),

@@ -363,9 +363,15 @@ fn decided(grown: &Derivation, claim: &Claim, limits: &Limits) -> Result<Decisio
     let step = || Step::of(grown, claim).and_then(|step| step.with(true).with_few_points().decide()).transpose();
     match meter::piece(Task::Proving, limits, step) {
         Ok(Ok(identity)) => Ok(identity.map_or(Decision::Undecided, |i| {
-            proved::replay::replayed(grown, claim, i, proved::replay::has_motions(claim), (limits, &|_, find| find()))
-                .finding
-                .decision()
+            proved::replay::replayed(
+                grown,
+                claim,
+                i,
+                proved::replay::has_motions(grown, claim),
+                (limits, &|_, find| find()),
+            )
+            .finding
+            .decision()
         })),
         Ok(Err(defect)) | Err(Ended::Defect(defect)) => Err(CheckError::Defect(defect)),
         Err(_) => Ok(Decision::Undecided),

@@ -1,0 +1,156 @@
+//! Nothing is proved of what may never be so; and a value at one time says nothing of another one.
+//!
+//! Beside each line stands why no motion, or no field, is as it says.
+
+use crate::premises::of_file;
+use crate::unreplayed::{Line, word};
+
+const FIELDS: &[&str] = &[
+    "t: time",
+    "q, r: state",
+    "x, y: coordinate",
+    "f(x), g(x): field",
+    "u(x,t): field",
+    "w(x,y): field",
+    "h(t): field",
+];
+const PLANE: &[&str] = &["t: time", "x, y, z: state", r"\theta: observable, angle = \operatorname{atan2}(y,x)"];
+const ARC: &[&str] = &["t: time", "x, y: state", r"\chi: observable, angle = \arccos x"];
+
+/// A continued angle is the angle of its formula, but for whole turns.
+#[test]
+fn an_angle_has_no_other_value_than_its_formula() {
+    let lines: [Line; 6] = [
+        (r"\sin\theta=\sin1", PLANE, &[r"\theta=1", "y=0"]),
+        ("z=z", PLANE, &[r"\theta=1", "x=0", "y=1"]),
+        ("z=z", PLANE, &[r"\theta=x", "y=0", "x=1"]),
+        ("z=z", PLANE, &[r"\theta=1", "y=x"]),
+        ("y=y", ARC, &[r"\chi=4"]),
+        ("y=y", ARC, &[r"\chi=-1"]),
+    ];
+    for line in &lines {
+        assert_eq!(word(line).0, "undecided", "{line:?}");
+    }
+    let lines: [Line; 2] = [(r"\sin\theta=0", PLANE, &["y=0"]), (r"\sin\theta=\sin1", PLANE, &[r"\theta=1"])];
+    for line in &lines {
+        assert_eq!(word(line).0, "proved", "{line:?}");
+    }
+}
+
+/// What a field is said to be depends on nothing on which the field does not depend; and where it is put in, all that moves does.
+#[test]
+fn a_field_depends_on_its_coordinates_alone() {
+    let lines: [Line; 22] = [
+        ("f'=0", FIELDS, &["f=t"]),
+        ("xf'=f", FIELDS, &["f=xt"]),
+        ("f=f", FIELDS, &["f=g+t"]),
+        ("f=f", FIELDS, &["f=y"]),
+        ("q(0)=q(1)", FIELDS, &["f=q", r"\dot q=1"]),
+        (r"\dot q=1", FIELDS, &["f=x+q", r"\dot q=1"]),
+        ("u=u", FIELDS, &["u=y"]),
+        ("w=w", FIELDS, &["w=t"]),
+        ("h=h", FIELDS, &["h=x"]),
+        ("u=u", FIELDS, &["u=f", "u=t"]),
+        // u depends on the time by q.
+        ("u_t=0", FIELDS, &["u=q", r"\dot q=1", "u_t=0"]),
+        (r"\dot q=1", FIELDS, &["h=q", r"\dot q=1", r"\dot h=0"]),
+        ("q=q", FIELDS, &["u=q+t", r"\dot q=1", "u_t=1"]),
+        ("q=q", FIELDS, &["h=q", r"\dot q=1", "h(2t)=h(t)"]),
+        // What becomes an equation of coordinates alone is to be so at all places.
+        ("x=2", FIELDS, &["q=1", "xq=2"]),
+        ("x=0", FIELDS, &["f=0", "f(q)=x"]),
+        ("q=q", FIELDS, &["f=x", "f(-x)=x"]),
+        ("q=q", FIELDS, &["f=x", "f(2x)=x^2"]),
+        ("q=q", FIELDS, &["u=0", "u=xt"]),
+        ("u_{xt}=1", FIELDS, &["u=q", "u_t=x"]),
+        ("q=q", FIELDS, &["q=1", r"\sin x=q"]),
+        ("q=q", FIELDS, &[r"\dot q=0", "q=3", "x=q"]),
+    ];
+    for line in &lines {
+        assert_eq!(word(line).0, "undecided", "{line:?}");
+    }
+    let lines: [Line; 4] = [
+        ("f''=2", FIELDS, &["f=x^2"]),
+        ("u_{tt}=u_{xx}", FIELDS, &[r"u=\sin(x-t)"]),
+        ("w_x=y", FIELDS, &["w=xy"]),
+        ("u_t=2t", FIELDS, &["u=x+t^2"]),
+    ];
+    for line in &lines {
+        assert_eq!(word(line).0, "proved", "{line:?}");
+    }
+}
+
+/// A point counts against a proof only where it belongs to its case for certain: these ended as defects.
+#[test]
+fn a_point_beside_its_case_is_no_defect() {
+    let f = r"\left|y\right|=\sin(\left|x+y(1)\right|)";
+    let lines: [Line; 6] = [
+        (
+            r"x=\lfloor|x|\rfloor",
+            &["t: time", "x: state", "a: parameter"],
+            &[r"(\dot x-2)(x-\lfloor|x|\rfloor)=0", r"\dot x=a"],
+        ),
+        (r"x=\left|\arctan(y)\right|", MOTION, &[r"(x(0)-2)\cdot(x-\left|\arctan(y)\right|)=0", r"\dot x\ne0"]),
+        (f, MOTION, &[r"(\dot x-2)(\left|y\right|-\sin(\left|x+y(1)\right|))=0", r"y\ne1", r"\dot y^2=\dot y"]),
+        (
+            r"x=\cos(x)",
+            MOTION,
+            &[r"(\dot x(0)-\left|x\right|)\cdot x=(\dot x(0)-\left|x\right|)\cdot\cos(x)", r"\left|x\right|\ne2"],
+        ),
+        (
+            r"\left|x\right|=e^{\left|x+\left|x\right|\right|}",
+            MOTION,
+            &[r"(\left|x\right|-2)\left|x\right|=(\left|x\right|-2)e^{\left|x+\left|x\right|\right|}"],
+        ),
+        (r"x=\sin(\left|x\right|)+2", MOTION, &[r"(\left|x\right|-2)x=(\left|x\right|-2)(\sin(\left|x\right|)+2)"]),
+    ];
+    for line in &lines {
+        assert_ne!(word(line).0, "proved", "{line:?}");
+    }
+}
+
+const MOTION: &[&str] = &["t: time", "x, y: state"];
+
+fn system(states: &str, equations: &str, motion: &str, assumed: &str, says: &str) -> &'static str {
+    let states_said = ["x", "y", "z"].map(|s| format!("'{s}' = {{ role = 'state' }}\n")).concat();
+    let system = format!("[system.s]\nstates = [{states}]\nequations = [{equations}]\n");
+    let claim =
+        format!("[[claim]]\nid = 'c'\nsays = 'c'\nfollows-from = ['s']\nassuming = [{assumed}]\nalways = ['{says}']\n");
+    let account = of_file(&(states_said + &system + &claim + motion));
+    account.claims[0].identity.as_ref().map_or("none", |i| i.standing())
+}
+
+/// What is given of one fixed time is connected with another one by rates: a point with both refutes nothing.
+#[test]
+fn a_start_at_one_time_is_no_value_at_another() {
+    for (equation, assumed, says) in [
+        (r"'\dot x=1'", "'x(0)=1'", "x(1)=2"),
+        (r"'\dot x=t'", "'x(0)=0'", r"x(1)=\frac12"),
+        (r"'\dot x=x'", "'x(0)=1'", "x(1)=e"),
+        (r"'\dot x=-x^2'", r"'x(1)=\frac12'", "x(0)=1"),
+        (r"'\dot x=1'", "'x(0)=1', 'x(2)=3'", "x(1)=2"),
+        (r"'\dot x=x^2'", "'x(0)=1'", "x(2)=-1"),
+    ] {
+        assert_eq!(system("'x'", equation, "", assumed, says), "undecided", "{equation}: {says}");
+    }
+    // At the same time, or of all times, it is one.
+    for (assumed, says) in [("", "x(1)=2"), ("'x(1)=1'", "x(1)=2"), ("'x(0)=1'", "x=2")] {
+        assert_eq!(system("'x'", r"'\dot x=1'", "", assumed, says), "refuted", "{assumed}: {says}");
+    }
+}
+
+/// A motion of the file shows that there is one only if it moves by the system, and goes through all times that are named.
+#[test]
+fn a_motion_of_a_file_goes_through_the_times_that_are_named() {
+    let motion = |of: &str| format!("[[trajectory]]\nid = 'm'\n{of}\nspan = [0, 1]\n");
+    let integrated = motion("system = 's'\ninitial = { 'x' = '0', 'z' = '1' }");
+    let by_formula = motion(r"formula = { 'x' = '\tan t', 'z' = '1' }");
+    let none = motion("formula = { 'x' = 't', 'z' = '1' }");
+    let equations = r"'\dot x=1+x^2', '\dot z=0'";
+    let of = |motion: &str, says: &str| system("'x', 'z'", equations, motion, "", says);
+    for motion in [&integrated, &by_formula, &none] {
+        assert_eq!(of(motion, "z(0)=z(4)"), "undecided", "{motion}");
+    }
+    assert_eq!(of(&integrated, "z(0)=z(1)"), "proved");
+    assert_eq!(of(&by_formula, "z(0)=z(1)"), "undecided");
+}
