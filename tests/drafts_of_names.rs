@@ -14,6 +14,9 @@ fn labels_above_are_a_part_of_what_is_called() {
             "{text}"
         );
     }
+    let text = draft(r"\[ F=aT^{*}+bT^{**}+cT^{***} \] \[ G={a\times\Bigl(} {T^{*}+1\Bigr)} \]");
+    is_drafted(&text, &["F=aT^{*}+bT^{**}+cT^{***}", r"G=a\times\Bigl( T^{*}+1\Bigr)"]);
+    assert!(text.contains("'T^{**}' = ") && text.contains("'T^{***}' = "), "{text}");
     // A power, a transpose, Euler's number.
     let text = draft(r"\[ u^{2}(x)=A x \] \[ B^{\mathrm T}(x)=A x \] \[ w=e^\mathrm{ix} \]");
     for formula in ["u^{2}(x)=A x", r"B^{\mathrm T}(x)=A x"] {
@@ -71,6 +74,9 @@ fn the_entries_of_a_matrix_that_is_derived_change() {
     );
     assert!(text.contains("'P_s' = { role = \"state\"") && text.contains("'Q_s' = { role = \"state\""), "{text}");
     assert!(text.contains("'\\omega' = { role = \"parameter\""), "{text}");
+    let text = draft(r"\[ \frac{d}{dx} u_0(x) = -x u_0(x) \]");
+    is_drafted(&text, &[r"\frac{d}{dx} u_0(x)=-x u_0(x)"]);
+    assert!(text.contains("'u_0(x)' = { role = \"field\""), "{text}");
     // What an operator acts on is a name with its label.
     let text = draft(r"\[ \frac{d}{dt} x_1 = a x_1 \] \[ x = 2a \]");
     assert!(text.contains("'x_1' = { role = \"state\"") && !text.contains("'x' = { role = \"state\""), "{text}");

@@ -456,7 +456,8 @@ impl Names {
         if self.text(at) != "(" {
             return Call::None;
         }
-        let end = self.closing(at, to);
+        // Behind a name that an operator acts on the parentheses are no part of the range.
+        let end = self.closing(at, if at < to { to } else { self.marks.len() });
         let inside: Vec<&str> = (at + 1..end.saturating_sub(1)).map(|i| self.text(i)).collect();
         let mut places = vec![String::new()];
         let mut after_command = false;

@@ -88,6 +88,9 @@ impl Parser<'_> {
         if end == 3 {
             return sign(self.kind_after(2)).map(|label| (label, 4));
         }
+        if inside().all(|kind| *kind == Kind::Sign('*')) {
+            return Some((format!("{{{}}}", "*".repeat(end - 2)), end + 1));
+        }
         let parentheses = *self.kind_after(2) == Kind::Sign('(') && *self.kind_after(end - 1) == Kind::Sign(')');
         if parentheses {
             let content = inside().map(text_of).collect::<Option<String>>()?;

@@ -24,6 +24,7 @@ impl Names {
         let digits = |t: &[&str]| !t.is_empty() && t.iter().all(|t| t.len() == 1 && t.as_bytes()[0].is_ascii_digit());
         let label = match inside.as_slice() {
             ["(", inner @ .., ")"] => digits(inner) || is_word_in_parentheses(inner),
+            [_, _, ..] if inside.iter().all(|t| *t == "*") => true,
             [one] => matches!(*one, "*" | "+" | "-" | r"\ast" | r"\circ" | r"\star"),
             upright => is_upright_label(upright),
         };
