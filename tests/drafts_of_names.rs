@@ -177,3 +177,15 @@ fn an_operator_is_a_number_in_a_section_that_prints_it_below() {
     let text = draft(&paper(r"\[ p = \hbar k \]"));
     assert!(refused(&text, "LI + R=V").is_some_and(|why| why.contains("operator")), "{text}");
 }
+
+#[test]
+fn capitals_that_stand_nowhere_alone_may_be_one_name() {
+    let text = draft(
+        r"\[ OPL = n r \] \[ \frac{d(OPL)}{dx} = 0 \] \[ V = LWH \] \[ NRT = PV \] \[ NRT = E \] \[ N + R = T \]",
+    );
+    for formula in ["OPL=n r", r"\frac{d(OPL)}{dx}=0"] {
+        assert!(refused(&text, formula).is_some_and(|why| why.contains("several letters, OPL")), "{formula}: {text}");
+    }
+    // Printed once, or of letters that stand by themselves, too.
+    is_drafted(&text, &["V=LWH", "NRT=PV", "NRT=E", "N + R=T"]);
+}

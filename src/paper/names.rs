@@ -13,6 +13,7 @@ pub mod letters;
 mod local;
 mod notation;
 mod order;
+mod runs;
 mod subscripts;
 #[cfg(test)]
 mod tests;

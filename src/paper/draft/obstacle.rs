@@ -31,6 +31,9 @@ pub(super) fn obstacle(
             return Err("products whose order may count: matrices, or operators".to_owned());
         }
     }
+    if let Some(run) = sides.iter().find_map(|s| evidence.runs.name_in(s)) {
+        return Err(format!("a name of several letters, {run}, or a product"));
+    }
     if evidence.local.has_matrices(place.section) && sides.iter().any(|s| has_capital_beside_matrix(s, evidence)) {
         return Err("a letter beside a matrix: a matrix, or a number".to_owned());
     }

@@ -7,6 +7,7 @@ use super::super::mark;
 use super::super::printed::{PrintedRelation, PrintedSide, terms};
 use super::super::token::{Kind, Token};
 use super::local::Local;
+use super::runs::Runs;
 use super::{Call, INDICES, PaperName, Subscripts, names_apart, names_of, squeezed};
 
 /// Letters of unknown functions, whose primes derive them where two stand behind them somewhere.
@@ -75,6 +76,8 @@ pub struct Evidence {
     doubled: BTreeSet<String>,
     /// Names that make up a side with their primes.
     primed_alone: BTreeSet<String>,
+    /// Runs of capitals.
+    pub runs: Runs,
     /// What single sections and chapters show.
     pub local: Local,
 }
@@ -121,6 +124,7 @@ impl Evidence {
         let sizes: Vec<Option<(usize, usize)>> = relation.sides.iter().map(|s| size(&s.tokens)).collect();
         for (i, side) in relation.sides.iter().enumerate().filter(|(_, s)| s.text.len() <= LONGEST) {
             self.note_units(side);
+            self.runs.note(side);
             if let [name] = names_apart(side).as_slice()
                 && name.primes > 0
                 && is_alone(side)
