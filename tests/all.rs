@@ -39,6 +39,7 @@ mod directions;
 mod domain_edges;
 mod domain_table;
 mod drafts;
+mod drafts_of_names;
 mod enclosure;
 mod enclosure_containment;
 mod enclosure_limits;

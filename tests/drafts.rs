@@ -6,7 +6,7 @@ use rederive::paper;
 
 /// The text of a draft, which loads.
 #[track_caller]
-fn draft(tex: &str) -> String {
+pub fn draft(tex: &str) -> String {
     let source = Source { path: "paper.tex".into(), text: tex.into() };
     let paper = paper::parse(source, String::new()).unwrap_or_else(|d| panic!("{}", render(&[*d], false)));
     let text = paper::draft(&paper, "paper.tex").text;
@@ -19,7 +19,7 @@ fn draft(tex: &str) -> String {
 
 /// What is said of a formula that is not read; `None` where it is drafted.
 #[track_caller]
-fn refused(text: &str, formula: &str) -> Option<String> {
+pub fn refused(text: &str, formula: &str) -> Option<String> {
     let mut before = "";
     for line in text.lines() {
         if line.trim_start_matches(['#', ' ']) == formula {
@@ -36,7 +36,7 @@ fn refused(text: &str, formula: &str) -> Option<String> {
 }
 
 #[track_caller]
-fn is_drafted(text: &str, formulas: &[&str]) {
+pub fn is_drafted(text: &str, formulas: &[&str]) {
     for formula in formulas {
         assert_eq!(refused(text, formula), None, "{formula}");
     }

@@ -4,6 +4,7 @@
 //! them; and the [`Evidence`] of the paper: of what the paper prints a rate, what it derives by what, which subscripts are indices.
 //! **Guaranteed:** nothing is decided here: a name is what is printed, and evidence is what was seen.
 
+mod above;
 mod braces;
 mod derivatives;
 mod difference;
@@ -12,6 +13,7 @@ pub mod letters;
 mod local;
 mod notation;
 mod order;
+mod runs;
 mod subscripts;
 #[cfg(test)]
 mod tests;
@@ -19,6 +21,7 @@ mod tests;
 use super::PrintedSide;
 use super::mark::{self, Mark};
 use super::token::{Kind, Token};
+use above::is_upright_label;
 use braces::without_braces_of_names;
 pub use evidence::Evidence;
 pub use evidence::{Primes, is_variable, unprimed};
@@ -60,6 +63,9 @@ pub struct PaperName {
     pub is_variable: bool,
 }
 
+/// Letters that are indices for most readers.
+pub const INDICES: &str = "ijklmnpqrsabαβμν";
+
 /// What stands in parentheses behind a name.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Call {
@@ -94,8 +100,17 @@ impl PaperName {
     /// Whether its subscript consists of letters that are used as indices.
     pub fn index_letters(&self) -> Vec<char> {
         let Some(sub) = &self.subscript else { return Vec::new() };
-        let plain = !sub.is_empty() && sub.chars().all(|c| "ijklmnpqrsabαβμν,".contains(c)) && sub.chars().count() <= 4;
+        let plain = !sub.is_empty() && sub.chars().all(|c| c == ',' || INDICES.contains(c)) && sub.chars().count() <= 4;
         if plain { sub.chars().filter(|c| *c != ',').collect() } else { Vec::new() }
+    }
+
+    /// The letters by themselves anywhere below it that could be indices: `i` of `k_{f,i}`, `j` of `\theta_{P,\partial n_j}`.
+    pub fn letters_below(&self) -> Vec<char> {
+        let whole = self.index_letters();
+        let Some(sub) = self.subscript.as_deref().filter(|_| whole.is_empty()) else { return whole };
+        // What follows a backslash, or another letter, is a part of a word.
+        let words = sub.split(|c: char| !c.is_alphanumeric() && c != '\\').filter(|w| !w.starts_with('\\'));
+        words.filter_map(|w| w.chars().next().filter(|c| w.chars().count() == 1 && INDICES.contains(*c))).collect()
     }
 }
 
@@ -123,7 +138,7 @@ enum Differences {
 
 fn read(tokens: &[Token], differences: Differences) -> Vec<PaperName> {
     let marks = without_braces_of_names(mark::marks(tokens));
-    let cells = tokens.iter().filter(|t| t.is_char("&")).map(|t| t.span.start).collect();
+    let cells = tokens.iter().filter(|t| t.is_char("&") || t.is("\\")).map(|t| t.span.start).collect();
     let mut reader = Names { units: mark::units(&marks), marks, cells, out: Vec::new(), differences };
     let end = reader.marks.len();
     reader.range(0, end, &None, 0);
@@ -264,8 +279,12 @@ impl Names {
         let mut styles: Vec<String> = Vec::new();
         let mut next = at;
         let mut closing = 0;
-        let letter;
-        loop {
+        let amount = self.amount(at, to);
+        let mut letter = amount.clone().unwrap_or_default();
+        if amount.is_some() {
+            next = at + 3;
+        }
+        while amount.is_none() {
             if next >= to {
                 return None;
             }
@@ -300,7 +319,6 @@ impl Names {
             }
             next += 1;
         }
-        let mut letter = letter;
         let mut primes = 0;
         let (mut subscript, mut above) = (None, None);
         while closing > 0 && next < to {
@@ -333,7 +351,7 @@ impl Names {
                     next = end;
                     continue;
                 }
-                "^" if above.is_none() => match self.label_above(next + 1) {
+                "^" if above.is_none() && !(letter == "e" && styles.is_empty()) => match self.label_above(next + 1) {
                     Some((label, end)) if end <= to => {
                         above = Some(label);
                         next = end;
@@ -423,33 +441,9 @@ impl Names {
     fn script_end(&self, at: usize) -> usize {
         let command = self.text(at).strip_prefix('\\').unwrap_or("");
         let takes = matches!(command, "text" | "textrm" | "mbox" | "operatorname")
+            || DOTS.iter().any(|(d, _)| *d == command)
             || [BOLD, HATS, STYLES].iter().any(|s| s.contains(&command)) && !is_switch(command);
         self.unit(if takes { at + 1 } else { at })
-    }
-
-    /// A label above a name, and the position after it: a number in parentheses, a sign alone, upright letters. Anything else is a power,
-    /// or an index; an upright T is a transpose.
-    fn label_above(&self, at: usize) -> Option<(String, usize)> {
-        let end = self.unit(at);
-        let (from, to) = self.inner(at);
-        let inside: Vec<&str> = (from..to).map(|i| self.text(i)).collect();
-        let digits = |t: &[&str]| !t.is_empty() && t.iter().all(|t| t.len() == 1 && t.as_bytes()[0].is_ascii_digit());
-        let label = match inside.as_slice() {
-            ["(", inner @ .., ")"] => digits(inner) || is_word_in_parentheses(inner),
-            [one] => matches!(*one, "*" | "+" | "-" | r"\ast" | r"\circ" | r"\star"),
-            [r"\mathrm" | r"\text" | r"\rm" | r"\textrm", rest @ ..] => {
-                let word: String = rest.iter().filter(|t| !matches!(**t, "{" | "}")).copied().collect();
-                !word.is_empty()
-                    && word.chars().all(|c| c.is_ascii_alphanumeric())
-                    && !matches!(word.as_str(), "T" | "t" | "H" | "tr" | "d")
-            }
-            _ => false,
-        };
-        label.then(|| match inside.as_slice() {
-            // The braces of a single letter are those of its style.
-            ["(", style, letter, ")"] if style.starts_with('\\') => (format!("({style}{{{letter}}})"), end),
-            _ => (self.spelled(from, to), end),
-        })
     }
 
     /// A subscript without its outer braces.
@@ -463,7 +457,8 @@ impl Names {
         if self.text(at) != "(" {
             return Call::None;
         }
-        let end = self.closing(at, to);
+        // Behind a name that an operator acts on the parentheses are no part of the range.
+        let end = self.closing(at, if at < to { to } else { self.marks.len() });
         let inside: Vec<&str> = (at + 1..end.saturating_sub(1)).map(|i| self.text(i)).collect();
         let mut places = vec![String::new()];
         let mut after_command = false;
@@ -529,19 +524,6 @@ fn canonical(text: &str) -> String {
         [one] if one.dots == 0 && one.primes == 0 && one.call == Call::None && !one.is_difference => one.key(),
         _ => text.to_owned(),
     }
-}
-
-/// Whether what stands above a name in parentheses is a label, and no order, index or place: a word, or a letter that is upright, a
-/// capital, or `e`, which is no number there.
-fn is_word_in_parentheses(inside: &[&str]) -> bool {
-    let upright = inside.first().is_some_and(|t| matches!(*t, r"\mathrm" | r"\text" | r"\textrm"));
-    let letters: Vec<&str> =
-        inside.iter().skip(usize::from(upright)).copied().filter(|t| !matches!(*t, "{" | "}")).collect();
-    let all = !letters.is_empty() && letters.iter().all(|t| t.len() == 1 && t.as_bytes()[0].is_ascii_alphabetic());
-    let indices = letters.iter().all(|t| "ijklmnpq".contains(t));
-    all && (upright
-        || letters.len() > 1 && !indices
-        || letters.iter().all(|t| *t == "e" || t.as_bytes()[0].is_ascii_uppercase()))
 }
 
 /// A key with dots above it: `\dot q_{\alpha}`, `\dot{\mathbf{r}}`.

@@ -6,6 +6,7 @@
 
 mod cases;
 mod frames;
+mod groups;
 mod pieces;
 mod rows;
 mod scripts;

@@ -35,7 +35,8 @@ impl Parser<'_> {
             self.at = close;
             self.bump();
             let sub = if self.eat('_') { self.subscript()? } else { Vec::new() };
-            return Ok((*self.kind() == Kind::End).then_some(WrittenName { name, sub, arguments: None }));
+            let arguments = self.arguments_of_name();
+            return Ok((*self.kind() == Kind::End).then_some(WrittenName { name, sub, arguments }));
         }
         let difference = match self.kind() {
             Kind::Command(c) if name::is_difference(c) => self.difference()?,
@@ -70,15 +71,17 @@ impl Parser<'_> {
                 sub = self.subscript()?;
             }
         }
-        let mut arguments = None;
-        if self.is('(')
-            && let Some(close) = self.closing()
-        {
-            arguments = Some(canonical(&self.tokens[self.at + 1..close]));
-            self.at = close;
-            self.bump();
-        }
+        let arguments = self.arguments_of_name();
         Ok((*self.kind() == Kind::End).then_some(WrittenName { name, sub, arguments }))
+    }
+
+    /// What stands in parentheses behind the name of a declaration.
+    fn arguments_of_name(&mut self) -> Option<String> {
+        let close = if self.is('(') { self.closing()? } else { return None };
+        let arguments = canonical(&self.tokens[self.at + 1..close]);
+        self.at = close;
+        self.bump();
+        Some(arguments)
     }
 
     /// One name: a letter, a Greek letter, a styled or braced one; with its primes. Leaves its place where there is none.

@@ -78,7 +78,7 @@ impl Parser<'_> {
             _ => None,
         };
         if *self.kind_after(1) != Kind::Sign('{') {
-            return sign(self.kind_after(1)).map(|label| (label, 2));
+            return sign(self.kind_after(1)).map(|label| (label, 2)).or_else(|| self.upright_above(1));
         }
         if let Some(found) = self.upright_in_parentheses() {
             return Some(found);
@@ -88,30 +88,40 @@ impl Parser<'_> {
         if end == 3 {
             return sign(self.kind_after(2)).map(|label| (label, 4));
         }
-        let text = |kind: &Kind| match kind {
-            Kind::Letter(c) => Some(c.to_string()),
-            Kind::Number(n) => Some(n.clone()),
-            Kind::Sign(c @ (',' | '+' | '-' | '(' | ')')) => Some(c.to_string()),
-            Kind::Command(c) if NAMES.contains(&c.as_str()) => Some(format!("\\{c} ")),
-            _ => None,
-        };
+        if inside().all(|kind| *kind == Kind::Sign('*')) {
+            return Some((format!("{{{}}}", "*".repeat(end - 2)), end + 1));
+        }
         let parentheses = *self.kind_after(2) == Kind::Sign('(') && *self.kind_after(end - 1) == Kind::Sign(')');
         if parentheses {
-            let content = inside().map(text).collect::<Option<String>>()?;
+            let content = inside().map(text_of).collect::<Option<String>>()?;
             return Some((format!("{{{content}}}"), end + 1));
         }
-        // A word in upright letters: a switch, or a command with braces of its own.
+        // A word in upright letters: a switch, or a command with its argument.
         let Kind::Command(style) = self.kind_after(2) else { return None };
-        if name::style(style) != Some("rm") {
+        if name::style(style) == Some("rm") && name::is_switch(style) {
+            let word = (3..end).map(|i| text_of(self.kind_after(i))).collect::<Option<String>>()?;
+            return (!word.is_empty()).then(|| (format!(r"{{\rm {word}}}"), end + 1));
+        }
+        let (label, tokens) = self.upright_above(2)?;
+        (*self.kind_after(tokens) == Kind::Sign('}')).then_some((label, tokens + 1))
+    }
+
+    /// A command for upright letters and its argument, `\mathrm{II}` or `\mathrm I`, and the position after them.
+    fn upright_above(&self, at: usize) -> Option<(String, usize)> {
+        let Kind::Command(style) = self.kind_after(at) else { return None };
+        if name::style(style) != Some("rm") || name::is_switch(style) {
             return None;
         }
-        let (from, to, tokens) = match (name::is_switch(style), *self.kind_after(3) == Kind::Sign('{')) {
-            (true, _) => (3, end, end + 1),
-            (false, true) if *self.kind_after(end + 1) == Kind::Sign('}') => (4, end, end + 2),
+        let (from, to, after) = match self.kind_after(at + 1) {
+            Kind::Sign('{') => {
+                let end = (at + 2..at + LONGEST_WORD).find(|&i| *self.kind_after(i) == Kind::Sign('}'))?;
+                (at + 2, end, end + 1)
+            }
+            Kind::Letter(_) => (at + 1, at + 2, at + 2),
             _ => return None,
         };
-        let word = (from..to).map(|i| text(self.kind_after(i))).collect::<Option<String>>()?;
-        (!word.is_empty()).then(|| (format!(r"{{\rm {word}}}"), tokens))
+        let word = (from..to).map(|i| text_of(self.kind_after(i))).collect::<Option<String>>()?;
+        (!word.is_empty()).then(|| (format!(r"{{\rm {word}}}"), after))
     }
 
     /// `R^{(\mathrm{e})}`: a word in upright letters and in parentheses, and the number of its tokens.
@@ -340,5 +350,16 @@ impl Parser<'_> {
         }
         let braced = *self.kind_after(1) == Kind::Sign('{') && *self.kind_after(3) == Kind::Sign('}');
         (braced && prime(self.kind_after(2))).then_some(4)
+    }
+}
+
+/// What a token of a label prints.
+fn text_of(kind: &Kind) -> Option<String> {
+    match kind {
+        Kind::Letter(c) => Some(c.to_string()),
+        Kind::Number(n) => Some(n.clone()),
+        Kind::Sign(c @ (',' | '+' | '-' | '(' | ')')) => Some(c.to_string()),
+        Kind::Command(c) if NAMES.contains(&c.as_str()) => Some(format!("\\{c} ")),
+        _ => None,
     }
 }

@@ -28,6 +28,9 @@ pub(super) struct Way {
     pub steady_before_time: bool,
 }
 
+/// Why something is a state.
+const MOVES: &str = "the paper prints its rate, or its value at a time";
+
 /// The names of a formula, and how they are taken.
 #[derive(Clone, Copy)]
 pub(super) struct Names<'a> {
@@ -67,7 +70,7 @@ impl Names<'_> {
         };
         if self.all.iter().any(is_usual)
             && !self.all.iter().any(is_shown)
-            && self.prime_variable().is_some_and(|v| v != "t" && self.stands_alone(&v))
+            && self.prime_variable().is_some_and(|v| v != "t" && self.stands_alone(&v) && !self.is_only_variable(&v))
         {
             return Err("a prime: a derivative, by something that the paper does not show".to_owned());
         }
@@ -113,9 +116,9 @@ impl Names<'_> {
                 let steady = self.places_are_numbers && self.is_of_primes(bare)
                     || self.coordinates_are_numbers && self.is_a_variable_here(bare);
                 let moves = self.evidence.moving.contains(bare) && !steady || bare != place;
-                let role = if moves { "state" } else { "parameter" };
+                let (role, why) = if moves { ("state", MOVES) } else { ("parameter", "a function is applied to it") };
                 let shape = is_vector(bare).then(|| self.way.dimension.to_string());
-                push(&mut out, Guess { role, shape, ..Guess::parameter(bare, "a function is applied to it") });
+                push(&mut out, Guess { role, shape, ..Guess::parameter(bare, why) });
             }
         }
         if self.moving_are_functions {
@@ -129,7 +132,7 @@ impl Names<'_> {
         out.sort_by_key(|g| {
             (g.role == "field" && !of_time(g), g.role == "field", g.role != "coordinate", g.shape.is_none())
         });
-        let has_logarithm = !self.evidence.has_ln && self.text.contains(r"\log");
+        let has_logarithm = !self.evidence.has_other_logarithm && self.text.contains(r"\log");
         Ok(Reading { symbols: out, is_complex, has_logarithm })
     }
 
@@ -236,7 +239,7 @@ impl Names<'_> {
             return Ok(Guess { name: name.base.clone(), role, shape, is_complex: false, is_labelled: false, why });
         }
         let (role, why) = match self.moves(name, &key) {
-            true => ("state", "the paper prints its rate, or its value at a time"),
+            true => ("state", MOVES),
             false if name.subscript.is_some() => ("parameter", "a name with a label"),
             false => ("parameter", "the paper prints no rate of it"),
         };

@@ -5,32 +5,104 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::mark::group_text;
 use super::super::names::letters::is_letter_command;
 use super::super::names::{Evidence, PaperName, Subscripts, is_variable, names_of};
 use super::super::printed::{PrintedRelation, PrintedSide, terms};
+use super::super::token::{Kind, Token};
 
 /// Letters of which a sum may be meant, in a formula.
 pub(super) fn summed(sides: &[&PrintedSide], evidence: &Evidence) -> BTreeSet<char> {
     let mut once: BTreeSet<char> = BTreeSet::new();
     let mut often: BTreeSet<char> = BTreeSet::new();
     for side in sides {
-        for term in terms(&side.tokens) {
+        for term in parts(&side.tokens) {
             let mut count: BTreeMap<char, usize> = BTreeMap::new();
+            let mut anywhere: BTreeMap<char, usize> = BTreeMap::new();
             for name in names_of(&term).iter().filter(|n| !is_labelled(n, evidence)) {
-                for letter in name.index_letters() {
-                    *count.entry(letter).or_default() += 1;
+                let is_list = name.subscript.as_deref().is_some_and(|s| s.contains(','));
+                for (at, letter) in name.index_letters().into_iter().enumerate() {
+                    if !(is_list && at == 0 && evidence.labels.contains(&letter)) {
+                        *count.entry(letter).or_default() += 1;
+                    }
+                }
+                for letter in name.letters_below() {
+                    *anywhere.entry(letter).or_default() += 1;
                 }
             }
-            for (letter, n) in count {
-                if n == 1 {
-                    once.insert(letter)
-                } else {
-                    often.insert(letter)
-                };
-            }
+            once.extend(anywhere.into_iter().filter(|(_, n)| *n == 1).map(|(letter, _)| letter));
+            often.extend(count.into_iter().filter(|(_, n)| *n > 1).map(|(letter, _)| letter));
         }
     }
     often.difference(&once).copied().collect()
+}
+
+/// The most terms into which a side is taken apart.
+const MOST_PARTS: usize = 400;
+
+/// The terms of a formula: those of a group in parentheses that is a term by itself, and for each entry of a matrix the term with that entry.
+fn parts(tokens: &[Token]) -> Vec<Vec<Token>> {
+    let mut open = terms(tokens);
+    let mut out = Vec::new();
+    while let Some(term) = open.pop() {
+        if open.len() + out.len() > MOST_PARTS {
+            out.push(term);
+        } else if let Some(inside) = alone_in_parentheses(&term) {
+            open.extend(terms(inside));
+        } else if let Some((begin, end)) = matrix(&term) {
+            for entry in entries(&term[begin..end]).iter().flat_map(|entry| terms(entry)) {
+                open.push([&term[..begin], &entry, &term[end..]].concat());
+            }
+        } else {
+            out.push(term);
+        }
+    }
+    out
+}
+
+fn is_printed(token: &&Token) -> bool {
+    token.kind != Kind::Space && !matches!(token.text.as_str(), "left" | "right" | "bigl" | "bigr" | "Bigl" | "Bigr")
+}
+
+/// What stands in the parentheses that a term consists of.
+fn alone_in_parentheses(term: &[Token]) -> Option<&[Token]> {
+    let from = term.iter().position(|t| is_printed(&t))?;
+    let to = term.iter().rposition(|t| is_printed(&t))?;
+    let mut depth = 0i32;
+    let closing = (from..=to).find(|&i| {
+        depth += i32::from(term[i].is_char("(")) - i32::from(term[i].is_char(")"));
+        depth == 0
+    });
+    let inside = term.get(from + 1..to)?;
+    let end = inside.iter().rposition(|t| !t.is("right")).map_or(0, |i| i + 1);
+    (closing == Some(to) && from < to).then(|| &inside[..end])
+}
+
+/// Where the first matrix of a term begins, and where it ends.
+fn matrix(term: &[Token]) -> Option<(usize, usize)> {
+    let begin = term.iter().position(|t| t.is("begin"))?;
+    let mut depth = 0i32;
+    let end = (begin..term.len()).find(|&i| {
+        depth += i32::from(term[i].is("begin")) - i32::from(term[i].is("end"));
+        depth == 0
+    })?;
+    group_text(term, begin + 1).0.contains("matrix").then(|| (begin, group_text(term, end + 1).1))
+}
+
+/// The entries of a matrix.
+fn entries(matrix: &[Token]) -> Vec<Vec<Token>> {
+    let mut depth = 0i32;
+    let inside = group_text(matrix, 1).1..matrix.iter().rposition(|t| t.is("end")).unwrap_or(matrix.len());
+    let mut out = vec![Vec::new()];
+    for token in matrix.get(inside).unwrap_or_default() {
+        depth += i32::from(token.is("begin")) - i32::from(token.is("end"));
+        match out.last_mut() {
+            Some(last) if depth > 0 || !(token.is_char("&") || token.is("\\")) => last.push(token.clone()),
+            _ => out.push(Vec::new()),
+        }
+    }
+    out.retain(|entry| entry.iter().any(|t| is_printed(&t)));
+    out
 }
 
 /// Whether the subscripts of a letter are labels: beside `E_r` and `E_t` that of `E_i` is one.

@@ -3,7 +3,9 @@
 //! **In:** the sides of a formula, its names, and the evidence of the paper. **Out:** the feature that is not understood, or both readings of
 //! what is ambiguous. **Guaranteed:** nothing is decided for a formula that has one.
 
-use super::super::names::{Call, Evidence, PaperName, Primes, cancels_by_order, order_counts, squeezed, unprimed};
+use super::super::names::{
+    Call, Evidence, INDICES, PaperName, Primes, cancels_by_order, order_counts, squeezed, unprimed,
+};
 use super::super::printed::PrintedSide;
 use super::guess::Place;
 use super::index;
@@ -29,6 +31,9 @@ pub(super) fn obstacle(
             return Err("products whose order may count: matrices, or operators".to_owned());
         }
     }
+    if let Some(run) = sides.iter().find_map(|s| evidence.runs.name_in(s)) {
+        return Err(format!("a name of several letters, {run}, or a product"));
+    }
     if evidence.local.has_matrices(place.section) && sides.iter().any(|s| has_capital_beside_matrix(s, evidence)) {
         return Err("a letter beside a matrix: a matrix, or a number".to_owned());
     }
@@ -49,6 +54,9 @@ pub(super) fn obstacle(
     if let Some(name) = all.iter().find(unclear) {
         return Err(format!("a prime, {}: a derivative, or another name", name.key()));
     }
+    if let Some(name) = derived_rate(all, evidence) {
+        return Err(format!("the rate of a variable, {}, derived by another: a function of its own", name.key()));
+    }
     let bare_e = evidence.keys.contains_key("e");
     let raised = |s: &&&PrintedSide, bare: bool| raised_e(s).is_some_and(|(a, b)| if bare { a } else { b });
     // In a paper without exponentials it is a charge, or another name.
@@ -60,6 +68,32 @@ pub(super) fn obstacle(
         return Err("e as a factor, and to a power: a name, or Euler's number".to_owned());
     }
     Ok(())
+}
+
+/// A name by which the paper derives partially, and of which the rate is derived so here, by something else than the time.
+fn derived_rate<'a>(all: &'a [PaperName], evidence: &Evidence) -> Option<&'a PaperName> {
+    let is_index = |sub: &str| sub.chars().count() == 1 && sub.starts_with(|c| INDICES.contains(c));
+    let is_variable = |n: &PaperName| {
+        // Beside `\partial n_j` that of `n_k` is the rate of a variable, too.
+        let has_index = n.subscript.as_deref().is_some_and(is_index);
+        let alike =
+            |v: &String| has_index && v.split_once('_').is_some_and(|(base, sub)| base == n.base && is_index(sub));
+        let key = n.key();
+        !evidence.partial.contains_key(&key)
+            && (evidence.variables.contains(&key) || evidence.variables.iter().any(alike))
+    };
+    let by_other = |n: &PaperName| n.derived_by.as_deref().is_some_and(|by| by != "t");
+    let by_dots = all.iter().find(|n| n.dots > 0 && by_other(n) && is_variable(n));
+    // `\frac{\partial}{\partial T}\frac{dV}{dt}`
+    let nested = |three: &&[PaperName]| {
+        let [name, time, other] = three else { return false };
+        name.derived_by.as_deref() == Some("t")
+            && !name.is_partial
+            && is_variable(name)
+            && (time.is_variable && time.key() == "t")
+            && (other.is_variable && other.key() != "t")
+    };
+    by_dots.or_else(|| all.windows(3).find(nested).map(|three| &three[0]))
 }
 
 /// Whether a capital letter of which nothing shows what it is stands right beside one that is a matrix, perhaps with brackets between: `A(BC)`.

@@ -44,7 +44,7 @@ impl Names<'_> {
 
     /// `\frac{d\psi}{d\theta}` of two that move: a quotient of rates.
     pub fn is_quotient_of_rates(&self, name: &PaperName) -> bool {
-        let moves = |key: &str| self.evidence.moving.contains(key) && !self.moving_are_coordinates;
+        let moves = |key: &str| self.evidence.moving.contains(key) && !self.is_still(key);
         !name.is_partial && name.derived_by.as_deref().is_some_and(|by| by != "t" && moves(by) && moves(&name.key()))
     }
 
@@ -116,7 +116,7 @@ impl Names<'_> {
         let wanted = |by: &String| self.is_a_variable_here(by);
         let partial = self.evidence.partial.get(key).into_iter().flatten();
         let total = self.evidence.derived.get(key).into_iter().flatten().filter(|by| *by != "t");
-        let paper: BTreeSet<&str> = partial.chain(total).map(String::as_str).collect();
+        let paper: BTreeSet<&str> = partial.chain(total).map(String::as_str).filter(|by| *by != key).collect();
         if here.is_empty() && !paper.iter().any(|by| *by != "t" && wanted(&(*by).to_owned())) {
             return None;
         }
@@ -183,7 +183,12 @@ impl Names<'_> {
 
     /// Whether a name has a rate, and this formula does not take it for a coordinate.
     pub fn moves_here(&self, key: &str) -> bool {
-        self.has_rate_here(key) || self.evidence.moving.contains(key) && !self.moving_are_coordinates
+        self.has_rate_here(key) || self.evidence.moving.contains(key) && !self.is_still(key)
+    }
+
+    /// Whether what moves elsewhere is a coordinate here: it is tried so, or the section derives by it, and prints no rate of it.
+    fn is_still(&self, key: &str) -> bool {
+        self.moving_are_coordinates || self.evidence.local.derives(self.place.section, key)
     }
 
     pub fn has_rate_here(&self, key: &str) -> bool {
@@ -203,6 +208,13 @@ impl Names<'_> {
     pub fn stands_alone(&self, v: &str) -> bool {
         let applied = |n: &PaperName| matches!(&n.call, Call::Places(p) if p.as_slice() == [v]);
         self.all.iter().any(|n| n.key() == v) && !self.all.iter().any(applied)
+    }
+
+    /// Whether a variable is the only one of its section that stands here: functions are taken at it there, and no prime is printed of it.
+    pub fn is_only_variable(&self, v: &str) -> bool {
+        let is_independent =
+            |key: &str| self.evidence.local.is_independent(self.place.chapter, self.place.section, key);
+        is_independent(v) && !self.all.iter().map(PaperName::key).any(|key| key != v && is_independent(&key))
     }
 
     /// The variable by which primes derive here, one for all: none of those that are primed themselves.

@@ -51,9 +51,13 @@ pub(super) fn readings(
                 products: &products,
             };
             let mut tried: Vec<Reading> = Vec::new();
-            for (places_are_numbers, moving_are_functions) in
-                [(false, false), (true, false), (false, true), (true, true)]
-            {
+            // What primes behind brackets derive by is then the time.
+            let has_primed_group = has_primed_group(&text);
+            let choices = [(false, false), (true, false), (false, true), (true, true)];
+            for (places_are_numbers, moving_are_functions) in choices {
+                if moving_are_functions && has_primed_group {
+                    continue;
+                }
                 let reading = Names { places_are_numbers, moving_are_functions, ..names }.reading()?;
                 if !tried.contains(&reading) {
                     tried.push(reading);
@@ -71,7 +75,6 @@ pub(super) fn readings(
             }
             if is_of_a_moment(&all)
                 && let Ok(reading) = (Names { only_rates_move: true, ..names }).reading()
-                && reading.symbols.iter().all(|g| g.shape.is_none())
                 && !tried.contains(&reading)
             {
                 tried.push(reading);
@@ -82,6 +85,12 @@ pub(super) fn readings(
         }
     }
     Ok(out)
+}
+
+/// Whether a prime stands behind brackets: `(uv)'`.
+fn has_primed_group(text: &str) -> bool {
+    let text = squeezed(text);
+    [")'", "]'", r")^\prime", r"]^\prime", "matrix'"].iter().any(|sign| text.contains(sign))
 }
 
 /// Whether nothing is derived by the time in a formula, but for names with dots, and nothing is taken at a time: what else changes with it does

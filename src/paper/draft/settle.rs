@@ -74,9 +74,13 @@ impl Settled {
             coordinates = SPACE.iter().map(|c| (*c).to_owned()).collect();
         }
         let parted = parted(&order);
+        // Beside `[X]`, which is a name, X is declared where it stands.
+        let inside = |g: &Guess| Some(g.bare().strip_prefix('[')?.split_once(']')?.0.to_owned());
+        let bracketed: BTreeSet<String> = order.iter().filter_map(inside).collect();
         let able = |g: &Guess| {
             (g.role != "coordinate" || coordinates.contains(&g.name))
                 && !g.is_of_its_formula()
+                && !bracketed.contains(g.bare())
                 && (g.is_of_the_file() && g.shape.is_none() || !parted.contains(&family(g)) || g.is_labelled)
         };
         // What only the file can declare goes before the rest; then what most formulas need, the first of several.

@@ -111,7 +111,7 @@ pub(super) fn written(head: &Head<'_>, settled: &Settled, all: &mut [Printed], s
         out.push_str("i = \"imaginary unit\" # confirm: it stands in exponents, or before ħ\n");
     }
     if has_logarithm {
-        out.push_str("log = \"natural\" # confirm: the paper prints no \\ln\n");
+        out.push_str("log = \"natural\" # confirm: the paper prints no \\ln, or \\log(10)\n");
     }
     out.push_str("\n[symbols]\n# confirm: each role and shape is guessed from how the paper prints the symbol.\n");
     out.push_str(

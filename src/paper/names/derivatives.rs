@@ -44,13 +44,11 @@ impl Names {
             over = self.unit(over + 1);
         }
         let before = self.out.len();
-        self.range(over, middle, &by, depth + 1);
-        self.note_group(before);
+        self.derived(over, middle, &by, depth + 1);
         if self.out.len() == before {
             // What follows the operator is derived: the next factor, a group or a name.
             let stop = self.factor(end, to);
-            self.range(end, stop, &by, depth + 1);
-            self.note_group(before);
+            self.derived(end, stop, &by, depth + 1);
             self.note_variables(&variables);
             return stop.max(end);
         }
@@ -62,6 +60,7 @@ impl Names {
     fn factor(&self, at: usize, to: usize) -> usize {
         match self.text(at) {
             "(" | "[" | "{" => self.closing(at, to),
+            text if text.starts_with(r"\begin ") => self.environment_end(at, to).min(to),
             r"\left" | r"\qty" | r"\bigl" | r"\Bigl" | r"\big" | r"\Big" if at + 1 < to => self.factor(at + 1, to),
             text if text.strip_prefix('\\').is_some_and(latex::is_function) && at + 1 < to => {
                 let mut next = at + 1;
@@ -73,7 +72,14 @@ impl Names {
             text if text.strip_prefix('\\').is_some_and(|c| FRACTIONS.contains(&c)) => {
                 self.unit(self.unit(at + 1)).min(to)
             }
-            _ => self.unit(at).min(to),
+            _ => {
+                // A name with what stands above and below it.
+                let mut next = self.script_end(at);
+                while matches!(self.text(next), "_" | "^" | "'") && next < to {
+                    next = if self.text(next) == "'" { next + 1 } else { self.script_end(next + 1) };
+                }
+                next.min(to)
+            }
         }
     }
 
@@ -81,6 +87,27 @@ impl Names {
         for v in variables {
             self.out.push(PaperName { is_variable: true, ..plain(v) });
         }
+    }
+
+    /// What is derived: each entry of a matrix by itself.
+    fn derived(&mut self, from: usize, to: usize, by: &By, depth: usize) {
+        let mut begin = from;
+        for end in (from + 1..to).filter(|at| self.begins_cell(*at)).chain([to]).collect::<Vec<_>>() {
+            let before = self.out.len();
+            self.range(begin, end, by, depth);
+            self.note_group(before);
+            begin = end;
+        }
+    }
+
+    /// The position behind an environment that begins here.
+    fn environment_end(&self, at: usize, to: usize) -> usize {
+        let mut depth = 0i32;
+        let end = (at..to).find(|&i| {
+            depth += i32::from(self.text(i).starts_with(r"\begin ")) - i32::from(self.text(i).starts_with(r"\end "));
+            depth == 0
+        });
+        end.map_or(to, |end| end + 1)
     }
 
     /// Several names that are derived together.
@@ -107,17 +134,14 @@ impl Names {
             let by = variable.clone().map(|v| (v, partial));
             self.note_variables(&variable.into_iter().collect::<Vec<_>>());
             // What follows the operator is derived: the next factor, a group or a name.
-            let (stop, before) = (self.factor(end, to).max(end), self.out.len());
-            self.range(end, stop, &by, depth + 1);
-            self.note_group(before);
+            let stop = self.factor(end, to).max(end);
+            self.derived(end, stop, &by, depth + 1);
             return stop;
         }
         let end = self.unit(middle).min(to);
         let variable = self.variable(self.inner(middle).0).map(|v| v.0);
         let by = variable.clone().map(|v| (v, partial));
-        let before = self.out.len();
-        self.range(next, middle, &by, depth + 1);
-        self.note_group(before);
+        self.derived(next, middle, &by, depth + 1);
         self.note_variables(&variable.into_iter().collect::<Vec<_>>());
         end
     }

@@ -4,10 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::Paper;
 use super::super::mark;
-use super::super::printed::{PrintedRelation, PrintedSide};
+use super::super::printed::{PrintedRelation, PrintedSide, terms};
 use super::super::token::{Kind, Token};
 use super::local::Local;
-use super::{Call, PaperName, Subscripts, names_apart, squeezed};
+use super::runs::Runs;
+use super::{Call, INDICES, PaperName, Subscripts, names_apart, names_of, squeezed};
 
 /// Letters of unknown functions, whose primes derive them where two stand behind them somewhere.
 const FUNCTIONS: &[&str] =
@@ -15,6 +16,8 @@ const FUNCTIONS: &[&str] =
 
 /// Longest side, in bytes, that is looked at.
 const LONGEST: usize = 20_000;
+/// The most terms of a relation that are compared with each other.
+const MOST_TERMS: usize = 40;
 
 /// What the whole paper shows of its names.
 #[derive(Clone, Debug, Default)]
@@ -25,6 +28,10 @@ pub struct Evidence {
     pub derived: BTreeMap<String, BTreeSet<String>>,
     /// What they are derived by partially.
     pub partial: BTreeMap<String, BTreeSet<String>>,
+    /// What their rates are derived by, partially or not, until it is known which names are variables.
+    of_rates: BTreeMap<(String, bool), BTreeSet<String>>,
+    /// What something is derived by partially.
+    pub variables: BTreeSet<String>,
     /// What the paper derives something by in which the names stand, `\partial_r\frac{A'}{A}`, partially or not.
     pub inside: BTreeMap<String, BTreeSet<String>>,
     /// For each name what stands in parentheses behind it, and how often; with `None` how often nothing does.
@@ -55,8 +62,22 @@ pub struct Evidence {
     pub has_complex_j: bool,
     /// Whether `e` is raised to anything but a bare number.
     pub has_exponentials: bool,
-    /// Whether `\ln` is printed: then `\log` may be another logarithm.
-    pub has_ln: bool,
+    /// Whether `\log` may be another logarithm than the natural one: `\ln` is printed, and `\log(10)`, which would be 1, is not.
+    pub has_other_logarithm: bool,
+    /// Labels before a comma below, `r` of `k_{r,i}` beside `k_{f,i}`.
+    pub labels: BTreeSet<char>,
+    /// For each letter what stands below it before a comma.
+    listed: BTreeMap<String, BTreeSet<String>>,
+    /// Names that are printed without primes.
+    unprimed: BTreeSet<String>,
+    /// Names that are printed with one prime.
+    primed_once: BTreeSet<String>,
+    /// Names of which two stand in a term with one prime each, and in another without: `nr+n'r'`.
+    doubled: BTreeSet<String>,
+    /// Names that make up a side with their primes.
+    primed_alone: BTreeSet<String>,
+    /// Runs of capitals.
+    pub runs: Runs,
     /// What single sections and chapters show.
     pub local: Local,
 }
@@ -67,6 +88,17 @@ impl Evidence {
         let mut out = Evidence::default();
         for relation in &paper.printed {
             out.note(relation);
+        }
+        let text = |s: &PrintedSide| squeezed(&s.text).replace(r"\left", "").replace(r"\right", "");
+        let prints = |what: &str| paper.printed.iter().flat_map(|r| &r.sides).any(|s| text(s).contains(what));
+        out.has_other_logarithm = prints(r"\ln") && !prints(r"\log(10)");
+        out.labels = labels(&out.listed);
+        // `\frac{\partial\dot V}{\partial T}` says nothing of V where it is a variable itself, `\frac{\partial p}{\partial V}`.
+        for ((key, is_partial), by) in std::mem::take(&mut out.of_rates) {
+            if !out.variables.contains(&key) {
+                let seen = if is_partial { &mut out.partial } else { &mut out.derived };
+                seen.entry(key).or_default().extend(by);
+            }
         }
         out
     }
@@ -88,11 +120,18 @@ impl Evidence {
     }
 
     fn note(&mut self, relation: &PrintedRelation) {
+        self.note_doubled(relation);
         let sizes: Vec<Option<(usize, usize)>> = relation.sides.iter().map(|s| size(&s.tokens)).collect();
         for (i, side) in relation.sides.iter().enumerate().filter(|(_, s)| s.text.len() <= LONGEST) {
             self.note_units(side);
+            self.runs.note(side);
+            if let [name] = names_apart(side).as_slice()
+                && name.primes > 0
+                && is_alone(side)
+            {
+                self.primed_alone.insert(unprimed(name));
+            }
             self.local.note_side(relation, side);
-            self.has_ln |= side.text.contains(r"\ln");
             let beside = [i.checked_sub(1), Some(i + 1)].into_iter().flatten();
             let found = beside.filter_map(|k| sizes.get(k).copied().flatten()).next();
             if let (Some(size), [name, rest @ ..]) = (found, names_apart(side).as_slice())
@@ -111,29 +150,8 @@ impl Evidence {
             if name.dots > 0 {
                 self.dotted.insert(bare.clone());
             }
-            if name.primes > 0 {
-                let letter = name.base.trim_end_matches('\'');
-                self.has_double_primes |= name.primes > 1 && ["x", "y", "u", "f"].contains(&letter);
-                let most = self.primes.entry(bare.clone()).or_default();
-                *most = name.primes.max(*most);
-                if let Call::Places(places) = &name.call
-                    && let [one] = places.as_slice()
-                    && is_variable(one)
-                {
-                    *self.primed_places.entry(unprimed(&name)).or_default().entry(one.clone()).or_default() += 1;
-                }
-            }
-            let is_derived = name.derived_by.is_some() && !name.is_in_group;
-            if name.dots > 0 || is_derived && name.derived_by.as_deref() == Some("t") && !name.is_partial {
-                self.moving.insert(key.clone());
-            }
-            if let Some(by) = name.derived_by.as_ref().filter(|_| is_derived) {
-                let seen = if name.is_partial { &mut self.partial } else { &mut self.derived };
-                seen.entry(key.clone()).or_default().insert(by.clone());
-            }
-            if let Some(by) = name.derived_by.as_ref().filter(|by| is_variable(by) && **by != key) {
-                self.inside.entry(bare).or_default().insert(by.clone());
-            }
+            self.note_primes(&name, &bare);
+            self.note_derivative(&name, &key, &bare);
             let call = match &name.call {
                 Call::Places(places) => Some(Some(places.clone())),
                 Call::None => Some(None),
@@ -155,7 +173,54 @@ impl Evidence {
             }
             if let Some(sub) = &name.subscript {
                 self.subscripts.entry(name.letter.clone()).or_default().note(sub);
+                if let Some((first, _)) = sub.split_once(',') {
+                    self.listed.entry(name.letter.clone()).or_default().insert(first.trim().to_owned());
+                }
             }
+        }
+    }
+
+    /// With how many primes a name is printed.
+    fn note_primes(&mut self, name: &PaperName, bare: &str) {
+        if name.primes == 0 {
+            self.unprimed.insert(bare.to_owned());
+        }
+        if name.primes == 1 {
+            self.primed_once.insert(bare.to_owned());
+        }
+        if name.primes > 0 {
+            let letter = name.base.trim_end_matches('\'');
+            self.has_double_primes |= name.primes > 1 && ["x", "y", "u", "f"].contains(&letter);
+            let most = self.primes.entry(bare.to_owned()).or_default();
+            *most = name.primes.max(*most);
+            if let Call::Places(places) = &name.call
+                && let [one] = places.as_slice()
+                && is_variable(one)
+            {
+                *self.primed_places.entry(bare.to_owned()).or_default().entry(one.clone()).or_default() += 1;
+            }
+        }
+    }
+
+    /// By what a name is derived.
+    fn note_derivative(&mut self, name: &PaperName, key: &str, bare: &str) {
+        let is_derived = name.derived_by.is_some() && !name.is_in_group;
+        if name.dots > 0 || is_derived && name.derived_by.as_deref() == Some("t") && !name.is_partial {
+            self.moving.insert(key.to_owned());
+        }
+        if let Some(by) = name.derived_by.as_ref().filter(|_| is_derived) {
+            let seen = match (name.is_partial, name.dots > 0 && by != "t") {
+                (is_partial, true) => self.of_rates.entry((key.to_owned(), is_partial)).or_default(),
+                (true, false) => self.partial.entry(key.to_owned()).or_default(),
+                (false, false) => self.derived.entry(key.to_owned()).or_default(),
+            };
+            seen.insert(by.clone());
+        }
+        if let Some(by) = name.derived_by.as_ref().filter(|_| name.is_partial) {
+            self.variables.insert(by.clone());
+        }
+        if let Some(by) = name.derived_by.as_ref().filter(|by| is_variable(by) && *by != key) {
+            self.inside.entry(bare.to_owned()).or_default().insert(by.clone());
         }
     }
 
@@ -216,11 +281,14 @@ impl Evidence {
         {
             seen.extend(by.iter().map(|by| (by.as_str(), 1)));
         }
-        let letter = bare.split('_').next().unwrap_or_default();
+        let letter = plain_letter(bare);
         let is_function = FUNCTIONS.contains(&letter);
         let derive = called.is_some() || primes > 1 || self.has_double_primes;
         if self.may_be_wave(bare) {
             return Primes::Unclear;
+        }
+        if !is_function && self.primes_name(bare) {
+            return Primes::Name;
         }
         match seen.into_iter().max_by_key(|(v, n)| (*n, std::cmp::Reverse(*v))) {
             Some((by, _)) if derive => Primes::Derive(by.to_owned()),
@@ -239,9 +307,43 @@ impl Evidence {
         }
     }
 
+    /// Whether the paper shows that primes are a part of a name: it derives with fractions, and nowhere with primes before a place. Either it
+    /// prints the name with one prime and with two, and never without; or it has no two primes at all, the name with its prime is no side of an
+    /// equation, as a rate would be, and a term has a prime at two names, of which the product stands without primes beside it:
+    /// `n\sin\alpha=n'\sin\alpha'`.
+    fn primes_name(&self, bare: &str) -> bool {
+        let derives_with_fractions = !self.inside.is_empty();
+        let is_derived = self.derived.contains_key(bare) || self.partial.contains_key(bare);
+        if !derives_with_fractions || is_derived || !self.primed_places.is_empty() {
+            return false;
+        }
+        if self.primes.get(bare) == Some(&2) {
+            return self.primed_once.contains(bare) && !self.unprimed.contains(bare);
+        }
+        self.primes.values().all(|n| *n == 1) && self.doubled.contains(bare) && !self.primed_alone.contains(bare)
+    }
+
+    /// Takes note of the names of which two stand in a term with one prime each, and in another without.
+    fn note_doubled(&mut self, relation: &PrintedRelation) {
+        let terms = relation.sides.iter().filter(|s| s.text.len() <= LONGEST).flat_map(|s| terms(&s.tokens));
+        let keys = |all: &[PaperName], primes: usize| -> BTreeSet<String> {
+            all.iter().filter(|n| n.primes == primes).map(unprimed).collect()
+        };
+        let all: Vec<_> = terms.map(|t| names_of(&t)).map(|n| (keys(&n, 0), keys(&n, 1))).take(MOST_TERMS).collect();
+        for (plain, primed) in &all {
+            for (other_plain, other_primed) in &all {
+                let both: BTreeSet<&String> = primed.intersection(other_plain).collect();
+                let is_mixed = both.iter().any(|k| plain.contains(*k) || other_primed.contains(*k));
+                if both.len() > 1 && !is_mixed {
+                    self.doubled.extend(both.into_iter().cloned());
+                }
+            }
+        }
+    }
+
     /// The same in a section: where it derives nothing, and has no such function, a single prime is a part of the name.
     pub fn primes_in(&self, bare: &str, section: usize) -> Primes {
-        let is_function = FUNCTIONS.contains(&bare.split('_').next().unwrap_or_default());
+        let is_function = FUNCTIONS.contains(&plain_letter(bare));
         let is_single = self.primes.get(bare) == Some(&1) && !self.may_be_wave(bare);
         match self.primes_of(bare) {
             Primes::Unclear if is_single && !self.local.may_derive(section, bare) => Primes::Name,
@@ -272,6 +374,12 @@ impl Evidence {
     }
 }
 
+/// The letter of a name without its subscript and a tilde, `y` of `\tilde{y}_p`.
+fn plain_letter(bare: &str) -> &str {
+    let base = bare.split('_').next().unwrap_or_default();
+    base.strip_prefix(r"\tilde{").and_then(|rest| rest.strip_suffix('}')).unwrap_or(base)
+}
+
 /// What the primes of a name are.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Primes {
@@ -283,6 +391,16 @@ pub enum Primes {
     Usual(String),
     /// Either.
     Unclear,
+}
+
+/// Letters that could be indices, and stand before a comma where the same name has another letter, which could not: they are labels.
+fn labels(listed: &BTreeMap<String, BTreeSet<String>>) -> BTreeSet<char> {
+    let letter = |s: &String| s.chars().next().filter(|c| s.chars().count() == 1 && c.is_alphabetic());
+    let is_of_indices = |name: &str| matches!(name, r"\delta" | r"\epsilon" | r"\varepsilon");
+    let labelled = listed.iter().filter(|(name, firsts)| {
+        !is_of_indices(name) && firsts.iter().filter_map(letter).any(|c| !INDICES.contains(c))
+    });
+    labelled.flat_map(|(_, firsts)| firsts.iter().filter_map(letter)).collect()
 }
 
 /// A single letter that stands for a number.

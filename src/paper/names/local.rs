@@ -1,6 +1,6 @@
 //! What single sections and chapters show of their names, where the whole paper shows several things.
 //!
-//! **In:** printed relations. **Out:** in which sections something is derived; in which there are matrices; in which chapters `e` is a factor; which names a chapter sets equal to a matrix. **Guaranteed:** nothing is decided here.
+//! **In:** printed relations. **Out:** in which sections something is derived, and by what; in which there are matrices; in which chapters `e` is a factor; which names a chapter sets equal to a matrix. **Guaranteed:** nothing is decided here.
 
 use std::collections::BTreeSet;
 
@@ -25,6 +25,12 @@ pub struct Local {
     factors_e: BTreeSet<usize>,
     /// Sections in which a matrix is written out, or a letter is bold.
     matrices: BTreeSet<usize>,
+    /// Names by which something is derived in a section, and not partially.
+    derived_by: BTreeSet<(usize, String)>,
+    /// Names by which something is derived in a chapter, or at which a function is taken, `y(x)`.
+    variables: BTreeSet<(usize, String)>,
+    /// Names with a rate, or a prime, by section.
+    moving: BTreeSet<(usize, String)>,
     /// Names that are equal to a matrix, by chapter.
     sized: BTreeSet<(usize, String)>,
 }
@@ -62,6 +68,16 @@ impl Local {
         if matches!(name.call, Call::Places(_)) {
             self.called.insert((relation.section, unprimed(name)));
         }
+        let by = name.derived_by.as_ref().filter(|_| !name.is_partial);
+        let place = match &name.call {
+            Call::Places(places) if places.len() == 1 => places.first(),
+            _ => None,
+        };
+        self.derived_by.extend(by.map(|v| (relation.section, v.clone())));
+        self.variables.extend(by.into_iter().chain(place).map(|v| (relation.chapter, v.clone())));
+        if name.primes + name.dots > 0 || by.is_some_and(|by| by == "t") {
+            self.moving.insert((relation.section, unprimed(name)));
+        }
         if name.is_bold {
             self.matrices.insert(relation.section);
         }
@@ -79,6 +95,17 @@ impl Local {
     /// Whether the primes of a name could derive it in a section: something is derived there, or integrated, or the name is a function.
     pub fn may_derive(&self, section: usize, bare: &str) -> bool {
         self.calculus.contains(&section) || self.called.contains(&(section, bare.to_owned()))
+    }
+
+    /// Whether something of a chapter is a function of this, and it is no function itself in a section of it.
+    pub fn is_independent(&self, chapter: usize, section: usize, key: &str) -> bool {
+        self.variables.contains(&(chapter, key.to_owned())) && !self.moving.contains(&(section, key.to_owned()))
+    }
+
+    /// Whether something is derived by this in a section, in which it has no rate.
+    pub fn derives(&self, section: usize, key: &str) -> bool {
+        let own = (section, key.to_owned());
+        self.derived_by.contains(&own) && !self.moving.contains(&own)
     }
 
     /// Whether `e` is a name in a chapter: it stands there as a factor, and is raised to numbers alone.

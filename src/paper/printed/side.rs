@@ -3,6 +3,7 @@
 use super::super::mark::{self, group_text};
 use super::super::span_of;
 use super::super::token::{Kind, Token};
+use super::groups::without_parting;
 use super::signs::RELATIONS;
 use super::{PrintedSide, is_space, walk};
 use diag::escape::shown;
@@ -197,6 +198,7 @@ pub(super) fn side_of(tokens: &[Token]) -> PrintedSide {
             kept.push(token.clone());
         }
     }
+    let mut kept = without_parting(kept);
     let idle = |t: &Token| t.kind == Kind::Space;
     while kept.last().is_some_and(idle) {
         kept.pop();

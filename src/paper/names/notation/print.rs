@@ -3,6 +3,7 @@
 //! **In:** a formula as LaTeX. **Out:** whether something stands in it that is no product, and no power. **Guaranteed:** it is told by the print
 //! alone.
 
+use super::super::is_upright_label;
 use super::super::letters::is_letter_command;
 
 /// The commands and characters of a formula, without spaces.
@@ -189,7 +190,8 @@ pub(super) fn scripted(all: &[&str]) -> Vec<Raised> {
         let above: Vec<String> =
             all[at + 1..after].iter().filter(|t| !matches!(**t, "{" | "}")).map(|t| (*t).to_owned()).collect();
         let calls = match &all[after.min(all.len())..] {
-            ["(", inside, ")", ..] => {
+            // A label is a part of the name: `u^{\mathrm I}(x)`.
+            ["(", inside, ")", ..] if !is_labelled(&all[at + 1..after]) => {
                 is_letter_token(base) && (inside.chars().all(|c| c.is_ascii_digit()) || is_letter_token(inside))
             }
             _ => false,
@@ -197,6 +199,11 @@ pub(super) fn scripted(all: &[&str]) -> Vec<Raised> {
         out.push(Raised { base: base.to_owned(), is_bold, above, calls });
     }
     out
+}
+
+/// Whether what stands above is a label, with its braces.
+fn is_labelled(above: &[&str]) -> bool {
+    is_upright_label(above.strip_prefix(&["{"]).and_then(|rest| rest.strip_suffix(&["}"])).unwrap_or(above))
 }
 
 pub(super) fn is_letter_token(token: &str) -> bool {
