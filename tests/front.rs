@@ -153,7 +153,7 @@ always = ['x>0']
         "Of its one conclusion A holds, but rests on claims that do not.",
         "A All decays are alike (conclusion): stands.",
         "tested as: x>0; holds at every time of 2 motions.",
-        "unit-law ◐ → conclusion ■; 1 of 1 step fails.",
+        "unit-law ◐ → conclusion ■.",
         "1. The rate is minus x. (unit-law)",
         "tested as: x\u{307}=-x",
         "Fails on 1 of 2 motions to which it applies (certified)",

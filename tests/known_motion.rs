@@ -154,3 +154,103 @@ fn a_motion_of_a_file_goes_through_the_times_that_are_named() {
     assert_eq!(of(&integrated, "z(0)=z(1)"), "proved");
     assert_eq!(of(&by_formula, "z(0)=z(1)"), "undecided");
 }
+
+/// A time or a place without a value says nothing: what names it has none.
+#[test]
+fn a_time_or_a_place_has_a_value() {
+    const T: &[&str] = &[
+        "t: time",
+        "q, r: state",
+        "t_0, t_1, a: parameter",
+        "k: positive, parameter",
+        "x: coordinate",
+        "f(x): field",
+        "u(x,t): field",
+        "J(x): field = 1",
+    ];
+    // Each is so wherever what is given has a value, or has no value at all.
+    let lines: [Line; 12] = [
+        (r"|t_0|=t_0", T, &[r"q(\sqrt{t_0})=1"]),
+        (r"|t_0|=t_0", T, &[r"\dot q(\ln t_0)=1"]),
+        (r"|t_0|=t_0", T, &["u=x", r"u(x,\sqrt{t_0})=x"]),
+        (r"q(\sqrt{t_0})=|t_0|", T, &[r"q(\sqrt{t_0})=t_0"]),
+        (r"t_0=0", T, &[r"q(\sqrt{-t_0^2})=1"]),
+        (r"|r|=r", T, &["f=1", r"f(\ln r)=1"]),
+        (r"|r|=r", T, &["f=x", r"f'(\ln r)=1"]),
+        (r"|r|=r", T, &[r"J(\ln r)=1"]),
+        (r"q(\sqrt{-1})=2", T, &[]),
+        (r"q(\ln(-k))=1", T, &[]),
+        (r"f(\sqrt{-1-q^2})=2", T, &[]),
+        (r"f(\ln q)=2", T, &["q=-1"]),
+    ];
+    for line in &lines {
+        assert_ne!(word(line).0, "refuted", "{line:?}");
+    }
+    // Nothing is as it says.
+    let lines: [Line; 10] = [
+        ("r=r", T, &[r"q(\sqrt{-1})=1"]),
+        ("r=r", T, &["t_0=-1", r"q(\ln t_0)=1"]),
+        (r"q=q(\arcsin2)", T, &[r"\dot q=0"]),
+        ("q=q", T, &[r"f(\sqrt{-1-q^2})=0"]),
+        ("q=q", T, &[r"f(\frac1{\dot q})=0", r"\dot q=0"]),
+        ("q=q", T, &["f=1", r"f(\sqrt{-1-x^2})=1"]),
+        (r"J(\ln(-k))=1", T, &[]),
+        // Two names of one time.
+        (r"\ln(q(t_0)-q(t_1))=\ln(q(t_0)-q(t_1))", T, &["t_0=t_1"]),
+        (r"\frac{q(t_0)-q(t_1)}{q(t_0)-q(t_1)}=1", T, &["e^{t_0}=e^{t_1}"]),
+        (r"\ln(f(|k|)-f(k))=\ln(f(|k|)-f(k))", T, &[]),
+    ];
+    for line in &lines {
+        assert!(!word(line).0.starts_with("proved"), "{line:?}: {}", word(line).0);
+    }
+    let lines: [Line; 5] = [
+        (r"q(\sqrt2)=q(1)", T, &[r"\dot q=0"]),
+        ("q(t_0)=q(t_1)", T, &[r"\dot q=0"]),
+        (r"q(\frac\pi k)=q(0)", T, &[r"\dot q=0"]),
+        (r"|t_0|=t_0", T, &[r"q(\sqrt{t_0})=1", "t_0>0"]),
+        (r"J(2r)=1", T, &[]),
+    ];
+    for line in &lines {
+        assert_eq!(word(line).0, "proved", "{line:?}");
+    }
+}
+
+fn steps(premise: &str, says: &str, motion: &str) -> &'static str {
+    let states = ["x", "y", "z"].map(|s| format!("'{s}' = {{ role = 'state' }}\n")).concat();
+    let premise = format!("[[claim]]\nid = 'p'\nsays = 'p'\nalways = ['{premise}']\n");
+    let claim = format!("[[claim]]\nid = 'c'\nsays = 'c'\nalways = ['{says}']\nfollows-from = ['p']\n");
+    let motion = format!("[[trajectory]]\nid = 'm'\n{motion}\n");
+    let account = of_file(&(states + &premise + &claim + &motion));
+    account.claims[1].identity.as_ref().map_or("none", |i| i.standing())
+}
+
+/// A motion refutes a step only if it goes through the times that are named, is smooth, and what is given is so on it, and not only as far
+/// as numbers show.
+#[test]
+fn a_motion_refutes_what_follows_from_what_is_so_on_it() {
+    for (premise, says, motion) in [
+        // Beyond its span it does not rest.
+        (r"\dot x=0", "x(3)=x(0)", "formula = { x = 't+|t-2|' }\nspan = [0, 1]"),
+        (r"\dot x=1", "x=x(0)+t", "formula = { x = '|t-2|' }\nspan = [3, 4]"),
+        // It has a kink.
+        (r"\ddot x=0", r"\dot x=\dot x(0)", "formula = { x = '|t-2|' }\nspan = [0, 4]"),
+        // sin x is not x.
+        (r"\sin x=x", "x=0", r"formula = { x = '10^{-9}\sin t' }"),
+        ("e^x=1+x", "x=0", r"formula = { x = '10^{-9}\sin t' }"),
+    ] {
+        let motion = if motion.contains("span") { motion.to_owned() } else { format!("{motion}\nspan = [0, 4]") };
+        assert_ne!(steps(premise, says, &motion), "refuted", "{premise}: {says}: {motion}");
+    }
+    assert_eq!(steps(r"\dot x=y", "x=1", "formula = { x = 't', y = '1' }\nspan = [0, 1]"), "refuted");
+}
+
+/// A premise may call something else by a name of its own.
+#[test]
+fn a_premise_with_names_of_its_own_is_not_looked_through() {
+    let states = ["x", "y"].map(|s| format!("'{s}' = {{ role = 'state' }}\n")).concat();
+    let premise = "[[claim]]\nid = 'p'\nsays = 'p'\nsymbols = { 'h' = { role = 'observable', formula = '\\sin x' } }\n\
+                   always = ['h=1+e^y']\n[[claim]]\nid = 'c'\nsays = 'c'\nalways = ['x=x']\nfollows-from = ['p']\n";
+    let account = of_file(&(states + premise));
+    let word = account.claims[1].identity.as_ref().map_or("none", |i| i.standing());
+    assert!(!word.starts_with("proved"), "{word}");
+}

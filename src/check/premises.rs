@@ -15,6 +15,7 @@ use findings::{ClaimAccount, IdentityAccount, recorded};
 use meter::{Ended, Task};
 use proved::conditional::premises_first;
 use proved::step::Step;
+use reason::{Plain, Refuting};
 use sampled::selection::Selection;
 use verdict::{Outcome, Proof, Strength, Verdict, Witness};
 
@@ -29,7 +30,13 @@ pub(super) fn counterexample<'a>(
     known: &[ClaimAccount],
     columns: &'a [Column],
 ) -> Option<(usize, &'a Witness)> {
-    let given = Step::given(derivation, &derivation.claims[selection.claims[k]]);
+    let claim = &derivation.claims[selection.claims[k]];
+    let given = Step::given(derivation, claim);
+    let counted = std::cell::OnceCell::new();
+    let counts = |t: usize| {
+        let all = counted.get_or_init(|| proved::existence::motions_of_file(derivation, claim));
+        all.contains(&t) && proved::existence::is_smooth(derivation, t)
+    };
     columns.iter().zip(&selection.tried).find_map(|(verdicts, &t)| {
         let verdict = verdicts[k].as_ref().filter(|v| matches!(v.outcome(), Outcome::Fails(_)))?;
         let holds = |name: &String| match derivation.premise(name) {
@@ -42,7 +49,7 @@ pub(super) fn counterexample<'a>(
             }
             Premise::Definition => true,
         };
-        if given.iter().all(holds) { Some((t, verdict.evidence().witness.as_ref()?)) } else { None }
+        if given.iter().all(holds) && counts(t) { Some((t, verdict.evidence().witness.as_ref()?)) } else { None }
     })
 }
 
@@ -99,31 +106,41 @@ fn may_leap(derivation: &Derivation, trajectory: usize) -> bool {
     }
 }
 
-/// Whether a claim applies to a motion of its file on which all that it follows from is so.
+/// Whether a claim applies to a motion of its file on which all that it follows from is so. What a run leaves out may be so: a claim that is
+/// checked alone has the proof that it has beside the others.
 fn has_motion(derivation: &Derivation, declared: &Claim, claim: &ClaimAccount, accounts: &[&[ClaimAccount]]) -> bool {
-    let premises: Vec<Option<&ClaimAccount>> = (declared.follows_from.iter())
+    let account_of = |of: &Claim| -> Option<&ClaimAccount> {
+        accounts.iter().copied().flatten().find(|a| a.id == of.id && a.reading == of.reading)
+    };
+    let premises: Vec<(&Claim, Option<&ClaimAccount>)> = (declared.follows_from.iter())
         .filter_map(|name| match derivation.premise(name) {
             Premise::Claim(at) => Some(&derivation.claims[at]),
             Premise::System(_) | Premise::Definition => None,
         })
-        .map(|of| accounts.iter().copied().flatten().find(|a| a.id == of.id && a.reading == of.reading))
+        .map(|of| (of, account_of(of)))
         .collect();
-    let is_so = |on: &dyn Fn(&ClaimAccount) -> Option<Outcome>| {
-        let applies = on(claim).is_some_and(|outcome| !matches!(outcome, Outcome::NotApplicable(_)));
-        let holds = |premise: &Option<&ClaimAccount>| {
-            premise.and_then(on).is_some_and(|outcome| matches!(outcome, Outcome::Holds(_)))
+    let is_so = |tried: &dyn Fn(&Claim) -> bool, on: &dyn Fn(&ClaimAccount) -> Option<Outcome>| {
+        // Where it is undecided, the motion may not come so far.
+        let applies = |outcome| matches!(outcome, Outcome::Holds(_) | Outcome::Fails(_));
+        let holds = |outcome| matches!(outcome, Outcome::Holds(_));
+        let known = |of: &Claim, account: Option<&ClaimAccount>, is: &dyn Fn(Outcome) -> bool| match account {
+            Some(account) => on(account).map_or_else(|| tried(of), is),
+            None => true,
         };
-        applies && premises.iter().all(holds)
+        known(declared, Some(claim), &applies) && premises.iter().all(|&(of, account)| known(of, account, &holds))
     };
     let may_be_so = proved::existence::motions_of_file(derivation, declared);
-    let on_motion = |at: &usize| {
-        let id = &derivation.trajectories[*at].id;
-        is_so(&|of| Some(of.on(id)?.verdict.outcome()))
+    let on_motion = |at: usize| {
+        let id = &derivation.trajectories[at].id;
+        is_so(&|of| of.trajectories.contains(&at), &|of| Some(of.on(id)?.verdict.outcome()))
     };
-    let on_family = |of: &&derivation::Family| {
-        may_be_so.contains(&of.of) && is_so(&|a| Some(a.families.iter().find(|f| f.family == of.id)?.verdict.outcome()))
+    let on_family = |at: usize| {
+        let family = &derivation.families[at];
+        let found = |of: &ClaimAccount| Some(of.families.iter().find(|f| f.family == family.id)?.verdict.outcome());
+        may_be_so.contains(&family.of) && is_so(&|of| of.families.contains(&at), &found)
     };
-    may_be_so.iter().any(|at| on_motion(at)) || declared.families.iter().any(|&f| on_family(&&derivation.families[f]))
+    let tried = may_be_so.iter().filter(|at| declared.trajectories.contains(at));
+    tried.copied().any(on_motion) || declared.families.iter().copied().any(on_family)
 }
 
 /// Has the checker replay the proofs, of the file as it was read: what it does not replay is not called proved.
@@ -249,6 +266,7 @@ pub(super) fn strengthen(
             }
         }
     }
+    take_back(derivation, claims, known);
 }
 
 /// Among the claims of this run, those that one of them follows from, and those that its proof rests on.
@@ -259,4 +277,42 @@ fn premises(derivation: &Derivation, claimed: &[usize], claim: &ClaimAccount, at
     };
     let proved = claim.identity.iter().flat_map(|i| i.from.iter().chain(&i.parts_from));
     derivation.claims[at].follows_from.iter().chain(proved).filter_map(of).collect()
+}
+
+/// Takes back what a motion refutes on which that which is given holds only as far as numbers show: sin x is not x.
+fn take_back(derivation: &Derivation, claims: &mut [ClaimAccount], known: &[ClaimAccount]) {
+    let is_exact = |claims: &[ClaimAccount], name: &String, trajectory: &str| match derivation.premise(name) {
+        Premise::System(_) | Premise::Definition => true,
+        Premise::Claim(at) => {
+            let of = &derivation.claims[at];
+            let account = claims.iter().chain(known).find(|a| a.id == of.id && a.reading == of.reading);
+            let verdict = account.and_then(|account| account.on(trajectory)).map(|pair| pair.verdict.outcome());
+            verdict == Some(Outcome::Holds(Strength::Proved)) || !has_equation(of)
+        }
+    };
+    let mut rough: Vec<usize> = Vec::new();
+    for (at, claim) in claims.iter().enumerate() {
+        let Some(identity) = &claim.identity else { continue };
+        let Some(Refuting::OnMotion { trajectory, .. }) = &identity.witness else { continue };
+        if !identity.from.iter().all(|name| is_exact(claims, name, trajectory)) {
+            rough.push(at);
+        }
+    }
+    for at in rough {
+        if let Some(identity) = &mut claims[at].identity {
+            let from = std::mem::take(&mut identity.from);
+            let reason = Some(Plain::RefutedWithinErrors.into());
+            *identity = IdentityAccount { from, reason, ..IdentityAccount::default() };
+        }
+    }
+}
+
+/// Whether a claim says that something is equal: numbers show that only within errors.
+fn has_equation(claim: &Claim) -> bool {
+    let statements = claim.forms.iter().flat_map(derivation::Form::formulas).filter_map(|formula| match formula {
+        derivation::FormFormula::Statement(w) => Some(&w.value),
+        _ => None,
+    });
+    let kinds: Vec<latex::RelationKind> = statements.flat_map(|s| &s.relations).map(|r| r.kind).collect();
+    kinds.is_empty() || kinds.contains(&latex::RelationKind::Equal)
 }

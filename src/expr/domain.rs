@@ -507,7 +507,8 @@ impl Graph {
     /// What everything that the roots depend on needs: they have values where all of it holds, and the leaves have values.
     pub fn needs_below(&mut self, roots: impl IntoIterator<Item = Expr>) -> Vec<Need> {
         let mut roots: Vec<Expr> = roots.into_iter().collect();
-        roots.extend(self.places_below(roots.iter().copied()));
+        let placed = self.placed_below(roots.iter().copied());
+        roots.extend(self.places_below(roots.iter().copied()).into_iter().chain(placed));
         let asked = self.asked(&roots);
         let mut out = Vec::new();
         for node in self.reachable(roots) {

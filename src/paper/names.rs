@@ -21,7 +21,6 @@ mod tests;
 use super::PrintedSide;
 use super::mark::{self, Mark};
 use super::token::{Kind, Token};
-use above::is_upright_label;
 use braces::without_braces_of_names;
 pub use evidence::Evidence;
 pub use evidence::{Primes, is_variable, unprimed};

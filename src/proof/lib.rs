@@ -170,4 +170,4 @@ pub use known::{Known, When};
 pub use memory::Memory;
 pub use outcome::{Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side, Wanted};
 pub use prepare::is_never_negative;
-pub use prove::{excludes_motions, identity_test, identity_test_after};
+pub use prove::{excludes_motions, identity_test, identity_test_after, with_values_of_places};

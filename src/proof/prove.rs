@@ -18,6 +18,7 @@ use super::sign::Facts;
 use super::solve::{Failed, Resolved, Solver, Strategy};
 use super::witness::vanishing;
 use cases::{Outcome, Pivots, Stop, merge};
+use expr::domain::Sign;
 use expr::{Expr, Graph, Leaf, Node, Op, Rational};
 use expr::{FastMap, FastSet};
 
@@ -41,6 +42,30 @@ pub fn identity_test(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Prem
     identity_test_after(&mut Memory::default(), graph, equations, given, options)
 }
 
+/// The premises with what must be so where the places and the fixed times that are named have values; nothing where these always have one.
+pub fn with_values_of_places(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises) -> Option<Premises> {
+    let sides = equations.iter().flat_map(|&(l, r)| [l, r]).chain(given.sides()).chain(given.signs());
+    let placed = graph.placed_below(sides.collect::<Vec<_>>());
+    if placed.is_empty() {
+        return None;
+    }
+    let mut out = given.clone();
+    for need in graph.needs_below(placed) {
+        // What divides where nearly all places are is of no place.
+        let is_of_places = graph.leaves_within([need.value]).into_iter().any(|leaf| graph.coordinate(leaf).is_some());
+        let signs = match need.sign {
+            Sign::NotZero if is_of_places => continue,
+            Sign::NotZero => &mut out.nonzero,
+            Sign::Positive => &mut out.positive,
+            Sign::NotNegative => &mut out.not_negative,
+        };
+        if !signs.contains(&need.value) {
+            signs.push(need.value);
+        }
+    }
+    Some(out)
+}
+
 /// The same, after other questions about the same graph.
 pub fn identity_test_after(
     memory: &mut Memory,
@@ -49,6 +74,8 @@ pub fn identity_test_after(
     given: &Premises,
     options: &Options,
 ) -> Identity {
+    let with_places = with_values_of_places(graph, equations, given);
+    let given = with_places.as_ref().unwrap_or(given);
     let together = identity_at(memory, graph, equations, given, options, 0);
     if matches!(together, Identity::Refuted(_)) {
         return together;

@@ -87,13 +87,7 @@ pub fn replayed_throughout(derivation: &Derivation, claim: &Claim, account: Iden
 pub(crate) fn is_replayed(derivation: &Derivation, claim: &Claim, account: IdentityAccount, typed: bool) -> bool {
     let account = match typed {
         true => replayed_throughout(derivation, claim, account),
-        false => replayed(
-            derivation,
-            claim,
-            account,
-            has_motions(derivation, claim),
-            (&meter::limits(), &|_, search| search()),
-        ),
+        false => replayed(derivation, claim, account, false, (&meter::limits(), &|_, search| search())),
     };
     account.finding.is_proved_in_part()
 }

@@ -41,9 +41,15 @@ pub(crate) struct Said<'a> {
     pub(crate) chooses: bool,
     /// Whether it is a claim of another form than relations at each time.
     relates_times: bool,
+    /// Whether a claim among it has symbols of its own.
+    pub(crate) has_own_symbols: bool,
 }
 
 impl<'a> Said<'a> {
+    pub(crate) fn of_formulas(formulas: Vec<Expr>) -> Said<'a> {
+        Said { formulas, ..Said::default() }
+    }
+
     fn of_claim(derivation: &'a Derivation, claim: &'a Claim) -> Said<'a> {
         let mut out = Said::default();
         for form in &claim.forms {
@@ -76,6 +82,7 @@ impl<'a> Said<'a> {
                 Premise::System(at) => given.add(derivation.systems[at].equations.iter()),
                 Premise::Claim(at) => {
                     let of = &derivation.claims[at];
+                    given.has_own_symbols |= !of.symbols.is_empty();
                     given.join(Said::of_claim(derivation, of));
                     given.add(of.assuming.iter());
                 }
@@ -98,10 +105,11 @@ impl<'a> Said<'a> {
         self.relations.extend(other.relations);
         self.chooses |= other.chooses;
         self.relates_times |= other.relates_times;
+        self.has_own_symbols |= other.has_own_symbols;
     }
 
     /// With the formulas of what is defined.
-    fn with_definitions(mut self, derivation: &Derivation) -> Said<'a> {
+    pub(crate) fn with_definitions(mut self, derivation: &Derivation) -> Said<'a> {
         let mut known = FastSet::default();
         let mut at = 0;
         while at < self.formulas.len() {

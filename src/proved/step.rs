@@ -373,6 +373,10 @@ impl<'a> Step<'a> {
         if self.is_too_large(&gathered, &equations) {
             return Some(Ok(self.open(&gathered, Plain::TooLargeForProof)));
         }
+        // Before fields are put in, and times become the present.
+        if let Some(valued) = proof::with_values_of_places(&mut self.graph, &equations, &gathered.premises) {
+            gathered.premises = valued;
+        }
         self.give_equal_places(&mut gathered, &equations);
         self.put_in_fields(&mut gathered, &mut equations);
         self.give_at_places(&mut gathered, &equations);

@@ -118,6 +118,7 @@ sentences! {
     TooLargeForProof: "work limit: its formulas, with all that they follow from, are too large for a proof",
     OnlyRates: "it compares values at different times, which what is given connects only through rates: that would need the solution of a differential equation",
     Unconnected: "what is given names values at fixed times; it was not settled which present values a motion reaches from them",
+    RefutedWithinErrors: "on the motion that would refute it, what is given holds only as far as numbers show",
     // Ranges of values.
     AtTheOnePoint: "at the one point that is asked for",
     AtEveryPoint: "at every point of the ranges",

@@ -89,7 +89,10 @@ pub(super) fn blocks<'a>(
     let more = all.len() + technical.len() - shown.len();
     let is_none = shown.is_empty();
     // What the same claims use is told together.
-    let together = shown.chunk_by(|a, b| a.used == b.used).map(|of| {
+    let is_same = |a: &&Hypothesis<'a>, b: &&Hypothesis<'a>| {
+        a.used.len() == b.used.len() && a.used.iter().all(|claim| b.used.contains(claim))
+    };
+    let together = shown.chunk_by(is_same).map(|of| {
         let mut says = joined(of.iter().map(|h| h.says.clone()), ", ");
         says.extend(of.first().map(|h| quiet(format!(" ({})", places(derivation, &h.used)))));
         says

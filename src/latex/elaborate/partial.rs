@@ -175,8 +175,24 @@ impl Elaborator<'_> {
         if put.iter().any(|&e| self.graph.depth_of_places(e) >= DEEPEST_PLACE) {
             return refuse("latex::unsupported", "places within places, too deep", span, "");
         }
-        let components = t.components.into_iter().map(|e| self.graph.taken_at(e, values)).collect();
+        let components = t.components.into_iter().map(|e| self.taken_with_values(e, values)).collect();
         Ok(Tensor { shape: t.shape, components })
+    }
+
+    /// The same of one component. A formula that does not name a coordinate has a value only where the place has one, too: J(ln r), of J = 1.
+    fn taken_with_values(&mut self, e: Expr, values: &[(Leaf, Expr)]) -> Expr {
+        let leaves = self.graph.leaves_within([e]);
+        let mut out = self.graph.taken_at(e, values);
+        for &(coordinate, value) in values {
+            let at = self.graph.coordinate(coordinate);
+            let is_named = |l: &Leaf| *l == coordinate || at.is_some_and(|at| self.graph.depends(l.symbol, at));
+            if !leaves.iter().any(is_named) && !self.graph.needs_below([value]).is_empty() {
+                let zero = self.graph.integer(0);
+                let nothing = self.graph.mul(zero, value);
+                out = self.graph.add(out, nothing);
+            }
+        }
+        out
     }
 
     /// A partial derivative.

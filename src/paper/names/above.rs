@@ -4,6 +4,7 @@
 //! index or a factor is none.
 
 use super::Names;
+use super::letters::is_upright_label;
 
 impl Names {
     /// A capital letter alone in square brackets, `[X]`: nobody sets a factor so, it is a name.
@@ -34,15 +35,6 @@ impl Names {
             _ => (self.spelled(from, to), end),
         })
     }
-}
-
-/// Whether what stands above a name is a word in upright letters, and no transpose.
-pub(super) fn is_upright_label(above: &[&str]) -> bool {
-    let [r"\mathrm" | r"\text" | r"\rm" | r"\textrm", rest @ ..] = above else { return false };
-    let word: String = rest.iter().filter(|t| !matches!(**t, "{" | "}")).copied().collect();
-    !word.is_empty()
-        && word.chars().all(|c| c.is_ascii_alphanumeric())
-        && !matches!(word.as_str(), "T" | "t" | "H" | "tr" | "d")
 }
 
 /// Whether what stands above a name in parentheses is a label, and no order, index or place: a word, or a letter that is upright, a

@@ -55,3 +55,12 @@ pub const FRACTIONS: &[&str] = &["frac", "dfrac", "tfrac", "cfrac"];
 pub fn is_switch(style: &str) -> bool {
     matches!(style, "bf" | "rm" | "cal")
 }
+
+/// Whether what stands above a name is a word in upright letters, and no transpose.
+pub(in crate::names) fn is_upright_label(above: &[&str]) -> bool {
+    let [r"\mathrm" | r"\text" | r"\rm" | r"\textrm", rest @ ..] = above else { return false };
+    let word: String = rest.iter().filter(|t| !matches!(**t, "{" | "}")).copied().collect();
+    !word.is_empty()
+        && word.chars().all(|c| c.is_ascii_alphanumeric())
+        && !matches!(word.as_str(), "T" | "t" | "H" | "tr" | "d")
+}

@@ -40,6 +40,10 @@ impl<'a> Given<'a> {
         let mut out =
             Given { derivation, claim, said, graph, conditions: Vec::new(), valued: Vec::new(), domain: Vec::new() };
         out.valued = out.values_of(&said.claimed.formulas);
+        // What is given has values where the times and places that it names have.
+        let placed = out.graph.placed_below(said.given.formulas.iter().copied());
+        let places = out.values_of(&placed);
+        out.valued.extend(places);
         out.conditions = out.written_out(said.relations()?)?;
         Some(out)
     }
@@ -68,6 +72,14 @@ impl<'a> Given<'a> {
         let mut leaves = self.graph.leaves_within(conditions.iter().flat_map(|&(_, l, r)| [l, r]));
         leaves.retain(|leaf| self.claim.scope.role(leaf.symbol) != Some(Role::Parameter));
         leaves
+    }
+
+    /// Whether the claim has values by what is so at several times or places: these may be one, as far as a point shows.
+    pub(super) fn is_between(&self) -> bool {
+        let leaves = self.named(&self.valued);
+        let mut places = leaves.iter().map(|l| (l.instant, self.graph.place(l.symbol).map(|place| &place.at)));
+        let first = places.next();
+        places.any(|place| Some(place) != first)
     }
 
     /// Whether it is a system that is solved for its rates, and formulas, with values at one fixed time, if there are any, from which a motion

@@ -18,6 +18,7 @@ mod value;
 use crate::derivation::{Claim, Derivation};
 use crate::findings::IdentityAccount;
 use crate::findings::standing::Finding;
+use crate::said::Sayings;
 use crate::step::Step;
 use proof::When;
 use reason::{Coordinate, Point, Refuting};
@@ -45,14 +46,27 @@ pub(crate) struct At {
 
 /// A motion that refutes a claim as a step.
 pub(crate) fn refuting(derivation: &Derivation, claim: &Claim, inequalities: When) -> Option<Motion> {
+    if names_what_has_no_value(derivation, claim) {
+        return None;
+    }
     let question = demand::question(derivation, claim, inequalities, demand::Wanted::Fault)?;
     search::search(derivation, claim, &question)
 }
 
 /// Whether a motion is found on which everything given holds, and the claim says something.
 pub(crate) fn has_example(derivation: &Derivation, claim: &Claim, inequalities: When) -> bool {
+    if names_what_has_no_value(derivation, claim) {
+        return false;
+    }
     let question = demand::question(derivation, claim, inequalities, demand::Wanted::Example);
     question.is_some_and(|question| search::search(derivation, claim, &question).is_some())
+}
+
+/// Whether a time or a place that is named may have no value, as that of q(√t₀): a motion would not know where it is.
+fn names_what_has_no_value(derivation: &Derivation, claim: &Claim) -> bool {
+    let said = Sayings::of(derivation, claim);
+    let formulas = said.claimed.formulas.iter().chain(&said.given.formulas);
+    !derivation.graph.clone().placed_below(formulas.copied()).is_empty()
 }
 
 /// The account of a step that a motion refutes.

@@ -417,7 +417,7 @@ impl<'a> Step<'a> {
 
     /// What is positive among the parameters that occur.
     pub(super) fn add_positive_parameters(&mut self, equations: &Pairs, premises: &mut Premises) {
-        let roots: Vec<Expr> = sides(equations).chain(premises.sides()).collect();
+        let roots: Vec<Expr> = sides(equations).chain(premises.sides()).chain(premises.signs()).collect();
         for leaf in self.graph.leaves_within(roots) {
             if self.is_positive_parameter(leaf) {
                 let node = self.graph.leaf(leaf);

@@ -3,8 +3,8 @@
 //! **In:** a formula as LaTeX. **Out:** whether something stands in it that is no product, and no power. **Guaranteed:** it is told by the print
 //! alone.
 
-use super::super::is_upright_label;
 use super::super::letters::is_letter_command;
+use super::super::letters::is_upright_label;
 
 /// The commands and characters of a formula, without spaces.
 pub(super) fn tokens(text: &str) -> Vec<&str> {
