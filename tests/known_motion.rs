@@ -254,3 +254,78 @@ fn a_premise_with_names_of_its_own_is_not_looked_through() {
     let word = account.claims[1].identity.as_ref().map_or("none", |i| i.standing());
     assert!(!word.starts_with("proved"), "{word}");
 }
+
+/// An angle whose formula names something that leaps is no less continued than one with the formula written out.
+#[test]
+fn an_angle_is_continued_whatever_its_formula_is_called() {
+    const A: &[&str] = &[
+        "t: time",
+        "x, y: state",
+        r"V: observable = \operatorname{atan2}(y,x)",
+        "U: observable = V",
+        r"W: observable = 5\lfloor x\rfloor",
+        r"\xi: observable, angle = V",
+        r"\zeta: observable, angle = U",
+        r"\nu: observable, angle = W",
+        r"\theta: observable, angle = \operatorname{atan2}(y,x)",
+        r"\eta: observable, angle = 2\theta",
+        r"\mu: observable, angle = \theta+V",
+    ];
+    // x = cos t, y = sin t at t = 4: the angle is 4, and its formula 4 − 2π.
+    let circle: &[&str] = &[r"x=\cos t", r"y=\sin t"];
+    for claim in [
+        r"\xi=V",
+        r"\xi(4)=V(4)",
+        r"\xi\ne V+2\pi",
+        r"e^\xi=e^V",
+        r"\zeta=V",
+        r"\mu=\theta+V",
+        r"\eta=2\theta",
+        r"\nu=W",
+    ] {
+        for given in [&[], circle] {
+            let found = word(&(claim, A, given)).0;
+            assert!(!found.starts_with("proved"), "{claim}: {given:?}: {found}");
+        }
+    }
+    assert_eq!(word(&(r"\cos\xi=\cos V", A, &[])).0, "proved");
+}
+
+/// What a family says of its members is not known before they are tried; a kink is no motion of what names the rate that is not there; what
+/// is so at different times of a motion need not be so together.
+#[test]
+fn a_motion_shows_what_is_so_on_it_together() {
+    let states = ["x", "y", "z", "w"].map(|s| format!("'{s}' = {{ role = 'state' }}\n")).concat();
+    let head = states + "'a' = { role = 'parameter' }\n";
+    let standing = |rest: &str| {
+        let account = of_file(&format!("{head}{rest}"));
+        let claim = account.claims.iter().find(|c| c.id == "c").expect("it is there");
+        claim.identity.as_ref().map_or("none", |i| i.standing())
+    };
+    let claim = |more: &str| format!("[[claim]]\nid = 'c'\nsays = 'c'\nalways = ['w^2=1']\n{more}\n");
+    let premise = |id: &str, more: &str| format!("[[claim]]\nid = '{id}'\nsays = '{id}'\n{more}\n");
+    // x < 2 and x = 5 at some time.
+    let family = "[[trajectory]]\nid = 'm'\nformula = { x = 't', w = '1' }\nspan = [0, 1]\n[[family]]\nid = 'f'\nof = 'm'\n\
+                  vary = { 'a' = { values = [1, 2] } }\n";
+    let of_family = premise("p", "eventually = ['x=5']\nfamilies = ['f']\ntrajectories = []")
+        + &premise("q", "always = ['x<2']\nfamilies = ['f']\ntrajectories = []")
+        + &claim("assuming = ['w=1']\nfollows-from = ['p', 'q']\nfamilies = ['f']\ntrajectories = []");
+    let found = standing(&(family.replace("formula = {", "parameters = { 'a' = 1 }\nformula = {") + &of_family));
+    assert!(!found.starts_with("proved"), "{found}");
+    // ÿ is 0 or 2, and continuous: it is constant.
+    let kink = "[system.s]\nstates = ['y', 'w']\nequations = ['\\dot y=|t-1|+t-1', '\\dot w=0']\n[[trajectory]]\nid = 'm'\nsystem = 's'\n\
+                initial = { y = '0', w = '1' }\nspan = [0, 3]\n";
+    let of_kink = premise("p", r"always = ['\ddot y(\ddot y-2)=0']")
+        + &premise("q", r"eventually = ['\ddot y<0.1']")
+        + &premise("r", r"eventually = ['\ddot y>1.9']")
+        + &claim("assuming = ['w=1']\nfollows-from = ['p', 'q', 'r']");
+    let found = standing(&(kink.to_owned() + &of_kink));
+    assert!(!found.starts_with("proved"), "{found}");
+    // At no time z is above ½ and below −½.
+    let line = "[[trajectory]]\nid = 'm'\nformula = { z = 't', x = '5', y = '0', w = '2' }\nspan = [-1, 1]\n";
+    let of_line = premise("p", "assuming = ['z>0.5']\nalways = ['x>1']")
+        + &premise("q", "assuming = ['z<-0.5']\nalways = ['y=0', 'w=2']")
+        + &claim("follows-from = ['p', 'q']").replace("w^2=1", "w^2=2w");
+    let found = standing(&(line.to_owned() + &of_line));
+    assert!(!found.starts_with("proved"), "{found}");
+}

@@ -142,7 +142,10 @@ fn checked_again(
     let following: Vec<usize> =
         (0..derivation.claims.len()).filter(|&c| rest.contains(&derivation.claims[c].id)).collect();
     let others = account.claims.len();
-    let Followed { claims, rest } = follow(derivation, &following, &account.claims, before, (&options.limits, recall));
+    let Followed { mut claims, rest } =
+        follow(derivation, &following, &account.claims, before, (&options.limits, recall));
+    // What the rest follows from has its strength before.
+    strengthen_all(derivation, &mut claims, &account.claims, (&options.limits, recall));
     account.claims.extend(claims);
     check_some(derivation, account, rest)?;
     let mut late = account.claims.split_off(others);

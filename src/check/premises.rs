@@ -5,7 +5,7 @@
 //!
 //! **Guaranteed:** a verdict gets the strength of a proof only on a motion on which all holds that the proof rests on.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use super::memory::{Known, Question};
 use claim::comparison;
@@ -35,7 +35,7 @@ pub(super) fn counterexample<'a>(
     let counted = std::cell::OnceCell::new();
     let counts = |t: usize| {
         let all = counted.get_or_init(|| proved::existence::motions_of_file(derivation, claim));
-        all.contains(&t) && proved::existence::is_smooth(derivation, t)
+        all.contains(&t)
     };
     columns.iter().zip(&selection.tried).find_map(|(verdicts, &t)| {
         let verdict = verdicts[k].as_ref().filter(|v| matches!(v.outcome(), Outcome::Fails(_)))?;
@@ -119,6 +119,24 @@ fn has_motion(derivation: &Derivation, declared: &Claim, claim: &ClaimAccount, a
         })
         .map(|of| (of, account_of(of)))
         .collect();
+    // Premises that speak of other times each hold at theirs: that says nothing of one time.
+    let chooses = |of: &Claim, relation: &latex::Relation| {
+        let sides = relation.left.components.iter().chain(&relation.right.components).copied();
+        relation.kind != latex::RelationKind::Equal
+            && derivation.graph.leaves_within(sides).iter().any(|leaf| of.scope.moves(leaf))
+    };
+    let texts = |of: &Claim| -> BTreeSet<String> {
+        let choosing = of.assuming.iter().filter(|w| w.value.relations.iter().any(|r| chooses(of, r)));
+        choosing.map(|w| w.text.clone()).collect()
+    };
+    let own = texts(declared);
+    let mut chosen: Vec<BTreeSet<String>> =
+        premises.iter().map(|(of, _)| texts(of)).filter(|t| !t.is_subset(&own)).collect();
+    chosen.sort();
+    chosen.dedup();
+    if chosen.len() > 1 || chosen.iter().any(|of| !own.is_subset(of)) {
+        return false;
+    }
     let is_so = |tried: &dyn Fn(&Claim) -> bool, on: &dyn Fn(&ClaimAccount) -> Option<Outcome>| {
         // Where it is undecided, the motion may not come so far.
         let applies = |outcome| matches!(outcome, Outcome::Holds(_) | Outcome::Fails(_));
@@ -137,7 +155,8 @@ fn has_motion(derivation: &Derivation, declared: &Claim, claim: &ClaimAccount, a
     let on_family = |at: usize| {
         let family = &derivation.families[at];
         let found = |of: &ClaimAccount| Some(of.families.iter().find(|f| f.family == family.id)?.verdict.outcome());
-        may_be_so.contains(&family.of) && is_so(&|of| of.families.contains(&at), &found)
+        // Members are tried after this; what a family says is known where it is recalled.
+        may_be_so.contains(&family.of) && is_so(&|_| false, &found)
     };
     let tried = may_be_so.iter().filter(|at| declared.trajectories.contains(at));
     tried.copied().any(on_motion) || declared.families.iter().copied().any(on_family)

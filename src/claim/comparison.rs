@@ -241,6 +241,15 @@ pub fn may_leap(graph: &Graph, e: Expr) -> bool {
     })
 }
 
+/// Whether an angle with this formula is not the formula itself: this may leap, or something in it that is defined may, or is an angle that
+/// is continued, too.
+pub fn is_continued(graph: &mut Graph, scope: &Scope, formula: Expr) -> bool {
+    let written = behind_rates(graph, scope, formula);
+    let written = traced_without_angles(graph, scope, written);
+    let leaps = |leaf: &Leaf| scope.is_angle(leaf.symbol) || leaf.rate > 0 && scope.definition(leaf.symbol).is_some();
+    may_leap(graph, written) || graph.leaves_within([written]).iter().any(leaps)
+}
+
 /// `e` with the rates of observables replaced by those of their definitions; a rate that cannot be formed stays, and so do
 /// observables themselves.
 pub fn behind_rates(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {

@@ -13,6 +13,7 @@
 //! A new operation does not compile without its row. (Values at complex arguments, cuts and the side that they belong to, get
 //! a column of their own here.)
 
+mod placed;
 mod stretch;
 mod words;
 

@@ -13,8 +13,7 @@
 //! **Why a symbol and no node with arguments:** for a proof, values of a field at different places are independent unknowns, as
 //! its derivatives are. There, and only there, nothing is taken through places: see [`Graph::replaced`] and [`Graph::slope`].
 
-use super::domain::Need;
-use super::{Expr, FastMap, FastSet, Graph, Leaf, NoDerivative, Node, Op, Symbol};
+use super::{Expr, FastMap, FastSet, Graph, Leaf, NoDerivative, Op, Symbol};
 
 /// Places in places are looked through this often, f(g(h(x))): what is deeper is not written.
 pub const DEEPEST_PLACE: usize = 6;
@@ -65,24 +64,6 @@ impl Graph {
             open.extend(places.filter(|e| seen.insert(*e)));
             out.extend(open.iter().copied());
         }
-        out
-    }
-
-    /// What is put for the coordinates of fields at places, and for the time of what is taken at a fixed one, below some expressions: they have
-    /// values only where all of it has one. What always has one is left out.
-    pub fn placed_below(&mut self, roots: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
-        let roots: Vec<Expr> = roots.into_iter().collect();
-        let mut out = self.places_below(roots.iter().copied());
-        let instants = self.leaves_within(roots).into_iter().filter_map(|leaf| leaf.instant);
-        let instants: FastSet<Expr> = instants.collect();
-        out.extend(instants.into_iter().filter(|e| !matches!(self.node(*e), Node::Constant(_) | Node::Pi)));
-        out.sort_unstable();
-        out.dedup();
-        out.retain(|&e| {
-            let all = self.reachable([e]);
-            let needs: Vec<Need> = all.into_iter().flat_map(|node| self.needs(node)).collect();
-            needs.iter().any(|need| !self.as_constant(need.value).is_some_and(|number| need.sign.is_of(number)))
-        });
         out
     }
 

@@ -23,7 +23,7 @@ use crate::derivation::{Claim, Derivation};
 use crate::said::Sayings;
 use crate::step::Step;
 use given::Given;
-pub use of_file::{is_smooth, motions_of_file};
+pub use of_file::motions_of_file;
 use proof::When;
 
 /// Whether there is, for a proof that is whole, or leaves out times.
@@ -38,17 +38,24 @@ pub(crate) fn is_known(
     if needs_example(derivation, said, is_whole) {
         return example();
     }
-    // What a premise calls by a name of its own is not looked through.
-    if has_motion || said.given.has_own_symbols {
-        return has_motion;
+    if has_motion {
+        return true;
     }
     let given = Given::of(derivation, claim, said);
     let is_between = given.as_ref().is_none_or(Given::is_between);
     !is_between && given.clone().is_some_and(|mut given| given.has_solution())
-        || !is_between && !said.names_a_time(derivation) && through_a_point(derivation, claim, said)
+        || is_known_by_a_point(derivation, claim, said, is_between)
         || given.clone().is_some_and(|mut given| given.has_rest())
         || given.is_some_and(Given::has_simple_fields)
-        || example()
+        || !said.given.has_own_symbols && example()
+}
+
+/// Whether a point is found; not where a premise calls something by a name of its own, which is not looked through.
+fn is_known_by_a_point(derivation: &Derivation, claim: &Claim, said: &Sayings, is_between: bool) -> bool {
+    !is_between
+        && !said.given.has_own_symbols
+        && !said.names_a_time(derivation)
+        && through_a_point(derivation, claim, said)
 }
 
 /// Whether polynomials alone will do: values at several fixed times are named, and what is given fixes some of them at two, chooses times, or

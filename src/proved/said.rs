@@ -5,7 +5,7 @@
 use derivation::{Claim, Derivation, Form, FormFormula, Premise, Written};
 use expr::domain::Sign;
 use expr::{Expr, FastSet, Graph, Leaf, Node, Partials};
-use latex::{Relation, RelationKind, Role, Statement};
+use latex::{Relation, RelationKind, Role, Scope, Statement};
 
 /// What a claim says, and what is given to it, with what it assumes; both with the formulas of what is defined.
 pub(crate) struct Sayings<'a> {
@@ -16,13 +16,13 @@ pub(crate) struct Sayings<'a> {
 impl<'a> Sayings<'a> {
     pub(crate) fn of(derivation: &'a Derivation, claim: &'a Claim) -> Sayings<'a> {
         let (claimed, mut given) = (Said::of_claim(derivation, claim), Said::given(derivation, claim));
-        given.add(claim.assuming.iter());
+        given.add(claim.assuming.iter(), &claim.scope);
         let [claimed, given] = [claimed, given].map(|said| said.with_definitions(derivation));
         Sayings { claimed, given }
     }
 
     /// The relations that are given, or assumed, where all of it is relations of each time.
-    pub(crate) fn relations(&self) -> Option<&[&'a Relation]> {
+    pub(crate) fn relations(&self) -> Option<&[(&'a Relation, &'a Scope)]> {
         (!self.given.relates_times).then_some(&self.given.relations)
     }
 
@@ -36,7 +36,8 @@ impl<'a> Sayings<'a> {
 #[derive(Default)]
 pub(crate) struct Said<'a> {
     pub(crate) formulas: Vec<Expr>,
-    relations: Vec<&'a Relation>,
+    /// Each with the names by which it is written.
+    relations: Vec<(&'a Relation, &'a Scope)>,
     /// Whether something other than an equation is among them, or ±: it may choose times.
     pub(crate) chooses: bool,
     /// Whether it is a claim of another form than relations at each time.
@@ -54,12 +55,12 @@ impl<'a> Said<'a> {
         let mut out = Said::default();
         for form in &claim.forms {
             match form {
-                Form::Always(w) => out.add(std::iter::once(w)),
+                Form::Always(w) => out.add(std::iter::once(w), &claim.scope),
                 other => {
                     out.relates_times = true;
                     for formula in other.formulas() {
                         match formula {
-                            FormFormula::Statement(w) => out.add(std::iter::once(w)),
+                            FormFormula::Statement(w) => out.add(std::iter::once(w), &claim.scope),
                             FormFormula::Quantity(w) => out.formulas.extend(&w.value.components),
                             FormFormula::Limit { of, value } => {
                                 out.formulas.extend(of.value.components.iter().chain(&value.value.components));
@@ -67,7 +68,7 @@ impl<'a> Said<'a> {
                         }
                     }
                     if let Form::Solves { system, .. } = other {
-                        out.add(derivation.systems[*system].equations.iter());
+                        out.add(derivation.systems[*system].equations.iter(), &derivation.scope);
                     }
                 }
             }
@@ -79,12 +80,12 @@ impl<'a> Said<'a> {
         let mut given = Said::default();
         for name in derivation.given_to(claim) {
             match derivation.premise(&name) {
-                Premise::System(at) => given.add(derivation.systems[at].equations.iter()),
+                Premise::System(at) => given.add(derivation.systems[at].equations.iter(), &derivation.scope),
                 Premise::Claim(at) => {
                     let of = &derivation.claims[at];
                     given.has_own_symbols |= !of.symbols.is_empty();
                     given.join(Said::of_claim(derivation, of));
-                    given.add(of.assuming.iter());
+                    given.add(of.assuming.iter(), &of.scope);
                 }
                 Premise::Definition => {}
             }
@@ -92,10 +93,10 @@ impl<'a> Said<'a> {
         given
     }
 
-    fn add(&mut self, statements: impl Iterator<Item = &'a Written<Statement>>) {
+    fn add(&mut self, statements: impl Iterator<Item = &'a Written<Statement>>, scope: &'a Scope) {
         for relation in statements.flat_map(|w| &w.value.relations) {
             self.chooses |= relation.kind != RelationKind::Equal || relation.has_branches || relation.limit.is_some();
-            self.relations.push(relation);
+            self.relations.push((relation, scope));
             self.formulas.extend(relation.left.components.iter().chain(&relation.right.components));
         }
     }

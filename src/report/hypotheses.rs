@@ -103,7 +103,7 @@ pub(super) fn blocks<'a>(
         (true, 0) => "No step uses a condition that its claim does not say.".to_owned(),
         (true, n) => format!("{}, below.", count(n, "long condition")),
         (false, 0) => ".".to_owned(),
-        (false, n) => format!("; {n} more."),
+        (false, n) => format!("; +{n}."),
     }));
     let mut out = vec![StoryBlock::Heading("Used and not said".to_owned()), StoryBlock::Paragraph(line)];
     out.extend(conventions(derivation, &signs));
@@ -244,7 +244,7 @@ fn places(derivation: &Derivation, used: &[String]) -> String {
     let list = named.into_iter().map(|(name, _)| name).collect::<Vec<_>>().join(", ");
     match used.len() - told {
         0 => list,
-        more => format!("{list}, {more} more"),
+        more => format!("{list}, +{more}"),
     }
 }
 

@@ -19,7 +19,7 @@ use crate::signs::of_either_sign;
 use crate::vanish::order;
 use crate::write::Writer;
 use checker::{Claimed, Definition, Relation, Sense, Sequent};
-use claim::comparison::{at_instant, may_leap};
+use claim::comparison::{at_instant, is_continued, traced_without_angles};
 use derivation::{Claim, Derivation, Form, Premise};
 use expr::domain::Change;
 use expr::{Expr, Graph, Leaf, Node, Op, Shape, Symbol};
@@ -455,7 +455,10 @@ impl<'a> Gathering<'a> {
             }
             let value = Leaf::now(leaf.symbol, leaf.component);
             let Some(formula) = self.definition(value) else { continue };
-            if self.derivation.is_angle(leaf.symbol) && may_leap(&self.graph, formula) && !self.is_polar(formula) {
+            if self.derivation.is_angle(leaf.symbol)
+                && is_continued(&mut self.graph, &self.claim.scope, formula)
+                && !self.is_polar(formula)
+            {
                 let further = self.continue_angle(value, formula, rate > 0);
                 let inner = self.graph.leaves([formula]).into_iter();
                 open.extend(inner.map(|l| (l, order(l).saturating_add(rate.max(further)))));
@@ -478,8 +481,11 @@ impl<'a> Gathering<'a> {
             let Node::Unary(Op::Sqrt, _) = *graph.node(y) else { return false };
             true
         };
+        let written = traced_without_angles(&mut self.graph, &self.claim.scope, formula);
+        let names_angles = self.graph.leaves_within([written]).iter().any(|l| self.derivation.is_angle(l.symbol));
         root(&self.graph, formula)
-            && self.graph.reachable([formula]).into_iter().all(|node| {
+            && !names_angles
+            && self.graph.reachable([written]).into_iter().all(|node| {
                 let leaps = |edge: &expr::domain::EdgeOf| matches!(edge.change, Change::Jump(_));
                 root(&self.graph, node) || !self.graph.edges(node).iter().any(leaps)
             })

@@ -57,7 +57,7 @@ pub fn is_switch(style: &str) -> bool {
 }
 
 /// Whether what stands above a name is a word in upright letters, and no transpose.
-pub(in crate::names) fn is_upright_label(above: &[&str]) -> bool {
+pub(super) fn is_upright_label(above: &[&str]) -> bool {
     let [r"\mathrm" | r"\text" | r"\rm" | r"\textrm", rest @ ..] = above else { return false };
     let word: String = rest.iter().filter(|t| !matches!(**t, "{" | "}")).copied().collect();
     !word.is_empty()

@@ -5,7 +5,7 @@
 
 use crate::derivation::{Claim, Derivation};
 use crate::expr::domain::Sign;
-use crate::expr::{Expr, Graph, Leaf, Node, Partials, Rational, Shape, Symbol};
+use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Partials, Rational, Shape, Symbol};
 use crate::latex::{Relation, RelationKind, Role, Scope};
 use crate::said::{Sayings, is_so};
 use claim::system::VectorField;
@@ -48,11 +48,11 @@ impl<'a> Given<'a> {
         Some(out)
     }
 
-    fn written_out(&mut self, relations: &[&'a Relation]) -> Option<Vec<Condition>> {
-        let (graph, scope) = (&mut self.graph, &self.claim.scope);
-        let sign = scope.branch_sign();
+    fn written_out(&mut self, relations: &[(&'a Relation, &'a Scope)]) -> Option<Vec<Condition>> {
+        let graph = &mut self.graph;
         let mut out = Vec::new();
-        for relation in relations {
+        for (relation, scope) in relations {
+            let sign = scope.branch_sign();
             if relation.limit.is_some() {
                 return None;
             }
@@ -77,9 +77,11 @@ impl<'a> Given<'a> {
     /// Whether the claim has values by what is so at several times or places: these may be one, as far as a point shows.
     pub(super) fn is_between(&self) -> bool {
         let leaves = self.named(&self.valued);
-        let mut places = leaves.iter().map(|l| (l.instant, self.graph.place(l.symbol).map(|place| &place.at)));
-        let first = places.next();
-        places.any(|place| Some(place) != first)
+        let instants: FastSet<Expr> = leaves.iter().filter_map(|l| l.instant).collect();
+        let mut places = leaves.iter().filter(|l| self.graph.is_field(l.symbol));
+        let place = |l: &Leaf| self.graph.place(l.symbol).map(|place| &place.at);
+        let first = places.next().map(place);
+        instants.len() > 1 || places.any(|l| Some(place(l)) != first)
     }
 
     /// Whether it is a system that is solved for its rates, and formulas, with values at one fixed time, if there are any, from which a motion

@@ -25,7 +25,7 @@ pub fn motions_of_file(derivation: &Derivation, claim: &Claim) -> Vec<usize> {
     out.sort_unstable();
     out.dedup();
     let counts = |at| moves_by(derivation, at, &systems) && goes_through(derivation, at, &instants);
-    out.retain(|&at| counts(at) && is_total_motion(derivation, at));
+    out.retain(|&at| counts(at) && is_smooth(derivation, at));
     out
 }
 
@@ -51,7 +51,7 @@ fn is_total_motion(derivation: &Derivation, at: usize) -> bool {
 
 /// Whether a motion is as smooth as any formula needs: it has no hole and no edge, and the rates of the system that it was integrated from do
 /// not leap, nor do their slopes.
-pub fn is_smooth(derivation: &Derivation, at: usize) -> bool {
+fn is_smooth(derivation: &Derivation, at: usize) -> bool {
     let mut source = at;
     while let Motion::Derived { from, .. } = &derivation.trajectories[source].motion {
         source = *from;

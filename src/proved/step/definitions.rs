@@ -8,7 +8,7 @@ use super::{Pairs, Step};
 use crate::derivation::Premise;
 use crate::expr::domain::Sign;
 use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Op};
-use claim::comparison::{at_instant, may_leap};
+use claim::comparison::{at_instant, is_continued};
 use proof::{Premises, When, is_never_negative};
 
 /// Which definitions of observables are used.
@@ -151,7 +151,7 @@ impl Step<'_> {
 
     /// What an angle that is continued along motions has of its formula, where more of it occurs than its sine and cosine.
     fn continued(&mut self, leaf: Leaf, e: Expr, equations: &Pairs, premises: &Premises) -> Continued {
-        if !self.derivation.is_angle(leaf.symbol) || !may_leap(&self.graph, e) {
+        if !self.derivation.is_angle(leaf.symbol) || !is_continued(&mut self.graph, &self.claim.scope, e) {
             return Continued::No;
         }
         let node = self.graph.leaf(leaf);
@@ -211,7 +211,7 @@ impl Step<'_> {
                 continue;
             }
             if let Some(e) = self.definition(Leaf { instant: None, ..leaf }, which) {
-                if self.derivation.is_angle(leaf.symbol) && may_leap(&self.graph, e) {
+                if self.derivation.is_angle(leaf.symbol) && is_continued(&mut self.graph, scope, e) {
                     self.in_part.push(leaf);
                     continue;
                 }
