@@ -11,7 +11,7 @@
 //! | a system that is solved for its rates | one begins at every point of its domain |
 //! | that, with values at one fixed time | one begins at that time, at a point that has these values, inside of the domain |
 //! | a linear system | it goes on for ever: also other fixed times may be named |
-//! | nothing of fixed times and places | a point is found through which one passes, see [`Step::has_motion`] |
+//! | nothing of fixed times and places | a point is found through which one passes, see `Step::has_motion` |
 //! | nothing of the time | what moves is at rest at a point at which all of it is so |
 //! | equations of fields | fields as simple as a coordinate, or half its square, satisfy them |
 //! | anything | polynomials of the time are found |

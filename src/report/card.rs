@@ -131,8 +131,7 @@ impl<'a> RefutingMotion<'a> {
                     // Beside a number a value says all.
                     Some((side, sign, number)) if sign != "=" && is_number(number) && short(&side) => {
                         out.extend(named_side(": ", Some(side), left, scope));
-                        out.push(words(", not "));
-                        out.push(StorySpan::Math(format!("{sign}{number}"), scope));
+                        out.push(words(format!(", not {} {}", sign_of(sign), number.replace('-', "−"))));
                     }
                     sides => {
                         out.extend(named_side(": left ", sides.map(|s| s.0).filter(short), left, scope));
@@ -182,6 +181,15 @@ fn sides(formula: &str) -> Option<(&str, &str, &str)> {
     }
     let (left, right) = (formula[..at].trim(), formula[at + sign.len()..].trim());
     (!left.is_empty() && !right.is_empty()).then_some((left, sign, right))
+}
+
+/// The sign of a relation as a letter.
+fn sign_of(sign: &str) -> &str {
+    match sign.trim() {
+        r"\le" | r"\leq" => "≤",
+        r"\ge" | r"\geq" => "≥",
+        other => other,
+    }
 }
 
 /// How many powers of ten the sides of a claim that fails differ by less than they are large, at the point that refutes it; 0 where
