@@ -17,7 +17,7 @@ def test_a_paper_is_looked_through(derivations: Path) -> None:
     found = rederive.lint(paper)
     assert len(found.wrong) == 2 and found.words["wrong"] == 2 and len(found) == sum(found.words.values())
     first = found.wrong[0]
-    assert first.line > 1 and first.instead and first.message and "says" in first.message and first.file.endswith("page.tex")
+    assert first.line > 1 and first.instead and first.message and "its sides are" in first.message and first.file.endswith("page.tex")
     assert found == rederive.lint(str(paper)) == pickle.loads(pickle.dumps(found))
     assert "<!doctype html>" in found.page()[:100].lower() and repr(found).startswith("<Lint of")
     for value in (found, first):
