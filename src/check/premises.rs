@@ -71,6 +71,11 @@ pub(super) fn refuted_on(
     }
 }
 
+/// The account of a claim among others.
+fn account_of<'a>(claim: &Claim, mut among: impl Iterator<Item = &'a ClaimAccount>) -> Option<&'a ClaimAccount> {
+    among.find(|account| account.id == claim.id && account.reading == claim.reading)
+}
+
 /// The verdict on a claim, by its position, that is known from before.
 fn known_verdict<'a>(
     derivation: &Derivation,
@@ -79,7 +84,7 @@ fn known_verdict<'a>(
     trajectory: usize,
 ) -> Option<&'a Verdict> {
     let (claim, trajectory) = (derivation.claims.get(claim)?, derivation.trajectories.get(trajectory)?);
-    let account = known.iter().find(|k| k.id == claim.id && k.reading == claim.reading)?;
+    let account = account_of(claim, known.iter())?;
     account.on(&trajectory.id).map(|r| &r.verdict)
 }
 
@@ -109,15 +114,12 @@ fn may_leap(derivation: &Derivation, trajectory: usize) -> bool {
 /// Whether a claim applies to a motion of its file on which all that it follows from is so. What a run leaves out may be so: a claim that is
 /// checked alone has the proof that it has beside the others.
 fn has_motion(derivation: &Derivation, declared: &Claim, claim: &ClaimAccount, accounts: &[&[ClaimAccount]]) -> bool {
-    let account_of = |of: &Claim| -> Option<&ClaimAccount> {
-        accounts.iter().copied().flatten().find(|a| a.id == of.id && a.reading == of.reading)
-    };
     let premises: Vec<(&Claim, Option<&ClaimAccount>)> = (declared.follows_from.iter())
         .filter_map(|name| match derivation.premise(name) {
             Premise::Claim(at) => Some(&derivation.claims[at]),
             Premise::System(_) | Premise::Definition => None,
         })
-        .map(|of| (of, account_of(of)))
+        .map(|of| (of, account_of(of, accounts.iter().copied().flatten())))
         .collect();
     // Premises that speak of other times each hold at theirs: that says nothing of one time.
     let chooses = |of: &Claim, relation: &latex::Relation| {
@@ -304,7 +306,7 @@ fn take_back(derivation: &Derivation, claims: &mut [ClaimAccount], known: &[Clai
         Premise::System(_) | Premise::Definition => true,
         Premise::Claim(at) => {
             let of = &derivation.claims[at];
-            let account = claims.iter().chain(known).find(|a| a.id == of.id && a.reading == of.reading);
+            let account = account_of(of, claims.iter().chain(known));
             let verdict = account.and_then(|account| account.on(trajectory)).map(|pair| pair.verdict.outcome());
             verdict == Some(Outcome::Holds(Strength::Proved)) || !has_equation(of)
         }

@@ -6,8 +6,8 @@
 use crate::{Expr, FastSet, Graph, Node};
 
 impl Graph {
-    /// What is put for the coordinates of fields at places, and for the time of what is taken at a fixed one, below some expressions: they have
-    /// values only where all of it has one. What always has one is left out.
+    /// The places of fields, and the fixed times at which something is taken, below some expressions: these have values only where all of them
+    /// have one. A place or a time that always has one is left out.
     pub fn placed_below(&mut self, roots: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
         let roots: Vec<Expr> = roots.into_iter().collect();
         let mut out = self.places_below(roots.iter().copied());

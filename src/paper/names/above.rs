@@ -1,4 +1,4 @@
-//! What belongs to a name and is neither its letter nor its subscript: labels above, brackets around.
+//! Labels above a name, and brackets around it: neither its letter nor its subscript.
 //!
 //! **In:** the marks of a formula. **Out:** a label, or the name of an amount, `[X]`. **Guaranteed:** what could be a power, a transpose, an
 //! index or a factor is none.

@@ -4,8 +4,8 @@
 //! through all fixed times that are named; whether the claim applies to it, and other claims hold on it, is for those to say who tried them.
 
 use crate::derivation::{Claim, Derivation, Motion, Premise, Written};
-use crate::expr::domain::Change;
-use crate::expr::{Expr, Symbol};
+use crate::expr::domain::{Change, EdgeOf};
+use crate::expr::{Expr, Graph, Symbol};
 use crate::said::{self, Said, Sayings};
 
 /// The positions of these motions, and of those that families vary.
@@ -24,8 +24,12 @@ pub fn motions_of_file(derivation: &Derivation, claim: &Claim) -> Vec<usize> {
     let mut out: Vec<usize> = claim.trajectories.iter().copied().chain(varied).collect();
     out.sort_unstable();
     out.dedup();
-    let counts = |at| moves_by(derivation, at, &systems) && goes_through(derivation, at, &instants);
-    out.retain(|&at| counts(at) && is_smooth(derivation, at));
+    out.retain(|&at| moves_by(derivation, at, &systems));
+    if out.is_empty() {
+        return out;
+    }
+    let mut graph = derivation.graph.clone();
+    out.retain(|&at| goes_through(derivation, &mut graph, at, &instants) && is_smooth(derivation, &mut graph, at));
     out
 }
 
@@ -37,43 +41,30 @@ fn moves_by(derivation: &Derivation, at: usize, systems: &[usize]) -> bool {
     })
 }
 
-/// Whether a motion that is given by formulas has no hole and no edge; one that is integrated ends where it has one.
-fn is_total_motion(derivation: &Derivation, at: usize) -> bool {
-    let is_total = |formulas: &[Expr]| said::is_total(derivation, &mut derivation.graph.clone(), formulas);
-    let written =
-        |of: &[(Symbol, Written<Vec<Expr>>)]| of.iter().flat_map(|(_, w)| w.value.clone()).collect::<Vec<_>>();
+/// Whether a motion is as smooth as any formula needs: one by formulas has no hole and no edge; of one that is integrated the rates do not
+/// leap, nor do their slopes, and it ends where they have no value.
+fn is_smooth(derivation: &Derivation, graph: &mut Graph, at: usize) -> bool {
+    let mut is_total = |of: &[(Symbol, Written<Vec<Expr>>)]| {
+        let formulas: Vec<Expr> = of.iter().flat_map(|(_, w)| w.value.iter().copied()).collect();
+        said::is_total(derivation, graph, &formulas)
+    };
     match &derivation.trajectories[at].motion {
-        Motion::Integrated { .. } => true,
-        Motion::Formula { states } => is_total(&written(states)),
-        Motion::Derived { from, map } => is_total(&written(map)) && is_total_motion(derivation, *from),
-    }
-}
-
-/// Whether a motion is as smooth as any formula needs: it has no hole and no edge, and the rates of the system that it was integrated from do
-/// not leap, nor do their slopes.
-fn is_smooth(derivation: &Derivation, at: usize) -> bool {
-    let mut source = at;
-    while let Motion::Derived { from, .. } = &derivation.trajectories[source].motion {
-        source = *from;
-    }
-    let rates = match &derivation.trajectories[source].motion {
+        Motion::Formula { states } => is_total(states),
+        Motion::Derived { from, map } => is_total(map) && is_smooth(derivation, graph, *from),
         Motion::Integrated { system, .. } => {
             let relations = derivation.systems[*system].equations.iter().flat_map(|w| &w.value.relations);
-            relations.flat_map(|r| r.left.components.iter().chain(&r.right.components)).copied().collect()
+            let rates = relations.flat_map(|r| r.left.components.iter().chain(&r.right.components)).copied().collect();
+            let rates = Said::of_formulas(rates).with_definitions(derivation).formulas;
+            let all = graph.reachable(rates);
+            let leaps = |edge: &EdgeOf| matches!(edge.change, Change::Jump(_) | Change::Kink);
+            !all.into_iter().any(|node| graph.edges(node).iter().any(leaps))
         }
-        Motion::Formula { .. } | Motion::Derived { .. } => Vec::new(),
-    };
-    let rates = Said::of_formulas(rates).with_definitions(derivation).formulas;
-    let mut graph = derivation.graph.clone();
-    let all = graph.reachable(rates);
-    let leaps = |node: Expr| graph.edges(node).iter().any(|edge| matches!(edge.change, Change::Jump(_) | Change::Kink));
-    !all.into_iter().any(leaps) && is_total_motion(derivation, at)
+    }
 }
 
 /// Whether all of some times lie in the span of a motion.
-fn goes_through(derivation: &Derivation, at: usize, instants: &[Expr]) -> bool {
+fn goes_through(derivation: &Derivation, graph: &mut Graph, at: usize, instants: &[Expr]) -> bool {
     let trajectory = &derivation.trajectories[at];
-    let mut graph = derivation.graph.clone();
     instants.iter().all(|&instant| {
         let closed = graph.substitute(instant, |_, leaf| {
             trajectory.parameter(leaf.symbol)?.get(usize::from(leaf.component)).copied()
