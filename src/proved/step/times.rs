@@ -228,11 +228,6 @@ impl Step<'_> {
         let mut premises = self.premises(&gathered, equations, Definitions::All);
         // A motion that stands still has its present values at the fixed time.
         premises.equations.retain(|k| !matches!(k.when, When::At(_)));
-        let sides = equations.iter().flat_map(|&(l, r)| [l, r]).chain(premises.sides()).chain(premises.signs());
-        if !self.graph.placed_below(sides.collect::<Vec<_>>()).is_empty() {
-            // A time that is named may have no value.
-            return None;
-        }
         let zero = self.graph.integer(0);
         let claim = &self.claim.scope;
         let moves = |leaf: Leaf| claim.moves(&leaf);
