@@ -49,6 +49,7 @@ function run(module, text) {
   try { instance.exports._start(); } catch (e) { if (e instanceof Exit) code = e.code; else fault = e; }
   const [page, words] = out.map(parts => { const decoder = new TextDecoder(); return parts.map(p => decoder.decode(p, { stream: true })).join("") + decoder.decode(); });
   if (fault instanceof RangeError) return { problem: "The text is nested too deeply for this page." };
+  if (code === 75) return { problem: `This text takes more work than a page does. The program on your machine leaves out what is too much, and says the rest: rederive FILE. (${words.trim()})` };
   if (fault || code) return { problem: `A defect of rederive: please report it, with the text. ${words.trim() || fault?.message || `code ${code}`}` };
   return { page };
 }

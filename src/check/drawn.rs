@@ -7,7 +7,8 @@
 //!
 //! **How:** claims are tried together on the same drafts ([`draft`](super::draft)) of these, at samples. Only
 //! integrated motions are drawn from: they obey their equations with any numbers, while a formula may solve them for its own alone.
-//! The work of it is counted for itself, and is a small share of what a file may take. What that does not suffice for is not tried.
+//! The work of it is counted for itself, and is a small share of what a file may take. What that does not suffice for is not tried; nor is
+//! anything where work cannot end ([`meter::CAN_END`]).
 
 use std::collections::BTreeMap;
 
@@ -63,7 +64,8 @@ pub(super) fn add(
     let families = derivation.trajectories.iter().filter_map(|t| Draft::of(derivation, t));
     let families = families.filter(|family| family.system.is_some() && family.is_free());
     let families: Vec<Draft> = families.map(|family| family.up_to(LONGEST)).collect();
-    if claims.is_empty() || claims.len() > MOST_CLAIMS || families.is_empty() || options.limits.reached().is_some() {
+    let is_possible = meter::CAN_END && options.limits.reached().is_none();
+    if claims.is_empty() || claims.len() > MOST_CLAIMS || families.is_empty() || !is_possible {
         return Ok(());
     }
     // How far the work goes depends on all of the claims.

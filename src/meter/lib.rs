@@ -296,8 +296,24 @@ fn begin_slice(units: u64) {
 }
 
 fn end(ended: Ended) {
-    // No panic: nothing is printed, and `piece` catches it.
-    resume_unwind(Box::new(ended));
+    let words = ended.to_string();
+    unwind(ended, &words);
+}
+
+/// Whether a piece can end before it is done. It cannot where a panic ends the process, as in a page in a browser: there, what takes too
+/// much ends the process, with words and a code of its own.
+pub const CAN_END: bool = cfg!(panic = "unwind");
+
+/// The code of a process that ends since a piece of it cannot: as `EX_TEMPFAIL` of BSD's `sysexits.h`, the input is not to blame.
+pub const TOO_MUCH: i32 = 75;
+
+/// Leaves the work under way for whoever catches this payload; the words say why. It is no panic: nothing is printed.
+pub fn unwind<P: Any + Send>(payload: P, words: &str) -> ! {
+    if !CAN_END {
+        eprintln!("{words}");
+        std::process::exit(TOO_MUCH);
+    }
+    resume_unwind(Box::new(payload))
 }
 
 /// Does a piece of the work of a run, as far as it may go. Pieces within a piece are counted for themselves.

@@ -38,8 +38,7 @@ fn charge(units: u64) {
             Some(rest) => LEFT.set(Some(rest)),
             None => {
                 LEFT.set(Some(0));
-                // No panic: nothing is printed, and `within` catches it.
-                resume_unwind(Box::new(Exhausted));
+                meter::unwind(Exhausted, "work limit: the algebra of a proof takes more than it may");
             }
         }
     }

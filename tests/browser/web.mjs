@@ -56,12 +56,24 @@ await visit({ viewport: { width: 1280, height: 900 } }, url, async page => {
   check(/Nothing is written/.test(await settled(() => state(page), s => /Nothing/.test(s))), "an empty text gets a word");
   await put(page, "No formula stands here $");
   await found(page, /./);
+  // What is said next is of the next text.
+  const nothing = async () => { await put(page, ""); await settled(() => state(page), s => /Nothing/.test(s)); };
   // Macros without an end, braces without number, another file: the page lives on.
   for (const bad of ["\\def\\a{\\a\\a}\\[\\a=1\\]", "\\[" + "{".repeat(30_000) + "=1\\]", "\\input{/etc/passwd} $x=x$", "\\[x=" + "\\sqrt{".repeat(20_000)]) {
+    await nothing();
     await put(page, bad);
     const said = await settled(() => state(page), s => /^(Done|Not done|A defect|The )/.test(s) && !/Working/.test(s));
     check(!/defect/.test(said), `${bad.slice(0, 20)}: ${said}`);
   }
+  // A formula of 2²³ terms: it takes more work than it may, which cannot end there alone.
+  const calls = [..."bcdefghijklmnopqrstuvwx"].map((name, i) => `'f_{\\rm ${name}}(\\alpha)' = { role = 'abbreviation', arguments = ['\\alpha'], formula = 'f_{\\rm ${"abcdefghijklmnopqrstuvw"[i]}}(\\alpha+1)+f_{\\rm ${"abcdefghijklmnopqrstuvw"[i]}}(2\\alpha)' }`);
+  await nothing();
+  await put(page, ["[derivation]", "title = 'x'", "concerns = 'y'", "[symbols]", "'t' = { role = 'time' }", "'x' = { role = 'state' }",
+    "'f_{\\rm a}(\\alpha)' = { role = 'abbreviation', arguments = ['\\alpha'], formula = '\\sin\\alpha' }", ...calls,
+    "[system.s]", "states = ['x']", "equations = ['\\dot x=-x']", "[[trajectory]]", "id = 'a'", "system = 's'", "initial = { 'x' = 1 }", "span = [0, 1]",
+    "[[claim]]", "id = 'c'", "says = 's'", "always = ['x=f_{\\rm x}(x)']"].join("\n"));
+  const told = await settled(() => state(page), s => /^(Done|Not done|A defect|The |This text)/.test(s) && !/Working/.test(s));
+  check(/^This text takes more work than a page does/.test(told) && /work limit: reading a formula/.test(told), told);
   await put(page, "1+1=2");
   await found(page, /follows/);
   // A text that takes long is given up at once when asked.
