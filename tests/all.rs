@@ -74,6 +74,7 @@ mod identity_traps;
 mod init;
 mod interval_laws;
 mod known_motion;
+mod known_together;
 mod known_when;
 mod latex_comment;
 mod latex_derivations;

@@ -224,6 +224,60 @@ fn steps(premise: &str, says: &str, motion: &str) -> &'static str {
     account.claims[1].identity.as_ref().map_or("none", |i| i.standing())
 }
 
+/// A definition may name the rate of another one; and the rate of what has no value has none, whatever is left of it.
+#[test]
+fn a_rate_is_that_of_its_formula() {
+    const V: &[&str] = &["t: time", "x, y, z: state", "V: observable = x^2", r"U: observable = \dot V"];
+    const SECOND: &[&str] = &["t: time", "x, y, z: state", "V: observable = x", r"U: observable = \ddot V+V"];
+    const THIRD: &[&str] =
+        &["t: time", "x, z: state", r"V: observable = \dot x", "W: observable = V^2+x^2", r"U: observable = \dot W"];
+    const FIXED: &[&str] = &["t: time", "x, z: state", "V: observable = x^2", r"U: observable = \dot V(0)"];
+    const VECTOR: &[&str] = &["t: time", "z: state", "v: 2, state", "l: observable = |v|^2", r"L: observable = \dot l"];
+    const ANGLE: &[&str] =
+        &["t: time", "x, z: state", r"\chi: angle = \operatorname{atan2}(x,1)", r"U: observable = \dot\chi"];
+    const ROOT: &[&str] = &["t: time", "x, y, z: state", r"U: observable = \sqrt x", "p: parameter, positive"];
+    const UNIT: &[&str] = &["t: time", "z: state", "v: 2, state", r"n: 2, observable = \frac{v}{|v|}"];
+    let lines: [Line; 23] = [
+        // U is 0.
+        ("z=z", V, &[r"\dot x=0", "U(0)=1"]),
+        ("x=x(0)", V, &["x=2", "U(0)=1"]),
+        ("z=z", V, &[r"\dot x=1", "x(0)=3", "U(0)=100"]),
+        ("z=z", V, &[r"\dot x=0", r"y=\frac1U"]),
+        (r"\frac zU=\frac{2z}{2U}", V, &[r"\dot x=0"]),
+        (r"\ln(U(0))=\ln(U(0))", V, &[r"\dot x=0"]),
+        (r"\sqrt{-1-U}^2=-1-U", V, &[r"\dot x=0"]),
+        ("z=z", SECOND, &[r"\ddot x=-x", "U(0)=1"]),
+        ("z=z", THIRD, &[r"\dot x=-x", "x(0)=0", "U(0)=1"]),
+        ("z=z", FIXED, &[r"\dot x=0", "U=1"]),
+        ("z=z", VECTOR, &[r"\dot v=0", "L=1"]),
+        ("z=z", ANGLE, &[r"\dot x=0", "U(0)=1"]),
+        // √(−1) has no rate.
+        ("z=z", ROOT, &["x=-1", r"\dot U=0"]),
+        ("z=z", ROOT, &["x=-1", r"\dot U(0)=0"]),
+        ("z=z", ROOT, &["x=-1", r"\dot U=y", "y=0"]),
+        ("z=z", ROOT, &["x=-1", r"\dot U\dot y=0"]),
+        ("z=z", ROOT, &["x=-1", r"\ddot U=0"]),
+        ("z=z", ROOT, &["x=-1", r"\dot U=\dot U"]),
+        ("z=z", ROOT, &["x=-p", r"\dot U=y", "y=0"]),
+        ("z=z", UNIT, &["v=(0,0)", r"\dot n=0"]),
+        ("z=z", ANGLE, &[r"\dot x=0", "U=1"]),
+        ("z=z", FIXED, &["x=2", "U=1"]),
+        ("z=z", SECOND, &["x=0", "U=1"]),
+    ];
+    for line in &lines {
+        assert_eq!(word(line).0, "undecided", "{line:?}");
+    }
+    let lines: [Line; 4] = [
+        ("U=4x", V, &[r"\dot x=2"]),
+        ("U(0)=2", V, &[r"\dot x=1", "x(0)=1"]),
+        ("z=z", ROOT, &["x=1", r"\dot U=0"]),
+        ("U=0", SECOND, &[r"\ddot x=-x"]),
+    ];
+    for line in &lines {
+        assert_eq!(word(line).0, "proved", "{line:?}");
+    }
+}
+
 /// A motion refutes a step only if it goes through the times that are named, is smooth, and what is given is so on it, and not only as far
 /// as numbers show.
 #[test]
@@ -237,6 +291,9 @@ fn a_motion_refutes_what_follows_from_what_is_so_on_it() {
         // sin x is not x.
         (r"\sin x=x", "x=0", r"formula = { x = '10^{-9}\sin t' }"),
         ("e^x=1+x", "x=0", r"formula = { x = '10^{-9}\sin t' }"),
+        // eˣ ≤ 1 means x ≤ 0.
+        (r"e^x\le1", "|x|=-x", "formula = { x = '10^{-25}' }"),
+        (r"10^{14}+e^x\le10^{14}+1", "|x|=-x", "formula = { x = '10^{-4}' }"),
     ] {
         let motion = if motion.contains("span") { motion.to_owned() } else { format!("{motion}\nspan = [0, 4]") };
         assert_ne!(steps(premise, says, &motion), "refuted", "{premise}: {says}: {motion}");

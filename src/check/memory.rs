@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 
 use super::answers::{AGES, Answers, Key, key};
 use super::motions::Family;
-use crate::derivation::{Claim, Derivation, Form, Motion, Premise};
+use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{FastMap, Graph, Leaf};
 use crate::findings::{ClaimAccount, FamilyAccount, family::MeasureAccount};
 use crate::verdict::Verdict;
@@ -438,10 +438,7 @@ impl State<'_> {
         let given: Vec<Vec<String>> = all.iter().map(|claim| Step::given(derivation, claim)).collect();
         // Whether motions are analytic depends on how those are given on which a claim is tried.
         let behind = |at: usize| format!("{:?}", Step::behind(derivation, &all[at]));
-        let claim = |name: &String| match derivation.premise(name) {
-            Premise::Claim(at) => Some(at),
-            Premise::System(_) | Premise::Definition => None,
-        };
+        let claim = |name: &String| derivation.premise(name).claim();
         let mut keys: Vec<Option<Key>> = vec![None; all.len()];
         for at in premises_first(all.len(), |k| given[k].iter().filter_map(claim).collect()) {
             // In a circle a premise has no name yet, and what follows from it gets none.

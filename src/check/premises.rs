@@ -5,13 +5,14 @@
 //!
 //! **Guaranteed:** a verdict gets the strength of a proof only on a motion on which all holds that the proof rests on.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 
 use super::memory::{Known, Question};
 use claim::comparison;
 use claim::limits::Limits;
 use derivation::{Claim, Derivation, Premise};
 use findings::{ClaimAccount, IdentityAccount, recorded};
+use latex::RelationKind;
 use meter::{Ended, Task};
 use proved::conditional::premises_first;
 use proved::step::Step;
@@ -111,57 +112,74 @@ fn may_leap(derivation: &Derivation, trajectory: usize) -> bool {
     }
 }
 
-/// Whether a claim applies to a motion of its file on which all that it follows from is so. What a run leaves out may be so: a claim that is
-/// checked alone has the proof that it has beside the others.
+/// Whether a claim applies to a motion of its file on which, at some times of it, all that it follows from is so. What a run leaves out may be
+/// so: a claim that is checked alone has the proof that it has beside the others.
 fn has_motion(derivation: &Derivation, declared: &Claim, claim: &ClaimAccount, accounts: &[&[ClaimAccount]]) -> bool {
-    let premises: Vec<(&Claim, Option<&ClaimAccount>)> = (declared.follows_from.iter())
-        .filter_map(|name| match derivation.premise(name) {
-            Premise::Claim(at) => Some(&derivation.claims[at]),
-            Premise::System(_) | Premise::Definition => None,
-        })
-        .map(|of| (of, account_of(of, accounts.iter().copied().flatten())))
-        .collect();
-    // Premises that speak of other times each hold at theirs: that says nothing of one time.
-    let chooses = |of: &Claim, relation: &latex::Relation| {
-        let sides = relation.left.components.iter().chain(&relation.right.components).copied();
-        relation.kind != latex::RelationKind::Equal
-            && derivation.graph.leaves_within(sides).iter().any(|leaf| of.scope.moves(leaf))
-    };
-    let texts = |of: &Claim| -> BTreeSet<String> {
-        let choosing = of.assuming.iter().filter(|w| w.value.relations.iter().any(|r| chooses(of, r)));
-        choosing.map(|w| w.text.clone()).collect()
-    };
-    let own = texts(declared);
-    let mut chosen: Vec<BTreeSet<String>> =
-        premises.iter().map(|(of, _)| texts(of)).filter(|t| !t.is_subset(&own)).collect();
-    chosen.sort();
-    chosen.dedup();
-    if chosen.len() > 1 || chosen.iter().any(|of| !own.is_subset(of)) {
-        return false;
+    let account = |of: &Claim| account_of(of, accounts.iter().copied().flatten());
+    let mut all: Vec<(&Claim, Option<&ClaimAccount>)> = vec![(declared, Some(claim))];
+    let premises = derivation.claims_among(&declared.follows_from).map(|at| &derivation.claims[at]);
+    all.extend(premises.map(|of| (of, account(of))));
+    let named = all.len();
+    // What these follow from in turn may choose times, too.
+    let inherited = claim.identity.as_ref().map_or(&[][..], |identity| &identity.presupposed);
+    for at in proved::existence::assumed_behind(derivation, declared, inherited) {
+        let of = &derivation.claims[at];
+        all.extend(Some((of, account(of))).filter(|_| !all.iter().any(|(known, _)| std::ptr::eq(*known, of))));
     }
-    let is_so = |tried: &dyn Fn(&Claim) -> bool, on: &dyn Fn(&ClaimAccount) -> Option<Outcome>| {
-        // Where it is undecided, the motion may not come so far.
-        let applies = |outcome| matches!(outcome, Outcome::Holds(_) | Outcome::Fails(_));
-        let holds = |outcome| matches!(outcome, Outcome::Holds(_));
-        let known = |of: &Claim, account: Option<&ClaimAccount>, is: &dyn Fn(Outcome) -> bool| match account {
-            Some(account) => on(account).map_or_else(|| tried(of), is),
-            None => true,
-        };
-        known(declared, Some(claim), &applies) && premises.iter().all(|&(of, account)| known(of, account, &holds))
+    // Where it is undecided, the motion may not come so far. What fails applies.
+    let is_met = |at: usize, outcome: Outcome| match outcome {
+        Outcome::Holds(_) => true,
+        Outcome::Fails(_) => at == 0 || at >= named,
+        Outcome::NotApplicable(_) | Outcome::Undecided => false,
     };
     let may_be_so = proved::existence::motions_of_file(derivation, declared);
     let on_motion = |at: usize| {
-        let id = &derivation.trajectories[at].id;
-        is_so(&|of| of.trajectories.contains(&at), &|of| Some(of.on(id)?.verdict.outcome()))
+        let motion = &derivation.trajectories[at];
+        let mut verdicts: Vec<&Verdict> = Vec::new();
+        all.iter().enumerate().all(|(k, (of, account))| match account.map(|account| account.on(&motion.id)) {
+            Some(Some(pair)) => {
+                verdicts.push(&pair.verdict);
+                is_met(k, pair.verdict.outcome())
+            }
+            Some(None) => of.trajectories.contains(&at),
+            None => true,
+        }) && share_times(motion.span, &verdicts)
     };
+    // Members are tried after this; what a family says is known where it is recalled. At which times is not told.
     let on_family = |at: usize| {
         let family = &derivation.families[at];
         let found = |of: &ClaimAccount| Some(of.families.iter().find(|f| f.family == family.id)?.verdict.outcome());
-        // Members are tried after this; what a family says is known where it is recalled.
-        may_be_so.contains(&family.of) && is_so(&|_| false, &found)
+        may_be_so.contains(&family.of)
+            && all.iter().enumerate().all(|(k, (of, account))| {
+                let is_so = |account| found(account).is_some_and(|outcome| is_met(k, outcome));
+                account.is_none_or(is_so) && proved::existence::is_of_all_times(derivation, of)
+            })
     };
     let tried = may_be_so.iter().filter(|at| declared.trajectories.contains(at));
     tried.copied().any(on_motion) || declared.families.iter().copied().any(on_family)
+}
+
+/// So many samples in a row show that there are times which none of some verdicts leaves out.
+const SHARED: f64 = 4.0;
+
+/// Whether there is a stretch of a motion that none of some verdicts on it leaves out. Premises that speak of other times each hold at
+/// theirs: that says nothing of one time.
+fn share_times((from, to): (f64, f64), verdicts: &[&Verdict]) -> bool {
+    let partial = || verdicts.iter().filter(|v| v.exclusions().next().is_some());
+    let Some(samples) = partial().map(|v| v.evidence().samples).min() else { return true };
+    if partial().count() == 1 {
+        return samples > 0;
+    }
+    let mut out: Vec<(f64, f64)> = partial().flat_map(|v| v.exclusions()).map(|e| (e.from, e.to)).collect();
+    out.push((to, to));
+    out.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let least = SHARED * (to - from) / samples as f64;
+    let mut end = from;
+    out.into_iter().any(|(start, stop)| {
+        let is_free = start - end > least;
+        end = end.max(stop);
+        is_free
+    })
 }
 
 /// Has the checker replay the proofs, of the file as it was read: what it does not replay is not called proved.
@@ -292,10 +310,7 @@ pub(super) fn strengthen(
 
 /// Among the claims of this run, those that one of them follows from, and those that its proof rests on.
 fn premises(derivation: &Derivation, claimed: &[usize], claim: &ClaimAccount, at: usize) -> Vec<usize> {
-    let of = |name: &String| match derivation.premise(name) {
-        Premise::Claim(premise) => claimed.binary_search(&premise).ok(),
-        Premise::System(_) | Premise::Definition => None,
-    };
+    let of = |name: &String| claimed.binary_search(&derivation.premise(name).claim()?).ok();
     let proved = claim.identity.iter().flat_map(|i| i.from.iter().chain(&i.parts_from));
     derivation.claims[at].follows_from.iter().chain(proved).filter_map(of).collect()
 }
@@ -308,7 +323,7 @@ fn take_back(derivation: &Derivation, claims: &mut [ClaimAccount], known: &[Clai
             let of = &derivation.claims[at];
             let account = account_of(of, claims.iter().chain(known));
             let verdict = account.and_then(|account| account.on(trajectory)).map(|pair| pair.verdict.outcome());
-            verdict == Some(Outcome::Holds(Strength::Proved)) || !has_equation(of)
+            verdict == Some(Outcome::Holds(Strength::Proved)) || is_strict(of)
         }
     };
     let mut rough: Vec<usize> = Vec::new();
@@ -328,12 +343,13 @@ fn take_back(derivation: &Derivation, claims: &mut [ClaimAccount], known: &[Clai
     }
 }
 
-/// Whether a claim says that something is equal: numbers show that only within errors.
-fn has_equation(claim: &Claim) -> bool {
+/// Whether a claim says of sides that they differ, and which is the larger one: numbers show anything else only within errors.
+fn is_strict(claim: &Claim) -> bool {
     let statements = claim.forms.iter().flat_map(derivation::Form::formulas).filter_map(|formula| match formula {
         derivation::FormFormula::Statement(w) => Some(&w.value),
         _ => None,
     });
-    let kinds: Vec<latex::RelationKind> = statements.flat_map(|s| &s.relations).map(|r| r.kind).collect();
-    kinds.is_empty() || kinds.contains(&latex::RelationKind::Equal)
+    let mut kinds = statements.flat_map(|s| &s.relations).map(|r| r.kind).peekable();
+    kinds.peek().is_some()
+        && kinds.all(|kind| matches!(kind, RelationKind::Less | RelationKind::Greater | RelationKind::NotEqual))
 }

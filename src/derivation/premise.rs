@@ -23,6 +23,16 @@ pub enum Premise {
     Definition,
 }
 
+impl Premise {
+    /// The position of the claim, if it is one.
+    pub fn claim(self) -> Option<usize> {
+        match self {
+            Premise::Claim(at) => Some(at),
+            Premise::System(_) | Premise::Definition => None,
+        }
+    }
+}
+
 /// The names of claims and systems, and what is said of symbols. A file may have as many as it likes, and each claim asks.
 #[derive(Clone, Debug, Default)]
 pub struct Index {
@@ -64,6 +74,11 @@ impl Derivation {
             return Premise::System(system);
         }
         self.claims.iter().position(|c| c.is_called(name)).map_or(Premise::Definition, Premise::Claim)
+    }
+
+    /// The claims among some names under `follows-from`, by their positions.
+    pub fn claims_among<'a>(&'a self, names: &'a [String]) -> impl Iterator<Item = usize> + use<'a> {
+        names.iter().filter_map(|name| self.premise(name).claim())
     }
 
     /// The claim with an id and a reading, in whose place in the index another may stand: what has the name of a system, or was put
@@ -196,16 +211,8 @@ impl Loader<'_> {
     pub fn circles(&mut self) {
         self.out.make_index();
         let claims = &self.out.claims;
-        let premises: Vec<Vec<usize>> = claims
-            .iter()
-            .map(|c| {
-                let claim = |name: &String| match self.out.premise(name) {
-                    Premise::Claim(c) => Some(c),
-                    Premise::System(_) | Premise::Definition => None,
-                };
-                c.follows_from.iter().filter_map(claim).collect()
-            })
-            .collect();
+        let premises: Vec<Vec<usize>> =
+            claims.iter().map(|c| self.out.claims_among(&c.follows_from).collect()).collect();
         let mut found: Vec<(Range<usize>, String)> = Vec::new();
         // 0: not looked at, 1: on the present path, 2: done.
         let mut state = vec![0_u8; claims.len()];

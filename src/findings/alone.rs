@@ -17,7 +17,7 @@
 use crate::account::{ClaimAccount, IdentityAccount};
 use crate::standing::Decision;
 use crate::words::{self, Word};
-use derivation::{Claim, Derivation, Form, Premise};
+use derivation::{Claim, Derivation, Form};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use verdict::Outcome;
@@ -53,12 +53,7 @@ pub struct Premises(BTreeSet<usize>);
 impl Premises {
     /// Those of a file.
     pub fn of(derivation: &Derivation) -> Premises {
-        let named = derivation.claims.iter().flat_map(|c| &c.follows_from);
-        let position = |name: &String| match derivation.premise(name) {
-            Premise::Claim(at) => Some(at),
-            Premise::System(_) | Premise::Definition => None,
-        };
-        Premises(named.filter_map(position).collect())
+        Premises(derivation.claims.iter().flat_map(|c| derivation.claims_among(&c.follows_from)).collect())
     }
 }
 

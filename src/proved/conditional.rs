@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use crate::derivation::{Claim, Derivation, Premise, Written};
+use crate::derivation::{Claim, Derivation, Written};
 use crate::expr::FastSet;
 use crate::findings::standing::{Decision, Given, MOST_TOLD};
 use crate::findings::{AloneAccount, ClaimAccount};
@@ -53,7 +53,7 @@ pub fn conditional(derivation: &Derivation, claims: &mut [ClaimAccount], known: 
             identity.presupposed.extend(inherited);
         }
         if identity.finding.is_proved_in_part() {
-            for at in gathered(&open, &premises(derivation, &identity.from), own) {
+            for at in gathered(&open, &derivation.claims_among(&identity.from).collect::<Vec<_>>(), own) {
                 let standing = match at == own {
                     true => Some("itself what is to be proved"),
                     false => decisions.get(at).and_then(|d| d.map(Decision::word)),
@@ -71,18 +71,9 @@ pub fn conditional(derivation: &Derivation, claims: &mut [ClaimAccount], known: 
     }
 }
 
-/// The claims among what is named.
-fn premises(derivation: &Derivation, names: &[String]) -> Vec<usize> {
-    let of = |name: &String| match derivation.premise(name) {
-        Premise::Claim(at) => Some(at),
-        Premise::System(_) | Premise::Definition => None,
-    };
-    names.iter().filter_map(of).collect()
-}
-
 /// For each claim those that it follows from.
 fn follows(derivation: &Derivation) -> Vec<Vec<usize>> {
-    derivation.claims.iter().map(|c| premises(derivation, &c.follows_from)).collect()
+    derivation.claims.iter().map(|c| derivation.claims_among(&c.follows_from).collect()).collect()
 }
 
 /// So many claims, each after its premises, but in circles.
@@ -211,7 +202,7 @@ impl<'d> Numbers<'d> {
 pub(crate) fn presupposed(derivation: &Derivation, claim: &Claim) -> Vec<String> {
     let follows = follows(derivation);
     let all = Assumptions::of(derivation, &follows, &vec![&[][..]; derivation.claims.len()], Some(claim));
-    let named = premises(derivation, &claim.follows_from);
+    let named: Vec<usize> = derivation.claims_among(&claim.follows_from).collect();
     let mut out: Vec<String> = all.inherited(&named, all.own.len() - 1).into_iter().map(|n| all.text(n)).collect();
     let (mut open, mut seen) = (named, BTreeSet::new());
     while let Some(at) = open.pop() {

@@ -20,11 +20,18 @@ mod given;
 mod of_file;
 
 use crate::derivation::{Claim, Derivation};
-use crate::said::Sayings;
+pub use crate::said::assumed_behind;
+use crate::said::{Said, Sayings};
 use crate::step::Step;
 use given::Given;
 pub use of_file::motions_of_file;
 use proof::When;
+
+/// Whether a claim speaks of all times of each motion: it chooses none, and its formulas have values at all.
+pub fn is_of_all_times(derivation: &Derivation, claim: &Claim) -> bool {
+    let said = Said::of_claim(derivation, claim).assuming(claim).with_definitions(derivation);
+    !said.chooses && said.is_total(derivation)
+}
 
 /// Whether there is, for a proof that is whole, or leaves out times.
 pub(crate) fn is_known(
@@ -34,7 +41,7 @@ pub(crate) fn is_known(
     (is_whole, has_motion): (bool, bool),
     inequalities: When,
 ) -> bool {
-    let example = || crate::motions::has_example(derivation, claim, inequalities);
+    let example = || !said.given.is_beyond_a_step && crate::motions::has_example(derivation, claim, inequalities);
     if needs_example(derivation, said, is_whole) {
         return example();
     }
@@ -47,13 +54,13 @@ pub(crate) fn is_known(
         || is_known_by_a_point(derivation, claim, said, is_between)
         || given.clone().is_some_and(|mut given| given.has_rest())
         || given.is_some_and(Given::has_simple_fields)
-        || !said.given.has_own_symbols && example()
+        || example()
 }
 
-/// Whether a point is found; not where a premise calls something by a name of its own, which is not looked through.
+/// Whether a point is found; not where a premise calls something by a name of its own, or is further back: that is not looked through.
 fn is_known_by_a_point(derivation: &Derivation, claim: &Claim, said: &Sayings, is_between: bool) -> bool {
     !is_between
-        && !said.given.has_own_symbols
+        && !said.given.is_beyond_a_step
         && !said.names_a_time(derivation)
         && through_a_point(derivation, claim, said)
 }

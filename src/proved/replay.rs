@@ -62,7 +62,7 @@ fn finished(
     if !account.finding.is_proved_in_part() {
         return account;
     }
-    let said = Sayings::of(derivation, claim);
+    let said = Sayings::of(derivation, claim).presupposing(derivation, claim, &account.presupposed);
     let known = (account.finding.is_whole(), has_motion);
     if !crate::existence::is_known(derivation, claim, &said, known, inequalities) {
         return account.left_open(Plain::NoMotionKnown.into());

@@ -6,6 +6,7 @@ use derivation::{Claim, Derivation, Form, FormFormula, Premise, Written};
 use expr::domain::Sign;
 use expr::{Expr, FastSet, Graph, Leaf, Node, Partials};
 use latex::{Relation, RelationKind, Role, Scope, Statement};
+use std::collections::BTreeSet;
 
 /// What a claim says, and what is given to it, with what it assumes; both with the formulas of what is defined.
 pub(crate) struct Sayings<'a> {
@@ -13,12 +14,33 @@ pub(crate) struct Sayings<'a> {
     pub(crate) given: Said<'a>,
 }
 
+/// The claims that one follows from, however far back, that assume something of these texts, by their positions.
+pub fn assumed_behind(derivation: &Derivation, claim: &Claim, texts: &[String]) -> BTreeSet<usize> {
+    let mut known: BTreeSet<usize> = BTreeSet::new();
+    let mut open = if texts.is_empty() { Vec::new() } else { vec![claim] };
+    while let Some(of) = open.pop() {
+        let further = derivation.claims_among(&of.follows_from).filter(|at| known.insert(*at));
+        open.extend(further.map(|at| &derivation.claims[at]));
+    }
+    known.retain(|at| derivation.claims[*at].assuming.iter().any(|w| texts.contains(&w.text)));
+    known
+}
+
 impl<'a> Sayings<'a> {
     pub(crate) fn of(derivation: &'a Derivation, claim: &'a Claim) -> Sayings<'a> {
-        let (claimed, mut given) = (Said::of_claim(derivation, claim), Said::given(derivation, claim));
-        given.add(claim.assuming.iter(), &claim.scope);
+        let (claimed, given) = (Said::of_claim(derivation, claim), Said::given(derivation, claim).assuming(claim));
         let [claimed, given] = [claimed, given].map(|said| said.with_definitions(derivation));
         Sayings { claimed, given }
+    }
+
+    /// With what is presupposed beside, since claims further back assume it.
+    pub(crate) fn presupposing(mut self, derivation: &'a Derivation, claim: &Claim, texts: &[String]) -> Sayings<'a> {
+        let near: Vec<usize> = derivation.claims_among(&claim.follows_from).collect();
+        for at in assumed_behind(derivation, claim, texts).into_iter().filter(|at| !near.contains(at)) {
+            let of = Said { is_beyond_a_step: true, ..Said::default() }.assuming(&derivation.claims[at]);
+            self.given.join(of.with_definitions(derivation));
+        }
+        self
     }
 
     /// The relations that are given, or assumed, where all of it is relations of each time.
@@ -42,8 +64,8 @@ pub(crate) struct Said<'a> {
     pub(crate) chooses: bool,
     /// Whether it is a claim of another form than relations at each time.
     relates_times: bool,
-    /// Whether a claim among it has symbols of its own.
-    pub(crate) has_own_symbols: bool,
+    /// Whether the step itself does not have all of it: a claim among it has symbols of its own, or is further back.
+    pub(crate) is_beyond_a_step: bool,
 }
 
 impl<'a> Said<'a> {
@@ -51,7 +73,7 @@ impl<'a> Said<'a> {
         Said { formulas, ..Said::default() }
     }
 
-    fn of_claim(derivation: &'a Derivation, claim: &'a Claim) -> Said<'a> {
+    pub(crate) fn of_claim(derivation: &'a Derivation, claim: &'a Claim) -> Said<'a> {
         let mut out = Said::default();
         for form in &claim.forms {
             match form {
@@ -83,14 +105,19 @@ impl<'a> Said<'a> {
                 Premise::System(at) => given.add(derivation.systems[at].equations.iter(), &derivation.scope),
                 Premise::Claim(at) => {
                     let of = &derivation.claims[at];
-                    given.has_own_symbols |= !of.symbols.is_empty();
-                    given.join(Said::of_claim(derivation, of));
-                    given.add(of.assuming.iter(), &of.scope);
+                    given.is_beyond_a_step |= !of.symbols.is_empty();
+                    given.join(Said::of_claim(derivation, of).assuming(of));
                 }
                 Premise::Definition => {}
             }
         }
         given
+    }
+
+    /// With what a claim assumes.
+    pub(crate) fn assuming(mut self, claim: &'a Claim) -> Said<'a> {
+        self.add(claim.assuming.iter(), &claim.scope);
+        self
     }
 
     fn add(&mut self, statements: impl Iterator<Item = &'a Written<Statement>>, scope: &'a Scope) {
@@ -106,7 +133,7 @@ impl<'a> Said<'a> {
         self.relations.extend(other.relations);
         self.chooses |= other.chooses;
         self.relates_times |= other.relates_times;
-        self.has_own_symbols |= other.has_own_symbols;
+        self.is_beyond_a_step |= other.is_beyond_a_step;
     }
 
     /// With the formulas of what is defined.

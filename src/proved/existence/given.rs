@@ -29,6 +29,8 @@ pub(super) struct Given<'a> {
     conditions: Vec<Condition>,
     /// What must be so where the claim is to have values.
     valued: Vec<Condition>,
+    /// What must be so where what is given is to have values, whatever becomes of it when formulas are put in.
+    needed: Vec<Condition>,
     /// What must be so besides, near a point of a motion.
     domain: Vec<Condition>,
 }
@@ -37,15 +39,24 @@ impl<'a> Given<'a> {
     /// Nothing where something given is no relation of each time. Of ± the upper sign is taken; what chooses times is to be so on an interval.
     pub(super) fn of(derivation: &'a Derivation, claim: &'a Claim, said: &'a Sayings<'a>) -> Option<Given<'a>> {
         let graph = derivation.graph.clone();
-        let mut out =
-            Given { derivation, claim, said, graph, conditions: Vec::new(), valued: Vec::new(), domain: Vec::new() };
+        let [conditions, valued, needed, domain] = [const { Vec::new() }; 4];
+        let mut out = Given { derivation, claim, said, graph, conditions, valued, needed, domain };
         out.valued = out.values_of(&said.claimed.formulas);
         // What is given has values where the times and places that it names have.
         let placed = out.graph.placed_below(said.given.formulas.iter().copied());
         let places = out.values_of(&placed);
         out.valued.extend(places);
         out.conditions = out.written_out(said.relations()?)?;
-        Some(out)
+        let sides: Vec<Expr> = out.conditions.iter().flat_map(|&(_, l, r)| [l, r]).collect();
+        out.needed = out.values_of(&sides);
+        let all = [&out.conditions, &out.valued, &out.needed].into_iter().flatten();
+        let is_open = out.graph.leaves_within(all.flat_map(|&(_, l, r)| [l, r])).iter().any(|l| out.is_defined(l));
+        (!is_open).then_some(out)
+    }
+
+    /// Whether it has a formula: then its rate could not be formed.
+    fn is_defined(&self, leaf: &Leaf) -> bool {
+        self.claim.scope.definition(leaf.symbol).is_some()
     }
 
     fn written_out(&mut self, relations: &[(&'a Relation, &'a Scope)]) -> Option<Vec<Condition>> {
@@ -89,8 +100,7 @@ impl<'a> Given<'a> {
     pub(super) fn has_solution(&mut self) -> bool {
         // A proof has a point of its own, at which what is defined may have any value.
         let formulas = self.said.claimed.formulas.iter().chain(&self.said.given.formulas).copied();
-        let is_defined = |l: &Leaf| self.claim.scope.definition(l.symbol).is_some();
-        let names_defined = self.graph.leaves_within(formulas).iter().any(is_defined);
+        let names_defined = self.graph.leaves_within(formulas).iter().any(|l| self.is_defined(l));
         if self.named(&self.conditions).is_empty() && !names_defined {
             return true;
         }
@@ -100,6 +110,12 @@ impl<'a> Given<'a> {
         };
         let (mut choosing, laws) = self.conditions.iter().copied().partition(|c| of_places(self, c));
         self.conditions = laws;
+        // At the beginning, and strictly: then for a while. What is so at a fixed time is so.
+        let is_fixed = |given: &Self, c: &Condition| given.named(&[*c]).iter().all(|leaf| leaf.instant.is_some());
+        for (kind, l, r) in std::mem::take(&mut self.needed) {
+            let kind = if is_fixed(self, &(kind, l, r)) { kind } else { strict(kind) };
+            self.domain.push((kind, l, r));
+        }
         if self.insert_formulas().is_none() || self.conditions.iter().any(|c| of_places(self, c)) {
             return false;
         }
@@ -218,8 +234,8 @@ impl<'a> Given<'a> {
 
     /// Inserts a formula of what moves; conditions that it meets are left out.
     fn insert(&mut self, leaf: Leaf, formula: Expr) -> Option<()> {
-        let Given { graph, claim, conditions, valued, domain, .. } = self;
-        for all in [conditions, valued, domain] {
+        let Given { graph, claim, conditions, valued, needed, domain, .. } = self;
+        for all in [conditions, valued, needed, domain] {
             for side in all.iter_mut().flat_map(|(_, l, r)| [l, r]) {
                 *side = inserted(graph, &claim.scope, *side, leaf, formula)?;
             }
@@ -247,7 +263,8 @@ impl<'a> Given<'a> {
 
     fn is_met_by(&mut self, fields: &[Leaf]) -> bool {
         let Some((field, others)) = fields.split_first() else {
-            let valued = std::mem::take(&mut self.valued);
+            let mut valued = std::mem::take(&mut self.valued);
+            valued.append(&mut self.needed);
             return self.conditions.is_empty() && (valued.is_empty() || self.has_point(&valued));
         };
         let graph = &mut self.graph;
@@ -318,6 +335,7 @@ impl<'a> Given<'a> {
     pub(super) fn has_rest(&mut self) -> bool {
         let mut conditions = std::mem::take(&mut self.conditions);
         conditions.append(&mut self.valued);
+        conditions.append(&mut self.needed);
         for side in conditions.iter_mut().flat_map(|(_, l, r)| [l, r]) {
             *side = self.graph.replaced(*side, |graph, leaf| {
                 let changes = leaf.rate > 0 || leaf.partials != Partials::NONE;
@@ -416,11 +434,20 @@ fn strict(kind: RelationKind) -> RelationKind {
     }
 }
 
-/// A formula in which nothing that is defined is left, nor its rates.
+/// A formula in which nothing that is defined is left, nor its rates: a definition may name the rate of another one. What cannot be formed
+/// stays.
 fn written(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
-    let e = claim::comparison::behind_rates(graph, scope, e);
-    let e = then(graph, scope, e);
-    claim::comparison::traced(graph, scope, e)
+    let mut e = e;
+    // Definitions are acyclic.
+    loop {
+        let behind = claim::comparison::behind_rates(graph, scope, e);
+        let then = then(graph, scope, behind);
+        let traced = claim::comparison::traced(graph, scope, then);
+        if traced == e {
+            return e;
+        }
+        e = traced;
+    }
 }
 
 /// Rates of what is defined, at fixed times, written out; what cannot be formed stays.

@@ -8,7 +8,7 @@
 
 use super::gather::{Gathered, sides};
 use super::{Decided, Pairs, Step, pairs};
-use crate::derivation::{Claim, Form, Premise};
+use crate::derivation::{Claim, Form};
 use crate::expr::domain::Sign;
 use crate::expr::{Expr, FastMap, FastSet, Symbol};
 use crate::findings::IdentityAccount;
@@ -20,11 +20,8 @@ impl<'a> Step<'a> {
     pub(super) fn claims_named(&self) -> Vec<&'a Claim> {
         let derivation = self.derivation;
         let named = Step::given(derivation, self.claim);
-        let used = named.iter().filter_map(|name| match derivation.premise(name) {
-            Premise::Claim(at) => (!self.left_out.contains(&at)).then(|| &derivation.claims[at]),
-            Premise::System(_) | Premise::Definition => None,
-        });
-        used.collect()
+        let used = derivation.claims_among(&named).filter(|at| !self.left_out.contains(at));
+        used.map(|at| &derivation.claims[at]).collect()
     }
 
     /// Where claims that are named have no value, and this one may: they say nothing there, and what follows from them is open. With the

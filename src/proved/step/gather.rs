@@ -57,7 +57,8 @@ impl<'a> Step<'a> {
     /// What a claim says as equations, and as other relations; `None` where it says something else, or not at all times.
     pub(super) fn said<'c>(&mut self, claim: &'c Claim) -> Option<(Pairs, Vec<&'c Relation>)> {
         let (mut out, mut signs) = (Vec::new(), Vec::new());
-        if claim.at.is_some() {
+        // What another claim says over a box says nothing beyond.
+        if claim.at.is_some() || claim.is_over_ranges() && !std::ptr::eq(claim, self.claim) {
             return None;
         }
         for form in &claim.forms {
@@ -73,7 +74,7 @@ impl<'a> Step<'a> {
                     match relation.kind {
                         _ if relation.limit.is_some() => return None,
                         RelationKind::Equal => out.extend(pairs(relation)),
-                        // A sign of another claim is not known, and what is said over a box says nothing beyond.
+                        // A sign of another claim is not known, nor what an inequality over a box is beyond.
                         _ if relation.has_branches || claim.region.is_some() => return None,
                         _ => signs.push(relation),
                     }
