@@ -461,7 +461,17 @@ fn what_is_no_field_has_no_gradient() {
         Role::Abbreviation,
         "a+1",
     );
-    for text in [r"\nabla a", r"\nabla^2a", r"\nabla h", r"\nabla(a+1)", r"\grad a", "∇a"] {
+    for text in [
+        r"\operatorname{grad}a",
+        r"\mathrm{grad}(a+1)",
+        r"{\rm grad}\,h",
+        r"\nabla a",
+        r"\nabla^2a",
+        r"\nabla h",
+        r"\nabla(a+1)",
+        r"\grad a",
+        "∇a",
+    ] {
         let problems = w.try_expression(text).expect_err(text);
         assert_eq!(problems[0].code, "latex::derivative", "{}", shown(text, &problems));
     }

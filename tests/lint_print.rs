@@ -180,6 +180,29 @@ fn a_bold_name_with_a_hat_is_a_vector_and_refuted_by_nothing() {
     );
 }
 
+/// Words for what ∇ does; not labels, and not what a paper calls so.
+#[test]
+fn upright_words_are_what_nabla_does() {
+    let upright = |word: &str| {
+        [
+            format!(r"\operatorname{{{word}}}"),
+            format!(r"\mathrm{{{word}}}\,"),
+            format!(r"{{\rm {word}}}\,"),
+            format!(r"\text{{{word}}} "),
+        ]
+    };
+    for ((rot, div), grad) in upright("rot").iter().zip(upright("div")).zip(upright("grad")) {
+        let text = format!(r"\[ q={div}({rot}\mathbf{{A}})=0 \]");
+        assert_eq!(last(&text).0, Word::Follows, "{text}");
+        let text = format!(r"\[ \mathbf{{w}}={rot}(f\mathbf{{E}})=f{rot}\mathbf{{E}}+({grad}f)\times\mathbf{{E}} \]");
+        assert_eq!(last(&text).0, Word::Follows, "{text}");
+        let text = format!(r"\[ \mathbf{{w}}={rot}(f\mathbf{{E}})=f{rot}\mathbf{{E}}-({grad}f)\times\mathbf{{E}} \]");
+        assert_ne!(last(&text).0, Word::Follows, "{text}");
+    }
+    assert_ne!(last(r"\[ E_{\mathrm{rot}}=\frac12I\omega^2=\frac{L^2}{2I} \]").0, Word::Wrong);
+    assert_eq!(last(r"\DeclareMathOperator{\rot}{rot}\[ q=\nabla\cdot(\rot\mathbf{A})=0 \]").0, Word::Follows);
+}
+
 #[test]
 fn nabla_of_a_paper_without_coordinates_is_that_of_any_fields() {
     let (word, why) =

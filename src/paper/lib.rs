@@ -31,6 +31,7 @@ mod printed;
 mod short;
 mod token;
 mod unicode;
+mod upright;
 
 use std::collections::BTreeSet;
 use std::ops::Range;

@@ -19,7 +19,7 @@ use std::ops::Range;
 
 use super::opening::{Opening, closes_case, is_link, opening};
 use super::token::{Kind, Token};
-use super::unicode;
+use super::{unicode, upright};
 use diag::escape::shown;
 use pieces::{Piece, pieces};
 use rows::{Grid, Group, Row, rows, unwrapped};
@@ -259,7 +259,7 @@ pub(super) fn relations(body: &[Token], place: &Place<'_>) -> Vec<PrintedRelatio
         found.put(0, side_of(body), None);
         return found.out;
     }
-    let body = unicode::plain(&unwrapped(body));
+    let body = upright::plain(&unicode::plain(&unwrapped(body)));
     let rows = rows(&body);
     let grid = Grid::of(&rows, place.environment);
     for (number, row) in rows.into_iter().enumerate() {

@@ -300,6 +300,9 @@ impl Parser<'_> {
     /// `{…}`: a name, an operator, or something that reads the same without braces.
     fn braces(&mut self, start: usize) -> Parsed<Option<Node>> {
         if let Some(operator) = self.switched_operator() {
+            if let Some(action) = self.vector_operator(&operator) {
+                return self.acting(action, start).map(Some);
+            }
             if let Some(function) = function::named(&operator) {
                 return self.function(function, start).map(Some);
             }
@@ -383,6 +386,7 @@ impl Parser<'_> {
             self.bump();
         }
         let function = function::named(&word).is_some() && !self.scope.declares(&format!("rm:{word}"));
+        let function = function || self.vector_operator(&word).is_some();
         if self.is('}') && (function || operators().any(|(name, _)| name == word)) {
             self.bump();
             return Some(word);
@@ -494,6 +498,9 @@ impl Parser<'_> {
             if operators().any(|(name, _)| name == word) {
                 return self.operator(word, start).map(Some);
             }
+            if let Some(action) = self.vector_operator(&word) {
+                return self.acting(action, start).map(Some);
+            }
             if word == "e" && !self.is('_') && !self.scope.declares("rm:e") {
                 return self.upright_euler(start).map(Some);
             }
@@ -517,6 +524,11 @@ impl Parser<'_> {
             Some((name, _)) => self.symbol_named(name, 0, start).map(Some),
             None => refuse("latex::unknown-function", "this function is not known", span, ""),
         }
+    }
+
+    /// What an upright word before something does, where it is no name: `\mathrm{rot}\,{\bf A}`.
+    fn vector_operator(&self, word: &str) -> Option<Nabla> {
+        function::of_nabla(word).filter(|_| !self.scope.declares(&format!("rm:{word}")))
     }
 
     /// `\mathbb{1}`, `\mathbf{1}`, `\bf 1`: eaten when it is there.

@@ -1,7 +1,7 @@
 //! Named functions and operators, and where their arguments end.
 
 use super::super::lexer::Kind;
-use super::super::syntax::{Node, NodeKind};
+use super::super::syntax::{Nabla, Node, NodeKind};
 use super::super::typeset;
 use super::{Open, Parsed, Parser, refuse, side_by_side};
 use expr::Op;
@@ -45,6 +45,16 @@ pub fn is_function(word: &str) -> bool {
 pub(super) fn operators() -> impl Iterator<Item = (&'static str, usize)> {
     let name = |op: &Op| Some((op.spelling().strip_prefix(r"\operatorname{")?.strip_suffix('}')?, op.arity()));
     Op::ALL.iter().filter_map(name).chain([("tr", 1), ("diag", 0), ("diagonal", 0)])
+}
+
+/// The word for what ∇ does: `\operatorname{rot}` is `\nabla\times`.
+pub(super) fn of_nabla(word: &str) -> Option<Nabla> {
+    match word {
+        "grad" => Some(Nabla::Gradient),
+        "div" => Some(Nabla::Divergence),
+        "rot" | "curl" => Some(Nabla::Curl),
+        _ => None,
+    }
 }
 
 /// Operators that papers also write as plain words.
