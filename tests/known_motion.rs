@@ -37,6 +37,62 @@ fn an_angle_has_no_other_value_than_its_formula() {
     }
 }
 
+/// A law is so at all places: also a component of it in which nothing but coordinates is left. And fields have one value at one place, in
+/// the places of others, too.
+#[test]
+fn a_law_is_so_at_all_places() {
+    const S: &[&str] = &[
+        "t: time",
+        "x, z: state",
+        "a, b: parameter",
+        "s, c: coordinate",
+        "f(s), g(s): field",
+        "k(s,c): field",
+        "u(s,t): field",
+        "v: 2, state",
+        "m: complex, parameter",
+        "H: observable = s",
+    ];
+    let lines: [Line; 22] = [
+        ("z=z", S, &["f=is"]),
+        ("f'=0", S, &["f=e^{is}"]),
+        ("f'=0", S, &["f=1+i(s-2)"]),
+        ("f'=0", S, &["(f,s)=(1,2)"]),
+        ("f(1)=0", S, &["(f,s)=(0,1)"]),
+        ("z=z", S, &["u_t=is"]),
+        ("z=z", S, &["k=s+ic"]),
+        ("z=z", S, &["k=f+ic", "f=s"]),
+        ("x=1", S, &["x=1+is"]),
+        ("x=1", S, &["(x,s)=(1,2)"]),
+        ("z=z", S, &[r"\dot x=1+is"]),
+        ("z=z", S, &["v=(1,is)"]),
+        ("f'=0", S, &["(f,H)=(1,2)"]),
+        // a = b.
+        ("f(g(a))=f(g(b))", S, &["a^3=b^3"]),
+        ("f(f(a))=f(f(2))", S, &["a^3=8"]),
+        ("f(g(a))=f(2)", S, &["g=s", "a^3=8"]),
+        ("f(g(x))=f(g(1))", S, &["e^x=e"]),
+        (r"f(\sin(g(x)))=f(\sin(g(z)))", S, &["x^3=z^3"]),
+        ("f(u(a,0))=f(u(b,0))", S, &["a^3=b^3"]),
+        (r"f(g(\lfloor a\rfloor))=f(g(a))", S, &["a=3"]),
+        ("f(g(f(a)))=f(g(f(b)))", S, &["a^3=b^3"]),
+        ("x(g(a))=x(2)", S, &["g=s", "a^3=8"]),
+    ];
+    for line in &lines {
+        assert_eq!(word(line).0, "undecided", "{line:?}");
+    }
+    let lines: [(&str, Line); 5] = [
+        ("proved", ("f'=1", S, &["f=s"])),
+        ("proved", ("f(g(a))=a", S, &["g=s", "f=s"])),
+        ("refuted", ("f(g(a))=f(g(b))", S, &[])),
+        ("refuted", ("f(g(a))=f(g(b))", S, &["a^2=b^2"])),
+        ("refuted", ("f(g(x))=f(1)", S, &[])),
+    ];
+    for (wanted, line) in &lines {
+        assert_eq!(word(line).0, *wanted, "{line:?}");
+    }
+}
+
 /// What a field is said to be depends on nothing on which the field does not depend; and where it is put in, all that moves does.
 #[test]
 fn a_field_depends_on_its_coordinates_alone() {

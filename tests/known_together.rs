@@ -1,17 +1,24 @@
 //! What is so at different times of a motion need not be so together; and what is said over a box says nothing beyond.
 
 use crate::premises::of_file;
+use rederive::verdict::Outcome;
 
 /// What is found of the claim c in a file with the motion z = t from −1 to 1, w = 2, x = 5.
 fn standing(rest: &str) -> &'static str {
-    let states = ["x", "y", "z", "w"].map(|s| format!("'{s}' = {{ role = 'state' }}\n")).concat();
-    let observables = [("V", "z"), ("U", "-z"), ("S", r"\sqrt{z-0.5}"), ("R", r"\sqrt{-z-0.5}")]
-        .map(|(s, formula)| format!("'{s}' = {{ role = 'observable', formula = '{formula}' }}\n"))
-        .concat();
-    let motion = "[[trajectory]]\nid = 'm'\nformula = { z = 't', x = '5', y = '0', w = '2' }\nspan = [-1, 1]\n";
-    let account = of_file(&format!("{states}{observables}{motion}{rest}"));
+    let account = account(rest);
     let claim = account.claims.iter().find(|c| c.id == "c").expect("it is there");
     claim.identity.as_ref().map_or("none", |i| i.standing())
+}
+
+fn account(rest: &str) -> rederive::findings::Account {
+    let states = ["x", "y", "z", "w"].map(|s| format!("'{s}' = {{ role = 'state' }}\n")).concat();
+    let leap = r"\lfloor\frac{1}{1+10^{18}(z-\frac1{10})^2}+\frac12\rfloor";
+    let observables =
+        [("V", "z"), ("U", "-z"), ("S", r"\sqrt{z-0.5}"), ("R", r"\sqrt{-z-0.5}"), ("A", "|z|"), ("Q", leap)]
+            .map(|(s, formula)| format!("'{s}' = {{ role = 'observable', formula = '{formula}' }}\n"))
+            .concat();
+    let motion = "[[trajectory]]\nid = 'm'\nformula = { z = 't', x = '5', y = '0', w = '2' }\nspan = [-1, 1]\n";
+    of_file(&format!("{states}{observables}{motion}{rest}"))
 }
 
 fn claim(id: &str, says: &str, more: &str) -> String {
@@ -48,6 +55,54 @@ fn what_is_given_is_so_at_some_time() {
     ] {
         let found = standing(&file);
         assert!(found.starts_with("proved"), "{file}: {found}");
+    }
+}
+
+/// The same where a claim further back assumes more than is told of it.
+#[test]
+fn what_is_not_told_of_a_long_derivation_counts() {
+    let many = (0..64).map(|k| format!("'w\\ne{}'", 100 + k)).collect::<Vec<_>>().join(", ");
+    let from = |ids: &str| format!("follows-from = [{ids}]");
+    let file = claim("q0", "w=2", &format!("assuming = [{many}]"))
+        + &claim("q", "w^2=4", &from("'q0'"))
+        + &claim("r0", "x=5", "assuming = ['U>0.5']")
+        + &claim("r", "x^2=25", &from("'r0'"))
+        + &claim("c", "w^2+x^2=29", &format!("{}\nassuming = ['V>0.5']", from("'q', 'r'")));
+    let found = standing(&file);
+    assert!(!found.starts_with("proved"), "{found}");
+}
+
+/// A motion that comes from another leaps, or has kinks, where an observable in its map has: x = |z| is no smooth motion, and no motion of
+/// ẋ = 0 stays what it is where x = ⌊…⌋.
+#[test]
+fn a_map_is_as_smooth_as_what_it_names() {
+    let derived = |map: &str| format!("[[trajectory]]\nid = 'd'\nfrom = 'm'\nmap = {{ x = '{map}' }}\n");
+    let on_d = |id: &str, says: &str, more: &str| claim(id, says, &format!("{more}\ntrajectories = ['d']"));
+    let kink = derived("A")
+        + &on_d("p", "x^2=z^2", "")
+        + &on_d("q", "z=t, w=2", "")
+        + &on_d("c", r"(x(1)+x(-1))\dot x=0", "follows-from = ['p', 'q']");
+    assert_eq!(standing(&kink), "undecided");
+    let empty = derived("A")
+        + &on_d("p", "x=|z|", "")
+        + &on_d("q", r"z(0)=0, \dot z=1, w=2", "")
+        + &on_d("c", r"w\dot x=2\dot x", "follows-from = ['p', 'q']");
+    assert!(!standing(&empty).starts_with("proved"));
+    let leap = derived(r"Q") + &on_d("p", r"\dot x=0", "") + &on_d("c", "x=x(0)", "follows-from = ['p']");
+    let account = account(&leap);
+    let found = &account.claims.iter().find(|c| c.id == "c").expect("it is there").results[0].verdict;
+    assert!(!matches!(found.outcome(), Outcome::Holds(_)), "{found:?}");
+}
+
+/// That x is constant is known within errors only, whatever else is said beside it: x = 1 + 10⁻²⁰ t refutes nothing.
+#[test]
+fn what_is_within_errors_refutes_nothing() {
+    let motion =
+        "[[trajectory]]\nid = 'n'\nformula = { z = 't', x = '1+10^{-20}t', y = '0', w = '2' }\nspan = [-1, 1]\n";
+    for says in ["always = ['w>1']", "eventually = ['w>1']", "never = ['w<1']"] {
+        let file = format!("{motion}[[claim]]\nid = 'p'\nsays = 'p'\nfirst-integral = ['x']\n{says}\n")
+            + &claim("c", r"\dot x=0", "follows-from = ['p']\ntrajectories = ['n']");
+        assert_ne!(standing(&file), "refuted", "{says}");
     }
 }
 

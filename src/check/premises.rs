@@ -10,7 +10,7 @@ use std::collections::HashMap;
 use super::memory::{Known, Question};
 use claim::comparison;
 use claim::limits::Limits;
-use derivation::{Claim, Derivation, Premise};
+use derivation::{Claim, Derivation, Form, Premise};
 use findings::{ClaimAccount, IdentityAccount, recorded};
 use latex::RelationKind;
 use meter::{Ended, Task};
@@ -106,8 +106,9 @@ fn may_leap(derivation: &Derivation, trajectory: usize) -> bool {
         derivation::Motion::Integrated { .. } => false,
         derivation::Motion::Formula { states } => leaps(states),
         derivation::Motion::Derived { from, map } => {
-            let mapped = map.iter().flat_map(|(_, w)| &w.value);
-            may_leap(derivation, *from) || mapped.into_iter().any(|&e| comparison::may_leap(&derivation.graph, e))
+            let mut graph = derivation.graph.clone();
+            let mut leaps = |&e: &_| comparison::leaps_behind(&mut graph, &derivation.scope, e).0;
+            may_leap(derivation, *from) || map.iter().flat_map(|(_, w)| &w.value).any(&mut leaps)
         }
     }
 }
@@ -343,13 +344,18 @@ fn take_back(derivation: &Derivation, claims: &mut [ClaimAccount], known: &[Clai
     }
 }
 
-/// Whether a claim says of sides that they differ, and which is the larger one: numbers show anything else only within errors.
+/// Whether a claim says only of sides that they differ, or which is the larger one: numbers show anything else only within errors.
 fn is_strict(claim: &Claim) -> bool {
-    let statements = claim.forms.iter().flat_map(derivation::Form::formulas).filter_map(|formula| match formula {
-        derivation::FormFormula::Statement(w) => Some(&w.value),
-        _ => None,
-    });
-    let mut kinds = statements.flat_map(|s| &s.relations).map(|r| r.kind).peekable();
-    kinds.peek().is_some()
-        && kinds.all(|kind| matches!(kind, RelationKind::Less | RelationKind::Greater | RelationKind::NotEqual))
+    let all = |statement: &derivation::Written<latex::Statement>, kinds: &[RelationKind]| {
+        statement.value.relations.iter().all(|relation| kinds.contains(&relation.kind))
+    };
+    const APART: &[RelationKind] = &[RelationKind::Less, RelationKind::Greater, RelationKind::NotEqual];
+    const TOGETHER: &[RelationKind] = &[RelationKind::LessEqual, RelationKind::GreaterEqual, RelationKind::Equal];
+    claim.forms.iter().all(|form| match form {
+        Form::Always(w) | Form::Eventually(w) => all(w, APART),
+        Form::Never(w) => w.value.relations.len() == 1 && all(w, TOGETHER),
+        Form::Defined(_) => true,
+        Form::FirstIntegral(_) | Form::Solves { .. } | Form::SameMotion { .. } | Form::Independent { .. } => false,
+        Form::Exists { .. } | Form::Across(_) | Form::Unread { .. } => false,
+    })
 }

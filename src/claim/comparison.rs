@@ -244,10 +244,16 @@ pub fn may_leap(graph: &Graph, e: Expr) -> bool {
 /// Whether an angle with this formula is not the formula itself: this may leap, or something in it that is defined may, or is an angle that
 /// is continued, too.
 pub fn is_continued(graph: &mut Graph, scope: &Scope, formula: Expr) -> bool {
+    let (leaps, written) = leaps_behind(graph, scope, formula);
+    leaps || graph.leaves_within([written]).iter().any(|leaf| scope.is_angle(leaf.symbol))
+}
+
+/// The same of a formula with what is defined, but for angles that are continued; with the formula written out.
+pub fn leaps_behind(graph: &mut Graph, scope: &Scope, formula: Expr) -> (bool, Expr) {
     let written = behind_rates(graph, scope, formula);
     let written = traced_without_angles(graph, scope, written);
-    let leaps = |leaf: &Leaf| scope.is_angle(leaf.symbol) || leaf.rate > 0 && scope.definition(leaf.symbol).is_some();
-    may_leap(graph, written) || graph.leaves_within([written]).iter().any(leaps)
+    let is_open = |leaf: &Leaf| leaf.rate > 0 && scope.definition(leaf.symbol).is_some();
+    (may_leap(graph, written) || graph.leaves_within([written]).iter().any(is_open), written)
 }
 
 /// `e` with the rates of observables replaced by those of their definitions; a rate that cannot be formed stays, and so do

@@ -170,6 +170,20 @@ impl Graph {
                     image = self.taken_at(image, &values);
                 }
                 images.insert(leaf, image);
+                continue;
+            }
+            // In the places of other fields, and in the times at which something is taken, too.
+            let places = self.place(leaf.symbol).map(|place| place.at.clone()).unwrap_or_default();
+            let mut put = super::FastMap::default();
+            for e in places.into_iter().map(|(_, e)| e).chain(leaf.instant) {
+                put.insert(e, self.with_fields_dyn(e, formula)?);
+            }
+            if put.iter().any(|(before, after)| before != after) {
+                let there = |e: Expr| put.get(&e).copied().unwrap_or(e);
+                let now = Leaf { instant: leaf.instant.map(there), ..leaf };
+                let image =
+                    if self.is_field(leaf.symbol) { self.through(now, |_, e| there(e)) } else { self.leaf(now) };
+                images.insert(leaf, image);
             }
         }
         Ok(self.replaced(e, |_, leaf| images.get(&leaf).copied()))

@@ -101,7 +101,7 @@ impl Graph {
 
     /// The leaf of a field with expressions put for coordinates, by `put`, which is given those that it depends on, or what
     /// stands for them where it is at a place already.
-    fn through(&mut self, leaf: Leaf, mut put: impl FnMut(&mut Graph, Expr) -> Expr) -> Expr {
+    pub(super) fn through(&mut self, leaf: Leaf, mut put: impl FnMut(&mut Graph, Expr) -> Expr) -> Expr {
         let at = match self.place(leaf.symbol) {
             Some(place) => place.at.clone(),
             None => self.own_place(leaf.symbol),
@@ -253,7 +253,9 @@ impl Graph {
         if !self.has_places(roots.iter().copied()) {
             return Vec::new();
         }
-        let mut symbols: Vec<Symbol> = self.fields(roots).into_iter().map(|l| l.symbol).collect();
+        // Also those in the places of others: f(g(x)).
+        let within = self.leaves_within(roots).into_iter().filter(|l| self.is_field(l.symbol));
+        let mut symbols: Vec<Symbol> = within.map(|l| l.symbol).collect();
         symbols.sort_unstable();
         symbols.dedup();
         let mut out = Vec::new();

@@ -22,7 +22,11 @@ use claim::error::CheckError;
 use claim::options::Options;
 
 /// The most members on which a condition is looked for, and the most fresh ones.
-const MOST: u64 = 48;
+const MOST: u64 = 24;
+
+/// What separates the members of a family may take one of so many parts of the work of a file, beside the file: nobody waits for a verdict
+/// since it is looked for.
+const PARTS: u64 = 10;
 
 /// The most numbers that are looked at for members.
 const LOOKED_AT: u64 = 4096;
@@ -221,6 +225,7 @@ pub fn separations(
     if options.plain || split.is_empty() || options.limits.reached().is_some() {
         return Ok(out);
     }
+    let options = &Options { limits: options.limits.of_part(PARTS), ..options.clone() };
     let family = &members.family;
     let size = family.size();
     // Of those that satisfy the constraints.

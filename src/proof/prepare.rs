@@ -10,7 +10,7 @@ use super::linear::Combinations;
 use super::outcome::{Point, Premises, Reason, Vanishes};
 use super::witness::{decimals, values_at};
 use expr::domain::{Sign, row};
-use expr::{Expr, Graph, Leaf, Node, Op, Rational};
+use expr::{Expr, Graph, Leaf, Node, Op, Rational, Symbol};
 use expr::{FastMap, FastSet};
 use signs::Signs;
 
@@ -43,6 +43,8 @@ pub(super) struct Solutions {
     /// For each two places at which one field is taken, what must not all be 0: values at different places are free of each
     /// other (there is a polynomial with any derivatives at finitely many points), at one place they are the same.
     apart: Vec<Vec<Expr>>,
+    /// Fields of which something is given: their values are not free where only the place of another field depends on them.
+    given: FastSet<Symbol>,
     /// What is known of signs at all times, of what moves.
     signs: Signs,
 }
@@ -71,7 +73,8 @@ impl Solutions {
     fn are_apart(&self, graph: &Graph, point: &Point) -> bool {
         let mut values = values_at(point);
         let free = graph.leaves(self.apart.iter().flatten().copied());
-        for (leaf, value) in free.into_iter().zip(ELSEWHERE.into_iter().cycle()) {
+        let is_free = |leaf: &Leaf| !self.given.contains(&graph.field_of(leaf.symbol));
+        for (leaf, value) in free.into_iter().filter(is_free).zip(ELSEWHERE.into_iter().cycle()) {
             values.entry(leaf).or_insert(number::Bounded::exact(value));
         }
         self.apart.iter().all(|differences| {
@@ -100,12 +103,14 @@ pub(super) fn with_rates(
     let inside = strictly(graph, premises, &moves);
     let named: Vec<Expr> = asked.iter().copied().chain(premises.sides()).collect();
     let apart = graph.differences_of_places(named.clone());
+    let given = graph.leaves_within(premises.sides().chain(premises.signs())).into_iter();
+    let given: FastSet<Symbol> = given.filter(|l| graph.is_field(l.symbol)).map(|l| graph.field_of(l.symbol)).collect();
     all.extend(at_one_place(graph, named.iter().copied()));
     let jets = Jets::of(graph, premises, &asked, is_zero, further)?;
     all.extend(jets.derived.iter().map(|&pair| Premise::of(pair, true)));
     let Some(time) = premises.time else {
         all.extend(pointwise);
-        return Ok((all, Solutions { jets, inside, apart, ..Solutions::default() }));
+        return Ok((all, Solutions { jets, inside, apart, given, ..Solutions::default() }));
     };
     let place = |graph: &Graph, leaf: Leaf| leaf != time && graph.coordinate(leaf).is_some();
     let is_tied = |graph: &Graph, &(l, r): &(Expr, Expr)| {
@@ -164,7 +169,7 @@ pub(super) fn with_rates(
     }
     all.extend(pointwise);
     let signs = Signs::of(graph, premises, time, &moves);
-    Ok((all, Solutions { dynamics, jets, inside, tied, apart, signs }))
+    Ok((all, Solutions { dynamics, jets, inside, tied, apart, given, signs }))
 }
 
 /// Values of one field at places that are the same, though they are written otherwise: x − ct and −tc + x.

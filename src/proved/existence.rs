@@ -41,6 +41,10 @@ pub(crate) fn is_known(
     (is_whole, has_motion): (bool, bool),
     inequalities: When,
 ) -> bool {
+    let given = Given::of(derivation, claim, said);
+    if given.clone().is_some_and(Given::is_of_some_places) {
+        return false;
+    }
     let example = || !said.given.is_beyond_a_step && crate::motions::has_example(derivation, claim, inequalities);
     if needs_example(derivation, said, is_whole) {
         return example();
@@ -48,7 +52,6 @@ pub(crate) fn is_known(
     if has_motion {
         return true;
     }
-    let given = Given::of(derivation, claim, said);
     let is_between = given.as_ref().is_none_or(Given::is_between);
     !is_between && given.clone().is_some_and(|mut given| given.has_solution())
         || is_known_by_a_point(derivation, claim, said, is_between)

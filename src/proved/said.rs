@@ -5,6 +5,7 @@
 use derivation::{Claim, Derivation, Form, FormFormula, Premise, Written};
 use expr::domain::Sign;
 use expr::{Expr, FastSet, Graph, Leaf, Node, Partials};
+use findings::standing::MOST_TOLD;
 use latex::{Relation, RelationKind, Role, Scope, Statement};
 use std::collections::BTreeSet;
 
@@ -22,7 +23,9 @@ pub fn assumed_behind(derivation: &Derivation, claim: &Claim, texts: &[String]) 
         let further = derivation.claims_among(&of.follows_from).filter(|at| known.insert(*at));
         open.extend(further.map(|at| &derivation.claims[at]));
     }
-    known.retain(|at| derivation.claims[*at].assuming.iter().any(|w| texts.contains(&w.text)));
+    // Of more than are told any may be meant.
+    let is_told = |text: &String| texts.len() > MOST_TOLD || texts.contains(text);
+    known.retain(|at| derivation.claims[*at].assuming.iter().any(|w| is_told(&w.text)));
     known
 }
 

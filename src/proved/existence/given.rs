@@ -27,6 +27,8 @@ pub(super) struct Given<'a> {
     said: &'a Sayings<'a>,
     graph: Graph,
     conditions: Vec<Condition>,
+    /// Of these the ones that choose places, or are about numbers alone: a whole relation of coordinates is no law of all places.
+    choosing: Vec<Condition>,
     /// What must be so where the claim is to have values.
     valued: Vec<Condition>,
     /// What must be so where what is given is to have values, whatever becomes of it when formulas are put in.
@@ -39,19 +41,33 @@ impl<'a> Given<'a> {
     /// Nothing where something given is no relation of each time. Of ± the upper sign is taken; what chooses times is to be so on an interval.
     pub(super) fn of(derivation: &'a Derivation, claim: &'a Claim, said: &'a Sayings<'a>) -> Option<Given<'a>> {
         let graph = derivation.graph.clone();
-        let [conditions, valued, needed, domain] = [const { Vec::new() }; 4];
-        let mut out = Given { derivation, claim, said, graph, conditions, valued, needed, domain };
+        let [conditions, choosing, valued, needed, domain] = [const { Vec::new() }; 5];
+        let mut out = Given { derivation, claim, said, graph, conditions, choosing, valued, needed, domain };
         out.valued = out.values_of(&said.claimed.formulas);
         // What is given has values where the times and places that it names have.
         let placed = out.graph.placed_below(said.given.formulas.iter().copied());
         let places = out.values_of(&placed);
         out.valued.extend(places);
-        out.conditions = out.written_out(said.relations()?)?;
-        let sides: Vec<Expr> = out.conditions.iter().flat_map(|&(_, l, r)| [l, r]).collect();
+        for written in out.written_out(said.relations()?)? {
+            let is_of_numbers = |given: &Self, c: &Condition| given.named(&[*c]).is_empty();
+            let chooses = written.iter().all(|c| out.is_of_places(c) || is_of_numbers(&out, c));
+            let (choosing, laws): (Vec<Condition>, Vec<Condition>) =
+                written.into_iter().partition(|c| chooses || is_of_numbers(&out, c));
+            out.conditions.extend(laws);
+            out.choosing.extend(choosing);
+        }
+        let all = out.conditions.iter().chain(&out.choosing);
+        let sides: Vec<Expr> = all.flat_map(|&(_, l, r)| [l, r]).collect();
         out.needed = out.values_of(&sides);
-        let all = [&out.conditions, &out.valued, &out.needed].into_iter().flatten();
+        let all = [&out.conditions, &out.choosing, &out.valued, &out.needed].into_iter().flatten();
         let is_open = out.graph.leaves_within(all.flat_map(|&(_, l, r)| [l, r])).iter().any(|l| out.is_defined(l));
         (!is_open).then_some(out)
+    }
+
+    /// Whether it names coordinates, and nothing else that is no number.
+    fn is_of_places(&self, condition: &Condition) -> bool {
+        let named = self.named(&[*condition]);
+        !named.is_empty() && named.iter().all(|leaf| self.graph.coordinate(*leaf).is_some())
     }
 
     /// Whether it has a formula: then its rate could not be formed.
@@ -59,7 +75,8 @@ impl<'a> Given<'a> {
         self.claim.scope.definition(leaf.symbol).is_some()
     }
 
-    fn written_out(&mut self, relations: &[(&'a Relation, &'a Scope)]) -> Option<Vec<Condition>> {
+    /// Each relation, by components.
+    fn written_out(&mut self, relations: &[(&'a Relation, &'a Scope)]) -> Option<Vec<Vec<Condition>>> {
         let graph = &mut self.graph;
         let mut out = Vec::new();
         for (relation, scope) in relations {
@@ -67,13 +84,15 @@ impl<'a> Given<'a> {
             if relation.limit.is_some() {
                 return None;
             }
-            for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
+            let sides = relation.left.components.iter().zip(&relation.right.components);
+            let components = sides.map(|(&l, &r)| {
                 let [l, r] = [l, r].map(|side| {
                     let side = written(graph, scope, side);
                     graph.replaced(side, |graph, leaf| (leaf == sign).then(|| graph.integer(1)))
                 });
-                out.push((relation.kind, l, r));
-            }
+                (relation.kind, l, r)
+            });
+            out.push(components.collect());
         }
         Some(out)
     }
@@ -95,35 +114,35 @@ impl<'a> Given<'a> {
         instants.len() > 1 || places.any(|l| Some(place(l)) != first)
     }
 
+    /// Whether a law becomes an equation of coordinates, once formulas are put in: that would have to be so at all places.
+    pub(super) fn is_of_some_places(mut self) -> bool {
+        self.insert_formulas().is_some() && self.conditions.iter().any(|c| self.is_of_places(c))
+    }
+
     /// Whether it is a system that is solved for its rates, and formulas, with values at one fixed time, if there are any, from which a motion
     /// begins on which the claim has values; or numbers alone.
     pub(super) fn has_solution(&mut self) -> bool {
         // A proof has a point of its own, at which what is defined may have any value.
         let formulas = self.said.claimed.formulas.iter().chain(&self.said.given.formulas).copied();
         let names_defined = self.graph.leaves_within(formulas).iter().any(|l| self.is_defined(l));
-        if self.named(&self.conditions).is_empty() && !names_defined {
+        if self.conditions.is_empty() && self.named(&self.choosing).is_empty() && !names_defined {
             return true;
         }
-        // An equation of coordinates alone chooses places, if it is written so: what becomes one is no law of all places.
-        let of_places = |given: &Self, condition: &Condition| {
-            given.named(&[*condition]).iter().all(|leaf| given.graph.coordinate(*leaf).is_some())
-        };
-        let (mut choosing, laws) = self.conditions.iter().copied().partition(|c| of_places(self, c));
-        self.conditions = laws;
         // At the beginning, and strictly: then for a while. What is so at a fixed time is so.
         let is_fixed = |given: &Self, c: &Condition| given.named(&[*c]).iter().all(|leaf| leaf.instant.is_some());
         for (kind, l, r) in std::mem::take(&mut self.needed) {
             let kind = if is_fixed(self, &(kind, l, r)) { kind } else { strict(kind) };
             self.domain.push((kind, l, r));
         }
-        if self.insert_formulas().is_none() || self.conditions.iter().any(|c| of_places(self, c)) {
+        // What becomes an equation of coordinates is no law of all places.
+        if self.insert_formulas().is_none() || self.conditions.iter().any(|c| self.is_of_places(c)) {
             return false;
         }
         let (mut starts, moving): (Vec<Condition>, Vec<Condition>) = self
             .conditions
             .iter()
             .partition(|condition| self.named(&[**condition]).iter().all(|leaf| leaf.instant.is_some()));
-        starts.append(&mut choosing);
+        starts.append(&mut self.choosing);
         let is_of_places = |l: &Leaf| self.graph.is_field(l.symbol) || self.graph.coordinate(*l).is_some();
         let is_state = |l: &Leaf| l.instant.is_none() && l.partials == Partials::NONE && !is_of_places(l);
         if !self.named(&moving).iter().all(is_state) {
@@ -234,8 +253,8 @@ impl<'a> Given<'a> {
 
     /// Inserts a formula of what moves; conditions that it meets are left out.
     fn insert(&mut self, leaf: Leaf, formula: Expr) -> Option<()> {
-        let Given { graph, claim, conditions, valued, needed, domain, .. } = self;
-        for all in [conditions, valued, needed, domain] {
+        let Given { graph, claim, conditions, choosing, valued, needed, domain, .. } = self;
+        for all in [conditions, choosing, valued, needed, domain] {
             for side in all.iter_mut().flat_map(|(_, l, r)| [l, r]) {
                 *side = inserted(graph, &claim.scope, *side, leaf, formula)?;
             }
@@ -247,7 +266,8 @@ impl<'a> Given<'a> {
     /// Whether equations of fields alone are met, and the claim has values, by fields that are 0, a number, a coordinate, or half the square of one.
     pub(super) fn has_simple_fields(mut self) -> bool {
         let is_equation = |c: &Condition| c.0 == RelationKind::Equal;
-        let leaves = self.named(&self.conditions);
+        let mut leaves = self.named(&self.conditions);
+        leaves.extend(self.named(&self.choosing));
         let time = self.claim.scope.time();
         let is_of_fields =
             |l: &Leaf| self.graph.is_field(l.symbol) || self.graph.coordinate(*l).is_some() || Some(*l) == time;
@@ -257,6 +277,7 @@ impl<'a> Given<'a> {
         }
         fields.sort_unstable();
         fields.dedup();
+        self.conditions.append(&mut self.choosing);
         let all = self.conditions.iter().all(is_equation) && leaves.iter().all(is_of_fields);
         all && !fields.is_empty() && fields.len() <= MOST_FIELDS && self.is_met_by(&fields)
     }
@@ -334,6 +355,7 @@ impl<'a> Given<'a> {
     /// Whether all of it is so, and the claim has values, where what moves is at rest: nothing names the time, or a coordinate.
     pub(super) fn has_rest(&mut self) -> bool {
         let mut conditions = std::mem::take(&mut self.conditions);
+        conditions.append(&mut self.choosing);
         conditions.append(&mut self.valued);
         conditions.append(&mut self.needed);
         for side in conditions.iter_mut().flat_map(|(_, l, r)| [l, r]) {

@@ -46,7 +46,7 @@ fn moves_by(derivation: &Derivation, at: usize, systems: &[usize]) -> bool {
 fn is_smooth(derivation: &Derivation, graph: &mut Graph, at: usize) -> bool {
     let mut is_total = |of: &[(Symbol, Written<Vec<Expr>>)]| {
         let formulas: Vec<Expr> = of.iter().flat_map(|(_, w)| w.value.iter().copied()).collect();
-        said::is_total(derivation, graph, &formulas)
+        said::is_total(derivation, graph, &Said::of_formulas(formulas).with_definitions(derivation).formulas)
     };
     match &derivation.trajectories[at].motion {
         Motion::Formula { states } => is_total(states),
