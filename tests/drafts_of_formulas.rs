@@ -54,8 +54,10 @@ fn what_is_derived_by_one_variable_is_a_function_of_it_alone() {
         assert!(!text.contains("'y(x,t)'"), "{text}");
     }
     // Partially, or beside the time: of both.
-    let text = draft(&format!(r"{moving} \[ \frac{{\partial y}}{{\partial x}} = t \]"));
-    assert!(!text.contains("'y(x)' = "), "{text}");
+    for right in ["t", "2"] {
+        let text = draft(&format!(r"{moving} \[ \frac{{\partial y}}{{\partial x}} = {right} \]"));
+        assert!(!text.contains("'y(x)' = "), "{text}");
+    }
 }
 
 #[test]

@@ -57,6 +57,7 @@ fn a_vector_beside_a_scalar_product_is_multiplied_by_it() {
         (r"\frac{{\bf u}}{a}{\bf v}\cdot{\bf w}", r"\frac{{\bf u}}{a}({\bf v}\cdot{\bf w})"),
         (r"{\bf u}{\bf v}\cdot{\bf w}", r"{\bf u}({\bf v}\cdot{\bf w})"),
         (r"b\,{\bf u}\,{\bf v}\cdot(a{\bf w})", r"b{\bf u}({\bf v}\cdot(a{\bf w}))"),
+        (r"A{\bf u}{\bf v}\cdot{\bf w}", r"(A{\bf u})({\bf v}\cdot{\bf w})"),
         // A matrix before a vector is another product.
         (r"A{\bf v}\cdot{\bf w}", r"(A{\bf v})\cdot{\bf w}"),
     ]);
@@ -105,6 +106,8 @@ fn brackets_go_on_behind_a_break() {
     ]);
     refused(&[
         r"\left(a+\right.b",
+        r"a\right.b",
+        r"(a+\right.b)",
         r"\left(a+\right.b)+\left.",
         r"\left(a+\right.\left.b\right]",
         r"\left(a+\right.\left.x\right|_{t=0}",

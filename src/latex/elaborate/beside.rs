@@ -13,6 +13,8 @@ use super::{Elaborated, Elaborator};
 
 impl Elaborator<'_> {
     /// The value of such a product; `None` where it is none.
+    // Out of line: what calls it is deep enough as it is.
+    #[inline(never)]
     pub(super) fn vector_by_scalar_product(
         &mut self,
         parts: &[Node],
@@ -33,7 +35,7 @@ impl Elaborator<'_> {
         }
         let ranks: Vec<usize> = values.iter().map(|(t, _)| t.shape.real_extents().len()).collect();
         let [others @ .., 1, 1] = ranks.as_slice() else { return Ok(None) };
-        if others.iter().filter(|r| **r == 1).count() != 1 || others.iter().any(|r| *r > 1) {
+        if others.iter().filter(|r| **r == 1).count() != 1 {
             return Ok(None);
         }
         let mut last = values.split_off(before.len()).into_iter();

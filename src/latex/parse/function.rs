@@ -280,9 +280,12 @@ impl Parser<'_> {
     }
 
     /// `\ln\sin x`: a function of another one, where nothing follows that could belong to either.
+    // Out of line: what calls it is deep enough as it is.
+    #[inline(never)]
     fn function_of_function(&mut self, shown: &str) -> Parsed<Node> {
         let start = self.span().start;
-        let inner = self.factor()?.filter(|_| {
+        // It takes as much of the stack as what stands in three brackets.
+        let inner = self.deeper(|p| p.deeper(|p| p.deeper(Self::factor)))?.filter(|_| {
             !self.begins_factor() && !(self.is('/') || self.is_command("cdot") || self.is_command("times"))
         });
         inner.map_or_else(

@@ -63,6 +63,8 @@ impl Parser<'_> {
     }
 
     /// `{E_a}_i`, a name with a label and something below both: `E_{ai}`, where that is declared.
+    // Out of line: what calls it is deep enough as it is.
+    #[inline(never)]
     pub(super) fn symbol_with_label(&mut self, symbol: &SymbolNode, start: usize) -> Parsed<Option<Node>> {
         let is_plain = symbol.sup.is_none() && symbol.arguments.is_none() && !symbol.primed;
         let Some(mut sub) = symbol.sub.clone().filter(|_| is_plain) else { return Ok(None) };
