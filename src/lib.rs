@@ -114,6 +114,7 @@ mod brief;
 #[doc(hidden)]
 pub mod cli;
 mod conclusion;
+pub mod config;
 pub mod look;
 mod run;
 mod session;

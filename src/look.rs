@@ -11,6 +11,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::check::{Cancel, ClaimAccount, Limits};
+use crate::config::Config;
 use crate::derivation::{Claim, Form, SymbolEntry};
 use crate::diag::escape::in_one_line;
 use crate::diag::{Diagnostic, Source};
@@ -202,10 +203,19 @@ fn as_it_is(text: &str) -> String {
 }
 
 fn of_paper(source: &Arc<Source>, folder: Option<&Path>, limits: &Limits) -> Looked {
-    let paper = match paper::parse_in(Arc::clone(source), folder) {
+    let mut paper = match paper::parse_in(Arc::clone(source), folder) {
         Ok(paper) => paper,
         Err(problem) => return with_problems(source, &[*problem]),
     };
+    // What `\log` is, `rederive.toml` says, as on the command line.
+    let configured = folder.and_then(|f| std::path::absolute(f).ok()).map(|f| Config::of(&f));
+    match configured.unwrap_or_else(|| Ok(Config::default())) {
+        Ok(config) => paper.logarithm = config.log,
+        Err(why) => {
+            let message = format!("the configuration is not read: {}", in_one_line(&why.to_string()));
+            paper.notes.push(paper::PaperNote { message, span: 0..0 });
+        }
+    }
     let found = lint::lint(&paper, limits);
     // Other files have places of their own.
     let mut findings = report::lint_findings(&paper, &found);

@@ -154,6 +154,7 @@ const OUTSIDE: &[&str] = &[
     "ask.rs",
     "brief.rs",
     "conclusion.rs",
+    "config.rs",
     "look.rs",
     "run.rs",
     "session.rs",

@@ -629,3 +629,29 @@ fn a_slip_is_told_at_the_side_that_was_altered() {
     assert_eq!(words, [Word::Wrong, Word::Follows]);
     assert_eq!(place.as_deref(), Some("a^3-3a^2b+3ab^2+b^3"));
 }
+
+/// What `\log` is, an editor takes from the nearest configuration of a paper, as the command line does.
+#[test]
+fn an_editor_knows_what_the_configuration_says() {
+    use rederive::check::Cancel;
+    use rederive::look::Looker;
+    let folder = tempfile::tempdir().expect("a folder");
+    let deep = folder.path().join("text");
+    fs::create_dir_all(&deep).expect("made");
+    let looked = |config: &str| {
+        fs::write(folder.path().join("rederive.toml"), config).expect("written");
+        let (mut words, mut said) = (Vec::new(), Vec::new());
+        let text = r"\[ \log 100 = 2 \]".to_owned();
+        Looker::default().look(&deep.join("a.tex"), text, &Cancel::default(), &mut |looked| {
+            words.extend(looked.remarks.iter().map(|r| r.word.clone()));
+            said.extend(looked.findings.iter().map(|f| f.message.clone()));
+        });
+        (words.join(" "), said.join(" "))
+    };
+    assert_eq!(looked("").0, "not read");
+    assert_eq!(looked("log = \"decimal\"\n").0, "follows");
+    assert_ne!(looked("log = \"natural\"\n").0, "follows");
+    // What is no configuration is told, and the paper is looked through without it.
+    let (words, said) = looked("log = \"binary\"\n");
+    assert!(words == "not read" && said.contains("the configuration is not read"), "{words}: {said}");
+}

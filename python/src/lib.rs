@@ -118,11 +118,15 @@ struct Session(Arc<rederive::Session>);
 
 #[pymethods]
 impl Session {
-    /// Reads the text of a derivation file; without one, nothing is declared.
+    /// Reads the text of a derivation file, which says what `\log` is; without one, nothing is declared.
     #[new]
-    #[pyo3(signature = (name=String::new(), text=None))]
-    fn new(py: Python<'_>, name: String, text: Option<String>) -> PyResult<Session> {
-        let Some(text) = text else { return Ok(Session(Arc::new(rederive::Session::blank()))) };
+    #[pyo3(signature = (name=String::new(), text=None, log=None))]
+    fn new(py: Python<'_>, name: String, text: Option<String>, log: Option<String>) -> PyResult<Session> {
+        let Some(text) = text else {
+            let logarithm = papers::logarithm(py, log.as_deref())?;
+            let blank = rederive::Session::blank();
+            return Ok(Session(Arc::new(logarithm.into_iter().fold(blank, rederive::Session::with_logarithm))));
+        };
         let read = Wait::default().compute(py, move || rederive::Session::open(&name, text))?;
         read.map(|s| Session(Arc::new(s))).map_err(|found| problems(py, found))
     }

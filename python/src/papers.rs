@@ -6,11 +6,12 @@ use std::path::Path;
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use rederive::config::Config;
 use rederive::diag::{Diagnostic, escape};
 use rederive::latex::Logarithm;
 use rederive::{files, lint, paper, report};
 
-use super::{Limits, Wait, problems};
+use super::{Limits, Wait, failure, problems};
 
 fn read(name: &str, text: Option<String>) -> Result<paper::Paper, Box<Diagnostic>> {
     if let Some(text) = text {
@@ -20,10 +21,13 @@ fn read(name: &str, text: Option<String>) -> Result<paper::Paper, Box<Diagnostic
     paper::read(&files::named(Path::new(name)).map_err(unreadable)?)
 }
 
-/// What `\log` is, by its name.
-fn logarithm(name: Option<&str>) -> PyResult<Option<Logarithm>> {
+/// What `\log` is, by its name; unless there is one, what `rederive.toml` says, as on the command line.
+pub(super) fn logarithm(py: Python<'_>, name: Option<&str>) -> PyResult<Option<Logarithm>> {
     let unknown = || PyValueError::new_err("`log` is \"natural\" or \"decimal\"");
-    name.map(|name| Logarithm::named(name).ok_or_else(unknown)).transpose()
+    match name {
+        Some(name) => Logarithm::named(name).ok_or_else(unknown).map(Some),
+        None => Config::find().map(|config| config.log).map_err(|e| failure(py, e)),
+    }
 }
 
 /// Looks through the paper `name`, or through a text of that name.
@@ -36,7 +40,7 @@ pub(super) fn lint_paper(
     deadline: Option<f64>,
     log: Option<String>,
 ) -> PyResult<(String, Vec<String>, String)> {
-    let logarithm = logarithm(log.as_deref())?;
+    let logarithm = logarithm(py, log.as_deref())?;
     let limits = Limits { deadline: Limits::after(deadline), ..Limits::default() };
     let found = Wait { until: limits.deadline, ..Wait::default() }.compute(py, move || {
         let mut paper = read(&name, text)?;

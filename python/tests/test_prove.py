@@ -160,3 +160,26 @@ def test_names_as_sympy_spells_them() -> None:
     sp = pytest.importorskip("sympy")
     hbar, lamda = sp.symbols("hbar lamda")
     assert rederive.prove(sp.Eq(hbar * lamda, lamda * hbar, evaluate=False)).formula == r"\hbar\cdot \lambda=\hbar\cdot \lambda"
+
+
+def test_what_log_is_the_configuration_says(tmp_path: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    decimal, natural = r"\log 100=2", r"\log e^x=x"
+    with pytest.raises(rederive.DerivationError):
+        rederive.prove(decimal)
+    assert rederive.prove(natural, "x", log="natural").verdict is Decision.PROVED
+    assert rederive.prove(decimal, log="natural").verdict is Decision.REFUTED
+    (tmp_path / "rederive.toml").write_text('log = "decimal"\n')
+    proved = (Decision.PROVED, Decision.PROVED_UNREPLAYED)
+    assert rederive.prove(decimal).verdict in proved
+    assert rederive.prove(decimal, log="natural").verdict is Decision.REFUTED
+    assert rederive.lint(text=decimal).relations[0].verdict == "follows_proved"
+    session = rederive.Session()
+    assert session.prove(decimal).verdict in proved
+    with pytest.raises(ValueError, match="natural"):
+        rederive.prove(decimal, log="binary")
+    with pytest.raises(TypeError, match="conventions"):
+        rederive.Session(text="", log="natural")
+    (tmp_path / "rederive.toml").write_text('log = "binary"\n')
+    with pytest.raises(rederive.DerivationError):
+        rederive.prove(decimal)

@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use super::config::Config;
 use super::ending::Stop;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use rederive::Format;
 use rederive::check::{Limits, Rigor, WorkFactor};
+use rederive::config::Config;
 use rederive::latex::Logarithm;
 
 /// One of some values, each with its name and with what it is.

@@ -3,13 +3,13 @@
 use std::path::PathBuf;
 
 use rederive::check::Recalled;
+use rederive::config::Config;
 use rederive::derivation::Derivation;
 use rederive::files::{named, write};
 use rederive::paper;
 use rederive::{Ask, Demand, Detail, Document, Ending, Failure, Format, Run, report};
 
 use super::arguments::{LimitArguments, RigorArgument, ThreadArguments, number};
-use super::config::Config;
 use super::ending::{Stop, answer, complain, concluded, defect};
 use super::outputs::Targets;
 use super::records::RecordArguments;

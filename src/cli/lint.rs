@@ -5,6 +5,7 @@ use std::io::Read;
 use std::path::PathBuf;
 
 use clap::ArgAction;
+use rederive::config::Config;
 use rederive::diag::Source;
 use rederive::diag::escape::in_one_line;
 use rederive::lint::{self, Lint, Word};
@@ -13,7 +14,6 @@ use rederive::report::{self, github, lint_findings, sarif};
 use rederive::{Ending, Failure, Format, files};
 
 use super::arguments::{LimitArguments, LogarithmArgument, printed_as};
-use super::config::Config;
 use super::ending::{Stop, as_json, print, say, say_problems};
 
 /// The most papers of a folder that are named.

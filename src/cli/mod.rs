@@ -7,7 +7,6 @@ mod arguments;
 mod audit;
 mod check;
 mod completions;
-mod config;
 mod diff;
 mod ending;
 mod explain;
@@ -131,7 +130,7 @@ pub fn run(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
     if let (Command::Check(check), Some(("check", given))) = (&mut arguments.command, matches.subcommand()) {
         let is_default = |id: &str| given.value_source(id) == Some(ValueSource::DefaultValue);
         let configured = guarded(|| {
-            check.configure(&config::Config::find()?, is_default("paths"), is_default("rigor"));
+            check.configure(&rederive::config::Config::find()?, is_default("paths"), is_default("rigor"));
             Ok(Ending::Good)
         });
         if configured != Ending::Good {

@@ -18,6 +18,9 @@ pub(crate) const EVEN_OR_ODD: &[&str] = &["g", "h", "F", "G", "H"];
 pub(crate) const FUNCTIONALS: &[&str] =
     &["S", "E", "J", "P", "bb:E", "rm:E", "cal:S", "cal:L", "cal:F", "cal:H", "cal:A"];
 
+/// Names that are numbers to every reader, and no functions: what stands in parentheses behind them is a factor.
+pub(crate) const NUMBERS: &[&str] = &[r"\hbar"];
+
 /// Of functions that everybody knows: what they are called.
 pub(crate) fn known_function(name: &str) -> Option<&'static str> {
     Some(match name {

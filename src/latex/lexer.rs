@@ -137,6 +137,11 @@ fn unicode_token(text: &str) -> Option<Option<Kind>> {
     }
 }
 
+/// How many `\left.` a text has.
+fn lefts_without_delimiter(text: &str) -> usize {
+    text.match_indices(r"\left").filter(|(i, left)| text[i + left.len()..].trim_start().starts_with('.')).count()
+}
+
 /// Splits a text into tokens; the last one is [`Kind::End`].
 pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
     if text.len() > LONGEST {
@@ -149,6 +154,9 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
     let mut at = 0;
     // Of each bar that is open by its command, whether it is double; of `\left.`, nothing.
     let mut bars: Vec<Option<bool>> = Vec::new();
+    // How many brackets go on behind a break, `\left(a \right. \left. +b\right)`.
+    let mut broken = 0usize;
+    let mut lefts = lefts_without_delimiter(text);
     while let Some(c) = text[at..].chars().next() {
         let start = at;
         at += c.len_utf8();
@@ -243,8 +251,16 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                                 start..at,
                                 "",
                             ));
+                        } else if !opens && lefts > broken {
+                            at = here + 1;
+                            broken += 1;
                         } else if opens {
                             at = here + 1;
+                            lefts = lefts.saturating_sub(1);
+                            if broken > 0 {
+                                broken -= 1;
+                                continue;
+                            }
                             bars.push(None);
                             push(Kind::OpenFence, at);
                         } else {

@@ -126,7 +126,8 @@ def lint(
     ``text``: in its place LaTeX; where nothing in it says where formulas begin, it is formulas, one in a line, or a chain whose
     lines end with ``\\\\``. A text is never taken for a path.
     ``deadline``: after so many seconds :class:`DeadlineReached` is raised.
-    ``log``: what ``\\log`` is, ``"natural"`` or ``"decimal"``; otherwise a formula with it is not read.
+    ``log``: what ``\\log`` is, ``"natural"`` or ``"decimal"``; unless given, what ``rederive.toml`` says, or else a formula with it
+    is not read.
 
     Raises :class:`DerivationError` where the paper cannot be read.
     """

@@ -69,7 +69,8 @@ class Session:
     """A derivation that was read, for several questions about it.
 
     It is one of: ``derivation``, a path or a :class:`Derivation`; ``path=``, a path; ``text=``, the text of a derivation file, which
-    is never taken for a path. Nothing is needed for :meth:`prove` alone. ``name`` is what it is called in messages.
+    is never taken for a path. Nothing is needed for :meth:`prove` alone: then ``log`` is what ``\\log`` is, ``"natural"`` or
+    ``"decimal"``; unless given, what ``rederive.toml`` says. ``name`` is what it is called in messages.
     Raises :class:`DerivationError` with every problem of the text.
     """
 
@@ -80,12 +81,16 @@ class Session:
         *,
         text: Optional[str] = None,
         path: Optional[PathName] = None,
+        log: Optional[str] = None,
     ) -> None:
         self._name, self._text = _read(derivation, name, text, path)
-        self._read = _rederive.Session(self._name, self._text)
+        if self._text is not None and log is not None:
+            raise TypeError("a derivation says itself what `log` is, under [conventions]")
+        self._log = log
+        self._read = _rederive.Session(self._name, self._text, log)
 
     def __reduce__(self) -> tuple[object, ...]:
-        return (_again, (self._text, self._name))
+        return (_again, (self._text, self._name, self._log))
 
     @property
     def source(self) -> tuple[str, str]:
@@ -234,6 +239,7 @@ def prove(  # pyright: ignore[reportOverlappingOverload]  # whatever else a form
     *,
     throughout: bool = False,
     deadline: Optional[float] = None,
+    log: Optional[str] = None,
     progress: Progress = None,
 ) -> Proofs: ...
 @overload
@@ -244,6 +250,7 @@ def prove(
     *,
     throughout: bool = False,
     deadline: Optional[float] = None,
+    log: Optional[str] = None,
     progress: Progress = None,
 ) -> Proof: ...
 def prove(
@@ -253,6 +260,7 @@ def prove(
     *,
     throughout: bool = False,
     deadline: Optional[float] = None,
+    log: Optional[str] = None,
     progress: Progress = None,
 ) -> Union[Proof, Proofs]:
     """Decides an equation for all values of its symbols; of a list each by itself.
@@ -266,9 +274,10 @@ def prove(
     ``given``: premises, relations in LaTeX.
     ``throughout``: of ± one sign must serve all points.
     ``deadline``: after so many seconds :class:`DeadlineReached` is raised; of a list each formula has so many.
+    ``log``: what ``\\log`` is, ``"natural"`` or ``"decimal"``; unless given, what ``rederive.toml`` says, or else it is not read.
     ``progress``: of a list, how many are done; as for :func:`check`.
     """
-    session = Session()
+    session = Session(log=log)
     if not isinstance(formula, (list, tuple)):
         return session.prove(formula, symbols, given, throughout=throughout, deadline=deadline)
     # What can be gone through once only is asked of every formula.
@@ -284,8 +293,8 @@ def prove(
     return Proofs(found)
 
 
-def _again(text: Optional[str], name: str) -> Session:
-    return Session(text=text, name=name)
+def _again(text: Optional[str], name: str, log: Optional[str]) -> Session:
+    return Session(text=text, name=name, log=log)
 
 
 def _name(id: str, reading: Optional[str]) -> str:

@@ -3,6 +3,7 @@
 //! An index that occurs twice or more in a term, and is not free on the left side, is summed over; powers count. Where a
 //! sum stops is decided once, before anything is computed, see [`indices`].
 
+mod beside;
 mod bracket;
 mod commutator;
 mod conjugate;

@@ -187,8 +187,10 @@ impl Elaborator<'_> {
                 }
                 let (a, b) = (self.tensor(left)?, self.tensor(right)?);
                 // `3\times10^8`, `a\times b`: between numbers it is a product; components could be those of a vector product.
-                let scalars = !*bracket && a.as_scalar().is_some() && b.as_scalar().is_some();
-                if scalars && self.values.is_empty() {
+                // No vector product has a matrix: `\frac{k}{m}\times M`.
+                let rank = |t: &Tensor| t.shape.real_extents().len();
+                let numbers = rank(&a) == 0 && matches!(rank(&b), 0 | 2) || rank(&a) == 2 && rank(&b) == 0;
+                if numbers && !*bracket && self.values.is_empty() {
                     let (a, b) = (Value::Tensor(a), Value::Tensor(b));
                     return self.product(vec![(a, left.span.clone()), (b, right.span.clone())], &node.span);
                 }
@@ -391,6 +393,9 @@ impl Elaborator<'_> {
             let number = tensor::dot(self.graph, &a, &b, span)?;
             let identity = Value::Identity(self.graph.integer(1));
             return self.product(vec![(Value::Tensor(number), span.clone()), (identity, span.clone())], span);
+        }
+        if let Some(value) = self.vector_by_scalar_product(parts, span)? {
+            return Ok(value);
         }
         for part in parts {
             let value = self.value(part)?;

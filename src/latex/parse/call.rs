@@ -20,6 +20,8 @@ impl Parser<'_> {
         // `\zeta(1-\zeta)`: no function is applied to itself.
         let is_function = FUNCTIONS.contains(&base(&symbol.name)) && !self.holds_itself(symbol, close);
         let content = self.content(&self.tokens[self.at + 1..close]);
+        // `\dot{\boldsymbol\Theta}^T(\ldots)^T`: what is transposed itself is no function's value before what is transposed.
+        let is_function = is_function && !(Self::is_transposed(symbol) && self.is_transposed_at(close));
         // The beta function has two arguments; a field or an amplitude B before one bracket is a factor.
         let is_function = is_function && (content.tuple || !BETA.contains(&base(&symbol.name)));
         let signed = content.signed && !content.sum && EVEN_OR_ODD.contains(&base(&symbol.name));
@@ -47,7 +49,7 @@ impl Parser<'_> {
     }
 
     /// Whether the parentheses hold the name before them, applied to nothing.
-    fn holds_itself(&self, symbol: &SymbolNode, close: usize) -> bool {
+    pub(super) fn holds_itself(&self, symbol: &SymbolNode, close: usize) -> bool {
         let itself = |kind: &Kind| match kind {
             Kind::Letter(c) => symbol.name == c.to_string(),
             Kind::Command(c) => symbol.name.strip_prefix('\\') == Some(c),
@@ -128,11 +130,13 @@ impl Parser<'_> {
     pub(super) fn is_no_place(&self, last: &Node, factor: &Node) -> Parsed<()> {
         let mut of = last;
         let mut derived = false;
+        let mut by_number = false;
         while let NodeKind::Partial { of: inner, .. }
         | NodeKind::Derivative { of: inner, .. }
         | NodeKind::Nabla { of: inner, .. } = &of.kind
         {
             derived = true;
+            by_number |= matches!(&of.kind, NodeKind::Partial { by, .. } if by.iter().any(|n| self.is_a_number(n)));
             of = inner;
         }
         let field = match &of.kind {
@@ -140,7 +144,10 @@ impl Parser<'_> {
             _ => false,
         };
         let place = match &factor.kind {
-            NodeKind::Group(inner, Bracket::Round) => !self.holds_a_field(inner),
+            // No vector is a place for what is derived by a number.
+            NodeKind::Group(inner, Bracket::Round) => {
+                !self.holds_a_field(inner) && !(by_number && self.is_a_vector(inner))
+            }
             NodeKind::Tuple(_) => true,
             _ => false,
         };
@@ -150,6 +157,21 @@ impl Parser<'_> {
         let message = "is this the derivative at a place, or a product?";
         let hint = r"write `\cdot` for the product, and `f'(a)`, `u_t(x,0)` or `\left.\partial_tu\right|_{t=0}` for the derivative at a place";
         refuse("latex::ambiguous", message, last.span.start..factor.span.end, hint)
+    }
+
+    fn is_a_number(&self, node: &Node) -> bool {
+        matches!(&node.kind, NodeKind::Symbol(s) if s.sub.is_none() && self.scope.is_number(&s.name, None))
+    }
+
+    /// Whether something is a vector by the names of its terms.
+    fn is_a_vector(&self, node: &Node) -> bool {
+        match &node.kind {
+            NodeKind::Symbol(s) => s.arguments.is_none() && self.scope.is_vector(&s.name, s.sub.as_deref()),
+            NodeKind::Group(inner, Bracket::Round) => self.is_a_vector(inner),
+            NodeKind::Sum(terms) => terms.iter().all(|(_, term)| self.is_a_vector(term)),
+            NodeKind::Product(factors) => factors.iter().filter(|f| self.is_a_vector(f)).count() == 1,
+            _ => false,
+        }
     }
 
     fn holds_a_field(&self, node: &Node) -> bool {

@@ -97,6 +97,12 @@ impl Parser<'_> {
                 let hint = r"a prime belongs to a name, `x'`; of a root or a fraction it is printed behind the whole; a derivative is written `\frac{d}{dx}(…)`";
                 return refuse("latex::ambiguous", message, p.span(), hint);
             }
+            if let NodeKind::Symbol(s) = &node.kind
+                && p.is('_')
+                && let Some(whole) = p.symbol_with_label(s, node.span.start)?
+            {
+                return Ok(Some(whole));
+            }
             p.script_is_clear(&node)?;
             let (sub, sup, sup_first) = p.script_pair()?;
             let start = node.span.start;

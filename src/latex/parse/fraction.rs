@@ -217,8 +217,12 @@ impl Parser<'_> {
             return Ok(None);
         }
         let below = self.behind_group().and_then(|i| i.checked_sub(self.at));
-        let both =
-            below.is_some_and(|b| *self.kind_after(b) == Kind::Sign('{') && self.differential_at(b + 1).is_some());
+        // `{dx}^2` prints what `dx^2` does.
+        let braced =
+            below.is_some_and(|b| *self.kind_after(b + 1) == Kind::Sign('{') && self.differential_at(b + 2).is_some());
+        let both = below.is_some_and(|b| {
+            *self.kind_after(b) == Kind::Sign('{') && (braced || self.differential_at(b + 1).is_some())
+        });
         if *self.kind_after(1) == Kind::Letter('d') && self.scope.is_known("d", None) {
             if !both {
                 return Ok(None);
@@ -255,6 +259,9 @@ impl Parser<'_> {
         }
         self.expect('}')?;
         self.expect('{')?;
+        if braced {
+            self.expect('{')?;
+        }
         self.differential();
         let by_start = self.span().start;
         let Some((name, _)) = self.single_name()? else {
@@ -266,6 +273,9 @@ impl Parser<'_> {
             symbol.sub = Some(self.subscript()?);
         }
         let by = Box::new(self.node(NodeKind::Symbol(symbol), by_start));
+        if braced {
+            self.expect('}')?;
+        }
         if self.differential_order()? != order {
             let message = "the two orders of the derivative differ";
             return refuse("latex::derivative", message, by_start..self.last_end(), "");

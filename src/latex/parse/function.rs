@@ -230,6 +230,7 @@ impl Parser<'_> {
             }
         }
         let clear = match factors.as_slice() {
+            [] if self.begins_function() => return self.function_of_function(&shown),
             [] => {
                 let hint = format!("put the argument into parentheses: `{shown}(…)`");
                 return refuse("latex::unexpected", format!("`{shown}` has no argument"), self.span(), hint);
@@ -286,6 +287,25 @@ impl Parser<'_> {
                 Ok(self.node(NodeKind::Product(factors), start))
             }
         }
+    }
+
+    /// `\ln\sin x`: a function of another one, where nothing follows that could belong to either.
+    // Out of line: what calls it is deep enough as it is.
+    #[inline(never)]
+    fn function_of_function(&mut self, shown: &str) -> Parsed<Node> {
+        let start = self.span().start;
+        // It takes as much of the stack as what stands in three brackets.
+        let inner = self.deeper(|p| p.deeper(|p| p.deeper(Self::factor)))?.filter(|_| {
+            !self.begins_factor() && !(self.is('/') || self.is_command("cdot") || self.is_command("times"))
+        });
+        inner.map_or_else(
+            || {
+                let message = format!("it is not clear where the argument of `{shown}` ends");
+                let hint = format!("put the argument into parentheses: `{shown}(…)`");
+                refuse("latex::ambiguous", message, start..self.last_end(), hint)
+            },
+            Ok,
+        )
     }
 
     /// The two readings of a function whose argument has no clear end: all of it, or the first factor.

@@ -5,6 +5,7 @@
 //! terms are a factor; one term without anything that moves is a time, if what stands before it moves; a bare number behind
 //! something constant is refused, since nobody writes a product like that.
 
+use super::super::convention::NUMBERS;
 use super::super::lexer::{Kind, Token};
 use super::super::name::NAMES;
 use super::super::syntax::{Node, NodeKind, SymbolNode};
@@ -81,6 +82,10 @@ impl Parser<'_> {
                 let hint = r"a value is taken at one time; write `\cdot` for a product";
                 return ambiguous(format!("`{shown}` is not declared with these arguments"), hint);
             }
+            // `{\bf f}^T(A)^T`: no value of a function is transposed twice.
+            if Self::is_transposed(symbol) && self.is_transposed_at(close) {
+                return Ok(false);
+            }
             if content.tensor && !content.lone && !content.sum && self.is_applied_to_tensors(symbol) {
                 return Ok(false);
             }
@@ -106,6 +111,10 @@ impl Parser<'_> {
             if content.rate && content.moving {
                 return Ok(false);
             }
+            // `\dot r(m\dot r)`: no rate is a function of itself.
+            if symbol.dots > 0 && content.moving && content.factors > 1 && self.holds_itself(symbol, close) {
+                return Ok(false);
+            }
             if content.moving {
                 let hint = r"declare it with this argument, or leave the parentheses out, or write `\cdot`";
                 return ambiguous(format!("`{shown}` is not declared as a function of what follows"), hint);
@@ -123,6 +132,10 @@ impl Parser<'_> {
         if product || (content.dressed && self.is_raised_at(close) || several) && !content.time {
             return Ok(false);
         }
+        // `\hbar^2(k')^2`
+        if NUMBERS.contains(&symbol.name.as_str()) {
+            return Ok(false);
+        }
         // What no function is ever given is a factor: `F(b/a)`.
         if content.quotient && !content.moving && !content.time && !content.number {
             return Ok(false);
@@ -134,8 +147,12 @@ impl Parser<'_> {
 
     /// Whether a symbol is a matrix, or transposed: it stands before vectors and matrices, and is no function of them.
     fn is_applied_to_tensors(&self, symbol: &SymbolNode) -> bool {
-        let transposed = symbol.sup.as_deref().is_some_and(|sup| sup.is_named("T") || sup.is_named(r"\top"));
-        transposed || self.scope.is_matrix(&symbol.name, symbol.sub.as_deref())
+        Self::is_transposed(symbol) || self.scope.is_matrix(&symbol.name, symbol.sub.as_deref())
+    }
+
+    /// Whether a symbol has the sign of a transpose above it.
+    pub(super) fn is_transposed(symbol: &SymbolNode) -> bool {
+        symbol.sup.as_deref().is_some_and(|sup| sup.is_named("T") || sup.is_named(r"\top"))
     }
 
     /// What was read, or its value at the times that stand behind it.
@@ -351,6 +368,14 @@ impl Parser<'_> {
     // ---- parentheses ---------------------------------------------------------------------------------------------
 
     /// Whether a power stands behind parentheses that are closed there.
+    /// Whether the sign of a transpose stands above what ends there.
+    pub(super) fn is_transposed_at(&self, close: usize) -> bool {
+        let sign =
+            |t: &Token| matches!(&t.kind, Kind::Letter('T')) || matches!(&t.kind, Kind::Command(c) if c == "top");
+        let above = self.tokens.iter().skip(close + 2).find(|t| t.kind != Kind::Sign('{'));
+        self.is_raised_at(close) && above.is_some_and(sign)
+    }
+
     fn is_raised_at(&self, close: usize) -> bool {
         self.tokens.get(close + 1).is_some_and(|t| t.kind == Kind::Sign('^'))
     }

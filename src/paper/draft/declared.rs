@@ -20,6 +20,8 @@ pub(super) struct Way {
     pub columns_of_chapter: bool,
     /// Whether all matrices are square and of this dimension, and all vectors have it: a formula for any dimension.
     pub is_uniform: bool,
+    /// Whether `I` is a matrix as large as those beside it: the identity, perhaps.
+    pub has_identity: bool,
     /// Whether sides that are products of capital letters are products of square matrices: another side is a matrix.
     pub products_are_of_matrices: bool,
     /// Whether plain letters are numbers, whatever they are in sections with matrices.
@@ -27,6 +29,9 @@ pub(super) struct Way {
     /// Whether what stands between a function and the time, and has no rate in the formula, is a number: `\cos\omega t`.
     pub steady_before_time: bool,
 }
+
+/// The letter of the identity matrix.
+pub(super) const IDENTITY: &str = "I";
 
 /// Why something is a state.
 const MOVES: &str = "the paper prints its rate, or its value at a time";
@@ -240,6 +245,15 @@ impl Names<'_> {
         }
         let (role, why) = match self.moves(name, &key) {
             true => ("state", MOVES),
+            false if self.way.has_identity && key == IDENTITY => {
+                ("parameter", "beside matrices of this size: any matrix here, the identity perhaps")
+            }
+            false
+                if matches!(name.letter.as_str(), r"\delta" | r"\epsilon" | r"\varepsilon")
+                    && name.subscript.is_some() =>
+            {
+                ("parameter", "a name with a label; of Kronecker's δ, or of ε with indices, the values are not used")
+            }
             false if name.subscript.is_some() => ("parameter", "a name with a label"),
             false => ("parameter", "the paper prints no rate of it"),
         };
@@ -326,10 +340,13 @@ impl Names<'_> {
             || self.first() == Some(key)
     }
 
-    /// The name with which a formula begins, where its left side is nothing else.
+    /// The name with which a formula begins, perhaps derived: `\frac{\partial}{\partial x}u=…`.
     fn first(&self) -> Option<String> {
         let name = self.all.first()?;
-        self.text.trim_start().starts_with(name.base.as_str()).then(|| self.key(name))
+        let text = squeezed(self.text);
+        let is_derived = name.derived_by.is_some()
+            && [r"\frac\partial\partial", r"\fracdd"].iter().any(|operator| text.starts_with(operator));
+        (is_derived || self.text.trim_start().starts_with(name.base.as_str())).then(|| self.key(name))
     }
 
     /// The shape of a name: what it is equal to somewhere, or that of its style.
@@ -367,6 +384,7 @@ impl Names<'_> {
                 let n = self.way.dimension;
                 Some(if capital && self.way.bold_matrices { format!("{n}x{n}") } else { n.to_string() })
             }
+            None if self.way.has_identity && key == IDENTITY => Some(format!("{n}x{n}", n = self.way.dimension)),
             None if self.way.products_are_of_matrices && self.products.contains(&key) => {
                 Some(format!("{n}x{n}", n = self.way.dimension))
             }

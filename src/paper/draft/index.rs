@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::mark::group_text;
 use super::super::names::letters::is_letter_command;
-use super::super::names::{Evidence, PaperName, Subscripts, is_variable, names_of};
+use super::super::names::{Evidence, INDICES, PaperName, Subscripts, is_variable, names_of};
 use super::super::printed::{PrintedRelation, PrintedSide, terms};
 use super::super::token::{Kind, Token};
 
@@ -19,7 +19,15 @@ pub(super) fn summed(sides: &[&PrintedSide], evidence: &Evidence) -> BTreeSet<ch
         for term in parts(&side.tokens) {
             let mut count: BTreeMap<char, usize> = BTreeMap::new();
             let mut anywhere: BTreeMap<char, usize> = BTreeMap::new();
-            for name in names_of(&term).iter().filter(|n| !is_labelled(n, evidence)) {
+            for name in &names_of(&term) {
+                if is_labelled(name, evidence) {
+                    // Behind a label stands an index, `k_{f,i}`.
+                    let behind = name.subscript.as_deref().and_then(|s| s.split_once(',')).map_or("", |(_, b)| b);
+                    for letter in behind.chars().filter(|c| INDICES.contains(*c)) {
+                        *anywhere.entry(letter).or_default() += 1;
+                    }
+                    continue;
+                }
                 let is_list = name.subscript.as_deref().is_some_and(|s| s.contains(','));
                 for (at, letter) in name.index_letters().into_iter().enumerate() {
                     if !(is_list && at == 0 && evidence.labels.contains(&letter)) {

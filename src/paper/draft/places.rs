@@ -102,7 +102,8 @@ impl Names<'_> {
         let is_at_number = |n: &&PaperName| matches!(&n.call, Call::Places(p) if p.len() == 1 && !is_name(&p[0]));
         if key != "t" && self.all.iter().filter(|n| self.key(n) == key).any(|n| is_at_number(&n)) {
             let derived = self.evidence.derived.get(key).filter(|by| by.len() == 1).and_then(|by| by.first().cloned());
-            if let Some(by) = self.evidence.primed_by(key).or(derived).filter(|by| by != "t" && is_variable(by)) {
+            let by = self.evidence.primed_by(key).or(derived).filter(|by| by != "t" && is_variable(by));
+            if let Some(by) = by.or_else(|| self.only_place_here(key)) {
                 return Some(vec![by]);
             }
         }
@@ -120,6 +121,9 @@ impl Names<'_> {
         if here.is_empty() && !paper.iter().any(|by| *by != "t" && wanted(&(*by).to_owned())) {
             return None;
         }
+        if !here.is_empty() && self.is_of_one_place(key) {
+            return Some(here.into_iter().map(str::to_owned).collect());
+        }
         // Along a motion everything changes on which it depends; else what nothing is derived by here is held fixed.
         let moves = self.all.iter().any(|n| !n.is_partial && n.derived_by.is_some());
         let most = if moves || here.is_empty() { MOST_PLACES.saturating_sub(here.len()) } else { 0 };
@@ -129,6 +133,25 @@ impl Names<'_> {
             places.push("t".to_owned());
         }
         Some(places)
+    }
+
+    /// Of the variables at which the paper takes a function, `n(r)`, the only one that stands here: `n=n(0)e^{-r}`.
+    fn only_place_here(&self, key: &str) -> Option<String> {
+        let printed = self.evidence.calls.get(key)?.keys().flatten().filter(|p| p.len() == 1).flatten();
+        let stands = |v: &&String| is_variable(v) && *v != "t" && self.all.iter().any(|n| n.key() == **v);
+        let here: BTreeSet<&String> = printed.filter(stands).collect();
+        if here.len() == 1 { here.into_iter().next().cloned() } else { None }
+    }
+
+    /// Whether a name is derived here by one variable that is not the time, and not partially: `\frac{dy}{dx}` is that of a function of x alone,
+    /// whatever moves elsewhere.
+    fn is_of_one_place(&self, key: &str) -> bool {
+        let own = || self.all.iter().filter(|n| self.key(n) == key);
+        let total = |n: &PaperName| !n.is_partial && n.derived_by.as_deref().is_some_and(|by| by != "t");
+        let by: BTreeSet<Option<&str>> = own().filter(|n| total(n)).map(|n| n.derived_by.as_deref()).collect();
+        by.len() == 1
+            && own().all(|n| n.dots == 0 && (n.derived_by.is_none() || total(n)))
+            && !self.all.iter().any(|n| n.key() == "t")
     }
 
     /// The places of a function of several, of which only values stand here, `u(x,0)`: what the paper prints at each place, where that is
@@ -229,7 +252,17 @@ impl Names<'_> {
             candidates = primed.iter().filter_map(|n| self.evidence.primed_by(n)).collect();
         }
         let standing = |v: &&String| self.all.iter().any(|n| n.key() == **v);
-        let mut free: Vec<&String> = candidates.iter().filter(|v| !primed.contains(v)).collect();
+        // What a system derives by the time is no place of others there: `x'=-y`, `y'=x`, `z'=z+x^2`.
+        let is_primed = |v: &str| primed.iter().any(|p| p == v);
+        let by_time = |v: &str| {
+            let primes = self.evidence.primes_in(v, self.place.section);
+            matches!(primes, Primes::Derive(by) | Primes::Usual(by) if by == "t")
+        };
+        let is_derived = |v: &String| {
+            let mut others = self.evidence.local.moving_in(self.place.section).filter(|o| o != v && !is_primed(o));
+            self.evidence.local.moves(self.place.section, v) && by_time(v) && others.any(by_time)
+        };
+        let mut free: Vec<&String> = candidates.iter().filter(|v| !primed.contains(v) && !is_derived(v)).collect();
         if free.len() > 1 && free.iter().any(&standing) {
             free.retain(standing);
         }

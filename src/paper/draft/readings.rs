@@ -10,7 +10,7 @@ use super::super::names::{
     Call, Evidence, PaperName, cancels_by_order, evidence, names_apart, order_counts, squeezed, unprimed,
 };
 use super::super::printed::PrintedSide;
-use super::declared::{Names, Way};
+use super::declared::{IDENTITY, Names, Way};
 use super::guess::{Place, Reading};
 use super::index;
 use super::obstacle::{obstacle, raised_e};
@@ -162,6 +162,12 @@ fn ways(
         if let (Some(&dimension), 1) = (dimensions.first(), dimensions.len()) {
             ways.push(Way { dimension, products_are_of_matrices: true, ..usual });
         }
+    }
+    // `A^2=-\frac{k}{m}I`: no number is a matrix.
+    if all.iter().any(|n| n.key() == IDENTITY) {
+        let square = of_matrices.iter().filter(|(rows, columns)| rows == columns && *rows > 1).map(|(rows, _)| *rows);
+        let dimensions: BTreeSet<usize> = printed.into_iter().chain(square).collect();
+        ways.extend(dimensions.iter().map(|&dimension| Way { dimension, has_identity: true, ..usual }));
     }
     // A letter of another section may be a matrix there and a number here, unless the order of its factors counts.
     let of_order = |s: &&PrintedSide| order_counts(&s.text) || cancels_by_order(s) || s.text.contains(r"\det");

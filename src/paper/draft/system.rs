@@ -22,6 +22,9 @@ pub(super) struct System {
     known: BTreeSet<String>,
 }
 
+/// The most equations of a system that is guessed: one of more is no motion that a person confirms.
+const MOST_EQUATIONS: usize = 100;
+
 /// Values of parameters and states: none is 1, and no two are alike.
 fn number(at: usize) -> String {
     const FIRST: [&str; 8] = ["0.7", "1.3", "0.4", "1.7", "0.9", "2.3", "0.6", "1.9"];
@@ -50,6 +53,9 @@ impl System {
             {
                 rates.entry(key).or_insert(formula);
             }
+        }
+        if rates.len() > MOST_EQUATIONS {
+            return None;
         }
         // What needs a state without an equation has none, again and again.
         loop {

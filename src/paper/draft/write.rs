@@ -162,8 +162,16 @@ fn claims(out: &mut String, name: &str, (settled, system): (&Settled, Option<&Sy
     let mut groups: Vec<(Vec<Guess>, Vec<usize>)> = Vec::new();
     let mut group_of: BTreeMap<Vec<Guess>, usize> = BTreeMap::new();
     let mut of_all: Vec<Guess> = Vec::new();
-    for f in printed.formulas.iter().filter(|f| printed.is_case && f.refused.is_none()) {
-        let own = settled.own_symbols(f).into_iter().filter(|g| !of_all.contains(g));
+    // A number of a condition is what its formula is a function of.
+    let read = || printed.formulas.iter().filter(|f| printed.is_case && f.refused.is_none());
+    let of_the_file = |name: &str| {
+        let mut known = read().flat_map(|f| &f.needs.symbols).filter(|g| settled.symbols.contains(g));
+        known.any(|g| g.bare() == name && g.shape.is_none())
+    };
+    let is_number = |g: &Guess| g.role == "parameter" && g.shape.is_none();
+    for f in read() {
+        let is_shared = |g: &Guess| f.is_condition && is_number(g) && of_the_file(g.bare());
+        let own = settled.own_symbols(f).into_iter().filter(|g| !of_all.contains(g) && !is_shared(g));
         of_all.extend(own.collect::<Vec<_>>());
     }
     for (i, f) in printed.formulas.iter().enumerate().filter(|(_, f)| f.refused.is_none()) {

@@ -10,7 +10,9 @@ impl Names {
         let end = self.unit(middle).min(to);
         let differential = |text: &str| matches!(text, "d" | r"\partial" | r"\mathrm" | r"\dd");
         let first = self.inner(top).0;
+        // `{dx}^2` prints what `dx^2` does.
         let below = self.inner(middle).0;
+        let below = if self.text(below) == "{" { below + 1 } else { below };
         let begins =
             differential(self.text(first)) && differential(self.text(below)) && self.text(below) == self.text(first);
         if !begins {
@@ -97,6 +99,31 @@ impl Names {
             self.range(begin, end, by, depth);
             self.note_group(before);
             begin = end;
+        }
+    }
+
+    /// The position behind a matrix that begins here, and how many primes stand behind it.
+    pub(super) fn primed_matrix(&self, at: usize, to: usize) -> Option<(usize, usize)> {
+        let begins = self.text(at).strip_prefix(r"\begin ").is_some_and(|name| name.ends_with("matrix"));
+        let end = if begins { self.environment_end(at, to) } else { return None };
+        let primes = match self.text(end) {
+            "'" => (end..to).take_while(|&i| self.text(i) == "'").count(),
+            "^" => self.primes_above(end + 1),
+            _ => 0,
+        };
+        (primes > 0 && end > at + 1).then_some((end, primes))
+    }
+
+    /// Primes behind a column of names derive each of them.
+    pub(super) fn note_primes(&mut self, from: usize, (begin, end): (usize, usize), primes: usize) {
+        let cells = 1 + (begin + 2..end.saturating_sub(1)).filter(|at| self.begins_cell(*at)).count();
+        let names = &mut self.out[from..];
+        let plain = |n: &PaperName| n.primes + n.dots == 0 && n.call == super::Call::None && n.derived_by.is_none();
+        if names.len() == cells && names.iter().all(plain) {
+            for name in names {
+                name.primes = primes;
+                name.base.push_str(&"'".repeat(primes));
+            }
         }
     }
 

@@ -424,9 +424,14 @@ fn is_at_places(name: &PaperName, side: &PrintedSide) -> bool {
 /// Whether a side is one name, with dots and labels, and nothing else.
 pub fn is_alone(side: &PrintedSide) -> bool {
     let signs = ["+", "-", "(", "[", "=", r"\frac", r"\cdot", r"\times", "|", r"\nabla", r"\int", r"\sum", r"\partial"];
-    mark::marks(&side.tokens)
-        .iter()
-        .all(|m| !signs.contains(&m.text.as_str()) && !m.text.starts_with(|c: char| c.is_ascii_digit()))
+    let marks = mark::marks(&side.tokens);
+    let is_digit = |at: usize| marks[at].text.starts_with(|c: char| c.is_ascii_digit());
+    // The digits of a label, `M_1`, are no factor.
+    let is_below = |at: usize| {
+        let opening = (0..at).rev().find(|&i| marks[i].text != "{" && !is_digit(i));
+        opening.is_some_and(|i| marks[i].text == "_" && (marks[i + 1].text == "{" || i + 1 == at))
+    };
+    (0..marks.len()).all(|at| !signs.contains(&marks[at].text.as_str()) && (!is_digit(at) || is_below(at)))
 }
 
 /// What makes a number of matrices, or may.

@@ -102,6 +102,17 @@ impl Local {
         self.variables.contains(&(chapter, key.to_owned())) && !self.moving.contains(&(section, key.to_owned()))
     }
 
+    /// The names of which a section prints a rate, or a prime at them.
+    pub fn moving_in(&self, section: usize) -> impl Iterator<Item = &str> {
+        let from = (section, String::new())..(section + 1, String::new());
+        self.moving.range(from).map(|(_, name)| name.as_str())
+    }
+
+    /// Whether a section prints a rate of a name, or a prime at it.
+    pub fn moves(&self, section: usize, key: &str) -> bool {
+        self.moving.contains(&(section, key.to_owned()))
+    }
+
     /// Whether something is derived by this in a section, in which it has no rate.
     pub fn derives(&self, section: usize, key: &str) -> bool {
         let own = (section, key.to_owned());

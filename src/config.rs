@@ -1,18 +1,17 @@
 //! `rederive.toml`: what a project is checked with, when the command line does not say.
 //!
-//! **In:** the folder in which the program runs. **Out:** a [`Config`]: the nearest `rederive.toml`, or table `[tool.rederive]` of a
-//! `pyproject.toml`, in it or in a folder above it. **Guaranteed:** a key that is not known, and a value of another kind, is a problem
-//! with its place; what the command line says wins.
+//! **In:** a folder: that in which the program runs, or that of a paper. **Out:** a [`Config`]: the nearest `rederive.toml`, or table
+//! `[tool.rederive]` of a `pyproject.toml`, in it or in a folder above it. **Guaranteed:** a key that is not known, and a value of another
+//! kind, is a problem with its place; what the command line, or a call of Python, says wins.
 
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-use super::ending::Stop;
-use rederive::Failure;
-use rederive::check::Rigor;
-use rederive::diag::{Diagnostic, Source};
-use rederive::files;
-use rederive::latex::Logarithm;
+use crate::Failure;
+use crate::check::Rigor;
+use crate::diag::{Diagnostic, Source};
+use crate::files;
+use crate::latex::Logarithm;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -40,8 +39,15 @@ impl Config {
     ///
     /// # Errors
     /// A file that cannot be read, and problems of what is in it, with their places.
-    pub fn find() -> Result<Config, Stop> {
-        let Ok(here) = std::env::current_dir() else { return Ok(Config::default()) };
+    pub fn find() -> Result<Config, Failure> {
+        std::env::current_dir().map_or_else(|_| Ok(Config::default()), |here| Config::of(&here))
+    }
+
+    /// The configuration of a folder, of which the whole path is given.
+    ///
+    /// # Errors
+    /// As for [`find`](Config::find).
+    pub fn of(here: &Path) -> Result<Config, Failure> {
         for folder in here.ancestors() {
             for (name, table) in [("rederive.toml", &[][..]), ("pyproject.toml", &["tool", "rederive"][..])] {
                 let path = folder.join(name);
@@ -49,8 +55,10 @@ impl Config {
                 if !path.symlink_metadata().is_ok_and(|found| found.is_file()) {
                     continue;
                 }
-                let text = files::read_text(&path, LARGEST)?;
-                if let Some(config) = read(&path, text, table, relative(folder, &here).as_deref())? {
+                let shown = path.display().to_string();
+                let unreadable = |e: files::FileError| Diagnostic::of_file(&shown, "config::unreadable", e.to_string());
+                let text = files::read_text(&path, LARGEST).map_err(|e| Failure::Problems(vec![unreadable(e)]))?;
+                if let Some(config) = read(&path, text, table, relative(folder, here).as_deref())? {
                     return Ok(config);
                 }
             }
@@ -66,10 +74,10 @@ fn relative(folder: &Path, here: &Path) -> Option<PathBuf> {
 }
 
 /// Reads a configuration; `None` where the file does not have the table.
-fn read(path: &Path, text: String, table: &[&str], folder: Option<&Path>) -> Result<Option<Config>, Stop> {
+fn read(path: &Path, text: String, table: &[&str], folder: Option<&Path>) -> Result<Option<Config>, Failure> {
     let source = Arc::new(Source { path: path.display().to_string(), text });
-    let problem = |span: std::ops::Range<usize>, message: String| -> Stop {
-        Failure::Problems(vec![Diagnostic::at(&source, "config::unreadable", span, message)]).into()
+    let problem = |span: std::ops::Range<usize>, message: String| -> Failure {
+        Failure::Problems(vec![Diagnostic::at(&source, "config::unreadable", span, message)])
     };
     let parsed =
         DeTable::parse(&source.text).map_err(|e| problem(e.span().unwrap_or_default(), e.message().to_owned()))?;
@@ -99,7 +107,7 @@ fn read(path: &Path, text: String, table: &[&str], folder: Option<&Path>) -> Res
                 config.log = Some(found.ok_or_else(|| problem(span, format!("`log` is one of {names}")))?);
             }
             other => {
-                let other = rederive::diag::escape::in_one_line(other);
+                let other = crate::diag::escape::in_one_line(other);
                 let message = format!("the key `{other}` is not known; there are `sources`, `files`, `rigor`, `log`");
                 return Err(problem(key.span(), message));
             }
