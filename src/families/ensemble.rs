@@ -45,9 +45,9 @@ use sampled::{measure, same_motion, trial, witness};
 /// The counted work of a member beside that of its steps: its numbers, its motion.
 const OF_A_MEMBER: u64 = 30_000;
 /// The same of a step that is looked at again beside others, to tell its error.
-const OF_A_STEP: u64 = 12_000;
+const OF_A_STEP: u64 = 4_000;
 /// The same of a step that tells its error itself.
-const OF_A_STEP_ALONE: u64 = 2_000;
+const OF_A_STEP_ALONE: u64 = 1_000;
 /// The same of what is measured on a member.
 const OF_A_MEASURE: u64 = 1_000;
 /// The same of one verdict beside what is evaluated for it.

@@ -388,7 +388,7 @@ impl<'a> Walker<'a> {
     pub(super) fn propose(&mut self, series: &impl Series) -> Result<(), Stop> {
         // Its size, its error and what errors become of it, beside the series.
         let order = self.control.order as u64;
-        meter::charge(self.flow.tape.instructions().len() as u64 * order * order + OF_A_STEP);
+        meter::charge(self.flow.tape.instructions().len() as u64 * order * order / 2 + OF_A_STEP);
         let direction = self.direction();
         let remaining = (self.end - self.time).abs();
         // What moves a state from outside may come as a pulse that no expansion before it sees: short steps, each of which
