@@ -18,7 +18,7 @@ use rayon::prelude::*;
 use crate::{Limits, SECOND};
 
 /// The units of work that a file may take, from its first formula to the last verdict.
-pub const OF_A_FILE: u64 = 30 * SECOND;
+pub const OF_A_FILE: u64 = 33 * SECOND;
 
 /// What is left of the work of a file; without end, where there is none. Copies are the same.
 #[derive(Clone, Debug, Default)]

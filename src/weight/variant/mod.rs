@@ -143,7 +143,7 @@ const TOGETHER: usize = 8;
 /// Most copies of the graph: it grows with the claims, and copies of all would grow with their square.
 const MOST_COPIES: usize = 64;
 /// The work that the variants of a file may take, in nodes.
-const MOST_NODES_OF_A_FILE: usize = 10_000_000;
+const MOST_NODES_OF_A_FILE: usize = 5_000_000;
 
 /// The variants of all claims that are tried.
 pub struct Altered {
