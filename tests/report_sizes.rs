@@ -280,3 +280,15 @@ fn a_page_of_a_thousand_claims_is_small() {
         assert!(claim.contains("Holds") || claim.contains("Fails") || claim.contains("Undecided"), "{claim}");
     }
 }
+
+/// What takes more than a file may is left out, and then nothing of the file is kept for the next run. No derivation of the gallery is so.
+#[test]
+fn no_derivation_comes_to_the_end_of_its_work() {
+    let all = reports();
+    assert!(all.len() >= 18, "{all:?}");
+    for folder in all {
+        let report = std::fs::read_to_string(folder.join("report.md")).expect("a report");
+        let limited = report.lines().find(|line| line.contains("work limit"));
+        assert_eq!(limited, None, "{}", folder.display());
+    }
+}
