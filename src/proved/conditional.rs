@@ -3,7 +3,7 @@
 //! **In:** the steps of a derivation, each decided by itself. **Out:** for each claim the claims that it follows from, through all steps,
 //! which are not proved themselves, and what they assume that is not assumed on the way: what is proved is proved given these.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 
 use crate::derivation::{Claim, Derivation, Written};
 use crate::expr::FastSet;
@@ -198,19 +198,10 @@ impl<'d> Numbers<'d> {
     }
 }
 
-/// What a claim presupposes that is not one of the file: assumptions of what it follows from, and the ranges of that.
+/// What a claim presupposes that is not one of the file: assumptions of what it follows from.
 pub(crate) fn presupposed(derivation: &Derivation, claim: &Claim) -> Vec<String> {
     let follows = follows(derivation);
     let all = Assumptions::of(derivation, &follows, &vec![&[][..]; derivation.claims.len()], Some(claim));
     let named: Vec<usize> = derivation.claims_among(&claim.follows_from).collect();
-    let mut out: Vec<String> = all.inherited(&named, all.own.len() - 1).into_iter().map(|n| all.text(n)).collect();
-    let (mut open, mut seen) = (named, BTreeSet::new());
-    while let Some(at) = open.pop() {
-        let of = &derivation.claims[at];
-        if seen.insert(at) {
-            out.extend(of.region.as_ref().map(|_| format!("the ranges of {}", of.name())));
-            open.extend(&follows[at]);
-        }
-    }
-    out
+    all.inherited(&named, all.own.len() - 1).into_iter().map(|n| all.text(n)).collect()
 }
