@@ -39,7 +39,7 @@ fn what_ends_a_piece_says_how_much_it_was_and_what_would_allow_more() {
     assert!(bytes.contains("more than 0.64 MB") && bytes.contains("--work 0.1 would"), "{bytes}");
     let file = said("1", |times| Ended::File(Task::Proving, times));
     assert!(
-        file.contains("about 30 s") && file.contains("and proving a claim comes") && file.contains("--work 10 would")
+        file.contains("about 33 s") && file.contains("and proving a claim comes") && file.contains("--work 10 would")
     );
 }
 

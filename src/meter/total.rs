@@ -212,7 +212,7 @@ mod tests {
     /// How far each of some items of so many seconds in tenths comes.
     fn walk(items: &[u64], threads: usize) -> (Vec<Result<(), Ended>>, u64) {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-        let limits = Limits::default().of_file(10 * SECOND);
+        let limits = Limits::default().of_file(OF_A_FILE - 20 * SECOND);
         let found = pool.install(|| {
             each(&limits, items, |&tenths, limits| {
                 piece(Task::Motion, limits, || (0..tenths * 100).for_each(|_| charge(1_000_000)))
