@@ -333,6 +333,33 @@ fn a_rate_is_that_of_its_formula() {
     }
 }
 
+/// A motion has all rates that are named, by however many names: x = |z| z³ has no fourth one at 0.
+#[test]
+fn a_motion_is_as_smooth_as_rates_of_rates_ask() {
+    const RATES: &[&str] = &[
+        "t: time",
+        "x, y, z, w: state",
+        "a: parameter",
+        r"B: observable = \dot x",
+        r"C: observable = \dot B",
+        r"D: observable = \dot C",
+        r"E: observable = y\dot D",
+    ];
+    let lines: [Line; 6] = [
+        (r"y\dot D=0", RATES, &["x=|y|y^3", "y(0)=0", "y=at"]),
+        (r"w\dot D=2\dot D", RATES, &["z=t", "x=|z|z^3", "z(0)=0", "w=2"]),
+        (r"\dot D=\dot D", RATES, &["z=t", r"x=\lfloor z\rfloor z^4", "z(0)=0"]),
+        (r"w\dot D=5\dot D", RATES, &["z=t", "x=|z|z^3", "z(0)=0", "w=2"]),
+        (r"w\dot E=2\dot E", RATES, &["z=t", "x=|z|z^4", "z(0)=0", "w=2", "y=1"]),
+        (r"w\dot D=2\dot D", RATES, &["z=t^2", "x=|z-1|(z-1)^3", "z(1)=1", "w=2"]),
+    ];
+    for line in &lines {
+        assert_eq!(word(line).0, "undecided", "{line:?}");
+    }
+    let line: Line = (r"w\dot D=2\dot D", RATES, &["z=t", "x=|z|z^5", "z(0)=0", "w=2"]);
+    assert_eq!(word(&line).0, "proved", "{line:?}");
+}
+
 /// A motion refutes a step only if it goes through the times that are named, is smooth, and what is given is so on it, and not only as far
 /// as numbers show.
 #[test]

@@ -37,9 +37,9 @@ const TOGETHER: usize = 4;
 /// The seed of the draws.
 const SEED: u64 = 1;
 /// All of them may take one of so many parts of the work of a file, beside the file: that may be used up.
-const PARTS: u64 = 60;
+const PARTS: u64 = 80;
 /// Those that are tried together may take one of so many.
-const PARTS_TOGETHER: u64 = 400;
+const PARTS_TOGETHER: u64 = 600;
 /// The number of a draft, and a verdict on it; nothing where it is no motion.
 type Tried = (usize, Option<Verdict>);
 

@@ -6,10 +6,13 @@
 use super::clock::{clock, read};
 use super::scene::definition;
 use crate::derivation::{Claim, Derivation, Form, Premise, Written};
-use crate::expr::{Expr, FastSet, Leaf, Symbol};
+use crate::expr::{Expr, FastMap, FastSet, Leaf, Symbol};
 use crate::latex::{Relation, RelationKind, Role, Scope, Statement};
 use crate::step::Step;
 use proof::When;
+
+/// Most formulas of which each names the next one.
+const MOST_CHAINED: usize = 32;
 
 /// Something that is said.
 #[derive(Clone, Copy, Debug)]
@@ -190,6 +193,32 @@ fn names(derivation: &Derivation, scope: &Scope, clock: Option<Leaf>, roots: Vec
     out
 }
 
+/// The highest rate of what has no formula, where the formulas of the rest are written out: each may name the rate of another one. `None` where
+/// too many do.
+fn order(derivation: &Derivation, scope: &Scope, names: &[Leaf], leaves: &[Leaf]) -> Option<u8> {
+    let graph = &derivation.graph;
+    let of = |l: &Leaf| (l.symbol, l.component);
+    let mut orders: FastMap<(Symbol, u16), u8> = FastMap::default();
+    let highest = |orders: &FastMap<(Symbol, u16), u8>, leaves: &[Leaf]| {
+        let one = |l: &Leaf| l.rate.saturating_add(orders.get(&of(l)).copied().unwrap_or(0));
+        leaves.iter().map(one).max().unwrap_or(0)
+    };
+    let formulas = names.iter().filter_map(|name| Some((of(name), definition(derivation, scope, *name)?)));
+    let formulas: Vec<((Symbol, u16), Vec<Leaf>)> = formulas
+        .map(|(name, e)| (name, graph.leaves_within([e]).into_iter().map(|l| read(graph, l)).collect()))
+        .collect();
+    for _ in 0..MOST_CHAINED {
+        let before = orders.clone();
+        for (name, leaves) in &formulas {
+            orders.insert(*name, highest(&orders, leaves));
+        }
+        if orders == before {
+            return Some(highest(&orders, leaves));
+        }
+    }
+    None
+}
+
 /// What the relations of a claim name, and those that it assumes.
 fn named(derivation: &Derivation, claim: &Claim) -> Vec<Leaf> {
     let assumed = claim.assuming.iter().flat_map(|w| &w.value.relations);
@@ -249,9 +278,7 @@ pub(super) fn question<'a>(
     let mut instants: Vec<Expr> = leaves.iter().filter_map(|l| l.instant).collect();
     instants.sort_unstable();
     instants.dedup();
-    let rate = |of: &dyn Fn(&Leaf) -> bool| leaves.iter().filter(|l| of(l)).map(|l| l.rate).max().unwrap_or(0);
-    let has_formula = |l: &Leaf| definition(derivation, &claim.scope, Leaf::now(l.symbol, l.component)).is_some();
-    let order = rate(&|l| !has_formula(l)).saturating_add(rate(&has_formula));
+    let order = order(derivation, &claim.scope, &names, &leaves)?;
     let nodes = graph.reachable(roots);
     let number = |e: Expr| graph.as_constant(e).filter(|r| r.denominator().is_one());
     let mut numbers: Vec<i64> = nodes.into_iter().filter_map(|e| i64::try_from(number(e)?.numerator()).ok()).collect();
