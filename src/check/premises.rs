@@ -125,7 +125,9 @@ fn has_motion(derivation: &Derivation, declared: &Claim, claim: &ClaimAccount, a
     let inherited = claim.identity.as_ref().map_or(&[][..], |identity| &identity.presupposed);
     for at in proved::existence::assumed_behind(derivation, declared, inherited) {
         let of = &derivation.claims[at];
-        all.extend(Some((of, account(of))).filter(|_| !all.iter().any(|(known, _)| std::ptr::eq(*known, of))));
+        if !all.iter().any(|(known, _)| std::ptr::eq(*known, of)) {
+            all.push((of, account(of)));
+        }
     }
     // Where it is undecided, the motion may not come so far. What fails applies.
     let is_met = |at: usize, outcome: Outcome| match outcome {

@@ -42,7 +42,7 @@ pub(crate) fn is_known(
     inequalities: When,
 ) -> bool {
     let given = Given::of(derivation, claim, said);
-    if given.clone().is_some_and(Given::is_of_some_places) {
+    if given.clone().is_some_and(Given::holds_at_some_places) {
         return false;
     }
     let example = || !said.given.is_beyond_a_step && crate::motions::has_example(derivation, claim, inequalities);

@@ -115,7 +115,7 @@ impl<'a> Given<'a> {
     }
 
     /// Whether a law becomes an equation of coordinates, once formulas are put in: that would have to be so at all places.
-    pub(super) fn is_of_some_places(mut self) -> bool {
+    pub(super) fn holds_at_some_places(mut self) -> bool {
         self.insert_formulas().is_some() && self.conditions.iter().any(|c| self.is_of_places(c))
     }
 
