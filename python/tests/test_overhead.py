@@ -68,7 +68,7 @@ def answers(monkeypatch: pytest.MonkeyPatch) -> Answers:
     proof = _rederive.Session().prove("x=x", ["x"], [], False)
     at_hand = Answers(read.check([], [], False, False), proof)
 
-    def session(name: str = "", text: Optional[str] = None) -> Answers:
+    def session(name: str = "", text: Optional[str] = None, log: Optional[str] = None) -> Answers:
         return at_hand
 
     monkeypatch.setattr("rederive.session._rederive.Session", session)

@@ -41,16 +41,17 @@ pub(crate) fn is_known(
     (is_whole, has_motion): (bool, bool),
     inequalities: When,
 ) -> bool {
+    let needs_example = needs_example(derivation, said, is_whole);
+    if has_motion && !needs_example {
+        return true;
+    }
     let given = Given::of(derivation, claim, said);
     if given.clone().is_some_and(Given::holds_at_some_places) {
         return false;
     }
     let example = || !said.given.is_beyond_a_step && crate::motions::has_example(derivation, claim, inequalities);
-    if needs_example(derivation, said, is_whole) {
+    if needs_example {
         return example();
-    }
-    if has_motion {
-        return true;
     }
     let is_between = given.as_ref().is_none_or(Given::is_between);
     !is_between && given.clone().is_some_and(|mut given| given.has_solution())
