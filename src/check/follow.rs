@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use super::memory::{Known as Recalled, Question};
 use super::pieces;
-use super::premises::{Column, counterexample, refuted_on, replay, strengthen};
+use super::premises::{Column, account_of, counterexample, refuted_on, replay, strengthen};
 use crate::derivation::{Claim, Derivation};
 use claim::limits::Limits;
 use findings::{ClaimAccount, IdentityAccount};
@@ -52,7 +52,7 @@ pub(super) fn follow(
     }
     // Verdicts on motions are what they were, also those of the claims that are left to a check.
     let selection = everywhere(derivation, following.to_vec());
-    let of = |claim: &Claim| before.iter().find(|a| a.id == claim.id && a.reading == claim.reading);
+    let of = |claim: &Claim| account_of(claim, before.iter());
     let earlier: Vec<Option<&ClaimAccount>> = following.iter().map(claim).map(of).collect();
     let on = |account: &Option<&ClaimAccount>, t: usize| {
         let id = &derivation.trajectories[t].id;
@@ -103,7 +103,7 @@ fn everywhere(derivation: &Derivation, claims: Vec<usize>) -> Selection {
 /// An account with the verdicts that the motions gave, as they were before a proof stood behind them; `None` for a claim that
 /// has to be checked.
 fn unproved(derivation: &Derivation, claim: &Claim, before: &[ClaimAccount], recall: Recalled) -> Option<ClaimAccount> {
-    let account = before.iter().find(|a| a.id == claim.id && a.reading == claim.reading)?;
+    let account = account_of(claim, before.iter())?;
     let searched = account.variants.as_ref().is_some_and(|v| v.erratum.is_some());
     if searched || account.region.is_some() || claim.region.is_some() {
         return None;

@@ -73,7 +73,10 @@ pub(super) fn refuted_on(
 }
 
 /// The account of a claim among others.
-fn account_of<'a>(claim: &Claim, mut among: impl Iterator<Item = &'a ClaimAccount>) -> Option<&'a ClaimAccount> {
+pub(super) fn account_of<'a>(
+    claim: &Claim,
+    mut among: impl Iterator<Item = &'a ClaimAccount>,
+) -> Option<&'a ClaimAccount> {
     among.find(|account| account.id == claim.id && account.reading == claim.reading)
 }
 

@@ -48,13 +48,8 @@ fn word(tokens: &[Token], at: usize) -> Option<(&'static str, usize)> {
     let mut inside = tokens[open + 1..close].iter().filter(|t| t.kind != Kind::Space).peekable();
     let switched = inside.next_if(|t| t.is("rm") || t.is("mathrm") || t.is("operatorname")).is_some();
     let word: String = inside.map(|t| if t.kind == Kind::Other { t.text.as_str() } else { "\\" }).collect();
-    let sign = match word.as_str() {
-        "grad" => r"\nabla ",
-        "div" => r"\nabla\cdot ",
-        "rot" | "curl" => r"\nabla\times ",
-        _ => return None,
-    };
-    (is_upright || switched).then_some((sign, close + 1))
+    let sign = latex::sign_of_nabla(&word).filter(|_| is_upright || switched)?;
+    Some((sign, close + 1))
 }
 
 /// Whether something stands there that can be acted on.

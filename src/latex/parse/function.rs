@@ -57,6 +57,16 @@ pub(super) fn of_nabla(word: &str) -> Option<Nabla> {
     }
 }
 
+/// The sign of such a word, `\nabla\times` for `rot`; `None` of other words.
+pub fn sign_of_nabla(word: &str) -> Option<&'static str> {
+    match of_nabla(word)? {
+        Nabla::Gradient => Some(r"\nabla "),
+        Nabla::Divergence => Some(r"\nabla\cdot "),
+        Nabla::Curl => Some(r"\nabla\times "),
+        Nabla::Laplacian { .. } | Nabla::Along(_) | Nabla::Wave | Nabla::Following { .. } => None,
+    }
+}
+
 /// Operators that papers also write as plain words.
 pub(super) const WORDS: &[&str] = &["diag", "diagonal"];
 

@@ -35,7 +35,7 @@ use expr::Rational;
 
 pub(super) use beside::is_relation;
 use beside::{relation, side_by_side};
-pub use function::{is_function, whole_part};
+pub use function::{is_function, sign_of_nabla, whole_part};
 pub(super) use function::{operation, spelled, takes_bare_argument};
 pub(super) use names::{WrittenName, read_name};
 
