@@ -88,6 +88,7 @@ mod latex_robust;
 mod latex_spellings;
 mod latex_typeset;
 mod layering;
+mod limits;
 mod lint;
 mod lint_print;
 mod lsp;

@@ -46,7 +46,7 @@ pub(super) fn lint_paper(
         let mut paper = read(&name, text)?;
         paper.logarithm = logarithm;
         let found = lint::lint(&paper, &limits);
-        let document = escape::in_json(&report::lint_document(&paper, &found).to_string());
+        let document = escape::in_json(report::lint_document(&paper, &found).to_string());
         Ok::<_, Box<Diagnostic>>((document, report::lint_formulas(&paper, &found), report::lint_page(&paper, &found)))
     })?;
     found.map_err(|problem| problems(py, vec![*problem]))

@@ -269,11 +269,11 @@ fn affected(derivation: &Derivation, changed: BTreeSet<String>) -> Vec<String> {
 
 /// Brings an account into the order of the file, with its words, expectations and units.
 pub(super) fn describe(derivation: &Derivation, account: &mut Account) {
-    let mut known: Vec<ClaimAccount> = std::mem::take(&mut account.claims);
+    let known = std::mem::take(&mut account.claims).into_iter().map(|of| ((of.id.clone(), of.reading.clone()), of));
+    let mut known: FastMap<(String, Option<String>), ClaimAccount> = known.collect();
     let premises = Premises::of(derivation);
     for (position, claim) in derivation.claims.iter().enumerate() {
-        let Some(at) = known.iter().position(|c| c.id == claim.id && c.reading == claim.reading) else { continue };
-        let mut found = known.swap_remove(at);
+        let Some(mut found) = known.remove(&(claim.id.clone(), claim.reading.clone())) else { continue };
         found.says.clone_from(&claim.says);
         found.place.clone_from(&claim.place);
         found.remark.clone_from(&claim.remark);

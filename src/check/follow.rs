@@ -12,8 +12,9 @@ use rayon::prelude::*;
 
 use super::memory::{Known as Recalled, Question};
 use super::pieces;
-use super::premises::{Column, account_of, counterexample, refuted_on, replay, strengthen};
+use super::premises::{Accounts, Column, counterexample, refuted_on, replay, strengthen};
 use crate::derivation::{Claim, Derivation};
+use crate::expr::FastMap;
 use claim::limits::Limits;
 use findings::{ClaimAccount, IdentityAccount};
 use proved::step::Step;
@@ -37,10 +38,12 @@ pub(super) fn follow(
     (limits, recall): (&Limits, Recalled),
 ) -> Followed {
     let claim = |&c: &usize| &derivation.claims[c];
+    let before = Accounts::of(before);
+    let known = Accounts::of(known);
     let mut rest: Vec<String> = Vec::new();
     let mut accounts: Vec<Option<ClaimAccount>> = Vec::new();
     for claim in following.iter().map(claim) {
-        let account = unproved(derivation, claim, before, recall);
+        let account = unproved(derivation, claim, &before, recall);
         if account.is_none() && !rest.contains(&claim.id) {
             rest.push(claim.id.clone());
         }
@@ -52,7 +55,7 @@ pub(super) fn follow(
     }
     // Verdicts on motions are what they were, also those of the claims that are left to a check.
     let selection = everywhere(derivation, following.to_vec());
-    let of = |claim: &Claim| account_of(claim, before.iter());
+    let of = |claim: &Claim| before.get(claim);
     let earlier: Vec<Option<&ClaimAccount>> = following.iter().map(claim).map(of).collect();
     let on = |account: &Option<&ClaimAccount>, t: usize| {
         let id = &derivation.trajectories[t].id;
@@ -64,7 +67,7 @@ pub(super) fn follow(
         accounts[k].as_ref()?;
         let claim = &derivation.claims[following[k]];
         let step = Step::of(derivation, claim)?;
-        match counterexample(derivation, &selection, k, known, &columns) {
+        match counterexample(derivation, &selection, k, &known, &columns) {
             Some((t, witness)) => Some(refuted_on(&step, (&derivation.trajectories[t].id, witness), k, &columns)),
             None => recall.answer(derivation, Question::Identity(claim), || {
                 pieces::decided(derivation, claim, limits, || step.decide())
@@ -88,7 +91,9 @@ pub(super) fn strengthen_all(
     known: &[ClaimAccount],
     (limits, recall): (&Limits, Recalled),
 ) {
-    let position = |a: &ClaimAccount| derivation.claims.iter().position(|c| c.id == a.id && c.reading == a.reading);
+    let each = derivation.claims.iter().enumerate();
+    let positions: FastMap<_, usize> = each.map(|(at, c)| ((c.id.as_str(), c.reading.as_deref()), at)).collect();
+    let position = |a: &ClaimAccount| positions.get(&(a.id.as_str(), a.reading.as_deref())).copied();
     // An account without a claim would be a defect of the caller; there is nothing to be said of it then.
     let Some(claimed) = claims.iter().map(position).collect::<Option<Vec<usize>>>() else { return };
     replay(derivation, claims, known, (limits, recall));
@@ -102,8 +107,8 @@ fn everywhere(derivation: &Derivation, claims: Vec<usize>) -> Selection {
 
 /// An account with the verdicts that the motions gave, as they were before a proof stood behind them; `None` for a claim that
 /// has to be checked.
-fn unproved(derivation: &Derivation, claim: &Claim, before: &[ClaimAccount], recall: Recalled) -> Option<ClaimAccount> {
-    let account = account_of(claim, before.iter())?;
+fn unproved(derivation: &Derivation, claim: &Claim, before: &Accounts, recall: Recalled) -> Option<ClaimAccount> {
+    let account = before.get(claim)?;
     let searched = account.variants.as_ref().is_some_and(|v| v.erratum.is_some());
     if searched || account.region.is_some() || claim.region.is_some() {
         return None;

@@ -48,7 +48,7 @@ pub(super) enum Question<'q> {
     /// What a claim says for all values, where it is a claim of that kind; or how the program contradicts itself:
     /// `Option<Result<IdentityAccount, String>>`.
     Identity(&'q Claim),
-    /// The steps of a proof, by all that is given and claimed: `String`.
+    /// The steps of a proof, by all that is given and claimed: [`Recorded`](crate::findings::Recorded).
     Steps(&'q [u8]),
     /// The verdict of a claim on a motion that is given by a formula, after one from samples: [`Verdict`].
     ByFormula { claim: &'q Claim, motion: usize, before: &'q Verdict },

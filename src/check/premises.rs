@@ -11,7 +11,8 @@ use super::memory::{Known, Question};
 use claim::comparison;
 use claim::limits::Limits;
 use derivation::{Claim, Derivation, Form, Premise};
-use findings::{ClaimAccount, IdentityAccount, recorded};
+use expr::FastMap;
+use findings::{ClaimAccount, IdentityAccount};
 use latex::RelationKind;
 use meter::{Ended, Task};
 use proved::conditional::premises_first;
@@ -28,7 +29,7 @@ pub(super) fn counterexample<'a>(
     derivation: &Derivation,
     selection: &Selection,
     k: usize,
-    known: &[ClaimAccount],
+    known: &Accounts,
     columns: &'a [Column],
 ) -> Option<(usize, &'a Witness)> {
     let claim = &derivation.claims[selection.claims[k]];
@@ -44,7 +45,7 @@ pub(super) fn counterexample<'a>(
             Premise::System(system) => is_integrated_from(derivation, t, system),
             Premise::Claim(premise) => {
                 let of_this_run = selection.claims.binary_search(&premise).ok().and_then(|k| verdicts[k].as_ref());
-                let verdict = of_this_run.or_else(|| known_verdict(derivation, known, premise, t));
+                let verdict = of_this_run.or_else(|| known.verdict(derivation, premise, t));
                 // Where a premise was left out, nothing is given.
                 verdict.and_then(Verdict::is_met) == Some(true)
             }
@@ -72,24 +73,29 @@ pub(super) fn refuted_on(
     }
 }
 
-/// The account of a claim among others.
-pub(super) fn account_of<'a>(
-    claim: &Claim,
-    mut among: impl Iterator<Item = &'a ClaimAccount>,
-) -> Option<&'a ClaimAccount> {
-    among.find(|account| account.id == claim.id && account.reading == claim.reading)
-}
+/// Accounts by the ids and readings of their claims: each claim asks for others, and to look for one takes as long as there are many.
+pub(super) struct Accounts<'a>(FastMap<(&'a str, Option<&'a str>), &'a ClaimAccount>);
 
-/// The verdict on a claim, by its position, that is known from before.
-fn known_verdict<'a>(
-    derivation: &Derivation,
-    known: &'a [ClaimAccount],
-    claim: usize,
-    trajectory: usize,
-) -> Option<&'a Verdict> {
-    let (claim, trajectory) = (derivation.claims.get(claim)?, derivation.trajectories.get(trajectory)?);
-    let account = account_of(claim, known.iter())?;
-    account.on(&trajectory.id).map(|r| &r.verdict)
+impl<'a> Accounts<'a> {
+    /// The index; of two accounts of one claim the first counts.
+    pub(super) fn of(all: impl IntoIterator<Item = &'a ClaimAccount>) -> Accounts<'a> {
+        let mut index = FastMap::default();
+        for account in all {
+            index.entry((account.id.as_str(), account.reading.as_deref())).or_insert(account);
+        }
+        Accounts(index)
+    }
+
+    /// The account of a claim.
+    pub(super) fn get(&self, claim: &Claim) -> Option<&'a ClaimAccount> {
+        self.0.get(&(claim.id.as_str(), claim.reading.as_deref())).copied()
+    }
+
+    /// The verdict on a claim, by its position, on a trajectory.
+    fn verdict(&self, derivation: &Derivation, claim: usize, trajectory: usize) -> Option<&'a Verdict> {
+        let (claim, trajectory) = (derivation.claims.get(claim)?, derivation.trajectories.get(trajectory)?);
+        self.get(claim)?.on(&trajectory.id).map(|r| &r.verdict)
+    }
 }
 
 /// Whether a trajectory was integrated from a system: then its equations hold on it.
@@ -118,8 +124,8 @@ fn may_leap(derivation: &Derivation, trajectory: usize) -> bool {
 
 /// Whether a claim applies to a motion of its file on which, at some times of it, all that it follows from is so. What a run leaves out may be
 /// so: a claim that is checked alone has the proof that it has beside the others.
-fn has_motion(derivation: &Derivation, declared: &Claim, claim: &ClaimAccount, accounts: &[&[ClaimAccount]]) -> bool {
-    let account = |of: &Claim| account_of(of, accounts.iter().copied().flatten());
+fn has_motion(derivation: &Derivation, declared: &Claim, claim: &ClaimAccount, accounts: &Accounts) -> bool {
+    let account = |of: &Claim| accounts.get(of);
     let mut all: Vec<(&Claim, Option<&ClaimAccount>)> = vec![(declared, Some(claim))];
     let premises = derivation.claims_among(&declared.follows_from).map(|at| &derivation.claims[at]);
     all.extend(premises.map(|of| (of, account(of))));
@@ -197,20 +203,18 @@ pub(super) fn replay(
 ) {
     // What a proof presupposes, its steps may.
     proved::conditional::conditional(derivation, claims, known);
+    let accounts = Accounts::of(claims.iter().chain(known));
     let of = |claim: &ClaimAccount, limits: &Limits| -> Option<IdentityAccount> {
         let declared = derivation.claim(&claim.id, claim.reading.as_deref())?;
         let account = claim.identity.clone().filter(|i| i.finding.is_proved_in_part())?;
-        let has_motion = has_motion(derivation, declared, claim, &[&*claims, known]);
-        let steps: proved::replay::RecallSteps = &|asked, find| {
-            if recall.is_nothing() {
-                return find();
-            }
-            let text = recall.answer(derivation, Question::Steps(&asked.content()), || recorded::written(&find()));
-            recorded::read(&text).unwrap_or_else(find)
+        let has_motion = has_motion(derivation, declared, claim, &accounts);
+        let steps: proved::replay::RecallSteps = &|asked, find| match recall.is_nothing() {
+            true => find(),
+            false => recall.answer(derivation, Question::Steps(&asked.content()), find),
         };
         Some(proved::replay::replayed(derivation, declared, account, has_motion, (limits, steps)))
     };
-    let found = meter::each(limits, claims, |claim, limits| of(claim, limits));
+    let found = meter::each(limits, &*claims, |claim, limits| of(claim, limits));
     for (claim, replayed) in claims.iter_mut().zip(found) {
         if replayed.is_some() {
             claim.identity = replayed;
@@ -263,6 +267,7 @@ pub(super) fn strengthen(
         })
         .collect();
     let here = |premise: usize| claimed.binary_search(&premise).ok();
+    let earlier = Accounts::of(known);
     for k in premises_first(claimed.len(), |k| premises(derivation, claimed, &claims[k], claimed[k])) {
         let Some(identity) = claims[k].identity.as_ref().filter(|i| i.lends_strength() || i.lends_parts()) else {
             continue;
@@ -285,7 +290,7 @@ pub(super) fn strengthen(
                 Premise::System(system) => is_integrated_from(derivation, t, system),
                 Premise::Claim(premise) => {
                     let here = here(premise).and_then(|k| Some(&claims[k].results[*on[k].get(&t)?].verdict));
-                    let verdict = here.or_else(|| known_verdict(derivation, known, premise, t));
+                    let verdict = here.or_else(|| earlier.verdict(derivation, premise, t));
                     verdict.is_some_and(|v| v.outcome() == Outcome::Holds(Strength::Proved))
                 }
                 Premise::Definition => true,
@@ -323,12 +328,13 @@ fn premises(derivation: &Derivation, claimed: &[usize], claim: &ClaimAccount, at
 
 /// Takes back what a motion refutes on which that which is given holds only as far as numbers show: sin x is not x.
 fn take_back(derivation: &Derivation, claims: &mut [ClaimAccount], known: &[ClaimAccount]) {
-    let is_exact = |claims: &[ClaimAccount], name: &String, trajectory: &str| match derivation.premise(name) {
+    let accounts = Accounts::of(claims.iter().chain(known));
+    let is_exact = |name: &String, trajectory: &str| match derivation.premise(name) {
         Premise::System(_) | Premise::Definition => true,
         Premise::Claim(at) => {
             let of = &derivation.claims[at];
-            let account = account_of(of, claims.iter().chain(known));
-            let verdict = account.and_then(|account| account.on(trajectory)).map(|pair| pair.verdict.outcome());
+            let verdict =
+                accounts.get(of).and_then(|account| account.on(trajectory)).map(|pair| pair.verdict.outcome());
             verdict == Some(Outcome::Holds(Strength::Proved)) || is_strict(of)
         }
     };
@@ -336,7 +342,7 @@ fn take_back(derivation: &Derivation, claims: &mut [ClaimAccount], known: &[Clai
     for (at, claim) in claims.iter().enumerate() {
         let Some(identity) = &claim.identity else { continue };
         let Some(Refuting::OnMotion { trajectory, .. }) = &identity.witness else { continue };
-        if !identity.from.iter().all(|name| is_exact(claims, name, trajectory)) {
+        if !identity.from.iter().all(|name| is_exact(name, trajectory)) {
             rough.push(at);
         }
     }

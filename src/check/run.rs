@@ -9,7 +9,7 @@ use super::compilation::Compiled;
 use super::memory::{Known, Question};
 use super::on_motions::{Found, OnMotions};
 use super::pieces;
-use super::premises::{counterexample, refuted_on, replay, strengthen};
+use super::premises::{Accounts, counterexample, refuted_on, replay, strengthen};
 use claim::error::{CANCELLED, CheckError};
 use claim::limits::Limits;
 use claim::options::{Options, Rigor};
@@ -264,13 +264,14 @@ impl Work<'_, '_> {
     fn prove(&mut self) -> Result<(), CheckError> {
         let OnMotions { run, selection, compiled, .. } = self.claims;
         let (derivation, options, columns) = (&compiled.derivation, run.options, &self.found.columns);
+        let known = Accounts::of(run.known);
         let identity = |&(k, c): &(usize, usize), limits: &Limits| -> Option<Result<IdentityAccount, String>> {
             let claim = &derivation.claims[c];
             if limits.reached().is_some() {
                 return None;
             }
             let step = Step::of(derivation, claim)?.with(options.plain);
-            match counterexample(derivation, selection, k, run.known, columns) {
+            match counterexample(derivation, selection, k, &known, columns) {
                 Some((t, witness)) => Some(refuted_on(&step, (&derivation.trajectories[t].id, witness), k, columns)),
                 None => run.recall.answer(derivation, Question::Identity(claim), || {
                     pieces::decided(derivation, claim, limits, || step.decide())

@@ -1,6 +1,6 @@
 //! Recorded proofs in words: the sequent, and what each step says.
 //!
-//! **In:** a [`ProofRecord`]. **Out:** [`Told`] for each of its relations. **Guaranteed:** a step is told only if the checker made it again; its words are those of the fact that it makes.
+//! **In:** a [`ProofRecord`]. **Out:** [`Told`] for a relation of it. **Guaranteed:** a step is told only if the checker made it again; its words are those of the fact that it makes.
 
 use super::draft::{Draft, Refused, Shown};
 use super::fact::Because;
@@ -56,31 +56,26 @@ impl ProofRecord {
         super::words::relations(&self.sequent, &self.throughout)
     }
 
-    /// All relations, replayed and told.
+    /// A relation, replayed and told.
     ///
     /// # Errors
-    /// The position of the relation, and the step that is refused.
-    pub fn told(&self) -> Result<Vec<Told>, (usize, Refused)> {
-        let each = self.relations.iter().enumerate();
-        each.map(|(at, relation)| {
-            let sequent = self.sequent_of(relation);
-            let told = || {
-                let mut draft = Draft::new(&sequent)?;
-                // The number of the step that made each fact.
-                let (mut made_by, mut steps) = (Vec::new(), Vec::new());
-                for (number, step) in relation.steps.iter().enumerate() {
-                    let made = draft.push(step.clone())?;
-                    if made.is_some() {
-                        made_by.push(number + 1);
-                    }
-                    steps.push(step_words(&draft, step, made, &made_by));
-                }
-                let (_, shown) = draft.finish()?;
-                Ok(Told { sequent: sequent.words()?, steps, shown })
-            };
-            told().map_err(|refused| (at, refused))
-        })
-        .collect()
+    /// The step that is refused, or a relation that is not there.
+    pub fn told(&self, relation: usize) -> Result<Told, Refused> {
+        let missing = || Refused { step: None, why: "there is no such relation".to_owned() };
+        let relation = self.relations.get(relation).ok_or_else(missing)?;
+        let sequent = self.sequent_of(relation);
+        let mut draft = Draft::new(&sequent)?;
+        // The number of the step that made each fact.
+        let (mut made_by, mut steps) = (Vec::new(), Vec::new());
+        for (number, step) in relation.steps.iter().enumerate() {
+            let made = draft.push(step.clone())?;
+            if made.is_some() {
+                made_by.push(number + 1);
+            }
+            steps.push(step_words(&draft, step, made, &made_by));
+        }
+        let (_, shown) = draft.finish()?;
+        Ok(Told { sequent: sequent.words()?, steps, shown })
     }
 }
 

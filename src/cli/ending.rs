@@ -108,7 +108,7 @@ pub fn print_json(document: &serde_json::Value) -> Result<(), Stop> {
 /// A document as the JSON that is written.
 pub fn as_json(document: &serde_json::Value) -> Result<String, Stop> {
     let text = serde_json::to_string_pretty(document).map_err(|error| error.to_string())?;
-    Ok(rederive::diag::escape::in_json(&text) + "\n")
+    Ok(rederive::diag::escape::in_json(text) + "\n")
 }
 
 #[cfg(test)]

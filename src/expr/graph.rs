@@ -2,6 +2,7 @@
 
 use super::field::Partials;
 use super::hash::{FastHasher, FastMap};
+use super::marks::reached;
 use super::place::Place;
 use super::{Op, Part, Rational, Shape};
 use hashbrown::HashTable;
@@ -524,28 +525,8 @@ impl Graph {
 
     /// Every node that the roots depend on, roots included, children before parents.
     pub fn reachable(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
-        // One bit for each node up to the youngest root: children are older than parents, so that reading the bits in
-        // order gives the order that is asked for.
-        let mut open: Vec<Expr> = roots.into_iter().collect();
-        let Some(youngest) = open.iter().max() else { return Vec::new() };
-        let mut seen = vec![0u64; youngest.0 as usize / 64 + 1];
-        let mut count = 0;
-        while let Some(e) = open.pop() {
-            let (word, bit) = (e.0 as usize / 64, 1 << (e.0 % 64));
-            if seen[word] & bit == 0 {
-                seen[word] |= bit;
-                count += 1;
-                open.extend(self.node(e).children());
-            }
-        }
-        meter::charge(seen.len() as u64 + 8 * count as u64);
-        let mut found = Vec::with_capacity(count);
-        for (word, mut bits) in seen.into_iter().enumerate() {
-            while bits != 0 {
-                found.push(Expr(word as u32 * 64 + bits.trailing_zeros()));
-                bits &= bits - 1;
-            }
-        }
+        let found = reached(roots.into_iter().collect(), |e, open| open.extend(self.node(e).children()));
+        meter::charge(8 * found.len() as u64);
         found
     }
 

@@ -18,6 +18,7 @@ pub mod domain;
 mod field;
 mod graph;
 mod hash;
+mod marks;
 mod place;
 mod print;
 pub mod tape;

@@ -35,7 +35,7 @@ pub use family::{FailingShare, FamilyAccount, MemberAccount};
 pub use identity::{Counterexample, IdentityEvidence, Place, Proposition, Trials};
 pub use picture::{Line, LineKind, PictureAccount};
 pub use proof::{Certificate, Cofactor, Origin};
-pub use recorded::{Grounds, Recorded};
+pub use recorded::{Grounds, Recorded, ReplayedRecord};
 pub use units;
 pub use variant::{ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Survivor, VariantAccount, WEAK};
 pub use verdict::{

@@ -1,6 +1,7 @@
 //! Whether a proof is recorded as steps, and the words for it.
 //!
-//! **In:** what a search for steps came to. **Out:** [`Recorded`]. **Guaranteed:** what is called recorded was replayed by the checker; the word is made here and nowhere else.
+//! **In:** what a search for steps came to. **Out:** [`Recorded`]. **Guaranteed:** what is called recorded was replayed by the checker, in this run or in
+//! the one of the same program that kept it; the word is made here and nowhere else.
 
 use checker::{ProofRecord, Shown, Told};
 use serde::{Deserialize, Serialize};
@@ -10,14 +11,75 @@ use std::sync::Arc;
 const MOST_NAMED: usize = 3;
 const LONGEST: usize = 120;
 
-/// Whether a proof is recorded. Kept as the record alone: what is read back is replayed.
+/// Whether a proof is recorded.
+///
+/// It is kept with what the replay showed, like all evidence: who kept it has to see to that nobody else wrote it. A file that anybody may
+/// have written holds the record alone, see `proofs.json`, and `audit` replays that.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(from = "String", into = "String")]
 pub enum Recorded {
-    /// It is, and the checker makes each step again.
-    Proof(Arc<ProofRecord>, Vec<Shown>),
+    /// It is, and the checker made each step again.
+    Proof(Arc<ReplayedRecord>),
     /// It is not: why.
     Not(String),
+}
+
+/// A record that the checker replayed. The record is kept as JSON, which takes a quarter of the memory of its steps: they are wanted for
+/// the claims that are shown, and a file may have many.
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+pub struct ReplayedRecord {
+    json: Box<str>,
+    relations: usize,
+    steps: usize,
+    left_out: usize,
+    left_out_words: Vec<String>,
+    presupposed: Vec<String>,
+    throughout: Vec<String>,
+}
+
+impl ReplayedRecord {
+    fn of(proof: &ProofRecord, all: &[Shown]) -> ReplayedRecord {
+        let mut left_out_words: Vec<String> = Vec::new();
+        for text in all.iter().flat_map(Shown::leaves_out_words) {
+            if !left_out_words.contains(text) {
+                left_out_words.push(text.clone());
+            }
+        }
+        ReplayedRecord {
+            json: serde_json::to_string(proof).unwrap_or_default().into_boxed_str(),
+            relations: all.len(),
+            steps: all.iter().map(Shown::steps).sum(),
+            left_out: all.iter().map(|shown| shown.leaves_out().len()).sum(),
+            left_out_words,
+            presupposed: proof.presupposed_words(),
+            throughout: proof.throughout_words(),
+        }
+    }
+
+    /// The record, as JSON.
+    pub fn json(&self) -> &str {
+        &self.json
+    }
+
+    /// The number of relations.
+    pub fn relations(&self) -> usize {
+        self.relations
+    }
+
+    /// The number of their steps.
+    pub fn steps(&self) -> usize {
+        self.steps
+    }
+
+    /// The record; nothing if it was too large to be written.
+    fn record(&self) -> Option<ProofRecord> {
+        serde_json::from_str(&self.json).ok()
+    }
+
+    /// The relations in words, which are made by and by.
+    pub fn told(&self) -> impl Iterator<Item = Told> {
+        let record = self.record();
+        (0..self.relations).map_while(move |at| record.as_ref()?.told(at).ok())
+    }
 }
 
 /// What the word *proved* rests on: every output says which.
@@ -45,37 +107,12 @@ impl Grounds {
 /// The outcome of a search for steps.
 pub type Found = Result<ProofRecord, String>;
 
-/// An outcome as text, to be kept: steps leave out what is empty, which bytes without names cannot.
-pub fn written(found: &Found) -> String {
-    serde_json::to_string(found).unwrap_or_default()
-}
-
-/// The outcome that was kept.
-pub fn read(text: &str) -> Option<Found> {
-    serde_json::from_str(text).ok()
-}
-
-impl From<String> for Recorded {
-    fn from(text: String) -> Recorded {
-        Recorded::of(read(&text).unwrap_or_else(|| Err("what was kept of it cannot be read".to_owned())))
-    }
-}
-
-impl From<Recorded> for String {
-    fn from(recorded: Recorded) -> String {
-        written(&match recorded {
-            Recorded::Proof(proof, _) => Ok(Arc::unwrap_or_clone(proof)),
-            Recorded::Not(why) => Err(why),
-        })
-    }
-}
-
 impl Recorded {
     /// The outcome of a search for steps, which are replayed.
     pub fn of(found: Found) -> Recorded {
         match found {
             Ok(proof) => match proof.shown() {
-                Ok(shown) => Recorded::Proof(Arc::new(proof), shown),
+                Ok(shown) => Recorded::Proof(Arc::new(ReplayedRecord::of(&proof, &shown))),
                 Err((_, refused)) => Recorded::Not(format!("the checker refuses it: {refused}")),
             },
             Err(why) => Recorded::Not(why),
@@ -91,28 +128,17 @@ impl Recorded {
         }
     }
 
-    /// What was shown of each relation; nothing where the proof is not recorded.
-    fn shown(&self) -> &[Shown] {
+    /// The proof that was replayed, if it is recorded.
+    pub fn replayed(&self) -> Option<&ReplayedRecord> {
         match self {
-            Recorded::Proof(_, shown) => shown,
-            Recorded::Not(_) => &[],
-        }
-    }
-
-    /// The relations, in words, which are made when they are asked for; nothing where the proof is not recorded.
-    pub fn told(&self) -> Vec<Told> {
-        match self {
-            Recorded::Proof(proof, _) => proof.told().unwrap_or_default(),
-            Recorded::Not(_) => Vec::new(),
+            Recorded::Proof(replayed) => Some(replayed),
+            Recorded::Not(_) => None,
         }
     }
 
     /// The number of steps.
     pub fn steps(&self) -> Option<usize> {
-        match self {
-            Recorded::Proof(_, shown) => Some(shown.iter().map(Shown::steps).sum()),
-            Recorded::Not(_) => None,
-        }
+        self.replayed().map(ReplayedRecord::steps)
     }
 
     /// Why no proof is recorded.
@@ -123,20 +149,16 @@ impl Recorded {
         }
     }
 
-    /// The cases that the steps leave out.
+    /// The number of cases that the steps leave out.
     pub fn left_out(&self) -> usize {
-        self.shown().iter().map(|shown| shown.leaves_out().len()).sum()
+        self.replayed().map_or(0, |replayed| replayed.left_out)
     }
 
     /// Where the steps say nothing, in words, if anywhere: up to so many cases, and no long formula.
     pub fn left_out_words(&self) -> Option<String> {
-        let mut all: Vec<&str> = Vec::new();
-        for text in self.shown().iter().flat_map(Shown::leaves_out_words) {
-            if !all.contains(&text.as_str()) {
-                all.push(text);
-            }
-        }
-        let short: Vec<&str> = all.iter().copied().filter(|text| text.len() <= LONGEST).take(MOST_NAMED).collect();
+        let all = self.replayed().map_or(&[][..], |replayed| &replayed.left_out_words);
+        let short: Vec<&str> =
+            all.iter().map(String::as_str).filter(|text| text.len() <= LONGEST).take(MOST_NAMED).collect();
         let named = short.join(", ");
         match (short.len(), all.len() - short.len()) {
             (0, 0) => None,
@@ -144,14 +166,6 @@ impl Recorded {
             (0, n) => Some(format!("where one of {n} long formulas, which the audit prints, is not so")),
             (_, 0) => Some(format!("where it is not so that {named}")),
             (_, n) => Some(format!("where it is not so that {named}, or one of {n} more, which the audit prints")),
-        }
-    }
-
-    /// The record, as JSON.
-    pub fn json(&self) -> Option<serde_json::Value> {
-        match self {
-            Recorded::Proof(proof, _) => serde_json::to_value(&**proof).ok(),
-            Recorded::Not(_) => None,
         }
     }
 
@@ -179,18 +193,12 @@ impl Recorded {
     }
 
     /// What a recorded proof assumes at all times between two, and the claim at those that it chooses, in words.
-    pub fn throughout(&self) -> Vec<String> {
-        match self {
-            Recorded::Proof(proof, _) => proof.throughout_words(),
-            Recorded::Not(_) => Vec::new(),
-        }
+    pub fn throughout(&self) -> &[String] {
+        self.replayed().map_or(&[], |replayed| &replayed.throughout)
     }
 
     /// What a recorded proof presupposes, in words.
-    pub fn presupposed(&self) -> Vec<String> {
-        match self {
-            Recorded::Proof(proof, _) => proof.presupposed_words(),
-            Recorded::Not(_) => Vec::new(),
-        }
+    pub fn presupposed(&self) -> &[String] {
+        self.replayed().map_or(&[], |replayed| &replayed.presupposed)
     }
 }

@@ -29,8 +29,8 @@ pub fn has_motions(derivation: &Derivation, claim: &Claim) -> bool {
     !crate::existence::motions_of_file(derivation, claim).is_empty()
 }
 
-/// Finds steps, or recalls them by all that is given and claimed.
-pub type RecallSteps<'a> = &'a dyn Fn(&Asked, &dyn Fn() -> Found) -> Found;
+/// Finds steps that are replayed, or recalls them by all that is given and claimed.
+pub type RecallSteps<'a> = &'a dyn Fn(&Asked, &dyn Fn() -> Recorded) -> Recorded;
 
 /// The account, with its proof replayed if there is one. `has_motion`: whether a motion of the file is known on which what is given is so.
 pub fn replayed(
@@ -43,11 +43,11 @@ pub fn replayed(
     if !account.finding.is_proved_in_part() || account.recorded.is_some() {
         return account;
     }
-    let found = match Asked::of(derivation, claim, &left_open(&account)) {
-        Ok(asked) => recall(&asked, &|| search(limits, || asked.record())),
-        Err(why) => Err(why),
+    let recorded = match Asked::of(derivation, claim, &left_open(&account)) {
+        Ok(asked) => recall(&asked, &|| Recorded::of(search(limits, || asked.record()))),
+        Err(why) => Recorded::Not(why),
     };
-    finished(derivation, claim, account.replayed(Recorded::of(found)), has_motion, When::Chosen)
+    finished(derivation, claim, account.replayed(recorded), has_motion, When::Chosen)
 }
 
 /// What is not replayed leaves the claim undecided, where it might be that a fact was used at times at which it is not known; and so does

@@ -14,12 +14,12 @@ use findings::Account;
 
 /// The contract, as text: stable order, one line for each pair of claim and trajectory.
 pub fn json(derivation: &Derivation, account: &Account) -> String {
-    in_json(&text(&Report::of(derivation, account, None)))
+    in_json(text(&Report::of(derivation, account, None)))
 }
 
 /// The same with the comparison with the paper, as `paper`.
 pub fn json_with_paper(derivation: &Derivation, account: &Account, paper: &Comparison) -> String {
-    in_json(&text(&Report::of(derivation, account, Some(paper))))
+    in_json(text(&Report::of(derivation, account, Some(paper))))
 }
 
 /// Plain data as text.

@@ -10,6 +10,7 @@ use derivation::Derivation;
 use diag::values::{MOST_VALUES, bounded};
 use findings::{Account, Recorded};
 use serde::{Deserialize, Serialize};
+use serde_json::value::RawValue;
 use sha2::{Digest, Sha256};
 
 /// The name of the file in the folder of a report.
@@ -62,13 +63,16 @@ impl ProofFile {
 
     /// The sum that belongs to the rest.
     pub fn right_sum(&self) -> String {
-        let rest = (self.schema, &self.derivation, &self.sha256, &self.proofs, &self.unrecorded);
-        let mut sum = Sha256::new();
-        // What was read from JSON can be written as JSON.
-        let written = serde_json::to_writer(&mut sum, &rest);
-        debug_assert!(written.is_ok());
-        sum.finalize().iter().map(|b| format!("{b:02x}")).collect()
+        sum_of(&(self.schema, &self.derivation, &self.sha256, &self.proofs, &self.unrecorded))
     }
+}
+
+fn sum_of(rest: &impl Serialize) -> String {
+    let mut sum = Sha256::new();
+    // What was read from JSON can be written as JSON.
+    let written = serde_json::to_writer(&mut sum, rest);
+    debug_assert!(written.is_ok());
+    sum.finalize().iter().map(|b| format!("{b:02x}")).collect()
 }
 
 /// A claim with its proofs.
@@ -93,27 +97,42 @@ pub struct UnrecordedClaim {
     pub why: String,
 }
 
+/// A [`RecordedClaim`] as it is written: its proof is JSON already.
+#[derive(Serialize)]
+struct WrittenClaim<'a> {
+    claim: String,
+    standing: &'static str,
+    proof: &'a RawValue,
+}
+
+/// A [`ProofFile`] as it is written.
+#[derive(Serialize)]
+struct WrittenFile<'a> {
+    schema: u32,
+    derivation: &'a str,
+    sha256: &'a str,
+    proofs: Vec<WrittenClaim<'a>>,
+    unrecorded: Vec<UnrecordedClaim>,
+    sum: String,
+}
+
 /// The text of `proofs.json`, of an account for which proofs were looked for.
 pub fn proofs(derivation: &Derivation, account: &Account) -> String {
-    let mut file = ProofFile {
-        schema: PROOF_SCHEMA,
-        derivation: derivation.id.clone(),
-        sha256: derivation.sha256.clone(),
-        proofs: Vec::new(),
-        unrecorded: Vec::new(),
-        sum: String::new(),
-    };
+    let (mut proofs, mut unrecorded) = (Vec::new(), Vec::new());
     for of in &account.claims {
         let Some(identity) = &of.identity else { continue };
-        let (claim, standing) = (name(of), identity.standing().to_owned());
-        match &identity.recorded {
-            Some(Recorded::Proof(proof, _)) => {
-                file.proofs.push(RecordedClaim { claim, standing, proof: ProofRecord::clone(proof) });
+        let (claim, standing) = (name(of), identity.standing());
+        let json = identity.recorded.as_ref().and_then(Recorded::replayed).map(|of| serde_json::from_str(of.json()));
+        match (json, identity.recorded.as_ref().and_then(Recorded::why_not)) {
+            (Some(Ok(proof)), _) => proofs.push(WrittenClaim { claim, standing, proof }),
+            (_, Some(why)) => {
+                unrecorded.push(UnrecordedClaim { claim, standing: standing.to_owned(), why: why.to_owned() });
             }
-            Some(Recorded::Not(why)) => file.unrecorded.push(UnrecordedClaim { claim, standing, why: why.clone() }),
-            None => {}
+            _ => {}
         }
     }
-    file.sum = file.right_sum();
-    diag::escape::in_json(&super::json::text(&file))
+    let (derivation, sha256) = (derivation.id.as_str(), derivation.sha256.as_str());
+    let sum = sum_of(&(PROOF_SCHEMA, derivation, sha256, &proofs, &unrecorded));
+    let file = WrittenFile { schema: PROOF_SCHEMA, derivation, sha256, proofs, unrecorded, sum };
+    diag::escape::in_json(super::json::text(&file))
 }

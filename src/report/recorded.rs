@@ -6,7 +6,7 @@ use super::page::text::prose;
 use super::tally::name;
 use super::text::paragraph;
 use checker::{Shown, Told};
-use findings::{Account, ClaimAccount, Grounds, Recorded};
+use findings::{Account, ClaimAccount, Grounds, Recorded, ReplayedRecord};
 use latex::Scope;
 use maud::{Markup, html};
 
@@ -89,9 +89,9 @@ fn printed(told: &Told) -> (&[String], usize) {
 /// The sentence, the sequents and the steps, indented.
 pub(super) fn text(recorded: &Recorded) -> String {
     let mut out = paragraph(&recorded.sentence(), 2);
-    for told in &recorded.told() {
+    for told in recorded.replayed().into_iter().flat_map(ReplayedRecord::told) {
         out += &format!("\n{}", paragraph(&told.sequent, 4));
-        let (steps, more) = printed(told);
+        let (steps, more) = printed(&told);
         for (at, step) in steps.iter().enumerate() {
             out += &paragraph(&format!("{}. {step}", at + 1), 6);
         }
@@ -103,19 +103,19 @@ pub(super) fn text(recorded: &Recorded) -> String {
     out
 }
 
-/// The relations that the page shows, each with as many steps, and how many steps it does not show.
-fn on_page(all: &[Told]) -> (Vec<(&Told, &[String])>, usize) {
+/// The relations that the page shows, each with the number of its steps that are shown. No others are told, for that takes a replay.
+fn on_page(replayed: &ReplayedRecord) -> Vec<(Told, usize)> {
     let mut left = MOST_ON_PAGE;
     let mut shown = Vec::new();
-    for told in all {
+    for told in replayed.told() {
         let count = told.steps.len().min(left);
-        if count > 0 || shown.is_empty() {
-            shown.push((told, &told.steps[..count]));
-        }
         left -= count;
+        shown.push((told, count));
+        if left == 0 {
+            break;
+        }
     }
-    let total: usize = all.iter().map(|told| told.steps.len()).sum();
-    (shown, total - (MOST_ON_PAGE - left))
+    shown
 }
 
 /// The beginning of a sequent, if it is long: up to the end of a formula.
@@ -135,20 +135,18 @@ fn beginning(sequent: &str) -> String {
 
 /// The same in a fold of the page, up to [`MOST_ON_PAGE`] steps.
 pub(super) fn fold(recorded: &Recorded, scope: &Scope) -> Markup {
-    if recorded.steps().is_none() {
-        return html! {};
-    }
-    let all = &recorded.told();
-    let (shown, more) = on_page(all);
+    let Some(replayed) = recorded.replayed() else { return html! {} };
+    let shown = on_page(replayed);
+    let more = replayed.steps() - shown.iter().map(|(_, count)| count).sum::<usize>();
     html! {
         details.steps {
             summary { "The proof, step by step" }
-            @for (told, steps) in shown {
+            @for (told, count) in &shown {
                 p { (prose(&beginning(&told.sequent), scope)) }
-                ol { @for step in steps { li { (prose(step, scope)) } } }
+                ol { @for step in told.steps.iter().take(*count) { li { (prose(step, scope)) } } }
                 p { "Replayed: " (prose(&beginning(&shown_words(&told.shown)), scope)) "." }
             }
-            @if more > 0 { p { "And " (more) " steps more, of " (all.len()) " relations in all, which are in proofs.json." } }
+            @if more > 0 { p { "And " (more) " steps more, of " (replayed.relations()) " relations in all, which are in proofs.json." } }
         }
     }
 }

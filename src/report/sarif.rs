@@ -189,7 +189,7 @@ pub fn sarif(findings: &[Finding]) -> String {
     };
     let mut text = serde_json::to_string_pretty(&log).unwrap_or_default();
     text.push('\n');
-    in_json(&text)
+    in_json(text)
 }
 
 fn rule(id: &'static str) -> Rule {

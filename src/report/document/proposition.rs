@@ -59,7 +59,8 @@ objects! {
         recorded: Option<RecordedProof<'a>> = of.recorded.as_ref().map(RecordedProof::of),
         /// The sequent and the steps, as they stand in proofs.json of a report.
         #[serde(skip_serializing_if = "Option::is_none")]
-        proof: Option<serde_json::Value> = of.recorded.as_ref().and_then(findings::Recorded::json),
+        proof: Option<serde_json::Value> = of.recorded.as_ref()
+            .and_then(|recorded| serde_json::from_str(recorded.replayed()?.json()).ok()),
     }
 
     /// A point at which the premises hold, and an equation does not.
