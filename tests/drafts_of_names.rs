@@ -189,3 +189,32 @@ fn capitals_that_stand_nowhere_alone_may_be_one_name() {
     // Printed once, or of letters that stand by themselves, too.
     is_drafted(&text, &["V=LWH", "NRT=PV", "NRT=E", "N + R=T"]);
 }
+
+#[test]
+fn beside_dots_primes_of_all_three_axes_are_other_axes() {
+    let turned = r"\begin{bmatrix} x'' \\ y'' \end{bmatrix}=\begin{bmatrix} \cos\phi & \sin\phi \\ -\sin\phi & \cos\phi \end{bmatrix} \begin{bmatrix} x' \\ y' \end{bmatrix}";
+    let shown = format!(r"\[ {turned} \]");
+    let text = draft(&format!(r"{shown} \[ z''=z' \] \[ \omega=\dot\phi \]"));
+    assert_eq!(refused(&text, turned), None, "{text}");
+    assert!(text.contains("\"x''\" = ") && text.contains("\"y'\" = ") && !text.contains("'x(t)'"), "{text}");
+    // Two axes alone, or a place behind a prime: either.
+    for with in [r"\[ \omega=\dot\phi \]", r"\[ z''=z' \] \[ \omega=\dot\phi \] \[ f'(s)=1 \]"] {
+        let text = draft(&format!("{shown} {with}"));
+        assert!(refused(&text, turned).is_some_and(|why| why.contains("a prime")), "{with}: {text}");
+    }
+    // Without dots it is the usual spelling of a rate.
+    let text = draft(r"\[ x''+x=0 \] \[ y'=x' \]");
+    assert!(text.contains("'x(t)'"), "{text}");
+}
+
+#[test]
+fn a_letter_below_a_sum_is_an_index_of_other_formulas() {
+    let formula = r"R=p_i \dot{q}_i - L";
+    let labels = r"\[ p_\theta = m_\theta v \] \[ p_r=m_r v \] \[ q_f=a \]";
+    let text = draft(&format!(r"{labels} \[ {formula} \]"));
+    is_drafted(&text, &[formula]);
+    for sum in [r"\sum_{i=1}^n", r"\sum_i", r"\sum\limits_{i<k}", r"\prod_{k,i}"] {
+        let text = draft(&format!(r"{labels} \[ {formula} \] \[ M={sum} m_i \]"));
+        assert!(refused(&text, formula).is_some_and(|why| why.contains("summed over, i")), "{sum}: {text}");
+    }
+}

@@ -69,6 +69,21 @@ impl Judge<'_> {
         self.facts.given.has_rates()
     }
 
+    /// Whether places behind a name may be those of its definition: one without a digit; or several different variables, where the paper
+    /// prints no other places behind it, and no rate of it, which could be one along a motion.
+    fn is_at_its_own(&self, key: &str, places: &[String]) -> bool {
+        if let [one] = places {
+            return !one.chars().any(|c| c.is_ascii_digit());
+        }
+        let evidence = &self.evidence;
+        let mut known = evidence.calls.get(key).into_iter().flat_map(|calls| calls.keys().flatten());
+        places.iter().all(|p| paper::is_variable(p))
+            && places.iter().collect::<BTreeSet<_>>().len() == places.len()
+            && known.all(|other| other == places)
+            && !evidence.derived.contains_key(key)
+            && !evidence.dotted.contains(key)
+    }
+
     /// Notes what a relation defines.
     pub(super) fn define(&mut self, relation: &PrintedRelation, at: usize) {
         let Some(name) = lone_name(&relation.sides[0]) else { return };
@@ -93,8 +108,7 @@ impl Judge<'_> {
         {
             return;
         }
-        if matches!(&name.call, paper::Call::Places(places) if places.len() != 1 || places[0].chars().any(|c| c.is_ascii_digit()))
-        {
+        if matches!(&name.call, paper::Call::Places(places) if !self.is_at_its_own(&key, places)) {
             return;
         }
         let free = free_indices(relation);

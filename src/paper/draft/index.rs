@@ -115,7 +115,7 @@ fn entries(matrix: &[Token]) -> Vec<Vec<Token>> {
 
 /// Whether the subscripts of a letter are labels: beside `E_r` and `E_t` that of `E_i` is one.
 fn is_labelled(name: &PaperName, evidence: &Evidence) -> bool {
-    evidence.subscripts.get(&name.letter).is_some_and(Subscripts::have_label)
+    !evidence.is_summed_over(name) && evidence.subscripts.get(&name.letter).is_some_and(Subscripts::have_label)
 }
 
 /// Whether δ or ε with indices stands in a formula.
