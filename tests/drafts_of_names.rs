@@ -192,7 +192,7 @@ fn capitals_that_stand_nowhere_alone_may_be_one_name() {
 
 #[test]
 fn beside_dots_primes_of_all_three_axes_are_other_axes() {
-    let turned = r"\begin{bmatrix} x'' \\ y'' \end{bmatrix}=\begin{bmatrix} \cos\phi & \sin\phi \\ -\sin\phi & \cos\phi \end{bmatrix} \begin{bmatrix} x' \\ y' \end{bmatrix}";
+    let turned = r"\begin{bmatrix} x'' \\ y'' \end{bmatrix}=\begin{bmatrix} a & b \\ -b & a \end{bmatrix} \begin{bmatrix} x' \\ y' \end{bmatrix}";
     let shown = format!(r"\[ {turned} \]");
     let text = draft(&format!(r"{shown} \[ z''=z' \] \[ \omega=\dot\phi \]"));
     assert_eq!(refused(&text, turned), None, "{text}");

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 
-use paper::{PrintedRelation, PrintedSide, names, squeezed};
+use paper::{Call, PrintedRelation, PrintedSide, names, squeezed};
 
 use super::desk::{Desk, Given};
 use super::facts::Reach;
@@ -33,8 +33,15 @@ impl Judge<'_> {
     /// The relation that defines a name just so, in this section.
     pub(super) fn same_definition(&self, name: Option<&paper::PaperName>, right: &PrintedSide) -> Option<usize> {
         let text = squeezed(&right.text);
-        let same = |g: &&Given| !g.is_rate && g.section == self.section && squeezed(&g.right.text) == text;
-        self.facts.given.of(&name?.key()).rev().find(same).map(|g| g.relation)
+        let name = name?;
+        // `U(0)=k\cos\theta` is no `U(\theta)=k\cos\theta`.
+        let is_elsewhere = |g: &Given| match (lone_name(&g.left).map(|n| n.call), &name.call) {
+            (Some(Call::Places(one)), Call::Places(other)) => one != *other,
+            _ => false,
+        };
+        let same =
+            |g: &&Given| !g.is_rate && g.section == self.section && squeezed(&g.right.text) == text && !is_elsewhere(g);
+        self.facts.given.of(&name.key()).rev().find(same).map(|g| g.relation)
     }
 
     /// Whether a name is a derivative: with a dot, in a quotient, or with a prime behind what is defined.
@@ -108,7 +115,7 @@ impl Judge<'_> {
         {
             return;
         }
-        if matches!(&name.call, paper::Call::Places(places) if !self.is_at_its_own(&key, places)) {
+        if matches!(&name.call, Call::Places(places) if !self.is_at_its_own(&key, places)) {
             return;
         }
         let free = free_indices(relation);
