@@ -218,3 +218,48 @@ fn a_letter_below_a_sum_is_an_index_of_other_formulas() {
         assert!(refused(&text, formula).is_some_and(|why| why.contains("summed over, i")), "{sum}: {text}");
     }
 }
+
+#[test]
+fn a_letter_beside_an_index_is_no_label() {
+    // What stands below `p` may be a label; below σ it is an index, and the letter is the same.
+    let labels = r"\[ p_\theta = m v \] \[ E_t = 2 E_f \] \[ E_r = E_f \] \[ x_f = 2 \]";
+    let formula = r"\sigma_i x_i=- \sigma_i p_i";
+    let text = draft(&format!(r"{labels} \[ p_f = 2 \] \[ {formula} \]"));
+    assert!(refused(&text, formula).is_some_and(|why| why.contains("summed over, i")), "{text}");
+    // It stands alone on the other side: free, or a label.
+    let text = draft(&format!(r"{labels} \[ p_f = 2 \] \[ E_i = \sigma_i p_i \]"));
+    assert!(refused(&text, r"E_i=\sigma_i p_i").is_none_or(|why| !why.contains("summed")), "{text}");
+}
+
+#[test]
+fn a_vector_with_a_prime_beside_a_product_with_it_is_a_rate_or_another() {
+    let formula = r"\mathbf{z}'=A\mathbf{z}";
+    for with in ["", r"\[ \dot\theta=2 \]", r"\[ \dot{\mathbf{z}}=2\mathbf{z} \]"] {
+        let text = draft(&format!(r"{with} \[ {formula} \] \[ \mathbf{{u}}' = 2\mathbf{{w}}+\mathbf{{b}} \]"));
+        assert!(refused(&text, formula).is_some_and(|why| why.contains("a prime")), "{with}: {text}");
+        is_drafted(&text, &[r"\mathbf{u}'=2\mathbf{w}+\mathbf{b}"]);
+    }
+    // What is added is no product.
+    is_drafted(&draft(r"\[ \mathbf{r}'=\mathbf{a}+\mathbf{r} \]"), &[r"\mathbf{r}'=\mathbf{a}+\mathbf{r}"]);
+}
+
+#[test]
+fn a_sum_of_an_exponential_and_the_identity_is_of_matrices() {
+    let formula = r"\mathbf{x}=(e^{Bt}-I)\mathbf{a}";
+    let text = draft(&format!(r"\[ {formula} \] \[ I_1=e^{{Bt}}-I_0 \] \[ u=e^{{bt}}-I \]"));
+    assert!(refused(&text, formula).is_some_and(|why| why.contains("identity")), "{text}");
+    is_drafted(&text, &["I_1=e^{Bt}-I_0", "u=e^{bt}-I"]);
+}
+
+#[test]
+fn a_case_with_two_conditions_holds_under_each() {
+    let text = draft(
+        r"\[ u = \begin{cases} a+b & \text{if } 0\le x\le L, \\ 0 & \text{if } x<0 \text{ or } x>L. \end{cases} \]",
+    );
+    assert_eq!(text.matches("'u=0',").count(), 2, "{text}");
+    assert!(text.contains("'x<0'") && text.contains("'x>L'") && text.contains("'u=a+b',"), "{text}");
+    // Two conditions that hold together are none of that kind.
+    let text =
+        draft(r"\[ u = \begin{cases} a & \text{if } x<0, \\ 0 & \text{if } x>0 \text{ and } y>0. \end{cases} \]");
+    assert!(!text.contains("'u=0',"), "{text}");
+}

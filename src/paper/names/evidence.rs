@@ -81,6 +81,8 @@ pub struct Evidence {
     doubled: BTreeSet<String>,
     /// Names that make up a side with their primes.
     primed_alone: BTreeSet<String>,
+    /// Vectors that make up a side with a prime, beside one that has a product with them: `\mathbf z'=A\mathbf z`.
+    primed_products: BTreeSet<String>,
     /// Runs of capitals.
     pub runs: Runs,
     /// What single sections and chapters show.
@@ -140,7 +142,12 @@ impl Evidence {
                 && name.primes > 0
                 && is_alone(side)
             {
-                self.primed_alone.insert(unprimed(name));
+                let bare = unprimed(name);
+                let others = relation.sides.iter().enumerate().filter(|(k, s)| *k != i && s.text.len() <= LONGEST);
+                if name.is_bold && others.flat_map(|(_, s)| terms(&s.tokens)).any(|term| multiplies(&term, &bare)) {
+                    self.primed_products.insert(bare.clone());
+                }
+                self.primed_alone.insert(bare);
             }
             self.local.note_side(relation, side);
             let beside = [i.checked_sub(1), Some(i + 1)].into_iter().flatten();
@@ -266,6 +273,10 @@ impl Evidence {
     pub fn primes_of(&self, bare: &str) -> Primes {
         let Some(&primes) = self.primes.get(bare) else { return Primes::Name };
         let called = self.primed_places.get(bare);
+        // A rate, or other axes.
+        if self.primed_products.contains(bare) {
+            return Primes::Unclear;
+        }
         if self.dotted.contains(bare) && called.is_none() {
             return Primes::Name;
         }
@@ -367,7 +378,8 @@ impl Evidence {
     /// The same in a section: where it derives nothing, and has no such function, a single prime is a part of the name.
     pub fn primes_in(&self, bare: &str, section: usize) -> Primes {
         let is_function = FUNCTIONS.contains(&plain_letter(bare));
-        let is_single = self.primes.get(bare) == Some(&1) && !self.may_be_wave(bare);
+        let is_single =
+            self.primes.get(bare) == Some(&1) && !self.may_be_wave(bare) && !self.primed_products.contains(bare);
         match self.primes_of(bare) {
             Primes::Unclear if is_single && !self.local.may_derive(section, bare) => Primes::Name,
             // A function of another section, whose primes derive there, perhaps.
@@ -436,6 +448,12 @@ pub fn is_variable(text: &str) -> bool {
 /// The key of a name without its primes.
 pub fn unprimed(name: &PaperName) -> String {
     PaperName { base: name.base.trim_end_matches('\'').to_owned(), ..name.clone() }.key()
+}
+
+/// Whether the last of several names of a term is this one, without a prime.
+fn multiplies(term: &[Token], bare: &str) -> bool {
+    let all = names_of(term);
+    all.len() > 1 && all.last().is_some_and(|n| n.primes == 0 && n.key() == bare)
 }
 
 /// Whether a side is a name at its places, and nothing else: `B(\alpha)`.
