@@ -354,3 +354,11 @@ fn a_letter_that_is_summed_over_is_no_label() {
     let summed = format!(r"{labels} \[ R=\sum_{{i=1}}^n m_i \] {step}");
     assert_eq!(last(&summed), (Word::NotRead, "an index that may be summed over, i".to_owned()));
 }
+
+/// `\Delta_rH` is a name with a label, and says nothing of the sign: `\Delta H` beside it is a difference.
+#[test]
+fn a_label_of_a_difference_leaves_others_names() {
+    let of = |first: &str| last(&format!(r"\[ {first} \] \[ \Delta H=2q \]")).0;
+    assert_ne!(of(r"g=\Delta_r H"), Word::NotRead);
+    assert_eq!(of(r"g=\Delta^2 H"), Word::NotRead);
+}

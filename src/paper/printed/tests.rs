@@ -220,3 +220,23 @@ fn no_text_panics() {
         }
     }
 }
+
+/// A number, or one of the first letters, in parentheses behind a space is that of a line; a name is an argument.
+#[test]
+fn a_number_by_hand_is_no_factor() {
+    for number in ["(2)", "(12a)", "(a)", "(3')"] {
+        assert_eq!(close("[", &format!(r"F=ma\ {number}")), ["F=ma"], "{number}");
+        assert_eq!(close("[", &format!(r"F=ma\qquad {number}.")), ["F=ma"], "{number}");
+    }
+    for factor in ["(x)", "(m)", "(e)", "(2x)", "(a+b)"] {
+        assert_eq!(close("[", &format!(r"F=m\ {factor}")), [format!(r"F=m{factor}")], "{factor}");
+    }
+    assert_eq!(close("[", r"F=m(2)"), ["F=m(2)"]);
+}
+
+#[test]
+fn an_option_of_rows_prints_nothing() {
+    assert_eq!(close("[", r"\begin{aligned}[t] a&=b \\ c&=d \end{aligned}"), ["a=b", "c=d"]);
+    assert_eq!(close("[", r"\begin{aligned} [b] a&=b \end{aligned}"), ["a=b"]);
+    assert_eq!(close("[", r"\begin{aligned} [a]&=b \end{aligned}").len(), 1);
+}
