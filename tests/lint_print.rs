@@ -288,6 +288,9 @@ fn a_prime_derives_by_the_place_of_the_definition() {
     ] {
         assert_eq!(last(&format!(r"{elsewhere} \[ {step} \]")).0, word, "{step}");
     }
+    // What is said at another place is said for the first time.
+    assert_eq!(last(&format!(r"{elsewhere} \[ U(0)=mgr\cos\theta \]")).1, "");
+    assert_eq!(last(&format!(r"{elsewhere} \[ U(\theta)=mgr\cos\theta \]")).1, "as before");
     // The derivatives by r.
     for step in [r"U'(\theta)=mg\cos\theta", r"U'=mg\cos\theta", "U''(0)=0", r"U(0)=mgr\cos\theta"] {
         let found = last(&format!(r"{elsewhere} \[ {step} \]"));
@@ -319,7 +322,7 @@ fn a_rate_over_a_slash_is_one() {
     }
     assert_eq!(of("dy/dx=2x^2").0, Word::Wrong);
     // One differential alone, and a d that divides another.
-    for step in ["dy=3x^2dx", "dy/x=3x", "y/dx=3"] {
+    for step in ["dy=3x^2dx", "dy/x=3x", "y/dx=3", "dy-dx=0"] {
         assert_eq!(of(step).0, Word::NotRead, "{step}");
     }
 }
@@ -351,6 +354,9 @@ fn a_letter_that_is_summed_over_is_no_label() {
     let labels = r"\[ p_\theta=m_\theta v \] \[ R=p_\theta q_\theta+p_f q_f-m_g \]";
     let step = r"\[ p_i q_i-L=R+p_i q_i-L-R \]";
     assert_eq!(last(&format!("{labels} {step}")).0, Word::Follows);
+    // Beside an index it is one.
+    let beside = format!(r"{labels} \[ \sigma_i p_i-L=R+\sigma_i p_i-L-R \]");
+    assert_eq!(last(&beside), (Word::NotRead, "an index that may be summed over, i".to_owned()));
     let summed = format!(r"{labels} \[ R=\sum_{{i=1}}^n m_i \] {step}");
     assert_eq!(last(&summed), (Word::NotRead, "an index that may be summed over, i".to_owned()));
 }

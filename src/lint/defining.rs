@@ -18,6 +18,14 @@ use super::signs::EQUALS;
 use super::standing::Standing;
 use super::step::IN_SENTENCE;
 
+/// Whether a name stands at another place than where it is defined: `U(0)=k` says nothing of `U(\theta)=k\cos\theta` again.
+pub(super) fn is_elsewhere(given: &Given, name: &paper::PaperName) -> bool {
+    match (lone_name(&given.left).map(|n| n.call), &name.call) {
+        (Some(Call::Places(one)), Call::Places(other)) => one != *other,
+        _ => false,
+    }
+}
+
 impl Judge<'_> {
     /// Whether an equation before, in this section, has a name in it, or the definition of another name that it is said to be made of.
     pub(super) fn is_stated(&self, name: Option<&paper::PaperName>, right: &PrintedSide, at: usize) -> bool {
@@ -34,13 +42,9 @@ impl Judge<'_> {
     pub(super) fn same_definition(&self, name: Option<&paper::PaperName>, right: &PrintedSide) -> Option<usize> {
         let text = squeezed(&right.text);
         let name = name?;
-        // `U(0)=k\cos\theta` is no `U(\theta)=k\cos\theta`.
-        let is_elsewhere = |g: &Given| match (lone_name(&g.left).map(|n| n.call), &name.call) {
-            (Some(Call::Places(one)), Call::Places(other)) => one != *other,
-            _ => false,
+        let same = |g: &&Given| {
+            !g.is_rate && g.section == self.section && squeezed(&g.right.text) == text && !is_elsewhere(g, name)
         };
-        let same =
-            |g: &&Given| !g.is_rate && g.section == self.section && squeezed(&g.right.text) == text && !is_elsewhere(g);
         self.facts.given.of(&name.key()).rev().find(same).map(|g| g.relation)
     }
 
