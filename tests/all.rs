@@ -64,6 +64,7 @@ mod formats;
 mod front;
 mod grammar;
 mod grown;
+mod habits;
 mod hidden_constraints;
 mod hostile;
 mod identity;

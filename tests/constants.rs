@@ -83,6 +83,13 @@ fn refused(symbols: &str, conventions: &str, claim: &str, part: &str) -> String 
 #[test]
 fn what_is_measured_or_given_twice_is_refused() {
     let si = "units = \"SI\"";
+    // What divides is one unit, or stands in parentheses.
+    refused(
+        "'q' = { role = \"parameter\", unit = \"J/(kg K)\" }",
+        si,
+        r"q=3\,\mathrm{J/kg\,K}",
+        "more than one unit behind",
+    );
     for name in ["G", r"\epsilon_0", r"\varepsilon_0", r"\mu_0", r"\alpha", "m_e", r"m_{\rm p}"] {
         let hint = refused(&format!("'{name}' = {{ role = \"constant\" }}"), "", "x=x", "measured");
         assert!(hint.contains("CODATA") && hint.contains("unit = "), "{name}: {hint}");

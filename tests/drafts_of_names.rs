@@ -189,3 +189,80 @@ fn capitals_that_stand_nowhere_alone_may_be_one_name() {
     // Printed once, or of letters that stand by themselves, too.
     is_drafted(&text, &["V=LWH", "NRT=PV", "NRT=E", "N + R=T"]);
 }
+
+#[test]
+fn beside_dots_primes_of_all_three_axes_are_other_axes() {
+    let turned = r"\begin{bmatrix} x'' \\ y'' \end{bmatrix}=\begin{bmatrix} a & b \\ -b & a \end{bmatrix} \begin{bmatrix} x' \\ y' \end{bmatrix}";
+    let shown = format!(r"\[ {turned} \]");
+    let text = draft(&format!(r"{shown} \[ z''=z' \] \[ \omega=\dot\phi \]"));
+    assert_eq!(refused(&text, turned), None, "{text}");
+    assert!(text.contains("\"x''\" = ") && text.contains("\"y'\" = ") && !text.contains("'x(t)'"), "{text}");
+    // Two axes alone, or a place behind a prime: either.
+    for with in [r"\[ \omega=\dot\phi \]", r"\[ z''=z' \] \[ \omega=\dot\phi \] \[ f'(s)=1 \]"] {
+        let text = draft(&format!("{shown} {with}"));
+        assert!(refused(&text, turned).is_some_and(|why| why.contains("a prime")), "{with}: {text}");
+    }
+    // Without dots it is the usual spelling of a rate.
+    let text = draft(r"\[ x''+x=0 \] \[ y'=x' \]");
+    assert!(text.contains("'x(t)'"), "{text}");
+}
+
+#[test]
+fn a_letter_below_a_sum_is_an_index_of_other_formulas() {
+    let formula = r"R=p_i \dot{q}_i - L";
+    let labels = r"\[ p_\theta = m_\theta v \] \[ p_r=m_r v \] \[ q_f=a \]";
+    let text = draft(&format!(r"{labels} \[ {formula} \]"));
+    is_drafted(&text, &[formula]);
+    for sum in [r"\sum_{i=1}^n", r"\sum_i", r"\sum\limits_{i<k}", r"\prod_{k,i}"] {
+        let text = draft(&format!(r"{labels} \[ {formula} \] \[ M={sum} m_i \]"));
+        assert!(refused(&text, formula).is_some_and(|why| why.contains("summed over, i")), "{sum}: {text}");
+    }
+}
+
+#[test]
+fn a_letter_beside_an_index_is_no_label() {
+    // What stands below `p` may be a label; below σ it is an index, and the letter is the same.
+    let labels = r"\[ p_\theta = m v \] \[ E_t = 2 E_f \] \[ E_r = E_f \] \[ x_f = 2 \]";
+    let formula = r"\sigma_i x_i=- \sigma_i p_i";
+    let text = draft(&format!(r"{labels} \[ p_f = 2 \] \[ {formula} \]"));
+    assert!(refused(&text, formula).is_some_and(|why| why.contains("summed over, i")), "{text}");
+    // It stands alone on the other side: free, or a label.
+    let text = draft(&format!(r"{labels} \[ p_f = 2 \] \[ E_i = \sigma_i p_i \]"));
+    assert!(refused(&text, r"E_i=\sigma_i p_i").is_none_or(|why| !why.contains("summed")), "{text}");
+}
+
+#[test]
+fn a_vector_with_a_prime_beside_a_product_with_it_is_a_rate_or_another() {
+    let formula = r"\mathbf{z}'=A\mathbf{z}";
+    for with in ["", r"\[ \dot\theta=2 \]", r"\[ \dot{\mathbf{z}}=2\mathbf{z} \]"] {
+        let text = draft(&format!(r"{with} \[ {formula} \] \[ \mathbf{{u}}' = 2\mathbf{{w}}+\mathbf{{b}} \]"));
+        assert!(refused(&text, formula).is_some_and(|why| why.contains("a prime")), "{with}: {text}");
+        is_drafted(&text, &[r"\mathbf{u}'=2\mathbf{w}+\mathbf{b}"]);
+    }
+    // What is added is no product.
+    is_drafted(&draft(r"\[ \mathbf{r}'=\mathbf{a}+\mathbf{r} \]"), &[r"\mathbf{r}'=\mathbf{a}+\mathbf{r}"]);
+}
+
+#[test]
+fn a_sum_of_an_exponential_and_the_identity_is_of_matrices() {
+    let formula = r"\mathbf{x}=(e^{Bt}-I)\mathbf{a}";
+    let text = draft(&format!(r"\[ {formula} \] \[ I_1=e^{{Bt}}-I_0 \] \[ u=e^{{bt}}-I \]"));
+    assert!(refused(&text, formula).is_some_and(|why| why.contains("identity")), "{text}");
+    is_drafted(&text, &["I_1=e^{Bt}-I_0", "u=e^{bt}-I"]);
+}
+
+#[test]
+fn a_case_with_two_conditions_holds_under_each() {
+    let text = draft(
+        r"\[ u = \begin{cases} a+b & \text{if } 0\le x\le L, \\ 0 & \text{if } x<0 \text{ or } x>L. \end{cases} \]",
+    );
+    assert_eq!(text.matches("'u=0',").count(), 2, "{text}");
+    assert!(text.contains("'x<0'") && text.contains("'x>L'") && text.contains("'u=a+b',"), "{text}");
+    // Other words than those of a condition may say anything.
+    let text = draft(r"\[ u = \begin{cases} a & \text{approximately } x>0 \\ b & \text{if } x<0 \end{cases} \]");
+    assert!(!text.contains("'u=a',") && !text.contains("'u=b',"), "{text}");
+    // Two conditions that hold together are none of that kind.
+    let text =
+        draft(r"\[ u = \begin{cases} a & \text{if } x<0, \\ 0 & \text{if } x>0 \text{ and } y>0. \end{cases} \]");
+    assert!(!text.contains("'u=0',"), "{text}");
+}

@@ -517,6 +517,8 @@ fn braces_that_print_nothing_and_upright_transposes() {
         (r"\frac{d^2{}}{dt^2}(ax)", r"\frac{d^2}{dt^2}(ax)"),
         (r"\frac{\partial{}}{\partial{s}}g", r"\frac{\partial}{\partial s}g"),
         (r"{}a+{}x", "a+x"),
+        (r"\nicefrac12+\sfrac ax+\cfrac1{a}", r"\frac12+\frac ax+\frac1a"),
+        (r"a+\cancelto{0}{x}a", "a+xa"),
         (r"R^{\rm T}", r"R^T"),
         (r"R^\mathrm{T}", r"R^T"),
         (r"R^{\text{T}}", r"R^T"),

@@ -276,3 +276,95 @@ fn of_what_is_read_more_generally_nothing_is_wrong() {
         assert_eq!(of(u), Word::NotFollowed, "{u}");
     }
 }
+
+/// A prime derives by what stands behind the name, there or where it is defined, whatever stands behind it elsewhere in the paper.
+#[test]
+fn a_prime_derives_by_the_place_of_the_definition() {
+    let elsewhere = r"\[ U(r)+U(r)^2=U(r)a \] \[ U(r)=b \] \[ U(r)>0 \] \section{B} \[ U(\theta)=mgr\cos\theta \]";
+    for (step, word) in [
+        (r"U'(\theta)=-mgr\sin\theta", Word::Follows),
+        (r"U'=-mgr\sin\theta", Word::Follows),
+        (r"U''(0)=-mgr", Word::Follows),
+    ] {
+        assert_eq!(last(&format!(r"{elsewhere} \[ {step} \]")).0, word, "{step}");
+    }
+    // What is said at another place is said for the first time.
+    assert_eq!(last(&format!(r"{elsewhere} \[ U(0)=mgr\cos\theta \]")).1, "");
+    assert_eq!(last(&format!(r"{elsewhere} \[ U(\theta)=mgr\cos\theta \]")).1, "as before");
+    // The derivatives by r.
+    for step in [r"U'(\theta)=mg\cos\theta", r"U'=mg\cos\theta", "U''(0)=0", r"U(0)=mgr\cos\theta"] {
+        let found = last(&format!(r"{elsewhere} \[ {step} \]"));
+        assert_ne!(found.0, Word::Follows, "{step}: {found:?}");
+    }
+}
+
+#[test]
+fn a_function_of_several_variables_is_what_the_paper_defines() {
+    let wave = r"\[ w(z,t)=(z-ct)^2 \]";
+    let of = |step: &str| last(&format!(r"{wave} \[ {step} \]")).0;
+    assert_eq!(of(r"\frac{\partial w}{\partial t}=-2c(z-ct)"), Word::Follows);
+    assert_eq!(of(r"\frac{\partial w}{\partial t}=-c\frac{\partial w}{\partial z}"), Word::Follows);
+    assert_eq!(of(r"\frac{\partial w}{\partial t}=2c(z-ct)"), Word::Wrong);
+    // At other places it is another value, and along a motion z has a rate of its own.
+    for more in [r"\[ w(0,t)=1 \]", r"\[ w(t,z)=a \]", r"\[ \frac{dw}{dt}=a \]", r"\[ \dot w=a \]"] {
+        for step in [r"\frac{\partial w}{\partial t}=-2c(z-ct)", r"\frac{\partial w}{\partial t}=2c(z-ct)"] {
+            let word = last(&format!(r"{wave} {more} \[ {step} \]")).0;
+            assert!(!matches!(word, Word::Follows | Word::Wrong), "{more} {step}: {word:?}");
+        }
+    }
+}
+
+#[test]
+fn a_rate_over_a_slash_is_one() {
+    let of = |step: &str| last(&format!(r"\[ y=x^3 \] \[ {step} \]"));
+    for step in ["dy/dx=3x^2", r"\mathrm{d}y/\mathrm{d}x=3x^2", r"{dy\over dx}=3x^2"] {
+        assert_eq!(of(step).0, Word::Follows, "{step}: {:?}", of(step));
+    }
+    assert_eq!(of("dy/dx=2x^2").0, Word::Wrong);
+    // One differential alone, and a d that divides another.
+    for step in ["dy=3x^2dx", "dy/x=3x", "y/dx=3", "dy-dx=0"] {
+        assert_eq!(of(step).0, Word::NotRead, "{step}");
+    }
+}
+
+#[test]
+fn rows_of_plain_tex_are_rows() {
+    for rows in [
+        r"$$ \eqalign{ (a+b)^2 &= a^2+2ab+b^2 \cr (a-b)^2 &= a^2-2ab+b^2 \cr} $$",
+        r"$$ \displaylines{ (a+b)^2 = a^2+2ab+b^2 \cr (a-b)^2 = a^2-2ab+b^2 \cr} $$",
+        r"$$ \eqalignno{ (a+b)^2 &= a^2+2ab+b^2 &(1)\cr (a-b)^2 &= a^2-2ab+b^2 &(2)\cr} $$",
+    ] {
+        let found: Vec<Word> = said(rows).into_iter().map(|s| s.0).filter(|w| *w != Word::NotRead).collect();
+        assert_eq!(found, [Word::Follows, Word::Follows], "{rows}: {:?}", said(rows));
+    }
+    let slip = r"$$ \eqalign{ (a+b)^2 &= a^2+2ab+b^2 \cr (a-b)^2 &= a^2-2ab-b^2 \cr} $$";
+    assert_eq!(last(slip).0, Word::Wrong);
+}
+
+#[test]
+fn of_two_names_before_one_sign_nothing_is_said() {
+    let tex = r"\[ r_1, r_2 = -p\pm q \] \[ r_2-r_1=0 \] \[ r_2=-p+q \]";
+    let found = said(tex);
+    assert_eq!(found[0], (Word::NotRead, "a list".to_owned()), "{found:?}");
+    assert!(found[1..].iter().all(|s| !matches!(s.0, Word::Follows | Word::Wrong)), "{found:?}");
+}
+
+#[test]
+fn a_letter_that_is_summed_over_is_no_label() {
+    let labels = r"\[ p_\theta=m_\theta v \] \[ R=p_\theta q_\theta+p_f q_f-m_g \]";
+    let step = r"\[ p_i q_i-L=R+p_i q_i-L-R \]";
+    assert_eq!(last(&format!("{labels} {step}")).0, Word::Follows);
+    // Beside an index it is one.
+    let beside = format!(r"{labels} \[ \sigma_i p_i-L=R+\sigma_i p_i-L-R \]");
+    assert_eq!(last(&beside), (Word::NotRead, "an index that may be summed over, i".to_owned()));
+    let summed = format!(r"{labels} \[ R=\sum_{{i=1}}^n m_i \] {step}");
+    assert_eq!(last(&summed), (Word::NotRead, "an index that may be summed over, i".to_owned()));
+}
+
+/// `\Delta_rH` is a name with a label, and says nothing of the sign: `\Delta H` beside it is a difference.
+#[test]
+fn a_label_of_a_difference_leaves_others_names() {
+    let of = |first: &str| last(&format!(r"\[ {first} \] \[ \Delta H=2q \]")).0;
+    assert_ne!(of(r"g=\Delta_r H"), Word::NotRead);
+    assert_eq!(of(r"g=\Delta^2 H"), Word::NotRead);
+}

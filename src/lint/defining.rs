@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 
-use paper::{PrintedRelation, PrintedSide, names, squeezed};
+use paper::{Call, PrintedRelation, PrintedSide, names, squeezed};
 
 use super::desk::{Desk, Given};
 use super::facts::Reach;
@@ -17,6 +17,14 @@ use super::sentence::is_supposed;
 use super::signs::EQUALS;
 use super::standing::Standing;
 use super::step::IN_SENTENCE;
+
+/// Whether a name stands at another place than where it is defined: `U(0)=k` says nothing of `U(\theta)=k\cos\theta` again.
+pub(super) fn is_elsewhere(given: &Given, name: &paper::PaperName) -> bool {
+    match (lone_name(&given.left).map(|n| n.call), &name.call) {
+        (Some(Call::Places(one)), Call::Places(other)) => one != *other,
+        _ => false,
+    }
+}
 
 impl Judge<'_> {
     /// Whether an equation before, in this section, has a name in it, or the definition of another name that it is said to be made of.
@@ -33,8 +41,11 @@ impl Judge<'_> {
     /// The relation that defines a name just so, in this section.
     pub(super) fn same_definition(&self, name: Option<&paper::PaperName>, right: &PrintedSide) -> Option<usize> {
         let text = squeezed(&right.text);
-        let same = |g: &&Given| !g.is_rate && g.section == self.section && squeezed(&g.right.text) == text;
-        self.facts.given.of(&name?.key()).rev().find(same).map(|g| g.relation)
+        let name = name?;
+        let same = |g: &&Given| {
+            !g.is_rate && g.section == self.section && squeezed(&g.right.text) == text && !is_elsewhere(g, name)
+        };
+        self.facts.given.of(&name.key()).rev().find(same).map(|g| g.relation)
     }
 
     /// Whether a name is a derivative: with a dot, in a quotient, or with a prime behind what is defined.
@@ -69,6 +80,21 @@ impl Judge<'_> {
         self.facts.given.has_rates()
     }
 
+    /// Whether places behind a name may be those of its definition: one without a digit; or several different variables, where the paper
+    /// prints no other places behind it, and no rate of it, which could be one along a motion.
+    fn is_at_its_own(&self, key: &str, places: &[String]) -> bool {
+        if let [one] = places {
+            return !one.chars().any(|c| c.is_ascii_digit());
+        }
+        let evidence = &self.evidence;
+        let mut known = evidence.calls.get(key).into_iter().flat_map(|calls| calls.keys().flatten());
+        places.iter().all(|p| paper::is_variable(p))
+            && places.iter().collect::<BTreeSet<_>>().len() == places.len()
+            && known.all(|other| other == places)
+            && !evidence.derived.contains_key(key)
+            && !evidence.dotted.contains(key)
+    }
+
     /// Notes what a relation defines.
     pub(super) fn define(&mut self, relation: &PrintedRelation, at: usize) {
         let Some(name) = lone_name(&relation.sides[0]) else { return };
@@ -93,8 +119,7 @@ impl Judge<'_> {
         {
             return;
         }
-        if matches!(&name.call, paper::Call::Places(places) if places.len() != 1 || places[0].chars().any(|c| c.is_ascii_digit()))
-        {
+        if matches!(&name.call, Call::Places(places) if !self.is_at_its_own(&key, places)) {
             return;
         }
         let free = free_indices(relation);

@@ -5,7 +5,7 @@
 //! of anything, a sum over indices or a difference is not read as a product of numbers: it is [`NotRead`], with the name of the
 //! feature.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::letters::{is_charge, shape_of};
 use super::lone::{bare, undotted, unprimed};
@@ -16,6 +16,7 @@ use meter::Limits;
 use paper::{Call, Paper, PaperName, PrintedSide, names};
 
 use super::notation::Evidence;
+use super::primes::{place_of_definition, primed_by};
 use super::refusal::{NotRead, refusal, refused};
 use super::space::{General, coordinates_for};
 use paper::squeezed;
@@ -70,7 +71,8 @@ fn variable(all: &[PaperName], given: &[&Given], evidence: &Evidence) -> Result<
             found.insert(by);
         }
         if is_value(name) {
-            found.extend(variable_here(name, all, evidence));
+            let of_definition = place_of_definition(&name.key(), given);
+            found.extend(of_definition.or_else(|| variable_here(name, all, evidence)));
         }
         if name.dots > 0 {
             found.insert("t".to_owned());
@@ -191,51 +193,6 @@ pub(super) fn names_variable(key: &str, by: &str, given: &[&Given]) -> bool {
     let key = key.to_owned();
     let of = [r"\dot", r"\ddot"].iter().find_map(|dots| by.strip_prefix(dots)).map_or(by, str::trim_start);
     inside(std::slice::from_ref(&key), given).iter().chain([&key]).any(|k| k == of)
-}
-
-/// The variable by which a prime derives: that of which the paper prints the name as a function, or by which it derives it, or else the one
-/// letter of the formula that defines it.
-fn primed_by(name: &PaperName, all: &[PaperName], given: &[&Given], evidence: &Evidence) -> Option<String> {
-    if name.primes == 0 {
-        return None;
-    }
-    let key = unprimed(name).key();
-    let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
-    for (places, n) in evidence.calls.get(&key).into_iter().flatten() {
-        if let Some([one]) = places.as_deref() {
-            *seen.entry(one).or_default() += n;
-        }
-    }
-    let primed = evidence.primed_places.get(&key).into_iter().flatten().map(|(by, n)| (by.as_str(), *n));
-    let derived = evidence.derived.get(&key).into_iter().flatten().map(|by| (by.as_str(), 1));
-    for (by, n) in primed.chain(derived) {
-        *seen.entry(by).or_default() += n;
-    }
-    // Of a derivative of what stands in brackets, `\frac{d}{dx}[\cosh x]`, the variable is inside.
-    seen.retain(|v, _| *v != key && v.chars().count() == 1 && v.chars().all(char::is_alphabetic));
-    let here: Vec<&str> = seen.keys().copied().filter(|v| all.iter().any(|n| n.key() == *v)).collect();
-    match here.as_slice() {
-        [one] => Some((*one).to_owned()),
-        [] => match seen.into_iter().max_by_key(|(v, n)| (*n, std::cmp::Reverse(*v))) {
-            Some((by, _)) => Some(by.to_owned()),
-            None => only_letter(&key, given, evidence),
-        },
-        _ => None,
-    }
-}
-
-/// The letter of a definition that has just one, where the paper prints it with no prime, which would be that of other axes, and neither it nor
-/// the name that is defined with a dot.
-fn only_letter(key: &str, given: &[&Given], evidence: &Evidence) -> Option<String> {
-    let of = |key: &str| given.iter().find(|g| g.key == key && !g.is_rate);
-    let letters: BTreeSet<String> = names(&of(key)?.right).iter().map(PaperName::key).collect();
-    let [letter] = Vec::from_iter(letters).try_into().ok()?;
-    let is_plain = letter != key
-        && letter.chars().count() == 1
-        && !evidence.primes.contains_key(&letter)
-        && of(&letter).is_none()
-        && ![key, &letter].iter().any(|k| evidence.dotted.contains(*k));
-    is_plain.then_some(letter)
 }
 
 /// Whether what a step derives is known to depend on what it is derived by.
@@ -409,7 +366,8 @@ impl Desk {
             self.time = Some(Leaf::now(declared, 0));
         }
         for key in coordinates.iter().filter(|k| Some(k.as_str()) != time) {
-            if all.iter().any(|n| n.key() == *key && (n.dots > 0 || n.derived_by.is_some())) {
+            let varies = |n: &PaperName| n.dots > 0 || n.derived_by.as_ref().is_some_and(|by| by != key);
+            if all.iter().any(|n| n.key() == *key && varies(n)) {
                 return Err(NotRead::of(format!("a derivative by {key}, which depends on others")));
             }
             self.scope.declare(&mut self.graph, key, Declaration::of(Role::Coordinate)).map_err(refused)?;

@@ -9,6 +9,7 @@ use paper::{Opening, Paper, PrintedRelation, PrintedSide, names};
 use super::blame::OfStep;
 use super::cases::{Cases, Stance};
 use super::chain::{Slip, said};
+use super::defining::is_elsewhere;
 use super::desk::{Given, evidence_of};
 use super::facts::{Facts, Reach, Stated};
 use super::lone::{is_equation_of_motion, lone_name};
@@ -397,8 +398,9 @@ impl Judge<'_> {
                 Step::Open(_) if k == 1 && known => {
                     out.steps.1 -= 1;
                     tally.defines = true;
-                    let latest =
-                        |n: &paper::PaperName| self.facts.given.of(&n.key()).rev().find(|g| !g.is_rate).cloned();
+                    let latest = |n: &paper::PaperName| {
+                        self.facts.given.of(&n.key()).rev().find(|g| !g.is_rate && !is_elsewhere(g, n)).cloned()
+                    };
                     let before = first.as_ref().and_then(latest);
                     tally.anew = before.as_ref().map(|g| g.relation);
                     if blame == Blame::Steps

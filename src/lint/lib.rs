@@ -29,6 +29,7 @@ mod nearest;
 mod notation;
 mod numbers;
 mod obstacle;
+mod primes;
 mod question;
 mod refusal;
 mod relation;

@@ -10,9 +10,16 @@ use paper::{Call, PaperName, PrintedSide, cancels_by_order, names, order_counts}
 /// Letters by which sums run, where they stand twice.
 fn index_count(names: &[PaperName], evidence: &Evidence) -> BTreeMap<char, usize> {
     let mut out = BTreeMap::new();
-    let is_index = |n: &&PaperName| !evidence.is_labelled(&n.letter) && !evidence.is_a_number(&n.key());
-    for letter in names.iter().filter(is_index).flat_map(PaperName::index_letters) {
+    let is_index = |n: &PaperName| !evidence.is_labelled(&n.letter) || evidence.is_summed_over(n);
+    let numbered = |n: &&PaperName| !evidence.is_a_number(&n.key());
+    let (indexed, labelled): (Vec<&PaperName>, Vec<&PaperName>) =
+        names.iter().filter(numbered).partition(|n| is_index(n));
+    for letter in indexed.into_iter().flat_map(PaperName::index_letters) {
         *out.entry(letter).or_insert(0) += 1;
+    }
+    // Beside an index the same letter is one, too, whatever else stands below.
+    for letter in labelled.into_iter().flat_map(PaperName::index_letters).collect::<BTreeSet<_>>() {
+        out.entry(letter).and_modify(|n| *n += 1);
     }
     out
 }
@@ -38,6 +45,9 @@ const FEATURES: &[(&str, &str)] = &[
     (r"\dagger", "an operator"),
     (r"\infty", "infinity"),
     (r"\verb", "verbatim text"),
+    (r"\SI", "a number with a unit"),
+    (r"\si", "a unit"),
+    (r"\unit", "a unit"),
     (r"\mathcal{O}", "an order of magnitude"),
     (r"\mathrm{O}", "an order of magnitude"),
     (r"\max", "a maximum"),

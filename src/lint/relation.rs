@@ -84,7 +84,8 @@ pub(super) fn is_of_any(relation: &PrintedRelation) -> bool {
 /// Units of one letter, and those of more that are no usual product of names.
 const UNITS: &[&str] = &[
     "A", "C", "F", "H", "J", "K", "N", "T", "V", "W", "g", "m", "s", "kg", "km", "cm", "mm", "nm", "Hz", "Pa", "eV",
-    "mol",
+    "mol", "keV", "MeV", "GeV", "TeV", "erg", "dyn", "kHz", "MHz", "GHz", "ms", "ns", "kJ", "MJ", "kW", "MW", "kPa",
+    "MPa",
 ];
 
 /// Whether the names of a relation are units, three or more of them, one of more letters than one: `kg` is then no product.

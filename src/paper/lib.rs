@@ -20,6 +20,7 @@ mod continued;
 mod differences;
 mod document;
 mod draft;
+mod fractions;
 mod inputs;
 mod macros;
 mod mark;

@@ -193,6 +193,8 @@ impl Names {
                 at = end;
             } else if command == "partial" {
                 at = self.partial_letter(at, to, depth);
+            } else if let Some(next) = self.slashed(at, to, depth) {
+                at = next;
             } else if let Some(next) = self.name(at, to, by) {
                 at = next;
             } else {

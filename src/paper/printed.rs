@@ -19,14 +19,14 @@ use std::ops::Range;
 
 use super::opening::{Opening, closes_case, is_link, opening};
 use super::token::{Kind, Token};
-use super::{unicode, upright};
+use super::{fractions, unicode, upright};
 use diag::escape::shown;
 use pieces::{Piece, pieces};
 use rows::{Grid, Group, Row, rows, unwrapped};
 pub(super) use scripts::with_braces;
 use side::{is_colon_equals, side_of, sign_at, stacked, without_labels};
 use signs::{BETWEEN_STATEMENTS, WIDE_WORDS, WORDS};
-pub(super) use signs::{is_operator, is_relation, is_space};
+pub(super) use signs::{is_equality, is_operator, is_relation, is_space};
 
 /// What a reader sees as one: sides, and the signs between them.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -259,7 +259,7 @@ pub(super) fn relations(body: &[Token], place: &Place<'_>) -> Vec<PrintedRelatio
         found.put(0, side_of(body), None);
         return found.out;
     }
-    let body = upright::plain(&unicode::plain(&unwrapped(body)));
+    let body = upright::plain(&fractions::plain(&unicode::plain(&unwrapped(body))));
     let rows = rows(&body);
     let grid = Grid::of(&rows, place.environment);
     for (number, row) in rows.into_iter().enumerate() {
@@ -352,7 +352,8 @@ impl Relations<'_> {
             // A value behind another, `x=1 or -1`: neither is what the left is equal to.
             let relates = self.open[column].is_some_and(|at| self.out[at].sides.len() > 1);
             let is_value = links && relates && !piece.relates() && !piece.implied;
-            let list = piece.comma && !piece.wide && k > 0 && !piece.relates() || is_value;
+            let is_beside = piece.comma && !piece.wide && k > 0;
+            let list = is_beside && (!piece.relates() || self.lists_names(&piece, column)) || is_value;
             is_behind_relation |= piece.relates();
             let ended = piece.ended;
             if (goes_on || list)
@@ -418,6 +419,19 @@ impl Relations<'_> {
     fn is_apart(&self, piece: &Piece, column: usize, is_behind_relation: bool) -> bool {
         let signed = piece.first().is_some_and(|t| matches!(t.text.as_str(), "-" | "−" | "pm" | "mp"));
         piece.wide && signed && piece.relates() && is_behind_relation && !self.waits(column)
+    }
+
+    /// Whether what stands before a comma is equal to the same: `r_1, r_2 = -p\pm q` says something of both, and what belongs to which is
+    /// not printed. That `x, y > 0` says something of `y` is true.
+    fn lists_names(&self, piece: &Piece, column: usize) -> bool {
+        let is_lone = self.open[column].is_some_and(|at| self.out[at].sides.len() == 1);
+        let mut sign = None;
+        walk(&piece.tokens, |i, outside| {
+            if outside && sign.is_none() && is_relation(&piece.tokens[i]) {
+                sign = Some(&piece.tokens[i]);
+            }
+        });
+        is_lone && sign.is_some_and(is_equality)
     }
 
     /// Whether the formula of a column is not yet complete.

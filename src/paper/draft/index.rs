@@ -13,12 +13,25 @@ use super::super::token::{Kind, Token};
 
 /// Letters of which a sum may be meant, in a formula.
 pub(super) fn summed(sides: &[&PrintedSide], evidence: &Evidence) -> BTreeSet<char> {
+    let (summed, mixed) = letters(sides, evidence);
+    summed.union(&mixed).copied().collect()
+}
+
+/// A letter of which a sum may be meant, and which stands below a name with labels, too: `\sigma_i p_i` beside `p_f`.
+pub(super) fn mixed(sides: &[&PrintedSide], evidence: &Evidence) -> Option<char> {
+    letters(sides, evidence).1.pop_first()
+}
+
+/// The letters that stand twice below names that have no labels, and those that stand below one, and below one with labels.
+fn letters(sides: &[&PrintedSide], evidence: &Evidence) -> (BTreeSet<char>, BTreeSet<char>) {
     let mut once: BTreeSet<char> = BTreeSet::new();
     let mut often: BTreeSet<char> = BTreeSet::new();
+    let (mut joined, mut free): (BTreeSet<char>, BTreeSet<char>) = Default::default();
     for side in sides {
         for term in parts(&side.tokens) {
             let mut count: BTreeMap<char, usize> = BTreeMap::new();
             let mut anywhere: BTreeMap<char, usize> = BTreeMap::new();
+            let mut labels = Vec::new();
             for name in &names_of(&term) {
                 if is_labelled(name, evidence) {
                     // Behind a label stands an index, `k_{f,i}`.
@@ -26,6 +39,7 @@ pub(super) fn summed(sides: &[&PrintedSide], evidence: &Evidence) -> BTreeSet<ch
                     for letter in behind.chars().filter(|c| INDICES.contains(*c)) {
                         *anywhere.entry(letter).or_default() += 1;
                     }
+                    labels.extend(name.index_letters());
                     continue;
                 }
                 let is_list = name.subscript.as_deref().is_some_and(|s| s.contains(','));
@@ -38,11 +52,18 @@ pub(super) fn summed(sides: &[&PrintedSide], evidence: &Evidence) -> BTreeSet<ch
                     *anywhere.entry(letter).or_default() += 1;
                 }
             }
+            // Beside an index, `\sigma_i p_i`, the same letter is one, too, whatever else stands below `p`.
+            let (beside, alone): (BTreeSet<char>, BTreeSet<char>) =
+                labels.into_iter().partition(|letter| count.contains_key(letter));
+            joined.extend(beside);
+            free.extend(alone);
             once.extend(anywhere.into_iter().filter(|(_, n)| *n == 1).map(|(letter, _)| letter));
             often.extend(count.into_iter().filter(|(_, n)| *n > 1).map(|(letter, _)| letter));
         }
     }
-    often.difference(&once).copied().collect()
+    often.retain(|letter| !once.contains(letter));
+    joined.retain(|letter| !free.contains(letter));
+    (often, joined)
 }
 
 /// The most terms into which a side is taken apart.
@@ -115,7 +136,7 @@ fn entries(matrix: &[Token]) -> Vec<Vec<Token>> {
 
 /// Whether the subscripts of a letter are labels: beside `E_r` and `E_t` that of `E_i` is one.
 fn is_labelled(name: &PaperName, evidence: &Evidence) -> bool {
-    evidence.subscripts.get(&name.letter).is_some_and(Subscripts::have_label)
+    !evidence.is_summed_over(name) && evidence.subscripts.get(&name.letter).is_some_and(Subscripts::have_label)
 }
 
 /// Whether δ or ε with indices stands in a formula.

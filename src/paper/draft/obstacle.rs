@@ -25,6 +25,9 @@ pub(super) fn obstacle(
         if let Some(letter) = index::upper(side) {
             return Err(format!("an upper index, {letter}"));
         }
+        if adds_identity_to_exponential(&side.text) {
+            return Err("a sum with the identity, or with a number".to_owned());
+        }
         let is_matrix = |n: &PaperName| evidence.size(&n.key()).is_some();
         let is_unsized = || !all.iter().any(|n| n.is_bold || is_matrix(n)) && order_counts(&side.text);
         if is_unsized() || !all.iter().any(is_matrix) && cancels_by_order(side) {
@@ -108,6 +111,16 @@ fn has_capital_beside_matrix(side: &PrintedSide, evidence: &Evidence) -> bool {
     let is_matrix = |at: usize| evidence.sizes.contains_key(letters[at].to_string().as_str());
     (1..letters.len()).any(|at| {
         is_bare(at - 1) && is_bare(at) && is_matrix(at - 1) != is_matrix(at) && letters[at - 1] != letters[at]
+    })
+}
+
+/// Whether I is added to an exponential with a capital above, `e^{Bt}-I`: both are matrices, perhaps.
+fn adds_identity_to_exponential(text: &str) -> bool {
+    let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    ["}-I", "}+I"].iter().flat_map(|sum| text.match_indices(sum)).any(|(at, sum)| {
+        let begin = text[..at].rfind("e^{").map_or(at, |from| from + "e^{".len());
+        let is_bare = |c: Option<char>| !c.is_some_and(|c| c.is_alphanumeric() || matches!(c, '_' | '^' | '(' | '\''));
+        is_bare(text[at + sum.len()..].chars().next()) && text[begin..at].chars().any(|c| c.is_ascii_uppercase())
     })
 }
 

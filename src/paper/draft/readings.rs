@@ -185,6 +185,9 @@ fn ways_of_indices(
     evidence: &Evidence,
     is_of_indices: bool,
 ) -> Result<Vec<bool>, String> {
+    if let Some(letter) = index::mixed(sides, evidence) {
+        return Err(format!("an index that may be summed over, {letter}"));
+    }
     let summed = index::summed(sides, evidence);
     // A letter that stands there without a subscript is no vector for those that it has elsewhere.
     let of_indices = all.iter().any(|n| n.subscript.is_some() && evidence.has_indices(&n.letter));

@@ -58,6 +58,28 @@ impl Names {
         end
     }
 
+    /// `dx/dt`, in one line.
+    pub(super) fn slashed(&mut self, at: usize, to: usize, depth: usize) -> Option<usize> {
+        let over = self.differential(at)?;
+        let (_, middle) = self.variable(over)?;
+        let below = self.differential(middle + 1).filter(|_| self.text(middle) == "/")?;
+        let (variable, end) = self.variable(below).filter(|(_, end)| *end <= to)?;
+        self.derived(over, middle, &Some((variable.clone(), false)), depth + 1);
+        self.note_variables(&[variable]);
+        Some(end)
+    }
+
+    /// The position after a `d`, italic or upright.
+    fn differential(&self, at: usize) -> Option<usize> {
+        match self.text(at) {
+            "d" => Some(at + 1),
+            r"\mathrm" if self.text(self.inner(at + 1).0) == "d" && self.unit(at + 1) <= at + 4 => {
+                Some(self.unit(at + 1))
+            }
+            _ => None,
+        }
+    }
+
     /// The position after a factor: a group, a fraction, or a name.
     fn factor(&self, at: usize, to: usize) -> usize {
         match self.text(at) {

@@ -8,11 +8,14 @@ use super::super::printed::{PrintedRelation, PrintedSide, terms};
 use super::super::token::{Kind, Token};
 use super::local::Local;
 use super::runs::Runs;
+use super::subscripts::index_letters_of_sums;
 use super::{Call, INDICES, PaperName, Subscripts, names_apart, names_of, squeezed};
 
 /// Letters of unknown functions, whose primes derive them where two stand behind them somewhere.
 const FUNCTIONS: &[&str] =
     &["x", "y", "z", "u", "v", "w", "f", "g", "h", "X", "Y", r"\phi", r"\psi", r"\varphi", r"\theta"];
+/// The axes of space.
+const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Longest side, in bytes, that is looked at.
 const LONGEST: usize = 20_000;
@@ -64,6 +67,8 @@ pub struct Evidence {
     pub has_exponentials: bool,
     /// Whether `\log` may be another logarithm than the natural one: `\ln` is printed, and `\log(10)`, which would be 1, is not.
     pub has_other_logarithm: bool,
+    /// Letters below signs of sums and products: `i` of `\sum_{i=1}^n`.
+    summed: BTreeSet<char>,
     /// Labels before a comma below, `r` of `k_{r,i}` beside `k_{f,i}`.
     pub labels: BTreeSet<char>,
     /// For each letter what stands below it before a comma.
@@ -76,6 +81,8 @@ pub struct Evidence {
     doubled: BTreeSet<String>,
     /// Names that make up a side with their primes.
     primed_alone: BTreeSet<String>,
+    /// Vectors that make up a side with a prime, beside one that has a product with them: `\mathbf z'=A\mathbf z`.
+    primed_products: BTreeSet<String>,
     /// Runs of capitals.
     pub runs: Runs,
     /// What single sections and chapters show.
@@ -119,17 +126,28 @@ impl Evidence {
         self.subscripts.get(letter).is_some_and(Subscripts::are_indices)
     }
 
+    /// Whether a name has an index below over which the paper prints a sum: it is no label, whatever else stands below the letter.
+    pub fn is_summed_over(&self, name: &PaperName) -> bool {
+        name.index_letters().iter().any(|letter| self.summed.contains(letter))
+    }
+
     fn note(&mut self, relation: &PrintedRelation) {
         self.note_doubled(relation);
         let sizes: Vec<Option<(usize, usize)>> = relation.sides.iter().map(|s| size(&s.tokens)).collect();
         for (i, side) in relation.sides.iter().enumerate().filter(|(_, s)| s.text.len() <= LONGEST) {
             self.note_units(side);
+            self.summed.extend(index_letters_of_sums(&side.tokens));
             self.runs.note(side);
             if let [name] = names_apart(side).as_slice()
                 && name.primes > 0
                 && is_alone(side)
             {
-                self.primed_alone.insert(unprimed(name));
+                let bare = unprimed(name);
+                let others = relation.sides.iter().enumerate().filter(|(k, s)| *k != i && s.text.len() <= LONGEST);
+                if name.is_bold && others.flat_map(|(_, s)| terms(&s.tokens)).any(|term| multiplies(&term, &bare)) {
+                    self.primed_products.insert(bare.clone());
+                }
+                self.primed_alone.insert(bare);
             }
             self.local.note_side(relation, side);
             let beside = [i.checked_sub(1), Some(i + 1)].into_iter().flatten();
@@ -255,6 +273,10 @@ impl Evidence {
     pub fn primes_of(&self, bare: &str) -> Primes {
         let Some(&primes) = self.primes.get(bare) else { return Primes::Name };
         let called = self.primed_places.get(bare);
+        // A rate, or other axes.
+        if self.primed_products.contains(bare) {
+            return Primes::Unclear;
+        }
         if self.dotted.contains(bare) && called.is_none() {
             return Primes::Name;
         }
@@ -298,13 +320,25 @@ impl Evidence {
                 && (primes > 1 || self.has_double_primes)
                 && !self.dotted.iter().any(|d| d.split('_').next() == Some(letter)) =>
             {
-                let usual = if matches!(letter, "x" | r"\theta" | r"\phi" | r"\varphi") { "t" } else { "x" };
-                Primes::Usual(usual.to_owned())
+                let is_rate = matches!(letter, "x" | r"\theta" | r"\phi" | r"\varphi");
+                match is_rate {
+                    // Rates have dots in this paper: these are other axes, perhaps, and surely so where all three have primes.
+                    _ if AXES.contains(&letter) && !self.dotted.is_empty() && self.has_other_axes() => Primes::Name,
+                    true if !self.dotted.is_empty() => Primes::Unclear,
+                    true => Primes::Usual("t".to_owned()),
+                    false => Primes::Usual("x".to_owned()),
+                }
             }
             None if bare.contains("\\mathbf") || bare.contains("\\vec") => Primes::Name,
             None if primes > 1 || self.has_double_primes => Primes::Unclear,
             None => Primes::Name,
         }
+    }
+
+    /// Whether x, y and z are printed with primes, and nothing is derived by them that way: other axes.
+    fn has_other_axes(&self) -> bool {
+        AXES.iter().all(|axis| self.primes.contains_key(*axis) && !self.derived.contains_key(*axis))
+            && self.primed_places.is_empty()
     }
 
     /// Whether the paper shows that primes are a part of a name: it derives with fractions, and nowhere with primes before a place. Either it
@@ -344,7 +378,8 @@ impl Evidence {
     /// The same in a section: where it derives nothing, and has no such function, a single prime is a part of the name.
     pub fn primes_in(&self, bare: &str, section: usize) -> Primes {
         let is_function = FUNCTIONS.contains(&plain_letter(bare));
-        let is_single = self.primes.get(bare) == Some(&1) && !self.may_be_wave(bare);
+        let is_single =
+            self.primes.get(bare) == Some(&1) && !self.may_be_wave(bare) && !self.primed_products.contains(bare);
         match self.primes_of(bare) {
             Primes::Unclear if is_single && !self.local.may_derive(section, bare) => Primes::Name,
             // A function of another section, whose primes derive there, perhaps.
@@ -413,6 +448,12 @@ pub fn is_variable(text: &str) -> bool {
 /// The key of a name without its primes.
 pub fn unprimed(name: &PaperName) -> String {
     PaperName { base: name.base.trim_end_matches('\'').to_owned(), ..name.clone() }.key()
+}
+
+/// Whether the last of several names of a term is this one, without a prime.
+fn multiplies(term: &[Token], bare: &str) -> bool {
+    let all = names_of(term);
+    all.len() > 1 && all.last().is_some_and(|n| n.primes == 0 && n.key() == bare)
 }
 
 /// Whether a side is a name at its places, and nothing else: `B(\alpha)`.

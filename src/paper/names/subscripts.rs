@@ -3,6 +3,26 @@
 //! **In:** the subscripts of one letter, one after the other. **Out:** what they may be. **Guaranteed:** a question takes the same time
 //! however many there are.
 
+use super::super::mark::group_text;
+use super::super::token::{Kind, Token};
+
+/// The letters over which the sums and products of a formula run: those before the first sign below, `i` and `j` of `\sum_{i<j}`.
+pub(super) fn index_letters_of_sums(tokens: &[Token]) -> impl Iterator<Item = char> + '_ {
+    let is_sum = |t: &Token| t.is("sum") || t.is("prod");
+    (0..tokens.len()).filter(move |&at| is_sum(&tokens[at])).flat_map(move |at| {
+        let limits = usize::from(tokens.get(at + 1).is_some_and(|t| t.is("limits")));
+        let below = tokens.get(at + 1 + limits).is_some_and(|t| t.is_char("_"));
+        let one = tokens.get(at + 2 + limits).filter(|t| !matches!(t.kind, Kind::Open | Kind::Command));
+        let text = match one {
+            _ if !below => String::new(),
+            Some(letter) => letter.text.to_string(),
+            None => group_text(tokens, at + 2 + limits).0,
+        };
+        let lone = |part: &str| part.trim().chars().next().filter(|_| part.trim().chars().count() == 1);
+        text.split(['=', ',', '<', '\\']).filter_map(lone).collect::<Vec<_>>()
+    })
+}
+
 /// Letters below that are indices or coordinates, for most readers.
 const INDICES: &str = "ijklmnpqsabcdαβμνxyz";
 

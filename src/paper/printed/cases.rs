@@ -1,7 +1,7 @@
 //! A side that is told by cases → one relation for each case, with its condition.
 //!
 //! **In:** a relation whose last side is `\begin{cases}…\end{cases}` and nothing else. **Out:** for each row the relation with that row's value, and
-//! what the row says of when it holds. **Guaranteed:** a row without a condition that relates something, "otherwise" among them, parts nothing:
+//! what the row says of when it holds; for each of two conditions with "or" between them. **Guaranteed:** a row without a condition that relates something, "otherwise" among them, parts nothing:
 //! the relation stays as it is.
 
 use super::super::mark::group_text;
@@ -27,11 +27,13 @@ impl PrintedRelation {
         let place =
             Place { environment: "equation", display: self.display, section: self.section, chapter: self.chapter };
         let mut out = Vec::new();
-        for (value, condition) in rows_of(&last.tokens)? {
+        let rows = rows_of(&last.tokens)?;
+        let all = rows.iter().flat_map(|(value, condition)| alternatives(condition).map(move |one| (value, one)));
+        for (value, condition) in all {
             let mut body = head.clone();
-            body.extend(value);
+            body.extend(value.iter().cloned());
             let mut one = relations(&body, &place);
-            let mut when = relations(&opened(&condition), &place);
+            let mut when = relations(&opened(condition), &place);
             let relates = |all: &[PrintedRelation]| all.len() == 1 && all[0].sides.len() > 1;
             if when.iter().any(|r| r.remark.as_deref().is_some_and(|r| !is_when(r))) {
                 return None;
@@ -47,6 +49,17 @@ impl PrintedRelation {
         }
         Some(out)
     }
+}
+
+/// The conditions of a case, `x<0` and `x>L` of `x<0 \text{ or } x>L`: under each of them it holds.
+fn alternatives(condition: &[Token]) -> impl Iterator<Item = &[Token]> {
+    let is_or = |at: usize| {
+        let is_text = matches!(condition[at].text.as_str(), "text" | "mbox" | "textrm");
+        is_text && condition[at].kind == Kind::Command && group_text(condition, at + 1).0.trim() == "or"
+    };
+    let breaks: Vec<usize> = (0..condition.len()).filter(|&at| is_or(at)).collect();
+    let begins = std::iter::once(0).chain(breaks.clone().into_iter().map(|at| group_text(condition, at + 1).1));
+    begins.zip(breaks.into_iter().chain([condition.len()])).map(|(from, to)| &condition[from..to.max(from)])
 }
 
 /// Whether words before a condition say that it is one, and no more.

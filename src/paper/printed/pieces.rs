@@ -209,7 +209,8 @@ fn numbered_by_hand(tokens: &[Token]) -> Option<usize> {
     let close = printed.len().checked_sub(1)?;
     let open = (close.saturating_sub(4)..close).rev().find(|&k| tokens[printed[k]].is_char("("))?;
     let inside: String = printed[open + 1..close].iter().map(|&i| tokens[i].text.as_str()).collect();
-    let digits = inside.trim_end_matches(|c: char| c.is_ascii_lowercase() || c == '\'' || c == '*');
+    // `F=m\ (2x)` is a product.
+    let digits = inside.trim_end_matches(|c: char| matches!(c, 'a'..='d' | '\'' | '*'));
     let number = !digits.is_empty() && digits.chars().all(|c| c.is_ascii_digit()) && inside.len() <= digits.len() + 1;
     let letter = inside.len() == 1 && inside.chars().all(|c| matches!(c, 'a'..='d'));
     let before = &tokens[printed[open.checked_sub(1)?]];

@@ -18,6 +18,23 @@ pub(super) struct Row {
     pub between: Option<String>,
 }
 
+/// Commands of plain TeX around rows.
+const PLAIN_ROWS: &[&str] = &["eqalign", "eqalignno", "leqalignno", "displaylines"];
+
+/// What stands between the braces that open there.
+fn group(tokens: &[Token], at: usize) -> Option<std::ops::Range<usize>> {
+    let open = at + tokens.get(at..)?.iter().take_while(|t| t.kind == Kind::Space).count();
+    if tokens.get(open)?.kind != Kind::Open {
+        return None;
+    }
+    let mut depth = 0i32;
+    let close = (open..tokens.len()).find(|&i| {
+        depth += i32::from(tokens[i].kind == Kind::Open) - i32::from(tokens[i].kind == Kind::Close);
+        depth == 0
+    })?;
+    Some(open + 1..close)
+}
+
 /// A display without environments that only say where its lines are broken, and without a brace that encloses all.
 pub(super) fn unwrapped(body: &[Token]) -> Vec<Token> {
     let mut body = opened(body.to_vec());
@@ -29,6 +46,14 @@ pub(super) fn unwrapped(body: &[Token]) -> Vec<Token> {
     let mut at = 0;
     while at < body.len() {
         let token = &body[at];
+        if nesting.is_outside()
+            && PLAIN_ROWS.iter().any(|command| token.is(command))
+            && let Some(inside) = group(&body, at + 1)
+        {
+            out.extend_from_slice(&body[inside.clone()]);
+            at = inside.end + 1;
+            continue;
+        }
         if nesting.is_outside() && (token.is("begin") || token.is("end")) {
             let (name, after) = group_text(&body, at + 1);
             let is_table = name == "array" && is_table_of_relations(&body, at);

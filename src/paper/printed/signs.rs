@@ -157,6 +157,13 @@ pub fn is_operator(token: &Token) -> bool {
     matches!(token.kind, Kind::Command | Kind::Other) && OPERATORS.contains(&token.text.as_str())
 }
 
+/// Whether a sign of relation says that both sides are the same, or nearly.
+pub fn is_equality(token: &Token) -> bool {
+    let signs =
+        ["=", "≈", "≡", "∼", "equiv", "approx", "simeq", "sim", "cong", "doteq", "triangleq", "coloneqq", "coloneq"];
+    signs.contains(&token.text.as_str())
+}
+
 pub fn is_relation(token: &Token) -> bool {
     match token.kind {
         Kind::Other => {

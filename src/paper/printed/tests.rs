@@ -107,10 +107,23 @@ fn formulas_beside_each_other_are_no_sum() {
         r"x=1 \text{ or } 2",
         r"x=1 \quad\text{and}\quad 2",
         r"x=1 \text{ or } x=2 \text{ or } 3",
+        r"x=1, 2",
     ] {
         let place = Place { environment: "[", display: Some(0), section: 0, chapter: 0 };
         let found = relations(&tokens(text), &place);
         assert!(found.last().is_some_and(|r| r.sides.last().is_some_and(|s| s.is_list)), "{text}: {found:?}");
+    }
+    // Of two names before one sign neither is said what it is equal to; an order, or an equation behind a wide space, is one of the last.
+    let first = |text: &str| {
+        let place = Place { environment: "[", display: Some(0), section: 0, chapter: 0 };
+        let found = relations(&tokens(text), &place);
+        (found.len(), found[0].sides[0].is_list)
+    };
+    for text in [r"r_1, r_2=-p\pm q", "x,y=0", "x,y,z=0", r"f(x), g(x) \approx x^2", r"r_1, r_2=-p\pm\sum_{i<3}q_i"] {
+        assert_eq!(first(text), (1, true), "{text}");
+    }
+    for text in ["x,y>0", r"x,\quad y=0", "u=1, v=2", r"x, \sum_{i=1}^n y_i>0"] {
+        assert_eq!(first(text), (2, false), "{text}");
     }
     // Two equations that are set without a space between them are read as neither.
     let place = Place { environment: "align", display: Some(0), section: 0, chapter: 0 };
@@ -206,4 +219,23 @@ fn no_text_panics() {
             read(environment, &text[..end]);
         }
     }
+}
+
+/// A number, or one of the first letters, in parentheses behind a space is that of a line; a name is an argument.
+#[test]
+fn a_number_by_hand_is_no_factor() {
+    for number in ["(2)", "(12a)", "(a)", "(3')"] {
+        assert_eq!(close("[", &format!(r"F=ma\ {number}")), ["F=ma"], "{number}");
+    }
+    for factor in ["(x)", "(m)", "(e)", "(2x)", "(a+b)"] {
+        assert_eq!(close("[", &format!(r"F=m\ {factor}")), [format!(r"F=m{factor}")], "{factor}");
+    }
+    assert_eq!(close("[", r"F=m(2)"), ["F=m(2)"]);
+}
+
+#[test]
+fn an_option_of_rows_prints_nothing() {
+    assert_eq!(close("[", r"\begin{aligned}[t] a&=b \\ c&=d \end{aligned}"), ["a=b", "c=d"]);
+    assert_eq!(close("[", r"\begin{aligned} [b] a&=b \end{aligned}"), ["a=b"]);
+    assert_eq!(close("[", r"\begin{aligned} [a]&=b \end{aligned}").len(), 1);
 }

@@ -512,7 +512,9 @@ pub(super) fn follows_a_flow(text: &str) -> bool {
 /// Brackets around what needs none: `[E]`, `[mv^2]`, `8[\\frac ms]`.
 pub(super) fn has_bare_brackets(all: &[&str]) -> bool {
     let derives = all.windows(3).any(|w| w[1] == "{" && matches!(w[2], "d" | r"\partial" | r"\mathrm"));
-    (0..all.len()).filter(|&i| all[i] == "[" && !(i > 0 && matches!(all[i - 1], r"\sqrt"))).any(|i| {
+    let has_option =
+        |command: &str| matches!(command, r"\sqrt" | r"\dv" | r"\pdv" | r"\derivative" | r"\partialderivative");
+    (0..all.len()).filter(|&i| all[i] == "[" && !(i > 0 && has_option(all[i - 1]))).any(|i| {
         let mut depth = 0i32;
         let end = (i..all.len()).find(|&k| {
             depth += i32::from(matches!(all[k], "[" | "(" | "{")) - i32::from(matches!(all[k], "]" | ")" | "}"));
