@@ -6,7 +6,7 @@
 //! A claim that falls takes away the ground of what rests on it; it does not make it false. Readings that were added to compare
 //! are no part of the paper's argument, and carry nothing.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use crate::derivation::{ClaimRole, Derivation};
 
@@ -26,6 +26,9 @@ pub(super) struct Consequences<'a> {
 
 /// So many conclusions are told of each claim.
 const MOST_CONCLUSIONS: usize = 16;
+
+/// So many claims that fall with another are counted, for all together take the square of a long chain.
+const MOST_WEIGHED: usize = 300;
 
 /// Conclusions that rest on a claim.
 #[derive(Clone, Default)]
@@ -115,20 +118,28 @@ impl<'a> Consequences<'a> {
 
     /// Everything that rests on a claim, directly or through others, in the order of the file.
     pub fn carried_by(&self, id: &str) -> Vec<&'a str> {
-        self.names(self.reached(id, |at| self.carried[at].iter()))
+        self.names(self.reached(id, usize::MAX, |at| self.carried[at].iter()))
     }
 
     /// Everything that a claim rests on, in the order of the file.
     pub fn grounds_of(&self, id: &str) -> Vec<&'a str> {
-        self.names(self.reached(id, |at| self.grounds[at].iter()))
+        self.names(self.reached(id, usize::MAX, |at| self.grounds[at].iter()))
     }
 
-    /// What is reached from a claim, itself apart. It takes what is reached, not what there is.
-    fn reached<'s, I: Iterator<Item = &'s usize>>(&'s self, id: &str, next: impl Fn(usize) -> I) -> BTreeSet<usize> {
+    /// What is reached from a claim, itself apart, the nearest first, up to so many. It takes what is reached, not what there is.
+    fn reached<'s, I: Iterator<Item = &'s usize>>(
+        &'s self,
+        id: &str,
+        most: usize,
+        next: impl Fn(usize) -> I,
+    ) -> BTreeSet<usize> {
         let mut seen = BTreeSet::new();
         let Some(&own) = self.at.get(id) else { return seen };
-        let mut open: Vec<usize> = next(own).copied().collect();
-        while let Some(at) = open.pop() {
+        let mut open: VecDeque<usize> = next(own).copied().collect();
+        while let Some(at) = open.pop_front() {
+            if seen.len() == most {
+                break;
+            }
             if at != own && seen.insert(at) {
                 open.extend(next(at));
             }
@@ -138,7 +149,7 @@ impl<'a> Consequences<'a> {
 
     /// The conclusions that rest on a claim, itself apart.
     pub fn conclusions_of(&self, id: &str) -> Vec<&'a str> {
-        let reached = self.reached(id, |at| self.carried[at].iter());
+        let reached = self.reached(id, usize::MAX, |at| self.carried[at].iter());
         self.names(reached.intersection(&self.concludes).copied())
     }
 
@@ -188,7 +199,7 @@ impl<'a> Consequences<'a> {
     pub fn chain(&self, ground: &str, to: &str) -> Vec<&'a str> {
         let (Some(&from), Some(&to)) = (self.at.get(ground), self.at.get(to)) else { return Vec::new() };
         let mut next: Vec<Option<usize>> = vec![None; self.ids.len()];
-        let mut open = std::collections::VecDeque::from([to]);
+        let mut open = VecDeque::from([to]);
         while let Some(at) = open.pop_front() {
             if at == from {
                 let steps = std::iter::successors(Some(from), |at| next[*at].filter(|_| *at != to));
@@ -204,10 +215,10 @@ impl<'a> Consequences<'a> {
         Vec::new()
     }
 
-    /// How much falls with a claim: conclusions, itself among them, then claims. Larger is heavier.
+    /// How much falls with a claim: conclusions, itself among them, then claims, of the nearest [`MOST_WEIGHED`]. Larger is heavier.
     pub fn weight(&self, id: &str) -> (usize, usize) {
         let itself = self.at.get(id).is_some_and(|at| self.concludes.contains(at));
-        let reached = self.reached(id, |at| self.carried[at].iter());
+        let reached = self.reached(id, MOST_WEIGHED, |at| self.carried[at].iter());
         (reached.intersection(&self.concludes).count() + usize::from(itself), reached.len())
     }
 }
@@ -248,6 +259,16 @@ mod tests {
                 assert_eq!(found.has_more(), exact.len() > MOST_CONCLUSIONS, "{id}, {k}, {every}");
             }
         }
+    }
+
+    /// Of a long chain the nearest are counted, and claims are in their order all the same.
+    #[test]
+    fn what_falls_is_counted_up_to_a_bound() {
+        let names: Vec<&'static str> = (0..1000).map(|n| &*Box::leak(format!("c{n}").into_boxed_str())).collect();
+        let carried: Vec<_> = names.windows(2).map(|two| (two[0], two[1])).collect();
+        let all = of(&carried, vec![names[200]]);
+        assert_eq!(all.weight(names[0]), (1, MOST_WEIGHED));
+        assert_eq!(all.weight(names[990]), (0, 9));
     }
 
     #[test]
