@@ -9,7 +9,7 @@ use super::graph::{self, DerivationGraph, unproved};
 use super::numbers::count;
 use super::plain::{bare, plain};
 use super::recorded;
-use super::story::{StoryBlock, StorySpan, Tone, claim as link, joined, list, on_page, prose, strong, words};
+use super::story::{StoryBlock, StorySpan, Tone, claim as link, joined, list, on_page, prose, quiet, strong, words};
 use super::wording::identifier;
 use findings::conditions::Need;
 use findings::{ClaimAccount, IdentityAccount};
@@ -37,6 +37,23 @@ pub(super) fn blocks<'a>(graph: &DerivationGraph, claim: &'a ClaimAccount, scope
     inside.extend(conditions(claim, scope));
     inside.extend(discrimination(claim, scope));
     (!inside.is_empty()).then(|| on_page("What it rests on, what it needs, what would be noticed", "", inside))
+}
+
+/// The same for paper, in short: what repeats what is printed elsewhere is left out.
+pub(super) fn in_print<'a>(graph: &DerivationGraph, claim: &ClaimAccount, scope: &'a Scope) -> StoryBlock<'a> {
+    let mut lines = Vec::new();
+    if let Some(rests) = graph.rests_of(claim) {
+        let all: Vec<String> =
+            [rests.systems, rests.symbols, rests.claims].concat().iter().map(|id| plain(id)).collect();
+        let more = if rests.more { ", and more" } else { "" };
+        lines.push(quiet(format!("Rests on {}{more}.", all.join(", "))));
+    }
+    let idle = claim.conditions.assumptions.iter().filter(|a| a.need == Need::NotNeeded);
+    lines.extend(idle.map(|a| StorySpan::Prose(format!("{}.", worth(a)), scope, Tone::Quiet)));
+    if let Some((rejected, of)) = claim.variants.as_ref().and_then(|v| v.together()) {
+        lines.push(quiet(format!("Of {} {rejected} would be noticed.", count(of, "altered formula"))));
+    }
+    StoryBlock::Group("paper", lines.into_iter().map(|line| StoryBlock::Paragraph(vec![line])).collect())
 }
 
 /// What the proof says in full, and the point that refutes a step.

@@ -145,7 +145,7 @@ impl<'a> Claims<'a> {
             // What is no claim of the paper stands under a heading that says so.
             title.extend(role(reading).filter(|_| whole.fate.is_of_the_paper()));
             let mut blocks = self.told(reading, &[]);
-            blocks.extend(self.remark(whole, reading, None));
+            self.remark(whole, reading, None, &mut blocks);
             return part(whole.id, PartLevel::Claim, title, blocks);
         }
         let has_own = whole.readings.iter().any(|r| r.claim.reading.is_none());
@@ -161,7 +161,7 @@ impl<'a> Claims<'a> {
                 title.extend([words(": "), prose(&claim.says, self.scope(claim))]);
             }
             let mut blocks = self.told(reading, &shared);
-            blocks.extend(self.remark(whole, reading, last));
+            self.remark(whole, reading, last, &mut blocks);
             last = claim.remark.as_deref();
             part(name(claim), PartLevel::Reading, title, blocks)
         });
@@ -180,14 +180,20 @@ impl<'a> Claims<'a> {
         (!parts.is_empty()).then(told).into_iter().collect()
     }
 
-    /// The remark of the file: everywhere, where the paper is not borne out; else on the page. That on the whole claim is every reading's, and
-    /// is told once.
-    fn remark(&self, whole: &Whole<'a>, reading: &Reading<'a>, last: Option<&str>) -> Option<StoryBlock<'a>> {
-        let text = reading.claim.remark.as_deref().filter(|text| Some(*text) != last)?;
+    /// The remark of the file: everywhere, where the paper is not borne out; else on the page, with what is folded. That on the whole claim is
+    /// every reading's, and is told once.
+    fn remark(&self, whole: &Whole<'a>, reading: &Reading<'a>, last: Option<&str>, blocks: &mut Vec<StoryBlock<'a>>) {
+        let Some(text) = reading.claim.remark.as_deref().filter(|text| Some(*text) != last) else { return };
         let spans = vec![quiet("Remark of the file: "), prose(text.trim(), self.scope(reading.claim))];
         let block = StoryBlock::Group("remark", vec![StoryBlock::Paragraph(spans)]);
-        let is_shown = whole.fate.is_against() && reading.role != ClaimRole::Added;
-        Some(if is_shown { block } else { StoryBlock::Group("page", vec![block]) })
+        if whole.fate.is_against() && reading.role != ClaimRole::Added {
+            return blocks.push(block);
+        }
+        let block = StoryBlock::Group("page", vec![block]);
+        match blocks.last_mut() {
+            Some(StoryBlock::Fold(fold)) if matches!(fold.elsewhere, Elsewhere::Titled) => fold.blocks.push(block),
+            _ => blocks.push(block),
+        }
     }
 
     /// What a claim says, and what was found of it. Of one that stands a line is read, and the rest is folded: few ask how it is known. On a
@@ -205,7 +211,8 @@ impl<'a> Claims<'a> {
             StorySpan::Prose(format!("{}.", verdict(reading)), scope, Tone::Strong)
         });
         let mut stated = self.stated(reading, is_short, shared);
-        let evidence = if is_short { vec![StoryBlock::Group("page", evidence)] } else { evidence };
+        let mut evidence = if is_short { vec![StoryBlock::Group("page", evidence)] } else { evidence };
+        evidence.push(behind::in_print(&self.graph, claim, scope));
         if !is_short && (!is_many || self.open.contains(&name(claim))) {
             stated.push(StoryBlock::Paragraph(title));
             return stated.into_iter().chain(evidence).collect();

@@ -39,6 +39,7 @@ fn put(block: &StoryBlock<'_>, medium: Medium) -> Markup {
                 figure { (PreEscaped(sketch.svg())) @if !caption.is_empty() { figcaption { (line(caption)) } } }
             },
             StoryBlock::Group("page", blocks) => @if medium == Medium::Screen { (html(blocks, medium)) },
+            StoryBlock::Group("paper", blocks) => @if medium == Medium::Paper { (html(blocks, medium)) },
             // Page one is laid out for itself.
             StoryBlock::Group("front", blocks) => div.front id="/front" { (html(blocks, Medium::Screen)) },
             StoryBlock::Group(name, blocks) => div class=(name) { (html(blocks, medium)) },

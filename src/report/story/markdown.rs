@@ -86,7 +86,7 @@ fn put(block: &StoryBlock<'_>, indent: usize, link: &dyn Fn(&str) -> String, out
                 ));
             }
         },
-        StoryBlock::Embedded(_) | StoryBlock::Group("page", _) => {}
+        StoryBlock::Embedded(_) | StoryBlock::Group("page" | "paper", _) => {}
         StoryBlock::Figure(sketch, caption) => {
             let lines = sketch.lines();
             if !lines.is_empty() {

@@ -50,7 +50,7 @@ fn put(block: &StoryBlock<'_>, indent: usize, paint: Paint, out: &mut String) {
         StoryBlock::Lines(text, _) => {
             text.lines().for_each(|line| out.push_str(&format!("{}{line}\n", " ".repeat(indent))));
         }
-        StoryBlock::Embedded(_) | StoryBlock::Group("page", _) => {}
+        StoryBlock::Embedded(_) | StoryBlock::Group("page" | "paper", _) => {}
         StoryBlock::Fold(StoryFold { title, elsewhere, blocks, .. }) => match elsewhere {
             Elsewhere::Line(words) if words.is_empty() => {}
             Elsewhere::Line(words) => out.push_str(&lines(words, indent, indent, paint)),
