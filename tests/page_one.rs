@@ -33,7 +33,7 @@ fn every_page_one_has_all_of_its_parts() {
     for name in names {
         let (derivation, account) = &*checked(Path::new("derivations").join(&name));
         let whole = page(derivation, account);
-        let front = between(&whole, "id=/front>", "<ul class=counts");
+        let front = between(&whole, "id=/front>", "<div class=counts");
         assert!(front.contains("<math"), "{name}: no formula");
         let matrix = between(front, "<div class=matters>", "<div class=cards>");
         let (rows, columns) = (matrix.matches("<th scope=row>").count(), matrix.matches("<th scope=col").count());

@@ -123,7 +123,7 @@ fn no_report_loses_a_claim_over_ranges() {
     let quiet = report::exceptions(&derivation, &account, false);
     assert!(quiet.contains("expected: holds") && quiet.contains("open  ?") && !quiet.contains("root"), "{quiet}");
     let explained = report::explain(&derivation, &account, &[], &[], false);
-    assert!(explained.contains("Over x from -1 to 1") && explained.contains("x in [1.414"), "{explained}");
+    assert!(explained.contains("Over x from −1 to 1") && explained.contains("x in [1.414"), "{explained}");
 
     let markdown = report::markdown(&derivation, &account);
     assert!(markdown.contains("**expected: holds**") && markdown.contains("1.41421356"), "{markdown}");

@@ -76,16 +76,15 @@ fn no_claim_is_lost_from_the_report_of_a_forge() {
         let report = std::fs::read_to_string(folder.join("report.json")).expect("a report");
         let report: Value = serde_json::from_str(&report).expect("JSON");
         let claims = markdown.split("\n## ").find(|part| part.starts_with("Claims\n")).expect("the claims");
-        rows += claims.lines().filter(|line| line.starts_with("| ")).count();
+        rows += claims.lines().filter(|line| line.starts_with("#### ") || line.starts_with("**/")).count();
         for claim in report["claims"].as_array().expect("claims") {
             let id = claim["id"].as_str().expect("an id");
-            // What is told of a claim: up to the next one, of those that have sections or rows of their own.
-            let (heading, row) = (format!("\n#### {id}: "), format!("**{id}**"));
-            let at = claims.find(&heading).or_else(|| claims.find(&row));
-            let at = at.unwrap_or_else(|| panic!("{}: {id} is not told", folder.display()));
+            // What is told of a claim: up to the next one.
+            let at = claims.find(&format!("\n#### {id}: "));
+            let told = &claims[at.unwrap_or_else(|| panic!("{}: {id} is not told", folder.display())) + 1..];
+            let told = told.split("\n#### ").next().unwrap_or_default();
             let Some(reading) = claim["reading"].as_str() else { continue };
-            let told = [format!("**/{reading}**"), format!("/{reading} "), format!("/{reading} |")];
-            assert!(told.iter().any(|t| claims[at..].contains(t)), "{}: {id}/{reading}", folder.display());
+            assert!(told.contains(&format!("**/{reading}**")), "{}: {id}/{reading}", folder.display());
         }
     }
     assert!(rows > 100, "{rows}");
@@ -277,7 +276,7 @@ fn a_page_of_a_thousand_claims_is_small() {
     for i in 0..1000 {
         let at = page[body..].find(&format!("id=claim-number-{i}>")).unwrap_or_else(|| panic!("{i} is not there"));
         let claim = page[body + at..].split("</article>").next().unwrap_or_default();
-        assert!(claim.contains("Holds") || claim.contains("Fails") || claim.contains("Undecided"), "{claim}");
+        assert!(claim.contains("class=\"mark "), "{claim}");
     }
 }
 

@@ -15,7 +15,7 @@ use super::numbers::count;
 use super::points::{self, NeededReading};
 use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, quiet, words};
 use super::tally::declared;
-use crate::derivation::Derivation;
+use derivation::Derivation;
 
 /// Most conclusions that are told.
 const MOST_CONCLUSIONS: usize = 6;

@@ -7,7 +7,7 @@ use super::finding::{Fix, Place};
 use super::hypotheses::{excluded, uses};
 use super::tally::declared;
 use super::wording::dense;
-use crate::derivation::{Claim, Derivation};
+use derivation::{Claim, Derivation};
 use findings::ClaimAccount;
 use findings::conditions::Need;
 use reason::{Bounded, Proviso, Term};

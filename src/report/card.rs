@@ -16,9 +16,9 @@ use super::sketch::Sketch;
 use super::story::{StoryBlock, StorySpan, Tone, joined, quiet, words};
 use super::tally::{Standing, declared, motion_title};
 use super::wording::dense;
-use crate::derivation::{ClaimRole, Derivation, FormKind};
-use crate::latex::Scope;
+use derivation::{ClaimRole, Derivation, FormKind};
 use findings::{ClaimAccount, Correction, Evidence, Residuals, Witness};
+use latex::Scope;
 
 /// Longest formula, in bytes of LaTeX, that page one prints: the whole is in the section on the claim.
 const LONGEST: usize = 600;

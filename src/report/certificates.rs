@@ -4,7 +4,7 @@
 //! those that were verified; nothing is computed here.
 
 use super::tally::name;
-use crate::derivation::Derivation;
+use derivation::Derivation;
 use diag::escape::in_one_line;
 use findings::{Account, Certificate, ClaimAccount, IdentityAccount, Origin};
 use reason::Premises;

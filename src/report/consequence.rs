@@ -8,7 +8,7 @@
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
-use crate::derivation::{ClaimRole, Derivation};
+use derivation::{ClaimRole, Derivation};
 
 /// Which claim rests on which. Claims are whole ones, by their positions in the order of the file.
 #[derive(Default)]

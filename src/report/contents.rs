@@ -1,6 +1,6 @@
 //! What a derivation file contains: names with their words, as `rederive list` prints them.
 
-use crate::derivation::Derivation;
+use derivation::Derivation;
 
 /// Systems, trajectories, families, claims and measures, each with what the file says of it.
 pub fn contents(derivation: &Derivation) -> String {

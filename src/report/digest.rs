@@ -14,7 +14,7 @@ use super::headline::CountedFate;
 use super::numbers::count;
 use super::story::VerdictShape;
 use super::tally::{Standing, declared};
-use crate::derivation::{ClaimRole, Derivation};
+use derivation::{ClaimRole, Derivation};
 use findings::conditions::{ConditionName, Explanation, Join, Separation};
 use findings::{Account, ClaimAccount, Outcome, Strength};
 
@@ -196,22 +196,6 @@ impl<'a> Reading<'a> {
     pub fn of(derivation: &Derivation, graph: &DerivationGraph, claim: &'a ClaimAccount) -> Reading<'a> {
         let role = declared(derivation, claim).map(|d| d.role).unwrap_or_default();
         Reading { claim, standing: Standing::of(claim), role, proof: graph.proof_of(claim) }
-    }
-
-    /// What it is beside the paper's own words, before the reading itself; empty for these.
-    pub fn whose(&self, whole: &Whole<'_>) -> &'static str {
-        match self.role {
-            ClaimRole::Says => "",
-            ClaimRole::MayMean => "it may mean",
-            ClaimRole::Needs => "the paper needs",
-            ClaimRole::Against => "against it",
-            ClaimRole::Added if whole.fate == Fate::Added => "",
-            ClaimRole::Added => "for comparison",
-            ClaimRole::Lemma if whole.fate == Fate::Lemma => "",
-            ClaimRole::Lemma => "lemma",
-            ClaimRole::Choice if whole.fate == Fate::Choice => "",
-            ClaimRole::Choice => "choice",
-        }
     }
 
     /// Its symbol: how strongly it holds, or how surely it does not.

@@ -1,11 +1,11 @@
 //! What the evidence is worth, as reports show it: how many altered formulas each motion rejects, which survive, and what a
 //! claim that fails should have said.
 
-use super::markup::{math, prose};
 use super::numbers::count;
+use super::story::{StoryBlock, StorySpan, list, prose, strong, words};
 use super::tally::name;
-use super::text::{Paint, paragraph};
 use findings::{Account, ClaimAccount, Correction, EditClass, Erratum, Outcome, PairAccount, VariantAccount};
+use latex::Scope;
 
 /// Whether a verdict says little.
 pub(super) fn is_weak(pair: &PairAccount) -> bool {
@@ -66,37 +66,50 @@ pub(super) fn smallest(variants: &VariantAccount) -> String {
     }
 }
 
-/// The part of `report.md` on what a claim that fails should have said.
-pub(super) fn corrections_markdown(erratum: &Erratum) -> String {
+/// What a claim that fails should have said; nothing where nothing can be altered.
+pub(super) fn corrections<'a>(erratum: &'a Erratum, scope: &'a Scope) -> Vec<StoryBlock<'a>> {
     let (single, completions, pairs) = erratum.tried;
     if single + completions + pairs == 0 && erratum.corrections.is_empty() {
-        return String::new();
+        return Vec::new();
     }
     let tried = format!("{single} single edits, {completions} completions and {pairs} pairs of edits were tried");
-    let rate =
-        erratum.rate.as_ref().map_or_else(String::new, |rate| format!("**Its rate**, proved: {}.\n\n", math(rate)));
+    let mut blocks = Vec::new();
     if erratum.corrections.is_empty() {
         let remark = erratum.remark.as_deref().unwrap_or("no correction was found");
-        return format!("**No correction:** {}. ({tried}.)\n\n{rate}", prose(remark));
+        blocks.push(StoryBlock::Paragraph(vec![
+            strong("No correction: "),
+            prose(format!("{remark}. ({tried}.)"), scope),
+        ]));
+    } else {
+        let lead = [
+            strong("Altered formulas that hold instead"),
+            words(format!(", the closest to the print first; which one was meant is for the reader to say ({tried}):")),
+        ];
+        blocks.push(StoryBlock::Paragraph(lead.into()));
+        blocks.push(list(erratum.corrections.iter().map(|c| {
+            let formula = c.formula.clone();
+            let right = StorySpan::Marked { formula, beside: c.printed.clone(), scope, wrong: false };
+            vec![words(format!("{}: ", standing(c))), right, StorySpan::Difference(c.difference.clone())]
+        })));
+        let remark = erratum.remark.as_ref();
+        blocks.extend(
+            remark.map(|text| StoryBlock::Group("page", vec![StoryBlock::Paragraph(vec![prose(text, scope)])])),
+        );
     }
-    let mut out = format!(
-        "**Altered formulas that hold instead**, the closest to the print first; which one was meant is for the reader to \
-         say ({tried}):\n\n"
+    blocks.extend(
+        erratum
+            .rate
+            .as_ref()
+            .map(|rate| StoryBlock::Paragraph(vec![strong("Its rate"), prose(format!(", proved: ${rate}$."), scope)])),
     );
-    for c in &erratum.corrections {
-        out.push_str(&format!("- {}: {}", standing(c), math(&c.formula)));
-        out.push_str(&format!("  \n  `{}`\n", c.difference.replace('`', "'")));
-    }
-    out.push('\n');
-    out.push_str(&rate);
-    out
+    vec![StoryBlock::Group("erratum", blocks)]
 }
 
 /// How far a correction was examined.
 pub(super) fn standing(c: &Correction) -> String {
     let proved = match c.strength {
-        verdict::Strength::Proved => "**proved**, ",
-        verdict::Strength::Enclosed => "**enclosed**, ",
+        verdict::Strength::Proved => "proved, ",
+        verdict::Strength::Enclosed => "enclosed, ",
         verdict::Strength::Sampled => "",
     };
     let classes: Vec<&str> = c.classes.iter().map(|c| c.word()).collect();
@@ -107,52 +120,39 @@ pub(super) fn standing(c: &Correction) -> String {
     }
 }
 
-/// The part of the summary for a terminal: claims that no motion tests well, and corrections, a line or two for each.
-pub(super) fn summary(account: &Account, paint: Paint) -> String {
-    let mut out = String::new();
+/// Claims that no motion tests well, and corrections: a line for each.
+pub(super) fn summary<'a>(account: &'a Account, scope: &'a Scope) -> Vec<StoryBlock<'a>> {
     let holds = |p: &&PairAccount| matches!(p.verdict.outcome(), Outcome::Holds(_)) && p.discrimination.is_some();
     let all = account.claims.iter().flat_map(|c| &c.results).filter(holds).count();
     let weak: usize = account.claims.iter().map(|c| weak_pairs(c).len()).sum();
-    let mut lines = String::new();
-    for claim in &account.claims {
-        let Some((_, (rejected, of))) = claim.variants.as_ref().and_then(|v| Some((v, v.together()?))) else {
-            continue;
-        };
-        if claim.results.iter().filter(holds).all(is_weak) {
-            lines.push_str(&format!("  {}: all together reject {rejected} of {of}\n", paint.bold(&name(claim))));
-        }
-    }
+    let mut out = Vec::new();
+    let untested = account.claims.iter().filter(|c| c.results.iter().filter(holds).all(is_weak)).filter_map(|claim| {
+        let (rejected, of) = claim.variants.as_ref()?.together()?;
+        Some(vec![strong(name(claim)), words(format!(": all together reject {rejected} of {of}"))])
+    });
     if weak > 0 {
-        out.push_str(&format!(
-            "{} ({weak} of {all} verdicts, marked h)\n",
-            paint.bold("Holds, but many altered formulas would hold there, too")
-        ));
-        if !lines.is_empty() {
-            out.push_str(&format!("\n  On every motion, for these claims:\n{lines}"));
-        }
-        out.push('\n');
+        out.push(StoryBlock::Heading(format!(
+            "Holds, but many altered formulas would hold there, too ({weak} of {all} verdicts, marked h)"
+        )));
+        out.push(StoryBlock::Paragraph(vec![words("On every motion, for these claims:")]));
+        out.push(list(untested));
     }
-    let mut offered = String::new();
-    let mut without = 0;
-    for claim in &account.claims {
-        let Some(erratum) = claim.variants.as_ref().and_then(|v| v.erratum.as_ref()) else { continue };
-        let Some(first) = erratum.corrections.first() else {
-            without += 1;
-            continue;
-        };
-        offered.push_str(&format!("  {}: {}", paint.bold(&name(claim)), standing(first).replace("**", "")));
-        offered.push_str(&match erratum.corrections.len() - 1 {
-            0 => "\n".to_owned(),
-            n => format!("; {n} more in the report\n"),
-        });
-        offered.push_str(&paragraph(&first.formula, 4));
+    let errata = || account.claims.iter().filter_map(|c| Some((c, c.variants.as_ref()?.erratum.as_ref()?)));
+    let mut offered: Vec<Vec<StorySpan<'a>>> = Vec::new();
+    for (claim, erratum) in errata() {
+        let Some(first) = erratum.corrections.first() else { continue };
+        let more = erratum.corrections.len() - 1;
+        let more = if more > 0 { format!("; {more} more in the report") } else { String::new() };
+        let formula = StorySpan::Math(first.formula.clone(), scope);
+        offered.push(vec![strong(name(claim)), words(format!(": {}{more}: ", standing(first))), formula]);
     }
+    let without = errata().filter(|(_, e)| e.corrections.is_empty()).count();
     if without > 0 {
-        offered.push_str(&format!("  None was found for {}.\n", count(without, "failing claim")));
+        offered.push(vec![words(format!("None was found for {}.", count(without, "failing claim")))]);
     }
     if !offered.is_empty() {
-        let title = paint.bold("Altered formulas that hold where the printed one fails");
-        out.push_str(&format!("{title}\n\n{offered}\n"));
+        out.push(StoryBlock::Heading("Altered formulas that hold where the printed one fails".to_owned()));
+        out.push(list(offered));
     }
     out
 }

@@ -10,7 +10,7 @@ use super::refuting;
 use super::story::{StoryBlock, StorySpan, Tone, quiet, words};
 use super::tally::{declared, name};
 use super::wording::label;
-use crate::derivation::{ClaimRole, Derivation};
+use derivation::{ClaimRole, Derivation};
 use findings::ClaimAccount;
 use findings::search::{DrawnAccount, FailingMotion};
 

@@ -6,8 +6,11 @@ use super::summary::{Digits, sides};
 use super::tally::{declared, name, says};
 use super::text::{Paint, paragraph};
 use super::wording::{one_line, slack_sentence};
-use crate::derivation::{Claim, Derivation, SymbolEntry};
+use derivation::{Claim, Derivation, SymbolEntry};
 use findings::{Account, ClaimAccount, Outcome, PairAccount, Strength};
+
+/// Most steps of a proof that are printed; all are in `proofs.json`.
+const MOST_STEPS: usize = 60;
 
 /// Everything that is known about some claims of the account, on some trajectories and families; all where none are named. With escape
 /// codes if `colour`.
@@ -39,7 +42,7 @@ fn about_claim(derivation: &Derivation, claim: &ClaimAccount, graph: &Derivation
     out.push('\n');
     out.push_str(&paragraph(&says(derivation, claim), 2));
     let declared = declared(derivation, claim);
-    if let Some(whose) = declared.and_then(|d| super::markdown::whose(d.role)) {
+    if let Some(whose) = declared.and_then(|d| super::claim_story::whose(d.role)) {
         out.push_str(&paragraph(whose, 2));
     }
     if let Some(remark) = &claim.remark {
@@ -68,7 +71,9 @@ fn about_claim(derivation: &Derivation, claim: &ClaimAccount, graph: &Derivation
         out.push('\n');
         out.push_str(&paragraph(&super::graph::sentence(identity, &graph.proof_of(claim)), 2));
         if let Some(recorded) = &identity.recorded {
-            out.push_str(&super::recorded::text(recorded));
+            let blocks = super::recorded::blocks(recorded, &derivation.scope, MOST_STEPS);
+            out.push_str(&paragraph(&recorded.sentence(), 2));
+            out.push_str(&super::story::terminal(&blocks, 4, paint));
         }
         if let Some(trials) = &identity.evidence.trials {
             out.push_str(&format!(

@@ -1,10 +1,13 @@
 //! Claims on families of motions, in the words of every kind of report.
 
-use super::conditions::explanation_in_words;
+use super::conditions::explanation as explanation_of;
 use super::numbers::{both, count, six, size, value};
-use crate::derivation::{Claim, Dependence, End, Event, Form, Measure};
+use super::story::{Elsewhere, StoryBlock, StorySpan, Tone, folded, prose, quiet, strong, words};
+use super::wording::label;
+use derivation::{Claim, Dependence, End, Event, Form, Measure};
 use findings::family::{FamilyMap, FamilySeparation, MeasureAccount, SHARES, SlopeAccount};
-use findings::{FamilyAccount, MemberAccount};
+use findings::{ClaimAccount, FamilyAccount, MemberAccount};
+use latex::Scope;
 
 /// What a claim says of a quantity of members, for the heading of its formula, without an end; names are formulas between dollars.
 /// `None` for a claim that does not compare members.
@@ -170,7 +173,7 @@ fn separation(found: &FamilySeparation) -> String {
     };
     format!(
         "it holds just where {}, seen on {} on which it holds and {fails} on which it fails{fresh}",
-        explanation_in_words(explanation),
+        explanation_of(explanation),
         count(holds, "member"),
     )
 }
@@ -286,8 +289,12 @@ fn point(of: &MemberAccount) -> Option<String> {
     match (&evidence.witness, &evidence.reason) {
         (Some(w), _) => {
             let ((left, right), t, bound) = (both(w.left, w.right), six(w.t), size(w.bound));
+            let of = label(&w.formula);
+            let component = of.component.map(|c| format!(", component ${c}$")).unwrap_or_default();
             Some(format!(
-                "at t = {t} the left side is {left}, the right side {right}, the error bound of the difference {bound}"
+                "at t = {t}, for {}${}${}{component}, the left side is {left}, the right side {right}, the error bound of the \
+                 difference {bound}",
+                of.before, of.formula, of.after
             ))
         }
         (None, reason) => reason.as_ref().map(ToString::to_string),
@@ -312,6 +319,54 @@ pub(super) fn expected(family: &FamilyAccount) -> String {
         (true, None) => ", not expected".to_owned(),
         (false, _) => String::new(),
     }
+}
+
+/// The names of a box for a verdict, in the style of the page.
+pub(super) fn class(verdict: &str) -> &'static str {
+    match verdict {
+        "holds" => "region holds",
+        "fails" => "region fails",
+        _ => "region",
+    }
+}
+
+/// What was found on a family: counts, and what is said beside them.
+pub(super) fn told<'a>(of: &'a FamilyAccount, scope: &'a Scope) -> StoryBlock<'a> {
+    let all = std::iter::once(counts(of)).chain(remarks(of));
+    let all: Vec<String> = all.map(|text| sentence(&text)).collect();
+    StoryBlock::Paragraph(vec![prose(all.join(" "), scope)])
+}
+
+/// The blocks of a claim, one for each family, with its figures. Of the members one is told everywhere; the others, and their lines for a
+/// file, are on the page.
+pub(super) fn blocks<'a>(
+    claim: &'a ClaimAccount,
+    scope: &'a Scope,
+    figures: &dyn Fn(&'a FamilyAccount) -> Vec<StoryBlock<'a>>,
+) -> Vec<StoryBlock<'a>> {
+    let one = |of: &'a FamilyAccount| {
+        let mut head = vec![strong(format!("{} {}", heading(of), of.family))];
+        head.extend((of.title != of.family).then(|| prose(format!(" ({})", of.title), scope)));
+        if let Some(text) = expected(of).strip_prefix(", ") {
+            head.extend([words(", "), StorySpan::Words(text.to_owned(), Tone::Alarm)]);
+        }
+        head.push(words("."));
+        let mut blocks = vec![StoryBlock::Paragraph(head), told(of, scope)];
+        blocks.extend(figures(of));
+        for (at, shown) in shown(of).into_iter().enumerate() {
+            let named = format!("{}.", shown.named());
+            let seen = shown.seen.map(|text| sentence(&text));
+            let line = format!("{named} {}", seen.clone().unwrap_or_default());
+            let line = if at == 0 { vec![prose(line.trim(), scope)] } else { Vec::new() };
+            let mut inside: Vec<StoryBlock<'a>> =
+                seen.map(|text| StoryBlock::Paragraph(vec![prose(text, scope)])).into_iter().collect();
+            inside.push(StoryBlock::Paragraph(vec![quiet("The same motion for the derivation file:")]));
+            inside.push(StoryBlock::Lines(shown.member.toml.clone(), "toml"));
+            blocks.push(folded(vec![prose(named, scope)], Elsewhere::Line(line), inside));
+        }
+        StoryBlock::Group(class(of.verdict.outcome().word()), blocks)
+    };
+    claim.families.iter().map(one).collect()
 }
 
 /// A sentence from a part of one.

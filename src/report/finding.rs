@@ -11,9 +11,9 @@ use sha2::{Digest, Sha256};
 
 use super::numbers::{ascii_both as both, ascii_six as time, ascii_size as size, count};
 use super::tally::{Group, declared, groups, name, says};
-use crate::derivation::{Derivation, Form};
-use crate::diag::{Diagnostic, Source};
+use derivation::{Derivation, Form};
 use diag::escape::{in_one_line, shown};
+use diag::{Diagnostic, Source};
 use findings::{Account, ClaimAccount, FamilyAccount, PairAccount};
 
 /// How serious a finding is.

@@ -3,7 +3,7 @@
 //! **In:** a claim, and the number of one of its formulas. **Out:** what is said of this formula, in words without an end; or
 //! that it is the name of something.
 
-use crate::derivation::{Claim, FormKind};
+use derivation::{Claim, FormKind};
 use findings::ClaimAccount;
 
 /// What is said of a formula.

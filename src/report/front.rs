@@ -14,7 +14,7 @@ use super::headline::{self, CountedFate};
 use super::numbers::count;
 use super::tally::{Standing, name};
 use super::text::{capital, uncapital};
-use crate::derivation::Derivation;
+use derivation::Derivation;
 use findings::{Account, ClaimAccount, IdentityAccount};
 
 /// Most claims that are told; the rest is counted.

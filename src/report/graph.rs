@@ -8,8 +8,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::story::{StoryBlock, section, words};
 use super::tally::name;
-use crate::derivation::{Derivation, Premise};
+use derivation::{Derivation, Premise};
 use findings::standing::Decision;
 use findings::{Account, ClaimAccount, IdentityAccount};
 
@@ -147,6 +148,11 @@ pub(super) struct DerivationGraph {
 /// Of what a claim rests on through all steps, so much is told: along a chain, all of it would be half the square of its length.
 const MOST_TOLD: usize = 32;
 
+/// What the drawing shows.
+const ARROWS: &str = "An arrow leads from what is given to what is said to follow from it; it is dotted where the step is not proved. \
+                      Boxes: round, proved for all values; with round corners, proved but for something on the way; six-sided, no \
+                      identity; with a notch, undecided; square, no such question; slanted, a system; with double sides, a definition.";
+
 /// More edges than this are not drawn: nobody could read it.
 const MOST_EDGES: usize = 300;
 
@@ -278,32 +284,26 @@ impl DerivationGraph {
     }
 
     /// The section of `report.md`: a drawing in Mermaid, which forges render.
-    pub fn section(&self) -> String {
+    pub fn section<'a>(&self) -> Option<StoryBlock<'a>> {
         let edges: usize = self.nodes.iter().map(|n| n.from.len()).sum();
-        if edges == 0 {
-            return String::new();
-        }
-        let mut out = String::from(
-            "## What follows from what\n\n\
-             An arrow leads from what is given to what is said to follow from it. The box says whether it does, for all values: \
-             round when it is proved, with round corners where the step is proved and something on the way is not, six-sided when \
-             it is no identity, with a notch when it is undecided, square when it is not a question of that kind. Systems are slanted; definitions of symbols have double sides. An arrow to a step \
-             that is not proved is dotted.\n\n",
-        );
+        let says = |text: String| StoryBlock::Paragraph(vec![words(text)]);
+        let mut blocks = vec![says(ARROWS.to_owned())];
         if edges > MOST_EDGES {
-            out.push_str(&format!(
-                "There are {edges} arrows, too many for a drawing: see `graph` in `report.json`.\n\n"
-            ));
-            return out;
+            blocks.push(says(format!("There are {edges} arrows, too many for a drawing: see graph in report.json.")));
+        } else {
+            let left_out = self.drawn().iter().filter(|drawn| !**drawn).count();
+            blocks.extend((left_out > 0).then(|| {
+                says(format!("Not drawn: {left_out} more, said straight of a system, which are not proved and lead on to nothing."))
+            }));
+            blocks.push(StoryBlock::Lines(self.mermaid(), "mermaid"));
         }
+        (edges > 0).then(|| section("/graph", "What follows from what", blocks))
+    }
+
+    /// The drawing in Mermaid.
+    fn mermaid(&self) -> String {
         let is_drawn = self.drawn();
-        let left_out = is_drawn.iter().filter(|drawn| !**drawn).count();
-        if left_out > 0 {
-            out.push_str(&format!(
-                "Not drawn: {left_out} more, said straight of a system, which are not proved and lead on to nothing.\n\n"
-            ));
-        }
-        out.push_str("```mermaid\nflowchart TD\n");
+        let mut out = "flowchart TD\n".to_owned();
         for (at, node) in self.nodes.iter().enumerate().filter(|(at, _)| is_drawn[*at]) {
             let id = label(&node.id);
             let shape = match (node.kind, node.verdict) {
@@ -331,7 +331,6 @@ impl DerivationGraph {
         for ((from, arrow), to) in arrows {
             out.push_str(&format!("  {from} {arrow} {}\n", to.join(" & ")));
         }
-        out.push_str("```\n\n");
         out
     }
 }
@@ -403,21 +402,26 @@ mod tests {
         assert!(!chain.rests(MOST_TOLD).more && chain.rests(MOST_TOLD).claims.len() == MOST_TOLD);
     }
 
+    fn section(graph: &DerivationGraph) -> String {
+        let blocks: Vec<StoryBlock<'_>> = graph.section().into_iter().collect();
+        super::super::story::markdown(&blocks, &str::to_owned)
+    }
+
     #[test]
     fn what_is_in_no_chain_is_not_drawn() {
         let mut nodes = chain().nodes;
         nodes.push(node("end", Some("undecided"), &[], &[3]));
         nodes.push(node("alone", Some("refuted"), &[], &[0]));
-        assert!(DerivationGraph::of(nodes.clone()).section().contains("alone"), "a small drawing is whole");
+        assert!(section(&DerivationGraph::of(nodes.clone())).contains("alone"), "a small drawing is whole");
         nodes.extend((0..SMALL).map(|n| node(&format!("more{n}"), Some("proved"), &[], &[1])));
-        let drawing = DerivationGraph::of(nodes).section();
+        let drawing = section(&DerivationGraph::of(nodes));
         assert!(!drawing.contains("alone") && drawing.contains("Not drawn: 1 more,"), "{drawing}");
         assert!(drawing.contains("end") && drawing.contains("more0"), "{drawing}");
     }
 
     #[test]
     fn the_drawing() {
-        insta::assert_snapshot!(chain().section());
+        insta::assert_snapshot!(section(&chain()));
         assert_eq!(label("I_{(n-k)}\"]"), "I_#123;#40;n-k#41;#125;#34;#93;");
     }
 }

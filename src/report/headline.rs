@@ -112,7 +112,7 @@ mod tests {
     use super::super::digest::wholes;
     use super::super::tests::derivation;
     use super::*;
-    use crate::derivation::ClaimRole;
+    use derivation::ClaimRole;
     use findings::sample;
 
     #[test]

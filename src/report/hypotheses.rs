@@ -8,13 +8,13 @@ use std::collections::BTreeMap;
 use super::digest::{self, Reading, Whole};
 use super::numbers::count;
 use super::points;
-use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, quiet, words};
+use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, on_page, quiet, words};
 use super::tally::{Standing, declared, name};
 use super::wording::dense;
-use crate::derivation::{ClaimRole, Derivation, FormKind};
-use crate::latex::Scope;
+use derivation::{ClaimRole, Derivation, FormKind};
 use findings::conditions::Need;
 use findings::{Account, ClaimAccount};
+use latex::Scope;
 use reason::{Bounded, Proviso, Term};
 
 /// Most hypotheses that are told on page one; more are folded.
@@ -116,7 +116,7 @@ pub(super) fn blocks<'a>(
     }
     if !folded.is_empty() {
         let title = "Which claims use what".to_owned();
-        out.push(StoryBlock::Fold { title, unfolded: Some(String::new()), blocks: folded });
+        out.push(on_page(title, "", folded));
     }
     out
 }

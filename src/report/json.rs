@@ -7,8 +7,8 @@ use serde_json::Serializer;
 use serde_json::ser::Formatter;
 
 use super::document::Report;
-use crate::derivation::Derivation;
 use ::paper::Comparison;
+use derivation::Derivation;
 use diag::escape::in_json;
 use findings::Account;
 

@@ -13,7 +13,7 @@ use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
 use super::finding::{Finding, Level, of_step, on_family, over_ranges, phrase, told};
 use super::tally::{name, says};
-use crate::derivation::Derivation;
+use derivation::Derivation;
 use diag::escape::in_one_line;
 use findings::{Account, ClaimAccount, Judged, PairAccount};
 

@@ -11,15 +11,14 @@
 
 #![forbid(unsafe_code)]
 
-use ::{derivation, diag, expr, latex};
-
 mod argument;
 mod assumption;
 mod audit;
 mod basis;
+mod behind;
 mod card;
 mod certificates;
-mod claim_rows;
+mod claim_story;
 mod conditions;
 mod consequence;
 mod contents;
@@ -42,6 +41,7 @@ mod headline;
 mod hypotheses;
 mod json;
 mod junit;
+mod latex_text;
 mod letters;
 mod limited;
 mod lint_findings;
@@ -53,9 +53,9 @@ mod mathml;
 mod members;
 mod motion_matrix;
 mod numbers;
-mod overview;
 mod page;
 mod page_one;
+mod pair_story;
 mod paper;
 mod part;
 mod plain;
@@ -69,6 +69,7 @@ mod region;
 mod sarif;
 mod schema;
 mod search;
+mod sections;
 mod shape;
 mod sketch;
 mod story;
@@ -77,6 +78,7 @@ mod tally;
 mod tex;
 mod text;
 mod units;
+mod whole;
 mod wording;
 
 /// The name of the program, as reports give it.
@@ -124,8 +126,8 @@ fn project_path(path: &str) -> String {
 
 #[cfg(all(test, debug_assertions))]
 mod tests {
-    use crate::diag::{Source, render};
     use derivation::{Derivation, parse};
+    use diag::{Source, render};
     use findings::sample;
 
     /// The derivation that the handmade account is of.

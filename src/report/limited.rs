@@ -8,8 +8,8 @@ use super::digest::{Fate, Reading, Whole};
 use super::headline::CountedFate;
 use super::numbers::count;
 use super::points::{self, NeededReading};
-use super::story::{StoryBlock, StorySpan, Tone, quiet};
-use crate::derivation::Derivation;
+use super::story::{StoryBlock, StorySpan, Tone, on_page, quiet};
+use derivation::Derivation;
 
 /// Most claims that fail as they are used, that are unfolded.
 const MOST_AS_NEEDED: usize = 12;
@@ -69,7 +69,7 @@ pub(super) fn limits<'a>(
         let n = rest.len();
         let verb = CountedFate::AsSaid.words(n);
         let title = format!("{n} more {} {verb}", if n == 1 { "claim" } else { "claims" });
-        blocks.push(StoryBlock::Fold { title, unfolded: Some(String::new()), blocks: items });
+        blocks.push(on_page(title, "", items));
     }
     blocks
 }

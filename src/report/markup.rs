@@ -4,7 +4,7 @@
 //! is written.
 
 use super::mathml;
-use crate::latex::printed;
+use latex::printed;
 
 /// Text of the file: formulas between dollar signs and code between backticks are kept, and what else Markdown would take
 /// for markup is made harmless.
@@ -181,7 +181,6 @@ pub(super) fn display(formula: &str) -> String {
     fenced("math", &body)
 }
 
-/// Text between fences that are longer than any that it has.
 /// A text as it is, between fences that are longer than any in it.
 pub fn fenced(kind: &str, body: &str) -> String {
     let mut longest = 0;
@@ -192,15 +191,6 @@ pub fn fenced(kind: &str, body: &str) -> String {
     }
     let fence = "`".repeat(3.max(longest + 1));
     format!("{fence}{kind}\n{body}\n{fence}\n\n")
-}
-
-pub(super) fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
-    let mut out = format!("| {} |\n|{}\n", head.join(" | "), "---|".repeat(head.len()));
-    for row in rows {
-        out.push_str(&format!("| {} |\n", row.join(" | ")));
-    }
-    out.push('\n');
-    out
 }
 
 #[cfg(test)]

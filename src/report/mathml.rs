@@ -7,12 +7,12 @@
 //! formula was understood: products and function values carry the invisible operators that screen readers speak. Nothing of
 //! a file's text reaches the page unescaped: known libraries pass `\operatorname{<script>}` through.
 
-use crate::expr::Rational;
-use crate::latex::syntax::{
+use expr::Rational;
+use latex::syntax::{
     Bracket, Chain, Least, Nabla, Node, NodeKind, PartialForm, RelationKind, Sign, SubItem, SymbolNode, Target,
     tightness,
 };
-use crate::latex::{self, Scope};
+use latex::{self, Scope};
 
 /// Invisible multiplication and function application, for what reads a formula aloud.
 const TIMES: &str = "<mo>\u{2062}</mo>";

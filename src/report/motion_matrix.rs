@@ -14,9 +14,11 @@ use super::discrimination;
 use super::graph::ProofStanding;
 use super::limited::limited;
 use super::numbers::count;
-use super::story::{self, StoryBlock, StoryItem, StorySpan, StoryTable, Tone, VerdictShape, joined, quiet, words};
+use super::story::{
+    self, StoryBlock, StoryItem, StorySpan, StoryTable, TableCells, Tone, VerdictShape, joined, quiet, words,
+};
 use super::tally::motion_title;
-use crate::derivation::{ClaimRole, Derivation};
+use derivation::{ClaimRole, Derivation};
 use findings::{Account, ClaimAccount, Outcome, PairAccount, Strength};
 
 /// Most claims that are shown.
@@ -88,6 +90,7 @@ pub(super) fn blocks<'a>(
         title: "Claims and classes of motions".to_owned(),
         head: std::iter::once(Vec::new()).chain((0..columns.len()).map(|at| vec![quiet(letter(at))])).collect(),
         rows: rows.iter().map(|whole| row(whole, &columns, hangs)).collect(),
+        cells: TableCells::Symbols,
     };
     let table = StoryBlock::Table(table);
     let mut legend = legend(&(&story::shapes(std::slice::from_ref(&table)) | &following));
@@ -100,7 +103,7 @@ pub(super) fn blocks<'a>(
     }
     let more = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count().saturating_sub(rows.len());
     if more > 0 {
-        legend.extend([quiet("; "), StorySpan::Section(format!("+{more} rows"), "/claims")]);
+        legend.extend([quiet("; "), StorySpan::Section(format!("+{more} rows"), "/claims".to_owned())]);
     }
     let keys = columns.into_iter().enumerate().map(|(at, column)| StoryItem {
         mark: letter(at),

@@ -17,10 +17,10 @@ use super::limited::{self, Limited};
 use super::motion_matrix::{self, that_matter};
 use super::numbers::count;
 use super::sketch::Sketch;
-use super::story::{self, StoryBlock, StorySpan, Tone, quiet, words};
+use super::story::{self, StoryBlock, StorySpan, Tone, fold, on_page, quiet, words};
 use super::tally::{Standing, declared, name};
 use super::text::{Paint, capital, paragraph, uncapital};
-use crate::derivation::Derivation;
+use derivation::Derivation;
 use findings::Account;
 
 /// Most ids that a terminal names of what does not stand, beside the cards.
@@ -274,7 +274,7 @@ fn remark(derivation: &Derivation) -> Option<StoryBlock<'_>> {
     let mut inside = vec![StoryBlock::Paragraph(vec![quiet(LEAD), prose(format!("{first}{dots}"))])];
     if !rest.trim().is_empty() {
         let blocks = vec![StoryBlock::Paragraph(vec![prose(rest.to_owned())])];
-        inside.push(StoryBlock::Fold { title: "The rest of the remark".to_owned(), unfolded: None, blocks });
+        inside.push(fold("The rest of the remark", blocks));
     }
     Some(StoryBlock::Group("remark", inside))
 }
@@ -307,11 +307,8 @@ fn wrong<'a>(
     let ids: Vec<&str> = front.lines.iter().map(|l| l.id.as_str()).collect();
     if ids.len() > on_terminal {
         let hidden = ids.get(most..).unwrap_or_default();
-        out.push(StoryBlock::Fold {
-            title: format!("{} more: {}", hidden.len() + front.more, first_of(hidden, front.more)),
-            unfolded: Some(format!("Nor do these: {}.", first_of(&ids[on_terminal..], front.more))),
-            blocks: folded,
-        });
+        let title = format!("{} more: {}", hidden.len() + front.more, first_of(hidden, front.more));
+        out.push(on_page(title, &format!("Nor do these: {}.", first_of(&ids[on_terminal..], front.more)), folded));
     }
     out
 }
@@ -395,7 +392,7 @@ fn nothing_wrong<'a>(
 pub fn front_page(derivation: &Derivation, account: &Account, colour: bool) -> String {
     let paint = Paint(colour);
     let head = format!("{}\n{}", paint.bold(&derivation.title), paragraph(&derivation.concerns, 2));
-    head + &story::terminal(&blocks(derivation, account), paint)
+    head + &story::terminal(&blocks(derivation, account), 0, paint)
 }
 
 /// Page one as Markdown.
@@ -419,9 +416,16 @@ mod tests {
                     out.push(name);
                     groups(inside, out);
                 }
-                StoryBlock::Fold { blocks, .. } => groups(blocks, out),
+                StoryBlock::Fold(of) => groups(&of.blocks, out),
                 StoryBlock::List(items) => items.iter().for_each(|item| groups(&item.below, out)),
-                StoryBlock::Heading(_) | StoryBlock::Paragraph(_) | StoryBlock::Table(_) | StoryBlock::Figure(..) => {}
+                StoryBlock::Part(of) => groups(&of.blocks, out),
+                StoryBlock::Heading(_)
+                | StoryBlock::Paragraph(_)
+                | StoryBlock::Formula(..)
+                | StoryBlock::Lines(..)
+                | StoryBlock::Embedded(_)
+                | StoryBlock::Table(_)
+                | StoryBlock::Figure(..) => {}
             }
         }
     }
@@ -438,7 +442,7 @@ mod tests {
         assert!(found.iter().filter(|g| **g == "card").count() <= 14);
         let text = front_page(&derivation, account, false);
         assert!(text.lines().count() < 80, "{text}");
-        let page = story::html(&story).into_string();
+        let page = story::html(&story, story::Medium::Screen).into_string();
         assert!(page.len() < 60_000, "{}", page.len());
         page
     }

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::finding::{Finding, Level, Place};
 use super::numbers::count;
-use crate::derivation::Derivation;
 use ::paper::{Comparison, Difference};
+use derivation::Derivation;
 
 /// The most equations and relations that are listed for a terminal.
 const SHOWN: usize = 20;

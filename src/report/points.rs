@@ -12,7 +12,7 @@ use super::numbers::count;
 use super::story::{StoryBlock, StorySpan, Tone, joined, quiet, words};
 use super::tally::{Standing, declared};
 use super::text::{capital, uncapital};
-use crate::derivation::{ClaimRole, Derivation};
+use derivation::{ClaimRole, Derivation};
 use findings::{ClaimAccount, Grounds, Outcome, Recorded};
 
 /// Longest formula, in bytes of LaTeX; beside the words of a reading it has what room they leave.
@@ -221,6 +221,6 @@ pub(super) fn in_words<'a>(derivation: &'a Derivation, formula: &str, of: &Claim
 /// The words that the file has for a condition of one formula.
 fn said<'a>(derivation: &'a Derivation, formula: &str) -> Option<&'a str> {
     let wanted = canonical(formula);
-    let of = |c: &&crate::derivation::Condition| matches!(c.holds.as_slice(), [one] if canonical(&one.text) == wanted);
+    let of = |c: &&derivation::Condition| matches!(c.holds.as_slice(), [one] if canonical(&one.text) == wanted);
     derivation.conditions.iter().find(of).map(|c| c.says.as_str())
 }

@@ -1,14 +1,13 @@
 //! Whether a proof is recorded, and its steps: for people.
 //!
-//! **In:** [`Recorded`], or what a replay came to. **Out:** a sentence, the sequents in words and the numbered steps; text for a terminal, or a fold of the page.
+//! **In:** [`Recorded`], or what a replay came to. **Out:** a sentence, and blocks: the sequents in words, the numbered steps.
 
-use super::page::text::prose;
+use super::story::{StoryBlock, StoryItem, prose};
 use super::tally::name;
 use super::text::paragraph;
 use checker::{Shown, Told};
 use findings::{Account, ClaimAccount, Grounds, Recorded, ReplayedRecord};
 use latex::Scope;
-use maud::{Markup, html};
 
 /// Most claims that a sentence names.
 const MOST_NAMED: usize = 12;
@@ -56,13 +55,6 @@ pub(super) fn count(account: &Account) -> String {
     rests(account).map(|sentence| paragraph(&sentence, 0)).unwrap_or_default()
 }
 
-/// Most steps of one relation that are printed; all are in `proofs.json`.
-const MOST_STEPS: usize = 60;
-
-/// Most steps of one claim that the page shows, all of its relations together: nobody reads more, and of some thousand steps a
-/// page would be half. `explain` prints more, and all are in `proofs.json`.
-const MOST_ON_PAGE: usize = 8;
-
 /// Longest sequent that the page prints in full, in characters: `explain` and `audit` print all of it.
 const LONGEST_ON_PAGE: usize = 700;
 
@@ -80,32 +72,9 @@ pub(super) fn shown_words(shown: &Shown) -> String {
     out
 }
 
-/// The steps that are printed, and how many are not.
-fn printed(told: &Told) -> (&[String], usize) {
-    let count = told.steps.len().min(MOST_STEPS);
-    (&told.steps[..count], told.steps.len() - count)
-}
-
-/// The sentence, the sequents and the steps, indented.
-pub(super) fn text(recorded: &Recorded) -> String {
-    let mut out = paragraph(&recorded.sentence(), 2);
-    for told in recorded.replayed().into_iter().flat_map(ReplayedRecord::told) {
-        out += &format!("\n{}", paragraph(&told.sequent, 4));
-        let (steps, more) = printed(&told);
-        for (at, step) in steps.iter().enumerate() {
-            out += &paragraph(&format!("{}. {step}", at + 1), 6);
-        }
-        if more > 0 {
-            out += &paragraph(&format!("and {more} steps more, which are in proofs.json of the report"), 6);
-        }
-        out += &paragraph(&format!("Replayed: {}.", shown_words(&told.shown)), 4);
-    }
-    out
-}
-
-/// The relations that the page shows, each with the number of its steps that are shown. No others are told, for that takes a replay.
-fn on_page(replayed: &ReplayedRecord) -> Vec<(Told, usize)> {
-    let mut left = MOST_ON_PAGE;
+/// The relations that are shown, each with the number of its steps that are shown. No others are told, for that takes a replay.
+fn first(replayed: &ReplayedRecord, most: usize) -> Vec<(Told, usize)> {
+    let mut left = most;
     let mut shown = Vec::new();
     for told in replayed.told() {
         let count = told.steps.len().min(left);
@@ -133,20 +102,26 @@ fn beginning(sequent: &str) -> String {
     format!("{whole} \u{2026} ({long} characters, all of which `explain` and `audit` print)")
 }
 
-/// The same in a fold of the page, up to [`MOST_ON_PAGE`] steps.
-pub(super) fn fold(recorded: &Recorded, scope: &Scope) -> Markup {
-    let Some(replayed) = recorded.replayed() else { return html! {} };
-    let shown = on_page(replayed);
+/// The sequents in words and the steps of each, all together up to so many.
+pub(super) fn blocks<'a>(recorded: &Recorded, scope: &'a Scope, most: usize) -> Vec<StoryBlock<'a>> {
+    let Some(replayed) = recorded.replayed() else { return Vec::new() };
+    let shown = first(replayed, most);
     let more = replayed.steps() - shown.iter().map(|(_, count)| count).sum::<usize>();
-    html! {
-        details.steps {
-            summary { "The proof, step by step" }
-            @for (told, count) in &shown {
-                p { (prose(&beginning(&told.sequent), scope)) }
-                ol { @for step in told.steps.iter().take(*count) { li { (prose(step, scope)) } } }
-                p { "Replayed: " (prose(&beginning(&shown_words(&told.shown)), scope)) "." }
-            }
-            @if more > 0 { p { "And " (more) " steps more, of " (replayed.relations()) " relations in all, which are in proofs.json." } }
-        }
+    let says = |text: String| StoryBlock::Paragraph(vec![prose(text, scope)]);
+    let mut out = Vec::new();
+    for (told, count) in shown {
+        out.push(says(beginning(&told.sequent)));
+        let numbered = told.steps.iter().take(count).enumerate().map(|(at, step)| StoryItem {
+            mark: format!("{}.", at + 1),
+            line: vec![prose(step, scope)],
+            below: Vec::new(),
+        });
+        out.push(StoryBlock::List(numbered.collect()));
+        out.push(says(format!("Replayed: {}.", beginning(&shown_words(&told.shown)))));
     }
+    if more > 0 {
+        let relations = replayed.relations();
+        out.push(says(format!("And {more} steps more, of {relations} relations in all, which are in proofs.json.")));
+    }
+    out
 }

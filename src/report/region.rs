@@ -1,13 +1,14 @@
 //! Claims over ranges of values, in the words of every kind of report.
 
-use super::markup::{prose, table};
 use super::numbers::value;
+use super::story::{StoryBlock, StorySpan, Tone, prose, strong, terminal, words};
 use super::tally::{glyph, name, says};
-use super::text::{Paint, paragraph};
+use super::text::Paint;
 use super::wording::unit;
-use crate::derivation::{Derivation, FormKind};
+use derivation::{Derivation, FormKind};
 use findings::region::{RangeAccount, RegionAccount, SolutionAccount};
 use findings::{Account, ClaimAccount};
+use latex::Scope;
 
 /// What is said of the formulas of a claim over ranges, for the heading of a list of them.
 pub(super) fn heading(kind: FormKind, region: &RegionAccount) -> String {
@@ -37,27 +38,13 @@ fn range(of: &RangeAccount) -> String {
 }
 
 /// All ranges, in a sentence; `None` where there are none.
-pub(super) fn ranges(region: &RegionAccount) -> Option<String> {
+fn ranges(region: &RegionAccount) -> Option<String> {
     let all: Vec<String> = region.ranges.iter().map(range).collect();
     (!all.is_empty()).then(|| format!("Over {}.", all.join(", ")))
 }
 
-/// The verdict and how it came about, in a sentence without its end.
-pub(super) fn verdict(region: &RegionAccount) -> String {
-    let outcome = region.verdict.outcome();
-    let word = match outcome.word() {
-        "holds" => "Holds",
-        "fails" => "Fails",
-        "undecided" => "Undecided",
-        _ => "Does not apply",
-    };
-    let strength = outcome.strength().map(|s| format!(" ({s})")).unwrap_or_default();
-    let reason = region.verdict.evidence().reason.as_ref().map(ToString::to_string).unwrap_or_default();
-    format!("{word}{strength}: {reason}")
-}
-
 /// `, expected: …`, where the verdict is not as expected.
-pub(super) fn expected(region: &RegionAccount) -> String {
+fn expected(region: &RegionAccount) -> String {
     match (region.is_unexpected(), region.expected) {
         (true, Some(word)) => format!(", expected: {word}"),
         (true, None) => ", not expected".to_owned(),
@@ -72,7 +59,7 @@ fn solution(of: &SolutionAccount) -> String {
 }
 
 /// What else is known, one sentence each, without its end.
-pub(super) fn notes(region: &RegionAccount) -> Vec<String> {
+fn notes(region: &RegionAccount) -> Vec<String> {
     let mut out: Vec<String> = Vec::new();
     for (i, of) in region.solutions.iter().enumerate() {
         let number = if region.solutions.len() > 1 { format!(" {}", i + 1) } else { String::new() };
@@ -82,9 +69,28 @@ pub(super) fn notes(region: &RegionAccount) -> Vec<String> {
     out
 }
 
-/// A text for a terminal: formulas without their dollars.
-fn bare(text: &str) -> String {
-    text.replace('$', "")
+/// The ranges, the verdict with its reason, and what else is known.
+pub(super) fn told<'a>(of: &'a RegionAccount, scope: &'a Scope) -> Vec<StoryBlock<'a>> {
+    let outcome = of.verdict.outcome();
+    let word = match outcome.word() {
+        "holds" => "Holds",
+        "fails" => "Fails",
+        "undecided" => "Undecided",
+        _ => "Does not apply",
+    };
+    let strength = outcome.strength().map(|s| format!(" ({s})")).unwrap_or_default();
+    let mut line = vec![strong(format!("{word}{strength}"))];
+    line.extend(of.verdict.evidence().reason.as_ref().map(|why| prose(format!(": {why}"), scope)));
+    if let Some(text) = expected(of).strip_prefix(", ") {
+        line.extend([words(", "), StorySpan::Words(text.to_owned(), Tone::Alarm)]);
+    }
+    line.push(words("."));
+    let mut out: Vec<StoryBlock<'a>> =
+        ranges(of).map(|r| StoryBlock::Paragraph(vec![prose(r, scope)])).into_iter().collect();
+    out.push(StoryBlock::Paragraph(line));
+    let notes = notes(of).into_iter();
+    out.extend(notes.map(|note| StoryBlock::Paragraph(vec![StorySpan::Prose(format!("{note}."), scope, Tone::Quiet)])));
+    out
 }
 
 /// One claim in the terminal.
@@ -93,23 +99,13 @@ fn terminal_one(derivation: &Derivation, claim: &ClaimAccount, region: &RegionAc
     let strength = outcome.strength().map(|s| format!(" ({s})")).unwrap_or_default();
     let head = format!("{}  {}{strength}{}", glyph(outcome), outcome.word(), expected(region));
     let head = if region.is_unexpected() { paint.alarm(&head) } else { paint.verdict(outcome, &head) };
-    let mut out = format!("  {}  {head}\n", paint.bold(&name(claim)));
-    out.push_str(&paragraph(&bare(&says(derivation, claim)), 4));
-    if let Some(ranges) = ranges(region) {
-        out.push_str(&paragraph(&bare(&ranges), 4));
-    }
-    if let Some(reason) = &region.verdict.evidence().reason {
-        out.push_str(&paragraph(&bare(&reason.to_string()), 4));
-    }
-    for note in notes(region) {
-        out.push_str(&paragraph(&bare(&note), 4));
-    }
-    out.push('\n');
-    out
+    let mut blocks = vec![StoryBlock::Paragraph(vec![prose(says(derivation, claim), &derivation.scope)])];
+    blocks.extend(told(region, &derivation.scope));
+    format!("  {}  {head}\n{}\n", paint.bold(&name(claim)), terminal(&blocks, 4, paint))
 }
 
 /// The claims over ranges in the terminal: all of them, or those that differ or are open without being expected to.
-pub(super) fn terminal(derivation: &Derivation, account: &Account, paint: Paint, all: bool) -> String {
+pub(super) fn summary(derivation: &Derivation, account: &Account, paint: Paint, all: bool) -> String {
     let told = |r: &&RegionAccount| all || r.is_unexpected() || r.verdict.outcome().word() == "undecided";
     let mut body = String::new();
     let mut number = 0;
@@ -140,39 +136,6 @@ pub(super) fn explain(derivation: &Derivation, claim: &ClaimAccount, paint: Pain
             out.push_str(&format!("      left in [{a}, {b}]\n      right in [{c}, {d}]\n"));
         }
         out.push('\n');
-    }
-    out
-}
-
-/// The section of `report.md`.
-pub(super) fn section(claim: &ClaimAccount) -> String {
-    let Some(region) = &claim.region else { return String::new() };
-    let mut out = String::new();
-    if let Some(ranges) = ranges(region) {
-        out.push_str(&format!("{}\n\n", prose(&ranges)));
-    }
-    let text = verdict(region);
-    let end = text.find([':', ' ']).unwrap_or(text.len());
-    let (word, rest) = text.split_at(end);
-    let space = if rest.starts_with(' ') { " " } else { "" };
-    let expected = match expected(region) {
-        text if text.is_empty() => text,
-        text => format!(" — **{}**", text.trim_start_matches(", ")),
-    };
-    out.push_str(&format!("**{word}**{space}{}{expected}.\n\n", prose(rest)));
-    if !region.solutions.is_empty() {
-        let rows = region
-            .solutions
-            .iter()
-            .flat_map(|s| &s.values)
-            .map(|(name, lo, hi)| vec![prose(&format!("${name}$")), format!("{lo:.17}"), format!("{hi:.17}")]);
-        out.push_str(&table(&["solution", "not below", "not above"], rows));
-    }
-    for remark in &region.remarks {
-        out.push_str(&format!("{}.\n\n", prose(&remark.to_string())));
-    }
-    if region.map.is_some() {
-        out.push_str("`index.html` has a picture of the first two ranges.\n\n");
     }
     out
 }

@@ -6,7 +6,7 @@
 use super::mathml::escaped;
 use super::numbers::six;
 use super::shape::VerdictShape;
-use crate::derivation::DEFAULT_PRECISION;
+use derivation::DEFAULT_PRECISION;
 use findings::Residuals;
 
 /// Width and height of a drawing of both sides.

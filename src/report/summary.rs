@@ -3,10 +3,11 @@
 use super::finding::{self, Finding};
 use super::numbers::{both, count, retold, six, size, time, value};
 use super::refuting::Refutes;
+use super::story::{StoryBlock, terminal};
 use super::tally::{Group, glyph, groups, name, says};
 use super::text::{Paint, fitted, paragraph, width, wrapped};
 use super::{discrimination, family, region};
-use crate::derivation::Derivation;
+use derivation::Derivation;
 use findings::{Account, ClaimAccount, FamilyAccount, PairAccount, Summary, Witness};
 use std::time::Duration;
 
@@ -26,7 +27,7 @@ const MEASURED_SHOWN: usize = 6;
 /// The summary of one derivation, with escape codes if `colour`: page one, what differs, what is open, and the counts.
 /// With `whole` the matrix of all verdicts, every failure, and all that was found beside the verdicts.
 pub fn summary(derivation: &Derivation, account: &Account, colour: bool, whole: bool) -> String {
-    let paint = Paint(colour);
+    let (paint, scope) = (Paint(colour), &derivation.scope);
     let mut out = super::page_one::front_page(derivation, account, colour);
     out.push('\n');
     let most = if whole { usize::MAX } else { MOST_BLOCKS };
@@ -38,7 +39,7 @@ pub fn summary(derivation: &Derivation, account: &Account, colour: bool, whole: 
         out.push_str(&matrix(account, paint));
     }
     let told = if whole { Told::All } else { Told::Unexpected };
-    out.push_str(&region::terminal(derivation, account, paint, whole || account.claims.len() <= MOST_BLOCKS));
+    out.push_str(&region::summary(derivation, account, paint, whole || account.claims.len() <= MOST_BLOCKS));
     out.push_str(&families(derivation, account, paint, told));
     out.push_str(&blocks("Differs from what is expected", &|g| g.unexpected, usize::MAX));
     out.push_str(&alone(derivation, account, paint));
@@ -52,11 +53,11 @@ pub fn summary(derivation: &Derivation, account: &Account, colour: bool, whole: 
             out.push_str(&left_open(account, paint));
         }
     }
-    out.push_str(&super::units::terminal(&account.units, paint));
+    out.push_str(&spaced(&super::units::problems(&account.units, scope), paint));
     out.push_str(&problems(account, paint));
     if whole {
-        out.push_str(&super::conditions::terminal(account, paint));
-        out.push_str(&discrimination::summary(account, paint));
+        out.push_str(&spaced(&super::conditions::summary(account, scope), paint));
+        out.push_str(&spaced(&discrimination::summary(account, scope), paint));
         out.push_str(&measurements(derivation, account, paint));
     }
     out.push_str(&counts(account, paint));
@@ -69,16 +70,21 @@ pub fn summary(derivation: &Derivation, account: &Account, colour: bool, whole: 
 
 /// What `--quiet` prints: nothing, unless something differs or is undecided.
 pub fn exceptions(derivation: &Derivation, account: &Account, colour: bool) -> String {
-    let paint = Paint(colour);
+    let (paint, scope) = (Paint(colour), &derivation.scope);
     let all = usize::MAX;
     let mut out = blocks(derivation, account, paint, "Differs from what is expected", all, |g| g.unexpected);
     out.push_str(&alone(derivation, account, paint));
     out.push_str(&blocks(derivation, account, paint, "Undecided", all, |g| g.word == "undecided" && !g.unexpected));
-    out.push_str(&region::terminal(derivation, account, paint, false));
+    out.push_str(&region::summary(derivation, account, paint, false));
     out.push_str(&families(derivation, account, paint, Told::Unexpected));
-    out.push_str(&super::units::terminal(&account.units, paint));
+    out.push_str(&spaced(&super::units::problems(&account.units, scope), paint));
     out.push_str(&problems(account, paint));
     out
+}
+
+/// Blocks, and a line below them.
+fn spaced(blocks: &[StoryBlock<'_>], paint: Paint) -> String {
+    if blocks.is_empty() { String::new() } else { terminal(blocks, 0, paint) + "\n" }
 }
 
 fn bare(text: &str) -> String {
@@ -100,10 +106,7 @@ pub(super) fn on_family(
     let head = if family.is_unexpected() { paint.alarm(&head) } else { paint.verdict(outcome, &head) };
     let mut out = format!("  {}  {head}\n", paint.bold(&name(claim)));
     out.push_str(&paragraph(&bare(&says(derivation, claim)), 4));
-    out.push_str(&paragraph(&family::sentence(&family::counts(family)), 4));
-    for text in family::remarks(family) {
-        out.push_str(&paragraph(&bare(&family::sentence(&text)), 4));
-    }
+    out.push_str(&terminal(&[family::told(family, &derivation.scope)], 4, paint));
     for of in family::shown(family) {
         out.push_str(&paragraph(&bare(&of.named()), 4));
         match &of.member.verdict.evidence().witness {

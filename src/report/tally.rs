@@ -1,6 +1,6 @@
 //! What a row of verdicts amounts to, in words.
 
-use crate::derivation::{Claim, Derivation};
+use derivation::{Claim, Derivation};
 use findings::{ClaimAccount, Outcome, PairAccount};
 
 /// How a claim fares as a whole.
@@ -72,6 +72,11 @@ pub(super) fn groups(claim: &ClaimAccount) -> Vec<Group<'_>> {
     let order = ["holds", "fails", "undecided"];
     out.sort_by_key(|g| order.iter().position(|w| *w == g.word).unwrap_or(order.len()));
     out
+}
+
+/// What fails first: the order in which the groups of a claim are told.
+pub(super) fn in_order(groups: &mut [Group<'_>]) {
+    groups.sort_by_key(|g| ["fails", "holds", "undecided"].iter().position(|w| *w == g.word).unwrap_or(3));
 }
 
 /// One letter for a verdict, readable without colour.

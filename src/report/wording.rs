@@ -115,6 +115,38 @@ pub(super) fn dense(text: &str) -> String {
     text.split_whitespace().collect()
 }
 
+/// A LaTeX name as a word that can be pasted into a program: `\dot{R}_{11}` becomes `R_11_dot`.
+pub(super) fn identifier(name: &str) -> String {
+    let dots = ["\\dddot", "\\ddot", "\\dot"].iter().position(|d| name.starts_with(d));
+    let mut out = String::new();
+    let mut word = String::new();
+    let mut escaped = false;
+    let rest = dots.map_or(name, |d| &name[["\\dddot", "\\ddot", "\\dot"][d].len()..]);
+    for c in rest.chars().chain([' ']) {
+        if escaped && c.is_ascii_alphabetic() {
+            word.push(c);
+            continue;
+        }
+        let style =
+            ["bf", "rm", "it", "cal", "sf", "mathbf", "mathrm", "boldsymbol", "operatorname"].contains(&word.as_str());
+        if !style {
+            out.push_str(&word);
+        }
+        word.clear();
+        escaped = c == '\\';
+        match c {
+            '\'' => out.push_str("_prime"),
+            '(' => out.push_str("_at_"),
+            '-' => out.push('m'),
+            '_' => out.push('_'),
+            c if c.is_alphanumeric() => out.push(c),
+            _ => {}
+        }
+    }
+    let suffix = ["_dddot", "_ddot", "_dot"];
+    out + dots.map_or("", |d| suffix[d])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -158,5 +190,21 @@ mod tests {
         assert_eq!(of("R=1   [i=1]"), ("", "R=1", "", Some("i=1")));
         assert_eq!(of("for the system a"), ("for the system ", "a", "", None));
         assert_eq!(of("x has a value"), ("", "x", " has a value", None));
+    }
+
+    #[test]
+    fn names_become_words() {
+        for (name, word) in [
+            (r"\dot{R}_{11}", "R_11_dot"),
+            (r"{\bf m}_3", "m_3"),
+            (r"\Omega_2(0)", "Omega_2_at_0"),
+            (r"\dot{\bf w}_1", "w_1_dot"),
+            (r"\ddot{\theta}", "theta_ddot"),
+            (r"I_{(1-3)}", "I__at_1m3"),
+            (r"\operatorname{Re}(c)", "Re_at_c"),
+            ("t", "t"),
+        ] {
+            assert_eq!(identifier(name), word, "{name}");
+        }
     }
 }

@@ -6,9 +6,9 @@ use super::region::Region;
 use super::value::{Named, StepStanding, StepVerdict, Strength, Verdict, is_false, objects};
 use super::variants::{Discrimination, Variants};
 use crate::certificates::file_name;
-use crate::derivation::{ClaimRole, Derivation};
 use crate::tally::declared;
 use crate::wording::slack;
+use derivation::{ClaimRole, Derivation};
 use findings::standing::{self, MOST_TOLD};
 
 objects! {

@@ -22,9 +22,9 @@ mod value;
 mod variants;
 
 use super::recorded::by_grounds;
-use crate::derivation::Derivation;
 use ::paper::Comparison;
 use claim::Claim;
+use derivation::Derivation;
 use family::Distribution;
 use findings::{Account, Grounds};
 use paper::Paper;

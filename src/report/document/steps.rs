@@ -2,10 +2,10 @@
 
 use super::value::{NodeKind, is_false, objects};
 use crate::consequence::{Concluded, Consequences};
-use crate::derivation::Derivation;
 use crate::digest::{self, Fate, Whole};
 use crate::front::Front;
 use crate::graph::{self, DerivationGraph, Kind};
+use derivation::Derivation;
 use findings::Account;
 
 objects! {

@@ -12,14 +12,14 @@ use rayon::prelude::*;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
+use super::super::pair_story::assigned;
 use super::super::tally::{declared, name};
-use super::claims::assigned;
 use super::compression::{DIGITS, digit};
 use super::text::{formula, label_parts};
 use super::tight::tight;
-use crate::derivation::{Claim, Derivation, Event};
-use crate::latex::Scope;
+use derivation::{Claim, Derivation, Event};
 use findings::{Account, ClaimAccount, PairAccount, ResidualPoint, Residuals};
+use latex::Scope;
 
 /// Steps between the least and the largest value: of times, of sides, of the logarithms of residuals and bounds.
 const STEPS: Steps = Steps { time: 1020, side: 255, logarithm: 85 };
@@ -253,7 +253,7 @@ struct Data<'a> {
 /// one after the other.
 pub(super) fn json(derivation: &Derivation, account: &Account, folds: &[String]) -> String {
     let columns = account.columns();
-    let many = if super::has_many_pairs(account) { Many::Yes } else { Many::No };
+    let many = if super::matrix::has_many_pairs(account) { Many::Yes } else { Many::No };
     let of_claim = |claim: &ClaimAccount| {
         let declared = declared(derivation, claim);
         let mut labels = Labels { scope: declared.map_or(&derivation.scope, |d| &d.scope), known: HashMap::new() };

@@ -13,7 +13,7 @@ use super::super::digest::{self, Fate, Whole};
 use super::super::graph::{DerivationGraph, Kind};
 use super::super::tally::name;
 use super::text::plain;
-use crate::derivation::Derivation;
+use derivation::Derivation;
 use findings::Account;
 
 /// Width and height of a box, and what lies between two of a row and between two rows of a layer.

@@ -10,8 +10,8 @@ use maud::{Markup, html};
 
 use super::super::numbers::value;
 use super::text::{plain, prose};
-use crate::latex::Scope;
 use findings::family::{Axis, Boundary, FamilyMap};
+use latex::Scope;
 
 /// The board in units of the picture: left, top, and the length of its longer side.
 const BOARD: (f64, f64, f64) = (84.0, 12.0, 384.0);
@@ -116,7 +116,7 @@ fn description(map: &FamilyMap) -> String {
 }
 
 /// The picture; nothing where no member was tried.
-pub(super) fn figure(map: &FamilyMap, claim: &str, scope: &Scope) -> Markup {
+pub(in super::super) fn figure(map: &FamilyMap, claim: &str, scope: &Scope) -> Markup {
     let (left, top, side) = BOARD;
     let (columns, rows) = (map.across.cells.len().max(1), map.up.cells.len().max(1));
     let scale = side / columns.max(rows) as f64;

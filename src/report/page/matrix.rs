@@ -72,6 +72,14 @@ fn letters(pair: &PairAccount) -> &'static str {
     }
 }
 
+/// Pages with more pairs are large.
+const MOST_PAIRS: usize = 1_000;
+
+/// Whether there are more than [`MOST_PAIRS`] verdicts of claims on motions.
+pub(super) fn has_many_pairs(account: &Account) -> bool {
+    account.claims.iter().map(|c| c.results.len()).sum::<usize>() > MOST_PAIRS
+}
+
 /// Whether any claim was tried on a motion; a file about fields and ranges alone has none.
 pub(super) fn has_pairs(account: &Account) -> bool {
     account.claims.iter().any(|claim| !claim.results.is_empty())
@@ -79,7 +87,7 @@ pub(super) fn has_pairs(account: &Account) -> bool {
 
 /// The matrix with its legend and filters; unseen where it would be empty.
 pub(super) fn section(account: &Account) -> Markup {
-    let is_large = super::has_many_pairs(account);
+    let is_large = has_many_pairs(account);
     html! {
         section id="/matrix" hidden[!has_pairs(account)] {
             h2 { "Claims and motions" }

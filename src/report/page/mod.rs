@@ -13,95 +13,74 @@
 //! language to learn, and no file to find at run time.
 
 mod board;
-mod claims;
 mod compression;
 mod data;
 mod details;
-mod family;
-mod findings;
 mod graph;
-mod map;
+pub(super) mod map;
 mod matrix;
 mod motions;
+pub(super) mod pairs;
 mod portrait;
 mod reasons;
-mod region;
+pub(super) mod region;
 mod reuse;
-mod support;
+pub(super) mod slopes;
 pub(super) mod text;
 mod tight;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use super::numbers::{size, time};
-use crate::derivation::Derivation;
+use super::story::{self, Medium, StoryBlock};
+use super::{claim_story, whole};
 use ::findings::Account;
-use text::{formula, prose, unit};
+use derivation::Derivation;
+use text::prose;
 
 const STYLE: &str = include_str!("style.css");
 /// The letters of formulas: without them dots sit in the letters where no font for mathematics is installed.
 pub(super) const FONT: &str = include_str!("../font/formulas.css");
 const SCRIPT: &str = include_str!("script.js");
 
-/// Pages with more pairs are large.
-const MOST_PAIRS: usize = 1_000;
-/// So are pages of which what may be folded has more bytes.
+/// Pages of which what may be folded has more bytes are large.
 const MOST_FOLDED: usize = 400_000;
-
-/// Whether there are more than [`MOST_PAIRS`] verdicts of claims on motions.
-fn has_many_pairs(account: &Account) -> bool {
-    account.claims.iter().map(|c| c.results.len()).sum::<usize>() > MOST_PAIRS
-}
 
 /// The page.
 pub fn page(derivation: &Derivation, account: &Account) -> String {
-    let large = || rayon::join(|| claims::section(derivation, account), || motions::section(derivation, account));
-    let (listed, (claims, motions)) = rayon::join(|| findings::listed(derivation, account), large);
-    let folding = html! { (claims) (motions) (measures(derivation, account)) };
+    let shown = |blocks: &[StoryBlock<'_>]| story::html(blocks, Medium::Screen);
+    let claims = || shown(&[claim_story::claims(derivation, account)]);
+    let (claims, motions) = rayon::join(claims, || motions::section(derivation, account));
+    let rest = whole::rest(derivation, account);
+    let mut listed = tight::tight(&shown(&whole::listed(derivation, account)).into_string());
+    let folding = html! { (claims) (motions) (shown(&rest)) };
     let mut folding = reuse::drawn_once(&tight::tight(&folding.into_string()));
-    let mut listed = tight::tight(&listed.into_string());
-    let mut units = tight::tight(&support::units(account, &derivation.scope).into_string());
     // A large page keeps what is folded out of the document until it is unfolded.
-    let is_large = has_many_pairs(account) || folding.len() > MOST_FOLDED;
+    let is_large = matrix::has_many_pairs(account) || folding.len() > MOST_FOLDED;
     let mut folds = Vec::new();
     if is_large {
         listed = details::taken_out(&listed, &mut folds);
         folding = details::taken_out(&folding, &mut folds);
-        units = details::taken_out(&units, &mut folds);
     }
-    let findings = findings::section(derivation, account, &PreEscaped(listed));
     let data = compression::packed(&data::json(derivation, account, &folds));
-    let rest = html! {
-        (PreEscaped(folding))
-        (conventions(derivation))
-        (symbols(derivation))
-        (systems(derivation))
-        (PreEscaped(units))
-        (making(derivation))
-    };
     let body = html! {
         (header(derivation, Some(account)))
-        main id="/main" { (findings) (graph::section(derivation, account)) (matrix::section(account)) (rest) }
+        main id="/main" {
+            section id=(whole::FOUND.0) {
+                h2 { (whole::FOUND.1) }
+                (shown(&[whole::front(derivation, account)])) (PreEscaped(listed))
+            }
+            (graph::section(derivation, account)) (matrix::section(account)) (PreEscaped(folding))
+        }
     };
     framed(derivation, &body, Some(&data))
 }
 
 /// The report as it is printed: what is folded on a screen is shown, what only a screen can show is left out.
 pub fn printed_page(derivation: &Derivation, account: &Account) -> String {
+    let graph = story::embedded(|| graph::section(derivation, account));
     let body = html! {
         (header(derivation, None))
-        main id="/main" {
-            (findings::section(derivation, account, &findings::listed(derivation, account)))
-            (graph::section(derivation, account))
-            (claims::printed_matrix(account))
-            (motions::listed(derivation, account))
-            (claims::printed(derivation, account))
-            (conventions(derivation))
-            (symbols(derivation))
-            (systems(derivation))
-            (support::units(account, &derivation.scope))
-            (making(derivation))
-        }
+        main id="/main" { (story::html(&whole::report(derivation, account, Some(graph)), Medium::Paper)) }
     };
     framed(derivation, &body, None).replace("<details", "<details open")
 }
@@ -124,9 +103,10 @@ fn header(derivation: &Derivation, contents_of: Option<&Account>) -> Markup {
 
 /// The first page alone, to be printed.
 pub fn first_page(derivation: &Derivation, account: &Account) -> String {
+    let front = [whole::front(derivation, account)];
     let body = html! {
         (header(derivation, None))
-        main id="/main" { (findings::front(derivation, account)) }
+        main id="/main" { (story::html(&front, Medium::Screen)) }
     };
     framed(derivation, &body, None)
 }
@@ -173,154 +153,6 @@ fn contents(derivation: &Derivation, account: &Account) -> Markup {
                 @if !account.units.formulas.is_empty() { li { a href="#/units" { "Units" } } }
                 @if !account.measurements.is_empty() || !account.distributions.is_empty() { li { a href="#/measures" { "Measured" } } }
                 li { a href="#/making" { "How it was made" } }
-            }
-        }
-    }
-}
-
-fn conventions(derivation: &Derivation) -> Markup {
-    if derivation.conventions.is_empty() {
-        return html! {};
-    }
-    html! {
-        section id="/conventions" {
-            h2 { "Conventions" }
-            dl {
-                @for (key, text) in &derivation.conventions {
-                    dt { (key.replace('-', " ")) }
-                    dd { (prose(text, &derivation.scope)) }
-                }
-            }
-        }
-    }
-}
-
-fn symbols(derivation: &Derivation) -> Markup {
-    let scope = &derivation.scope;
-    html! {
-        section id="/symbols" {
-            h2 { "Symbols" }
-            div.scroll tabindex="0" role="group" aria-label="Table of symbols" {
-                table {
-                    thead { tr { @for head in ["symbol", "role", "shape", "unit", "definition", "notes"] { th scope="col" { (head) } } } }
-                    tbody {
-                        @for s in &derivation.symbols {
-                            tr {
-                                td { (formula(&s.name, scope)) }
-                                td { (s.role_word()) }
-                                td {
-                                    @if derivation.graph.is_diagonal(s.symbol) { "diagonal " }
-                                    (derivation.graph.shape(s.symbol))
-                                }
-                                td { (s.unit.as_deref().map(unit).unwrap_or_default()) }
-                                td { @if let Some(f) = &s.formula { (formula(f, scope)) } }
-                                td {
-                                    @if let Some(says) = &s.says { (prose(says, scope)) }
-                                    @if let Some(scale) = &s.scale { " (scale factor " (formula(scale, scope)) ")" }
-                                    @if s.positive { " (positive)" }
-                                    @if s.angle { " (angle, continued without jumps)" }
-                                }
-                            }
-                        }
-                    }
-                }
-            }
-        }
-    }
-}
-
-fn systems(derivation: &Derivation) -> Markup {
-    if derivation.systems.is_empty() {
-        return html! {};
-    }
-    html! {
-        section id="/systems" {
-            h2 { "Systems" }
-            @for system in &derivation.systems {
-                h3 id={ "/system/" (system.id) } { (system.id) }
-                @if let Some(says) = &system.says { p { (prose(says, &derivation.scope)) } }
-                @for equation in &system.equations { (text::display(&equation.text, &derivation.scope)) }
-            }
-        }
-    }
-}
-
-/// The most values of a measurement that are shown.
-const VALUES_SHOWN: usize = 12;
-
-fn measures(derivation: &Derivation, account: &Account) -> Markup {
-    if account.measurements.is_empty() && account.distributions.is_empty() {
-        return html! {};
-    }
-    html! {
-        section id="/measures" {
-            h2 { "Measured" }
-            @for measure in &derivation.measures {
-                h3 { (measure.id) }
-                p {
-                    (prose(&measure.says, &derivation.scope)) ": " (formula(&measure.formula.text, &derivation.scope))
-                    @match (&measure.at, &measure.since) {
-                        (Some(_), Some(_)) => { ": " (prose(&super::family::taken(measure), &derivation.scope)) }
-                        (Some(at), None) => { ", taken when " (formula(&at.equation.text, &derivation.scope)) (at.occasion.words()) }
-                        (None, _) => {}
-                    }
-                }
-                @for of in account.distributions.iter().filter(|of| of.measure == measure.id) {
-                    p { "On the family " (of.family) ": " (prose(&super::family::distribution(of), &derivation.scope)) "." }
-                }
-                details {
-                    summary { "Values" }
-                    div.scroll tabindex="0" role="group" aria-label={ "Values of " (measure.id) } {
-                        table {
-                            thead { tr { th scope="col" { "motion" } th scope="col" { "value ± error bound (time)" } } }
-                            tbody {
-                                @for m in account.measurements.iter().filter(|m| m.measure == measure.id) {
-                                    tr {
-                                        th scope="row" { a href={ "#/trajectory/" (m.trajectory) } { (m.trajectory) } }
-                                        td {
-                                            @for (i, (t, v, b)) in m.values.iter().take(VALUES_SHOWN).enumerate() {
-                                                @if i > 0 { "; " }
-                                                (time(*v)) " ± " (size(*b)) " (t = " (time(*t)) ")"
-                                            }
-                                            @if m.values.len() > VALUES_SHOWN {
-                                                "; " (m.values.len() - VALUES_SHOWN) " more in report.json"
-                                            }
-                                            @if let Some(r) = &m.reason { " " (text::reason(&r.to_string(), &derivation.scope)) }
-                                        }
-                                    }
-                                }
-                            }
-                        }
-                    }
-                }
-            }
-        }
-    }
-}
-
-fn making(derivation: &Derivation) -> Markup {
-    let path = super::project_path(&derivation.file.path);
-    html! {
-        section id="/making" {
-            h2 { "How it was made" }
-            dl {
-                dt { "program" }
-                dd { (crate::PROGRAM) " " (env!("CARGO_PKG_VERSION")) }
-                dt { "derivation file" }
-                dd { (path) }
-                dt { "SHA-256 of the file" }
-                dd.hash { (derivation.sha256) }
-                dt { "to repeat it" }
-                dd { code { (crate::PROGRAM) " check " (path) } }
-                dt { "precision asked for" }
-                dd { (size(derivation::DEFAULT_PRECISION)) " of the size of the terms, where a claim does not say otherwise" }
-                dt { "seeds" }
-                dd { "Random points of proofs are drawn from seeds that are fixed by the program and the file: the same input gives the same page, byte by byte." }
-            }
-            p {
-                "The page states no time and no machine, since neither changes a verdict. A verdict is "
-                em { "sampled" } " (compared at finitely many times, each residual against its own error bound), "
-                em { "enclosed" } " (rigorously, for every time) or " em { "proved" } " (an identity, for all values)."
             }
         }
     }

@@ -6,8 +6,8 @@ use super::super::numbers::{count, size, time, value};
 use super::super::plot;
 use super::super::tally::{declared, name};
 use super::text::{self, formula, plain, prose, unit};
-use crate::derivation::{Derivation, FormKind, Motion, Picture, PictureKind, Written};
-use crate::expr::Expr;
+use derivation::{Derivation, FormKind, Motion, Picture, PictureKind, Written};
+use expr::Expr;
 use findings::{Account, PictureAccount, TrajectoryAccount};
 
 /// All trajectories.
@@ -23,30 +23,6 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
 
 /// So many motions are shown; of the others what they are, and the rest is folded.
 const SHOWN: usize = 3;
-
-/// The trajectories as they are printed: a line for each.
-pub(super) fn listed(derivation: &Derivation, account: &Account) -> Markup {
-    let scope = &derivation.scope;
-    html! {
-        section id="/trajectories" hidden[account.trajectories.is_empty()] {
-            h2 { "Motions" }
-            table {
-                thead { tr { th { "no." } th { "id" } th { "what it is" } th { "t" } th { "error at most" } } }
-                tbody {
-                    @for (i, t) in account.trajectories.iter().enumerate() {
-                        tr {
-                            td { (i + 1) }
-                            th { (t.id) }
-                            td { @if t.title != t.id { (prose(&t.title, scope)) } }
-                            td { (time(t.span.0)) " … " (time(t.span.1)) }
-                            td { (size(t.error)) }
-                        }
-                    }
-                }
-            }
-        }
-    }
-}
 
 /// What every picture of a kind shows, said once.
 fn what_is_drawn(derivation: &Derivation) -> Markup {

@@ -9,8 +9,8 @@ use maud::{Markup, html};
 use super::super::numbers::value;
 use super::board::{BOARD, axes, label};
 use super::text::{plain, prose};
-use crate::latex::Scope;
 use findings::region::{ARROWS, Drawn, Portrait, RegionAccount, SQUARES};
+use latex::Scope;
 
 fn number(x: f64) -> String {
     let rounded: f64 = format!("{x:.2e}").parse().unwrap_or(x);

@@ -1,4 +1,4 @@
-//! A claim over ranges of values: its verdict, and the picture of two ranges.
+//! The pictures of a claim over ranges of values.
 //!
 //! The picture is written by hand: a board of squares, one path for each part. Parts differ by pattern and by colour: proved is
 //! full, refuted is hatched, undecided is ruled, and where the claim does not apply the paper is left as it is. The lines are
@@ -6,32 +6,20 @@
 
 use maud::{Markup, html};
 
-use super::super::region;
 use super::super::tally::name;
 use super::board::{BOARD, axes, label, tick};
 use super::portrait;
 use super::text::prose;
-use crate::latex::Scope;
 use findings::ClaimAccount;
 use findings::region::{Part, RegionAccount, RegionMap};
+use latex::Scope;
 
-/// The block of a claim.
-pub(super) fn block(claim: &ClaimAccount, scope: &Scope) -> Markup {
-    let Some(of) = &claim.region else { return html! {} };
-    let word = of.verdict.outcome().word();
+/// The pictures of a claim.
+pub(in super::super) fn figures(claim: &ClaimAccount, of: &RegionAccount, scope: &Scope) -> Markup {
     html! {
-        div class={ "region " (word) } {
-            @if let Some(ranges) = region::ranges(of) { p { (prose(&ranges, scope)) } }
-            p {
-                (prose(&region::verdict(of), scope))
-                @if of.is_unexpected() { strong.alarm { (region::expected(of)) } }
-                "."
-            }
-            @for note in region::notes(of) { p.quiet { (prose(&note, scope)) "." } }
-            @if let Some(map) = &of.map { (figure(claim, of, map, scope)) }
-            @if !of.portraits.is_empty() {
-                div.pictures { @for portrait in &of.portraits { (portrait::figure(of, portrait, scope)) } }
-            }
+        @if let Some(map) = &of.map { (figure(claim, of, map, scope)) }
+        @if !of.portraits.is_empty() {
+            div.pictures { @for portrait in &of.portraits { (portrait::figure(of, portrait, scope)) } }
         }
     }
 }

@@ -77,8 +77,7 @@ function filter(s) {
   for (const family of document.querySelectorAll(".family"))
     family.hidden = ![...family.querySelectorAll("article.claim")].some(a => !a.hidden);
   for (const group of document.querySelectorAll(".verdicts")) {
-    const marked = group.querySelector(".mark").classList;
-    group.hidden = s.verdict.length > 0 && !s.verdict.some(v => v === "x" ? marked.contains("x") : group.classList.contains(words[v]));
+    group.hidden = s.verdict.length > 0 && !s.verdict.some(v => group.classList.contains(words[v] ?? v));
   }
   for (const row of document.querySelectorAll(".verdicts tbody tr[id]"))
     row.hidden = !like(motions[numbers(row.id)[1]], s.trajectory);

@@ -4,11 +4,10 @@ use maud::{Markup, PreEscaped, html};
 
 use super::super::mathml;
 use super::super::numbers::retold;
-pub(super) use super::super::plain::{bare, plain};
+pub(super) use super::super::plain::plain;
 pub(super) use super::super::wording::unit;
 use super::super::wording::{self, Part};
 use latex::Scope;
-use reason::Proviso;
 
 /// Longest formula, in bytes of LaTeX, that fits on a narrow screen.
 const LONG: usize = 40;
@@ -26,7 +25,7 @@ pub(in super::super) fn prose(text: &str, scope: &Scope) -> Markup {
 }
 
 /// A reason that the check gives: formulas stand in it between backticks, or before "has no value".
-pub(super) fn reason(text: &str, scope: &Scope) -> Markup {
+pub(in super::super) fn reason(text: &str, scope: &Scope) -> Markup {
     match text.split_once(" has no value") {
         Some((subject, tail)) if !subject.contains([' ', '`']) => {
             html! { (formula(subject, scope)) " has no value" (prose(tail, scope)) }
@@ -58,25 +57,8 @@ pub(in super::super) fn formula(text: &str, scope: &Scope) -> Markup {
     }
 }
 
-/// What a proof needs or leaves out, with its formulas.
-pub(super) fn proviso(of: &Proviso, scope: &Scope) -> Markup {
-    match of {
-        Proviso::Where { formula: of, is } => {
-            let (left, rest) = is.parts(of);
-            html! { (formula(&left, scope)) (rest) }
-        }
-        Proviso::Leap(of) => html! { "beyond a time at which " (formula(of, scope)) " leaps or has an edge" },
-        Proviso::Pole(of) => {
-            html! { "beyond a time at which " (formula(of, scope)) " = 0, unless the motion is analytic there" }
-        }
-        Proviso::Hole(of) => html! { "beyond a time at which " (formula(of, scope)) " = 0 or has no value" },
-        Proviso::Written(of) => formula(of, scope),
-        Proviso::Orders(_) | Proviso::OtherSign => html! { (plain(&of.to_string())) },
-    }
-}
-
 /// What a comparison is called: a formula, then perhaps its component, or words.
-pub(super) fn label(text: &str, scope: &Scope) -> Markup {
+pub(in super::super) fn label(text: &str, scope: &Scope) -> Markup {
     html! { @for part in label_parts(text, scope) { (part) } }
 }
 
@@ -89,7 +71,7 @@ pub(super) fn label_parts(text: &str, scope: &Scope) -> Vec<Markup> {
 }
 
 /// A formula on lines of its own. On paper nothing can be moved sideways: a wide one is printed in smaller letters.
-pub(super) fn display(text: &str, scope: &Scope) -> Markup {
+pub(in super::super) fn display(text: &str, scope: &Scope) -> Markup {
     match mathml::display(text, scope) {
         Some(rows) => {
             // Each sign on the page is one element; those of rows of a matrix stand above one another.
@@ -108,58 +90,10 @@ pub(super) fn display(text: &str, scope: &Scope) -> Markup {
     }
 }
 
-/// A LaTeX name as a word that can be pasted into a program: `\dot{R}_{11}` becomes `R_11_dot`.
-pub(super) fn identifier(name: &str) -> String {
-    let dots = ["\\dddot", "\\ddot", "\\dot"].iter().position(|d| name.starts_with(d));
-    let mut out = String::new();
-    let mut word = String::new();
-    let mut escaped = false;
-    let rest = dots.map_or(name, |d| &name[["\\dddot", "\\ddot", "\\dot"][d].len()..]);
-    for c in rest.chars().chain([' ']) {
-        if escaped && c.is_ascii_alphabetic() {
-            word.push(c);
-            continue;
-        }
-        let style =
-            ["bf", "rm", "it", "cal", "sf", "mathbf", "mathrm", "boldsymbol", "operatorname"].contains(&word.as_str());
-        if !style {
-            out.push_str(&word);
-        }
-        word.clear();
-        escaped = c == '\\';
-        match c {
-            '\'' => out.push_str("_prime"),
-            '(' => out.push_str("_at_"),
-            '-' => out.push('m'),
-            '_' => out.push('_'),
-            c if c.is_alphanumeric() => out.push(c),
-            _ => {}
-        }
-    }
-    let suffix = ["_dddot", "_ddot", "_dot"];
-    out + dots.map_or("", |d| suffix[d])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expr::Graph;
-
-    #[test]
-    fn names_become_words() {
-        for (name, word) in [
-            (r"\dot{R}_{11}", "R_11_dot"),
-            (r"{\bf m}_3", "m_3"),
-            (r"\Omega_2(0)", "Omega_2_at_0"),
-            (r"\dot{\bf w}_1", "w_1_dot"),
-            (r"\ddot{\theta}", "theta_ddot"),
-            (r"I_{(1-3)}", "I__at_1m3"),
-            (r"\operatorname{Re}(c)", "Re_at_c"),
-            ("t", "t"),
-        ] {
-            assert_eq!(identifier(name), word, "{name}");
-        }
-    }
+    use expr::Graph;
 
     #[test]
     fn texts_that_are_put_together_keep_their_spaces() {

@@ -1,48 +1,101 @@
 //! A story as Markdown, as a forge renders it.
 
-use super::super::markup::{code, prose};
-use super::{StoryBlock, StoryItem, StorySpan, StoryTable, Tone};
+use super::super::markup::{code, display, fenced, math, prose};
+use super::super::wording::label;
+use super::{Elsewhere, PartLevel, StoryBlock, StoryFold, StoryItem, StorySpan, StoryTable, Tone};
 
 /// The text; `link` writes the name of a claim.
 pub(in super::super) fn markdown(blocks: &[StoryBlock<'_>], link: &dyn Fn(&str) -> String) -> String {
     let mut out = String::new();
-    for block in blocks {
-        put(block, 0, link, &mut out);
-    }
+    put_all(blocks, 0, link, &mut out);
     out
+}
+
+/// Longest formula that stands in a line with others, in bytes of LaTeX.
+const SHORT: usize = 90;
+
+/// The anchor of a claim: what a forge makes of a heading is not the same everywhere.
+pub(in super::super) fn anchor(name: &str) -> String {
+    format!("claim-{}", name.replace('/', "--"))
+}
+
+/// Blocks, one below the other; short formulas stand in one line, behind a sentence that leads to them.
+fn put_all(blocks: &[StoryBlock<'_>], indent: usize, link: &dyn Fn(&str) -> String, out: &mut String) {
+    let mut is_open = false;
+    for (at, block) in blocks.iter().enumerate() {
+        let is_short = |b: Option<&StoryBlock<'_>>| matches!(b, Some(StoryBlock::Formula(text, _)) if text.len() <= SHORT && !text.contains('\n'));
+        let leads = |line: &str| line.ends_with(':') && is_short(blocks.get(at + 1));
+        match block {
+            StoryBlock::Formula(text, _) if is_short(Some(block)) => {
+                out.push_str(&format!("{}{}", " ".repeat(if is_open { 0 } else { indent }), math(text)));
+                is_open = is_short(blocks.get(at + 1));
+                out.push_str(if is_open { ", " } else { "\n\n" });
+            }
+            StoryBlock::Paragraph(spans) if leads(&line(spans, link)) => {
+                out.push_str(&format!("{}{} ", " ".repeat(indent), line(spans, link)));
+                is_open = true;
+            }
+            block => put(block, indent, link, out),
+        }
+    }
 }
 
 fn put(block: &StoryBlock<'_>, indent: usize, link: &dyn Fn(&str) -> String, out: &mut String) {
     let space = " ".repeat(indent);
+    let paragraph = |spans: &[StorySpan<'_>]| match line(spans, link) {
+        text if text.is_empty() => text,
+        text => format!("{space}{text}\n\n"),
+    };
     match block {
         StoryBlock::Heading(text) => out.push_str(&format!("{space}**{}**\n\n", prose(text))),
-        StoryBlock::Paragraph(spans) => out.push_str(&format!("{space}{}\n\n", line(spans, link))),
+        StoryBlock::Part(of) => {
+            if !of.place.is_empty() && !of.place.starts_with('/') {
+                out.push_str(&format!("<a id=\"{}\"></a>\n\n", anchor(&of.place)));
+            }
+            let lead = match of.level {
+                PartLevel::Section => "## ",
+                PartLevel::Subsection => "### ",
+                PartLevel::Family | PartLevel::Claim => "#### ",
+                PartLevel::Reading => "",
+            };
+            out.push_str(&format!("{lead}{}\n\n", line(&of.title, link)));
+            put_all(&of.blocks, indent, link, out);
+        }
+        StoryBlock::Paragraph(spans) => out.push_str(&paragraph(spans)),
+        StoryBlock::Formula(text, _) => out.push_str(&display(text)),
+        StoryBlock::Lines(text, kind) => {
+            out.push_str(&fenced(if kind.is_empty() { "text" } else { kind }, text.trim_end()))
+        }
         StoryBlock::Table(of) => out.push_str(&table(of, link)),
         StoryBlock::List(items) => {
             items.iter().for_each(|item| put_item(item, indent, link, out));
             out.push('\n');
         }
-        StoryBlock::Fold { unfolded: Some(line), .. } if line.is_empty() => {}
-        StoryBlock::Fold { unfolded: Some(line), .. } => out.push_str(&format!("{space}{}\n\n", prose(line))),
-        StoryBlock::Fold { title, blocks, .. } => {
-            let mut inside = String::new();
-            blocks.iter().for_each(|b| put(b, indent, link, &mut inside));
-            out.push_str(&format!(
-                "{space}<details><summary>{}</summary>\n\n{inside}{space}</details>\n\n",
-                prose(title)
-            ));
-        }
+        StoryBlock::Fold(StoryFold { title, elsewhere, blocks, .. }) => match elsewhere {
+            Elsewhere::Line(words) => out.push_str(&paragraph(words)),
+            Elsewhere::Titled => {
+                out.push_str(&paragraph(title));
+                put_all(blocks, indent, link, out);
+            }
+            Elsewhere::Inside => {
+                let mut inside = String::new();
+                put_all(blocks, indent, link, &mut inside);
+                out.push_str(&format!(
+                    "{space}<details><summary>{}</summary>\n\n{inside}{space}</details>\n\n",
+                    line(title, link)
+                ));
+            }
+        },
+        StoryBlock::Embedded(_) | StoryBlock::Group("page" | "paper", _) => {}
         StoryBlock::Figure(sketch, caption) => {
             let lines = sketch.lines();
             if !lines.is_empty() {
                 let body: String = lines.iter().map(|l| format!("{space}{l}\n")).collect();
                 out.push_str(&format!("{space}```text\n{body}{space}```\n\n"));
-                if !caption.is_empty() {
-                    out.push_str(&format!("{space}{}\n\n", line(caption, link)));
-                }
+                out.push_str(&paragraph(caption));
             }
         }
-        StoryBlock::Group(_, blocks) => blocks.iter().for_each(|b| put(b, indent, link, out)),
+        StoryBlock::Group(_, blocks) => put_all(blocks, indent, link, out),
     }
 }
 
@@ -57,7 +110,7 @@ fn put_item(item: &StoryItem<'_>, indent: usize, link: &dyn Fn(&str) -> String, 
     if !item.below.is_empty() {
         let deeper = indent + mark.len() + 1;
         out.push('\n');
-        item.below.iter().for_each(|b| put(b, deeper, link, out));
+        put_all(&item.below, deeper, link, out);
     }
 }
 
@@ -90,18 +143,27 @@ fn kept(text: &str) -> String {
 fn span(span: &StorySpan<'_>, link: &dyn Fn(&str) -> String) -> String {
     match span {
         StorySpan::Words(text, tone) | StorySpan::Prose(text, _, tone) => marked(&kept(text), *tone),
+        StorySpan::Reason(text, _) => kept(text),
+        StorySpan::File(name) => format!("[{}](./{name})", prose(name)),
         StorySpan::Math(formula, _) | StorySpan::Marked { formula, .. } => prose(&format!("${}$", formula.trim())),
         StorySpan::Claim(name, tone) => marked(&link(name), *tone),
         StorySpan::Section(text, _) => prose(text),
-        StorySpan::Code(text) => code(text),
+        StorySpan::Code(text) | StorySpan::Difference(text) => code(text),
+        StorySpan::Comparison(text, _) => {
+            let of = label(text);
+            let component = of.component.map(|c| format!(" (component {})", math(c))).unwrap_or_default();
+            format!("{}{}{}{component}", of.before, math(of.formula), of.after)
+        }
         StorySpan::Shape(shape) => shape.sign().to_owned(),
     }
 }
 
 fn table(of: &StoryTable<'_>, link: &dyn Fn(&str) -> String) -> String {
     let cell = |spans: &Vec<StorySpan<'_>>| line(spans, link);
-    let row =
-        |cells: &[Vec<StorySpan<'_>>]| format!("| {} |\n", cells.iter().map(cell).collect::<Vec<_>>().join(" | "));
+    let row = |cells: &[Vec<StorySpan<'_>>]| {
+        let told = |text: String| if text.is_empty() { " |".to_owned() } else { format!(" {text} |") };
+        format!("|{}\n", cells.iter().map(cell).map(told).collect::<String>())
+    };
     let mut out = format!("{}|{}\n", row(&of.head), "---|".repeat(of.head.len()));
     of.rows.iter().for_each(|cells| out.push_str(&row(cells)));
     out.push('\n');

@@ -11,15 +11,18 @@ mod terminal;
 mod tex;
 
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
-pub(super) use html::html;
-pub(super) use markdown::markdown;
+use maud::Markup;
+
+pub(super) use html::{Medium, html};
+pub(super) use markdown::{anchor, markdown};
 pub(super) use terminal::terminal;
 pub(super) use tex::tex;
 
 pub(super) use super::shape::{Tone, VerdictShape};
 use super::sketch::Sketch;
-use crate::latex::Scope;
+use latex::Scope;
 
 /// A piece of a line.
 #[derive(Clone, Debug)]
@@ -34,10 +37,18 @@ pub(super) enum StorySpan<'a> {
     Marked { formula: String, beside: String, scope: &'a Scope, wrong: bool },
     /// The name of a claim, which leads to what is said of it.
     Claim(String, Tone),
-    /// Words that lead to a section of the page, by its place.
-    Section(String, &'static str),
+    /// Words that lead to a place of the page.
+    Section(String, String),
     /// What can be typed.
     Code(String),
+    /// A marked difference, where colours do not mark it.
+    Difference(String),
+    /// A file beside the report.
+    File(String),
+    /// A reason that the check gives: a formula may stand in it before "has no value".
+    Reason(String, &'a Scope),
+    /// What one comparison is called.
+    Comparison(String, &'a Scope),
     /// A symbol.
     Shape(VerdictShape),
 }
@@ -50,6 +61,16 @@ pub(super) struct StoryTable<'a> {
     pub head: Vec<Vec<StorySpan<'a>>>,
     /// The first cell of a row is its head.
     pub rows: Vec<Vec<Vec<StorySpan<'a>>>>,
+    pub cells: TableCells,
+}
+
+/// What stands in the cells of a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum TableCells {
+    /// Symbols, one beside the other.
+    Symbols,
+    /// Texts, perhaps of several lines and pages.
+    Texts,
 }
 
 /// An item of a list.
@@ -62,19 +83,74 @@ pub(super) struct StoryItem<'a> {
     pub below: Vec<StoryBlock<'a>>,
 }
 
+/// A part of a report, with a heading and a place to which links lead.
+#[derive(Clone, Debug)]
+pub(super) struct StoryPart<'a> {
+    /// Places of the page begin with a slash; the others are names of claims.
+    pub place: String,
+    pub level: PartLevel,
+    pub title: Vec<StorySpan<'a>>,
+    pub blocks: Vec<StoryBlock<'a>>,
+}
+
+/// How deep a part lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum PartLevel {
+    Section,
+    Subsection,
+    /// A claim with several readings.
+    Family,
+    Claim,
+    Reading,
+}
+
+/// What a printer without folds makes of one.
+#[derive(Clone, Debug)]
+pub(super) enum Elsewhere<'a> {
+    /// Markdown folds it, too; the others print what is inside.
+    Inside,
+    /// The title as a line, and what is inside.
+    Titled,
+    /// This line, perhaps an empty one: the rest is for the page alone.
+    Line(Vec<StorySpan<'a>>),
+}
+
+/// What is unfolded on request.
+#[derive(Clone, Debug)]
+pub(super) struct StoryFold<'a> {
+    pub title: Vec<StorySpan<'a>>,
+    /// Its names in the style of the page.
+    pub class: String,
+    pub elsewhere: Elsewhere<'a>,
+    pub blocks: Vec<StoryBlock<'a>>,
+}
+
+/// What a page embeds as it is: a drawing, a table that its script knows.
+#[derive(Clone)]
+pub(super) struct Embedded<'a>(pub Rc<dyn Fn() -> Markup + 'a>);
+
+impl std::fmt::Debug for Embedded<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Embedded")
+    }
+}
+
 /// A block of a story.
 #[derive(Clone, Debug)]
 pub(super) enum StoryBlock<'a> {
     Heading(String),
+    Part(StoryPart<'a>),
     Paragraph(Vec<StorySpan<'a>>),
+    /// A formula on lines of its own.
+    Formula(String, &'a Scope),
+    /// Lines as they are, to be copied; of this kind.
+    Lines(String, &'static str),
     Table(StoryTable<'a>),
     List(Vec<StoryItem<'a>>),
-    /// What is not shown on the first screen. Where a line says what is there, only a page has it.
-    Fold {
-        title: String,
-        unfolded: Option<String>,
-        blocks: Vec<StoryBlock<'a>>,
-    },
+    /// What is not shown on the first screen.
+    Fold(StoryFold<'a>),
+    /// For a page alone.
+    Embedded(Embedded<'a>),
     /// A drawing, with what it shows.
     Figure(Sketch, Vec<StorySpan<'a>>),
     /// Blocks that belong together, by the name that the style of the page has for them.
@@ -92,8 +168,12 @@ pub(super) fn shapes(blocks: &[StoryBlock<'_>]) -> BTreeSet<VerdictShape> {
         StoryBlock::List(items) => {
             items.iter().flat_map(|item| of_spans(&item.line).into_iter().chain(shapes(&item.below))).collect()
         }
-        StoryBlock::Fold { blocks, .. } | StoryBlock::Group(_, blocks) => shapes(blocks),
-        StoryBlock::Heading(_) => BTreeSet::new(),
+        StoryBlock::Fold(StoryFold { blocks, .. })
+        | StoryBlock::Part(StoryPart { blocks, .. })
+        | StoryBlock::Group(_, blocks) => shapes(blocks),
+        StoryBlock::Heading(_) | StoryBlock::Formula(..) | StoryBlock::Lines(..) | StoryBlock::Embedded(_) => {
+            BTreeSet::new()
+        }
     };
     blocks.iter().flat_map(of_block).collect()
 }
@@ -106,6 +186,82 @@ pub(super) fn words<'a>(text: impl Into<String>) -> StorySpan<'a> {
 /// Words beside the matter.
 pub(super) fn quiet<'a>(text: impl Into<String>) -> StorySpan<'a> {
     StorySpan::Words(text.into(), Tone::Quiet)
+}
+
+/// A text of the file, without weight.
+pub(super) fn prose<'a>(text: impl Into<String>, scope: &'a Scope) -> StorySpan<'a> {
+    StorySpan::Prose(text.into(), scope, Tone::Plain)
+}
+
+/// Words with weight.
+pub(super) fn strong<'a>(text: impl Into<String>) -> StorySpan<'a> {
+    StorySpan::Words(text.into(), Tone::Strong)
+}
+
+/// A name that leads to a claim.
+pub(super) fn claim<'a>(name: impl Into<String>) -> StorySpan<'a> {
+    StorySpan::Claim(name.into(), Tone::Plain)
+}
+
+/// A section of the report.
+pub(super) fn section<'a>(place: &str, title: &str, blocks: Vec<StoryBlock<'a>>) -> StoryBlock<'a> {
+    part(place, PartLevel::Section, vec![words(title)], blocks)
+}
+
+/// A part of the report.
+pub(super) fn part<'a>(
+    place: impl Into<String>,
+    level: PartLevel,
+    title: Vec<StorySpan<'a>>,
+    blocks: Vec<StoryBlock<'a>>,
+) -> StoryBlock<'a> {
+    StoryBlock::Part(StoryPart { place: place.into(), level, title, blocks })
+}
+
+/// What is folded on a page and in Markdown.
+pub(super) fn fold<'a>(title: impl Into<String>, blocks: Vec<StoryBlock<'a>>) -> StoryBlock<'a> {
+    folded(vec![words(title)], Elsewhere::Inside, blocks)
+}
+
+/// What the page alone has, folded; elsewhere this line.
+pub(super) fn on_page<'a>(title: impl Into<String>, line: &str, blocks: Vec<StoryBlock<'a>>) -> StoryBlock<'a> {
+    let line = if line.is_empty() { Vec::new() } else { vec![words(line)] };
+    folded(vec![words(title)], Elsewhere::Line(line), blocks)
+}
+
+/// A fold.
+pub(super) fn folded<'a>(
+    title: Vec<StorySpan<'a>>,
+    elsewhere: Elsewhere<'a>,
+    blocks: Vec<StoryBlock<'a>>,
+) -> StoryBlock<'a> {
+    StoryBlock::Fold(StoryFold { title, class: String::new(), elsewhere, blocks })
+}
+
+/// What a page embeds as it is.
+pub(super) fn embedded<'a>(of: impl Fn() -> Markup + 'a) -> StoryBlock<'a> {
+    StoryBlock::Embedded(Embedded(Rc::new(of)))
+}
+
+/// Items without a mark and without anything below.
+pub(super) fn list<'a>(lines: impl IntoIterator<Item = Vec<StorySpan<'a>>>) -> StoryBlock<'a> {
+    let item = |line| StoryItem { mark: String::new(), line, below: Vec::new() };
+    StoryBlock::List(lines.into_iter().map(item).collect())
+}
+
+/// A table of texts.
+pub(super) fn texts<'a>(
+    title: impl Into<String>,
+    head: &[&str],
+    rows: impl IntoIterator<Item = Vec<Vec<StorySpan<'a>>>>,
+) -> StoryBlock<'a> {
+    let head = head.iter().map(|word| vec![words(*word)]).collect();
+    StoryBlock::Table(StoryTable {
+        title: title.into(),
+        head,
+        rows: rows.into_iter().collect(),
+        cells: TableCells::Texts,
+    })
 }
 
 /// Several pieces with something between them.

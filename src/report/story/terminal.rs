@@ -2,17 +2,17 @@
 
 use super::super::numbers::retold;
 use super::super::plain::plain as plain_formula;
-use super::super::text::{Paint, fitted, width as columns, wrapped};
+use super::super::text::{Paint, fitted, width as columns};
 use super::super::wording::{self, Part};
-use super::{StoryBlock, StoryItem, StorySpan, StoryTable, Tone, joined};
+use super::{Elsewhere, StoryBlock, StoryFold, StoryItem, StorySpan, StoryTable, Tone, joined};
 
 /// Widest head of a row of a table.
 const HEAD: usize = 44;
 
 /// The text, with escape codes if `paint` has colours.
-pub(in super::super) fn terminal(blocks: &[StoryBlock<'_>], paint: Paint) -> String {
+pub(in super::super) fn terminal(blocks: &[StoryBlock<'_>], indent: usize, paint: Paint) -> String {
     let mut out = String::new();
-    put_all(blocks, 0, paint, &mut out);
+    put_all(blocks, indent, paint, &mut out);
     out
 }
 
@@ -38,8 +38,28 @@ fn put(block: &StoryBlock<'_>, indent: usize, paint: Paint, out: &mut String) {
         StoryBlock::Paragraph(spans) => out.push_str(&lines(spans, indent, indent, paint)),
         StoryBlock::Table(of) => out.push_str(&table(of, paint)),
         StoryBlock::List(items) => items.iter().for_each(|item| put_item(item, indent, paint, out)),
-        StoryBlock::Fold { unfolded: None, blocks, .. } => blocks.iter().for_each(|b| put(b, indent, paint, out)),
-        StoryBlock::Fold { unfolded: Some(line), .. } => out.push_str(&wrapped(line.split_whitespace(), indent)),
+        StoryBlock::Part(of) => {
+            out.push_str(&lines(&of.title, indent, indent, paint));
+            put_all(&of.blocks, indent + 2, paint, out);
+            out.push('\n');
+        }
+        StoryBlock::Formula(text, _) => {
+            let line = StorySpan::Words(wording::one_line(text), Tone::Plain);
+            out.push_str(&lines(&[line], indent + 2, indent + 4, paint));
+        }
+        StoryBlock::Lines(text, _) => {
+            text.lines().for_each(|line| out.push_str(&format!("{}{line}\n", " ".repeat(indent))));
+        }
+        StoryBlock::Embedded(_) | StoryBlock::Group("page" | "paper", _) => {}
+        StoryBlock::Fold(StoryFold { title, elsewhere, blocks, .. }) => match elsewhere {
+            Elsewhere::Line(words) if words.is_empty() => {}
+            Elsewhere::Line(words) => out.push_str(&lines(words, indent, indent, paint)),
+            Elsewhere::Titled => {
+                out.push_str(&lines(title, indent, indent, paint));
+                put_all(blocks, indent, paint, out);
+            }
+            Elsewhere::Inside => put_all(blocks, indent, paint, out),
+        },
         StoryBlock::Figure(sketch, _) => {
             for line in sketch.lines() {
                 out.push_str(&format!("{}{line}\n", " ".repeat(indent)));
@@ -91,12 +111,17 @@ fn text(span: &StorySpan<'_>) -> (String, Tone) {
     match span {
         StorySpan::Words(text, tone) => (text.clone(), *tone),
         StorySpan::Prose(text, _, tone) => (prose(text), *tone),
+        StorySpan::Reason(text, _) => (prose(text), Tone::Plain),
         StorySpan::Math(formula, _) => (plain_formula(formula), Tone::Plain),
         StorySpan::Marked { formula, wrong, .. } => {
             (plain_formula(formula), if *wrong { Tone::Bad } else { Tone::Good })
         }
         StorySpan::Claim(name, tone) => (name.clone(), *tone),
-        StorySpan::Section(text, _) | StorySpan::Code(text) => (text.clone(), Tone::Plain),
+        StorySpan::Section(text, _)
+        | StorySpan::Code(text)
+        | StorySpan::Difference(text)
+        | StorySpan::File(text)
+        | StorySpan::Comparison(text, _) => (text.clone(), Tone::Plain),
         StorySpan::Shape(shape) => (shape.sign().to_owned(), shape.tone()),
     }
 }

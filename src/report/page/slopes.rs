@@ -1,20 +1,16 @@
-//! A claim on families of motions: counts, and the members that a reader wants to see, each as a trajectory to paste.
+//! The slopes of a scaling law, drawn against what varies.
 
 use maud::{Markup, PreEscaped, html};
 
-use super::super::family;
 use super::super::numbers::value;
 use super::super::plot::{Scale, Words, plane};
-use super::super::tally::name;
-use super::map;
 use super::text::{plain, prose};
-use crate::latex::Scope;
-use findings::ClaimAccount;
 use findings::family::{SlopeAccount, SlopeCell};
 use findings::{Line, LineKind};
+use latex::Scope;
 
 /// The slopes of a scaling law: those of single pairs, that of all, and how far the claimed power may be off.
-fn slopes(of: &SlopeAccount, claim: &str, scope: &Scope) -> Markup {
+pub(in super::super) fn figure(of: &SlopeAccount, claim: &str, scope: &Scope) -> Markup {
     let cells: Vec<&SlopeCell> = of.cells.iter().filter(|c| c.logarithm.is_finite()).collect();
     let (begin, end) = (cells.first().map_or(0.0, |c| c.logarithm), cells.last().map_or(0.0, |c| c.logarithm));
     let of_pairs = |slope: fn(&SlopeCell) -> f64| Line {
@@ -54,31 +50,4 @@ fn slopes(of: &SlopeAccount, claim: &str, scope: &Scope) -> Markup {
 /// A number with five digits.
 fn short(x: f64) -> String {
     value(format!("{x:.4e}").parse().unwrap_or(x)).replace('-', "−")
-}
-
-/// The blocks of a claim, one for each family.
-pub(super) fn blocks(claim: &ClaimAccount, scope: &Scope) -> Markup {
-    html! {
-        @for of in &claim.families {
-            div class={ "region " (of.verdict.outcome().word()) } {
-                p {
-                    b { (family::heading(of)) " " (of.family) }
-                    @if of.title != of.family { " (" (prose(&of.title, scope)) ")" }
-                    @if of.is_unexpected() { strong.alarm { (family::expected(of)) } }
-                    ". " (prose(&family::sentence(&family::counts(of)), scope))
-                }
-                @for text in family::remarks(of) { p.quiet { (prose(&family::sentence(&text), scope)) } }
-                @if let Some(map) = &of.map { (map::figure(map, &name(claim), scope)) }
-                @if let Some(slope) = &of.slope { (slopes(slope, &name(claim), scope)) }
-                @for shown in family::shown(of) {
-                    details {
-                        summary { (prose(&shown.named(), scope)) }
-                        @if let Some(text) = &shown.seen { p { (prose(&family::sentence(text), scope)) } }
-                        p.quiet { "The same motion for the derivation file:" }
-                        pre tabindex="0" { (shown.member.toml) }
-                    }
-                }
-            }
-        }
-    }
 }
