@@ -9,7 +9,10 @@ use super::graph::{self, DerivationGraph, unproved};
 use super::numbers::count;
 use super::plain::{bare, plain};
 use super::recorded;
-use super::story::{StoryBlock, StorySpan, Tone, claim as link, joined, list, on_page, prose, quiet, strong, words};
+use super::story::{
+    Medium, StoryBlock, StorySpan, Tone, claim as link, embedded, html, joined, list, on_page, prose, quiet, strong,
+    words,
+};
 use super::wording::identifier;
 use findings::conditions::Need;
 use findings::{ClaimAccount, IdentityAccount};
@@ -28,11 +31,10 @@ pub(super) fn blocks<'a>(graph: &DerivationGraph, claim: &'a ClaimAccount, scope
         inside.extend(proof(graph, claim, identity, scope));
     }
     inside.extend(rests(graph, claim, scope));
-    if let Some(recorded) = claim.identity.as_ref().and_then(|i| i.recorded.as_ref()) {
-        inside.extend(
-            (recorded.steps().is_some())
-                .then(|| on_page("The proof, step by step", "", recorded::blocks(recorded, scope, STEPS))),
-        );
+    if let Some(recorded) = claim.identity.as_ref().and_then(|i| i.recorded.as_ref()).filter(|r| r.steps().is_some()) {
+        // To tell steps they are replayed: no other printer has them.
+        let steps = move || [on_page("The proof, step by step", "", recorded::blocks(recorded, scope, STEPS))];
+        inside.push(embedded(move || html(&steps(), Medium::Screen)));
     }
     inside.extend(conditions(claim, scope));
     inside.extend(discrimination(claim, scope));
