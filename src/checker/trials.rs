@@ -24,6 +24,7 @@ use expr::{Expr, Graph, Node, Op};
 use number::{Draws, Finite, FiniteField};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
 /// Trials go on until the bound is 2 to this power.
 const WANTED: f64 = -100.0;
@@ -228,7 +229,8 @@ pub(crate) fn vanishes(context: &Context, e: Expr, squares: &[Square]) -> Result
     let written = Term::of(graph, e, |symbol| Some(graph.name(symbol).to_owned()))?;
     let sum = Sha256::digest(format!("{written:?}"));
     for trial in 0..trials as u64 {
-        if !one(graph, e, squares, &sum, trial)? {
+        let [mut primes, points] = draws(&sum, trial);
+        if !one(graph, e, squares, &FiniteField::draw(&mut primes), points)? {
             return Err("the equation does not follow".to_owned());
         }
     }
@@ -249,19 +251,25 @@ fn error_of_a_trial(graph: &Graph, e: Expr, squares: &[Square]) -> Result<f64, S
     Ok(sum_log2(of_points, of_primes))
 }
 
-fn one(graph: &Graph, e: Expr, squares: &[Square], sum: &[u8], trial: u64) -> Result<bool, String> {
+/// The draws of primes and of points in a trial.
+fn draws(sum: &[u8], trial: u64) -> [Draws; 2] {
     let seed = |word: usize| {
         let bytes = sum.iter().skip(8 * word).take(8);
         bytes.fold(0u64, |out, byte| out << 8 | u64::from(*byte))
     };
-    let mut primes = Draws::new(seed(0) ^ Draws::new(seed(1).wrapping_add(trial)).bits());
-    let mut points = Draws::new(seed(2) ^ Draws::new(seed(3).wrapping_add(trial)).bits());
-    let field = FiniteField::draw(&mut primes);
-    let found = (0..MOST_POINTS).find_map(|_| vanishes_at_point(graph, e, squares, &field, &mut points));
+    [0, 2].map(|word| Draws::new(seed(word) ^ Draws::new(seed(word + 1).wrapping_add(trial)).bits()))
+}
+
+/// Whether the expression vanishes at a point of a field.
+fn one(graph: &Graph, e: Expr, squares: &[Square], field: &FiniteField, mut points: Draws) -> Result<bool, String> {
+    let found = (0..MOST_POINTS).find_map(|_| vanishes_at_point(graph, e, squares, field, &mut points));
     found.ok_or_else(|| "a denominator vanishes".to_owned())
 }
 
-/// Whether one trial shows that an expression does not vanish modulo squares: cheap, and no proof of the contrary.
+/// Whether one trial shows that an expression does not vanish modulo squares: cheap, and no proof of the contrary. Any field will do for
+/// that: to look for a prime takes longer than the trial.
 pub(crate) fn is_refuted(graph: &Graph, e: Expr, squares: &[Square]) -> bool {
-    are_in_order(graph, squares) && one(graph, e, squares, &[0; 32], 0) == Ok(false)
+    static FIELD: LazyLock<FiniteField> = LazyLock::new(|| FiniteField::draw(&mut draws(&[], 0)[0]));
+    let [_, points] = draws(&[], 0);
+    are_in_order(graph, squares) && one(graph, e, squares, &FIELD, points) == Ok(false)
 }
