@@ -1,4 +1,5 @@
-//! The page on the formula language is right: its examples mean what they say, its tables are complete.
+//! The page on the formula language is right: its examples, and those of `tests/reference/grammar.md`, mean what they say, its tables are
+//! complete.
 
 use std::collections::BTreeSet;
 
@@ -6,9 +7,13 @@ use crate::latex_support::{World, shown};
 use rederive::expr::Op;
 use rederive::latex::{RelationKind, Role};
 
-fn page() -> String {
-    let path = format!("{}/docs/grammar.md", env!("CARGO_MANIFEST_DIR"));
+fn read(file: &str) -> String {
+    let path = format!("{}/{file}", env!("CARGO_MANIFEST_DIR"));
     std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path}: {e}"))
+}
+
+fn page() -> String {
+    read("docs/grammar.md")
 }
 
 /// Lines of the code blocks of one kind, with their line numbers.
@@ -112,14 +117,25 @@ fn meaning(w: &mut World, text: &str) -> Result<String, Vec<rederive::diag::Prob
 
 #[test]
 fn examples_mean_what_the_page_says() {
-    let page = page();
+    let (meanings, refusals) = examples_of(&page());
+    assert!(meanings > 60 && refusals > 50, "{meanings} meanings, {refusals} refusals");
+}
+
+#[test]
+fn further_examples_mean_what_is_said_of_them() {
+    let (meanings, refusals) = examples_of(&read("tests/reference/grammar.md"));
+    assert!(meanings > 60 && refusals > 50, "{meanings} meanings, {refusals} refusals");
+}
+
+/// How many examples show a meaning, and how many a refusal. All of them are so.
+fn examples_of(page: &str) -> (usize, usize) {
     // The examples use the symbols of the last list before them.
-    let symbols = blocks(&page, "symbols");
+    let symbols = blocks(page, "symbols");
     let lists: Vec<&[(usize, String)]> = symbols.chunk_by(|a, b| a.0 + 1 == b.0).collect();
     let worlds: Vec<(usize, World)> = lists.into_iter().map(|list| (list[0].0, world(list))).collect();
     let (mut meanings, mut refusals) = (0, 0);
     let mut wrong = String::new();
-    for (number, line) in blocks(&page, "examples") {
+    for (number, line) in blocks(page, "examples") {
         let before = worlds.iter().rfind(|(at, _)| *at < number);
         let mut w = before.unwrap_or_else(|| panic!("line {number}: no symbols")).1.clone();
         if let Some((text, wanted)) = line.split_once(" ⇒ ") {
@@ -141,7 +157,7 @@ fn examples_mean_what_the_page_says() {
         }
     }
     assert!(wrong.is_empty(), "\n{wrong}");
-    assert!(meanings > 60 && refusals > 50, "{meanings} meanings, {refusals} refusals");
+    (meanings, refusals)
 }
 
 #[test]
