@@ -38,6 +38,7 @@ mod diff;
 mod directions;
 mod domain_edges;
 mod domain_table;
+mod doors;
 mod drafts;
 mod drafts_of_formulas;
 mod drafts_of_names;

@@ -98,7 +98,7 @@ impl<'a> Run<'a> {
         compiled.derivation.graph.share();
         let mut altered = match options.plain {
             true => None,
-            false => Some(variant::Altered::new(&compiled.derivation, &selection, limits)?),
+            false => Some(variant::Altered::new(&compiled.derivation, &selection, limits)),
         };
         let finish = || compiled.finish(self, &selection, altered.as_ref());
         meter::piece(Task::Compiling, limits, finish).map_err(too_large)??;

@@ -79,11 +79,15 @@ pub(super) fn refused(id: &Value, code: i32, why: &str) -> Value {
     json!({ "jsonrpc": "2.0", "id": id, "error": { "code": code, "message": why } })
 }
 
+/// What is said of a panic that ended a piece of the work.
+pub(super) fn defect(what: &str) -> String {
+    format!("a defect of rederive, not of your file; please report it, with the file: {what}")
+}
+
 /// Shows an editor a panic that ended a piece of the work since then: all else was done.
 pub(super) fn tell_of_defect(before: &Defects) {
     if let Some(what) = before.since() {
-        let message = format!("a defect of rederive, not of your file; please report it, with the file: {what}");
-        let params = json!({ "type": 1, "message": message });
+        let params = json!({ "type": 1, "message": defect(&what) });
         // Where the editor is gone, the talk ends.
         drop(send(&json!({ "jsonrpc": "2.0", "method": "window/showMessage", "params": params })));
     }

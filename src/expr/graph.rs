@@ -525,9 +525,10 @@ impl Graph {
 
     /// Every node that the roots depend on, roots included, children before parents.
     pub fn reachable(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
-        let found = reached(roots.into_iter().collect(), |e, open| open.extend(self.node(e).children()));
+        let roots = roots.into_iter().map(|root| root.0).collect();
+        let found = reached(roots, |e, open| open.extend(self.node(Expr(e)).children().map(|child| child.0)));
         meter::charge(8 * found.len() as u64);
-        found
+        found.into_iter().map(Expr).collect()
     }
 
     /// The leaves that the roots depend on, in order of first appearance in the graph.

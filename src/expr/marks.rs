@@ -4,7 +4,6 @@
 //! next. A file has one graph for all of its formulas, and walks below one of them are many: a list of bits as long as the graph, made for
 //! each walk, takes the square of the file.
 
-use super::graph::Expr;
 use std::cell::RefCell;
 
 thread_local! {
@@ -31,14 +30,14 @@ impl Marks {
     }
 
     /// Whether this is the first time that the walk comes to a node.
-    fn is_first(&mut self, node: Expr) -> bool {
-        std::mem::replace(&mut self.of[node.index()], self.walk) != self.walk
+    fn is_first(&mut self, node: u32) -> bool {
+        std::mem::replace(&mut self.of[node as usize], self.walk) != self.walk
     }
 }
 
-/// All nodes that can be reached from these, in order; `open` adds the children of a node.
-pub(super) fn reached(mut roots: Vec<Expr>, open: impl Fn(Expr, &mut Vec<Expr>)) -> Vec<Expr> {
-    let nodes = roots.iter().max().map_or(0, |youngest| youngest.index() + 1);
+/// All nodes that can be reached from these, in order, by their numbers; `open` adds the children of a node.
+pub(super) fn reached(mut roots: Vec<u32>, open: impl Fn(u32, &mut Vec<u32>)) -> Vec<u32> {
+    let nodes = roots.iter().max().map_or(0, |youngest| *youngest as usize + 1);
     MARKS.with_borrow_mut(|marks| {
         marks.begin(nodes);
         let mut found = Vec::new();

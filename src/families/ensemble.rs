@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 use std::sync::{Mutex, PoisonError};
 
-use meter::{Ended, Limits, Task};
+use meter::{Limits, Task};
 use rayon::prelude::*;
 
 use super::account::Otherwise;
@@ -205,7 +205,6 @@ impl<'a> Ensemble<'a> {
             |requests: &Requests| Pattern::of(&ensemble.derivation, &ensemble.fields, requests, slot, &mut graph);
         ensemble.pattern = match meter::piece(Task::Members, limits, || ensemble.asking(limits, of_one)) {
             Ok(pattern) => pattern,
-            Err(Ended::Defect(what)) => return Err(CheckError::Defect(what)),
             // What is too much for one is too much for each.
             Err(ended) => {
                 ensemble.too_much = Some(ended.into());
@@ -313,7 +312,6 @@ impl<'a> Ensemble<'a> {
                 }
             }
             match ended {
-                Some(Ended::Defect(what)) => return Err(CheckError::Defect(what)),
                 Some(ended) => return Ok((sums, Some(ended.into()))),
                 // The time is over, which the next look tells.
                 None if late => continue,
@@ -370,7 +368,6 @@ impl<'a> Ensemble<'a> {
                     for some in found {
                         match some {
                             Ok(some) => all.extend(some),
-                            Err(Ended::Defect(what)) => return Err(CheckError::Defect(what)),
                             Err(ended) => return Ok(Err(ended.into())),
                         }
                     }

@@ -11,20 +11,13 @@ use super::desk::{Desk, Given};
 use super::facts::Reach;
 use super::judge::Judge;
 use super::lone::{lone_name, unprimed};
+use super::primes::is_elsewhere;
 use super::refusal::NotRead;
 use super::relation::free_indices;
 use super::sentence::is_supposed;
 use super::signs::EQUALS;
 use super::standing::Standing;
 use super::step::IN_SENTENCE;
-
-/// Whether a name stands at another place than where it is defined: `U(0)=k` says nothing of `U(\theta)=k\cos\theta` again.
-pub(super) fn is_elsewhere(given: &Given, name: &paper::PaperName) -> bool {
-    match (lone_name(&given.left).map(|n| n.call), &name.call) {
-        (Some(Call::Places(one)), Call::Places(other)) => one != *other,
-        _ => false,
-    }
-}
 
 impl Judge<'_> {
     /// Whether an equation before, in this section, has a name in it, or the definition of another name that it is said to be made of.

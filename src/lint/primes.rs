@@ -1,4 +1,4 @@
-//! Primes: by what they derive a name.
+//! Places behind names: by what a prime derives, and where a definition is one.
 //!
 //! **In:** a name of a step, what is defined, and the [`Evidence`] of the paper. **Out:** a variable, where there is one. **Guaranteed:** what is
 //! printed behind the name, there or where it is defined, is the variable; what the paper prints behind it elsewhere counts only without that.
@@ -8,8 +8,16 @@ use std::collections::{BTreeMap, BTreeSet};
 use paper::{Call, PaperName, is_variable, names};
 
 use super::desk::Given;
-use super::lone::unprimed;
+use super::lone::{lone_name, unprimed};
 use super::notation::Evidence;
+
+/// Whether a name stands at another place than where it is defined: `U(0)=k` says nothing of `U(\theta)=k\cos\theta` again.
+pub(super) fn is_elsewhere(given: &Given, name: &PaperName) -> bool {
+    match (lone_name(&given.left).map(|n| n.call), &name.call) {
+        (Some(Call::Places(one)), Call::Places(other)) => one != *other,
+        _ => false,
+    }
+}
 
 /// The variable that stands behind a name where it is defined: `x` of `f(x)=x^2`.
 pub(super) fn place_of_definition(key: &str, given: &[&Given]) -> Option<String> {

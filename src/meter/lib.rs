@@ -20,6 +20,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 pub mod factor;
+mod faults;
 pub mod total;
 
 pub use factor::WorkFactor;
@@ -327,6 +328,10 @@ pub fn piece<R>(task: Task, limits: &Limits, work: impl FnOnce() -> R) -> Result
         return Err(Ended::File(task, limits.work));
     }
     let here = UnderWay { task, limits: limits.clone(), units, rest: units, slice: 0, bytes };
+    let work = || {
+        faults::stop(task);
+        work()
+    };
     run(here, work).0.map_err(|payload| ended_by(payload.as_ref()))
 }
 
@@ -354,7 +359,8 @@ impl Defects {
         (now.count > self.count).then_some(now.last)
     }
 
-    fn add(what: &str) {
+    /// Counts one that ended no piece: two computations that disagree, beside the verdicts.
+    pub fn note(what: &str) {
         let mut all = DEFECTS.lock().unwrap_or_else(PoisonError::into_inner);
         *all = Defects { count: all.count + 1, last: what.to_owned() };
     }
@@ -443,7 +449,7 @@ fn ended_by(payload: &(dyn Any + Send)) -> Ended {
     }
     let text = payload.downcast_ref::<String>().map(String::as_str).or_else(|| payload.downcast_ref().copied());
     let what = format!("it stopped in the middle of its work: {}", text.unwrap_or("for no reason that is known"));
-    Defects::add(&what);
+    Defects::note(&what);
     Ended::Defect(what)
 }
 

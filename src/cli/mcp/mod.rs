@@ -14,6 +14,7 @@ mod tools;
 use std::io::{BufRead, Read, Write};
 use std::path::PathBuf;
 
+use meter::Defects;
 use rederive::Ending;
 use rederive::diag::escape::in_one_line;
 use serde_json::{Value, json};
@@ -94,9 +95,15 @@ fn answered(line: &[u8], bench: &Workbench) -> Option<Value> {
             if !bench.has(name) {
                 return Some(refused(id, NO_PARAMETER, &format!("there is no tool `{}`", in_one_line(name))));
             }
-            match bench.call(name, params.get("arguments").unwrap_or(&Value::Null)) {
+            let before = Defects::so_far();
+            let answer = bench.call(name, params.get("arguments").unwrap_or(&Value::Null));
+            // What was found stands beside it, in the editor of people as here.
+            let defect = before.since().map(|what| json!({ "type": "text", "text": wire::defect(&what) }));
+            match answer {
                 Ok(found) => {
-                    json!({ "content": [{ "type": "text", "text": found.to_string() }], "structuredContent": found, "isError": false })
+                    let mut content = vec![json!({ "type": "text", "text": found.to_string() })];
+                    content.extend(defect);
+                    json!({ "content": content, "structuredContent": found, "isError": false })
                 }
                 Err(why) => json!({ "content": [{ "type": "text", "text": why }], "isError": true }),
             }

@@ -18,7 +18,7 @@ use crate::latex::syntax::{Node, NodeKind, to_latex};
 use crate::verdict::{Outcome, Strength, Verdict};
 use claim::error::CheckError;
 use claim::program::Program;
-use meter::{Ended, Limits, Task};
+use meter::{Limits, Task};
 use proved::step::Step;
 use sampled::claim_program::Prepared;
 use sampled::trace::{Trace, Trial};
@@ -128,7 +128,7 @@ impl Search<'_> {
         self.sample(&grown, &mut all, traces, On::First);
         all.retain(Read::may_hold);
         self.leave_out_nothing(&mut grown, &mut all, traces);
-        self.prove(&grown, &mut all)?;
+        self.prove(&grown, &mut all);
         self.sample(&grown, &mut all, traces, On::Others);
         all.retain(|of| of.holds().is_some());
         // What is refuted makes room for others, which nothing was asked yet.
@@ -170,7 +170,7 @@ impl Search<'_> {
         }
         self.sample(&grown, &mut all, traces, On::First);
         all.retain(Read::may_hold);
-        self.prove(&grown, &mut all)?;
+        self.prove(&grown, &mut all);
         let proved = |of: Read| (of.proved == Decision::Proved).then_some((of.candidate.claim, of.candidate.text));
         Ok(all.into_iter().filter_map(proved).collect())
     }
@@ -292,28 +292,27 @@ impl Search<'_> {
 
     /// Looks for proofs: of those of one formula one after the other, until one is proved that settles the matter. Those after it are
     /// left out.
-    fn prove(&self, grown: &Derivation, all: &mut Vec<Read>) -> Result<(), CheckError> {
+    fn prove(&self, grown: &Derivation, all: &mut Vec<Read>) {
         let of = |read: &Read| (read.candidate.claim, read.candidate.formula);
         let groups: Vec<&[Read]> = all.chunk_by(|a, b| of(a) == of(b)).collect();
-        let one = |group: &&[Read], limits: &Limits| -> Result<Vec<Option<Decision>>, CheckError> {
+        let one = |group: &&[Read], limits: &Limits| -> Vec<Option<Decision>> {
             let mut out: Vec<Option<Decision>> = Vec::new();
             let mut settled = false;
             for (n, read) in group.iter().enumerate() {
                 let asked = n < MOST_PROVED && !settled;
-                let decision = if asked { decided(grown, &read.claim, limits)? } else { Decision::Undecided };
+                let decision = if asked { decided(grown, &read.claim, limits) } else { Decision::Undecided };
                 out.push((!settled).then_some(decision));
                 settled |= decision == Decision::Proved && read.candidate.nearness.settles();
             }
-            Ok(out)
+            out
         };
-        let found = meter::each(self.limits, &groups, one).into_iter().collect::<Result<Vec<_>, _>>()?;
+        let found = meter::each(self.limits, &groups, one);
         let mut found = found.into_iter().flatten();
         all.retain_mut(|of| {
             let decision = found.next().flatten();
             of.proved = decision.unwrap_or(Decision::Undecided);
             decision.is_some()
         });
-        Ok(())
     }
 
     /// Writes what holds into the accounts; where nothing does, why.
@@ -359,10 +358,10 @@ impl Search<'_> {
 
 /// What a claim comes to for all values. All that is wanted is whether there is a proof: no assumption that it could do without, and no
 /// point where there is none.
-fn decided(grown: &Derivation, claim: &Claim, limits: &Limits) -> Result<Decision, CheckError> {
+fn decided(grown: &Derivation, claim: &Claim, limits: &Limits) -> Decision {
     let step = || Step::of(grown, claim).and_then(|step| step.with(true).with_few_points().decide()).transpose();
     match meter::piece(Task::Proving, limits, step) {
-        Ok(Ok(identity)) => Ok(identity.map_or(Decision::Undecided, |i| {
+        Ok(Ok(identity)) => identity.map_or(Decision::Undecided, |i| {
             proved::replay::replayed(
                 grown,
                 claim,
@@ -372,9 +371,12 @@ fn decided(grown: &Derivation, claim: &Claim, limits: &Limits) -> Result<Decisio
             )
             .finding
             .decision()
-        })),
-        Ok(Err(defect)) | Err(Ended::Defect(defect)) => Err(CheckError::Defect(defect)),
-        Err(_) => Ok(Decision::Undecided),
+        }),
+        Ok(Err(defect)) => {
+            meter::Defects::note(&defect);
+            Decision::Undecided
+        }
+        Err(_) => Decision::Undecided,
     }
 }
 

@@ -166,10 +166,7 @@ const MOST_KEPT_OF_ONE: usize = 10_000;
 
 impl Altered {
     /// Makes the variants of the chosen claims.
-    ///
-    /// # Errors
-    /// The program stopped in the middle of it: a defect.
-    pub fn new(derivation: &Derivation, selection: &Selection, limits: &Limits) -> Result<Altered, CheckError> {
+    pub fn new(derivation: &Derivation, selection: &Selection, limits: &Limits) -> Altered {
         let Selection { claims: claimed, starts, .. } = selection;
         let shared = derivation.graph.len();
         let together = claimed.len().div_ceil(MOST_COPIES).max(TOGETHER);
@@ -196,15 +193,14 @@ impl Altered {
         };
         let chunks: Vec<&[usize]> = claimed.chunks(together).collect();
         let one = |some: &&[usize], limits: &Limits| match meter::piece(Task::Weighing, limits, || several(some)) {
-            Ok(made) => Ok(made),
-            Err(Ended::Defect(what)) => Err(CheckError::Defect(what)),
-            Err(ended) => Ok((derivation.graph.clone(), some.iter().map(|c| left_out(c, &ended)).collect())),
+            Ok(made) => made,
+            Err(ended) => (derivation.graph.clone(), some.iter().map(|c| left_out(c, &ended)).collect()),
         };
-        let made = meter::each(limits, &chunks, one).into_iter().collect::<Result<Vec<_>, _>>()?;
+        let made = meter::each(limits, &chunks, one);
         let (graphs, claims): (Vec<_>, Vec<_>) = made.into_iter().unzip();
         let claims = claims.into_iter().flatten().collect();
         let room = if selection.tried.len() > 1 { MOST_KEPT } else { MOST_KEPT_OF_ONE };
-        Ok(Altered { graphs, together, claims, placed: Vec::new(), room, known: Vec::new() })
+        Altered { graphs, together, claims, placed: Vec::new(), room, known: Vec::new() }
     }
 
     /// The graph of the k-th claim.
