@@ -20,6 +20,8 @@ const HOSTILE: &[&str] = &[
     r"$x=a\\label{\\input{/etc/passwd}}$ `x\\tag{\\input{q}}` $\\def\\x{y}$",
     r#"\"\"\" ''' \\\" #{} {{}} \nimport os"#,
     r#"\\`<img src=x onerror=alert(5)>` \\[l\\](javascript:alert(6)) \\*b\\* \\\\`<script>alert(7)</script>`"#,
+    r"` ``<img src=x onerror=alert(8)>` `` `",
+    r"$ $``<script>alert(9)</script>` `%x``<img src=x>` `\\label{x}``[l](javascript:alert(6))`",
     r"##[error]planted ##[add-mask]x \\##[c] $a$\\`<script>` |\\| x \\",
 ];
 

@@ -88,8 +88,14 @@ const UNITS: &[&str] = &[
     "MPa",
 ];
 
+/// Most sides of a relation between units: each step of a chain asks.
+const MOST_OF_UNITS: usize = 20;
+
 /// Whether the names of a relation are units, three or more of them, one of more letters than one: `kg` is then no product.
 pub(super) fn is_of_units(relation: &PrintedRelation) -> bool {
+    if relation.sides.len() > MOST_OF_UNITS {
+        return false;
+    }
     let commands =
         [r"\cdot", r"\times", r"\frac", r"\dfrac", r"\tfrac", r"\left", r"\right", r"\text", r"\mathrm", r"\rm"];
     let plain = |s: &PrintedSide| commands.iter().fold(s.text.clone(), |text, c| text.replace(c, " "));

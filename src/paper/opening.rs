@@ -120,6 +120,9 @@ const WORDS: &[(Opening, &[&str])] = &[
     ),
 ];
 
+/// More bytes than a word of the table has.
+const LONGEST_WORD: usize = 40;
+
 /// Words between two formulas of one kind, as two values of a name: `x=1 \text{ or } {-1}`.
 const LINKS: &[&str] = &[
     "and", "or", "und", "oder", "et", "ou", "e", "o", "ed", "y", "och", "eller", "og", "oraz", "lub", "и", "или", "或",
@@ -192,6 +195,10 @@ pub(super) fn word_at(tokens: &[Token], at: usize) -> Option<(String, usize)> {
         }
         word.push_str(&next.text);
         end += 1;
+        // No word of the table is so long. A run of letters is looked at from each of them.
+        if word.len() > LONGEST_WORD {
+            return None;
+        }
         if is_opening(&word) && is_of_east_asia(&word) {
             return Some((word, end));
         }

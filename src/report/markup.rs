@@ -15,14 +15,13 @@ pub fn prose(text: &str) -> String {
     while let Some(c) = rest.chars().next() {
         let after = &rest[c.len_utf8()..];
         if let Some(end) = after.find(c).filter(|end| (c == '`' || c == '$') && *end > 0) {
-            let inner = &after[..end];
-            out.push_str(&if c == '$' {
-                written_math(inner)
-            } else {
-                code(&printed(inner).unwrap_or_else(|| inner.to_owned()))
-            });
-            rest = &after[end + 1..];
-            continue;
+            let inner = printed(&after[..end]).unwrap_or_else(|| after[..end].to_owned());
+            // Two signs with nothing printed between them are signs: side by side, they would join with the next ones.
+            if !inner.trim().is_empty() {
+                append(&mut out, &if c == '$' { written_math(&inner) } else { code(&inner) });
+                rest = &after[end + 1..];
+                continue;
+            }
         }
         match c {
             '<' => out.push_str("&lt;"),
@@ -45,15 +44,22 @@ pub fn prose(text: &str) -> String {
     out
 }
 
+/// Adds what comes next. Two pieces of code side by side would be one, and take what follows for code or for text as its signs happen to pair.
+pub(super) fn append(out: &mut String, next: &str) {
+    if out.ends_with('`') && next.starts_with('`') {
+        out.push_str("<!-- -->");
+    }
+    out.push_str(next);
+}
+
 /// A formula in a text. What a forge could do more with than set it is shown as it is written.
 fn written_math(formula: &str) -> String {
-    let formula = printed(formula).unwrap_or_else(|| formula.to_owned());
     let mut commands = formula.split('\\').skip(1).map(|rest| {
         let name = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
         &rest[..name]
     });
     let harmless = |name: &str| name.is_empty() || mathml::letter(name).is_some() || SET_ONLY.contains(&name);
-    if commands.all(harmless) && !formula.contains('%') { math(&formula) } else { code(&formula) }
+    if commands.all(harmless) && !formula.contains('%') { math(formula) } else { code(formula) }
 }
 
 /// Commands of LaTeX, beside those of letters, that set something and do nothing else.
@@ -159,6 +165,7 @@ const SET_ONLY: &[&str] = &[
 
 /// A text as it is written.
 pub(super) fn code(text: &str) -> String {
+    let text = if text.trim().is_empty() { " " } else { text };
     format!("`{}`", text.replace('|', r"\|").replace('`', "'"))
 }
 
@@ -166,6 +173,7 @@ pub(super) fn code(text: &str) -> String {
 pub(super) fn math(formula: &str) -> String {
     let one_line = formula.split_whitespace().collect::<Vec<_>>().join(" ");
     // In a table a bar ends the cell, even inside a formula.
+    let one_line = if one_line.is_empty() { " ".to_owned() } else { one_line };
     format!("$`{}`$", one_line.replace('|', r"\vert ").replace('`', "'"))
 }
 
@@ -211,6 +219,18 @@ mod tests {
             ("-0.5 and 1.5", "-0.5 and 1.5"),
             ("1.5: so", "1.5: so"),
             ("by @octocat and a@b, @ 5", "by @<!-- -->octocat and a@<!-- -->b, @ 5"),
+        ] {
+            assert_eq!(prose(text), written);
+        }
+    }
+
+    #[test]
+    fn what_prints_nothing_leaves_no_sign_that_joins_with_others() {
+        for (text, written) in [
+            ("` ``<img src=x>`", r"\` \`<!-- -->`<img src=x>`"),
+            ("`` `", r"\`\` \`"),
+            ("$ $``[](x)`", r"\$ \$\`<!-- -->`[](x)`"),
+            ("`a``b`", "`a`<!-- -->`b`"),
         ] {
             assert_eq!(prose(text), written);
         }

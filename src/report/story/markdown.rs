@@ -1,6 +1,6 @@
 //! A story as Markdown, as a forge renders it.
 
-use super::super::markup::{code, display, fenced, math, prose};
+use super::super::markup::{append, code, display, fenced, math, prose};
 use super::super::wording::label;
 use super::{Elsewhere, PartLevel, StoryBlock, StoryFold, StoryItem, StorySpan, StoryTable, Tone};
 
@@ -115,7 +115,9 @@ fn put_item(item: &StoryItem<'_>, indent: usize, link: &dyn Fn(&str) -> String, 
 }
 
 fn line(spans: &[StorySpan<'_>], link: &dyn Fn(&str) -> String) -> String {
-    spans.iter().map(|s| span(s, link)).collect::<String>().trim().to_owned()
+    let mut out = String::new();
+    spans.iter().for_each(|s| append(&mut out, &span(s, link)));
+    out.trim().to_owned()
 }
 
 /// A text between marks, its spaces outside of them.
