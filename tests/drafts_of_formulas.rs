@@ -125,3 +125,71 @@ fn what_a_formula_with_i_derives_is_complex() {
     assert_eq!(text.matches("'u(x)' = ").count(), 1, "{text}");
     assert!(text.contains("'u(x)' = { role = \"field\", complex = true }"), "{text}");
 }
+
+#[test]
+fn an_argument_ends_at_an_angle_that_stands_alone_elsewhere() {
+    let angles = r"\[ \cos\theta_i = 1 \] \[ \cos(\theta_r) = 2 \]";
+    let text = draft(&format!(r"{angles} \[ \sin\theta_i E_i = \sin{{\theta_r}} E_r \]"));
+    is_drafted(&text, &[r"\sin(\theta_i) E_i=\sin(\theta_r) E_r"]);
+    // How it is printed stands above it.
+    assert!(text.contains("# confirm: arguments of functions end at the angle"), "{text}");
+    assert!(text.contains("#   \\sin\\theta_i E_i=\\sin{\\theta_r} E_r"), "{text}");
+    let text = draft(r"\[ \cos\phi = a \] \[ b = \tan\phi\frac{1-c}{2} \]");
+    is_drafted(&text, &[r"b=\tan(\phi)\frac{1-c}{2}"]);
+    // Nothing shows it; another letter's subscript; a product in an argument elsewhere; a phase; one of two.
+    for (before, formula) in [
+        ("", r"b=\sin\theta_i E_i"),
+        (angles, r"b=\sin\theta_i E_r"),
+        (r"\[ \cos\theta_i = \cos(\theta_i E_i) \]", r"b=\sin\theta_i E_i"),
+        (r"\[ \cos\phi = a \]", r"b=\tan\phi\frac{x}{c}"),
+        (r"\[ \cos\theta_i = 1 \]", r"\sin\theta_i E_i=\sin\theta_r E_r"),
+    ] {
+        let text = draft(&format!(r"{before} \[ {formula} \]"));
+        let why = refused(&text, formula).unwrap_or_else(|| panic!("{formula} is read in {text}"));
+        assert!(why.contains("where the argument of"), "{why}");
+    }
+}
+
+#[test]
+fn a_divergence_goes_through_a_number_to_its_vector() {
+    let text = draft(r"\[ \nabla\cdot\epsilon\mathbf E=\rho \] \[ \nabla\times\mu\mathbf H=\mathbf J \]");
+    is_drafted(&text, &[r"\nabla\cdot\epsilon\mathbf E=\rho", r"\nabla\times\mu\mathbf H=\mathbf J"]);
+    // What stands behind it; what has no such meaning.
+    for formula in [
+        r"\nabla\cdot\epsilon\mathbf E\phi=\rho",
+        r"\nabla\cdot\epsilon\mathbf E\cdot\mathbf B=\rho",
+        r"\nabla\epsilon\mathbf E=\rho",
+        r"\nabla\cdot\epsilon^2\mathbf E=\rho",
+    ] {
+        let text = draft(&format!(r"\[ {formula} \]"));
+        assert!(refused(&text, formula).is_some(), "{text}");
+    }
+}
+
+#[test]
+fn an_average_of_a_name_is_a_name() {
+    for (printed, formula) in [
+        (r"\langle E\rangle=\frac{3}{2}kT", r"E_{\text{mean}}=\frac{3}{2}kT"),
+        (r"I=\left\langle{ \Psi_s }\right\rangle^2", r"I=\Psi_{s,\text{mean}}^2"),
+    ] {
+        let text = draft(&format!(r"\[ {printed} \]"));
+        is_drafted(&text, &[formula]);
+        assert!(text.contains("# confirm: an average is a name; printed:"), "{text}");
+    }
+    // Averages of more than a name, elements of matrices, a part of something; a paper of quanta.
+    for (before, formula) in [
+        ("", r"\langle E^2\rangle=a"),
+        ("", r"\langle EB\rangle=a"),
+        ("", r"\langle E\rangle=\langle EB\rangle"),
+        ("", r"\langle E|B\rangle=a"),
+        ("", r"\langle E\rangle_2=a"),
+        ("", r"|E\rangle=a"),
+        ("", r"\langle E,B\rangle=a"),
+        ("", r"\langle2\rangle=a"),
+        (r"\[ p=\hbar k \]", r"\langle E\rangle=a"),
+        (r"\[ \hat H=c \]", r"\langle E\rangle=a"),
+    ] {
+        let text = draft(&format!(r"{before} \[ {formula} \]"));
+        assert!(refused(&text, formula).is_some_and(|why| why.contains("bra-ket")), "{formula}: {text}");
+    }
+}

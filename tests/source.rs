@@ -221,7 +221,7 @@ fn the_exit_code_and_the_formats_tell() {
 
 #[test]
 fn papers_that_cannot_be_read() {
-    // A macro without an end is left out, and told; what is longer than can be read is refused.
+    // A macro without an end is left out, and told.
     let project = project(FILE, br"\def\a{\a}\a");
     let run = rederive(project.path(), &["lint", "paper.tex"]).code(0);
     run.stdout(predicate::str::contains("does not end; its definition is left out"));
@@ -231,6 +231,21 @@ fn papers_that_cannot_be_read() {
     run.stderr(predicate::str::contains("does not end"));
     let run = rederive(project.path(), &["check", "pendulum.toml", "--source", "none.tex"]).code(2);
     run.stderr(predicate::str::contains("paper::unreadable"));
+    // One that calls others for ever longer is named, the one that the text calls, and the rest is read.
+    let fourfold = |w: u8| format!("\\def\\{0}{{\\{1}\\{1}\\{1}\\{1}}}", char::from(w + 1), char::from(w));
+    let bomb: String = (b'a'..b'z').map(fourfold).collect();
+    std::fs::write(project.path().join("bomb.tex"), format!("\\def\\a{{x=y}}{bomb}$$\\z$$ $$q=2$$")).expect("written");
+    let run = rederive(project.path(), &["lint", "bomb.tex"]).code(0);
+    run.stdout(predicate::str::contains(r"the macro `\z` does not end").and(predicate::str::contains("q=2")));
+    // What is longer than can be read is read as far as that, and no display is cut.
+    let long = format!("\\[ q=2 \\]\n\nOn\n\n{}\\[ p=q+1 \\]", "x".repeat(4_000_000));
+    std::fs::write(project.path().join("long.tex"), long).expect("written");
+    let run = rederive(project.path(), &["lint", "long.tex"]).code(0);
+    let told = predicate::str::contains("longer than can be read, 4000000 words and signs: what follows is not read");
+    run.stdout(told.and(predicate::str::contains("q=2")).and(predicate::str::contains("p=q").not()));
+    // Nothing is named, and nothing is missed.
+    std::fs::write(project.path().join("plain.tex"), r"\input\jobname $$q=2$$").expect("written");
+    rederive(project.path(), &["lint", "plain.tex"]).code(0).stdout(predicate::str::contains("``").not());
     let mut latin = PAPER.as_bytes().to_vec();
     latin.extend_from_slice(b"% caf\xe9");
     fs::write(project.path().join("paper.tex"), latin).expect("written");

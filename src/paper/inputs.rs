@@ -208,6 +208,10 @@ impl Inputs {
 
     fn refused(&mut self, name: &str, span: &Range<usize>, why: &str) -> Vec<Token> {
         let mut name = in_one_line(name.trim());
+        if name.is_empty() {
+            // `\input\jobname`, or one within a definition of plain TeX.
+            return Vec::new();
+        }
         if let Some((end, _)) = name.char_indices().nth(LONGEST_NAME) {
             name.replace_range(end.., "\u{2026}");
         }

@@ -58,7 +58,7 @@ use document::Reader;
 use files::Why;
 use inputs::Inputs;
 use latex::Logarithm;
-use macros::Endless;
+use macros::{Endless, Expanded};
 use mark::{Mark, marks, text_of};
 use token::{Kind, Token};
 
@@ -242,7 +242,7 @@ const MOST_ENDLESS: usize = 8;
 fn parse_with(file: Arc<Source>, sha256: String, folder: Option<&Path>) -> Result<Paper, Box<Diagnostic>> {
     let mut passed: BTreeSet<String> = BTreeSet::new();
     let mut endless = Vec::new();
-    let (all, inputs) = loop {
+    let (Expanded { tokens: all, cut }, inputs) = loop {
         let mut inputs = Inputs::new(&file, folder);
         let document = inputs::tokens_of(&file);
         let preamble = inputs.preamble(&file);
@@ -253,11 +253,8 @@ fn parse_with(file: Arc<Source>, sha256: String, folder: Option<&Path>) -> Resul
             Err(endless) => endless,
         };
         // Without its definition the rest of the paper is read.
-        let message = match name.as_str() {
-            "" => format!("the paper is longer than can be read: more than {} words and signs", token::MOST_TOKENS),
-            name => format!("the macro `\\{name}` does not end"),
-        };
-        if name.is_empty() || endless.len() >= MOST_ENDLESS || !passed.insert(name) {
+        let message = format!("the macro `\\{name}` does not end");
+        if endless.len() >= MOST_ENDLESS || !passed.insert(name) {
             return Err(Box::new(Diagnostic::at(&file, "paper::unreadable", span, message)));
         }
         endless.push(PaperNote { message: format!("{message}; its definition is left out"), span });
@@ -269,6 +266,11 @@ fn parse_with(file: Arc<Source>, sha256: String, folder: Option<&Path>) -> Resul
     let title = title.map(|t| shown(&t).into_owned());
     notes.extend(inputs.notes);
     notes.extend(endless);
+    notes.extend(cut.map(|span| {
+        let most = token::MOST_TOKENS;
+        let message = format!("the paper is longer than can be read, {most} words and signs: what follows is not read");
+        PaperNote { message, span }
+    }));
     if printed.is_empty() {
         let message = match file.text.trim().is_empty() {
             true => "this file is empty",

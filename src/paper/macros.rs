@@ -1,8 +1,12 @@
 //! Macros of a paper, expanded: what is left is what LaTeX would print.
 //!
+//! **In:** the tokens of a document. **Out:** those that it prints; where there are more than can be read, the first of them, and where reading
+//! ended. **Guaranteed:** a macro that takes most of what a paper may have is named, the outermost one; without it the rest can be read.
+//!
 //! A token that comes out of a macro has the place of the call, so that a difference points at what the author wrote.
 
 mod call;
+mod cut;
 mod define;
 mod rest;
 
@@ -14,6 +18,7 @@ use define::{Defined, define};
 use rest::{MOST_NAME, Macro, Rest, argument, next_is, optional, spaces, takes_braces};
 
 use super::named::{COMMANDS_OF_TEXT, Input, Named, PACKAGES};
+use super::short::Short;
 use super::token::{Kind, MOST_TOKENS, Token};
 
 /// The most calls of macros.
@@ -30,6 +35,29 @@ pub(super) struct Endless {
     pub span: Range<usize>,
 }
 
+/// What a document prints.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Expanded {
+    pub tokens: Vec<Token>,
+    /// Where reading ended, if the document goes on there.
+    pub cut: Option<Range<usize>>,
+}
+
+/// A macro that is being expanded, and how much was read before it.
+struct Outer {
+    /// Its name; none for what stands in a file.
+    name: Option<Short>,
+    calls: usize,
+    tokens: usize,
+}
+
+/// The outermost macro from which what stands so deep comes, if it took most of what a paper may have.
+fn at_fault(outer: &[Outer], depth: usize, (calls, tokens): (usize, usize)) -> Option<&str> {
+    let first = outer.iter().take(depth).find(|o| o.name.is_some())?;
+    let most = calls - first.calls > MOST_CALLS / 2 || tokens - first.tokens > MOST_TOKENS / 2;
+    first.name.as_deref().filter(|_| most)
+}
+
 /// The command that stands behind the text of a package while it is read; no text has it.
 const END_OF_DEFINITIONS: &str = "";
 
@@ -39,21 +67,20 @@ const PRINT_THEIR_ARGUMENT: &[&str] = &["answer", "eqmathbox"];
 /// The tokens of a document with its own macros expanded; definitions leave no token, and those of the names in `passed` no meaning. `preamble` is that of
 /// the main file of a chapter: only its definitions count. `input` gives the tokens of a file that the document names, if it may be read.
 pub(super) fn expanded(
-    document: Vec<Token>,
+    mut document: Vec<Token>,
     preamble: Vec<Token>,
     passed: &BTreeSet<String>,
     input: &mut Input<'_>,
-) -> Result<Vec<Token>, Endless> {
-    let too_long = |all: &[Token]| Endless { name: String::new(), span: all.last().map_or(0..0, |t| t.span.clone()) };
-    if document.len() > MOST_TOKENS {
-        return Err(too_long(&document));
-    }
+) -> Result<Expanded, Endless> {
+    let mut cut = document.get(MOST_TOKENS).map(|t| t.span.clone());
+    document.truncate(MOST_TOKENS);
     let mut defined = Defined { passed: passed.clone(), ..Defined::default() };
     // A stack of what is still to be read, the next token last; the depth of macros it came from beside it.
     let mut rest: Vec<(Token, usize)> = document.into_iter().rev().map(|t| (t, 0)).collect();
     let mut out: Vec<Token> = Vec::with_capacity(rest.len());
     // Macros that leave nothing can call each other more often than any paper has tokens.
     let mut calls = 0;
+    let mut outer: Vec<Outer> = Vec::new();
     if !preamble.is_empty() {
         defined.packages = 1;
         rest.push((Token { kind: Kind::Command, text: END_OF_DEFINITIONS.into(), span: 0..0 }, 0));
@@ -62,6 +89,13 @@ pub(super) fn expanded(
     // Conditions of the document's own that hold and are not yet closed.
     let mut open_conditions = 0;
     while let Some((mut token, depth)) = rest.pop() {
+        if out.len() >= MOST_TOKENS {
+            if let Some(name) = at_fault(&outer, depth, (calls, out.len())) {
+                return Err(Endless { name: name.to_owned(), span: token.span });
+            }
+            cut = Some(token.span);
+            break;
+        }
         let frozen = token.kind == Kind::Command && defined.aliases.contains_key(token.text.as_str());
         if frozen && let Some(meaning) = defined.aliases.get(token.text.as_str()) {
             token.text = meaning.as_str().into();
@@ -71,6 +105,7 @@ pub(super) fn expanded(
                 out.push(token);
             }
         } else if token.is("end") && begins_group(&rest, "document") {
+            cut = None;
             break;
         } else if token.is("iffalse") || defined.conditions.get(token.text.as_str()) == Some(&false) {
             skip_branch(&mut rest);
@@ -92,45 +127,59 @@ pub(super) fn expanded(
             }
             let file = files_named(named, &token, &mut rest, input);
             if file.len() + rest.len() + out.len() > MOST_TOKENS {
-                return Err(too_long(&file));
+                cut = Some(token.span);
+                break;
             }
             if named != Named::Text && !file.is_empty() {
                 defined.packages += 1;
                 let end = Token { kind: Kind::Command, text: END_OF_DEFINITIONS.into(), span: token.span };
                 rest.push((end, depth));
             }
+            outer.truncate(depth);
+            outer.push(Outer { name: None, calls, tokens: out.len() });
             rest.extend(file.into_iter().rev().map(|t| (t, depth + 1)));
         } else if define(&token.text, &mut rest, &mut defined) {
             // Nothing is printed.
             let Defined { passed, macros, .. } = &mut defined;
             passed.iter().for_each(|name| drop(macros.remove(name)));
-        } else if let Some(found) = environment(&token, &rest, &defined) {
+        } else if let Some(found) = called(&token, &mut rest, &defined, frozen) {
             calls += 1;
-            argument(&mut rest);
             let room = MOST_TOKENS.saturating_sub(rest.len() + out.len());
-            let body = if depth >= DEEPEST || calls > MOST_CALLS { None } else { call(found, &token, &mut rest, room) };
-            let Some(body) = body else { return Err(Endless { name: token.text.into(), span: token.span }) };
-            rest.extend(body.into_iter().rev().map(|t| (t, depth + 1)));
-        } else if let Some(found) = defined.macros.get(token.text.as_str()).filter(|_| !frozen) {
-            calls += 1;
-            if defined.paired.contains(token.text.as_str()) {
-                next_is(&mut rest, "*");
-                optional(&mut rest);
-            }
-            let room = MOST_TOKENS.saturating_sub(rest.len() + out.len());
-            let body = if depth >= DEEPEST || calls > MOST_CALLS { None } else { call(found, &token, &mut rest, room) };
-            let Some(body) = body else { return Err(Endless { name: token.text.into(), span: token.span }) };
+            let too_many = depth >= DEEPEST || calls > MOST_CALLS;
+            let Some(body) = (!too_many).then(|| call(found, &token, &mut rest, room)).flatten() else {
+                let fault = at_fault(&outer, depth, (calls, out.len())).filter(|_| depth < DEEPEST);
+                let name = fault.map_or_else(|| token.text.to_string(), str::to_owned);
+                return Err(Endless { name, span: token.span });
+            };
+            outer.truncate(depth);
+            outer.push(Outer { name: Some(token.text), calls, tokens: out.len() });
             rest.extend(body.into_iter().rev().map(|t| (t, depth + 1)));
         } else if PRINT_THEIR_ARGUMENT.contains(&token.text.as_str()) && takes_braces(&rest) {
             while optional(&mut rest).is_some() {}
         } else if defined.packages == 0 {
             out.push(token);
         }
-        if out.len() > MOST_TOKENS {
-            return Err(too_long(&out));
-        }
     }
-    Ok(out)
+    if cut.is_some() {
+        let end = cut::end_of_whole(&out);
+        cut = out.get(end).map(|t| t.span.clone()).or(cut);
+        out.truncate(end);
+    }
+    Ok(Expanded { tokens: out, cut })
+}
+
+/// The macro of the document's own that a token calls, or the beginning or the end of its own environment; the name of that is taken from what follows.
+fn called<'d>(token: &Token, rest: &mut Rest, defined: &'d Defined, frozen: bool) -> Option<&'d Macro> {
+    if let Some(found) = environment(token, rest, defined) {
+        argument(rest);
+        return Some(found);
+    }
+    let found = defined.macros.get(token.text.as_str()).filter(|_| !frozen)?;
+    if defined.paired.contains(token.text.as_str()) {
+        next_is(rest, "*");
+        optional(rest);
+    }
+    Some(found)
 }
 
 /// The kind of file that a command names, unless the document gave it another meaning.
@@ -208,7 +257,7 @@ mod tests {
     use super::*;
 
     fn expanded(text: &str) -> Result<Vec<Token>, Endless> {
-        super::expanded(tokens(text), Vec::new(), &BTreeSet::new(), &mut |_, _, _| Vec::new())
+        super::expanded(tokens(text), Vec::new(), &BTreeSet::new(), &mut |_, _, _| Vec::new()).map(|e| e.tokens)
     }
 
     fn shown(text: &str) -> String {
@@ -269,8 +318,11 @@ mod tests {
             let each = names.windows(2).map(|w| format!("\\def\\{}{{\\{}\\{}}}", w[1], w[0], w[0]));
             format!("{first}{}\\Z", each.collect::<String>())
         };
-        assert!(expanded(&doubling("")).is_err());
-        assert!(expanded(&doubling("x")).is_err());
+        // The one that the text calls is named, not one of those within.
+        for base in ["", "x"] {
+            let after_another = format!("\\def\\other{{o}}\\other {}", doubling(base));
+            assert_eq!(expanded(&after_another).map_err(|e| e.name), Err("Z".to_owned()));
+        }
         let often = format!("\\def\\a#1{{{}}}\\a{{{}}}", "#1".repeat(10_000), "x".repeat(10_000));
         assert!(expanded(&often).is_err());
         assert_eq!(shown(r"\newcommand{\a}[99999999999]{x}\a bcdefghijkl"), "xkl");

@@ -262,8 +262,15 @@ impl Parser<'_> {
 
     /// An operator before what it acts on.
     pub(super) fn acting(&mut self, action: Nabla, start: usize) -> Parsed<Node> {
-        let (of, mut open) = self.operand(&[])?;
+        let (mut of, mut open) = self.operand(&[])?;
         let number = matches!(&of.kind, NodeKind::Symbol(s) if s.sup.is_none() && self.scope.is_number(&s.name, s.sub.as_deref()));
+        // `\nabla\cdot\epsilon{\bf E}`: a number alone has no divergence, and no curl.
+        if number && matches!(action, Nabla::Divergence | Nabla::Curl) && self.begins_vector()? {
+            let first = of.span.start;
+            let (vector, end) = self.operand(&[])?;
+            open = end;
+            of = self.node(NodeKind::Product(vec![of, vector]), first);
+        }
         if number && action == Nabla::Gradient {
             open = Some(Open::Gradient);
         }

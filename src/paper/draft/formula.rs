@@ -9,6 +9,7 @@ use super::super::names::evidence::is_alone;
 use super::super::names::{Call, Evidence, Notation, names_apart};
 use super::super::printed::{PrintedRelation, PrintedSide};
 use super::super::{Paper, token};
+use super::average;
 use super::guess::{Place, Reading};
 use super::readings::readings;
 use super::write;
@@ -20,6 +21,8 @@ use diag::{Diagnostic, Source};
 pub(super) struct Formula {
     /// Its text.
     pub text: String,
+    /// What was written otherwise than it is printed, and how that is.
+    pub printed: Option<(&'static str, String)>,
     /// How many relations between two sides it has.
     pub steps: usize,
     /// Whether it says when another holds.
@@ -117,11 +120,23 @@ fn is_range(relation: &PrintedRelation) -> bool {
 
 impl Printed {
     /// Reads its relations: each as a whole, or step by step.
-    pub fn read(&mut self, read: &mut impl FnMut(&[&PrintedSide], &str, Place) -> Result<Vec<Reading>, String>) {
+    pub fn read(
+        &mut self,
+        notation: &Notation,
+        read: &mut impl FnMut(&[&PrintedSide], &str, Place) -> Result<Vec<Reading>, String>,
+    ) {
         for relation in &self.relations {
             let mut take = |sides: &[&PrintedSide], signs: &[String]| {
-                let text = text_of(sides, signs);
-                let found = read(sides, &text, Place { section: relation.section, chapter: relation.chapter });
+                let (mut text, mut printed) = (text_of(sides, signs), None);
+                let place = Place { section: relation.section, chapter: relation.chapter };
+                let mut found = read(sides, &text, place);
+                if let Err(why) = &found
+                    && let Some(other) = written_otherwise(sides, (&text, signs), why, notation)
+                    && let Ok(readings) = read(&other.sides.iter().collect::<Vec<_>>(), &other.text, place)
+                {
+                    found = Ok(readings);
+                    printed = Some((other.what, std::mem::replace(&mut text, other.text)));
+                }
                 let (mut others, refused) = match found {
                     Ok(readings) => (readings, None),
                     Err(why) => (Vec::new(), Some(why)),
@@ -129,7 +144,7 @@ impl Printed {
                 let needs = if others.is_empty() { Reading::default() } else { others.remove(0) };
                 let (steps, is_condition) = (signs.len(), relation.is_condition());
                 let rate = rate_of(sides, signs);
-                Formula { text, steps, is_condition, refused, needs, others, rate, ..Formula::default() }
+                Formula { text, printed, steps, is_condition, refused, needs, others, rate, ..Formula::default() }
             };
             let sides: Vec<&PrintedSide> = relation.sides.iter().collect();
             let whole = take(&sides, &relation.signs);
@@ -235,6 +250,37 @@ fn one_line(text: &str) -> String {
 
 /// Words of refusals where a file has no room for the coordinates of a formula.
 const OF_ROOM: &[&str] = &["coordinates", "is no place of a function"];
+/// Words of refusals where the argument of a function has no clear end.
+const OF_ARGUMENTS: &str = "where the argument of";
+/// Words of refusals of angle brackets.
+const OF_BRACKETS: &str = "`bra-ket`";
+
+/// A formula that is written otherwise than it is printed, and means the same.
+struct Otherwise {
+    what: &'static str,
+    sides: Vec<PrintedSide>,
+    text: String,
+}
+
+/// A formula in another spelling, where it was refused for one that can be told otherwise.
+fn written_otherwise(
+    sides: &[&PrintedSide],
+    (text, signs): (&str, &[String]),
+    why: &str,
+    notation: &Notation,
+) -> Option<Otherwise> {
+    if why.contains(OF_ARGUMENTS) {
+        let text = notation.with_ends_of_angles(text)?;
+        let what = "arguments of functions end at the angle, as elsewhere in the paper";
+        return Some(Otherwise { what, sides: sides.iter().map(|s| (*s).clone()).collect(), text });
+    }
+    let could_be = why == OF_BRACKETS && !notation.has_operators() && !sides.iter().any(|s| notation.is_algebra(s));
+    let sides = could_be.then(|| average::named(sides)).flatten()?;
+    let what = "an average is a name";
+    let text = text_of(&sides.iter().collect::<Vec<_>>(), signs);
+    Some(Otherwise { what, sides, text })
+}
+
 /// Longest formula that is read, in bytes.
 const LONGEST: usize = 20_000;
 

@@ -5,6 +5,7 @@
 //! the file stands in its own claim, so that no formula is lost because of another one, or read otherwise. It decides nothing, since
 //! it has no motions: every guess waits for a person.
 
+mod average;
 mod declared;
 mod formula;
 mod guess;
@@ -66,7 +67,7 @@ pub fn draft(paper: &Paper, name: &str) -> Draft {
     let mut all = formula::displays(paper);
     let mut known: BTreeMap<(String, Place), Result<Vec<Reading>, String>> = BTreeMap::new();
     for printed in &mut all {
-        printed.read(&mut |sides, text, place| {
+        printed.read(&notation, &mut |sides, text, place| {
             let found = known.entry((text.to_owned(), place));
             found.or_insert_with(|| formula::alone(sides, text, (&evidence, &notation), is_of_indices, place)).clone()
         });

@@ -159,6 +159,11 @@ fn claims(out: &mut String, name: &str, (settled, system): (&Settled, Option<&Sy
         let condition = if f.is_condition { "a condition, " } else { "" };
         let _ = writeln!(out, "# confirm: not read, {condition}{}:\n#   {}", comment(why), comment(&f.text));
     }
+    for f in printed.formulas.iter().filter(|f| f.refused.is_none()) {
+        if let Some((what, text)) = &f.printed {
+            let _ = writeln!(out, "# confirm: {what}; printed:\n#   {}", comment(text));
+        }
+    }
     let mut groups: Vec<(Vec<Guess>, Vec<usize>)> = Vec::new();
     let mut group_of: BTreeMap<Vec<Guess>, usize> = BTreeMap::new();
     let mut of_all: Vec<Guess> = Vec::new();

@@ -61,6 +61,8 @@ pub struct Notation {
     has_modulus: bool,
     /// Whether it is one of quanta: products of vectors may be of operators.
     is_quantum: bool,
+    /// Whether it prints hats above plain letters, as operators have them.
+    has_hats: bool,
     /// Whether it counts combinations: a column of two in parentheses may be a binomial coefficient.
     is_combinatorial: bool,
 }
@@ -143,6 +145,7 @@ impl Notation {
                     }
                 }
                 out.angles.note(&side.text);
+                out.has_hats |= has_plain_hat(&tokens(&side.text));
                 if has_imaginary(&side.text) {
                     out.has_imaginary = true;
                     out.complex.extend(relation.sides.iter().flat_map(names_apart).map(|n| n.key()));
@@ -198,9 +201,19 @@ impl Notation {
         self.is_quantum
     }
 
+    /// Whether the paper may be one of operators: angle brackets are then those of states.
+    pub fn has_operators(&self) -> bool {
+        self.is_quantum || self.has_hats
+    }
+
     /// Whether a name varies, though the paper prints no rate of it.
     pub fn varies(&self, key: &str) -> bool {
         self.varies.contains(key)
+    }
+
+    /// A formula with parentheses around the angles behind functions, where the paper shows that what follows is a factor.
+    pub fn with_ends_of_angles(&self, text: &str) -> Option<String> {
+        self.angles.with_ends(text)
     }
 
     /// Why a side is no formula of numbers, vectors and matrices, whatever its names are declared as.
@@ -364,6 +377,13 @@ fn algebraic(paper: &Paper) -> BTreeMap<usize, usize> {
         }
     }
     out
+}
+
+/// Whether a hat stands above a letter that is no vector by its style.
+fn has_plain_hat(all: &[&str]) -> bool {
+    let is_bold = |t: &str| t.strip_prefix('\\').is_some_and(|t| super::letters::BOLD.contains(&t));
+    let under = |at: usize| all[at + 1..].iter().find(|t| **t != "{").copied();
+    (0..all.len()).any(|at| matches!(all[at], r"\hat" | r"\widehat") && under(at).is_some_and(|t| !is_bold(t)))
 }
 
 /// The files of a paper that print something.

@@ -8,6 +8,11 @@ use super::super::letters::is_upright_label;
 
 /// The commands and characters of a formula, without spaces.
 pub(super) fn tokens(text: &str) -> Vec<&str> {
+    placed(text).into_iter().map(|(_, token)| token).collect()
+}
+
+/// The commands and characters of a formula, each with where it begins.
+pub(super) fn placed(text: &str) -> Vec<(usize, &str)> {
     let mut out = Vec::new();
     let mut rest = text;
     while let Some(c) = rest.chars().next() {
@@ -21,7 +26,7 @@ pub(super) fn tokens(text: &str) -> Vec<&str> {
         };
         let (token, after) = rest.split_at(length);
         if !c.is_whitespace() {
-            out.push(token);
+            out.push((text.len() - rest.len(), token));
         }
         rest = after;
     }
