@@ -29,7 +29,7 @@ fn shortened(text: &str, most: usize) -> Option<String> {
     if text.is_empty() || letters(text) <= most {
         return (!text.is_empty()).then(|| text.to_owned());
     }
-    let is_whole = |end: &usize| text[..*end].matches(['$', '`']).count() % 2 == 0;
+    let is_whole = |end: &usize| text[..*end].matches(['$', '`']).count().is_multiple_of(2);
     let ends = text.match_indices(' ').map(|(at, _)| at).filter(is_whole);
     let fits = ends.take_while(|end| letters(&text[..*end]) < most).last()?;
     let mut kept = text[..fits].trim_end();
