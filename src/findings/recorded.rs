@@ -183,11 +183,11 @@ impl Recorded {
             ),
         };
         let sentence = match self.throughout() {
-            all if all.is_empty() => sentence,
+            [] => sentence,
             all => format!("{sentence} It is about times between which {} throughout.", all.join(", ")),
         };
         match self.presupposed() {
-            all if all.is_empty() => sentence,
+            [] => sentence,
             all => format!("{sentence} It presupposes {}, as what it follows from does.", all.join(", ")),
         }
     }

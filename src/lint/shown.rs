@@ -72,15 +72,12 @@ pub fn decimal(x: f64) -> String {
 /// The list of all relations, then what is wrong.
 pub fn lint_text(paper: &Paper, lint: &Lint) -> String {
     let mut out = nothing_tested(lint).map(|text| text + "\n\n").unwrap_or_default();
-    let mut unlisted = 0;
     let several = paper.printed.iter().any(|r| !std::sync::Arc::ptr_eq(paper.locate(&r.span()).0, &paper.file));
     for judgement in &lint.judgements {
-        let relation = &paper.printed[judgement.relation];
-        // A formula of the running text is shown where something is said of it.
-        if relation.display.is_none() && matches!(judgement.word, Word::NotRead | Word::Condition | Word::NotFollowed) {
-            unlisted += 1;
+        if !is_listed(paper, judgement) {
             continue;
         }
+        let relation = &paper.printed[judgement.relation];
         let text = in_one_line(&relation.text());
         let short: String = text.chars().take(WIDTH).collect();
         let more = if text.chars().count() > WIDTH { "…" } else { "" };
@@ -104,14 +101,23 @@ pub fn lint_text(paper: &Paper, lint: &Lint) -> String {
         let _ = write!(out, "\n{found}\n");
     }
     let _ = writeln!(out, "\n{}", summary(lint));
-    if unlisted > 0 {
-        let (formulas, verb, them) = if unlisted == 1 { ("formula", "is", "it") } else { ("formulas", "are", "them") };
-        let _ = writeln!(
-            out,
-            "{unlisted} {formulas} of the running text, which nothing above decides, {verb} not listed: --format json has {them}"
-        );
+    if let Some(unlisted) = unlisted(paper, lint) {
+        let _ = writeln!(out, "{unlisted}: --format json has all");
     }
     out
+}
+
+/// Whether a formula is listed: one of the running text is where something is said of it.
+pub fn is_listed(paper: &Paper, judgement: &Judgement) -> bool {
+    let in_text = paper.printed.get(judgement.relation).is_some_and(|r| r.display.is_none());
+    !(in_text && matches!(judgement.word, Word::NotRead | Word::Condition | Word::NotFollowed))
+}
+
+/// How many formulas are counted and not listed, in a sentence without its stop; `None` where all are listed.
+pub fn unlisted(paper: &Paper, lint: &Lint) -> Option<String> {
+    let n = lint.judgements.iter().filter(|j| !is_listed(paper, j)).count();
+    let (formulas, verb) = if n == 1 { ("formula", "is") } else { ("formulas", "are") };
+    (n > 0).then(|| format!("{n} {formulas} of the running text, which nothing above decides, {verb} not listed"))
 }
 
 /// That nothing was tested, where that is so: a reader must not take silence for approval.

@@ -13,6 +13,7 @@ use super::consequence::Consequences;
 use super::digest::{Fate, Whole};
 use super::numbers::count;
 use super::points::{self, NeededReading};
+use super::said::said;
 use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, quiet, words};
 use super::tally::declared;
 use derivation::Derivation;
@@ -21,8 +22,10 @@ use derivation::Derivation;
 const MOST_CONCLUSIONS: usize = 6;
 /// Most steps of a chain; of a longer one the middle is left out.
 const MOST_STEPS: usize = 4;
+/// Longest words of a step, in letters.
+const LONGEST_STEP: usize = 32;
 /// Most grounds that are named of a conclusion whose chains are whole.
-const MOST_GROUNDS: usize = 6;
+const MOST_GROUNDS: usize = 4;
 
 /// The claims of a file by their ids.
 type ById<'w, 'a> = BTreeMap<&'a str, &'w Whole<'a>>;
@@ -44,7 +47,8 @@ pub(super) fn blocks<'a>(
     let named = hangs.conclusions();
     let title = if named.is_empty() { "Where the steps lead" } else { "The paper concludes" };
     let ends: Vec<&'a str> = if named.is_empty() { ends(wholes, hangs) } else { named.to_vec() };
-    let mut told: BTreeSet<&'a str> = wholes.iter().map(|w| w.id).filter(|id| Some(*id) == shown).collect();
+    let witnessed = wholes.iter().map(|w| w.id).filter(|id| Some(*id) == shown).collect();
+    let mut told = Told { witnessed, chains: Vec::new() };
     let shown = ends.iter().take(MOST_CONCLUSIONS).filter_map(|id| by_id.get(id));
     let items: Vec<StoryItem<'a>> = shown.map(|whole| item(derivation, whole, &by_id, hangs, &mut told)).collect();
     if items.is_empty() {
@@ -56,6 +60,14 @@ pub(super) fn blocks<'a>(
         out.push(StoryBlock::Paragraph(vec![quiet(format!("And {} more.", count(more, "conclusion")))]));
     }
     out
+}
+
+/// What the page has told already.
+struct Told<'a> {
+    /// The claims whose witness is shown.
+    witnessed: BTreeSet<&'a str>,
+    /// The steps of the chains of conclusions, by their letters.
+    chains: Vec<(char, Vec<&'a str>)>,
 }
 
 /// What rests on something and carries nothing, the longest argument first.
@@ -72,7 +84,7 @@ fn item<'a>(
     whole: &Whole<'a>,
     by_id: &ById<'_, 'a>,
     hangs: &Consequences<'a>,
-    told: &mut BTreeSet<&'a str>,
+    told: &mut Told<'a>,
 ) -> StoryItem<'a> {
     let scope = &derivation.scope;
     let says = whole.says.trim_end_matches('.').to_owned();
@@ -89,17 +101,17 @@ fn item<'a>(
     broken.sort_by_cached_key(|w| (!w.fate.is_against(), std::cmp::Reverse(hangs.weight(w.id))));
     line.push(words("."));
     let mark = hangs.letter(whole.id).map(String::from).unwrap_or_default();
-    told.insert(whole.id);
+    told.witnessed.insert(whole.id);
     let mut below = points::lines(derivation, whole, NeededReading::NotShown);
     below.extend(points::needs(derivation, whole));
     let Some(first) = broken.first() else {
-        below.push(StoryBlock::Paragraph(grounds(whole, by_id, hangs)));
+        below.push(StoryBlock::Paragraph(grounds(derivation, whole, by_id, hangs)));
         return StoryItem { mark, line, below: vec![StoryBlock::Group("chain", below)] };
     };
-    let mut steps = chain(&hangs.chain(first.id, whole.id), by_id);
+    let mut steps = chain(derivation, &hangs.chain(first.id, whole.id), (by_id, hangs), &mut told.chains);
     steps.push(words("."));
     // Each break is shown once; a terminal has room for that of a conclusion that stands.
-    let says = told.insert(first.id).then(|| break_says(derivation, first)).filter(|says| !says.is_empty());
+    let says = told.witnessed.insert(first.id).then(|| break_says(derivation, first)).filter(|says| !says.is_empty());
     match says {
         Some(says) if !whole.fate.is_against() => {
             steps.push(words(" "));
@@ -114,11 +126,12 @@ fn item<'a>(
     StoryItem { mark, line, below: vec![StoryBlock::Group("chain", below)] }
 }
 
-fn link<'a>(id: &'a str, by_id: &ById<'_, 'a>) -> Vec<StorySpan<'a>> {
+/// A step in its words, with what became of it.
+fn link<'a>(derivation: &'a Derivation, id: &'a str, by_id: &ById<'_, 'a>) -> Vec<StorySpan<'a>> {
     let Some(whole) = by_id.get(id) else { return vec![StorySpan::Claim(id.to_owned(), Tone::Plain)] };
     let tone = if breaks(whole) { Tone::Bad } else { Tone::Plain };
-    let shape = whole.shape();
-    let mut out = vec![StorySpan::Claim(id.to_owned(), tone), words("\u{a0}"), StorySpan::Shape(shape)];
+    let mut out = vec![words("“"), said(derivation, whole, tone, LONGEST_STEP), words("”\u{a0}")];
+    out.push(StorySpan::Shape(whole.shape()));
     // The sentence may stand where what the argument needs of it does not.
     if let Some(needed) = whole.failing_need().filter(|_| !whole.fate.is_against()) {
         out.extend([words("\u{a0}("), StorySpan::Shape(needed.shape()), words("\u{a0}as used)")]);
@@ -126,29 +139,48 @@ fn link<'a>(id: &'a str, by_id: &ById<'_, 'a>) -> Vec<StorySpan<'a>> {
     out
 }
 
-/// A chain from its ground up.
-fn chain<'a>(ids: &[&'a str], by_id: &ById<'_, 'a>) -> Vec<StorySpan<'a>> {
-    let steps: Vec<Vec<StorySpan<'a>>> = match ids.len() > MOST_STEPS {
-        false => ids.iter().map(|id| link(id, by_id)).collect(),
-        true => {
-            let (first, last) = (&ids[..MOST_STEPS - 2], &ids[ids.len() - 1..]);
-            let left = vec![quiet(format!("… {} more …", ids.len() - first.len() - last.len()))];
-            let ends = |of: &[&'a str]| of.iter().map(|id| link(id, by_id)).collect::<Vec<_>>();
-            ends(first).into_iter().chain([left]).chain(ends(last)).collect()
-        }
-    };
+/// A chain from its ground up to a conclusion, which stands above it: by its letter. Of one that begins as another that was told, the
+/// steps are told from the last that they share.
+fn chain<'a>(
+    derivation: &'a Derivation,
+    ids: &[&'a str],
+    (by_id, hangs): (&ById<'_, 'a>, &Consequences<'_>),
+    told: &mut Vec<(char, Vec<&'a str>)>,
+) -> Vec<StorySpan<'a>> {
+    let Some((last, all)) = ids.split_last() else { return Vec::new() };
+    let common = |of: &[&str]| of.iter().zip(all).take_while(|(a, b)| a == b).count();
+    let before = told.iter().map(|(letter, of)| (common(of), *letter)).reduce(|a, b| if b.0 > a.0 { b } else { a });
+    let before = before.filter(|(shared, _)| *shared > 1);
+    told.extend(hangs.letter(last).map(|letter| (letter, all.to_vec())));
+    let below = before.and_then(|(shared, _)| all.get(shared - 1..)).unwrap_or(all);
+    let shown = if below.len() >= MOST_STEPS { &below[..MOST_STEPS - 2] } else { below };
+    let mut steps: Vec<Vec<StorySpan<'a>>> = Vec::new();
+    steps.extend(before.map(|(_, letter)| vec![quiet(format!("as under {letter}"))]));
+    steps.extend(shown.iter().map(|id| link(derivation, id, by_id)));
+    if below.len() > shown.len() {
+        steps.push(vec![quiet(format!("… {} more …", below.len() - shown.len()))]);
+    }
+    let end = hangs.letter(last).map_or_else(|| "this".to_owned(), String::from);
+    let mut end = vec![StorySpan::Words(end, Tone::Strong)];
+    end.extend(by_id.get(last).into_iter().flat_map(|w| [words("\u{a0}"), StorySpan::Shape(w.shape())]));
+    steps.push(end);
     joined(steps, " → ")
 }
 
 /// What a conclusion rests on, where nothing of it is broken.
-fn grounds<'a>(whole: &Whole<'a>, by_id: &ById<'_, 'a>, hangs: &Consequences<'a>) -> Vec<StorySpan<'a>> {
+fn grounds<'a>(
+    derivation: &'a Derivation,
+    whole: &Whole<'a>,
+    by_id: &ById<'_, 'a>,
+    hangs: &Consequences<'a>,
+) -> Vec<StorySpan<'a>> {
     let all = hangs.grounds_of(whole.id);
     let direct = hangs.direct_grounds(whole.id);
     if direct.is_empty() {
         return vec![quiet("Rests on no other claim of the file.")];
     }
     let mut out = vec![quiet("Rests on ")];
-    out.extend(joined(direct.iter().take(MOST_GROUNDS).map(|id| link(id, by_id)), ", "));
+    out.extend(joined(direct.iter().take(MOST_GROUNDS).map(|id| link(derivation, id, by_id)), ", "));
     let more = all.len().saturating_sub(direct.len().min(MOST_GROUNDS));
     if more > 0 {
         out.push(quiet(format!(" and, through them or beside them, {more} more")));
@@ -163,10 +195,10 @@ fn break_says<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<StorySpa
     let reading = need.or_else(|| whole.failing()).or(whole.readings.first());
     let Some(reading) = reading else { return Vec::new() };
     let scope = declared(derivation, reading.claim).map_or(&derivation.scope, |d| &d.scope);
-    let mut out = vec![StorySpan::Words("It breaks at ".to_owned(), Tone::Bad)];
-    out.push(StorySpan::Claim(whole.id.to_owned(), Tone::Bad));
+    // It is the first of the chain that stands before.
+    let mut out = vec![StorySpan::Words("It breaks at the first".to_owned(), Tone::Bad)];
     if need.is_some() {
-        let says = format!(", which is used as: {}", reading.claim.says.trim_end_matches('.'));
+        let says = format!(", used as: {}", reading.claim.says.trim_end_matches('.'));
         out.push(StorySpan::Prose(says, scope, Tone::Plain));
     }
     out.push(words(". "));

@@ -19,6 +19,7 @@ use super::wording::dense;
 use derivation::{ClaimRole, Derivation, FormKind};
 use findings::{ClaimAccount, Correction, Evidence, Residuals, Witness};
 use latex::Scope;
+use reason::Refuting;
 
 /// Longest formula, in bytes of LaTeX, that page one prints: the whole is in the section on the claim.
 const LONGEST: usize = 600;
@@ -62,12 +63,13 @@ impl<'a> RefutingMotion<'a> {
         self.evidence.witness.as_ref()
     }
 
-    /// Both sides along it, drawn; nothing of two constants.
+    /// Both sides along it, drawn; of constants, and of what was tried at one time, two levels.
     pub fn sketch(&self) -> Option<Sketch> {
-        if self.is_constant() {
-            return None;
-        }
-        Sketch::sides(self.series()?, self.witness().map(|w| w.t), &self.name)
+        let along = self.series().filter(|_| !self.is_constant());
+        let drawn = along.and_then(|series| Sketch::sides(series, self.witness().map(|w| w.t), &self.name));
+        drawn.or_else(|| {
+            self.witness().and_then(|w| Sketch::levels(w.left, w.right, format!("Both sides on {}", self.name)))
+        })
     }
 
     /// Both sides along it.
@@ -131,7 +133,8 @@ impl<'a> RefutingMotion<'a> {
                     // Beside a number a value says all.
                     Some((side, sign, number)) if sign != "=" && is_number(number) && short(&side) => {
                         out.extend(named_side(": ", Some(side), left, scope));
-                        out.push(words(format!(", not {} {}", sign_of(sign), number.replace('-', "−"))));
+                        out.push(words(format!(", not {} ", in_words(sign))));
+                        out.push(StorySpan::Math(number.to_owned(), scope));
                     }
                     sides => {
                         out.extend(named_side(": left ", sides.map(|s| s.0).filter(short), left, scope));
@@ -183,12 +186,13 @@ fn sides(formula: &str) -> Option<(&str, &str, &str)> {
     (!left.is_empty() && !right.is_empty()).then_some((left, sign, right))
 }
 
-/// The sign of a relation as a letter.
-fn sign_of(sign: &str) -> &str {
+/// The sign of an inequality in words.
+fn in_words(sign: &str) -> &'static str {
     match sign.trim() {
-        r"\le" | r"\leq" => "≤",
-        r"\ge" | r"\geq" => "≥",
-        other => other,
+        "<" => "below",
+        ">" => "above",
+        r"\le" | r"\leq" => "at most",
+        _ => "at least",
     }
 }
 
@@ -367,7 +371,11 @@ pub(super) fn blocks<'a>(
     let own = declared(derivation, claim).map_or(scope, |d| &d.scope);
     let correction = correction(claim).filter(|_| fails);
     let motion = RefutingMotion::of(derivation, claim).filter(|_| fails);
-    if let Some(sketch) = motion.as_ref().and_then(RefutingMotion::sketch) {
+    let sketch = match &motion {
+        Some(motion) => motion.sketch(),
+        None => at_point(claim).filter(|_| fails),
+    };
+    if let Some(sketch) = sketch {
         // Beside conclusions a terminal has no room for a drawing.
         let figure = StoryBlock::Figure(sketch, Vec::new());
         out.push(if line.is_brief { StoryBlock::Group("roomy", vec![figure]) } else { figure });
@@ -400,6 +408,21 @@ pub(super) fn blocks<'a>(
     }
     out.push(StoryBlock::Paragraph(why));
     out
+}
+
+/// Both sides at the point that refutes a claim that has no motion: of its ranges, else of what is said for all values.
+fn at_point(claim: &ClaimAccount) -> Option<Sketch> {
+    let middle = |(low, high): (f64, f64)| low + (high - low) / 2.0;
+    let over_ranges = claim.region.as_ref().and_then(|r| r.witness.as_ref()?.sides);
+    let over_ranges = over_ranges.map(|(left, right)| (middle(left), middle(right)));
+    let number = |text: &str| text.trim().replace('−', "-").parse::<f64>().ok();
+    let of_step = || match claim.identity.as_ref()?.witness.as_ref()? {
+        Refuting::Point { first, second: None } => Some((number(&first.left)?, number(&first.right)?)),
+        Refuting::OnMotion { left, right, .. } => Some((*left, *right)),
+        Refuting::Point { .. } | Refuting::Signs { .. } | Refuting::Sizes(_) => None,
+    };
+    let (left, right) = over_ranges.or_else(of_step)?;
+    Sketch::levels(left, right, "Both sides at a point".to_owned())
 }
 
 /// When a claim is tried, and what it assumes.

@@ -190,7 +190,7 @@ fn reason(whole: &Whole<'_>, name: MotionName) -> String {
     let mut out = String::new();
     let several = whole.deciding().count() > 1;
     if several && failing.claim.reading.is_some() {
-        let before = if whole.fate == Fate::Reading { "In one meaning, “" } else { "“" };
+        let before = if whole.fate == Fate::Reading { "In one reading, “" } else { "“" };
         out.push_str(&format!("{before}{}”: ", failing.claim.says.trim_end_matches('.')));
         out.push_str(&uncapital(&digest::verdict(failing)));
     } else {

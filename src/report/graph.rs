@@ -404,7 +404,7 @@ mod tests {
 
     fn section(graph: &DerivationGraph) -> String {
         let blocks: Vec<StoryBlock<'_>> = graph.section().into_iter().collect();
-        super::super::story::markdown(&blocks, &str::to_owned)
+        super::super::story::markdown(&blocks, &|name, _| name.to_owned())
     }
 
     #[test]

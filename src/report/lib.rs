@@ -66,6 +66,7 @@ mod proposition;
 mod recorded;
 mod refuting;
 mod region;
+mod said;
 mod sarif;
 mod schema;
 mod search;

@@ -73,6 +73,7 @@ pub fn lint_page(paper: &Paper, found: &Lint) -> String {
                 main {
                     h2 { "Formulas" }
                     (displays(paper, found, &typeset))
+                    @if let Some(unlisted) = lint::unlisted(paper, found) { p.quiet { (unlisted) "." } }
                     @if !paper.notes.is_empty() {
                         h2 { "Notes" }
                         ul { @for note in &paper.notes { li { "line " (paper.line(&note.span)) ": " (note.message) } } }
@@ -158,10 +159,7 @@ pub fn lint_formulas(paper: &Paper, found: &Lint) -> Vec<String> {
 
 /// The formulas, those of a display together.
 fn displays(paper: &Paper, found: &Lint, typeset: &[Option<Typeset>]) -> Markup {
-    let told = found.judgements.iter().filter(|j| {
-        let inline = paper.printed.get(j.relation).is_some_and(|r| r.display.is_none());
-        !inline || matches!(j.word, Word::Wrong | Word::Defines | Word::Differs | Word::Follows | Word::Numbers)
-    });
+    let told = found.judgements.iter().filter(|j| lint::is_listed(paper, j));
     let mut groups: Vec<(Option<usize>, Vec<&Judgement>)> = Vec::new();
     for judgement in told {
         let display = paper.printed.get(judgement.relation).and_then(|r| r.display);

@@ -37,8 +37,8 @@ fn without_idle_anchors(text: &str) -> String {
 }
 
 /// A link to the section on a claim.
-fn link_to(name: &str) -> String {
-    format!("[{name}](#{})", story::anchor(name))
+fn link_to(name: &str, words: Option<&str>) -> String {
+    format!("[{}](#{})", words.unwrap_or(name), story::anchor(name))
 }
 
 #[cfg(all(test, debug_assertions))]

@@ -14,6 +14,7 @@ use super::discrimination;
 use super::graph::ProofStanding;
 use super::limited::limited;
 use super::numbers::count;
+use super::said::said;
 use super::story::{
     self, StoryBlock, StoryItem, StorySpan, StoryTable, TableCells, Tone, VerdictShape, joined, quiet, words,
 };
@@ -27,6 +28,8 @@ pub(super) const MOST_ROWS: usize = 9;
 const MOST_ROWS_BESIDE: usize = 6;
 /// Most classes of motions that are shown.
 pub(super) const MOST_COLUMNS: usize = 6;
+/// Longest head of a row, in letters.
+const LONGEST_HEAD: usize = 38;
 /// Most motions that are named of a class.
 const MOST_NAMED: usize = 3;
 /// Conditions that tell motions apart.
@@ -89,7 +92,7 @@ pub(super) fn blocks<'a>(
     let table = StoryTable {
         title: "Claims and classes of motions".to_owned(),
         head: std::iter::once(Vec::new()).chain((0..columns.len()).map(|at| vec![quiet(letter(at))])).collect(),
-        rows: rows.iter().map(|whole| row(whole, &columns, hangs)).collect(),
+        rows: rows.iter().map(|whole| row(derivation, whole, &columns, hangs)).collect(),
         cells: TableCells::Symbols,
     };
     let table = StoryBlock::Table(table);
@@ -121,13 +124,18 @@ pub(super) fn blocks<'a>(
     out
 }
 
-fn row<'a>(whole: &Whole<'a>, columns: &[MatrixColumn<'a>], hangs: &Consequences<'_>) -> Vec<Vec<StorySpan<'a>>> {
+fn row<'a>(
+    derivation: &'a Derivation,
+    whole: &Whole<'a>,
+    columns: &[MatrixColumn<'a>],
+    hangs: &Consequences<'_>,
+) -> Vec<Vec<StorySpan<'a>>> {
     let tone = match whole.fate {
         Fate::Fails | Fate::Partly => Tone::Bad,
         Fate::Reading => Tone::Open,
         _ => Tone::Plain,
     };
-    let mut head = vec![StorySpan::Claim(whole.id.to_owned(), tone)];
+    let mut head = vec![said(derivation, whole, tone, LONGEST_HEAD)];
     if let Some(letter) = hangs.letter(whole.id) {
         head.insert(0, StorySpan::Words(format!("{letter} "), Tone::Strong));
     }

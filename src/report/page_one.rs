@@ -5,6 +5,8 @@
 //!
 //! **Guaranteed:** every part is there and bounded, whatever the file: without motions, without a failure, with a thousand claims.
 
+use std::collections::BTreeSet;
+
 use super::argument;
 use super::card;
 use super::consequence::Consequences;
@@ -16,15 +18,18 @@ use super::hypotheses;
 use super::limited::{self, Limited};
 use super::motion_matrix::{self, that_matter};
 use super::numbers::count;
+use super::said::said;
 use super::sketch::Sketch;
-use super::story::{self, StoryBlock, StorySpan, Tone, fold, on_page, quiet, words};
-use super::tally::{Standing, declared, name};
+use super::story::{self, StoryBlock, StorySpan, Tone, fold, joined, on_page, quiet, words};
+use super::tally::{Standing, declared};
 use super::text::{Paint, capital, paragraph, uncapital};
 use derivation::Derivation;
 use findings::Account;
 
 /// Most ids that a terminal names of what does not stand, beside the cards.
 const MOST_NAMED: usize = 6;
+/// Longest words for a claim in a list of claims, in letters.
+const LONGEST_NAME: usize = 60;
 /// Cards on the first screen; more are folded. Conclusions need the room of those that a terminal leaves out, too.
 const MOST_CARDS: usize = 3;
 /// Most lines of a terminal that have the remark of a file; the rest is folded.
@@ -46,7 +51,7 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     for alarm in &front.alarms {
         head.push(StoryBlock::Paragraph(vec![StorySpan::Prose(format!("! {alarm}"), scope, Tone::Alarm)]));
     }
-    head.extend(not_as_expected(account));
+    head.extend(not_as_expected(derivation, account, &wholes));
     head.extend(remark(derivation));
     let fields = wholes.iter().filter(|w| w.fate.is_of_the_paper()).map(|w| w.shape());
     let strip = Sketch::Strip(fields.collect());
@@ -83,13 +88,16 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     ]
 }
 
-/// The claims of which a verdict is not as the file expects; a terminal tells of each by itself.
-fn not_as_expected<'a>(account: &Account) -> Option<StoryBlock<'a>> {
-    let names: Vec<String> = headline::unexpected(account).into_iter().map(name).collect();
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let told = format!("Not as the file expects: {}.", first_of(&names, 0));
-    let line = StoryBlock::Paragraph(vec![StorySpan::Words(told, Tone::Alarm)]);
-    (!names.is_empty()).then(|| StoryBlock::Group("roomy", vec![line]))
+/// The claims of which a verdict is not as the file expects, here and nowhere else; a terminal tells of each by itself.
+fn not_as_expected<'a>(derivation: &'a Derivation, account: &Account, wholes: &[Whole<'a>]) -> Option<StoryBlock<'a>> {
+    let names: BTreeSet<&str> = headline::unexpected(account).into_iter().map(|c| c.id.as_str()).collect();
+    let all: Vec<&Whole<'a>> = wholes.iter().filter(|w| names.contains(w.id)).collect();
+    let one = |whole: &&Whole<'a>| vec![words("“"), said(derivation, whole, Tone::Plain, LONGEST_NAME), words("”")];
+    let mut line = vec![StorySpan::Words("Not as the file expects: ".to_owned(), Tone::Alarm)];
+    line.extend(joined(all.iter().take(MOST_NAMED).map(one), ", "));
+    let more = all.len().saturating_sub(MOST_NAMED);
+    line.push(words(if more > 0 { format!(", and {}.", count(more, "more claim")) } else { ".".to_owned() }));
+    (!all.is_empty()).then(|| StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(line)]))
 }
 
 /// Whether something is said of printed equations or of conclusions, before claims are counted.
@@ -149,8 +157,8 @@ fn equations(derivation: &Derivation, wholes: &[Whole<'_>]) -> Option<String> {
         let verb = match (fate, of.len()) {
             (Fate::Stands, 1) => "holds as printed",
             (Fate::Stands, _) => "hold as printed",
-            (Fate::Reading, 1) if !parts.is_empty() => "only in one of its meanings",
-            (Fate::Reading, _) if !parts.is_empty() => "only in one of their meanings",
+            (Fate::Reading, 1) if !parts.is_empty() => "only in one of its readings",
+            (Fate::Reading, _) if !parts.is_empty() => "only in one of their readings",
             (fate, n) => fate.words(n),
         };
         parts.push(format!("{word}{listed} {verb}"));
@@ -298,7 +306,15 @@ fn wrong<'a>(
     let on_terminal = if front.lines.len() <= MOST_CARDS { FEW_CARDS } else { 1 };
     let most = if hangs.conclusions().is_empty() { MOST_CARDS } else { on_terminal };
     let folded = cards.split_off(cards.len().min(most));
-    let mut out = vec![StoryBlock::Heading("What does not stand, the heaviest first".to_owned())];
+    // Beside conclusions a terminal has no room for names.
+    let all = front.lines.len() + front.more;
+    let names_them = hangs.conclusions().is_empty() || all <= on_terminal;
+    let title = if names_them {
+        "What does not stand, the heaviest first".to_owned()
+    } else {
+        format!("What does not stand, the heaviest of {all}")
+    };
+    let mut out = vec![StoryBlock::Heading(title)];
     let roomy = cards.split_off(cards.len().min(on_terminal));
     out.extend(cards);
     if !roomy.is_empty() {
@@ -308,7 +324,8 @@ fn wrong<'a>(
     if ids.len() > on_terminal {
         let hidden = ids.get(most..).unwrap_or_default();
         let title = format!("{} more: {}", hidden.len() + front.more, first_of(hidden, front.more));
-        out.push(on_page(title, &format!("Nor do these: {}.", first_of(&ids[on_terminal..], front.more)), folded));
+        let named = names_them.then(|| format!("Nor do these: {}.", first_of(&ids[on_terminal..], front.more)));
+        out.push(on_page(title, &named.unwrap_or_default(), folded));
     }
     out
 }
@@ -336,7 +353,9 @@ fn nothing_wrong<'a>(
     let mut out = vec![StoryBlock::Heading(title.to_owned())];
     if !of_file.is_empty() {
         let named = first_of(&of_file, 0);
-        out.push(StoryBlock::Paragraph(vec![quiet(format!("Added for comparison, and refuted: {named}."))]));
+        let line = StoryBlock::Paragraph(vec![quiet(format!("Added for comparison, and refuted: {named}."))]);
+        // A sentence by itself, also where headings lead sentences.
+        out.push(StoryBlock::Group("compared", vec![line]));
     }
     let mut heaviest: Vec<&&Whole<'a>> = told.iter().collect();
     heaviest.sort_by_cached_key(|w| {
@@ -399,7 +418,9 @@ pub fn front_page(derivation: &Derivation, account: &Account, colour: bool) -> S
 pub fn front_markdown(derivation: &Derivation, account: &Account) -> String {
     use super::markup::prose;
     let head = format!("# {}\n\nWhat is checked: {}\n\n", prose(&derivation.title), prose(&derivation.concerns));
-    head + &story::markdown(&blocks(derivation, account), &|id| format!("`{id}`"))
+    head + &story::markdown(&blocks(derivation, account), &|id, words| {
+        words.map_or_else(|| format!("`{id}`"), str::to_owned)
+    })
 }
 
 #[cfg(all(test, debug_assertions))]

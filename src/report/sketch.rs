@@ -3,8 +3,10 @@
 //! **In:** the samples that the evidence keeps. **Out:** SVG of some hundred bytes, in the colours of the page, or two lines of letters for
 //! a terminal. Nothing is computed but places on the drawing.
 
+use std::cmp::Ordering;
+
 use super::mathml::escaped;
-use super::numbers::six;
+use super::numbers::{both, six};
 use super::shape::VerdictShape;
 use derivation::DEFAULT_PRECISION;
 use findings::Residuals;
@@ -31,6 +33,8 @@ const FIELDS: usize = 160;
 pub(super) enum Sketch {
     /// What is drawn at times, by its names: time, left, right; the time of the witness; and from where to where values are drawn.
     Sides { names: [&'static str; 2], samples: Vec<[f64; 3]>, at: Option<f64>, title: String, up: (f64, f64) },
+    /// The values of both sides, where there is no more than one of each, and what it is about.
+    Levels { left: f64, right: f64, title: String },
     /// One field for each claim, in the order of the paper.
     Strip(Vec<VerdictShape>),
 }
@@ -58,6 +62,11 @@ impl Sketch {
         Some(Sketch::Sides { names, samples: with_gaps(samples), at, title: format!("Both sides along {motion}"), up })
     }
 
+    /// The value of each side, on a motion or at a point; `None` where one has none.
+    pub fn levels(left: f64, right: f64, title: String) -> Option<Sketch> {
+        (left.is_finite() && right.is_finite()).then_some(Sketch::Levels { left, right, title })
+    }
+
     /// Whether a side changes by what can be seen: the picture of a constant tells little.
     pub fn varies(&self) -> bool {
         match self {
@@ -67,6 +76,7 @@ impl Sketch {
                     drawn.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
                 high - low > 1e-9 * up.0.abs().max(up.1.abs())
             }),
+            Sketch::Levels { .. } => false,
             Sketch::Strip(_) => true,
         }
     }
@@ -75,6 +85,7 @@ impl Sketch {
     pub fn svg(&self) -> String {
         match self {
             Sketch::Sides { names, samples, at, title, up } => sides_svg(*names, samples, *at, (title, *up)),
+            Sketch::Levels { left, right, title } => levels_svg(*left, *right, title),
             Sketch::Strip(fields) => strip_svg(fields),
         }
     }
@@ -92,8 +103,8 @@ impl Sketch {
                     format!("{second:<width$} {}  t from {} to {}", row(2), six(frame.along.0), six(frame.along.1)),
                 ]
             }
-            // The sentence above it counts them.
-            Sketch::Strip(_) => Vec::new(),
+            // The line beside them has the two numbers, and the sentence above counts the claims.
+            Sketch::Levels { .. } | Sketch::Strip(_) => Vec::new(),
         }
     }
 }
@@ -204,6 +215,30 @@ fn sides_svg(names: [&str; 2], samples: &[[f64; 3]], at: Option<f64>, (title, up
     )
 }
 
+/// Two level lines, the larger value above, each with its value over it; one, where the values are equal.
+fn levels_svg(left: f64, right: f64, title: &str) -> String {
+    const WIDTH: i32 = 120;
+    let (high, low) = (13, 35);
+    let (of_left, of_right) = match left.total_cmp(&right) {
+        Ordering::Greater => (high, low),
+        Ordering::Less => (low, high),
+        Ordering::Equal => (low, low),
+    };
+    let (first, second) = both(left, right);
+    let line = |class: &str, at: i32| format!("<path class={class} d=\"M0 {at}h{WIDTH}\"/>");
+    let text = |(x, anchor): (i32, &str), class: &str, at: i32, value: &str| {
+        format!("<text x={x} y={}{anchor}><tspan class={class}>{class} {value}</tspan></text>", at - 4)
+    };
+    format!(
+        "<svg class=levels viewBox=\"0 0 {WIDTH} 39\" role=img><title>{}</title>{}{}{}{}</svg>",
+        escaped(title),
+        line("left", of_left),
+        line("right", of_right),
+        text((0, ""), "left", of_left, &first),
+        text((WIDTH, " text-anchor=end"), "right", of_right, &second),
+    )
+}
+
 /// A smooth line through points, without values beyond theirs, as a part of a path in [`PARTS`] of a unit: between two points a cubic
 /// whose slopes at the ends are the harmonic means of those on both sides. The page's script draws so, too.
 fn smooth(points: &[(f64, f64)]) -> String {
@@ -298,6 +333,18 @@ mod tests {
         let lines = wave().lines();
         assert_eq!(lines.len(), 2);
         assert!(lines[0].contains('█') && lines[1].contains('▃'), "{lines:?}");
+    }
+
+    #[test]
+    fn two_constants_are_two_levels_with_their_values() {
+        let svg = |left, right| Sketch::levels(left, right, "<m>".into()).map(|s| s.svg()).unwrap_or_default();
+        let apart = svg(4.45012, 60.2479);
+        assert!(apart.contains("class=left d=\"M0 35") && apart.contains("class=right d=\"M0 13"), "{apart}");
+        assert!(apart.contains(">left 4.45012<") && apart.contains(">right 60.2479<") && apart.contains("&lt;m&gt;"));
+        assert_eq!(svg(2.0, 2.0).matches("M0 35").count(), 2, "one level");
+        assert!(svg(f64::NAN, 1.0).is_empty() && svg(1.0, f64::INFINITY).is_empty());
+        let levels = Sketch::levels(1.0, 2.0, "m".into()).expect("two levels");
+        assert!(levels.lines().is_empty() && !levels.varies());
     }
 
     /// Sides that agree within rounding have no picture of a difference: it would say that they differ.

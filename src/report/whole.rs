@@ -6,19 +6,14 @@ use super::claim_story;
 use super::digest::{self, Whole};
 use super::headline::{self, CountedFate};
 use super::letters::{LEGEND, letters};
-use super::numbers::count;
 use super::page_one;
 use super::sections;
 use super::story::{
-    PartLevel, StoryBlock, StorySpan, Tone, claim, joined, list, on_page, part, prose, quiet, section, words,
+    PartLevel, StoryBlock, StorySpan, claim, joined, list, on_page, part, prose, quiet, section, words,
 };
-use super::tally::name;
 use super::units;
 use derivation::Derivation;
-use findings::{Account, ClaimAccount};
-
-/// Most claims that are named of those that are not as expected.
-const MOST_UNEXPECTED: usize = 8;
+use findings::Account;
 
 /// All sections, with the graph as this kind of report draws it.
 pub(super) fn report<'a>(
@@ -78,19 +73,11 @@ pub(super) fn listed<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     blocks
 }
 
-/// How all was tried, and what is not as expected.
+/// How all was tried, and that all is as expected; what is not is named on page one.
 fn expected<'a>(account: &Account) -> Vec<StorySpan<'a>> {
-    let unexpected: Vec<&ClaimAccount> = headline::unexpected(account);
-    let mut line = vec![quiet(format!("{} ", headline::tried(account)))];
-    if unexpected.is_empty() {
-        line.push(quiet("Every verdict is as the derivation file expects."));
-        return line;
-    }
-    line.push(StorySpan::Words("Not as the derivation file expects: ".to_owned(), Tone::Alarm));
-    line.extend(joined(unexpected.iter().take(MOST_UNEXPECTED).map(|c| vec![claim(name(c))]), ", "));
-    let more = unexpected.len().saturating_sub(MOST_UNEXPECTED);
-    line.push(words(if more > 0 { format!(", and {}.", count(more, "more claim")) } else { ".".to_owned() }));
-    line
+    let all =
+        if headline::unexpected(account).is_empty() { " Every verdict is as the derivation file expects." } else { "" };
+    vec![quiet(format!("{}{all}", headline::tried(account)))]
 }
 
 /// Every claim of the paper in its order, with the shape of its fate: a map of the paper, at one glance.

@@ -102,6 +102,9 @@ fn span(span: &StorySpan<'_>) -> Markup {
         StorySpan::Math(text, scope) => formula(text, scope),
         StorySpan::Marked { formula: text, beside, scope, wrong } => marked_formula(text, beside, scope, *wrong),
         StorySpan::Claim(name, tone) => marked(markup! { a href={ "#" (name) } { (name) } }, *tone),
+        StorySpan::Said { claim, text, scope, tone } => {
+            marked(markup! { a href={ "#" (claim) } title=(claim) { (prose(text, scope)) } }, *tone)
+        }
         StorySpan::Section(text, place) => markup! { a href={ "#" (place) } { (text) } },
         StorySpan::Code(text) => markup! { code { (text) } },
         StorySpan::Difference(_) => Markup::default(),

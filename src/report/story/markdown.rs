@@ -4,8 +4,11 @@ use super::super::markup::{append, code, display, fenced, math, prose};
 use super::super::wording::label;
 use super::{Elsewhere, PartLevel, StoryBlock, StoryFold, StoryItem, StorySpan, StoryTable, Tone};
 
-/// The text; `link` writes the name of a claim.
-pub(in super::super) fn markdown(blocks: &[StoryBlock<'_>], link: &dyn Fn(&str) -> String) -> String {
+/// Writes a claim: by its name, or by words in its place.
+type Link<'l> = &'l dyn Fn(&str, Option<&str>) -> String;
+
+/// The text; `link` writes claims.
+pub(in super::super) fn markdown(blocks: &[StoryBlock<'_>], link: Link<'_>) -> String {
     let mut out = String::new();
     put_all(blocks, 0, link, &mut out);
     out
@@ -20,7 +23,7 @@ pub(in super::super) fn anchor(name: &str) -> String {
 }
 
 /// Blocks, one below the other; short formulas stand in one line, behind a sentence that leads to them.
-fn put_all(blocks: &[StoryBlock<'_>], indent: usize, link: &dyn Fn(&str) -> String, out: &mut String) {
+fn put_all(blocks: &[StoryBlock<'_>], indent: usize, link: Link<'_>, out: &mut String) {
     let mut is_open = false;
     for (at, block) in blocks.iter().enumerate() {
         let is_short = |b: Option<&StoryBlock<'_>>| matches!(b, Some(StoryBlock::Formula(text, _)) if text.len() <= SHORT && !text.contains('\n'));
@@ -40,7 +43,7 @@ fn put_all(blocks: &[StoryBlock<'_>], indent: usize, link: &dyn Fn(&str) -> Stri
     }
 }
 
-fn put(block: &StoryBlock<'_>, indent: usize, link: &dyn Fn(&str) -> String, out: &mut String) {
+fn put(block: &StoryBlock<'_>, indent: usize, link: Link<'_>, out: &mut String) {
     let space = " ".repeat(indent);
     let paragraph = |spans: &[StorySpan<'_>]| match line(spans, link) {
         text if text.is_empty() => text,
@@ -99,7 +102,7 @@ fn put(block: &StoryBlock<'_>, indent: usize, link: &dyn Fn(&str) -> String, out
     }
 }
 
-fn put_item(item: &StoryItem<'_>, indent: usize, link: &dyn Fn(&str) -> String, out: &mut String) {
+fn put_item(item: &StoryItem<'_>, indent: usize, link: Link<'_>, out: &mut String) {
     let numbered = item.mark.strip_suffix('.').filter(|n| n.parse::<usize>().is_ok());
     let (mark, lead) = match numbered {
         Some(n) => (format!("{n}."), String::new()),
@@ -114,7 +117,7 @@ fn put_item(item: &StoryItem<'_>, indent: usize, link: &dyn Fn(&str) -> String, 
     }
 }
 
-fn line(spans: &[StorySpan<'_>], link: &dyn Fn(&str) -> String) -> String {
+fn line(spans: &[StorySpan<'_>], link: Link<'_>) -> String {
     let mut out = String::new();
     spans.iter().for_each(|s| append(&mut out, &span(s, link)));
     out.trim().to_owned()
@@ -142,13 +145,14 @@ fn kept(text: &str) -> String {
     format!("{before}{}{after}", prose(text))
 }
 
-fn span(span: &StorySpan<'_>, link: &dyn Fn(&str) -> String) -> String {
+fn span(span: &StorySpan<'_>, link: Link<'_>) -> String {
     match span {
         StorySpan::Words(text, tone) | StorySpan::Prose(text, _, tone) => marked(&kept(text), *tone),
         StorySpan::Reason(text, _) => kept(text),
         StorySpan::File(name) => format!("[{}](./{name})", prose(name)),
         StorySpan::Math(formula, _) | StorySpan::Marked { formula, .. } => prose(&format!("${}$", formula.trim())),
-        StorySpan::Claim(name, tone) => marked(&link(name), *tone),
+        StorySpan::Claim(name, tone) => marked(&link(name, None), *tone),
+        StorySpan::Said { claim, text, tone, .. } => marked(&link(claim, Some(&prose(text))), *tone),
         StorySpan::Section(text, _) => prose(text),
         StorySpan::Code(text) | StorySpan::Difference(text) => code(text),
         StorySpan::Comparison(text, _) => {
@@ -160,7 +164,7 @@ fn span(span: &StorySpan<'_>, link: &dyn Fn(&str) -> String) -> String {
     }
 }
 
-fn table(of: &StoryTable<'_>, link: &dyn Fn(&str) -> String) -> String {
+fn table(of: &StoryTable<'_>, link: Link<'_>) -> String {
     let cell = |spans: &Vec<StorySpan<'_>>| line(spans, link);
     let row = |cells: &[Vec<StorySpan<'_>>]| {
         let told = |text: String| if text.is_empty() { " |".to_owned() } else { format!(" {text} |") };

@@ -37,6 +37,8 @@ pub(super) enum StorySpan<'a> {
     Marked { formula: String, beside: String, scope: &'a Scope, wrong: bool },
     /// The name of a claim, which leads to what is said of it.
     Claim(String, Tone),
+    /// What a claim says, which leads to it: a text of the file, in which formulas stand between dollar signs.
+    Said { claim: String, text: String, scope: &'a Scope, tone: Tone },
     /// Words that lead to a place of the page.
     Section(String, String),
     /// What can be typed.

@@ -110,7 +110,7 @@ fn prose(text: &str) -> String {
 fn text(span: &StorySpan<'_>) -> (String, Tone) {
     match span {
         StorySpan::Words(text, tone) => (text.clone(), *tone),
-        StorySpan::Prose(text, _, tone) => (prose(text), *tone),
+        StorySpan::Prose(text, _, tone) | StorySpan::Said { text, tone, .. } => (prose(text), *tone),
         StorySpan::Reason(text, _) => (prose(text), Tone::Plain),
         StorySpan::Math(formula, _) => (plain_formula(formula), Tone::Plain),
         StorySpan::Marked { formula, wrong, .. } => {
