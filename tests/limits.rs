@@ -143,6 +143,38 @@ const ROWS: &[Row] = &[
         ),
     ),
     (
+        "assumptions of a claim",
+        &[
+            ("200 formulas", "MOST_ASSUMED: usize = 200", "src/derivation/claims.rs"),
+            ("more than 32", "MOST_ASSUMED: usize = 32", "src/weight/separation/assumptions.rs"),
+            ("100,000", "MOST_TOGETHER: usize = 100_000", "src/weight/separation/assumptions.rs"),
+        ],
+        By(
+            || {
+                let assumed = |n: usize| (0..n).map(|i| format!("'x>-{i}'")).collect::<Vec<_>>().join(", ");
+                let assuming = |n| file("-kx", &(claim(0, "x<2") + &format!("assuming = [{}]\n", assumed(n))));
+                assert!(!told(&assuming(200)).contains("at most 200"));
+                assert!(told(&assuming(32)).contains(r#""need":"#));
+                assert!(!told(&assuming(33)).contains(r#""need":"#));
+                told(&assuming(201))
+            },
+            "a claim assumes at most 200 formulas",
+        ),
+    ),
+    (
+        "a formula that `init` drafts",
+        &[("400 names", "MOST_NAMES: usize = 400", "src/paper/draft/readings.rs")],
+        By(
+            || {
+                let text = format!("\\[ a={} \\]\n", "b ".repeat(401));
+                let source = Source { path: "x.tex".to_owned(), text };
+                let paper = rederive::paper::parse(source, String::new()).expect("a paper");
+                rederive::paper::draft(&paper, "x").text
+            },
+            "more than 400 names",
+        ),
+    ),
+    (
         "claims and motions",
         &[("100,000 pairs", "MOST_PAIRS: usize = 100_000", "src/derivation/claims.rs")],
         By(

@@ -45,6 +45,9 @@ fn leave_unread(claim: &mut Claim, why: &str) {
 /// Claims are tried on so many motions together; of each pair the verdict is kept.
 const MOST_PAIRS: usize = 100_000;
 
+/// Most formulas that a claim assumes: each is looked at beside all others.
+const MOST_ASSUMED: usize = 200;
+
 impl Loader<'_> {
     /// Reads every `[[claim]]`; `follows-from` is resolved when all ids are known.
     pub fn claims(&mut self, root: &Table<'_, '_>) {
@@ -201,6 +204,12 @@ impl Loader<'_> {
         for formula in table.formulas(&mut self.problems, "assuming") {
             let statements = self.statements(&formula, &claim.scope);
             claim.assuming.extend(statements);
+            if claim.assuming.len() > MOST_ASSUMED {
+                let message = format!("a claim assumes at most {MOST_ASSUMED} formulas");
+                let hint = "assume what follows from a claim, and let others follow from that";
+                self.problems.note("derivation::too-many", formula.span.clone(), message).hint(hint);
+                break;
+            }
         }
         if table.get("at").is_some() {
             claim.at = self.at(table, &claim.scope);

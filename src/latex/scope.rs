@@ -268,6 +268,11 @@ impl Scope {
         matches!(self.role(leaf.symbol), Some(Role::State | Role::Observable))
     }
 
+    /// Whether the names are those of another scope: neither has any of its own.
+    pub fn has_names_of(&self, other: &Scope) -> bool {
+        self.entries.is(&other.entries)
+    }
+
     /// The meaning of the formula that a symbol was declared with.
     pub fn definition(&self, symbol: Symbol) -> Option<&Tensor> {
         self.by_symbol(symbol).and_then(|e| e.definition.as_ref())

@@ -75,7 +75,7 @@ fn ends<'a>(wholes: &[Whole<'a>], hangs: &Consequences<'_>) -> Vec<&'a str> {
     let of_paper = wholes.iter().filter(|w| w.fate.is_of_the_paper());
     let is_end = |w: &&Whole<'_>| hangs.directly_on(w.id).is_empty() && !hangs.direct_grounds(w.id).is_empty();
     let mut out: Vec<&Whole<'a>> = of_paper.filter(is_end).collect();
-    out.sort_by_cached_key(|w| std::cmp::Reverse(hangs.grounds_of(w.id).len()));
+    out.sort_by_cached_key(|w| std::cmp::Reverse(hangs.length(w.id)));
     out.into_iter().map(|w| w.id).collect()
 }
 

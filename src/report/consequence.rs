@@ -147,6 +147,24 @@ impl<'a> Consequences<'a> {
         seen
     }
 
+    /// Everything that rests on one of these claims, in one walk: to ask for each of many takes the square of them.
+    pub fn resting_on(&self, ids: impl IntoIterator<Item = &'a str>) -> BTreeSet<&'a str> {
+        let own = ids.into_iter().filter_map(|id| self.at.get(id));
+        let mut open: Vec<usize> = own.flat_map(|at| self.carried[*at].iter().copied()).collect();
+        let mut seen = BTreeSet::new();
+        while let Some(at) = open.pop() {
+            if seen.insert(at) {
+                open.extend(&self.carried[at]);
+            }
+        }
+        self.names(seen).into_iter().collect()
+    }
+
+    /// How many claims a claim rests on, of the nearest [`MOST_WEIGHED`].
+    pub fn length(&self, id: &str) -> usize {
+        self.reached(id, MOST_WEIGHED, |at| self.grounds[at].iter()).len()
+    }
+
     /// The conclusions that rest on a claim, itself apart.
     pub fn conclusions_of(&self, id: &str) -> Vec<&'a str> {
         let reached = self.reached(id, usize::MAX, |at| self.carried[at].iter());

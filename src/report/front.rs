@@ -124,18 +124,15 @@ fn verdict(wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> String {
     if conclusions.is_empty() {
         return counted;
     }
-    let with = |is: fn(&Whole<'_>) -> bool| wholes.iter().filter(|w| is(w)).map(|w| w.id).collect::<BTreeSet<&str>>();
-    let against = with(|w| w.fate.is_against());
-    let as_needed = with(|w| w.counted_as() == CountedFate::AsSaid);
-    let rests_on = |w: &Whole<'_>, some: &BTreeSet<&str>| {
-        !some.is_empty() && hangs.grounds_of(w.id).iter().any(|ground| some.contains(ground))
-    };
+    let on = |is: fn(&Whole<'_>) -> bool| hangs.resting_on(wholes.iter().filter(|w| is(w)).map(|w| w.id));
+    let against = on(|w| w.fate.is_against());
+    let as_needed = on(|w| w.counted_as() == CountedFate::AsSaid);
     let (mut fallen, mut lost, mut unmet) = (0, 0, 0);
     for whole in &conclusions {
-        match (whole.fate.is_against(), rests_on(whole, &against)) {
+        match (whole.fate.is_against(), against.contains(whole.id)) {
             (true, _) => fallen += 1,
             (false, true) => lost += 1,
-            (false, false) if rests_on(whole, &as_needed) => unmet += 1,
+            (false, false) if as_needed.contains(whole.id) => unmet += 1,
             (false, false) => {}
         }
     }

@@ -15,10 +15,15 @@ pub fn prose(text: &str) -> String {
     while let Some(c) = rest.chars().next() {
         let after = &rest[c.len_utf8()..];
         if let Some(end) = after.find(c).filter(|end| (c == '`' || c == '$') && *end > 0) {
-            let inner = printed(&after[..end]).unwrap_or_else(|| after[..end].to_owned());
-            // Two signs with nothing printed between them are signs: side by side, they would join with the next ones.
+            let inner = &after[..end];
+            let shown = printed(inner).filter(|shown| !shown.trim().is_empty());
+            let written = match shown {
+                Some(shown) if c == '$' => written_math(&shown),
+                shown => code(shown.as_deref().unwrap_or(inner)),
+            };
+            // Two signs with nothing between them are signs: side by side, they would join with the next ones.
             if !inner.trim().is_empty() {
-                append(&mut out, &if c == '$' { written_math(&inner) } else { code(&inner) });
+                append(&mut out, &written);
                 rest = &after[end + 1..];
                 continue;
             }
@@ -231,6 +236,8 @@ mod tests {
             ("`` `", r"\`\` \`"),
             ("$ $``[](x)`", r"\$ \$\`<!-- -->`[](x)`"),
             ("`a``b`", "`a`<!-- -->`b`"),
+            (r"`\label{x}``[a](b)`", r"`\label{x}`<!-- -->`[a](b)`"),
+            ("$%x$`<b>`", "`%x`<!-- -->`<b>`"),
         ] {
             assert_eq!(prose(text), written);
         }

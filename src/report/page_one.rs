@@ -5,7 +5,7 @@
 //!
 //! **Guaranteed:** every part is there and bounded, whatever the file: without motions, without a failure, with a thousand claims.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::argument;
 use super::card;
@@ -227,20 +227,16 @@ fn needed_besides(wholes: &[Whole<'_>], hangs: &Consequences<'_>, told: Option<&
 
 /// What became of the conclusions, by their letters.
 fn conclusions(wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> Option<String> {
-    let all: Vec<&Whole<'_>> =
-        hangs.conclusions().iter().filter_map(|id| wholes.iter().find(|w| w.id == *id)).collect();
+    let by_id: BTreeMap<&str, &Whole<'_>> = wholes.iter().map(|w| (w.id, w)).collect();
+    let all: Vec<&Whole<'_>> = hangs.conclusions().iter().filter_map(|id| by_id.get(id).copied()).collect();
     if all.is_empty() {
         return None;
     }
-    let is_broken = |whole: &Whole<'_>, breaks: &dyn Fn(&Whole<'_>) -> bool| {
-        let grounds = hangs.grounds_of(whole.id);
-        wholes.iter().any(|w| grounds.contains(&w.id) && breaks(w))
-    };
+    let on = |breaks: fn(&Whole<'_>) -> bool| hangs.resting_on(wholes.iter().filter(|w| breaks(w)).map(|w| w.id));
+    let (against, needed) = (on(|w| w.fate.is_against()), on(|w| w.failing_need().is_some()));
     let after = |whole: &Whole<'_>| match () {
-        () if is_broken(whole, &|w| w.fate.is_against()) => ", but rests on claims that do not",
-        () if is_broken(whole, &|w| w.failing_need().is_some()) => {
-            ", but rests on claims that fail where they are used"
-        }
+        () if against.contains(whole.id) => ", but rests on claims that do not",
+        () if needed.contains(whole.id) => ", but rests on claims that fail where they are used",
         () => "",
     };
     let mut groups: Vec<(Fate, &str, Vec<String>)> = Vec::new();

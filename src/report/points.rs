@@ -167,7 +167,8 @@ fn fails_too<'a>(derivation: &'a Derivation, whole: &Whole<'a>, shown: &Reading<
     let scope = declared(derivation, first.claim).map_or(&derivation.scope, |d| &d.scope);
     let says = first.claim.says.trim_end_matches('.');
     let on = uncapital(&digest::verdict(first)).replace(" to which it applies", "");
-    let mut out = vec![quiet("nor in another reading: "), StorySpan::Prose(format!("“{says}” {on}"), scope, Tone::Plain)];
+    let mut out =
+        vec![quiet("nor in another reading: "), StorySpan::Prose(format!("“{says}” {on}"), scope, Tone::Plain)];
     let failing = whole.all_failing().flat_map(|r| &r.claim.results);
     let failing = failing.filter(|p| matches!(p.verdict.outcome(), Outcome::Fails(_)));
     let motions = failing.map(|p| p.trajectory.as_str()).collect::<BTreeSet<_>>().len();

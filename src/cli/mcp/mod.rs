@@ -98,14 +98,17 @@ fn answered(line: &[u8], bench: &Workbench) -> Option<Value> {
             let before = Defects::so_far();
             let answer = bench.call(name, params.get("arguments").unwrap_or(&Value::Null));
             // What was found stands beside it, in the editor of people as here.
-            let defect = before.since().map(|what| json!({ "type": "text", "text": wire::defect(&what) }));
+            let said = |text: String| json!({ "type": "text", "text": text });
+            let defect = before.since().map(|what| said(wire::defect(&what)));
             match answer {
                 Ok(found) => {
-                    let mut content = vec![json!({ "type": "text", "text": found.to_string() })];
-                    content.extend(defect);
+                    let content: Vec<Value> = std::iter::once(said(found.to_string())).chain(defect).collect();
                     json!({ "content": content, "structuredContent": found, "isError": false })
                 }
-                Err(why) => json!({ "content": [{ "type": "text", "text": why }], "isError": true }),
+                Err(why) => {
+                    let content: Vec<Value> = std::iter::once(said(why)).chain(defect).collect();
+                    json!({ "content": content, "isError": true })
+                }
             }
         }
         _ => return Some(refused(id, NO_METHOD, &format!("`{}` is not known here", in_one_line(method)))),

@@ -176,6 +176,11 @@ impl Inner {
 }
 
 impl Table {
+    /// Whether it is the same table, not one that says the same.
+    pub fn is(&self, other: &Table) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+
     /// Adds an entry. Those of the same name, which it hides, are found by their symbols alone.
     pub(super) fn add(&mut self, entry: Arc<Entry>) {
         let inner = Arc::make_mut(&mut self.0);

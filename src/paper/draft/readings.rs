@@ -15,6 +15,9 @@ use super::guess::{Place, Reading};
 use super::index;
 use super::obstacle::{obstacle, raised_e};
 
+/// Most names of a formula that is drafted: each is looked at beside all others.
+const MOST_NAMES: usize = 400;
+
 /// The readings of a formula, the best first: each with others that mean the same, and need less of the file.
 ///
 /// # Errors
@@ -26,6 +29,9 @@ pub(super) fn readings(
     place: Place,
 ) -> Result<Vec<Vec<Reading>>, String> {
     let all: Vec<PaperName> = sides.iter().flat_map(|s| names_apart(s)).collect();
+    if all.len() > MOST_NAMES {
+        return Err(format!("more than {MOST_NAMES} names"));
+    }
     obstacle(sides, &all, evidence, place)?;
     let indices = ways_of_indices(sides, &all, evidence, is_of_indices)?;
     let text: String = sides.iter().map(|s| s.text.as_str()).collect::<Vec<_>>().join(" ");

@@ -227,7 +227,13 @@ impl Step<'_> {
             return true;
         }
         let claim = self.claim;
-        let scopes: Vec<&Scope> = always.iter().map(|(scope, _)| *scope).chain([&claim.scope]).collect();
+        // Many premises have the names of the file and none of their own: to write these out for each of many takes the square of them.
+        let mut scopes: Vec<&Scope> = Vec::new();
+        for scope in always.iter().map(|(scope, _)| *scope).chain([&claim.scope]) {
+            if !scopes.iter().any(|known| known.has_names_of(scope)) {
+                scopes.push(scope);
+            }
+        }
         let mut of_pairs: Vec<((Expr, Expr), When)> = Vec::new();
         let mut whole = true;
         for at in 0..premises.equations.len() {

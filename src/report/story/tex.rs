@@ -86,7 +86,9 @@ fn marked(text: String, tone: Tone) -> String {
 fn span(span: &StorySpan<'_>) -> String {
     match span {
         StorySpan::Words(text, tone) => marked(escaped(text), *tone),
-        StorySpan::Prose(text, scope, tone) | StorySpan::Said { text, scope, tone, .. } => marked(prose(text, scope), *tone),
+        StorySpan::Prose(text, scope, tone) | StorySpan::Said { text, scope, tone, .. } => {
+            marked(prose(text, scope), *tone)
+        }
         StorySpan::Reason(text, scope) => prose(text, scope),
         StorySpan::Math(formula, scope) | StorySpan::Marked { formula, scope, .. } => inline(formula, scope),
         StorySpan::Claim(name, tone) => marked(escaped(name), *tone),

@@ -39,12 +39,20 @@ pub(super) fn is_asked(found: &ClaimAccount) -> bool {
     any(|o| matches!(o, Outcome::Holds(_))) && !any(|o| matches!(o, Outcome::Fails(_)))
 }
 
+/// Most assumptions of a claim that is tried without each of them, and those of all such claims of a file together: each is there as often
+/// as its claim has assumptions.
+const MOST_ASSUMED: usize = 32;
+const MOST_TOGETHER: usize = 100_000;
+
 /// The claims at these positions, without each of their assumptions in turn.
 pub(super) fn without_one(derivation: &Derivation, claimed: &[usize]) -> Vec<Dropped> {
-    let mut out = Vec::new();
+    let (mut out, mut room) = (Vec::new(), MOST_TOGETHER);
     for (of, &c) in claimed.iter().enumerate() {
         let declared = &derivation.claims[c];
-        for k in 0..declared.assuming.len() {
+        let count = declared.assuming.len();
+        let Some(left) = room.checked_sub(count * count).filter(|_| count <= MOST_ASSUMED) else { continue };
+        room = left;
+        for k in 0..count {
             let mut claim = declared.clone();
             let assumption = claim.assuming.remove(k);
             let selects = assumption.value.relations.iter().any(|r| r.kind != RelationKind::Equal);
