@@ -193,3 +193,21 @@ fn an_average_of_a_name_is_a_name() {
         assert!(refused(&text, formula).is_some_and(|why| why.contains("bra-ket")), "{formula}: {text}");
     }
 }
+
+/// All that is listed behind "where" are meanings: the first is no condition of the others.
+#[test]
+fn a_list_behind_where_is_of_meanings() {
+    let display = |list: &str| {
+        let text = format!(
+            "\\begin{{equation}}\ny = Ax + \\frac{{C}}{{L}}, \\quad \\text{{where}} \\quad {list}.\n\\end{{equation}}\n"
+        );
+        draft(&text)
+    };
+    for list in ["A=68.7672, C=3.0022, L = 299.2239", "A=68.7672, C=3.0022 \\text{ and } L = 299.2239"] {
+        let text = display(list);
+        let assumed = "assuming = [\n  'A=68.7672',\n  'C=3.0022',\n  'L=299.2239',\n]";
+        assert!(text.contains(assumed) && !text.contains("always = [\n  'C="), "{text}");
+    }
+    // Behind other words it is something else again.
+    assert!(!display("A=68.7672 \\text{ so that } L = 299.2239").contains("  'L=299.2239',\n]\nalways"));
+}

@@ -319,16 +319,19 @@ impl Relations<'_> {
         let mut here = before;
         let mut column = group.column;
         let mut is_behind_relation = false;
+        let mut is_meaning = false;
         for (k, piece) in pieces.into_iter().enumerate() {
             let words = piece.words.clone();
-            let opening =
-                words.as_deref().and_then(opening).or_else(|| piece.in_parentheses.then_some(Opening::Meaning));
+            let links = words.as_deref().is_some_and(is_link);
+            // "where A=1, B=2 and C=3": all of these are meanings.
+            let goes_on_meaning = is_meaning && piece.relates() && (links || words.is_none());
+            let opening = words.as_deref().filter(|_| !goes_on_meaning).and_then(opening);
+            let opening = opening.or_else(|| (piece.in_parentheses || goes_on_meaning).then_some(Opening::Meaning));
             if words.as_deref().is_some_and(closes_case)
                 && let Some(last) = self.out.last_mut()
             {
                 last.opening = Some(Opening::Case);
             }
-            let links = words.as_deref().is_some_and(is_link);
             if let Some(words) = words.filter(|w| !w.is_empty()) {
                 self.remark(&words);
             }
@@ -355,6 +358,7 @@ impl Relations<'_> {
             let is_beside = piece.comma && !piece.wide && k > 0;
             let list = is_beside && (!piece.relates() || self.lists_names(&piece, column)) || is_value;
             is_behind_relation |= piece.relates();
+            is_meaning = opening == Some(Opening::Meaning);
             let ended = piece.ended;
             if (goes_on || list)
                 && let Some(at) = self.open[column]

@@ -4,6 +4,7 @@
 //! be read so, else step by step. **Guaranteed:** what is drafted was loaded by itself, with these guesses and no others.
 
 use std::ops::Range;
+use std::path::Path;
 
 use super::super::names::evidence::is_alone;
 use super::super::names::{Call, Evidence, Notation, names_apart};
@@ -50,6 +51,8 @@ pub(super) struct Printed {
     pub label: Option<String>,
     /// Its line.
     pub line: usize,
+    /// The file that it stands in, from the folder of the paper, where that is not the paper's own.
+    pub file: Option<String>,
     /// Its formulas.
     pub formulas: Vec<Formula>,
     /// What relates nothing.
@@ -59,6 +62,14 @@ pub(super) struct Printed {
     /// Whether it is one of several cases: nothing of it is said where its condition is not read.
     pub is_case: bool,
     relations: Vec<PrintedRelation>,
+}
+
+/// The file of a relation that stands in another one than the paper's own, from its folder.
+fn included(paper: &Paper, relation: &PrintedRelation) -> Option<String> {
+    let (source, _) = paper.locate(&relation.span());
+    let folder = Path::new(&paper.file.path).parent().unwrap_or(Path::new(""));
+    let path = Path::new(&source.path);
+    (source.path != paper.file.path).then(|| path.strip_prefix(folder).unwrap_or(path).display().to_string())
 }
 
 /// The displays of a paper, in its order, those with several labels in parts.
@@ -73,6 +84,7 @@ pub(super) fn displays(paper: &Paper) -> Vec<Printed> {
                 id: ids.next(relation.label.as_deref(), number),
                 label: relation.label.clone(),
                 line: paper.line(&relation.span()),
+                file: included(paper, relation),
                 formulas: Vec::new(),
                 expressions: Vec::new(),
                 remarks: Vec::new(),

@@ -147,7 +147,7 @@ pub(super) fn written(head: &Head<'_>, settled: &Settled, all: &mut [Printed], s
 
 /// The claims of what is printed under one number: formulas that need the same symbols stand in one.
 fn claims(out: &mut String, name: &str, (settled, system): (&Settled, Option<&System>), printed: &mut Printed) {
-    let _ = writeln!(out, "\n# line {} of {}", printed.line, comment(name));
+    let _ = writeln!(out, "\n# line {} of {}", printed.line, comment(printed.file.as_deref().unwrap_or(name)));
     for remark in &printed.remarks {
         let _ = writeln!(out, "# printed beside it: {}", comment(remark));
     }
