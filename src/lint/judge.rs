@@ -17,7 +17,7 @@ use super::notation::Evidence;
 use super::primes::is_elsewhere;
 use super::refusal::NotRead;
 use super::relation::{free_indices, gives_values, is_congruence, is_letter_at_place, lone_right};
-use super::sentence::{Sentence, explains, is_supposed, parts};
+use super::sentence::{Sentence, explains, is_assumed, is_supposed, parts};
 use super::setting::Noted;
 use super::signs::{ABOUT, COMPARES, EQUALS, is_one_of};
 use super::space::General;
@@ -222,6 +222,9 @@ impl Judge<'_> {
             out.word = Word::Condition;
         }
         let inline = relation.display.is_none();
+        if out.word == Word::Follows && inline && is_assumed(self.paper, relation) {
+            (out.word, out.why) = (Word::Condition, "what is supposed does not follow".to_owned());
+        }
         if out.word != Word::Wrong
             && !sentence.loosens
             && !sentence.aims

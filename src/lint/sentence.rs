@@ -362,9 +362,37 @@ pub fn is_supposed(paper: &Paper, relation: &PrintedRelation) -> bool {
     let is_east_asian = |w: &str| w.chars().all(|c| c >= '\u{2e80}');
     relation.is_condition()
         || SUPPOSES.iter().any(|w| last == *w || is_east_asian(w) && last.ends_with(w))
-        || opening(&last) == Some(Opening::Case)
+        || is_assumed(paper, relation)
         || is_aside(&file.text, span.start)
         || window(&file.text, span.start.saturating_sub(60), span.start).to_lowercase().contains("compare")
+}
+
+/// Whether the sentence of a formula of the running text supposes it.
+pub fn is_assumed(paper: &Paper, relation: &PrintedRelation) -> bool {
+    let (file, span) = paper.locate(&relation.span());
+    opening(&word_before(paper, relation)) == Some(Opening::Case)
+        || is_in_supposition(window(&file.text, span.start.saturating_sub(BEFORE), span.start))
+}
+
+/// Words with which a sentence supposes something.
+const IFS: &[&str] = &["if", "suppose", "wenn", "falls", "si", "supposons", "se", "supponiamo", "supongamos"];
+
+/// Whether what stands before a formula begins a sentence that supposes something, and does not end the supposition: "If we consider the
+/// system $x'=y$, $y'=-x$" does so before both formulas, "If $a=b$, then" not.
+fn is_in_supposition(before: &str) -> bool {
+    let before = uncommented(before);
+    let start = before.rfind("\n\n").map_or(0, |at| at + 2);
+    let start =
+        [". ", ".\n", "? ", "; "].iter().filter_map(|end| before.rfind(end)).fold(start, |all, at| all.max(at + 2));
+    // Formulas stand between dollars; the last dollar is that of the formula itself.
+    let words: String = before[start..].split('$').step_by(2).collect::<Vec<_>>().join(" ");
+    let mut all = words.split_whitespace();
+    let begins = all.next().is_some_and(|word| IFS.contains(&word.to_lowercase().as_str()));
+    let rest: Vec<&str> = all.collect();
+    let ends = rest.iter().position(|word| word.ends_with(',') || *word == "then" || *word == "and");
+    begins
+        && rest.len() > 1
+        && ends.is_none_or(|at| rest[at..].iter().all(|word| !word.chars().any(char::is_alphabetic)))
 }
 
 /// Commands whose argument stands beside the text.
@@ -566,6 +594,23 @@ mod tests {
         assert!(sentence(r"\[ a=b \] So we have \[ c=d \] where the constant is absorbed.").loosens);
         assert!(!sentence("\\[ a=b \\] We neglect nothing.\n\nThus % approximately\n\\[ c=d \\]").loosens);
         assert!(!sentence(r"\[ a=b \] Thus it ends. The other one is \[ c=d \]").concludes);
+    }
+
+    #[test]
+    fn a_supposition_ends_before_what_it_is_for() {
+        for (before, wanted) in [
+            ("It is so. If we consider the system $", true),
+            ("If we consider the system $x'=y$, $", true),
+            ("Suppose that a system has $", true),
+            ("If we take $a=b$, then $", false),
+            ("If we take $a=b$, the energy is $", false),
+            ("If we take $a=b$ and solve, $", false),
+            ("If it were so. We have $", false),
+            ("We ask if it is. Then $", false),
+            ("It follows that $", false),
+        ] {
+            assert_eq!(is_in_supposition(before), wanted, "{before}");
+        }
     }
 
     #[test]

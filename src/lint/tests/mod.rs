@@ -110,3 +110,15 @@ fn a_formula_without_a_first_side_stands_where_it_is_printed() {
     let (_, place) = paper.locate(&found.judgements[0].span);
     assert!(place.start > 7, "{place:?}");
 }
+
+#[test]
+fn what_a_sentence_supposes_does_not_follow() {
+    let system =
+        "\\[ x' = y+(x^2+y^2-1)x \\]\n\\[ y' = -x+(x^2+y^2-1)y \\]\nwith the solution $x=\\sin t$, $y=\\cos t$.\n\n";
+    let words = |sentence: &str| -> Vec<Word> {
+        let (_, found) = linted(&format!("{system}{sentence}"));
+        found.judgements.iter().rev().take(2).rev().map(|j| j.word).collect()
+    };
+    assert_eq!(words("If we consider the linear system $x' = y$, $y' = -x$, then it is so."), [Word::Condition; 2]);
+    assert_eq!(words("We see that $x' = y$ and that $y' = -x$."), [Word::Follows; 2]);
+}
