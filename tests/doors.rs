@@ -3,7 +3,10 @@
 //! A build with debug assertions stops in the first piece of the task that `REDERIVE_FAULT` names (`src/meter/faults.rs`).
 
 use std::fs;
+use std::io::{Read, Write};
 use std::path::Path;
+use std::process::Stdio;
+use std::time::Duration;
 
 use assert_cmd::Command;
 use serde_json::{Value, json};
@@ -155,6 +158,39 @@ fn a_defect_is_told_by_every_command() {
     let talk = message("initialize", Some(1), json!({ "processId": null, "rootUri": null, "capabilities": {} }))
         + &message("initialized", None, json!({}))
         + &message("textDocument/didOpen", None, json!({ "textDocument": document }));
-    let (_, out, _) = run(at, "proving a claim", &["lsp"], &talk);
-    assert!(out.contains("publishDiagnostics"), "{out}");
+    let told = edited(at, "proving a claim", &talk);
+    assert!(told.contains("publishDiagnostics") && told.contains("a defect of rederive"), "{told}");
+}
+
+/// What the language server says until it has told of a defect, or half a minute is over. It ends where its input does, whatever it is at.
+fn edited(folder: &Path, task: &str, talk: &str) -> String {
+    let mut server = std::process::Command::new(env!("CARGO_BIN_EXE_rederive"))
+        .current_dir(folder)
+        .env("REDERIVE_FAULT", task)
+        .arg("lsp")
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the server starts");
+    let (mut to, mut from) = (server.stdin.take().expect("its input"), server.stdout.take().expect("its output"));
+    to.write_all(talk.as_bytes()).expect("written");
+    let (send, receive) = std::sync::mpsc::channel();
+    std::thread::spawn(move || {
+        let mut some = [0; 4096];
+        while let Ok(n @ 1..) = from.read(&mut some) {
+            if send.send(String::from_utf8_lossy(&some[..n]).into_owned()).is_err() {
+                break;
+            }
+        }
+    });
+    let mut said = String::new();
+    while !(said.contains("publishDiagnostics") && said.contains("a defect of rederive")) {
+        match receive.recv_timeout(Duration::from_secs(30)) {
+            Ok(more) => said += &more,
+            Err(_) => break,
+        }
+    }
+    drop(to);
+    server.wait().expect("it ends with its input");
+    said
 }
