@@ -10,6 +10,9 @@ thread_local! {
     static MARKS: RefCell<Marks> = const { RefCell::new(Marks { of: Vec::new(), walk: 0 }) };
 }
 
+/// Graphs of at most so many nodes are small.
+const SMALL: usize = 1 << 13;
+
 /// The latest walk that came to each node. Kept for the walks that follow on a thread.
 struct Marks {
     of: Vec<u32>,
@@ -36,8 +39,35 @@ impl Marks {
 }
 
 /// All nodes that can be reached from these, in order, by their numbers; `open` adds the children of a node.
-pub(super) fn reached(mut roots: Vec<u32>, open: impl Fn(u32, &mut Vec<u32>)) -> Vec<u32> {
+pub(super) fn reached(roots: Vec<u32>, open: impl Fn(u32, &mut Vec<u32>)) -> Vec<u32> {
     let nodes = roots.iter().max().map_or(0, |youngest| *youngest as usize + 1);
+    if nodes <= SMALL { by_bits(roots, nodes, open) } else { by_marks(roots, nodes, open) }
+}
+
+/// Of a small graph there is a bit for each node: reading them in order gives the order that is asked for.
+fn by_bits(mut roots: Vec<u32>, nodes: usize, open: impl Fn(u32, &mut Vec<u32>)) -> Vec<u32> {
+    let mut seen = vec![0u64; nodes.div_ceil(64)];
+    let mut count = 0;
+    while let Some(node) = roots.pop() {
+        let (word, bit) = (node as usize / 64, 1 << (node % 64));
+        if seen[word] & bit == 0 {
+            seen[word] |= bit;
+            count += 1;
+            open(node, &mut roots);
+        }
+    }
+    let mut found = Vec::with_capacity(count);
+    for (word, mut bits) in seen.into_iter().enumerate() {
+        while bits != 0 {
+            found.push(word as u32 * 64 + bits.trailing_zeros());
+            bits &= bits - 1;
+        }
+    }
+    found
+}
+
+/// Of a large one there is the latest walk for each node.
+fn by_marks(mut roots: Vec<u32>, nodes: usize, open: impl Fn(u32, &mut Vec<u32>)) -> Vec<u32> {
     MARKS.with_borrow_mut(|marks| {
         marks.begin(nodes);
         let mut found = Vec::new();
@@ -55,6 +85,16 @@ pub(super) fn reached(mut roots: Vec<u32>, open: impl Fn(u32, &mut Vec<u32>)) ->
 #[cfg(test)]
 mod tests {
     use super::super::{Graph, Shape};
+
+    #[test]
+    fn both_ways_find_the_same() {
+        // Node n has the children n/2 and n/3.
+        let open = |n: u32, all: &mut Vec<u32>| all.extend([n / 2, n / 3].into_iter().filter(|child| *child < n));
+        for roots in [vec![], vec![0], vec![77, 5000, 77], vec![4095, 4096], (0..300).collect()] {
+            let nodes = roots.iter().max().map_or(0, |n| *n as usize + 1);
+            assert_eq!(super::by_bits(roots.clone(), nodes, open), super::by_marks(roots, nodes, open));
+        }
+    }
 
     #[test]
     fn a_walk_leaves_nothing_to_the_next() {
