@@ -14,7 +14,6 @@ use super::memory::{Known as Recalled, Question};
 use super::pieces;
 use super::premises::{Accounts, Column, counterexample, refuted_on, replay, strengthen};
 use crate::derivation::{Claim, Derivation};
-use crate::expr::FastMap;
 use claim::limits::Limits;
 use findings::{ClaimAccount, IdentityAccount};
 use proved::step::Step;
@@ -91,9 +90,7 @@ pub(super) fn strengthen_all(
     known: &[ClaimAccount],
     (limits, recall): (&Limits, Recalled),
 ) {
-    let each = derivation.claims.iter().enumerate();
-    let positions: FastMap<_, usize> = each.map(|(at, c)| ((c.id.as_str(), c.reading.as_deref()), at)).collect();
-    let position = |a: &ClaimAccount| positions.get(&(a.id.as_str(), a.reading.as_deref())).copied();
+    let position = |a: &ClaimAccount| derivation.claim_at(&a.id, a.reading.as_deref());
     // An account without a claim would be a defect of the caller; there is nothing to be said of it then.
     let Some(claimed) = claims.iter().map(position).collect::<Option<Vec<usize>>>() else { return };
     replay(derivation, claims, known, (limits, recall));

@@ -79,7 +79,7 @@ pub(super) fn refused(id: &Value, code: i32, why: &str) -> Value {
     json!({ "jsonrpc": "2.0", "id": id, "error": { "code": code, "message": why } })
 }
 
-/// What is said of a panic that ended a piece of the work.
+/// The words for a panic that ended a piece of the work.
 pub(super) fn defect(what: &str) -> String {
     format!("a defect of rederive, not of your file; please report it, with the file: {what}")
 }

@@ -84,13 +84,18 @@ impl Derivation {
     /// The claim with an id and a reading, in whose place in the index another may stand: what has the name of a system, or was put
     /// beside the claims of the file.
     pub fn claim(&self, id: &str, reading: Option<&str>) -> Option<&Claim> {
-        let is = |c: &&Claim| c.id == id && c.reading.as_deref() == reading;
+        self.claims.get(self.claim_at(id, reading)?)
+    }
+
+    /// The position of that claim.
+    pub fn claim_at(&self, id: &str, reading: Option<&str>) -> Option<usize> {
+        let is = |c: &Claim| c.id == id && c.reading.as_deref() == reading;
         let name = reading.map_or(Cow::Borrowed(id), |reading| format!("{id}/{reading}").into());
         let known = match self.index.names.get(name.as_ref()) {
-            Some(Premise::Claim(at)) => self.claims.get(*at).filter(is),
+            Some(Premise::Claim(at)) => self.claims.get(*at).is_some_and(is).then_some(*at),
             Some(Premise::System(_) | Premise::Definition) | None => None,
         };
-        known.or_else(|| self.claims.iter().find(is))
+        known.or_else(|| self.claims.iter().position(is))
     }
 
     /// The definition of a symbol, wherever it is declared.

@@ -35,7 +35,7 @@ pub(super) struct Endless {
     pub span: Range<usize>,
 }
 
-/// What a document prints.
+/// The tokens that a document prints.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Expanded {
     pub tokens: Vec<Token>,
