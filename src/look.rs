@@ -17,6 +17,9 @@ use crate::diag::escape::in_one_line;
 use crate::diag::{Diagnostic, Source};
 use crate::{Failure, Findings, Session, lint, paper, report};
 
+/// Longest command that is looked for before a letter, in bytes.
+const LONGEST_COMMAND: usize = 64;
+
 /// What is said of a place beside findings.
 pub struct Remark {
     /// Its bytes.
@@ -72,7 +75,9 @@ impl Looked {
 
     /// The declaration of the name at a byte.
     pub fn declared_at(&self, at: usize) -> Option<&Declared> {
-        self.declared.iter().filter(|d| is_named(&self.source.text, at, &d.name)).max_by_key(|d| d.name.len())
+        let longest = self.declared.iter().map(|d| d.name.len()).max()?;
+        let (near, at) = near(&self.source.text, at, longest);
+        self.declared.iter().filter(|d| is_named(near, at, &d.name)).max_by_key(|d| d.name.len())
     }
 
     /// The smallest remark around a byte, or else the last one before it in the same table of a derivation file.
@@ -244,9 +249,7 @@ fn of_paper(source: &Arc<Source>, folder: Option<&Path>, limits: &Limits) -> Loo
 }
 
 /// Whether a name stands in a text around a byte, and is not a part of a command.
-fn is_named(text: &str, at: usize, name: &str) -> bool {
-    let line = text[..at].rfind('\n').map_or(0, |n| n + 1);
-    let of_line = text[line..].split('\n').next().unwrap_or_default();
+fn is_named(of_line: &str, at: usize, name: &str) -> bool {
     let letters = |c: char| c.is_ascii_alphabetic();
     let whole = |start: usize| {
         let (before, after) = (&of_line[..start], &of_line[start + name.len()..]);
@@ -255,7 +258,24 @@ fn is_named(text: &str, at: usize, name: &str) -> bool {
         let goes_on = name.starts_with('\\') && name.ends_with(letters) && after.starts_with(letters);
         !in_command && !goes_on
     };
-    of_line.match_indices(name).any(|(start, _)| (start..=start + name.len()).contains(&(at - line)) && whole(start))
+    of_line.match_indices(name).any(|(start, _)| (start..=start + name.len()).contains(&at) && whole(start))
+}
+
+/// What of its line may belong to a name at a place, where the longest has so many bytes, and the place within it: a line may be a whole file.
+fn near(text: &str, at: usize, longest: usize) -> (&str, usize) {
+    let boundary = |mut i: usize| {
+        while !text.is_char_boundary(i) {
+            i -= 1;
+        }
+        i
+    };
+    let at = boundary(at.min(text.len()));
+    // The command that a letter may be one of begins before it.
+    let from = boundary(at.saturating_sub(longest + LONGEST_COMMAND));
+    let to = boundary(text.len().min(at + longest + 4));
+    let from = text[from..at].rfind('\n').map_or(from, |n| from + n + 1);
+    let to = text[at..to].find('\n').map_or(to, |n| at + n);
+    (&text[from..to], at - from)
 }
 
 #[cfg(test)]

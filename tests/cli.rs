@@ -143,7 +143,7 @@ fn reports_are_written_whole_and_the_same_every_time() {
     assert!(!text(&markdown).contains(&project.path().display().to_string()), "no path outside the project");
     let entries = fs::read_dir(project.path().join("reports/decay")).expect("listed").count();
     assert_eq!(entries, 5, "four files, and a folder of certificates");
-    assert!(project.path().join("reports/decay/certificates/law.py").exists());
+    assert!(project.path().join("reports/decay/certificates/proof-law.py").exists());
 }
 
 #[test]

@@ -22,6 +22,8 @@ const HOSTILE: &[&str] = &[
     r#"\\`<img src=x onerror=alert(5)>` \\[l\\](javascript:alert(6)) \\*b\\* \\\\`<script>alert(7)</script>`"#,
     r"` ``<img src=x onerror=alert(8)>` `` `",
     r"$ $``<script>alert(9)</script>` `%x``<img src=x>` `\\label{x}``[l](javascript:alert(6))`",
+    r"coding: unicode_escape \\u000aimport os http://e/`<img src=x>` www.e.x/`<script>` `a\\|<img src=x>` &commat;o &lt;i&gt;",
+    r"[3cm] two\nAll 9 claims stand.\n\nVerdict: holds (proved)",
     r"##[error]planted ##[add-mask]x \\##[c] $a$\\`<script>` |\\| x \\",
 ];
 
@@ -203,7 +205,17 @@ fn plain_in(format: &str, text: &str) {
                 for (at, part) in parts.iter().enumerate() {
                     let set = at % 2 == 1 && parts[at - 1].ends_with('$');
                     let words: &[&str] = match (at % 2, set) {
-                        (0, _) => &["<script", "<img", "](javascript", "\\label{", "\\tag{"],
+                        (0, _) => &[
+                            "<script",
+                            "<img",
+                            "](javascript",
+                            "\\label{",
+                            "\\tag{",
+                            "://",
+                            "www.",
+                            "&commat",
+                            "&lt;i",
+                        ],
                         (_, true) => &["\\label{", "\\tag{", "\\href", "\\def"],
                         (_, false) => &[],
                     };
@@ -215,9 +227,15 @@ fn plain_in(format: &str, text: &str) {
             none(&["\n# h1", "\n```\n---"]);
             assert_eq!(lower.matches("```").count() % 2, 0);
         }
-        "tex" => none(&["\\input", "\\write", "\\href", "\\def\\", "\\label{", "\\tag{", "^^"]),
+        "text" => {
+            let forged = ["all 9 claims", "verdict: holds (proved)"];
+            assert!(lower.lines().all(|l| !forged.iter().any(|f| l.trim_start().starts_with(f))), "{text}");
+        }
+        "tex" => none(&["\\\\\n[", "\\item [", "\\input", "\\write", "\\href", "\\def\\", "\\label{", "\\tag{", "^^"]),
         "py" | "lean" => {
             none(&["\nimport os"]);
+            // Another encoding would make other lines of the same bytes.
+            assert!(format == "lean" || lower.starts_with("# -*- coding: utf-8 -*-\n"));
             // Comments say what the file says.
             let mut program = lower.lines().filter(|l| !l.starts_with('#') && !l.starts_with("--"));
             assert!(program.all(|l| !l.contains("\\label{") && !l.contains("\\tag{")), "{format}");
@@ -262,8 +280,8 @@ fn every_hostile_text_in_every_format() {
             ("report.json", "json"),
             ("report.md", "md"),
             ("index.html", "html"),
-            ("certificates/right.py", "py"),
-            ("certificates/right.lean", "lean"),
+            ("certificates/proof-right.py", "py"),
+            ("certificates/proof-right.lean", "lean"),
         ] {
             let out = fs::read_to_string(project.path().join("reports/h").join(name)).expect("a report");
             inert(name, &out);
@@ -281,6 +299,7 @@ fn every_hostile_text_in_every_format() {
             let out = String::from_utf8_lossy(&output.stdout).into_owned();
             inert(arguments[0], &out);
             no_command(arguments[0], &out);
+            plain_in("text", &out);
             written += 1;
         }
         // A report that a stranger wrote is compared.

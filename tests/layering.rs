@@ -12,7 +12,7 @@ pub const CRATES: &[(&str, &[&str])] = &[
     ("reason", &["meter", "number"]),
     ("verdict", &["reason"]),
     ("expr", &["meter", "number"]),
-    ("checker", &["expr", "number"]),
+    ("checker", &["expr", "meter", "number"]),
     ("latex", &["diag", "expr"]),
     ("flow", &["expr", "meter", "number"]),
     ("proof", &["expr", "meter", "number"]),
@@ -143,7 +143,20 @@ pub const CRATES: &[(&str, &[&str])] = &[
     ),
     (
         "report",
-        &["checker", "derivation", "diag", "expr", "findings", "latex", "lint", "paper", "reason", "units", "verdict"],
+        &[
+            "checker",
+            "derivation",
+            "diag",
+            "expr",
+            "findings",
+            "latex",
+            "lint",
+            "meter",
+            "paper",
+            "reason",
+            "units",
+            "verdict",
+        ],
     ),
 ];
 

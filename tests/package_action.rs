@@ -102,7 +102,13 @@ fn run(folder: &Path, script: &str, inputs: &[(&str, &str)]) -> (i32, String) {
 
 /// The step that checks, then the step that tells the result: its exit code, and what the first one printed.
 fn action(folder: &Path, source: &str) -> (i32, String) {
-    let inputs = [("FILES", "derivations"), ("SOURCE", source), ("SARIF", "rederive.sarif"), ("JUNIT", "rederive.xml")];
+    action_beside(folder, source, "")
+}
+
+/// The same with reports to compare with.
+fn action_beside(folder: &Path, source: &str, baseline: &str) -> (i32, String) {
+    let own = [("FILES", "derivations"), ("SOURCE", source), ("SARIF", "rederive.sarif"), ("JUNIT", "rederive.xml")];
+    let inputs: Vec<_> = own.into_iter().chain([("BASELINE", baseline)]).collect();
     let (code, text) = run(folder, &script("Check"), &inputs);
     assert_eq!(code, 0, "the step itself goes on, so that findings are shown: {text}");
     let output = fs::read_to_string(folder.join("output")).expect("an output");
@@ -189,11 +195,37 @@ fn the_action_compares_with_a_baseline() {
     fs::rename(folder.path().join("work/reports"), folder.path().join("work/before")).expect("moved");
     let wrong = LAW.replace(r"always = ['\dot x=-x']", r"always = ['\dot x=x']");
     fs::write(folder.path().join("work/derivations/decay.toml"), wrong).expect("written");
-    assert_eq!(action(folder.path(), "").0, 1);
-    let (code, text) = run(folder.path(), &script("Compare"), &[("BASELINE", "before")]);
-    assert_eq!(code, 0, "{text}");
-    let summary = fs::read_to_string(folder.path().join("summary")).expect("written");
+    // What the tree has at hand as a report is none of this run.
+    let copied = fs::read_dir(folder.path().join("work/before/decay")).expect("listed");
+    fs::create_dir_all(folder.path().join("work/reports/decay")).expect("made");
+    for file in copied.map(|f| f.expect("a file").path()).filter(|f| f.is_file()) {
+        let name = file.file_name().expect("a name");
+        fs::copy(&file, folder.path().join("work/reports/decay").join(name)).expect("copied");
+    }
+    let compare = |inputs: &[(&str, &str)]| {
+        let (code, text) = run(folder.path(), &script("Compare"), inputs);
+        assert_eq!(code, 0, "{text}");
+        let summary = fs::read_to_string(folder.path().join("summary")).expect("written");
+        fs::remove_file(folder.path().join("summary")).expect("removed");
+        summary
+    };
+    let written = || {
+        let output = fs::read_to_string(folder.path().join("output")).expect("an output");
+        output.lines().rev().find_map(|l| l.strip_prefix("reports=")).expect("a folder").to_owned()
+    };
+    assert_eq!(action_beside(folder.path(), "", "before").0, 1);
+    let reports = written();
+    assert!(reports.starts_with(&folder.path().join("runner").display().to_string()), "{reports}");
+    let summary = compare(&[("BASELINE", "before"), ("REPORTS", &reports)]);
     assert!(summary.contains("law") && summary.contains("fails"), "{summary}");
+    // A file that is taken away takes its verdicts away, whatever report the tree has of it.
+    for name in ["other", "another"] {
+        fs::write(folder.path().join(format!("work/derivations/{name}.toml")), LAW).expect("written");
+    }
+    fs::remove_file(folder.path().join("work/derivations/decay.toml")).expect("removed");
+    assert_eq!(action_beside(folder.path(), "", "before").0, 0);
+    let summary = compare(&[("BASELINE", "before"), ("REPORTS", &written())]);
+    assert!(summary.contains("Worse") && summary.contains("decay"), "{summary}");
 }
 
 /// A release is taken if it is what its checksums say and of this version; otherwise the program is compiled.
@@ -265,6 +297,11 @@ fn the_action_looks_through_papers() {
     assert!(fs::read_to_string(at("papers.sarif")).expect("written").contains("lint::wrong"));
     assert!(at("pages/a.tex.html").is_file() && at("pages/notes-b.tex.html").is_file());
     assert_eq!(papers("nowhere.tex").0, 2);
+    // Names that are none are not those of the project.
+    fs::write(at("rederive.toml"), "sources = [\"notes/b.tex\"]\n").expect("written");
+    let inputs = [("PAPERS", " "), ("SARIF", "papers.sarif"), ("PAGES", "pages")];
+    assert_eq!(run(folder.path(), &script("Papers"), &inputs), (0, String::new()));
+    fs::remove_file(at("rederive.toml")).expect("removed");
     // A link that the repository brings along is not followed to what it leads to.
     fs::remove_file(at("papers.sarif")).expect("removed");
     fs::write(folder.path().join("theirs"), "kept").expect("written");
@@ -300,6 +337,33 @@ fn the_hook_stops_a_commit_with_a_wrong_claim() {
     let (code, text) = hook(folder.path(), "rederive", "derivations/decay.toml");
     assert_eq!(code, 1, "{text}");
     assert!(text.contains("law"), "{text}");
+}
+
+/// In a worktree Git tells a hook of the repository that is committed to: neither its tags nor its address say where a release is.
+#[test]
+fn the_hook_asks_nothing_of_the_repository_that_is_committed_to() {
+    if !in_the_repository() {
+        return;
+    }
+    let folder = repository(LAW);
+    let at = |name: &str| folder.path().join(name);
+    copy_of_the_action(&at("kept"));
+    let theirs = at("theirs").display().to_string();
+    let tag = format!("v{}", env!("CARGO_PKG_VERSION"));
+    let make = format!(
+        "git init -q '{theirs}' && cd '{theirs}' && git -c user.name=a -c user.email=a@b.c commit -q --allow-empty -m a && \
+         git tag {tag} && git remote add origin https://github.com/evil/repo"
+    );
+    assert_eq!(run(folder.path(), &make, &[]).0, 0);
+    // It tells what it would be asked for, and there is no installed program.
+    script_at(&at("tools/curl"), "echo \"asked: $*\" >&2; exit 1");
+    script_at(&at("tools/cargo"), "echo compiled >&2");
+    script_at(&at("tools/rederive"), "echo rederive 0.0.0");
+    let path = format!("{}:{}", at("tools").display(), std::env::var("PATH").unwrap_or_default());
+    let git = format!("{theirs}/.git");
+    let line = format!("{}/kept/.ci/hook list", folder.path().display());
+    let (_, text) = run(folder.path(), &line, &[("PATH", &path), ("GIT_DIR", &git), ("GIT_WORK_TREE", &theirs)]);
+    assert!(text.contains("compiled") && !text.contains("evil"), "{text}");
 }
 
 #[test]

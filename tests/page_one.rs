@@ -179,7 +179,7 @@ fn what_stands_under_a_condition_is_told_with_numbers() {
         "t11, and t15 hold as printed; t8 only in one of its readings.",
         "is true as stated (for motions with R(0) = 1), and false where the paper uses it (for every motion of a rigid body, as \
          on the way to t15): on 28 of 49 motions.",
-        "Stated and used differently: energy-relation (18 readings assume it), and 6 more claims.",
+        "Stated and used differently: “Energy and momentum are related: 2E…” (18 readings assume it), and 6 more claims.",
         "as the paper uses it: For every motion of a rigid body, as on the way to t15; fails on 28 of 49 motions (certified): 2E= I⁻¹ᵢ \
          mᵢ². On racket-letter-in",
         // What is constant has no time, and its sides have their names.
@@ -203,7 +203,7 @@ fn conclusions_are_told_with_their_motion_and_how_sure_they_are() {
         "Of its 4 conclusions A, B, and D do not hold; C holds, but rests on claims that do not.",
         // Of several readings that fail the one that is refuted on most motions, and on how many motions any of them is.
         "tested as: The third axis stays on its side of the plane normal to m; fails on 7 of 9 motions (at samples)",
-        "A The solutions t15 have none… – ✕ 8/10",
+        "A The solutions t15 have none… – ✕ 7/9",
         "→ A ✕.",
         "→ B ✖.",
         "→ D ✖.",

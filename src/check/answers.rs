@@ -13,6 +13,7 @@ use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
 
 use claim::limits::Cancel;
+use files::records::LARGEST;
 
 /// For how many states of a file an answer is kept that is not asked for.
 pub(super) const AGES: u64 = 8;
@@ -45,6 +46,13 @@ struct Kept {
     answer: Arc<[u8]>,
 }
 
+impl Kept {
+    /// Its bytes with those of its name, about.
+    fn size(&self) -> u64 {
+        self.answer.len() as u64 + 128
+    }
+}
+
 /// Answers by name.
 #[derive(Debug, Default)]
 pub struct Answers {
@@ -54,6 +62,8 @@ pub struct Answers {
     recalled: AtomicU64,
     /// How many answers were known when they were asked for, and how many were found and kept, since the table is there.
     counts: [AtomicUsize; 2],
+    /// The bytes of what is kept.
+    bytes: AtomicU64,
     /// Ends the check at hand: what is found once it is raised may not be the answer, and is not kept.
     cancel: Option<Cancel>,
 }
@@ -74,12 +84,19 @@ impl Answers {
         self.cancel.as_ref().is_some_and(Cancel::is_raised)
     }
 
+    /// Whether some were left out, since together they are too large to be kept.
+    pub fn are_too_large(&self) -> bool {
+        self.bytes.load(Ordering::Relaxed) > LARGEST
+    }
+
     /// A new state of the file begins.
     pub fn grow_older(&mut self) {
         self.age += 1;
         let now = self.age;
         *self.recalled.get_mut() = 0;
-        self.kept.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, kept| kept.age + AGES >= now);
+        let kept = self.kept.get_mut().unwrap_or_else(PoisonError::into_inner);
+        kept.retain(|_, kept| kept.age + AGES >= now);
+        *self.bytes.get_mut() = kept.values().map(Kept::size).sum();
     }
 
     /// How many states of the file there were.
@@ -114,7 +131,11 @@ impl Answers {
         }
         self.counts[1].fetch_add(1, Ordering::Relaxed);
         if let Ok(bytes) = postcard::to_allocvec(answer) {
+            // What does not fit is found again when it is asked for.
             let kept = Kept { age: self.age, work: None, answer: bytes.into() };
+            if self.bytes.fetch_add(kept.size(), Ordering::Relaxed) > LARGEST {
+                return;
+            }
             self.kept.lock().unwrap_or_else(PoisonError::into_inner).insert(name, kept);
         }
     }

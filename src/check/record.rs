@@ -22,7 +22,7 @@ use super::{check, check_recalling};
 use crate::derivation::Derivation;
 use claim::error::CheckError;
 use claim::options::Options;
-use files::records::Store;
+use files::records::{LARGEST, Store};
 use findings::Account;
 
 /// The record that has the account of one state of a file.
@@ -62,6 +62,29 @@ impl fmt::Display for Recalled {
             Recalled::Answers { known, all } => write!(f, "{known} of {all} answers are recalled from earlier runs"),
             Recalled::Whole => f.write_str("all verdicts are recalled from an earlier run"),
         }
+    }
+}
+
+/// Bytes up to the largest record: what would not be kept is not written out.
+struct Bounded(Vec<u8>);
+
+impl postcard::ser_flavors::Flavor for Bounded {
+    type Output = Vec<u8>;
+
+    fn try_push(&mut self, byte: u8) -> postcard::Result<()> {
+        self.try_extend(&[byte])
+    }
+
+    fn try_extend(&mut self, bytes: &[u8]) -> postcard::Result<()> {
+        if (self.0.len() + bytes.len()) as u64 > LARGEST {
+            return Err(postcard::Error::SerializeBufferFull);
+        }
+        self.0.extend_from_slice(bytes);
+        Ok(())
+    }
+
+    fn finalize(self) -> postcard::Result<Vec<u8>> {
+        Ok(self.0)
     }
 }
 
@@ -115,7 +138,10 @@ pub fn check_recorded(
     }
     let record = Record { contents, account };
     states.keep(&of_account, &record, store);
-    store.write(&of_answers, &memory.answers(total.used()).written());
+    let answers = memory.answers(total.used());
+    if !answers.are_too_large() {
+        store.write(&of_answers, &answers.written());
+    }
     Ok((record.account, recalled))
 }
 
@@ -142,7 +168,9 @@ impl States {
 
     /// Keeps the account of one more state, in place of that of the oldest where there are too many.
     fn keep(mut self, of_account: &str, record: &Record, store: &dyn Store) {
-        let Ok(bytes) = postcard::to_allocvec(record) else { return };
+        let Ok(bytes) = postcard::serialize_with_flavor::<_, Bounded, Vec<u8>>(record, Bounded(Vec::new())) else {
+            return;
+        };
         self.known.retain(|state| state != of_account);
         self.known.push(of_account.to_owned());
         for oldest in self.known.drain(..self.known.len().saturating_sub(AGES as usize)) {

@@ -44,6 +44,8 @@ struct Trial<'d> {
     derivation: &'d Derivation,
     names: Vec<String>,
     id: String,
+    /// All tries have the counted work of one file together.
+    limits: Limits,
     /// The same claims as the file has them, where they are altered: these must hold.
     printed: Option<Box<Trial<'d>>>,
 }
@@ -75,7 +77,7 @@ impl Trial<'_> {
             drafts.iter().enumerate().map(|(i, draft)| (format!("{}-{i}", self.id), draft.clone())).collect();
         let asked = |name: &String| Asked { name: name.clone(), on: (0..drafts.len()).collect() };
         let asked: Vec<Asked> = self.names.iter().map(asked).collect();
-        let of_claims = verdicts(self.derivation, &named, &asked, (|run| run.account(), &Limits::default()))?;
+        let of_claims = verdicts(self.derivation, &named, &asked, (|run| run.account(), &self.limits))?;
         let of = |i: usize| {
             let all = self.names.iter().zip(&of_claims);
             let mut found: Vec<(String, Verdict)> =
@@ -219,7 +221,14 @@ fn search_in(
     let meant = derivation.claims.iter().filter(|c| c.id == options.claim || c.name() == options.claim);
     let names: Vec<String> = meant.map(|c| c.name()).collect();
     let id = fresh_id(derivation, &options.claim, options.variant, options.seed);
-    let of = |derivation, printed| Trial { derivation, names: names.clone(), id: id.clone(), printed };
+    let limits = Limits::default().of_file(0);
+    let of = |derivation, printed| Trial {
+        derivation,
+        names: names.clone(),
+        id: id.clone(),
+        limits: limits.clone(),
+        printed,
+    };
     let trial = of(derivation, printed.map(|p| Box::new(of(p, None))));
     let families: Vec<Draft> = derivation.trajectories.iter().filter_map(|t| Draft::of(derivation, t)).collect();
     let mut out = SearchAccount {
@@ -231,7 +240,7 @@ fn search_in(
         known: known(derivation, printed, options)?,
     };
     let mut next = 0;
-    while next < options.tries && !families.is_empty() && !names.is_empty() {
+    while next < options.tries && limits.total.left() > 0 && !families.is_empty() && !names.is_empty() {
         let numbers: Vec<usize> = (next..options.tries.min(next + BATCH)).collect();
         next += numbers.len();
         let drawn: Vec<Option<Draft>> = numbers.iter().map(|&n| draw(&families, options.seed, n)).collect();

@@ -24,6 +24,10 @@ const LARGEST_POWER: u32 = 24;
 /// Most bits of numbers that are multiplied out.
 const MOST_BITS: usize = 1 << 14;
 
+/// Units of work of a term, and of a pair of words of its number.
+const WORK_OF_A_TERM: u64 = 100;
+const WORK_OF_WORDS: u64 = 4;
+
 /// Indeterminates with their powers, in order.
 type Monomial = Vec<(Expr, u32)>;
 
@@ -36,24 +40,21 @@ struct Budget(usize);
 
 impl Polynomial {
     fn constant(r: Rational) -> Polynomial {
-        let mut out = Polynomial::default();
-        out.add_term(Monomial::new(), r);
-        out
+        if r == Rational::ZERO { Polynomial::default() } else { Polynomial(BTreeMap::from([(Monomial::new(), r)])) }
     }
 
     fn variable(e: Expr) -> Polynomial {
-        let mut out = Polynomial::default();
-        out.add_term(vec![(e, 1)], Rational::ONE);
-        out
+        Polynomial(BTreeMap::from([(vec![(e, 1)], Rational::ONE)]))
     }
 
     fn is_one(&self) -> bool {
         self.0.len() == 1 && self.0.get(&Monomial::new()) == Some(&Rational::ONE)
     }
 
-    fn add_term(&mut self, monomial: Monomial, r: Rational) {
+    /// Adds a term; nothing, where its number becomes too long: of fractions the denominators grow with each.
+    fn add_term(&mut self, monomial: Monomial, r: Rational) -> Option<()> {
         if r == Rational::ZERO {
-            return;
+            return Some(());
         }
         match self.0.entry(monomial) {
             Entry::Vacant(free) => _ = free.insert(r),
@@ -61,14 +62,17 @@ impl Polynomial {
                 *held.get_mut() += r;
                 if *held.get() == Rational::ZERO {
                     held.remove();
+                } else {
+                    counted(held.get())?;
                 }
             }
         }
+        Some(())
     }
 
     fn plus(mut self, other: &Polynomial, sign: i8) -> Option<Polynomial> {
         for (monomial, r) in &other.0 {
-            self.add_term(monomial.clone(), if sign < 0 { -r.clone() } else { r.clone() });
+            self.add_term(monomial.clone(), if sign < 0 { -r.clone() } else { r.clone() })?;
         }
         (self.0.len() <= MOST_TERMS).then_some(self)
     }
@@ -85,10 +89,8 @@ impl Polynomial {
         for (m, r) in &self.0 {
             for (n, s) in &other.0 {
                 let product = r * s;
-                if bits(&product).iter().sum::<usize>() > MOST_BITS {
-                    return None;
-                }
-                out.add_term(joined(m, n)?, product);
+                counted(&product)?;
+                out.add_term(joined(m, n)?, product)?;
             }
         }
         (out.0.len() <= MOST_TERMS).then_some(out)
@@ -98,6 +100,15 @@ impl Polynomial {
 /// The size of a number.
 pub(crate) fn bits(r: &Rational) -> [usize; 2] {
     [r.numerator().bit_len(), r.denominator().bit_len()]
+}
+
+/// Counts the work of finding a number; nothing, where that is too long.
+fn counted(r: &Rational) -> Option<()> {
+    let bits: usize = bits(r).iter().sum();
+    let words = bits as u64 / 64;
+    // A number without common factors takes the square of its length.
+    meter::charge(WORK_OF_A_TERM + words * words * WORK_OF_WORDS);
+    (bits <= MOST_BITS).then_some(())
 }
 
 /// The product of two monomials.
@@ -152,7 +163,7 @@ impl Rewrite {
         let number = top.0.remove(&lead)?;
         let mut rest = Polynomial::default();
         for (monomial, r) in top.0 {
-            rest.add_term(monomial, -r / number.clone());
+            rest.add_term(monomial, -r / number.clone())?;
         }
         (!lead.is_empty()).then_some(Rewrite { lead, rest })
     }
@@ -199,16 +210,14 @@ fn reduced(mut p: Polynomial, rewrites: &[Rewrite], budget: &mut Budget) -> Opti
     while let Some((monomial, r)) = p.0.pop_last() {
         let found = rewrites.iter().find_map(|rewrite| Some((divided(&monomial, &rewrite.lead)?, rewrite)));
         let Some((factor, rewrite)) = found else {
-            out.add_term(monomial, r);
+            out.add_term(monomial, r)?;
             continue;
         };
         budget.0 = budget.0.checked_sub(1 + rewrite.rest.0.len())?;
         for (m, s) in &rewrite.rest.0 {
             let product = &r * s;
-            if bits(&product).iter().sum::<usize>() > MOST_BITS || p.0.len() > MOST_TERMS {
-                return None;
-            }
-            p.add_term(joined(m, &factor)?, product);
+            counted(&product).filter(|()| p.0.len() <= MOST_TERMS)?;
+            p.add_term(joined(m, &factor)?, product)?;
         }
     }
     Some(out)

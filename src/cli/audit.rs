@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use rederive::diag::escape::in_one_line;
 use rederive::files::{self, Kind};
 use rederive::report::{ProofFile, Provenance, RecordedClaim};
 use rederive::{Ending, Format, Session, report};
@@ -40,6 +41,15 @@ pub fn audit(arguments: &AuditArguments) -> Result<Ending, Stop> {
         for (name, bytes) in proofs(path)? {
             let file = ProofFile::read(&bytes).map_err(|why| format!("{name}: {why}"))?;
             let session = asking(&files, &file);
+            // Whoever names the file wants to know whether the proofs are of what it asks.
+            if session.is_none() && arguments.derivations != Path::new(DERIVATIONS) {
+                let (name, path) = (in_one_line(&name), arguments.derivations.display().to_string());
+                eprintln!(
+                    "{name}: the proofs are of another file, or of another state of it, than {}",
+                    in_one_line(&path)
+                );
+                ending = Ending::Different;
+            }
             let stated = |of: &RecordedClaim| match &session {
                 Some(session) if session.asks_for(of) => Provenance::AsInFile,
                 Some(_) => Provenance::Otherwise,

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use diag::escape::shown;
+use diag::escape::{in_one_line, shown};
 use diag::{Diagnostic, Label, Source, nearest};
 use files::is_portable;
 use latex::printed;
@@ -154,10 +154,10 @@ impl<'a, 's> Table<'a, 's> {
         problems.note("derivation::missing-key", self.span.clone(), format!("{} needs `{key}`", self.what));
     }
 
-    /// A text, not a formula.
+    /// A text, not a formula, in one line: a line break in it could forge a line of what is printed.
     pub fn text(&self, problems: &mut Problems<'_>, key: &str) -> Option<String> {
         let value = self.get(key)?;
-        text_of(problems, value, key).map(|t| shown(t.trim()).into_owned())
+        text_of(problems, value, key).map(in_one_line)
     }
 
     /// A text that must be there and say something.
@@ -166,7 +166,7 @@ impl<'a, 's> Table<'a, 's> {
             self.missing(problems, key);
             return None;
         };
-        let text = shown(text_of(problems, value, key)?.trim()).into_owned();
+        let text = in_one_line(text_of(problems, value, key)?);
         if text.is_empty() {
             problems.note("derivation::missing-key", value.span(), format!("`{key}` is empty"));
             return None;

@@ -34,12 +34,15 @@ pub fn measured<'d>(derivation: &'d Derivation, at: usize, options: &Options) ->
     of_family.filter(|_| is_asked()).collect()
 }
 
-/// So many members of a family that was counted elsewhere are tried here, beside those that its parts name.
-const TRIED_AGAIN: u64 = 16;
+/// So many members of a family that was counted elsewhere are tried here, beside those that its parts name: all, where it has no more.
+const TRIED_AGAIN: u64 = 1000;
 
-/// Some members, by chance: what parts, the file and the program say tells nobody which, or who makes a part up would change it until none
-/// of them tells. What is found does not depend on them, unless a part is not what it says.
+/// Members of a family: all of a small one. Of a large one some, by chance: what parts, the file and the program say tells nobody which, or
+/// who makes a part up would change it until none of them tells. What is found does not depend on them, unless a part is not what it says.
 fn picked(size: u64) -> BTreeSet<u64> {
+    if size <= TRIED_AGAIN {
+        return (1..=size).collect();
+    }
     let chance = RandomState::new();
     (0..TRIED_AGAIN).map(|k| 1 + chance.hash_one(k) % size.max(1)).collect()
 }

@@ -23,7 +23,7 @@ use super::write::write_file;
 const ENDING: &str = "record";
 /// The largest record, in bytes: what is read takes several times as much memory, also where a file has become a small one. That of the
 /// first paper has 67 million.
-const LARGEST: u64 = 1 << 27;
+pub const LARGEST: u64 = 1 << 27;
 /// The largest index of a repository that is looked into.
 const LARGEST_INDEX: u64 = 1 << 28;
 /// The records of a folder have so many bytes together.
@@ -232,14 +232,12 @@ impl Store for Records {
 
     /// Keeps a record. That it cannot be kept is no error.
     fn write(&self, name: &str, record: &[u8]) {
-        if self.asked.lock().map_or(true, |asked| asked.elapsed() < self.quick) {
+        let is_quick = self.asked.lock().map_or(true, |asked| asked.elapsed() < self.quick);
+        if is_quick || (record.len() + SUM) as u64 > LARGEST {
             return;
         }
         let (Some(path), Some(sum)) = (self.path(name), self.sum(name, record)) else { return };
         let bytes = [&sum, record].concat();
-        if bytes.len() as u64 > LARGEST {
-            return;
-        }
         if fs::create_dir_all(&self.folder).is_ok() && write_file(&path, &bytes).is_ok() {
             self.sweep(&path);
         }

@@ -19,7 +19,7 @@ use joint::{
 
 /// A chain of relations as LaTeX.
 pub fn to_latex(chain: &Chain) -> String {
-    let mut out = Text(String::new());
+    let mut out = Text::default();
     for (k, side) in chain.sides.iter().enumerate() {
         if let Some(kind) = k.checked_sub(1).and_then(|before| chain.relations.get(before)) {
             out.put(relation(*kind));
@@ -40,7 +40,7 @@ pub fn to_latex(chain: &Chain) -> String {
             _ => out.node(side, Least::Sum),
         }
     }
-    out.0
+    out.written
 }
 
 fn relation(kind: RelationKind) -> &'static str {
@@ -55,24 +55,30 @@ fn relation(kind: RelationKind) -> &'static str {
 }
 
 /// Text to which pieces are added; commands and letters are kept apart.
-struct Text(String);
+#[derive(Default)]
+struct Text {
+    written: String,
+    /// Whether it ends with the letters of a command. It is known, since to look back for each piece would take the square.
+    is_command: bool,
+}
 
 impl Text {
     fn put(&mut self, piece: &str) {
-        let command = self.0.rfind('\\').is_some_and(|at| {
-            let tail = &self.0[at + 1..];
-            !tail.is_empty() && tail.bytes().all(|b| b.is_ascii_alphabetic())
-        });
-        if command && piece.starts_with(|c: char| c.is_ascii_alphabetic()) {
-            self.0.push(' ');
+        let is_name = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_alphabetic());
+        if self.is_command && piece.starts_with(|c: char| c.is_ascii_alphabetic()) {
+            self.written.push(' ');
         }
         // `\ln^2 0` is no power 20.
-        let mut last = self.0.chars().rev();
+        let mut last = self.written.chars().rev();
         let script = last.next().is_some_and(|c| c.is_ascii_digit()) && matches!(last.next(), Some('^' | '_'));
         if script && piece.starts_with(|c: char| c.is_ascii_digit()) {
-            self.0.push(' ');
+            self.written.push(' ');
         }
-        self.0.push_str(piece);
+        self.is_command = match piece.rsplit_once('\\') {
+            Some((_, name)) => is_name(name),
+            None => is_name(piece) && self.written.ends_with('\\') || piece.is_empty() && self.is_command,
+        };
+        self.written.push_str(piece);
     }
 
     fn node(&mut self, node: &Node, least: Least) {
@@ -230,9 +236,9 @@ impl Text {
                 if *form == PartialForm::Subscript {
                     for run in runs {
                         self.put(r"\partial");
-                        let mut under = Text(String::new());
+                        let mut under = Text::default();
                         under.node(&run[0], Least::Factor);
-                        self.put(&script('_', &under.0));
+                        self.put(&script('_', &under.written));
                         self.put(&power(run.len()));
                     }
                     self.put(" ");
@@ -415,9 +421,9 @@ impl Text {
     fn scripts(&mut self, sub: Option<&[SubItem]>, sup: Option<&Node>, sup_first: bool) {
         let lowered = sub.map(subscript);
         let raised = sup.map(|node| {
-            let mut inner = Text(String::new());
+            let mut inner = Text::default();
             inner.node(node, Least::Sum);
-            script('^', &inner.0)
+            script('^', &inner.written)
         });
         let (first, second) = if sup_first { (raised, lowered) } else { (lowered, raised) };
         for text in first.iter().chain(&second) {
@@ -428,7 +434,7 @@ impl Text {
 
 /// A subscript, with its sign.
 pub(super) fn subscript(items: &[SubItem]) -> String {
-    let mut inner = Text(String::new());
+    let mut inner = Text::default();
     for item in items {
         match item {
             SubItem::Name(n) => inner.put(&name::to_latex(n)),
@@ -436,7 +442,7 @@ pub(super) fn subscript(items: &[SubItem]) -> String {
             SubItem::Other(c) => inner.put(&c.to_string()),
         }
     }
-    script('_', &inner.0)
+    script('_', &inner.written)
 }
 
 fn script(sign: char, inner: &str) -> String {

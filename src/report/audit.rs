@@ -7,8 +7,12 @@
 use super::proof_file::{ProofFile, RecordedClaim, UnrecordedClaim};
 use super::recorded::shown_words;
 use checker::Shown;
+use diag::escape::in_one_line;
 use findings::Grounds;
 use serde_json::{Value, json};
+
+/// Units of work of a letter of a sequent.
+const WORK_OF_A_LETTER: u64 = 40;
 
 /// The outcome of one relation.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,41 +78,62 @@ pub struct Audit {
     pub has_its_sum: bool,
 }
 
-/// Replays the proofs of a file. `stated`: whether a claim's proof proves what the derivation file asks.
+/// Replays the proofs of a file, each within the work that the proof of a claim may take, and all within that of a file. `stated`: whether
+/// a claim's proof proves what the derivation file asks.
 pub fn audit(file: &ProofFile, stated: &dyn Fn(&RecordedClaim) -> Provenance) -> Audit {
     let has_its_sum = file.sum == file.right_sum();
+    let limits = meter::Limits::default().of_file(0);
     let claims = file.proofs.iter().map(|recorded| {
-        let RecordedClaim { claim, standing, proof } = recorded;
-        // The sequent is that of the first relation; the others claim something else of the same.
-        let is_first = proof.relations.first().is_none_or(|first| first.claim == proof.sequent.claim);
-        let relations = proof.relations.iter().map(|relation| {
-            let sequent = proof.sequent_of(relation);
-            let outcome = match is_first {
-                true => checker::replay(&sequent, &relation.steps).map_or_else(
-                    |refused| Replayed::Refused { step: refused.step.map(|s| s + 1), why: refused.why },
-                    |shown| Replayed::Shown(Box::new(shown)),
-                ),
-                false => Replayed::Refused {
-                    step: None,
-                    why: "the sequent claims something else than its first relation".to_owned(),
-                },
-            };
-            AuditedRelation { sequent: sequent.words().unwrap_or_else(|refused| refused.to_string()), outcome }
-        });
-        AuditedClaim {
-            relations: relations.collect(),
-            presupposed: proof.presupposed_words(),
-            throughout: proof.throughout_words(),
-            claim: claim.clone(),
-            standing: standing.clone(),
-            stated: stated(recorded),
-        }
+        meter::piece(meter::Task::Proving, &limits, || audited(recorded, stated)).unwrap_or_else(|ended| {
+            let outcome = Replayed::Refused { step: None, why: ended.to_string() };
+            AuditedClaim {
+                claim: recorded.claim.clone(),
+                standing: recorded.standing.clone(),
+                presupposed: Vec::new(),
+                stated: Provenance::OnTrust,
+                throughout: Vec::new(),
+                relations: vec![AuditedRelation { sequent: "not replayed".to_owned(), outcome }],
+            }
+        })
     });
     Audit {
         claims: claims.collect(),
         derivation: file.derivation.clone(),
         unrecorded: file.unrecorded.clone(),
         has_its_sum,
+    }
+}
+
+/// Replays the proof of a claim. The words of its sequents count as memory that it takes.
+fn audited(recorded: &RecordedClaim, stated: &dyn Fn(&RecordedClaim) -> Provenance) -> AuditedClaim {
+    let RecordedClaim { claim, standing, proof } = recorded;
+    // The sequent is that of the first relation; the others claim something else of the same.
+    let is_first = proof.relations.first().is_none_or(|first| first.claim == proof.sequent.claim);
+    let relations = proof.relations.iter().map(|relation| {
+        let sequent = proof.sequent_of(relation);
+        let outcome = match is_first {
+            true => checker::replay(&sequent, &relation.steps).map_or_else(
+                |refused| Replayed::Refused { step: refused.step.map(|s| s + 1), why: refused.why },
+                |shown| Replayed::Shown(Box::new(shown)),
+            ),
+            false => Replayed::Refused {
+                step: None,
+                why: "the sequent claims something else than its first relation".to_owned(),
+            },
+        };
+        let sequent = sequent.words().unwrap_or_else(|refused| refused.to_string());
+        // What is written is read, copied and printed.
+        meter::charge(WORK_OF_A_LETTER * sequent.len() as u64);
+        meter::grow(4 * sequent.len() as u64);
+        AuditedRelation { sequent, outcome }
+    });
+    AuditedClaim {
+        relations: relations.collect(),
+        presupposed: proof.presupposed_words(),
+        throughout: proof.throughout_words(),
+        claim: claim.clone(),
+        standing: standing.clone(),
+        stated: stated(recorded),
     }
 }
 
@@ -151,31 +176,35 @@ impl Audit {
 
     /// The audit for people.
     pub fn text(&self) -> String {
-        let mut out = format!("{}\n", self.derivation);
+        // What the file says may have lines that look like some of this report.
+        let mut out = format!("{}\n", in_one_line(&self.derivation));
         for claim in &self.claims {
             let word = match (claim.is_replayed(), claim.left_out()) {
                 (false, _) => "REFUSED".to_owned(),
                 (true, 0) => Grounds::Checker.word().to_owned(),
                 (true, cases) => format!("{}, cases left out: {cases}", Grounds::CheckerBut(cases).word()),
             };
-            out += &format!("\n  {}  {word} (the report says: {})\n", claim.claim, claim.standing);
+            let (name, standing) = (in_one_line(&claim.claim), in_one_line(&claim.standing));
+            out += &format!("\n  {name}  {word} (the report says: {standing})\n");
             if claim.stated == Provenance::Otherwise {
                 out += "    refused: the derivation file asks something else of this claim, or has no such claim\n";
             }
             if !claim.presupposed.is_empty() {
-                let all = claim.presupposed.join(", ");
+                let all = in_one_line(&claim.presupposed.join(", "));
                 out += &format!("    Presupposed, as what the claim follows from does: {all}\n");
             }
             if !claim.throughout.is_empty() {
-                out +=
-                    &format!("    Of times between which these are so throughout: {}\n", claim.throughout.join(", "));
+                let all = in_one_line(&claim.throughout.join(", "));
+                out += &format!("    Of times between which these are so throughout: {all}\n");
             }
             for relation in &claim.relations {
-                out += &format!("    {}\n", relation.sequent);
+                out += &format!("    {}\n", in_one_line(&relation.sequent));
                 out += &match &relation.outcome {
                     Replayed::Shown(shown) => format!("      {}\n", shown_words(shown)),
-                    Replayed::Refused { step: Some(step), why } => format!("      step {step} is refused: {why}\n"),
-                    Replayed::Refused { step: None, why } => format!("      refused: {why}\n"),
+                    Replayed::Refused { step: Some(step), why } => {
+                        format!("      step {step} is refused: {}\n", in_one_line(why))
+                    }
+                    Replayed::Refused { step: None, why } => format!("      refused: {}\n", in_one_line(why)),
                 };
             }
         }
@@ -197,6 +226,7 @@ impl Audit {
         if !self.unrecorded.is_empty() {
             out += &format!("Proved, and not recorded: these rest on the prover alone ({}):\n", self.unrecorded.len());
             for UnrecordedClaim { claim, standing, why } in &self.unrecorded {
+                let [claim, standing, why] = [claim, standing, why].map(|text| in_one_line(text));
                 out += &format!("  {claim} ({standing}): {why}\n");
             }
         }

@@ -1,6 +1,6 @@
 //! `certificates/`: the exact proofs of a report, one file for each claim, for a reader who wants to check them.
 //!
-//! A file is a text and a program: `python t8.py` prints one 0 for each equation, if SymPy is installed. The polynomials are
+//! A file is a text and a program: `python proof-t8.py` prints one 0 for each equation, if SymPy is installed. The polynomials are
 //! those that were verified; nothing is computed here.
 
 use super::tally::name;
@@ -22,7 +22,8 @@ pub(super) fn file_name(claim: &ClaimAccount) -> Option<String> {
     (!identity.evidence.certificates.is_empty()).then(|| format!("{folder}/{}.{ending}", file_stem(claim)))
 }
 
-/// A name of a file for each claim and reading. No id has an `@`, but one may have two hyphens; where letters are capitals, a number says which, as
+/// A name of a file for each claim and reading. A hyphen stands in each: no module of Python has one in its name, so that the folder of the
+/// file, which is looked through for modules, has none for another file. No id has an `@`, but one may have two hyphens; where letters are capitals, a number says which, as
 /// some systems do not tell case.
 fn file_stem(claim: &ClaimAccount) -> String {
     let stem = match claim.id.contains("--") {
@@ -31,8 +32,8 @@ fn file_stem(claim: &ClaimAccount) -> String {
     };
     let places = stem.chars().zip(1_u64..).filter(|(c, _)| c.is_uppercase()).map(|(_, place)| place);
     match places.fold(0_u64, |sum, place| sum.wrapping_mul(1_000_003).wrapping_add(place)) {
-        0 => stem,
-        capitals => format!("{stem}@{capitals:x}"),
+        0 => format!("proof-{stem}"),
+        capitals => format!("proof-{stem}@{capitals:x}"),
     }
 }
 
@@ -63,7 +64,8 @@ const STANDS_FOR: &str = "what the variables stand for";
 
 /// The text of a file.
 pub fn certificate_text(title: &str, given: &[String], certificates: &[Certificate]) -> String {
-    let mut out = String::new();
+    // What says in the first line or the second how a file of Python is encoded is obeyed: no text of a stranger shall.
+    let mut out = "# -*- coding: utf-8 -*-\n".to_owned();
     head(&mut out, "#", title, given);
     out.push_str(
         "#\n\

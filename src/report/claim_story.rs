@@ -81,7 +81,7 @@ pub(super) fn claims<'a>(derivation: &'a Derivation, account: &'a Account) -> St
 const SAID: &str = "Formulas are said of every time, where nothing else is said.";
 
 /// What a reader finds elsewhere.
-const LEFT_OUT: &str = "; † has a certificate, certificates/NAME.py, with two hyphens for the stroke in a name. On the page alone: steps of \
+const LEFT_OUT: &str = "; † has a certificate, certificates/proof-NAME.py, with two hyphens for the stroke in a name. On the page alone: steps of \
                         proofs, curves, members of families, points that refute what is for comparison, the worth of assumptions, \
                         remarks on what holds.";
 

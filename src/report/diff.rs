@@ -224,14 +224,11 @@ pub fn diff_text(changes: &[Change], markdown: bool) -> String {
 
 fn groups<'a>(changes: &[&'a Change]) -> Vec<Vec<&'a Change>> {
     let mut out: Vec<Vec<&Change>> = Vec::new();
+    let mut known = BTreeMap::new();
     for change in changes {
-        let same = |group: &&mut Vec<&Change>| {
-            group.first().is_some_and(|first| {
-                (&first.derivation, &first.claim, &first.old, &first.new, first.trajectory.is_none())
-                    == (&change.derivation, &change.claim, &change.old, &change.new, change.trajectory.is_none())
-            })
-        };
-        match out.iter_mut().find(same) {
+        let what = (&change.derivation, &change.claim, &change.old, &change.new, change.trajectory.is_none());
+        let at = *known.entry(what).or_insert(out.len());
+        match out.get_mut(at) {
             Some(group) => group.push(change),
             None => out.push(vec![change]),
         }

@@ -4,6 +4,7 @@
 //! paper, or a problem of a file. The formats for machines ([`sarif`](super::sarif), [`github`](super::github)) are drawn
 //! from the same list, so they cannot tell different stories.
 
+use std::cell::RefCell;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -79,13 +80,55 @@ impl Place {
         };
         let start = boundary(span.start);
         let end = boundary(span.end).max(start);
-        let at = |i: usize| {
-            let before = &text[..i];
-            let line_start = before.rfind('\n').map_or(0, |n| n + 1);
-            (before.matches('\n').count() + 1, before[line_start..].encode_utf16().count() + 1)
-        };
-        let ((line, column), (end_line, end_column)) = (at(start), at(end));
+        let ((line, column), (end_line, end_column)) =
+            Marks::with(&self.source, |m| (m.at(text, start), m.at(text, end)));
         Some(Region { line, column, end_line, end_column })
+    }
+}
+
+/// Where lines begin in a text, with places between in long lines: a file may have as many findings as letters, and to count from its
+/// beginning for each would take the square.
+struct Marks {
+    source: Arc<Source>,
+    /// Bytes in order, each with its line and its column, both from 1.
+    all: Vec<(usize, usize, usize)>,
+}
+
+thread_local! {
+    /// Those of the text that was asked for last.
+    static MARKS: RefCell<Option<Marks>> = const { RefCell::new(None) };
+}
+
+impl Marks {
+    /// Bytes between two marks in a long line.
+    const APART: usize = 1 << 10;
+
+    fn of(source: &Arc<Source>) -> Marks {
+        let mut all = vec![(0, 1, 1)];
+        let (mut line, mut column, mut last) = (1, 1, 0);
+        for (at, c) in source.text.char_indices() {
+            (line, column) = if c == '\n' { (line + 1, 1) } else { (line, column + c.len_utf16()) };
+            let next = at + c.len_utf8();
+            if c == '\n' || next >= last + Marks::APART {
+                all.push((next, line, column));
+                last = next;
+            }
+        }
+        Marks { source: Arc::clone(source), all }
+    }
+
+    fn with<R>(source: &Arc<Source>, ask: impl FnOnce(&Marks) -> R) -> R {
+        MARKS.with_borrow_mut(|known| {
+            let marks = known.take().filter(|marks| Arc::ptr_eq(&marks.source, source));
+            ask(known.insert(marks.unwrap_or_else(|| Marks::of(source))))
+        })
+    }
+
+    /// Line and column of a place between two letters.
+    fn at(&self, text: &str, place: usize) -> (usize, usize) {
+        let before = self.all.partition_point(|(at, ..)| *at <= place).saturating_sub(1);
+        let (at, line, column) = self.all.get(before).copied().unwrap_or((0, 1, 1));
+        (line, column + text.get(at..place).unwrap_or_default().encode_utf16().count())
     }
 }
 

@@ -25,7 +25,7 @@ const LONGEST_SHOWN: usize = 70;
 const MOST_FOLDED: usize = 60;
 /// Most claims that are named of each.
 const MOST_NAMED: usize = 3;
-/// Most equations and claims that are named of each on page one.
+/// Most equations that are named of each on page one.
 const MOST_PLACES: usize = 2;
 /// Most conventions on page one.
 const MOST_CONVENTIONS: usize = 3;
@@ -219,32 +219,21 @@ fn with_intermediate<'a>(all: Vec<Hypothesis<'a>>, scope: &'a Scope) -> Vec<Hypo
     out
 }
 
-/// Where a hypothesis is used: the labels of the first equations, or the names of claims without one, and how many claims more.
+/// Where a hypothesis is used: the labels of the first equations, and in how many claims more.
 fn places(derivation: &Derivation, used: &[String]) -> String {
-    let label = |name: &String| derivation.claims.iter().find(|c| c.name() == *name)?.label.clone();
-    let mut labels: Vec<(String, usize)> = Vec::new();
-    let mut others = Vec::new();
-    for name in used {
-        match label(name) {
-            Some(label) => match labels.iter_mut().find(|(known, _)| *known == label) {
-                Some((_, n)) => *n += 1,
-                None => labels.push((label, 1)),
-            },
-            None => {
-                let id = name.split('/').next().unwrap_or(name);
-                match others.iter_mut().find(|(known, _): &&mut (String, usize)| known == id) {
-                    Some((_, n)) => *n += 1,
-                    None => others.push((id.to_owned(), 1)),
-                }
-            }
+    let label = |name: &String| derivation.claims.iter().find(|c| c.name() == *name)?.label.as_deref();
+    let mut labels: Vec<&str> = Vec::new();
+    for of in used.iter().filter_map(label) {
+        if !labels.contains(&of) {
+            labels.push(of);
         }
     }
-    let named: Vec<(String, usize)> = labels.into_iter().chain(others).take(MOST_PLACES).collect();
-    let told: usize = named.iter().map(|(_, n)| n).sum();
-    let list = named.into_iter().map(|(name, _)| name).collect::<Vec<_>>().join(", ");
-    match used.len() - told {
-        0 => list,
-        more => format!("{list}, +{more}"),
+    labels.truncate(MOST_PLACES);
+    let others = used.iter().filter(|name| label(name).is_none_or(|l| !labels.contains(&l))).count();
+    match (labels.is_empty(), others) {
+        (true, n) => count(n, "claim"),
+        (false, 0) => labels.join(", "),
+        (false, n) => format!("{}, +{n}", labels.join(", ")),
     }
 }
 

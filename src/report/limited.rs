@@ -8,9 +8,12 @@ use super::digest::{Fate, Reading, Whole};
 use super::headline::CountedFate;
 use super::numbers::count;
 use super::points::{self, NeededReading};
-use super::story::{StoryBlock, StorySpan, Tone, on_page, quiet};
+use super::said::said;
+use super::story::{StoryBlock, StorySpan, Tone, on_page, quiet, words};
 use derivation::Derivation;
 
+/// Longest words for a claim, in letters.
+const LONGEST_NAME: usize = 38;
 /// Most claims that fail as they are used, that are unfolded.
 const MOST_AS_NEEDED: usize = 12;
 
@@ -76,10 +79,10 @@ pub(super) fn limits<'a>(
 
 /// What such a claim says, in what sense it stands, and where it fails as it is used.
 fn as_used<'a>(derivation: &'a Derivation, of: &Limited<'_, 'a>) -> Vec<StoryBlock<'a>> {
-    let mut line = vec![StorySpan::Claim(of.whole.id.to_owned(), Tone::Strong)];
+    let mut line = vec![words("“"), said(derivation, of.whole, Tone::Strong, LONGEST_NAME)];
     line.push(quiet(match of.assumed {
-        0 => String::new(),
-        n => format!(" ({} {} it)", count(n, "reading"), if n == 1 { "assumes" } else { "assume" }),
+        0 => "”".to_owned(),
+        n => format!("” ({} {} it)", count(n, "reading"), if n == 1 { "assumes" } else { "assume" }),
     }));
     let mut out = vec![StoryBlock::Paragraph(line)];
     // A terminal has the first sentences for it.

@@ -37,6 +37,18 @@ pub fn prose(text: &str) -> String {
             '.' | ')' if after.starts_with(' ') && !out.is_empty() && out.bytes().all(|b| b.is_ascii_digit()) => {
                 out.extend(['\\', c]);
             }
+            // No address becomes a link: a link takes what follows for its own, signs of code among it.
+            ':' if after.starts_with("//") => out.push_str(":<!-- -->"),
+            'w' | 'W' if out.to_ascii_lowercase().ends_with("ww") && after.starts_with('.') => {
+                out.push(c);
+                out.push_str("<!-- -->");
+            }
+            // A name of a sign between it and a semicolon would be that sign.
+            '&' if after.starts_with(|next: char| next.is_ascii_alphanumeric() || next == '#') => out.push_str("&amp;"),
+            // Between letters it is one of them; elsewhere it may set what follows in italics.
+            '_' if !(out.ends_with(char::is_alphanumeric) && after.starts_with(char::is_alphanumeric)) => {
+                out.push_str(r"\_");
+            }
             // Whoever is named is not told of it.
             '@' if after.starts_with(|next: char| next.is_alphanumeric()) => out.push_str("@<!-- -->"),
             // Before punctuation it would take away the meaning of what is written next.
@@ -171,6 +183,11 @@ const SET_ONLY: &[&str] = &[
 /// A text as it is written.
 pub(super) fn code(text: &str) -> String {
     let text = if text.trim().is_empty() { " " } else { text };
+    // Renderers differ on where a cell of a table ends that has both.
+    if text.contains(r"\|") {
+        let sign = |c: char| if c.is_ascii_punctuation() { format!("&#{};", u32::from(c)) } else { c.to_string() };
+        return format!("<code>{}</code>", text.chars().map(sign).collect::<String>());
+    }
     format!("`{}`", text.replace('|', r"\|").replace('`', "'"))
 }
 
@@ -179,7 +196,7 @@ pub(super) fn math(formula: &str) -> String {
     let one_line = formula.split_whitespace().collect::<Vec<_>>().join(" ");
     // In a table a bar ends the cell, even inside a formula.
     let one_line = if one_line.is_empty() { " ".to_owned() } else { one_line };
-    format!("$`{}`$", one_line.replace('|', r"\vert ").replace('`', "'"))
+    format!("$`{}`$", one_line.replace(r"\|", r"\Vert ").replace('|', r"\vert ").replace('`', "'"))
 }
 
 /// A formula on its own lines.
@@ -223,6 +240,11 @@ mod tests {
             ("::error::x", "&#58;:error::x"),
             ("-0.5 and 1.5", "-0.5 and 1.5"),
             ("1.5: so", "1.5: so"),
+            ("see http://e/`<b>`, WWW.e/`<b>`", "see http:<!-- -->//e/`<b>`, WWW<!-- -->.e/`<b>`"),
+            ("&commat;x &num;1 a & b &#64;", "&amp;commat;x &amp;num;1 a & b &amp;#64;"),
+            ("___", r"\_\_\_"),
+            ("_x_ and t_8, x_", r"\_x\_ and t_8, x\_"),
+            (r"`a\|<b>`", "<code>a&#92;&#124;&#60;b&#62;</code>"),
             ("by @octocat and a@b, @ 5", "by @<!-- -->octocat and a@<!-- -->b, @ 5"),
         ] {
             assert_eq!(prose(text), written);
@@ -246,6 +268,7 @@ mod tests {
     #[test]
     fn formulas_survive_markdown() {
         assert_eq!(math("|x|_1"), r"$`\vert x\vert _1`$");
+        assert_eq!(math(r"\|x\|"), r"$`\Vert x\Vert `$");
         assert_eq!(prose("`a|b` and $x|y$, <b>*"), r"`a\|b` and $`x\vert y`$, &lt;b>\*");
         assert_eq!(prose("costs 3$ or `"), r"costs 3\$ or \`");
         assert_eq!(prose(r"\`<b>` \[x\](y) \alpha \\* \"), r"\\`<b>` \\\[x\\\](y) \alpha \\\\\* \\");

@@ -157,6 +157,12 @@ fn as_used(whole: &Whole<'_>, column: &ColumnMotions<'_>) -> Option<VerdictShape
     of_reading(used, column).filter(|shape| shape.tone() == Tone::Bad)
 }
 
+/// The reading that fails, of which the page tells, where it fails on this class of motions.
+fn told_failing<'w, 'a>(whole: &'w Whole<'a>, column: &ColumnMotions<'_>) -> Option<&'w Reading<'a>> {
+    let failing = whole.failing().filter(|r| whole.fate.is_against() && r.role == ClaimRole::Says)?;
+    of_reading(failing, column).is_some_and(|shape| shape.tone() == Tone::Bad).then_some(failing)
+}
+
 /// On how many motions of a class it is as the symbol says, and to how many it applies, where it is not so on all of these: fails, or holds
 /// (of one that holds on some).
 fn share(whole: &Whole<'_>, column: &ColumnMotions<'_>, shape: VerdictShape) -> Option<(usize, usize)> {
@@ -170,8 +176,11 @@ fn share(whole: &Whole<'_>, column: &ColumnMotions<'_>, shape: VerdictShape) -> 
         (_, Outcome::Fails(_) | Outcome::Undecided) => shape.tone() == Tone::Open,
     };
     let applies = |p: &&PairAccount| !matches!(p.verdict.outcome(), Outcome::NotApplicable(_));
+    let told = told_failing(whole, column);
+    let readings = whole.deciding().filter(|r| told.is_none_or(|told| std::ptr::eq(told.claim, r.claim)));
+    let readings: Vec<&Reading<'_>> = readings.collect();
     let on = |is: &dyn Fn(&&PairAccount) -> bool| {
-        let pairs = whole.deciding().flat_map(|reading| &reading.claim.results).filter(is);
+        let pairs = readings.iter().flat_map(|reading| &reading.claim.results).filter(is);
         pairs.map(|p| p.trajectory.as_str()).filter(|id| named.contains(id)).collect::<BTreeSet<_>>().len()
     };
     let (found, of) = (on(&is_so), on(&applies));
@@ -190,11 +199,18 @@ fn cell(whole: &Whole<'_>, column: &ColumnMotions<'_>) -> Option<VerdictShape> {
         let needed = other(ClaimRole::Needs).filter_map(shown).find(|s| s.tone() == Tone::Bad);
         return contrary.map(|_| VerdictShape::Certified).or(needed);
     }
+    // Of several that it says the one that is told of, with its share, so that numbers of the page agree.
+    if let Some(failing) = told_failing(whole, column) {
+        return match (of_reading(failing, column), column) {
+            (Some(VerdictShape::Mixed), ColumnMotions::Motions(named)) => refutes(failing, named),
+            (shape, _) => shape,
+        };
+    }
     let applies: Vec<_> = each.iter().filter(|(_, shape)| *shape != VerdictShape::NotApplicable).collect();
     let weakest = |shapes: &mut dyn Iterator<Item = VerdictShape>| shapes.max();
     let is_bad = |shape: &VerdictShape| shape.tone() == Tone::Bad;
     let said = |role: ClaimRole| applies.iter().filter(move |(of, _)| *of == role).map(|(_, shape)| *shape);
-    // Of several that it says one that fails all along tells more than one that fails somewhere.
+    // Another that it says may fail where that one holds.
     let bad: Vec<VerdictShape> = said(ClaimRole::Says).filter(is_bad).collect();
     if let Some(worst) = bad.iter().find(|s| **s != VerdictShape::Mixed).or(bad.first()) {
         return Some(*worst);
@@ -207,6 +223,12 @@ fn cell(whole: &Whole<'_>, column: &ColumnMotions<'_>) -> Option<VerdictShape> {
         _ if applies.is_empty() => each.first().map(|(_, shape)| *shape),
         _ => weakest(&mut applies.iter().map(|(_, shape)| *shape)),
     }
+}
+
+/// How a reading fails on those motions of a class on which it fails.
+fn refutes(reading: &Reading<'_>, named: &BTreeSet<&str>) -> Option<VerdictShape> {
+    let of_class = reading.claim.results.iter().filter(|p| named.contains(p.trajectory.as_str()));
+    of_class.map(|p| shape(p.verdict.outcome())).filter(|s| s.tone() == Tone::Bad).max()
 }
 
 /// What a class of motions says of one reading; `None` where it was not tried.

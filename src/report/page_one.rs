@@ -18,18 +18,20 @@ use super::hypotheses;
 use super::limited::{self, Limited};
 use super::motion_matrix::{self, that_matter};
 use super::numbers::count;
-use super::said::said;
+use super::said;
 use super::sketch::Sketch;
-use super::story::{self, StoryBlock, StorySpan, Tone, fold, joined, on_page, quiet, words};
+use super::story::{self, Elsewhere, StoryBlock, StorySpan, Tone, fold, folded as folded_as, quiet, words};
 use super::tally::{Standing, declared};
 use super::text::{Paint, capital, paragraph, uncapital};
 use derivation::Derivation;
 use findings::Account;
 
-/// Most ids that a terminal names of what does not stand, beside the cards.
+/// Most claims of a list in a sentence.
 const MOST_NAMED: usize = 6;
-/// Longest words for a claim in a list of claims, in letters.
+/// Longest words for a claim that is not as the file expects, in letters.
 const LONGEST_NAME: usize = 60;
+/// The same in a list of those that have a card on the page.
+const LONGEST_LISTED: usize = 36;
 /// Cards on the first screen; more are folded. Conclusions need the room of those that a terminal leaves out, too.
 const MOST_CARDS: usize = 3;
 /// Most lines of a terminal that have the remark of a file; the rest is folded.
@@ -41,7 +43,7 @@ const LONGEST_TOLD: usize = 80;
 /// Cards that a terminal has room for, if there are few of them; of more only the first.
 const FEW_CARDS: usize = 2;
 
-/// The page as blocks.
+/// The page as blocks; the last has no room on the first screen.
 pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Vec<StoryBlock<'a>> {
     let wholes = digest::wholes(derivation, account);
     let hangs = Consequences::new(derivation);
@@ -81,10 +83,8 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
             ],
         ),
         StoryBlock::Group("unsaid", unsaid),
-        StoryBlock::Group(
-            "foot",
-            vec![StoryBlock::Paragraph(foot), StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(strength)])],
-        ),
+        StoryBlock::Group("foot", vec![StoryBlock::Paragraph(foot)]),
+        StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(strength)]),
     ]
 }
 
@@ -92,11 +92,9 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
 fn not_as_expected<'a>(derivation: &'a Derivation, account: &Account, wholes: &[Whole<'a>]) -> Option<StoryBlock<'a>> {
     let names: BTreeSet<&str> = headline::unexpected(account).into_iter().map(|c| c.id.as_str()).collect();
     let all: Vec<&Whole<'a>> = wholes.iter().filter(|w| names.contains(w.id)).collect();
-    let one = |whole: &&Whole<'a>| vec![words("“"), said(derivation, whole, Tone::Plain, LONGEST_NAME), words("”")];
     let mut line = vec![StorySpan::Words("Not as the file expects: ".to_owned(), Tone::Alarm)];
-    line.extend(joined(all.iter().take(MOST_NAMED).map(one), ", "));
-    let more = all.len().saturating_sub(MOST_NAMED);
-    line.push(words(if more > 0 { format!(", and {}.", count(more, "more claim")) } else { ".".to_owned() }));
+    line.extend(said::list(derivation, &all, (MOST_NAMED, LONGEST_NAME), 0));
+    line.push(words("."));
     (!all.is_empty()).then(|| StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(line)]))
 }
 
@@ -316,23 +314,16 @@ fn wrong<'a>(
     if !roomy.is_empty() {
         out.push(StoryBlock::Group("roomy", roomy));
     }
-    let ids: Vec<&str> = front.lines.iter().map(|l| l.id.as_str()).collect();
-    if ids.len() > on_terminal {
-        let hidden = ids.get(most..).unwrap_or_default();
-        let title = format!("{} more: {}", hidden.len() + front.more, first_of(hidden, front.more));
-        let named = names_them.then(|| format!("Nor do these: {}.", first_of(&ids[on_terminal..], front.more)));
-        out.push(on_page(title, &named.unwrap_or_default(), folded));
+    let named: Vec<&Whole<'a>> = front.lines.iter().skip(on_terminal).filter_map(of).collect();
+    if !named.is_empty() {
+        let title = format!("{} more", folded.len() + front.more);
+        let mut line = vec![words("Nor do these: ")];
+        line.extend(said::list(derivation, &named, (MOST_NAMED, LONGEST_LISTED), front.more));
+        line.push(words("."));
+        let line = if names_them { line } else { Vec::new() };
+        out.push(folded_as(vec![words(title)], Elsewhere::Line(line), folded));
     }
     out
-}
-
-/// The first of some ids, and how many there are beside them.
-fn first_of(ids: &[&str], beside: usize) -> String {
-    let told = if ids.len() > MOST_NAMED { MOST_NAMED - 1 } else { ids.len() };
-    match ids.len() - told + beside {
-        0 => ids.join(", "),
-        more => format!("{}, and {more} more", ids[..told].join(", ")),
-    }
 }
 
 /// Where nothing is wrong: the claim that most rests on, with both of its sides.
@@ -344,14 +335,15 @@ fn nothing_wrong<'a>(
 ) -> Vec<StoryBlock<'a>> {
     let scope = &derivation.scope;
     let told = that_matter(derivation, wholes, hangs);
-    let of_file: Vec<&str> = front::refuted_beside(wholes).map(|w| w.id).collect();
+    let of_file: Vec<&Whole<'a>> = front::refuted_beside(wholes).collect();
     let title = if of_file.is_empty() { "Nothing is refuted" } else { "No claim of the paper is refuted" };
     let mut out = vec![StoryBlock::Heading(title.to_owned())];
     if !of_file.is_empty() {
-        let named = first_of(&of_file, 0);
-        let line = StoryBlock::Paragraph(vec![quiet(format!("Added for comparison, and refuted: {named}."))]);
+        let mut line = vec![quiet("Added for comparison, and refuted: ")];
+        line.extend(said::list(derivation, &of_file, (MOST_NAMED, LONGEST_LISTED), 0));
+        line.push(words("."));
         // A sentence by itself, also where headings lead sentences.
-        out.push(StoryBlock::Group("compared", vec![line]));
+        out.push(StoryBlock::Group("compared", vec![StoryBlock::Paragraph(line)]));
     }
     let mut heaviest: Vec<&&Whole<'a>> = told.iter().collect();
     heaviest.sort_by_cached_key(|w| {

@@ -85,7 +85,8 @@ fn of_command<'t>(text: &'t str, scripts: Scripts, out: &mut String) -> &'t str 
     {
         let ratio =
             format!("{}/{}", bracketed(&line(top, scripts), is_product), bracketed(&line(bottom, scripts), is_one));
-        let apart = out.ends_with(char::is_alphanumeric) || begins_factor(after);
+        let is_between_bars = out.ends_with('|') && after.starts_with('|');
+        let apart = out.ends_with(char::is_alphanumeric) || begins_factor(after) && !is_between_bars;
         out.push_str(&if apart { format!("({ratio})") } else { ratio });
         return after;
     }
@@ -246,6 +247,7 @@ mod tests {
             (r"\operatorname{Re}(\dot\psi)\,x", "Re(ψ\u{307})x"),
             (r"\nabla^2u=\frac{1", "∇²u=frac 1"),
             (r"q\rightarrow 0", "q→0"),
+            (r"|\frac{h}{g}| ≤ 1", "|h/g| ≤ 1"),
             (r"\begin{pmatrix}a\\b\end{pmatrix}", r"\begin{pmatrix}a\\b\end{pmatrix}"),
             (r"x_Q", "x_Q"),
             ("x_", "x_"),

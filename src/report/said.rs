@@ -1,10 +1,11 @@
 //! What a claim is called on page one: what it says, in a few words, which lead to it.
 //!
-//! **In:** a claim of a file with its readings. **Out:** one span: its sentence, shortened at a word; its formula, where it has no sentence
+//! **In:** claims of a file with their readings. **Out:** for each one span: its sentence, shortened at a word; its formula, where it has no sentence
 //! and the formula is short; else its id. An id is a name for links and for commands: a reader of page one does not know it.
 
 use super::digest::Whole;
-use super::story::{StorySpan, Tone};
+use super::numbers::count;
+use super::story::{StorySpan, Tone, joined, words};
 use super::wording::{Part, parts};
 use derivation::Derivation;
 
@@ -21,6 +22,22 @@ pub(super) fn said<'a>(derivation: &'a Derivation, whole: &Whole<'a>, tone: Tone
         Some(text) => StorySpan::Said { claim: whole.id.to_owned(), text, scope: &derivation.scope, tone },
         None => StorySpan::Claim(whole.id.to_owned(), tone),
     }
+}
+
+/// The first of some claims in words, between quotes, and how many there are beside them: those that are not shown, and `beside`.
+pub(super) fn list<'a>(
+    derivation: &'a Derivation,
+    wholes: &[&Whole<'a>],
+    (most, longest): (usize, usize),
+    beside: usize,
+) -> Vec<StorySpan<'a>> {
+    let one = |whole: &&Whole<'a>| vec![words("“"), said(derivation, whole, Tone::Plain, longest), words("”")];
+    let mut out = joined(wholes.iter().take(most).map(one), ", ");
+    match wholes.len().saturating_sub(most) + beside {
+        0 => {}
+        more => out.push(words(format!(", and {}", count(more, "more claim")))),
+    }
+    out
 }
 
 /// A sentence without its full stop, in at most so many letters and cut between words, not in a formula; `None` where nothing is left.

@@ -191,5 +191,9 @@ pub(super) fn making(derivation: &Derivation) -> StoryBlock<'_> {
     let says = "A verdict is sampled (at finitely many times, each residual, left side minus right side, against its own error bound, \
                 from the motion and from rounding), enclosed (rigorously, for every time) or proved (for all values). A bound that is \
                 larger than the precision asked for leaves the claim undecided.";
-    section("/making", "How it was made", vec![terms(all), StoryBlock::Paragraph(vec![quiet(says)])])
+    // Elsewhere it stands at the head.
+    let source = derivation.source.as_ref().map(|text| vec![quiet("Source: "), prose(text, &derivation.scope)]);
+    let source = source.map(|line| StoryBlock::Group("page", vec![StoryBlock::Paragraph(line)]));
+    let blocks = source.into_iter().chain([terms(all), StoryBlock::Paragraph(vec![quiet(says)])]);
+    section("/making", "How it was made", blocks.collect())
 }

@@ -21,7 +21,7 @@ pub(super) fn report<'a>(
     account: &'a Account,
     graph: Option<StoryBlock<'a>>,
 ) -> Vec<StoryBlock<'a>> {
-    let found = std::iter::once(front(derivation, account)).chain(listed(derivation, account));
+    let found = front(derivation, account).into_iter().chain(listed(derivation, account));
     let mut out = vec![section(FOUND.0, FOUND.1, found.collect()), claim_story::claims(derivation, account)];
     out.extend(matrix(account));
     out.extend(graph);
@@ -51,9 +51,11 @@ fn matrix<'a>(account: &Account) -> Option<StoryBlock<'a>> {
 /// The title of the section on what was found.
 pub(super) const FOUND: (&str, &str) = ("/findings", "What was found");
 
-/// Page one.
-pub(super) fn front<'a>(derivation: &'a Derivation, account: &'a Account) -> StoryBlock<'a> {
-    StoryBlock::Group("front", page_one::blocks(derivation, account))
+/// Page one, and what has no room on its first screen.
+pub(super) fn front<'a>(derivation: &'a Derivation, account: &'a Account) -> Vec<StoryBlock<'a>> {
+    let mut blocks = page_one::blocks(derivation, account);
+    let below = blocks.pop();
+    std::iter::once(StoryBlock::Group("front", blocks)).chain(below).collect()
 }
 
 /// What was found, below page one: the counts, a map of the claims, and what was left unsaid.

@@ -5,7 +5,7 @@
 
 use super::Step;
 use crate::expr::domain::Sign;
-use crate::expr::{Expr, Leaf};
+use crate::expr::{Expr, Leaf, Node, Op};
 use crate::findings::standing::{Exception, Finding, Void};
 use crate::findings::{IdentityAccount, IdentityEvidence};
 use crate::verdict::Witness;
@@ -135,6 +135,11 @@ impl Step<'_> {
                         Condition::Discriminant(e) => (&mut out.given_only_where, e, Bounded::NotNegative),
                         Condition::Unit(e) => (&mut out.conditions, e, Bounded::ByOne),
                         Condition::Positive(e) => (&mut out.conditions, e, Bounded::Positive),
+                    };
+                    // Of what is bounded whatever its sign the sign is not told.
+                    let e = match (is, self.graph.node(e)) {
+                        (Bounded::NotZero | Bounded::Zero | Bounded::ByOne, Node::Unary(Op::Neg, of)) => *of,
+                        _ => e,
                     };
                     let one = Proviso::Where { formula: self.shown(e).into(), is };
                     if !list.contains(&one) {

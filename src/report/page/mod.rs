@@ -67,7 +67,7 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
         main id="/main" {
             section id=(whole::FOUND.0) {
                 h2 { (whole::FOUND.1) }
-                (shown(&[whole::front(derivation, account)])) (PreEscaped(listed))
+                (shown(&whole::front(derivation, account))) (PreEscaped(listed))
             }
             (graph::section(derivation, account)) (matrix::section(account)) (PreEscaped(folding))
         }
@@ -94,7 +94,10 @@ fn header(derivation: &Derivation, contents_of: Option<&Account>) -> Markup {
             h1 { (prose(&derivation.title, scope)) }
             p {
                 (prose(&derivation.concerns, scope))
-                @if let Some(source) = &derivation.source { " " span.quiet { "Source: " (prose(source, scope)) } }
+                // A screen has it where the making is told.
+                @if let Some(source) = derivation.source.as_ref().filter(|_| contents_of.is_none()) {
+                    " " span.quiet { "Source: " (prose(source, scope)) }
+                }
             }
             @if let Some(account) = contents_of { (contents(derivation, account)) }
         }
@@ -103,7 +106,7 @@ fn header(derivation: &Derivation, contents_of: Option<&Account>) -> Markup {
 
 /// The first page alone, to be printed.
 pub fn first_page(derivation: &Derivation, account: &Account) -> String {
-    let front = [whole::front(derivation, account)];
+    let front = whole::front(derivation, account);
     let body = html! {
         (header(derivation, None))
         main id="/main" { (story::html(&front, Medium::Screen)) }

@@ -66,9 +66,15 @@ fn put(block: &StoryBlock<'_>, out: &mut String) {
 }
 
 fn put_item(item: &StoryItem<'_>, out: &mut String) {
-    let mark = if item.mark.is_empty() { String::new() } else { format!("[{}]", escaped(&item.mark)) };
-    out.push_str(&format!("\\item{mark} {}\n\n", line(&item.line)));
+    // In braces: the first closing bracket would end it.
+    let mark = if item.mark.is_empty() { String::new() } else { format!("[{{{}}}]", escaped(&item.mark)) };
+    out.push_str(&format!("\\item{mark} {}\n\n", no_argument(line(&item.line))));
     put_all(&item.below, out);
+}
+
+/// A text that a command before it does not take for its argument: the end of a row, and an item, look for one.
+fn no_argument(text: String) -> String {
+    if text.trim_start().starts_with(['[', '*']) { format!("{{}}{text}") } else { text }
 }
 
 fn line(spans: &[StorySpan<'_>]) -> String {
@@ -102,7 +108,7 @@ fn span(span: &StorySpan<'_>) -> String {
 
 fn table(of: &StoryTable<'_>) -> String {
     let row = |cells: &[Vec<StorySpan<'_>>]| {
-        format!("{}\\\\\n", cells.iter().map(|c| line(c)).collect::<Vec<_>>().join(" & "))
+        format!("{}\\\\\n", no_argument(cells.iter().map(|c| line(c)).collect::<Vec<_>>().join(" & ")))
     };
     let rows: String = of.rows.iter().map(|cells| row(cells)).collect();
     if of.cells == TableCells::Symbols {
