@@ -12,6 +12,11 @@ use diag::escape::shown;
 const SHORT: usize = 4;
 
 impl PrintedSide {
+    /// What it prints: two sides with the same print are the same, letter by letter.
+    pub fn print(&self) -> String {
+        mark::print(&self.tokens)
+    }
+
     /// The formula with a dot wherever a name that `is_factor` stands right before parentheses, so that it is read as a factor.
     pub fn with_factors(&self, is_factor: &dyn Fn(&str) -> bool) -> String {
         let mut out: Vec<Token> = Vec::with_capacity(self.tokens.len());
