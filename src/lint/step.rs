@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use paper::{PrintedSide, names, squeezed};
 use proof::Identity;
 
-use super::desk::{Given, names_variable};
+use super::desk::{Given, derived_by, names_variable};
 use super::facts::{Reach, Stated};
 use super::judge::Judge;
 use super::lone::{lone_name, unprimed};
@@ -152,9 +152,10 @@ impl Judge<'_> {
             list.retain(|g| !self.is_implied_otherwise(g.relation, place.at));
         }
         if let Some(of) = held_fixed(sides, &plain, true, true) {
-            // What depends on the variable in a second way may be held fixed.
-            plain.retain(|g| of.contains(&g.key));
-            with_rates.retain(|g| of.contains(&g.key));
+            // What depends on the variable in a second way is held fixed; beside a total derivative nothing is.
+            let is_held = |g: &Given| of.contains(&g.key) && !has_both_derivatives(sides);
+            plain.retain(is_held);
+            with_rates.retain(is_held);
         }
         if !plain.is_empty() {
             out.push(rests(plain.clone(), Vec::new()));
@@ -176,9 +177,9 @@ impl Judge<'_> {
             let display = |at: usize| self.display_of(at);
             let own = display(place.at);
             // Another right side of the same left one is said of another case.
-            let first = |s: &Stated| self.paper.printed[s.relation].sides.first().map(|side| squeezed(&side.text));
-            let left = squeezed(&sides[0].text);
-            let again = |s: &Stated| left == squeezed(&s.left.text) || first(s).as_ref() == Some(&left);
+            let first = |s: &Stated| self.paper.printed[s.relation].sides.first().map(PrintedSide::print);
+            let left = sides[0].print();
+            let again = |s: &Stated| left == s.left.print() || first(s).as_ref() == Some(&left);
             stated.retain(|s| !again(s) || place.sureness != Sureness::Stands);
             stated.retain(|s| !self.is_stated_otherwise(s));
             stated.retain(|s| !self.is_implied_otherwise(s.relation, place.at) && !self.is_of_former(s, place.at));
@@ -340,8 +341,15 @@ fn free_in(sides: [&PrintedSide; 2], rests: &Rests, free: &BTreeSet<char>) -> BT
     free.intersection(&printed).copied().collect()
 }
 
+/// Whether something is derived partially, and something as a whole, by the same variable.
+fn has_both_derivatives(sides: [&PrintedSide; 2]) -> bool {
+    let all: Vec<paper::PaperName> = sides.into_iter().flat_map(names).collect();
+    let by = |is_partial: bool| all.iter().filter_map(move |n| derived_by(n, is_partial));
+    by(true).any(|variable| by(false).any(|other| other == variable))
+}
+
 /// Where a derivative is taken of what is defined, and another definition depends on its variable, too: the names that are derived. What is
-/// held fixed is not said then. The time is no such variable.
+/// held fixed is not said then. With the time as a whole everything moves.
 fn held_fixed(
     sides: [&PrintedSide; 2],
     given: &[Given],
@@ -363,7 +371,7 @@ fn held_fixed(
             (None, false) if name.primes > 0 => place(&name).or_else(of_definition),
             (None, _) => None,
         };
-        if let Some(variable) = variable.filter(|v| v != "t") {
+        if let Some(variable) = variable.filter(|v| is_partial || v != "t") {
             of.insert(key);
             by.insert(variable);
         }
