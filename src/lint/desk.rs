@@ -176,7 +176,7 @@ fn varies(one: &Given, given: &[&Given], evidence: &Evidence, time: &str) -> boo
 }
 
 /// The keys of what is defined by others, down to what has no definition.
-fn inside(keys: &[String], given: &[&Given]) -> Vec<String> {
+pub(super) fn inside(keys: &[String], given: &[&Given]) -> Vec<String> {
     let mut out = keys.to_vec();
     let mut at = 0;
     while let Some(key) = out.get(at).cloned() {
