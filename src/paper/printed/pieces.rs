@@ -156,9 +156,10 @@ fn may_begin_word(tokens: &[Token], at: usize, is_first: bool, word: &str) -> bo
     is_first || !is_wanted && before.is_some_and(|t| is_printed_space(t) || is_long && t.kind == Kind::Space)
 }
 
-/// Commands that print a wide space, or begin a line.
-const WIDE: &[&str] =
-    &["hfill", "hfil", "hfilneg", "enspace", "enskip", "break", "linebreak", "pagebreak", "newline", "par"];
+/// Commands that print a wide space.
+const WIDE: &[&str] = &["hfill", "hfil", "hfilneg", "enspace", "enskip"];
+/// Commands that begin a line.
+const BREAKS: &[&str] = &["break", "linebreak", "pagebreak", "newline", "par"];
 
 /// The position after a wide space that begins here and is no `\quad`: a length, a fill, a break, three small ones in a row.
 fn gap(tokens: &[Token], at: usize) -> Option<usize> {
@@ -167,7 +168,7 @@ fn gap(tokens: &[Token], at: usize) -> Option<usize> {
             || t.kind == Kind::Command
                 && matches!(t.text.as_str(), ";" | " " | ":" | ">" | "," | "thickspace" | "medspace")
     };
-    let (mut next, mut count, mut wide) = (at, 0, false);
+    let (mut next, mut count, mut wide, mut breaks) = (at, 0, false, false);
     while let Some(token) = tokens.get(next) {
         if token.is("hspace") || token.is("phantom") || token.is("hphantom") {
             let star = usize::from(tokens.get(next + 1).is_some_and(|t| t.is_char("*")));
@@ -179,6 +180,9 @@ fn gap(tokens: &[Token], at: usize) -> Option<usize> {
         } else if token.kind == Kind::Command && WIDE.contains(&token.text.as_str()) {
             next += 1;
             wide = true;
+        } else if token.kind == Kind::Command && BREAKS.contains(&token.text.as_str()) {
+            next += 1;
+            breaks = true;
         } else if small(token) {
             count += 1;
             next += 1;
@@ -188,9 +192,9 @@ fn gap(tokens: &[Token], at: usize) -> Option<usize> {
             break;
         }
     }
-    // What goes on behind a break with a sign is one formula.
-    let goes_on = |t: &Token| is_relation(t) || is_operator(t);
-    (next > at && (wide || count > 2) && !tokens.get(next).is_some_and(goes_on)).then_some(next)
+    // A line that begins with a sign goes on from the one before.
+    let goes_on = tokens.get(next).is_some_and(|t| is_relation(t) || is_operator(t));
+    (wide || breaks && !goes_on || count > 2).then_some(next)
 }
 
 /// Whether a sign of relation stands before the next separator.
