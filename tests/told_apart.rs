@@ -135,6 +135,21 @@ fn a_partial_derivative_by_the_time_is_of_what_stands_there() {
     says(&format!(r"{moved}\[ \partial_tf=x \]"), &[Defines, Defines, Follows]);
     says(&format!(r"{moved}\[ \partial_tf=2x \]"), &[Defines, Defines, Condition]);
     says(&format!(r"{moved}\[ \frac{{\partial f}}{{\partial t}}=\frac{{df}}{{dt}} \]"), &[Defines, Defines, NotRead]);
+    // Through a name for the derivative, in an equation, and of a formula in parentheses; by another variable, too.
+    says(
+        r"\[ f=xt \] with \[ x=vt \] and \[ g=\frac{\partial f}{\partial t} \] Hence \[ g=x \]",
+        &[Defines, Defines, Defines, Follows],
+    );
+    for (variable, text) in [
+        ("t", r"and \[ g=\frac{\partial f}{\partial T} \] Hence \[ g=2x \]"),
+        ("y", r"and \[ g=\frac{\partial f}{\partial T} \] Hence \[ g=2x \]"),
+        ("t", r"Hence \[ g+h=\frac{\partial f}{\partial T} \] hence \[ g+h=2x \]"),
+        ("t", r"Hence \[ \frac{\partial(xT)}{\partial T}=2x \]"),
+    ] {
+        let text = format!(r"\[ f=xT \] with \[ x=vT \] {text}").replace('T', variable);
+        let (word, ..) = tex(&text).pop().expect("a relation");
+        assert!(!matches!(word, Follows | Wrong), "{text}: {word:?}");
+    }
     // What moves in the formula, and in no formula.
     let energy = r"\[ H=\frac{p^2}{2m}+\frac{kx^2}{2} \] ";
     let is = r"\[ \frac{dH}{dt}=\frac{\partial H}{\partial t} \]";
@@ -186,6 +201,11 @@ fn a_wide_space_parts_two_formulas() {
     // A formula goes on behind a break.
     assert_eq!(tex(r"\[ u=x^2\break +v=3 \]").len(), 1);
     assert_eq!(tex(r"\[ u=x^2\hskip1cm v \]").len(), 1);
+    // A formula begins with a sign behind a space.
+    for space in [r"\hskip1cm", r"\hspace{1cm}", r"\qquad"] {
+        assert_eq!(tex(&format!(r"\[ u=x^2{space} -v=3 \]")).len(), 2, "{space}");
+    }
+    assert_eq!(tex(r"With $u=x^2\hskip1cm v=3$").len(), 2);
 }
 
 #[test]
