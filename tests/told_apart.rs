@@ -154,7 +154,7 @@ fn a_partial_derivative_by_the_time_is_of_what_stands_there() {
     let energy = r"\[ H=\frac{p^2}{2m}+\frac{kx^2}{2} \] ";
     let is = r"\[ \frac{dH}{dt}=\frac{\partial H}{\partial t} \]";
     for text in [
-        format!(r"\[ f=x^2t \] Then $\dot x=v$ and \[ \frac{{df}}{{dt}}=\frac{{\partial f}}{{\partial t}} \]"),
+        r"\[ f=x^2t \] Then $\dot x=v$ and \[ \frac{df}{dt}=\frac{\partial f}{\partial t} \]".to_owned(),
         format!(r"{energy} Then $\dot x=\frac pm$ and {is}"),
         format!(r"{energy} Then $\dot x=\frac pm$, $\dot p=-kx$ and {is}"),
         r"Hence \[ \frac{df}{dt}=\frac{\partial f}{\partial t} \]".to_owned(),
