@@ -62,8 +62,13 @@ impl Page<'_> {
 
     /// Where the line ends that a place is in, its break included.
     fn end_of_line(&self, at: usize) -> usize {
-        let break_at = self.text.as_bytes()[at..].iter().position(|b| *b == b'\n');
-        break_at.map_or(self.text.len(), |i| at + i + 1)
+        self.end_of_line_within(at..self.text.len())
+    }
+
+    /// The same, not beyond the end of a range.
+    fn end_of_line_within(&self, range: Range<usize>) -> usize {
+        let break_at = self.text.as_bytes()[range.clone()].iter().position(|b| *b == b'\n');
+        break_at.map_or(range.end, |i| range.start + i + 1)
     }
 
     /// Passes over what a file says of itself before its text.
@@ -324,7 +329,7 @@ impl Page<'_> {
         }
         let mut line = from;
         while line < end {
-            let next = self.end_of_line(line).min(end);
+            let next = self.end_of_line_within(line..end);
             self.without_comment(line..next);
             if next < end {
                 let (begin, _) = self.quoted(next, depth);
