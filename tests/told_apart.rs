@@ -85,7 +85,9 @@ fn components_have_commas_or_none() {
 #[test]
 fn papers_with_commas_below_names() {
     for text in ["x_{1,12}=x_{11,2}", "u_{x,y}=u_{xy}", "x_{a,bc}=x_{ab,c}", r"x_{\text{a b}}=x_{\text{ab}}"] {
-        let found = tex(&format!(r"\[ {text} \] Hence \[ 2+{text} \]"));
+        let (one, other) = text.split_once('=').expect("an equation");
+        let square = format!(r"({one}+1)^2={other}^2+2{other}+1");
+        let found = tex(&format!(r"\[ {square} \] \[ y={one} \] Hence \[ y^2={other}^2 \]"));
         assert!(found.iter().all(|(word, ..)| !matches!(word, Word::Follows | Word::Wrong)), "{found:?}");
     }
     for name in ["x_{1,12}", "u_{x, y}", r"x_{\text{a b}}", r"T_{\textrm{max out},i}"] {
