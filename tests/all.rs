@@ -127,6 +127,7 @@ mod source;
 mod starved;
 mod supply_chain;
 mod sweep;
+mod told_apart;
 mod two_routes;
 mod units;
 mod unreplayed;

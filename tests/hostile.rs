@@ -418,6 +418,8 @@ fn a_paper_of_strangers_is_text_on_its_page() {
         let document = rederive::report::lint_document(&paper, &found);
         assert_eq!(document["paper"], text);
         assert_eq!(document["relations"].as_array().map(Vec::len), Some(found.judgements.len()));
+        let unread = rederive::report::unread_document(text, text);
+        assert_eq!((&unread["paper"], &unread["unreadable"]), (&document["paper"], &document["paper"]));
     }
 }
 
@@ -437,6 +439,7 @@ fn the_table_has_every_writer() {
     let in_the_table = [
         "lint_findings",
         "lint_document",
+        "unread_document",
         "lint_formulas",
         "lint_json",
         "lint_page",

@@ -90,7 +90,16 @@ fn once(arguments: &LintArguments, papers: &[PathBuf]) -> Result<Ending, Stop> {
     let logarithm = arguments.log.or_configured()?;
     let mut all = Vec::new();
     for path in papers {
-        let mut paper = read(path)?;
+        let mut paper = match read(path) {
+            Ok(paper) => paper,
+            Err(stop) if arguments.format == Format::Json => {
+                // A program is told where it looks.
+                let unread = report::unread_document(&path.to_string_lossy(), &said(&*stop));
+                put(arguments, papers, &json(&all, Some(unread))?)?;
+                return Err(stop);
+            }
+            Err(stop) => return Err(stop),
+        };
         paper.logarithm = logarithm;
         let found = lint::lint(&paper, &limits);
         all.push((paper, found));
@@ -101,19 +110,10 @@ fn once(arguments: &LintArguments, papers: &[PathBuf]) -> Result<Ending, Stop> {
             files::write::write_file(page, report::lint_page(paper, found).as_bytes())?;
         }
     }
-    if let Some(output) = &arguments.output {
-        let inputs: Vec<PathBuf> = papers.iter().chain(&arguments.html).cloned().collect();
-        files::write::check_outputs(std::slice::from_ref(output), &inputs, &[])?;
-    }
-    let put = |text: &str| -> Result<(), Stop> {
-        match &arguments.output {
-            Some(output) => Ok(files::write::write_file(output, text.as_bytes())?),
-            None => print(text),
-        }
-    };
+    let put = |text: &str| put(arguments, papers, text);
     let told = || all.iter().flat_map(|(paper, found)| lint_findings(paper, found)).collect::<Vec<_>>();
     match arguments.format {
-        Format::Json => put(&json(&all)?)?,
+        Format::Json => put(&json(&all, None)?)?,
         Format::Sarif => put(&sarif(&told()))?,
         Format::Github => put(&github(&told()))?,
         _ if arguments.output.is_some() => return Err("--output takes a --format that programs read".into()),
@@ -129,6 +129,22 @@ fn once(arguments: &LintArguments, papers: &[PathBuf]) -> Result<Ending, Stop> {
     }
     let wrong = all.iter().any(|(_, found)| found.count(Word::Wrong) > 0);
     Ok(if wrong { Ending::Different } else { Ending::Good })
+}
+
+/// Writes what programs read, to standard output or to a file.
+fn put(arguments: &LintArguments, papers: &[PathBuf], text: &str) -> Result<(), Stop> {
+    let Some(output) = &arguments.output else { return print(text) };
+    let inputs: Vec<PathBuf> = papers.iter().chain(&arguments.html).cloned().collect();
+    files::write::check_outputs(std::slice::from_ref(output), &inputs, &[])?;
+    Ok(files::write::write_file(output, text.as_bytes())?)
+}
+
+/// Why a paper could not be read, in a sentence.
+fn said(stop: &(dyn std::error::Error + 'static)) -> String {
+    match stop.downcast_ref() {
+        Some(Failure::Problems(found)) => found.iter().map(|d| d.message.clone()).collect::<Vec<_>>().join("; "),
+        _ => stop.to_string(),
+    }
 }
 
 /// Looks through a paper whenever it is saved.
@@ -199,10 +215,10 @@ pub fn instead_of_command(word: &std::ffi::OsStr) -> Option<String> {
     })
 }
 
-/// The document of a paper; of several a list of them.
-fn json(all: &[(Paper, Lint)]) -> Result<String, Stop> {
-    let documents: Vec<serde_json::Value> =
-        all.iter().map(|(paper, found)| report::lint_document(paper, found)).collect();
+/// The document of a paper; of several a list of them, one that could not be read the last.
+fn json(all: &[(Paper, Lint)], unread: Option<serde_json::Value>) -> Result<String, Stop> {
+    let read = all.iter().map(|(paper, found)| report::lint_document(paper, found));
+    let documents: Vec<serde_json::Value> = read.chain(unread).collect();
     match documents.as_slice() {
         [one] => as_json(one),
         several => as_json(&several.to_vec().into()),

@@ -92,6 +92,11 @@ pub(super) fn style(command: &str) -> Option<&'static str> {
     })
 }
 
+/// Whether a command sets words, in which spaces are printed: `T_{\text{a b}}` is no `T_{\text{ab}}`.
+pub fn sets_words(command: &str) -> bool {
+    matches!(command, "text" | "mbox" | "hbox" | "textrm" | "textup" | "textnormal")
+}
+
 /// Whether a style switches the rest of a group, as `{\bf m}` does, instead of taking an argument.
 pub(super) fn is_switch(command: &str) -> bool {
     matches!(command, "bf" | "rm" | "cal" | "sf" | "it" | "frak")
@@ -160,6 +165,7 @@ pub(super) fn to_latex(name: &str) -> String {
     let styled = match style {
         None => base.to_owned(),
         Some("bf") if base.starts_with('\\') => format!(r"{{\boldsymbol{base}}}"),
+        Some("rm") if base.contains(' ') => format!(r"\text{{{base}}}"),
         Some(switch) if is_switch(switch) && !base.contains([':', '\'']) => format!(r"{{\{switch} {base}}}"),
         Some(switch) if is_switch(switch) => format!(r"\math{switch}{{{}}}", to_latex(base)),
         Some(AMOUNT) => format!("[{}]", to_latex(base)),

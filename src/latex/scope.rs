@@ -12,7 +12,7 @@ use entry::{Arguments, Entry, Pattern};
 use table::{Any, Kind, Table, base};
 
 use super::name;
-use super::syntax::SubItem;
+use super::syntax::{SubItem, indices};
 use diag::Problem;
 use expr::{Expr, Graph, Leaf, MOST_COORDINATES, Shape, Symbol, Tensor};
 
@@ -421,7 +421,8 @@ impl Scope {
         let meant = match found {
             Some(found) => self.by_symbol(found.symbol).filter(|_| !found.indices.is_empty()),
             None => {
-                let is_like = |e: &&Entry| name::unmarked(&e.name) == name::unmarked(name) && sub.len() == e.rank;
+                let is_like =
+                    |e: &&Entry| name::unmarked(&e.name) == name::unmarked(name) && indices(sub).len() == e.rank;
                 self.entries.like(name, &[]).filter(is_like).find(|e| self.entries.is_numbered(e.symbol))
             }
         };
@@ -439,6 +440,9 @@ impl Scope {
             if e.sub.is_empty() {
                 return Some(sub.to_vec());
             }
+            // `L_{i,j}` of an `L_{ij}` with a formula in its indices.
+            let own = e.sub.iter().all(|p| *p == Pattern::Index).then(|| indices(sub));
+            let sub = own.as_deref().unwrap_or(sub);
             // A label, or a pattern with index places, fits the beginning; further indices may follow.
             if sub.len() < e.sub.len() {
                 return None;
@@ -473,7 +477,8 @@ impl Scope {
                 best = Some((weight, e, indices));
             }
         }
-        let (_, entry, indices) = best?;
+        let (_, entry, behind) = best?;
+        let indices = indices(&behind);
         let derivatives = self.derivatives(entry, &indices);
         let indices = if derivatives.is_some() { Vec::new() } else { indices };
         let formal: &[(Symbol, Shape)] = match &entry.arguments {

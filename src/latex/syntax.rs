@@ -29,8 +29,17 @@ pub enum SubItem {
     Name(Name),
     /// A digit.
     Digit(u16),
-    /// Anything else, such as `(`, `-`, `)`.
+    /// Anything else, such as `(`, `-`, `)`; a comma tells labels apart, `A_{1,12}` and `A_{11,2}`.
     Other(char),
+}
+
+/// A subscript that names components, without the commas between its indices: `R_{1,2}` is `R_{12}`. Where a comma does not stand between
+/// each two it stays, and is no index.
+pub(super) fn indices(items: &[SubItem]) -> Vec<SubItem> {
+    let comma = SubItem::Other(',');
+    let items = items.strip_prefix(std::slice::from_ref(&comma)).unwrap_or(items);
+    let are_apart = items.split(|item| *item == comma).all(|one| one.len() == 1);
+    items.iter().filter(|item| !are_apart || **item != comma).cloned().collect()
 }
 
 /// A symbol with what is attached to it.

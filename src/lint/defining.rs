@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 
-use paper::{Call, PrintedRelation, PrintedSide, names, squeezed};
+use paper::{Call, PrintedRelation, PrintedSide, names};
 
 use super::desk::{Desk, Given};
 use super::facts::Reach;
@@ -33,11 +33,10 @@ impl Judge<'_> {
 
     /// The relation that defines a name just so, in this section.
     pub(super) fn same_definition(&self, name: Option<&paper::PaperName>, right: &PrintedSide) -> Option<usize> {
-        let text = squeezed(&right.text);
+        let print = right.print();
         let name = name?;
-        let same = |g: &&Given| {
-            !g.is_rate && g.section == self.section && squeezed(&g.right.text) == text && !is_elsewhere(g, name)
-        };
+        let same =
+            |g: &&Given| !g.is_rate && g.section == self.section && g.right.print() == print && !is_elsewhere(g, name);
         self.facts.given.of(&name.key()).rev().find(same).map(|g| g.relation)
     }
 

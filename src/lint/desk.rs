@@ -176,7 +176,7 @@ fn varies(one: &Given, given: &[&Given], evidence: &Evidence, time: &str) -> boo
 }
 
 /// The keys of what is defined by others, down to what has no definition.
-fn inside(keys: &[String], given: &[&Given]) -> Vec<String> {
+pub(super) fn inside(keys: &[String], given: &[&Given]) -> Vec<String> {
     let mut out = keys.to_vec();
     let mut at = 0;
     while let Some(key) = out.get(at).cloned() {
@@ -195,6 +195,14 @@ pub(super) fn names_variable(key: &str, by: &str, given: &[&Given]) -> bool {
     inside(std::slice::from_ref(&key), given).iter().chain([&key]).any(|k| k == of)
 }
 
+/// By what a name is derived, partially or as a whole.
+pub(super) fn derived_by(name: &PaperName, is_partial: bool) -> Option<&str> {
+    match &name.derived_by {
+        Some(by) => (name.is_partial == is_partial).then_some(by.as_str()),
+        None => (name.dots > 0 && !is_partial).then_some("t"),
+    }
+}
+
 /// Whether what a step derives is known to depend on what it is derived by.
 fn rates_are_given(
     all: &[PaperName],
@@ -209,6 +217,17 @@ fn rates_are_given(
             if all.iter().any(is_derived) && !varies(one, given, evidence, time) {
                 return Err(NotRead::of(format!("a rate of {}, which is defined by what has none", one.key)));
             }
+        }
+    }
+    // Of what has no formula it is not known what else changes with the variable: its partial derivative is another one than the total one.
+    for name in all {
+        let Some(by) = derived_by(name, true) else { continue };
+        let key = name.key();
+        let is_total = |n: &PaperName| n.key() == key && derived_by(n, false) == Some(by);
+        if all.iter().any(is_total) && !given.iter().any(|g| g.key == key && !g.is_rate) {
+            return Err(NotRead::of(format!(
+                "a partial derivative of {key} beside the total one: what is held fixed is not known"
+            )));
         }
     }
     // The same of what is derived partially: that names in its definition do not depend on the variable is nowhere said.

@@ -6,7 +6,7 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
-use paper::{PrintedSide, names, squeezed};
+use paper::{PrintedSide, names};
 
 use super::desk::Given;
 use super::lone::unprimed;
@@ -219,9 +219,8 @@ impl Facts {
         let apart: BTreeSet<&String> = own[0].symmetric_difference(&own[1]).collect();
         let all: BTreeSet<&String> = own[0].union(&own[1]).collect();
         // What is said again proves nothing.
-        let again = |s: &Stated| {
-            squeezed(&s.left.text) == squeezed(&sides[0].text) && squeezed(&s.right.text) == squeezed(&sides[1].text)
-        };
+        let prints = sides.map(PrintedSide::print);
+        let again = |s: &Stated| [s.left.print(), s.right.print()] == prints;
         let near = |s: &&Stated| s.section == section && s.relation != at;
         // They are in the order of the paper.
         let latest = || self.stated.iter().rev().take_while(|s| s.relation + NEAR >= at).filter(near);

@@ -24,7 +24,6 @@ use super::space::General;
 use super::standing::{Standing, standings};
 use super::step::{Blame, Place, Step};
 use super::{Judgement, Lint, Word};
-use paper::squeezed;
 
 /// Longest side, in bytes, that is looked at.
 pub(super) const LONGEST: usize = 1500;
@@ -514,7 +513,7 @@ impl Judge<'_> {
         }
         if let Some(before) = anew.filter(|_| out.word == Word::Defines) {
             let again = lone_right(relation).is_some_and(|right| {
-                let same = |g: &Given| g.relation == before && squeezed(&g.right.text) == squeezed(&right.text);
+                let same = |g: &Given| g.relation == before && g.right.print() == right.print();
                 first.as_ref().is_some_and(|n| self.facts.given.of(&n.key()).any(same))
             });
             (out.word, out.why) = match differs {

@@ -25,7 +25,7 @@ pub(super) fn are_multiples(left: &PrintedSide, right: &PrintedSide) -> bool {
         text.trim_start_matches(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+')).to_owned()
     };
     let (one, other) = (core(left), core(right));
-    one == other && one.chars().any(char::is_alphabetic) && squeezed(&left.text) != squeezed(&right.text)
+    one == other && one.chars().any(char::is_alphabetic) && left.print() != right.print()
 }
 
 /// Whether a side stands in brackets: dimensions are compared.

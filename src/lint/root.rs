@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 
-use paper::{PrintedRelation, PrintedSide, names, squeezed};
+use paper::{PrintedRelation, PrintedSide, names};
 use proof::Identity;
 
 use super::LintWitness;
@@ -111,7 +111,7 @@ impl Judge<'_> {
         };
         let is_last_word = || {
             let next = paper.printed.get(at + 1).filter(|r| r.display == relation.display);
-            next.is_none_or(|r| squeezed(&r.sides[0].text) != squeezed(&relation.sides[0].text))
+            next.is_none_or(|r| r.sides[0].print() != relation.sides[0].print())
         };
         concludes
             && is_plain(relation)

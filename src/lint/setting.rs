@@ -102,7 +102,7 @@ impl Judge<'_> {
         let is_or = |w: &str| matches!(w, "or" | "oder" | "ou" | "oppure" | "o");
         words.next().is_some_and(is_or)
             && words.next().is_none()
-            && squeezed(&before.sides[0].text) == squeezed(&relation.sides[0].text)
+            && before.sides[0].print() == relation.sides[0].print()
     }
 
     /// Whether a relation stands in a display with "or" between its formulas, or is offered beside another one.
@@ -144,7 +144,7 @@ impl Judge<'_> {
                 && g.is_rate == given.is_rate
                 && self.display_of(g.relation) == display
                 && (display.is_some() || g.relation.abs_diff(given.relation) <= 2 && self.is_one_paragraph(g, given))
-                && squeezed(&g.right.text) != squeezed(&given.right.text)
+                && g.right.print() != given.right.print()
         };
         let others: Vec<PrintedSide> =
             self.facts.given.of(&given.key).filter(|g| other(g)).map(|g| g.right.clone()).collect();
@@ -197,7 +197,7 @@ impl Judge<'_> {
             let all: Vec<&Given> = self.facts.given.of(key).filter(|g| !g.is_rate && g.relation < at).collect();
             let before = all.iter().rev().find(|g| g.relation <= one.relation);
             let later = all.iter().find(|g| g.relation > one.relation);
-            before.zip(later).is_some_and(|(b, l)| squeezed(&b.right.text) != squeezed(&l.right.text))
+            before.zip(later).is_some_and(|(b, l)| b.right.print() != l.right.print())
         })
     }
 
@@ -211,11 +211,10 @@ impl Judge<'_> {
 
     /// Whether the same left side, which is more than a name, is said to be something else near an equation: they are of two cases.
     pub(super) fn is_stated_otherwise(&self, one: &Stated) -> bool {
-        let left = squeezed(&one.left.text);
+        let (left, right) = (one.left.print(), one.right.print());
         let near = self.facts.stated.iter().rev().take_while(|s| s.relation + NEAR >= one.relation);
         let mut other = near.filter(|s| s.relation != one.relation && s.section == one.section);
-        lone_name(&one.left).is_none()
-            && other.any(|s| squeezed(&s.left.text) == left && squeezed(&s.right.text) != squeezed(&one.right.text))
+        lone_name(&one.left).is_none() && other.any(|s| s.left.print() == left && s.right.print() != right)
     }
 
     /// Whether a name has one value before an equation, and another one between it and a later relation.
@@ -223,7 +222,7 @@ impl Judge<'_> {
         let all = &self.paper.printed;
         let value = |k: usize| match all[k].sides.as_slice() {
             [left, right] if all[k].display.is_none() && all[k].signs[0] == "=" && names(right).is_empty() => {
-                lone_name(left).map(|n| (n.key(), squeezed(&right.text)))
+                lone_name(left).map(|n| (n.key(), right.print()))
             }
             _ => None,
         };

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use paper::{Call, Opening, Paper, PrintedRelation, PrintedSide, names, opening, squeezed};
+use paper::{Call, Opening, Paper, PrintedRelation, PrintedSide, names, opening};
 
 use super::lone::lone_name;
 use super::sentence::word_before;
@@ -110,9 +110,7 @@ fn under_cases_of_display(all: &[PrintedRelation], range: Range<usize>, out: &mu
                 |k: usize| all[k].opening == Some(Opening::Case) && all[k].signs.iter().any(|s| is_one_of(COMPARES, s));
             let own = |k: usize| all[k].row == all[at].row && is_range(k);
             let again = |k: usize| {
-                k != at
-                    && out[k] != Standing::Condition
-                    && squeezed(&all[k].sides[0].text) == squeezed(&all[at].sides[0].text)
+                k != at && out[k] != Standing::Condition && all[k].sides[0].print() == all[at].sides[0].print()
             };
             range.clone().any(own) && range.clone().any(again)
         };

@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use paper::{PrintedSide, names, squeezed};
 use proof::Identity;
 
-use super::desk::{Given, names_variable};
+use super::desk::{Given, derived_by, inside, names_variable};
 use super::facts::{Reach, Stated};
 use super::judge::Judge;
 use super::lone::{lone_name, unprimed};
@@ -151,16 +151,13 @@ impl Judge<'_> {
             list.retain(|g| !self.is_implied_beside(g, place.at) && !self.is_defined_beside(g, place.free));
             list.retain(|g| !self.is_implied_otherwise(g.relation, place.at));
         }
-        if let Some(of) = held_fixed(sides, &plain, true, true) {
-            // What depends on the variable in a second way may be held fixed.
-            plain.retain(|g| of.contains(&g.key));
-            with_rates.retain(|g| of.contains(&g.key));
-        }
+        hold(&sides, &mut plain);
+        hold(&sides, &mut with_rates);
         if !plain.is_empty() {
             out.push(rests(plain.clone(), Vec::new()));
         }
         // `C'(r)` of a formula with V in it, which is held fixed, though it is \pi r^2h.
-        if let Some(of) = held_fixed(sides, &plain, false, false) {
+        if let Some(Held { of, .. }) = held_fixed(&sides, &plain, false) {
             out.push(rests(plain.iter().filter(|g| of.contains(&g.key)).cloned().collect(), Vec::new()));
         }
         if with_rates.len() > plain.len() {
@@ -176,9 +173,9 @@ impl Judge<'_> {
             let display = |at: usize| self.display_of(at);
             let own = display(place.at);
             // Another right side of the same left one is said of another case.
-            let first = |s: &Stated| self.paper.printed[s.relation].sides.first().map(|side| squeezed(&side.text));
-            let left = squeezed(&sides[0].text);
-            let again = |s: &Stated| left == squeezed(&s.left.text) || first(s).as_ref() == Some(&left);
+            let first = |s: &Stated| self.paper.printed[s.relation].sides.first().map(PrintedSide::print);
+            let left = sides[0].print();
+            let again = |s: &Stated| left == s.left.print() || first(s).as_ref() == Some(&left);
             stated.retain(|s| !again(s) || place.sureness != Sureness::Stands);
             stated.retain(|s| !self.is_stated_otherwise(s));
             stated.retain(|s| !self.is_implied_otherwise(s.relation, place.at) && !self.is_of_former(s, place.at));
@@ -189,9 +186,10 @@ impl Judge<'_> {
         }
         // Definitions of what only the equations name, too.
         let with_definitions = |stated: Vec<Stated>| {
-            let mut all: Vec<&PrintedSide> = sides.to_vec();
-            all.extend(stated.iter().flat_map(|s| [&s.left, &s.right]));
-            rests(self.facts.definitions(&all, reach, false), stated.clone())
+            let all = with_stated(sides, &stated);
+            let mut given = self.facts.definitions(&all, reach, false);
+            hold(&all, &mut given);
+            rests(given, stated.clone())
         };
         let singles = if stated.len() > 1 { stated.clone() } else { Vec::new() };
         // Two equations of motion for the same name are two motions: together they say that nothing moves.
@@ -271,7 +269,8 @@ impl Judge<'_> {
     fn wrong(&mut self, sides: [&PrintedSide; 2], place: &Place, asked: &mut Vec<(Asked, Rests)>) -> Option<WrongStep> {
         let defined = self.facts.definitions(&sides, place.reach, false);
         let is_open = sides.iter().any(|s| has_open_derivative(&s.text))
-            || [true, false].iter().any(|&partial| held_fixed(sides, &defined, partial, false).is_some());
+            || held_fixed(&sides, &defined, false).is_some()
+            || held_fixed(&with_given(&sides, &defined), &defined, true).is_some();
         // Between absolute values and roots, where a name is negative counts.
         // Of numbers alone nothing vanishes.
         let has_names = sides.iter().any(|s| !names(s).is_empty());
@@ -298,6 +297,11 @@ impl Judge<'_> {
             if place.is_first && defines_again(sides[0], &rests)
                 || leaves_derivative_free(sides, &defined, &rests.given)
             {
+                continue;
+            }
+            let all = with_stated(sides, &rests.stated);
+            let given = self.facts.definitions(&all, place.reach, false);
+            if held_fixed(&with_given(&all, &given), &given, true).is_some() {
                 continue;
             }
             let known = asked.iter().position(|(_, r)| r.rests_on_the_same(&rests));
@@ -340,18 +344,49 @@ fn free_in(sides: [&PrintedSide; 2], rests: &Rests, free: &BTreeSet<char>) -> BT
     free.intersection(&printed).copied().collect()
 }
 
-/// Where a derivative is taken of what is defined, and another definition depends on its variable, too: the names that are derived. What is
-/// held fixed is not said then. The time is no such variable.
-fn held_fixed(
-    sides: [&PrintedSide; 2],
-    given: &[Given],
-    is_partial: bool,
-    wants_shown: bool,
-) -> Option<BTreeSet<String>> {
-    let mut of: BTreeSet<String> = BTreeSet::new();
-    let mut by: BTreeSet<String> = BTreeSet::new();
-    for name in sides.into_iter().flat_map(names) {
-        let key = unprimed(&name).key();
+/// Some sides, and those of equations.
+fn with_stated<'s>(sides: [&'s PrintedSide; 2], stated: &'s [Stated]) -> Vec<&'s PrintedSide> {
+    sides.into_iter().chain(stated.iter().flat_map(|s| [&s.left, &s.right])).collect()
+}
+
+/// Some sides, and what definitions say.
+fn with_given<'s>(sides: &[&'s PrintedSide], given: &'s [Given]) -> Vec<&'s PrintedSide> {
+    sides.iter().copied().chain(given.iter().map(|g| &g.right)).collect()
+}
+
+/// Takes the definitions away of what a partial derivative holds fixed: what depends on its variable, and stands in the formula that is
+/// derived and shows the variable. `L=T-V` shows none: its terms are derived. Beside the total derivative nothing is held fixed, and nothing
+/// is known.
+fn hold(sides: &[&PrintedSide], given: &mut Vec<Given>) {
+    let all = with_given(sides, given);
+    let Some(Held { by, fixed, .. }) = held_fixed(&all, given, true).filter(|held| held.is_shown) else { return };
+    let is_total =
+        all.iter().flat_map(|side| names(side)).any(|n| derived_by(&n, false).is_some_and(|v| by.contains(v)));
+    given.retain(|g| !is_total && !fixed.contains(&g.key));
+}
+
+/// What is derived of what is defined, where something in it depends on the variable in a second way: what is held fixed is not said then.
+struct Held {
+    /// The names that are derived.
+    of: BTreeSet<String>,
+    /// The variables.
+    by: BTreeSet<String>,
+    /// The names in their formulas that depend on these.
+    fixed: BTreeSet<String>,
+    /// Whether a formula that is derived shows its variable.
+    is_shown: bool,
+}
+
+/// Where a derivative, partial or total, is taken of what is defined, and another definition depends on its variable, too. As a whole by the time
+/// everything is derived.
+fn held_fixed(sides: &[&PrintedSide], given: &[Given], is_partial: bool) -> Option<Held> {
+    let (mut of, mut by, mut within) = (BTreeSet::new(), BTreeSet::new(), Vec::new());
+    let all: Vec<paper::PaperName> = sides.iter().flat_map(|side| names(side)).collect();
+    // `\frac{\partial(xt)}{\partial t}`: what stands in the parentheses is the formula.
+    let in_formula = |n: &paper::PaperName| is_partial && n.is_in_group;
+    let is_in_its_own = |n: &paper::PaperName| in_formula(n) && n.derived_by.as_ref() == Some(&n.key());
+    for name in &all {
+        let key = unprimed(name).key();
         let place = |n: &paper::PaperName| match &n.call {
             paper::Call::Places(places) if places.len() == 1 => places.first().cloned(),
             _ => None,
@@ -360,20 +395,28 @@ fn held_fixed(
             || given.iter().filter(|g| g.key == key).find_map(|g| names(&g.left).first().and_then(place));
         let variable = match (&name.derived_by, is_partial) {
             (Some(by), partial) => (name.is_partial == partial).then(|| by.clone()),
-            (None, false) if name.primes > 0 => place(&name).or_else(of_definition),
+            (None, false) if name.primes > 0 => place(name).or_else(of_definition),
             (None, _) => None,
         };
-        if let Some(variable) = variable.filter(|v| v != "t") {
-            of.insert(key);
+        if let Some(variable) = variable.filter(|v| is_partial || v != "t") {
+            let is_own = |n: &paper::PaperName| is_in_its_own(n) && n.derived_by.as_ref() == Some(&variable);
+            if in_formula(name) && all.iter().any(is_own) {
+                within.push(key);
+            } else {
+                of.insert(key);
+            }
             by.insert(variable);
         }
     }
-    let depends =
-        |g: &&Given| !g.is_rate && !of.contains(&g.key) && names(&g.right).iter().any(|n| by.contains(&n.key()));
-    // Where a formula shows the variable, that is what it is derived by; `L=T-V` shows none, and its terms are derived.
-    let shows = |g: &&Given| of.contains(&g.key) && names(&g.right).iter().any(|n| by.contains(&n.key()));
-    let is_meant = !is_partial || !wants_shown || given.iter().any(|g| shows(&g));
-    (is_meant && given.iter().any(|g| depends(&g))).then_some(of)
+    let list: Vec<&Given> = given.iter().collect();
+    let names_it = |g: &Given| names(&g.right).iter().any(|n| by.contains(&n.key()));
+    let is_shown = !within.is_empty() || given.iter().any(|g| of.contains(&g.key) && names_it(g));
+    within.extend(of.iter().cloned());
+    within.extend(inside(&within, &list));
+    let is_within = |g: &Given| !of.contains(&g.key) && (within.contains(&g.key) || !is_partial);
+    let depends = |g: &&&Given| !g.is_rate && is_within(g) && names_it(g);
+    let fixed: BTreeSet<String> = list.iter().filter(depends).map(|g| g.key.clone()).collect();
+    (!fixed.is_empty()).then_some(Held { of, by, fixed, is_shown })
 }
 
 /// Whether a name is said to be something again, which rests on an equation beside its definition, or which is printed with a prime: it is said

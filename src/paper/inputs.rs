@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 use super::book::macros_of;
 use super::chapter::main_of;
+use super::markdown::printed;
 use super::named::Named;
 use super::token::{MOST_TOKENS, Token, tokens};
 use super::{LARGEST_PAPER, PaperNote, text_from};
@@ -72,7 +73,7 @@ pub(super) struct Inputs {
 /// The tokens of a file: Markdown is known by its name.
 pub(super) fn tokens_of(source: &Source) -> Vec<Token> {
     match is_markdown(&source.path) {
-        true => tokens(&without_code(&source.text)),
+        true => tokens(&printed(&source.text)),
         false => tokens(&source.text),
     }
 }
@@ -236,102 +237,4 @@ fn document_alone(all: Vec<Token>) -> Vec<Token> {
     let end = (begin..all.len()).find(|&i| named(i, "end")).unwrap_or(all.len());
     let from = super::mark::group_text(&all, begin + 1).1;
     all.get(from..end).map(<[Token]>::to_vec).unwrap_or_default()
-}
-
-/// A text in Markdown with blanks in the place of code, so that all other places stay; blocks of mathematics become displays.
-fn without_code(text: &str) -> String {
-    let mut out: Vec<u8> = Vec::with_capacity(text.len());
-    let mut fence: Option<(u8, usize, bool)> = None;
-    // Whether the options of a block of mathematics may stand here, `:label: energy`.
-    let mut options = false;
-    for line in text.split_inclusive('\n') {
-        let bare = line.trim_start();
-        let mark = bare.bytes().next().filter(|b| matches!(b, b'`' | b'~' | b':'));
-        let count = mark.map_or(0, |m| bare.bytes().take_while(|b| *b == m).count());
-        let blank = |line: &str| line.bytes().map(|b| if b == b'\n' { b } else { b' ' }).collect::<Vec<u8>>();
-        match (fence, mark) {
-            (Some((m, n, math)), Some(own)) if own == m && count >= n && bare[count..].trim().is_empty() => {
-                fence = None;
-                out.extend(fenced(line, math));
-            }
-
-            (Some((_, _, true)), _) if options && bare.starts_with(':') => out.extend(option(line)),
-            (Some((_, _, true)), _) => {
-                options = false;
-                out.extend(line.bytes());
-            }
-            (Some(_), _) => out.extend(blank(line)),
-            // What stands in other blocks of colons is text: a note, a card.
-            (None, Some(own)) if count >= 3 && (own != b':' || is_math(&bare[count..])) => {
-                let math = is_math(&bare[count..]);
-                fence = Some((own, count, math));
-                options = math;
-                out.extend(fenced(line, math));
-            }
-            (None, _) => out.extend(without_spans(line)),
-        }
-    }
-    String::from_utf8(out).unwrap_or_default()
-}
-
-/// Whether a block of MyST is one of mathematics, by what stands behind its fence.
-fn is_math(behind: &str) -> bool {
-    behind.trim().trim_matches(['{', '}', '`']) == "math"
-}
-
-/// A line that opens or closes a block of code; of mathematics it is `$$`.
-fn fenced(line: &str, math: bool) -> Vec<u8> {
-    let begin = line.len() - line.trim_start().len();
-    let dollar = |i: usize| math && (begin..begin + 2).contains(&i);
-    line.bytes()
-        .enumerate()
-        .map(|(i, b)| {
-            if dollar(i) {
-                b'$'
-            } else if b == b'\n' {
-                b
-            } else {
-                b' '
-            }
-        })
-        .collect()
-}
-
-/// A line with an option of a block of mathematics, of the same length: its label is that of a display in LaTeX, where there is room for it.
-fn option(line: &str) -> Vec<u8> {
-    let blank = || line.bytes().map(|b| if b == b'\n' { b } else { b' ' }).collect::<Vec<u8>>();
-    let Some(label) = line.trim().strip_prefix(":label:").map(str::trim).filter(|l| !l.is_empty()) else {
-        return blank();
-    };
-    let mut out = blank();
-    // `\label{x}` is as long as `:label: x`, spaces around it apart.
-    let shown = format!("\\label{{{label}}}");
-    let from = line.len() - line.trim_start().len();
-    let room = line.trim_end_matches('\n').len() - from;
-    if shown.len() <= room && !label.contains(['{', '}', '\\', '%']) {
-        out[from..from + shown.len()].copy_from_slice(shown.as_bytes());
-    }
-    out
-}
-
-/// A line of Markdown without its code; a percent sign begins no comment there.
-fn without_spans(line: &str) -> Vec<u8> {
-    let mut out = Vec::with_capacity(line.len());
-    let mut rest = line;
-    while let Some(at) = rest.find('`') {
-        let count = rest[at..].bytes().take_while(|b| *b == b'`').count();
-        let body = &rest[at + count..];
-        let Some(end) = body.find(&"`".repeat(count)) else { break };
-        let whole = at + count + end + count;
-        // GitHub writes formulas as $`…`$: only the ticks go.
-        let formula = rest[..at].ends_with('$') && rest[whole..].starts_with('$');
-        out.extend(rest[..at].bytes());
-        out.extend(std::iter::repeat_n(b' ', count));
-        out.extend(body[..end].bytes().map(|b| if formula { b } else { b' ' }));
-        out.extend(std::iter::repeat_n(b' ', count));
-        rest = &rest[whole..];
-    }
-    out.extend(rest.bytes());
-    out.iter_mut().filter(|b| **b == b'%').for_each(|b| *b = b' ');
-    out
 }

@@ -24,6 +24,7 @@ mod fractions;
 mod inputs;
 mod macros;
 mod mark;
+mod markdown;
 mod named;
 mod names;
 mod opening;

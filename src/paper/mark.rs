@@ -108,12 +108,20 @@ const SAME: &[(&str, &str)] = &[
 /// Environments that only say where lines may be broken.
 pub(super) const INNER: &[&str] = &["split", "aligned", "alignedat", "gathered", "subequations", "multlined"];
 
-/// The marks of a formula. Breaks of lines, `\\` and `\cr`, are marks `\\`.
+/// The marks of a formula. Breaks of lines, `\\` and `\cr`, are marks `\\`; spaces between words are marks, too.
 pub(super) fn marks(tokens: &[Token]) -> Vec<Mark> {
-    let mut out = Vec::new();
+    let mut out: Vec<Mark> = Vec::new();
     let mut at = 0;
+    // Where the words end that stand here.
+    let mut words_end = 0;
     while let Some(token) = tokens.get(at) {
         at += 1;
+        let last = out.last().map_or("", |m| m.text.as_str());
+        if at < words_end && (token.kind == Kind::Space || token.is_char("~")) && !matches!(last, "{" | " ") {
+            out.push(Mark { text: " ".into(), span: token.span.clone() });
+        } else if token.kind == Kind::Close && last == " " {
+            out.pop();
+        }
         let mut push = |text: &str| out.push(Mark { text: text.into(), span: token.span.clone() });
         match token.kind {
             Kind::Space => {}
@@ -142,6 +150,9 @@ pub(super) fn marks(tokens: &[Token]) -> Vec<Mark> {
                     at = after_row(tokens, at);
                 }
                 name => {
+                    if latex::sets_words(name) {
+                        words_end = group_text(tokens, at).1.max(words_end);
+                    }
                     let same = SAME.iter().find(|(other, _)| *other == name).map(|(_, same)| *same);
                     match same {
                         Some(sign @ ("|" | "[" | "]")) => push(sign),
@@ -227,7 +238,57 @@ fn without_needless_braces(marks: Vec<Mark>) -> Vec<Mark> {
 
 /// Whether a command in braces would take what follows them, if they were not there.
 fn takes_more(mark: &str) -> bool {
-    matches!(mark, r"\bf" | r"\rm" | r"\it" | r"\cal" | r"\boldmath" | r"\frac" | r"\sqrt" | r"\over" | "\\")
+    switches(mark) || matches!(mark, r"\frac" | r"\sqrt")
+}
+
+/// Whether a command changes all behind it in its group.
+fn switches(mark: &str) -> bool {
+    matches!(mark, r"\bf" | r"\rm" | r"\it" | r"\cal" | r"\sf" | r"\frak" | r"\boldmath" | r"\over" | r"\atop" | "\\")
+}
+
+/// How many units behind a mark belong to it; of a command that is not known, all groups right behind it.
+fn arguments(mark: &str) -> usize {
+    match mark.strip_prefix('\\') {
+        None => usize::from(matches!(mark, "_" | "^" | "]")),
+        Some("frac" | "binom" | "dbinom" | "tbinom" | "overset" | "underset" | "stackrel") => 2,
+        Some(command) if latex::is_letter_command(command) => 0,
+        Some(_) => usize::MAX,
+    }
+}
+
+/// What a formula prints, as a text: two formulas with the same print are the same, letter by letter. Braces that hold no argument print
+/// nothing.
+pub(super) fn print(tokens: &[Token]) -> String {
+    let all = marks(tokens);
+    let mut out = String::new();
+    // How many units still belong to what stands before; of each open group, those behind it, and whether its braces stay.
+    let (mut wanted, mut open) = (0usize, Vec::new());
+    for (at, mark) in all.iter().enumerate() {
+        let text = mark.text.as_str();
+        let is_kept = match text {
+            "{" => {
+                let stays = wanted > 0 || all.get(at + 1).is_some_and(|m| switches(&m.text));
+                open.push((wanted.saturating_sub(usize::from(wanted < usize::MAX)), stays));
+                wanted = 0;
+                stays
+            }
+            "}" => {
+                let (behind, stays) = open.pop().unwrap_or_default();
+                wanted = behind;
+                stays
+            }
+            _ => {
+                let rest = if wanted == usize::MAX { 0 } else { wanted.saturating_sub(1) };
+                wanted = arguments(text).max(rest);
+                true
+            }
+        };
+        if is_kept {
+            out.push_str(text);
+            out.push(' ');
+        }
+    }
+    out
 }
 
 /// The end of the unit that begins at `at`: one mark, or a group.
@@ -432,6 +493,7 @@ mod tests {
     #[track_caller]
     fn same(a: &str, b: &str) {
         assert_eq!(shown(a), shown(b), "{a} and {b}");
+        assert_eq!(print(&tokens(a)), print(&tokens(b)), "{a} and {b}");
     }
 
     #[test]
@@ -445,11 +507,27 @@ mod tests {
         same(r"x_{k}^{n+1}", r"x^{n+1}_k");
         same(r"a &= b \nonumber\\ &+ c", r"a=b\\+c");
         same(r"\begin{split}a&=b\end{split}", "a=b");
+        same(r"T_{\text{ a  b }}c d", r"T_{\text{a b}}cd");
+    }
+
+    #[test]
+    fn braces_that_hold_no_argument_print_nothing() {
+        for (a, b) in [("{ab}c", "a{bc}"), (r"\alpha{ab}", r"\alpha ab"), ("e^{x}+{y+z}", "e^x+y+z"), ("{{a}b}", "ab")]
+        {
+            assert_eq!(print(&tokens(a)), print(&tokens(b)), "{a} and {b}");
+        }
     }
 
     #[test]
     fn what_is_printed_otherwise_is_not() {
         for (a, b) in [
+            (r"\frac{12}{x}", r"\frac{1}{2x}"),
+            ("x^{2a}", "x^2a"),
+            (r"\sqrt{x+y}", r"\sqrt{x}+y"),
+            (r"\frac\pi{2x}", r"\frac{\pi}2x"),
+            (r"{\bf m}x", r"{\bf mx}"),
+            (r"\bar{ab}", r"\bar ab"),
+            (r"T_{\text{a b}}", r"T_{\text{ab}}"),
             ("a+b", "a-b"),
             (r"\Omega", r"\omega"),
             ("x_1", "x^1"),
@@ -460,6 +538,7 @@ mod tests {
             (r"\sin^2x", r"\sin x^2"),
         ] {
             assert_ne!(shown(a), shown(b), "{a} and {b}");
+            assert_ne!(print(&tokens(a)), print(&tokens(b)), "{a} and {b}");
         }
     }
 

@@ -96,7 +96,7 @@ pub use github::github;
 pub use json::{json, json_with_paper};
 pub use junit::{Checked, junit};
 pub use lint_findings::lint_findings;
-pub use lint_json::lint_document;
+pub use lint_json::{lint_document, unread_document};
 pub use lint_page::{lint_formulas, lint_page};
 pub use markdown::markdown;
 pub use markup::{fenced, prose};

@@ -16,6 +16,11 @@ pub fn lint_document(paper: &Paper, found: &Lint) -> Value {
     json!({ "paper": paper.file.path, "words": counts, "notes": notes, "relations": relations })
 }
 
+/// The document of a paper that could not be read: why, and nothing else.
+pub fn unread_document(path: &str, why: &str) -> Value {
+    json!({ "paper": path, "unreadable": why, "words": {}, "notes": [], "relations": [] })
+}
+
 fn relation(paper: &Paper, j: &Judgement) -> Option<Value> {
     let relation = paper.printed.get(j.relation)?;
     let (line, column) = paper.line_and_column(&j.span);

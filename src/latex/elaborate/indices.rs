@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use super::super::name;
-use super::super::syntax::{Name, Node, NodeKind, SubItem, SymbolNode};
+use super::super::syntax::{Name, Node, NodeKind, SubItem, SymbolNode, indices};
 use super::{Elaborated, Elaborator, refuse};
 use expr::Rational;
 
@@ -120,6 +120,7 @@ impl Elaborator<'_> {
             NodeKind::Symbol(s) => self.symbol_usage(s, &node.span),
             NodeKind::Group(inner, _) => self.piece(inner),
             NodeKind::Scripted { base, sub, sup, .. } => {
+                let sub = sub.as_deref().map(indices);
                 let mut usage = self.piece(base)?;
                 if let Some(items) = sub.as_deref().filter(|_| self.held(base, sub.as_deref()).is_none()) {
                     usage.join(Usage {
@@ -263,7 +264,7 @@ impl Elaborator<'_> {
     fn symbol_usage(&mut self, s: &SymbolNode, span: &Range<usize>) -> Elaborated<Usage> {
         let mut usage = Usage::default();
         let (items, extents) = match self.builtin(s) {
-            Some(extent) => (s.sub.clone().unwrap_or_default(), vec![extent; 3]),
+            Some(extent) => (indices(s.sub.as_deref().unwrap_or_default()), vec![extent; 3]),
             None if self.is_imaginary_unit(s, span)? => (Vec::new(), Vec::new()),
             None => {
                 let found = self.resolve(s, span)?;

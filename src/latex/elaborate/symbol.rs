@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::super::complex::Pair;
 use super::super::name;
 use super::super::scope::{Found, REFUSED, Role};
-use super::super::syntax::{Node, SubItem, SymbolNode};
+use super::super::syntax::{Node, SubItem, SymbolNode, indices};
 use super::super::tensor;
 use super::super::write::subscript;
 use super::scripts::is_integer;
@@ -15,7 +15,7 @@ use expr::{Expr, Graph, Leaf, Shape, Symbol, Tensor};
 impl<'a> Elaborator<'a> {
     /// ε and δ, unless they are declared, with the right number of indices: to where their indices run, if that is known.
     pub(super) fn builtin(&self, s: &SymbolNode) -> Option<Option<u16>> {
-        let count = s.sub.as_ref()?.len();
+        let count = indices(s.sub.as_deref()?).len();
         if self.scope.declares(&s.name) || s.dots > 0 || s.arguments.is_some() {
             return None;
         }
@@ -79,7 +79,7 @@ impl<'a> Elaborator<'a> {
 
     pub(super) fn symbol(&mut self, s: &SymbolNode, span: &Range<usize>) -> Elaborated<Tensor> {
         if let Some(extent) = self.builtin(s) {
-            let values = self.index_values(s.sub.as_deref().unwrap_or(&[]), span)?;
+            let values = self.index_values(&indices(s.sub.as_deref().unwrap_or(&[])), span)?;
             if values.iter().any(|&v| v == 0 || extent.is_some_and(|n| v > n)) {
                 return refuse("latex::index", "an index out of range", span, "indices are counted from 1");
             }

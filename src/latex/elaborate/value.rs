@@ -4,7 +4,7 @@ use std::ops::{ControlFlow, Range};
 
 use super::super::parse::operation;
 use super::super::scope::{Logarithm, Role};
-use super::super::syntax::{Name, Node, NodeKind, Sign};
+use super::super::syntax::{Name, Node, NodeKind, Sign, indices};
 use super::super::tensor;
 use super::{Elaborated, Elaborator, MOST_WORK, refuse};
 use expr::{Expr, Graph, Op, Rational, Shape, Tensor};
@@ -164,6 +164,7 @@ impl Elaborator<'_> {
                 self.squared_size(base, sup).map(Value::scalar)
             }
             NodeKind::Scripted { base, sub, sup, sup_first } => {
+                let sub = sub.as_deref().map(indices);
                 if let Some(held) = self.held(base, sub.as_deref()) {
                     let value = Value::Tensor(self.holding(base, &held, &node.span)?);
                     return self.scripted(value, None, sup.as_deref(), *sup_first, &node.span);

@@ -318,7 +318,7 @@ impl Parser<'_> {
             return self.upright_euler(start).map(Some);
         }
         let back = self.at;
-        if let Some(mut name) = self.braced_word(false)? {
+        if let Some(mut name) = self.braced_word(None)? {
             self.primes(&mut name);
             return self.symbol_named(name, 0, start).map(Some);
         }

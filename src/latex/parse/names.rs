@@ -124,14 +124,14 @@ impl Parser<'_> {
             }
             Kind::Command(c) if !name::is_switch(&c) => {
                 let Some(style) = name::style(&c) else { return Ok(None) };
-                match self.styled(style)? {
+                match self.styled(style, &c)? {
                     Some(inner) => inner,
                     None => return Ok(None),
                 }
             }
             Kind::Sign('{') => {
                 let back = self.at;
-                match self.braced_word(false)? {
+                match self.braced_word(None)? {
                     Some(inner) => inner,
                     None => {
                         self.at = back;
@@ -264,14 +264,14 @@ impl Parser<'_> {
     }
 
     /// A name behind the command of a style; leaves its place where there is none.
-    fn styled(&mut self, style: &'static str) -> Parsed<Option<Name>> {
+    fn styled(&mut self, style: &'static str, command: &str) -> Parsed<Option<Name>> {
         let back = self.at;
         self.bump();
         // In italics or upright it is π that is printed.
         let outer = self.in_name;
         self.in_name |= !matches!(style, "rm" | "it");
         let inner = self.deeper(|p| {
-            if p.is('{') { p.braced_word(style == "rm") } else { Ok(p.name_without_primes()?.map(|(n, _)| n)) }
+            if p.is('{') { p.braced_word(Some(command)) } else { Ok(p.name_without_primes()?.map(|(n, _)| n)) }
         });
         self.in_name = outer;
         let inner = inner?;
@@ -281,9 +281,9 @@ impl Parser<'_> {
         Ok(inner.map(|inner| restyle(style, inner)))
     }
 
-    /// `{…}` that contains nothing but one name, or a style switch and one name; a `word` may have several letters. Leaves
-    /// its place otherwise.
-    pub(super) fn braced_word(&mut self, word: bool) -> Parsed<Option<Name>> {
+    /// `{…}` that contains nothing but one name, or a style switch and one name; behind a command for upright letters it may have several
+    /// letters. Leaves its place otherwise.
+    pub(super) fn braced_word(&mut self, command: Option<&str>) -> Parsed<Option<Name>> {
         self.deeper(|p| {
             let back = p.at;
             p.bump();
@@ -294,13 +294,19 @@ impl Parser<'_> {
                 switch = name::style(&c);
                 p.bump();
             }
-            let several = word || switch == Some("rm");
+            let several = switch == Some("rm") || command.and_then(name::style) == Some("rm");
+            let has_spaces = command.is_some_and(name::sets_words);
             let outer = p.in_name;
             p.in_name |= !matches!(switch, None | Some("rm" | "it"));
             let mut text = String::new();
             let read = loop {
+                let before = p.last_end();
                 match p.single_name() {
-                    Ok(Some((name, _))) => text.push_str(&name),
+                    Ok(Some((name, span))) => {
+                        let is_behind_space = has_spaces && !text.is_empty() && before < span.start;
+                        text.extend(is_behind_space.then_some(' '));
+                        text.push_str(&name);
+                    }
                     Ok(None) => break Ok(()),
                     Err(problem) => break Err(problem),
                 }

@@ -120,8 +120,17 @@ impl Parser<'_> {
             Kind::Letter(_) => (at + 1, at + 2, at + 2),
             _ => return None,
         };
-        let word = (from..to).map(|i| text_of(self.kind_after(i))).collect::<Option<String>>()?;
-        (!word.is_empty()).then(|| (format!(r"{{\rm {word}}}"), after))
+        let end = |i: usize| self.tokens.get(self.at + i).map(|t| t.span.end);
+        let start = |i: usize| self.tokens.get(self.at + i).map(|t| t.span.start);
+        let is_behind_space = |i: usize| name::sets_words(style) && i > from && end(i - 1) < start(i);
+        let mut word = String::new();
+        for i in from..to {
+            word.extend(is_behind_space(i).then_some(' '));
+            word.push_str(&text_of(self.kind_after(i))?);
+        }
+        let label =
+            if (from..to).any(is_behind_space) { format!(r"{{\text{{{word}}}}}") } else { format!(r"{{\rm {word}}}") };
+        (!word.is_empty()).then_some((label, after))
     }
 
     /// `R^{(\mathrm{e})}`: a word in upright letters and in parentheses, and the number of its tokens.
@@ -141,7 +150,8 @@ impl Parser<'_> {
     /// Refuses a word above a name that is declared without it: it is no power.
     fn is_no_unknown_label(&self, name: &str) -> Parsed<()> {
         let Some((label, tokens)) = self.label_above() else { return Ok(()) };
-        let word = label.strip_prefix(r"{\rm ").and_then(|w| w.strip_suffix('}'));
+        let words = label.strip_prefix(r"{\text{").and_then(|w| w.strip_suffix("}}"));
+        let word = label.strip_prefix(r"{\rm ").and_then(|w| w.strip_suffix('}')).or(words);
         // `A^{\rm T}`, `x^{\rm i}`, and the power of a declared upright name.
         let power = |w: &str| matches!(w, "T" | "i" | "e") || self.scope.declares(&format!("rm:{w}"));
         if word.is_none_or(power) {
@@ -296,6 +306,7 @@ impl Parser<'_> {
                         let hint = "write a derivative as a fraction";
                         return refuse("latex::ambiguous", "a comma beside an index", self.span(), hint);
                     }
+                    items.push(SubItem::Other(','));
                     self.bump();
                 }
                 Kind::Command(c) if matches!(c.as_str(), "+" | "-" | "*") => {

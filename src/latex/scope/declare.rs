@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::super::elaborate::Elaborator;
 use super::super::parse::{WrittenName, read_name};
-use super::super::syntax::{Name, SubItem};
+use super::super::syntax::{Name, SubItem, indices};
 use super::super::{name, tensor};
 use super::entry::{labels, like_indices};
 use super::{Arguments, Declaration, DeclareError, Entry, Pattern, Role, Scope, bad_key, too_many};
@@ -101,6 +101,9 @@ impl Scope {
                     if matches!(p, Pattern::Literal(SubItem::Name(_))) {
                         *p = Pattern::Index;
                     }
+                }
+                if indices(&sub).iter().all(|item| matches!(item, SubItem::Name(_))) {
+                    pattern.retain(|p| *p == Pattern::Index);
                 }
             }
             let tensor = match d.complex && !tensor.shape.is_complex() {
@@ -262,7 +265,7 @@ impl Scope {
             false => self.entries.like(name, &[]).collect(),
         };
         for e in like.into_iter().filter(|e| name::unmarked(&e.name) == name::unmarked(name)) {
-            let component = |sub: &[Pattern], rank: usize| like_indices(sub) && sub.len() == rank;
+            let component = |sub: &[Pattern], rank: usize| like_indices(sub) == Some(rank);
             let (whole, below, rank_below, is_said) = if e.sub.is_empty() && component(pattern, e.rank) {
                 (Some(e.symbol), pattern, rank, e.labelled)
             } else if pattern.is_empty() && component(&e.sub, rank) {

@@ -1,7 +1,7 @@
 //! What is kept of a declaration.
 
 use super::super::name;
-use super::super::syntax::{Name, SubItem};
+use super::super::syntax::{Name, SubItem, indices};
 use expr::{Expr, Leaf, Shape, Symbol, Tensor};
 
 /// What a symbol is.
@@ -73,15 +73,16 @@ pub(super) fn same_kind(a: &Arguments, b: &Arguments) -> bool {
     }
 }
 
-/// Whether a subscript could be indices of components.
-pub(super) fn like_indices(sub: &[Pattern]) -> bool {
-    let is_index = |p: &Pattern| match p {
+/// How many indices of components a subscript has, where it could be such.
+pub(super) fn like_indices(sub: &[Pattern]) -> Option<usize> {
+    let is_index = |item: &SubItem| match item {
         // Components are counted from 1: `B_0` is none of a vector `{\bf B}`.
-        Pattern::Literal(SubItem::Digit(digit)) => *digit > 0,
-        Pattern::Literal(SubItem::Name(letter)) => name::is_index(letter),
-        Pattern::Literal(SubItem::Other(_)) | Pattern::Index => false,
+        SubItem::Digit(digit) => *digit > 0,
+        SubItem::Name(letter) => name::is_index(letter),
+        SubItem::Other(_) => false,
     };
-    !sub.is_empty() && sub.iter().all(is_index)
+    let all = indices(&labels(sub)?);
+    (!all.is_empty() && all.iter().all(is_index)).then_some(all.len())
 }
 
 /// The labels of a subscript that has no indices.

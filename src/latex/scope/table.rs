@@ -126,7 +126,7 @@ fn count(counts: &mut [usize], so: &[bool], add: bool) {
 impl Like {
     /// The lists in which a declaration with this subscript stands.
     fn lists(&mut self, sub: &[Pattern]) -> [Option<&mut Places>; 2] {
-        let components = like_indices(sub).then_some(&mut self.components);
+        let components = like_indices(sub).map(|_| &mut self.components);
         let list = match labels(sub) {
             Some(none) if none.is_empty() => &mut self.plain,
             Some(labels) => self.labelled.entry(labels).or_default(),

@@ -61,6 +61,6 @@ pub(super) fn is_upright_label(above: &[&str]) -> bool {
     let [r"\mathrm" | r"\text" | r"\rm" | r"\textrm", rest @ ..] = above else { return false };
     let word: String = rest.iter().filter(|t| !matches!(**t, "{" | "}")).copied().collect();
     !word.is_empty()
-        && word.chars().all(|c| c.is_ascii_alphanumeric())
+        && word.chars().all(|c| c.is_ascii_alphanumeric() || c == ' ')
         && !matches!(word.as_str(), "T" | "t" | "H" | "tr" | "d")
 }

@@ -1,11 +1,12 @@
-//! Frames and boxes of a display: what a frame stands around is printed as it is, what stands in a box of text is text.
+//! Frames and boxes of a display: what a frame stands around is printed as it is, what stands in a box of text is text, and a formula there is one.
 //!
-//! **In:** the tokens of a display. **Out:** the same without frames around whole relations, and with boxes of words as words. **Guaranteed:** two frames
+//! **In:** the tokens of a display. **Out:** the same without frames around whole relations, with boxes of words as words, and with a part of a
+//! formula that stands between dollars in a text as that part. **Guaranteed:** two frames
 //! beside each other are no product, and no chain: a frame is taken away only where what stands beside it parts formulas.
 
 use super::super::mark::group_text;
 use super::super::token::{Kind, Token};
-use super::{WORDS, is_space, is_wide, relates};
+use super::{BETWEEN_STATEMENTS, WORDS, is_space, is_wide, relates};
 
 /// Commands that print a frame, or a colour, around a formula, and how many arguments stand before it.
 const FRAMES: &[(&str, usize)] = &[
@@ -27,8 +28,10 @@ const DEEPEST: usize = 4;
 
 /// A display without frames around relations.
 pub(super) fn opened(mut body: Vec<Token>) -> Vec<Token> {
-    let has_any =
-        |t: &Token| t.kind == Kind::Command && (BOXES.contains(&t.text.as_str()) || arguments_of(t).is_some());
+    let has_any = |t: &Token| {
+        t.kind == Kind::Dollar
+            || t.kind == Kind::Command && (BOXES.contains(&t.text.as_str()) || arguments_of(t).is_some())
+    };
     for _ in 0..DEEPEST {
         if !body.iter().any(has_any) {
             break;
@@ -44,6 +47,14 @@ fn once(body: &[Token]) -> Vec<Token> {
     while let Some(token) = body.get(at) {
         if let Some((inside, after)) = framed(body, at).filter(|(_, after)| is_apart(&out, body, *after)) {
             out.extend_from_slice(inside);
+            at = after;
+        } else if let Some((inside, after)) = part_in_text(body, at) {
+            let brace = |kind, text: &str| Token { kind, text: text.into(), span: token.span.clone() };
+            let takes = |t: &Token| t.kind == Kind::Command || t.is_char("_") || t.is_char("^");
+            let is_argument = out.iter().rev().find(|t| !is_space(t)).is_some_and(takes);
+            out.extend(is_argument.then(|| brace(Kind::Open, "{")));
+            out.extend_from_slice(inside);
+            out.extend(is_argument.then(|| brace(Kind::Close, "}")));
             at = after;
         } else if let Some(content) = words_of_box(body, at) {
             out.push(Token { text: "text".into(), ..token.clone() });
@@ -135,4 +146,21 @@ fn words_of_box(tokens: &[Token], at: usize) -> Option<usize> {
     let open = after_options(tokens, at + 1)?;
     let inside = tokens.get(open..group_text(tokens, open).1)?;
     inside.iter().all(|t| t.kind != Kind::Dollar).then_some(open)
+}
+
+/// The part of a formula that begins here, where it stands between dollars in a text, and nothing else does, `a\mbox{$+$}b`; and the position
+/// after it. What relates something there, or parts formulas, is not one.
+fn part_in_text(tokens: &[Token], at: usize) -> Option<(&[Token], usize)> {
+    tokens.get(at).filter(|t| t.kind == Kind::Command && WORDS.contains(&t.text.as_str()))?;
+    let after = group_text(tokens, at + 1).1;
+    let [open, between @ .., close] = tokens.get(at + 1..after)? else { return None };
+    let [first, inside @ .., last] = between else { return None };
+    let parts = |t: &Token| {
+        t.kind == Kind::Dollar
+            || matches!(t.text.as_str(), "," | ";")
+            || t.kind == Kind::Command && BETWEEN_STATEMENTS.contains(&t.text.as_str())
+    };
+    let is_one =
+        open.kind == Kind::Open && close.kind == Kind::Close && [first, last].iter().all(|t| t.kind == Kind::Dollar);
+    (is_one && !inside.iter().any(parts) && !relates(inside)).then_some((inside, after))
 }

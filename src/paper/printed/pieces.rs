@@ -3,6 +3,7 @@
 use super::super::mark::group_text;
 use super::super::opening::{is_opening, is_printed_space, word_at};
 use super::super::token::{Kind, Token};
+use super::side::{is_wide_length, length};
 use super::{
     BETWEEN_STATEMENTS, Nesting, WIDE_WORDS, WORDS, is_operator, is_relation, is_space, is_wide, relates, walk,
 };
@@ -155,22 +156,33 @@ fn may_begin_word(tokens: &[Token], at: usize, is_first: bool, word: &str) -> bo
     is_first || !is_wanted && before.is_some_and(|t| is_printed_space(t) || is_long && t.kind == Kind::Space)
 }
 
-/// The position after a wide space that begins here and is no `\quad`: a length, a fill, three small ones in a row.
+/// Commands that print a wide space.
+const WIDE: &[&str] = &["hfill", "hfil", "hfilneg", "enspace", "enskip"];
+/// Commands that begin a line.
+const BREAKS: &[&str] = &["break", "linebreak", "pagebreak", "newline", "par"];
+
+/// The position after a wide space that begins here and is no `\quad`: a length, a fill, a break, three small ones in a row.
 fn gap(tokens: &[Token], at: usize) -> Option<usize> {
     let small = |t: &Token| {
         t.is_char("~")
             || t.kind == Kind::Command
                 && matches!(t.text.as_str(), ";" | " " | ":" | ">" | "," | "thickspace" | "medspace")
     };
-    let (mut next, mut count, mut wide) = (at, 0, false);
+    let (mut next, mut count, mut wide, mut breaks) = (at, 0, false, false);
     while let Some(token) = tokens.get(next) {
         if token.is("hspace") || token.is("phantom") || token.is("hphantom") {
             let star = usize::from(tokens.get(next + 1).is_some_and(|t| t.is_char("*")));
             next = group_text(tokens, next + 1 + star).1;
             wide = true;
-        } else if token.is("hfill") || token.is("hfil") || token.is("enspace") || token.is("enskip") {
+        } else if let Some((text, after)) = length(token, tokens, next + 1) {
+            next = after;
+            wide |= is_wide_length(&text);
+        } else if token.kind == Kind::Command && WIDE.contains(&token.text.as_str()) {
             next += 1;
             wide = true;
+        } else if token.kind == Kind::Command && BREAKS.contains(&token.text.as_str()) {
+            next += 1;
+            breaks = true;
         } else if small(token) {
             count += 1;
             next += 1;
@@ -180,7 +192,9 @@ fn gap(tokens: &[Token], at: usize) -> Option<usize> {
             break;
         }
     }
-    (wide || count > 2).then_some(next)
+    // A line that begins with a sign goes on from the one before.
+    let goes_on = tokens.get(next).is_some_and(|t| is_relation(t) || is_operator(t));
+    (wide || breaks && !goes_on || count > 2).then_some(next)
 }
 
 /// Whether a sign of relation stands before the next separator.
