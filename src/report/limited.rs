@@ -13,7 +13,7 @@ use super::story::{StoryBlock, StorySpan, Tone, on_page, quiet, words};
 use derivation::Derivation;
 
 /// Longest words for a claim, in letters.
-const LONGEST_NAME: usize = 38;
+const LONGEST_NAME: usize = 34;
 /// Most claims that fail as they are used, that are unfolded.
 const MOST_AS_NEEDED: usize = 12;
 

@@ -137,10 +137,9 @@ impl Step<'_> {
                         Condition::Positive(e) => (&mut out.conditions, e, Bounded::Positive),
                     };
                     // Of what is bounded whatever its sign the sign is not told.
-                    let e = match (is, self.graph.node(e)) {
-                        (Bounded::NotZero | Bounded::Zero | Bounded::ByOne, Node::Unary(Op::Neg, of)) => *of,
-                        _ => e,
-                    };
+                    let has_no_sign = matches!(is, Bounded::NotZero | Bounded::Zero | Bounded::ByOne);
+                    let e =
+                        if let (true, Node::Unary(Op::Neg, of)) = (has_no_sign, self.graph.node(e)) { *of } else { e };
                     let one = Proviso::Where { formula: self.shown(e).into(), is };
                     if !list.contains(&one) {
                         list.push(one);
