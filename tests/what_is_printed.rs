@@ -112,6 +112,9 @@ fn what_is_printed_is_read_or_told() {
         (r"\begin{subeqnarray} \sin2x&=&\sin x\cos x\end{subeqnarray}", &[Wrong]),
         (r"Let \ensuremath{f=x^2}. Then \[f+1=x^2+1\]", &[Defines, Follows]),
         (r"\[g=f+1\quad\text{where $f=x^2$}\]", &[Defines, Defines]),
+        (r"\[g=f+1\quad\text{if $f=x^2$}\] Hence \[f+1=x^2+1\]", &[Condition, Condition, Condition]),
+        (r"\[g=f+1\quad\text{if $a=b$ and $f=x^2$}\]", &[Condition, Condition, Condition]),
+        (r"\begin{align} f&=x^2 \intertext{and, since $g=x^3$,} h&=g+1\end{align}", &[Defines, Defines, Condition]),
         (r"\url{http://a%20b} $f=x^2$", &[Defines]),
     ]);
     for tex in [

@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use super::differences::DifferenceSigns;
 use super::mark::{self, group_text, parts};
+use super::opening::{Opening, opening};
 use super::printed::{self, Place, PrintedRelation};
 use super::token::{Kind, Token};
 use super::{Equation, PaperNote, Part, span_of};
@@ -267,18 +268,34 @@ impl<'t> Reader<'t> {
     /// Reads the formulas that stand in words of a display, `\text{where $a=b$}`; those of cases are read with these.
     fn formulas_in_words(&mut self, body: &[Token]) {
         let is_cases = |at: usize| group_text(body, at + 1).0.ends_with("cases");
-        let (mut groups, mut cases, mut from) = (Vec::new(), 0usize, None);
+        let (mut groups, mut cases) = (Vec::new(), 0usize);
+        // Where words begin, or a formula in them; what the words before it make of it.
+        let (mut words, mut formula, mut said) = (0, None, None);
         for (at, token) in body.iter().enumerate() {
             match token.kind {
                 Kind::Open => {
                     let before = body[..at].iter().rev().find(|t| t.kind != Kind::Space);
-                    let is_words = before.is_some_and(|t| t.kind == Kind::Command && WORDS.contains(&t.text.as_str()));
-                    groups.push(is_words || groups.last() == Some(&true));
+                    let begins = before.is_some_and(|t| t.kind == Kind::Command && WORDS.contains(&t.text.as_str()));
+                    if begins && groups.last() != Some(&true) {
+                        (words, said) = (at + 1, None);
+                    }
+                    groups.push(begins || groups.last() == Some(&true));
                 }
                 Kind::Close => drop(groups.pop()),
-                Kind::Dollar if groups.last() == Some(&true) && cases == 0 => match from.take() {
-                    Some(from) => self.running(&body[from..at]),
-                    None => from = Some(at + 1),
+                Kind::Dollar if groups.last() == Some(&true) && cases == 0 => match formula.take() {
+                    Some(from) => {
+                        let before = self.printed.len();
+                        self.running(&body[from..at]);
+                        // Nothing that words do not say to be meant so is stated here.
+                        let opening = said.unwrap_or(Opening::Remark);
+                        self.printed.iter_mut().skip(before).for_each(|r| r.opening = Some(opening));
+                        words = at + 1;
+                    }
+                    None => {
+                        let text: String = body[words..at].iter().map(|t| t.text.as_str()).collect();
+                        said = opening(text.trim()).filter(|o| *o != Opening::Link).or(said);
+                        formula = Some(at + 1);
+                    }
                 },
                 _ if token.is("begin") && is_cases(at) => cases += 1,
                 _ if token.is("end") && is_cases(at) => cases = cases.saturating_sub(1),

@@ -361,6 +361,8 @@ impl Expander<'_, '_> {
                 "endgroup" | "egroup" => defined.end(&Scope::Group),
                 "[" => defined.begin(Scope::Formula("[")),
                 "(" => defined.begin(Scope::Formula("(")),
+                "left" => defined.begin(Scope::Formula("left")),
+                "right" => defined.end(&Scope::Formula("left")),
                 "]" => defined.end(&Scope::Formula("[")),
                 ")" => defined.end(&Scope::Formula("(")),
                 "begin" | "end" => {

@@ -117,7 +117,8 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
             let arguments = count.trim().parse().map_or(0, |n: usize| n.min(MOST_ARGUMENTS));
             let fresh = |name: &String| command != "providecommand" || !defined.has(name);
             if let Some(name) = name.filter(fresh) {
-                defined.put(name, Macro::plain(arguments, default, body));
+                let is_robust = command == "DeclareRobustCommand";
+                defined.put(name, Macro { is_robust, ..Macro::plain(arguments, default, body) });
             }
         }
         "newenvironment" | "renewenvironment" => {
@@ -153,7 +154,7 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
                 pattern.clear();
             }
             if arguments <= MOST_ARGUMENTS {
-                let found = Macro { arguments, default: None, body, pattern, options: Vec::new() };
+                let found = Macro { arguments, default: None, body, pattern, options: Vec::new(), is_robust: false };
                 let name = String::from(name.text);
                 defined.put(name.clone(), found);
                 if is_open {
@@ -236,7 +237,7 @@ fn expanded_now(body: &[Token], defined: &Defined) -> Option<Vec<Token>> {
             out.push(token);
         } else if UNEXPANDED.contains(&command) || command.starts_with("if") && command != "iff" {
             return None;
-        } else if let Some(found) = defined.macro_of(command) {
+        } else if let Some(found) = defined.macro_of(command).filter(|m| !m.is_robust) {
             calls += 1;
             if calls > MOST_CALLS_NOW || defined.is_doubted(command) {
                 return None;
@@ -266,5 +267,5 @@ fn document_macro(kinds: Vec<Token>, body: Vec<Token>) -> Option<Macro> {
     }
     spaces(&mut rest);
     let is_known = rest.is_empty() && arguments + options.len() <= MOST_ARGUMENTS;
-    is_known.then(|| Macro { options, ..Macro::plain(arguments, default, body) })
+    is_known.then(|| Macro { options, is_robust: true, ..Macro::plain(arguments, default, body) })
 }

@@ -64,7 +64,7 @@ pub(super) enum Scope {
     Braces,
     /// `\begingroup` and `\bgroup`
     Group,
-    /// `$`, `$$`, `\[`, `\(`
+    /// `$`, `$$`, `\[`, `\(`, `\left`
     Formula(&'static str),
     Environment(String),
 }

@@ -50,6 +50,7 @@ fn definitions_end_with_what_they_stand_in() {
         (r"$$\def\A{b}$$", "a"),
         (r"\[\DeclareMathOperator{\A}{b}\]", "a"),
         (r"\(\def\A{b}\)", "a"),
+        (r"\left(\def\A{b}\right)", "a"),
         (r"\begin{center}\def\A{b}\end{center}", "a"),
         (r"\newenvironment{e}{\def\A{b}}{}\begin{e}\end{e}", "a"),
         // A brace that is not closed ends with its environment.
@@ -86,6 +87,7 @@ fn edef_takes_what_is_meant_now() {
     assert_eq!(shown(r"\def\A{x}\edef\B{\A}\def\A{y}\B\A"), "xy");
     assert_eq!(shown(r"\def\A#1{<#1>}{\xdef\B#1{\A{#1}}}\def\A#1{}\B z"), "{}<z>");
     assert_eq!(shown(r"\def\A{x}\def\B{\A}\def\A{y}\B"), "y");
+    assert_eq!(shown(r"\DeclareRobustCommand\A{x}\edef\B{\A}\DeclareRobustCommand\A{y}\B"), "y");
     assert!(expanded(r"\def\A{\A\A}\edef\B{\A}").is_ok());
 }
 
