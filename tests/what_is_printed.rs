@@ -152,3 +152,27 @@ fn what_is_not_printed_is_not_read() {
     }
     are(&[(r"\[2x=x+x\] \endinput \[SLIP\]", &[Follows])]);
 }
+
+#[test]
+fn an_environment_of_another_file_is_one_of_the_paper() {
+    let folder = std::env::temp_dir().join(format!("rederive-environments-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let files = [
+        ("own.sty", r"\newenvironment{comment}{\it}{}"),
+        (
+            "paper.tex",
+            r"\documentclass{article}\usepackage{own}\begin{document}\begin{comment}\[SLIP\]\end{comment}\end{document}",
+        ),
+        ("main.tex", r"\documentclass{book}\newtheorem{comment}{C}\begin{document}\include{chapter}\end{document}"),
+        ("chapter.tex", r"\begin{comment}\[SLIP\]\end{comment}"),
+    ];
+    for (name, text) in files {
+        std::fs::write(folder.join(name), text.replace("SLIP", SLIP)).expect("written");
+    }
+    for name in ["paper.tex", "main.tex", "chapter.tex"] {
+        let paper = paper::read(&folder.join(name)).unwrap_or_else(|d| panic!("{d}"));
+        let words: Vec<Word> = lint::lint(&paper, &Limits::default()).judgements.iter().map(|j| j.word).collect();
+        assert_eq!(words, [Wrong], "{name}");
+    }
+    std::fs::remove_dir_all(&folder).expect("removed");
+}

@@ -60,7 +60,7 @@ use inputs::Inputs;
 use latex::Logarithm;
 use macros::{Definitions, Doubts, Endless, Expanded};
 use mark::{Mark, marks, text_of};
-use token::{Kind, Token};
+use token::{Kind, OwnEnvironments, Token};
 
 /// Largest size of a paper, in bytes.
 pub const LARGEST_PAPER: u64 = 16 << 20;
@@ -270,13 +270,20 @@ fn parse_with(
 ) -> Result<Paper, Box<Diagnostic>> {
     let mut passed: BTreeSet<String> = BTreeSet::new();
     let mut endless = Vec::new();
+    let (mut own, mut is_reread) = (OwnEnvironments::default(), false);
     let (Expanded { tokens: all, cut, doubts, notes: told }, inputs) = loop {
-        let mut inputs = Inputs::new(&file, folder);
-        let document = inputs::tokens_of(&file);
+        let mut inputs = Inputs::new(&file, folder, own.clone());
         let preamble = inputs.preamble(&file);
+        let document = inputs::tokens_of(&file, &mut inputs.own);
+        let known = inputs.own.clone();
         let mut input = |name: &str, named, span: &Range<usize>| inputs.tokens(name, named, span);
         let found = macros::expanded(document, preamble, &passed, definitions, &mut input);
         let Endless { name, span } = match found {
+            // An environment that another file makes is one of the whole paper: that is read anew, once.
+            Ok(_) if !is_reread && !inputs.own.read_as(&known) => {
+                (own, is_reread) = (inputs.own, true);
+                continue;
+            }
             Ok(all) => break (all, inputs),
             Err(endless) => endless,
         };

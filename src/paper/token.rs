@@ -1,5 +1,6 @@
 //! Characters of a LaTeX document → tokens, each with its place.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use super::short::Short;
@@ -122,13 +123,17 @@ pub(super) const MOST_TOKENS: usize = 4_000_000;
 
 /// Splits a text; comments and verbatim texts leave no token. Of a text with more than [`MOST_TOKENS`] one more is given, for who asks.
 pub(super) fn tokens(text: &str) -> Vec<Token> {
+    tokens_with(text, &mut OwnEnvironments::default())
+}
+
+/// The same, where environments are made in other files, too.
+pub(super) fn tokens_with(text: &str, own: &mut OwnEnvironments) -> Vec<Token> {
     // A list that grows is copied, and is there twice then; room that is not used takes no memory.
     let mut out = Vec::with_capacity(text.len().min(MOST_TOKENS + 1));
     let mut at = 0;
     // Whether a comment ended here, so that an empty line that follows ends a paragraph.
     let mut after_comment = false;
     let mut short: Vec<char> = Vec::new();
-    let mut own = OwnEnvironments::default();
     while out.len() <= MOST_TOKENS
         && let Some(c) = text.get(at..).and_then(|t| t.chars().next())
     {
@@ -287,10 +292,19 @@ fn after_braces(text: &str, at: usize) -> Option<usize> {
 }
 
 /// Environments that the author makes, and whether what stands in them is printed.
-#[derive(Default)]
-struct OwnEnvironments(Vec<(String, bool)>);
+#[derive(Clone, Debug, Default)]
+pub(super) struct OwnEnvironments(Vec<(String, bool)>);
 
 impl OwnEnvironments {
+    /// Whether the other ones read the same texts.
+    pub fn read_as(&self, other: &OwnEnvironments) -> bool {
+        let counts = |all: &OwnEnvironments| -> BTreeSet<(String, bool)> {
+            let is_other = |(name, is_printed): &&(String, bool)| *is_printed == NOT_PRINTED.contains(&name.as_str());
+            all.0.iter().filter(is_other).cloned().collect()
+        };
+        counts(self) == counts(other)
+    }
+
     /// Takes a command that ends at a place of a text.
     fn take(&mut self, command: &str, text: &str, at: usize) {
         let Some((_, is_printed)) = MAKE_ENVIRONMENTS.iter().find(|(name, _)| *name == command) else { return };
