@@ -133,6 +133,7 @@ mod units;
 mod unreplayed;
 mod variants;
 mod watch;
+mod what_is_printed;
 mod where_facts_hold;
 mod witnesses;
 mod zeros;

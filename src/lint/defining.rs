@@ -115,7 +115,7 @@ impl Judge<'_> {
             return;
         }
         let free = free_indices(relation);
-        if self.readable(&relation.sides[0], right, &free).is_err() {
+        if relation.unread.is_some() || self.readable(&relation.sides[0], right, &free).is_err() {
             // What was defined before is defined no more: by what, was not read.
             self.facts.given.forget(&key, is_rate);
             return;

@@ -151,6 +151,12 @@ impl Judge<'_> {
             out.why = why.to_owned();
             return out;
         }
+        if let Some(why) = &relation.unread {
+            out.why = why.clone();
+            // What it may define is not known any more.
+            self.define(relation, at);
+            return out;
+        }
         if self.evidence.has_modulus() && relation.signs.iter().any(|s| is_congruence(s)) {
             out.why = "a congruence, or an equation".to_owned();
             return out;

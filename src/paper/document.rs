@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use super::differences::DifferenceSigns;
 use super::mark::{self, group_text, parts};
+use super::opening::{Opening, opening};
 use super::printed::{self, Place, PrintedRelation};
 use super::token::{Kind, Token};
 use super::{Equation, PaperNote, Part, span_of};
@@ -32,9 +33,32 @@ fn display(name: &str) -> Option<Numbers> {
             Some(Numbers::One)
         }
         "align" | "eqnarray" | "gather" | "flalign" | "alignat" | "IEEEeqnarray" => Some(Numbers::EachLine),
+        "subeqnarray" | "xalignat" => Some(Numbers::EachLine),
         _ => None,
     }
 }
+
+/// Environments of packages that print formulas, and are not read.
+const DISPLAYS_NOT_READ: &[&str] =
+    &["numcases", "subnumcases", "mathpar", "mathparpagebreakable", "dseries", "prooftree"];
+
+/// Commands of the running text of which nothing is printed where they stand, and how many arguments in braces they have.
+const NOT_PRINTED: &[(&str, usize)] = &[
+    ("phantom", 1),
+    ("vphantom", 1),
+    ("hphantom", 1),
+    ("index", 1),
+    ("glossary", 1),
+    ("typeout", 1),
+    ("message", 1),
+    ("hypersetup", 1),
+    ("pdfbookmark", 2),
+    ("@gobble", 1),
+    ("@gobbletwo", 2),
+];
+
+/// Commands whose argument is text in a display.
+const WORDS: &[&str] = &["text", "textrm", "textit", "textbf", "mbox", "hbox", "intertext", "shortintertext"];
 
 /// The most tokens of a formula that is read: a display of a hundred pages.
 const LONGEST_FORMULA: usize = 100_000;
@@ -182,22 +206,99 @@ impl<'t> Reader<'t> {
                         };
                         if let Some(numbers) = display(&inner) {
                             self.at = after;
-                            if ["alignat", "IEEEeqnarray"].iter().any(|with| name.starts_with(with)) {
+                            if ["alignat", "xalignat", "IEEEeqnarray"].iter().any(|with| name.starts_with(with)) {
                                 self.at = group_text(self.tokens, self.at).1;
                             }
                             let body = self.environment(&name);
-                            self.equation(&body, numbers, &inner);
+                            self.equation(&body, numbers, inner.trim_start_matches("sub").trim_start_matches('x'));
                         } else {
+                            let is_display = DISPLAYS_NOT_READ.contains(&name.as_str());
                             self.open.push((name, token.span.clone()));
+                            if is_display {
+                                self.formula_outside();
+                            }
                         }
                     }
                     "end" => {
                         self.open.pop();
                     }
-                    "ensuremath" => self.at = group_text(self.tokens, self.at).1,
+                    "ensuremath" => {
+                        let body = self.argument();
+                        self.running(&body);
+                    }
+                    "savebox" | "sbox" | "setbox" => self.boxed(&token.span),
+                    name if NOT_PRINTED.iter().any(|(command, _)| *command == name) => {
+                        let count = NOT_PRINTED.iter().find(|(command, _)| *command == name).map_or(1, |(_, n)| *n);
+                        self.at = self.after_options(self.at);
+                        (0..count).for_each(|_| self.at = group_text(self.tokens, self.at).1);
+                    }
                     name if OF_FORMULAS.contains(&name) => self.formula_outside(),
                     _ => {}
                 },
+                _ => {}
+            }
+        }
+    }
+
+    /// The tokens of a group that comes next, which are passed over.
+    fn argument(&mut self) -> Vec<Token> {
+        let after = group_text(self.tokens, self.at).1;
+        let all = self.tokens.get(self.at..after).unwrap_or_default();
+        self.at = after;
+        let from = all.iter().position(|t| t.kind == Kind::Open).map_or(0, |i| i + 1);
+        let to = all.len() - usize::from(all.last().is_some_and(|t| t.kind == Kind::Close));
+        all.get(from..to).unwrap_or_default().to_vec()
+    }
+
+    /// Passes over what is put into a box; a formula in it is told, since the box may be printed elsewhere.
+    fn boxed(&mut self, span: &Range<usize>) {
+        let name = group_text(self.tokens, self.at).1;
+        // The name in braces or not, `=`, a width in brackets.
+        let before_group =
+            |from: usize| self.tokens.iter().skip(from).take(MOST_OF_OPTIONS).position(|t| t.kind == Kind::Open);
+        let Some(more) = before_group(name) else { return };
+        self.at = name + more;
+        let body = self.argument();
+        if body.iter().any(|t| t.kind == Kind::Dollar || t.is("(") || t.is("[")) {
+            let message = "formulas in a box that is printed elsewhere, or not at all, are not read".to_owned();
+            self.notes.push(PaperNote { message, span: span.clone() });
+        }
+    }
+
+    /// Reads the formulas that stand in words of a display, `\text{where $a=b$}`; those of cases are read with these.
+    fn formulas_in_words(&mut self, body: &[Token]) {
+        let is_cases = |at: usize| group_text(body, at + 1).0.ends_with("cases");
+        let (mut groups, mut cases) = (Vec::new(), 0usize);
+        // Where words begin, or a formula in them; what the words before it make of it.
+        let (mut words, mut formula, mut said) = (0, None, None);
+        for (at, token) in body.iter().enumerate() {
+            match token.kind {
+                Kind::Open => {
+                    let before = body[..at].iter().rev().find(|t| t.kind != Kind::Space);
+                    let begins = before.is_some_and(|t| t.kind == Kind::Command && WORDS.contains(&t.text.as_str()));
+                    if begins && groups.last() != Some(&true) {
+                        (words, said) = (at + 1, None);
+                    }
+                    groups.push(begins || groups.last() == Some(&true));
+                }
+                Kind::Close => drop(groups.pop()),
+                Kind::Dollar if groups.last() == Some(&true) && cases == 0 => match formula.take() {
+                    Some(from) => {
+                        let before = self.printed.len();
+                        self.running(&body[from..at]);
+                        // Nothing that words do not say to be meant so is stated here.
+                        let opening = said.unwrap_or(Opening::Remark);
+                        self.printed.iter_mut().skip(before).for_each(|r| r.opening = Some(opening));
+                        words = at + 1;
+                    }
+                    None => {
+                        let text: String = body[words..at].iter().map(|t| t.text.as_str()).collect();
+                        said = opening(text.trim()).filter(|o| *o != Opening::Link).or(said);
+                        formula = Some(at + 1);
+                    }
+                },
+                _ if token.is("begin") && is_cases(at) => cases += 1,
+                _ if token.is("end") && is_cases(at) => cases = cases.saturating_sub(1),
                 _ => {}
             }
         }
@@ -319,6 +420,7 @@ impl<'t> Reader<'t> {
         let place = Place { environment, display: Some(self.displays), section: self.section, chapter: self.chapter };
         self.printed.extend(printed::relations(body, &place));
         self.displays += 1;
+        self.formulas_in_words(body);
         let lines = match numbers {
             Numbers::One => vec![body.to_vec()],
             Numbers::EachLine => numbered(body),

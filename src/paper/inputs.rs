@@ -12,7 +12,7 @@ use super::book::macros_of;
 use super::chapter::main_of;
 use super::markdown::printed;
 use super::named::Named;
-use super::token::{MOST_TOKENS, Token, tokens};
+use super::token::{MOST_TOKENS, OwnEnvironments, Token, tokens, tokens_with};
 use super::{LARGEST_PAPER, PaperNote, text_from};
 use diag::Source;
 use diag::escape::in_one_line;
@@ -68,13 +68,15 @@ pub(super) struct Inputs {
     seen: Vec<PathBuf>,
     next: usize,
     bytes: u64,
+    /// Environments that the files make.
+    pub own: OwnEnvironments,
 }
 
 /// The tokens of a file: Markdown is known by its name.
-pub(super) fn tokens_of(source: &Source) -> Vec<Token> {
+pub(super) fn tokens_of(source: &Source, own: &mut OwnEnvironments) -> Vec<Token> {
     match is_markdown(&source.path) {
-        true => tokens(&printed(&source.text)),
-        false => tokens(&source.text),
+        true => tokens_with(&printed(&source.text), own),
+        false => tokens_with(&source.text, own),
     }
 }
 
@@ -84,17 +86,18 @@ pub fn is_markdown(path: &str) -> bool {
 }
 
 impl Inputs {
-    pub(super) fn new(paper: &Source, folder: Option<&Path>) -> Inputs {
+    pub(super) fn new(paper: &Source, folder: Option<&Path>, own: OwnEnvironments) -> Inputs {
         let here = |f: &Path| if f.as_os_str().is_empty() { PathBuf::from(".") } else { f.to_path_buf() };
-        let own = Path::new(&paper.path).file_name().map(PathBuf::from);
+        let name = Path::new(&paper.path).file_name().map(PathBuf::from);
         Inputs {
             folder: folder.map(here),
             main: None,
             files: Vec::new(),
             notes: Vec::new(),
-            seen: own.into_iter().collect(),
+            seen: name.into_iter().collect(),
             next: paper.text.len() + 1,
             bytes: 0,
+            own,
         }
     }
 
@@ -161,7 +164,7 @@ impl Inputs {
                 self.seen.push(with_ending);
                 self.bytes += bytes.len() as u64;
                 let source = Source { path: path.display().to_string(), text: text_from(bytes) };
-                let all = tokens_of(&source);
+                let all = tokens_of(&source, &mut self.own);
                 if all.len() > MOST_TOKENS {
                     return self.refused(name, span, "it is longer than can be read");
                 }
@@ -203,6 +206,8 @@ impl Inputs {
         let name = main.path.file_name().map_or_else(String::new, |n| n.display().to_string());
         let message = format!("read with the definitions of `{}`, which includes it", in_one_line(&name));
         self.notes.push(PaperNote { message, span: 0..0 });
+        // What is made there is so in the chapter.
+        tokens_with(&main.text, &mut self.own);
         self.main = main.path.parent().map(Path::to_path_buf);
         self.placed(Source { path: main.path.display().to_string(), text: main.text }, main.preamble)
     }

@@ -59,9 +59,9 @@ use document::Reader;
 use files::Why;
 use inputs::Inputs;
 use latex::Logarithm;
-use macros::{Endless, Expanded};
+use macros::{Definitions, Doubts, Endless, Expanded};
 use mark::{Mark, marks, text_of};
-use token::{Kind, Token};
+use token::{Kind, OwnEnvironments, Token};
 
 /// Largest size of a paper, in bytes.
 pub const LARGEST_PAPER: u64 = 16 << 20;
@@ -191,7 +191,8 @@ pub fn read(path: &Path) -> Result<Paper, Box<Diagnostic>> {
         return Err(refuse(format!("this file is {what}")));
     }
     let sha256 = Sha256::digest(&bytes).iter().map(|b| format!("{b:02x}")).collect();
-    parse_with(Arc::new(Source { path: shown, text: text_from(bytes) }), sha256, path.parent())
+    let definitions = definitions_of(&shown);
+    parse_with(Arc::new(Source { path: shown, text: text_from(bytes) }), sha256, path.parent(), definitions)
 }
 
 /// What bytes are that are no text in UTF-8, nor in ISO 8859-1.
@@ -215,7 +216,8 @@ fn text_from(bytes: Vec<u8>) -> String {
 /// # Errors
 /// Macros that do not end.
 pub fn parse(file: Source, sha256: String) -> Result<Paper, Box<Diagnostic>> {
-    parse_with(Arc::new(file), sha256, None)
+    let definitions = definitions_of(&file.path);
+    parse_with(Arc::new(file), sha256, None, definitions)
 }
 
 /// Reads the text of a paper as it stands in an editor: the files that it names are read in the folder, as [`read`] does.
@@ -224,7 +226,8 @@ pub fn parse(file: Source, sha256: String) -> Result<Paper, Box<Diagnostic>> {
 /// Macros that do not end.
 pub fn parse_in(file: Arc<Source>, folder: Option<&Path>) -> Result<Paper, Box<Diagnostic>> {
     let sha256 = Sha256::digest(file.text.as_bytes()).iter().map(|b| format!("{b:02x}")).collect();
-    parse_with(file, sha256, folder)
+    let definitions = definitions_of(&file.path);
+    parse_with(file, sha256, folder, definitions)
 }
 
 /// Reads a text that is handed over under a name, of which nothing else is read. Where nothing in it says where formulas begin, each line is a
@@ -234,22 +237,54 @@ pub fn parse_in(file: Arc<Source>, folder: Option<&Path>) -> Result<Paper, Box<D
 /// Macros that do not end.
 pub fn parse_pasted(name: &str, text: &str) -> Result<Paper, Box<Diagnostic>> {
     let text = pasted::in_displays(text).into_owned();
-    parse_in(Arc::new(Source { path: name.to_owned(), text }), None)
+    let sha256 = Sha256::digest(text.as_bytes()).iter().map(|b| format!("{b:02x}")).collect();
+    parse_with(Arc::new(Source { path: name.to_owned(), text }), sha256, None, Definitions::OfTheWhole)
+}
+
+/// Where definitions end in a file: a page has those of all its formulas.
+fn definitions_of(path: &str) -> Definitions {
+    if is_markdown(path) { Definitions::OfTheWhole } else { Definitions::OfTheirGroup }
+}
+
+/// Marks the formulas of which it is not known whether they are printed, or as what, and tells of each such place.
+fn mark_doubts(printed: &mut [PrintedRelation], doubts: &Doubts) -> Vec<PaperNote> {
+    let mut told = BTreeSet::new();
+    let mut notes = Vec::new();
+    for relation in printed {
+        let Some((number, doubt)) = doubts.of(&relation.span()) else { continue };
+        relation.unread = Some(doubt.why());
+        if told.insert(number) {
+            notes.push(PaperNote { message: doubt.message(), span: doubt.span.clone() });
+        }
+    }
+    notes
 }
 
 /// Most macros without an end that are left out.
 const MOST_ENDLESS: usize = 8;
 
-fn parse_with(file: Arc<Source>, sha256: String, folder: Option<&Path>) -> Result<Paper, Box<Diagnostic>> {
+fn parse_with(
+    file: Arc<Source>,
+    sha256: String,
+    folder: Option<&Path>,
+    definitions: Definitions,
+) -> Result<Paper, Box<Diagnostic>> {
     let mut passed: BTreeSet<String> = BTreeSet::new();
     let mut endless = Vec::new();
-    let (Expanded { tokens: all, cut }, inputs) = loop {
-        let mut inputs = Inputs::new(&file, folder);
-        let document = inputs::tokens_of(&file);
+    let (mut own, mut is_reread) = (OwnEnvironments::default(), false);
+    let (Expanded { tokens: all, cut, doubts, notes: told }, inputs) = loop {
+        let mut inputs = Inputs::new(&file, folder, own.clone());
         let preamble = inputs.preamble(&file);
-        let found =
-            macros::expanded(document, preamble, &passed, &mut |name, named, span| inputs.tokens(name, named, span));
+        let document = inputs::tokens_of(&file, &mut inputs.own);
+        let known = inputs.own.clone();
+        let mut input = |name: &str, named, span: &Range<usize>| inputs.tokens(name, named, span);
+        let found = macros::expanded(document, preamble, &passed, definitions, &mut input);
         let Endless { name, span } = match found {
+            // An environment that another file makes is one of the whole paper: that is read anew, once.
+            Ok(_) if !is_reread && !inputs.own.read_as(&known) => {
+                (own, is_reread) = (inputs.own, true);
+                continue;
+            }
             Ok(all) => break (all, inputs),
             Err(endless) => endless,
         };
@@ -262,7 +297,9 @@ fn parse_with(file: Arc<Source>, sha256: String, folder: Option<&Path>) -> Resul
     };
     let mut reader = Reader::new(&all);
     reader.document();
-    let Reader { equations, relations, title, printed, differences, mut notes, mut borders, .. } = reader;
+    let Reader { equations, relations, title, mut printed, differences, mut notes, mut borders, .. } = reader;
+    notes.extend(mark_doubts(&mut printed, &doubts));
+    notes.extend(told);
     borders.numbered.sort_unstable();
     let title = title.map(|t| shown(&t).into_owned());
     notes.extend(inputs.notes);

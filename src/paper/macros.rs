@@ -5,18 +5,32 @@
 //!
 //! A token that comes out of a macro has the place of the call, so that a difference points at what the author wrote.
 
+mod branches;
 mod call;
+mod conditions;
 mod cut;
 mod define;
+mod defined;
+mod doubts;
+mod kernel;
 mod rest;
+#[cfg(test)]
+mod tests;
+mod units;
 
 use std::collections::BTreeSet;
 use std::ops::Range;
 
+use branches::Unclosed;
 use call::call;
-use define::{Defined, define};
+use define::define;
+pub(super) use defined::Definitions;
+use defined::{Defined, Scope, What};
+pub(super) use doubts::Doubts;
 use rest::{MOST_NAME, Macro, Rest, argument, next_is, optional, spaces, takes_braces};
+use units::Units;
 
+use super::PaperNote;
 use super::named::{COMMANDS_OF_TEXT, Input, Named, PACKAGES};
 use super::short::Short;
 use super::token::{Kind, MOST_TOKENS, Token};
@@ -41,6 +55,10 @@ pub(super) struct Expanded {
     pub tokens: Vec<Token>,
     /// Where reading ended, if the document goes on there.
     pub cut: Option<Range<usize>>,
+    /// Of which places it is not known whether they are printed, or as what.
+    pub doubts: Doubts,
+    /// What was not read.
+    pub notes: Vec<PaperNote>,
 }
 
 /// A macro that is being expanded, and how much was read before it.
@@ -58,11 +76,48 @@ fn at_fault(outer: &[Outer], depth: usize, (calls, tokens): (usize, usize)) -> O
     first.name.as_deref().filter(|_| most)
 }
 
-/// The command that stands behind the text of a package while it is read; no text has it.
+/// The command that stands behind the text of a package while it is read; no text has it, nor the next ones.
 const END_OF_DEFINITIONS: &str = "";
+/// That behind the text of another file.
+const END_OF_FILE: &str = "end file";
+/// That behind branches that are arguments.
+const END_OF_BRANCHES: &str = "end branches";
+/// What stands behind the end of an environment of the document's own, with its name.
+const END_OF_ENVIRONMENT: &str = "end environment ";
 
 /// Commands of classes for exercises, and of layout, that print their argument as it is; options before it are not printed.
 const PRINT_THEIR_ARGUMENT: &[&str] = &["answer", "eqmathbox"];
+
+/// Commands that do what stands in their argument, outside of any group.
+const DO_THEIR_ARGUMENT: &[&str] = &["AtBeginDocument", "AtEndOfClass", "AtEndOfPackage", "AtEndPreamble"];
+
+/// Whether reading goes on.
+enum Then {
+    Next,
+    /// The document ends.
+    End,
+    /// It is too long.
+    Cut(Range<usize>),
+}
+
+/// A document that is being expanded.
+struct Expander<'e, 'i> {
+    /// What is still to be read, the next token last; the depth of macros it came from beside it.
+    rest: Rest,
+    out: Vec<Token>,
+    defined: Defined,
+    definitions: Definitions,
+    /// Macros that leave nothing can call each other more often than any paper has tokens.
+    calls: usize,
+    outer: Vec<Outer>,
+    conditions: Vec<Unclosed>,
+    /// Tokens that were looked at to find where conditions end.
+    looked: usize,
+    units: Units,
+    doubts: Doubts,
+    notes: Vec<PaperNote>,
+    input: &'e mut Input<'i>,
+}
 
 /// The tokens of a document with its own macros expanded; definitions leave no token, and those of the names in `passed` no meaning. `preamble` is that of
 /// the main file of a chapter: only its definitions count. `input` gives the tokens of a file that the document names, if it may be read.
@@ -70,112 +125,314 @@ pub(super) fn expanded(
     mut document: Vec<Token>,
     preamble: Vec<Token>,
     passed: &BTreeSet<String>,
+    definitions: Definitions,
     input: &mut Input<'_>,
 ) -> Result<Expanded, Endless> {
     let mut cut = document.get(MOST_TOKENS).map(|t| t.span.clone());
     document.truncate(MOST_TOKENS);
-    let mut defined = Defined { passed: passed.clone(), ..Defined::default() };
-    // A stack of what is still to be read, the next token last; the depth of macros it came from beside it.
-    let mut rest: Vec<(Token, usize)> = document.into_iter().rev().map(|t| (t, 0)).collect();
-    let mut out: Vec<Token> = Vec::with_capacity(rest.len());
-    // Macros that leave nothing can call each other more often than any paper has tokens.
-    let mut calls = 0;
-    let mut outer: Vec<Outer> = Vec::new();
+    let rest: Rest = document.into_iter().rev().map(|t| (t, 0)).collect();
+    let mut all = Expander {
+        out: Vec::with_capacity(rest.len()),
+        rest,
+        defined: Defined::passing(passed.clone()),
+        definitions,
+        calls: 0,
+        outer: Vec::new(),
+        conditions: Vec::new(),
+        looked: 0,
+        units: Units::default(),
+        doubts: Doubts::default(),
+        notes: Vec::new(),
+        input,
+    };
     if !preamble.is_empty() {
-        defined.packages = 1;
-        rest.push((Token { kind: Kind::Command, text: END_OF_DEFINITIONS.into(), span: 0..0 }, 0));
-        rest.extend(preamble.into_iter().rev().map(|t| (t, 0)));
+        all.defined.packages = 1;
+        all.put_behind(END_OF_DEFINITIONS, 0..0, 0);
+        all.rest.extend(preamble.into_iter().rev().map(|t| (t, 0)));
     }
-    // Conditions of the document's own that hold and are not yet closed.
-    let mut open_conditions = 0;
-    while let Some((mut token, depth)) = rest.pop() {
-        if out.len() >= MOST_TOKENS {
-            if let Some(name) = at_fault(&outer, depth, (calls, out.len())) {
+    while let Some((token, depth)) = all.rest.pop() {
+        if all.out.len() >= MOST_TOKENS {
+            if let Some(name) = at_fault(&all.outer, depth, (all.calls, all.out.len())) {
                 return Err(Endless { name: name.to_owned(), span: token.span });
             }
             cut = Some(token.span);
             break;
         }
-        let frozen = token.kind == Kind::Command && defined.aliases.contains_key(token.text.as_str());
-        if frozen && let Some(meaning) = defined.aliases.get(token.text.as_str()) {
-            token.text = meaning.as_str().into();
-        }
-        if token.kind != Kind::Command {
-            if defined.packages == 0 {
-                out.push(token);
-            }
-        } else if token.is("end") && begins_group(&rest, "document") {
-            cut = None;
-            break;
-        } else if token.is("iffalse") || defined.conditions.get(token.text.as_str()) == Some(&false) {
-            skip_branch(&mut rest);
-        } else if defined.conditions.get(token.text.as_str()) == Some(&true) {
-            open_conditions += 1;
-        } else if open_conditions > 0 && token.is("fi") {
-            open_conditions -= 1;
-        } else if open_conditions > 0 && token.is("else") {
-            open_conditions -= 1;
-            skip_branch(&mut rest);
-        } else if let Some(value) = defined.switched(&token.text) {
-            defined.conditions.insert(value.0, value.1);
-        } else if token.is(END_OF_DEFINITIONS) {
-            defined.packages = defined.packages.saturating_sub(1);
-        } else if let Some(named) = named_by(&token, &defined, frozen) {
-            calls += 1;
-            if calls > MOST_CALLS || depth >= DEEPEST {
-                return Err(Endless { name: token.text.into(), span: token.span });
-            }
-            let file = files_named(named, &token, &mut rest, input);
-            if file.len() + rest.len() + out.len() > MOST_TOKENS {
-                cut = Some(token.span);
+        match all.take(token, depth)? {
+            Then::Next => {}
+            Then::End => {
+                cut = None;
                 break;
             }
-            if named != Named::Text && !file.is_empty() {
-                defined.packages += 1;
-                let end = Token { kind: Kind::Command, text: END_OF_DEFINITIONS.into(), span: token.span };
-                rest.push((end, depth));
+            Then::Cut(span) => {
+                cut = Some(span);
+                break;
             }
-            outer.truncate(depth);
-            outer.push(Outer { name: None, calls, tokens: out.len() });
-            rest.extend(file.into_iter().rev().map(|t| (t, depth + 1)));
-        } else if define(&token.text, &mut rest, &mut defined) {
-            // Nothing is printed.
-            let Defined { passed, macros, .. } = &mut defined;
-            passed.iter().for_each(|name| drop(macros.remove(name)));
-        } else if let Some(found) = called(&token, &mut rest, &defined, frozen) {
-            calls += 1;
-            let room = MOST_TOKENS.saturating_sub(rest.len() + out.len());
-            let too_many = depth >= DEEPEST || calls > MOST_CALLS;
-            let Some(body) = (!too_many).then(|| call(found, &token, &mut rest, room)).flatten() else {
-                let fault = at_fault(&outer, depth, (calls, out.len())).filter(|_| depth < DEEPEST);
-                let name = fault.map_or_else(|| token.text.to_string(), str::to_owned);
-                return Err(Endless { name, span: token.span });
-            };
-            outer.truncate(depth);
-            outer.push(Outer { name: Some(token.text), calls, tokens: out.len() });
-            rest.extend(body.into_iter().rev().map(|t| (t, depth + 1)));
-        } else if PRINT_THEIR_ARGUMENT.contains(&token.text.as_str()) && takes_braces(&rest) {
-            while optional(&mut rest).is_some() {}
-        } else if defined.packages == 0 {
-            out.push(token);
         }
     }
+    let Expander { mut out, doubts, notes, .. } = all;
     if cut.is_some() {
         let end = cut::end_of_whole(&out);
         cut = out.get(end).map(|t| t.span.clone()).or(cut);
         out.truncate(end);
     }
-    Ok(Expanded { tokens: out, cut })
+    Ok(Expanded { tokens: out, cut, doubts: doubts.in_order(), notes })
 }
 
-/// The macro of the document's own that a token calls, or the beginning or the end of its own environment; the name of that is taken from what follows.
-fn called<'d>(token: &Token, rest: &mut Rest, defined: &'d Defined, frozen: bool) -> Option<&'d Macro> {
+impl Expander<'_, '_> {
+    /// Puts a command that no text has in front of what is still to be read.
+    fn put_behind(&mut self, command: &str, span: Range<usize>, depth: usize) {
+        self.rest.push((Token { kind: Kind::Command, text: command.into(), span }, depth));
+    }
+
+    /// Takes the next token.
+    fn take(&mut self, mut token: Token, depth: usize) -> Result<Then, Endless> {
+        self.scope(&token);
+        if token.kind != Kind::Command {
+            self.print(token);
+            return Ok(Then::Next);
+        }
+        let frozen = match self.defined.alias(&token.text) {
+            Some(meaning) => {
+                token.text = meaning.into();
+                true
+            }
+            None => false,
+        };
+        if token.is("end") && begins_group(&self.rest, "document") {
+            return Ok(Then::End);
+        }
+        if self.units.waits() && self.defined.macro_of(&token.text).is_some_and(|m| !frozen && units::needs_braces(m)) {
+            // The argument of a macro of LaTeX: all of what it prints.
+            let brace = |kind, text: &str| Token { kind, text: text.into(), span: token.span.clone() };
+            self.rest.push((brace(Kind::Close, "}"), depth));
+            self.rest.push((token.clone(), depth));
+            self.rest.push((brace(Kind::Open, "{"), depth));
+            return Ok(Then::Next);
+        }
+        if self.ends(&token) || self.conditional(&token, depth) {
+            return Ok(Then::Next);
+        }
+        if token.is("endinput") && self.defined.macro_of("endinput").is_none() {
+            return Ok(self.end_of_input());
+        }
+        if let Some(value) = self.defined.switched(&token.text) {
+            let known = (!self.defined.is_doubtful).then_some(value.1);
+            self.defined.assign(value.0, What::Condition(known));
+            self.defined.is_global = false;
+            return Ok(Then::Next);
+        }
+        if token.is("global") {
+            self.defined.is_global = true;
+            return Ok(Then::Next);
+        }
+        if self.defined.is_global && matches!(token.text.as_str(), "long" | "outer" | "protected") {
+            return Ok(Then::Next);
+        }
+        let is_global = self.defined.is_global;
+        let then = self.call_or_print(token, depth, frozen);
+        // `\\global` is said of what stands right behind it.
+        self.defined.is_global &= !is_global;
+        then
+    }
+
+    /// Takes a command that is none of conditions.
+    fn call_or_print(&mut self, token: Token, depth: usize, frozen: bool) -> Result<Then, Endless> {
+        if let Some(named) = named_by(&token, &self.defined, frozen) {
+            return self.read_files(token, named, depth);
+        }
+        if define(&token.text, &mut self.rest, &mut self.defined) {
+            // Nothing is printed.
+            return Ok(Then::Next);
+        }
+        if token.is("end") && environment(&token, &self.rest, &self.defined).is_some() {
+            let name = name_ahead(&self.rest);
+            self.call_macro(token, depth, frozen, Some(name))?;
+        } else if called(&token, &self.defined, &self.rest, frozen) {
+            self.call_macro(token, depth, frozen, None)?;
+        } else if DO_THEIR_ARGUMENT.contains(&token.text.as_str()) && takes_braces(&self.rest) {
+            let body = argument(&mut self.rest);
+            self.rest.extend(body.into_iter().rev().map(|t| (t, depth)));
+        } else if PRINT_THEIR_ARGUMENT.contains(&token.text.as_str()) && takes_braces(&self.rest) {
+            while optional(&mut self.rest).is_some() {}
+        } else {
+            self.print(token);
+        }
+        Ok(Then::Next)
+    }
+
+    /// Puts the body of a macro, or of the beginning or the end of an environment, in the place of its call; `ends` is the environment that ends.
+    fn call_macro(&mut self, token: Token, depth: usize, frozen: bool, ends: Option<String>) -> Result<(), Endless> {
+        self.calls += 1;
+        let Expander { rest, out, defined, calls, outer, doubts, .. } = self;
+        let room = MOST_TOKENS.saturating_sub(rest.len() + out.len());
+        let too_many = depth >= DEEPEST || *calls > MOST_CALLS;
+        if defined.is_doubted(&token.text) {
+            doubts.note_meaning(&token);
+        }
+        let found = take_called(&token, rest, defined, frozen);
+        let Some(body) = found.filter(|_| !too_many).and_then(|found| call(found, &token, rest, room)) else {
+            let fault = at_fault(outer, depth, (*calls, out.len())).filter(|_| depth < DEEPEST);
+            let name = fault.map_or_else(|| token.text.to_string(), str::to_owned);
+            return Err(Endless { name, span: token.span });
+        };
+        outer.truncate(depth);
+        outer.push(Outer { name: Some(token.text), calls: *calls, tokens: out.len() });
+        if let Some(name) = ends {
+            self.put_behind(&format!("{END_OF_ENVIRONMENT}{name}"), token.span, depth);
+        }
+        self.rest.extend(body.into_iter().rev().map(|t| (t, depth + 1)));
+        Ok(())
+    }
+
+    /// Puts the files that a command names in its place.
+    fn read_files(&mut self, token: Token, named: Named, depth: usize) -> Result<Then, Endless> {
+        self.calls += 1;
+        if self.calls > MOST_CALLS || depth >= DEEPEST {
+            return Err(Endless { name: token.text.into(), span: token.span });
+        }
+        let file = files_named(named, &token, &mut self.rest, self.input);
+        if file.len() + self.rest.len() + self.out.len() > MOST_TOKENS {
+            return Ok(Then::Cut(token.span));
+        }
+        if file.is_empty() {
+            return Ok(Then::Next);
+        }
+        self.defined.packages += usize::from(named != Named::Text);
+        let end = if named == Named::Text { END_OF_FILE } else { END_OF_DEFINITIONS };
+        self.put_behind(end, token.span, depth);
+        self.outer.truncate(depth);
+        self.outer.push(Outer { name: None, calls: self.calls, tokens: self.out.len() });
+        self.rest.extend(file.into_iter().rev().map(|t| (t, depth + 1)));
+        Ok(Then::Next)
+    }
+
+    /// Takes what stands behind files and environments.
+    fn ends(&mut self, token: &Token) -> bool {
+        if let Some(name) = token.text.strip_prefix(END_OF_ENVIRONMENT) {
+            self.defined.end(&Scope::Environment(name.to_owned()));
+            return true;
+        }
+        if token.is(END_OF_DEFINITIONS) {
+            // What a package begins and does not end has no end in the paper.
+            let here = self.defined.packages;
+            while self.conditions.last().is_some_and(|c| c.packages >= here) {
+                self.conditions.pop();
+            }
+            self.defined.packages = here.saturating_sub(1);
+            self.be_doubtful();
+            return true;
+        }
+        token.is(END_OF_FILE)
+    }
+
+    /// At `\\endinput`: drops what stands behind it in its file.
+    fn end_of_input(&mut self) -> Then {
+        // Whether that is done is not known; what stands behind is read as before.
+        if self.defined.is_doubtful {
+            return Then::Next;
+        }
+        let end = |t: &Token| t.is(END_OF_FILE) || t.is(END_OF_DEFINITIONS);
+        match self.rest.iter().rposition(|(t, _)| end(t)) {
+            Some(at) => {
+                self.rest.truncate(at + 1);
+                Then::Next
+            }
+            None => Then::End,
+        }
+    }
+
+    /// Begins or ends what definitions stand in.
+    fn scope(&mut self, token: &Token) {
+        if self.definitions == Definitions::OfTheWhole {
+            return;
+        }
+        let defined = &mut self.defined;
+        match token.kind {
+            Kind::Open => defined.begin(Scope::Braces),
+            Kind::Close => defined.end(&Scope::Braces),
+            // A formula of the running text ends with its paragraph.
+            Kind::Space if token.text.contains('\n') && defined.innermost() == Some(&Scope::Formula("$")) => {
+                defined.end(&Scope::Formula("$"));
+            }
+            Kind::Dollar => self.dollar(),
+            Kind::Command => match token.text.as_str() {
+                "begingroup" | "bgroup" => defined.begin(Scope::Group),
+                "endgroup" | "egroup" => defined.end(&Scope::Group),
+                "[" => defined.begin(Scope::Formula("[")),
+                "(" => defined.begin(Scope::Formula("(")),
+                "left" => defined.begin(Scope::Formula("left")),
+                "right" => defined.end(&Scope::Formula("left")),
+                "]" => defined.end(&Scope::Formula("[")),
+                ")" => defined.end(&Scope::Formula("(")),
+                "begin" | "end" => {
+                    let name = name_ahead(&self.rest);
+                    let is_own = defined.environments.contains_key(&name);
+                    match token.is("begin") {
+                        true if name != "document" => defined.begin(Scope::Environment(name)),
+                        false if !is_own => defined.end(&Scope::Environment(name)),
+                        _ => {}
+                    }
+                }
+                _ => {}
+            },
+            _ => {}
+        }
+    }
+
+    /// Begins or ends a formula at a dollar, or at the first of two.
+    fn dollar(&mut self) {
+        let is_doubled = self.rest.last().is_some_and(|(t, _)| t.kind == Kind::Dollar);
+        let defined = &mut self.defined;
+        match defined.innermost() {
+            Some(Scope::Formula("$")) => defined.end(&Scope::Formula("$")),
+            // The second of two ends nothing: it stands alone between the two that count.
+            Some(Scope::Formula("$$")) if is_doubled => {
+                defined.end(&Scope::Formula("$$"));
+                defined.begin(Scope::Formula("second"));
+            }
+            Some(Scope::Formula("second")) => defined.end(&Scope::Formula("second")),
+            Some(Scope::Formula("$$")) => {}
+            _ if is_doubled => defined.begin(Scope::Formula("$$")),
+            _ => defined.begin(Scope::Formula("$")),
+        }
+    }
+
+    /// Puts out a token that is printed.
+    fn print(&mut self, token: Token) {
+        if self.defined.packages > 0 {
+            return;
+        }
+        if let Some(doubt) = self.conditions.last().and_then(|c| c.doubt) {
+            self.doubts.note(&token.span, doubt);
+        }
+        self.units.take(&token);
+        self.out.push(token);
+    }
+}
+
+/// The name in braces that comes next.
+fn name_ahead(rest: &Rest) -> String {
+    if rest.last().is_none_or(|(t, _)| t.kind != Kind::Open) {
+        return String::new();
+    }
+    let inside = rest.iter().rev().skip(1).map(|(t, _)| t).take_while(|t| t.kind != Kind::Close).take(MOST_NAME);
+    inside.map(|t| t.text.as_str()).collect()
+}
+
+/// Whether a token calls a macro of the document's own, or stands at the beginning or the end of its own environment.
+fn called(token: &Token, defined: &Defined, rest: &Rest, frozen: bool) -> bool {
+    environment(token, rest, defined).is_some() || !frozen && defined.macro_of(&token.text).is_some()
+}
+
+/// The macro that a token calls; the name of an environment is taken from what follows.
+fn take_called<'d>(token: &Token, rest: &mut Rest, defined: &'d Defined, frozen: bool) -> Option<&'d Macro> {
     if let Some(found) = environment(token, rest, defined) {
         argument(rest);
         return Some(found);
     }
-    let found = defined.macros.get(token.text.as_str()).filter(|_| !frozen)?;
-    if defined.paired.contains(token.text.as_str()) {
+    let found = defined.macro_of(&token.text).filter(|_| !frozen)?;
+    if defined.is_pair(&token.text) {
         next_is(rest, "*");
         optional(rest);
     }
@@ -187,7 +444,7 @@ fn named_by(token: &Token, defined: &Defined, frozen: bool) -> Option<Named> {
     let command = token.text.as_str();
     let package = || PACKAGES.iter().find(|(name, _)| *name == command).map(|(_, named)| *named);
     let named = if COMMANDS_OF_TEXT.contains(&command) { Named::Text } else { package()? };
-    (frozen || !defined.macros.contains_key(token.text.as_str())).then_some(named)
+    (frozen || defined.macro_of(command).is_none()).then_some(named)
 }
 
 /// The tokens of the files that a command names, one behind the other.
@@ -206,10 +463,7 @@ fn environment<'d>(token: &Token, rest: &Rest, defined: &'d Defined) -> Option<&
     if defined.environments.is_empty() || !(token.is("begin") || token.is("end")) {
         return None;
     }
-    let open = rest.last().is_some_and(|(t, _)| t.kind == Kind::Open);
-    let inside = rest.iter().rev().skip(1).map(|(t, _)| t).take_while(|t| t.kind != Kind::Close).take(MOST_NAME);
-    let name: String = inside.map(|t| t.text.as_str()).collect();
-    let (begin, end) = defined.environments.get(&name).filter(|_| open)?;
+    let (begin, end) = defined.environments.get(&name_ahead(rest))?;
     Some(if token.is("begin") { begin } else { end })
 }
 
@@ -233,113 +487,4 @@ fn begins_group(rest: &Rest, name: &str) -> bool {
     let open = next.next().is_some_and(|t| t.kind == Kind::Open);
     let inside: String = next.take_while(|t| t.kind != Kind::Close).take(40).map(|t| t.text.as_str()).collect();
     open && inside == name
-}
-
-/// Drops everything up to the `\fi` or `\else` of an `\iffalse`.
-fn skip_branch(rest: &mut Rest) {
-    let mut depth = 0;
-    while let Some((token, _)) = rest.pop() {
-        if token.kind != Kind::Command {
-            continue;
-        }
-        match token.text.as_str() {
-            "fi" | "else" if depth == 0 => return,
-            "fi" => depth -= 1,
-            name if name.starts_with("if") && name != "iff" => depth += 1,
-            _ => {}
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::token::tokens;
-    use super::*;
-
-    fn expanded(text: &str) -> Result<Vec<Token>, Endless> {
-        super::expanded(tokens(text), Vec::new(), &BTreeSet::new(), &mut |_, _, _| Vec::new()).map(|e| e.tokens)
-    }
-
-    fn shown(text: &str) -> String {
-        let all = expanded(text).unwrap_or_else(|e| panic!("{e:?}"));
-        let one = |t: &Token| if t.kind == Kind::Command { format!("\\{} ", t.text) } else { t.text.to_string() };
-        all.iter().map(one).collect::<String>().trim().to_owned()
-    }
-
-    #[test]
-    fn macros_are_expanded_as_latex_does() {
-        assert_eq!(shown(r"\newcommand{\w}{\boldsymbol\Omega}\w x"), r"\boldsymbol \Omega x");
-        assert_eq!(shown(r"\newcommand\d[2][t]{\frac{d#2}{d#1}}\d x\d[s]{y}"), r"\frac {dx}{dt}\frac {dy}{ds}");
-        assert_eq!(shown(r"\def\a#1{<#1>}\def\b{\a}\b{x}"), "<x>");
-        assert_eq!(shown(r"\DeclareMathOperator{\tr}{tr}\tr A"), r"\operatorname {tr}A");
-        assert_eq!(shown(r"\let\eps=\epsilon\eps"), r"\epsilon");
-        assert_eq!(shown(r"\providecommand{\x}{1}\renewcommand*{\x}{2}\providecommand{\x}{3}\x"), "2");
-        assert_eq!(shown(r"\newcommand{\x}{1}\iffalse\newcommand{\x}{2}\ifx a\fi\fi\x"), "1");
-        assert_eq!(shown(r"a\end{document}b"), "a");
-        // A name that is let is what it was.
-        assert_eq!(shown(r"\let\s\section\renewcommand\section[1]{(\s{#1})}\section{a}"), r"(\section {a})");
-        assert_eq!(shown(r"\let\nc\newcommand\nc{\x}{1}\x"), "1");
-        assert_eq!(
-            shown(r"\newenvironment{e}{\begin{equation}}{\end{equation}}\begin{e}x\end{e}"),
-            r"\begin {equation}x\end {equation}"
-        );
-        assert_eq!(shown(r"\NewDocumentCommand{\v}{m}{\vec{#1}}\v{x}"), r"\vec {x}");
-        assert_eq!(shown(r"\NewDocumentCommand{\v}{O{2} m}{#2^{#1}}\v{x}\v[3]y"), "x^{2}y^{3}");
-        assert_eq!(shown(r"\NewDocumentCommand{\r}{mmO{l}}{#2_#3}\r{x}{y}\r{x}{z}[c]"), "y_lz_c");
-        // Arguments with signs between them, as TeX takes them.
-        assert_eq!(shown(r"\def\at(#1,#2)#3{#3_#1^#2}\at(a,{(b)})x \at (c,{d,e})y"), "x_a^(b) y_c^d,e");
-        assert_eq!(shown(r"\def\to#1\by#2.{#1/#2}\to{a}b\by c.d"), "{a}b/cd");
-        assert_eq!(shown(r"\DeclarePairedDelimiter\n{\lVert}{\rVert}\n{x}\n*{y}\n[\big]z").matches("left").count(), 3);
-    }
-
-    #[test]
-    fn what_prints_its_argument_is_that() {
-        assert_eq!(shown(r"x=\answer[given]{a+b}"), "x={a+b}");
-        assert_eq!(shown(r"x=\answer{a+b} y"), "x={a+b} y");
-        assert_eq!(shown(r"\answer [tolerance=.1] {2}"), " {2}".trim());
-        // Without braces it is another one, and the paper's own is what it says.
-        assert_eq!(shown(r"\answer $x$"), r"\answer $x$");
-        assert_eq!(shown(r"\newcommand\answer[1]{<#1>}\answer{2}"), "<2>");
-    }
-
-    #[test]
-    fn macros_that_do_not_end_are_noticed() {
-        for text in [r"\def\a{\a}\a", r"\def\a{\b\b}\def\b{\a\a}\a", r"\def\a{x\a\a}\a"] {
-            assert!(expanded(text).is_err(), "{text}");
-        }
-    }
-
-    #[test]
-    fn macros_take_no_more_than_a_paper_may() {
-        // Sixty doublings of nothing; a long argument that is used often; more arguments than TeX has.
-        let names: Vec<char> = ('a'..='z').chain('A'..='Z').collect();
-        let doubling = |base: &str| {
-            let first = format!("\\def\\a{{{base}}}");
-            let each = names.windows(2).map(|w| format!("\\def\\{}{{\\{}\\{}}}", w[1], w[0], w[0]));
-            format!("{first}{}\\Z", each.collect::<String>())
-        };
-        // The one that the text calls is named, not one of those within.
-        for base in ["", "x"] {
-            let after_another = format!("\\def\\other{{o}}\\other {}", doubling(base));
-            assert_eq!(expanded(&after_another).map_err(|e| e.name), Err("Z".to_owned()));
-        }
-        let often = format!("\\def\\a#1{{{}}}\\a{{{}}}", "#1".repeat(10_000), "x".repeat(10_000));
-        assert!(expanded(&often).is_err());
-        assert_eq!(shown(r"\newcommand{\a}[99999999999]{x}\a bcdefghijkl"), "xkl");
-    }
-
-    #[test]
-    fn places_are_those_of_the_call() {
-        let text = r"\def\a{xy} \a z";
-        let all = expanded(text).expect("ends");
-        assert!(all.iter().filter(|t| t.text == "x" || t.text == "y").all(|t| &text[t.span.clone()] == r"\a"));
-    }
-
-    #[test]
-    fn unfinished_definitions_do_not_panic() {
-        let text = r"\newcommand{\a}[2][x]{\b#1#2}\def\c#1{\let\d=\a}\DeclareMathOperator*{\t}{t}\a[\c{y}{z\d{w}";
-        for end in 0..text.len() {
-            let _ = expanded(&text[..end]);
-        }
-    }
 }

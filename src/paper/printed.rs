@@ -45,6 +45,8 @@ pub struct PrintedRelation {
     pub described: Option<String>,
     /// What the words before it, in its display, make of it: "for x > 0".
     pub opening: Option<Opening>,
+    /// Why what is printed here is not known, where it is not.
+    pub unread: Option<String>,
     /// The last row of its display in which it stands, from 0.
     pub row: usize,
     /// The number of its display; `None` in the running text.
@@ -464,6 +466,7 @@ impl Relations<'_> {
             remark,
             described: None,
             opening: None,
+            unread: None,
             row: self.row,
             display: self.place.display,
             section: self.place.section,
@@ -542,6 +545,7 @@ impl Relations<'_> {
                     remark: Some(words),
                     described: None,
                     opening: None,
+                    unread: None,
                     row: self.row,
                     display: self.place.display,
                     section: self.place.section,

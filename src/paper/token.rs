@@ -1,5 +1,6 @@
 //! Characters of a LaTeX document → tokens, each with its place.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use super::short::Short;
@@ -42,18 +43,69 @@ impl Token {
     }
 }
 
-/// Environments in which nothing is LaTeX.
-const VERBATIM: &[&str] = &[
+/// Environments of packages whose content is not printed, or not as LaTeX.
+const NOT_PRINTED: &[&str] = &[
     "verbatim",
     "verbatim*",
     "Verbatim",
+    "Verbatim*",
+    "BVerbatim",
+    "LVerbatim",
+    "SaveVerbatim",
+    "VerbatimOut",
+    "spverbatim",
     "lstlisting",
+    "tcblisting",
     "comment",
     "filecontents",
     "filecontents*",
     "minted",
     "alltt",
     "tikzpicture",
+    "luacode",
+    "luacode*",
+    "asy",
+    "asydef",
+    "pycode",
+    "pyblock",
+    "pyconsole",
+    "sagesilent",
+    "sageblock",
+];
+
+/// Commands that make an environment, and whether its content is printed; `None` where what it does says it.
+const MAKE_ENVIRONMENTS: &[(&str, Option<bool>)] = &[
+    ("newenvironment", None),
+    ("renewenvironment", None),
+    ("NewDocumentEnvironment", None),
+    ("RenewDocumentEnvironment", None),
+    ("NewEnviron", None),
+    ("RenewEnviron", None),
+    ("newtheorem", Some(true)),
+    ("includecomment", Some(true)),
+    ("specialcomment", Some(true)),
+    ("newtcolorbox", Some(true)),
+    ("excludecomment", Some(false)),
+    ("lstnewenvironment", Some(false)),
+    ("newtcblisting", Some(false)),
+    ("DefineVerbatimEnvironment", Some(false)),
+    ("newverbatim", Some(false)),
+];
+
+/// Commands that begin an environment whose content is not printed as LaTeX, where they stand at the beginning of one of the author's own.
+const BEGIN_VERBATIM: &[&str] =
+    &["comment", "verbatim", "Verbatim", "VerbatimEnvironment", "lstlisting", "minted", "alltt"];
+
+/// Commands whose argument is no LaTeX, and how many arguments in braces stand before it.
+const VERBATIM_ARGUMENT: &[(&str, usize)] = &[
+    ("url", 0),
+    ("nolinkurl", 0),
+    ("path", 0),
+    ("href", 0),
+    ("lstinline", 0),
+    ("spverb", 0),
+    ("Verb", 0),
+    ("mintinline", 1),
 ];
 
 /// Commands after which a character encloses verbatim texts, and those that end this.
@@ -71,6 +123,11 @@ pub(super) const MOST_TOKENS: usize = 4_000_000;
 
 /// Splits a text; comments and verbatim texts leave no token. Of a text with more than [`MOST_TOKENS`] one more is given, for who asks.
 pub(super) fn tokens(text: &str) -> Vec<Token> {
+    tokens_with(text, &mut OwnEnvironments::default())
+}
+
+/// The same, where environments are made in other files, too.
+pub(super) fn tokens_with(text: &str, own: &mut OwnEnvironments) -> Vec<Token> {
     // A list that grows is copied, and is there twice then; room that is not used takes no memory.
     let mut out = Vec::with_capacity(text.len().min(MOST_TOKENS + 1));
     let mut at = 0;
@@ -126,8 +183,15 @@ pub(super) fn tokens(text: &str) -> Vec<Token> {
                     at = short_verbatim(text, at, *begins, &mut short);
                     continue;
                 }
+                if let Some((_, before)) = VERBATIM_ARGUMENT.iter().find(|(command, _)| *command == name)
+                    && let Some(end) = after_argument(text, at, *before, name)
+                {
+                    at = end;
+                    continue;
+                }
+                own.take(name, text, at);
                 if name == "begin"
-                    && let Some(end) = after_verbatim(text, at)
+                    && let Some(end) = own.after_unprinted(text, at)
                 {
                     at = end;
                     continue;
@@ -183,11 +247,114 @@ fn short_verbatim(text: &str, at: usize, begins: bool, short: &mut Vec<char>) ->
     text.len() - after.strip_prefix('}').unwrap_or(after).len()
 }
 
-/// The end of a verbatim environment, if one begins here, after `\begin`.
-fn after_verbatim(text: &str, at: usize) -> Option<usize> {
-    let (name, _) = text[at..].strip_prefix('{')?.split_once('}')?;
-    let end = VERBATIM.iter().find(|v| **v == name).map(|name| format!("\\end{{{name}}}"))?;
-    Some(text[at..].find(&end).map_or(text.len(), |i| at + i + end.len()))
+/// The end of an argument that is no LaTeX, behind so many others in braces: in braces, or between two signs.
+fn after_argument(text: &str, at: usize, before: usize, command: &str) -> Option<usize> {
+    let mut at = at;
+    let blank = |at: usize| at + text[at..].len() - text[at..].trim_start_matches([' ', '*']).len();
+    at = blank(at);
+    if text[at..].starts_with('[') {
+        at += text[at..].lines().next()?.find(']')? + 1;
+    }
+    for _ in 0..before {
+        at = after_braces(text, blank(at))?;
+    }
+    let next = text[at..].chars().next()?;
+    if next == '{' {
+        return after_braces(text, at);
+    }
+    // Behind a name in a definition no sign encloses anything.
+    let encloses = next.is_ascii_punctuation() && !"{}\\#%=,.;:)(".contains(next);
+    let is_code = matches!(command, "lstinline" | "mintinline" | "Verb" | "spverb");
+    (encloses && is_code).then(|| after_verb(text, at))
+}
+
+/// The end of what stands in braces, of which the first is at `at`; an escaped one counts for none.
+fn after_braces(text: &str, at: usize) -> Option<usize> {
+    let mut depth = 0usize;
+    let mut escaped = false;
+    for (i, c) in text.get(at..)?.char_indices() {
+        match c {
+            _ if escaped => {
+                escaped = false;
+                continue;
+            }
+            '\\' => escaped = true,
+            '{' => depth += 1,
+            '}' if depth <= 1 => return (depth == 1).then_some(at + i + 1),
+            '}' => depth -= 1,
+            _ if depth == 0 => return None,
+            // What is in braces ends with its paragraph.
+            '\n' if text[at + i + 1..].trim_start_matches([' ', '\t']).starts_with('\n') => return None,
+            _ => {}
+        }
+    }
+    None
+}
+
+/// Environments that the author makes, and whether what stands in them is printed.
+#[derive(Clone, Debug, Default)]
+pub(super) struct OwnEnvironments(Vec<(String, bool)>);
+
+impl OwnEnvironments {
+    /// Whether the other ones read the same texts.
+    pub fn read_as(&self, other: &OwnEnvironments) -> bool {
+        let counts = |all: &OwnEnvironments| -> BTreeSet<(String, bool)> {
+            let is_other = |(name, is_printed): &&(String, bool)| *is_printed == NOT_PRINTED.contains(&name.as_str());
+            all.0.iter().filter(is_other).cloned().collect()
+        };
+        counts(self) == counts(other)
+    }
+
+    /// Takes a command that ends at a place of a text.
+    fn take(&mut self, command: &str, text: &str, at: usize) {
+        let Some((_, is_printed)) = MAKE_ENVIRONMENTS.iter().find(|(name, _)| *name == command) else { return };
+        let mut rest = text[at..].trim_start_matches(['*', ' ']);
+        if let Some((_, behind)) = rest.strip_prefix('[').and_then(|r| r.split_once(']')) {
+            rest = behind;
+        }
+        let Some((name, behind)) = rest.strip_prefix('{').and_then(|r| r.split_once('}')) else { return };
+        if name.len() > LONGEST_NAME {
+            return;
+        }
+        let is_printed = is_printed.unwrap_or_else(|| match command.ends_with("Environ") {
+            true => body_of(behind).is_none_or(|body| body.contains("\\BODY")),
+            false => body_of(behind).is_none_or(|body| {
+                let first = body.trim_start_matches(['{', ' ', '\n', '%']).strip_prefix('\\').unwrap_or_default();
+                let name = first.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default();
+                !BEGIN_VERBATIM.contains(&name)
+            }),
+        });
+        self.0.retain(|(known, _)| known != name);
+        if self.0.len() < MOST_OWN {
+            self.0.push((name.to_owned(), is_printed));
+        }
+    }
+
+    /// The end of an environment that begins here, after `\\begin`, where its content is not printed.
+    fn after_unprinted(&self, text: &str, at: usize) -> Option<usize> {
+        let (name, _) = text[at..].strip_prefix('{')?.split_once('}')?;
+        let own = self.0.iter().find(|(known, _)| known == name).map(|(_, is_printed)| *is_printed);
+        if own.unwrap_or(!NOT_PRINTED.contains(&name)) {
+            return None;
+        }
+        let end = format!("\\end{{{name}}}");
+        Some(text[at..].find(&end).map_or(text.len(), |i| at + i + end.len()))
+    }
+}
+
+/// The longest name of an environment that is kept.
+const LONGEST_NAME: usize = 100;
+/// The most environments of the author's own that are kept.
+const MOST_OWN: usize = 500;
+
+/// The first body in braces, behind options in brackets.
+fn body_of(text: &str) -> Option<&str> {
+    let mut rest = text.trim_start();
+    while let Some((_, behind)) = rest.strip_prefix('[').and_then(|r| r.split_once(']')) {
+        rest = behind.trim_start();
+    }
+    let end = after_braces(rest, 0)?;
+    rest.get(1..end.checked_sub(1)?)
 }
 
 #[cfg(test)]
@@ -216,9 +383,45 @@ mod tests {
     }
 
     #[test]
+    fn what_is_printed_is_what_the_author_says() {
+        for (text, is_printed) in [
+            (r"\begin{comment}Q\end{comment}", false),
+            (r"\newtheorem{comment}{Note}\begin{comment}Q\end{comment}", true),
+            (r"\newenvironment{comment}{\it}{}\begin{comment}Q\end{comment}", true),
+            (r"\includecomment{comment}\begin{comment}Q\end{comment}", true),
+            (r"\excludecomment{e}\begin{e}Q\end{e}", false),
+            (r"\NewEnviron{e}{}\begin{e}Q\end{e}", false),
+            (r"\NewEnviron{e}{\BODY}\begin{e}Q\end{e}", true),
+            (r"\newenvironment{e}{\comment}{\endcomment}\begin{e}Q\end{e}", false),
+            (r"\lstnewenvironment{e}{}{}\begin{e}Q\end{e}", false),
+            (r"\begin{BVerbatim}Q\end{BVerbatim}\begin{pycode}$Q$\end{pycode}", false),
+            (r"\url{http://a%20b}Q", true),
+            (r"\href{http://a%20b}{Q}", true),
+            (r"\url{$Q$}\lstinline|$Q$|\mintinline{c}{$Q$}\lstinline[a=b]{$Q$}", false),
+            (r"\mintinline{c}|Q|Q", true),
+        ] {
+            assert_eq!(shown(text).iter().any(|t| t == "Q"), is_printed, "{text}");
+        }
+        // The name in its own definition is none of these.
+        assert_eq!(shown(r"\def\url#1{x}").concat(), "defurl1{x}");
+    }
+
+    #[test]
     fn no_text_panics() {
-        for text in ["\\", "\\verb", "\\verb*", "\\begin{verbatim", "\\begin{verbatim}é", "%", "#", "é\\é", "\\verb|é"]
-        {
+        for text in [
+            "\\",
+            "\\verb",
+            "\\verb*",
+            "\\begin{verbatim",
+            "\\begin{verbatim}é",
+            "%",
+            "#",
+            "é\\é",
+            "\\verb|é",
+            "\\lstinline[é]{é}",
+            "\\newenvironment{é}[1]{\\é}{}",
+            "\\url{é}",
+        ] {
             for end in (0..=text.len()).filter(|i| text.is_char_boundary(*i)) {
                 tokens(&text[..end]);
             }

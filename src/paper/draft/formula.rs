@@ -141,8 +141,12 @@ impl Printed {
             let mut take = |sides: &[&PrintedSide], signs: &[String]| {
                 let (mut text, mut printed) = (text_of(sides, signs), None);
                 let place = Place { section: relation.section, chapter: relation.chapter };
-                let mut found = read(sides, &text, place);
-                if let Err(why) = &found
+                let mut found = match &relation.unread {
+                    Some(why) => Err(why.clone()),
+                    None => read(sides, &text, place),
+                };
+                if relation.unread.is_none()
+                    && let Err(why) = &found
                     && let Some(other) = written_otherwise(sides, (&text, signs), why, notation)
                     && let Ok(readings) = read(&other.sides.iter().collect::<Vec<_>>(), &other.text, place)
                 {

@@ -3,28 +3,10 @@
 //! **In:** the command that begins one, and what follows. **Out:** a macro, an environment, an alias, a condition. **Guaranteed:** of a package only
 //! what prints is taken.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::super::token::{Kind, Token};
+use super::call::call;
+use super::defined::{Defined, What};
 use super::rest::{MOST_ARGUMENTS, Macro, Rest, argument, defined_name, next_is, optional, spaces};
-
-/// The definitions of a document.
-#[derive(Default)]
-pub(super) struct Defined {
-    /// Names whose definitions are passed over.
-    pub passed: BTreeSet<String>,
-    pub macros: BTreeMap<String, Macro>,
-    /// Names that `\let` gave to commands of LaTeX: they keep their meaning, whatever becomes of these.
-    pub aliases: BTreeMap<String, String>,
-    /// Environments: what stands at their beginning and at their end.
-    pub environments: BTreeMap<String, (Macro, Macro)>,
-    /// Conditions of `\newif`, `ifdraft`, and whether they hold.
-    pub conditions: BTreeMap<String, bool>,
-    /// Names of pairs of delimiters: a star, or a size in brackets, stands before the argument of some calls.
-    pub paired: BTreeSet<String>,
-    /// Packages that are being read: what they print is no text of the paper.
-    pub packages: usize,
-}
 
 /// Commands of the frame of a document, which a package changes in looks alone.
 const OF_THE_FRAME: &[&str] = &[
@@ -93,38 +75,34 @@ const PROGRAMS: &[&str] = &[
     "xdef",
 ];
 
-impl Defined {
-    /// Whether a definition is taken: of a package only what prints, no commands for the document's frame, and nothing of how TeX is programmed.
-    fn takes(&self, name: &str, body: &[Token]) -> bool {
-        let programs = |t: &Token| {
-            let command = t.text.as_str();
-            t.kind == Kind::Command
-                && (command.contains('@')
-                    || PROGRAMS.contains(&command)
-                    || command.starts_with("if") && command != "iff")
-        };
-        let switches = name.starts_with("if") && name.len() > 2 && name != "iff";
-        self.packages == 0
-            || !name.contains('@') && !OF_THE_FRAME.contains(&name) && (switches || !body.iter().any(programs))
-    }
+/// Commands with which `\\edef` is told what to expand, or that give other tokens.
+const UNEXPANDED: &[&str] = &[
+    "csname",
+    "detokenize",
+    "expandafter",
+    "jobname",
+    "meaning",
+    "noexpand",
+    "number",
+    "protect",
+    "romannumeral",
+    "string",
+    "the",
+    "unexpanded",
+];
 
-    /// Defines a macro.
-    pub(super) fn put(&mut self, name: String, found: Macro) {
-        if self.takes(&name, &found.body) {
-            self.aliases.remove(&name);
-            self.macros.insert(name, found);
-        }
-    }
+/// The most tokens of a body of `\\edef`.
+const MOST_TOKENS_NOW: usize = 100_000;
 
-    /// At `\drafttrue` or `\draftfalse`: the condition, and what it becomes.
-    pub(super) fn switched(&self, command: &str) -> Option<(String, bool)> {
-        let (name, value) = match command.strip_suffix("true") {
-            Some(name) => (name, true),
-            None => (command.strip_suffix("false")?, false),
-        };
-        let condition = format!("if{name}");
-        self.conditions.contains_key(&condition).then_some((condition, value))
-    }
+/// Whether a definition of a package is taken: only what prints, no commands for the document's frame, and nothing of how TeX is programmed.
+pub(super) fn is_taken_of_package(name: &str, body: &[Token]) -> bool {
+    let programs = |t: &Token| {
+        let command = t.text.as_str();
+        t.kind == Kind::Command
+            && (command.contains('@') || PROGRAMS.contains(&command) || command.starts_with("if") && command != "iff")
+    };
+    let switches = name.starts_with("if") && name.len() > 2 && name != "iff";
+    !name.contains('@') && !OF_THE_FRAME.contains(&name) && (switches || !body.iter().any(programs))
 }
 
 /// Reads a definition, if `command` begins one.
@@ -137,9 +115,10 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
             let default = optional(rest);
             let body = argument(rest);
             let arguments = count.trim().parse().map_or(0, |n: usize| n.min(MOST_ARGUMENTS));
-            let fresh = |name: &String| command != "providecommand" || !defined.macros.contains_key(name);
+            let fresh = |name: &String| command != "providecommand" || !defined.has(name);
             if let Some(name) = name.filter(fresh) {
-                defined.put(name, Macro::plain(arguments, default, body));
+                let is_robust = command == "DeclareRobustCommand";
+                defined.put(name, Macro { is_robust, ..Macro::plain(arguments, default, body) });
             }
         }
         "newenvironment" | "renewenvironment" => {
@@ -150,9 +129,7 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
             let (begin, end) = (argument(rest), argument(rest));
             let arguments = count.trim().parse().map_or(0, |n: usize| n.min(MOST_ARGUMENTS));
             if defined.takes(&name, &begin) && defined.takes(&name, &end) {
-                defined
-                    .environments
-                    .insert(name, (Macro::plain(arguments, default, begin), Macro::plain(0, None, end)));
+                defined.put_environment(name, (Macro::plain(arguments, default, begin), Macro::plain(0, None, end)));
             }
         }
         "def" | "gdef" | "edef" | "xdef" => {
@@ -164,40 +141,37 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
                 }
                 rest.pop();
             }
-            let body = argument(rest);
+            let mut body = argument(rest);
+            let is_open = matches!(command, "edef" | "xdef") && {
+                let now = expanded_now(&body, defined);
+                let is_open = now.is_none();
+                body = now.unwrap_or(body);
+                is_open
+            };
+            defined.is_global |= matches!(command, "gdef" | "xdef");
             let arguments = pattern.iter().filter(|t| t.kind == Kind::Argument).count();
             if arguments == pattern.len() {
                 pattern.clear();
             }
             if arguments <= MOST_ARGUMENTS {
-                defined.put(name.text.into(), Macro { arguments, default: None, body, pattern, options: Vec::new() });
+                let found = Macro { arguments, default: None, body, pattern, options: Vec::new(), is_robust: false };
+                let name = String::from(name.text);
+                defined.put(name.clone(), found);
+                if is_open {
+                    defined.doubt(&name);
+                }
             }
         }
         "let" => {
             let Some(name) = rest.pop().map(|(t, _)| t).filter(|t| t.kind == Kind::Command) else { return true };
             next_is(rest, "=");
             let Some((meaning, _)) = rest.pop() else { return true };
-            let known = defined.macros.get(meaning.text.as_str()).filter(|_| meaning.kind == Kind::Command).cloned();
-            match known {
-                Some(known) => {
-                    defined.put(name.text.into(), known);
-                }
-                None if meaning.kind == Kind::Command => {
-                    let meaning =
-                        defined.aliases.get(meaning.text.as_str()).cloned().unwrap_or_else(|| meaning.text.into());
-                    if defined.takes(&name.text, &[]) {
-                        defined.aliases.insert(name.text.into(), meaning);
-                    }
-                }
-                None => {
-                    defined.put(name.text.into(), Macro::plain(0, None, vec![meaning]));
-                }
-            }
+            defined.let_be(name.text.into(), meaning);
         }
         "newif" => {
             let name = rest.pop().map(|(t, _)| t).filter(|t| t.kind == Kind::Command);
             if let Some(name) = name.filter(|n| defined.takes(&n.text, &[])) {
-                defined.conditions.insert(name.text.into(), false);
+                defined.assign(name.text.into(), What::Condition(Some(false)));
             }
         }
         "DeclareMathOperator" => {
@@ -216,7 +190,8 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
             let name = defined_name(rest);
             let kinds = argument(rest);
             let body = argument(rest);
-            if let Some((name, found)) = name.zip(document_macro(kinds, body)) {
+            let fresh = |name: &String| command != "ProvideDocumentCommand" || !defined.has(name);
+            if let Some((name, found)) = name.filter(fresh).zip(document_macro(kinds, body)) {
                 defined.put(name, found);
             }
         }
@@ -230,13 +205,51 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
             body.push(piece(Kind::Command, "right"));
             body.extend(right);
             if let Some(name) = name {
-                defined.paired.insert(name.clone());
-                defined.put(name, Macro::plain(1, None, body));
+                defined.put_pair(name, Macro::plain(1, None, body));
             }
+        }
+        "setboolean" => {
+            let text = |tokens: Vec<Token>| tokens.iter().map(|t| t.text.as_str()).collect::<String>();
+            let (name, value) = (text(argument(rest)), text(argument(rest)));
+            let value = match value.trim() {
+                "true" => Some(true),
+                "false" => Some(false),
+                _ => None,
+            };
+            defined.assign(format!("if{}", name.trim()), What::Condition(value));
         }
         _ => return false,
     }
+    defined.is_global = false;
     true
+}
+
+/// The most calls of macros within one `\\edef`.
+const MOST_CALLS_NOW: usize = 10_000;
+
+/// What `\\edef` makes of a body: its macros as they are now. `None` where that is programmed.
+fn expanded_now(body: &[Token], defined: &Defined) -> Option<Vec<Token>> {
+    let mut rest: Rest = body.iter().rev().map(|t| (t.clone(), 0)).collect();
+    let (mut out, mut calls) = (Vec::new(), 0);
+    while let Some((token, _)) = rest.pop() {
+        let command = token.text.as_str();
+        if token.kind != Kind::Command {
+            out.push(token);
+        } else if UNEXPANDED.contains(&command) || command.starts_with("if") && command != "iff" {
+            return None;
+        } else if let Some(found) = defined.macro_of(command).filter(|m| !m.is_robust) {
+            calls += 1;
+            if calls > MOST_CALLS_NOW || defined.is_doubted(command) {
+                return None;
+            }
+            let room = MOST_TOKENS_NOW.checked_sub(rest.len() + out.len())?;
+            let more = call(found, &token, &mut rest, room)?;
+            rest.extend(more.into_iter().rev().map(|t| (t, 0)));
+        } else {
+            out.push(token);
+        }
+    }
+    Some(out)
 }
 
 /// A macro of `\NewDocumentCommand`, from what its second argument asks for: arguments, of which the first may have a default, and options
@@ -254,5 +267,5 @@ fn document_macro(kinds: Vec<Token>, body: Vec<Token>) -> Option<Macro> {
     }
     spaces(&mut rest);
     let is_known = rest.is_empty() && arguments + options.len() <= MOST_ARGUMENTS;
-    is_known.then(|| Macro { options, ..Macro::plain(arguments, default, body) })
+    is_known.then(|| Macro { options, is_robust: true, ..Macro::plain(arguments, default, body) })
 }

@@ -19,12 +19,14 @@ pub(super) struct Macro {
     pub pattern: Vec<Token>,
     /// Defaults of options behind the arguments, as `\NewDocumentCommand{\rhs}{mmO{l}}{…}` has one.
     pub options: Vec<Vec<Token>>,
+    /// `\edef` leaves it as it stands.
+    pub is_robust: bool,
 }
 
 impl Macro {
     /// A macro whose arguments stand behind each other.
     pub(super) fn plain(arguments: usize, default: Option<Vec<Token>>, body: Vec<Token>) -> Macro {
-        Macro { arguments, default, body, pattern: Vec::new(), options: Vec::new() }
+        Macro { arguments, default, body, pattern: Vec::new(), options: Vec::new(), is_robust: false }
     }
 }
 

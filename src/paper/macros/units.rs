@@ -1,0 +1,98 @@
+//! Arguments of the macros of LaTeX: `\\frac1\\xx` prints all of `\\xx` below.
+//!
+//! **In:** the tokens that are printed, one by one. **Out:** whether an argument of such a macro comes next. **Guaranteed:** what TeX itself takes, behind
+//! `^`, `_` or `\\sqrt`, is no such argument: there a macro is expanded first.
+
+use super::super::token::{Kind, Token};
+use super::rest::Macro;
+
+/// Macros of LaTeX, and how many arguments each has.
+const TAKES: &[(&str, usize)] = &[
+    ("frac", 2),
+    ("dfrac", 2),
+    ("tfrac", 2),
+    ("cfrac", 2),
+    ("nicefrac", 2),
+    ("sfrac", 2),
+    ("binom", 2),
+    ("dbinom", 2),
+    ("tbinom", 2),
+    ("stackrel", 2),
+    ("overset", 2),
+    ("underset", 2),
+    ("mathrm", 1),
+    ("mathbf", 1),
+    ("mathit", 1),
+    ("mathsf", 1),
+    ("mathcal", 1),
+    ("mathbb", 1),
+    ("mathfrak", 1),
+    ("mathscr", 1),
+    ("boldsymbol", 1),
+    ("bm", 1),
+    ("text", 1),
+    ("textrm", 1),
+    ("mbox", 1),
+    ("operatorname", 1),
+    ("overbrace", 1),
+    ("underbrace", 1),
+    ("boxed", 1),
+];
+
+/// Where arguments are still to come.
+#[derive(Default)]
+pub(super) struct Units {
+    /// How deep it is in braces.
+    depth: usize,
+    /// For each macro that waits: how deep it stands, and how many arguments it has not yet.
+    waiting: Vec<(usize, usize)>,
+}
+
+/// Whether an argument that is this macro has to be put in braces: it has no arguments, and prints more than one token.
+pub(super) fn needs_braces(found: &Macro) -> bool {
+    let is_plain =
+        found.arguments == 0 && found.default.is_none() && found.pattern.is_empty() && found.options.is_empty();
+    is_plain && found.body.iter().filter(|t| t.kind != Kind::Space).nth(1).is_some()
+}
+
+impl Units {
+    /// Whether an argument comes next.
+    pub fn waits(&self) -> bool {
+        self.waiting.last().is_some_and(|(depth, _)| *depth == self.depth)
+    }
+
+    /// Takes a token that is printed.
+    pub fn take(&mut self, token: &Token) {
+        match token.kind {
+            Kind::Space => return,
+            Kind::Open => {
+                self.depth += 1;
+                return;
+            }
+            Kind::Close => {
+                self.depth = self.depth.saturating_sub(1);
+                while self.waiting.last().is_some_and(|(depth, _)| *depth > self.depth) {
+                    self.waiting.pop();
+                }
+            }
+            // `\\cfrac[l]`
+            _ if token.is_char("[") && self.waits() => {
+                self.waiting.pop();
+            }
+            _ => {}
+        }
+        if self.waits()
+            && let Some((_, left)) = self.waiting.last_mut()
+        {
+            *left -= 1;
+            if *left == 0 {
+                self.waiting.pop();
+            }
+        }
+        if token.kind == Kind::Command
+            && let Some((_, count)) = TAKES.iter().find(|(name, _)| *name == token.text)
+        {
+            self.waiting.push((self.depth, *count));
+        }
+    }
+}

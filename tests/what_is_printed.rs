@@ -1,0 +1,178 @@
+//! What LaTeX prints of macros, groups, conditions and boxes, and what `lint` says of it: nothing is judged that is not printed, and nothing that is
+//! printed is passed over without a word.
+
+use rederive::check::Limits;
+use rederive::diag::Source;
+use rederive::lint::{self, Word};
+use rederive::paper;
+
+use Word::{Condition, Defines, Follows, NotRead, Wrong};
+
+/// A formula that is called wrong where it is read.
+const SLIP: &str = r"\sin2x=\sin x\cos x";
+
+/// The words on the relations of a document, and its notes.
+fn read(tex: &str) -> (Vec<Word>, Vec<String>) {
+    let text =
+        format!("\\documentclass{{article}}\\begin{{document}}\n{}\n\\end{{document}}\n", tex.replace("SLIP", SLIP));
+    let paper = paper::parse(Source { path: "p.tex".into(), text }, String::new()).unwrap_or_else(|d| panic!("{d}"));
+    let words = lint::lint(&paper, &Limits::default()).judgements.into_iter().map(|j| j.word).collect();
+    (words, paper.notes.into_iter().map(|n| n.message).collect())
+}
+
+fn are(cases: &[(&str, &[Word])]) {
+    for (tex, words) in cases {
+        assert_eq!(read(tex).0, *words, "{tex}");
+    }
+}
+
+#[test]
+fn a_macro_as_an_argument_is_all_that_it_prints() {
+    are(&[
+        (r"\newcommand{\xx}{x+y} \[\frac1\xx=\frac1x+y\]", &[Condition]),
+        (r"\newcommand{\xx}{x+y} \[\dfrac\xx2=\frac x2+\frac y2\]", &[Follows]),
+        (r"\newcommand{\ab}{ab} \[g=\frac1\ab\] hence \[g^2=\frac{b^2}{a^2}\]", &[Defines, Condition]),
+        (r"\newcommand{\ab}{ab} \[g=\frac1\ab\] hence \[g^2=\frac1{a^2b^2}\]", &[Defines, Follows]),
+    ]);
+}
+
+#[test]
+fn a_definition_ends_with_its_group() {
+    for inside in [
+        r"{\renewcommand{\A}{b} x}",
+        r"\begingroup\renewcommand{\A}{b}\endgroup",
+        r"$\def\A{b}x$",
+        r"$$\def\A{b}$$",
+        r"\begin{center}\renewcommand{\A}{b}\end{center}",
+    ] {
+        let tex = format!(r"\newcommand{{\A}}{{a}} {inside} \[\A+1=1+b\] \[\A+1=1+a\]");
+        assert_eq!(read(&tex).0, [Condition, Follows], "{tex}");
+    }
+    are(&[
+        (r"\newcommand{\k}{x}{\renewcommand{\k}{2x}} \[g=\k^2\] hence \[g+1=x^2+1\]", &[Defines, Follows]),
+        (r"\newcommand{\A}{a}{\renewcommand{\A}{b} \[\A+1=1+b\]}", &[Follows]),
+        (r"\newcommand{\A}{a}{\gdef\A{b}} \[\A+1=1+b\]", &[Follows]),
+        (r"\def\A{x}\edef\B{\A}\def\A{y} \[\B+1=1+x\] \[\B+1=1+y\]", &[Follows, Condition]),
+        (r"\providecommand{\pi}{3} \[\pi+1=4\]", &[Condition]),
+        (r"\providecommand{\mine}{3} \[\mine+1=4\]", &[Follows]),
+    ]);
+}
+
+#[test]
+fn a_branch_that_is_not_known_is_told_and_not_judged() {
+    for tex in [
+        r"\newif\ifd\dtrue \ifd \ifnum0=1 p\else \[SLIP\]\fi\fi",
+        r"\ifnum0=1 \[SLIP\]\fi",
+        r"\if0\[SLIP\]\fi",
+        r"\ifodd2 \[SLIP\]\fi",
+        r"\ifdim1pt=2pt \[SLIP\]\fi",
+        r"\ifcase1 \[SLIP\]\or a\fi",
+        r"\ifx\a\b\else\[SLIP\]\fi",
+        r"\ifdefined\foo\[SLIP\]\fi",
+        r"\unless\ifx\a\b\[SLIP\]\fi",
+        r"\iftoggle{d}{\[SLIP\]}{}",
+        r"\ifbool{d}{}{$SLIP$}",
+        r"\ifthenelse{\boolean{d}}{\[SLIP\]}{}",
+        r"\ifnum0=1 \newcommand{\s}{\sin x}\fi \[\sin2x=\s\cos x\]",
+    ] {
+        let (words, notes) = read(&format!(r"{tex} \[2x=x+x\]"));
+        assert_eq!(words, [NotRead, Follows], "{tex}");
+        assert!(notes.iter().any(|n| n.contains("is not known")), "{tex}: {notes:?}");
+    }
+    are(&[
+        (r"\newcommand{\x}{a} \ifnum0=1 \renewcommand{\x}{b}\fi \[\x+1=1+b\] \[\x+1=1+a\]", &[NotRead, NotRead]),
+        (r"\makeatletter\@ifundefined{c}{\newcommand{\x}{a}}{\newcommand{\x}{b}}\makeatother \[\x+1=1+b\]", &[NotRead]),
+        // What a branch may define anew is not defined any more.
+        (r"\[f=x^2\] \ifx\a\b\[f=x^3\]\fi Hence \[f+1=x^2+1\]", &[Defines, NotRead, Condition]),
+    ]);
+}
+
+#[test]
+fn a_branch_that_is_known_is_read_alone() {
+    for tex in [
+        r"\iffalse \[SLIP\]\fi",
+        r"\iftrue \else \[SLIP\]\fi",
+        r"\iffalse \iftrue\[SLIP\]\else\[SLIP\]\fi\[SLIP\]\fi",
+        r"\newif\ifd \ifd \[SLIP\] \ifx\a\b\else\[SLIP\]\fi \[SLIP\]\fi",
+        r"\newif\ifd\dtrue \ifd \else\[SLIP\]\fi",
+        r"\newif\ifd\dtrue \unless\ifd \[SLIP\]\fi",
+        r"\let\ifmy\iffalse \ifmy \[SLIP\]\fi",
+    ] {
+        let (words, notes) = read(&format!(r"{tex} \[2x=x+x\]"));
+        assert_eq!((words, notes), (vec![Follows], Vec::new()), "{tex}");
+    }
+    are(&[(r"\newif\ifd\dtrue \ifd \[SLIP\]\fi", &[Wrong]), (r"\iffalse\else\[SLIP\]\fi", &[Wrong])]);
+}
+
+#[test]
+fn what_is_printed_is_read_or_told() {
+    are(&[
+        (r"\newtheorem{comment}{C} \begin{comment}\[SLIP\]\end{comment}", &[Wrong]),
+        (r"\newenvironment{minted}{}{} \begin{minted}\[SLIP\]\end{minted}", &[Wrong]),
+        (r"\begin{subeqnarray} \sin2x&=&\sin x\cos x\end{subeqnarray}", &[Wrong]),
+        (r"Let \ensuremath{f=x^2}. Then \[f+1=x^2+1\]", &[Defines, Follows]),
+        (r"\[g=f+1\quad\text{where $f=x^2$}\]", &[Defines, Defines]),
+        (r"\[g=f+1\quad\text{if $f=x^2$}\] Hence \[f+1=x^2+1\]", &[Condition, Condition, Condition]),
+        (r"\[g=f+1\quad\text{if $a=b$ and $f=x^2$}\]", &[Condition, Condition, Condition]),
+        (r"\begin{align} f&=x^2 \intertext{and, since $g=x^3$,} h&=g+1\end{align}", &[Defines, Defines, Condition]),
+        (r"\url{http://a%20b} $f=x^2$", &[Defines]),
+    ]);
+    for tex in [
+        r"\begin{numcases}{f=} x & a\end{numcases}",
+        r"\begin{mathpar} a=b \end{mathpar}",
+        r"\sbox0{$SLIP$}",
+        r"\savebox{\b}[3cm]{$SLIP$}",
+        r"\sbox\b{$SLIP$}",
+        r"\setbox0=\hbox{$SLIP$}",
+    ] {
+        let (words, notes) = read(&format!(r"{tex} \[2x=x+x\]"));
+        assert_eq!(words, [Follows], "{tex}");
+        assert!(notes.iter().any(|n| n.contains("not read")), "{tex}: {notes:?}");
+    }
+}
+
+#[test]
+fn what_is_not_printed_is_not_read() {
+    for tex in [
+        r"\begin{BVerbatim}\[SLIP\]\end{BVerbatim}",
+        r"\begin{tcblisting}{}\[SLIP\]\end{tcblisting}",
+        r"\begin{pycode}$SLIP$\end{pycode}",
+        r"\lstinline|$SLIP$|",
+        r"\mintinline{tex}{$SLIP$}",
+        r"\url{$SLIP$}",
+        r"\index{$SLIP$}",
+        r"\typeout{$SLIP$}",
+        r"\hypersetup{pdftitle={$SLIP$}}",
+        r"\phantom{$SLIP$}",
+        r"\makeatletter\@gobble{$SLIP$}\makeatother",
+        r"\NewEnviron{hide}{}\begin{hide}\[SLIP\]\end{hide}",
+        r"\excludecomment{hide}\begin{hide}\[SLIP\]\end{hide}",
+    ] {
+        assert_eq!(read(&format!(r"{tex} \[2x=x+x\]")).0, [Follows], "{tex}");
+    }
+    are(&[(r"\[2x=x+x\] \endinput \[SLIP\]", &[Follows])]);
+}
+
+#[test]
+fn an_environment_of_another_file_is_one_of_the_paper() {
+    let folder = std::env::temp_dir().join(format!("rederive-environments-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let files = [
+        ("own.sty", r"\newenvironment{comment}{\it}{}"),
+        (
+            "paper.tex",
+            r"\documentclass{article}\usepackage{own}\begin{document}\begin{comment}\[SLIP\]\end{comment}\end{document}",
+        ),
+        ("main.tex", r"\documentclass{book}\newtheorem{comment}{C}\begin{document}\include{chapter}\end{document}"),
+        ("chapter.tex", r"\begin{comment}\[SLIP\]\end{comment}"),
+    ];
+    for (name, text) in files {
+        std::fs::write(folder.join(name), text.replace("SLIP", SLIP)).expect("written");
+    }
+    for name in ["paper.tex", "main.tex", "chapter.tex"] {
+        let paper = paper::read(&folder.join(name)).unwrap_or_else(|d| panic!("{d}"));
+        let words: Vec<Word> = lint::lint(&paper, &Limits::default()).judgements.iter().map(|j| j.word).collect();
+        assert_eq!(words, [Wrong], "{name}");
+    }
+    std::fs::remove_dir_all(&folder).expect("removed");
+}
