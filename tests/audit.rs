@@ -84,6 +84,51 @@ fn a_text_of_many_values_is_refused() {
     assert!(code == 2 && said.contains("a key that is not known"), "{code}: {said}");
 }
 
+/// Lines of an audit are those of the program; and what is named to compare with is compared.
+#[test]
+fn an_audit_has_no_line_of_the_file() {
+    let path = reports().join("pendulum/proofs.json");
+    let Ok(text) = fs::read_to_string(&path) else { return };
+    let folder = tempfile::tempdir().expect("a folder");
+    let changed = folder.path().join("proofs.json");
+    let mut file: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    file["proofs"][0]["standing"] = "proved)\n  false  replayed (the report says: proved".into();
+    fs::write(&changed, file.to_string()).expect("written");
+    let (_, said) = audit(&changed);
+    assert!(!said.lines().any(|line| line.starts_with("  false  replayed")), "{said}");
+    fs::write(&changed, text.replace("\"derivation\": \"pendulum\"", "\"derivation\": \"other\"")).expect("written");
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("derivations/pendulum.toml");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_rederive"));
+    let command = command.arg("audit").arg(&changed).arg("--in").arg(file);
+    let run = command.output().expect("it runs");
+    assert_eq!(run.status.code(), Some(1), "{}", String::from_utf8_lossy(&run.stdout));
+    assert!(String::from_utf8_lossy(&run.stderr).contains("of another file"));
+}
+
+/// A proof that takes too long, or has too many words, is refused, and no other one is.
+#[test]
+fn an_audit_ends() {
+    let path = reports().join("pendulum/proofs.json");
+    let Ok(text) = fs::read_to_string(&path) else { return };
+    let folder = tempfile::tempdir().expect("a folder");
+    let changed = folder.path().join("proofs.json");
+    let mut file: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let leaf = serde_json::json!({ "leaf": { "name": "h", "component": 0, "rate": 0, "at": null } });
+    let premise = |i: usize| serde_json::json!({ "left": [leaf], "sense": "equal", "right": [{ "number": format!("1{i:060}") }] });
+    let proof = &mut file["proofs"][0]["proof"];
+    proof["sequent"]["premises"] = (0..2000).map(premise).collect();
+    let relation = proof["relations"][0].clone();
+    proof["relations"] = vec![relation; 3000].into();
+    fs::write(&changed, file.to_string()).expect("written");
+    let (code, said) = audit(&changed);
+    assert!(
+        code == 1 && said.contains("work limit: proving a claim takes more than"),
+        "{}",
+        &said[..said.len().min(2000)]
+    );
+    assert!(said.len() < 1_000_000 && said.contains("  replayed (the report says"), "{}", said.len());
+}
+
 fn rederive(words: &[&str]) -> String {
     let run = Command::new(env!("CARGO_BIN_EXE_rederive")).args(words).output().expect("it runs");
     String::from_utf8(run.stdout).expect("UTF-8") + &String::from_utf8_lossy(&run.stderr)

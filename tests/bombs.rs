@@ -57,6 +57,20 @@ fn calls(n: usize) -> String {
     file(&all, &claim(0, &format!("x={}(x)", name(n)), ""))
 }
 
+/// An identity of powers whose numbers have so many digits.
+fn powers_of_long_fractions(digits: usize) -> String {
+    let number =
+        |seed: usize| (0..digits).map(|i| char::from(b'1' + ((i * i + seed * (i + 3)) % 9) as u8)).collect::<String>();
+    let fraction = |seed: usize| format!("\\frac{{{}}}{{{}}}", number(seed), number(seed + 1));
+    let power = |seed: usize| format!("({}x+{}k+{})^5", fraction(seed), fraction(seed + 2), fraction(seed + 4));
+    let symbols = format!(
+        "'X' = {{ role = 'abbreviation', formula = '{}' }}\n'Y' = {{ role = 'abbreviation', formula = '{}' }}\n",
+        power(1),
+        power(11)
+    );
+    file(&symbols, &claim(0, "XY=X(Y-k)+Xk", "follows-from = []"))
+}
+
 /// Brackets of Poisson within one another.
 fn brackets(n: usize) -> String {
     let symbols = "'q' = { role = 'state' }\n'p' = { role = 'state', momentum-of = 'q' }\n'H' = { role = 'observable', formula = \
@@ -153,6 +167,7 @@ const GENERATORS: &[Generator] = &[
     ("chains", |n| one(&vec!["x"; n].join("=")), 250),
     ("fractions", |n| one(&format!("x={}", sum((1..n).map(|i| format!("\\frac1{{x+{i}}}"))))), 25),
     ("roots", |n| one(&format!("x={}", sum((1..n).map(|i| format!("\\sqrt{{x+{i}}}"))))), 10),
+    ("digits", powers_of_long_fractions, 100),
     ("spans", |n| one("x>0").replace("[0, 1]", &format!("[0, 1e{n}]")), 75),
 ];
 

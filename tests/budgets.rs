@@ -389,3 +389,35 @@ fn long_papers_are_looked_through() {
         assert!(matches!(ran.code, Some(0 | 3)), "{:?} {}", ran.code, ran.err);
     }
 }
+
+/// Problems at many places, in the formats for machines, and a diff of many verdicts.
+#[test]
+fn many_findings_are_told_with_their_places() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let symbols: String = (0..40_000).map(|i| format!("'x_{{{i}}}'={{role='b'}}\n")).collect();
+    fs::write(folder.path().join("f.toml"), format!("[symbols]\n{symbols}")).expect("written");
+    for format in ["sarif", "github", "junit"] {
+        let ran = is_linear(folder.path(), &["check", "f.toml", "--no-reports", "--format", format]);
+        assert_eq!(ran.code, Some(2), "{}", ran.err);
+    }
+    let claims: Vec<String> =
+        (0..60_000).map(|i| format!(r#"{{"id":"c{i}","results":[{{"trajectory":"t","verdict":"holds"}}]}}"#)).collect();
+    let report = |claims: &str| format!(r#"{{"schema":1,"derivation":{{"id":"d"}},"claims":[{claims}]}}"#);
+    fs::write(folder.path().join("all.json"), report(&claims.join(","))).expect("written");
+    fs::write(folder.path().join("none.json"), report("")).expect("written");
+    assert_eq!(is_linear(folder.path(), &["diff", "none.json", "all.json"]).code, Some(0));
+}
+
+/// What is kept of many verdicts takes no more memory than finding them.
+#[test]
+fn records_of_many_verdicts_are_bounded() {
+    let motions: String =
+        (0..1500).map(|i| format!("[[trajectory]]\nid='t{i}'\nformula={{'x'='t+{i}'}}\nspan=[0,1]\n")).collect();
+    let claims: String = (0..20)
+        .map(|i| claim(i, &format!("x>t-{}", i + 1), "").replace("always", "precision = 1e-6\nalways"))
+        .collect();
+    let head =
+        "[derivation]\ntitle = 'x'\nconcerns = 'y'\n[symbols]\n't' = { role = 'time' }\n'x' = { role = 'state' }\n";
+    let ran = check(&[head, &motions, &claims].concat(), &["--no-reports", "--cache", "kept"], 900);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+}

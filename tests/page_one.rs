@@ -179,7 +179,7 @@ fn what_stands_under_a_condition_is_told_with_numbers() {
         "t11, and t15 hold as printed; t8 only in one of its readings.",
         "is true as stated (for motions with R(0) = 1), and false where the paper uses it (for every motion of a rigid body, as \
          on the way to t15): on 28 of 49 motions.",
-        "Stated and used differently: “Energy and momentum are related…” (18 readings assume it), and 6 more claims.",
+        "Stated and used differently: “Energy and momentum are related…” (18 readings assume it), and 6 more.",
         "as the paper uses it: For every motion of a rigid body, as on the way to t15; fails on 28 of 49 motions (certified): 2E= I⁻¹ᵢ \
          mᵢ². On racket-letter-in",
         // What is constant has no time, and its sides have their names.

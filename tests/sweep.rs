@@ -171,6 +171,33 @@ fn a_forged_part_is_seen_where_it_is_shown() {
     assert!(told("\"rederive\":\"", "\"rederive\":\"9.").contains("made by version 9."));
 }
 
+/// Of a small family every member is counted again: whichever few are left out by who made a part up, they are missed, each time.
+#[test]
+fn no_lie_about_a_small_family_is_believed() {
+    let place = Place::new();
+    let claim =
+        "\n[[claim]]\nid = 'rarely-false'\nsays = 's'\nalways = ['x<2.9']\nfamilies = ['f']\ntrajectories = []\n";
+    let family = "\n[[family]]\nid = 'f'\nof = 'one'\nvary = { 'k' = { uniform = [0.1, 3] } }\ndraws = 100\nseed = 1\n";
+    let head = "[derivation]\ntitle = 't'\nconcerns = 'c'\n[symbols]\n't' = { role = 'time' }\n'x' = { role = 'state' }\n'k' = { role = \
+                'parameter' }\n[[trajectory]]\nid = 'one'\nformula = { 'x' = 'kt' }\nparameters = { 'k' = 1 }\nspan = [0, 1]\n";
+    std::fs::write(place.path(FILE), [head, family, claim].concat()).expect("it is written");
+    place.sweep("f", "1/1", "whole.jsonl");
+    let whole = place.text("whole.jsonl");
+    assert!(whole.contains("\"holds\":97,\"fails\":3"), "{whole}");
+    let counts = whole.lines().nth(1).expect("a line of a claim");
+    let (head, _) = counts.split_once("\"holds\"").expect("counts");
+    let lie = format!(
+        "{head}\"holds\":100,\"fails\":0,\"not_applicable\":0,\"undecided\":0,\"first_failing\":null,\"clearest_failing\":null,\
+         \"closest_call\":null,\"first_undecided\":null,\"first_defect\":null}}"
+    );
+    std::fs::write(place.path("lie.jsonl"), forged(&whole, counts, &lie)).expect("it is written");
+    for _ in 0..4 {
+        let (code, out, error) = place.merge(&["lie.jsonl".to_owned()], &[]);
+        assert_eq!(code, Some(2), "{out}{error}");
+    }
+    assert_eq!(place.merge(&["whole.jsonl".to_owned()], &[]).0, Some(1));
+}
+
 #[test]
 fn a_sweep_that_cannot_be_made_leaves_nothing() {
     let place = Place::new();

@@ -59,7 +59,7 @@ pub(super) fn limits<'a>(
         line.insert(0, StorySpan::Words("Stated and used differently: ".to_owned(), Tone::Strong));
         line.push(quiet(match rest.len() {
             0 => ".".to_owned(),
-            n => format!(", and {}.", count(n, "more claim")),
+            n => format!(", and {n} more."),
         }));
     }
     let sketch = RefutingMotion::of(derivation, first.used.claim).and_then(|motion| motion.sketch());

@@ -1,0 +1,317 @@
+# -*- coding: utf-8 -*-
+# deriglazov-comment / t15-solves-t9: The closed forms solve the three equations t9, for every value of the constants c, φ₀, m₃ and every body for which ψ₀ is real.
+#
+# Given: the definitions, the assumptions and I_{(n-k)}.
+#
+# Each equation below is proved by an identity of polynomials, d*N = q1*p1 + q2*p2 + ...
+# N is the difference of its sides, without its denominator. Every p is 0 where what is given holds,
+# and d is not 0 there, where the formulas have a value. So N is 0 there, and the equation holds.
+# The program computes N from the sides and every p from what is given, as they are written below, and prints
+# one 0 for each equation. It needs Python and SymPy. Whoever changes a side gets another number, and exit code 1.
+# A function is replaced by polynomials in variables that stand for cosines, sines, exponentials, roots; that
+# each replacement is right is looked up at random numbers, to 40 digits.
+
+import ast
+import random
+import sys
+
+import mpmath
+from sympy import QQ, ring
+
+
+def check(names, left, right, relations, d, definitions={}, functions={}, variables={}):
+    """Prints d*N - (q1*p1 + q2*p2 + ...), which is 0, with N and p1, p2, ... computed from what stands above.
+
+    An expression is a quotient of polynomials, top and under: sums get a common denominator, nothing is cancelled.
+    N is the top of left - right, with whole coefficients; p is the same of the two sides of a relation.
+    """
+    space, *generators = ring(names or ["unused"], QQ)
+    known = {name: (generator, space.one) for name, generator in zip(names, generators)}
+    plain = {ast.unparse(ast.parse(call, mode="eval")): image for call, image in functions.items()}
+    found = {}
+
+    def quotient(text):
+        if text not in found:
+            found[text] = walk(ast.parse(text, mode="eval").body)
+        return found[text]
+
+    def walk(node):
+        if isinstance(node, ast.Constant) and type(node.value) is int:
+            return space(node.value), space.one
+        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+            top, under = walk(node.operand)
+            return -top, under
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
+            (top, under), power = walk(node.left), ast.literal_eval(node.right)
+            top, under = (under, top) if power < 0 else (top, under)
+            return top ** abs(power), under ** abs(power)
+        if isinstance(node, ast.BinOp):
+            (a, b), (c, e) = walk(node.left), walk(node.right)
+            if isinstance(node.op, ast.Mult):
+                return a * c, b * e
+            if isinstance(node.op, ast.Div):
+                return a * e, b * c
+            sign = {ast.Add: 1, ast.Sub: -1}[type(node.op)]
+            return (a + sign * c, b) if b == e else (a * e + sign * c * b, b * e)
+        text = ast.unparse(node)
+        if text in plain:
+            return quotient(plain[text])
+        if text in definitions:
+            return quotient(definitions[text])
+        if text in known:
+            return known[text]
+        raise ValueError(f"nothing is known of {text}")
+
+    def top(left, right):
+        (a, b), (c, e) = quotient(left), quotient(right)
+        if not b or not e:
+            raise ZeroDivisionError(f"{left} = {right} has no value anywhere")
+        difference = a - c if b == e else a * e - c * b
+        return difference.clear_denoms()[1] if difference else difference
+
+    numbers_agree(names, plain, definitions, variables)
+    N = top(left, right)
+    combination = sum((quotient(q)[0] * top(a, b) for a, b, q in relations), space.zero)
+    if not quotient(d)[0]:
+        raise ZeroDivisionError("d is 0")
+    difference = quotient(d)[0] * N - combination
+    print(difference)
+    if difference:
+        sys.exit(1)
+
+
+def real(function, allowed=lambda *a: True):
+    def call(*arguments):
+        if not allowed(*arguments):
+            raise ValueError("no real value")
+        return function(*arguments)
+
+    return call
+
+
+REAL = {
+    "sqrt": real(mpmath.sqrt, lambda x: x >= 0), "Abs": abs, "sin": mpmath.sin, "cos": mpmath.cos, "tan": mpmath.tan,
+    "exp": mpmath.exp, "log": real(mpmath.log, lambda x: x > 0), "sinh": mpmath.sinh, "cosh": mpmath.cosh,
+    "tanh": mpmath.tanh, "asin": real(mpmath.asin, lambda x: abs(x) <= 1), "acos": real(mpmath.acos, lambda x: abs(x) <= 1),
+    "atan": mpmath.atan, "atan2": mpmath.atan2, "agm": real(mpmath.agm, lambda x, y: x > 0 and y > 0),
+    "power": real(mpmath.power, lambda x, y: x > 0),
+}
+
+
+def numbers_agree(names, functions, definitions, variables):
+    """At random numbers, each call of a function has the value of what stands for it: to 40 digits."""
+    mpmath.mp.dps = 50
+    random.seed(1)
+    free = [name for name in names if name not in variables and name not in definitions]
+    good = 0
+    for _ in range(400 if functions else 0):
+        scale = random.choice([1, 10, 100])
+        values = {name: mpmath.mpf(random.randint(-99, 99)) / (random.randint(50, 99) * scale) for name in free}
+        values = {name: abs(value) if random.random() < 0.5 else value for name, value in values.items()}
+
+        def number(text):
+            return walk(ast.parse(text, mode="eval").body)
+
+        def walk(node):
+            if isinstance(node, ast.Constant):
+                return mpmath.mpf(node.value)
+            if isinstance(node, ast.UnaryOp):
+                return -walk(node.operand)
+            if isinstance(node, ast.BinOp):
+                if isinstance(node.op, ast.Pow):
+                    return walk(node.left) ** ast.literal_eval(node.right)
+                a, b = walk(node.left), walk(node.right)
+                return {ast.Add: lambda: a + b, ast.Sub: lambda: a - b, ast.Mult: lambda: a * b, ast.Div: lambda: a / b}[
+                    type(node.op)
+                ]()
+            if isinstance(node, ast.Call):
+                return REAL[node.func.id](*map(walk, node.args))
+            name = node.id
+            if name == "pi":
+                return +mpmath.pi
+            if name not in values:
+                values[name] = number(variables[name] if name in variables else definitions[name])
+            return values[name]
+
+        try:
+            pairs = [(call, number(call), number(image)) for call, image in functions.items()]
+        except (ValueError, ZeroDivisionError):
+            continue
+        for call, one, other in pairs:
+            if abs(one - other) > mpmath.mpf(10) ** -40 * (1 + abs(one)):
+                sys.exit(f"{call} is not {functions[call]}")
+        good += 1
+        if good == 3:
+            return
+    if functions and not good:
+        sys.exit("no numbers were found for which the functions have values")
+
+
+# Equation 1: \cos(\theta) = \frac{1-\gamma\cdot \exp(2\cdot (\frac{1}{2}\cdot \mu\cdot (\frac{1}{I_1}-\frac{1}{I_2})\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))\cdot t)}{1+\gamma\cdot \exp(2\cdot (\frac{1}{2}\cdot \mu\cdot (\frac{1}{I_1}-\frac{1}{I_2})\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))\cdot t)}
+# where \theta = 2\cdot \arctan(\sqrt{\gamma}\cdot \exp(\frac{1}{2}\cdot \mu\cdot (\frac{1}{I_1}-\frac{1}{I_2})\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}))\cdot t))
+# root stands for \sqrt{1+(\sqrt{\gamma}\cdot (\exp(\frac{1}{2}\cdot (I_1)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))\cdot (\exp(\frac{1}{2}\cdot (I_2)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}))))^{-1}))^{2}}
+# root_2 stands for \sqrt{\gamma}
+# exp_2 stands for \exp(\frac{1}{2}\cdot (I_2)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))
+# exp_3 stands for \exp(\frac{1}{2}\cdot (I_1)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))
+# gamma stands for \gamma
+check(
+    names=["root", "root_2", "exp_2", "exp_3", "gamma", "I1", "I2", "I3", "t", "phi", "mu", "theta"],
+    left="cos(theta)",
+    right="(1 - gamma*exp(2*(1/2*mu*(1/I1 - 1/I2)*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))*t))/(1 + gamma*exp(2*(1/2*mu*(1/I1 - 1/I2)*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))*t))",
+    relations=[
+        # because of what the variables stand for: a root is squared
+        ("root**2", "1 + (root_2*(exp_3*exp_2**(-1)))**2", "root**2*exp_2**2*exp_3**2*gamma - root**2*exp_2**4"),
+        # because of what the variables stand for: a root is squared
+        ("root_2**2", "gamma", "-2*root**2*exp_2**4*exp_3**2"),
+    ],
+    d="1",
+    definitions={
+        "theta": "2*atan(sqrt(gamma)*exp(1/2*mu*(1/I1 - 1/I2)*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))*t))",
+    },
+    functions={
+        "cos(theta)": "1/root*(1/root) - root_2*(exp_3*exp_2**(-1))/root*(root_2*(exp_3*exp_2**(-1))/root)",
+        "exp(2*(1/2*mu*(1/I1 - 1/I2)*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))*t)": "exp_3**2*exp_2**(-2)",
+    },
+    variables={
+        "root": "sqrt(1 + (root_2*(exp_3*exp_2**(-1)))**2)",
+        "root_2": "sqrt(gamma)",
+        "exp_2": "exp(1/2*I2**(-1)*t*mu*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))",
+        "exp_3": "exp(1/2*I1**(-1)*t*mu*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))",
+    },
+)
+
+
+# Equation 1: \dot{\theta} = \mu\cdot (\frac{1}{I_1}-\frac{1}{I_2})\cdot \sin(\theta)\cdot \sin(\psi)\cdot \cos(\psi)
+# where \theta = 2\cdot \arctan(\sqrt{\gamma}\cdot \exp(\frac{1}{2}\cdot \mu\cdot (\frac{1}{I_1}-\frac{1}{I_2})\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}))\cdot t))
+# where \dot{\theta} = (an expression of 103 operations)
+# where \psi = \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})
+# root stands for \sqrt{1-(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})^{2}}
+# root_2 stands for \sqrt{1+(\sqrt{\gamma}\cdot (\exp(\frac{1}{2}\cdot (I_1)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))\cdot (\exp(\frac{1}{2}\cdot (I_2)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}))))^{-1}))^{2}}
+# root_3 stands for \sqrt{\gamma}
+# root_4 stands for \sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}
+# exp_2 stands for \exp(\frac{1}{2}\cdot (I_2)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))
+# exp_3 stands for \exp(\frac{1}{2}\cdot (I_1)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))
+# mu stands for \mu
+# I2 stands for I_2
+# I1 stands for I_1
+check(
+    names=["root", "root_2", "root_3", "root_4", "exp_2", "exp_3", "gamma", "mu", "I3", "I2", "I1", "t", "phi", "theta", "theta_dot", "psi"],
+    left="theta_dot",
+    right="mu*(1/I1 - 1/I2)*sin(theta)*sin(psi)*cos(psi)",
+    relations=[
+        # because of what the variables stand for: a root is squared
+        ("root_2**2", "1 + (root_3*(exp_3*exp_2**(-1)))**2", "4*root*root_3*root_4*exp_2*exp_3*mu*I2**2*I1 - 4*root*root_3*root_4*exp_2*exp_3*mu*I2*I1**2"),
+    ],
+    d="1",
+    definitions={
+        "theta_dot": "2*(sqrt(gamma)*(exp(1/2*mu*(1/I1 - 1/I2)*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))*t)*(1/2*mu*(1/I1 - 1/I2)*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))))/(1 + (sqrt(gamma)*exp(1/2*mu*(1/I1 - 1/I2)*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))*t))**2))",
+        "theta": "2*atan(sqrt(gamma)*exp(1/2*mu*(1/I1 - 1/I2)*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))*t))",
+        "psi": "acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))",
+    },
+    functions={
+        "exp(1/2*mu*(1/I1 - 1/I2)*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))*t)": "exp_3*exp_2**(-1)",
+        "sqrt(gamma)": "root_3",
+        "sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))": "root*root_4 + root*root_4",
+        "cos(psi)": "root_4",
+        "sin(psi)": "root",
+        "sin(theta)": "root_3*(exp_3*exp_2**(-1))/root_2*(1/root_2) + root_3*(exp_3*exp_2**(-1))/root_2*(1/root_2)",
+    },
+    variables={
+        "root": "sqrt(1 - root_4**2)",
+        "root_2": "sqrt(1 + (root_3*(exp_3*exp_2**(-1)))**2)",
+        "root_3": "sqrt(gamma)",
+        "root_4": "sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))",
+        "exp_2": "exp(1/2*I2**(-1)*t*mu*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))",
+        "exp_3": "exp(1/2*I1**(-1)*t*mu*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))",
+    },
+)
+
+
+# Equation 2: \dot{\varphi} = \frac{\mu}{I_1}\cdot (\sin(\psi))^{2}+\frac{\mu}{I_2}\cdot (\cos(\psi))^{2}
+# where \psi = \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})
+# where \dot{\varphi} = \frac{\mu}{I_3}
+# root stands for \sqrt{1-(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})^{2}}
+# root_4 stands for \sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}
+# mu stands for \mu
+# I3 stands for I_3
+# I2 stands for I_2
+# I1 stands for I_1
+check(
+    names=["root", "root_2", "root_3", "root_4", "exp_2", "exp_3", "gamma", "mu", "I3", "I2", "I1", "t", "phi", "psi", "varphi_dot"],
+    left="varphi_dot",
+    right="mu/I1*sin(psi)**2 + mu/I2*cos(psi)**2",
+    relations=[
+        # because of what the variables stand for: a root is squared
+        ("root**2", "1 - root_4**2", "-mu*I3*I2"),
+        # because of what the variables stand for: a root is squared
+        ("root_4**2", "I2*(I3 - I1)/(I3*(I2 - I1))", "mu"),
+    ],
+    d="1",
+    definitions={
+        "varphi_dot": "mu/I3",
+        "psi": "acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))",
+    },
+    functions={
+        "cos(psi)": "root_4",
+        "sin(psi)": "root",
+    },
+    variables={
+        "root": "sqrt(1 - root_4**2)",
+        "root_2": "sqrt(1 + (root_3*(exp_3*exp_2**(-1)))**2)",
+        "root_3": "sqrt(gamma)",
+        "root_4": "sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))",
+        "exp_2": "exp(1/2*I2**(-1)*t*mu*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))",
+        "exp_3": "exp(1/2*I1**(-1)*t*mu*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))",
+    },
+)
+
+
+# Equation 3: \dot{\psi} = -(\frac{\mu}{I_1}\cdot (\sin(\psi))^{2}+\frac{\mu}{I_2}\cdot (\cos(\psi))^{2})\cdot \cos(\theta)+\frac{\mu}{I_3}\cdot \cos(\theta)
+# where \theta = 2\cdot \arctan(\sqrt{\gamma}\cdot \exp(\frac{1}{2}\cdot \mu\cdot (\frac{1}{I_1}-\frac{1}{I_2})\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}))\cdot t))
+# where \psi = \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})
+# where \dot{\psi} = 0
+# root stands for \sqrt{1-(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})^{2}}
+# root_2 stands for \sqrt{1+(\sqrt{\gamma}\cdot (\exp(\frac{1}{2}\cdot (I_1)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))\cdot (\exp(\frac{1}{2}\cdot (I_2)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}))))^{-1}))^{2}}
+# root_3 stands for \sqrt{\gamma}
+# root_4 stands for \sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}
+# exp_2 stands for \exp(\frac{1}{2}\cdot (I_2)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))
+# exp_3 stands for \exp(\frac{1}{2}\cdot (I_1)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))
+# gamma stands for \gamma
+# mu stands for \mu
+# I3 stands for I_3
+# I2 stands for I_2
+# I1 stands for I_1
+check(
+    names=["root", "root_2", "root_3", "root_4", "exp_2", "exp_3", "gamma", "mu", "I3", "I2", "I1", "t", "phi", "theta", "psi", "psi_dot"],
+    left="psi_dot",
+    right="-((mu/I1*sin(psi)**2 + mu/I2*cos(psi)**2)*cos(theta)) + mu/I3*cos(theta)",
+    relations=[
+        # because of what the variables stand for: a root is squared
+        ("root**2", "1 - root_4**2", "-root_2**6*exp_2**2*exp_3**2*gamma*mu*I3*I2 + root_2**6*exp_2**4*mu*I3*I2"),
+        # because of what the variables stand for: a root is squared
+        ("root_2**2", "1 + (root_3*(exp_3*exp_2**(-1)))**2", "root_2**4*root_4**2*exp_3**2*gamma*mu*I3*I2 - root_2**4*root_4**2*exp_3**2*gamma*mu*I3*I1 - root_2**4*root_4**2*exp_2**2*mu*I3*I2 + root_2**4*root_4**2*exp_2**2*mu*I3*I1 - root_2**4*exp_3**2*gamma*mu*I3*I2 + root_2**4*exp_3**2*gamma*mu*I2*I1 + root_2**4*exp_2**2*mu*I3*I2 - root_2**2*root_4**2*exp_2**2*mu*I3*I2 + root_2**2*root_4**2*exp_2**2*mu*I3*I1 - root_2**4*exp_2**2*mu*I2*I1 - root_4**2*exp_3**2*gamma*mu*I3*I2 + root_4**2*exp_3**2*gamma*mu*I3*I1 + root_2**2*exp_2**2*mu*I3*I2 - root_4**2*exp_2**2*mu*I3*I2 + root_4**2*exp_2**2*mu*I3*I1 - root_2**2*exp_2**2*mu*I2*I1 + exp_3**2*gamma*mu*I3*I2 - exp_3**2*gamma*mu*I2*I1 + exp_2**2*mu*I3*I2 - exp_2**2*mu*I2*I1"),
+        # because of what the variables stand for: a root is squared
+        ("root_3**2", "gamma", "-root**2*root_2**6*exp_2**2*exp_3**2*mu*I3*I2 - root_2**6*root_4**2*exp_2**2*exp_3**2*mu*I3*I1 + root_2**4*root_4**2*exp_3**4*gamma*mu*I3*I2 - root_2**4*root_4**2*exp_3**4*gamma*mu*I3*I1 - root_2**4*root_4**2*exp_2**2*exp_3**2*mu*I3*I2 + root_2**4*root_4**2*exp_2**2*exp_3**2*mu*I3*I1 + root_2**6*exp_2**2*exp_3**2*mu*I2*I1 - root_2**4*exp_3**4*gamma*mu*I3*I2 + root_2**4*exp_3**4*gamma*mu*I2*I1 + root_2**4*exp_2**2*exp_3**2*mu*I3*I2 - root_2**2*root_4**2*exp_2**2*exp_3**2*mu*I3*I2 + root_2**2*root_4**2*exp_2**2*exp_3**2*mu*I3*I1 - root_2**4*exp_2**2*exp_3**2*mu*I2*I1 - root_4**2*exp_3**4*gamma*mu*I3*I2 + root_4**2*exp_3**4*gamma*mu*I3*I1 + root_2**2*exp_2**2*exp_3**2*mu*I3*I2 - root_4**2*exp_2**2*exp_3**2*mu*I3*I2 + root_4**2*exp_2**2*exp_3**2*mu*I3*I1 - root_2**2*exp_2**2*exp_3**2*mu*I2*I1 + exp_3**4*gamma*mu*I3*I2 - exp_3**4*gamma*mu*I2*I1 + exp_2**2*exp_3**2*mu*I3*I2 - exp_2**2*exp_3**2*mu*I2*I1"),
+        # because of what the variables stand for: a root is squared
+        ("root_4**2", "I2*(I3 - I1)/(I3*(I2 - I1))", "root_2**4*exp_3**4*gamma**2*mu - exp_3**4*gamma**2*mu - 2*exp_2**2*exp_3**2*gamma*mu - exp_2**4*mu"),
+    ],
+    d="1",
+    definitions={
+        "psi_dot": "0",
+        "theta": "2*atan(sqrt(gamma)*exp(1/2*mu*(1/I1 - 1/I2)*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))*t))",
+        "psi": "acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))",
+    },
+    functions={
+        "cos(theta)": "1/root_2*(1/root_2) - root_3*(exp_3*exp_2**(-1))/root_2*(root_3*(exp_3*exp_2**(-1))/root_2)",
+        "cos(psi)": "root_4",
+        "sin(psi)": "root",
+    },
+    variables={
+        "root": "sqrt(1 - root_4**2)",
+        "root_2": "sqrt(1 + (root_3*(exp_3*exp_2**(-1)))**2)",
+        "root_3": "sqrt(gamma)",
+        "root_4": "sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))",
+        "exp_2": "exp(1/2*I2**(-1)*t*mu*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))",
+        "exp_3": "exp(1/2*I1**(-1)*t*mu*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))",
+    },
+)

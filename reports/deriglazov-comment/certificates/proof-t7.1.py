@@ -1,0 +1,486 @@
+# -*- coding: utf-8 -*-
+# deriglazov-comment / t7.1: The equation for the attitude with the momentum along z.
+#
+# Given: the definitions, the assumptions and t3-attitude, momentum.
+#
+# Each equation below is proved by an identity of polynomials, d*N = q1*p1 + q2*p2 + ...
+# N is the difference of its sides, without its denominator. Every p is 0 where what is given holds,
+# and d is not 0 there, where the formulas have a value. So N is 0 there, and the equation holds.
+# The program computes N from the sides and every p from what is given, as they are written below, and prints
+# one 0 for each equation. It needs Python and SymPy. Whoever changes a side gets another number, and exit code 1.
+# A function is replaced by polynomials in variables that stand for cosines, sines, exponentials, roots; that
+# each replacement is right is looked up at random numbers, to 40 digits.
+
+import ast
+import random
+import sys
+
+import mpmath
+from sympy import QQ, ring
+
+
+def check(names, left, right, relations, d, definitions={}, functions={}, variables={}):
+    """Prints d*N - (q1*p1 + q2*p2 + ...), which is 0, with N and p1, p2, ... computed from what stands above.
+
+    An expression is a quotient of polynomials, top and under: sums get a common denominator, nothing is cancelled.
+    N is the top of left - right, with whole coefficients; p is the same of the two sides of a relation.
+    """
+    space, *generators = ring(names or ["unused"], QQ)
+    known = {name: (generator, space.one) for name, generator in zip(names, generators)}
+    plain = {ast.unparse(ast.parse(call, mode="eval")): image for call, image in functions.items()}
+    found = {}
+
+    def quotient(text):
+        if text not in found:
+            found[text] = walk(ast.parse(text, mode="eval").body)
+        return found[text]
+
+    def walk(node):
+        if isinstance(node, ast.Constant) and type(node.value) is int:
+            return space(node.value), space.one
+        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+            top, under = walk(node.operand)
+            return -top, under
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
+            (top, under), power = walk(node.left), ast.literal_eval(node.right)
+            top, under = (under, top) if power < 0 else (top, under)
+            return top ** abs(power), under ** abs(power)
+        if isinstance(node, ast.BinOp):
+            (a, b), (c, e) = walk(node.left), walk(node.right)
+            if isinstance(node.op, ast.Mult):
+                return a * c, b * e
+            if isinstance(node.op, ast.Div):
+                return a * e, b * c
+            sign = {ast.Add: 1, ast.Sub: -1}[type(node.op)]
+            return (a + sign * c, b) if b == e else (a * e + sign * c * b, b * e)
+        text = ast.unparse(node)
+        if text in plain:
+            return quotient(plain[text])
+        if text in definitions:
+            return quotient(definitions[text])
+        if text in known:
+            return known[text]
+        raise ValueError(f"nothing is known of {text}")
+
+    def top(left, right):
+        (a, b), (c, e) = quotient(left), quotient(right)
+        if not b or not e:
+            raise ZeroDivisionError(f"{left} = {right} has no value anywhere")
+        difference = a - c if b == e else a * e - c * b
+        return difference.clear_denoms()[1] if difference else difference
+
+    numbers_agree(names, plain, definitions, variables)
+    N = top(left, right)
+    combination = sum((quotient(q)[0] * top(a, b) for a, b, q in relations), space.zero)
+    if not quotient(d)[0]:
+        raise ZeroDivisionError("d is 0")
+    difference = quotient(d)[0] * N - combination
+    print(difference)
+    if difference:
+        sys.exit(1)
+
+
+def real(function, allowed=lambda *a: True):
+    def call(*arguments):
+        if not allowed(*arguments):
+            raise ValueError("no real value")
+        return function(*arguments)
+
+    return call
+
+
+REAL = {
+    "sqrt": real(mpmath.sqrt, lambda x: x >= 0), "Abs": abs, "sin": mpmath.sin, "cos": mpmath.cos, "tan": mpmath.tan,
+    "exp": mpmath.exp, "log": real(mpmath.log, lambda x: x > 0), "sinh": mpmath.sinh, "cosh": mpmath.cosh,
+    "tanh": mpmath.tanh, "asin": real(mpmath.asin, lambda x: abs(x) <= 1), "acos": real(mpmath.acos, lambda x: abs(x) <= 1),
+    "atan": mpmath.atan, "atan2": mpmath.atan2, "agm": real(mpmath.agm, lambda x, y: x > 0 and y > 0),
+    "power": real(mpmath.power, lambda x, y: x > 0),
+}
+
+
+def numbers_agree(names, functions, definitions, variables):
+    """At random numbers, each call of a function has the value of what stands for it: to 40 digits."""
+    mpmath.mp.dps = 50
+    random.seed(1)
+    free = [name for name in names if name not in variables and name not in definitions]
+    good = 0
+    for _ in range(400 if functions else 0):
+        scale = random.choice([1, 10, 100])
+        values = {name: mpmath.mpf(random.randint(-99, 99)) / (random.randint(50, 99) * scale) for name in free}
+        values = {name: abs(value) if random.random() < 0.5 else value for name, value in values.items()}
+
+        def number(text):
+            return walk(ast.parse(text, mode="eval").body)
+
+        def walk(node):
+            if isinstance(node, ast.Constant):
+                return mpmath.mpf(node.value)
+            if isinstance(node, ast.UnaryOp):
+                return -walk(node.operand)
+            if isinstance(node, ast.BinOp):
+                if isinstance(node.op, ast.Pow):
+                    return walk(node.left) ** ast.literal_eval(node.right)
+                a, b = walk(node.left), walk(node.right)
+                return {ast.Add: lambda: a + b, ast.Sub: lambda: a - b, ast.Mult: lambda: a * b, ast.Div: lambda: a / b}[
+                    type(node.op)
+                ]()
+            if isinstance(node, ast.Call):
+                return REAL[node.func.id](*map(walk, node.args))
+            name = node.id
+            if name == "pi":
+                return +mpmath.pi
+            if name not in values:
+                values[name] = number(variables[name] if name in variables else definitions[name])
+            return values[name]
+
+        try:
+            pairs = [(call, number(call), number(image)) for call, image in functions.items()]
+        except (ValueError, ZeroDivisionError):
+            continue
+        for call, one, other in pairs:
+            if abs(one - other) > mpmath.mpf(10) ** -40 * (1 + abs(one)):
+                sys.exit(f"{call} is not {functions[call]}")
+        good += 1
+        if good == 3:
+            return
+    if functions and not good:
+        sys.exit("no numbers were found for which the functions have values")
+
+
+# Equation 1: \dot{R}_{11} = -(\frac{{\bf m}_3}{I_2}\cdot R_{32}\cdot R_{13}+\frac{{\bf m}_3}{I_3}\cdot (-1)\cdot R_{33}\cdot R_{12})
+# where {\bf m}_3 = R_{31}(0)\cdot (I_1\cdot \Omega_1(0))+R_{32}(0)\cdot (I_2\cdot \Omega_2(0))+R_{33}(0)\cdot (I_3\cdot \Omega_3(0))
+# where \dot{R}_{11} = (an expression of 132 operations)
+# Omega3_then stands for \Omega_3(0)
+# Omega2_then stands for \Omega_2(0)
+# Omega1_then stands for \Omega_1(0)
+# R23_then stands for R_{23}(0)
+# R22_then stands for R_{22}(0)
+# R21_then stands for R_{21}(0)
+# R13_then stands for R_{13}(0)
+# R12_then stands for R_{12}(0)
+# R11_then stands for R_{11}(0)
+# R23 stands for R_{23}
+# R22 stands for R_{22}
+# R13 stands for R_{13}
+# R12 stands for R_{12}
+# I3 stands for I_3
+# I2 stands for I_2
+# I1 stands for I_1
+check(
+    names=["Omega3_then", "Omega2_then", "Omega1_then", "R33_then", "R32_then", "R31_then", "R23_then", "R22_then", "R21_then", "R13_then", "R12_then", "R11_then", "R33", "R32", "R31", "R23", "R22", "R21", "R13", "R12", "R11", "I3", "I2", "I1", "m3", "R11_dot"],
+    left="R11_dot",
+    right="-(m3/I2*R32*R13 + m3/I3*(-1)*R33*R12)",
+    relations=[
+        # because of what is given: 0 = R_{21}(0)\cdot (I_1\cdot \Omega_1(0))+R_{22}(0)\cdot (I_2\cdot \Omega_2(0))+R_{23}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then)", "R22*R13*I3 - R23*R12*I2"),
+        # because of what is given: 0 = R_{11}(0)\cdot (I_1\cdot \Omega_1(0))+R_{12}(0)\cdot (I_2\cdot \Omega_2(0))+R_{13}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then)", "R13*R12*I3 - R13*R12*I2"),
+    ],
+    d="1",
+    definitions={
+        "R11_dot": "-(I2**(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R12 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R22 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R32)*R13 + I3**(-1)*(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R13 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R23 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R33)*R12)",
+        "m3": "R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then)",
+    },
+)
+
+
+# Equation 2: \dot{R}_{12} = -(\frac{{\bf m}_3}{I_1}\cdot (-1)\cdot R_{31}\cdot R_{13}+\frac{{\bf m}_3}{I_3}\cdot R_{33}\cdot R_{11})
+# where {\bf m}_3 = R_{31}(0)\cdot (I_1\cdot \Omega_1(0))+R_{32}(0)\cdot (I_2\cdot \Omega_2(0))+R_{33}(0)\cdot (I_3\cdot \Omega_3(0))
+# where \dot{R}_{12} = (an expression of 132 operations)
+# Omega3_then stands for \Omega_3(0)
+# Omega2_then stands for \Omega_2(0)
+# Omega1_then stands for \Omega_1(0)
+# R23_then stands for R_{23}(0)
+# R22_then stands for R_{22}(0)
+# R21_then stands for R_{21}(0)
+# R13_then stands for R_{13}(0)
+# R12_then stands for R_{12}(0)
+# R11_then stands for R_{11}(0)
+# R23 stands for R_{23}
+# R21 stands for R_{21}
+# R13 stands for R_{13}
+# R11 stands for R_{11}
+# I3 stands for I_3
+# I2 stands for I_2
+# I1 stands for I_1
+check(
+    names=["Omega3_then", "Omega2_then", "Omega1_then", "R33_then", "R32_then", "R31_then", "R23_then", "R22_then", "R21_then", "R13_then", "R12_then", "R11_then", "R33", "R32", "R31", "R23", "R22", "R21", "R13", "R12", "R11", "I3", "I2", "I1", "m3", "R12_dot"],
+    left="R12_dot",
+    right="-(m3/I1*(-1)*R31*R13 + m3/I3*R33*R11)",
+    relations=[
+        # because of what is given: 0 = R_{21}(0)\cdot (I_1\cdot \Omega_1(0))+R_{22}(0)\cdot (I_2\cdot \Omega_2(0))+R_{23}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then)", "-R21*R13*I3 + R23*R11*I1"),
+        # because of what is given: 0 = R_{11}(0)\cdot (I_1\cdot \Omega_1(0))+R_{12}(0)\cdot (I_2\cdot \Omega_2(0))+R_{13}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then)", "-R13*R11*I3 + R13*R11*I1"),
+    ],
+    d="1",
+    definitions={
+        "R12_dot": "-(I1**(-1)*(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R11 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R21 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R31)*R13 + I3**(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R13 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R23 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R33)*R11)",
+        "m3": "R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then)",
+    },
+)
+
+
+# Equation 3: \dot{R}_{13} = -(\frac{{\bf m}_3}{I_1}\cdot R_{31}\cdot R_{12}+\frac{{\bf m}_3}{I_2}\cdot (-1)\cdot R_{32}\cdot R_{11})
+# where {\bf m}_3 = R_{31}(0)\cdot (I_1\cdot \Omega_1(0))+R_{32}(0)\cdot (I_2\cdot \Omega_2(0))+R_{33}(0)\cdot (I_3\cdot \Omega_3(0))
+# where \dot{R}_{13} = (an expression of 132 operations)
+# Omega3_then stands for \Omega_3(0)
+# Omega2_then stands for \Omega_2(0)
+# Omega1_then stands for \Omega_1(0)
+# R23_then stands for R_{23}(0)
+# R22_then stands for R_{22}(0)
+# R21_then stands for R_{21}(0)
+# R13_then stands for R_{13}(0)
+# R12_then stands for R_{12}(0)
+# R11_then stands for R_{11}(0)
+# R22 stands for R_{22}
+# R21 stands for R_{21}
+# R12 stands for R_{12}
+# R11 stands for R_{11}
+# I3 stands for I_3
+# I2 stands for I_2
+# I1 stands for I_1
+check(
+    names=["Omega3_then", "Omega2_then", "Omega1_then", "R33_then", "R32_then", "R31_then", "R23_then", "R22_then", "R21_then", "R13_then", "R12_then", "R11_then", "R33", "R32", "R31", "R23", "R22", "R21", "R13", "R12", "R11", "I3", "I2", "I1", "m3", "R13_dot"],
+    left="R13_dot",
+    right="-(m3/I1*R31*R12 + m3/I2*(-1)*R32*R11)",
+    relations=[
+        # because of what is given: 0 = R_{21}(0)\cdot (I_1\cdot \Omega_1(0))+R_{22}(0)\cdot (I_2\cdot \Omega_2(0))+R_{23}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then)", "R21*R12*I2 - R22*R11*I1"),
+        # because of what is given: 0 = R_{11}(0)\cdot (I_1\cdot \Omega_1(0))+R_{12}(0)\cdot (I_2\cdot \Omega_2(0))+R_{13}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then)", "R12*R11*I2 - R12*R11*I1"),
+    ],
+    d="1",
+    definitions={
+        "R13_dot": "-(I1**(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R11 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R21 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R31)*R12 + I2**(-1)*(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R12 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R22 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R32)*R11)",
+        "m3": "R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then)",
+    },
+)
+
+
+# Equation 4: \dot{R}_{21} = -(\frac{{\bf m}_3}{I_2}\cdot R_{32}\cdot R_{23}+\frac{{\bf m}_3}{I_3}\cdot (-1)\cdot R_{33}\cdot R_{22})
+# where {\bf m}_3 = R_{31}(0)\cdot (I_1\cdot \Omega_1(0))+R_{32}(0)\cdot (I_2\cdot \Omega_2(0))+R_{33}(0)\cdot (I_3\cdot \Omega_3(0))
+# where \dot{R}_{21} = (an expression of 132 operations)
+# Omega3_then stands for \Omega_3(0)
+# Omega2_then stands for \Omega_2(0)
+# Omega1_then stands for \Omega_1(0)
+# R23_then stands for R_{23}(0)
+# R22_then stands for R_{22}(0)
+# R21_then stands for R_{21}(0)
+# R13_then stands for R_{13}(0)
+# R12_then stands for R_{12}(0)
+# R11_then stands for R_{11}(0)
+# R23 stands for R_{23}
+# R22 stands for R_{22}
+# R13 stands for R_{13}
+# R12 stands for R_{12}
+# I3 stands for I_3
+# I2 stands for I_2
+# I1 stands for I_1
+check(
+    names=["Omega3_then", "Omega2_then", "Omega1_then", "R33_then", "R32_then", "R31_then", "R23_then", "R22_then", "R21_then", "R13_then", "R12_then", "R11_then", "R33", "R32", "R31", "R23", "R22", "R21", "R13", "R12", "R11", "I3", "I2", "I1", "m3", "R21_dot"],
+    left="R21_dot",
+    right="-(m3/I2*R32*R23 + m3/I3*(-1)*R33*R22)",
+    relations=[
+        # because of what is given: 0 = R_{21}(0)\cdot (I_1\cdot \Omega_1(0))+R_{22}(0)\cdot (I_2\cdot \Omega_2(0))+R_{23}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then)", "R23*R22*I3 - R23*R22*I2"),
+        # because of what is given: 0 = R_{11}(0)\cdot (I_1\cdot \Omega_1(0))+R_{12}(0)\cdot (I_2\cdot \Omega_2(0))+R_{13}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then)", "R23*R12*I3 - R22*R13*I2"),
+    ],
+    d="1",
+    definitions={
+        "R21_dot": "-(I2**(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R12 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R22 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R32)*R23 + I3**(-1)*(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R13 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R23 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R33)*R22)",
+        "m3": "R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then)",
+    },
+)
+
+
+# Equation 5: \dot{R}_{22} = -(\frac{{\bf m}_3}{I_1}\cdot (-1)\cdot R_{31}\cdot R_{23}+\frac{{\bf m}_3}{I_3}\cdot R_{33}\cdot R_{21})
+# where {\bf m}_3 = R_{31}(0)\cdot (I_1\cdot \Omega_1(0))+R_{32}(0)\cdot (I_2\cdot \Omega_2(0))+R_{33}(0)\cdot (I_3\cdot \Omega_3(0))
+# where \dot{R}_{22} = (an expression of 132 operations)
+# Omega3_then stands for \Omega_3(0)
+# Omega2_then stands for \Omega_2(0)
+# Omega1_then stands for \Omega_1(0)
+# R23_then stands for R_{23}(0)
+# R22_then stands for R_{22}(0)
+# R21_then stands for R_{21}(0)
+# R13_then stands for R_{13}(0)
+# R12_then stands for R_{12}(0)
+# R11_then stands for R_{11}(0)
+# R23 stands for R_{23}
+# R21 stands for R_{21}
+# R13 stands for R_{13}
+# R11 stands for R_{11}
+# I3 stands for I_3
+# I2 stands for I_2
+# I1 stands for I_1
+check(
+    names=["Omega3_then", "Omega2_then", "Omega1_then", "R33_then", "R32_then", "R31_then", "R23_then", "R22_then", "R21_then", "R13_then", "R12_then", "R11_then", "R33", "R32", "R31", "R23", "R22", "R21", "R13", "R12", "R11", "I3", "I2", "I1", "m3", "R22_dot"],
+    left="R22_dot",
+    right="-(m3/I1*(-1)*R31*R23 + m3/I3*R33*R21)",
+    relations=[
+        # because of what is given: 0 = R_{21}(0)\cdot (I_1\cdot \Omega_1(0))+R_{22}(0)\cdot (I_2\cdot \Omega_2(0))+R_{23}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then)", "-R23*R21*I3 + R23*R21*I1"),
+        # because of what is given: 0 = R_{11}(0)\cdot (I_1\cdot \Omega_1(0))+R_{12}(0)\cdot (I_2\cdot \Omega_2(0))+R_{13}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then)", "-R23*R11*I3 + R21*R13*I1"),
+    ],
+    d="1",
+    definitions={
+        "R22_dot": "-(I1**(-1)*(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R11 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R21 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R31)*R23 + I3**(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R13 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R23 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R33)*R21)",
+        "m3": "R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then)",
+    },
+)
+
+
+# Equation 6: \dot{R}_{23} = -(\frac{{\bf m}_3}{I_1}\cdot R_{31}\cdot R_{22}+\frac{{\bf m}_3}{I_2}\cdot (-1)\cdot R_{32}\cdot R_{21})
+# where {\bf m}_3 = R_{31}(0)\cdot (I_1\cdot \Omega_1(0))+R_{32}(0)\cdot (I_2\cdot \Omega_2(0))+R_{33}(0)\cdot (I_3\cdot \Omega_3(0))
+# where \dot{R}_{23} = (an expression of 132 operations)
+# Omega3_then stands for \Omega_3(0)
+# Omega2_then stands for \Omega_2(0)
+# Omega1_then stands for \Omega_1(0)
+# R23_then stands for R_{23}(0)
+# R22_then stands for R_{22}(0)
+# R21_then stands for R_{21}(0)
+# R13_then stands for R_{13}(0)
+# R12_then stands for R_{12}(0)
+# R11_then stands for R_{11}(0)
+# R22 stands for R_{22}
+# R21 stands for R_{21}
+# R12 stands for R_{12}
+# R11 stands for R_{11}
+# I3 stands for I_3
+# I2 stands for I_2
+# I1 stands for I_1
+check(
+    names=["Omega3_then", "Omega2_then", "Omega1_then", "R33_then", "R32_then", "R31_then", "R23_then", "R22_then", "R21_then", "R13_then", "R12_then", "R11_then", "R33", "R32", "R31", "R23", "R22", "R21", "R13", "R12", "R11", "I3", "I2", "I1", "m3", "R23_dot"],
+    left="R23_dot",
+    right="-(m3/I1*R31*R22 + m3/I2*(-1)*R32*R21)",
+    relations=[
+        # because of what is given: 0 = R_{21}(0)\cdot (I_1\cdot \Omega_1(0))+R_{22}(0)\cdot (I_2\cdot \Omega_2(0))+R_{23}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then)", "R22*R21*I2 - R22*R21*I1"),
+        # because of what is given: 0 = R_{11}(0)\cdot (I_1\cdot \Omega_1(0))+R_{12}(0)\cdot (I_2\cdot \Omega_2(0))+R_{13}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then)", "R22*R11*I2 - R21*R12*I1"),
+    ],
+    d="1",
+    definitions={
+        "R23_dot": "-(I1**(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R11 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R21 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R31)*R22 + I2**(-1)*(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R12 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R22 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R32)*R21)",
+        "m3": "R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then)",
+    },
+)
+
+
+# Equation 7: \dot{R}_{31} = -(\frac{{\bf m}_3}{I_2}\cdot R_{32}\cdot R_{33}+\frac{{\bf m}_3}{I_3}\cdot (-1)\cdot R_{33}\cdot R_{32})
+# where {\bf m}_3 = R_{31}(0)\cdot (I_1\cdot \Omega_1(0))+R_{32}(0)\cdot (I_2\cdot \Omega_2(0))+R_{33}(0)\cdot (I_3\cdot \Omega_3(0))
+# where \dot{R}_{31} = (an expression of 132 operations)
+# Omega3_then stands for \Omega_3(0)
+# Omega2_then stands for \Omega_2(0)
+# Omega1_then stands for \Omega_1(0)
+# R23_then stands for R_{23}(0)
+# R22_then stands for R_{22}(0)
+# R21_then stands for R_{21}(0)
+# R13_then stands for R_{13}(0)
+# R12_then stands for R_{12}(0)
+# R11_then stands for R_{11}(0)
+# R33 stands for R_{33}
+# R32 stands for R_{32}
+# R23 stands for R_{23}
+# R22 stands for R_{22}
+# R13 stands for R_{13}
+# R12 stands for R_{12}
+# I3 stands for I_3
+# I2 stands for I_2
+# I1 stands for I_1
+check(
+    names=["Omega3_then", "Omega2_then", "Omega1_then", "R33_then", "R32_then", "R31_then", "R23_then", "R22_then", "R21_then", "R13_then", "R12_then", "R11_then", "R33", "R32", "R31", "R23", "R22", "R21", "R13", "R12", "R11", "I3", "I2", "I1", "m3", "R31_dot"],
+    left="R31_dot",
+    right="-(m3/I2*R32*R33 + m3/I3*(-1)*R33*R32)",
+    relations=[
+        # because of what is given: 0 = R_{21}(0)\cdot (I_1\cdot \Omega_1(0))+R_{22}(0)\cdot (I_2\cdot \Omega_2(0))+R_{23}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then)", "R33*R22*I3 - R32*R23*I2"),
+        # because of what is given: 0 = R_{11}(0)\cdot (I_1\cdot \Omega_1(0))+R_{12}(0)\cdot (I_2\cdot \Omega_2(0))+R_{13}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then)", "R33*R12*I3 - R32*R13*I2"),
+    ],
+    d="1",
+    definitions={
+        "R31_dot": "-(I2**(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R12 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R22 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R32)*R33 + I3**(-1)*(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R13 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R23 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R33)*R32)",
+        "m3": "R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then)",
+    },
+)
+
+
+# Equation 8: \dot{R}_{32} = -(\frac{{\bf m}_3}{I_1}\cdot (-1)\cdot R_{31}\cdot R_{33}+\frac{{\bf m}_3}{I_3}\cdot R_{33}\cdot R_{31})
+# where {\bf m}_3 = R_{31}(0)\cdot (I_1\cdot \Omega_1(0))+R_{32}(0)\cdot (I_2\cdot \Omega_2(0))+R_{33}(0)\cdot (I_3\cdot \Omega_3(0))
+# where \dot{R}_{32} = (an expression of 132 operations)
+# Omega3_then stands for \Omega_3(0)
+# Omega2_then stands for \Omega_2(0)
+# Omega1_then stands for \Omega_1(0)
+# R23_then stands for R_{23}(0)
+# R22_then stands for R_{22}(0)
+# R21_then stands for R_{21}(0)
+# R13_then stands for R_{13}(0)
+# R12_then stands for R_{12}(0)
+# R11_then stands for R_{11}(0)
+# R33 stands for R_{33}
+# R31 stands for R_{31}
+# R23 stands for R_{23}
+# R21 stands for R_{21}
+# R13 stands for R_{13}
+# R11 stands for R_{11}
+# I3 stands for I_3
+# I2 stands for I_2
+# I1 stands for I_1
+check(
+    names=["Omega3_then", "Omega2_then", "Omega1_then", "R33_then", "R32_then", "R31_then", "R23_then", "R22_then", "R21_then", "R13_then", "R12_then", "R11_then", "R33", "R32", "R31", "R23", "R22", "R21", "R13", "R12", "R11", "I3", "I2", "I1", "m3", "R32_dot"],
+    left="R32_dot",
+    right="-(m3/I1*(-1)*R31*R33 + m3/I3*R33*R31)",
+    relations=[
+        # because of what is given: 0 = R_{21}(0)\cdot (I_1\cdot \Omega_1(0))+R_{22}(0)\cdot (I_2\cdot \Omega_2(0))+R_{23}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then)", "-R33*R21*I3 + R31*R23*I1"),
+        # because of what is given: 0 = R_{11}(0)\cdot (I_1\cdot \Omega_1(0))+R_{12}(0)\cdot (I_2\cdot \Omega_2(0))+R_{13}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then)", "-R33*R11*I3 + R31*R13*I1"),
+    ],
+    d="1",
+    definitions={
+        "R32_dot": "-(I1**(-1)*(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R11 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R21 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R31)*R33 + I3**(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R13 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R23 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R33)*R31)",
+        "m3": "R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then)",
+    },
+)
+
+
+# Equation 9: \dot{R}_{33} = -(\frac{{\bf m}_3}{I_1}\cdot R_{31}\cdot R_{32}+\frac{{\bf m}_3}{I_2}\cdot (-1)\cdot R_{32}\cdot R_{31})
+# where {\bf m}_3 = R_{31}(0)\cdot (I_1\cdot \Omega_1(0))+R_{32}(0)\cdot (I_2\cdot \Omega_2(0))+R_{33}(0)\cdot (I_3\cdot \Omega_3(0))
+# where \dot{R}_{33} = (an expression of 132 operations)
+# Omega3_then stands for \Omega_3(0)
+# Omega2_then stands for \Omega_2(0)
+# Omega1_then stands for \Omega_1(0)
+# R23_then stands for R_{23}(0)
+# R22_then stands for R_{22}(0)
+# R21_then stands for R_{21}(0)
+# R13_then stands for R_{13}(0)
+# R12_then stands for R_{12}(0)
+# R11_then stands for R_{11}(0)
+# R32 stands for R_{32}
+# R31 stands for R_{31}
+# R22 stands for R_{22}
+# R21 stands for R_{21}
+# R12 stands for R_{12}
+# R11 stands for R_{11}
+# I3 stands for I_3
+# I2 stands for I_2
+# I1 stands for I_1
+check(
+    names=["Omega3_then", "Omega2_then", "Omega1_then", "R33_then", "R32_then", "R31_then", "R23_then", "R22_then", "R21_then", "R13_then", "R12_then", "R11_then", "R33", "R32", "R31", "R23", "R22", "R21", "R13", "R12", "R11", "I3", "I2", "I1", "m3", "R33_dot"],
+    left="R33_dot",
+    right="-(m3/I1*R31*R32 + m3/I2*(-1)*R32*R31)",
+    relations=[
+        # because of what is given: 0 = R_{21}(0)\cdot (I_1\cdot \Omega_1(0))+R_{22}(0)\cdot (I_2\cdot \Omega_2(0))+R_{23}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then)", "R32*R21*I2 - R31*R22*I1"),
+        # because of what is given: 0 = R_{11}(0)\cdot (I_1\cdot \Omega_1(0))+R_{12}(0)\cdot (I_2\cdot \Omega_2(0))+R_{13}(0)\cdot (I_3\cdot \Omega_3(0))
+        ("0", "R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then)", "R32*R11*I2 - R31*R12*I1"),
+    ],
+    d="1",
+    definitions={
+        "R33_dot": "-(I1**(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R11 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R21 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R31)*R32 + I2**(-1)*(-1)*((R11_then*(I1*Omega1_then) + R12_then*(I2*Omega2_then) + R13_then*(I3*Omega3_then))*R12 + (R21_then*(I1*Omega1_then) + R22_then*(I2*Omega2_then) + R23_then*(I3*Omega3_then))*R22 + (R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then))*R32)*R31)",
+        "m3": "R31_then*(I1*Omega1_then) + R32_then*(I2*Omega2_then) + R33_then*(I3*Omega3_then)",
+    },
+)
