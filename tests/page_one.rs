@@ -222,7 +222,7 @@ fn conclusions_are_told_with_their_motion_and_how_sure_they_are() {
     // A terminal has no room for what else fails.
     let also = "nor in another reading: “While the handle makes one turn about m, the face stays where it is” fails on the one motion \
                 (at samples); 8 motions in all.";
-    assert!(markdown.contains(also) && markdown.contains("It breaks at"), "{markdown}");
+    assert!(markdown.contains(also) && markdown.contains("The first step fails"), "{markdown}");
     // What a printed formula uses comes before what is technical.
     assert!(
         markdown.contains("Conventions: euler angles: zxz") && markdown.contains("a × b, right-handed"),

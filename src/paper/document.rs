@@ -8,10 +8,11 @@ use std::ops::Range;
 
 use super::differences::DifferenceSigns;
 use super::mark::{self, group_text, parts};
+use super::note::PaperNote;
 use super::opening::{Opening, opening};
 use super::printed::{self, Place, PrintedRelation};
 use super::token::{Kind, Token};
-use super::{Equation, PaperNote, Part, span_of};
+use super::{Equation, Part, span_of};
 use diag::escape::in_one_line;
 
 /// The most tokens of the options of an environment.

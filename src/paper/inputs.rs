@@ -12,8 +12,9 @@ use super::book::macros_of;
 use super::chapter::main_of;
 use super::markdown::printed;
 use super::named::Named;
+use super::note::PaperNote;
 use super::token::{MOST_TOKENS, OwnEnvironments, Token, tokens, tokens_with};
-use super::{LARGEST_PAPER, PaperNote, text_from};
+use super::{LARGEST_PAPER, text_from};
 use diag::Source;
 use diag::escape::in_one_line;
 

@@ -27,6 +27,7 @@ mod mark;
 mod markdown;
 mod named;
 mod names;
+mod note;
 mod opening;
 mod pasted;
 mod printed;
@@ -49,6 +50,7 @@ pub use inputs::is_markdown;
 pub use names::{
     Call, Evidence, Notation, PaperName, cancels_by_order, is_variable, names, order_counts, squeezed, unprimed,
 };
+pub use note::PaperNote;
 pub use opening::{Opening, opening};
 pub use printed::{PrintedRelation, PrintedSide};
 
@@ -93,15 +95,6 @@ pub struct Paper {
     inputs: Vec<(usize, Arc<Source>)>,
     /// Where the lines of each file begin, the paper's own first.
     lines: Vec<Vec<usize>>,
-}
-
-/// Something of a paper that was not read.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct PaperNote {
-    /// What, in a sentence without a full stop.
-    pub message: String,
-    /// Where.
-    pub span: Range<usize>,
 }
 
 impl Paper {

@@ -30,8 +30,8 @@ pub(super) use doubts::Doubts;
 use rest::{MOST_NAME, Macro, Rest, argument, next_is, optional, spaces, takes_braces};
 use units::Units;
 
-use super::PaperNote;
 use super::named::{COMMANDS_OF_TEXT, Input, Named, PACKAGES};
+use super::note::PaperNote;
 use super::short::Short;
 use super::token::{Kind, MOST_TOKENS, Token};
 

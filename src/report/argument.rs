@@ -196,9 +196,9 @@ fn break_says<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<StorySpa
     let Some(reading) = reading else { return Vec::new() };
     let scope = declared(derivation, reading.claim).map_or(&derivation.scope, |d| &d.scope);
     // It is the first of the chain that stands before.
-    let mut out = vec![StorySpan::Words("It breaks at the first".to_owned(), Tone::Bad)];
+    let mut out = vec![StorySpan::Words("The first step fails".to_owned(), Tone::Bad)];
     if need.is_some() {
-        let says = format!(", used as: {}", reading.claim.says.trim_end_matches('.'));
+        let says = format!(" as the paper uses it: {}", reading.claim.says.trim_end_matches('.'));
         out.push(StorySpan::Prose(says, scope, Tone::Plain));
     }
     out.push(words(". "));

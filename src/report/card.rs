@@ -7,10 +7,10 @@
 use super::basis::Basis;
 use super::digest::{Reading, Whole};
 use super::discrimination::standing;
-use super::finding::{of_step, over_ranges};
+use super::finding::{of_step_marked, over_ranges_marked};
 use super::form::{Heading, heading};
 use super::front::Line;
-use super::numbers::{ascii_six, both, count, six, size};
+use super::numbers::{ascii_six, both, count, retold, six, size};
 use super::refuting::Refutes;
 use super::sketch::Sketch;
 use super::story::{StoryBlock, StorySpan, Tone, joined, quiet, words};
@@ -397,10 +397,10 @@ pub(super) fn blocks<'a>(
     match &motion {
         Some(motion) => why.extend(motion.says(derivation, own)),
         None => why.extend(
-            over_ranges(claim)
-                .or_else(|| of_step(claim))
+            over_ranges_marked(claim)
+                .or_else(|| of_step_marked(claim))
                 .filter(|_| fails)
-                .map(|text| StorySpan::Prose(super::plain::plain(&text), own, Tone::Plain)),
+                .map(|text| StorySpan::Prose(retold(&text), own, Tone::Plain)),
         ),
     }
     if let Some(text) = &line.consequence {

@@ -4,12 +4,13 @@
 use super::numbers::count;
 use super::story::{StoryBlock, StorySpan, list, prose, strong, words};
 use super::tally::name;
-use findings::{Account, ClaimAccount, Correction, EditClass, Erratum, Outcome, PairAccount, VariantAccount};
+use findings::{Account, ClaimAccount, Correction, EditClass, Erratum, Outcome, PairAccount, Strength, VariantAccount};
 use latex::Scope;
 
-/// Whether a verdict says little.
+/// Whether a verdict says little. What is proved says what it says, whatever else holds there.
 pub(super) fn is_weak(pair: &PairAccount) -> bool {
-    pair.discrimination.as_ref().is_some_and(|d| d.is_weak())
+    let is_proved = matches!(pair.verdict.outcome(), Outcome::Holds(Strength::Proved));
+    pair.discrimination.as_ref().is_some_and(|d| d.is_weak()) && !is_proved
 }
 
 /// Kinds of slips in words: `a wrong sign, a wrong index`.

@@ -382,17 +382,27 @@ pub(super) fn alone(derivation: &Derivation, claim: &ClaimAccount) -> Option<Fin
 
 /// How the verdict of a step came about, in a sentence.
 pub(super) fn of_step(claim: &ClaimAccount) -> Option<String> {
+    of_step_marked(claim).map(|text| text.replace('$', ""))
+}
+
+/// The same with its formulas between dollars.
+pub(super) fn of_step_marked(claim: &ClaimAccount) -> Option<String> {
     let step = claim.identity.as_ref()?;
     Some(match &step.witness {
-        Some(point) => format!("A point refutes it: {}", sentence(&point.to_string().replace('$', ""))),
-        None => sentence(&step.decided().to_string().replace('$', "")),
+        Some(point) => format!("A point refutes it: {}", sentence(&point.to_string())),
+        None => sentence(&step.decided().to_string()),
     })
 }
 
 /// How the verdict over ranges came about, in a sentence.
 pub(super) fn over_ranges(claim: &ClaimAccount) -> Option<String> {
+    over_ranges_marked(claim).map(|text| text.replace('$', ""))
+}
+
+/// The same with its formulas between dollars.
+pub(super) fn over_ranges_marked(claim: &ClaimAccount) -> Option<String> {
     let reason = claim.region.as_ref()?.verdict.evidence().reason.as_ref()?;
-    Some(format!("Over its ranges: {}", sentence(&reason.to_string().replace('$', ""))))
+    Some(format!("Over its ranges: {}", sentence(&reason.to_string())))
 }
 
 /// `fails`, `does not apply`.

@@ -85,9 +85,12 @@ pub(super) fn tried(account: &Account) -> String {
     ];
     let parts = parts.into_iter().filter(|(n, ..)| *n > 0);
     let parts: Vec<String> = parts.map(|(n, one, more)| format!("{n} {}", if n == 1 { one } else { more })).collect();
-    let motions = count(account.trajectories.len(), "motion");
+    let motions = match account.trajectories.len() {
+        0 => "Over ranges and for all values".to_owned(),
+        n => format!("On {}", count(n, "motion")),
+    };
     let told = if parts.is_empty() { "nothing was decided".to_owned() } else { listed(&parts) };
-    format!("On {motions}, with every reading and what is added for comparison, one by one: {told}.")
+    format!("{motions}, with every reading and what is added for comparison, one by one: {told}.")
 }
 
 /// The claims and meanings of which a verdict is not as the file expects.

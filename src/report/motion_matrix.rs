@@ -272,7 +272,11 @@ fn of_reading(reading: &Reading<'_>, column: &ColumnMotions<'_>) -> Option<Verdi
 /// What is known of a reading without a motion: over its ranges, or as a step.
 fn for_all_values(reading: &Reading<'_>) -> Option<VerdictShape> {
     if let Some(region) = &reading.claim.region {
-        return Some(shape(region.verdict.outcome()));
+        // At every point of the ranges, which are not all values.
+        return Some(match region.verdict.outcome() {
+            Outcome::Holds(Strength::Proved) => VerdictShape::Enclosed,
+            outcome => shape(outcome),
+        });
     }
     match (&reading.proof, reading.claim.verdict_alone(), reading.claim.identity.as_ref()?.verdict()) {
         (ProofStanding::Proved, ..) => Some(VerdictShape::Proved),

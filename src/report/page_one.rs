@@ -20,7 +20,9 @@ use super::motion_matrix::{self, that_matter};
 use super::numbers::count;
 use super::said;
 use super::sketch::Sketch;
-use super::story::{self, Elsewhere, StoryBlock, StorySpan, Tone, fold, folded as folded_as, quiet, words};
+use super::story::{
+    self, Elsewhere, StoryBlock, StorySpan, Tone, VerdictShape, fold, folded as folded_as, quiet, words,
+};
 use super::tally::{Standing, declared};
 use super::text::{Paint, capital, paragraph, uncapital};
 use derivation::Derivation;
@@ -55,7 +57,12 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     }
     head.extend(not_as_expected(derivation, account, &wholes));
     head.extend(remark(derivation));
-    let fields = wholes.iter().filter(|w| w.fate.is_of_the_paper()).map(|w| w.shape());
+    // What fails as the paper uses it is not shown as what stands.
+    let field = |w: &Whole<'_>| match w.counted_as() {
+        headline::CountedFate::AsSaid => VerdictShape::Meaning,
+        headline::CountedFate::Fate(_) => w.shape(),
+    };
+    let fields = wholes.iter().filter(|w| w.fate.is_of_the_paper()).map(field);
     let strip = Sketch::Strip(fields.collect());
     let shown = front.lines.first().map(|l| l.id.as_str());
     let concludes = argument::blocks(derivation, &wholes, &hangs, shown);
@@ -398,7 +405,8 @@ fn nothing_wrong<'a>(
 /// Page one for a terminal, with escape codes if `colour`.
 pub fn front_page(derivation: &Derivation, account: &Account, colour: bool) -> String {
     let paint = Paint(colour);
-    let head = format!("{}\n{}", paint.bold(&derivation.title), paragraph(&derivation.concerns, 2));
+    let title = paragraph(&derivation.title, 0);
+    let head = format!("{}\n{}", paint.bold(title.trim_end()), paragraph(&derivation.concerns, 2));
     head + &story::terminal(&blocks(derivation, account), 0, paint)
 }
 

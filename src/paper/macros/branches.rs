@@ -3,7 +3,7 @@
 //! **In:** the tokens of conditions. **Out:** the branch that is printed, or all of them where it is not known which is; what stands in these is in
 //! doubt. **Guaranteed:** no branch is left out that may be printed.
 
-use super::super::PaperNote;
+use super::super::note::PaperNote;
 use super::super::short::Short;
 use super::super::token::{Kind, Token};
 use super::conditions::{Condition, Skipped, condition, drop_arguments, skip_branch};

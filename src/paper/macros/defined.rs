@@ -12,7 +12,7 @@ use super::rest::Macro;
 
 /// Where definitions end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in super::super) enum Definitions {
+pub enum Definitions {
     /// With the group, the environment or the formula in which they stand, as in LaTeX.
     OfTheirGroup,
     /// Never, as on pages, which write formulas with MathJax.

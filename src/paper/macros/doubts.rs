@@ -11,7 +11,7 @@ use diag::escape::in_one_line;
 
 /// Why what is printed is not known.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in super::super) struct Doubt {
+pub struct Doubt {
     command: Short,
     is_condition: bool,
     /// Where that is told.
@@ -43,7 +43,7 @@ impl Doubt {
 
 /// Places in doubt.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(in super::super) struct Doubts {
+pub struct Doubts {
     all: Vec<Doubt>,
     /// The doubt of each macro of which the meaning is in doubt.
     of_macros: BTreeMap<String, usize>,
