@@ -218,3 +218,22 @@ fn every_number_is_read_or_refused() {
         ends(&format!("range {number}"), range.replace("[0, 1]", &format!("[0, {number}]")));
     }
 }
+
+/// Groups and environments of a paper that are opened and not closed, many of them.
+#[test]
+fn what_is_opened_in_a_paper_is_looked_at_once() {
+    let words = |text: String, name: &str| {
+        let source = rederive::diag::Source { path: name.into(), text };
+        rederive::paper::parse(source, String::new()).map_or(0, |paper| paper.printed.len())
+    };
+    for n in [2_000, 4_000, 8_000] {
+        for piece in [r"\begin{", r"\newtheorem{", r"\stepcounter{"] {
+            words(format!("\\begin{{document}}{}", piece.repeat(n)), "p.tex");
+        }
+        let other: String = (0..n).map(|i| format!("\\begin{{{i}}}")).collect();
+        words(other, "p.md");
+        words(format!("a\n{}{}", " ".repeat(20 * n), "b".repeat(20 * n)), "p.md");
+        words(format!("\\def\\x#1{0}x{{#1}}\\x{0}{0}{0}", ";".repeat(2 * n)), "p.tex");
+        assert!(!rederive::report::prose(&"www".repeat(20 * n)).is_empty());
+    }
+}

@@ -57,6 +57,11 @@ fn a_comma_tells_labels_apart() {
         let why = proves(formula, &["A_{112}"]).expect_err(formula);
         assert!(why.contains("is not declared with this subscript") && why.contains("as it is written"), "{why}");
     }
+    // Other spaces would be lost.
+    for label in [r"1\,12", r"11\;2", "1~2", r"1\ 2", r"\rm in~a", r"\rm a\,bc", r"a\quad b"] {
+        let why = proves(&format!("A_{{{label}}}=A_{{{label}}}"), &["A_{112}"]).expect_err(label);
+        assert!(why.contains("a space within a subscript"), "{label}: {why}");
+    }
     // One space, or none around the word, prints the same; letters of mathematics have no spaces.
     assert_eq!(proves(r"x_{\text{ a  b }}=x_{\text{a b}}", &[r"x_{\text{a b}}"]), Ok(true));
     assert_eq!(proves(r"x_{\mathrm{a b}}=x_{\mathrm{ab}}", &[r"x_{\rm ab}"]), Ok(true));

@@ -33,6 +33,11 @@ fn a_macro_as_an_argument_is_all_that_it_prints() {
         (r"\newcommand{\xx}{x+y} \[\dfrac\xx2=\frac x2+\frac y2\]", &[Follows]),
         (r"\newcommand{\ab}{ab} \[g=\frac1\ab\] hence \[g^2=\frac{b^2}{a^2}\]", &[Defines, Condition]),
         (r"\newcommand{\ab}{ab} \[g=\frac1\ab\] hence \[g^2=\frac1{a^2b^2}\]", &[Defines, Follows]),
+        (r"\newcommand{\kT}[1][]{k#1 T} \[\frac1\kT=\frac Tk\]", &[Condition]),
+        (r"\newcommand{\kT}[1][]{k#1 T} \[\frac1\kT=\frac1{kT}\]", &[Follows]),
+        // A space behind the sign of a name's meaning is not the meaning.
+        ("\\let\\k= \\kappa \\[\\k+y=y\\]", &[Condition]),
+        ("\\let\\k= \\kappa \\[\\k+y=y+\\kappa\\]", &[Follows]),
     ]);
 }
 

@@ -167,6 +167,9 @@ pub(super) fn marks(tokens: &[Token]) -> Vec<Mark> {
     ordered(&without_needless_braces(out))
 }
 
+/// The longest group whose text is looked for, in tokens.
+const MOST_OF_A_GROUP: usize = 4_000;
+
 /// The text of a group that begins at `at`, and the position after it; nothing where no group begins.
 pub(super) fn group_text(tokens: &[Token], at: usize) -> (String, usize) {
     let mut from = at;
@@ -178,7 +181,7 @@ pub(super) fn group_text(tokens: &[Token], at: usize) -> (String, usize) {
     }
     let mut depth = 0;
     let mut text = String::new();
-    for (i, t) in tokens.iter().enumerate().skip(from) {
+    for (i, t) in tokens.iter().enumerate().skip(from).take(MOST_OF_A_GROUP) {
         match t.kind {
             Kind::Open => depth += 1,
             Kind::Close => depth -= 1,
@@ -193,7 +196,8 @@ pub(super) fn group_text(tokens: &[Token], at: usize) -> (String, usize) {
             _ => text.push_str(&t.text),
         }
     }
-    (text, tokens.len())
+    // One that is not closed is none: what it opens may be most of the paper, for each of many.
+    if tokens.len() > from + MOST_OF_A_GROUP { (String::new(), from + 1) } else { (text, tokens.len()) }
 }
 
 /// The position after what may follow `\\`: a star, and a distance in brackets.

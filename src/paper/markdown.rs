@@ -35,6 +35,9 @@ pub(super) fn printed(text: &str) -> String {
     String::from_utf8(page.out).unwrap_or_default()
 }
 
+/// So many kinds of brackets that are not closed are looked for.
+const MOST_UNCLOSED: usize = 1_000;
+
 /// What the line before is.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Before {
@@ -202,9 +205,9 @@ impl Page<'_> {
     /// What stands in a line; what is opened there may reach over several, and the rest of the line where it ends is read with it.
     fn inline(&mut self, from: usize, line_end: usize, depth: usize) -> usize {
         let (mut at, mut end) = (from, line_end);
+        let mut is_first = true;
         while at < end {
             let rest = &self.text[at..];
-            let is_first = self.text[from..at].trim().is_empty();
             let after = match rest.as_bytes()[0] {
                 b'`' => self.code_span(at),
                 b'<' => self.html(at, is_first),
@@ -215,6 +218,7 @@ impl Page<'_> {
                 }
                 _ => at + rest.chars().next().map_or(1, char::len_utf8),
             };
+            is_first &= self.text[at..after].trim().is_empty();
             if after > end {
                 end = self.end_of_line(after - 1);
             }
@@ -310,7 +314,9 @@ impl Page<'_> {
             _ => (*close).to_owned(),
         };
         let key = (close.clone(), most);
-        let end = if self.unclosed.contains(&key) { None } else { self.closing(from, most, &close) };
+        // A page with so many that are not closed has no more that are looked for.
+        let is_in_vain = self.unclosed.contains(&key) || self.unclosed.len() > MOST_UNCLOSED;
+        let end = if is_in_vain { None } else { self.closing(from, most, &close) };
         let Some(end) = end else {
             self.unclosed.insert(key);
             return from;

@@ -39,7 +39,7 @@ pub fn prose(text: &str) -> String {
             }
             // No address becomes a link: a link takes what follows for its own, signs of code among it.
             ':' if after.starts_with("//") => out.push_str(":<!-- -->"),
-            'w' | 'W' if out.to_ascii_lowercase().ends_with("ww") && after.starts_with('.') => {
+            'w' | 'W' if after.starts_with('.') && ends_with_ww(&out) => {
                 out.push(c);
                 out.push_str("<!-- -->");
             }
@@ -59,6 +59,10 @@ pub fn prose(text: &str) -> String {
         rest = after;
     }
     out
+}
+
+fn ends_with_ww(text: &str) -> bool {
+    text.as_bytes().last_chunk::<2>().is_some_and(|last| last.eq_ignore_ascii_case(b"ww"))
 }
 
 /// Adds what comes next. Two pieces of code side by side would be one, and take what follows for code or for text as its signs happen to pair.
@@ -241,7 +245,7 @@ mod tests {
             ("-0.5 and 1.5", "-0.5 and 1.5"),
             ("1.5: so", "1.5: so"),
             ("see http://e/`<b>`, WWW.e/`<b>`", "see http:<!-- -->//e/`<b>`, WWW<!-- -->.e/`<b>`"),
-            ("&commat;x &num;1 a & b &#64;", "&amp;commat;x &amp;num;1 a & b &amp;#64;"),
+            ("&commat;x &num;1 a & b &#64;", "&amp;commat;x &amp;num;1 a & b &amp;\\#64;"),
             ("___", r"\_\_\_"),
             ("_x_ and t_8, x_", r"\_x\_ and t_8, x\_"),
             (r"`a\|<b>`", "<code>a&#92;&#124;&#60;b&#62;</code>"),

@@ -65,7 +65,7 @@ impl VerdictShape {
             VerdictShape::ProvedGiven => ("◈", "h g", r"$\lozenge$", "proved, from others"),
             VerdictShape::ProvedExcept => ("⬖", "h c", r"$\blacklozenge^{-}$", "proved, special cases apart"),
             VerdictShape::Unreplayed => ("⬗", "h o", r"$\Diamond^{+}$", "proved, not replayed"),
-            VerdictShape::Enclosed => ("■", "h e", r"$\blacksquare$", "at every time or point, rigorously"),
+            VerdictShape::Enclosed => ("■", "h e", r"$\blacksquare$", "at every time or point"),
             VerdictShape::Sampled => ("●", "h", r"$\bullet$", "at all samples"),
             VerdictShape::Weak => ("○", "h w", r"$\circ$", "holds, but so do altered formulas: it tells little"),
             VerdictShape::Fails => ("✕", "f", r"$\times$", "fails at samples"),

@@ -7,6 +7,10 @@ use super::super::write::subscript;
 use super::names::{LONGEST_WORD, plain};
 use super::{Parsed, Parser, decimal, refuse};
 
+/// What prints a space between two letters.
+const PRINTED_SPACES: &[&str] =
+    &["~", r"\,", r"\:", r"\;", r"\>", "\\ ", r"\quad", r"\qquad", r"\enspace", r"\hspace", r"\thinspace"];
+
 /// The two scripts of a symbol, and whether the superscript came first.
 pub(super) type Scripts = (Option<Vec<SubItem>>, Option<Box<Node>>, bool);
 
@@ -256,6 +260,18 @@ impl Parser<'_> {
         items
     }
 
+    /// Refuses a printed space between two parts of a label: what it parts would be read as one.
+    fn is_no_space_in_label(&self) -> Parsed<()> {
+        let end = self.at.checked_sub(1).and_then(|before| self.tokens.get(before)).map_or(0, |t| t.span.end);
+        let between = self.text.get(end..self.span().start).unwrap_or_default();
+        let is_space = PRINTED_SPACES.iter().any(|space| between.contains(space));
+        if !is_space || self.is('}') {
+            return Ok(());
+        }
+        let hint = "put a comma between its parts, or no space";
+        refuse("latex::ambiguous", "a space within a subscript", self.span(), hint)
+    }
+
     fn subscript_items(&mut self) -> Parsed<Vec<SubItem>> {
         let braced = self.eat('{');
         let mut items = Vec::new();
@@ -268,12 +284,17 @@ impl Parser<'_> {
             let mut word = String::new();
             while let Some((name, _)) = self.single_name()? {
                 word.push_str(&name);
+                self.is_no_space_in_label()?;
             }
             if let (false, Some(style)) = (word.is_empty(), name::style(&c)) {
                 items.push(SubItem::Name(format!("{style}:{word}")));
             }
         }
         loop {
+            // A comma parts what it stands between by itself.
+            if braced && !matches!(items.last(), None | Some(SubItem::Other(','))) && !self.is(',') {
+                self.is_no_space_in_label()?;
+            }
             match self.kind().clone() {
                 Kind::Number(n) => {
                     if n.contains('.') {

@@ -22,8 +22,9 @@ fn delimited(pattern: &[Token], rest: &mut Rest) -> Vec<Vec<Token>> {
             values.push(argument(rest));
             continue;
         }
-        let ends =
-            |rest: &Rest| signs.iter().zip(rest.iter().rev()).filter(|(s, (t, _))| same(s, t)).count() == signs.len();
+        let ends = |rest: &Rest| {
+            rest.len() >= signs.len() && signs.iter().zip(rest.iter().rev()).all(|(s, (t, _))| same(s, t))
+        };
         let (mut value, mut depth) = (Vec::new(), 0usize);
         while !(depth == 0 && ends(rest))
             && let Some((t, _)) = rest.pop()

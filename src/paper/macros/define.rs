@@ -164,7 +164,10 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
         }
         "let" => {
             let Some(name) = rest.pop().map(|(t, _)| t).filter(|t| t.kind == Kind::Command) else { return true };
-            next_is(rest, "=");
+            if next_is(rest, "=") {
+                // One space behind the sign belongs to it.
+                spaces(rest);
+            }
             let Some((meaning, _)) = rest.pop() else { return true };
             defined.let_be(name.text.into(), meaning);
         }

@@ -48,11 +48,10 @@ pub(super) struct Units {
     waiting: Vec<(usize, usize)>,
 }
 
-/// Whether an argument that is this macro has to be put in braces: it has no arguments, and prints more than one token.
+/// Whether an argument that is this macro has to be put in braces: it needs no argument, and prints more than one token.
 pub(super) fn needs_braces(found: &Macro) -> bool {
-    let is_plain =
-        found.arguments == 0 && found.default.is_none() && found.pattern.is_empty() && found.options.is_empty();
-    is_plain && found.body.iter().filter(|t| t.kind != Kind::Space).nth(1).is_some()
+    let is_alone = found.arguments == usize::from(found.default.is_some()) && found.pattern.is_empty();
+    is_alone && found.body.iter().filter(|t| t.kind != Kind::Space).nth(1).is_some()
 }
 
 impl Units {
