@@ -106,7 +106,9 @@ fn header(derivation: &Derivation, contents_of: Option<&Account>) -> Markup {
 
 /// The first page alone, to be printed.
 pub fn first_page(derivation: &Derivation, account: &Account) -> String {
-    let front = whole::front(derivation, account);
+    let mut front = whole::front(derivation, account);
+    // What has no room on a screen has none on a sheet.
+    front.truncate(1);
     let body = html! {
         (header(derivation, None))
         main id="/main" { (story::html(&front, Medium::Screen)) }
