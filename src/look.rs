@@ -261,7 +261,7 @@ fn is_named(of_line: &str, at: usize, name: &str) -> bool {
     of_line.match_indices(name).any(|(start, _)| (start..=start + name.len()).contains(&at) && whole(start))
 }
 
-/// What of its line may belong to a name at a place, where the longest has so many bytes, and the place within it: a line may be a whole file.
+/// The part of its line that may belong to a name at a place, where the longest has so many bytes, and the place within it: a line may be a whole file.
 fn near(text: &str, at: usize, longest: usize) -> (&str, usize) {
     let boundary = |mut i: usize| {
         while !text.is_char_boundary(i) {

@@ -365,7 +365,7 @@ fn hold(sides: &[&PrintedSide], given: &mut Vec<Given>) {
     given.retain(|g| !is_total && !fixed.contains(&g.key));
 }
 
-/// What is derived of what is defined, where something in it depends on the variable in a second way: what is held fixed is not said then.
+/// A derivative of a defined name, where something in it depends on the variable in a second way: what is held fixed is not said then.
 struct Held {
     /// The names that are derived.
     of: BTreeSet<String>,

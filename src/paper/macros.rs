@@ -25,7 +25,7 @@ use branches::Unclosed;
 use call::call;
 use define::define;
 pub(super) use defined::Definitions;
-use defined::{Defined, Scope, What};
+use defined::{CommandMeaning, Defined, DefinitionScope};
 pub(super) use doubts::Doubts;
 use rest::{MOST_NAME, Macro, Rest, argument, next_is, optional, spaces, takes_braces};
 use units::Units;
@@ -57,7 +57,7 @@ pub(super) struct Expanded {
     pub cut: Option<Range<usize>>,
     /// Of which places it is not known whether they are printed, or as what.
     pub doubts: Doubts,
-    /// What was not read.
+    /// Notes of places that were not read.
     pub notes: Vec<PaperNote>,
 }
 
@@ -82,7 +82,7 @@ const END_OF_DEFINITIONS: &str = "";
 const END_OF_FILE: &str = "end file";
 /// That behind branches that are arguments.
 const END_OF_BRANCHES: &str = "end branches";
-/// What stands behind the end of an environment of the document's own, with its name.
+/// The mark behind the end of an environment of the document's own; its name follows.
 const END_OF_ENVIRONMENT: &str = "end environment ";
 
 /// Commands of classes for exercises, and of layout, that print their argument as it is; options before it are not printed.
@@ -102,7 +102,7 @@ enum Then {
 
 /// A document that is being expanded.
 struct Expander<'e, 'i> {
-    /// What is still to be read, the next token last; the depth of macros it came from beside it.
+    /// The tokens that are still to be read, the next one last; the depth of macros it came from beside it.
     rest: Rest,
     out: Vec<Token>,
     defined: Defined,
@@ -218,7 +218,7 @@ impl Expander<'_, '_> {
         }
         if let Some(value) = self.defined.switched(&token.text) {
             let known = (!self.defined.is_doubtful).then_some(value.1);
-            self.defined.assign(value.0, What::Condition(known));
+            self.defined.assign(value.0, CommandMeaning::Condition(known));
             self.defined.is_global = false;
             return Ok(Then::Next);
         }
@@ -310,7 +310,7 @@ impl Expander<'_, '_> {
     /// Takes what stands behind files and environments.
     fn ends(&mut self, token: &Token) -> bool {
         if let Some(name) = token.text.strip_prefix(END_OF_ENVIRONMENT) {
-            self.defined.end(&Scope::Environment(name.to_owned()));
+            self.defined.end(&DefinitionScope::Environment(name.to_owned()));
             return true;
         }
         if token.is(END_OF_DEFINITIONS) {
@@ -349,28 +349,28 @@ impl Expander<'_, '_> {
         }
         let defined = &mut self.defined;
         match token.kind {
-            Kind::Open => defined.begin(Scope::Braces),
-            Kind::Close => defined.end(&Scope::Braces),
+            Kind::Open => defined.begin(DefinitionScope::Braces),
+            Kind::Close => defined.end(&DefinitionScope::Braces),
             // A formula of the running text ends with its paragraph.
-            Kind::Space if token.text.contains('\n') && defined.innermost() == Some(&Scope::Formula("$")) => {
-                defined.end(&Scope::Formula("$"));
+            Kind::Space if token.text.contains('\n') && defined.innermost() == Some(&DefinitionScope::Formula("$")) => {
+                defined.end(&DefinitionScope::Formula("$"));
             }
             Kind::Dollar => self.dollar(),
             Kind::Command => match token.text.as_str() {
-                "begingroup" | "bgroup" => defined.begin(Scope::Group),
-                "endgroup" | "egroup" => defined.end(&Scope::Group),
-                "[" => defined.begin(Scope::Formula("[")),
-                "(" => defined.begin(Scope::Formula("(")),
-                "left" => defined.begin(Scope::Formula("left")),
-                "right" => defined.end(&Scope::Formula("left")),
-                "]" => defined.end(&Scope::Formula("[")),
-                ")" => defined.end(&Scope::Formula("(")),
+                "begingroup" | "bgroup" => defined.begin(DefinitionScope::Group),
+                "endgroup" | "egroup" => defined.end(&DefinitionScope::Group),
+                "[" => defined.begin(DefinitionScope::Formula("[")),
+                "(" => defined.begin(DefinitionScope::Formula("(")),
+                "left" => defined.begin(DefinitionScope::Formula("left")),
+                "right" => defined.end(&DefinitionScope::Formula("left")),
+                "]" => defined.end(&DefinitionScope::Formula("[")),
+                ")" => defined.end(&DefinitionScope::Formula("(")),
                 "begin" | "end" => {
                     let name = name_ahead(&self.rest);
                     let is_own = defined.environments.contains_key(&name);
                     match token.is("begin") {
-                        true if name != "document" => defined.begin(Scope::Environment(name)),
-                        false if !is_own => defined.end(&Scope::Environment(name)),
+                        true if name != "document" => defined.begin(DefinitionScope::Environment(name)),
+                        false if !is_own => defined.end(&DefinitionScope::Environment(name)),
                         _ => {}
                     }
                 }
@@ -385,16 +385,16 @@ impl Expander<'_, '_> {
         let is_doubled = self.rest.last().is_some_and(|(t, _)| t.kind == Kind::Dollar);
         let defined = &mut self.defined;
         match defined.innermost() {
-            Some(Scope::Formula("$")) => defined.end(&Scope::Formula("$")),
+            Some(DefinitionScope::Formula("$")) => defined.end(&DefinitionScope::Formula("$")),
             // The second of two ends nothing: it stands alone between the two that count.
-            Some(Scope::Formula("$$")) if is_doubled => {
-                defined.end(&Scope::Formula("$$"));
-                defined.begin(Scope::Formula("second"));
+            Some(DefinitionScope::Formula("$$")) if is_doubled => {
+                defined.end(&DefinitionScope::Formula("$$"));
+                defined.begin(DefinitionScope::Formula("second"));
             }
-            Some(Scope::Formula("second")) => defined.end(&Scope::Formula("second")),
-            Some(Scope::Formula("$$")) => {}
-            _ if is_doubled => defined.begin(Scope::Formula("$$")),
-            _ => defined.begin(Scope::Formula("$")),
+            Some(DefinitionScope::Formula("second")) => defined.end(&DefinitionScope::Formula("second")),
+            Some(DefinitionScope::Formula("$$")) => {}
+            _ if is_doubled => defined.begin(DefinitionScope::Formula("$$")),
+            _ => defined.begin(DefinitionScope::Formula("$")),
         }
     }
 

@@ -157,10 +157,11 @@ fn as_used(whole: &Whole<'_>, column: &ColumnMotions<'_>) -> Option<VerdictShape
     of_reading(used, column).filter(|shape| shape.tone() == Tone::Bad)
 }
 
-/// The reading that fails, of which the page tells, where it fails on this class of motions.
-fn told_failing<'w, 'a>(whole: &'w Whole<'a>, column: &ColumnMotions<'_>) -> Option<&'w Reading<'a>> {
+/// The reading that fails, of which the page tells, where it fails on this class of motions; with its symbol there.
+fn told_failing<'w, 'a>(whole: &'w Whole<'a>, column: &ColumnMotions<'_>) -> Option<(&'w Reading<'a>, VerdictShape)> {
     let failing = whole.failing().filter(|r| whole.fate.is_against() && r.role == ClaimRole::Says)?;
-    of_reading(failing, column).is_some_and(|shape| shape.tone() == Tone::Bad).then_some(failing)
+    let shape = of_reading(failing, column).filter(|shape| shape.tone() == Tone::Bad)?;
+    Some((failing, shape))
 }
 
 /// On how many motions of a class it is as the symbol says, and to how many it applies, where it is not so on all of these: fails, or holds
@@ -177,7 +178,7 @@ fn share(whole: &Whole<'_>, column: &ColumnMotions<'_>, shape: VerdictShape) -> 
     };
     let applies = |p: &&PairAccount| !matches!(p.verdict.outcome(), Outcome::NotApplicable(_));
     let told = told_failing(whole, column);
-    let readings = whole.deciding().filter(|r| told.is_none_or(|told| std::ptr::eq(told.claim, r.claim)));
+    let readings = whole.deciding().filter(|r| told.is_none_or(|(told, _)| std::ptr::eq(told.claim, r.claim)));
     let readings: Vec<&Reading<'_>> = readings.collect();
     let on = |is: &dyn Fn(&&PairAccount) -> bool| {
         let pairs = readings.iter().flat_map(|reading| &reading.claim.results).filter(is);
@@ -200,10 +201,10 @@ fn cell(whole: &Whole<'_>, column: &ColumnMotions<'_>) -> Option<VerdictShape> {
         return contrary.map(|_| VerdictShape::Certified).or(needed);
     }
     // Of several that it says the one that is told of, with its share, so that numbers of the page agree.
-    if let Some(failing) = told_failing(whole, column) {
-        return match (of_reading(failing, column), column) {
-            (Some(VerdictShape::Mixed), ColumnMotions::Motions(named)) => refutes(failing, named),
-            (shape, _) => shape,
+    if let Some((failing, shape)) = told_failing(whole, column) {
+        return match (shape, column) {
+            (VerdictShape::Mixed, ColumnMotions::Motions(named)) => refutes(failing, named),
+            (shape, _) => Some(shape),
         };
     }
     let applies: Vec<_> = each.iter().filter(|(_, shape)| *shape != VerdictShape::NotApplicable).collect();

@@ -7,7 +7,7 @@ use super::super::write::subscript;
 use super::names::{LONGEST_WORD, plain};
 use super::{Parsed, Parser, decimal, refuse};
 
-/// What prints a space between two letters.
+/// Commands and signs that print a space between two letters.
 const PRINTED_SPACES: &[&str] =
     &["~", r"\,", r"\:", r"\;", r"\>", "\\ ", r"\quad", r"\qquad", r"\enspace", r"\hspace", r"\thinspace"];
 
@@ -262,8 +262,7 @@ impl Parser<'_> {
 
     /// Refuses a printed space between two parts of a label: what it parts would be read as one.
     fn is_no_space_in_label(&self) -> Parsed<()> {
-        let end = self.at.checked_sub(1).and_then(|before| self.tokens.get(before)).map_or(0, |t| t.span.end);
-        let between = self.text.get(end..self.span().start).unwrap_or_default();
+        let between = self.text.get(self.last_end()..self.span().start).unwrap_or_default();
         let is_space = PRINTED_SPACES.iter().any(|space| between.contains(space));
         if !is_space || self.is('}') {
             return Ok(());

@@ -6,13 +6,13 @@
 use super::super::note::PaperNote;
 use super::super::short::Short;
 use super::super::token::{Kind, Token};
-use super::conditions::{Condition, Skipped, condition, drop_arguments, skip_branch};
+use super::conditions::{Skipped, TexCondition, condition, drop_arguments, skip_branch};
 use super::rest::argument;
 use super::{END_OF_BRANCHES, Expander};
 
 /// How a condition goes on.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Form {
+pub(super) enum BranchForm {
     /// The branch that is printed is being read.
     Known,
     /// Its branches end with `\else` and `\fi`.
@@ -23,7 +23,7 @@ pub(super) enum Form {
 
 /// A condition of which the end is still to come.
 pub(super) struct Unclosed {
-    form: Form,
+    form: BranchForm,
     /// The innermost condition around what is read of which it is not known whether it holds, this one counted.
     pub doubt: Option<usize>,
     /// The packages that are being read there.
@@ -37,10 +37,10 @@ impl Expander<'_, '_> {
             "fi" | END_OF_BRANCHES => {
                 let has_arguments = !token.is("fi");
                 let Some(form) = self.conditions.last().map(|c| c.form) else { return has_arguments };
-                if (form == Form::Arguments) != has_arguments {
+                if (form == BranchForm::Arguments) != has_arguments {
                     return has_arguments;
                 }
-                if form == Form::Open {
+                if form == BranchForm::Open {
                     self.print(token.clone());
                 }
                 self.conditions.pop();
@@ -48,7 +48,7 @@ impl Expander<'_, '_> {
                 return true;
             }
             "else" => {
-                if self.conditions.last().is_none_or(|c| c.form != Form::Known) {
+                if self.conditions.last().is_none_or(|c| c.form != BranchForm::Known) {
                     return false;
                 }
                 self.conditions.pop();
@@ -76,14 +76,14 @@ impl Expander<'_, '_> {
                 }
                 return false;
             }
-            Some(Condition::Known(value)) if value != negates => self.open(Form::Known, None),
-            Some(Condition::Known(_)) => self.skip(token),
-            Some(Condition::Open) => {
+            Some(TexCondition::Known(value)) if value != negates => self.open(BranchForm::Known, None),
+            Some(TexCondition::Known(_)) => self.skip(token),
+            Some(TexCondition::Open) => {
                 let doubt = self.doubts.of_condition(&asked, &token.span);
-                self.open(Form::Open, Some(doubt));
+                self.open(BranchForm::Open, Some(doubt));
                 self.print(asked);
             }
-            Some(Condition::Arguments(before, branches)) => self.branches(&asked, (before, branches), depth),
+            Some(TexCondition::Arguments(before, branches)) => self.branches(&asked, (before, branches), depth),
         }
         true
     }
@@ -95,11 +95,11 @@ impl Expander<'_, '_> {
         let doubt = self.doubts.of_condition(token, &token.span);
         self.put_behind(END_OF_BRANCHES, token.span.clone(), depth);
         self.rest.extend(all.into_iter().flatten().rev().map(|t| (t, depth)));
-        self.open(Form::Arguments, Some(doubt));
+        self.open(BranchForm::Arguments, Some(doubt));
         self.print(token.clone());
     }
 
-    fn open(&mut self, form: Form, doubt: Option<usize>) {
+    fn open(&mut self, form: BranchForm, doubt: Option<usize>) {
         let doubt = doubt.or_else(|| self.conditions.last().and_then(|c| c.doubt));
         self.conditions.push(Unclosed { form, doubt, packages: self.defined.packages });
         self.be_doubtful();
@@ -113,7 +113,7 @@ impl Expander<'_, '_> {
     /// Passes over a branch that is not printed; its `\\else` is.
     fn skip(&mut self, token: &Token) {
         match skip_branch(&mut self.rest, &self.defined) {
-            Skipped::Else => self.open(Form::Known, None),
+            Skipped::Else => self.open(BranchForm::Known, None),
             Skipped::Fi => self.be_doubtful(),
             Skipped::Never => {
                 self.be_doubtful();

@@ -96,9 +96,9 @@ const WITH_ARGUMENTS: &[(&str, usize, usize)] = &[
 /// The most tokens that are looked at, in all, to find where conditions end.
 const MOST_AHEAD: usize = 20_000_000;
 
-/// What a condition is.
+/// How a condition of TeX is asked, and whether its answer is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Condition {
+pub(super) enum TexCondition {
     /// It holds, or does not.
     Known(bool),
     /// That is not known.
@@ -108,26 +108,26 @@ pub(super) enum Condition {
 }
 
 /// The condition that a command begins; what is asked of, where it is no number, is taken from what follows.
-pub(super) fn condition(command: &str, rest: &mut Rest, defined: &Defined, looked: &mut usize) -> Option<Condition> {
+pub(super) fn condition(command: &str, rest: &mut Rest, defined: &Defined, looked: &mut usize) -> Option<TexCondition> {
     if defined.macro_of(command).is_some() {
         return None;
     }
     if let Some(value) = defined.condition(command) {
-        return Some(value.map_or(Condition::Open, Condition::Known));
+        return Some(value.map_or(TexCondition::Open, TexCondition::Known));
     }
     if let Some((_, before, branches)) = WITH_ARGUMENTS.iter().find(|(name, ..)| *name == command) {
-        return Some(Condition::Arguments(*before, *branches));
+        return Some(TexCondition::Arguments(*before, *branches));
     }
     match command {
-        "iftrue" => return Some(Condition::Known(true)),
-        "iffalse" => return Some(Condition::Known(false)),
+        "iftrue" => return Some(TexCondition::Known(true)),
+        "iffalse" => return Some(TexCondition::Known(false)),
         "ifdefined" => {
             spaces(rest);
             let is_named = rest.last().is_some_and(|(t, _)| t.kind == Kind::Command && !t.is("fi") && !t.is("else"));
             let name = if is_named { rest.pop().map(|(t, _)| t) } else { None };
             let is_known = |name: &str| defined.has(name) && !defined.is_doubted(name);
             let holds = name.is_some_and(|t| is_known(&t.text));
-            return Some(if holds { Condition::Known(true) } else { Condition::Open });
+            return Some(if holds { TexCondition::Known(true) } else { TexCondition::Open });
         }
         "ifx" => {
             for _ in 0..2 {
@@ -137,9 +137,9 @@ pub(super) fn condition(command: &str, rest: &mut Rest, defined: &Defined, looke
                     rest.pop();
                 }
             }
-            return Some(Condition::Open);
+            return Some(TexCondition::Open);
         }
-        name if OF_TEX.contains(&name) => return Some(Condition::Open),
+        name if OF_TEX.contains(&name) => return Some(TexCondition::Open),
         _ => {}
     }
     let is_named_so = command.starts_with("if") && command != "iff";
@@ -147,10 +147,10 @@ pub(super) fn condition(command: &str, rest: &mut Rest, defined: &Defined, looke
         return None;
     }
     if ends_ahead(rest, defined, looked) {
-        return Some(Condition::Open);
+        return Some(TexCondition::Open);
     }
     let groups = groups_ahead(rest, looked);
-    (groups > 0).then_some(Condition::Arguments(usize::from(groups > 1), groups - usize::from(groups > 1)))
+    (groups > 0).then_some(TexCondition::Arguments(usize::from(groups > 1), groups - usize::from(groups > 1)))
 }
 
 /// Whether a command begins what a `\fi` closes, as far as its name and the sign behind it tell.

@@ -5,7 +5,7 @@
 
 use super::super::token::{Kind, Token};
 use super::call::call;
-use super::defined::{Defined, What};
+use super::defined::{CommandMeaning, Defined};
 use super::rest::{MOST_ARGUMENTS, Macro, Rest, argument, defined_name, next_is, optional, spaces};
 
 /// Commands of the frame of a document, which a package changes in looks alone.
@@ -174,7 +174,7 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
         "newif" => {
             let name = rest.pop().map(|(t, _)| t).filter(|t| t.kind == Kind::Command);
             if let Some(name) = name.filter(|n| defined.takes(&n.text, &[])) {
-                defined.assign(name.text.into(), What::Condition(Some(false)));
+                defined.assign(name.text.into(), CommandMeaning::Condition(Some(false)));
             }
         }
         "DeclareMathOperator" => {
@@ -219,7 +219,7 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
                 "false" => Some(false),
                 _ => None,
             };
-            defined.assign(format!("if{}", name.trim()), What::Condition(value));
+            defined.assign(format!("if{}", name.trim()), CommandMeaning::Condition(value));
         }
         _ => return false,
     }

@@ -19,9 +19,9 @@ pub enum Definitions {
     OfTheWhole,
 }
 
-/// What a command means.
+/// The meaning of a command.
 #[derive(Clone, Debug)]
-pub(super) enum What {
+pub(super) enum CommandMeaning {
     Macro(Macro),
     /// A pair of delimiters: a star, or a size in brackets, stands before the argument of some calls.
     Pair(Macro),
@@ -31,19 +31,19 @@ pub(super) enum What {
     Condition(Option<bool>),
 }
 
-impl What {
+impl CommandMeaning {
     /// Whether both are macros that print the same.
-    fn prints_as(&self, other: &What) -> bool {
+    fn prints_as(&self, other: &CommandMeaning) -> bool {
         let alike = |a: &[Token], b: &[Token]| {
             a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.kind == b.kind && a.text == b.text)
         };
         match (self, other) {
-            (What::Macro(a), What::Macro(b)) => {
+            (CommandMeaning::Macro(a), CommandMeaning::Macro(b)) => {
                 let is_plain = |m: &Macro| m.default.is_none() && m.pattern.is_empty() && m.options.is_empty();
                 is_plain(a) && is_plain(b) && a.arguments == b.arguments && alike(&a.body, &b.body)
             }
-            (What::Alias(a), What::Alias(b)) => a == b,
-            (What::Condition(a), What::Condition(b)) => a == b && a.is_some(),
+            (CommandMeaning::Alias(a), CommandMeaning::Alias(b)) => a == b,
+            (CommandMeaning::Condition(a), CommandMeaning::Condition(b)) => a == b && a.is_some(),
             _ => false,
         }
     }
@@ -52,14 +52,14 @@ impl What {
 /// The meaning of a command.
 #[derive(Clone, Debug)]
 struct Meaning {
-    what: What,
+    what: CommandMeaning,
     /// It stands in a branch of which it is not known whether it is printed.
     is_doubted: bool,
 }
 
-/// What a document begins: what ends it ends the definitions in it.
+/// A group, formula or environment that a document begins: its end ends the definitions in it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Scope {
+pub(super) enum DefinitionScope {
     /// `{`
     Braces,
     /// `\begingroup` and `\bgroup`
@@ -92,7 +92,7 @@ pub(super) struct Defined {
     /// What is defined now stands in a branch of which it is not known whether it is printed.
     pub is_doubtful: bool,
     /// What has begun, and how much was noted before.
-    scopes: Vec<(Scope, usize)>,
+    scopes: Vec<(DefinitionScope, usize)>,
     /// What was before, in the order of definitions, each with its number.
     before: Vec<(usize, Before)>,
     /// The number of the next definition.
@@ -118,20 +118,20 @@ impl Defined {
     /// The macro of this name.
     pub(super) fn macro_of(&self, name: &str) -> Option<&Macro> {
         match &self.commands.get(name)?.what {
-            What::Macro(found) | What::Pair(found) => Some(found),
+            CommandMeaning::Macro(found) | CommandMeaning::Pair(found) => Some(found),
             _ => None,
         }
     }
 
     /// Whether this is a pair of delimiters.
     pub(super) fn is_pair(&self, name: &str) -> bool {
-        self.commands.get(name).is_some_and(|m| matches!(m.what, What::Pair(_)))
+        self.commands.get(name).is_some_and(|m| matches!(m.what, CommandMeaning::Pair(_)))
     }
 
     /// The command of LaTeX for which this name stands.
     pub(super) fn alias(&self, name: &str) -> Option<&str> {
         match &self.commands.get(name)?.what {
-            What::Alias(meaning) => Some(meaning),
+            CommandMeaning::Alias(meaning) => Some(meaning),
             _ => None,
         }
     }
@@ -140,7 +140,7 @@ impl Defined {
     pub(super) fn condition(&self, name: &str) -> Option<Option<bool>> {
         let found = self.commands.get(name)?;
         match found.what {
-            What::Condition(value) => Some(value.filter(|_| !found.is_doubted)),
+            CommandMeaning::Condition(value) => Some(value.filter(|_| !found.is_doubted)),
             _ => None,
         }
     }
@@ -163,8 +163,8 @@ impl Defined {
     }
 
     /// Gives a name a meaning.
-    pub(super) fn assign(&mut self, name: String, what: What) {
-        if self.passed.contains(&name) && !matches!(what, What::Condition(_)) {
+    pub(super) fn assign(&mut self, name: String, what: CommandMeaning) {
+        if self.passed.contains(&name) && !matches!(what, CommandMeaning::Condition(_)) {
             return;
         }
         let was = self.commands.remove(&name);
@@ -187,14 +187,14 @@ impl Defined {
     /// Defines a macro.
     pub(super) fn put(&mut self, name: String, found: Macro) {
         if self.takes(&name, &found.body) {
-            self.assign(name, What::Macro(found));
+            self.assign(name, CommandMeaning::Macro(found));
         }
     }
 
     /// Defines a pair of delimiters.
     pub(super) fn put_pair(&mut self, name: String, found: Macro) {
         if self.takes(&name, &found.body) {
-            self.assign(name, What::Pair(found));
+            self.assign(name, CommandMeaning::Pair(found));
         }
     }
 
@@ -212,7 +212,7 @@ impl Defined {
         match self.commands.get(meaning.text.as_str()).cloned() {
             Some(Meaning { what, is_doubted }) => {
                 let body = match &what {
-                    What::Macro(found) | What::Pair(found) => found.body.as_slice(),
+                    CommandMeaning::Macro(found) | CommandMeaning::Pair(found) => found.body.as_slice(),
                     _ => &[],
                 };
                 if self.takes(&name, body) {
@@ -222,7 +222,7 @@ impl Defined {
                     }
                 }
             }
-            None if self.takes(&name, &[]) => self.assign(name, What::Alias(meaning.text.into())),
+            None if self.takes(&name, &[]) => self.assign(name, CommandMeaning::Alias(meaning.text.into())),
             None => {}
         }
     }
@@ -238,17 +238,17 @@ impl Defined {
     }
 
     /// What has begun last and not ended.
-    pub(super) fn innermost(&self) -> Option<&Scope> {
+    pub(super) fn innermost(&self) -> Option<&DefinitionScope> {
         self.scopes.last().map(|(scope, _)| scope)
     }
 
     /// Something begins.
-    pub(super) fn begin(&mut self, scope: Scope) {
+    pub(super) fn begin(&mut self, scope: DefinitionScope) {
         self.scopes.push((scope, self.before.len()));
     }
 
     /// Something ends, with all that began in it. What has not begun does not end.
-    pub(super) fn end(&mut self, scope: &Scope) {
+    pub(super) fn end(&mut self, scope: &DefinitionScope) {
         let behind = self.scopes.iter().rev().take(MOST_OPEN).position(|(open, _)| open == scope);
         if let Some(behind) = behind {
             self.end_to(self.scopes.len() - 1 - behind);
