@@ -39,6 +39,11 @@ fn display(name: &str) -> Option<Numbers> {
     }
 }
 
+/// Whether an environment is a display.
+pub(super) fn is_display(name: &str) -> bool {
+    display(name).is_some()
+}
+
 /// Environments of packages that print formulas, and are not read.
 const DISPLAYS_NOT_READ: &[&str] =
     &["numcases", "subnumcases", "mathpar", "mathparpagebreakable", "dseries", "prooftree"];

@@ -4,7 +4,11 @@
 //! ended. **Guaranteed:** a macro that takes most of what a paper may have is named, the outermost one; without it the rest can be read.
 //!
 //! A token that comes out of a macro has the place of the call, so that a difference points at what the author wrote.
+//!
+//! **What is not known**: what stands in a branch that may not be printed, and all that is made of a name to which something has been done that is
+//! not understood, is printed and in doubt: no formula in it is judged.
 
+mod alters;
 mod branches;
 mod call;
 mod conditions;
@@ -12,8 +16,11 @@ mod cut;
 mod define;
 mod defined;
 mod doubts;
+mod environments;
+mod expansion;
 mod kernel;
 mod rest;
+mod scopes;
 #[cfg(test)]
 mod tests;
 mod units;
@@ -21,13 +28,14 @@ mod units;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use branches::Unclosed;
+use alters::Behind;
+use branches::{BranchForm, Unclosed};
 use call::call;
 use define::define;
 pub(super) use defined::Definitions;
 use defined::{CommandMeaning, Defined, DefinitionScope};
 pub(super) use doubts::Doubts;
-use rest::{MOST_NAME, Macro, Rest, argument, next_is, optional, spaces, takes_braces};
+use rest::{MOST_NAME, Rest, argument, next_is, optional, spaces, takes_braces};
 use units::Units;
 
 use super::named::{COMMANDS_OF_TEXT, Input, Named, PACKAGES};
@@ -115,6 +123,15 @@ struct Expander<'e, 'i> {
     looked: usize,
     units: Units,
     doubts: Doubts,
+    /// Where the last call ends of which the meaning is in doubt.
+    doubted_to: usize,
+    /// The files within files that are being read.
+    files: usize,
+    /// What the document does where it begins, if that is still to come.
+    at_begin: Option<Rest>,
+    /// The definitions of a main file are read before a chapter.
+    is_chapter: bool,
+    behind: Behind,
     notes: Vec<PaperNote>,
     input: &'e mut Input<'i>,
 }
@@ -131,6 +148,8 @@ pub(super) fn expanded(
     let mut cut = document.get(MOST_TOKENS).map(|t| t.span.clone());
     document.truncate(MOST_TOKENS);
     let rest: Rest = document.into_iter().rev().map(|t| (t, 0)).collect();
+    let begins = (0..rest.len()).any(|at| rest[at].0.is("begin") && begins_group(&rest[..at], "document"));
+    let at_begin = (begins || !preamble.is_empty()).then(Vec::new);
     let mut all = Expander {
         out: Vec::with_capacity(rest.len()),
         rest,
@@ -142,6 +161,11 @@ pub(super) fn expanded(
         looked: 0,
         units: Units::default(),
         doubts: Doubts::default(),
+        doubted_to: 0,
+        files: 0,
+        at_begin,
+        is_chapter: !preamble.is_empty(),
+        behind: Behind::default(),
         notes: Vec::new(),
         input,
     };
@@ -187,22 +211,35 @@ impl Expander<'_, '_> {
 
     /// Takes the next token.
     fn take(&mut self, mut token: Token, depth: usize) -> Result<Then, Endless> {
+        let (mut frozen, mut is_sure) = (false, true);
+        if token.kind == Kind::Command
+            && let Some(meaning) = self.defined.alias(&token.text).map(Short::from)
+        {
+            if self.defined.is_doubted(&token.text) {
+                self.doubt_call(&token);
+                is_sure = false;
+            }
+            token.text = meaning;
+            frozen = true;
+        }
+        let ends_argument = token.kind == Kind::Close && self.defined.innermost() == Some(&DefinitionScope::Argument);
         self.scope(&token);
         if token.kind != Kind::Command {
             self.print(token);
+            if ends_argument {
+                self.behind = Behind::Unknown;
+            }
             return Ok(Then::Next);
         }
-        let frozen = match self.defined.alias(&token.text) {
-            Some(meaning) => {
-                token.text = meaning.into();
-                true
-            }
-            None => false,
-        };
         if token.is("end") && begins_group(&self.rest, "document") {
-            return Ok(Then::End);
+            return Ok(self.end_of_document(&token));
         }
-        if self.units.waits() && self.defined.macro_of(&token.text).is_some_and(|m| !frozen && units::needs_braces(m)) {
+        let is_long = !frozen && self.defined.macro_of(&token.text).is_some_and(units::needs_braces);
+        if is_long && let Some(accent) = self.units.accent() {
+            let doubt = self.doubts.of_reach(accent);
+            self.doubts.note(&token.span, doubt);
+        }
+        if is_long && self.units.waits() {
             // The argument of a macro of LaTeX: all of what it prints.
             let brace = |kind, text: &str| Token { kind, text: text.into(), span: token.span.clone() };
             self.rest.push((brace(Kind::Close, "}"), depth));
@@ -210,11 +247,11 @@ impl Expander<'_, '_> {
             self.rest.push((brace(Kind::Open, "{"), depth));
             return Ok(Then::Next);
         }
-        if self.ends(&token) || self.conditional(&token, depth) {
+        if self.ends(&token) || self.conditional(&token, depth, is_sure) {
             return Ok(Then::Next);
         }
         if token.is("endinput") && self.defined.macro_of("endinput").is_none() {
-            return Ok(self.end_of_input());
+            return Ok(self.end_of_input(&token));
         }
         if let Some(value) = self.defined.switched(&token.text) {
             let known = (!self.defined.is_doubtful).then_some(value.1);
@@ -241,48 +278,77 @@ impl Expander<'_, '_> {
         if let Some(named) = named_by(&token, &self.defined, frozen) {
             return self.read_files(token, named, depth);
         }
-        if define(&token.text, &mut self.rest, &mut self.defined) {
+        if self.expand_names(&token, depth)? || define(&token.text, &mut self.rest, &mut self.defined) {
             // Nothing is printed.
             return Ok(Then::Next);
         }
-        if token.is("end") && environment(&token, &self.rest, &self.defined).is_some() {
-            let name = name_ahead(&self.rest);
-            self.call_macro(token, depth, frozen, Some(name))?;
-        } else if called(&token, &self.defined, &self.rest, frozen) {
-            self.call_macro(token, depth, frozen, None)?;
+        if token.is("begin") || token.is("end") {
+            self.environment(token, depth)?;
+        } else if !frozen && self.defined.macro_of(&token.text).is_some() {
+            self.call_macro(token, depth)?;
         } else if DO_THEIR_ARGUMENT.contains(&token.text.as_str()) && takes_braces(&self.rest) {
             let body = argument(&mut self.rest);
-            self.rest.extend(body.into_iter().rev().map(|t| (t, depth)));
+            let waits = token.is("AtBeginDocument") && self.defined.packages == 0;
+            let of_document = if waits { self.at_begin.as_mut() } else { None };
+            match of_document {
+                Some(waiting) => waiting.extend(body.into_iter().map(|t| (t, depth))),
+                None => self.rest.extend(body.into_iter().rev().map(|t| (t, depth))),
+            }
         } else if PRINT_THEIR_ARGUMENT.contains(&token.text.as_str()) && takes_braces(&self.rest) {
             while optional(&mut self.rest).is_some() {}
+        } else if let Some((ends, name)) = environments::of_command(&token.text) {
+            self.print_environment(ends, name, &token);
         } else {
+            if !frozen && self.defined.is_doubted(&token.text) {
+                self.doubt_call(&token);
+            }
+            self.doubt_altered(&token);
             self.print(token);
         }
         Ok(Then::Next)
     }
 
-    /// Puts the body of a macro, or of the beginning or the end of an environment, in the place of its call; `ends` is the environment that ends.
-    fn call_macro(&mut self, token: Token, depth: usize, frozen: bool, ends: Option<String>) -> Result<(), Endless> {
+    /// Puts the body of a macro in the place of its call.
+    fn call_macro(&mut self, token: Token, depth: usize) -> Result<(), Endless> {
+        let is_doubted = self.defined.is_doubted(&token.text);
+        if is_doubted {
+            self.doubt_call(&token);
+        }
         self.calls += 1;
         let Expander { rest, out, defined, calls, outer, doubts, .. } = self;
         let room = MOST_TOKENS.saturating_sub(rest.len() + out.len());
         let too_many = depth >= DEEPEST || *calls > MOST_CALLS;
-        if defined.is_doubted(&token.text) {
-            doubts.note_meaning(&token);
+        if defined.is_pair(&token.text) {
+            next_is(rest, "*");
+            optional(rest);
         }
-        let found = take_called(&token, rest, defined, frozen);
+        let found = defined.macro_of(&token.text);
         let Some(body) = found.filter(|_| !too_many).and_then(|found| call(found, &token, rest, room)) else {
             let fault = at_fault(outer, depth, (*calls, out.len())).filter(|_| depth < DEEPEST);
             let name = fault.map_or_else(|| token.text.to_string(), str::to_owned);
             return Err(Endless { name, span: token.span });
         };
+        if is_doubted {
+            let doubt = doubts.of_meaning(&token);
+            body.iter().for_each(|t| doubts.note(&t.span, doubt));
+        }
         outer.truncate(depth);
         outer.push(Outer { name: Some(token.text), calls: *calls, tokens: out.len() });
-        if let Some(name) = ends {
-            self.put_behind(&format!("{END_OF_ENVIRONMENT}{name}"), token.span, depth);
-        }
         self.rest.extend(body.into_iter().rev().map(|t| (t, depth + 1)));
         Ok(())
+    }
+
+    /// What a name of which the meaning is in doubt makes of itself and of the arguments behind it is not known.
+    fn doubt_call(&mut self, token: &Token) {
+        let doubt = self.doubts.of_meaning(token);
+        self.doubts.note(&token.span, doubt);
+        if token.span.start < self.doubted_to {
+            return;
+        }
+        if let Some(end) = rest::end_of_groups(&self.rest, &mut self.looked).filter(|end| *end > token.span.start) {
+            self.doubts.note(&(token.span.start..end), doubt);
+            self.doubted_to = end;
+        }
     }
 
     /// Puts the files that a command names in its place.
@@ -299,6 +365,7 @@ impl Expander<'_, '_> {
             return Ok(Then::Next);
         }
         self.defined.packages += usize::from(named != Named::Text);
+        self.files += usize::from(named == Named::Text);
         let end = if named == Named::Text { END_OF_FILE } else { END_OF_DEFINITIONS };
         self.put_behind(end, token.span, depth);
         self.outer.truncate(depth);
@@ -311,6 +378,7 @@ impl Expander<'_, '_> {
     fn ends(&mut self, token: &Token) -> bool {
         if let Some(name) = token.text.strip_prefix(END_OF_ENVIRONMENT) {
             self.defined.end(&DefinitionScope::Environment(name.to_owned()));
+            self.end_doubt(&BranchForm::Environment(name.to_owned()));
             return true;
         }
         if token.is(END_OF_DEFINITIONS) {
@@ -321,15 +389,29 @@ impl Expander<'_, '_> {
             }
             self.defined.packages = here.saturating_sub(1);
             self.be_doubtful();
+            if self.defined.packages == 0 && self.is_chapter {
+                self.begin_document();
+            }
             return true;
         }
-        token.is(END_OF_FILE)
+        if token.is(END_OF_FILE) {
+            self.end_doubt(&BranchForm::File(self.files));
+            self.files = self.files.saturating_sub(1);
+            return true;
+        }
+        false
     }
 
-    /// At `\\endinput`: drops what stands behind it in its file.
-    fn end_of_input(&mut self) -> Then {
-        // Whether that is done is not known; what stands behind is read as before.
-        if self.defined.is_doubtful {
+    /// Puts what waits for the beginning of the document in front of what follows.
+    fn begin_document(&mut self) {
+        let waiting = self.at_begin.take().unwrap_or_default();
+        self.rest.extend(waiting.into_iter().rev());
+    }
+
+    /// At `\\endinput`: drops what stands behind it in its file; where it is not known whether that is done, that is in doubt.
+    fn end_of_input(&mut self, token: &Token) -> Then {
+        if self.may_be_passed_over() {
+            self.doubt_what_follows(token, BranchForm::File(self.files));
             return Then::Next;
         }
         let end = |t: &Token| t.is(END_OF_FILE) || t.is(END_OF_DEFINITIONS);
@@ -342,101 +424,28 @@ impl Expander<'_, '_> {
         }
     }
 
-    /// Begins or ends what definitions stand in.
-    fn scope(&mut self, token: &Token) {
-        if self.definitions == Definitions::OfTheWhole {
-            return;
+    fn end_of_document(&mut self, token: &Token) -> Then {
+        if self.may_be_passed_over() {
+            self.doubt_what_follows(token, BranchForm::File(0));
+            return Then::Next;
         }
-        let defined = &mut self.defined;
-        match token.kind {
-            Kind::Open => defined.begin(DefinitionScope::Braces),
-            Kind::Close => defined.end(&DefinitionScope::Braces),
-            // A formula of the running text ends with its paragraph.
-            Kind::Space if token.text.contains('\n') && defined.innermost() == Some(&DefinitionScope::Formula("$")) => {
-                defined.end(&DefinitionScope::Formula("$"));
-            }
-            Kind::Dollar => self.dollar(),
-            Kind::Command => match token.text.as_str() {
-                "begingroup" | "bgroup" => defined.begin(DefinitionScope::Group),
-                "endgroup" | "egroup" => defined.end(&DefinitionScope::Group),
-                "[" => defined.begin(DefinitionScope::Formula("[")),
-                "(" => defined.begin(DefinitionScope::Formula("(")),
-                "left" => defined.begin(DefinitionScope::Formula("left")),
-                "right" => defined.end(&DefinitionScope::Formula("left")),
-                "]" => defined.end(&DefinitionScope::Formula("[")),
-                ")" => defined.end(&DefinitionScope::Formula("(")),
-                "begin" | "end" => {
-                    let name = name_ahead(&self.rest);
-                    let is_own = defined.environments.contains_key(&name);
-                    match token.is("begin") {
-                        true if name != "document" => defined.begin(DefinitionScope::Environment(name)),
-                        false if !is_own => defined.end(&DefinitionScope::Environment(name)),
-                        _ => {}
-                    }
-                }
-                _ => {}
-            },
-            _ => {}
-        }
-    }
-
-    /// Begins or ends a formula at a dollar, or at the first of two.
-    fn dollar(&mut self) {
-        let is_doubled = self.rest.last().is_some_and(|(t, _)| t.kind == Kind::Dollar);
-        let defined = &mut self.defined;
-        match defined.innermost() {
-            Some(DefinitionScope::Formula("$")) => defined.end(&DefinitionScope::Formula("$")),
-            // The second of two ends nothing: it stands alone between the two that count.
-            Some(DefinitionScope::Formula("$$")) if is_doubled => {
-                defined.end(&DefinitionScope::Formula("$$"));
-                defined.begin(DefinitionScope::Formula("second"));
-            }
-            Some(DefinitionScope::Formula("second")) => defined.end(&DefinitionScope::Formula("second")),
-            Some(DefinitionScope::Formula("$$")) => {}
-            _ if is_doubled => defined.begin(DefinitionScope::Formula("$$")),
-            _ => defined.begin(DefinitionScope::Formula("$")),
-        }
+        Then::End
     }
 
     /// Puts out a token that is printed.
     fn print(&mut self, token: Token) {
+        self.behind = self.behind.after(&token);
         if self.defined.packages > 0 {
             return;
         }
-        if let Some(doubt) = self.conditions.last().and_then(|c| c.doubt) {
-            self.doubts.note(&token.span, doubt);
+        match self.conditions.last().and_then(|c| c.doubt) {
+            Some(doubt) => self.doubts.note(&token.span, doubt),
+            None => self.doubts.pass(&token.span),
         }
-        self.units.take(&token);
+        let has_option = token.is("sqrt") && self.rest.last().is_some_and(|(t, _)| t.is_char("["));
+        self.units.take(&token, has_option);
         self.out.push(token);
     }
-}
-
-/// The name in braces that comes next.
-fn name_ahead(rest: &Rest) -> String {
-    if rest.last().is_none_or(|(t, _)| t.kind != Kind::Open) {
-        return String::new();
-    }
-    let inside = rest.iter().rev().skip(1).map(|(t, _)| t).take_while(|t| t.kind != Kind::Close).take(MOST_NAME);
-    inside.map(|t| t.text.as_str()).collect()
-}
-
-/// Whether a token calls a macro of the document's own, or stands at the beginning or the end of its own environment.
-fn called(token: &Token, defined: &Defined, rest: &Rest, frozen: bool) -> bool {
-    environment(token, rest, defined).is_some() || !frozen && defined.macro_of(&token.text).is_some()
-}
-
-/// The macro that a token calls; the name of an environment is taken from what follows.
-fn take_called<'d>(token: &Token, rest: &mut Rest, defined: &'d Defined, frozen: bool) -> Option<&'d Macro> {
-    if let Some(found) = environment(token, rest, defined) {
-        argument(rest);
-        return Some(found);
-    }
-    let found = defined.macro_of(&token.text).filter(|_| !frozen)?;
-    if defined.is_pair(&token.text) {
-        next_is(rest, "*");
-        optional(rest);
-    }
-    Some(found)
 }
 
 /// The kind of file that a command names, unless the document gave it another meaning.
@@ -458,15 +467,6 @@ fn files_named(named: Named, token: &Token, rest: &mut Rest, input: &mut Input<'
     names.split(',').map(str::trim).filter(|n| !n.is_empty()).flat_map(|n| input(n, named, &token.span)).collect()
 }
 
-/// What stands at the beginning or at the end of an environment of the document's own.
-fn environment<'d>(token: &Token, rest: &Rest, defined: &'d Defined) -> Option<&'d Macro> {
-    if defined.environments.is_empty() || !(token.is("begin") || token.is("end")) {
-        return None;
-    }
-    let (begin, end) = defined.environments.get(&name_ahead(rest))?;
-    Some(if token.is("begin") { begin } else { end })
-}
-
 /// The name of a file behind `\input`, in braces or not.
 fn file_name(rest: &mut Rest) -> String {
     spaces(rest);
@@ -482,7 +482,7 @@ fn file_name(rest: &mut Rest) -> String {
     out
 }
 
-fn begins_group(rest: &Rest, name: &str) -> bool {
+fn begins_group(rest: &[(Token, usize)], name: &str) -> bool {
     let mut next = rest.iter().rev().map(|(t, _)| t);
     let open = next.next().is_some_and(|t| t.kind == Kind::Open);
     let inside: String = next.take_while(|t| t.kind != Kind::Close).take(40).map(|t| t.text.as_str()).collect();

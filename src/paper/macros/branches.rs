@@ -10,8 +10,8 @@ use super::conditions::{Skipped, TexCondition, condition, drop_arguments, skip_b
 use super::rest::argument;
 use super::{END_OF_BRANCHES, Expander};
 
-/// How a condition goes on.
-#[derive(Clone, Copy, PartialEq, Eq)]
+/// How a condition, or something else that may not be printed, goes on.
+#[derive(Clone, PartialEq, Eq)]
 pub(super) enum BranchForm {
     /// The branch that is printed is being read.
     Known,
@@ -19,6 +19,10 @@ pub(super) enum BranchForm {
     Open,
     /// Its branches are arguments.
     Arguments,
+    /// An environment that is not understood, up to its end.
+    Environment(String),
+    /// A file so deep within files that may have ended, up to its end.
+    File(usize),
 }
 
 /// A condition of which the end is still to come.
@@ -30,13 +34,16 @@ pub(super) struct Unclosed {
     pub packages: usize,
 }
 
+/// How far back what ends is looked for.
+const MOST_OPEN: usize = 200;
+
 impl Expander<'_, '_> {
-    /// Takes a token of a condition: its beginning, or the end of a branch.
-    pub(super) fn conditional(&mut self, token: &Token, depth: usize) -> bool {
+    /// Takes a token of a condition: its beginning, or the end of a branch; `is_sure` says whether it is known that it is this token.
+    pub(super) fn conditional(&mut self, token: &Token, depth: usize, is_sure: bool) -> bool {
         match token.text.as_str() {
             "fi" | END_OF_BRANCHES => {
                 let has_arguments = !token.is("fi");
-                let Some(form) = self.conditions.last().map(|c| c.form) else { return has_arguments };
+                let Some(form) = self.conditions.last().map(|c| c.form.clone()) else { return has_arguments };
                 if (form == BranchForm::Arguments) != has_arguments {
                     return has_arguments;
                 }
@@ -69,7 +76,8 @@ impl Expander<'_, '_> {
         if negates {
             self.rest.pop();
         }
-        match condition(&asked.text, &mut self.rest, &self.defined, &mut self.looked) {
+        let found = condition(&asked.text, &mut self.rest, &self.defined, &mut self.looked);
+        match found.map(|found| if is_sure { found } else { found.in_doubt() }) {
             None => {
                 if negates {
                     self.rest.push((asked, depth));
@@ -99,10 +107,33 @@ impl Expander<'_, '_> {
         self.print(token.clone());
     }
 
-    fn open(&mut self, form: BranchForm, doubt: Option<usize>) {
+    pub(super) fn open(&mut self, form: BranchForm, doubt: Option<usize>) {
         let doubt = doubt.or_else(|| self.conditions.last().and_then(|c| c.doubt));
         self.conditions.push(Unclosed { form, doubt, packages: self.defined.packages });
         self.be_doubtful();
+    }
+
+    /// Whether what stands here may not be printed though its file goes on.
+    pub(super) fn may_be_passed_over(&self) -> bool {
+        self.conditions.last().is_some_and(|c| c.doubt.is_some() && !matches!(c.form, BranchForm::File(_)))
+    }
+
+    /// What may have ended here is in doubt up to its end, whatever conditions are open.
+    pub(super) fn doubt_what_follows(&mut self, token: &Token, form: BranchForm) {
+        if self.conditions.first().is_some_and(|c| c.form == form) {
+            return;
+        }
+        let doubt = self.conditions.last().and_then(|c| c.doubt);
+        let doubt = doubt.unwrap_or_else(|| self.doubts.of_condition(token, &token.span));
+        self.conditions.insert(0, Unclosed { form, doubt: Some(doubt), packages: self.defined.packages });
+    }
+
+    /// The end of something of which it was not known whether it is printed.
+    pub(super) fn end_doubt(&mut self, form: &BranchForm) {
+        if let Some(at) = self.conditions.iter().rev().take(MOST_OPEN).position(|c| c.form == *form) {
+            self.conditions.remove(self.conditions.len() - 1 - at);
+            self.be_doubtful();
+        }
     }
 
     /// Notes whether it is known that what stands here is printed.

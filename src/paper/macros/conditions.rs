@@ -5,7 +5,7 @@
 
 use super::super::token::Kind;
 use super::defined::Defined;
-use super::rest::{Rest, argument, spaces};
+use super::rest::{MOST_AHEAD, Rest, argument, spaces};
 
 /// Conditions of TeX, and of packages that tell how the document is set.
 const OF_TEX: &[&str] = &[
@@ -93,9 +93,6 @@ const WITH_ARGUMENTS: &[(&str, usize, usize)] = &[
     ("IfValueF", 1, 1),
 ];
 
-/// The most tokens that are looked at, in all, to find where conditions end.
-const MOST_AHEAD: usize = 20_000_000;
-
 /// How a condition of TeX is asked, and whether its answer is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum TexCondition {
@@ -105,6 +102,13 @@ pub(super) enum TexCondition {
     Open,
     /// Its branches are so many arguments, behind so many others; whether it holds is not known.
     Arguments(usize, usize),
+}
+
+impl TexCondition {
+    /// The same, where it is not known that it is this one.
+    pub(super) fn in_doubt(self) -> TexCondition {
+        if matches!(self, TexCondition::Known(_)) { TexCondition::Open } else { self }
+    }
 }
 
 /// The condition that a command begins; what is asked of, where it is no number, is taken from what follows.
@@ -142,15 +146,16 @@ pub(super) fn condition(command: &str, rest: &mut Rest, defined: &Defined, looke
         name if OF_TEX.contains(&name) => return Some(TexCondition::Open),
         _ => {}
     }
-    let is_named_so = command.starts_with("if") && command != "iff";
-    if !is_named_so {
+    // `\ifmine`, `\IfStrEq`, `\@ifstar`
+    let is_of_tex = command.starts_with("if") && command != "iff";
+    if !is_of_tex && !command.starts_with("If") && !command.starts_with("@if") {
         return None;
     }
-    if ends_ahead(rest, defined, looked) {
+    if is_of_tex && ends_ahead(rest, defined, looked) {
         return Some(TexCondition::Open);
     }
     let groups = groups_ahead(rest, looked);
-    (groups > 0).then_some(TexCondition::Arguments(usize::from(groups > 1), groups - usize::from(groups > 1)))
+    (groups > 0).then_some(TexCondition::Arguments(0, groups))
 }
 
 /// Whether a command begins what a `\fi` closes, as far as its name and the sign behind it tell.
@@ -185,10 +190,10 @@ fn ends_ahead(rest: &Rest, defined: &Defined, looked: &mut usize) -> bool {
     false
 }
 
-/// The most groups behind a condition that are its arguments.
-const MOST_GROUPS: usize = 3;
+/// The most groups behind a condition that are its arguments, as TeX has it.
+const MOST_GROUPS: usize = 9;
 
-/// How many groups follow each other, up to three.
+/// How many groups follow each other, up to so many.
 fn groups_ahead(rest: &Rest, looked: &mut usize) -> usize {
     let (mut depth, mut groups) = (0usize, 0);
     for (token, _) in rest.iter().rev() {

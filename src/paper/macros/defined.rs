@@ -1,10 +1,14 @@
 //! What the names of a document mean, and where that ends.
 //!
 //! **In:** definitions, and where groups, environments and formulas begin and end. **Out:** the meaning of a name. **Guaranteed:** a definition is
-//! undone at the end of what it stands in, unless it is global; one of a branch of which it is not known whether it is printed leaves its name in doubt.
+//! undone at the end of what it stands in, unless it is global; one of a branch of which it is not known whether it is printed, or that is not
+//! understood, leaves its name in doubt.
+//!
+//! An environment is two commands, as in LaTeX: `\newenvironment{x}` defines `\x` and `\endx`.
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::document::is_display;
 use super::super::token::{Kind, Token};
 use super::define::is_taken_of_package;
 use super::kernel::is_of_latex;
@@ -29,6 +33,8 @@ pub(super) enum CommandMeaning {
     Alias(String),
     /// A condition of `\newif`, `ifdraft`, and whether it holds, if that is known.
     Condition(Option<bool>),
+    /// What is defined in a way that is not understood.
+    NotRead,
 }
 
 impl CommandMeaning {
@@ -53,7 +59,7 @@ impl CommandMeaning {
 #[derive(Clone, Debug)]
 struct Meaning {
     what: CommandMeaning,
-    /// It stands in a branch of which it is not known whether it is printed.
+    /// It stands in a branch of which it is not known whether it is printed, or something that is not understood may have changed it.
     is_doubted: bool,
 }
 
@@ -62,6 +68,10 @@ struct Meaning {
 pub(super) enum DefinitionScope {
     /// `{`
     Braces,
+    /// `{` behind a command that is not known: what is defined in it may be so elsewhere, later, or never.
+    Argument,
+    /// A cell of a table or of a display in columns.
+    Cell,
     /// `\begingroup` and `\bgroup`
     Group,
     /// `$`, `$$`, `\[`, `\(`, `\left`
@@ -69,12 +79,11 @@ pub(super) enum DefinitionScope {
     Environment(String),
 }
 
-type Environment = (Macro, Macro);
-
-/// What a name was before it was defined anew.
-enum Before {
-    Command(String, Option<Meaning>),
-    Environment(String, Option<Environment>),
+/// What a name was before it was defined anew, and the number of that definition.
+struct Before {
+    number: usize,
+    name: String,
+    meaning: Option<Meaning>,
 }
 
 /// The definitions of a document.
@@ -83,8 +92,6 @@ pub(super) struct Defined {
     /// Names whose definitions are passed over.
     passed: BTreeSet<String>,
     commands: BTreeMap<String, Meaning>,
-    /// Environments: what stands at their beginning and at their end.
-    pub environments: BTreeMap<String, Environment>,
     /// Packages that are being read: what they print is no text of the paper.
     pub packages: usize,
     /// What is defined next is so everywhere, as `\global` says.
@@ -93,13 +100,23 @@ pub(super) struct Defined {
     pub is_doubtful: bool,
     /// What has begun, and how much was noted before.
     scopes: Vec<(DefinitionScope, usize)>,
-    /// What was before, in the order of definitions, each with its number.
-    before: Vec<(usize, Before)>,
+    /// What was before, in the order of definitions.
+    before: Vec<Before>,
     /// The number of the next definition.
     next: usize,
     /// Names that were defined everywhere, and when.
     everywhere: BTreeMap<String, usize>,
 }
+
+/// Commands of LaTeX's kernel that choose among their arguments: how many they have, and which is printed.
+const OF_THE_KERNEL: &[(&str, usize, Option<char>)] = &[
+    ("@firstofone", 1, Some('1')),
+    ("@firstoftwo", 2, Some('1')),
+    ("@secondoftwo", 2, Some('2')),
+    ("@gobble", 1, None),
+    ("@gobbletwo", 2, None),
+    ("@empty", 0, None),
+];
 
 /// How far back what ends is looked for.
 const MOST_OPEN: usize = 200;
@@ -107,7 +124,13 @@ const MOST_OPEN: usize = 200;
 impl Defined {
     /// No definitions; those of some names are passed over.
     pub(super) fn passing(passed: BTreeSet<String>) -> Defined {
-        Defined { passed, ..Defined::default() }
+        let mut all = Defined { passed, ..Defined::default() };
+        for (name, arguments, printed) in OF_THE_KERNEL {
+            let body = printed.map(|nth| Token { kind: Kind::Argument, text: nth.into(), span: 0..0 });
+            let what = CommandMeaning::Macro(Macro::plain(*arguments, None, body.into_iter().collect()));
+            all.commands.insert((*name).to_owned(), Meaning { what, is_doubted: false });
+        }
+        all
     }
 
     /// Whether a definition is taken: of a package not each.
@@ -155,10 +178,32 @@ impl Defined {
         self.commands.contains_key(name) || is_of_latex(name)
     }
 
-    /// Puts the meaning of a name in doubt.
+    /// Whether a name has a meaning of the document's own.
+    pub(super) fn is_own(&self, name: &str) -> bool {
+        self.commands.contains_key(name)
+    }
+
+    /// Puts the meaning of a name in doubt, also of one that has none here.
     pub(super) fn doubt(&mut self, name: &str) {
-        if let Some(meaning) = self.commands.get_mut(name) {
-            meaning.is_doubted = true;
+        if self.passed.contains(name) {
+            return;
+        }
+        let was = self.commands.get(name).cloned();
+        if was.as_ref().is_some_and(|m| m.is_doubted) {
+            return;
+        }
+        let what = was.as_ref().map_or(CommandMeaning::NotRead, |m| m.what.clone());
+        self.commands.insert(name.to_owned(), Meaning { what, is_doubted: true });
+        self.note(name.to_owned(), was);
+    }
+
+    /// Gives a name a meaning that is not understood; of a package that counts for the paper's own names alone.
+    pub(super) fn not_read(&mut self, name: String) {
+        if self.packages == 0 {
+            self.assign(name.clone(), CommandMeaning::NotRead);
+        }
+        if self.is_own(&name) {
+            self.doubt(&name);
         }
     }
 
@@ -171,23 +216,24 @@ impl Defined {
         let is_same = was.as_ref().is_some_and(|m| !m.is_doubted && m.what.prints_as(&what));
         let is_doubted = self.is_doubtful && !is_same;
         self.commands.insert(name.clone(), Meaning { what, is_doubted });
-        self.note(name.clone(), Before::Command(name, was));
+        self.note(name, was);
     }
 
     /// Notes what a name was, to be undone.
-    fn note(&mut self, name: String, was: Before) {
+    fn note(&mut self, name: String, meaning: Option<Meaning>) {
         self.next += 1;
         if self.is_global {
             self.everywhere.insert(name, self.next);
         } else if !self.scopes.is_empty() {
-            self.before.push((self.next, was));
+            self.before.push(Before { number: self.next, name, meaning });
         }
     }
 
     /// Defines a macro.
     pub(super) fn put(&mut self, name: String, found: Macro) {
-        if self.takes(&name, &found.body) {
-            self.assign(name, CommandMeaning::Macro(found));
+        match self.takes(&name, &found.body) {
+            true => self.assign(name, CommandMeaning::Macro(found)),
+            false => self.not_read(name),
         }
     }
 
@@ -198,10 +244,13 @@ impl Defined {
         }
     }
 
-    /// Defines an environment.
-    pub(super) fn put_environment(&mut self, name: String, found: Environment) {
-        let was = self.environments.insert(name.clone(), found);
-        self.note(format!("begin {name}"), Before::Environment(name, was));
+    /// Whether an environment of this name is one of the document's own, or may be.
+    pub(super) fn has_environment(&self, name: &str) -> bool {
+        self.commands.get(name).is_some_and(|m| match m.what {
+            CommandMeaning::Macro(_) | CommandMeaning::Pair(_) | CommandMeaning::Alias(_) => true,
+            CommandMeaning::NotRead => self.is_own(&format!("end{name}")),
+            CommandMeaning::Condition(_) => false,
+        })
     }
 
     /// Gives a name the meaning that a token has now.
@@ -213,7 +262,7 @@ impl Defined {
             Some(Meaning { what, is_doubted }) => {
                 let body = match &what {
                     CommandMeaning::Macro(found) | CommandMeaning::Pair(found) => found.body.as_slice(),
-                    _ => &[],
+                    CommandMeaning::Alias(_) | CommandMeaning::Condition(_) | CommandMeaning::NotRead => &[],
                 };
                 if self.takes(&name, body) {
                     self.assign(name.clone(), what);
@@ -242,6 +291,18 @@ impl Defined {
         self.scopes.last().map(|(scope, _)| scope)
     }
 
+    /// Whether what is read now stands in a formula.
+    pub(super) fn is_in_formula(&self) -> bool {
+        let is_formula = |scope: &DefinitionScope| match scope {
+            DefinitionScope::Formula(_) => true,
+            DefinitionScope::Environment(name) => is_display(name),
+            DefinitionScope::Braces | DefinitionScope::Argument | DefinitionScope::Cell | DefinitionScope::Group => {
+                false
+            }
+        };
+        self.scopes.iter().rev().take(MOST_OPEN).any(|(scope, _)| is_formula(scope))
+    }
+
     /// Something begins.
     pub(super) fn begin(&mut self, scope: DefinitionScope) {
         self.scopes.push((scope, self.before.len()));
@@ -249,29 +310,36 @@ impl Defined {
 
     /// Something ends, with all that began in it. What has not begun does not end.
     pub(super) fn end(&mut self, scope: &DefinitionScope) {
-        let behind = self.scopes.iter().rev().take(MOST_OPEN).position(|(open, _)| open == scope);
+        let is_it = |open: &DefinitionScope| {
+            open == scope || (scope, open) == (&DefinitionScope::Braces, &DefinitionScope::Argument)
+        };
+        let behind = self.scopes.iter().rev().take(MOST_OPEN).position(|(open, _)| is_it(open));
         if let Some(behind) = behind {
             self.end_to(self.scopes.len() - 1 - behind);
         }
     }
 
-    /// Ends what has begun, up to so much; definitions in it are undone.
+    /// Ends what has begun, up to so much; definitions in it are undone, and those in an argument of a command that is not known are in doubt.
     fn end_to(&mut self, depth: usize) {
         let Some(&(_, noted)) = self.scopes.get(depth) else { return };
+        let from = self.scopes[depth..].iter().find(|(scope, _)| *scope == DefinitionScope::Argument);
+        let arguments = from.map_or(usize::MAX, |(_, noted)| *noted);
+        let mut unsure = Vec::new();
         self.scopes.truncate(depth);
-        let is_everywhere =
-            |all: &BTreeMap<String, usize>, name: &str, number: usize| all.get(name).is_some_and(|when| *when > number);
         while self.before.len() > noted
-            && let Some((number, was)) = self.before.pop()
+            && let Some(Before { number, name, meaning }) = self.before.pop()
         {
-            match was {
-                Before::Command(name, _) if is_everywhere(&self.everywhere, &name, number) => {}
-                Before::Command(name, Some(meaning)) => drop(self.commands.insert(name, meaning)),
-                Before::Command(name, None) => drop(self.commands.remove(&name)),
-                Before::Environment(name, _) if is_everywhere(&self.everywhere, &format!("begin {name}"), number) => {}
-                Before::Environment(name, Some(found)) => drop(self.environments.insert(name, found)),
-                Before::Environment(name, None) => drop(self.environments.remove(&name)),
+            if self.everywhere.get(&name).is_some_and(|when| *when > number) {
+                continue;
+            }
+            if self.before.len() >= arguments {
+                unsure.push(name.clone());
+            }
+            match meaning {
+                Some(meaning) => drop(self.commands.insert(name, meaning)),
+                None => drop(self.commands.remove(&name)),
             }
         }
+        unsure.iter().for_each(|name| self.doubt(name));
     }
 }

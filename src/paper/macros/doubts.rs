@@ -9,11 +9,22 @@ use super::super::short::Short;
 use super::super::token::Token;
 use diag::escape::in_one_line;
 
+/// What is not known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Unknown {
+    /// Which branch of a condition is printed.
+    Branch,
+    /// What a name stands for.
+    Meaning,
+    /// How much of a macro behind it a command takes.
+    Reach,
+}
+
 /// Why what is printed is not known.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Doubt {
     command: Short,
-    is_condition: bool,
+    what: Unknown,
     /// Where that is told.
     pub span: Range<usize>,
 }
@@ -21,21 +32,25 @@ pub struct Doubt {
 impl Doubt {
     /// The reason, in few words.
     pub fn why(&self) -> String {
-        match self.is_condition {
-            true => "which branch is printed is not known".to_owned(),
-            false => format!("what \\{} stands for is not known", in_one_line(&self.command)),
+        match self.what {
+            Unknown::Branch => "which branch is printed is not known".to_owned(),
+            Unknown::Meaning => format!("what \\{} stands for is not known", in_one_line(&self.command)),
+            Unknown::Reach => format!("how far \\{} reaches is not known", in_one_line(&self.command)),
         }
     }
 
     /// The same in a sentence, without its stop.
     pub fn message(&self) -> String {
         let name = in_one_line(&self.command);
-        match self.is_condition {
-            true => {
+        match self.what {
+            Unknown::Branch => {
                 format!("which branch of `\\{name}` is printed is not known: the formulas in its branches are not read")
             }
-            false => format!(
-                "what `\\{name}` stands for is not known: it is defined where a branch, or an `\\edef`, is not read; nor are formulas with it"
+            Unknown::Meaning => format!(
+                "what `\\{name}` stands for is not known: it is defined in a way, or in a place, that is not read; nor are formulas with it"
+            ),
+            Unknown::Reach => format!(
+                "how far `\\{name}` reaches depends on packages, where a macro stands behind it: with braces around that the formula is read"
             ),
         }
     }
@@ -48,6 +63,8 @@ pub struct Doubts {
     /// The doubt of each macro of which the meaning is in doubt.
     of_macros: BTreeMap<String, usize>,
     places: Vec<(Range<usize>, usize)>,
+    /// What is printed behind the last of them is not in doubt.
+    is_apart: bool,
 }
 
 /// What may lie between two tokens of one branch: a comment, a definition.
@@ -56,28 +73,45 @@ const NEAR: usize = 100;
 impl Doubts {
     /// A condition of which it is not known whether it holds: its number.
     pub(super) fn of_condition(&mut self, command: &Token, span: &Range<usize>) -> usize {
-        self.all.push(Doubt { command: command.text.clone(), is_condition: true, span: span.clone() });
+        self.add(command, Unknown::Branch, span)
+    }
+
+    /// A command of which it is not known how much of the macro behind it it takes: its number.
+    pub(super) fn of_reach(&mut self, command: &Token) -> usize {
+        self.add(command, Unknown::Reach, &command.span)
+    }
+
+    fn add(&mut self, command: &Token, what: Unknown, span: &Range<usize>) -> usize {
+        self.all.push(Doubt { command: command.text.clone(), what, span: span.clone() });
         self.all.len() - 1
     }
 
-    /// A call of a macro of which the meaning is in doubt.
-    pub(super) fn note_meaning(&mut self, token: &Token) {
-        let next = self.all.len();
-        let doubt = *self.of_macros.entry(token.text.as_str().to_owned()).or_insert(next);
-        if doubt == next {
-            self.all.push(Doubt { command: token.text.clone(), is_condition: false, span: token.span.clone() });
+    /// A name of which the meaning is in doubt: its number.
+    pub(super) fn of_meaning(&mut self, token: &Token) -> usize {
+        if let Some(doubt) = self.of_macros.get(token.text.as_str()) {
+            return *doubt;
         }
-        self.note(&token.span, doubt);
+        let doubt = self.add(token, Unknown::Meaning, &token.span);
+        self.of_macros.insert(token.text.as_str().to_owned(), doubt);
+        doubt
     }
 
     /// Notes a place that is in doubt.
     pub(super) fn note(&mut self, span: &Range<usize>, doubt: usize) {
         match self.places.last_mut() {
-            Some((last, same)) if *same == doubt && last.start <= span.start && span.start <= last.end + NEAR => {
+            Some((last, same))
+                if *same == doubt && !self.is_apart && last.start <= span.start && span.start <= last.end + NEAR =>
+            {
                 last.end = last.end.max(span.end);
             }
             _ => self.places.push((span.clone(), doubt)),
         }
+        self.is_apart = false;
+    }
+
+    /// Passes a place that is printed without a doubt.
+    pub(super) fn pass(&mut self, span: &Range<usize>) {
+        self.is_apart |= self.places.last().is_some_and(|(last, _)| last.end <= span.start || span.end <= last.start);
     }
 
     /// The same, in the order of places.

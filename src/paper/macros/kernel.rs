@@ -2,6 +2,9 @@
 //!
 //! **In:** a name. **Out:** whether it is one of these. **Guaranteed:** names that papers give commands of their own are not among them.
 
+use std::collections::BTreeSet;
+use std::sync::LazyLock;
+
 /// Letters, functions, signs, accents, fractions and styles.
 const COMMANDS: &str = "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi varpi rho varrho sigma \
      varsigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega \
@@ -16,7 +19,9 @@ const COMMANDS: &str = "alpha beta gamma delta epsilon varepsilon zeta eta theta
      quad qquad ldots cdots vdots ddots dots label ref eqref tag begin end section chapter \
      b c d H k l L o O r t u v i j P S a A AE ae aa AA ss";
 
+static NAMES: LazyLock<BTreeSet<&'static str>> = LazyLock::new(|| COMMANDS.split_whitespace().collect());
+
 /// Whether LaTeX has this command.
 pub(super) fn is_of_latex(name: &str) -> bool {
-    COMMANDS.split_whitespace().any(|command| command == name)
+    NAMES.contains(name)
 }

@@ -106,3 +106,41 @@ pub(super) fn defined_name(rest: &mut Rest) -> Option<String> {
     let name = found.iter().find(|t| t.kind != Kind::Space)?;
     (name.kind == Kind::Command).then(|| name.text.to_string())
 }
+
+/// The name in braces that comes next.
+pub(super) fn name_ahead(rest: &Rest) -> String {
+    let mut next = rest.iter().rev().map(|(t, _)| t).skip_while(|t| t.kind == Kind::Space);
+    if next.next().is_none_or(|t| t.kind != Kind::Open) {
+        return String::new();
+    }
+    next.take_while(|t| t.kind != Kind::Close).take(MOST_NAME).map(|t| t.text.as_str()).collect()
+}
+
+/// The most tokens that are looked at, in all, to find where what is ahead ends.
+pub(super) const MOST_AHEAD: usize = 20_000_000;
+
+/// The end of the groups and options that follow right here, if there are such.
+pub(super) fn end_of_groups(rest: &Rest, looked: &mut usize) -> Option<usize> {
+    let (mut depth, mut end) = (0usize, None);
+    for (token, _) in rest.iter().rev() {
+        *looked += 1;
+        if *looked > MOST_AHEAD {
+            return None;
+        }
+        match token.kind {
+            Kind::Open => depth += 1,
+            Kind::Close if depth == 0 => return end,
+            Kind::Close => depth -= 1,
+            Kind::Space if token.text.contains('\n') && depth == 0 => return end,
+            Kind::Space => continue,
+            _ if token.is_char("[") && depth == 0 => depth += 1,
+            _ if token.is_char("]") && depth == 1 => depth -= 1,
+            _ if depth == 0 => return end,
+            _ => {}
+        }
+        if depth == 0 {
+            end = Some(token.span.end);
+        }
+    }
+    end
+}

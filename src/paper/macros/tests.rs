@@ -53,6 +53,13 @@ fn definitions_end_with_what_they_stand_in() {
         (r"\left(\def\A{b}\right)", "a"),
         (r"\begin{center}\def\A{b}\end{center}", "a"),
         (r"\newenvironment{e}{\def\A{b}}{}\begin{e}\end{e}", "a"),
+        (r"\let\bg\begingroup\let\eg\endgroup\bg\def\A{b}\eg", "a"),
+        (r"\let\b\begin\let\e\end\b{center}\def\A{b}\e{center}", "a"),
+        (r"\begin{align}\def\A{b}&\end{align}", "a"),
+        (r"\begin{align}\def\A{b}\\", "a"),
+        (r"\begin{array}{c}x&\def\A{b}&", "a"),
+        (r"\begin{pmatrix}\def\A{b}&", "a"),
+        (r"\textbf{\def\A{b}}", "a"),
         // A brace that is not closed ends with its environment.
         (r"\begin{center}{\def\A{b}\end{center}", "a"),
         // What is global, or in no group of its own, goes on.
@@ -153,8 +160,11 @@ fn branches_that_are_not_known_are_in_doubt() {
         (r"\makeatletter\@ifundefined{x}{a}{b}c", "c", "ab"),
         // Of a command that is not known, what follows says how it goes on.
         (r"\ifmine a\else b\fi c", "c", "ab"),
-        (r"\ifmine{x}{a}{b}c", "c", "ab"),
+        (r"\ifmine{x}{a}{b}c", "c", "xab"),
         (r"\ifmine{a}\else b\fi c", "c", "ab"),
+        (r"\IfStrEq{x}{y}{a}{b}c", "c", "xyab"),
+        (r"\makeatletter\@ifstar{a}{b}c", "c", "ab"),
+        (r"\makeatletter\@firstoftwo{a}{b}\@secondoftwo{c}{d}\@gobble{e}", "ad", ""),
         (r"\iffalse \ifthenelse{x}{a}{b}\fi c", "c", ""),
         (r"a\iff b\ifoo c", "abc", ""),
         // Names that are defined in a branch.
@@ -165,8 +175,144 @@ fn branches_that_are_not_known_are_in_doubt() {
         (r"\ifnum0=1 \def\A{b}\fi\def\B{<\A>}\B\let\C\A\C c", "c", "0=1<b>b"),
         (r"\iftoggle{x}{\def\A{a}}{\def\A{b}}\A c", "c", "b"),
         (r"\def\A{a}\edef\B{\noexpand\A}\B c", "c", "a"),
+        (r"\ifnum0=1 \let\s\sin\else\let\s\cos\fi\s{x}c", "c", "0=1x"),
+        (r"\ifnum0=1 \let\my\iftrue\else\let\my\iffalse\fi\my a\else b\fi c", "c", "0=1ab"),
+        // What such a name makes of its arguments.
+        (r"\ifnum0=1 \def\H#1{}\else\def\H#1{#1}\fi\H{a{b}} c\H[x]{y}", "c", "0=1ab[x]y"),
+        (r"\ifnum0=1 \def\H#1.{#1}\fi\H ab. c", "c", "0=1ab"),
+        // Environments.
+        (
+            r"\ifnum0=1 \newenvironment{e}{\comment}{\endcomment}\else\newenvironment{e}{}{}\fi a\begin{e}b\end{e}c",
+            "ac",
+            "0=1b",
+        ),
+        (r"\NewDocumentEnvironment{e}{+b}{}{}a\begin{e}b\end{e}c", "ac", "b"),
+        // What may end here.
+        (r"a\ifnum0=1 \endinput\fi b", "a", "0=1b"),
+        (r"a\ifnum0=1 \end{document}\fi b\end{document}c", "a", "0=1documentb"),
     ] {
         assert_eq!(with_doubts(text), (sure.to_owned(), unsure.to_owned()), "{text}");
+    }
+}
+
+#[test]
+fn a_definition_that_is_not_understood_puts_its_name_in_doubt() {
+    for define in [
+        r"\appto\A{x}",
+        r"\gappto\A{x}",
+        r"\patchcmd{\A}{a}{b}{}{}",
+        r"\pretocmd\A{x}{}{}",
+        r"\RenewDocumentCommand{\A}{s m}{x}",
+        r"\NewDocumentCommand\A{r()}{x}",
+        r"\GlobalLetLtxMacro\A\B",
+        r"\csappto{A}{x}",
+        r"\csundef{A}",
+        r"\undef\A",
+        r"\makeatletter\g@addto@macro\A{x}",
+        r"\makeatletter\g@addto@macro{\A}{x}",
+        r"\mathchardef\A=1",
+        r"\chardef\A 65 ",
+        r"\newcount\A",
+        r"\futurelet\A\B\C",
+        r"\FPset\A{3}",
+        r"\FPeval{\A}{3}",
+        r"\pgfmathsetmacro{\A}{3}",
+        r"\pgfmathsetmacro\A{3}",
+        r"\DeclarePairedDelimiterX\A[1]{(}{)}{#1}",
+        r"\robustify{\A}",
+        r"\mydefinition{\A}{x}",
+        r"\whatever{\A}",
+        r"{\appto\A{x}}",
+        // Whether that is done, and when.
+        r"\DeclareOption{x}{\def\A{b}}",
+        r"\unknown[x]{\def\A{b}}",
+        r"\unknown*{y}{\def\A{b}}",
+        r"\AtEndDocument{\def\A{b}}",
+        r"\edef\A{\the\B}",
+    ] {
+        let (sure, unsure) = with_doubts(&format!(r"\def\A{{Q}}{define}$\A$"));
+        assert!(!sure.contains('Q') && (unsure.contains('Q') || !define.contains("app")), "{define}: {sure}, {unsure}");
+    }
+    // These change nothing.
+    for other in [
+        r"\textbf{\A}",
+        r"\section{\A}",
+        r"\noindent\A",
+        r"$\unknown{\A}$",
+        r"$\defeq\A$",
+        r"\emph{\def\A{b}}",
+        r"\unknown{x}{\def\A{b}}\def\A{a}",
+    ] {
+        let (sure, _) = with_doubts(&format!(r"\def\A{{a}}{other}$\A c$"));
+        assert!(sure.ends_with("ac"), "{other}: {sure}");
+    }
+    // So with what LaTeX has: `\sin` is in doubt, not read as a sine.
+    let doubts = |text: &str| {
+        let all =
+            super::expanded(tokens(text), Vec::new(), &BTreeSet::new(), Definitions::OfTheirGroup, &mut |_, _, _| {
+                Vec::new()
+            });
+        let all = all.expect("ends");
+        let sine = all.tokens.iter().rfind(|t| t.is("sin")).expect("is printed");
+        all.doubts.of(&sine.span).map(|(_, doubt)| doubt.why())
+    };
+    assert_eq!(doubts(r"\appto\sin{x}$\sin$"), Some(r"what \sin stands for is not known".to_owned()));
+    assert_eq!(
+        doubts(r"\RenewDocumentCommand{\sin}{s m}{x}$\sin$"),
+        Some(r"what \sin stands for is not known".to_owned())
+    );
+    assert_eq!(doubts(r"\appto\cos{x}$\sin$"), None);
+    // How far an accent reaches, packages decide.
+    let (sure, unsure) = with_doubts(r"\def\A{a}\def\B{b+c}\hat\A\hat{\B}d\hat\B");
+    assert_eq!((sure.as_str(), unsure.as_str()), ("ab+cd", "b+c"));
+}
+
+#[test]
+fn names_are_put_together_as_tex_does() {
+    for (text, printed) in [
+        (r"\expandafter\def\csname A\endcsname{b}\A", "b"),
+        (r"\def\n{A}\expandafter\newcommand\csname\n\endcsname{b}\A", "b"),
+        (r"\def\mk#1{\expandafter\def\csname v#1\endcsname{\mathbf{#1}}}\mk{a}\va", r"\mathbf {a}"),
+        (r"\makeatletter\@namedef{A}{b}\A\csname A\endcsname", r"\makeatletter bb"),
+        (r"\csdef{A}#1{<#1>}\A c", "<c>"),
+        (r"{\csgdef{A}{b}}\A", "{}b"),
+        (r"\def\B{b}\letcs\A{B}\A\cslet{C}\B\C\csletcs{D}{B}\D", "bbb"),
+        (r"\def\B{b}\NewCommandCopy{\A}{\B}\def\B{c}\A", "b"),
+        (r"\newrobustcmd{\A}[1]{<#1>}\renewrobustcmd\A[1]{>#1<}\A b", ">b<"),
+        (r"\def\A#1{<#1>}\def\b{cd}\expandafter\A\b", "<c>d"),
+        (r"\def\A#1#2{<#2#1>}\def\b{cd}\expandafter\A\expandafter x\b", "<cx>d"),
+        (r"\newif\ifd\csname dtrue\endcsname\ifd a\else b\fi", "a"),
+        (r"\newif\ifd\booltrue{d}\ifd a\else b\fi\boolfalse{d}\ifd a\else b\fi", "ab"),
+        (r"\newbool{d}\setbool{d}{true}\ifd a\else b\fi", "a"),
+        // What waits for the beginning of the document.
+        (r"\AtBeginDocument{\def\A{b}}\def\A{c}\begin{document}\A", r"\begin {document}b"),
+        (r"\newif\ifd\AtBeginDocument{\dtrue}\dfalse\begin{document}\ifd a\else b\fi", r"\begin {document}a"),
+        (r"\sqrt[3]\A", r"\sqrt [3]\A"),
+        (r"\def\A{a+b}\sqrt[3]\A\sqrt\A", r"\sqrt [3]{a+b}\sqrt a+b"),
+    ] {
+        assert_eq!(shown(text), printed, "{text}");
+    }
+    assert!(expanded(r"\def\a{\expandafter\a\a}\a").is_err());
+    for text in [r"\expandafter", r"\csname ", r"\expandafter\csname "] {
+        let _ = expanded(&text.repeat(100_000));
+    }
+}
+
+#[test]
+fn environments_are_two_commands() {
+    for (text, printed) in [
+        (r"\newenvironment{e}{\align}{\endalign}\begin{e}x\end{e}", r"\begin {align}x\end {align}"),
+        (r"\def\e{\begin{equation}}\def\ende{\end{equation}}\begin{e}x\end{e}", r"\begin {equation}x\end {equation}"),
+        (r"\let\e\equation\let\ende\endequation\begin{e}x\end{e}", r"\begin {equation}x\end {equation}"),
+        (r"\newenvironment{e}{[}{]}\e x\ende", "[x]"),
+        (
+            r"\newenvironment{e}{\begin {equation}}{\end {equation}}\begin {e}x\end {e}",
+            r"\begin {equation}x\end {equation}",
+        ),
+        (r"\newenvironment{equation}{(}{)}\begin{equation}x\end{equation}", "(x)"),
+        (r"\NewDocumentEnvironment{e}{m}{<#1}{>}\begin{e}{a}x\end{e}", "<ax>"),
+    ] {
+        assert_eq!(shown(text), printed, "{text}");
     }
 }
 

@@ -1,7 +1,7 @@
 //! Arguments of the macros of LaTeX: `\\frac1\\xx` prints all of `\\xx` below.
 //!
 //! **In:** the tokens that are printed, one by one. **Out:** whether an argument of such a macro comes next. **Guaranteed:** what TeX itself takes, behind
-//! `^`, `_` or `\\sqrt`, is no such argument: there a macro is expanded first.
+//! `^`, `_` or `\\sqrt` without an option, is no such argument: there a macro is expanded first. Of accents packages decide that.
 
 use super::super::token::{Kind, Token};
 use super::rest::Macro;
@@ -39,9 +39,33 @@ const TAKES: &[(&str, usize)] = &[
     ("boxed", 1),
 ];
 
+/// Accents: of TeX they take the first token of a macro, of amsmath all of it.
+const ACCENTS: &[&str] = &[
+    "hat",
+    "check",
+    "breve",
+    "acute",
+    "grave",
+    "tilde",
+    "bar",
+    "vec",
+    "dot",
+    "ddot",
+    "dddot",
+    "widehat",
+    "widetilde",
+    "mathring",
+    "overline",
+    "underline",
+];
+
 /// Where arguments are still to come.
 #[derive(Default)]
 pub(super) struct Units {
+    /// The accent that stands last.
+    accent: Option<Token>,
+    /// In the option of a root: how many brackets are open, in which braces.
+    option: Option<(usize, usize)>,
     /// How deep it is in braces.
     depth: usize,
     /// For each macro that waits: how deep it stands, and how many arguments it has not yet.
@@ -60,10 +84,32 @@ impl Units {
         self.waiting.last().is_some_and(|(depth, _)| *depth == self.depth)
     }
 
-    /// Takes a token that is printed.
-    pub fn take(&mut self, token: &Token) {
+    /// The accent over what comes next.
+    pub fn accent(&self) -> Option<&Token> {
+        self.accent.as_ref()
+    }
+
+    /// Takes a token that is printed; a root may have an option.
+    pub fn take(&mut self, token: &Token, has_option: bool) {
+        if token.kind == Kind::Space {
+            return;
+        }
+        self.accent = (token.kind == Kind::Command && ACCENTS.contains(&token.text.as_str())).then(|| token.clone());
+        if has_option {
+            self.option = Some((0, self.depth));
+            return;
+        }
+        if let Some((brackets, depth)) = self.option {
+            let step = usize::from(token.is_char("["));
+            let open =
+                if token.is_char("]") && depth == self.depth { brackets.saturating_sub(1) } else { brackets + step };
+            self.option = (open > 0).then_some((open, depth));
+            if open == 0 {
+                self.waiting.push((self.depth, 1));
+                return;
+            }
+        }
         match token.kind {
-            Kind::Space => return,
             Kind::Open => {
                 self.depth += 1;
                 return;

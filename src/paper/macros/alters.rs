@@ -1,0 +1,227 @@
+//! Commands that are not read and may give a name another meaning.
+//!
+//! **In:** a command that is printed as it stands, and what follows it. **Out:** doubt of the name that it is told. **Why:** packages have hundreds of
+//! commands that define, patch and set; of one that is not known it is only known that what it names may mean something else from there on.
+
+use super::super::token::{Kind, Token};
+use super::Expander;
+use super::define::name_of;
+use super::defined::Definitions;
+use super::kernel::is_of_latex;
+use super::rest::{MOST_NAME, Rest};
+
+/// Parts of the names of commands that give names a meaning.
+const PARTS: &[&str] = &[
+    "def", "let", "set", "new", "provide", "declare", "command", "cmd", "appto", "preto", "addto", "append", "prepend",
+    "patch", "robust", "swap", "count", "store", "save", "eval", "macro", "copy", "font", "foreach", "read", "chardef",
+];
+
+/// Commands whose name has such a part, and that set how things look.
+const OF_LOOKS: &[&str] = &[
+    "newpage",
+    "newline",
+    "newblock",
+    "setlength",
+    "addtolength",
+    "settowidth",
+    "settoheight",
+    "settodepth",
+    "newlength",
+    "newcounter",
+    "setcounter",
+    "addtocounter",
+    "stepcounter",
+    "fontsize",
+    "selectfont",
+    "normalfont",
+    "DeclareMathSymbol",
+    "DeclareMathAccent",
+    "DeclareMathAlphabet",
+    "DeclareMathDelimiter",
+    "DeclareMathRadical",
+    "DeclareSymbolFont",
+    "DeclareFontFamily",
+    "DeclareFontShape",
+    "DeclareGraphicsRule",
+    "SetMathAlphabet",
+    "SetSymbolFont",
+    "numberwithin",
+    "letterspace",
+    "makeatletter",
+];
+
+/// Commands of the running text that print what stands in braces behind them, or that take a length or a counter there.
+const OF_TEXT: &[&str] = &[
+    "emph",
+    "textsc",
+    "texttt",
+    "textsf",
+    "textsl",
+    "textup",
+    "textmd",
+    "textnormal",
+    "underline",
+    "footnote",
+    "footnotetext",
+    "caption",
+    "title",
+    "author",
+    "date",
+    "thanks",
+    "item",
+    "section",
+    "subsection",
+    "subsubsection",
+    "chapter",
+    "paragraph",
+    "subparagraph",
+    "part",
+    "centerline",
+    "mbox",
+    "fbox",
+    "framebox",
+    "makebox",
+    "parbox",
+    "raisebox",
+    "hbox",
+    "vbox",
+    "hspace",
+    "vspace",
+    "rule",
+    "color",
+    "textcolor",
+    "the",
+    "arabic",
+    "alph",
+    "Alph",
+    "roman",
+    "Roman",
+    "value",
+    "usebox",
+    "par",
+    "hskip",
+    "vskip",
+    "kern",
+    "phantom",
+    "hphantom",
+    "vphantom",
+    "smash",
+    "bm",
+    "mathop",
+    "mathbin",
+    "mathrel",
+    "mathord",
+    "mathopen",
+    "mathclose",
+    "mathpunct",
+    "mathinner",
+    "xrightarrow",
+    "xleftarrow",
+    "substack",
+    "ensuremath",
+    "uppercase",
+    "lowercase",
+    "MakeUppercase",
+    "markboth",
+    "markright",
+    "address",
+    "affiliation",
+    "email",
+];
+
+/// What a token stands behind: whether it is an argument of a command that is not known.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Behind {
+    #[default]
+    Nothing,
+    /// The command, or an argument of it.
+    Unknown,
+    /// Its options, so deep in brackets.
+    Options(usize),
+}
+
+impl Behind {
+    /// Whether a group that begins here is such an argument.
+    pub fn is_unknown(self) -> bool {
+        self == Behind::Unknown
+    }
+
+    /// Whether it still is one behind a token that is printed.
+    pub fn after(self, token: &Token) -> Behind {
+        match (self, token.kind) {
+            (_, Kind::Command) if !is_known(&token.text) => Behind::Unknown,
+            (Behind::Options(depth), _) => match token.text.as_str() {
+                "[" => Behind::Options(depth + 1),
+                "]" if depth == 1 => Behind::Unknown,
+                "]" => Behind::Options(depth - 1),
+                _ => self,
+            },
+            (Behind::Unknown, Kind::Other) if token.text == "[" => Behind::Options(1),
+            (Behind::Unknown, Kind::Other) if token.text == "*" => self,
+            (Behind::Unknown, Kind::Space) if !token.text.contains('\n') => self,
+            _ => Behind::Nothing,
+        }
+    }
+}
+
+fn is_known(command: &str) -> bool {
+    is_of_latex(command)
+        || OF_TEXT.contains(&command)
+        || OF_LOOKS.contains(&command)
+        || !command.starts_with(|c: char| c.is_alphabetic() || c == '@')
+}
+
+/// Whether the name of a command says that it gives names a meaning.
+fn says_so(command: &str) -> bool {
+    let small = command.to_lowercase();
+    PARTS.iter().any(|part| small.contains(part))
+}
+
+/// Whether the name of a command says that it takes names without their backslash.
+fn takes_written_names(command: &str) -> bool {
+    command.starts_with("cs") || command.starts_with('@') || command.contains("name") || command.contains("cs")
+}
+
+/// The name that comes next, and whether it stands in braces alone.
+enum Told {
+    Bare(String),
+    Braced(String),
+    Written(Vec<Token>),
+    Nothing,
+}
+
+fn told(rest: &Rest) -> Told {
+    let is_passed = |t: &&Token| t.kind == Kind::Space || t.is_char("*");
+    let mut next = rest.iter().rev().map(|(t, _)| t).skip_while(is_passed);
+    match next.next() {
+        Some(t) if t.kind == Kind::Command => Told::Bare(t.text.to_string()),
+        Some(t) if t.kind == Kind::Open => {
+            let inside: Vec<&Token> = next.by_ref().take(MOST_NAME).take_while(|t| t.kind != Kind::Close).collect();
+            match inside.iter().filter(|t| t.kind != Kind::Space).collect::<Vec<_>>().as_slice() {
+                [one] if one.kind == Kind::Command => Told::Braced(one.text.to_string()),
+                _ => Told::Written(inside.into_iter().cloned().collect()),
+            }
+        }
+        _ => Told::Nothing,
+    }
+}
+
+impl Expander<'_, '_> {
+    /// Puts the name in doubt that a command, which is printed as it stands, may give another meaning. In a formula none does.
+    pub(super) fn doubt_altered(&mut self, token: &Token) {
+        let command = token.text.as_str();
+        if self.definitions == Definitions::OfTheWhole || is_known(command) || self.defined.is_in_formula() {
+            return;
+        }
+        let name = match told(&self.rest) {
+            Told::Bare(name) | Told::Braced(name) if says_so(command) => Some(name),
+            Told::Braced(name) => Some(name).filter(|name| self.defined.is_own(name)),
+            Told::Written(name) if says_so(command) && takes_written_names(command) => name_of(&name, &self.defined),
+            _ => None,
+        };
+        let Some(name) = name.filter(|name| self.defined.packages == 0 || self.defined.is_own(name)) else { return };
+        let is_global = std::mem::replace(&mut self.defined.is_global, true);
+        self.defined.doubt(&name);
+        self.defined.is_global = is_global;
+    }
+}
