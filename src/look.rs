@@ -103,6 +103,7 @@ impl Looker {
     /// name ends with `.toml` is a derivation file, another is a paper. Once `cancel` is raised, nothing more is told, and the look ends.
     pub fn look(&mut self, path: &Path, text: String, cancel: &Cancel, each: &mut dyn FnMut(Looked)) {
         let name = path.display().to_string();
+        let text = if name.ends_with(".toml") { text } else { paper::with_plain_ends(text) };
         let source = Arc::new(Source { path: name.clone(), text });
         let limits = Limits { cancel: Some(cancel.clone()), ..Limits::default() };
         let each = &mut |looked| {

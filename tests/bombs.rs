@@ -219,6 +219,28 @@ fn every_number_is_read_or_refused() {
     }
 }
 
+/// Findings that go from file to file.
+#[test]
+fn places_of_many_files_are_counted_once() {
+    use rederive::report::{Finding, Level, Place, sarif};
+    let text = "a=b\n".repeat(10_000);
+    let source =
+        |i: usize| std::sync::Arc::new(rederive::diag::Source { path: format!("{i}.tex"), text: text.clone() });
+    let files: Vec<_> = (0..400).map(source).collect();
+    let finding = |k: usize| Finding {
+        rule: "lint::wrong",
+        level: Level::Error,
+        message: String::new(),
+        place: Place::new(&files[k % files.len()], 4 * (k % 9_000)..4 * (k % 9_000) + 1),
+        related: Vec::new(),
+        identity: k.to_string(),
+        fix: None,
+    };
+    let found: Vec<Finding> = (0..20_000).map(finding).collect();
+    let log = sarif(&found);
+    assert!(log.contains("\"startLine\": 9000"));
+}
+
 /// Groups and environments of a paper that are opened and not closed, many of them.
 #[test]
 fn what_is_opened_in_a_paper_is_looked_at_once() {
@@ -229,6 +251,15 @@ fn what_is_opened_in_a_paper_is_looked_at_once() {
     for n in [2_000, 4_000, 8_000] {
         for piece in [r"\begin{", r"\newtheorem{", r"\stepcounter{"] {
             words(format!("\\begin{{document}}{}", piece.repeat(n)), "p.tex");
+        }
+        for piece in [r"\text{$a", r"\\[a", r"\intertext{", r"\overset{a}", "_{", "a{}_b"] {
+            words(format!("\\begin{{align}}{}", piece.repeat(4 * n)), "p.tex");
+        }
+        for piece in
+            ["![", "](", "](<", "[a](", "<a b=\"", "<p hidden>", "</", "```{note}\n", "[a]: ", "- ", "> ", "{math}`"]
+        {
+            words(format!("a {}", piece.repeat(4 * n)), "p.md");
+            words(piece.repeat(4 * n), "p.md");
         }
         let other: String = (0..n).map(|i| format!("\\begin{{{i}}}")).collect();
         words(other, "p.md");

@@ -142,6 +142,19 @@ fn the_action_checks_annotates_and_tells_the_result() {
     assert_eq!(action(folder.path(), "paper.tex").0, 2);
 }
 
+/// Names that are none are those of no file, as an empty input is; and nothing is compared.
+#[test]
+fn the_action_checks_nothing_where_no_file_is_named() {
+    let folder = repository(LAW);
+    for files in [" ", "\n", " \t\n "] {
+        let inputs = [("FILES", files), ("SOURCE", ""), ("SARIF", "s.sarif"), ("JUNIT", "s.xml"), ("BASELINE", "b")];
+        assert_eq!(run(folder.path(), &script("Check"), &inputs), (0, String::new()), "{files:?}");
+        assert!(!folder.path().join("output").exists() && !folder.path().join("work/s.sarif").exists());
+    }
+    assert_eq!(run(folder.path(), &script("Result"), &[("CODE", ""), ("PAPERS", "")]).0, 0);
+    assert!(read("action.yml").contains("if: inputs.baseline != '' && steps.check.outputs.reports != ''"));
+}
+
 /// What the tree says that is checked, about cargo, toolchains or names like options, changes nothing.
 #[test]
 fn the_action_builds_a_copy_and_takes_no_name_for_an_option() {
@@ -296,6 +309,11 @@ fn the_action_looks_through_papers() {
     assert!(text.contains("::error") && text.contains("notes/b.tex") && text.contains("line=2"), "{text}");
     assert!(fs::read_to_string(at("papers.sarif")).expect("written").contains("lint::wrong"));
     assert!(at("pages/a.tex.html").is_file() && at("pages/notes-b.tex.html").is_file());
+    // Two papers whose names differ in a bar alone have two pages, in any order.
+    fs::write(at("notes-b.tex"), "\\[x=1\\]\n").expect("written");
+    papers("notes-b.tex notes/b.tex");
+    let page = |name: &str| fs::read_to_string(at(&format!("pages/{name}.html"))).expect("a page");
+    assert!(page("notes-b.tex-2").contains("notes/b.tex") && !page("notes-b.tex").contains("notes/b.tex"));
     assert_eq!(papers("nowhere.tex").0, 2);
     // Names that are none are not those of the project.
     fs::write(at("rederive.toml"), "sources = [\"notes/b.tex\"]\n").expect("written");

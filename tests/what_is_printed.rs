@@ -152,10 +152,114 @@ fn what_is_not_printed_is_not_read() {
         r"\makeatletter\@gobble{$SLIP$}\makeatother",
         r"\NewEnviron{hide}{}\begin{hide}\[SLIP\]\end{hide}",
         r"\excludecomment{hide}\begin{hide}\[SLIP\]\end{hide}",
+        r"\excludeversion{hide}\begin{hide}\[SLIP\]\end{hide}",
+        r"\excludeversion{hide}\processifversion{hide}{\[SLIP\]}",
+        r"\NewDocumentEnvironment{hide}{+b}{}{}\begin{hide}\[SLIP\]\end{hide}",
+        r"\newenvironment{hide}{\setbox0\vbox\bgroup}{\egroup}\begin{hide}\[SLIP\]\end{hide}",
+        r"\let\hide\comment\let\endhide\endcomment\begin{hide}\[SLIP\]\end{hide}",
+        r"\begin {comment}\[SLIP\]\end {comment}",
+        "\\begin% a\n  {comment}\\[SLIP\\]\\end{comment}",
+        r"\verb |$SLIP$|",
     ] {
         assert_eq!(read(&format!(r"{tex} \[2x=x+x\]")).0, [Follows], "{tex}");
     }
-    are(&[(r"\[2x=x+x\] \endinput \[SLIP\]", &[Follows])]);
+    are(&[
+        (r"\[2x=x+x\] \endinput \[SLIP\]", &[Follows]),
+        (r"\NewDocumentEnvironment{show}{+b}{#1}{}\begin{show}\[SLIP\]\end{show}", &[Wrong]),
+        (r"\includeversion{show}\begin{show}\[SLIP\]\end{show}", &[Wrong]),
+        (r"\begin{comment}\begin{comment}\end{comment}\[SLIP\]\end{comment}", &[Wrong]),
+    ]);
+}
+
+/// The words on the relations of a page, each with its line and its column.
+fn of_page(name: &str, text: &str) -> Vec<(Word, usize, usize)> {
+    let paper = paper::parse(Source { path: name.into(), text: text.replace("SLIP", SLIP) }, String::new())
+        .unwrap_or_else(|d| panic!("{d}"));
+    let place = |j: lint::Judgement| {
+        let (line, column) = paper.line_and_column(&j.span);
+        (j.word, line, column)
+    };
+    lint::lint(&paper, &Limits::default()).judgements.into_iter().map(place).collect()
+}
+
+#[test]
+fn a_page_is_read_as_it_is_rendered() {
+    for hidden in [
+        "-\t\t$$SLIP$$",
+        "> ```\n> $SLIP$\n",
+        "[//]: # ($SLIP$)",
+        "![$SLIP$](a.png)",
+        "[a](b \"$SLIP$\")",
+        "<img alt=\"$SLIP$\">",
+        "<template>\n\n$$SLIP$$\n\n</template>",
+        "<div hidden>\n\n$$SLIP$$\n\n</div>",
+        "```{code}\n$SLIP$\n```",
+        r"\$SLIP\$",
+    ] {
+        let words: Vec<Word> = of_page("p.md", &format!("a\n\n{hidden}\n\n$2x=x+x$\n")).iter().map(|f| f.0).collect();
+        assert_eq!(words, [Follows], "{hidden}");
+    }
+    for shown in [
+        "-\t$$SLIP$$",
+        "1.\ta $SLIP$",
+        "- a\n\n\t$$SLIP$$",
+        "> ```math\n> SLIP\n",
+        "```{note}\n$SLIP$\n```",
+        "```{math}\n:label: a\nSLIP\n```",
+        "a {math}`SLIP`",
+        "<details>\n\n$$SLIP$$\n\n</details>",
+        "[^1]: a $SLIP$",
+        "[$SLIP$](a)",
+    ] {
+        let words: Vec<Word> = of_page("p.md", &format!("a\n\n{shown}\n\n$2x=x+x$\n")).iter().map(|f| f.0).collect();
+        assert_eq!(words, [Wrong, Follows], "{shown}");
+    }
+    for definition in ["$\\newcommand{\\A}{a}$", "$$\\newcommand{\\A}{a}$$"] {
+        let found = of_page("p.md", &format!("{definition}\n\n# b\n\n$\\A+1=1+a$\n"));
+        assert_eq!(found.iter().map(|f| f.0).collect::<Vec<_>>(), [Follows], "{definition}");
+    }
+}
+
+/// Line ends of Unix, of Windows, of old Macintoshes, and all of them in one file: the same is read, in the same places.
+#[test]
+fn lines_end_as_they_do_for_tex() {
+    let tex = "% \\[SLIP\\]\nLet $a=b+1$.\n\nHence\n\\begin{align}\n  2x &= x+x \\\\ % +1\n  SLIP\n\\end{align}\n\\begin% a\n{comment}\n$SLIP$\n\\end{comment}\né $a+1=b+2$, $2x=x+x$\n";
+    let page = "---\na: b\n---\nLet $a=b+1$.\n\n- $$\n  SLIP\n  $$\n\n    $a+1=b+2$\n\n```\n$SLIP$\n```\n\n> é $2x=x+x$\n> ```math\n> 2x=x+x % a\n> ```\n";
+    for (name, text) in [("p.tex", tex), ("p.md", page)] {
+        let plain = of_page(name, text);
+        assert!(
+            plain.len() > 3 && plain.iter().any(|f| f.0 == Wrong) && plain.iter().any(|f| f.0 == Follows),
+            "{plain:?}"
+        );
+        let mut mixed = String::new();
+        for (k, line) in text.split_inclusive('\n').enumerate() {
+            mixed.push_str(line.trim_end_matches('\n'));
+            mixed.push_str(["\n", "\r\n", "\r"][k % 3]);
+        }
+        // A return before a break is one end with it.
+        let mixed = mixed.replace("\r\n\r\r", "\r\n\n\r");
+        for other in [text.replace('\n', "\r\n"), text.replace('\n', "\r"), mixed] {
+            assert_eq!(of_page(name, &other), plain, "{other:?}");
+        }
+    }
+}
+
+#[test]
+fn scripts_that_stand_behind_each_other_are_not_read() {
+    for tex in [
+        r"\[{x_a}_{bc}=x_{abc}\]",
+        r"\[{x_a}_b-x_{ab}=0\]",
+        r"\[T^{a}{}_{b}=T^a_b\]",
+        r"\[T_{a}{}^{b}=T^{b}{}_{a}\]",
+        r"\[2{}_aT=2_aT\]",
+        r"\[x\,{}_2F=x_2F\]",
+        r"\[T^a\,_b=T^a_b\]",
+        r"\[T_{a}^{\ b}=T^{b}_{\ a}\]",
+        r"\[x_{a}{}_{b}=x_{ab}\]",
+    ] {
+        assert_eq!(read(tex).0, [NotRead], "{tex}");
+    }
+    are(&[(r"\[x_a{}^2=x_a^2\]", &[Follows]), (r"\[(a+b){}^2=a^2+2ab+b^2\]", &[Follows])]);
 }
 
 #[test]

@@ -180,14 +180,22 @@ fn render_one(diagnostic: &Diagnostic, renderer: &Renderer) -> String {
             let (lines, moved) = shown_with_places(&text[from..to]);
             source = lines;
             let within = |r: &Range<usize>| moved(r.start - from)..moved(r.end - from);
+            let line = text[..from].matches('\n').count() + 1;
             let mut snippet = Snippet::source(source.as_str())
-                .path(path.as_str())
-                .line_start(text[..from].matches('\n').count() + 1)
+                .line_start(line)
                 .annotation(AnnotationKind::Primary.span(within(&place)).label(label_words.as_str()));
             if let Some((span, words)) = &other {
                 snippet = snippet.annotation(AnnotationKind::Context.span(within(span)).label(*words));
             }
-            title.element(snippet)
+            // A sign that is written out moves what stands behind it: the column is that of the file.
+            let begin = text[..place.start].rfind('\n').map_or(0, |i| i + 1);
+            let is_moved = shown_with_places(&text[begin..place.start]).0 != text[begin..place.start];
+            match diagnostic.line_and_column().filter(|_| is_moved) {
+                Some((line, column)) => {
+                    title.element(Origin::path(path.as_str()).line(line).char_column(column)).element(snippet)
+                }
+                None => title.element(snippet.path(path.as_str())),
+            }
         }
     };
     if let Some(hint) = &hint {
@@ -274,6 +282,20 @@ mod tests {
 
         1 problem found
         ");
+    }
+
+    #[test]
+    fn columns_are_those_of_the_file() {
+        for before in ["a", "\u{202e}", "\t\u{1b}\u{ad}é", "𝒳\u{301}\u{200b}"] {
+            let text = format!("x\n{before}ψ = b\ny");
+            let at = text.find('ψ').expect("there");
+            let diagnostic = Diagnostic::at(&source(&text), "x::y", at..at + 2, "m");
+            let column = before.chars().count() + 1;
+            assert_eq!(diagnostic.line_and_column(), Some((2, column)));
+            let shown = diagnostic.to_string();
+            assert!(shown.contains(&format!("derivations/pendulum.toml:2:{column}\n")), "{shown}");
+            assert!(shown.contains("2 | ") && shown.contains('^'), "{shown}");
+        }
     }
 
     #[test]

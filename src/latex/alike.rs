@@ -7,18 +7,29 @@ use super::expand::sign;
 use super::lexer::{Kind, Token};
 use super::refusal::{Parsed, refuse};
 
-/// `\frac{d{}}{dt}` as `\frac{d}{dt}`: empty braces print nothing. They are kept where a command could take them for its argument, and where a
-/// script follows, which would belong to something else without them.
-pub(super) fn without_empty_braces(tokens: Vec<Token>) -> Vec<Token> {
+/// `\frac{d{}}{dt}` as `\frac{d}{dt}`: empty braces print nothing. They are kept where a command could take them for its argument. Where a script
+/// follows, it stands behind what is before, and is none of its scripts: `T^a{}_b`, `2\,{}_2F_1`. A power is clear: `x_a{}^2`, `(a+b){}^2`.
+pub(super) fn without_empty_braces(tokens: Vec<Token>) -> Parsed<Vec<Token>> {
     let is = |t: Option<&Token>, c: char| t.is_some_and(|t| t.kind == Kind::Sign(c));
     if !(1..tokens.len()).any(|i| is(tokens.get(i - 1), '{') && is(tokens.get(i), '}')) {
-        return tokens;
+        return Ok(tokens);
     }
     let mut out: Vec<Token> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while at < tokens.len() {
         let empty = is(tokens.get(at), '{') && is(tokens.get(at + 1), '}');
         let script = ['_', '^', '\''].iter().any(|c| is(tokens.get(at + 2), *c));
+        if empty && script && !is(tokens.get(at + 2), '\'') && ends_something(&out) {
+            let touches = out.last().is_some_and(|t| t.span.end == tokens[at].span.start);
+            if !(touches && ends_base(&out) && is_power(&tokens[at + 2..])) {
+                return refuse(
+                    "latex::ambiguous",
+                    "a script behind empty braces: an index of a tensor, or of what follows",
+                    tokens[at].span.start..tokens[at + 2].span.end,
+                    "write the scripts above each other, `T^a_b`, where their order does not count",
+                );
+            }
+        }
         if empty && !script && is_no_argument(&out) {
             at += 2;
         } else {
@@ -26,7 +37,30 @@ pub(super) fn without_empty_braces(tokens: Vec<Token>) -> Vec<Token> {
             at += 1;
         }
     }
-    out
+    Ok(out)
+}
+
+/// Whether something ends with these tokens to which a script could belong.
+fn ends_something(before: &[Token]) -> bool {
+    let last = before.last().map(|t| &t.kind);
+    !matches!(last, None | Some(Kind::Sign('{' | '(' | '[' | '+' | '-' | '=' | ',' | '&') | Kind::Row))
+}
+
+/// Whether brackets end with these tokens, or a script.
+fn ends_base(before: &[Token]) -> bool {
+    let is_script = before.len() > 1 && matches!(before[before.len() - 2].kind, Kind::Sign('_' | '^'));
+    is_script || matches!(before.last().map(|t| &t.kind), Some(Kind::Sign(')' | ']' | '}') | Kind::CloseBar))
+}
+
+/// Whether a number is raised here that is a power: 2, 12, -1.
+pub(super) fn is_power(tokens: &[Token]) -> bool {
+    let kind = |at: usize| tokens.get(at).map(|t| &t.kind);
+    let braces = usize::from(kind(1) == Some(&Kind::Sign('{')));
+    let minus = usize::from(braces > 0 && kind(2) == Some(&Kind::Sign('-')));
+    let at = 1 + braces + minus;
+    let is_closed = braces == 0 || kind(at + 1) == Some(&Kind::Sign('}'));
+    let is_number = matches!(kind(at), Some(Kind::Number(n)) if minus > 0 || !matches!(n.as_str(), "0" | "1"));
+    kind(0) == Some(&Kind::Sign('^')) && is_number && is_closed
 }
 
 /// Whether braces behind these tokens are nobody's argument.

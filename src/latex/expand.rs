@@ -16,7 +16,7 @@ use super::unicode;
 
 /// The tokens with all that is short for others written out.
 pub(super) fn written_out(tokens: Vec<Token>) -> Parsed<Vec<Token>> {
-    let tokens = without_empty_braces(tokens);
+    let tokens = without_empty_braces(tokens)?;
     let is_styled = |t: &Token| matches!(&t.kind, Kind::Command(c) if name::style(c).is_some());
     let tokens = if tokens.iter().any(|t| is_short(t) || is_styled(t)) { Expansion::of(&tokens)? } else { tokens };
     let tokens = double_bars(styles_under_dots(tokens))?;

@@ -69,7 +69,7 @@ fn named_by_class(text: &str) -> Option<String> {
 /// A file, where it is a document with a preamble.
 fn preamble(path: &Path) -> Option<Main> {
     let bytes = files::read(path, LARGEST_MAIN).ok()?;
-    let text = String::from_utf8(bytes).unwrap_or_else(|e| e.as_bytes().iter().map(|b| char::from(*b)).collect());
+    let text = super::text_from(bytes);
     let end = text.find("\\begin{document}")?;
     if !text[..end].contains("\\documentclass") {
         return None;

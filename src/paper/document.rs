@@ -466,7 +466,10 @@ impl<'t> Reader<'t> {
 fn columns(line: &[Token], is_table: bool) -> Vec<Vec<Token>> {
     let size = if is_table { 3 } else { 2 };
     let mut out: Vec<Vec<Token>> = vec![Vec::new()];
+    // The row in which each column was last.
+    let mut rows = vec![0usize];
     let (mut braces, mut environments, mut cell, mut row) = (0i32, 0i32, 0usize, 0usize);
+    let mut broken = 0..0;
     for (i, token) in line.iter().enumerate() {
         match token.kind {
             Kind::Open => braces += 1,
@@ -484,21 +487,22 @@ fn columns(line: &[Token], is_table: bool) -> Vec<Vec<Token>> {
             cell += 1;
             if out.len() <= cell / size {
                 out.push(Vec::new());
+                rows.push(row);
             }
             continue;
         }
         if breaks {
-            // Every column goes on in the next line.
-            let span = token.span.clone();
-            out.iter_mut().for_each(|c| c.push(Token { kind: Kind::Command, text: "\\".into(), span: span.clone() }));
-            (cell, row) = (0, row + 1);
+            (cell, row, broken) = (0, row + 1, token.span.clone());
             continue;
         }
-        if let Some(column) = out.get_mut(cell / size) {
+        if let (Some(column), Some(last)) = (out.get_mut(cell / size), rows.get_mut(cell / size)) {
+            // A column goes on in a later line.
+            if std::mem::replace(last, row) < row {
+                column.push(Token { kind: Kind::Command, text: "\\".into(), span: broken.clone() });
+            }
             column.push(token.clone());
         }
     }
-    let _ = row;
     out
 }
 

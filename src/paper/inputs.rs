@@ -10,10 +10,11 @@ use std::sync::Arc;
 
 use super::book::macros_of;
 use super::chapter::main_of;
+use super::environments::OwnEnvironments;
 use super::markdown::printed;
 use super::named::Named;
 use super::note::PaperNote;
-use super::token::{MOST_TOKENS, OwnEnvironments, Token, tokens, tokens_with};
+use super::token::{MOST_TOKENS, Token, tokens, tokens_with};
 use super::{LARGEST_PAPER, text_from};
 use diag::Source;
 use diag::escape::in_one_line;

@@ -20,6 +20,7 @@ mod continued;
 mod differences;
 mod document;
 mod draft;
+mod environments;
 mod fractions;
 mod inputs;
 mod macros;
@@ -58,12 +59,13 @@ use diag::escape::shown;
 use diag::{Diagnostic, Source};
 pub use document::Borders;
 use document::Reader;
+use environments::OwnEnvironments;
 use files::Why;
 use inputs::Inputs;
 use latex::Logarithm;
 use macros::{Definitions, Doubts, Endless, Expanded};
 use mark::{Mark, marks, text_of};
-use token::{Kind, OwnEnvironments, Token};
+use token::{Kind, Token};
 
 /// Largest size of a paper, in bytes.
 pub const LARGEST_PAPER: u64 = 16 << 20;
@@ -201,7 +203,23 @@ pub fn no_text(bytes: &[u8]) -> Option<&'static str> {
 
 /// The text of a file: UTF-8, or else ISO 8859-1, as older papers are.
 fn text_from(bytes: Vec<u8>) -> String {
-    String::from_utf8(bytes).unwrap_or_else(|e| e.as_bytes().iter().map(|b| char::from(*b)).collect())
+    let text = String::from_utf8(bytes).unwrap_or_else(|e| e.as_bytes().iter().map(|b| char::from(*b)).collect());
+    with_plain_ends(text)
+}
+
+/// A text in which each line ends as here: a carriage return alone, as of old Macintoshes, ends one, for TeX and for editors. Places stay.
+pub fn with_plain_ends(text: String) -> String {
+    if !text.contains('\r') {
+        return text;
+    }
+    let mut bytes = text.into_bytes();
+    for at in 0..bytes.len() {
+        if bytes.get(at) == Some(&b'\r') && bytes.get(at + 1) != Some(&b'\n') {
+            bytes[at] = b'\n';
+        }
+    }
+    // One byte of ASCII stands in the place of another.
+    String::from_utf8(bytes).unwrap_or_default()
 }
 
 /// Reads the text of a paper. Files that it names are not read.
@@ -210,16 +228,20 @@ fn text_from(bytes: Vec<u8>) -> String {
 /// Macros that do not end.
 pub fn parse(file: Source, sha256: String) -> Result<Paper, Box<Diagnostic>> {
     let definitions = definitions_of(&file.path);
+    let file = Source { path: file.path, text: with_plain_ends(file.text) };
     parse_with(Arc::new(file), sha256, None, definitions)
 }
 
-/// Reads the text of a paper as it stands in an editor: the files that it names are read in the folder, as [`read`] does.
+/// Reads the text of a paper as it stands in an editor: the files that it names are read in the folder, as [`read`] does. The text has
+/// [plain ends](with_plain_ends) of lines.
 ///
 /// # Errors
 /// Macros that do not end.
 pub fn parse_in(file: Arc<Source>, folder: Option<&Path>) -> Result<Paper, Box<Diagnostic>> {
     let sha256 = Sha256::digest(file.text.as_bytes()).iter().map(|b| format!("{b:02x}")).collect();
     let definitions = definitions_of(&file.path);
+    let text = with_plain_ends(file.text.clone());
+    let file = if text == file.text { file } else { Arc::new(Source { path: file.path.clone(), text }) };
     parse_with(file, sha256, folder, definitions)
 }
 
@@ -229,7 +251,8 @@ pub fn parse_in(file: Arc<Source>, folder: Option<&Path>) -> Result<Paper, Box<D
 /// # Errors
 /// Macros that do not end.
 pub fn parse_pasted(name: &str, text: &str) -> Result<Paper, Box<Diagnostic>> {
-    let text = pasted::in_displays(text).into_owned();
+    let text = with_plain_ends(text.replace("\r\n", "\n"));
+    let text = pasted::in_displays(&text).into_owned();
     let sha256 = Sha256::digest(text.as_bytes()).iter().map(|b| format!("{b:02x}")).collect();
     parse_with(Arc::new(Source { path: name.to_owned(), text }), sha256, None, Definitions::OfTheWhole)
 }

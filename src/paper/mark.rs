@@ -169,6 +169,8 @@ pub(super) fn marks(tokens: &[Token]) -> Vec<Mark> {
 
 /// The longest group whose text is looked for, in tokens.
 const MOST_OF_A_GROUP: usize = 4_000;
+/// The deepest group whose text is looked for: formulas are not read so deep.
+const DEEPEST_GROUP: i32 = 100;
 
 /// The text of a group that begins at `at`, and the position after it; nothing where no group begins.
 pub(super) fn group_text(tokens: &[Token], at: usize) -> (String, usize) {
@@ -180,24 +182,23 @@ pub(super) fn group_text(tokens: &[Token], at: usize) -> (String, usize) {
         return (String::new(), at);
     }
     let mut depth = 0;
-    let mut text = String::new();
-    for (i, t) in tokens.iter().enumerate().skip(from).take(MOST_OF_A_GROUP) {
-        match t.kind {
-            Kind::Open => depth += 1,
-            Kind::Close => depth -= 1,
-            _ => {}
-        }
-        if depth == 0 {
-            return (text, i + 1);
-        }
-        match t.kind {
-            Kind::Open if depth == 1 => {}
-            Kind::Command => text.push_str(&format!("\\{}", t.text)),
-            _ => text.push_str(&t.text),
-        }
-    }
+    let ends = |t: &Token| {
+        depth += i32::from(t.kind == Kind::Open) - i32::from(t.kind == Kind::Close);
+        depth == 0 || depth > DEEPEST_GROUP
+    };
+    let end = tokens[from..].iter().take(MOST_OF_A_GROUP).position(ends).map(|i| from + i);
     // One that is not closed is none: what it opens may be most of the paper, for each of many.
-    if tokens.len() > from + MOST_OF_A_GROUP { (String::new(), from + 1) } else { (text, tokens.len()) }
+    if depth > DEEPEST_GROUP || end.is_none() && tokens.len() > from + MOST_OF_A_GROUP {
+        return (String::new(), from + 1);
+    }
+    let mut text = String::new();
+    for t in &tokens[from + 1..end.unwrap_or(tokens.len())] {
+        if t.kind == Kind::Command {
+            text.push('\\');
+        }
+        text.push_str(&t.text);
+    }
+    (text, end.map_or(tokens.len(), |end| end + 1))
 }
 
 /// The position after what may follow `\\`: a star, and a distance in brackets.
@@ -271,7 +272,11 @@ pub(super) fn print(tokens: &[Token]) -> String {
         let text = mark.text.as_str();
         let is_kept = match text {
             "{" => {
-                let stays = wanted > 0 || all.get(at + 1).is_some_and(|m| switches(&m.text));
+                let is_next =
+                    |at: usize, all_of: &[&str]| all.get(at).is_some_and(|m| all_of.contains(&m.text.as_str()));
+                // Scripts behind empty braces stand behind those before, and not above or below them.
+                let parts_scripts = is_next(at + 1, &["}"]) && is_next(at + 2, &["_", "^"]);
+                let stays = wanted > 0 || parts_scripts || all.get(at + 1).is_some_and(|m| switches(&m.text));
                 open.push((wanted.saturating_sub(usize::from(wanted < usize::MAX)), stays));
                 wanted = 0;
                 stays
@@ -540,6 +545,10 @@ mod tests {
             ("ab", "ba"),
             ("a^{b_c}", "a^b_c"),
             (r"\sin^2x", r"\sin x^2"),
+            ("T_a{}^b", "T_a^b"),
+            ("T^a{}_b", "T^a_b"),
+            ("x{}_2F", "x_2F"),
+            ("{x_a}_{bc}", "x_{abc}"),
         ] {
             assert_ne!(shown(a), shown(b), "{a} and {b}");
             assert_ne!(print(&tokens(a)), print(&tokens(b)), "{a} and {b}");

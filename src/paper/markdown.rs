@@ -4,11 +4,15 @@
 //! comments, blocks of HTML that hold code, what stands before the text between `---`, the marks of quotations. Blocks of mathematics
 //! become displays. **Guaranteed:** all other places stay; a percent sign begins a comment within mathematics alone.
 
-use std::collections::HashSet;
+mod blocks;
+mod html;
+mod links;
+
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
-/// Elements of HTML in which nothing is a formula.
-const CODE: &[&str] = &["pre", "code", "script", "style", "textarea", "noscript"];
+use blocks::{Fence, Fenced, columns_from, fence, is_drawn_line, item};
+
 /// What opens mathematics within a text, and what closes it.
 const MATH: &[(&str, &str)] = &[("$$", "$$"), ("$", "$"), (r"\[", r"\]"), (r"\(", r"\)"), (r"\begin{", r"\end{")];
 /// The columns by which code is indented.
@@ -24,8 +28,12 @@ pub(super) fn printed(text: &str) -> String {
         text,
         out: text.as_bytes().to_vec(),
         items: Vec::new(),
+        directives: Vec::new(),
+        may_have_options: false,
         before: Before::Blank,
         paragraph_end: 0,
+        quotation_end: 0,
+        brackets: (0, HashMap::new()),
         unclosed: HashSet::new(),
     };
     let mut at = page.front_matter();
@@ -51,9 +59,17 @@ struct Page<'t> {
     out: Vec<u8>,
     /// The columns from which the items of lists go on that are open here.
     items: Vec<usize>,
+    /// The fences of the directives that are open here, whose text is printed.
+    directives: Vec<Fence>,
+    /// Whether the options of a directive may stand here.
+    may_have_options: bool,
     before: Before,
     /// Where the paragraph ends that was looked at last.
     paragraph_end: usize,
+    /// The same of a quotation.
+    quotation_end: usize,
+    /// The end of the paragraph whose brackets are known, and where each is closed.
+    brackets: (usize, HashMap<usize, usize>),
     /// What is closed no more before a place: it is not looked for again.
     unclosed: HashSet<(String, usize)>,
 }
@@ -98,10 +114,11 @@ impl Page<'_> {
     /// Where the marks of a quotation end that stand at a place, at most so many; and how many there are.
     fn quoted(&self, from: usize, most: usize) -> (usize, usize) {
         let (mut at, mut depth) = (from, 0);
+        let item = self.items.last().copied().unwrap_or_default();
         while depth < most {
             let rest = &self.text[at..];
             let spaces = rest.len() - rest.trim_start_matches(' ').len();
-            if spaces >= INDENT || !rest[spaces..].starts_with('>') {
+            if spaces >= item + INDENT || !rest[spaces..].starts_with('>') {
                 break;
             }
             at += spaces + 1;
@@ -123,6 +140,9 @@ impl Page<'_> {
             self.before = if self.before == Before::Code { Before::Code } else { Before::Blank };
             return end;
         }
+        if self.takes_option(at..end, bare) {
+            return end;
+        }
         let indent = columns(&line[..line.len() - bare.len()]);
         let is_apart = self.before != Before::Text;
         if is_apart {
@@ -134,34 +154,112 @@ impl Page<'_> {
             self.before = Before::Code;
             return end;
         }
-        self.before = Before::Text;
-        if let Some(column) = item(bare) {
-            self.items.retain(|other| *other <= indent);
-            self.items.push(indent + column);
-        }
-        if let Some((mark, count, math)) = fence(bare) {
+        if is_drawn_line(bare) {
             self.before = Before::Blank;
-            return self.fenced(at..end, depth, (mark, count, math));
+            return end;
+        }
+        let begins = end - bare.len();
+        let (begin, indent, depth, is_code) = self.marks(begins, end, indent, depth);
+        if is_code {
+            self.blank(begin..end);
+            self.before = Before::Text;
+            return end;
+        }
+        let is_apart = is_apart || begin > begins;
+        self.before = Before::Text;
+        let bare = &self.text[begin..end];
+        if self.directives.last().is_some_and(|open| open.is_closed_by(bare)) {
+            self.directives.pop();
+            self.blank(begin..end);
+            self.before = Before::Blank;
+            return end;
+        }
+        if let Some((fence, what)) = fence(bare) {
+            self.before = Before::Blank;
+            let column = if begin > begins { indent } else { own };
+            return match what {
+                Fenced::Text { length } => {
+                    self.blank(begin..begin + length);
+                    self.may_have_options = true;
+                    self.directives.extend((fence.mark != b':').then_some(fence));
+                    self.inline(begin + length, end, depth)
+                }
+                what => self.fenced(begin..end, (depth, column), fence, what == Fenced::Math),
+            };
+        }
+        if is_apart && let Some(after) = self.definition(begin, depth) {
+            self.blank(begin..after);
+            self.before = Before::Blank;
+            return after;
         }
         if bare.starts_with('#') {
             self.before = Before::Blank;
         }
-        self.inline(at, end, depth)
+        self.inline(begin, end, depth)
     }
 
-    /// A block between fences.
-    fn fenced(&mut self, first: Range<usize>, depth: usize, (mark, count, math): (u8, usize, bool)) -> usize {
+    /// Passes over the marks of items, and of quotations in them, that begin a line: where its text begins, and in which column, how deep it is
+    /// quoted, and whether it is code.
+    fn marks(&mut self, from: usize, end: usize, indent: usize, depth: usize) -> (usize, usize, usize, bool) {
+        let (mut at, mut column, mut depth) = (from, indent, depth);
+        loop {
+            let bare = &self.text[at..end];
+            if at > from && bare.starts_with('>') {
+                let (after, more) = self.quoted(at, usize::MAX);
+                self.blank(at..after);
+                column += after - at;
+                (at, depth) = (after, depth + more);
+                continue;
+            }
+            let Some(item) = item(bare, column) else { break };
+            self.items.retain(|other| *other <= column);
+            self.items.push(item.column);
+            if item.is_code {
+                return (at + item.length, item.column, depth, true);
+            }
+            if item.length == 0 {
+                break;
+            }
+            (at, column) = (at + item.length, item.column);
+        }
+        (at, column, depth, false)
+    }
+
+    /// Whether a line is an option of the directive that begins above it, `:class: tip`, or between `---`: nothing of it is printed.
+    fn takes_option(&mut self, line: Range<usize>, bare: &str) -> bool {
+        if !self.may_have_options {
+            return false;
+        }
+        let is_option = bare.strip_prefix(':').is_some_and(|rest| !rest.starts_with(':') && rest.contains(':'));
+        if is_option {
+            self.blank(line);
+        } else {
+            self.may_have_options = false;
+        }
+        is_option
+    }
+
+    /// A block between fences, which ends with the quotation, or the item, in which it stands.
+    fn fenced(&mut self, first: Range<usize>, within: (usize, usize), fence: Fence, math: bool) -> usize {
+        let (depth, column) = within;
         self.fence_line(first.clone(), math);
         let mut at = first.end;
         // Whether the options of a block of mathematics may stand here, `:label: energy`.
         let mut options = math;
         while at < self.text.len() {
-            let (begin, _) = self.quoted(at, depth);
-            self.blank(at..begin);
+            let (begin, found) = self.quoted(at, depth);
             let end = self.end_of_line(begin);
-            let bare = self.text[begin..end].trim_start();
-            let closes = bare.bytes().take_while(|b| *b == mark).count();
-            if closes >= count && bare[closes..].trim().is_empty() {
+            let line = &self.text[begin..end];
+            let bare = line.trim_start();
+            let is_left = !bare.is_empty() && columns(&line[..line.len() - bare.len()]) < column && found == depth;
+            if found < depth || is_left && depth == 0 {
+                if math {
+                    self.ended_by_its_quotation(first, at);
+                }
+                return at;
+            }
+            self.blank(at..begin);
+            if fence.is_closed_by(bare) {
                 self.fence_line(begin..end, math);
                 return end;
             }
@@ -176,6 +274,17 @@ impl Page<'_> {
             at = end;
         }
         at
+    }
+
+    /// Mathematics whose fence is not closed where what it stands in ends: its display is closed in the place of line breaks, where there is room.
+    fn ended_by_its_quotation(&mut self, first: Range<usize>, end: usize) {
+        let from = end - 1;
+        let room = if self.text[end..].starts_with('\n') { from..end + 1 } else { from - 1..from + 1 };
+        let is_free = self.out[room.clone()].iter().all(|b| b.is_ascii_whitespace());
+        match is_free && room.start > first.end {
+            true => self.out[room].copy_from_slice(b"$$"),
+            false => self.blank(first.start..end),
+        }
     }
 
     /// A line that opens or closes a block of code; of mathematics it is `$$`.
@@ -210,7 +319,10 @@ impl Page<'_> {
             let rest = &self.text[at..];
             let after = match rest.as_bytes()[0] {
                 b'`' => self.code_span(at),
+                b'{' if rest.starts_with("{math}`") => self.role(at),
                 b'<' => self.html(at, is_first),
+                b'!' if rest.starts_with("![") => self.image(at),
+                b']' if rest.starts_with("](") => self.destination(at),
                 b'$' | b'\\' => self.mathematics(at, depth),
                 b'%' => {
                     self.out[at] = b' ';
@@ -240,11 +352,25 @@ impl Page<'_> {
         let mut at = self.end_of_line(from);
         while at < self.text.len() {
             let end = self.end_of_line(at);
-            if self.text[at..end].trim_matches(|c: char| c.is_whitespace() || c == '>').is_empty() {
+            let bare = self.text[at..end].trim_matches(|c: char| c.is_whitespace() || c == '>');
+            if bare.is_empty() || bare.starts_with("```") || bare.starts_with("~~~") {
                 return at;
             }
             at = end;
         }
+        at
+    }
+
+    /// Where the quotation ends that a place is in: at a line without text and without its mark.
+    fn end_of_quotation(&mut self, from: usize) -> usize {
+        if from < self.quotation_end {
+            return self.quotation_end;
+        }
+        let mut at = self.end_of_line(from);
+        while at < self.text.len() && !self.text[at..self.end_of_line(at)].trim().is_empty() {
+            at = self.end_of_line(at);
+        }
+        self.quotation_end = at;
         at
     }
 
@@ -266,34 +392,26 @@ impl Page<'_> {
         at + count
     }
 
-    /// A comment, or an element that holds code.
-    fn html(&mut self, at: usize, begins_line: bool) -> usize {
-        let rest = &self.text[at..];
-        let is_element = |name: &str| {
-            let behind =
-                rest.get(1..=name.len()).filter(|n| n.eq_ignore_ascii_case(name)).map(|_| &rest[1 + name.len()..]);
-            behind.is_some_and(|b| b.starts_with(|c: char| c == '>' || c.is_whitespace()))
+    /// A formula of MyST, {math}`…`: as between dollars.
+    fn role(&mut self, at: usize) -> usize {
+        let open = at + "{math}".len();
+        let end = self.end_of_paragraph(at);
+        let close = self.text[open + 1..end].find('`').map(|i| open + 1 + i);
+        let Some(close) = close.filter(|close| !self.text[open + 1..*close].trim().is_empty()) else {
+            return self.code_span(open);
         };
-        let closing = match CODE.iter().find(|name| is_element(name)) {
-            _ if rest.starts_with("<!--") => "-->".to_owned(),
-            Some(name) => format!("</{name}>"),
-            None => return at + 1,
-        };
-        let all = &self.text.as_bytes()[at..];
-        let is_here = |w: &[u8]| w.eq_ignore_ascii_case(closing.as_bytes());
-        let key = (closing.clone(), self.text.len());
-        let found = if self.unclosed.contains(&key) { None } else { all.windows(closing.len()).position(is_here) };
-        let end = match found {
-            Some(found) => found + closing.len(),
-            // What begins a line and is not closed hides all behind it.
-            None if begins_line && closing != "</code>" => all.len(),
-            None => {
-                self.unclosed.insert(key);
-                return at + 1;
-            }
-        };
-        self.blank(at..at + end);
-        at + end
+        if self.text[open + 1..close].contains('$') {
+            return self.code_span(open);
+        }
+        self.blank(at..open);
+        (self.out[open], self.out[close]) = (b'$', b'$');
+        let mut line = open + 1;
+        while line < close {
+            let next = self.end_of_line_within(line..close);
+            self.without_comment(line..next);
+            line = next;
+        }
+        close + 1
     }
 
     /// What opens mathematics, or a sign behind a backslash.
@@ -307,7 +425,11 @@ impl Page<'_> {
         let from = at + open.len();
         // GitHub writes formulas as $`…`$: only the ticks go.
         let ticks = *open == "$" && self.text[from..].starts_with('`');
-        let most = if *open == "$" || *open == r"\(" { self.end_of_paragraph(at) } else { self.text.len() };
+        let most = match *open {
+            "$" | r"\(" => self.end_of_paragraph(at),
+            _ if depth > 0 => self.end_of_quotation(at),
+            _ => self.text.len(),
+        };
         let name_end = self.text.as_bytes()[from..most].iter().take(LONGEST_ENVIRONMENT).position(|b| *b == b'}');
         let close = match name_end {
             Some(length) if *open == r"\begin{" => format!("{close}{}}}", &self.text[from..from + length]),
@@ -375,101 +497,10 @@ impl Page<'_> {
     }
 }
 
-/// The width of spaces.
+/// The width of spaces at the beginning of a line.
 fn columns(spaces: &str) -> usize {
-    spaces.chars().fold(0, |width, c| if c == '\t' { (width / INDENT + 1) * INDENT } else { width + 1 })
-}
-
-/// Whether a line begins an item of a list, or a block whose lines are indented: where its text goes on, from its beginning.
-fn item(bare: &str) -> Option<usize> {
-    let digits = bare.len() - bare.trim_start_matches(|c: char| c.is_ascii_digit()).len();
-    let mark = match digits {
-        0 if bare.starts_with(['-', '*', '+']) => 1,
-        1..=9 if bare[digits..].starts_with(['.', ')']) => digits + 1,
-        _ => 0,
-    };
-    let behind = &bare[mark..];
-    let spaces = behind.len() - behind.trim_start_matches(' ').len();
-    match mark {
-        0 => {
-            let is_note = bare.starts_with("[^") && bare.contains("]:");
-            let is_block = ["!!! ", "??? ", "???+ ", "=== ", ": "].iter().any(|mark| bare.starts_with(mark));
-            (is_note || is_block).then_some(INDENT)
-        }
-        _ if behind.trim().is_empty() => Some(mark + 1),
-        _ if spaces == 0 => None,
-        _ => Some(mark + if spaces > INDENT { 1 } else { spaces }),
-    }
-}
-
-/// The mark of a fence, how many there are, and whether mathematics stands behind it. What stands in other blocks of colons is text: a note, a
-/// card.
-fn fence(bare: &str) -> Option<(u8, usize, bool)> {
-    let mark = bare.bytes().next().filter(|b| matches!(b, b'`' | b'~' | b':'))?;
-    let count = bare.bytes().take_while(|b| *b == mark).count();
-    let behind = &bare[count..];
-    // Of MyST: `{math}`.
-    let math = behind.trim().trim_matches(['{', '}', '`']) == "math";
-    let is_span = mark == b'`' && behind.contains('`');
-    (count >= 3 && !is_span && (mark != b':' || math)).then_some((mark, count, math))
+    columns_from(0, spaces)
 }
 
 #[cfg(test)]
-mod tests {
-    use super::printed;
-
-    /// What is left, without blanks.
-    fn left(text: &str) -> String {
-        let out = printed(text);
-        assert_eq!(out.len(), text.len(), "{text}");
-        out.split_whitespace().collect::<Vec<_>>().join(" ")
-    }
-
-    #[test]
-    fn what_is_not_printed_is_blank() {
-        assert_eq!(left("a <!-- $$f=x^3$$\n\n$g$ --> b"), "a b");
-        assert_eq!(left("Text\n\n    $$f=x^3$$\n\tmore\n\n    more\nb"), "Text b");
-        assert_eq!(left("Text\n    $f=x^3$"), "Text $f=x^3$", "code does not interrupt a paragraph");
-        for name in ["pre", "code", "script", "STYLE", "textarea"] {
-            assert_eq!(left(&format!("a\n<{name} class=\"x\">\n$f$\n\n$g$</{name}>\nb $h$")), "a b $h$", "{name}");
-        }
-        assert_eq!(left("<preface> $f$"), "<preface> $f$");
-        assert_eq!(left("---\ntitle: $f=x^3$\n---\n$g$"), "$g$");
-        assert_eq!(left("---\n\n$f$"), "--- $f$", "a line alone");
-        assert_eq!(left("a `$f$ x\n$g$` b"), "a b");
-        assert_eq!(left("```\n$f$\n````\n$g$"), "$g$");
-        assert_eq!(left("<!-- not closed\n\n$f$"), "");
-        assert_eq!(left("a < b <!- $f$"), "a < b <!- $f$");
-    }
-
-    #[test]
-    fn what_belongs_to_a_list_is_no_code() {
-        assert_eq!(left("- item\n\n    $$f$$\n\n    1. more\n\n        $$g$$"), "- item $$f$$ 1. more $$g$$");
-        assert_eq!(left("10. item\n\n    $$f$$"), "10. item $$f$$");
-        assert_eq!(left("- item\n\n      $$f$$\n\ntext\n\n    $$g$$"), "- item text");
-        for block in ["!!! note", "[^1]: note", ": meaning"] {
-            assert_eq!(left(&format!("{block}\n\n    $f$")), format!("{block} $f$"));
-        }
-        assert_eq!(left("$$\nf\n\n    +g\n$$"), "$$ f +g $$", "within mathematics there is none");
-    }
-
-    #[test]
-    fn marks_of_quotations_go() {
-        assert_eq!(left("> $$\n> f=x^2\n> $$\nb"), "$$ f=x^2 $$ b");
-        assert_eq!(left("> > $$\n> > f\n> > > g\n>> $$"), "$$ f > g $$");
-        assert_eq!(left("$$\nf\n> g\n$$"), "$$ f > g $$", "a sign of mathematics");
-        assert_eq!(left("> ```math\n> f > g\n> ```\n> b"), "$$ f > g $$ b");
-        assert_eq!(left(">     $$f$$"), "");
-    }
-
-    #[test]
-    fn a_percent_sign_is_a_comment_in_mathematics_alone() {
-        assert_eq!(left("50% of $f$, $$\nf = x % +1 $\n+2$$ b"), "50 of $f$, $$ f = x +2$$ b");
-        assert_eq!(left("$f % x$ and $g$"), "$f $ and $g$");
-        assert_eq!(left(r"$f\% x$ \% \$ %"), r"$f\% x$ \ \$");
-        assert_eq!(left("$5 and 10% of $6, $f$"), "$5 and 10 of $6, $f$");
-        assert_eq!(left("```math\nf % x\n```"), "$$ f $$");
-        assert_eq!(left("\\begin{align}\nf % x\n\\end{align} %"), "\\begin{align} f \\end{align}");
-        assert_eq!(left("a $`f%x`$ b"), "a $ f $ b");
-    }
-}
+mod tests;

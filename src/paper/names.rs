@@ -369,9 +369,6 @@ impl Names {
             }
             next += 1;
         }
-        if let Some((below, end)) = subscript.as_ref().and_then(|label| self.below_both(label, at, next, to)) {
-            (subscript, next) = (Some(below), end);
-        }
         // Euler's number is no name, and upright d is a differential.
         if letter == "e" && styles.is_empty() && subscript.is_none() && self.text(next) == "^" {
             return Some(next);
@@ -459,16 +456,6 @@ impl Names {
     fn below(&self, from: usize, to: usize) -> String {
         let (a, b) = if self.text(from) == "{" { self.inner(from) } else { (from, to) };
         self.spelled(a, b.min(to))
-    }
-
-    /// `{E_a}_i` is printed as `E_{ai}`: what stands below both, of a name from `at` to `next`.
-    fn below_both(&self, label: &str, at: usize, next: usize, to: usize) -> Option<(String, usize)> {
-        let before = at.checked_sub(2).map_or("", |i| self.text(i));
-        let is_group = at > 0 && self.text(at - 1) == "{" && self.text(next) == "}" && self.text(next + 1) == "_";
-        // `x^{E_a}_i`, `\sqrt{E_a}_i`
-        let is_own = !matches!(before, "^" | "_") && (!before.starts_with('\\') || before == r"\partial");
-        let end = self.script_end(next + 2);
-        (is_group && is_own && end <= to).then(|| (format!("{label}{}", self.below(next + 2, end)), end))
     }
 
     /// What stands in parentheses behind a name.

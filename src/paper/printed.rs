@@ -7,6 +7,7 @@
 mod cases;
 mod frames;
 mod groups;
+mod last;
 mod pieces;
 mod rows;
 mod scripts;
@@ -15,12 +16,14 @@ mod signs;
 #[cfg(test)]
 mod tests;
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::opening::{Opening, closes_case, is_link, opening};
 use super::token::{Kind, Token};
 use super::{fractions, unicode, upright};
 use diag::escape::shown;
+use last::Last;
 use pieces::{Piece, pieces};
 use rows::{Grid, Group, Row, rows, unwrapped};
 pub(super) use scripts::with_braces;
@@ -125,7 +128,7 @@ fn is_wide(token: &Token) -> bool {
 }
 
 /// How deep a place lies in braces, brackets and environments.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Nesting {
     braces: i32,
     brackets: i32,
@@ -169,8 +172,12 @@ impl Nesting {
 }
 
 /// Calls `each` with the position of every token, whether it stands outside of all brackets, and the nesting after it.
-fn walk(tokens: &[Token], mut each: impl FnMut(usize, bool)) -> Nesting {
-    let mut nesting = Nesting::default();
+fn walk(tokens: &[Token], each: impl FnMut(usize, bool)) -> Nesting {
+    walk_from(Nesting::default(), tokens, each)
+}
+
+/// The same where the first lies in brackets.
+fn walk_from(mut nesting: Nesting, tokens: &[Token], mut each: impl FnMut(usize, bool)) -> Nesting {
     let mut at = 0;
     while at < tokens.len() {
         let before = nesting.is_outside();
@@ -251,6 +258,7 @@ pub(super) fn relations(body: &[Token], place: &Place<'_>) -> Vec<PrintedRelatio
     let mut found = Relations {
         place,
         out: Vec::new(),
+        last: BTreeMap::new(),
         open: Vec::new(),
         ended: Vec::new(),
         indented: Vec::new(),
@@ -268,6 +276,7 @@ pub(super) fn relations(body: &[Token], place: &Place<'_>) -> Vec<PrintedRelatio
         found.row = number;
         found.row(row, grid);
     }
+    found.end();
     // A label of a display belongs to all that has none.
     let label = found.out.iter().find_map(|r| r.label.clone());
     if place.display.is_some() && found.out.iter().filter(|r| r.label.is_some()).count() == 1 {
@@ -284,6 +293,8 @@ pub(super) fn relations(body: &[Token], place: &Place<'_>) -> Vec<PrintedRelatio
 struct Relations<'p> {
     place: &'p Place<'p>,
     out: Vec<PrintedRelation>,
+    /// The last side of each relation, which may go on: until the end of the display another stands in its place.
+    last: BTreeMap<usize, Last>,
     /// For each column, the relation that may go on.
     open: Vec<Option<usize>>,
     /// Whether it ended with a comma or a full stop.
@@ -442,11 +453,18 @@ impl Relations<'_> {
 
     /// Whether the formula of a column is not yet complete.
     fn waits(&self, column: usize) -> bool {
-        let last = self.open[column].and_then(|at| self.out[at].sides.last());
-        last.is_some_and(|side| {
-            let printed = side.tokens.iter().rev().find(|t| !is_space(t));
-            printed.is_none_or(is_operator) || walk(&side.tokens, |_, _| {}).brackets > 0
-        })
+        self.open[column].and_then(|at| self.last.get(&at)).is_some_and(Last::waits)
+    }
+
+    /// Puts the last sides in their places.
+    fn end(&mut self) {
+        for (at, mut last) in std::mem::take(&mut self.last) {
+            if let Some(place) = self.out.get_mut(at).and_then(|r| r.sides.last_mut()) {
+                let mut side = last.side();
+                side.is_list |= place.is_list;
+                *place = side;
+            }
+        }
     }
 
     fn begin(&mut self, piece: &Piece, column: usize, opening: Option<Opening>) {
@@ -482,47 +500,50 @@ impl Relations<'_> {
     fn append(&mut self, at: usize, tokens: &[Token], list: bool) {
         let relation = &mut self.out[at];
         relation.row = self.row;
-        let mut current = relation.sides.pop().map(|s| s.tokens).unwrap_or_default();
-        let was_list = list;
+        let last = self.last.entry(at).or_default();
         if list {
-            let end = current.last().map_or(0, |t| t.span.end);
-            current.push(Token { kind: Kind::Other, text: ",".into(), span: end..end });
+            last.begin_another();
         }
-        let mut nesting = Nesting::default();
-        for token in &current {
-            nesting.take(token, &[]);
-        }
-        nesting = walk(&current, |_, _| {});
+        let mut remarked = None;
+        // What is read in this row, and is not yet a part of the side.
+        let mut current: Vec<Token> = Vec::new();
+        let mut ends = |last: &mut Last, current: &mut Vec<Token>, sign: String| {
+            last.add(&std::mem::take(current));
+            let mut side = last.side();
+            if let Some(place) = relation.sides.last_mut() {
+                side.is_list |= place.is_list;
+                *place = side;
+            }
+            relation.sides.push(side_of(&[]));
+            relation.signs.push(sign);
+        };
         let mut i = 0;
         while i < tokens.len() {
             let token = &tokens[i];
             let over =
                 matches!(token.text.as_str(), "stackrel" | "overset" | "underset") && token.kind == Kind::Command;
-            if nesting.is_outside()
+            if last.nesting.is_outside()
                 && over
                 && let Some((sign, words, after)) = stacked(tokens, i)
             {
-                relation.sides.push(side_of(&std::mem::take(&mut current)));
-                relation.signs.push(sign);
-                relation.remark.get_or_insert(words);
+                ends(last, &mut current, sign);
+                remarked.get_or_insert(words);
                 i = after;
                 continue;
             }
-            if nesting.is_outside() && (is_relation(token) || token.is("not") || is_colon_equals(tokens, i)) {
+            if last.nesting.is_outside() && (is_relation(token) || token.is("not") || is_colon_equals(tokens, i)) {
                 let (sign, after) = sign_at(tokens, i);
-                relation.sides.push(side_of(&std::mem::take(&mut current)));
-                relation.signs.push(sign);
+                ends(last, &mut current, sign);
                 i = after;
                 continue;
             }
-            let more = nesting.take(token, &tokens[i + 1..]);
+            let more = last.nesting.take(token, &tokens[i + 1..]);
             let end = (i + 1 + more).min(tokens.len());
             current.extend_from_slice(&tokens[i..end]);
             i = end;
         }
-        let mut side = side_of(&current);
-        side.is_list |= was_list;
-        relation.sides.push(side);
+        last.add(&current);
+        relation.remark = relation.remark.take().or(remarked);
         // A sign at the beginning of all has nothing to its left: it is told as it is.
     }
 

@@ -1,8 +1,8 @@
 //! Characters of a LaTeX document → tokens, each with its place.
 
-use std::collections::BTreeSet;
 use std::ops::Range;
 
+use super::environments::OwnEnvironments;
 use super::short::Short;
 
 /// What a token is.
@@ -42,59 +42,6 @@ impl Token {
         self.kind == Kind::Other && self.text == c
     }
 }
-
-/// Environments of packages whose content is not printed, or not as LaTeX.
-const NOT_PRINTED: &[&str] = &[
-    "verbatim",
-    "verbatim*",
-    "Verbatim",
-    "Verbatim*",
-    "BVerbatim",
-    "LVerbatim",
-    "SaveVerbatim",
-    "VerbatimOut",
-    "spverbatim",
-    "lstlisting",
-    "tcblisting",
-    "comment",
-    "filecontents",
-    "filecontents*",
-    "minted",
-    "alltt",
-    "tikzpicture",
-    "luacode",
-    "luacode*",
-    "asy",
-    "asydef",
-    "pycode",
-    "pyblock",
-    "pyconsole",
-    "sagesilent",
-    "sageblock",
-];
-
-/// Commands that make an environment, and whether its content is printed; `None` where what it does says it.
-const MAKE_ENVIRONMENTS: &[(&str, Option<bool>)] = &[
-    ("newenvironment", None),
-    ("renewenvironment", None),
-    ("NewDocumentEnvironment", None),
-    ("RenewDocumentEnvironment", None),
-    ("NewEnviron", None),
-    ("RenewEnviron", None),
-    ("newtheorem", Some(true)),
-    ("includecomment", Some(true)),
-    ("specialcomment", Some(true)),
-    ("newtcolorbox", Some(true)),
-    ("excludecomment", Some(false)),
-    ("lstnewenvironment", Some(false)),
-    ("newtcblisting", Some(false)),
-    ("DefineVerbatimEnvironment", Some(false)),
-    ("newverbatim", Some(false)),
-];
-
-/// Commands that begin an environment whose content is not printed as LaTeX, where they stand at the beginning of one of the author's own.
-const BEGIN_VERBATIM: &[&str] =
-    &["comment", "verbatim", "Verbatim", "VerbatimEnvironment", "lstlisting", "minted", "alltt"];
 
 /// Commands whose argument is no LaTeX, and how many arguments in braces stand before it.
 const VERBATIM_ARGUMENT: &[(&str, usize)] = &[
@@ -176,7 +123,7 @@ pub(super) fn tokens_with(text: &str, own: &mut OwnEnvironments) -> Vec<Token> {
                 let name = &rest[..length];
                 at += length;
                 if name == "verb" {
-                    at = after_verb(text, at);
+                    at = after_verb(text, text.len() - text[at..].trim_start_matches([' ', '\t']).len());
                     continue;
                 }
                 if let Some((_, begins)) = SHORT_VERBATIM.iter().find(|(command, _)| *command == name) {
@@ -190,9 +137,7 @@ pub(super) fn tokens_with(text: &str, own: &mut OwnEnvironments) -> Vec<Token> {
                     continue;
                 }
                 own.take(name, text, at);
-                if name == "begin"
-                    && let Some(end) = own.after_unprinted(text, at)
-                {
+                if let Some(end) = own.after_unprinted(name, text, at) {
                     at = end;
                     continue;
                 }
@@ -291,72 +236,6 @@ fn after_braces(text: &str, at: usize) -> Option<usize> {
     None
 }
 
-/// Environments that the author makes, and whether what stands in them is printed.
-#[derive(Clone, Debug, Default)]
-pub(super) struct OwnEnvironments(Vec<(String, bool)>);
-
-impl OwnEnvironments {
-    /// Whether the other ones read the same texts.
-    pub fn read_as(&self, other: &OwnEnvironments) -> bool {
-        let counts = |all: &OwnEnvironments| -> BTreeSet<(String, bool)> {
-            let is_other = |(name, is_printed): &&(String, bool)| *is_printed == NOT_PRINTED.contains(&name.as_str());
-            all.0.iter().filter(is_other).cloned().collect()
-        };
-        counts(self) == counts(other)
-    }
-
-    /// Takes a command that ends at a place of a text.
-    fn take(&mut self, command: &str, text: &str, at: usize) {
-        let Some((_, is_printed)) = MAKE_ENVIRONMENTS.iter().find(|(name, _)| *name == command) else { return };
-        let mut rest = text[at..].trim_start_matches(['*', ' ']);
-        if let Some((_, behind)) = rest.strip_prefix('[').and_then(|r| r.split_once(']')) {
-            rest = behind;
-        }
-        let Some((name, behind)) = rest.strip_prefix('{').and_then(|r| r.split_once('}')) else { return };
-        if name.len() > LONGEST_NAME {
-            return;
-        }
-        let is_printed = is_printed.unwrap_or_else(|| match command.ends_with("Environ") {
-            true => body_of(behind).is_none_or(|body| body.contains("\\BODY")),
-            false => body_of(behind).is_none_or(|body| {
-                let first = body.trim_start_matches(['{', ' ', '\n', '%']).strip_prefix('\\').unwrap_or_default();
-                let name = first.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default();
-                !BEGIN_VERBATIM.contains(&name)
-            }),
-        });
-        self.0.retain(|(known, _)| known != name);
-        if self.0.len() < MOST_OWN {
-            self.0.push((name.to_owned(), is_printed));
-        }
-    }
-
-    /// The end of an environment that begins here, after `\\begin`, where its content is not printed.
-    fn after_unprinted(&self, text: &str, at: usize) -> Option<usize> {
-        let (name, _) = text[at..].strip_prefix('{')?.split_once('}')?;
-        let own = self.0.iter().find(|(known, _)| known == name).map(|(_, is_printed)| *is_printed);
-        if own.unwrap_or(!NOT_PRINTED.contains(&name)) {
-            return None;
-        }
-        let end = format!("\\end{{{name}}}");
-        Some(text[at..].find(&end).map_or(text.len(), |i| at + i + end.len()))
-    }
-}
-
-/// The longest name of an environment that is kept.
-const LONGEST_NAME: usize = 100;
-/// The most environments of the author's own that are kept.
-const MOST_OWN: usize = 500;
-
-/// The first body in braces, behind options in brackets.
-fn body_of(text: &str) -> Option<&str> {
-    let mut rest = text.trim_start();
-    while let Some((_, behind)) = rest.strip_prefix('[').and_then(|r| r.split_once(']')) {
-        rest = behind.trim_start();
-    }
-    let end = after_braces(rest, 0)?;
-    rest.get(1..end.checked_sub(1)?)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -383,22 +262,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_printed_is_what_the_author_says() {
+    fn arguments_that_are_no_latex_are_passed_over() {
         for (text, is_printed) in [
-            (r"\begin{comment}Q\end{comment}", false),
-            (r"\newtheorem{comment}{Note}\begin{comment}Q\end{comment}", true),
-            (r"\newenvironment{comment}{\it}{}\begin{comment}Q\end{comment}", true),
-            (r"\includecomment{comment}\begin{comment}Q\end{comment}", true),
-            (r"\excludecomment{e}\begin{e}Q\end{e}", false),
-            (r"\NewEnviron{e}{}\begin{e}Q\end{e}", false),
-            (r"\NewEnviron{e}{\BODY}\begin{e}Q\end{e}", true),
-            (r"\newenvironment{e}{\comment}{\endcomment}\begin{e}Q\end{e}", false),
-            (r"\lstnewenvironment{e}{}{}\begin{e}Q\end{e}", false),
-            (r"\begin{BVerbatim}Q\end{BVerbatim}\begin{pycode}$Q$\end{pycode}", false),
             (r"\url{http://a%20b}Q", true),
             (r"\href{http://a%20b}{Q}", true),
             (r"\url{$Q$}\lstinline|$Q$|\mintinline{c}{$Q$}\lstinline[a=b]{$Q$}", false),
             (r"\mintinline{c}|Q|Q", true),
+            (r"\verb |Q| x", false),
+            (r"\verb* |Q| x", false),
         ] {
             assert_eq!(shown(text).iter().any(|t| t == "Q"), is_printed, "{text}");
         }

@@ -5,8 +5,9 @@
 //! from the same list, so they cannot tell different stories.
 
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, Weak};
 
 use sha2::{Digest, Sha256};
 
@@ -89,24 +90,42 @@ impl Place {
 /// Where lines begin in a text, with places between in long lines: a file may have as many findings as letters, and to count from its
 /// beginning for each would take the square.
 struct Marks {
-    source: Arc<Source>,
     /// Bytes in order, each with its line and its column, both from 1.
     all: Vec<(usize, usize, usize)>,
 }
 
+/// The marks of texts that somebody still has: findings go from file to file.
+#[derive(Default)]
+struct Known {
+    /// By the address of the text, which nobody else has as long as this is here.
+    of: BTreeMap<usize, (Weak<Source>, Marks)>,
+    /// With so many, those of texts that are gone are forgotten.
+    most: usize,
+}
+
 thread_local! {
-    /// Those of the text that was asked for last.
-    static MARKS: RefCell<Option<Marks>> = const { RefCell::new(None) };
+    static KNOWN: RefCell<Known> = RefCell::default();
+}
+
+impl Known {
+    fn of(&mut self, source: &Arc<Source>) -> &Marks {
+        let address = Arc::as_ptr(source).addr();
+        if self.of.len() > self.most && !self.of.contains_key(&address) {
+            self.of.retain(|_, (text, _)| text.strong_count() > 0);
+            self.most = 2 * self.of.len();
+        }
+        &self.of.entry(address).or_insert_with(|| (Arc::downgrade(source), Marks::of(&source.text))).1
+    }
 }
 
 impl Marks {
     /// Bytes between two marks in a long line.
     const APART: usize = 1 << 10;
 
-    fn of(source: &Arc<Source>) -> Marks {
+    fn of(text: &str) -> Marks {
         let mut all = vec![(0, 1, 1)];
         let (mut line, mut column, mut last) = (1, 1, 0);
-        for (at, c) in source.text.char_indices() {
+        for (at, c) in text.char_indices() {
             (line, column) = if c == '\n' { (line + 1, 1) } else { (line, column + c.len_utf16()) };
             let next = at + c.len_utf8();
             if c == '\n' || next >= last + Marks::APART {
@@ -114,14 +133,11 @@ impl Marks {
                 last = next;
             }
         }
-        Marks { source: Arc::clone(source), all }
+        Marks { all }
     }
 
     fn with<R>(source: &Arc<Source>, ask: impl FnOnce(&Marks) -> R) -> R {
-        MARKS.with_borrow_mut(|known| {
-            let marks = known.take().filter(|marks| Arc::ptr_eq(&marks.source, source));
-            ask(known.insert(marks.unwrap_or_else(|| Marks::of(source))))
-        })
+        KNOWN.with_borrow_mut(|known| ask(known.of(source)))
     }
 
     /// Line and column of a place between two letters.

@@ -97,12 +97,6 @@ impl Parser<'_> {
                 let hint = r"a prime belongs to a name, `x'`; of a root or a fraction it is printed behind the whole; a derivative is written `\frac{d}{dx}(…)`";
                 return refuse("latex::ambiguous", message, p.span(), hint);
             }
-            if let NodeKind::Symbol(s) = &node.kind
-                && p.is('_')
-                && let Some(whole) = p.symbol_with_label(s, node.span.start)?
-            {
-                return Ok(Some(whole));
-            }
             p.script_is_clear(&node)?;
             let (sub, sup, sup_first) = p.script_pair()?;
             let start = node.span.start;
@@ -166,6 +160,10 @@ impl Parser<'_> {
         };
         if clear {
             return Ok(());
+        }
+        if self.is('_') && matches!(&node.kind, NodeKind::Symbol(s) if s.sub.is_some()) {
+            let hint = "put all indices into one pair of braces, where `{x_a}_b` is to be `x_{ab}`";
+            return refuse("latex::double-script", "a subscript below a name that has one", self.span(), hint);
         }
         let message = format!("it is not clear what {} belongs to", self.shown());
         refuse("latex::ambiguous", message, self.span(), "put parentheses around what it belongs to")

@@ -11,6 +11,9 @@ use super::{Parsed, Parser, decimal, refuse};
 const PRINTED_SPACES: &[&str] =
     &["~", r"\,", r"\:", r"\;", r"\>", "\\ ", r"\quad", r"\qquad", r"\enspace", r"\hspace", r"\thinspace"];
 
+/// What moves a script that follows it to another place.
+const MOVES: &[&str] = &[r"\!", r"\null", r"\strut", r"\mathstrut", r"\kern", r"\mkern", r"\hskip", r"\mskip"];
+
 /// The two scripts of a symbol, and whether the superscript came first.
 pub(super) type Scripts = (Option<Vec<SubItem>>, Option<Box<Node>>, bool);
 
@@ -32,6 +35,7 @@ impl Parser<'_> {
     /// The two scripts of a symbol. A label above it that is declared, as in `\mu^{(1)}`, becomes part of its name.
     pub(super) fn scripts_of(&mut self, mut name: Option<&mut Name>) -> Parsed<Scripts> {
         let (mut sub, mut sup, mut sup_first) = (None, None, false);
+        let mut is_spaced = false;
         loop {
             let labelled = sup.is_none() && name.as_deref_mut().is_some_and(|name| self.label_of(name));
             if sup.is_none()
@@ -47,6 +51,8 @@ impl Parser<'_> {
                     return refuse("latex::double-script", "a power behind a label", self.span(), hint);
                 }
             } else if self.is('_') {
+                self.is_not_apart(sup.is_some(), is_spaced)?;
+                is_spaced |= self.begins_with_space();
                 if sub.is_some() {
                     let hint = "put all indices into one pair of braces";
                     return refuse("latex::double-script", "a second subscript", self.span(), hint);
@@ -57,6 +63,8 @@ impl Parser<'_> {
                 if sup.is_some() {
                     return refuse("latex::double-script", "a second superscript", self.span(), "use parentheses");
                 }
+                self.is_not_apart(sub.is_some(), is_spaced)?;
+                is_spaced |= self.begins_with_space();
                 self.bump();
                 sup_first = sub.is_none();
                 sup = Some(Box::new(self.superscript()?));
@@ -64,6 +72,28 @@ impl Parser<'_> {
                 return Ok((sub, sup, sup_first));
             }
         }
+    }
+
+    /// Whether a space is printed between a sign of a script, which stands here, and what it lowers or raises in braces.
+    fn begins_with_space(&self) -> bool {
+        let token = |at: usize| self.tokens.get(self.at + at);
+        let between = token(1).filter(|t| t.kind == Kind::Sign('{')).zip(token(2));
+        let between = between.and_then(|(open, first)| self.text.get(open.span.end..first.span.start));
+        let is_power = super::super::alike::is_power(&self.tokens[self.at..]);
+        !is_power && between.is_some_and(|text| PRINTED_SPACES.iter().any(|space| text.contains(space)))
+    }
+
+    /// Refuses a script behind a space, or with one at its beginning, where another stands before it: `T^a_{\ b}` are indices of a tensor behind
+    /// each other. A power is clear.
+    fn is_not_apart(&self, is_second: bool, is_spaced: bool) -> Parsed<()> {
+        let between = self.text.get(self.last_end()..self.span().start).unwrap_or_default();
+        let is_behind = PRINTED_SPACES.iter().chain(MOVES).any(|space| between.contains(space));
+        let is_power = super::super::alike::is_power(&self.tokens[self.at..]);
+        if !is_second || is_power || !(is_behind || is_spaced || self.begins_with_space()) {
+            return Ok(());
+        }
+        let hint = "write the scripts above each other, `T^a_b`, where their order does not count";
+        refuse("latex::ambiguous", "two scripts behind each other: indices of a tensor", self.span(), hint)
     }
 
     /// A label above that stands here, and the number of its tokens: something in parentheses, a word in upright letters, or a sign,

@@ -62,22 +62,6 @@ impl Parser<'_> {
         self.scripted_symbol(name, dots, None, start)
     }
 
-    /// `{E_a}_i`, a name with a label and something below both: `E_{ai}`, where that is declared.
-    // Out of line: what calls it is deep enough as it is.
-    #[inline(never)]
-    pub(super) fn symbol_with_label(&mut self, symbol: &SymbolNode, start: usize) -> Parsed<Option<Node>> {
-        let is_plain = symbol.sup.is_none() && symbol.arguments.is_none() && !symbol.primed;
-        let Some(mut sub) = symbol.sub.clone().filter(|_| is_plain) else { return Ok(None) };
-        let back = self.at;
-        self.bump();
-        sub.extend(self.subscript()?);
-        if self.is('_') || !self.scope.is_known(&symbol.name, Some(&sub)) {
-            self.at = back;
-            return Ok(None);
-        }
-        self.scripted_symbol(symbol.name.clone(), symbol.dots, Some(sub), start).map(Some)
-    }
-
     /// `y'` of a field of one coordinate is its derivative, and of a function y of x, unless it is declared. Where the independent variable is the time by name,
     /// too, rates have dots, and a prime makes another name; unless a text has double primes, and no name with a prime is declared.
     fn primed_rate(&self, name: &mut Name, dots: u8, sub: Option<&[SubItem]>) -> u8 {

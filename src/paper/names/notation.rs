@@ -8,6 +8,7 @@ mod acting;
 mod algebra;
 mod ambiguous;
 mod angles;
+mod apart;
 mod print;
 mod words;
 
@@ -23,6 +24,7 @@ use ambiguous::{
     has_two_places, has_upright_derivative,
 };
 use angles::Angles;
+use apart::has_scripts_apart;
 use print::{
     call, follows_a_flow, has_bare_brackets, has_bars, has_column_of_two, has_identity, has_imaginary,
     has_named_function, has_norm, has_pair, has_plain_function, has_product_of_letters, has_unit_of_italics,
@@ -219,6 +221,9 @@ impl Notation {
     /// Why a side is no formula of numbers, vectors and matrices, whatever its names are declared as.
     pub fn not_numbers(&self, side: &PrintedSide) -> Option<&'static str> {
         let all = tokens(&side.text);
+        if has_scripts_apart(&side.tokens) {
+            return Some("scripts behind each other: indices of a tensor, or a power");
+        }
         for one in scripted(&all) {
             let is_square = one.is_digit("2") && (one.is_bold || !self.numbered.contains(&one.base));
             if one.is_index() || self.upper.contains(&one.base) && !is_square && one.could_be_index() {

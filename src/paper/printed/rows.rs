@@ -8,7 +8,7 @@ use super::super::mark::{self, INNER, group_text};
 use super::super::token::{Kind, Token};
 use super::frames::opened;
 use super::side::without_labels;
-use super::{Nesting, is_operator, is_relation, is_space, is_wide, relates, walk};
+use super::{Nesting, is_operator, is_relation, is_space, is_wide, relates, walk, walk_from};
 
 /// A row of a display.
 #[derive(Default)]
@@ -202,6 +202,24 @@ pub(super) struct Group {
     pub left_empty: bool,
     /// Two equations are set without a space between them: it is not known whether they are a chain.
     pub is_unclear: bool,
+    /// How deep its end lies in brackets, and whether it relates something: it is not walked through anew for each cell that is added.
+    end: Nesting,
+    relates: bool,
+}
+
+impl Group {
+    /// Takes more tokens.
+    fn add(&mut self, mut tokens: Vec<Token>) {
+        let mut found = false;
+        self.end = walk_from(self.end, &tokens, |i, outside| found |= outside && is_relation(&tokens[i]));
+        self.relates |= found;
+        self.tokens.append(&mut tokens);
+    }
+
+    /// Whether it waits for more: it ends with a sign, or in an open bracket.
+    fn waits(&self) -> bool {
+        ends_with_sign(&self.tokens) || self.end.brackets > 0
+    }
 }
 
 /// How the cells of a display are one formula.
@@ -234,23 +252,25 @@ impl Grid {
     /// The groups of a row.
     pub fn groups(self, cells: &[Vec<Token>]) -> Vec<Group> {
         let mut out: Vec<Group> = Vec::new();
+        // The last one in which something is printed.
+        let mut printed = None;
         for (column, chunk) in cells.chunks(self.width).enumerate() {
-            let mut group = Group {
-                column,
-                last: column,
-                left_empty: cells.len() > 1 && is_blank(&chunk[0]),
-                tokens: chunk.concat(),
-                is_unclear: has_border(chunk),
-            };
-            let before = out.iter_mut().rev().find(|g| !is_blank(&g.tokens));
+            let left_empty = cells.len() > 1 && is_blank(&chunk[0]);
+            let mut group =
+                Group { column, last: column, left_empty, is_unclear: has_border(chunk), ..Group::default() };
+            group.add(chunk.concat());
+            let before = printed.and_then(|at: usize| out.get_mut(at));
             match before {
                 Some(before) if self.is_one(before, &group) => {
-                    before.tokens.append(&mut group.tokens);
+                    before.add(group.tokens);
                     before.last = column;
                     before.left_empty &= !self.has_columns_of_terms;
                     before.is_unclear |= group.is_unclear;
                 }
-                _ => out.push(group),
+                _ => {
+                    printed = if is_blank(&group.tokens) { printed } else { Some(out.len()) };
+                    out.push(group);
+                }
             }
         }
         out
@@ -262,12 +282,12 @@ impl Grid {
         if is_ended(&before.tokens) {
             return false;
         }
-        if waits(&before.tokens) {
+        if before.waits() {
             return true;
         }
         // What goes on from the row above has nothing to do with the column beside it.
         let is_begun = self.has_columns_of_terms || !before.left_empty && !goes_on(&before.tokens);
-        let relates = relates(&before.tokens);
+        let relates = before.relates;
         if is_relation(first) {
             let is_beside = !group.left_empty && (self.width > 1 || !goes_on(&before.tokens));
             return is_beside || !relates && is_begun;
@@ -286,15 +306,22 @@ fn width(rows: &[Row], environment: &str) -> usize {
         return if rows.iter().any(|row| has_border(&row.cells)) { 1 } else { 3 };
     }
     let count = rows.iter().map(|row| row.cells.len()).max().unwrap_or(0);
-    let signs: Vec<usize> = (0..count).filter(|&column| is_column_of_signs(rows, column)).collect();
+    let signs = columns_of_signs(rows, count);
     let are_middle = !signs.is_empty() && signs.iter().all(|column| column % 3 == 1);
     if are_middle && count > 2 { 3 } else { 2 }
 }
 
-/// Whether a column has signs of relation, each alone in its cell, and nothing else.
-fn is_column_of_signs(rows: &[Row], column: usize) -> bool {
-    let cells = || rows.iter().filter_map(|row| row.cells.get(column)).filter(|cell| !is_blank(cell));
-    cells().next().is_some() && cells().all(|cell| is_sign_alone(cell))
+/// The columns that have signs of relation, each alone in its cell, and nothing else.
+fn columns_of_signs(rows: &[Row], count: usize) -> Vec<usize> {
+    // Of each column, whether it has a sign, and whether it has something else.
+    let mut found = vec![(false, false); count];
+    for row in rows {
+        for (cell, of) in row.cells.iter().zip(&mut found).filter(|(cell, _)| !is_blank(cell)) {
+            let is_sign = is_sign_alone(cell);
+            *of = (of.0 || is_sign, of.1 || !is_sign);
+        }
+    }
+    (0..count).filter(|&column| found[column] == (true, false)).collect()
 }
 
 /// Whether two equations stand beside each other in these cells.
@@ -315,8 +342,12 @@ fn goes_on(tokens: &[Token]) -> bool {
 
 /// Whether a formula waits for more: it ends with a sign, or in an open bracket.
 fn waits(tokens: &[Token]) -> bool {
+    ends_with_sign(tokens) || walk(tokens, |_, _| {}).brackets > 0
+}
+
+fn ends_with_sign(tokens: &[Token]) -> bool {
     let last = tokens.iter().rev().find(|t| !is_space(t) && !is_brace(t));
-    last.is_some_and(|t| is_operator(t) || is_relation(t)) || walk(tokens, |_, _| {}).brackets > 0
+    last.is_some_and(|t| is_operator(t) || is_relation(t))
 }
 
 /// Whether a mark of the sentence, or a wide space, ends a formula.

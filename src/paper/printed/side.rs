@@ -222,12 +222,16 @@ pub(super) fn is_wide_length(length: &str) -> bool {
     number.parse::<f64>().is_ok_and(|n| n * size >= 0.5) || length.contains(" plus ")
 }
 
-/// A side made of these tokens.
-pub(super) fn side_of(tokens: &[Token]) -> PrintedSide {
+/// Tokens in which each space that is printed is a space of no length in the source, whatever command makes it.
+pub(super) fn with_plain_spaces(tokens: &[Token]) -> Vec<Token> {
     let mut kept: Vec<Token> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while let Some(token) = tokens.get(at) {
         at += 1;
+        let is_differential = || match tokens.get(at..at + 3) {
+            Some([open, d, close]) => open.kind == Kind::Open && d.is_char("d") && close.kind == Kind::Close,
+            _ => false,
+        };
         if let Some((_, after)) = length(token, tokens, at) {
             at = after;
         } else if token.kind == Kind::Command
@@ -235,7 +239,7 @@ pub(super) fn side_of(tokens: &[Token]) -> PrintedSide {
         {
             let star = usize::from(tokens.get(at).is_some_and(|t| t.is_char("*")));
             at = group_text(tokens, at + star).1;
-        } else if token.is("text") && group_text(tokens, at) == ("d".to_owned(), at + 3) {
+        } else if token.is("text") && is_differential() {
             // An upright differential, whichever command makes it upright.
             kept.push(Token { text: "mathrm".into(), ..token.clone() });
         } else if token.kind == Kind::Command && is_space(token) || token.is_char("~") {
@@ -245,7 +249,12 @@ pub(super) fn side_of(tokens: &[Token]) -> PrintedSide {
             kept.push(token.clone());
         }
     }
-    let mut kept = without_parting(kept);
+    kept
+}
+
+/// A side made of these tokens.
+pub(super) fn side_of(tokens: &[Token]) -> PrintedSide {
+    let mut kept = without_parting(with_plain_spaces(tokens));
     let idle = |t: &Token| t.kind == Kind::Space;
     while kept.last().is_some_and(idle) {
         kept.pop();
