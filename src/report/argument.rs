@@ -92,7 +92,7 @@ fn item<'a>(
     line.extend([StorySpan::Claim(whole.id.to_owned(), Tone::Plain), quiet("): ")]);
     let tone = match whole.fate {
         Fate::Fails | Fate::Partly => Tone::Bad,
-        Fate::Stands => Tone::Good,
+        _ if whole.counted_as().stands() => Tone::Good,
         _ => Tone::Open,
     };
     line.push(StorySpan::Words(whole.counted_as().words(1).to_owned(), tone));
@@ -135,6 +135,8 @@ fn link<'a>(derivation: &'a Derivation, id: &'a str, by_id: &ById<'_, 'a>) -> Ve
     // The sentence may stand where what the argument needs of it does not.
     if let Some(needed) = whole.failing_need().filter(|_| !whole.fate.is_against()) {
         out.extend([words("\u{a0}("), StorySpan::Shape(needed.shape()), words("\u{a0}as used)")]);
+    } else if let Some(shape) = whole.shape_on_drawn() {
+        out.extend([words("\u{a0}("), StorySpan::Shape(shape), words("\u{a0}on a drawn motion)")]);
     }
     out
 }
@@ -185,7 +187,8 @@ fn grounds<'a>(
     if more > 0 {
         out.push(quiet(format!(" and, through them or beside them, {more} more")));
     }
-    out.push(quiet("; no step of the chain is refuted."));
+    let on_drawn = all.iter().filter_map(|id| by_id.get(id)).any(|w| w.shape_on_drawn().is_some());
+    out.push(quiet(if on_drawn { "; no step fails on a motion of the file." } else { "; no step fails." }));
     out
 }
 

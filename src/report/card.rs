@@ -6,7 +6,7 @@
 
 use super::basis::Basis;
 use super::digest::{Reading, Whole};
-use super::discrimination::standing;
+use super::discrimination::{alone, standing};
 use super::finding::{of_step_marked, over_ranges_marked};
 use super::form::{Heading, heading};
 use super::front::Line;
@@ -123,7 +123,7 @@ impl<'a> RefutingMotion<'a> {
             Refutes::Same => {
                 let components = if everywhere && label.component.is_some() { ", in every component" } else { "" };
                 let value = if components.is_empty() { format!(" ({})", six(w.left)) } else { String::new() };
-                out.push(words(format!(" both sides are equal{components}{value}; it says that they are not")));
+                out.push(words(format!(" both sides are equal{components}{value}, and should differ")));
             }
             Refutes::Apart => {
                 let sides = label.component.is_none().then(|| sides(label.formula)).flatten();
@@ -284,7 +284,8 @@ fn right<'a>(
     if let Some(c) = correction {
         let scope = declared(derivation, failing).map_or(&derivation.scope, |d| &d.scope);
         let (formula, beside) = (c.formula.clone(), c.printed.clone());
-        let mut out = vec![quiet("holds instead: "), StorySpan::Marked { formula, beside, scope, wrong: false }];
+        let alone = alone(failing, c).unwrap_or_else(|| " instead".to_owned());
+        let mut out = vec![quiet(format!("holds{alone}: ")), StorySpan::Marked { formula, beside, scope, wrong: false }];
         out.push(quiet(format!(", {}", standing(c).replace("**", ""))));
         return Some(out);
     }
@@ -314,7 +315,7 @@ fn right<'a>(
     }
     let erratum = failing.variants.as_ref()?.erratum.as_ref()?;
     let tried = erratum.tried.0 + erratum.tried.1 + erratum.tried.2;
-    (tried > 0).then(|| vec![quiet(format!("no formula one change away holds: {tried} were tried"))])
+    (tried > 0).then(|| vec![quiet(format!("{} one change away were tried, and none holds", count(tried, "formula")))])
 }
 
 /// The correction nearest to the print.
@@ -326,7 +327,8 @@ pub(super) fn correction(claim: &ClaimAccount) -> Option<&Correction> {
 fn correction_says(claim: &ClaimAccount) -> Option<String> {
     let c = correction(claim)?;
     let formula = c.formula.split_whitespace().collect::<Vec<_>>().join(" ");
-    Some(format!("Holds instead: {formula}, {}.", standing(c).replace("**", "")))
+    let alone = alone(claim, c).unwrap_or_else(|| " instead".to_owned());
+    Some(format!("Holds{alone}: {formula}, {}.", standing(c).replace("**", "")))
 }
 
 /// The rate of a quantity that is said to be constant and is not, as an equation that is proved; `None` where none was found.

@@ -131,8 +131,8 @@ fn room(claim: &ClaimAccount) -> usize {
 /// What separates the motions on which a claim holds from those on which it fails; nothing, where other conditions fit as well.
 fn separated<'a>(derivation: &'a Derivation, claim: &'a ClaimAccount) -> Option<Vec<StorySpan<'a>>> {
     let separation = claim.conditions.separation.as_ref().filter(|s| s.rivals.is_empty() && s.more_rivals == 0)?;
-    let text = digest::explanation(separation.explanation.as_ref()?);
-    Some(vec![quiet("holds just where: "), StorySpan::Prose(text, &derivation.scope, Tone::Plain)])
+    let text = digest::explanation(separation.told()?);
+    Some(vec![quiet("holds exactly where: "), StorySpan::Prose(text, &derivation.scope, Tone::Plain)])
 }
 
 /// On how much a reading fails, how sure that is, and the motion that tells most, in its own words and with its numbers.
@@ -168,7 +168,7 @@ fn fails_too<'a>(derivation: &'a Derivation, whole: &Whole<'a>, shown: &Reading<
     let says = first.claim.says.trim_end_matches('.');
     let on = uncapital(&digest::verdict(first)).replace(" to which it applies", "");
     let mut out =
-        vec![quiet("nor in another reading: "), StorySpan::Prose(format!("“{says}” {on}"), scope, Tone::Plain)];
+        vec![quiet("in another reading, too: "), StorySpan::Prose(format!("“{says}” {on}"), scope, Tone::Plain)];
     let failing = whole.all_failing().flat_map(|r| &r.claim.results);
     let failing = failing.filter(|p| matches!(p.verdict.outcome(), Outcome::Fails(_)));
     let motions = failing.map(|p| p.trajectory.as_str()).collect::<BTreeSet<_>>().len();

@@ -61,13 +61,13 @@ impl VerdictShape {
     /// The symbol, its name in the style of the page, its command in LaTeX, and what it means.
     pub fn row(self) -> (&'static str, &'static str, &'static str, &'static str) {
         match self {
-            VerdictShape::Proved => ("◆", "h p", r"$\blacklozenge$", "proved for all values"),
+            VerdictShape::Proved => ("◆", "h p", r"$\blacklozenge$", "proved"),
             VerdictShape::ProvedGiven => ("◈", "h g", r"$\lozenge$", "proved, from others"),
             VerdictShape::ProvedExcept => ("⬖", "h c", r"$\blacklozenge^{-}$", "proved, special cases apart"),
             VerdictShape::Unreplayed => ("⬗", "h o", r"$\Diamond^{+}$", "proved, not replayed"),
             VerdictShape::Enclosed => ("■", "h e", r"$\blacksquare$", "at every time or point"),
             VerdictShape::Sampled => ("●", "h", r"$\bullet$", "at all samples"),
-            VerdictShape::Weak => ("○", "h w", r"$\circ$", "holds, but so do altered formulas: it tells little"),
+            VerdictShape::Weak => ("○", "h w", r"$\circ$", "holds, but so would altered formulas"),
             VerdictShape::Fails => ("✕", "f", r"$\times$", "fails at samples"),
             VerdictShape::Certified => ("✖", "f e", r"$\boldsymbol{\times}$", "fails, rigorously"),
             VerdictShape::Mixed => ("◐", "m", r"$\oslash$", "holds on some"),
