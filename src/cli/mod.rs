@@ -100,7 +100,7 @@ fn terminal_width() -> Option<usize> {
     }
     let told = std::env::var("COLUMNS").ok().and_then(|text| text.trim().parse().ok());
     let of_terminal = terminal_size::terminal_size_of(out).map(|(width, _)| usize::from(width.0));
-    Some(columns(told, of_terminal()))
+    Some(columns(told, of_terminal))
 }
 
 /// The first of two widths that is known: 0 is none.
@@ -204,5 +204,13 @@ mod tests {
     #[test]
     fn the_arguments_are_consistent() {
         Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn a_terminal_without_a_size_has_eighty_columns() {
+        assert_eq!(columns(None, None), 80);
+        assert_eq!(columns(None, Some(0)), 80);
+        assert_eq!(columns(Some(0), Some(120)), 120);
+        assert_eq!(columns(Some(90), Some(120)), 90);
     }
 }

@@ -480,17 +480,18 @@ pub(super) fn verdict(reading: &Reading<'_>) -> String {
     let how = refuted(reading.claim);
     let has_members = ["holds", "fails", "undecided"].into_iter().any(|word| members(word) > 0);
     let among = if has_members { ", members of families among them" } else { "" };
+    let applies = if n("not-applicable") > 0 { " to which it applies" } else { "" };
     match reading.standing {
         Standing::Holds => format!("Holds, {}", reading.basis().words()),
         Standing::Fails => match n("fails") {
-            1 if n("undecided") == 0 => format!("Fails on the one motion to which it applies ({how})"),
+            1 if n("undecided") == 0 => format!("Fails on the one motion{applies} ({how})"),
             f if n("undecided") > 0 => format!("Fails on {} ({how}), undecided on others", count(f, "motion")),
-            2 => format!("Fails on both motions to which it applies ({how})"),
-            f => format!("Fails on all {f} motions to which it applies{among} ({how})"),
+            2 => format!("Fails on both motions{applies} ({how})"),
+            f => format!("Fails on all {f} motions{applies}{among} ({how})"),
         },
         Standing::Mixed => {
             let of = n("holds") + n("fails") + n("undecided");
-            format!("Fails on {} of {of} motions to which it applies{among} ({how})", n("fails"))
+            format!("Fails on {} of {of} motions{applies}{among} ({how})", n("fails"))
         }
         Standing::Open if n("holds") > 0 => {
             format!("Holds on {}, undecided on {}", count(n("holds"), "motion"), n("undecided"))

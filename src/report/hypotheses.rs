@@ -189,7 +189,7 @@ fn said_elsewhere<'a>(derivation: &'a Derivation, said: &[Hypothesis<'a>]) -> Ve
     if said.is_empty() {
         return Vec::new();
     }
-    let mut out = vec![quiet(" Said in one place, used in others: ")];
+    let mut out = vec![quiet(" Said once, used elsewhere: ")];
     out.extend(joined(said.iter().take(MOST_ELSEWHERE).map(|of| with_places(derivation, of)), "; "));
     let more = said.len().saturating_sub(MOST_ELSEWHERE);
     out.push(quiet(if more > 0 { format!("; +{more}.") } else { ".".to_owned() }));

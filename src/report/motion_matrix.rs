@@ -17,7 +17,7 @@ use super::limited::limited;
 use super::numbers::count;
 use super::said::said;
 use super::story::{
-    self, StoryBlock, StoryItem, StorySpan, StoryTable, TableCells, Tone, VerdictShape, joined, quiet, words,
+    self, StoryBlock, StoryItem, StorySpan, StoryTable, TableCells, Tone, VerdictShape, joined, quiet, roomy, words,
 };
 use super::tally::motion_title;
 use derivation::{ClaimRole, Derivation};
@@ -108,11 +108,12 @@ pub(super) fn blocks<'a>(
         legend.push(quiet("; / ✖: as used"));
     }
     if rows.iter().any(|whole| columns.iter().any(|column| on_drawn(whole, &column.of).is_some())) {
-        legend.push(quiet("; ≢ / ✖: fails on a drawn motion"));
+        legend.push(quiet(format!("; ≢ / {}: on a drawn motion", VerdictShape::Fails.sign())));
     }
     let more = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count().saturating_sub(rows.len());
     if more > 0 {
-        legend.extend([quiet("; "), StorySpan::Section(format!("+{more} rows"), "/claims".to_owned())]);
+        let more = StorySpan::Section(format!("+{more} rows"), "/claims".to_owned());
+        legend.push(StorySpan::Roomy(vec![quiet("; "), more]));
     }
     let keys = columns.into_iter().enumerate().map(|(at, column)| StoryItem {
         mark: letter(at),
@@ -507,11 +508,10 @@ fn motions<'a>(
                 let mut out = joined(condition_words(derivation, of, &conditions), "; ");
                 let lead = if out.is_empty() { "neither is known: " } else { ": " };
                 let first = ids.first().copied().unwrap_or_default();
-                out.push(quiet(if ids.len() == 1 {
-                    format!("{lead}{first}")
-                } else {
-                    format!("{lead}{n}, e.g. {first}")
-                }));
+                match ids.len() {
+                    1 => out.push(quiet(format!("{lead}{first}"))),
+                    _ => out.extend([quiet(format!("{lead}{n}")), roomy(format!(", e.g. {first}"))]),
+                }
                 out
             }
         }

@@ -22,7 +22,7 @@ use super::numbers::count;
 use super::said;
 use super::sketch::Sketch;
 use super::story::{
-    self, Elsewhere, StoryBlock, StorySpan, Tone, fold, folded as folded_as, quiet, words,
+    self, Elsewhere, StoryBlock, StorySpan, Tone, fold, folded as folded_as, quiet, roomy, words,
 };
 use super::tally::{Standing, declared, name};
 use super::text::{Paint, capital, paragraph, uncapital};
@@ -77,8 +77,9 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     let strength = strength.map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).collect();
     let mut unsaid = limited::limits(derivation, &wholes, &hangs);
     unsaid.extend(hypotheses::blocks(derivation, account, &wholes));
-    let mut foot = vec![StorySpan::Prose(format!("{} To repeat it: ", front.author), scope, Tone::Quiet)];
-    foot.extend([StorySpan::Code(front.command.clone()), quiet(format!(" ({}).", front.version))]);
+    let author = StorySpan::Prose(format!("{} ", front.author), scope, Tone::Quiet);
+    let mut foot = vec![StorySpan::Roomy(vec![author]), quiet("To repeat it: ")];
+    foot.extend([StorySpan::Code(front.command.clone()), roomy(format!(" ({})", front.version)), quiet(".")]);
     vec![
         StoryBlock::Group("head", head),
         StoryBlock::Group("matters", matrix),
@@ -196,7 +197,7 @@ fn gap(limited: &[Limited<'_, '_>], wholes: &[Whole<'_>], front: &Front) -> Opti
         };
         let stated = first.whole.deciding().find(|r| r.standing == Standing::Holds).map(sense).unwrap_or_default();
         return Some(format!(
-            "{} holds as stated{stated}, but {} as the paper uses it{}.",
+            "{} holds as stated{stated}, but {} as used{}.",
             quoted(first.whole),
             fails_on(first.used).trim_end_matches(" (certified)"),
             sense(first.used)
@@ -237,7 +238,8 @@ fn needed_besides(wholes: &[Whole<'_>], hangs: &Consequences<'_>, told: Option<&
     let reading = whole.failing_nowhere_true()?;
     let on = digest::verdict(reading).replace(" to which it applies", "");
     let on = on.trim_end_matches(" (certified)").trim_end_matches(" (at samples)");
-    Some(format!("Its argument also needs “{}”, which {}.", reading.claim.says.trim_end_matches('.'), uncapital(on)))
+    let on = uncapital(on.trim_end_matches(" motions"));
+    Some(format!("The paper also needs “{}”, which {on}.", reading.claim.says.trim_end_matches('.')))
 }
 
 /// What became of the conclusions, by their letters.

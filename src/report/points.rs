@@ -5,11 +5,11 @@
 
 use std::collections::BTreeSet;
 
-use super::card::{FormulaShown, RefutingMotion, formula_of, shown_formula};
+use super::card::{FormulaShown, RefutingMotion, Room, formula_of, shown_formula};
 use super::digest::{self, Reading, Whole};
 use super::hypotheses::canonical;
 use super::numbers::count;
-use super::story::{StoryBlock, StorySpan, Tone, joined, quiet, words};
+use super::story::{StoryBlock, StorySpan, Tone, joined, quiet, roomy, words};
 use super::tally::{Standing, declared};
 use super::text::{capital, uncapital};
 use derivation::{ClaimRole, Derivation};
@@ -34,6 +34,11 @@ pub(super) fn lines<'a>(derivation: &'a Derivation, whole: &Whole<'a>, needed: N
         Standing::Fails | Standing::Mixed => {
             tested.extend((!tested.is_empty()).then(|| words("; ")));
             tested.extend(fails(derivation, reading));
+            // Of what the paper needs the first sentences say on how many motions it fails.
+            if need.is_some() {
+                tested = vec![StorySpan::Roomy(tested)];
+            }
+            tested.extend(witness(derivation, reading));
             also = fails_too(derivation, whole, reading);
             further.extend(separated(derivation, reading.claim));
         }
@@ -82,7 +87,7 @@ pub(super) fn needs<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<St
     let told = remark.map(|text| capital(text.trim_start_matches("Refuted: ")));
     let mut numbers: Vec<StorySpan<'a>> =
         told.map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).into_iter().collect();
-    numbers.extend(RefutingMotion::of(derivation, reading.claim).into_iter().flat_map(|m| m.says(derivation, scope)));
+    numbers.extend(RefutingMotion::of(derivation, reading.claim).into_iter().flat_map(|m| m.says(derivation, scope, Room::OnPage)));
     // A terminal has no room for them.
     vec![StoryBlock::Paragraph(out), StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(numbers)])]
 }
@@ -102,6 +107,8 @@ fn tested<'a>(derivation: &'a Derivation, reading: &Reading<'a>) -> Vec<StorySpa
         (ClaimRole::Needs, _) => "as the paper uses it: ",
         _ => "tested as: ",
     };
+    // As what a conclusion was tested is the first that stands below it.
+    let lead = if lead == "tested as: " { roomy(lead) } else { quiet(lead) };
     let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
     let says = claim.says.trim_end_matches('.');
     let formula = short_formula(derivation, claim).filter(|shown| shown.is_within(room(claim)));
@@ -109,7 +116,7 @@ fn tested<'a>(derivation: &'a Derivation, reading: &Reading<'a>) -> Vec<StorySpa
     if claim.reading.is_none() && formula.is_none() {
         return Vec::new();
     }
-    let mut out = vec![quiet(lead)];
+    let mut out = vec![lead];
     if claim.reading.is_some() {
         out.push(StorySpan::Prose(says.to_owned(), scope, Tone::Plain));
         out.extend(formula.is_some().then(|| quiet(": ")));
@@ -135,7 +142,7 @@ fn separated<'a>(derivation: &'a Derivation, claim: &'a ClaimAccount) -> Option<
     Some(vec![quiet("holds exactly where: "), StorySpan::Prose(text, &derivation.scope, Tone::Plain)])
 }
 
-/// On how much a reading fails, how sure that is, and the motion that tells most, in its own words and with its numbers.
+/// On how much a reading fails, and how sure that is.
 fn fails<'a>(derivation: &'a Derivation, reading: &Reading<'a>) -> Vec<StorySpan<'a>> {
     let claim = reading.claim;
     let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
@@ -145,16 +152,18 @@ fn fails<'a>(derivation: &'a Derivation, reading: &Reading<'a>) -> Vec<StorySpan
     out.push(StorySpan::Prose(rest, scope, Tone::Plain));
     // What is left and right at the witness is said here, where it is not said before.
     if let Some(shown) = short_formula(derivation, claim).filter(|shown| !shown.is_within(room(claim))) {
-        out.push(quiet(": "));
-        out.extend(shown.spans(None, false));
+        let formula = std::iter::once(quiet(": ")).chain(shown.spans(None, false));
+        out.push(StorySpan::Roomy(formula.collect()));
     }
-    let Some(motion) = RefutingMotion::of(derivation, claim) else {
-        out.push(words("."));
-        return out;
-    };
     out.push(words(". "));
-    out.extend(motion.says(derivation, scope));
     out
+}
+
+/// The motion that tells most of why a reading fails, with its numbers.
+fn witness<'a>(derivation: &'a Derivation, reading: &Reading<'a>) -> Vec<StorySpan<'a>> {
+    let scope = declared(derivation, reading.claim).map_or(&derivation.scope, |d| &d.scope);
+    let motion = RefutingMotion::of(derivation, reading.claim);
+    motion.map(|motion| motion.says(derivation, scope, Room::OnPage)).unwrap_or_default()
 }
 
 /// What else of a claim fails that fails in the sense that was shown, and on how many motions it does in one sense or another.
@@ -205,7 +214,7 @@ fn known<'a>(reading: &Reading<'a>) -> Vec<StorySpan<'a>> {
     };
     let basis = reading.basis();
     let known = if basis.is_proof() { basis.kind().to_owned() } else { format!("holds {}", basis.words()) };
-    vec![StorySpan::Words(known, Tone::Good), words(format!("{replayed}."))]
+    vec![StorySpan::Words(known, Tone::Good), StorySpan::Roomy(vec![words(replayed)]), words(".")]
 }
 
 /// A condition in the words of the file; the formula, where the file has none.
