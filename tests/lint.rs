@@ -281,7 +281,11 @@ fn a_page_shows_the_wrong_step_beside_what_holds() {
     rederive(folder.path(), &["p.tex", "--html", "p.html"]).code(1);
     let page = fs::read_to_string(folder.path().join("p.html")).expect("the page");
     assert!(
-        page.contains("As printed") && page.contains("Holds") && page.contains("<math>") && page.contains("<svg"),
+        page.contains("As printed")
+            && page.contains("✗ wrong: ")
+            && page.contains("holds: ")
+            && page.contains("<math>")
+            && page.contains("<svg"),
         "{page}"
     );
     assert!(!page.contains("<script") && !page.contains("<b>page") && page.contains("default-src 'none'"), "{page}");

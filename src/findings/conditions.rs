@@ -191,9 +191,14 @@ mod tests {
 
     #[test]
     fn what_separates_few_motions_is_told_only_where_the_file_names_it() {
-        for (holds, fails, tried, told) in
-            [(1, 1, 2, false), (4, 1, 40, false), (2, 40, 1, false), (3, 3, 16, false), (5, 5, 10, true), (27, 8, 196, true)]
-        {
+        for (holds, fails, tried, told) in [
+            (1, 1, 2, false),
+            (4, 1, 40, false),
+            (2, 40, 1, false),
+            (3, 3, 16, false),
+            (5, 5, 10, true),
+            (27, 8, 196, true),
+        ] {
             assert_eq!(separation(holds, fails, tried, None).told().is_some(), told, "{holds} {fails}");
             assert!(separation(holds, fails, tried, Some("named")).told().is_some());
         }

@@ -290,7 +290,7 @@ impl<'a> FormulaShown<'a> {
             None => StorySpan::Math(formula, self.scope),
         }));
         if self.more > 0 {
-                let formulas = if self.more == 1 { " formula" } else { " formulas" };
+            let formulas = if self.more == 1 { " formula" } else { " formulas" };
             out.extend([quiet(format!(" and {} more", self.more)), roomy(formulas)]);
         }
         out
@@ -308,7 +308,8 @@ fn right<'a>(
         let scope = declared(derivation, failing).map_or(&derivation.scope, |d| &d.scope);
         let (formula, beside) = (c.formula.clone(), c.printed.clone());
         let alone = alone(failing, c).unwrap_or_else(|| " instead".to_owned());
-        let mut out = vec![quiet(format!("holds{alone}: ")), StorySpan::Marked { formula, beside, scope, wrong: false }];
+        let mut out =
+            vec![quiet(format!("holds{alone}: ")), StorySpan::Marked { formula, beside, scope, wrong: false }];
         out.push(quiet(format!(", {}", standing(c).replace("**", ""))));
         return Some(out);
     }
@@ -376,7 +377,7 @@ fn subject<'w, 'a>(whole: &'w Whole<'a>) -> Option<(&'w Reading<'a>, bool)> {
     contrary.or(whole.readings.first()).map(|r| (r, false))
 }
 
-/// Blocks of a card.
+/// Blocks of a card; its number is 0 where there is no other.
 pub(super) fn blocks<'a>(
     derivation: &'a Derivation,
     whole: &Whole<'a>,
@@ -384,8 +385,9 @@ pub(super) fn blocks<'a>(
     number: usize,
 ) -> Vec<StoryBlock<'a>> {
     let scope = &derivation.scope;
-    let lead = StorySpan::Words(format!("{number}. "), Tone::Strong);
-    let mut head = vec![if line.is_brief { StorySpan::Roomy(vec![lead]) } else { lead }];
+    let lead = (number > 0).then(|| StorySpan::Words(format!("{number}. "), Tone::Strong));
+    let lead = lead.map(|of| if line.is_brief { StorySpan::Roomy(vec![of]) } else { of });
+    let mut head: Vec<StorySpan<'a>> = lead.into_iter().collect();
     head.push(StorySpan::Prose(line.says.clone(), scope, Tone::Strong));
     head.push(quiet(" ("));
     if whole.fate == Fate::Added {

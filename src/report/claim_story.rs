@@ -18,8 +18,8 @@ use super::numbers::{count, size};
 use super::pair_story;
 use super::region;
 use super::story::{
-    Elsewhere, PartLevel, StoryBlock, StorySpan, Tone, embedded, folded, joined, on_page, part, prose, quiet,
-    section, shapes, strong, words,
+    Elsewhere, PartLevel, StoryBlock, StorySpan, Tone, embedded, folded, joined, on_page, part, prose, quiet, section,
+    shapes, strong, words,
 };
 use super::tally::{Standing, declared, groups, name};
 use super::text::uncapital;

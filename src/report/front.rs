@@ -156,8 +156,7 @@ fn verdict(wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> String {
 
 /// With what strength claims stand.
 fn strength(wholes: &[Whole<'_>]) -> Option<String> {
-    let mut found: Vec<Basis> =
-        wholes.iter().filter(|w| w.counted_as().stands()).filter_map(Whole::basis).collect();
+    let mut found: Vec<Basis> = wholes.iter().filter(|w| w.counted_as().stands()).filter_map(Whole::basis).collect();
     found.sort_by(|a, b| b.cmp(a));
     let mut kinds: Vec<(&str, usize)> = Vec::new();
     for basis in &found {

@@ -153,11 +153,7 @@ impl<'a> Unsaid<'a> {
 }
 
 /// The claims and readings that use a condition of the paper's subject that nothing says.
-pub(super) fn claims_with_unsaid(
-    derivation: &Derivation,
-    account: &Account,
-    wholes: &[Whole<'_>],
-) -> BTreeSet<String> {
+pub(super) fn claims_with_unsaid(derivation: &Derivation, account: &Account, wholes: &[Whole<'_>]) -> BTreeSet<String> {
     Unsaid::of(derivation, account, wholes).unsaid.into_iter().flat_map(|h| h.used).collect()
 }
 

@@ -21,9 +21,7 @@ use super::motion_matrix::{self, that_matter};
 use super::numbers::count;
 use super::said;
 use super::sketch::Sketch;
-use super::story::{
-    self, Elsewhere, StoryBlock, StorySpan, Tone, fold, folded as folded_as, quiet, roomy, words,
-};
+use super::story::{self, Elsewhere, StoryBlock, StorySpan, Tone, fold, folded as folded_as, quiet, roomy, words};
 use super::tally::{Standing, declared, name};
 use super::text::{Paint, capital, paragraph, uncapital};
 use derivation::Derivation;
@@ -77,8 +75,10 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     let strength = strength.map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).collect();
     let mut unsaid = limited::limits(derivation, &wholes, &hangs);
     unsaid.extend(hypotheses::blocks(derivation, account, &wholes));
-    let author = StorySpan::Prose(format!("{} ", front.author), scope, Tone::Quiet);
-    let mut foot = vec![StorySpan::Roomy(vec![author]), quiet("To repeat it: ")];
+    let author = front.author.trim_end_matches('.');
+    let (author, rest) = author.split_at(author.find(';').unwrap_or(author.len()));
+    let rest = StorySpan::Roomy(vec![StorySpan::Prose(rest.to_owned(), scope, Tone::Quiet)]);
+    let mut foot = vec![StorySpan::Prose(author.to_owned(), scope, Tone::Quiet), rest, quiet(". To repeat it: ")];
     foot.extend([StorySpan::Code(front.command.clone()), roomy(format!(" ({})", front.version)), quiet(".")]);
     vec![
         StoryBlock::Group("head", head),
@@ -139,23 +139,39 @@ fn headline<'a>(
     vec![StoryBlock::Group("headline", first)]
 }
 
+/// How a printed equation stands; the worst comes last.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum StandsAs {
+    Printed,
+    /// Its proof uses a condition that nothing says.
+    Conditional,
+    /// It fails on a motion that was drawn, beside those of the file.
+    OnFile,
+}
+
 /// What became of the printed equations: those that hold as they are printed, and the others by what became of the worst claim on them.
 fn equations(derivation: &Derivation, account: &Account, wholes: &[Whole<'_>]) -> Option<String> {
     let unsaid = hypotheses::claims_with_unsaid(derivation, account, wholes);
-    let mut labels: Vec<(&str, (Fate, bool))> = Vec::new();
+    let mut labels: Vec<(&str, (Fate, StandsAs))> = Vec::new();
     for whole in wholes.iter().filter(|w| w.fate.is_of_the_paper()) {
         let label = whole.readings.iter().find_map(|r| declared(derivation, r.claim)?.label.as_deref());
         let Some(label) = label else { continue };
-        let is_unsaid = whole.fate == Fate::Stands && whole.deciding().any(|r| unsaid.contains(&name(r.claim)));
+        let stands_as = match whole.counted_as() {
+            CountedFate::OnFile => StandsAs::OnFile,
+            _ if whole.deciding().any(|r| unsaid.contains(&name(r.claim))) => StandsAs::Conditional,
+            _ => StandsAs::Printed,
+        };
         match labels.iter_mut().find(|(known, _)| *known == label) {
-            Some((_, worst)) => *worst = (whole.fate.min(worst.0), is_unsaid || worst.1),
-            None => labels.push((label, (whole.fate, is_unsaid))),
+            Some((_, worst)) => *worst = (whole.fate.min(worst.0), stands_as.max(worst.1)),
+            None => labels.push((label, (whole.fate, stands_as))),
         }
     }
     let mut parts = Vec::new();
-    let kinds = Fate::TOLD.into_iter().flat_map(|fate| [(fate, false), (fate, true)]);
-    for (fate, is_unsaid) in kinds {
-        let is_it = |found: &(Fate, bool)| found.0 == fate && (found.1 && fate == Fate::Stands) == is_unsaid;
+    let standing = [StandsAs::Printed, StandsAs::Conditional, StandsAs::OnFile];
+    let kinds = standing.map(|of| (Fate::Stands, Some(of))).into_iter();
+    let others = Fate::TOLD.into_iter().filter(|fate| *fate != Fate::Stands).map(|fate| (fate, None));
+    for (fate, stands_as) in kinds.chain(others) {
+        let is_it = |found: &(Fate, StandsAs)| found.0 == fate && stands_as.is_none_or(|of| of == found.1);
         let of: Vec<String> = labels.iter().filter(|(_, f)| is_it(f)).map(|(l, _)| (*l).to_owned()).collect();
         let shown = &of[..of.len().min(MOST_LABELS)];
         let more = (of.len() > shown.len()).then(|| format!("{} more", of.len() - shown.len()));
@@ -167,10 +183,13 @@ fn equations(derivation: &Derivation, account: &Account, wholes: &[Whole<'_>]) -
             (true, _) => "Equations ",
         };
         let verb = match (fate, of.len()) {
-            (Fate::Stands, 1) if is_unsaid => "holds under conditions that it does not say",
-            (Fate::Stands, _) if is_unsaid => "hold under conditions that they do not say",
-            (Fate::Stands, 1) => "holds as printed",
-            (Fate::Stands, _) => "hold as printed",
+            (Fate::Stands, n) => match (stands_as, n) {
+                (Some(StandsAs::Conditional), 1) => "holds under conditions that it does not say",
+                (Some(StandsAs::Conditional), _) => "hold under conditions that they do not say",
+                (Some(StandsAs::OnFile), n) => CountedFate::OnFile.words(n),
+                (Some(StandsAs::Printed) | None, 1) => "holds as printed",
+                (Some(StandsAs::Printed) | None, _) => "hold as printed",
+            },
             (Fate::Reading, 1) if !parts.is_empty() => "only in one of its readings",
             (Fate::Reading, _) if !parts.is_empty() => "only in one of their readings",
             (fate, n) => fate.words(n),
@@ -259,29 +278,34 @@ fn conclusions(wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> Option<String>
     let after = |whole: &Whole<'_>| match () {
         () if against.contains(whole.id) => broken_ground(heaviest(whole, |w| w.fate.is_against())),
         () if needed.contains(whole.id) => match heaviest(whole, |w| w.failing_need().is_some()) {
-            Some(ground) => format!(", but rests on {}, which fails as it is used", said::quoted(ground, LONGEST_GROUND)),
+            Some(ground) => {
+                format!(", but rests on {}, which fails as it is used", said::quoted(ground, LONGEST_GROUND))
+            }
             None => ", but rests on claims that fail as they are used".to_owned(),
         },
         () => String::new(),
     };
-    let mut groups: Vec<(Fate, String, Vec<String>)> = Vec::new();
+    let mut groups: Vec<(CountedFate, String, Vec<String>)> = Vec::new();
     for whole in &all {
-        let key = (whole.fate, if whole.fate.is_against() { String::new() } else { after(whole) });
+        let key = (whole.counted_as(), if whole.fate.is_against() { String::new() } else { after(whole) });
         let letter = hangs.letter(whole.id).map_or_else(|| whole.id.to_owned(), String::from);
         match groups.iter_mut().find(|(fate, after, _)| *fate == key.0 && *after == key.1) {
             Some((.., letters)) => letters.push(letter),
             None => groups.push((key.0, key.1, vec![letter])),
         }
     }
-    let part = |(fate, after, letters): &(Fate, String, Vec<String>)| {
+    let part = |(fate, after, letters): &(CountedFate, String, Vec<String>)| {
         let n = letters.len();
         let verb = match fate {
-            Fate::Stands if n == 1 => "holds",
-            Fate::Stands => "hold",
+            CountedFate::Fate(Fate::Stands) if n == 1 => "holds",
+            CountedFate::Fate(Fate::Stands) => "hold",
             fate => fate.words(n),
         };
         // One that holds rests on what does not: with more of them the verb is another.
         let after = if n > 1 { after.replacen("but rests", "but rest", 1) } else { after.clone() };
+        // One "but" is enough.
+        let also = if n > 1 { "; they also rest" } else { "; it also rest" };
+        let after = if fate.stands() { after } else { after.replacen(", but rest", also, 1) };
         format!("{} {verb}{after}", digest::listed(&letters[..n.min(MOST_LABELS)]))
     };
     let of =
@@ -333,10 +357,11 @@ fn wrong<'a>(
         return nothing_wrong(derivation, wholes, hangs, front);
     }
     let of = |line: &Line| wholes.iter().find(|w| w.id == line.id);
-    let cards =
-        front.lines.iter().enumerate().filter_map(|(at, line)| {
-            Some(StoryBlock::Group("card", card::blocks(derivation, of(line)?, line, at + 1)))
-        });
+    let cards = front.lines.iter().enumerate().filter_map(|(at, line)| {
+        // The only one has no number.
+        let number = if front.lines.len() > 1 { at + 1 } else { 0 };
+        Some(StoryBlock::Group("card", card::blocks(derivation, of(line)?, line, number)))
+    });
     let mut cards: Vec<StoryBlock<'a>> = cards.collect();
     let on_terminal = if front.lines.len() <= MOST_CARDS { FEW_CARDS } else { 1 };
     let most = if hangs.conclusions().is_empty() { MOST_CARDS } else { on_terminal };
@@ -344,7 +369,9 @@ fn wrong<'a>(
     // Beside conclusions a terminal has no room for names.
     let all = front.lines.len() + front.more;
     let names_them = hangs.conclusions().is_empty() || all <= on_terminal;
-    let title = if names_them {
+    let title = if all == 1 {
+        "What does not stand".to_owned()
+    } else if names_them {
         "What does not stand, the heaviest first".to_owned()
     } else {
         format!("What does not stand, the heaviest of {all}")

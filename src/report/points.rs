@@ -87,7 +87,9 @@ pub(super) fn needs<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<St
     let told = remark.map(|text| capital(text.trim_start_matches("Refuted: ")));
     let mut numbers: Vec<StorySpan<'a>> =
         told.map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).into_iter().collect();
-    numbers.extend(RefutingMotion::of(derivation, reading.claim).into_iter().flat_map(|m| m.says(derivation, scope, Room::OnPage)));
+    numbers.extend(
+        RefutingMotion::of(derivation, reading.claim).into_iter().flat_map(|m| m.says(derivation, scope, Room::OnPage)),
+    );
     // A terminal has no room for them.
     vec![StoryBlock::Paragraph(out), StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(numbers)])]
 }
@@ -149,7 +151,13 @@ fn fails<'a>(derivation: &'a Derivation, reading: &Reading<'a>) -> Vec<StorySpan
     let says = digest::verdict(reading).replace(" to which it applies", "");
     let mut out = vec![StorySpan::Words("fails".to_owned(), Tone::Bad)];
     let rest = says.strip_prefix("Fails").map_or_else(|| format!(": {}", uncapital(&says)), str::to_owned);
-    out.push(StorySpan::Prose(rest, scope, Tone::Plain));
+    match rest.split_once(" motions").filter(|_| reading.standing == Standing::Mixed) {
+        Some((of, how)) => {
+            let prose = |text: &str| StorySpan::Prose(text.to_owned(), scope, Tone::Plain);
+            out.extend([prose(of), StorySpan::Roomy(vec![words(" motions")]), prose(how)]);
+        }
+        None => out.push(StorySpan::Prose(rest, scope, Tone::Plain)),
+    }
     // What is left and right at the witness is said here, where it is not said before.
     if let Some(shown) = short_formula(derivation, claim).filter(|shown| !shown.is_within(room(claim))) {
         let formula = std::iter::once(quiet(": ")).chain(shown.spans(None, false));
