@@ -288,6 +288,11 @@ fn a_page_shows_the_wrong_step_beside_what_holds() {
             && page.contains("<svg"),
         "{page}"
     );
+    // The step is marked in its place, and what holds stands beside it.
+    let formula = page.split_once("aria-label=\"formula of line").map_or("", |(_, rest)| rest);
+    let formula = formula.split_once("</div>").map_or("", |(formula, _)| formula);
+    let wrong = formula.split_once("<span class=\"step bad\">").map_or("", |(_, rest)| rest);
+    assert!(!wrong.is_empty() && wrong.contains("<span class=\"instead\">holds: "), "{formula}");
     assert!(!page.contains("<script") && !page.contains("<b>page") && page.contains("default-src 'none'"), "{page}");
     assert!(page.contains("not read"), "{page}");
     let first = page.clone();

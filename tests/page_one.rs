@@ -308,3 +308,80 @@ fn readers_see_one_word_and_one_way_to_write_numbers() {
         }
     }
 }
+
+/// The first page of a derivation on a terminal, on one line, and as Markdown.
+fn first_pages(name: &str) -> (String, String) {
+    let (derivation, account) = &*checked(&Path::new("derivations").join(name));
+    let text = front_page(derivation, account, false);
+    (text.split_whitespace().collect::<Vec<_>>().join(" "), front_markdown(derivation, account))
+}
+
+/// What fails on a motion that was drawn at random stands on the motions of the file alone: sentence, matrix, chain and heading say so.
+#[test]
+fn a_claim_that_fails_on_a_drawn_motion_does_not_simply_stand() {
+    let (text, markdown) = first_pages("schwarzschild.toml");
+    for words in [
+        "Of 10 claims 9 stand and 1 stands on the motions of the file, but fails on another, drawn at random.",
+        "≢ / ✕",
+        "≢ / ✕: on a drawn motion",
+        "No claim of the paper fails on a motion of the file",
+        "One claim fails on a motion drawn at random: normalisation",
+        "“The time of the motion…” ● (✕ on a drawn motion).",
+    ] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    assert!(!text.contains("All 10 claims") && !text.contains("no step fails"), "{text}");
+    assert!(
+        markdown.contains("(for comparison, [wrong-orbit]") || markdown.contains("(for comparison, `wrong-orbit`"),
+        "{markdown}"
+    );
+}
+
+/// Two motions tell no condition: what separates them is not said, unless the file names it.
+#[test]
+fn what_separates_two_motions_is_no_condition() {
+    let (text, markdown) = first_pages("rabi.toml");
+    assert!(!text.contains("exactly where") && !markdown.contains("exactly where"), "{markdown}");
+    assert!(markdown.contains("Fails on 1 of 2 motions"), "{markdown}");
+    let (text, _) = first_pages("kepler-laws.toml");
+    assert!(text.contains("it holds exactly where the planet runs counter-clockwise"), "{text}");
+}
+
+/// What was tried on the fields of one flow is a correction for that flow.
+#[test]
+fn a_correction_for_one_flow_says_so() {
+    let (_, markdown) = first_pages("fluid.toml");
+    assert!(
+        markdown.contains("holds for the fields of its ranges alone: ") && !markdown.contains("holds instead"),
+        "{markdown}"
+    );
+}
+
+/// What is proved along one motion is so at every time of it; that it is proved is said where it is proved for all values.
+#[test]
+fn a_row_does_not_prove_what_it_refutes() {
+    for name in ["lorentz.toml", "circuit.toml"] {
+        let (derivation, account) = &*checked(&Path::new("derivations").join(name));
+        let text = front_page(derivation, account, false);
+        let refuted: Vec<&str> =
+            text.lines().filter(|line| line.starts_with("  ") && line.trim_end().ends_with('≢')).collect();
+        assert!(!refuted.is_empty() && refuted.iter().all(|row| !row.contains('◆')), "{name}: {text}");
+        assert!(text.contains("◆ proved ■"), "{name}: {text}");
+    }
+}
+
+/// The threshold of a family is on page one; where a claim does not apply its sign says that, not the failure on another motion.
+#[test]
+fn a_threshold_is_told_and_what_does_not_apply_is_not_refuted() {
+    let (derivation, account) = &*checked(Path::new("derivations/pendulum.toml"));
+    let text = front_page(derivation, account, false);
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        words.contains("in the family amplitudes it holds exactly where q<0.04 (24 of 24 fresh members agree)"),
+        "{words}"
+    );
+    assert!(words.contains("c circling, separatrix (from the top);"), "{words}");
+    let row = text.lines().find(|line| line.trim_start().starts_with("The period of small oscillations is…"));
+    let signs: Vec<&str> = row.unwrap_or_default().split_whitespace().skip(6).collect();
+    assert_eq!(signs.get(2), Some(&"–"), "{text}");
+}

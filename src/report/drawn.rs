@@ -136,10 +136,11 @@ fn one<'a>(derivation: &'a Derivation, claim: &'a ClaimAccount, found: &'a Faili
     let holds = claim.results.iter().filter(|p| p.verdict.outcome().word() == "holds").count();
     let all = t.holds + t.fails + t.undecided;
     let of = match holds {
-        1 => " holds on the one motion of the file to which it applies".to_owned(),
-        n => format!(" holds on all {} of the file to which it applies", count(n, "motion")),
+        1 => " holds on the one motion of the file".to_owned(),
+        n => format!(" holds on all {} of the file", count(n, "motion")),
     };
-    let of = format!("{of}, and fails on {} of {all} that were drawn at random. ", t.fails);
+    let applies = if holds < claim.results.len() { " to which it applies" } else { "" };
+    let of = format!("{of}{applies}, and fails on {} of {all} drawn ones. ", t.fails);
     StoryBlock::Paragraph(vec![
         StorySpan::Claim(name(claim), Tone::Strong),
         words(of),
