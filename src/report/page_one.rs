@@ -453,7 +453,9 @@ fn nothing_wrong<'a>(
     }
     let card = StoryBlock::Group("card", inside);
     out.push(if whole.counted_as().stands() { StoryBlock::Group("good", vec![card]) } else { card });
-    let compared = front.compared.iter().enumerate().filter_map(|(at, line)| {
+    // What the paper itself says on a motion that was drawn needs the room of the others.
+    let room = if on_file { 1 } else { front.compared.len() };
+    let compared = front.compared.iter().take(room).enumerate().filter_map(|(at, line)| {
         let whole = wholes.iter().find(|w| w.id == line.id)?;
         Some(StoryBlock::Group("card", card::blocks(derivation, whole, line, at + 1)))
     });
