@@ -281,9 +281,18 @@ fn a_page_shows_the_wrong_step_beside_what_holds() {
     rederive(folder.path(), &["p.tex", "--html", "p.html"]).code(1);
     let page = fs::read_to_string(folder.path().join("p.html")).expect("the page");
     assert!(
-        page.contains("As printed") && page.contains("Holds") && page.contains("<math>") && page.contains("<svg"),
+        page.contains("As printed")
+            && page.contains("✗ wrong: ")
+            && page.contains("holds: ")
+            && page.contains("<math>")
+            && page.contains("<svg"),
         "{page}"
     );
+    // The step is marked in its place, and what holds stands beside it.
+    let formula = page.split_once("aria-label=\"formula of line").map_or("", |(_, rest)| rest);
+    let formula = formula.split_once("</div>").map_or("", |(formula, _)| formula);
+    let wrong = formula.split_once("<span class=\"step bad\">").map_or("", |(_, rest)| rest);
+    assert!(!wrong.is_empty() && wrong.contains("<span class=\"instead\">holds: "), "{formula}");
     assert!(!page.contains("<script") && !page.contains("<b>page") && page.contains("default-src 'none'"), "{page}");
     assert!(page.contains("not read"), "{page}");
     let first = page.clone();

@@ -309,7 +309,7 @@ fn what_a_check_draws_is_told_everywhere() {
     };
     let one_line = |text: String| text.split_whitespace().collect::<Vec<_>>().join(" ");
     let page = one_line(run(&["check", "--no-reports"]));
-    assert!(page.contains("One claim holds on every motion of the file, and on others fails"), "{page}");
+    assert!(page.contains("One claim fails on a motion drawn at random: "), "{page}");
     assert!(page.contains("It fails on ") && page.contains("in place of"), "{page}");
     let told = run(&["explain", "lost"]);
     assert!(told.contains("[[trajectory]]") && told.contains("against-lost-1"), "{told}");

@@ -88,14 +88,25 @@ enum Command {
     Manual(manual::ManualArguments),
 }
 
-/// The width of the terminal that is written to: as `COLUMNS` says, else as the terminal itself does; `None` where it is none.
+/// The columns of a terminal of which the size is not known, or is told as 0.
+const USUAL_COLUMNS: usize = 80;
+
+/// The width of the terminal that is written to: as `COLUMNS` says, else as the terminal itself does, else the usual one; `None` where it
+/// is none.
 fn terminal_width() -> Option<usize> {
     let out = std::io::stdout();
     if !std::io::IsTerminal::is_terminal(&out) {
         return None;
     }
     let told = std::env::var("COLUMNS").ok().and_then(|text| text.trim().parse().ok());
-    told.or_else(|| terminal_size::terminal_size_of(out).map(|(width, _)| usize::from(width.0)))
+    let of_terminal = terminal_size::terminal_size_of(out).map(|(width, _)| usize::from(width.0));
+    Some(columns(told, of_terminal))
+}
+
+/// The first of two widths that is known: 0 is none.
+fn columns(told: Option<usize>, of_terminal: Option<usize>) -> usize {
+    let is_known = |columns: &usize| *columns > 0;
+    told.filter(is_known).or(of_terminal.filter(is_known)).unwrap_or(USUAL_COLUMNS)
 }
 
 /// Runs a command line, the name of the program first; the exit code.
@@ -193,5 +204,13 @@ mod tests {
     #[test]
     fn the_arguments_are_consistent() {
         Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn a_terminal_without_a_size_has_eighty_columns() {
+        assert_eq!(columns(None, None), 80);
+        assert_eq!(columns(None, Some(0)), 80);
+        assert_eq!(columns(Some(0), Some(120)), 120);
+        assert_eq!(columns(Some(90), Some(120)), 90);
     }
 }

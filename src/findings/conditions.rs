@@ -91,6 +91,34 @@ pub struct Separation {
     pub undecided: usize,
 }
 
+/// The fewest trajectories on each side that tell a condition: on fewer nearly everything that varies separates them.
+const FEWEST_ON_A_SIDE: usize = 3;
+/// The most conditions, of those that were tried, that may separate the trajectories by accident, on the average.
+const MOST_BY_ACCIDENT: f64 = 0.05;
+
+impl Separation {
+    /// The explanation, where it is more than an accident: its conditions are named in the file, or there are enough trajectories on
+    /// both sides.
+    ///
+    /// A condition that has nothing to do with the claim, and is met on as many of n trajectories as the claim holds on, is met on just
+    /// these h with the chance 1 : C(n, h). So many are tried, alone or put together, that this must be small beside their number.
+    pub fn told(&self) -> Option<&Explanation> {
+        let is_named = |e: &&Explanation| e.conditions.iter().all(|c| c.id.is_some());
+        self.explanation.as_ref().filter(|e| is_named(e) || self.by_accident(e.conditions.len()) <= MOST_BY_ACCIDENT)
+    }
+
+    /// How many conditions, so many put together, are expected to separate these trajectories by accident; infinite where one side has
+    /// too few.
+    fn by_accident(&self, joined: usize) -> f64 {
+        let (holds, fails) = (self.holds.len(), self.fails.len());
+        if holds.min(fails) < FEWEST_ON_A_SIDE {
+            return f64::INFINITY;
+        }
+        let choices: f64 = (1..=holds.min(fails)).map(|k| (holds.max(fails) + k) as f64 / k as f64).product();
+        (0..joined).map(|_| self.tried as f64).product::<f64>() / choices
+    }
+}
+
 /// Whether a claim needs an assumption, as far as the trajectories show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Need {
@@ -134,4 +162,50 @@ pub struct ConditionsAccount {
     pub separation: Option<Separation>,
     /// One entry for each assumption.
     pub assumptions: Vec<AssumptionAccount>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn separation(holds: usize, fails: usize, tried: usize, id: Option<&str>) -> Separation {
+        let name = |id: Option<&str>| ConditionName {
+            id: id.map(str::to_owned),
+            formula: "a>0".to_owned(),
+            says: None,
+            negated: false,
+        };
+        Separation {
+            holds: (0..holds).map(|n| format!("h{n}")).collect(),
+            fails: (0..fails).map(|n| format!("f{n}")).collect(),
+            explanation: Some(Explanation { conditions: vec![name(id)], join: Join::And }),
+            rivals: Vec::new(),
+            more_rivals: 0,
+            sufficient: Vec::new(),
+            necessary: Vec::new(),
+            possible: Vec::new(),
+            tried,
+            undecided: 0,
+        }
+    }
+
+    #[test]
+    fn what_separates_few_motions_is_told_only_where_the_file_names_it() {
+        for (holds, fails, tried, told) in [
+            (1, 1, 2, false),
+            (4, 1, 40, false),
+            (2, 40, 1, false),
+            (3, 3, 16, false),
+            (5, 5, 10, true),
+            (27, 8, 196, true),
+        ] {
+            assert_eq!(separation(holds, fails, tried, None).told().is_some(), told, "{holds} {fails}");
+            assert!(separation(holds, fails, tried, Some("named")).told().is_some());
+        }
+        // Of several together more are tried.
+        let mut two = separation(5, 5, 10, None);
+        let conditions = &mut two.explanation.as_mut().expect("it is there").conditions;
+        conditions.push(conditions[0].clone());
+        assert!(two.told().is_none());
+    }
 }

@@ -38,6 +38,13 @@ pub struct RangeAccount {
     pub formula: Option<String>,
 }
 
+impl RangeAccount {
+    /// Whether a formula is put in for a field: a name with its arguments.
+    pub fn is_field(&self) -> bool {
+        self.formula.is_some() && self.name.trim_end().ends_with(')')
+    }
+}
+
 /// Parts of the volume; they add up to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Shares {

@@ -8,13 +8,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::card::RefutingMotion;
+use super::card::{RefutingMotion, Room};
 use super::consequence::Consequences;
 use super::digest::{Fate, Whole};
 use super::numbers::count;
 use super::points::{self, NeededReading};
 use super::said::said;
-use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, quiet, words};
+use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, quiet, roomy, words};
 use super::tally::declared;
 use derivation::Derivation;
 
@@ -23,7 +23,7 @@ const MOST_CONCLUSIONS: usize = 6;
 /// Most steps of a chain; of a longer one the middle is left out.
 const MOST_STEPS: usize = 4;
 /// Longest words of a step, in letters.
-const LONGEST_STEP: usize = 32;
+const LONGEST_STEP: usize = 24;
 /// Most grounds that are named of a conclusion whose chains are whole.
 const MOST_GROUNDS: usize = 4;
 
@@ -54,7 +54,10 @@ pub(super) fn blocks<'a>(
     if items.is_empty() {
         return Vec::new();
     }
-    let mut out = vec![StoryBlock::Heading(title.to_owned()), StoryBlock::List(items)];
+    let heading = StoryBlock::Heading(title.to_owned());
+    // The first sentences have named the letters of conclusions.
+    let heading = if named.is_empty() { heading } else { StoryBlock::Group("roomy", vec![heading]) };
+    let mut out = vec![heading, StoryBlock::List(items)];
     let more = ends.len().saturating_sub(MOST_CONCLUSIONS);
     if more > 0 {
         out.push(StoryBlock::Paragraph(vec![quiet(format!("And {} more.", count(more, "conclusion")))]));
@@ -88,14 +91,23 @@ fn item<'a>(
 ) -> StoryItem<'a> {
     let scope = &derivation.scope;
     let says = whole.says.trim_end_matches('.').to_owned();
-    let mut line = vec![StorySpan::Prose(says, scope, Tone::Plain), quiet(" (")];
-    line.extend([StorySpan::Claim(whole.id.to_owned(), Tone::Plain), quiet("): ")]);
+    let mut line = vec![StorySpan::Prose(says, scope, Tone::Plain)];
+    let mut known = vec![quiet(" ("), StorySpan::Claim(whole.id.to_owned(), Tone::Plain), quiet("): ")];
     let tone = match whole.fate {
         Fate::Fails | Fate::Partly => Tone::Bad,
-        Fate::Stands => Tone::Good,
+        _ if whole.counted_as().stands() => Tone::Good,
         _ => Tone::Open,
     };
-    line.push(StorySpan::Words(whole.counted_as().words(1).to_owned(), tone));
+    known.push(StorySpan::Words(whole.counted_as().words(1).to_owned(), tone));
+    // A conclusion has a letter, and on a terminal a symbol for the words.
+    match hangs.letter(whole.id) {
+        Some(_) => {
+            let shape = whole.counted_as().shape().unwrap_or_else(|| whole.shape());
+            line.splice(0..0, [StorySpan::Shape(shape), words("\u{a0}")]);
+            line.push(StorySpan::Roomy(known));
+        }
+        None => line.extend(known),
+    }
     let mut broken: Vec<&&Whole<'a>> =
         hangs.grounds_of(whole.id).into_iter().filter_map(|id| by_id.get(id)).filter(|w| breaks(w)).collect();
     broken.sort_by_cached_key(|w| (!w.fate.is_against(), std::cmp::Reverse(hangs.weight(w.id))));
@@ -109,16 +121,16 @@ fn item<'a>(
         return StoryItem { mark, line, below: vec![StoryBlock::Group("chain", below)] };
     };
     let mut steps = chain(derivation, &hangs.chain(first.id, whole.id), (by_id, hangs), &mut told.chains);
-    steps.push(words("."));
     // Each break is shown once; a terminal has room for that of a conclusion that stands.
     let says = told.witnessed.insert(first.id).then(|| break_says(derivation, first)).filter(|says| !says.is_empty());
     match says {
         Some(says) if !whole.fate.is_against() => {
-            steps.push(words(" "));
+            steps.push(words(". "));
             steps.extend(says);
             below.push(StoryBlock::Paragraph(steps));
         }
         says => {
+            steps.push(roomy("."));
             below.push(StoryBlock::Paragraph(steps));
             below.extend(says.map(|says| StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(says)])));
         }
@@ -135,6 +147,8 @@ fn link<'a>(derivation: &'a Derivation, id: &'a str, by_id: &ById<'_, 'a>) -> Ve
     // The sentence may stand where what the argument needs of it does not.
     if let Some(needed) = whole.failing_need().filter(|_| !whole.fate.is_against()) {
         out.extend([words("\u{a0}("), StorySpan::Shape(needed.shape()), words("\u{a0}as used)")]);
+    } else if let Some(shape) = whole.shape_on_drawn() {
+        out.extend([words("\u{a0}("), StorySpan::Shape(shape), words("\u{a0}on a drawn motion)")]);
     }
     out
 }
@@ -162,7 +176,8 @@ fn chain<'a>(
     }
     let end = hangs.letter(last).map_or_else(|| "this".to_owned(), String::from);
     let mut end = vec![StorySpan::Words(end, Tone::Strong)];
-    end.extend(by_id.get(last).into_iter().flat_map(|w| [words("\u{a0}"), StorySpan::Shape(w.shape())]));
+    let shape = by_id.get(last).map(|w| StorySpan::Roomy(vec![words("\u{a0}"), StorySpan::Shape(w.shape())]));
+    end.extend(shape);
     steps.push(end);
     joined(steps, " → ")
 }
@@ -185,7 +200,8 @@ fn grounds<'a>(
     if more > 0 {
         out.push(quiet(format!(" and, through them or beside them, {more} more")));
     }
-    out.push(quiet("; no step of the chain is refuted."));
+    let on_drawn = all.iter().filter_map(|id| by_id.get(id)).any(|w| w.shape_on_drawn().is_some());
+    out.push(quiet(if on_drawn { "." } else { "; no step fails." }));
     out
 }
 
@@ -203,7 +219,7 @@ fn break_says<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<StorySpa
     }
     out.push(words(". "));
     if let Some(motion) = RefutingMotion::of(derivation, reading.claim) {
-        out.extend(motion.says(derivation, scope));
+        out.extend(motion.says(derivation, scope, Room::OnPage));
     } else if let Some(contrary) = whole.contrary() {
         let says = contrary.claim.says.trim_end_matches('.');
         out.push(StorySpan::Prose(format!("The contrary holds: “{says}”."), scope, Tone::Plain));

@@ -5,15 +5,15 @@
 //! holds; that the contrary holds is no correction.
 
 use super::basis::Basis;
-use super::digest::{Reading, Whole};
-use super::discrimination::standing;
+use super::digest::{Fate, Reading, Whole};
+use super::discrimination::{alone, standing};
 use super::finding::{of_step_marked, over_ranges_marked};
 use super::form::{Heading, heading};
 use super::front::Line;
 use super::numbers::{ascii_six, both, count, retold, six, size};
 use super::refuting::Refutes;
 use super::sketch::Sketch;
-use super::story::{StoryBlock, StorySpan, Tone, joined, quiet, words};
+use super::story::{StoryBlock, StorySpan, Tone, joined, quiet, roomy, words};
 use super::tally::{Standing, declared, motion_title};
 use super::wording::dense;
 use derivation::{ClaimRole, Derivation, FormKind};
@@ -25,10 +25,30 @@ use reason::Refuting;
 const LONGEST: usize = 600;
 /// Longest side, in bytes of LaTeX, that stands before its value.
 const LONGEST_SIDE: usize = 40;
+/// Longest print, in bytes of LaTeX, beside which what holds has room.
+const LONGEST_TOGETHER: usize = 36;
 /// Longest title of a motion, in letters.
 const LONGEST_TITLE: usize = 48;
 /// A side that changes by no more than this share of itself is constant.
 const SAME: f64 = 1e-9;
+
+/// Whether a terminal has room for the titles of motions.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Room {
+    Everywhere,
+    /// On a page, and not on a terminal.
+    OnPage,
+}
+
+impl Room {
+    /// A span for which there may be no room.
+    fn span(self, span: StorySpan<'_>) -> StorySpan<'_> {
+        match self {
+            Room::Everywhere => span,
+            Room::OnPage => StorySpan::Roomy(vec![span]),
+        }
+    }
+}
 
 /// A motion that refutes a claim: its name, and what was found on it.
 pub(super) struct RefutingMotion<'a> {
@@ -86,9 +106,9 @@ impl<'a> RefutingMotion<'a> {
     }
 
     /// The point in a sentence, with six digits: the motion with its title, the sides by their formulas.
-    pub fn says<'s>(&self, derivation: &'s Derivation, scope: &'s Scope) -> Vec<StorySpan<'s>> {
+    pub fn says<'s>(&self, derivation: &'s Derivation, scope: &'s Scope, room: Room) -> Vec<StorySpan<'s>> {
         let title = motion_title(derivation, &self.name, LONGEST_TITLE);
-        let title = title.map(|t| StorySpan::Prose(format!(" ({t})"), &derivation.scope, Tone::Quiet));
+        let title = title.map(|t| room.span(StorySpan::Prose(format!(" ({t})"), &derivation.scope, Tone::Quiet)));
         let mut out: Vec<StorySpan<'s>> = std::iter::once(words(format!("On {}", self.name))).chain(title).collect();
         let Some(w) = self.witness() else {
             let why = self.evidence.reason.as_ref().map(|r| format!(": {r}")).unwrap_or_default();
@@ -123,7 +143,9 @@ impl<'a> RefutingMotion<'a> {
             Refutes::Same => {
                 let components = if everywhere && label.component.is_some() { ", in every component" } else { "" };
                 let value = if components.is_empty() { format!(" ({})", six(w.left)) } else { String::new() };
-                out.push(words(format!(" both sides are equal{components}{value}; it says that they are not")));
+                out.push(words(" both sides are equal"));
+                out.push(StorySpan::Roomy(vec![words(components)]));
+                out.push(words(format!("{value}, and should differ")));
             }
             Refutes::Apart => {
                 let sides = label.component.is_none().then(|| sides(label.formula)).flatten();
@@ -144,10 +166,10 @@ impl<'a> RefutingMotion<'a> {
             }
         }
         // What is exact needs no bound.
-        out.push(quiet(match refutes == Refutes::Same && w.bound == 0.0 {
-            true => ".".to_owned(),
-            false => format!(" (error bound {}{constant}).", size(w.bound)),
-        }));
+        if refutes != Refutes::Same || w.bound != 0.0 {
+            out.push(roomy(format!(" (error bound {}{constant})", size(w.bound))));
+        }
+        out.push(quiet("."));
         out
     }
 }
@@ -268,7 +290,8 @@ impl<'a> FormulaShown<'a> {
             None => StorySpan::Math(formula, self.scope),
         }));
         if self.more > 0 {
-            out.push(quiet(format!(" and {}", count(self.more, "more formula"))));
+            let formulas = if self.more == 1 { " formula" } else { " formulas" };
+            out.extend([quiet(format!(" and {} more", self.more)), roomy(formulas)]);
         }
         out
     }
@@ -284,7 +307,9 @@ fn right<'a>(
     if let Some(c) = correction {
         let scope = declared(derivation, failing).map_or(&derivation.scope, |d| &d.scope);
         let (formula, beside) = (c.formula.clone(), c.printed.clone());
-        let mut out = vec![quiet("holds instead: "), StorySpan::Marked { formula, beside, scope, wrong: false }];
+        let alone = alone(failing, c).unwrap_or_else(|| " instead".to_owned());
+        let mut out =
+            vec![quiet(format!("holds{alone}: ")), StorySpan::Marked { formula, beside, scope, wrong: false }];
         out.push(quiet(format!(", {}", standing(c).replace("**", ""))));
         return Some(out);
     }
@@ -305,8 +330,9 @@ fn right<'a>(
         let shown = formula_of(derivation, reading.claim, 0)?;
         let mut out = vec![quiet("holds: ")];
         out.extend(shown.spans(None, false));
-        let says = format!(" — {}, ", reading.claim.says.trim_end_matches('.'));
-        out.push(StorySpan::Prose(says, shown.scope, Tone::Quiet));
+        let says = format!(" — {}", reading.claim.says.trim_end_matches('.'));
+        out.push(StorySpan::Roomy(vec![StorySpan::Prose(says, shown.scope, Tone::Quiet)]));
+        out.push(quiet(", "));
         let basis = reading.basis();
         let known = if basis == Basis::Proved { basis.kind().to_owned() } else { basis.words() };
         out.push(StorySpan::Prose(known, shown.scope, Tone::Quiet));
@@ -314,7 +340,7 @@ fn right<'a>(
     }
     let erratum = failing.variants.as_ref()?.erratum.as_ref()?;
     let tried = erratum.tried.0 + erratum.tried.1 + erratum.tried.2;
-    (tried > 0).then(|| vec![quiet(format!("no formula one change away holds: {tried} were tried"))])
+    (tried > 0).then(|| vec![quiet(format!("{} one change away were tried, and none holds", count(tried, "formula")))])
 }
 
 /// The correction nearest to the print.
@@ -326,7 +352,8 @@ pub(super) fn correction(claim: &ClaimAccount) -> Option<&Correction> {
 fn correction_says(claim: &ClaimAccount) -> Option<String> {
     let c = correction(claim)?;
     let formula = c.formula.split_whitespace().collect::<Vec<_>>().join(" ");
-    Some(format!("Holds instead: {formula}, {}.", standing(c).replace("**", "")))
+    let alone = alone(claim, c).unwrap_or_else(|| " instead".to_owned());
+    Some(format!("Holds{alone}: {formula}, {}.", standing(c).replace("**", "")))
 }
 
 /// The rate of a quantity that is said to be constant and is not, as an equation that is proved; `None` where none was found.
@@ -350,7 +377,7 @@ fn subject<'w, 'a>(whole: &'w Whole<'a>) -> Option<(&'w Reading<'a>, bool)> {
     contrary.or(whole.readings.first()).map(|r| (r, false))
 }
 
-/// Blocks of a card.
+/// Blocks of a card; its number is 0 where there is no other.
 pub(super) fn blocks<'a>(
     derivation: &'a Derivation,
     whole: &Whole<'a>,
@@ -358,9 +385,14 @@ pub(super) fn blocks<'a>(
     number: usize,
 ) -> Vec<StoryBlock<'a>> {
     let scope = &derivation.scope;
-    let mut head = vec![StorySpan::Words(format!("{number}. "), Tone::Strong)];
+    let lead = (number > 0).then(|| StorySpan::Words(format!("{number}. "), Tone::Strong));
+    let lead = lead.map(|of| if line.is_brief { StorySpan::Roomy(vec![of]) } else { of });
+    let mut head: Vec<StorySpan<'a>> = lead.into_iter().collect();
     head.push(StorySpan::Prose(line.says.clone(), scope, Tone::Strong));
     head.push(quiet(" ("));
+    if whole.fate == Fate::Added {
+        head.push(quiet("for comparison, "));
+    }
     if let Some(place) = &line.place {
         head.push(StorySpan::Prose(format!("{place}, "), scope, Tone::Quiet));
     }
@@ -392,10 +424,21 @@ pub(super) fn blocks<'a>(
         print.extend(provided(derivation, claim));
         out.push(StoryBlock::Paragraph(print));
     }
-    out.extend(right(derivation, whole, claim, correction).filter(|_| fails).map(StoryBlock::Paragraph));
+    let right = right(derivation, whole, claim, correction).filter(|_| fails);
+    match (out.last_mut(), right) {
+        // A terminal has the print and what holds in one line, where both are short.
+        (Some(StoryBlock::Paragraph(print)), Some(right)) if is_short(claim) => {
+            print.push(quiet("; "));
+            print.extend(right);
+        }
+        (_, right) => out.extend(right.map(StoryBlock::Paragraph)),
+    }
     let mut why = vec![StorySpan::Prose(format!("{} ", line.brief), scope, Tone::Plain)];
     match &motion {
-        Some(motion) => why.extend(motion.says(derivation, own)),
+        Some(motion) => {
+            let room = if line.is_brief { Room::OnPage } else { Room::Everywhere };
+            why.extend(motion.says(derivation, own, room));
+        }
         None => why.extend(
             over_ranges_marked(claim)
                 .or_else(|| of_step_marked(claim))
@@ -408,6 +451,11 @@ pub(super) fn blocks<'a>(
     }
     out.push(StoryBlock::Paragraph(why));
     out
+}
+
+/// Whether the print of a claim leaves room for another formula in its line.
+fn is_short(claim: &ClaimAccount) -> bool {
+    claim.assumptions.is_empty() && claim.formulas.first().is_some_and(|f| f.len() <= LONGEST_TOGETHER)
 }
 
 /// Both sides at the point that refutes a claim that has no motion: of its ranges, else of what is said for all values.

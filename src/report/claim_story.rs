@@ -18,8 +18,8 @@ use super::numbers::{count, size};
 use super::pair_story;
 use super::region;
 use super::story::{
-    Elsewhere, PartLevel, StoryBlock, StorySpan, Tone, claim, embedded, folded, joined, on_page, part, prose, quiet,
-    section, shapes, strong, words,
+    Elsewhere, PartLevel, StoryBlock, StorySpan, Tone, embedded, folded, joined, on_page, part, prose, quiet, section,
+    shapes, strong, words,
 };
 use super::tally::{Standing, declared, groups, name};
 use super::text::uncapital;
@@ -400,19 +400,4 @@ fn formulas<'a>(derivation: &'a Derivation, claim: &'a ClaimAccount, scope: &'a 
         }
     }
     out
-}
-
-/// What separates the motions of claims, and is not said.
-pub(super) fn unsaid<'a>(derivation: &'a Derivation, account: &'a Account) -> Option<StoryBlock<'a>> {
-    let found = digest::unsaid(derivation, account);
-    let items = found.iter().map(|u| {
-        let condition = digest::explanation(u.explanation);
-        let mut line = vec![StorySpan::Prose(condition, &derivation.scope, Tone::Strong), words(": ")];
-        line.extend(joined(u.claims.iter().map(|c| vec![claim(name(c))]), ", "));
-        line
-    });
-    let says = "What separates the motions on which a claim or reading holds from those on which it fails, as far as these motions can tell.";
-    let blocks = vec![StoryBlock::Paragraph(vec![quiet(says)]), super::story::list(items)];
-    let title = vec![words("What was left unsaid")];
-    (!found.is_empty()).then(|| part("/found/unsaid", PartLevel::Subsection, title, blocks))
 }

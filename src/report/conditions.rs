@@ -3,6 +3,7 @@
 use super::numbers::count;
 use super::story::{StoryBlock, StorySpan, list, prose, strong};
 use super::tally::name;
+use super::text::capital;
 use findings::conditions::{AssumptionAccount, ConditionName, Explanation, Need, Rival, Separation};
 use findings::{Account, ClaimAccount};
 use latex::Scope;
@@ -47,6 +48,17 @@ fn rival(r: &Rival) -> String {
     }
 }
 
+/// That there are too few motions to tell what separates them.
+fn too_few(s: &Separation) -> String {
+    let motions = count(s.holds.len() + s.fails.len(), "motion");
+    let tried = count(s.tried, "condition");
+    format!(
+        "it holds on {} and fails on {}: of {tried} that were tried some separate {motions} by accident, and none is told",
+        s.holds.len(),
+        s.fails.len()
+    )
+}
+
 /// The sentences on what separates the motions of a claim, formulas between dollars.
 pub(super) fn sentences(s: &Separation) -> Vec<String> {
     let mut out = Vec::new();
@@ -59,9 +71,10 @@ pub(super) fn sentences(s: &Separation) -> Vec<String> {
     );
     let tried = count(s.tried, "condition");
     let tried = format!("{tried} tried, {} that might explain it undecided somewhere", s.undecided);
-    match &s.explanation {
+    match s.told() {
+        None if s.explanation.is_some() => out.push(format!("{}.", capital(&too_few(s)))),
         Some(e) => {
-            out.push(format!("On the motions tried, it holds just where {}.", explanation(e)));
+            out.push(format!("On the motions tried, it holds exactly where {}.", explanation(e)));
             out.push(format!("This is {sides}; {tried}."));
             if !s.rivals.is_empty() {
                 let all: Vec<String> = s.rivals.iter().map(rival).collect();
@@ -117,13 +130,14 @@ pub(super) fn worth(a: &AssumptionAccount) -> String {
 
 /// What separates the trajectories of a claim, in a few words; the sentences say the rest.
 fn brief(s: &Separation) -> String {
-    let Some(e) = &s.explanation else {
+    if s.explanation.is_none() {
         return format!(
             "holds on {}, fails on {}; no condition, nor three together, separates them",
             s.holds.len(),
             s.fails.len()
         );
-    };
+    }
+    let Some(e) = s.told() else { return too_few(s) };
     let short = |c: &ConditionName| {
         let text = match (&c.id, &c.says) {
             (Some(id), _) => id.clone(),
@@ -137,7 +151,7 @@ fn brief(s: &Separation) -> String {
         0 => String::new(),
         n => format!("; {} as well", fits(n).to_lowercase()),
     };
-    format!("on the motions tried, it holds just where {}{rivals}", parts.join(&format!(" {} ", e.join.word())))
+    format!("on the motions tried, it holds exactly where {}{rivals}", parts.join(&format!(" {} ", e.join.word())))
 }
 
 fn fits(rivals: usize) -> String {

@@ -316,10 +316,26 @@ impl<'a> Whole<'a> {
         self.readings.iter().filter(fails).max_by_key(|r| r.refuting())
     }
 
-    /// What became of it, with what the paper needs of it.
+    /// A reading from which its fate follows, and that fails on a motion that was drawn at random, beside those of the file.
+    pub fn failing_drawn(&self) -> Option<&Reading<'a>> {
+        self.deciding().find(|r| r.claim.drawn.as_ref().is_some_and(|d| d.found.is_some()))
+    }
+
+    /// The symbol of its failure on a motion that was drawn, where it stands on those of the file and nothing else is against it.
+    pub fn shape_on_drawn(&self) -> Option<VerdictShape> {
+        let found = self.failing_drawn().filter(|_| self.counted_as() == CountedFate::OnFile)?;
+        let motion = found.claim.drawn.as_ref()?.found.as_ref()?;
+        Some(match motion.verdict.outcome() {
+            Outcome::Fails(Strength::Enclosed | Strength::Proved) => VerdictShape::Certified,
+            _ => VerdictShape::Fails,
+        })
+    }
+
+    /// What became of it, with what the paper needs of it, and with the motions that were drawn.
     pub fn counted_as(&self) -> CountedFate {
         match self.fate {
             Fate::Stands if self.failing_need().is_some() => CountedFate::AsSaid,
+            Fate::Stands if self.failing_drawn().is_some() => CountedFate::OnFile,
             fate => CountedFate::Fate(fate),
         }
     }
@@ -390,7 +406,7 @@ pub(super) fn unsaid<'a>(derivation: &Derivation, account: &'a Account) -> Vec<U
             s.holds.len() + s.fails.len() >= FEWEST_SEPARATED || s.rivals.is_empty() && s.more_rivals == 0
         };
         let separation = separation.filter(is_told);
-        let Some(explanation) = separation.and_then(|s| s.explanation.as_ref()) else { continue };
+        let Some(explanation) = separation.and_then(Separation::told) else { continue };
         match out.iter_mut().find(|u| u.explanation == explanation) {
             Some(known) => known.claims.push(claim),
             None => out.push(Unsaid { explanation, claims: vec![claim] }),
@@ -464,17 +480,18 @@ pub(super) fn verdict(reading: &Reading<'_>) -> String {
     let how = refuted(reading.claim);
     let has_members = ["holds", "fails", "undecided"].into_iter().any(|word| members(word) > 0);
     let among = if has_members { ", members of families among them" } else { "" };
+    let applies = if n("not-applicable") > 0 { " to which it applies" } else { "" };
     match reading.standing {
         Standing::Holds => format!("Holds, {}", reading.basis().words()),
         Standing::Fails => match n("fails") {
-            1 if n("undecided") == 0 => format!("Fails on the one motion to which it applies ({how})"),
+            1 if n("undecided") == 0 => format!("Fails on the one motion{applies} ({how})"),
             f if n("undecided") > 0 => format!("Fails on {} ({how}), undecided on others", count(f, "motion")),
-            2 => format!("Fails on both motions to which it applies ({how})"),
-            f => format!("Fails on all {f} motions to which it applies{among} ({how})"),
+            2 => format!("Fails on both motions{applies} ({how})"),
+            f => format!("Fails on all {f} motions{applies}{among} ({how})"),
         },
         Standing::Mixed => {
             let of = n("holds") + n("fails") + n("undecided");
-            format!("Fails on {} of {of} motions to which it applies{among} ({how})", n("fails"))
+            format!("Fails on {} of {of} motions{applies}{among} ({how})", n("fails"))
         }
         Standing::Open if n("holds") > 0 => {
             format!("Holds on {}, undecided on {}", count(n("holds"), "motion"), n("undecided"))
@@ -487,15 +504,17 @@ pub(super) fn verdict(reading: &Reading<'_>) -> String {
 /// What a mixed reading needs, as far as the motions that were tried show.
 pub(super) fn condition_of(claim: &ClaimAccount) -> Option<String> {
     let s = claim.conditions.separation.as_ref()?;
-    let Some(e) = &s.explanation else {
+    if s.explanation.is_none() {
         return Some("no condition that was tried separates them".to_owned());
-    };
+    }
+    // What separates few motions by accident is not said.
+    let e = s.told()?;
     let rivals = match s.rivals.len() + s.more_rivals {
         0 => "",
         1 => " (one other condition fits as well)",
         _ => " (other conditions fit as well)",
     };
-    Some(format!("on the motions tried, it holds just where {}{rivals}", explanation(e)))
+    Some(format!("on the motions tried, it holds exactly where {}{rivals}", explanation(e)))
 }
 
 #[cfg(all(test, debug_assertions))]

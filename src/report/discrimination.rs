@@ -106,6 +106,22 @@ pub(super) fn corrections<'a>(erratum: &'a Erratum, scope: &'a Scope) -> Vec<Sto
     vec![StoryBlock::Group("erratum", blocks)]
 }
 
+/// What a correction of a claim was tried on, where that is one motion, or the fields that the file puts in, and no more: ` on the motion
+/// X alone`. What is proved otherwise is for all that the claim follows from.
+pub(super) fn alone(claim: &ClaimAccount, c: &Correction) -> Option<String> {
+    if claim.region.as_ref().is_some_and(|r| r.ranges.iter().any(|range| range.is_field())) {
+        return Some(" for the fields of its ranges alone".to_owned());
+    }
+    let applies = |p: &&PairAccount| !matches!(p.verdict.outcome(), Outcome::NotApplicable(_));
+    let mut on = claim.results.iter().filter(applies);
+    match (c.strength, c.holds_on, on.next()) {
+        (verdict::Strength::Enclosed | verdict::Strength::Sampled, 1, Some(pair)) => {
+            Some(format!(" on the motion {} alone", pair.trajectory))
+        }
+        _ => None,
+    }
+}
+
 /// How far a correction was examined.
 pub(super) fn standing(c: &Correction) -> String {
     let proved = match c.strength {

@@ -35,7 +35,7 @@ pub(super) fn counted(drawn: &DrawnAccount) -> String {
     let told: Vec<String> = parts.iter().filter_map(told).collect();
     match all {
         0 => format!(
-            "None of {}, drawn at random with seed {}, is one to which it applies.",
+            "It applies to none of {}, drawn at random with seed {}.",
             count(t.all(), "further motion"),
             drawn.seed
         ),
@@ -80,7 +80,7 @@ pub(super) fn table(claim: &ClaimAccount) -> Option<&str> {
 
 /// What to do about it.
 pub(super) const ADVICE: &str =
-    "If such a motion is meant, the claim is false as it stands; if not, what it assumes is not said.";
+    "Either the claim means such motions, and is false; or it does not, and should say what it assumes.";
 
 /// The claims that hold on every motion of the file and fail on others: those of the paper first.
 fn refuted<'a>(derivation: &Derivation, wholes: &[Whole<'a>]) -> Vec<(&'a ClaimAccount, &'a FailingMotion)> {
@@ -100,14 +100,10 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, wholes: &[Whole<'a>]) -> Ve
     if found.is_empty() {
         return Vec::new();
     }
-    let title = format!(
-        "{} on every motion of the file, and on others {}",
-        match found.len() {
-            1 => "One claim holds".to_owned(),
-            n => format!("{n} claims hold"),
-        },
-        if found.len() == 1 { "fails" } else { "fail" }
-    );
+    let title = match found.len() {
+        1 => "One claim fails on a motion drawn at random".to_owned(),
+        n => format!("{n} claims fail on motions drawn at random"),
+    };
     let told = found.iter().take(MOST_TOLD).map(|(claim, motion)| one(derivation, claim, motion));
     let mut told: Vec<StoryBlock<'a>> = told.collect();
     let roomy = told.split_off(told.len().min(MOST_ON_TERMINAL));
@@ -139,7 +135,12 @@ fn one<'a>(derivation: &'a Derivation, claim: &'a ClaimAccount, found: &'a Faili
     let t = claim.drawn.as_ref().map(|d| d.tries).unwrap_or_default();
     let holds = claim.results.iter().filter(|p| p.verdict.outcome().word() == "holds").count();
     let all = t.holds + t.fails + t.undecided;
-    let of = format!(" holds on {}, fails on {} of {all} that were drawn at random. ", count(holds, "motion"), t.fails);
+    let of = match holds {
+        1 => " holds on the one motion of the file".to_owned(),
+        n => format!(" holds on all {} of the file", count(n, "motion")),
+    };
+    let applies = if holds < claim.results.len() { " to which it applies" } else { "" };
+    let of = format!("{of}{applies}, and fails on {} of {all} drawn ones. ", t.fails);
     StoryBlock::Paragraph(vec![
         StorySpan::Claim(name(claim), Tone::Strong),
         words(of),

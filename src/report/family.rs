@@ -172,7 +172,7 @@ fn separation(found: &FamilySeparation) -> String {
         }
     };
     format!(
-        "it holds just where {}, seen on {} on which it holds and {fails} on which it fails{fresh}",
+        "it holds exactly where {}, seen on {} on which it holds and {fails} on which it fails{fresh}",
         explanation_of(explanation),
         count(holds, "member"),
     )

@@ -15,7 +15,8 @@ use super::numbers::count;
 use super::tally::{Standing, name};
 use super::text::{capital, uncapital};
 use derivation::Derivation;
-use findings::{Account, ClaimAccount, IdentityAccount};
+use findings::conditions::Separation;
+use findings::{Account, ClaimAccount, FamilyAccount, IdentityAccount};
 
 /// Most claims that are told; the rest is counted.
 const MOST: usize = 14;
@@ -155,8 +156,7 @@ fn verdict(wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> String {
 
 /// With what strength claims stand.
 fn strength(wholes: &[Whole<'_>]) -> Option<String> {
-    let mut found: Vec<Basis> =
-        wholes.iter().filter(|w| w.counted_as() == CountedFate::Fate(Fate::Stands)).filter_map(Whole::basis).collect();
+    let mut found: Vec<Basis> = wholes.iter().filter(|w| w.counted_as().stands()).filter_map(Whole::basis).collect();
     found.sort_by(|a, b| b.cmp(a));
     let mut kinds: Vec<(&str, usize)> = Vec::new();
     for basis in &found {
@@ -202,13 +202,23 @@ fn reason(whole: &Whole<'_>, name: MotionName) -> String {
         let one_of_several = if several || fails.next().is_some() { "e.g. " } else { "" };
         out.push_str(&format!(", {one_of_several}{named}"));
     }
-    if let Some(e) = failing.claim.conditions.separation.as_ref().and_then(|s| s.explanation.as_ref()) {
-        out.push_str(&format!("; on the motions tried, it holds just where {}", digest::explanation(e)));
+    if let Some(e) = failing.claim.conditions.separation.as_ref().and_then(Separation::told) {
+        out.push_str(&format!("; on the motions tried, it holds exactly where {}", digest::explanation(e)));
     }
+    out.extend(failing.claim.families.iter().filter_map(threshold));
     if let Some(shown) = shown {
         out.push_str(&format!("; {shown}"));
     }
     format!("{out}.")
+}
+
+/// What separates the members of a family on which a claim holds from those on which it fails, and what it says of fresh ones.
+fn threshold(family: &FamilyAccount) -> Option<String> {
+    let found = family.separation.as_ref()?;
+    let condition = super::conditions::explanation(found.explanation.as_ref()?);
+    let tried = found.right + found.wrong;
+    let fresh = if tried > 0 { format!(" ({} of {tried} fresh members agree)", found.right) } else { String::new() };
+    Some(format!("; in the family {} it holds exactly where {condition}{fresh}", family.family))
 }
 
 /// What falls with a claim, in a sentence.
@@ -230,11 +240,15 @@ fn consequence(whole: &Whole<'_>, hangs: &Consequences<'_>) -> Option<String> {
     } else if !named.is_empty() {
         parts.push(named.join(", "));
     }
+    let is_one = conclusions.len() + others.len() == 1;
     let itself = if whole.conclusion { "This is a conclusion of the paper. " } else { "" };
     match (parts.is_empty(), itself) {
         (true, "") => None,
         (true, itself) => Some(itself.trim().to_owned()),
-        (false, itself) => Some(format!("{itself}On it rest {}.", parts.join("; "))),
+        (false, itself) => {
+            let verb = if is_one { "rests" } else { "rest" };
+            Some(format!("{itself}{} {verb} on it.", capital(&parts.join(" and "))))
+        }
     }
 }
 

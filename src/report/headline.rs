@@ -2,10 +2,12 @@
 //!
 //! **In:** the claims, each with all its readings. **Out:** `Of 54 claims 33 stand, 4 do not hold, …`, and what is in the file beside
 //! the paper's claims. A claim is counted once: what stands in its words, and fails in the sense in which the paper's argument uses
-//! it, has a number of its own.
+//! it, has a number of its own; so has what stands on the motions of the file, and fails on one that was drawn at random. Sentence, strip,
+//! matrix, cards and chains take from [`CountedFate`] what they say of a claim that stands.
 
 use super::digest::{Fate, Whole, listed};
 use super::numbers::count;
+use super::shape::VerdictShape;
 use findings::{Account, ClaimAccount};
 
 /// What a claim is counted as.
@@ -14,13 +16,18 @@ pub(super) enum CountedFate {
     Fate(Fate),
     /// It stands as it is said, and a reading that the paper needs fails.
     AsSaid,
+    /// It stands on the motions of the file, and fails on another that was drawn at random.
+    OnFile,
 }
 
 impl CountedFate {
     /// In the order of the sentence.
     pub fn told() -> impl Iterator<Item = CountedFate> {
-        let of_fate =
-            |fate| [CountedFate::Fate(fate)].into_iter().chain((fate == Fate::Stands).then_some(CountedFate::AsSaid));
+        let standing = [CountedFate::AsSaid, CountedFate::OnFile];
+        let of_fate = move |fate| {
+            let others = standing.into_iter().filter(move |_| fate == Fate::Stands);
+            std::iter::once(CountedFate::Fate(fate)).chain(others)
+        };
         Fate::TOLD.into_iter().flat_map(of_fate)
     }
 
@@ -28,7 +35,21 @@ impl CountedFate {
     pub fn fate(self) -> Fate {
         match self {
             CountedFate::Fate(fate) => fate,
-            CountedFate::AsSaid => Fate::Stands,
+            CountedFate::AsSaid | CountedFate::OnFile => Fate::Stands,
+        }
+    }
+
+    /// Whether it stands, and nothing that was tried is against it.
+    pub fn stands(self) -> bool {
+        self == CountedFate::Fate(Fate::Stands)
+    }
+
+    /// The symbol in the strip of all claims, where it is not that of the verdicts.
+    pub fn shape(self) -> Option<VerdictShape> {
+        match self {
+            CountedFate::Fate(_) => None,
+            CountedFate::AsSaid => Some(VerdictShape::Meaning),
+            CountedFate::OnFile => Some(VerdictShape::Mixed),
         }
     }
 
@@ -36,8 +57,10 @@ impl CountedFate {
     pub fn words(self, n: usize) -> &'static str {
         match (self, n) {
             (CountedFate::Fate(fate), n) => fate.words(n),
-            (CountedFate::AsSaid, 1) => "stands as stated, and fails as the paper uses it",
-            (CountedFate::AsSaid, _) => "stand as stated, and fail as the paper uses them",
+            (CountedFate::AsSaid, 1) => "stands as stated, but fails as the paper uses it",
+            (CountedFate::AsSaid, _) => "stand as stated, but fail as the paper uses them",
+            (CountedFate::OnFile, 1) => "stands on the motions of the file, but fails on another, drawn at random",
+            (CountedFate::OnFile, _) => "stand on the motions of the file, but fail on others, drawn at random",
         }
     }
 }
@@ -61,17 +84,14 @@ pub(super) fn headline(wholes: &[Whole<'_>]) -> String {
 
 /// The heading over the claims of one fate. What stands in its words and fails as it is used is told in it: a page has one count.
 pub(super) fn heading(fate: Fate, found: &[&Whole<'_>]) -> String {
-    let all = format!("{} {}", count(found.len(), "claim"), fate.words(found.len()));
-    match found.iter().filter(|w| w.counted_as() == CountedFate::AsSaid).count() {
-        0 => all,
-        n if n == found.len() => format!("{} {}", count(n, "claim"), CountedFate::AsSaid.words(n)),
-        n => format!(
-            "{} {}, and {n} {}",
-            count(found.len() - n, "claim"),
-            fate.words(found.len() - n),
-            CountedFate::AsSaid.words(n)
-        ),
-    }
+    let counted = |counted: CountedFate| found.iter().filter(|w| w.counted_as() == counted).count();
+    let others = CountedFate::told().filter(|c| c.fate() == fate && *c != CountedFate::Fate(fate));
+    let all = std::iter::once(CountedFate::Fate(fate)).chain(others).map(|c| (c, counted(c))).filter(|(_, n)| *n > 0);
+    let part = |(at, (c, n)): (usize, (CountedFate, usize))| match at {
+        0 => format!("{} {}", count(n, "claim"), c.words(n)),
+        _ => format!("{n} {}", c.words(n)),
+    };
+    listed(&all.enumerate().map(part).collect::<Vec<_>>())
 }
 
 /// How the claims were tried, each meaning and what is added for comparison by itself, in a sentence.
@@ -141,6 +161,6 @@ mod tests {
         let mut one = vec![all.remove(stands)];
         assert_eq!(headline(&one), "The claim stands.");
         one[0].readings.extend(needed);
-        assert_eq!(headline(&one), "The claim stands as stated, and fails as the paper uses it.");
+        assert_eq!(headline(&one), "The claim stands as stated, but fails as the paper uses it.");
     }
 }

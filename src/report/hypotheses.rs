@@ -3,12 +3,12 @@
 //! **In:** the account of each claim. **Out:** a bounded list, what most claims use first. Nothing is judged: what a claim assumes by its
 //! own words is not among it.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::digest::{self, Reading, Whole};
 use super::numbers::count;
 use super::points;
-use super::story::{StoryBlock, StoryItem, StorySpan, Tone, joined, on_page, quiet, words};
+use super::story::{PartLevel, StoryBlock, StoryItem, StorySpan, Tone, joined, part, quiet, words};
 use super::tally::{Standing, declared, name};
 use super::wording::dense;
 use derivation::{ClaimRole, Derivation, FormKind};
@@ -19,6 +19,8 @@ use reason::{Bounded, Proviso, Term};
 
 /// Most hypotheses that are told on page one; more are folded.
 const MOST: usize = 3;
+/// Most that the paper says in another place.
+const MOST_ELSEWHERE: usize = 1;
 /// Longest hypothesis that comes first, in bytes.
 const LONGEST_SHOWN: usize = 70;
 /// Most that are told at all.
@@ -71,17 +73,7 @@ pub(super) fn blocks<'a>(
     account: &'a Account,
     wholes: &[Whole<'a>],
 ) -> Vec<StoryBlock<'a>> {
-    let found = gathered(derivation, account, wholes);
-    let signs: Vec<String> =
-        found.iter().filter(|h| h.kind == HypothesisKind::Sign).map(|h| sign(derivation, h)).collect();
-    let (said, unsaid): (Vec<_>, Vec<_>) = found
-        .into_iter()
-        .filter(|h| h.kind != HypothesisKind::Sign)
-        .partition(|h| is_stated(derivation, wholes, &h.key));
-    let (technical, unsaid): (Vec<_>, Vec<_>) = unsaid.into_iter().partition(|h| h.kind == HypothesisKind::Technical);
-    let mut all = with_intermediate(unsaid, &derivation.scope);
-    // What has words comes first, then what most claims use.
-    all.sort_by_key(|h| (h.readable, std::cmp::Reverse(h.used.len())));
+    let Unsaid { unsaid: all, said, technical, signs } = Unsaid::of(derivation, account, wholes);
     // What proofs divide by is told where nothing else is.
     let first = if all.is_empty() { &technical } else { &all };
     let is_short = |h: &&Hypothesis<'_>| h.readable != Readable::Long;
@@ -99,26 +91,70 @@ pub(super) fn blocks<'a>(
     });
     let shown: Vec<_> = together.collect();
     let mut line = joined(shown, "; ");
-    line.push(quiet(match (is_none, more) {
-        (true, 0) => "No step uses a condition that its claim does not say.".to_owned(),
-        (true, n) => format!("{}, below.", count(n, "long condition")),
-        (false, 0) => ".".to_owned(),
-        (false, n) => format!("; +{n}."),
-    }));
-    let mut out = vec![StoryBlock::Heading("Used and not said".to_owned()), StoryBlock::Paragraph(line)];
+    line.extend(match (is_none, more) {
+        (true, 0) => vec![quiet("nothing.")],
+        (true, n) => {
+            vec![StorySpan::Section(count(n, "long condition"), UNSAID.to_owned()), quiet(", below.")]
+        }
+        (false, 0) => vec![quiet(".")],
+        (false, n) => vec![quiet("; "), StorySpan::Section(format!("+{n}"), UNSAID.to_owned()), quiet(".")],
+    });
+    line.extend(said_elsewhere(derivation, &said));
+    let mut out = vec![StoryBlock::Heading(TITLE.to_owned()), StoryBlock::Paragraph(line)];
     out.extend(conventions(derivation, &signs));
-    let mut folded = listed(&all);
-    folded.extend(said_elsewhere(derivation, &said));
-    if !technical.is_empty() {
-        folded
-            .push(StoryBlock::Paragraph(vec![quiet("What proofs divide by, and where their functions have values:")]));
-        folded.extend(listed(&technical));
-    }
-    if !folded.is_empty() {
-        let title = "Which claims use what".to_owned();
-        out.push(on_page(title, "", folded));
-    }
     out
+}
+
+/// The heading of the list, of which page one has the beginning.
+const TITLE: &str = "Used and not said";
+
+/// The whole list, with the claims that use each; nothing where nothing is used.
+pub(super) fn section<'a>(
+    derivation: &'a Derivation,
+    account: &'a Account,
+    wholes: &[Whole<'a>],
+) -> Option<StoryBlock<'a>> {
+    let Unsaid { unsaid, said, technical, .. } = Unsaid::of(derivation, account, wholes);
+    let mut blocks = listed(&unsaid);
+    for (lead, all) in [
+        ("Said by the paper in one place, and used in others:", &said),
+        ("What proofs divide by, and where their functions have values:", &technical),
+    ] {
+        if !all.is_empty() {
+            blocks.push(StoryBlock::Paragraph(vec![quiet(lead)]));
+            blocks.extend(listed(all));
+        }
+    }
+    (!blocks.is_empty()).then(|| part(UNSAID, PartLevel::Subsection, vec![words(TITLE)], blocks))
+}
+
+/// Where the whole list stands.
+const UNSAID: &str = "/found/unsaid";
+
+/// What is used: what nothing says, what the paper says in another place, what tells nothing of the paper, and which signs are meant.
+struct Unsaid<'a> {
+    unsaid: Vec<Hypothesis<'a>>,
+    said: Vec<Hypothesis<'a>>,
+    technical: Vec<Hypothesis<'a>>,
+    signs: Vec<String>,
+}
+
+impl<'a> Unsaid<'a> {
+    fn of(derivation: &'a Derivation, account: &'a Account, wholes: &[Whole<'a>]) -> Unsaid<'a> {
+        let found = gathered(derivation, account, wholes);
+        let (signs, found): (Vec<_>, Vec<_>) = found.into_iter().partition(|h| h.kind == HypothesisKind::Sign);
+        let (said, rest): (Vec<_>, Vec<_>) = found.into_iter().partition(|h| is_stated(derivation, wholes, &h.key));
+        let (technical, rest): (Vec<_>, Vec<_>) = rest.into_iter().partition(|h| h.kind == HypothesisKind::Technical);
+        let mut unsaid = with_intermediate(rest, &derivation.scope);
+        // What has words comes first, then what most claims use.
+        unsaid.sort_by_key(|h| (h.readable, std::cmp::Reverse(h.used.len())));
+        Unsaid { unsaid, said, technical, signs: signs.iter().map(|h| sign(derivation, h)).collect() }
+    }
+}
+
+/// The claims and readings that use a condition of the paper's subject that nothing says.
+pub(super) fn claims_with_unsaid(derivation: &Derivation, account: &Account, wholes: &[Whole<'_>]) -> BTreeSet<String> {
+    Unsaid::of(derivation, account, wholes).unsaid.into_iter().flat_map(|h| h.used).collect()
 }
 
 /// A hypothesis, and where it is used.
@@ -145,14 +181,15 @@ fn sign(derivation: &Derivation, of: &Hypothesis<'_>) -> String {
 }
 
 /// What claims use without saying so that the paper says in another place.
-fn said_elsewhere<'a>(derivation: &'a Derivation, said: &[Hypothesis<'a>]) -> Option<StoryBlock<'a>> {
+fn said_elsewhere<'a>(derivation: &'a Derivation, said: &[Hypothesis<'a>]) -> Vec<StorySpan<'a>> {
     if said.is_empty() {
-        return None;
+        return Vec::new();
     }
-    let mut out = vec![quiet("Said by the paper in one place, and used in others: ")];
-    out.extend(joined(said.iter().take(MOST).map(|of| with_places(derivation, of)), "; "));
-    out.push(quiet("."));
-    Some(StoryBlock::Paragraph(out))
+    let mut out = vec![quiet(" Said once, used elsewhere: ")];
+    out.extend(joined(said.iter().take(MOST_ELSEWHERE).map(|of| with_places(derivation, of)), "; "));
+    let more = said.len().saturating_sub(MOST_ELSEWHERE);
+    out.push(quiet(if more > 0 { format!("; +{more}.") } else { ".".to_owned() }));
+    out
 }
 
 /// Whether the paper itself states a condition, or chooses it: then it is not unsaid.

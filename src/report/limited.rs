@@ -9,7 +9,7 @@ use super::headline::CountedFate;
 use super::numbers::count;
 use super::points::{self, NeededReading};
 use super::said::said;
-use super::story::{StoryBlock, StorySpan, Tone, on_page, quiet, words};
+use super::story::{StoryBlock, StorySpan, Tone, on_page, quiet, roomy, words};
 use derivation::Derivation;
 
 /// Longest words for a claim, in letters.
@@ -80,10 +80,11 @@ pub(super) fn limits<'a>(
 /// What such a claim says, in what sense it stands, and where it fails as it is used.
 fn as_used<'a>(derivation: &'a Derivation, of: &Limited<'_, 'a>) -> Vec<StoryBlock<'a>> {
     let mut line = vec![words("“"), said(derivation, of.whole, Tone::Strong, LONGEST_NAME)];
-    line.push(quiet(match of.assumed {
-        0 => "”".to_owned(),
-        n => format!("” ({} {} it)", count(n, "reading"), if n == 1 { "assumes" } else { "assume" }),
-    }));
+    line.push(quiet("”"));
+    if of.assumed > 0 {
+        let verb = if of.assumed == 1 { "assumes" } else { "assume" };
+        line.push(roomy(format!(" ({} {verb} it)", count(of.assumed, "reading"))));
+    }
     let mut out = vec![StoryBlock::Paragraph(line)];
     // A terminal has the first sentences for it.
     out.extend(points::as_stated(derivation, of.whole).map(|line| StoryBlock::Group("roomy", vec![line])));

@@ -119,13 +119,7 @@ fn link(paper: &Paper, judgement: &Judgement, typeset: &[Option<Typeset>]) -> Ma
             a href=(format!("#f{}", judgement.relation)) { "line " (lint::line(paper, judgement)) }
             @if let Some(relation) = paper.printed.get(judgement.relation) {
                 div.formula tabindex="0" role="group" aria-label=(format!("wrong formula of line {}", lint::line(paper, judgement))) {
-                    (sides(relation, how))
-                }
-                @if let Some(instead) = &judgement.instead {
-                    @let printed = as_printed(relation, judgement, how);
-                    div.formula tabindex="0" role="group" aria-label="what holds" {
-                        span.quiet { "holds: " } (marked(instead, Some(&printed), how.map(|h| &h.scope), "good"))
-                    }
+                    (chain(relation, judgement, how))
                 }
             }
         }
@@ -192,7 +186,7 @@ fn one(paper: &Paper, judgement: &Judgement, typeset: &[Option<Typeset>]) -> Mar
                 @if !why.is_empty() { " – " (why) }
             }
             div.formula tabindex="0" role="group" aria-label=(format!("formula of line {}", lint::line(paper, judgement))) {
-                (sides(relation, how))
+                (chain(relation, judgement, how))
             }
             @if judgement.word == Word::Wrong { (wrong(relation, judgement, how)) }
         }
@@ -221,6 +215,34 @@ fn wrong(relation: &PrintedRelation, judgement: &Judgement, how: Option<&Typeset
             }
         }
         @if let Some(picture) = &judgement.picture { (drawing(picture)) }
+    }
+}
+
+/// All sides of a relation; of a wrong one the step that is wrong is marked in its place, and what holds stands beside it. Where what holds
+/// is a relation itself, all of it is wrong.
+fn chain(relation: &PrintedRelation, judgement: &Judgement, how: Option<&Typeset>) -> Markup {
+    if judgement.word != Word::Wrong {
+        return sides(relation, how);
+    }
+    let scope = how.map(|h| &h.scope);
+    let instead = |text: &String| html! { " " span.instead { "holds: " span.good { (formula(text, scope)) } } };
+    let at = relation.sides.iter().position(|s| s.span == judgement.span);
+    let is_relation = judgement.instead.as_ref().is_some_and(|text| text.contains('='));
+    let Some(at) = at.filter(|_| !is_relation) else {
+        return html! {
+            span.step.bad { span.sign { "✗ wrong: " } (sides(relation, how)) }
+            @if let Some(text) = &judgement.instead { (instead(text)) }
+        };
+    };
+    html! {
+        @for k in 0..relation.sides.len() {
+            @if let Some(sign) = k.checked_sub(1).and_then(|k| relation.signs.get(k)) { " " (character(sign)) " " }
+            @if k == at {
+                span.step.bad { span.sign { "✗ wrong: " } (formula(text_of(relation, how, k), scope)) }
+                @if let Some(text) = &judgement.instead { (instead(text)) }
+            } @else { (formula(text_of(relation, how, k), scope)) }
+        }
+        @if let Some(label) = &relation.label { span.quiet { "  (" (label) ")" } }
     }
 }
 

@@ -12,11 +12,12 @@ use super::consequence::Consequences;
 use super::digest::{self, Fate, Reading, Whole};
 use super::discrimination;
 use super::graph::ProofStanding;
+use super::headline::CountedFate;
 use super::limited::limited;
 use super::numbers::count;
 use super::said::said;
 use super::story::{
-    self, StoryBlock, StoryItem, StorySpan, StoryTable, TableCells, Tone, VerdictShape, joined, quiet, words,
+    self, StoryBlock, StoryItem, StorySpan, StoryTable, TableCells, Tone, VerdictShape, joined, quiet, roomy, words,
 };
 use super::tally::motion_title;
 use derivation::{ClaimRole, Derivation};
@@ -32,6 +33,8 @@ pub(super) const MOST_COLUMNS: usize = 6;
 const LONGEST_HEAD: usize = 38;
 /// Most motions that are named of a class.
 const MOST_NAMED: usize = 3;
+/// Most classes that are compared, each with each; of more the smallest are put together.
+const MOST_COMPARED: usize = 40;
 /// Conditions that tell motions apart.
 const MOST_CONDITIONS: usize = 2;
 
@@ -104,9 +107,13 @@ pub(super) fn blocks<'a>(
     if rows.iter().any(|whole| columns.iter().any(|column| as_used(whole, &column.of).is_some())) {
         legend.push(quiet("; / ✖: as used"));
     }
+    if rows.iter().any(|whole| columns.iter().any(|column| on_drawn(whole, &column.of).is_some())) {
+        legend.push(quiet(format!("; ≢ / {}: on a drawn motion", VerdictShape::Fails.sign())));
+    }
     let more = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count().saturating_sub(rows.len());
     if more > 0 {
-        legend.extend([quiet("; "), StorySpan::Section(format!("+{more} rows"), "/claims".to_owned())]);
+        let more = StorySpan::Section(format!("+{more} rows"), "/claims".to_owned());
+        legend.push(StorySpan::Roomy(vec![quiet("; "), more]));
     }
     let keys = columns.into_iter().enumerate().map(|(at, column)| StoryItem {
         mark: letter(at),
@@ -133,6 +140,7 @@ fn row<'a>(
     let tone = match whole.fate {
         Fate::Fails | Fate::Partly => Tone::Bad,
         Fate::Reading => Tone::Open,
+        _ if whole.counted_as() == CountedFate::OnFile => Tone::Open,
         _ => Tone::Plain,
     };
     let mut head = vec![said(derivation, whole, tone, LONGEST_HEAD)];
@@ -140,12 +148,14 @@ fn row<'a>(
         head.insert(0, StorySpan::Words(format!("{letter} "), Tone::Strong));
     }
     let cells = columns.iter().map(|column| {
-        let stated = cell(whole, &column.of).into_iter().flat_map(|shape| {
+        let stated = cell(whole, &column.of);
+        let slash = stated.map(|_| quiet("\u{a0}/\u{a0}"));
+        let stated = stated.into_iter().flat_map(|shape| {
             let share = share(whole, &column.of, shape).map(|(some, all)| quiet(format!("\u{a0}{some}/{all}")));
             std::iter::once(StorySpan::Shape(shape)).chain(share)
         });
-        let used =
-            as_used(whole, &column.of).into_iter().flat_map(|shape| [quiet("\u{a0}/\u{a0}"), StorySpan::Shape(shape)]);
+        let used = as_used(whole, &column.of).or_else(|| on_drawn(whole, &column.of));
+        let used = used.into_iter().flat_map(|shape| slash.clone().into_iter().chain([StorySpan::Shape(shape)]));
         stated.chain(used).collect()
     });
     std::iter::once(head).chain(cells).collect()
@@ -155,6 +165,14 @@ fn row<'a>(
 fn as_used(whole: &Whole<'_>, column: &ColumnMotions<'_>) -> Option<VerdictShape> {
     let used = whole.failing_need().filter(|_| !whole.fate.is_against())?;
     of_reading(used, column).filter(|shape| shape.tone() == Tone::Bad)
+}
+
+/// The symbol of a claim that stands on the motions of the file and fails on one that was drawn: beside what is known for all values.
+fn on_drawn(whole: &Whole<'_>, column: &ColumnMotions<'_>) -> Option<VerdictShape> {
+    match column {
+        ColumnMotions::AllValues => whole.shape_on_drawn(),
+        ColumnMotions::Motions(_) | ColumnMotions::Families(_) => None,
+    }
 }
 
 /// The reading that fails, of which the page tells, where it fails on this class of motions; with its symbol there.
@@ -185,7 +203,9 @@ fn share(whole: &Whole<'_>, column: &ColumnMotions<'_>, shape: VerdictShape) -> 
         pairs.map(|p| p.trajectory.as_str()).filter(|id| named.contains(id)).collect::<BTreeSet<_>>().len()
     };
     let (found, of) = (on(&is_so), on(&applies));
-    (found > 0 && found < of).then_some((found, of))
+    // A sign that refutes says to how many it applies, where that is not the whole class.
+    let refutes_some = matches!(shape, VerdictShape::Fails | VerdictShape::Certified) && of < named.len();
+    (found > 0 && (found < of || refutes_some)).then_some((found, of))
 }
 
 /// What a class of motions says of a claim with all its readings.
@@ -240,7 +260,7 @@ fn of_reading(reading: &Reading<'_>, column: &ColumnMotions<'_>) -> Option<Verdi
         ColumnMotions::Motions(named) => {
             for pair in claim.results.iter().filter(|p| named.contains(p.trajectory.as_str())) {
                 let weak = discrimination::is_weak(pair);
-                all.push(if weak { VerdictShape::Weak } else { shape(pair.verdict.outcome()) });
+                all.push(if weak { VerdictShape::Weak } else { on_motion(reading, pair.verdict.outcome()) });
             }
         }
         ColumnMotions::Families(named) => {
@@ -291,6 +311,14 @@ fn for_all_values(reading: &Reading<'_>) -> Option<VerdictShape> {
     }
 }
 
+/// The symbol of a verdict on a motion: what is proved along it alone, and for other values is not, is so at every time of it.
+fn on_motion(reading: &Reading<'_>, outcome: Outcome) -> VerdictShape {
+    match (outcome, &reading.proof) {
+        (Outcome::Holds(Strength::Proved), ProofStanding::None | ProofStanding::Circular) => VerdictShape::Enclosed,
+        (outcome, _) => shape(outcome),
+    }
+}
+
 /// The symbol of a verdict.
 pub(super) fn shape(outcome: Outcome) -> VerdictShape {
     match outcome {
@@ -307,7 +335,8 @@ pub(super) fn shape(outcome: Outcome) -> VerdictShape {
 /// The columns: classes of motions, families, and what needs no motion.
 fn columns<'a>(derivation: &'a Derivation, account: &'a Account, rows: &[&Whole<'a>]) -> Vec<MatrixColumn<'a>> {
     let shown: Vec<&'a ClaimAccount> = rows.iter().flat_map(|w| w.deciding()).map(|r| r.claim).collect();
-    let known = rows.iter().flat_map(|w| w.deciding()).any(|r| for_all_values(r).is_some());
+    let known = rows.iter().flat_map(|w| w.deciding()).any(|r| for_all_values(r).is_some())
+        || rows.iter().any(|w| w.shape_on_drawn().is_some());
     let mut families: Vec<&'a str> = Vec::new();
     for family in shown.iter().flat_map(|c| &c.families) {
         if !families.contains(&family.family.as_str()) {
@@ -391,7 +420,7 @@ fn condition_words<'a>(
     };
     match (some, others) {
         (0, 0) => Vec::new(),
-        (0, 1) => with(false).map(|u| says(u, "not: ")).collect(),
+        (0, 1) => vec![vec![words("the others")]],
         (0, 2) => vec![vec![words("neither")]],
         (0, _) => vec![vec![words("none of these")]],
         (_, 0) => with(true).map(|u| says(u, "")).collect(),
@@ -399,7 +428,33 @@ fn condition_words<'a>(
     }
 }
 
-/// Classes of motions, at most so many: the smallest are put together.
+/// Of how many claims two classes have other verdicts; what fails and what does not apply is as far apart as what holds and what fails.
+fn apart(a: &ClassMark<'_>, b: &ClassMark<'_>) -> usize {
+    match (a, b) {
+        (ClassMark::Verdicts(a), ClassMark::Verdicts(b)) => a.iter().zip(b).filter(|(a, b)| a != b).count(),
+        (ClassMark::Conditions(a), ClassMark::Conditions(b)) => a.iter().zip(b).filter(|(a, b)| a != b).count(),
+        (ClassMark::Verdicts(_), ClassMark::Conditions(_)) | (ClassMark::Conditions(_), ClassMark::Verdicts(_)) => {
+            usize::MAX
+        }
+    }
+}
+
+/// Puts the two classes together that are most alike, until there are so many.
+fn put_together<'a>(classes: &mut Vec<(ClassMark<'a>, Vec<&'a str>)>, most: usize) {
+    while classes.len() > most {
+        let pairs = (0..classes.len()).flat_map(|i| (i + 1..classes.len()).map(move |j| (i, j)));
+        let of = |at: usize| classes.get(at).map(|(mark, _)| mark);
+        let alike = pairs.min_by_key(|&(i, j)| of(i).zip(of(j)).map_or(usize::MAX, |(a, b)| apart(a, b)));
+        let Some((first, second)) = alike else { break };
+        let (_, ids) = classes.remove(second);
+        if let Some((_, known)) = classes.get_mut(first) {
+            known.extend(ids);
+        }
+    }
+}
+
+/// Classes of motions, at most so many: those on which most claims fare alike are put together; where conditions tell them apart, the
+/// smallest.
 fn motions<'a>(
     derivation: &'a Derivation,
     account: &'a Account,
@@ -438,6 +493,9 @@ fn motions<'a>(
     }
     let mut rest: Vec<&'a str> = Vec::new();
     let most = most.max(1);
+    if conditions.is_empty() && classes.len() <= MOST_COMPARED {
+        put_together(&mut classes, most);
+    }
     while classes.len() + usize::from(!rest.is_empty()) > most {
         let Some(least) = (0..classes.len()).rev().min_by_key(|&at| classes[at].1.len()) else { break };
         rest.extend(classes.remove(least).1);
@@ -450,11 +508,10 @@ fn motions<'a>(
                 let mut out = joined(condition_words(derivation, of, &conditions), "; ");
                 let lead = if out.is_empty() { "neither is known: " } else { ": " };
                 let first = ids.first().copied().unwrap_or_default();
-                out.push(quiet(if ids.len() == 1 {
-                    format!("{lead}{first}")
-                } else {
-                    format!("{lead}{n}, e.g. {first}")
-                }));
+                match ids.len() {
+                    1 => out.push(quiet(format!("{lead}{first}"))),
+                    _ => out.extend([quiet(format!("{lead}{n}")), roomy(format!(", e.g. {first}"))]),
+                }
                 out
             }
         }

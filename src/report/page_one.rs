@@ -11,22 +11,22 @@ use super::argument;
 use super::card;
 use super::consequence::Consequences;
 use super::digest::{self, Fate, Reading, Whole};
+use super::discrimination;
 use super::drawn;
 use super::front::{self, Front, Line};
-use super::headline;
+use super::headline::{self, CountedFate};
 use super::hypotheses;
 use super::limited::{self, Limited};
 use super::motion_matrix::{self, that_matter};
 use super::numbers::count;
 use super::said;
 use super::sketch::Sketch;
-use super::story::{
-    self, Elsewhere, StoryBlock, StorySpan, Tone, VerdictShape, fold, folded as folded_as, quiet, words,
-};
-use super::tally::{Standing, declared};
+use super::story::{self, Elsewhere, StoryBlock, StorySpan, Tone, fold, folded as folded_as, quiet, roomy, words};
+use super::tally::{Standing, declared, name};
 use super::text::{Paint, capital, paragraph, uncapital};
 use derivation::Derivation;
-use findings::Account;
+use findings::conditions::Separation;
+use findings::{Account, Correction};
 
 /// Most claims of a list in a sentence.
 const MOST_NAMED: usize = 6;
@@ -38,6 +38,8 @@ const LONGEST_LISTED: usize = 36;
 const MOST_CARDS: usize = 3;
 /// Most lines of a terminal that have the remark of a file; the rest is folded.
 const MOST_REMARKED: usize = 3;
+/// Longest words for a claim on which a conclusion rests, in letters.
+const LONGEST_GROUND: usize = 34;
 /// Most labels and letters that a sentence lists.
 const MOST_LABELS: usize = 12;
 /// Longest formula, in bytes of LaTeX, that a sentence quotes.
@@ -51,17 +53,14 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     let hangs = Consequences::new(derivation);
     let front = Front::of(derivation, account, &wholes, &hangs);
     let scope = &derivation.scope;
-    let mut head = headline(derivation, &wholes, &hangs, &front);
+    let mut head = headline(derivation, account, &wholes, &hangs, &front);
     for alarm in &front.alarms {
         head.push(StoryBlock::Paragraph(vec![StorySpan::Prose(format!("! {alarm}"), scope, Tone::Alarm)]));
     }
     head.extend(not_as_expected(derivation, account, &wholes));
     head.extend(remark(derivation));
-    // What fails as the paper uses it is not shown as what stands.
-    let field = |w: &Whole<'_>| match w.counted_as() {
-        headline::CountedFate::AsSaid => VerdictShape::Meaning,
-        headline::CountedFate::Fate(_) => w.shape(),
-    };
+    // What fails as the paper uses it, or on a motion that was drawn, is not shown as what stands.
+    let field = |w: &Whole<'_>| w.counted_as().shape().unwrap_or_else(|| w.shape());
     let fields = wholes.iter().filter(|w| w.fate.is_of_the_paper()).map(field);
     let strip = Sketch::Strip(fields.collect());
     let shown = front.lines.first().map(|l| l.id.as_str());
@@ -71,13 +70,16 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     matrix.extend(motion_matrix::blocks(derivation, account, (&wholes, &hangs), story::shapes(&concludes)));
     // What has no room on the first screen: the counts, where they are not the first sentence, and how much is proved.
     let counts = [Some(headline::headline(&wholes)), front.strength.clone()].into_iter().flatten();
-    let counts = counts.filter(|_| has_sentences(derivation, &wholes, &hangs));
+    let counts = counts.filter(|_| has_sentences(derivation, account, &wholes, &hangs));
     let strength = counts.chain(front.proofs.clone()).chain(front.beside.clone());
     let strength = strength.map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).collect();
     let mut unsaid = limited::limits(derivation, &wholes, &hangs);
     unsaid.extend(hypotheses::blocks(derivation, account, &wholes));
-    let mut foot = vec![StorySpan::Prose(format!("{} To repeat it: ", front.author), scope, Tone::Quiet)];
-    foot.extend([StorySpan::Code(front.command.clone()), quiet(format!(" ({}).", front.version))]);
+    let author = front.author.trim_end_matches('.');
+    let (author, rest) = author.split_at(author.find(';').unwrap_or(author.len()));
+    let rest = StorySpan::Roomy(vec![StorySpan::Prose(rest.to_owned(), scope, Tone::Quiet)]);
+    let mut foot = vec![StorySpan::Prose(author.to_owned(), scope, Tone::Quiet), rest, quiet(". To repeat it: ")];
+    foot.extend([StorySpan::Code(front.command.clone()), roomy(format!(" ({})", front.version)), quiet(".")]);
     vec![
         StoryBlock::Group("head", head),
         StoryBlock::Group("matters", matrix),
@@ -106,22 +108,23 @@ fn not_as_expected<'a>(derivation: &'a Derivation, account: &Account, wholes: &[
 }
 
 /// Whether something is said of printed equations or of conclusions, before claims are counted.
-fn has_sentences(derivation: &Derivation, wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> bool {
-    equations(derivation, wholes).is_some() || conclusions(wholes, hangs).is_some()
+fn has_sentences(derivation: &Derivation, account: &Account, wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> bool {
+    equations(derivation, account, wholes).is_some() || conclusions(wholes, hangs).is_some()
 }
 
 /// The first sentences, for a reader who knows none of the words of a report: what became of the printed equations, where the argument goes
 /// wrong, what became of the conclusions; and the counts. Of a paper without labels and conclusions the counts are the first sentence.
 fn headline<'a>(
     derivation: &'a Derivation,
+    account: &Account,
     wholes: &[Whole<'a>],
     hangs: &Consequences<'a>,
     front: &Front,
 ) -> Vec<StoryBlock<'a>> {
     let scope = &derivation.scope;
-    let of_equations = equations(derivation, wholes);
+    let of_equations = equations(derivation, account, wholes);
     let of_conclusions = conclusions(wholes, hangs);
-    let is_short = !has_sentences(derivation, wholes, hangs);
+    let is_short = !has_sentences(derivation, account, wholes, hangs);
     let mut counts = vec![StorySpan::Prose(headline::headline(wholes), scope, Tone::Strong)];
     counts.extend(front.strength.iter().map(|text| StorySpan::Prose(format!(" {text}"), scope, Tone::Quiet)));
     let limited = limited::limited(derivation, wholes, hangs);
@@ -136,20 +139,40 @@ fn headline<'a>(
     vec![StoryBlock::Group("headline", first)]
 }
 
+/// How a printed equation stands; the worst comes last.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum StandsAs {
+    Printed,
+    /// Its proof uses a condition that nothing says.
+    Conditional,
+    /// It fails on a motion that was drawn, beside those of the file.
+    OnFile,
+}
+
 /// What became of the printed equations: those that hold as they are printed, and the others by what became of the worst claim on them.
-fn equations(derivation: &Derivation, wholes: &[Whole<'_>]) -> Option<String> {
-    let mut labels: Vec<(&str, Fate)> = Vec::new();
+fn equations(derivation: &Derivation, account: &Account, wholes: &[Whole<'_>]) -> Option<String> {
+    let unsaid = hypotheses::claims_with_unsaid(derivation, account, wholes);
+    let mut labels: Vec<(&str, (Fate, StandsAs))> = Vec::new();
     for whole in wholes.iter().filter(|w| w.fate.is_of_the_paper()) {
         let label = whole.readings.iter().find_map(|r| declared(derivation, r.claim)?.label.as_deref());
         let Some(label) = label else { continue };
+        let stands_as = match whole.counted_as() {
+            CountedFate::OnFile => StandsAs::OnFile,
+            _ if whole.deciding().any(|r| unsaid.contains(&name(r.claim))) => StandsAs::Conditional,
+            _ => StandsAs::Printed,
+        };
         match labels.iter_mut().find(|(known, _)| *known == label) {
-            Some((_, worst)) => *worst = whole.fate.min(*worst),
-            None => labels.push((label, whole.fate)),
+            Some((_, worst)) => *worst = (whole.fate.min(worst.0), stands_as.max(worst.1)),
+            None => labels.push((label, (whole.fate, stands_as))),
         }
     }
     let mut parts = Vec::new();
-    for fate in Fate::TOLD {
-        let of: Vec<String> = labels.iter().filter(|(_, f)| *f == fate).map(|(l, _)| (*l).to_owned()).collect();
+    let standing = [StandsAs::Printed, StandsAs::Conditional, StandsAs::OnFile];
+    let kinds = standing.map(|of| (Fate::Stands, Some(of))).into_iter();
+    let others = Fate::TOLD.into_iter().filter(|fate| *fate != Fate::Stands).map(|fate| (fate, None));
+    for (fate, stands_as) in kinds.chain(others) {
+        let is_it = |found: &(Fate, StandsAs)| found.0 == fate && stands_as.is_none_or(|of| of == found.1);
+        let of: Vec<String> = labels.iter().filter(|(_, f)| is_it(f)).map(|(l, _)| (*l).to_owned()).collect();
         let shown = &of[..of.len().min(MOST_LABELS)];
         let more = (of.len() > shown.len()).then(|| format!("{} more", of.len() - shown.len()));
         let listed = digest::listed(&shown.iter().cloned().chain(more).collect::<Vec<_>>());
@@ -160,8 +183,13 @@ fn equations(derivation: &Derivation, wholes: &[Whole<'_>]) -> Option<String> {
             (true, _) => "Equations ",
         };
         let verb = match (fate, of.len()) {
-            (Fate::Stands, 1) => "holds as printed",
-            (Fate::Stands, _) => "hold as printed",
+            (Fate::Stands, n) => match (stands_as, n) {
+                (Some(StandsAs::Conditional), 1) => "holds under conditions that it does not say",
+                (Some(StandsAs::Conditional), _) => "hold under conditions that they do not say",
+                (Some(StandsAs::OnFile), n) => CountedFate::OnFile.words(n),
+                (Some(StandsAs::Printed) | None, 1) => "holds as printed",
+                (Some(StandsAs::Printed) | None, _) => "hold as printed",
+            },
             (Fate::Reading, 1) if !parts.is_empty() => "only in one of its readings",
             (Fate::Reading, _) if !parts.is_empty() => "only in one of their readings",
             (fate, n) => fate.words(n),
@@ -188,18 +216,20 @@ fn gap(limited: &[Limited<'_, '_>], wholes: &[Whole<'_>], front: &Front) -> Opti
         };
         let stated = first.whole.deciding().find(|r| r.standing == Standing::Holds).map(sense).unwrap_or_default();
         return Some(format!(
-            "{} is true as stated{stated}, and false where the paper uses it{}: {}.",
+            "{} holds as stated{stated}, but {} as used{}.",
             quoted(first.whole),
-            sense(first.used),
-            fails_on(first.used).trim_start_matches("fails ").trim_end_matches(" (certified)")
+            fails_on(first.used).trim_end_matches(" (certified)"),
+            sense(first.used)
         ));
     }
     let heaviest = front.lines.first()?;
     let whole = wholes.iter().find(|w| w.id == heaviest.id)?;
     Some(match (whole.failing(), whole.contrary()) {
         (Some(failing), _) => match corrected(failing) {
-            Some((printed, right)) => {
-                format!("{}, tested as ${printed}$, {}; ${right}$ holds instead.", quoted(whole), fails_on(failing))
+            Some(found) => {
+                let (printed, right) = (found.printed.trim(), found.formula.trim());
+                let how = discrimination::alone(failing.claim, found).unwrap_or_else(|| " instead".to_owned());
+                format!("{}, tested as ${printed}$, {}; ${right}$ holds{how}.", quoted(whole), fails_on(failing))
             }
             None => format!("{} {}.", quoted(whole), fails_on(failing)),
         },
@@ -211,10 +241,10 @@ fn gap(limited: &[Limited<'_, '_>], wholes: &[Whole<'_>], front: &Front) -> Opti
 }
 
 /// The formula of a claim that fails, and the nearest right one, where both are short: the words of a sentence may say what is right.
-fn corrected<'a>(failing: &Reading<'a>) -> Option<(&'a str, &'a str)> {
+fn corrected<'a>(failing: &Reading<'a>) -> Option<&'a Correction> {
     let found = card::correction(failing.claim)?;
     let is_short = |formula: &str| formula.len() <= LONGEST_TOLD && !formula.contains('$');
-    (is_short(&found.printed) && is_short(&found.formula)).then_some((found.printed.trim(), found.formula.trim()))
+    (is_short(&found.printed) && is_short(&found.formula)).then_some(found)
 }
 
 /// What the argument of the paper needs besides, and what fails on every motion: premises that exclude one another, an effect that a
@@ -227,7 +257,8 @@ fn needed_besides(wholes: &[Whole<'_>], hangs: &Consequences<'_>, told: Option<&
     let reading = whole.failing_nowhere_true()?;
     let on = digest::verdict(reading).replace(" to which it applies", "");
     let on = on.trim_end_matches(" (certified)").trim_end_matches(" (at samples)");
-    Some(format!("Its argument needs “{}”, too: that {}.", reading.claim.says.trim_end_matches('.'), uncapital(on)))
+    let on = uncapital(on.trim_end_matches(" motions"));
+    Some(format!("The paper also needs “{}”, which {on}.", reading.claim.says.trim_end_matches('.')))
 }
 
 /// What became of the conclusions, by their letters.
@@ -239,34 +270,61 @@ fn conclusions(wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> Option<String>
     }
     let on = |breaks: fn(&Whole<'_>) -> bool| hangs.resting_on(wholes.iter().filter(|w| breaks(w)).map(|w| w.id));
     let (against, needed) = (on(|w| w.fate.is_against()), on(|w| w.failing_need().is_some()));
-    let after = |whole: &Whole<'_>| match () {
-        () if against.contains(whole.id) => ", but rests on claims that do not",
-        () if needed.contains(whole.id) => ", but rests on claims that fail where they are used",
-        () => "",
+    let heaviest = |whole: &Whole<'_>, breaks: fn(&Whole<'_>) -> bool| {
+        let grounds = hangs.grounds_of(whole.id);
+        let broken = grounds.into_iter().filter_map(|id| by_id.get(id).copied()).filter(|w| breaks(w));
+        broken.reduce(|a, b| if hangs.weight(b.id) > hangs.weight(a.id) { b } else { a })
     };
-    let mut groups: Vec<(Fate, &str, Vec<String>)> = Vec::new();
+    let after = |whole: &Whole<'_>| match () {
+        () if against.contains(whole.id) => broken_ground(heaviest(whole, |w| w.fate.is_against())),
+        () if needed.contains(whole.id) => match heaviest(whole, |w| w.failing_need().is_some()) {
+            Some(ground) => {
+                format!(", but rests on {}, which fails as it is used", said::quoted(ground, LONGEST_GROUND))
+            }
+            None => ", but rests on claims that fail as they are used".to_owned(),
+        },
+        () => String::new(),
+    };
+    let mut groups: Vec<(CountedFate, String, Vec<String>)> = Vec::new();
     for whole in &all {
-        let key = (whole.fate, if whole.fate.is_against() { "" } else { after(whole) });
+        let key = (whole.counted_as(), if whole.fate.is_against() { String::new() } else { after(whole) });
         let letter = hangs.letter(whole.id).map_or_else(|| whole.id.to_owned(), String::from);
-        match groups.iter_mut().find(|(fate, after, _)| (*fate, *after) == key) {
+        match groups.iter_mut().find(|(fate, after, _)| *fate == key.0 && *after == key.1) {
             Some((.., letters)) => letters.push(letter),
             None => groups.push((key.0, key.1, vec![letter])),
         }
     }
-    let part = |(fate, after, letters): &(Fate, &str, Vec<String>)| {
+    let part = |(fate, after, letters): &(CountedFate, String, Vec<String>)| {
         let n = letters.len();
         let verb = match fate {
-            Fate::Stands if n == 1 => "holds",
-            Fate::Stands => "hold",
+            CountedFate::Fate(Fate::Stands) if n == 1 => "holds",
+            CountedFate::Fate(Fate::Stands) => "hold",
             fate => fate.words(n),
         };
         // One that holds rests on what does not: with more of them the verb is another.
-        let after = if n > 1 { after.replace("but rests", "but rest") } else { (*after).to_owned() };
+        let after = if n > 1 { after.replacen("but rests", "but rest", 1) } else { after.clone() };
+        // One "but" is enough.
+        let also = if n > 1 { "; they also rest" } else { "; it also rest" };
+        let after = if fate.stands() { after } else { after.replacen(", but rest", also, 1) };
         format!("{} {verb}{after}", digest::listed(&letters[..n.min(MOST_LABELS)]))
     };
     let of =
         if all.len() == 1 { "Of its one conclusion".to_owned() } else { format!("Of its {} conclusions", all.len()) };
     Some(format!("{of} {}.", groups.iter().map(part).collect::<Vec<_>>().join("; ")))
+}
+
+/// That a conclusion rests on a claim that does not stand: which, and where it holds; else on how much it fails.
+fn broken_ground(ground: Option<&Whole<'_>>) -> String {
+    let Some(ground) = ground else { return ", but rests on claims that do not stand".to_owned() };
+    let failing = ground.failing();
+    let separation = failing.and_then(|r| r.claim.conditions.separation.as_ref());
+    let why = match (failing, separation.and_then(Separation::told), ground.contrary()) {
+        (Some(_), Some(told), _) => format!("holds exactly where {}", digest::explanation(told)),
+        (Some(failing), None, _) => uncapital(&digest::verdict(failing)).replace(" to which it applies", ""),
+        (None, _, Some(_)) => "is false: the contrary holds".to_owned(),
+        (None, _, None) => ground.fate.words(1).to_owned(),
+    };
+    format!(", but rests on {}, which {}", said::quoted(ground, LONGEST_GROUND), why.trim_end_matches(" (certified)"))
 }
 
 /// What the file remarks: the sentences that have room in two lines of a terminal, and the others folded.
@@ -299,10 +357,11 @@ fn wrong<'a>(
         return nothing_wrong(derivation, wholes, hangs, front);
     }
     let of = |line: &Line| wholes.iter().find(|w| w.id == line.id);
-    let cards =
-        front.lines.iter().enumerate().filter_map(|(at, line)| {
-            Some(StoryBlock::Group("card", card::blocks(derivation, of(line)?, line, at + 1)))
-        });
+    let cards = front.lines.iter().enumerate().filter_map(|(at, line)| {
+        // The only one has no number.
+        let number = if front.lines.len() > 1 { at + 1 } else { 0 };
+        Some(StoryBlock::Group("card", card::blocks(derivation, of(line)?, line, number)))
+    });
     let mut cards: Vec<StoryBlock<'a>> = cards.collect();
     let on_terminal = if front.lines.len() <= MOST_CARDS { FEW_CARDS } else { 1 };
     let most = if hangs.conclusions().is_empty() { MOST_CARDS } else { on_terminal };
@@ -310,7 +369,9 @@ fn wrong<'a>(
     // Beside conclusions a terminal has no room for names.
     let all = front.lines.len() + front.more;
     let names_them = hangs.conclusions().is_empty() || all <= on_terminal;
-    let title = if names_them {
+    let title = if all == 1 {
+        "What does not stand".to_owned()
+    } else if names_them {
         "What does not stand, the heaviest first".to_owned()
     } else {
         format!("What does not stand, the heaviest of {all}")
@@ -324,7 +385,7 @@ fn wrong<'a>(
     let named: Vec<&Whole<'a>> = front.lines.iter().skip(on_terminal).filter_map(of).collect();
     if !named.is_empty() {
         let title = format!("{} more", folded.len() + front.more);
-        let mut line = vec![words("Nor do these: ")];
+        let mut line = vec![words("Others that do not stand: ")];
         line.extend(said::list(derivation, &named, (MOST_NAMED, LONGEST_LISTED), front.more));
         line.push(words("."));
         let line = if names_them { line } else { Vec::new() };
@@ -343,7 +404,12 @@ fn nothing_wrong<'a>(
     let scope = &derivation.scope;
     let told = that_matter(derivation, wholes, hangs);
     let of_file: Vec<&Whole<'a>> = front::refuted_beside(wholes).collect();
-    let title = if of_file.is_empty() { "Nothing is refuted" } else { "No claim of the paper is refuted" };
+    let on_file = wholes.iter().any(|w| w.counted_as() == CountedFate::OnFile);
+    let title = match (on_file, of_file.is_empty()) {
+        (true, _) => "No claim of the paper fails on a motion of the file",
+        (false, true) => "Nothing is refuted",
+        (false, false) => "No claim of the paper is refuted",
+    };
     let mut out = vec![StoryBlock::Heading(title.to_owned())];
     if !of_file.is_empty() {
         let mut line = vec![quiet("Added for comparison, and refuted: ")];
@@ -356,7 +422,7 @@ fn nothing_wrong<'a>(
     heaviest.sort_by_cached_key(|w| {
         let drawn = card::sketch_that_holds(w);
         let varies = drawn.as_ref().is_some_and(|(sketch, _)| sketch.varies());
-        (drawn.is_none(), !varies, std::cmp::Reverse(hangs.weight(w.id)))
+        (!w.counted_as().stands(), drawn.is_none(), !varies, std::cmp::Reverse(hangs.weight(w.id)))
     });
     let Some(whole) = heaviest.first() else {
         out.push(StoryBlock::Paragraph(vec![quiet("The file has no claim.")]));
@@ -382,15 +448,14 @@ fn nothing_wrong<'a>(
     inside.push(StoryBlock::Paragraph(says));
     let rest = hangs.carried_by(whole.id).len();
     if rest > 0 {
-        inside.push(StoryBlock::Paragraph(vec![quiet(format!(
-            "On it {} {}.",
-            if rest == 1 { "rests" } else { "rest" },
-            count(rest, "claim")
-        ))]));
+        let verb = if rest == 1 { "rests" } else { "rest" };
+        inside.push(StoryBlock::Paragraph(vec![quiet(format!("{} {verb} on it.", count(rest, "claim")))]));
     }
     let card = StoryBlock::Group("card", inside);
-    out.push(if whole.fate == Fate::Stands { StoryBlock::Group("good", vec![card]) } else { card });
-    let compared = front.compared.iter().enumerate().filter_map(|(at, line)| {
+    out.push(if whole.counted_as().stands() { StoryBlock::Group("good", vec![card]) } else { card });
+    // What the paper itself says on a motion that was drawn needs the room of the others.
+    let room = if on_file { 1 } else { front.compared.len() };
+    let compared = front.compared.iter().take(room).enumerate().filter_map(|(at, line)| {
         let whole = wholes.iter().find(|w| w.id == line.id)?;
         Some(StoryBlock::Group("card", card::blocks(derivation, whole, line, at + 1)))
     });

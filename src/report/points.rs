@@ -5,11 +5,11 @@
 
 use std::collections::BTreeSet;
 
-use super::card::{FormulaShown, RefutingMotion, formula_of, shown_formula};
+use super::card::{FormulaShown, RefutingMotion, Room, formula_of, shown_formula};
 use super::digest::{self, Reading, Whole};
 use super::hypotheses::canonical;
 use super::numbers::count;
-use super::story::{StoryBlock, StorySpan, Tone, joined, quiet, words};
+use super::story::{StoryBlock, StorySpan, Tone, joined, quiet, roomy, words};
 use super::tally::{Standing, declared};
 use super::text::{capital, uncapital};
 use derivation::{ClaimRole, Derivation};
@@ -34,6 +34,11 @@ pub(super) fn lines<'a>(derivation: &'a Derivation, whole: &Whole<'a>, needed: N
         Standing::Fails | Standing::Mixed => {
             tested.extend((!tested.is_empty()).then(|| words("; ")));
             tested.extend(fails(derivation, reading));
+            // Of what the paper needs the first sentences say on how many motions it fails.
+            if need.is_some() {
+                tested = vec![StorySpan::Roomy(tested)];
+            }
+            tested.extend(witness(derivation, reading));
             also = fails_too(derivation, whole, reading);
             further.extend(separated(derivation, reading.claim));
         }
@@ -82,7 +87,9 @@ pub(super) fn needs<'a>(derivation: &'a Derivation, whole: &Whole<'a>) -> Vec<St
     let told = remark.map(|text| capital(text.trim_start_matches("Refuted: ")));
     let mut numbers: Vec<StorySpan<'a>> =
         told.map(|text| StorySpan::Prose(format!("{text} "), scope, Tone::Quiet)).into_iter().collect();
-    numbers.extend(RefutingMotion::of(derivation, reading.claim).into_iter().flat_map(|m| m.says(derivation, scope)));
+    numbers.extend(
+        RefutingMotion::of(derivation, reading.claim).into_iter().flat_map(|m| m.says(derivation, scope, Room::OnPage)),
+    );
     // A terminal has no room for them.
     vec![StoryBlock::Paragraph(out), StoryBlock::Group("roomy", vec![StoryBlock::Paragraph(numbers)])]
 }
@@ -102,6 +109,8 @@ fn tested<'a>(derivation: &'a Derivation, reading: &Reading<'a>) -> Vec<StorySpa
         (ClaimRole::Needs, _) => "as the paper uses it: ",
         _ => "tested as: ",
     };
+    // As what a conclusion was tested is the first that stands below it.
+    let lead = if lead == "tested as: " { roomy(lead) } else { quiet(lead) };
     let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
     let says = claim.says.trim_end_matches('.');
     let formula = short_formula(derivation, claim).filter(|shown| shown.is_within(room(claim)));
@@ -109,7 +118,7 @@ fn tested<'a>(derivation: &'a Derivation, reading: &Reading<'a>) -> Vec<StorySpa
     if claim.reading.is_none() && formula.is_none() {
         return Vec::new();
     }
-    let mut out = vec![quiet(lead)];
+    let mut out = vec![lead];
     if claim.reading.is_some() {
         out.push(StorySpan::Prose(says.to_owned(), scope, Tone::Plain));
         out.extend(formula.is_some().then(|| quiet(": ")));
@@ -131,30 +140,38 @@ fn room(claim: &ClaimAccount) -> usize {
 /// What separates the motions on which a claim holds from those on which it fails; nothing, where other conditions fit as well.
 fn separated<'a>(derivation: &'a Derivation, claim: &'a ClaimAccount) -> Option<Vec<StorySpan<'a>>> {
     let separation = claim.conditions.separation.as_ref().filter(|s| s.rivals.is_empty() && s.more_rivals == 0)?;
-    let text = digest::explanation(separation.explanation.as_ref()?);
-    Some(vec![quiet("holds just where: "), StorySpan::Prose(text, &derivation.scope, Tone::Plain)])
+    let text = digest::explanation(separation.told()?);
+    Some(vec![quiet("holds exactly where: "), StorySpan::Prose(text, &derivation.scope, Tone::Plain)])
 }
 
-/// On how much a reading fails, how sure that is, and the motion that tells most, in its own words and with its numbers.
+/// On how much a reading fails, and how sure that is.
 fn fails<'a>(derivation: &'a Derivation, reading: &Reading<'a>) -> Vec<StorySpan<'a>> {
     let claim = reading.claim;
     let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
     let says = digest::verdict(reading).replace(" to which it applies", "");
     let mut out = vec![StorySpan::Words("fails".to_owned(), Tone::Bad)];
     let rest = says.strip_prefix("Fails").map_or_else(|| format!(": {}", uncapital(&says)), str::to_owned);
-    out.push(StorySpan::Prose(rest, scope, Tone::Plain));
+    match rest.split_once(" motions").filter(|_| reading.standing == Standing::Mixed) {
+        Some((of, how)) => {
+            let prose = |text: &str| StorySpan::Prose(text.to_owned(), scope, Tone::Plain);
+            out.extend([prose(of), StorySpan::Roomy(vec![words(" motions")]), prose(how)]);
+        }
+        None => out.push(StorySpan::Prose(rest, scope, Tone::Plain)),
+    }
     // What is left and right at the witness is said here, where it is not said before.
     if let Some(shown) = short_formula(derivation, claim).filter(|shown| !shown.is_within(room(claim))) {
-        out.push(quiet(": "));
-        out.extend(shown.spans(None, false));
+        let formula = std::iter::once(quiet(": ")).chain(shown.spans(None, false));
+        out.push(StorySpan::Roomy(formula.collect()));
     }
-    let Some(motion) = RefutingMotion::of(derivation, claim) else {
-        out.push(words("."));
-        return out;
-    };
     out.push(words(". "));
-    out.extend(motion.says(derivation, scope));
     out
+}
+
+/// The motion that tells most of why a reading fails, with its numbers.
+fn witness<'a>(derivation: &'a Derivation, reading: &Reading<'a>) -> Vec<StorySpan<'a>> {
+    let scope = declared(derivation, reading.claim).map_or(&derivation.scope, |d| &d.scope);
+    let motion = RefutingMotion::of(derivation, reading.claim);
+    motion.map(|motion| motion.says(derivation, scope, Room::OnPage)).unwrap_or_default()
 }
 
 /// What else of a claim fails that fails in the sense that was shown, and on how many motions it does in one sense or another.
@@ -168,7 +185,7 @@ fn fails_too<'a>(derivation: &'a Derivation, whole: &Whole<'a>, shown: &Reading<
     let says = first.claim.says.trim_end_matches('.');
     let on = uncapital(&digest::verdict(first)).replace(" to which it applies", "");
     let mut out =
-        vec![quiet("nor in another reading: "), StorySpan::Prose(format!("“{says}” {on}"), scope, Tone::Plain)];
+        vec![quiet("in another reading, too: "), StorySpan::Prose(format!("“{says}” {on}"), scope, Tone::Plain)];
     let failing = whole.all_failing().flat_map(|r| &r.claim.results);
     let failing = failing.filter(|p| matches!(p.verdict.outcome(), Outcome::Fails(_)));
     let motions = failing.map(|p| p.trajectory.as_str()).collect::<BTreeSet<_>>().len();
@@ -205,7 +222,7 @@ fn known<'a>(reading: &Reading<'a>) -> Vec<StorySpan<'a>> {
     };
     let basis = reading.basis();
     let known = if basis.is_proof() { basis.kind().to_owned() } else { format!("holds {}", basis.words()) };
-    vec![StorySpan::Words(known, Tone::Good), words(format!("{replayed}."))]
+    vec![StorySpan::Words(known, Tone::Good), StorySpan::Roomy(vec![words(replayed)]), words(".")]
 }
 
 /// A condition in the words of the file; the formula, where the file has none.

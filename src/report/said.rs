@@ -24,6 +24,11 @@ pub(super) fn said<'a>(derivation: &'a Derivation, whole: &Whole<'a>, tone: Tone
     }
 }
 
+/// The claim between quotes, in at most so many letters; its id, where it has no words.
+pub(super) fn quoted(whole: &Whole<'_>, most: usize) -> String {
+    format!("“{}”", shortened(&whole.says, most).unwrap_or_else(|| whole.id.to_owned()))
+}
+
 /// The first of some claims in words, between quotes, and how many there are beside them: those that are not shown, and `beside`.
 pub(super) fn list<'a>(
     derivation: &'a Derivation,

@@ -5,6 +5,7 @@
 use super::claim_story;
 use super::digest::{self, Whole};
 use super::headline::{self, CountedFate};
+use super::hypotheses;
 use super::letters::{LEGEND, letters};
 use super::page_one;
 use super::sections;
@@ -71,7 +72,7 @@ pub(super) fn listed<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     blocks.push(StoryBlock::Group("page", vec![StoryBlock::Group("counts", vec![counts])]));
     blocks.push(StoryBlock::Paragraph(expected(account)));
     blocks.push(StoryBlock::Group("page", vec![in_order(derivation, &wholes)]));
-    blocks.extend(claim_story::unsaid(derivation, account));
+    blocks.extend(hypotheses::section(derivation, account, &wholes));
     blocks
 }
 

@@ -114,6 +114,7 @@ fn span(span: &StorySpan<'_>) -> Markup {
         StorySpan::Shape(shape) => {
             markup! { span class={ "mark " (shape.class()) } role="img" aria-label=(shape.says()) {} }
         }
+        StorySpan::Roomy(inside) => markup! { @for of in inside { (self::span(of)) } },
     }
 }
 

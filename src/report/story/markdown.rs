@@ -161,6 +161,11 @@ fn span(span: &StorySpan<'_>, link: Link<'_>) -> String {
             format!("{}{}{}{component}", of.before, math(of.formula), of.after)
         }
         StorySpan::Shape(shape) => shape.sign().to_owned(),
+        StorySpan::Roomy(inside) => {
+            let mut out = String::new();
+            inside.iter().for_each(|s| append(&mut out, &self::span(s, link)));
+            out
+        }
     }
 }
 

@@ -53,6 +53,8 @@ pub(super) enum StorySpan<'a> {
     Comparison(String, &'a Scope),
     /// A symbol.
     Shape(VerdictShape),
+    /// What a terminal has no room for.
+    Roomy(Vec<StorySpan<'a>>),
 }
 
 /// A table with a head.
@@ -161,9 +163,14 @@ pub(super) enum StoryBlock<'a> {
 
 /// The symbols that stand in blocks.
 pub(super) fn shapes(blocks: &[StoryBlock<'_>]) -> BTreeSet<VerdictShape> {
-    let of_spans = |spans: &[StorySpan<'_>]| -> BTreeSet<VerdictShape> {
-        spans.iter().filter_map(|s| if let StorySpan::Shape(shape) = s { Some(*shape) } else { None }).collect()
-    };
+    fn of_spans(spans: &[StorySpan<'_>]) -> BTreeSet<VerdictShape> {
+        let of = |span: &StorySpan<'_>| match span {
+            StorySpan::Shape(shape) => BTreeSet::from([*shape]),
+            StorySpan::Roomy(inside) => of_spans(inside),
+            _ => BTreeSet::new(),
+        };
+        spans.iter().flat_map(of).collect()
+    }
     let of_block = |block: &StoryBlock<'_>| match block {
         StoryBlock::Paragraph(spans) | StoryBlock::Figure(_, spans) => of_spans(spans),
         StoryBlock::Table(table) => table.rows.iter().flatten().flat_map(|cell| of_spans(cell)).collect(),
@@ -178,6 +185,11 @@ pub(super) fn shapes(blocks: &[StoryBlock<'_>]) -> BTreeSet<VerdictShape> {
         }
     };
     blocks.iter().flat_map(of_block).collect()
+}
+
+/// Words beside the matter for which a terminal has no room.
+pub(super) fn roomy<'a>(text: impl Into<String>) -> StorySpan<'a> {
+    StorySpan::Roomy(vec![quiet(text)])
 }
 
 /// Words without weight.

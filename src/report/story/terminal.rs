@@ -27,9 +27,26 @@ fn put_all(blocks: &[StoryBlock<'_>], indent: usize, paint: Paint, out: &mut Str
                 let line: Vec<StorySpan<'_>> = lead.into_iter().chain(spans.iter().cloned()).collect();
                 out.push_str(&lines(&line, indent, indent, paint));
             }
+            // So does the first line of the one card below a heading.
+            (StoryBlock::Heading(text), Some(StoryBlock::Group("card", card))) if is_one_card(blocks) => {
+                let Some((StoryBlock::Paragraph(spans), below)) = card.split_first() else {
+                    put(block, indent, paint, out);
+                    continue;
+                };
+                all.next();
+                let lead = [StorySpan::Words(format!("{text}: "), Tone::Strong)];
+                let line: Vec<StorySpan<'_>> = lead.into_iter().chain(spans.iter().cloned()).collect();
+                out.push_str(&lines(&line, indent, indent, paint));
+                below.iter().for_each(|b| put(b, indent + 3, paint, out));
+            }
             _ => put(block, indent, paint, out),
         }
     }
+}
+
+/// Whether one of these blocks is a card, and no more.
+fn is_one_card(blocks: &[StoryBlock<'_>]) -> bool {
+    blocks.iter().filter(|b| matches!(b, StoryBlock::Group("card", _))).count() == 1
 }
 
 fn put(block: &StoryBlock<'_>, indent: usize, paint: Paint, out: &mut String) {
@@ -123,6 +140,7 @@ fn text(span: &StorySpan<'_>) -> (String, Tone) {
         | StorySpan::File(text)
         | StorySpan::Comparison(text, _) => (text.clone(), Tone::Plain),
         StorySpan::Shape(shape) => (shape.sign().to_owned(), shape.tone()),
+        StorySpan::Roomy(_) => (String::new(), Tone::Plain),
     }
 }
 

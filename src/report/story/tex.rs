@@ -103,6 +103,7 @@ fn span(span: &StorySpan<'_>) -> String {
         StorySpan::Difference(_) => String::new(),
         StorySpan::Comparison(text, scope) => label(text, scope),
         StorySpan::Shape(shape) => shape.row().2.to_owned(),
+        StorySpan::Roomy(inside) => inside.iter().map(self::span).collect(),
     }
 }
 
