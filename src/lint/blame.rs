@@ -9,7 +9,8 @@ use paper::{PrintedRelation, PrintedSide, names, squeezed};
 use super::judge::Judge;
 use super::nearest::Sureness;
 use super::relation::{
-    are_multiples, are_two_places, has_dimensions, is_congruence, is_evaluated, is_integrated, is_of_any, is_of_units,
+    are_multiples, are_two_places, has_constant_of_integration, has_dimensions, is_congruence, is_evaluated, is_of_any,
+    is_of_units,
 };
 use super::sentence::{Sentence, is_supposed, window};
 use super::step::Blame;
@@ -78,18 +79,34 @@ pub(super) struct OfStep<'a> {
     pub(super) solved: bool,
     /// Whether it is all of the relation, and of what is no lone name that was defined.
     pub(super) alone: bool,
+    /// Whether an integral stands in a side before it.
+    pub(super) integrated: bool,
+    /// What the relation is as a whole.
+    pub(super) whole: &'a Whole,
+}
+
+/// What a relation is as a whole: it is asked once, and not for each of its steps.
+pub(super) struct Whole {
+    is_evaluated: bool,
+    has_dimensions: bool,
+}
+
+impl Whole {
+    pub(super) fn of(relation: &PrintedRelation) -> Whole {
+        Whole { is_evaluated: is_evaluated(relation), has_dimensions: has_dimensions(relation) }
+    }
 }
 
 impl Judge<'_> {
     /// Of what *wrong* may be said in a step.
     pub(super) fn blame(&self, step: &OfStep, at: usize) -> Blame {
-        let &OfStep { relation, k, sentence, defining, derived, solved, alone } = step;
+        let &OfStep { relation, k, sentence, defining, derived, solved, alone, integrated, whole } = step;
         let (left, right) = (&relation.sides[k - 1], &relation.sides[k]);
         let inline = relation.display.is_none();
         if self.evidence.is_algebra(left)
-            || is_integrated(relation, k)
-            || is_evaluated(relation) && [left, right].iter().any(|s| !names(s).is_empty())
-            || has_dimensions(relation)
+            || integrated && has_constant_of_integration(left, right)
+            || whole.is_evaluated && [left, right].iter().any(|s| !names(s).is_empty())
+            || whole.has_dimensions
             || is_congruence(&relation.signs[k - 1])
             || alone && are_multiples(left, right)
             || are_two_places(left, right)

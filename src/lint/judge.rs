@@ -6,7 +6,7 @@ use std::ops::Range;
 use meter::Limits;
 use paper::{Opening, Paper, PrintedRelation, PrintedSide, names};
 
-use super::blame::OfStep;
+use super::blame::{OfStep, Whole};
 use super::cases::{Cases, Stance};
 use super::chain::{Slip, said};
 use super::desk::{Given, evidence_of};
@@ -311,8 +311,10 @@ impl Judge<'_> {
         let mut tally = Tally::default();
         let mut open = Vec::new();
         let mut slip: Option<Slip> = None;
+        let (whole, mut integrated) = (Whole::of(relation), false);
         for k in 1..relation.sides.len() {
             let (left, right) = (&relation.sides[k - 1], &relation.sides[k]);
+            integrated |= left.text.contains(r"\int");
             let sign = &relation.signs[k - 1];
             if !EQUALS.contains(&sign.as_str()) {
                 let word = if is_one_of(ABOUT, sign) { Word::Approximates } else { Word::Condition };
@@ -349,7 +351,7 @@ impl Judge<'_> {
             // What equations before are solved for is no choice.
             let solved = concludes && !sentence.changes && is_stated;
             let alone = relation.sides.len() == 2 && (first.is_none() || defining);
-            let of = OfStep { relation, k, sentence, defining, derived, solved, alone };
+            let of = OfStep { relation, k, sentence, defining, derived, solved, alone, integrated, whole: &whole };
             // `y'=-ky` may be another equation than the one before, unless its sentence concludes.
             let is_another = k == 1 && (!concludes || sentence.changes) && is_equation_of_motion(left, right);
             let blame = if is_another { Blame::Nothing } else { self.blame(&of, at) };

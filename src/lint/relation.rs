@@ -118,12 +118,10 @@ pub(super) fn gives_values(relation: &PrintedRelation) -> bool {
 /// Letters of constants of integration.
 const OF_INTEGRATION: &[&str] = &["c", "C", "K", "k"];
 
-/// Whether both sides of a step of a chain that has an integral before it have the same constant of integration: it may stand for another one.
-pub(super) fn is_integrated(relation: &PrintedRelation, step: usize) -> bool {
+/// Whether both sides of a step have the same constant of integration: behind an integral it may stand for another one.
+pub(super) fn has_constant_of_integration(left: &PrintedSide, right: &PrintedSide) -> bool {
     let has = |side: &PrintedSide, letter: &str| names(side).iter().any(|n| n.key() == letter);
-    let [left, right] = [step - 1, step].map(|k| &relation.sides[k]);
-    relation.sides[..step].iter().any(|s| s.text.contains(r"\int"))
-        && OF_INTEGRATION.iter().any(|c| has(left, c) && has(right, c))
+    OF_INTEGRATION.iter().any(|c| has(left, c) && has(right, c))
 }
 
 /// The later side of an equation of two.

@@ -135,6 +135,9 @@ enum Differences {
     Apart,
 }
 
+/// So many commands of style and braces stand before a letter at most: it is no name that is read otherwise.
+const MOST_OF_STYLES: usize = 100;
+
 fn read(tokens: &[Token], differences: Differences) -> Vec<PaperName> {
     let marks = without_braces_of_names(mark::marks(tokens));
     let cells = tokens.iter().filter(|t| t.is_char("&") || t.is("\\")).map(|t| t.span.start).collect();
@@ -291,7 +294,7 @@ impl Names {
             next = at + 3;
         }
         while amount.is_none() {
-            if next >= to {
+            if next >= to.min(at + MOST_OF_STYLES) {
                 return None;
             }
             let text = self.text(next).to_owned();

@@ -63,6 +63,7 @@ pub(super) fn pieces(tokens: &[Token]) -> Vec<Piece> {
     let mut out = vec![Piece::default()];
     let mut nesting = Nesting::default();
     let mut at = 0;
+    let mut seen = Seen::default();
     while let Some(token) = tokens.get(at) {
         let outside = nesting.is_outside();
         let mut next = None;
@@ -82,9 +83,9 @@ pub(super) fn pieces(tokens: &[Token]) -> Vec<Piece> {
         {
             next = Some((Piece { words: Some(word.to_owned()), wide: true, ..Piece::default() }, at + 1));
         } else if outside
-            && let Some(after) = gap(tokens, at)
-            && out.last().is_some_and(Piece::relates)
-            && relates_next(&tokens[after..])
+            && let Some(after) = seen.gap(tokens, at)
+            && seen.relates
+            && seen.relates_next(tokens, after)
         {
             // Between two relations any wide space parts them.
             next = Some((Piece { wide: true, ..Piece::default() }, after));
@@ -103,7 +104,7 @@ pub(super) fn pieces(tokens: &[Token]) -> Vec<Piece> {
             && outside
             && let Some((word, after)) = word_at(tokens, at)
             && may_begin_word(tokens, at, out.last().is_none_or(Piece::is_empty), &word)
-            && relates_next(&tokens[after + tokens[after..].iter().take_while(|t| is_space(t)).count()..])
+            && seen.relates_next(tokens, after + tokens[after..].iter().take_while(|t| is_space(t)).count())
         {
             next = Some((Piece { words: Some(word), wide: true, ..Piece::default() }, after));
         }
@@ -121,11 +122,15 @@ pub(super) fn pieces(tokens: &[Token]) -> Vec<Piece> {
                         last.comma |= piece.comma;
                         last.wide |= piece.wide;
                     }
-                    _ => out.push(piece),
+                    _ => {
+                        out.push(piece);
+                        seen.relates = false;
+                    }
                 }
                 at = after;
             }
             None => {
+                seen.relates |= outside && is_relation(token);
                 let more = nesting.take(token, &tokens[at + 1..]);
                 let end = (at + 1 + more).min(tokens.len());
                 if let Some(piece) = out.last_mut() {
@@ -161,8 +166,41 @@ const WIDE: &[&str] = &["hfill", "hfil", "hfilneg", "enspace", "enskip"];
 /// Commands that begin a line.
 const BREAKS: &[&str] = &["break", "linebreak", "pagebreak", "newline", "par"];
 
-/// The position after a wide space that begins here and is no `\quad`: a length, a fill, a break, three small ones in a row.
-fn gap(tokens: &[Token], at: usize) -> Option<usize> {
+/// What was seen of a row, so that nothing of it is looked at for each of many spaces.
+#[derive(Default)]
+struct Seen {
+    /// Whether a sign of relation stands in the piece.
+    relates: bool,
+    /// Where the spaces end that were looked at last.
+    spaces: usize,
+    /// Before this no sign of relation stands, nor a separator.
+    without_sign: usize,
+}
+
+impl Seen {
+    /// The position after a [`gap`]; of spaces in a row it is told once.
+    fn gap(&mut self, tokens: &[Token], at: usize) -> Option<usize> {
+        if at < self.spaces {
+            return None;
+        }
+        let (is_gap, end) = gap(tokens, at);
+        self.spaces = end;
+        is_gap.then_some(end)
+    }
+
+    /// Whether a sign of relation stands before the next separator, outside of all brackets.
+    fn relates_next(&mut self, tokens: &[Token], from: usize) -> bool {
+        if from < self.without_sign {
+            return false;
+        }
+        let (relates, end) = relates_next(tokens, from);
+        self.without_sign = if relates { from } else { end };
+        relates
+    }
+}
+
+/// Whether a wide space begins here that is no `\quad`: a length, a fill, a break, three small ones in a row; and where it ends.
+fn gap(tokens: &[Token], at: usize) -> (bool, usize) {
     let small = |t: &Token| {
         t.is_char("~")
             || t.kind == Kind::Command
@@ -194,25 +232,25 @@ fn gap(tokens: &[Token], at: usize) -> Option<usize> {
     }
     // A line that begins with a sign goes on from the one before.
     let goes_on = tokens.get(next).is_some_and(|t| is_relation(t) || is_operator(t));
-    (wide || breaks && !goes_on || count > 2).then_some(next)
+    (wide || breaks && !goes_on || count > 2, next)
 }
 
-/// Whether a sign of relation stands before the next separator.
-fn relates_next(tokens: &[Token]) -> bool {
+/// Whether a sign of relation stands before the next separator, and where that, or the end, is.
+fn relates_next(tokens: &[Token], from: usize) -> (bool, usize) {
     let mut nesting = Nesting::default();
-    let mut at = 0;
+    let mut at = from;
     while let Some(token) = tokens.get(at) {
         if nesting.is_outside() {
             if is_relation(token) {
-                return true;
+                return (true, at);
             }
             if is_wide(token) || token.is_char(",") || token.is_char(";") {
-                return false;
+                return (false, at);
             }
         }
         at += 1 + nesting.take(token, &tokens[at + 1..]);
     }
-    false
+    (false, tokens.len())
 }
 
 /// Where a number begins that an author wrote behind a formula, `F=ma\ (2)`: behind a space, in parentheses, at the end.
