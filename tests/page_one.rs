@@ -311,7 +311,7 @@ fn readers_see_one_word_and_one_way_to_write_numbers() {
 
 /// The first page of a derivation on a terminal, on one line, and as Markdown.
 fn first_pages(name: &str) -> (String, String) {
-    let (derivation, account) = &*checked(&Path::new("derivations").join(name));
+    let (derivation, account) = &*checked(Path::new("derivations").join(name));
     let text = front_page(derivation, account, false);
     (text.split_whitespace().collect::<Vec<_>>().join(" "), front_markdown(derivation, account))
 }
@@ -361,7 +361,7 @@ fn a_correction_for_one_flow_says_so() {
 #[test]
 fn a_row_does_not_prove_what_it_refutes() {
     for name in ["lorentz.toml", "circuit.toml"] {
-        let (derivation, account) = &*checked(&Path::new("derivations").join(name));
+        let (derivation, account) = &*checked(Path::new("derivations").join(name));
         let text = front_page(derivation, account, false);
         let refuted: Vec<&str> =
             text.lines().filter(|line| line.starts_with("  ") && line.trim_end().ends_with('≢')).collect();

@@ -285,3 +285,47 @@ fn an_environment_of_another_file_is_one_of_the_paper() {
     }
     std::fs::remove_dir_all(&folder).expect("removed");
 }
+
+#[test]
+fn what_is_not_understood_is_not_judged() {
+    let doubted = [
+        r"\newif\ifq \ifx a b\let\s\sin\else\let\s\cos\fi \[ \s(2x)=2\s x\cos x \]",
+        r"\ifx a b\def\hide#1{}\else\def\hide#1{#1}\fi \hide{\[ SLIP \]}",
+        r"\ifx a b\newenvironment{hide}{\comment}{\endcomment}\else\newenvironment{hide}{}{}\fi \begin{hide}\[ SLIP \]\end{hide}",
+        r"\ifx a b\endinput\fi \[ SLIP \]",
+        r"\ifx a b\end{document}\fi \[ SLIP \]",
+        r"\newif\ifd\DeclareOption{d}{\dtrue}\ifd\else \[ SLIP \]\fi",
+        r"\IfStrEq{a}{b}{\[ SLIP \]}{}",
+        r"\newcommand{\x}{\sin2x}\RenewDocumentCommand{\x}{s m}{3y} \[ \x = \sin x\cos x \]",
+        r"\newcommand{\x}{\sin2x}\appto\x{+1} \[ \x = \sin x\cos x \]",
+        r"\newcommand{\xx}{x+y} \[ \hat\xx=\hat x \]",
+    ];
+    for tex in doubted {
+        let (words, notes) = read(tex);
+        assert!(words == [NotRead] && notes.len() == 1, "{tex}: {words:?} {notes:?}");
+    }
+    for tex in [
+        r"\newif\ifd\booltrue{d}\ifd\else \[ SLIP \]\fi",
+        r"\newif\ifd\csname dtrue\endcsname\ifd\else \[ SLIP \]\fi",
+        r"\makeatletter\@secondoftwo{\[ SLIP \]}{}",
+    ] {
+        assert_eq!(read(tex).0, [], "{tex}");
+    }
+    are(&[
+        (r"\newenvironment{eq}{\align}{\endalign}\begin{eq} SLIP \end{eq}", &[Wrong]),
+        (r"\def\eq{\begin{equation}}\def\endeq{\end{equation}}\begin{eq} SLIP \end{eq}", &[Wrong]),
+        (r"\let\eq\equation\let\endeq\endequation\begin{eq} SLIP \end{eq}", &[Wrong]),
+        (r"\newcommand{\x}{a}\expandafter\def\csname x\endcsname{b} \[ \x+1=1+b \]", &[Follows]),
+        (r"\newcommand{\x}{a}\let\bg\begingroup\let\eg\endgroup \bg\renewcommand{\x}{b}\eg \[ \x+1=1+a \]", &[Follows]),
+        (r"\newcommand{\x}{a}\begin{align*} c&=d \renewcommand{\x}{b}\\ \x+1&=1+a \end{align*}", &[Condition, Follows]),
+    ]);
+}
+
+#[test]
+fn what_is_not_printed_and_never_ends_is_told() {
+    let (words, notes) = read(r"\[(a+b)^2=a^2+2ab+b^2\] \begin{comment} \[ SLIP \]");
+    assert!(
+        words == [Follows] && notes.iter().any(|n| n.starts_with("nothing ends this environment")),
+        "{words:?} {notes:?}"
+    );
+}

@@ -26,7 +26,7 @@ pub(super) fn macros_of(folder: &Path) -> Option<Macros> {
     let own = files::real(folder)?;
     own.ancestors().take(3).flat_map(|above| NAMES.iter().map(|name| above.join(name))).find_map(|path| {
         let bytes = files::read(&path, LARGEST).ok()?;
-        let definitions = definitions(&super::with_plain_ends(String::from_utf8(bytes).ok()?));
+        let definitions = definitions(&super::texts::with_plain_ends(String::from_utf8(bytes).ok()?));
         (!definitions.is_empty()).then_some(Macros { path, definitions })
     })
 }

@@ -69,7 +69,7 @@ fn named_by_class(text: &str) -> Option<String> {
 /// A file, where it is a document with a preamble.
 fn preamble(path: &Path) -> Option<Main> {
     let bytes = files::read(path, LARGEST_MAIN).ok()?;
-    let text = super::text_from(bytes);
+    let text = super::texts::text_from(bytes);
     let end = text.find("\\begin{document}")?;
     if !text[..end].contains("\\documentclass") {
         return None;

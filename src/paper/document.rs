@@ -7,42 +7,17 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 use super::differences::DifferenceSigns;
+use super::displays::{Numbers, display};
 use super::mark::{self, group_text, parts};
 use super::note::PaperNote;
 use super::opening::{Opening, opening};
 use super::printed::{self, Place, PrintedRelation};
-use super::token::{Kind, Token};
+use super::token::{Kind, Token, UNENDED};
 use super::{Equation, Part, span_of};
 use diag::escape::in_one_line;
 
 /// The most tokens of the options of an environment.
 const MOST_OF_OPTIONS: usize = 60;
-
-/// How the lines of a display are numbered.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Numbers {
-    /// One number for all.
-    One,
-    /// One for each line, unless the line says otherwise.
-    EachLine,
-}
-
-fn display(name: &str) -> Option<Numbers> {
-    match name {
-        "equation" | "equation*" | "displaymath" | "multline" | "multline*" | "math" | "dmath" | "dmath*"
-        | "align*" | "eqnarray*" | "gather*" | "flalign*" | "alignat*" | "IEEEeqnarray*" | "dgroup" => {
-            Some(Numbers::One)
-        }
-        "align" | "eqnarray" | "gather" | "flalign" | "alignat" | "IEEEeqnarray" => Some(Numbers::EachLine),
-        "subeqnarray" | "xalignat" => Some(Numbers::EachLine),
-        _ => None,
-    }
-}
-
-/// Whether an environment is a display.
-pub(super) fn is_display(name: &str) -> bool {
-    display(name).is_some()
-}
 
 /// Environments of packages that print formulas, and are not read.
 const DISPLAYS_NOT_READ: &[&str] =
@@ -233,6 +208,10 @@ impl<'t> Reader<'t> {
                         self.running(&body);
                     }
                     "savebox" | "sbox" | "setbox" => self.boxed(&token.span),
+                    UNENDED => {
+                        let message = "nothing ends this environment, which is not printed: what follows is not read";
+                        self.notes.push(PaperNote { message: message.to_owned(), span: token.span.clone() });
+                    }
                     name if NOT_PRINTED.iter().any(|(command, _)| *command == name) => {
                         let count = NOT_PRINTED.iter().find(|(command, _)| *command == name).map_or(1, |(_, n)| *n);
                         self.at = self.after_options(self.at);

@@ -97,6 +97,10 @@ const LONGEST_DEFINITION: usize = 20_000;
 #[derive(Clone, Debug, Default)]
 pub(super) struct OwnEnvironments(Vec<(String, bool)>);
 
+/// What is not printed goes on to the end of its file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Unended;
+
 impl OwnEnvironments {
     /// Whether the other ones read the same texts.
     pub fn read_as(&self, other: &OwnEnvironments) -> bool {
@@ -190,21 +194,21 @@ impl OwnEnvironments {
         !(is_first || is_ended || is_kept)
     }
 
-    /// The end of what a command begins that ends at a place, where the content of that is not printed.
-    pub fn after_unprinted(&self, command: &str, text: &str, at: usize) -> Option<usize> {
+    /// The end of what a command begins that ends at a place, where the content of that is not printed; `Err` where nothing ends it.
+    pub fn after_unprinted(&self, command: &str, text: &str, at: usize) -> Option<Result<usize, Unended>> {
         let (name, after) = match command {
             "begin" | "processifversion" => group(text, at).filter(|(name, _)| !self.is_printed(name))?,
             _ => return None,
         };
         if command == "processifversion" {
-            return group(text, after).map(|(_, end)| end);
+            return group(text, after).map(|(_, end)| Ok(end));
         }
         let closes = |(i, word): (usize, &str)| {
             let rest = text[after + i + word.len()..].trim_start_matches([' ', '\t']);
             let behind = rest.strip_prefix('{')?.strip_prefix(name)?.strip_prefix('}')?;
             Some(text.len() - behind.len())
         };
-        Some(text[after..].match_indices(r"\end").find_map(closes).unwrap_or(text.len()))
+        Some(text[after..].match_indices(r"\end").find_map(closes).ok_or(Unended))
     }
 }
 

@@ -14,8 +14,8 @@ use super::environments::OwnEnvironments;
 use super::markdown::printed;
 use super::named::Named;
 use super::note::PaperNote;
+use super::texts::{LARGEST_PAPER, text_from};
 use super::token::{MOST_TOKENS, Token, tokens, tokens_with};
-use super::{LARGEST_PAPER, text_from};
 use diag::Source;
 use diag::escape::in_one_line;
 

@@ -18,6 +18,7 @@ mod chapter;
 mod compare;
 mod continued;
 mod differences;
+mod displays;
 mod document;
 mod draft;
 mod environments;
@@ -33,6 +34,7 @@ mod opening;
 mod pasted;
 mod printed;
 mod short;
+mod texts;
 mod token;
 mod unicode;
 mod upright;
@@ -54,6 +56,7 @@ pub use names::{
 pub use note::PaperNote;
 pub use opening::{Opening, opening};
 pub use printed::{PrintedRelation, PrintedSide};
+pub use texts::{LARGEST_PAPER, no_text, with_plain_ends};
 
 use diag::escape::shown;
 use diag::{Diagnostic, Source};
@@ -65,10 +68,8 @@ use inputs::Inputs;
 use latex::Logarithm;
 use macros::{Definitions, Doubts, Endless, Expanded};
 use mark::{Mark, marks, text_of};
+use texts::text_from;
 use token::{Kind, Token};
-
-/// Largest size of a paper, in bytes.
-pub const LARGEST_PAPER: u64 = 16 << 20;
 
 /// The source of a paper.
 #[derive(Clone, Debug)]
@@ -188,38 +189,6 @@ pub fn read(path: &Path) -> Result<Paper, Box<Diagnostic>> {
     let sha256 = Sha256::digest(&bytes).iter().map(|b| format!("{b:02x}")).collect();
     let definitions = definitions_of(&shown);
     parse_with(Arc::new(Source { path: shown, text: text_from(bytes) }), sha256, path.parent(), definitions)
-}
-
-/// What bytes are that are no text in UTF-8, nor in ISO 8859-1.
-pub fn no_text(bytes: &[u8]) -> Option<&'static str> {
-    if bytes.starts_with(b"%PDF-") {
-        Some("a PDF: the LaTeX source of the paper is read")
-    } else if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-        Some("in UTF-16: save it in UTF-8")
-    } else {
-        bytes.contains(&0).then_some("no text: it has bytes that are 0")
-    }
-}
-
-/// The text of a file: UTF-8, or else ISO 8859-1, as older papers are.
-fn text_from(bytes: Vec<u8>) -> String {
-    let text = String::from_utf8(bytes).unwrap_or_else(|e| e.as_bytes().iter().map(|b| char::from(*b)).collect());
-    with_plain_ends(text)
-}
-
-/// A text in which each line ends as here: a carriage return alone, as of old Macintoshes, ends one, for TeX and for editors. Places stay.
-pub fn with_plain_ends(text: String) -> String {
-    if !text.contains('\r') {
-        return text;
-    }
-    let mut bytes = text.into_bytes();
-    for at in 0..bytes.len() {
-        if bytes.get(at) == Some(&b'\r') && bytes.get(at + 1) != Some(&b'\n') {
-            bytes[at] = b'\n';
-        }
-    }
-    // One byte of ASCII stands in the place of another.
-    String::from_utf8(bytes).unwrap_or_default()
 }
 
 /// Reads the text of a paper. Files that it names are not read.

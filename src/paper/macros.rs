@@ -9,6 +9,7 @@
 //! not understood, is printed and in doubt: no formula in it is judged.
 
 mod alters;
+mod behind;
 mod branches;
 mod call;
 mod conditions;
@@ -28,7 +29,7 @@ mod units;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use alters::Behind;
+use behind::Behind;
 use branches::{BranchForm, Unclosed};
 use call::call;
 use define::define;
@@ -38,6 +39,7 @@ pub(super) use doubts::Doubts;
 use rest::{MOST_NAME, Rest, argument, next_is, optional, spaces, takes_braces};
 use units::Units;
 
+use super::displays;
 use super::named::{COMMANDS_OF_TEXT, Input, Named, PACKAGES};
 use super::note::PaperNote;
 use super::short::Short;
@@ -296,7 +298,7 @@ impl Expander<'_, '_> {
             }
         } else if PRINT_THEIR_ARGUMENT.contains(&token.text.as_str()) && takes_braces(&self.rest) {
             while optional(&mut self.rest).is_some() {}
-        } else if let Some((ends, name)) = environments::of_command(&token.text) {
+        } else if let Some((ends, name)) = displays::of_command(&token.text) {
             self.print_environment(ends, name, &token);
         } else {
             if !frozen && self.defined.is_doubted(&token.text) {

@@ -65,6 +65,9 @@ const SHORT_VERBATIM: &[(&str, bool)] = &[
     ("lstDeleteShortInline", false),
 ];
 
+/// The command that stands where something that is not printed begins and has no end; no text has it.
+pub(super) const UNENDED: &str = "has no end";
+
 /// The most tokens that a paper may have, before its macros are expanded and after.
 pub(super) const MOST_TOKENS: usize = 4_000_000;
 
@@ -137,8 +140,11 @@ pub(super) fn tokens_with(text: &str, own: &mut OwnEnvironments) -> Vec<Token> {
                     continue;
                 }
                 own.take(name, text, at);
-                if let Some(end) = own.after_unprinted(name, text, at) {
-                    at = end;
+                if let Some(found) = own.after_unprinted(name, text, at) {
+                    if found.is_err() {
+                        out.push(Token { kind: Kind::Command, text: UNENDED.into(), span: start..at });
+                    }
+                    at = found.unwrap_or(text.len());
                     continue;
                 }
                 out.push(Token { kind: Kind::Command, text: name.into(), span: start..at });

@@ -248,10 +248,7 @@ pub(super) fn define(command: &str, rest: &mut Rest, defined: &mut Defined) -> b
         Definer::DocumentEnvironment => {
             let name = written_name(rest, defined);
             let kinds = argument(rest);
-            let (begin, end) = (argument(rest), argument(rest));
-            // Arguments are there at the end, too.
-            let uses_its_arguments = end.iter().any(|t| t.kind == Kind::Argument);
-            let found = document_macro(kinds, begin).filter(|_| !uses_its_arguments);
+            let (found, end) = document_environment(kinds, argument(rest), argument(rest));
             if let Some(name) = name.filter(|name| !command.starts_with("Provide") || !defined.has(name)) {
                 put_environment(name, found, end, defined);
             }
@@ -440,6 +437,30 @@ fn expanded_now(body: &[Token], defined: &Defined) -> Option<Vec<Token>> {
         }
     }
     Some(out)
+}
+
+/// What stands at the beginning and at the end of an environment of `\NewDocumentEnvironment`; its content may be its last argument.
+fn document_environment(
+    mut kinds: Vec<Token>,
+    mut begin: Vec<Token>,
+    mut end: Vec<Token>,
+) -> (Option<Macro>, Vec<Token>) {
+    kinds.retain(|t| t.kind != Kind::Space);
+    let takes_content = kinds.pop_if(|t| t.is_char("b")).is_some();
+    if takes_content {
+        while kinds.pop_if(|t| t.is_char("+") || t.is_char("!")).is_some() {}
+    }
+    let Some(found) = document_macro(kinds, Vec::new()) else { return (None, Vec::new()) };
+    if takes_content {
+        let nth = (found.arguments + found.options.len() + 1).to_string();
+        let is_content = |t: &Token| t.kind == Kind::Argument && t.text == nth.as_str();
+        let Some(at) = begin.iter().position(is_content) else { return (None, Vec::new()) };
+        let behind = begin.split_off(at);
+        end.splice(0..0, behind.into_iter().skip(1));
+    }
+    // Arguments are there at the end, too, and the content may be printed twice.
+    let is_plain = !end.iter().any(|t| t.kind == Kind::Argument);
+    (is_plain.then_some(Macro { body: begin, ..found }), end)
 }
 
 /// A macro of `\NewDocumentCommand`, from what its second argument asks for: arguments, of which the first may have a default, and options

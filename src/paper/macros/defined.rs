@@ -8,7 +8,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::document::is_display;
+use super::super::displays::is_display;
 use super::super::token::{Kind, Token};
 use super::define::is_taken_of_package;
 use super::kernel::is_of_latex;

@@ -3,45 +3,11 @@
 //! **In:** `\begin` and `\end`, and commands such as `\align` that begin an environment of LaTeX without a group. **Out:** what is printed.
 //! **Guaranteed:** what stands in an environment that is not understood is in doubt.
 
-use super::super::document::is_display;
 use super::super::token::{Kind, Token};
 use super::branches::BranchForm;
+use super::defined::DefinitionScope;
 use super::rest::{argument, name_ahead};
 use super::{END_OF_ENVIRONMENT, Endless, Expander, begins_group};
-use crate::macros::defined::DefinitionScope;
-
-/// Environments whose cells are groups of their own, beside displays; a star behind a name makes no difference.
-const WITH_CELLS: &[&str] = &[
-    "aligned",
-    "alignedat",
-    "gathered",
-    "split",
-    "array",
-    "tabular",
-    "tabularx",
-    "longtable",
-    "matrix",
-    "pmatrix",
-    "bmatrix",
-    "Bmatrix",
-    "vmatrix",
-    "Vmatrix",
-    "smallmatrix",
-    "cases",
-    "dcases",
-    "rcases",
-];
-
-/// Whether the cells of an environment end what is defined in them.
-pub(super) fn has_cells(name: &str) -> bool {
-    is_display(name) || WITH_CELLS.contains(&name.trim_end_matches('*'))
-}
-
-/// Whether a command of LaTeX begins a display or ends one, and which: `\align`, `\endalign`.
-pub(super) fn of_command(command: &str) -> Option<(&'static str, &str)> {
-    let ends = command.strip_prefix("end").filter(|name| is_display(name));
-    ends.map(|name| ("end", name)).or_else(|| is_display(command).then_some(("begin", command)))
-}
 
 impl Expander<'_, '_> {
     /// Takes `\begin` or `\end`.

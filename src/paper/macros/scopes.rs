@@ -3,10 +3,11 @@
 //! **In:** the tokens of a document, aliases resolved. **Out:** the scopes of [`Defined`](super::defined::Defined). **Guaranteed:** what ends nothing
 //! that has begun ends nothing.
 
+use super::super::displays::has_cells;
 use super::super::token::{Kind, Token};
+use super::Expander;
 use super::defined::{DefinitionScope, Definitions};
 use super::rest::name_ahead;
-use super::{Expander, environments};
 
 impl Expander<'_, '_> {
     /// Begins or ends what definitions stand in.
@@ -64,7 +65,7 @@ impl Expander<'_, '_> {
 
     /// An environment begins, and its first cell.
     pub(super) fn begin_environment(&mut self, name: String) {
-        let has_cells = environments::has_cells(&name) && !self.defined.has_environment(&name);
+        let has_cells = has_cells(&name) && !self.defined.has_environment(&name);
         self.defined.begin(DefinitionScope::Environment(name));
         if has_cells {
             self.defined.begin(DefinitionScope::Cell);

@@ -186,7 +186,7 @@ fn branches_that_are_not_known_are_in_doubt() {
             "ac",
             "0=1b",
         ),
-        (r"\NewDocumentEnvironment{e}{+b}{}{}a\begin{e}b\end{e}c", "ac", "b"),
+        (r"\NewDocumentEnvironment{e}{s}{}{}a\begin{e}b\end{e}c", "ac", "b"),
         // What may end here.
         (r"a\ifnum0=1 \endinput\fi b", "a", "0=1b"),
         (r"a\ifnum0=1 \end{document}\fi b\end{document}c", "a", "0=1documentb"),
@@ -311,6 +311,7 @@ fn environments_are_two_commands() {
         ),
         (r"\newenvironment{equation}{(}{)}\begin{equation}x\end{equation}", "(x)"),
         (r"\NewDocumentEnvironment{e}{m}{<#1}{>}\begin{e}{a}x\end{e}", "<ax>"),
+        (r"\NewDocumentEnvironment{e}{m +b}{<#1|#2>}{!}\begin{e}{a}x\end{e}", "<a|x>!"),
     ] {
         assert_eq!(shown(text), printed, "{text}");
     }
