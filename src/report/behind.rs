@@ -105,6 +105,7 @@ fn proviso<'a>(of: &Proviso, scope: &'a Scope) -> Vec<StorySpan<'a>> {
         Proviso::Leap(of) => beyond(of, " leaps or has an edge"),
         Proviso::Pole(of) => beyond(of, " = 0, unless the motion is analytic there"),
         Proviso::Hole(of) => beyond(of, " = 0 or has no value"),
+        Proviso::Written(of) if of.starts_with("where ") => vec![words(plain(of))],
         Proviso::Written(of) => vec![math(of)],
         Proviso::Orders(_) | Proviso::OtherSign => vec![words(plain(&of.to_string()))],
     }

@@ -7,8 +7,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::digest::{self, Reading, Whole};
 use super::numbers::count;
+use super::plain::plain;
 use super::points;
-use super::story::{PartLevel, StoryBlock, StoryItem, StorySpan, Tone, joined, part, quiet, words};
+use super::story::{PartLevel, StoryBlock, StoryItem, StorySpan, Tone, joined, on_page, part, quiet, words};
 use super::tally::{Standing, declared, name};
 use super::wording::dense;
 use derivation::{ClaimRole, Derivation, FormKind};
@@ -26,7 +27,7 @@ const LONGEST_SHOWN: usize = 70;
 /// Most that are told at all.
 const MOST_FOLDED: usize = 60;
 /// Most claims that are named of each.
-const MOST_NAMED: usize = 3;
+const MOST_NAMED: usize = 1;
 /// Most equations that are named of each on page one.
 const MOST_PLACES: usize = 2;
 /// Most conventions on page one.
@@ -80,11 +81,7 @@ pub(super) fn blocks<'a>(
     let shown: Vec<&Hypothesis<'a>> = first.iter().filter(is_short).take(MOST).collect();
     let more = all.len() + technical.len() - shown.len();
     let is_none = shown.is_empty();
-    // What the same claims use is told together.
-    let is_same = |a: &&Hypothesis<'a>, b: &&Hypothesis<'a>| {
-        a.used.len() == b.used.len() && a.used.iter().all(|claim| b.used.contains(claim))
-    };
-    let together = shown.chunk_by(is_same).map(|of| {
+    let together = shown.chunk_by(|a, b| is_used_alike(a, b)).map(|of| {
         let mut says = joined(of.iter().map(|h| h.says.clone()), ", ");
         says.extend(of.first().map(|h| quiet(format!(" ({})", places(derivation, &h.used)))));
         says
@@ -116,14 +113,14 @@ pub(super) fn section<'a>(
 ) -> Option<StoryBlock<'a>> {
     let Unsaid { unsaid, said, technical, .. } = Unsaid::of(derivation, account, wholes);
     let mut blocks = listed(&unsaid);
-    for (lead, all) in [
-        ("Said by the paper in one place, and used in others:", &said),
-        ("What proofs divide by, and where their functions have values:", &technical),
-    ] {
-        if !all.is_empty() {
-            blocks.push(StoryBlock::Paragraph(vec![quiet(lead)]));
-            blocks.extend(listed(all));
-        }
+    if !said.is_empty() {
+        blocks.push(StoryBlock::Paragraph(vec![quiet("Said by the paper in one place, and used in others:")]));
+        blocks.extend(listed(&said));
+    }
+    if !technical.is_empty() {
+        let title = "What proofs divide by, and where their functions have values";
+        let line = format!("{title}: {}, on the page.", count(technical.len(), "condition"));
+        blocks.push(on_page(format!("{title}:"), &line, listed(&technical)));
     }
     (!blocks.is_empty()).then(|| part(UNSAID, PartLevel::Subsection, vec![words(TITLE)], blocks))
 }
@@ -167,7 +164,7 @@ fn listed<'a>(all: &[Hypothesis<'a>]) -> Vec<StoryBlock<'a>> {
     let told = &all[..all.len().min(MOST_FOLDED)];
     let mut out = Vec::new();
     if !told.is_empty() {
-        out.push(StoryBlock::List(told.iter().map(item).collect()));
+        out.push(StoryBlock::List(told.chunk_by(is_used_alike).map(item).collect()));
     }
     if all.len() > told.len() {
         out.push(StoryBlock::Paragraph(vec![quiet(format!("{} more are not listed.", all.len() - told.len()))]));
@@ -274,9 +271,16 @@ fn places(derivation: &Derivation, used: &[String]) -> String {
     }
 }
 
-fn item<'a>(of: &Hypothesis<'a>) -> StoryItem<'a> {
-    let mut line = of.says.clone();
+/// Whether the same claims use both: then they are told together.
+fn is_used_alike(a: &Hypothesis<'_>, b: &Hypothesis<'_>) -> bool {
+    a.used.len() == b.used.len() && a.used.iter().all(|claim| b.used.contains(claim))
+}
+
+/// What the same claims use.
+fn item<'a>(all: &[Hypothesis<'a>]) -> StoryItem<'a> {
+    let mut line = joined(all.iter().map(|h| h.says.clone()), ", ");
     line.push(quiet(" ("));
+    let Some(of) = all.first() else { return StoryItem { mark: String::new(), line, below: Vec::new() } };
     let named = of.used.iter().take(MOST_NAMED).map(|id| vec![StorySpan::Claim(id.clone(), Tone::Quiet)]);
     line.extend(joined(named, ", "));
     let more = of.used.len().saturating_sub(MOST_NAMED);
@@ -383,8 +387,13 @@ fn of_proviso<'a>(of: &Proviso, scope: &'a Scope) -> (Vec<StorySpan<'a>>, String
     let says = match of {
         Proviso::Where { formula, is } => ordered(&key, scope).unwrap_or_else(|| {
             let (left, rest) = is.parts(formula);
-            vec![StorySpan::Math(left.into_owned(), scope), words(rest)]
+            match left.strip_prefix("(an expression in ").and_then(|of| of.strip_suffix(", too long to print)")) {
+                Some(letters) => vec![words(format!("a long expression in {}{rest}", plain(letters)))],
+                None => vec![StorySpan::Math(left.into_owned(), scope), words(rest)],
+            }
         }),
+        // What the steps leave out is a sentence.
+        Proviso::Written(text) if text.starts_with("where ") => vec![words(plain(text))],
         Proviso::Written(formula) => {
             ordered(&key, scope).unwrap_or_else(|| vec![StorySpan::Math(formula.to_string(), scope)])
         }
@@ -436,7 +445,8 @@ fn gathered<'a>(derivation: &'a Derivation, account: &'a Account, wholes: &[Whol
         let own: Vec<String> = claim.assumptions.iter().map(|a| canonical(a)).collect();
         let Some(identity) = claim.identity.as_ref().filter(|i| i.finding.is_proved_in_part()) else { continue };
         for (term, provisos) in identity.terms().iter().filter(|(term, _)| uses(*term)) {
-            for proviso in provisos {
+            // That the orders of letters say the same again tells nothing more.
+            for proviso in provisos.iter().filter(|p| provisos.len() == 1 || !matches!(p, Proviso::Orders(_))) {
                 let (says, key) = match term {
                     Term::Exception => of_proviso(&excluded(proviso), scope),
                     Term::Condition | Term::GivenOnlyWhere | Term::Presupposed | Term::Used | Term::Unused => {
@@ -495,7 +505,9 @@ fn is_technical(key: &str) -> bool {
         Some(of) => of.letters.iter().any(|letter| {
             letter.starts_with("\\dot") || letter.starts_with("\\ddot") || letter.matches('\\').count() > 1
         }),
-        None => key.contains('≠') || key.contains("|") || key.contains("too long to print"),
+        None => {
+            key.starts_with("where ") || key.contains('≠') || key.contains("|") || key.contains("too long to print")
+        }
     }
 }
 
