@@ -329,3 +329,42 @@ fn what_is_not_printed_and_never_ends_is_told() {
         "{words:?} {notes:?}"
     );
 }
+
+#[test]
+fn words_and_full_stops_within_a_formula_are_parts_of_it() {
+    for tex in [
+        r"\[\text{Tr }A=2ab\]",
+        r"\[\mbox{rank }A=2\]",
+        r"\[\text{minus }\frac{dV}{dx}=-kx\]",
+        r"\[\text{half of }(a+b)^2=\frac12a^2+ab+\frac12b^2\]",
+        r"\[\text{the mean of }x=2a\]",
+        r"\[x=2\text{Tr }A\]",
+        r"\[x=a\text{ Tr }A\]",
+        r"\[v=s\text{ per }t\]",
+        r"\[\mbox{2}(a+b)=2a+2b\]",
+        r"\[\text{-}x=a\]",
+        r"\[H=ab\text{ + h.c.}\]",
+        r"\[(x+y)^2=x^2-2xy+y^2\text{ + c.c.}\]",
+        r"\[H=ab+h.c.\]",
+        r"\[F.s=W\]",
+        r"\[x=2.a\]",
+        r"\[H=ab...\]",
+        // Uncertainties, temperatures, term symbols, values at a place.
+        r"\[x=1.50(2)a=1.50a\]",
+        r"\[x=1.5^{+1}a=1.5a\]",
+        r"\[T=20^\circ C\]",
+        r"\[T=20\,^\circ\mathrm{C}\]",
+        r"\[2\,^3P=8P\]",
+    ] {
+        assert_eq!(read(tex).0, [NotRead], "{tex}");
+    }
+    are(&[
+        (r"\[F=-kx\]\[F(-x)=kx\]", &[Defines, NotRead]),
+        (r"\[y=ax\]\[y\left(-x\right)=-ax\]", &[Defines, NotRead]),
+        (r"\[\text{energy: }(a+b)^2=a^2+2ab+b^2\]", &[Follows]),
+        (r"\[\text{We get }(a+b)^2=a^2+2ab+b^2.\]", &[Follows]),
+        (r"\[a=b.\text{ Then } (c+d)^2=c^2+2cd+d^2\]", &[Condition, Follows]),
+        (r"\[2(0.5)a=a\]", &[Follows]),
+        (r"\[x=90^\circ\]", &[Condition]),
+    ]);
+}

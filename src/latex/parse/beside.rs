@@ -1,6 +1,6 @@
 //! Factors side by side, and relations: whether two pieces may stand beside one another.
 
-use super::super::syntax::{Node, NodeKind, RelationKind};
+use super::super::syntax::{Bracket, Node, NodeKind, RelationKind};
 use super::{Parsed, refuse};
 
 /// Refuses numbers where they could be read as part of what stands before them.
@@ -26,6 +26,17 @@ pub(super) fn side_by_side(last: &Node, factor: &Node) -> Parsed<()> {
             let hint = r"write the number first, or `\cdot` before it, or a subscript";
             refuse("latex::ambiguous", "a number stands behind a factor", span, hint)
         };
+    }
+    if let (true, NodeKind::Group(inside, Bracket::Round)) = (number(last), &factor.kind)
+        && matches!(&inside.kind, NodeKind::Number(n) if n.is_int())
+    {
+        let hint = r"write `\cdot` between them; an uncertainty is no part of a formula";
+        return refuse(
+            "latex::ambiguous",
+            "a number and one in parentheses: a product, or its uncertainty",
+            span,
+            hint,
+        );
     }
     if let (true, NodeKind::Quotient { top, bottom, .. }) = (number(last), &factor.kind)
         && number(top)

@@ -69,6 +69,7 @@ impl Parser<'_> {
                 node = p.factorial(node)?;
             }
             if matches!(node.kind, NodeKind::Number(_)) && p.degree_sign() {
+                p.is_no_temperature()?;
                 node = p.in_degrees(node);
                 if p.is('^') || p.is('_') {
                     return refuse("latex::double-script", "a script behind degrees", p.span(), "use parentheses");
@@ -115,6 +116,26 @@ impl Parser<'_> {
         };
         self.at += tokens;
         true
+    }
+
+    /// Refuses degrees of Celsius and others: they are no angles.
+    fn is_no_temperature(&self) -> Parsed<()> {
+        let rest = self.text.get(self.last_end()..).unwrap_or_default();
+        let rest = rest.trim_start_matches(|c: char| "\\,~:;{} ".contains(c));
+        let rest = ["mathrm", "text", "textrm", "mbox", "rm", "operatorname"]
+            .iter()
+            .find_map(|w| rest.strip_prefix(w))
+            .unwrap_or(rest);
+        let mut letters = rest.trim_start_matches(['{', ' ']).chars();
+        let is_scale = letters.next().is_some_and(|c| "CFKR".contains(c))
+            && !letters.next().is_some_and(|c| c.is_alphanumeric() || c == '_');
+        match is_scale {
+            true => {
+                let hint = "write the temperature as a number, or as a parameter with its unit";
+                refuse("latex::ambiguous", "degrees of a temperature, or an angle", self.span(), hint)
+            }
+            false => Ok(()),
+        }
     }
 
     /// A number of degrees: one degree is π/180.

@@ -89,6 +89,12 @@ impl Parser<'_> {
         let between = self.text.get(self.last_end()..self.span().start).unwrap_or_default();
         let is_behind = PRINTED_SPACES.iter().chain(MOVES).any(|space| between.contains(space));
         let is_power = super::super::alike::is_power(&self.tokens[self.at..]);
+        // `2\,^3P`
+        let behind = if *self.kind_after(1) == Kind::Sign('{') { self.kind_after(4) } else { self.kind_after(2) };
+        if is_power && is_behind && matches!(behind, Kind::Letter(_)) {
+            let hint = "a power touches what it is of";
+            return refuse("latex::ambiguous", "a power, or a script before a letter", self.span(), hint);
+        }
         if !is_second || is_power || !(is_behind || is_spaced || self.begins_with_space()) {
             return Ok(());
         }
@@ -231,6 +237,11 @@ impl Parser<'_> {
             return Ok(self.node(NodeKind::Conjugation { transposed }, start));
         }
         if self.eat('{') {
+            let is_number = matches!(self.kind_after(1), Kind::Number(_)) && *self.kind_after(2) == Kind::Sign('}');
+            if self.is('+') && is_number {
+                let hint = "a power has no plus; an uncertainty is no part of a formula";
+                return refuse("latex::ambiguous", "a power, or an uncertainty", self.span(), hint);
+            }
             let outer = std::mem::replace(&mut self.bars, 0);
             let node = self.sum()?;
             self.expect('}')?;

@@ -13,6 +13,11 @@ pub(super) fn between((before, bare): (&Node, bool), (after, fits): (&Node, bool
     // `x(y)` would be a value of x, `x2` no product that is printed.
     let number = matches!(before.kind, NodeKind::Number(_));
     let mixed = number && matches!(after.kind, NodeKind::Quotient { slash: false, .. }) && after.is_numeric();
+    // `1.5(2)` could be an uncertainty.
+    let whole = |inside: &Node| matches!(&inside.kind, NodeKind::Number(n) if n.is_int());
+    if number && matches!(&after.kind, NodeKind::Group(inside, Bracket::Round) if whole(inside)) {
+        return r"\cdot ";
+    }
     if bare && end(before) == End::Clear {
         return "";
     }

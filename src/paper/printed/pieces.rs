@@ -1,7 +1,7 @@
 //! Rows → pieces: what stands between commas, wide spaces and words.
 
 use super::super::mark::group_text;
-use super::super::opening::{is_opening, is_printed_space, word_at};
+use super::super::opening::{is_link, is_opening, is_printed_space, opening, word_at};
 use super::super::token::{Kind, Token};
 use super::side::{is_wide_length, length};
 use super::{
@@ -96,7 +96,9 @@ pub(super) fn pieces(tokens: &[Token]) -> Vec<Piece> {
         } else if outside && token.kind == Kind::Command && WORDS.contains(&token.text.as_str()) {
             let star = usize::from(token.text.starts_with("qq") && tokens.get(at + 1).is_some_and(|t| t.is_char("*")));
             let (words, after) = group_text(tokens, at + 1 + star);
-            if after > at + 1 + star && !is_operand(tokens, at, after, &words) {
+            let is_operand = is_operand(tokens, at, after, &words)
+                || !prints_space(token) && goes_on_in_words(tokens, after, &words, &mut seen);
+            if after > at + 1 + star && !is_operand {
                 next = Some((Piece { words: Some(words.trim().to_owned()), wide: true, ..Piece::default() }, after));
             }
         }
@@ -279,10 +281,25 @@ fn numbered_by_hand(tokens: &[Token]) -> Option<usize> {
     (tokens[printed[close]].is_char(")") && (number || letter) && space(before) && relates()).then_some(printed[open])
 }
 
-/// Whether a full stop ends a formula, and is no decimal point.
+/// Whether a full stop ends a formula: it is no decimal point, belongs to no bracket, and touches no letter or full stop, as those of `h.c.`, `F.s` and
+/// `\ldots` in letters do.
 fn ends_sentence(tokens: &[Token], at: usize) -> bool {
-    let digit = |t: Option<&Token>| t.is_some_and(|t| t.text.starts_with(|c: char| c.is_ascii_digit()));
-    !digit(tokens.get(at + 1)) && !(at > 0 && (tokens[at - 1].is("right") || tokens[at - 1].is("left")))
+    let next = tokens.get(at + 1);
+    let before = at.checked_sub(1).and_then(|k| tokens.get(k));
+    let goes_on = next.is_some_and(|t| {
+        t.kind == Kind::Other && t.text.starts_with(char::is_alphanumeric)
+            || t.is_char(".")
+            || t.kind == Kind::Command && is_letter(&t.text)
+    });
+    !goes_on && !before.is_some_and(|t| t.is("right") || t.is("left") || t.is_char("."))
+}
+
+/// Whether a command prints a letter, or a sign above or a style of one.
+fn is_letter(command: &str) -> bool {
+    const LETTERS: &str = "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi \
+         varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega hbar ell partial nabla vec hat bar dot ddot tilde mathbf \
+         mathrm boldsymbol bm mathcal frac sqrt";
+    LETTERS.split_whitespace().any(|letter| letter == command)
 }
 
 /// Whether words are a part of a formula: `F = \text{const}`.
@@ -302,6 +319,71 @@ fn is_operand(tokens: &[Token], at: usize, after: usize, words: &str) -> bool {
     let begins = before.is_some_and(|t| is_relation(t) || is_operator(t) || script(&t));
     let goes_on = behind.is_some_and(|t| is_relation(t) || is_operator(t) || script(&t));
     begins || goes_on || (before.is_some_and(|t| t.kind == Kind::Open))
+}
+
+/// Whether a command prints a wide space around its words, or a line of its own.
+fn prints_space(command: &Token) -> bool {
+    command.text.starts_with("qq") || command.text.ends_with("intertext")
+}
+
+/// Words that say something of what stands behind them, so that it is no formula by itself: `\text{twice }x`, `\text{the mean of }x`.
+const OF_WHAT_FOLLOWS: &[&str] = &[
+    "of", "per", "times", "minus", "plus", "by", "over", "to", "on", "twice", "half", "double", "negative", "non",
+    "not",
+];
+
+/// Words that end what leads to a formula: `\text{the energy is }E=T+V`.
+const LEADING: &[&str] = &[
+    "is",
+    "are",
+    "be",
+    "get",
+    "have",
+    "find",
+    "obtain",
+    "gives",
+    "give",
+    "yields",
+    "implies",
+    "becomes",
+    "that",
+    "so",
+    "then",
+    "thus",
+    "hence",
+    "since",
+    "because",
+    "let",
+    "set",
+    "therefore",
+    "using",
+    "from",
+    "but",
+];
+
+/// Whether a formula goes on in words: in a number or a sign that is written as a text, or in what is said of the name right behind them, as
+/// `\text{Tr }A=2ab`, `\text{minus }x=y`. Words that open a condition, link formulas or lead to one do not; nor do those between two relations.
+fn goes_on_in_words(tokens: &[Token], after: usize, words: &str, seen: &mut Seen) -> bool {
+    let words = words.trim();
+    let is_sign = |c: char| "+-−±∓*/=<>×·".contains(c);
+    if words.starts_with(is_sign) || words.ends_with(is_sign) {
+        return true;
+    }
+    if !words.contains(char::is_alphabetic) {
+        return words.contains(|c: char| c.is_ascii_digit()) && !words.starts_with(['(', '[']);
+    }
+    let touches = tokens[after..].iter().find(|t| t.kind != Kind::Space).is_some_and(is_argument);
+    if !touches || !words.ends_with(char::is_alphabetic) || is_link(words) {
+        return false;
+    }
+    let small = words.to_lowercase();
+    let last = small.rsplit(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
+    let stands_alone = seen.relates && seen.relates_next(tokens, after);
+    match opening(words) {
+        // `v=s\text{ per }t`; in Italian it opens a condition, which relates something.
+        Some(_) => last == "per" && !seen.relates_next(tokens, after),
+        None => OF_WHAT_FOLLOWS.contains(&last) || !LEADING.contains(&last) && !stands_alone,
+    }
 }
 
 /// Whether words are the name of a function, or of a differential, as far as they tell: one word, without a space around it.

@@ -25,7 +25,12 @@ pub(super) fn has_scripts_apart(all: &[Token]) -> bool {
             return !(is_power && (ends_script(base) || is_bracket(&all[base])));
         }
         if all[last + 1..at].iter().any(is_set) {
-            return !is_power;
+            // `2\,^3P`
+            let behind =
+                if all.get(at + 1).is_some_and(|t| t.kind == Kind::Open) { partners[at + 1] } else { Some(at + 1) };
+            let behind = behind.and_then(|end| all.get(end + 1));
+            return !is_power
+                || behind.is_some_and(|t| t.kind == Kind::Other && t.text.starts_with(char::is_alphabetic));
         }
         // `T^a_{\ b}`, `T^{\ a}_b`
         let open = at + 1;
