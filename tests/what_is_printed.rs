@@ -360,6 +360,9 @@ fn words_and_full_stops_within_a_formula_are_parts_of_it() {
     }
     are(&[
         (r"\[F=-kx\]\[F(-x)=kx\]", &[Defines, NotRead]),
+        (r"\[i=\frac VR\]\[i^2R=-R\]", &[NotRead, NotRead]),
+        (r"\[\pi=p-A\]\[\sin\pi=0\]", &[NotRead, NotRead]),
+        (r"\[i=\sqrt{-1}\]\[(1+i)^2=2i\]", &[Condition, Follows]),
         (r"\[y=ax\]\[y\left(-x\right)=-ax\]", &[Defines, NotRead]),
         (r"\[\text{energy: }(a+b)^2=a^2+2ab+b^2\]", &[Follows]),
         (r"\[\text{We get }(a+b)^2=a^2+2ab+b^2.\]", &[Follows]),

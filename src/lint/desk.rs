@@ -336,6 +336,15 @@ impl Desk {
         };
         let texts = || sides.iter().map(|s| s.text.as_str());
         // `i` beside no other use is the imaginary unit.
+        let prints_pi = |text: &str| text.split(r"\pi").skip(1).any(|rest| !rest.starts_with(char::is_alphabetic));
+        let is_printed = |letter: &str| match letter {
+            "i" => all.iter().any(|n| n.key() == "i"),
+            _ => sides.iter().any(|s| prints_pi(&s.text)),
+        };
+        let is_meant = |letter: &&&str| evidence.is_other_constant(letter) && is_printed(letter);
+        if let Some(letter) = ["i", r"\pi"].iter().find(is_meant) {
+            return Err(NotRead::of(format!("{letter}, which is a constant, or what the paper says of it")));
+        }
         let imaginary = all.iter().any(|n| n.key() == "i");
         if imaginary && unit == Unit::Imaginary {
             desk.is_complex = true;

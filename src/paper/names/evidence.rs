@@ -59,6 +59,8 @@ pub struct Evidence {
     pub primed_places: BTreeMap<String, BTreeMap<String, usize>>,
     /// Of names that are equal to a matrix somewhere: its rows and columns, and how often.
     pub sizes: BTreeMap<String, BTreeMap<(usize, usize), usize>>,
+    /// Letters of constants to which the paper gives a meaning of its own.
+    other_constants: BTreeSet<String>,
     /// Whether `i` stands where the imaginary unit does: in an exponent, or before ħ.
     pub is_complex: bool,
     /// The same of `j`.
@@ -136,6 +138,7 @@ impl Evidence {
         let sizes: Vec<Option<(usize, usize)>> = relation.sides.iter().map(|s| size(&s.tokens)).collect();
         for (i, side) in relation.sides.iter().enumerate().filter(|(_, s)| s.text.len() <= LONGEST) {
             self.note_units(side);
+            self.note_constants(relation, i);
             self.summed.extend(index_letters_of_sums(&side.tokens));
             self.runs.note(side);
             if let [name] = names_apart(side).as_slice()
@@ -240,6 +243,26 @@ impl Evidence {
         if let Some(by) = name.derived_by.as_ref().filter(|by| is_variable(by) && *by != key) {
             self.inside.entry(bare.to_owned()).or_default().insert(by.clone());
         }
+    }
+
+    /// Letters of constants that the paper gives another meaning: `i=V/R`, `\dot i`, `\pi=p-eA`.
+    fn note_constants(&mut self, relation: &PrintedRelation, at: usize) {
+        let Some(side) = relation.sides.get(at) else { return };
+        let text = side.text.trim();
+        let is_first = at == 0 && relation.sides.iter().skip(1).any(|other| !names_apart(other).is_empty());
+        // `\dot i`, `\frac{d\pi}{dt}`
+        let varies = |name: &PaperName| name.dots > 0 || name.derived_by.is_some();
+        let varies = |letter: &str| names_apart(side).iter().any(|name| name.base == letter && varies(name));
+        for letter in ["i", r"\pi"] {
+            if is_first && text == letter || varies(letter) {
+                self.other_constants.insert(letter.to_owned());
+            }
+        }
+    }
+
+    /// Whether the paper gives the letter of a constant another meaning; beside exponents with `i` that is the unit, whatever it is called, too.
+    pub fn is_other_constant(&self, key: &str) -> bool {
+        self.other_constants.contains(key) && !(key == "i" && self.is_complex)
     }
 
     /// What stands in exponents of `e`, and before ħ.

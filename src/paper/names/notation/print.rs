@@ -326,10 +326,11 @@ pub(super) fn is_script(all: &[&str], at: usize) -> bool {
 
 /// A letter before brackets whose content is no factor: `\gamma(-1)`, `N(aX,b)`, `E[XY]`.
 pub(super) fn call(all: &[&str]) -> Option<&'static str> {
-    // How large brackets are makes no difference.
-    let all: Vec<&str> = all.iter().filter(|t| !SIZES.contains(t)).copied().collect();
+    if is_negated_call(all) {
+        return Some("a value at a place, or a product");
+    }
     for i in 1..all.len() {
-        let named = is_letter_token(all[i - 1]) && !is_script(&all, i - 1);
+        let named = is_letter_token(all[i - 1]) && !is_script(all, i - 1);
         let is_labelled = i > 2 && all[i - 2] == "_" && is_letter_token(all[i - 3]);
         match all[i] {
             // Nobody sets a plus before a factor: `\omega_0(+m)`.
@@ -350,14 +351,7 @@ pub(super) fn call(all: &[&str]) -> Option<&'static str> {
                     let digits = rest.iter().take_while(|t| t.chars().all(|c| c.is_ascii_digit() || c == '.')).count();
                     digits > 0 && rest.get(digits) == Some(&")")
                 });
-                // `F(-x)`: one term with a sign.
-                let ends =
-                    || (i + 1..all.len()).find(|&k| matches!(all[k], ")" | "(" | "[")).filter(|&k| all[k] == ")");
-                let negated = all.get(i + 1) == Some(&"-")
-                    && ends().is_some_and(|end| {
-                        !all[i + 2..end].iter().any(|t| matches!(*t, "+" | "-" | r"\pm" | r"\mp" | ","))
-                    });
-                if signed || negated {
+                if signed {
                     return Some("a value at a place, or a product");
                 }
                 // A function of a value of itself, `\sigma(\sigma(G))`.
@@ -382,6 +376,17 @@ pub(super) fn call(all: &[&str]) -> Option<&'static str> {
         }
     }
     None
+}
+
+/// Whether a letter stands before brackets that hold one term with a minus, `F(-x)`; how large the brackets are makes no difference.
+fn is_negated_call(all: &[&str]) -> bool {
+    let all: Vec<&str> = all.iter().filter(|t| !SIZES.contains(t)).copied().collect();
+    let ends =
+        |from: usize| all[from..].iter().find(|t| matches!(**t, ")" | "(" | "[" | "+" | "-" | r"\pm" | r"\mp" | ","));
+    (1..all.len()).any(|i| {
+        let named = is_letter_token(all[i - 1]) && !is_script(&all, i - 1);
+        named && all[i] == "(" && all.get(i + 1) == Some(&"-") && ends(i + 2) == Some(&")")
+    })
 }
 
 /// Commands that make brackets large.
