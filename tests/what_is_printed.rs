@@ -296,9 +296,11 @@ fn what_is_not_understood_is_not_judged() {
         r"\ifx a b\end{document}\fi \[ SLIP \]",
         r"\newif\ifd\DeclareOption{d}{\dtrue}\ifd\else \[ SLIP \]\fi",
         r"\IfStrEq{a}{b}{\[ SLIP \]}{}",
-        r"\newcommand{\x}{\sin2x}\RenewDocumentCommand{\x}{s m}{3y} \[ \x = \sin x\cos x \]",
+        r"\newcommand{\x}{\sin2x}\RenewDocumentCommand{\x}{d() m}{3y} \[ \x = \sin x\cos x \]",
         r"\newcommand{\x}{\sin2x}\appto\x{+1} \[ \x = \sin x\cos x \]",
         r"\newcommand{\xx}{x+y} \[ \hat\xx=\hat x \]",
+        r"\newif\ifs\ifs\includecomment{p}\else\excludecomment{p}\fi \begin{p}\[ SLIP \]\end{p}",
+        r"\newif\ifs\ifs\newenvironment{p}{}{}\else\newenvironment{p}{\comment}{\endcomment}\fi \begin{p}\[ SLIP \]\end{p}",
     ];
     for tex in doubted {
         let (words, notes) = read(tex);
@@ -311,7 +313,11 @@ fn what_is_not_understood_is_not_judged() {
     ] {
         assert_eq!(read(tex).0, [], "{tex}");
     }
+    // What is made of arguments is a formula, perhaps, and told.
+    let (words, notes) = read(r"\[(a+b)^2=a^2+2ab+b^2\] \NewDocumentCommand{\foo}{d() m}{\[#2\]}\foo{SLIP}");
+    assert!(words == [Follows] && notes.len() == 1, "{words:?} {notes:?}");
     are(&[
+        (r"\cspreto{equation}{\x}\csappto{endequation}{\y}\begin{equation} SLIP \end{equation}", &[Wrong]),
         (r"\newenvironment{eq}{\align}{\endalign}\begin{eq} SLIP \end{eq}", &[Wrong]),
         (r"\def\eq{\begin{equation}}\def\endeq{\end{equation}}\begin{eq} SLIP \end{eq}", &[Wrong]),
         (r"\let\eq\equation\let\endeq\endequation\begin{eq} SLIP \end{eq}", &[Wrong]),

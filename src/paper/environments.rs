@@ -93,9 +93,9 @@ const MOST_OWN: usize = 500;
 /// The longest definition of an environment that is looked at, in bytes.
 const LONGEST_DEFINITION: usize = 20_000;
 
-/// Environments that the author makes, and whether what stands in them is printed.
+/// Environments that the author makes, and whether what stands in them is printed; `None` where two definitions say different things of it.
 #[derive(Clone, Debug, Default)]
-pub(super) struct OwnEnvironments(Vec<(String, bool)>);
+pub(super) struct OwnEnvironments(Vec<(String, Option<bool>)>);
 
 /// What is not printed goes on to the end of its file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,22 +104,32 @@ pub(super) struct Unended;
 impl OwnEnvironments {
     /// Whether the other ones read the same texts.
     pub fn read_as(&self, other: &OwnEnvironments) -> bool {
-        let counts = |all: &OwnEnvironments| -> BTreeSet<(String, bool)> {
-            let is_other = |(name, is_printed): &&(String, bool)| *is_printed == NOT_PRINTED.contains(&name.as_str());
+        let counts = |all: &OwnEnvironments| -> BTreeSet<(String, Option<bool>)> {
+            let is_other = |(name, is_printed): &&(String, Option<bool>)| {
+                *is_printed != Some(!NOT_PRINTED.contains(&name.as_str()))
+            };
             all.0.iter().filter(is_other).cloned().collect()
         };
         counts(self) == counts(other)
     }
 
     fn is_printed(&self, name: &str) -> bool {
-        let own = self.0.iter().find(|(known, _)| known == name).map(|(_, is_printed)| *is_printed);
+        let own = self.0.iter().find(|(known, _)| known == name).map(|(_, is_printed)| is_printed.unwrap_or(true));
         own.unwrap_or(!NOT_PRINTED.contains(&name))
     }
 
+    /// The name of the environment that begins here, behind `\begin`, if one definition of it says that it is printed, and another one that it is not.
+    pub fn in_doubt<'t>(&self, command: &str, text: &'t str, at: usize) -> Option<&'t str> {
+        let name = group(text, at).filter(|_| command == "begin")?.0;
+        self.0.iter().any(|(known, is_printed)| known == name && is_printed.is_none()).then_some(name)
+    }
+
     fn put(&mut self, name: &str, is_printed: bool) {
-        self.0.retain(|(known, _)| known != name);
-        if self.0.len() < MOST_OWN && name.len() <= LONGEST_NAME {
-            self.0.push((name.to_owned(), is_printed));
+        let has_room = self.0.len() < MOST_OWN && name.len() <= LONGEST_NAME;
+        match self.0.iter_mut().find(|(known, _)| known == name) {
+            Some((_, before)) => *before = before.filter(|before| *before == is_printed),
+            None if has_room => self.0.push((name.to_owned(), Some(is_printed))),
+            None => {}
         }
     }
 

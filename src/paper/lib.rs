@@ -242,6 +242,9 @@ fn mark_doubts(printed: &mut [PrintedRelation], doubts: &Doubts) -> Vec<PaperNot
             notes.push(PaperNote { message: doubt.message(), span: doubt.span.clone() });
         }
     }
+    // What such a name makes of its arguments may be a formula that nobody sees.
+    let others = doubts.of_names().filter(|(number, _)| !told.contains(number));
+    notes.extend(others.map(|(_, doubt)| PaperNote { message: doubt.message(), span: doubt.span.clone() }));
     notes
 }
 

@@ -43,7 +43,7 @@ use super::displays;
 use super::named::{COMMANDS_OF_TEXT, Input, Named, PACKAGES};
 use super::note::PaperNote;
 use super::short::Short;
-use super::token::{Kind, MOST_TOKENS, Token};
+use super::token::{IN_DOUBT, Kind, MOST_TOKENS, Token};
 
 /// The most calls of macros.
 const MOST_CALLS: usize = 1_000_000;
@@ -99,7 +99,15 @@ const END_OF_ENVIRONMENT: &str = "end environment ";
 const PRINT_THEIR_ARGUMENT: &[&str] = &["answer", "eqmathbox"];
 
 /// Commands that do what stands in their argument, outside of any group.
-const DO_THEIR_ARGUMENT: &[&str] = &["AtBeginDocument", "AtEndOfClass", "AtEndOfPackage", "AtEndPreamble"];
+const DO_THEIR_ARGUMENT: &[&str] =
+    &["AtBeginDocument", "AtEndPreamble", "AfterEndPreamble", "AfterPreamble", "AtEndOfClass", "AtEndOfPackage"];
+/// Those of them that do it where the document begins.
+const DO_IT_AT_BEGIN: &[&str] = &["AtBeginDocument", "AtEndPreamble", "AfterEndPreamble", "AfterPreamble"];
+
+/// Commands between `\\global` and what it is said of.
+const BEHIND_GLOBAL: &[&str] = &["long", "outer", "protected", "relax"];
+/// Those that make the next one first.
+const MAKES_NEXT: &[&str] = &["expandafter", "csname"];
 
 /// Whether reading goes on.
 enum Then {
@@ -265,10 +273,10 @@ impl Expander<'_, '_> {
             self.defined.is_global = true;
             return Ok(Then::Next);
         }
-        if self.defined.is_global && matches!(token.text.as_str(), "long" | "outer" | "protected") {
+        if self.defined.is_global && BEHIND_GLOBAL.contains(&token.text.as_str()) {
             return Ok(Then::Next);
         }
-        let is_global = self.defined.is_global;
+        let is_global = self.defined.is_global && !MAKES_NEXT.contains(&token.text.as_str());
         let then = self.call_or_print(token, depth, frozen);
         // `\\global` is said of what stands right behind it.
         self.defined.is_global &= !is_global;
@@ -290,7 +298,7 @@ impl Expander<'_, '_> {
             self.call_macro(token, depth)?;
         } else if DO_THEIR_ARGUMENT.contains(&token.text.as_str()) && takes_braces(&self.rest) {
             let body = argument(&mut self.rest);
-            let waits = token.is("AtBeginDocument") && self.defined.packages == 0;
+            let waits = DO_IT_AT_BEGIN.contains(&token.text.as_str()) && self.defined.packages == 0;
             let of_document = if waits { self.at_begin.as_mut() } else { None };
             match of_document {
                 Some(waiting) => waiting.extend(body.into_iter().map(|t| (t, depth))),
@@ -298,7 +306,7 @@ impl Expander<'_, '_> {
             }
         } else if PRINT_THEIR_ARGUMENT.contains(&token.text.as_str()) && takes_braces(&self.rest) {
             while optional(&mut self.rest).is_some() {}
-        } else if let Some((ends, name)) = displays::of_command(&token.text) {
+        } else if let Some((ends, name)) = displays::of_command(&token.text).filter(|_| self.at_begin.is_none()) {
             self.print_environment(ends, name, &token);
         } else {
             if !frozen && self.defined.is_doubted(&token.text) {
@@ -394,6 +402,16 @@ impl Expander<'_, '_> {
             if self.defined.packages == 0 && self.is_chapter {
                 self.begin_document();
             }
+            return true;
+        }
+        if let Some(name) = token.text.strip_prefix(IN_DOUBT) {
+            // One whose own definition is in doubt says it itself.
+            if self.defined.is_doubted(name) {
+                return true;
+            }
+            let named = Token { kind: Kind::Command, text: name.into(), span: token.span.clone() };
+            let doubt = self.doubts.of_meaning(&named);
+            self.open(BranchForm::Environment(name.to_owned()), Some(doubt));
             return true;
         }
         if token.is(END_OF_FILE) {

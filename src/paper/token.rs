@@ -65,6 +65,9 @@ const SHORT_VERBATIM: &[(&str, bool)] = &[
     ("lstDeleteShortInline", false),
 ];
 
+/// The command before the beginning of an environment of which it is not known whether it is printed; its name follows.
+pub(super) const IN_DOUBT: &str = "in doubt ";
+
 /// The command that stands where something that is not printed begins and has no end; no text has it.
 pub(super) const UNENDED: &str = "has no end";
 
@@ -146,6 +149,9 @@ pub(super) fn tokens_with(text: &str, own: &mut OwnEnvironments) -> Vec<Token> {
                     }
                     at = found.unwrap_or(text.len());
                     continue;
+                }
+                if let Some(which) = own.in_doubt(name, text, at) {
+                    out.push(Token { kind: Kind::Command, text: format!("{IN_DOUBT}{which}").into(), span: start..at });
                 }
                 out.push(Token { kind: Kind::Command, text: name.into(), span: start..at });
                 if letters > 0 {

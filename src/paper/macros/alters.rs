@@ -3,12 +3,13 @@
 //! **In:** a command that is printed as it stands, and what follows it. **Out:** doubt of the name that it is told. **Why:** packages have hundreds of
 //! commands that define, patch and set; of one that is not known it is only known that what it names may mean something else from there on.
 
+use super::super::displays::is_display;
 use super::super::token::{Kind, Token};
 use super::Expander;
 use super::behind::is_known;
 use super::define::name_of;
 use super::defined::Definitions;
-use super::rest::{MOST_NAME, Rest};
+use super::rest::{MOST_NAME, Rest, argument, next_is};
 
 /// Parts of the names of commands that give names a meaning.
 const PARTS: &[&str] = &[
@@ -51,20 +52,38 @@ fn told(rest: &Rest) -> Told {
     }
 }
 
+/// Whether a name is one of the two commands of a display: what is put before or behind them changes how it looks.
+fn is_of_display(name: &str) -> bool {
+    is_display(name.strip_prefix("end").unwrap_or(name)) || name == "[" || name == "]"
+}
+
+/// Parts of the names of commands that put something before or behind what a name does, or exchange a part of it.
+const PATCHES: &[&str] = &["pre", "app", "patch", "addto"];
+
 impl Expander<'_, '_> {
-    /// Puts the name in doubt that a command, which is printed as it stands, may give another meaning. In a formula none does.
+    /// Puts the name in doubt that a command, which is printed as it stands, may give another meaning; the name itself is taken. In a formula none does.
     pub(super) fn doubt_altered(&mut self, token: &Token) {
         let command = token.text.as_str();
         if self.definitions == Definitions::OfTheWhole || is_known(command) || self.defined.is_in_formula() {
             return;
         }
+        let says_so = says_so(command);
         let name = match told(&self.rest) {
-            Told::Bare(name) | Told::Braced(name) if says_so(command) => Some(name),
-            Told::Braced(name) => Some(name).filter(|name| self.defined.is_own(name)),
-            Told::Written(name) if says_so(command) && takes_written_names(command) => name_of(&name, &self.defined),
+            Told::Bare(name) | Told::Braced(name) if says_so => Some(name),
+            // In the preamble nothing is printed.
+            Told::Braced(name) if self.at_begin.is_some() => Some(name).filter(|name| self.defined.is_own(name)),
+            Told::Written(name) if says_so && takes_written_names(command) => name_of(&name, &self.defined),
             _ => None,
         };
-        let Some(name) = name.filter(|name| self.defined.packages == 0 || self.defined.is_own(name)) else { return };
+        let Some(name) = name else { return };
+        if says_so {
+            next_is(&mut self.rest, "*");
+            argument(&mut self.rest);
+        }
+        let is_patch = PATCHES.iter().any(|part| command.to_lowercase().contains(part));
+        if self.defined.packages > 0 && !self.defined.is_own(&name) || is_patch && is_of_display(&name) {
+            return;
+        }
         let is_global = std::mem::replace(&mut self.defined.is_global, true);
         self.defined.doubt(&name);
         self.defined.is_global = is_global;

@@ -1,7 +1,7 @@
 //! Calls of macros: their arguments, and their bodies with these put in.
 
 use super::super::token::{Kind, Token};
-use super::rest::{Macro, Rest, argument, optional, spaces};
+use super::rest::{Macro, Rest, argument, next_is, optional, spaces};
 
 /// The arguments of a call with signs between them, as TeX takes them: up to the signs behind each, outside of braces. What is missing stays out.
 fn delimited(pattern: &[Token], rest: &mut Rest) -> Vec<Vec<Token>> {
@@ -68,8 +68,14 @@ fn braces_are_one(tokens: &[Token]) -> bool {
 /// tokens.
 pub(super) fn call(found: &Macro, token: &Token, rest: &mut Rest, most: usize) -> Option<Vec<Token>> {
     let mut values: Vec<Vec<Token>> = Vec::new();
+    // What is not given stands nowhere else than the call.
+    let here = |all: &[Token]| all.iter().map(|t| Token { span: token.span.clone(), ..t.clone() }).collect();
+    if found.has_star {
+        next_is(rest, "*");
+        values.push(Vec::new());
+    }
     if let Some(default) = &found.default {
-        values.push(optional(rest).unwrap_or_else(|| default.clone()));
+        values.push(optional(rest).unwrap_or_else(|| here(default)));
     }
     if found.pattern.is_empty() {
         while values.len() < found.arguments {
@@ -78,7 +84,7 @@ pub(super) fn call(found: &Macro, token: &Token, rest: &mut Rest, most: usize) -
     } else {
         values.extend(delimited(&found.pattern, rest));
     }
-    values.extend(found.options.iter().map(|default| optional(rest).unwrap_or_else(|| default.clone())));
+    values.extend(found.options.iter().map(|default| optional(rest).unwrap_or_else(|| here(default))));
     let mut out = Vec::new();
     for t in &found.body {
         if out.len() > most {

@@ -180,7 +180,7 @@ fn ends_ahead(rest: &Rest, defined: &Defined, looked: &mut usize) -> bool {
         }
         let Some((token, _)) = rest.get(at).filter(|(t, _)| t.kind == Kind::Command) else { continue };
         let behind = at.checked_sub(1).and_then(|k| rest.get(k)).map(|(t, _)| t.kind);
-        match token.text.as_str() {
+        match defined.meant(&token.text) {
             "fi" if depth == 0 => return true,
             "fi" => depth -= 1,
             name if is_closed_by_fi(name, behind, defined) => depth += 1,
@@ -245,7 +245,7 @@ pub(super) fn skip_branch(rest: &mut Rest, defined: &Defined) -> Skipped {
             continue;
         }
         let behind = rest.last().map(|(t, _)| t.kind);
-        match token.text.as_str() {
+        match defined.meant(&token.text) {
             "fi" if depth == 0 => return Skipped::Fi,
             "else" if depth == 0 => return Skipped::Else,
             "fi" => depth -= 1,

@@ -364,7 +364,7 @@ fn plain(command: &str, name: String, rest: &mut Rest, defined: &mut Defined) {
         pattern.clear();
     }
     if arguments <= MOST_ARGUMENTS {
-        let found = Macro { arguments, default: None, body, pattern, options: Vec::new(), is_robust: false };
+        let found = Macro { pattern, ..Macro::plain(arguments, None, body) };
         defined.put(name.clone(), found);
         if is_open {
             defined.doubt(&name);
@@ -465,18 +465,29 @@ fn document_environment(
 
 /// A macro of `\NewDocumentCommand`, from what its second argument asks for: arguments, of which the first may have a default, and options
 /// behind them; `None` where it asks for what is not understood.
-fn document_macro(kinds: Vec<Token>, body: Vec<Token>) -> Option<Macro> {
+fn document_macro(mut kinds: Vec<Token>, body: Vec<Token>) -> Option<Macro> {
+    // Whether an argument may have paragraphs, or spaces before it, is no matter of what it prints.
+    kinds.retain(|t| !t.is_char("+") && !t.is_char("!"));
     let mut rest: Rest = kinds.into_iter().rev().map(|t| (t, 0)).collect();
-    let default = next_is(&mut rest, "O").then(|| argument(&mut rest));
-    let mut arguments = usize::from(default.is_some());
+    let has_star = next_is(&mut rest, "s");
+    let default = option(&mut rest);
+    let mut arguments = usize::from(has_star) + usize::from(default.is_some());
     while next_is(&mut rest, "m") {
         arguments += 1;
     }
     let mut options = Vec::new();
-    while next_is(&mut rest, "O") {
-        options.push(argument(&mut rest));
+    while let Some(default) = option(&mut rest) {
+        options.push(default);
     }
     spaces(&mut rest);
     let is_known = rest.is_empty() && arguments + options.len() <= MOST_ARGUMENTS;
-    is_known.then(|| Macro { options, is_robust: true, ..Macro::plain(arguments, default, body) })
+    is_known.then(|| Macro { options, has_star, is_robust: true, ..Macro::plain(arguments, default, body) })
+}
+
+/// The default of an option, as `O{a}` or `o`, which has none.
+fn option(kinds: &mut Rest) -> Option<Vec<Token>> {
+    if next_is(kinds, "o") {
+        return Some(vec![Token { kind: Kind::Command, text: "NoValue".into(), span: 0..0 }]);
+    }
+    next_is(kinds, "O").then(|| argument(kinds))
 }

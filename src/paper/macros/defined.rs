@@ -159,6 +159,11 @@ impl Defined {
         }
     }
 
+    /// The command of LaTeX for which a name stands, or the name.
+    pub(super) fn meant<'n>(&'n self, name: &'n str) -> &'n str {
+        self.alias(name).unwrap_or(name)
+    }
+
     /// Whether a condition of the document's own holds, if that is known; `None` for what is none.
     pub(super) fn condition(&self, name: &str) -> Option<Option<bool>> {
         let found = self.commands.get(name)?;
@@ -248,9 +253,9 @@ impl Defined {
     pub(super) fn has_environment(&self, name: &str) -> bool {
         self.commands.get(name).is_some_and(|m| match m.what {
             CommandMeaning::Macro(_) | CommandMeaning::Pair(_) | CommandMeaning::Alias(_) => true,
-            CommandMeaning::NotRead => self.is_own(&format!("end{name}")),
+            CommandMeaning::NotRead => is_display(name) || self.is_own(&format!("end{name}")),
             CommandMeaning::Condition(_) => false,
-        })
+        }) || is_display(name) && self.is_own(&format!("end{name}"))
     }
 
     /// Gives a name the meaning that a token has now.

@@ -127,6 +127,12 @@ impl Doubts {
         self
     }
 
+    /// The doubts of what names stand for, each with its number; the end of an environment is told with its beginning.
+    pub fn of_names(&self) -> impl Iterator<Item = (usize, &Doubt)> {
+        let is_name = |doubt: &Doubt| doubt.what == Unknown::Meaning && !doubt.command.starts_with("end");
+        self.all.iter().enumerate().filter(move |(_, doubt)| is_name(doubt))
+    }
+
     /// Why a place is in doubt, and which doubt that is.
     pub fn of(&self, span: &Range<usize>) -> Option<(usize, &Doubt)> {
         let at = self.places.partition_point(|(place, _)| place.end <= span.start);

@@ -3,6 +3,7 @@
 //! **In:** `\begin` and `\end`, and commands such as `\align` that begin an environment of LaTeX without a group. **Out:** what is printed.
 //! **Guaranteed:** what stands in an environment that is not understood is in doubt.
 
+use super::super::displays::is_display;
 use super::super::token::{Kind, Token};
 use super::branches::BranchForm;
 use super::defined::DefinitionScope;
@@ -22,6 +23,9 @@ impl Expander<'_, '_> {
         let name = name_ahead(&self.rest);
         if !self.defined.has_environment(&name) {
             self.print(token);
+            if !begins {
+                self.end_doubt(&BranchForm::Environment(name));
+            }
             return Ok(());
         }
         argument(&mut self.rest);
@@ -40,6 +44,9 @@ impl Expander<'_, '_> {
         } else {
             if self.defined.alias(&does.text).is_some() {
                 self.rest.push((does, depth + 1));
+            } else if is_display(&name) {
+                // What was done to it is not understood, or to its other half alone: it is a display.
+                self.print_environment(if begins { "begin" } else { "end" }, &name, &does);
             }
             Ok(())
         }

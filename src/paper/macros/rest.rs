@@ -21,12 +21,14 @@ pub(super) struct Macro {
     pub options: Vec<Vec<Token>>,
     /// `\edef` leaves it as it stands.
     pub is_robust: bool,
+    /// A star may stand behind its name: its first argument, which conditions ask for.
+    pub has_star: bool,
 }
 
 impl Macro {
     /// A macro whose arguments stand behind each other.
     pub(super) fn plain(arguments: usize, default: Option<Vec<Token>>, body: Vec<Token>) -> Macro {
-        Macro { arguments, default, body, pattern: Vec::new(), options: Vec::new(), is_robust: false }
+        Macro { arguments, default, body, pattern: Vec::new(), options: Vec::new(), is_robust: false, has_star: false }
     }
 }
 
