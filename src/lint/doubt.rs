@@ -27,8 +27,37 @@ const MOST_ENVIRONMENTS: usize = 40;
 
 /// Signs in a piece that is not read, with which it restricts what stands beside it.
 const RESTRICT: &[&str] = &[
-    "=", "<", ">", "≈", "≠", "≪", "≫", "∈", "∀", "∃", "⊥", "?", r"\ll", r"\gg", r"\le", r"\ge", r"\ne", r"\to", r"\rightarrow", r"\approx",
-    r"\sim", r"\in", r"\notin", r"\perp", r"\forall", r"\exists", r"\subset", r"\equiv", r"\propto", "mod", r"\not",
+    "=",
+    "<",
+    ">",
+    "≈",
+    "≠",
+    "≪",
+    "≫",
+    "∈",
+    "∀",
+    "∃",
+    "⊥",
+    "?",
+    r"\ll",
+    r"\gg",
+    r"\le",
+    r"\ge",
+    r"\ne",
+    r"\to",
+    r"\rightarrow",
+    r"\approx",
+    r"\sim",
+    r"\in",
+    r"\notin",
+    r"\perp",
+    r"\forall",
+    r"\exists",
+    r"\subset",
+    r"\equiv",
+    r"\propto",
+    "mod",
+    r"\not",
 ];
 /// Signs of statements from right to left.
 const BACKWARDS: &[&str] = &[r"\because", r"\Leftarrow", r"\Longleftarrow", r"\impliedby", "∵", "⇐", "⟸"];
@@ -80,7 +109,8 @@ impl Judge<'_> {
         let all = &self.paper.printed;
         let (one, other) = (all.get(first)?, all.get(second)?);
         let ((file, from), (of, to)) = (self.paper.locate(&one.span()), self.paper.locate(&other.span()));
-        let between = file.text.get(from.end..to.start).filter(|_| std::sync::Arc::ptr_eq(file, of)).unwrap_or_default();
+        let between =
+            file.text.get(from.end..to.start).filter(|_| std::sync::Arc::ptr_eq(file, of)).unwrap_or_default();
         let closes = between.len() > BETWEEN || ["$", r"\(", r"\)", "\n\n", "`"].iter().any(|c| between.contains(c));
         match (one.display, other.display) {
             (Some(a), Some(b)) => (a == b).then_some(between),
@@ -126,8 +156,7 @@ impl Judge<'_> {
     /// Whether something else in the row of a relation may say when it holds.
     fn is_restricted_in_row(&self, relation: &PrintedRelation, at: usize) -> bool {
         let all = &self.paper.printed;
-        let own: BTreeSet<String> =
-            relation.sides.iter().flat_map(|s| names(s)).map(|n: PaperName| n.key()).collect();
+        let own: BTreeSet<String> = relation.sides.iter().flat_map(names).map(|n: PaperName| n.key()).collect();
         let concludes = is_implied(relation);
         let restricts = |k: usize| {
             let other = &all[k];
@@ -169,7 +198,8 @@ impl Judge<'_> {
         let behind = file.text.get(to.end..near(to.end + BETWEEN)).unwrap_or_default();
         let opened = ["$", r"\("].iter().filter_map(|open| before.rfind(open).map(|i| i + open.len())).max();
         let closed = ["$", r"\)"].iter().filter_map(|close| behind.find(close)).min();
-        let restricts = |text: &str| RESTRICT.iter().any(|w| text.contains(w)) || text.contains(r"\text") && take_back_in_row(text);
+        let restricts =
+            |text: &str| RESTRICT.iter().any(|w| text.contains(w)) || text.contains(r"\text") && take_back_in_row(text);
         opened.is_some_and(|i| restricts(&before[i..]) || before[i..].contains(':'))
             || closed.is_some_and(|i| restricts(&behind[..i]))
     }

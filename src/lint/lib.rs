@@ -46,6 +46,7 @@ mod step;
 #[cfg(test)]
 mod tests;
 mod typeset;
+mod vocabulary;
 mod words;
 
 use std::ops::Range;

@@ -9,85 +9,14 @@ use std::ops::Range;
 use diag::next_character;
 
 use super::markdown::{without_closing, without_opening};
+use super::sentence::LOOSENS;
+use super::vocabulary::*;
 
 /// The longest text before a formula that is looked at, and behind it.
 const BEFORE: usize = 400;
 const BEHIND: usize = 200;
 /// Words right behind a formula that may restrict it.
 const RIGHT_BEHIND: usize = 8;
-
-/// Words that deny: of others, of an older version, or outright.
-const DENY: &[&str] = &[
-    "instead of", "rather than", "contrary", "contradict", "unlike", "as opposed", "cannot", "can not ", "can't", "impossib", "untrue",
-    "not true", "is false", "are false", "false ", "wrong", "incorrect", "erroneous", "mistak", "fallac", "absurd", "nonsense", "no longer",
-    "never", "neither", "violat", "fails", "fail ", "failed", "breaks down", "break down", "not hold", "not valid", "not equal", "not the case",
-    "not in general", "not satisf", "nobody", "no one ", "few believe", "there is no ", "there are no ", "there isn't", "would", "student",
-    "beginner", "author", "claim", "believ", "it is said", "they write", "people write", "often written", "sometimes written", "erratum",
-    "errata", "corrig", "misprint", "typo ", "typos", "typographical", "should read", "should be", "should have", "version", "used to read",
-    "used to be", "anstatt", "statt ", "behaupte", "gilt nicht", "gelten nicht", "fehler", "falsch", "niemand", "wäre", "au lieu", "erreur",
-    "faux", "n'est pas", "prétend", "invece di", "errore", "falso", "nessuno", "en lugar", "en vez", "nadie",
-];
-
-/// Words that suppose, or pose what is to be solved or demanded.
-const SUPPOSE: &[&str] = &[
-    "suppos", "assum", "presum", "hypothe", "conject", "ansatz", "postulat", "imagin", "pretend", "might", "perhaps", "tempt", "naiv",
-    "guess", "we expect", "one expects", "we hope", "we want", "we wish", "trial", "seek", "look for", "looking for", "search for",
-    "searching for", "such that", "there exist", "for some ", "were true", "were the case", "were to hold",
-    "it were", "condition for", "condition that", "condition is", "condition of", "the condition ", "conditions for", "criterion", "criteria", "constrain", "require", "demand", "impose", "imposing", "enforc", "must ", "equality of",
-    "be equal", "are equal", "set equal", "set both", "both equal", "equal to each other", "equate ", "equates", "equating", "equated",
-    "balanc", "equilib", "stationar", "vanish", "resonan", "satisf", "obey", "fulfil", "is solved", "are solved", "solutions", "coincid",
-    "intersect", "meet ", "meets ", "crosses", "cross at", "cross where", "cross when", "cross if", "they cross", "two cross", "curves cross",
-    "lines cross", "cross each", "equidistant", "same distance", "equal distance", "locus", "loci", "curve", "the set of", "the line ",
-    "the plane ", "the surface", "the circle", "the sphere", "the points", "points ", "point where", "points where", "unless", "provided",
-    "as long as", "in case ", "only if", "only when", "only for", "only where", "only at", "only in", "holds for", "hold for", "holds in",
-    "holds on", "holds at", "holds only", "holds if", "holds when", "for which", "at which", "where both", "angenommen", "annahme",
-    "nehmen wir an", "bedingung", "fordern", "verlang", "gleichgewicht", "erfüll", "gesucht", "supposons", "hypoth", "condizione",
-    "équilibre", "exige", "satisf", "supponiamo", "ipotesi", "equilibrio", "richied", "imponiamo", "supongamos", "condición", "exig",
-];
-
-/// Words that make a formula inexact, or say that its letters are no numbers, or that another one is meant with something changed.
-const LOOSEN: &[&str] = &[
-    "up to ", "roughly", "nearly", "almost", "small", "tiny", "negligib", "weak", "modulo", "mod ", "limit", "leading", "lowest", "estimat",
-    "crude", "in the mean", "average", "expectation", "rounded", "far away", "far from", "grassmann", "anticommut", "anti commut",
-    "commut", "clifford", "quaternion", "nilpotent", "idempotent", "fermion", "orthogonal", "orthonormal", "perpendicular", "right angle",
-    "uncorrelated", "incoheren", "disjoint", "boolean", "characteristic", "tropical", "replac", "interchang", "exchang", "swap",
-    "opposite sign", "other sign", "sign flip", "bis auf", "näherung", "senkrecht", "ordnung", "ersetz", "petit", "à l'ordre", "ordre",
-    "remplaç", "piccol", "ordine", "sostitu", "pequeñ", "orden",
-];
-
-/// Words that restrict what stands before them, right behind a formula.
-const RESTRICT: &[&str] = &[
-    "if ", "iff ", "when ", "whenever", "unless", "provided", "assuming", "as long", "only", "except", "modulo", "mod ", "near ", "along",
-    "inside", "outside", "within ", "on ", "at ", "wenn ", "falls ", "nur ", "auf ", "quand ", "lorsqu", "quando ", "cuando ",
-];
-/// Words behind a formula with which it is the subject of a sentence, that says what it is.
-const SUBJECT: &[&str] = &[
-    "is a ", "is an ", "is the equation", "is the condition", "is one ", "is what", "is not", "are the ", "describes", "represents", "defines",
-    "determines", "has ", "holds ", "can be ", "could ", "may ", "does not", "doesn't", "implies", "means ", "forces", "not ", "ist ein",
-    "est un", "è un", "es un", "ist nicht", "non ", "no es",
-];
-
-/// Words that open a case; behind the last of them the case may be one of reckoning, "if we square".
-const IFS: &[&str] = &[" if ", " iff ", " when ", " whenever ", " wenn ", " falls ", " sofern ", " quand ", " lorsque ", " quando ", " cuando "];
-/// What somebody does who reckons: no case.
-const ACTS: &[&str] = &[
-    "insert", "substitut", "plug", "put ", "square", "expand", "multipl", "divid", "add", "subtract", "different", "deriv", "integrat", "use ",
-    "apply", "rewrite", "write", "rearrang", "solve", "combin", "factor", "collect", "compare", "now ", "look", "sum ", "comput", "calculat",
-    "work", "simplif", "einsetz",
-];
-/// Words that begin a sentence about a place.
-const PLACES: &[&str] = &["on", "at", "along", "near", "inside", "outside", "within", "auf", "bei", "sur", "sul", "sulla", "where"];
-/// Words behind them, of what is none.
-const NO_PLACES: &[&str] =
-    &["hand", "side", "contrary", "first", "last", "same", "other", "end", "one", "stage", "time", "left", "right", "this point", "top", "basis"];
-/// Words that link a sentence to the one before it.
-const LINKING: &[&str] = &["this ", "that ", "it ", "these ", "but ", "of course", "clearly", "which ", "dies ", "das ", "cela ", "ceci ", "questo ", "esto "];
-
-/// Words that conclude from the formula before them.
-const CONCLUDE: &[&str] = &[
-    "so ", "hence", "thus", "then ", "therefore", "gives ", "yields", "implies", "it follows", "we get", "we obtain", "we find", "we have",
-    "also ", "daraus", "donc", "quindi", "luego",
-];
 
 /// What the words of a sentence do with the formula that stands in it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -113,20 +42,24 @@ pub(super) fn taken(text: &str, place: &Range<usize>, is_display: bool) -> Taken
     let raw = if is_ended { "" } else { first };
     let (own, next) = (words(raw), words(if is_ended { first } else { next }));
     let right_behind: String = own.split_inclusive(' ').take(RIGHT_BEHIND + 1).collect();
-    let begins = |all: &[&str]| all.iter().any(|w| own.trim_start().starts_with(w));
+    let begins = |all: &str| entries(all).any(|w| own.trim_start().starts_with(w));
     // "This is wrong." behind the full stop.
-    let is_of_it = LINKING.iter().any(|w| next.trim_start().starts_with(w));
+    let is_of_it = entries(LINKING).any(|w| next.trim_start().starts_with(w));
     let back = [&before, &own].iter().any(|text| has_word(text, DENY))
-        || [&posed, &own].iter().any(|text| has_word(text, SUPPOSE))
+        || [&posed, &own].iter().any(|text| has_word(text, SUPPOSE) || has_condition(text))
         || supposes_case(&before)
         || is_of_place(&before)
+        || is_posed(&before)
+        || chooses(&before)
         || denies_at_end(&before)
-        || has_word(&right_behind, &RESTRICT[..RESTRICT_ANYWHERE])
+        || has_word(&right_behind, RESTRICT_ANYWHERE)
         || begins(RESTRICT)
+        || begins(RESTRICT_ANYWHERE)
         || begins(SUBJECT)
         || raw.trim_start().starts_with("as $")
         || is_of_it && (has_word(&next, DENY) || next.contains(" not ") || next.contains("n't "));
-    let is_loose = |text: &String| has_word(text, LOOSEN) || has_order(text);
+    let is_loose =
+        |text: &String| has_word(text, LOOSEN) || LOOSENS.iter().any(|w| text.contains(w)) || has_order(text);
     Taken { back, loosely: is_loose(&before) || is_loose(&own) || raw.contains("a.e.") }
 }
 
@@ -134,27 +67,30 @@ pub(super) fn taken(text: &str, place: &Range<usize>, is_display: bool) -> Taken
 fn behind_conclusion(before: &str) -> &str {
     let own = before.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, '$' | '(' | '\\'));
     let closes = ["$", r"\)", r"\]", r"\end{"].iter().filter_map(|close| own.rfind(close)).max();
-    let behind = closes.map(|at| &before[at..]);
+    let behind = closes.map(|at| &before[at..]).filter(|_| !chooses(&words(before)));
     behind.filter(|rest| has_word(&words(rest), CONCLUDE)).unwrap_or(before)
 }
-
-/// So many of the first words of [`RESTRICT`] do so some way behind a formula, too; the others right behind it.
-const RESTRICT_ANYWHERE: usize = 12;
 
 /// Whether words that are printed in a row take back what stands beside them.
 pub(super) fn take_back_in_row(remark: &str) -> bool {
     let said = words(remark);
-    let has = |all: &[&str]| has_word(&said, all);
-    has(DENY) || has(SUPPOSE) || has(LOOSEN) || has_order(&said) || has(&RESTRICT[..RESTRICT_ANYWHERE]) || {
-        remark.contains("a.e.") || remark.contains(['?', '!'])
+    let has = |all: &str| has_word(&said, all);
+    has(DENY) || has(SUPPOSE) || has(LOOSEN) || has_order(&said) || has(RESTRICT_ANYWHERE) || {
+        remark.contains("a.e.")
+            || remark.contains(['?', '!'])
             || said.split(' ').any(|w| matches!(w, "not" | "nicht" | "pas" | "non"))
             || ["on ", "in ", "at ", "near "].iter().any(|w| said.trim_start().starts_with(w))
     }
 }
 
+/// The words of a table.
+fn entries(table: &str) -> impl Iterator<Item = &str> {
+    table.split(';').map(str::trim_start)
+}
+
 /// Whether a word of a list begins somewhere among words.
-fn has_word(words: &str, list: &[&str]) -> bool {
-    list.iter().any(|w| words.match_indices(w).any(|(at, _)| words[..at].ends_with(' ')))
+fn has_word(words: &str, list: &str) -> bool {
+    entries(list).any(|w| words.match_indices(w).any(|(at, _)| words[..at].ends_with(' ')))
 }
 
 /// A text as its words, in small letters, with one space between them and around; commands are none, formulas between dollars are one sign.
@@ -186,14 +122,14 @@ fn words(text: &str) -> String {
 }
 
 /// Where sentences end, beside full stops.
-const STOPS: &[&str] = &[". ", ".\n", ".\r", "? ", "?\n", "! ", "!\n", "\n\n", "\n\r\n", ".$", r".\]", r".\)", r".\end", "。", r"\item", r"\par "];
-/// Abbreviations, the full stop behind which ends no sentence.
-const ABBREVIATED: &[&str] =
-    &["eq", "eqs", "fig", "figs", "ref", "refs", "sec", "e.g", "i.e", "cf", "eqn", "eqns", "vs", "prop", "thm", "resp", "z.b", "d.h"];
+const STOPS: &[&str] = &[
+    ". ", ".\n", ".\r", "? ", "?\n", "! ", "!\n", "\n\n", "\n\r\n", ".$", r".\]", r".\)", r".\end", "。", r"\item",
+    r"\par ",
+];
 
 fn is_abbreviated(before: &str) -> bool {
     let word = before.rsplit(|c: char| c.is_whitespace() || matches!(c, '(' | '~')).next().unwrap_or_default();
-    ABBREVIATED.contains(&word.to_lowercase().as_str())
+    entries(ABBREVIATED).any(|w| w == word.to_lowercase())
 }
 
 /// What stands behind the last full stop.
@@ -244,13 +180,22 @@ fn ends(closing: &str) -> bool {
     (0..bytes.len()).any(is_stop) && !closing.contains(r"\right.") && !closing.contains("...")
 }
 
+/// Whether a condition is named that is none at the beginning or the border: these are inserted.
+fn has_condition(words: &str) -> bool {
+    words
+        .match_indices(" condition")
+        .any(|(at, _)| !["initial", "boundary", "these"].iter().any(|w| words[..at].ends_with(w)))
+}
+
 /// Whether the order up to which something holds is named: "to second order", and not "in order to".
 fn has_order(words: &str) -> bool {
     ["order ", "orders "].iter().any(|w| {
         words.match_indices(&format!(" {w}")).any(|(at, _)| {
             let before: Vec<&str> = words[..at].split_whitespace().rev().take(3).collect();
             let behind = words[at + w.len() + 1..].trim_start();
-            before.iter().any(|w| matches!(*w, "to" | "at" | "of" | "up" | "through" | "first" | "second" | "third" | "linear"))
+            before
+                .iter()
+                .any(|w| matches!(*w, "to" | "at" | "of" | "up" | "through" | "first" | "second" | "third" | "linear"))
                 || behind.starts_with("of ")
                 || behind.starts_with("in ") && before.first() != Some(&"in")
         })
@@ -259,7 +204,8 @@ fn has_order(words: &str) -> bool {
 
 /// Whether a sentence supposes a case that is no act of reckoning: "the forces balance when", "if the two are far apart, then".
 fn supposes_case(before: &str) -> bool {
-    let found = IFS.iter().filter_map(|w| before.rfind(w).map(|at| at + w.len() - 1)).max();
+    let is_if = |w: &str| before.rfind(&format!(" {w} ")).map(|at| at + w.len() + 1);
+    let found = entries(IFS).filter_map(is_if).max();
     let begins = |w: &str| before.trim_start().starts_with(w);
     let found = found.or_else(|| ["si ", "se "].iter().any(|w| begins(w)).then_some(3));
     let ends_with = [" where ", " wo ", " où ", " dove ", " donde "].iter().any(|w| before.ends_with(w));
@@ -267,7 +213,7 @@ fn supposes_case(before: &str) -> bool {
         || found.is_some_and(|at| {
             let clause = before[at..].split(" , ").next().unwrap_or_default();
             let clause = clause.split(" then ").next().unwrap_or_default();
-                        let by_somebody = [" we ", " one ", " you ", " wir ", " man "].iter().any(|w| clause.contains(w));
+            let by_somebody = [" we ", " one ", " you ", " wir ", " man "].iter().any(|w| clause.contains(w));
             let is_participle = clause.split_whitespace().next().is_some_and(|w| w.ends_with("ing"));
             !((by_somebody || is_participle) && has_word(clause, ACTS))
         })
@@ -279,9 +225,21 @@ fn is_of_place(before: &str) -> bool {
     let first = all.next().unwrap_or_default();
     let next: Vec<&str> = all.take(4).collect();
     let next = format!(" {} ", next.join(" "));
-    PLACES.contains(&first)
+    entries(PLACES).any(|w| w == first)
         && next.split_whitespace().any(|w| w.chars().count() > 2)
-        && !NO_PLACES.iter().any(|w| next.contains(&format!(" {w} ")))
+        && !entries(NO_PLACES).any(|w| next.contains(&format!(" {w} ")))
+}
+
+/// Whether a sentence leads to its formula as to a set of points, or an equation: "on the plane", but not "this gives the equation".
+fn is_posed(before: &str) -> bool {
+    let last = before.split_whitespace().rev().find(|w| w.chars().count() > 1).unwrap_or_default();
+    entries(POSED).any(|w| w == last) && !has_word(before, CONCLUDE)
+}
+
+/// Whether a sentence asks for what something has to be: "choose $y$ so that" concludes nothing. What is used "to determine" something is reckoned.
+fn chooses(words: &str) -> bool {
+    let determines = words.match_indices(" determine ").any(|(at, _)| !words[..at].ends_with(" to"));
+    determines || has_word(words, "choose ; pick ; adjust ; tune ; fix ")
 }
 
 /// Whether words that deny stand in the last part of a sentence, before its formula.

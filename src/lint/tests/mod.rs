@@ -133,7 +133,9 @@ fn words_around_a_display_of_markdown_take_it_back() {
     };
     let slip = "$$\n(x+y)^2=x^2-2xy+y^2\n$$";
     assert_eq!(words(&format!("We have\n\n{slip}\n\nby expanding.")), [Word::Wrong]);
-    for before in ["Suppose", "Students write", "Contrary to", "Up to a sign", "The model assumes", "If it were true that"] {
+    for before in
+        ["Suppose", "Students write", "Contrary to", "Up to a sign", "The model assumes", "If it were true that"]
+    {
         assert_eq!(words(&format!("{before}\n\n{slip}\n")), [Word::Condition], "{before}");
     }
     for behind in ["does not hold.", "cannot be true.", "when $y$ is small.", "modulo 4."] {
@@ -162,4 +164,32 @@ fn what_defines_or_is_posed_is_not_wrong() {
     // What is concluded from it is a claim, and so is what stands beside another name.
     assert_eq!(words(r"\[ F=ma\implies a=Fm \]"), [Word::Defines, Word::Wrong]);
     assert_eq!(words(r"\[ p=qr,\quad (x+y)^2=x^2-2xy+y^2 \]"), [Word::Defines, Word::Wrong]);
+}
+
+/// What is said plainly is a claim, also behind acts of reckoning and reasons.
+#[test]
+fn words_that_reckon_take_nothing_back() {
+    for before in [
+        "We have",
+        "Then",
+        "Expanding the square,",
+        "Inserting this into Eq. (2) gives",
+        "It follows that",
+        "Since $x$ is real,",
+        "On the other hand,",
+        "In order to proceed, expand",
+        "If we expand, we get",
+        "When we square this, we obtain",
+        "For $x>0$ we get",
+        "The square of the sum is",
+        "Substituting the initial conditions,",
+        "and therefore",
+        "We can also use the first of these to determine the magnitude of the velocity",
+        "Differentiating twice and adding,",
+        "Because of (3)",
+        "They obey $a=b$, so that",
+    ] {
+        let (paper, found) = linted(&format!(r"{before} \[ (x+y)^2=x^2-2xy+y^2. \] Next."));
+        assert_eq!(found.count(Word::Wrong), 1, "{before}: {}", all(&found, &paper));
+    }
 }

@@ -71,7 +71,10 @@ impl Page<'_> {
         let Some(tag) = tag(element) else { return };
         let attributes = element[..tag.length].to_ascii_lowercase();
         let (from, to) = (place.start + tag.length, place.end - closing);
-        if !attributes.contains("math/tex") || self.text[from..to].contains('$') || self.text[from..to].trim().is_empty() {
+        if !attributes.contains("math/tex")
+            || self.text[from..to].contains('$')
+            || self.text[from..to].trim().is_empty()
+        {
             return;
         }
         let sign: &[u8] = if attributes.contains("mode=display") { b"$$" } else { b"$" };
