@@ -1,8 +1,9 @@
 //! Blame: of which steps *wrong* may be said, by the place and the words in which they stand.
 //!
 //! **In:** a step of a relation, and what its sentence says. **Out:** a [`Blame`], and how sure it is that something is claimed.
-//! **Guaranteed:** of a definition, and of what need not be exact, only an identity that stands there with a slip is told: one between
-//! long formulas of the same two or more names, which is no equation for one of them.
+//! **Guaranteed:** of a definition, and of what is doubted ([`super::doubt`]), nothing is.
+
+use std::cell::OnceCell;
 
 use paper::{PrintedRelation, PrintedSide, names, squeezed};
 
@@ -13,6 +14,7 @@ use super::relation::{
     is_of_units,
 };
 use super::sentence::{Sentence, is_supposed, window};
+use super::signs::{DEFINES, is_one_of};
 use super::step::Blame;
 
 /// The longest text before an equation between numbers that is looked at, and behind it.
@@ -89,11 +91,16 @@ pub(super) struct OfStep<'a> {
 pub(super) struct Whole {
     is_evaluated: bool,
     has_dimensions: bool,
+    is_doubted: OnceCell<bool>,
 }
 
 impl Whole {
     pub(super) fn of(relation: &PrintedRelation) -> Whole {
-        Whole { is_evaluated: is_evaluated(relation), has_dimensions: has_dimensions(relation) }
+        Whole {
+            is_evaluated: is_evaluated(relation),
+            has_dimensions: has_dimensions(relation),
+            is_doubted: OnceCell::new(),
+        }
     }
 }
 
@@ -108,35 +115,42 @@ impl Judge<'_> {
             || whole.is_evaluated && [left, right].iter().any(|s| !names(s).is_empty())
             || whole.has_dimensions
             || is_congruence(&relation.signs[k - 1])
+            || is_one_of(DEFINES, &relation.signs[k - 1])
             || alone && are_multiples(left, right)
             || are_two_places(left, right)
             || is_of_units(relation)
         {
             return Blame::Nothing;
         }
-        let doubted = if defining { Blame::Nothing } else { Blame::Doubted };
-        let is_last = k + 1 == relation.sides.len();
-        if sentence.loosens || sentence.solves && alone || is_last && is_of_any(relation) {
-            return doubted;
-        }
-        match inline {
+        let found = match inline {
+            _ if self.is_inexact(step, at) => Blame::Nothing,
             _ if derived && sentence.fixes => Blame::Nothing,
             _ if derived => Blame::Steps,
             true if defining && !solved => Blame::Nothing,
-            _ if self.has_case_beside(at) => doubted,
-            true if k == 1 && is_supposed(self.paper, relation) => doubted,
             true if solved => Blame::Steps,
             true => Blame::Identities,
             false if defining && !self.has_rates() && !solved => Blame::Nothing,
             false => Blame::Steps,
-        }
+        };
+        let is_doubted = || *whole.is_doubted.get_or_init(|| self.is_doubted(relation, at, sentence));
+        if found != Blame::Nothing && is_doubted() { Blame::Nothing } else { found }
+    }
+
+    /// Whether a step need not be exact, or holds in a case: nothing is concluded with it.
+    pub(super) fn is_inexact(&self, step: &OfStep, at: usize) -> bool {
+        let &OfStep { relation, k, sentence, alone, .. } = step;
+        let is_last = k + 1 == relation.sides.len();
+        let is_first_of_text = relation.display.is_none() && k == 1;
+        sentence.loosens
+            || sentence.solves && alone
+            || is_last && is_of_any(relation)
+            || self.has_case_beside(at)
+            || is_first_of_text && !step.derived && is_supposed(self.paper, relation)
     }
 
     /// How sure it is that a step claims something.
-    pub(super) fn sureness(&self, step: &OfStep, blame: Blame, concludes: bool) -> Sureness {
-        if blame == Blame::Doubted {
-            Sureness::Doubted
-        } else if step.derived {
+    pub(super) fn sureness(&self, step: &OfStep, concludes: bool) -> Sureness {
+        if step.derived {
             Sureness::Derives
         } else if concludes {
             if step.solved { Sureness::Solves } else { Sureness::Concludes }

@@ -10,6 +10,7 @@ use super::blame::{OfStep, Whole};
 use super::cases::{Cases, Stance};
 use super::chain::{Slip, said};
 use super::desk::{Given, evidence_of};
+use super::doubt::defines_no_name;
 use super::facts::{Facts, Reach, Stated};
 use super::lone::{is_equation_of_motion, lone_name};
 use super::nearest::WrongStep;
@@ -19,7 +20,7 @@ use super::refusal::NotRead;
 use super::relation::{free_indices, gives_values, is_congruence, is_letter_at_place, lone_right};
 use super::sentence::{Sentence, explains, is_assumed, is_supposed, parts};
 use super::setting::Noted;
-use super::signs::{ABOUT, COMPARES, EQUALS, is_one_of};
+use super::signs::{COMPARES, EQUALS, is_about, is_one_of};
 use super::space::General;
 use super::standing::{Standing, standings};
 use super::step::{Blame, Place, Step};
@@ -72,7 +73,7 @@ pub(super) struct Judge<'p> {
     /// Questions that took too much work.
     pub(super) exhausted: usize,
     /// The display that is looked at, and what the words around it say.
-    display: Option<(usize, Sentence)>,
+    pub(super) display: Option<OfDisplay>,
     /// The place of the last relation of a display.
     earlier: Option<Range<usize>>,
     /// The cases of each file.
@@ -81,6 +82,14 @@ pub(super) struct Judge<'p> {
     pub(super) compared: Vec<Noted>,
     /// Equations that are supposed in the running text, "if $a=b$", with their names.
     pub(super) supposed: Vec<Noted>,
+}
+
+/// A display, and what the words around it say.
+pub(super) struct OfDisplay {
+    pub(super) number: usize,
+    /// From its first formula to its last.
+    pub(super) place: Range<usize>,
+    sentence: Sentence,
 }
 
 /// What became of the steps of a relation.
@@ -163,7 +172,7 @@ impl Judge<'_> {
         }
         self.unbind(relation);
         let is = |list: &[&str], sign: &String| is_one_of(list, sign);
-        if let Some(sign) = relation.signs.iter().find(|s| !is(EQUALS, s) && !is(ABOUT, s) && !is(COMPARES, s)) {
+        if let Some(sign) = relation.signs.iter().find(|s| !is(EQUALS, s) && !is_about(s) && !is(COMPARES, s)) {
             out.why = format!("the sign `{}`", diag::escape::in_one_line(sign));
             return out;
         }
@@ -199,7 +208,7 @@ impl Judge<'_> {
             out.why = found.feature;
             return out;
         }
-        let sentence = self.sentence(relation);
+        let sentence = self.sentence(relation, at);
         let taken = match self.stance(relation, at) {
             Stance::Denied => Some("the words around it deny it"),
             Stance::Asked => Some("it is asked, or one of several answers"),
@@ -221,7 +230,7 @@ impl Judge<'_> {
             out.span = relation.sides[1].span.clone();
             be_wrong(&mut out, wrong, "the equation before it has one solution, at which it fails");
         }
-        if out.word != Word::Wrong && relation.signs.iter().any(|s| is(ABOUT, s)) {
+        if out.word != Word::Wrong && relation.signs.iter().any(|s| is_about(s)) {
             out.word = Word::Approximates;
         } else if out.word != Word::Wrong && relation.signs.iter().any(|s| is(COMPARES, s)) {
             out.word = Word::Condition;
@@ -253,14 +262,14 @@ impl Judge<'_> {
     }
 
     /// What the words around the display of a relation say; a formula of the running text has none.
-    fn sentence(&mut self, relation: &PrintedRelation) -> Sentence {
-        let Some(display) = relation.display else { return Sentence::default() };
-        if self.display.as_ref().is_none_or(|(known, _)| *known != display) {
-            let found = Sentence::of(self.paper, &relation.span(), self.earlier.as_ref());
-            self.display = Some((display, found));
+    fn sentence(&mut self, relation: &PrintedRelation, at: usize) -> Sentence {
+        let Some(number) = relation.display else { return Sentence::default() };
+        if self.display.as_ref().is_none_or(|known| known.number != number) {
+            let sentence = Sentence::of(self.paper, &relation.span(), self.earlier.as_ref());
+            self.display = Some(OfDisplay { number, place: self.place_of_display(at), sentence });
         }
         self.earlier = Some(relation.span());
-        self.display.as_ref().map(|(_, s)| s.clone()).unwrap_or_default()
+        self.display.as_ref().map(|known| known.sentence.clone()).unwrap_or_default()
     }
 
     /// Takes the definitions that a "where" behind a display gives of its names.
@@ -317,7 +326,7 @@ impl Judge<'_> {
             integrated |= left.text.contains(r"\int");
             let sign = &relation.signs[k - 1];
             if !EQUALS.contains(&sign.as_str()) {
-                let word = if is_one_of(ABOUT, sign) { Word::Approximates } else { Word::Condition };
+                let word = if is_about(sign) { Word::Approximates } else { Word::Condition };
                 out.chain.push(said(right.span.clone(), word));
                 continue;
             }
@@ -355,6 +364,7 @@ impl Judge<'_> {
             // `y'=-ky` may be another equation than the one before, unless its sentence concludes.
             let is_another = k == 1 && (!concludes || sentence.changes) && is_equation_of_motion(left, right);
             let blame = if is_another { Blame::Nothing } else { self.blame(&of, at) };
+            let concludes = concludes && !(self.is_inexact(&of, at) && !defining);
             // What is said again is no step from itself.
             if let Some(before) = self.same_definition(first.as_ref().filter(|_| k == 1 && known), right) {
                 out.steps.1 -= 1;
@@ -366,14 +376,14 @@ impl Judge<'_> {
             let solves = defining && !self.is_rate(first.as_ref());
             let reach = if alone { Reach::Near { section: self.section, at } } else { Reach::Paper };
             let concludes = concludes && !sentence.changes && self.is_the_same_case(first.as_ref(), at);
-            let sureness = self.sureness(&of, blame, concludes);
+            let sureness = self.sureness(&of, concludes);
             let place = Place {
                 at,
                 free: &free,
                 named: named.clone(),
                 blame,
                 sureness,
-                concludes: concludes && blame != Blame::Doubted,
+                concludes,
                 reach,
                 is_first: k == 1,
                 solves,
@@ -383,6 +393,10 @@ impl Judge<'_> {
                 step = self.behind_slip(relation, slip, k, &place).unwrap_or(step);
             }
             let word = match step {
+                Step::Open(_) if defines_no_name([left, right], sign).is_some() => {
+                    tally.unread = defines_no_name([left, right], sign).map(NotRead::of);
+                    Word::NotRead
+                }
                 Step::Follows(support) => {
                     tally.follows += 1;
                     out.steps.0 += 1;

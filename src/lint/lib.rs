@@ -18,6 +18,7 @@ mod cases;
 mod chain;
 mod defining;
 mod desk;
+mod doubt;
 mod excuse;
 mod facts;
 mod judge;
@@ -45,6 +46,8 @@ mod step;
 #[cfg(test)]
 mod tests;
 mod typeset;
+mod vocabulary;
+mod words;
 
 use std::ops::Range;
 

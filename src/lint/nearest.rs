@@ -34,9 +34,6 @@ const FEWEST_NODES: usize = 5;
 /// The same of a step between numbers.
 const LEAST_OF_NUMBERS: usize = 2;
 
-/// Fewest nodes of both sides, and of the longer one, of an identity that is told though the words around it may loosen it.
-const FEWEST_DOUBTED: (usize, usize) = (5, 7);
-
 /// Fewest nodes of a side with one name for another: where the name stands on the other side of a chain, and else.
 const LEAST_EXCHANGED: (usize, usize) = (6, 9);
 
@@ -85,8 +82,6 @@ pub struct WrongStep {
 /// How sure it is that a relation claims something.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Sureness {
-    /// The words around it may say that it need not be exact, or is supposed: it is told where a slip alone keeps it from being an identity.
-    Doubted,
     /// It stands there: it may be an equation that is assumed.
     Stands,
     /// It is a step of a chain: a name may be one side, and a term may have been lost.
@@ -140,7 +135,6 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     'sides: for k in [1, 0] {
         let others = slips(&search.chain.sides[k], &all);
         let is_meant = |s: &Slip| match s.way {
-            _ if sureness == Sureness::Doubted => s.way == Alteration::Value,
             Alteration::LostTerm => k == 1,
             Alteration::Inverse => k == 1 && sureness == Sureness::Solves,
             Alteration::MissingTerm => k == 1 && sureness >= Sureness::Chain,
@@ -154,8 +148,7 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
             }
         }
     }
-    let is_scaled = sureness != Sureness::Doubted;
-    let instead = instead.or_else(|| search.scaled().filter(|_| is_scaled));
+    let instead = instead.or_else(|| search.scaled());
     let instead = instead.or_else(|| reckoned.filter(|_| is_of_numbers && sureness >= Sureness::Chain))?;
     // Of decimals the value is told, not which of them could have a factor.
     let is_factor =
@@ -177,9 +170,7 @@ fn is_claim(asked: &Asked, rests: &Rests, chain: &Chain, sureness: Sureness) -> 
     let smallest = if conserves { size(&chain.sides[0]) } else { chain.sides.iter().map(size).min()? };
     let is_solved = matches!(sureness, Sureness::Concludes | Sureness::Solves) && !rests.stated.is_empty();
     let is_derivation = derives_formula(chain, asked) && !rests.are_some();
-    let least = if sureness == Sureness::Doubted {
-        FEWEST_DOUBTED.0
-    } else if is_derivation || is_solved || sureness >= Sureness::Chain && !rests.given.is_empty() {
+    let least = if is_derivation || is_solved || sureness >= Sureness::Chain && !rests.given.is_empty() {
         1
     } else if sureness == Sureness::Chain && chain.sides.first().is_some_and(|s| size(s) >= LONG_BEFORE_SHORT) {
         2
@@ -191,7 +182,6 @@ fn is_claim(asked: &Asked, rests: &Rests, chain: &Chain, sureness: Sureness) -> 
         Sureness::Derives | Sureness::Solves | Sureness::Chain => FEWEST_NODES - 2,
         Sureness::Concludes => FEWEST_NODES - 1,
         Sureness::Stands => FEWEST_NODES,
-        Sureness::Doubted => FEWEST_DOUBTED.1,
     };
     // In a chain, numbers alone are reckoned with: what they stand for does not matter.
     let is_reckoned = chain.sides.iter().any(|s| !is_written_number(s));
@@ -219,10 +209,6 @@ fn is_claim(asked: &Asked, rests: &Rests, chain: &Chain, sureness: Sureness) -> 
         || !conserves && is_evaluated(chain)
         || is_reordered(chain)
     {
-        return Some(false);
-    }
-    // What may be an equation for a name, or for what is zero.
-    if sureness == Sureness::Doubted && (!has_same_names(chain) || is_proportional(asked)) {
         return Some(false);
     }
     Some(true)
@@ -396,20 +382,6 @@ fn named(sides: &[Node]) -> Vec<SymbolNode> {
     let mut all = Vec::new();
     sides.iter().for_each(|side| symbols(side, &mut all));
     all
-}
-
-/// Whether both sides have the same names, two or more: an equation of one name is to be solved for it.
-fn has_same_names(chain: &Chain) -> bool {
-    let keys = |side: &Node| -> BTreeSet<String> {
-        named(std::slice::from_ref(side)).iter().map(|s| format!("{}{:?}", s.name, s.sub)).collect()
-    };
-    let [left, right] = [0, 1].map(|k| keys(&chain.sides[k]));
-    left.len() > 1 && left == right
-}
-
-/// Whether one side is the other times a number.
-fn is_proportional(asked: &Asked) -> bool {
-    asked.equations.iter().all(|pair| ratio(&asked.desk.graph, *pair).is_some())
 }
 
 /// Whether the earlier side is the derivative of a formula that shows its variable, with nothing unknown in it: what it is is no choice.

@@ -127,6 +127,7 @@ impl Judge<'_> {
             && self.stance(before, premise) == Stance::Said
             && !self.is_alternative(premise)
             && !self.are_parted(premise, at, true)
+            && !self.is_taken_back(relation, at)
     }
 }
 

@@ -52,7 +52,7 @@ const CONCLUDES: &[&str] = &[
 ];
 
 /// Words of a sentence whose equations need not be exact, or whose constants may change from line to line.
-const LOOSENS: &[&str] = &[
+pub(super) const LOOSENS: &[&str] = &[
     "approx",
     "neglect",
     "leading order",

@@ -1,29 +1,15 @@
 //! Signs between the sides of a printed relation, by what they say.
 
 /// Signs that say that two sides are equal.
-pub const EQUALS: &[&str] = &["=", r"\equiv", ":=", "=:", r"\coloneqq", r"\triangleq", r"\doteq", "≡"];
-/// Signs that say that they are about equal.
-pub const ABOUT: &[&str] = &[
-    r"\approx",
-    r"\sim",
-    r"\simeq",
-    r"\propto",
-    r"\cong",
-    r"\asymp",
-    r"\approxeq",
-    r"\eqsim",
-    "≈",
-    "∼",
-    "∝",
-    r"\ll",
-    r"\gg",
-    "≪",
-    "≫",
-    r"\lesssim",
-    r"\gtrsim",
-    r"\thickapprox",
-    r"\thicksim",
-];
+pub const EQUALS: &[&str] = &["=", r"\equiv", "≡", ":=", "=:", r"\coloneqq", r"\coloneq", r"\eqqcolon", r"\triangleq"];
+/// Those of them that define the side before them, or behind them: that sides differ is no mistake.
+pub const DEFINES: &[&str] = &[":=", "=:", r"\coloneqq", r"\coloneq", r"\eqqcolon", r"\triangleq"];
+/// Those of these that define the side behind them.
+const DEFINES_BEHIND: &[&str] = &["=:", r"\eqqcolon"];
+/// Characters that say that they are about equal.
+const ABOUT: &[&str] = &["≈", "∼", "∝", "≪", "≫"];
+/// Commands that do so, and of which the formula language has nothing to say.
+const ABOUT_HERE: &[&str] = &[r"\eqsim", r"\thickapprox", r"\thicksim"];
 /// Signs that compare.
 pub const COMPARES: &[&str] = &[
     "<",
@@ -47,6 +33,17 @@ pub const COMPARES: &[&str] = &[
     r"\subset",
     r"\subseteq",
 ];
+
+/// Whether a sign says that two sides are about equal: what is an approximation in the formula language is one here.
+pub fn is_about(sign: &str) -> bool {
+    let feature = sign.strip_prefix('\\').and_then(latex::feature_of);
+    is_one_of(ABOUT, sign) || is_one_of(ABOUT_HERE, sign) || feature.is_some_and(|f| f.name == "approximation")
+}
+
+/// Whether a sign defines the side behind it, and not the one before it; `None` where it defines none.
+pub fn defines_behind(sign: &str) -> Option<bool> {
+    is_one_of(DEFINES, sign).then(|| is_one_of(DEFINES_BEHIND, sign))
+}
 
 /// Whether a sign is one of a kind.
 pub fn is_one_of(kind: &[&str], sign: &str) -> bool {

@@ -10,7 +10,7 @@ use paper::{Call, Opening, Paper, PrintedRelation, PrintedSide, names, opening};
 
 use super::lone::lone_name;
 use super::sentence::word_before;
-use super::signs::{ABOUT, COMPARES, EQUALS, is_one_of};
+use super::signs::{COMPARES, EQUALS, is_about, is_one_of};
 
 /// Relations before one of which a case in the same sentence may be.
 const BEFORE: usize = 3;
@@ -75,7 +75,7 @@ pub(super) fn is_equation(relation: &PrintedRelation) -> bool {
     let limits = [r"\to", r"\rightarrow", r"\longrightarrow"];
     relation.sides.len() > 1
         && !relation.sides.iter().any(is_list)
-        && relation.signs.iter().any(|s| is_one_of(EQUALS, s) || is_one_of(ABOUT, s) || limits.contains(&s.as_str()))
+        && relation.signs.iter().any(|s| is_one_of(EQUALS, s) || is_about(s) || limits.contains(&s.as_str()))
 }
 
 /// Whether a relation of a display is a case for those beside it.

@@ -57,8 +57,6 @@ pub(super) struct Support {
 pub(super) enum Blame {
     /// Of nothing: what is defined here, or need not be exact.
     Nothing,
-    /// Of an identity between long formulas of the same names: the words around it may say that it need not be exact, or is supposed.
-    Doubted,
     /// Of what is wrong whatever its names stand for: in the running text much is a case, or a condition.
     Identities,
     /// Of everything that this section refutes.
@@ -290,7 +288,7 @@ impl Judge<'_> {
         }
         for rests in self.supports(sides, place, Reach::Here { section: self.section, at: place.at }) {
             // Of an identity the zero is tried; of what rests on more it is not known what vanishes with it.
-            let needs_none = vanishes || matches!(place.blame, Blame::Identities | Blame::Doubted);
+            let needs_none = vanishes || place.blame == Blame::Identities;
             if !introduces_nothing(sides, &rests) || needs_none && rests.are_some() {
                 continue;
             }

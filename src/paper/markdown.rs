@@ -14,7 +14,16 @@ use std::ops::Range;
 use blocks::{Fence, Fenced, columns_from, fence, is_drawn_line, item};
 
 /// What opens mathematics within a text, and what closes it.
-const MATH: &[(&str, &str)] = &[("$$", "$$"), ("$", "$"), (r"\[", r"\]"), (r"\(", r"\)"), (r"\begin{", r"\end{")];
+const MATH: &[(&str, &str)] = &[
+    ("$$", "$$"),
+    ("$", "$"),
+    (r"\[", r"\]"),
+    (r"\(", r"\)"),
+    // Where Markdown takes a backslash away first.
+    (r"\\[", r"\\]"),
+    (r"\\(", r"\\)"),
+    (r"\begin{", r"\end{"),
+];
 /// The columns by which code is indented.
 const INDENT: usize = 4;
 /// The longest name of an environment.
@@ -187,7 +196,8 @@ impl Page<'_> {
                 what => self.fenced(begin..end, (depth, column), fence, what == Fenced::Math),
             };
         }
-        if is_apart && let Some(after) = self.definition(begin, depth) {
+        let comment = self.comment(begin);
+        if let Some(after) = comment.or_else(|| self.definition(begin, depth).filter(|_| is_apart)) {
             self.blank(begin..after);
             self.before = Before::Blank;
             return after;
@@ -320,6 +330,8 @@ impl Page<'_> {
             let after = match rest.as_bytes()[0] {
                 b'`' => self.code_span(at),
                 b'{' if rest.starts_with("{math}`") => self.role(at),
+                b'{' if rest.starts_with("{%") => self.liquid_comment(at),
+                b'~' if rest.starts_with("~~") => self.struck_out(at),
                 b'<' => self.html(at, is_first),
                 b'!' if rest.starts_with("![") => self.image(at),
                 b']' if rest.starts_with("](") => self.destination(at),
@@ -414,6 +426,44 @@ impl Page<'_> {
         close + 1
     }
 
+    /// `~~…~~`: what is struck out says nothing. The signs touch what they strike out.
+    fn struck_out(&mut self, at: usize) -> usize {
+        let end = self.end_of_paragraph(at);
+        let rest = &self.text[at..end];
+        let signs = rest.bytes().take_while(|b| *b == b'~').count();
+        let touches = |text: &str| !text.is_empty() && !text.ends_with(char::is_whitespace) && !text.ends_with('~');
+        let mut all = rest.match_indices("~~").skip(1);
+        let close = all.find(|(i, _)| touches(&rest[..*i]) && !rest[i + 2..].starts_with('~')).map(|(i, _)| i);
+        let is_open = signs == 2 && rest[2..].starts_with(|c: char| !c.is_whitespace());
+        match close.filter(|_| is_open) {
+            Some(close) => {
+                self.blank(at..at + close + 2);
+                at + close + 2
+            }
+            None => at + signs,
+        }
+    }
+
+    /// `{% comment %}…{% endcomment %}` of Liquid.
+    fn liquid_comment(&mut self, at: usize) -> usize {
+        let tag = |text: &str, name: &str| {
+            let rest = text.strip_prefix("{%")?.trim_start_matches('-').trim_start();
+            let rest = rest.strip_prefix(name)?.trim_start().trim_start_matches('-');
+            rest.strip_prefix("%}").map(|rest| text.len() - rest.len())
+        };
+        let rest = &self.text[at..];
+        let Some(begin) = tag(rest, "comment") else { return at + 1 };
+        let key = ("endcomment".to_owned(), self.text.len());
+        let ends = |(i, _): (usize, &str)| tag(&rest[begin + i..], "endcomment").map(|length| begin + i + length);
+        let end = if self.unclosed.contains(&key) { None } else { rest[begin..].match_indices("{%").find_map(ends) };
+        let Some(end) = end else {
+            self.unclosed.insert(key);
+            return at + 1;
+        };
+        self.blank(at..at + end);
+        at + end
+    }
+
     /// What opens mathematics, or a sign behind a backslash.
     fn mathematics(&mut self, at: usize, depth: usize) -> usize {
         let rest = &self.text[at..];
@@ -426,7 +476,7 @@ impl Page<'_> {
         // GitHub writes formulas as $`…`$: only the ticks go.
         let ticks = *open == "$" && self.text[from..].starts_with('`');
         let most = match *open {
-            "$" | r"\(" => self.end_of_paragraph(at),
+            "$" | r"\(" | r"\\(" | r"\\[" => self.end_of_paragraph(at),
             _ if depth > 0 => self.end_of_quotation(at),
             _ => self.text.len(),
         };
@@ -450,6 +500,10 @@ impl Page<'_> {
                 || self.text[end + 1..].starts_with(|c: char| c.is_ascii_digit()));
         if inside.is_empty() || is_money {
             return from;
+        }
+        if open.starts_with(r"\\") {
+            self.blank(at..at + 1);
+            self.blank(end..end + 1);
         }
         if ticks && inside.ends_with('`') && inside.len() > 1 {
             self.blank(from..from + 1);

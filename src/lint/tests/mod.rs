@@ -122,3 +122,74 @@ fn what_a_sentence_supposes_does_not_follow() {
     assert_eq!(words("If we consider the linear system $x' = y$, $y' = -x$, then it is so."), [Word::Condition; 2]);
     assert_eq!(words("We see that $x' = y$ and that $y' = -x$."), [Word::Follows; 2]);
 }
+
+/// In Markdown blank lines part a display from the words around it.
+#[test]
+fn words_around_a_display_of_markdown_take_it_back() {
+    let words = |text: &str| -> Vec<Word> {
+        let source = Source { path: "p.md".into(), text: text.into() };
+        let paper = paper::parse(source, String::new()).expect("it is read");
+        lint(&paper, &meter::Limits::default()).judgements.iter().map(|j| j.word).collect()
+    };
+    let slip = "$$\n(x+y)^2=x^2-2xy+y^2\n$$";
+    assert_eq!(words(&format!("We have\n\n{slip}\n\nby expanding.")), [Word::Wrong]);
+    for before in
+        ["Suppose", "Students write", "Contrary to", "Up to a sign", "The model assumes", "If it were true that"]
+    {
+        assert_eq!(words(&format!("{before}\n\n{slip}\n")), [Word::Condition], "{before}");
+    }
+    for behind in ["does not hold.", "cannot be true.", "when $y$ is small.", "modulo 4."] {
+        assert_eq!(words(&format!("Here\n\n{slip}\n\n{behind}"))[0], Word::Condition, "{behind}");
+    }
+    // What is printed is judged, what is struck out is not.
+    for text in [r"\\[(x+y)^2=x^2-2xy+y^2\\]", r"\\((x+y)^2=x^2-2xy+y^2\\)", "{math}`(x+y)^2=x^2-2xy+y^2`"] {
+        assert_eq!(words(&format!("We have {text}")), [Word::Wrong], "{text}");
+    }
+    for text in ["~~$(x+y)^2=x^2-2xy+y^2$~~", "{% comment %}$(x+y)^2=x^2-2xy+y^2${% endcomment %}"] {
+        assert_eq!(words(text), [], "{text}");
+    }
+}
+
+#[test]
+fn what_defines_or_is_posed_is_not_wrong() {
+    let words = |tex: &str| -> Vec<Word> { linted(tex).1.judgements.iter().map(|j| j.word).collect() };
+    let of = |sign: &str| words(&format!(r"\[ (x+y)^2{sign} x^2-2xy+y^2 \]"));
+    for sign in [":=", "=:", r"\coloneqq", r"\triangleq", r"\stackrel{\mathrm{def}}{=}"] {
+        assert_eq!(of(sign), [Word::NotRead], "{sign}");
+    }
+    assert_eq!((of(r"\doteq"), of("=")), (vec![Word::Approximates], vec![Word::Wrong]));
+    assert_eq!(words(r"\[ f:=(x+y)^2=x^2+2xy+y^2 \]"), [Word::Follows]);
+    assert_eq!(words(r"\[ (x+y)^2:=x^2+2xy+y^2 \]"), [Word::Follows]);
+    assert_eq!(words(r"\[ (x-a)^2=(x+a)^2\quad\implies\quad 4ax=0 \]"), [Word::Condition, Word::Follows]);
+    // What is concluded from it is a claim, and so is what stands beside another name.
+    assert_eq!(words(r"\[ F=ma\implies a=Fm \]"), [Word::Defines, Word::Wrong]);
+    assert_eq!(words(r"\[ p=qr,\quad (x+y)^2=x^2-2xy+y^2 \]"), [Word::Defines, Word::Wrong]);
+}
+
+/// What is said plainly is a claim, also behind acts of reckoning and reasons.
+#[test]
+fn words_that_reckon_take_nothing_back() {
+    for before in [
+        "We have",
+        "Then",
+        "Expanding the square,",
+        "Inserting this into Eq. (2) gives",
+        "It follows that",
+        "Since $x$ is real,",
+        "On the other hand,",
+        "In order to proceed, expand",
+        "If we expand, we get",
+        "When we square this, we obtain",
+        "For $x>0$ we get",
+        "The square of the sum is",
+        "Substituting the initial conditions,",
+        "and therefore",
+        "We can also use the first of these to determine the magnitude of the velocity",
+        "Differentiating twice and adding,",
+        "Because of (3)",
+        "They obey $a=b$, so that",
+    ] {
+        let (paper, found) = linted(&format!(r"{before} \[ (x+y)^2=x^2-2xy+y^2. \] Next."));
+        assert_eq!(found.count(Word::Wrong), 1, "{before}: {}", all(&found, &paper));
+    }
+}

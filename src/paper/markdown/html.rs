@@ -3,13 +3,16 @@
 //! **In:** the place of a sign `<`. **Out:** blanks in the place of what is not printed. **Guaranteed:** what is no tag stays as it is; what begins a
 //! line and is not closed hides all behind it, as in browsers.
 
+use std::ops::Range;
+
 use super::Page;
 
 /// Elements in which nothing is a formula, and no element stands.
 const CODE: &[&str] =
     &["pre", "code", "script", "style", "textarea", "noscript", "title", "iframe", "xmp", "noembed", "noframes"];
-/// Elements that are not printed as text, with all that stands in them.
-const NOT_PRINTED: &[&str] = &["template", "svg", "head", "object", "canvas", "audio", "video", "datalist"];
+/// Elements that are not printed as text, or struck out, with all that stands in them.
+const NOT_PRINTED: &[&str] =
+    &["template", "svg", "head", "object", "canvas", "audio", "video", "datalist", "del", "s", "strike"];
 /// Elements that have no end.
 const VOID: &[&str] =
     &["area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"];
@@ -56,7 +59,34 @@ impl Page<'_> {
             }
         };
         self.blank(at..at + end);
+        if found.is_some() && closing == "</script>" {
+            self.formula_of_script(at..at + end, closing.len());
+        }
         at + end
+    }
+
+    /// `<script type="math/tex; mode=display">…</script>`: a formula, as between dollars.
+    fn formula_of_script(&mut self, place: Range<usize>, closing: usize) {
+        let element = &self.text[place.clone()];
+        let Some(tag) = tag(element) else { return };
+        let attributes = element[..tag.length].to_ascii_lowercase();
+        let (from, to) = (place.start + tag.length, place.end - closing);
+        if !attributes.contains("math/tex")
+            || self.text[from..to].contains('$')
+            || self.text[from..to].trim().is_empty()
+        {
+            return;
+        }
+        let sign: &[u8] = if attributes.contains("mode=display") { b"$$" } else { b"$" };
+        self.out[from - sign.len()..from].copy_from_slice(sign);
+        self.out[from..to].copy_from_slice(&self.text.as_bytes()[from..to]);
+        self.out[to..to + sign.len()].copy_from_slice(sign);
+        let mut line = from;
+        while line < to {
+            let next = self.end_of_line_within(line..to);
+            self.without_comment(line..next);
+            line = next;
+        }
     }
 
     /// A tag, of which nothing is printed; or an element that is not printed.

@@ -1,7 +1,7 @@
 //! Links and pictures: of a link its text is printed, of a picture nothing that is a formula; of a definition nothing at all.
 //!
 //! **In:** the places of brackets. **Out:** blanks in the place of addresses, titles, and what is said in the place of a picture. **Guaranteed:**
-//! brackets that are no link stay: an address has no space, and a title stands between quotes.
+//! brackets that are no link stay: an address has no space, and a title stands between quotes, but for what is written as a comment.
 
 use std::collections::HashMap;
 
@@ -52,6 +52,29 @@ impl Page<'_> {
         let title = goes_on(end);
         let titled = title_end(text, title).filter(|_| title > end).and_then(ends_line);
         titled.or_else(|| ends_line(end))
+    }
+
+    /// `[//]: # (…)`, `[comment]: <> (…)`: what is written in the place of a comment, which no Markdown has, to the parenthesis that closes it,
+    /// or to the end of the line. The place behind its line.
+    pub(super) fn comment(&self, at: usize) -> Option<usize> {
+        let rest = &self.text[at..];
+        let rest = ["[//]:", "[comment]:", "[Comment]:", "[_]:"].iter().find_map(|label| rest.strip_prefix(label))?;
+        let rest = rest.trim_start_matches([' ', '\t']);
+        let rest = ["#", "<>"].iter().find_map(|address| rest.strip_prefix(address))?;
+        let open = self.text.len() - rest.trim_start_matches([' ', '\t']).len();
+        let line = self.end_of_line(open);
+        let mut depth = 0usize;
+        let signs = self.text[open..].bytes().take(LONGEST).enumerate();
+        let begins = self.text[open..].starts_with('(');
+        let close = signs.filter(|_| begins).find_map(|(i, byte)| {
+            match byte {
+                b'(' => depth += 1,
+                b')' => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            (depth == 0).then_some(open + i)
+        });
+        Some(close.map_or(line, |close| self.end_of_line(close)))
     }
 
     /// The place behind spaces, and behind the end of one line where that may be.

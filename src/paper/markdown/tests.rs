@@ -136,8 +136,38 @@ fn elements_that_are_not_printed_are_not_read() {
 }
 
 #[test]
+fn what_is_struck_out_or_commented_is_blank() {
+    assert_eq!(left("~~$$f$$~~ $g$"), "$g$");
+    assert_eq!(left("a ~~b\n$f$ c~~ $g$"), "a $g$");
+    assert_eq!(left("a ~~ $f$ ~~ b"), "a ~~ $f$ ~~ b", "signs that touch nothing");
+    assert_eq!(left("a~~$f$"), "a~~$f$");
+    for name in ["del", "s", "strike"] {
+        assert_eq!(left(&format!("<{name}>$f$</{name}> $g$")), "$g$", "{name}");
+    }
+    assert_eq!(left("<span>$f$</span>"), "<span>$f$</span>");
+    for label in ["[//]: #", "[comment]: #", "[//]: <>"] {
+        assert_eq!(left(&format!("{label} ($$f(x)=(a+b)$$)\n$g$")), "$g$", "{label}");
+        assert_eq!(left(&format!("a\n{label} ($f(x)$\nmore)\n$g$")), "a $g$", "{label}");
+    }
+    assert_eq!(left("{% comment %}\n\n$$f$$\n{%- endcomment -%} $g$"), "$g$");
+    assert_eq!(left("{% comment %} $f$"), "{ comment } $f$", "one that is not closed");
+    assert_eq!(left("{% raw %}$f$"), "{ raw }$f$");
+}
+
+#[test]
+fn formulas_behind_two_backslashes_and_in_scripts_are_read() {
+    assert_eq!(left(r"a \\[f\\] \\(g % h\\) b"), r"a \[f \] \(g \) b");
+    assert_eq!(left("a \\\\[f\n+g\\\\] b"), "a \\[f +g \\] b");
+    assert_eq!(left(r"a \\[f b"), r"a \\[f b", "one that is not closed");
+    assert_eq!(left(r"$a \\[2pt] b$"), r"$a \\[2pt] b$");
+    assert_eq!(left("<script type=\"math/tex; mode=display\">f % x\n+g</script> a"), "$$f +g$$ a");
+    assert_eq!(left("b <script type='math/tex'>f</script> a"), "b $f$ a");
+    assert_eq!(left("<script>f</script> a"), "a");
+}
+
+#[test]
 fn no_text_panics() {
-    let text = "> - ```{é}\n:é:\n[é]: <é> (é)\n![é](é 'é') <é é=é> <a é=\"é\">{math}`é`\n-\té\n> ```math\né\n\n<svg>é</svg hidden>";
+    let text = "> - ```{é}\n:é:\n[é]: <é> (é)\n![é](é 'é') <é é=é> <a é=\"é\">{math}`é`\n-\té\n> ```math\né\n\n<svg>é</svg hidden>~~é~~{% comment %}é{% endcomment %}\\\\(é\\\\)<script type=math/tex>é</script>\n\n[//]: # (é)";
     for end in (0..=text.len()).filter(|i| text.is_char_boundary(*i)) {
         for start in (0..end).filter(|i| text.is_char_boundary(*i)) {
             left(&text[start..end]);

@@ -137,9 +137,17 @@ pub(super) fn stacked(tokens: &[Token], at: usize) -> Option<(String, String, us
     let known = matches!(name, "=" | "<" | ">") || name.strip_prefix('\\').is_some_and(|n| RELATIONS.contains(&n));
     (middle > at + 1 && end > middle && known).then(|| {
         // What stands above an equals sign says how it is meant: it is no plain one unless it is a reference.
-        let plain = name == "=" && words.contains(['(', 'r']);
+        let plain = name == "="
+            && (words.contains('(') || words.contains("ref") || words_without_commands(&words).contains('r'));
         (if plain { "=".to_owned() } else { format!("\\stackrel{{{words}}}{{{name}}}") }, words, end)
     })
+}
+
+/// What is left of a text without its commands: of `\mathrm{def}` it is `{def}`.
+fn words_without_commands(text: &str) -> String {
+    let mut parts = text.split('\\');
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |out, part| out + part.trim_start_matches(|c: char| c.is_ascii_alphabetic()))
 }
 
 /// Takes labels and tags out of a cell.

@@ -65,6 +65,7 @@ pub(super) const BETWEEN_STATEMENTS: &[&str] = &[
     "because",
     "impliedby",
     "Leftarrow",
+    "Longleftarrow",
 ];
 
 /// Signs with which a formula goes on.
