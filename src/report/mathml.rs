@@ -504,6 +504,17 @@ fn named(name: &str) -> String {
         Some("tilde") => accent("~"),
         Some("bar") => accent("¯"),
         Some("vec") => accent("→"),
+        Some("check") => accent("ˇ"),
+        Some("breve") => accent("˘"),
+        Some("acute") => accent("´"),
+        Some("grave") => accent("`"),
+        Some("mathring") => accent("˚"),
+        // A difference, and the amount of a substance.
+        Some("Delta") => format!("<mrow><mi mathvariant=\"normal\">Δ</mi>{}</mrow>", named(base)),
+        Some("delta") => format!("<mrow><mi>δ</mi>{}</mrow>", named(base)),
+        Some("amount") => {
+            format!("<mrow><mo stretchy=\"false\">[</mo>{}<mo stretchy=\"false\">]</mo></mrow>", named(base))
+        }
         Some(_) if base.contains(':') => named(base),
         Some("bf") => format!("<mi mathvariant=\"normal\" class=\"b\">{letters}</mi>"),
         Some("it") | None => upright_capital(&letters),
@@ -640,6 +651,10 @@ mod tests {
     #[test]
     fn numbers_and_names_are_exact() {
         assert_eq!(named("bf:m"), "<mi mathvariant=\"normal\" class=\"b\">m</mi>");
+        assert_eq!(named("delta:x"), "<mrow><mi>δ</mi><mi>x</mi></mrow>");
+        assert!(
+            named("Delta:\\theta").contains("Δ") && named("amount:S").contains("[") && named("check:x").contains("ˇ")
+        );
         assert_eq!(named("x'"), "<msup><mi>x</mi><mo>′</mo></msup>");
         assert_eq!(named("<b>"), "<mi>&lt;b&gt;</mi>");
         assert_eq!(decimal(&Rational::from(12)), "12");
