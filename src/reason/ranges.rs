@@ -8,7 +8,7 @@ use thiserror::Error;
 /// What is known of a claim over ranges, and of a point of them.
 #[derive(Clone, Debug, PartialEq, Error, Serialize, Deserialize)]
 pub enum Ranges {
-    #[error("{what}: {shares}, by {cells} cell{}", if *.cells == 1 { "" } else { "s" })]
+    #[error("{what}{}", divided(.what, .shares, *.cells))]
     Divided { what: Arc<Reason>, shares: Shares, cells: usize },
     #[error("{}{says}", at(.values))]
     Point { values: Vec<(String, f64)>, says: Arc<Reason> },
@@ -59,6 +59,15 @@ impl std::fmt::Display for Shares {
         let whole = there.clone().count() == 1;
         let said: Vec<String> = there.map(|(share, word)| format!("{} {word}", percent(*share, whole))).collect();
         f.write_str(&said.join(", "))
+    }
+}
+
+/// What became of the ranges beside what is said. Where a point refutes the claim and nothing else is decided, that does not make it undecided.
+fn divided(what: &Reason, shares: &Shares, cells: usize) -> String {
+    let by = format!("by {cells} cell{}", if cells == 1 { "" } else { "s" });
+    match what {
+        Reason::Ranges(Ranges::Point { .. }) if shares.undecided >= 1.0 => format!("; no other part is decided, {by}"),
+        _ => format!(": {shares}, {by}"),
     }
 }
 
