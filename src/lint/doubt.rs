@@ -10,13 +10,12 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use paper::{Opening, PaperName, PrintedRelation, PrintedSide, names};
+use paper::{Opening, PaperName, PrintedRelation, names};
 
 use super::judge::{Judge, MOST_EXPLAINED};
-use super::lone::lone_name;
 use super::sentence::Sentence;
 use super::setting::keys;
-use super::signs::{COMPARES, EQUALS, defines_behind, is_one_of};
+use super::signs::{COMPARES, EQUALS, is_one_of};
 use super::words::{Taken, take_back_in_row, taken};
 
 /// The longest text between two formulas between the same dollars, and before a row of a system.
@@ -241,10 +240,4 @@ impl Judge<'_> {
 /// Whether an arrow stands before a relation.
 fn is_implied(relation: &PrintedRelation) -> bool {
     relation.remark.as_deref().is_some_and(|words| words.contains('⇒'))
-}
-
-/// What is not read of a sign that defines, where what it defines is no name, nor a function of some.
-pub(super) fn defines_no_name([left, right]: [&PrintedSide; 2], sign: &str) -> Option<String> {
-    let defined = if defines_behind(sign)? { right } else { left };
-    lone_name(defined).is_none().then(|| format!("the sign `{sign}`, which defines, beside what is no name"))
 }
