@@ -16,7 +16,7 @@ use super::nearest::WrongStep;
 use super::notation::Evidence;
 use super::primes::is_elsewhere;
 use super::refusal::NotRead;
-use super::relation::{free_indices, gives_values, is_congruence, is_letter_at_place, lone_right};
+use super::relation::{defines_no_name, free_indices, gives_values, is_congruence, is_letter_at_place, lone_right};
 use super::sentence::{Sentence, explains, is_assumed, is_supposed, parts};
 use super::setting::Noted;
 use super::signs::{COMPARES, EQUALS, is_about, is_one_of};

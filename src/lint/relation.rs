@@ -7,10 +7,17 @@ use std::collections::BTreeSet;
 use paper::{PaperName, PrintedRelation, PrintedSide, names, squeezed};
 
 use super::lone::{lone_name, unprimed};
+use super::signs::defines_behind;
 
 /// Whether a sign may say that two sides are equal but for multiples of something, or by definition.
 pub(super) fn is_congruence(sign: &str) -> bool {
     matches!(sign, r"\equiv" | "≡")
+}
+
+/// What is not read of a sign that defines, where what it defines is no name, nor a function of some.
+pub(super) fn defines_no_name([left, right]: [&PrintedSide; 2], sign: &str) -> Option<String> {
+    let defined = if defines_behind(sign)? { right } else { left };
+    lone_name(defined).is_none().then(|| format!("the sign `{sign}`, which defines, beside what is no name"))
 }
 
 /// Whether one side is the other with a sign or a number before it, or divided by one: an equation for what is zero.

@@ -431,10 +431,17 @@ impl Page<'_> {
         let end = self.end_of_paragraph(at);
         let rest = &self.text[at..end];
         let signs = rest.bytes().take_while(|b| *b == b'~').count();
+        let key = ("~~".to_owned(), end);
+        if self.unclosed.contains(&key) {
+            return at + signs;
+        }
         let touches = |text: &str| !text.is_empty() && !text.ends_with(char::is_whitespace) && !text.ends_with('~');
         let mut all = rest.match_indices("~~").skip(1);
         let close = all.find(|(i, _)| touches(&rest[..*i]) && !rest[i + 2..].starts_with('~')).map(|(i, _)| i);
         let is_open = signs == 2 && rest[2..].starts_with(|c: char| !c.is_whitespace());
+        if close.is_none() {
+            self.unclosed.insert(key);
+        }
         match close.filter(|_| is_open) {
             Some(close) => {
                 self.blank(at..at + close + 2);
