@@ -11,7 +11,7 @@ use super::cases::{Cases, Stance};
 use super::chain::{Slip, said};
 use super::desk::{Given, evidence_of};
 use super::facts::{Facts, Reach, Stated};
-use super::lone::{defines_no_name, is_equation_of_motion, lone_name};
+use super::lone::{is_equation_of_motion, lone_name};
 use super::nearest::WrongStep;
 use super::notation::Evidence;
 use super::primes::is_elsewhere;

@@ -2,8 +2,6 @@
 
 use paper::{Call, PaperName, PrintedSide, names};
 
-use super::signs::defines_behind;
-
 /// A side that is one name and nothing else.
 pub fn lone_name(side: &PrintedSide) -> Option<PaperName> {
     let mut all = names(side);
@@ -99,10 +97,4 @@ pub(super) fn is_equation_of_motion(left: &PrintedSide, right: &PrintedSide) -> 
     rate.derived_by.as_ref() != Some(&rate.key())
         && all.iter().filter(|n| !n.is_variable).count() == 1
         && names(right).iter().any(|n| is_bare(n) && n.key() == unprimed(rate).key())
-}
-
-/// What is not read of a sign that defines, where what it defines is no name, nor a function of some.
-pub(super) fn defines_no_name([left, right]: [&PrintedSide; 2], sign: &str) -> Option<String> {
-    let defined = if defines_behind(sign)? { right } else { left };
-    lone_name(defined).is_none().then(|| format!("the sign `{sign}`, which defines, beside what is no name"))
 }
