@@ -31,6 +31,18 @@ impl Slip {
             self.wrong.is_of_earlier && !self.is_taken_back && follows(chain.get(self.k)) && !follows(before);
         if is_earlier { self.k - 1 } else { self.k }
     }
+
+    /// What is wrong, with what should stand there: behind a side that is proved it is that side, where the later one is a copy of it with a
+    /// slip, or where only a slip of the proved one is known.
+    pub(super) fn told(self, relation: &PrintedRelation, chain: &[LintStep]) -> WrongStep {
+        let before = self.k.checked_sub(2).and_then(|at| chain.get(at));
+        let is_behind_proved = before.is_some_and(|step| step.word == Word::Follows);
+        let mut wrong = self.wrong;
+        if is_behind_proved && (wrong.is_of_earlier || wrong.is_copy) {
+            wrong.instead.clone_from(&relation.sides[self.k - 1].text);
+        }
+        wrong
+    }
 }
 
 impl Judge<'_> {

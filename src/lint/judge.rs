@@ -457,7 +457,8 @@ impl Judge<'_> {
                 true => "reckoned, its sides differ",
                 false => "false at a point; with one change it is proved",
             };
-            be_wrong(out, slip.wrong, why);
+            let wrong = slip.told(relation, &out.chain);
+            be_wrong(out, wrong, why);
             return Vec::new();
         }
         // The second rate of a name is an equation of motion.

@@ -55,7 +55,9 @@ use paper::Paper;
 
 pub use judge::lint;
 pub use refusal::NotRead;
-pub use shown::{at_a_point, decimal, diagnostic, explained, is_listed, lint_text, nothing_tested, summary, unlisted};
+pub use shown::{
+    at_a_point, decimal, diagnostic, explained, is_listed, lint_text, nothing_tested, summary, tested, unlisted,
+};
 pub use typeset::{Typeset, typesetting};
 
 /// What is said of a printed relation.

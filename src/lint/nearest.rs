@@ -77,6 +77,8 @@ pub struct WrongStep {
     pub with: Vec<usize>,
     /// Whether it is the earlier side that is altered.
     pub is_of_earlier: bool,
+    /// Whether the later side is the earlier one with a slip.
+    pub is_copy: bool,
 }
 
 /// How sure it is that a relation claims something.
@@ -130,6 +132,7 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
         return None;
     }
     let all = named(&chain.sides);
+    let is_copy = is_copy(&chain);
     let mut search = Search { asked, rests, chain, points, sureness };
     let (mut instead, mut is_of_earlier) = (None, false);
     'sides: for k in [1, 0] {
@@ -157,7 +160,14 @@ pub fn nearest(asked: Asked, rests: &Rests, free: &BTreeSet<char>, sureness: Sur
     let instead = decimal.unwrap_or(instead);
     let mut with: Vec<usize> = rests.given.iter().map(|g| g.relation).collect();
     with.extend(rests.stated.iter().map(|s| s.relation));
-    Some(WrongStep { witness, instead, picture, with, is_of_earlier })
+    Some(WrongStep { witness, instead, picture, with, is_of_earlier, is_copy })
+}
+
+/// Whether the later side is the earlier one but for a sign, number, exponent or function, as they are printed.
+fn is_copy(chain: &Chain) -> bool {
+    let [before, now] = chain.sides.as_slice() else { return false };
+    let wanted = spelled(chain, &bare(before));
+    slips(now, &[]).iter().any(|s| s.way == Alteration::Value && spelled(chain, &bare(&s.side)) == wanted)
 }
 
 /// Whether a refuted relation claims something, by its print: it is long enough, no number that was rounded or put in, nothing that a
@@ -222,9 +232,7 @@ pub fn is_slip_of(asked: &Asked) -> bool {
     if !matches!(asked.identity, Identity::Refuted(_)) || size(before).min(size(now)) < FEWEST_NODES {
         return false;
     }
-    let wanted = spelled(chain, before);
-    let altered = slips(now, &[]);
-    altered.iter().any(|s| s.way == Alteration::Value && spelled(chain, &s.side) == wanted)
+    is_copy(chain)
 }
 
 /// The unit of the last place of the number with the fewest of them, where there are decimals: 0.01 of `2/45=0.04`, 1 of `2.5+1.3=4`.

@@ -75,7 +75,7 @@ impl Judge<'_> {
         }
         let witness = LintWitness { values: vec![(key.to_owned(), value)], left: l, right: r };
         let instead = format!("{} = {}", root.left.text, root.right.text);
-        Some(WrongStep { witness, instead, picture: None, with: vec![premise], is_of_earlier: false })
+        Some(WrongStep { witness, instead, picture: None, with: vec![premise], is_of_earlier: false, is_copy: false })
     }
 
     /// The text between two relations of one file.

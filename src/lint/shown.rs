@@ -120,13 +120,34 @@ pub fn unlisted(paper: &Paper, lint: &Lint) -> Option<String> {
     (n > 0).then(|| format!("{n} {formulas} of the running text, which nothing above decides, {verb} not listed"))
 }
 
+/// Whether something is known of a formula, or of one of its steps.
+fn is_tested(of: &Judgement) -> bool {
+    of.steps.0 > 0
+        || match of.word {
+            Word::Follows | Word::Numbers | Word::Wrong | Word::Differs => true,
+            Word::Defines | Word::Condition | Word::Approximates | Word::NotFollowed | Word::NotRead => false,
+        }
+}
+
+/// How many formulas were tested, and what the words for the others mean; `None` where none was.
+pub fn tested(lint: &Lint) -> Option<String> {
+    let n = lint.judgements.iter().filter(|j| is_tested(j)).count();
+    let verb = if n == 1 { "was" } else { "were" };
+    let mut out = format!("{n} of {} {verb} tested, at least in part.", lint.judgements.len());
+    if lint.count(Word::Defines) + lint.count(Word::Condition) + lint.count(Word::Approximates) > 0 {
+        out.push_str(
+            " What defines a name, is a condition, or approximates says what is meant: there is nothing to test.",
+        );
+    }
+    if lint.count(Word::NotFollowed) + lint.count(Word::NotRead) > 0 {
+        out.push_str(" What is not followed, or not read, may be right or wrong.");
+    }
+    (n > 0).then_some(out)
+}
+
 /// That nothing was tested, where that is so: a reader must not take silence for approval.
 pub fn nothing_tested(lint: &Lint) -> Option<String> {
-    let is_tested = |word: Word| match word {
-        Word::Follows | Word::Numbers | Word::Wrong | Word::Differs => true,
-        Word::Defines | Word::Condition | Word::Approximates | Word::NotFollowed | Word::NotRead => false,
-    };
-    if lint.judgements.iter().any(|j| is_tested(j.word) || j.steps.0 > 0) {
+    if lint.judgements.iter().any(is_tested) {
         return None;
     }
     Some(match lint.judgements.len() {

@@ -71,6 +71,14 @@ impl Reason {
         }
     }
 
+    /// In words, with at most so many values of a point.
+    pub fn brief(&self, most: usize) -> String {
+        match self {
+            Reason::Ranges(of) => of.brief(most),
+            other => other.to_string(),
+        }
+    }
+
     /// In the words of a lower floor.
     pub fn quoted(said: impl std::fmt::Display) -> Reason {
         Reason::Quoted(said.to_string().into())

@@ -147,28 +147,45 @@ impl Coordinate {
 }
 
 fn joined(coordinates: &[Coordinate], marked: bool) -> String {
-    coordinates.iter().map(|c| c.shown(marked)).collect::<Vec<_>>().join("; ")
+    joined_within(coordinates, marked, usize::MAX)
+}
+
+/// The first ones, and how many more there are.
+fn joined_within(coordinates: &[Coordinate], marked: bool, most: usize) -> String {
+    let shown = &coordinates[..coordinates.len().min(most)];
+    let more = super::ranges::more_values(coordinates.len() - shown.len());
+    shown.iter().map(|c| c.shown(marked)).chain(more).collect::<Vec<_>>().join("; ")
 }
 
 impl Point {
     /// In words, with names between dollars where that is asked for.
     fn shown(&self, marked: bool) -> String {
-        format!("left {}, right {} at {}", self.left, self.right, joined(&self.at, marked))
+        self.shown_within(marked, usize::MAX)
+    }
+
+    /// The same with at most so many of its coordinates.
+    fn shown_within(&self, marked: bool, most: usize) -> String {
+        format!("left {}, right {} at {}", self.left, self.right, joined_within(&self.at, marked, most))
     }
 }
 
 impl Refuting {
     /// In words, with the names of a point between dollars.
     pub fn marked(&self) -> String {
+        self.marked_within(usize::MAX)
+    }
+
+    /// The same with at most so many coordinates of each point.
+    pub fn marked_within(&self, most: usize) -> String {
+        let shown = |of: &Point| of.shown_within(true, most);
         match self {
             Refuting::Point { first, second } => {
-                let second = second
-                    .as_ref()
-                    .map(|p| format!(" — and {}: what is given leaves the difference open", p.shown(true)));
-                format!("{}{}", first.shown(true), second.unwrap_or_default())
+                let second =
+                    second.as_ref().map(|p| format!(" — and {}: what is given leaves the difference open", shown(p)));
+                format!("{}{}", shown(first), second.unwrap_or_default())
             }
             Refuting::Signs { upper, lower } => {
-                format!("upper sign: {}; lower sign: {}", upper.shown(true), lower.shown(true))
+                format!("upper sign: {}; lower sign: {}", shown(upper), shown(lower))
             }
             Refuting::OnMotion { .. } | Refuting::Sizes(_) => self.to_string(),
         }

@@ -32,7 +32,7 @@ pub enum Ranges {
     // Of fields, whatever they are.
     #[error("what it follows from assumes {}, and it does not say so itself", .0.iter().map(|text| format!("${text}$")).collect::<Vec<_>>().join(", "))]
     Presupposes(Vec<String>),
-    #[error("a solution near a point contradicts it: {}", .0.marked())]
+    #[error("{}{}", CONTRADICTED, .0.marked())]
     Contradicted(Arc<Refuting>),
     #[error("for all fields{}", fields(.given, .assumed))]
     AllFields { given: bool, assumed: bool },
@@ -81,6 +81,33 @@ fn percent(share: f64, whole: bool) -> String {
 
 fn equations(values: &[(String, f64)]) -> String {
     values.iter().map(|(name, x)| format!("${name}={x}$")).collect::<Vec<_>>().join(", ")
+}
+
+/// What stands before the point of a solution that contradicts a claim.
+const CONTRADICTED: &str = "a solution near a point contradicts it: ";
+
+impl Ranges {
+    /// In words, with at most so many values of a point.
+    pub fn brief(&self, most: usize) -> String {
+        match self {
+            Ranges::Divided { what, shares, cells } => format!("{}{}", what.brief(most), divided(what, shares, *cells)),
+            Ranges::Contradicted(point) => format!("{CONTRADICTED}{}", point.marked_within(most)),
+            Ranges::Point { values, says } if values.len() > most => {
+                let more = more_values(values.len() - most).map(|more| format!(", {more}")).unwrap_or_default();
+                format!("at {}{more}: {}", equations(&values[..most]), says.brief(most))
+            }
+            other => other.to_string(),
+        }
+    }
+}
+
+/// That there are more values than those that are shown.
+pub(super) fn more_values(n: usize) -> Option<String> {
+    match n {
+        0 => None,
+        1 => Some("1 more value".to_owned()),
+        n => Some(format!("{n} more values")),
+    }
 }
 
 fn at(values: &[(String, f64)]) -> String {

@@ -7,7 +7,7 @@
 use super::basis::Basis;
 use super::digest::{Fate, Reading, Whole};
 use super::discrimination::{alone, standing};
-use super::finding::{of_step_marked, over_ranges_marked};
+use super::finding::{of_step_brief, over_ranges_brief};
 use super::form::{Heading, heading};
 use super::front::Line;
 use super::numbers::{ascii_six, both, count, retold, six, size};
@@ -29,6 +29,8 @@ const LONGEST_SIDE: usize = 40;
 const LONGEST_TOGETHER: usize = 36;
 /// Longest title of a motion, in letters.
 const LONGEST_TITLE: usize = 48;
+/// Most fields that are named with what is put in for them.
+const MOST_PUT_IN: usize = 3;
 /// A side that changes by no more than this share of itself is constant.
 const SAME: f64 = 1e-9;
 
@@ -440,8 +442,8 @@ pub(super) fn blocks<'a>(
             why.extend(motion.says(derivation, own, room));
         }
         None => why.extend(
-            over_ranges_marked(claim)
-                .or_else(|| of_step_marked(claim))
+            over_ranges_brief(claim)
+                .or_else(|| of_step_brief(claim))
                 .filter(|_| fails)
                 .map(|text| StorySpan::Prose(retold(&text), own, Tone::Plain)),
         ),
@@ -492,7 +494,15 @@ fn provided<'a>(derivation: &'a Derivation, claim: &'a ClaimAccount) -> Vec<Stor
     if !assuming.is_empty() {
         assuming.insert(0, quiet("assuming "));
     }
-    let parts = when.into_iter().chain(Some(assuming).filter(|a| !a.is_empty()));
+    // What the claim puts in for a field is as much of it as its formula.
+    let ranges = claim.region.iter().flat_map(|r| &r.ranges).filter(|r| r.is_field());
+    let put_in = ranges.filter_map(|r| Some(format!("{}={}", r.name, r.formula.as_ref()?)));
+    let put_in = put_in.filter(|text| text.len() <= LONGEST / 4).take(MOST_PUT_IN);
+    let mut put_in = joined(put_in.map(|text| vec![StorySpan::Math(text, scope)]), ", ");
+    if !put_in.is_empty() {
+        put_in.insert(0, quiet("with "));
+    }
+    let parts = when.into_iter().chain([assuming, put_in].into_iter().filter(|a| !a.is_empty()));
     let mut out = joined(parts, "; ");
     if !out.is_empty() {
         out.insert(0, quiet(" ("));

@@ -17,6 +17,10 @@ use derivation::{Derivation, Form};
 use diag::escape::{in_one_line, shown};
 use diag::{Diagnostic, Source};
 use findings::{Account, ClaimAccount, FamilyAccount, PairAccount};
+use reason::Reason;
+
+/// Most values of a point where there is little room.
+const MOST_VALUES: usize = 6;
 
 /// How serious a finding is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -398,27 +402,38 @@ pub(super) fn alone(derivation: &Derivation, claim: &ClaimAccount) -> Option<Fin
 
 /// How the verdict of a step came about, in a sentence.
 pub(super) fn of_step(claim: &ClaimAccount) -> Option<String> {
-    of_step_marked(claim).map(|text| text.replace('$', ""))
-}
-
-/// The same with its formulas between dollars.
-pub(super) fn of_step_marked(claim: &ClaimAccount) -> Option<String> {
     let step = claim.identity.as_ref()?;
     Some(match &step.witness {
-        Some(point) => format!("A point refutes it: {}", sentence(&point.to_string())),
+        Some(point) => format!("{REFUTES}{}", sentence(&point.to_string())),
+        None => sentence(&step.decided().to_string()).replace('$', ""),
+    })
+}
+
+/// The same with its formulas between dollars, and with few values of a point.
+pub(super) fn of_step_brief(claim: &ClaimAccount) -> Option<String> {
+    let step = claim.identity.as_ref()?;
+    Some(match &step.witness {
+        Some(point) => format!("{REFUTES}{}", sentence(&point.marked_within(MOST_VALUES))),
         None => sentence(&step.decided().to_string()),
     })
 }
 
+/// What stands before a point that refutes a step.
+const REFUTES: &str = "A point refutes it: ";
+
 /// How the verdict over ranges came about, in a sentence.
 pub(super) fn over_ranges(claim: &ClaimAccount) -> Option<String> {
-    over_ranges_marked(claim).map(|text| text.replace('$', ""))
+    of_ranges(claim, |reason| reason.to_string()).map(|text| text.replace('$', ""))
 }
 
-/// The same with its formulas between dollars.
-pub(super) fn over_ranges_marked(claim: &ClaimAccount) -> Option<String> {
+/// The same with its formulas between dollars, and with few values of a point.
+pub(super) fn over_ranges_brief(claim: &ClaimAccount) -> Option<String> {
+    of_ranges(claim, |reason| reason.brief(MOST_VALUES))
+}
+
+fn of_ranges(claim: &ClaimAccount, says: impl Fn(&Reason) -> String) -> Option<String> {
     let reason = claim.region.as_ref()?.verdict.evidence().reason.as_ref()?;
-    Some(format!("Over its ranges: {}", sentence(&reason.to_string())))
+    Some(format!("Over its ranges: {}", sentence(&says(reason))))
 }
 
 /// `fails`, `does not apply`.

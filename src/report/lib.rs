@@ -19,6 +19,7 @@ mod behind;
 mod card;
 mod certificates;
 mod claim_story;
+mod condition_spelling;
 mod conditions;
 mod consequence;
 mod contents;

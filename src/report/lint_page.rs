@@ -65,6 +65,7 @@ pub fn lint_page(paper: &Paper, found: &Lint) -> String {
                     @if paper.title.is_some() { p.quiet { (paper.file.path) } }
                     @if let Some(text) = lint::nothing_tested(found) { p { b { (text) } } }
                     (counts(found))
+                    @if let Some(text) = lint::tested(found) { p.quiet { (text) } }
                     @if !wrong.is_empty() {
                         p { "Wrong:" }
                         ul { @for j in &wrong { (link(paper, j, &typeset)) } }

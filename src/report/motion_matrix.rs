@@ -292,10 +292,10 @@ fn of_reading(reading: &Reading<'_>, column: &ColumnMotions<'_>) -> Option<Verdi
 
 /// What is known of a reading without a motion: over its ranges, or as a step.
 fn for_all_values(reading: &Reading<'_>) -> Option<VerdictShape> {
-    if let Some(region) = &reading.claim.region {
-        // At every point of the ranges, which are not all values.
+    if let Some(region) = reading.claim.region.as_ref().filter(|_| reading.proof != ProofStanding::Proved) {
         return Some(match region.verdict.outcome() {
-            Outcome::Holds(Strength::Proved) => VerdictShape::Enclosed,
+            // At every point of the ranges, which are not all values; for all fields it is a proof.
+            Outcome::Holds(Strength::Proved) if !region.is_of_fields() => VerdictShape::Enclosed,
             outcome => shape(outcome),
         });
     }

@@ -391,7 +391,19 @@ fn wrong<'a>(
         let line = if names_them { line } else { Vec::new() };
         out.push(folded_as(vec![words(title)], Elsewhere::Line(line), folded));
     }
+    // Beside conclusions there is no room for what the paper does not say.
+    if hangs.conclusions().is_empty() {
+        out.extend(compared(derivation, &front::refuted_beside(wholes).collect::<Vec<_>>()));
+    }
     out
+}
+
+/// What was added for comparison, and is refuted, by name: a sentence by itself, also where headings lead sentences.
+fn compared<'a>(derivation: &'a Derivation, refuted: &[&Whole<'a>]) -> Option<StoryBlock<'a>> {
+    let mut line = vec![quiet("Added for comparison, and refuted: ")];
+    line.extend(said::list(derivation, refuted, (MOST_NAMED, LONGEST_LISTED), 0));
+    line.push(words("."));
+    (!refuted.is_empty()).then(|| StoryBlock::Group("compared", vec![StoryBlock::Paragraph(line)]))
 }
 
 /// Where nothing is wrong: the claim that most rests on, with both of its sides.
@@ -411,13 +423,7 @@ fn nothing_wrong<'a>(
         (false, false) => "No claim of the paper is refuted",
     };
     let mut out = vec![StoryBlock::Heading(title.to_owned())];
-    if !of_file.is_empty() {
-        let mut line = vec![quiet("Added for comparison, and refuted: ")];
-        line.extend(said::list(derivation, &of_file, (MOST_NAMED, LONGEST_LISTED), 0));
-        line.push(words("."));
-        // A sentence by itself, also where headings lead sentences.
-        out.push(StoryBlock::Group("compared", vec![StoryBlock::Paragraph(line)]));
-    }
+    out.extend(compared(derivation, &of_file));
     let mut heaviest: Vec<&&Whole<'a>> = told.iter().collect();
     heaviest.sort_by_cached_key(|w| {
         let drawn = card::sketch_that_holds(w);
@@ -455,14 +461,16 @@ fn nothing_wrong<'a>(
     out.push(if whole.counted_as().stands() { StoryBlock::Group("good", vec![card]) } else { card });
     // What the paper itself says on a motion that was drawn needs the room of the others.
     let room = if on_file { 1 } else { front.compared.len() };
-    let compared = front.compared.iter().take(room).enumerate().filter_map(|(at, line)| {
+    let cards = front.compared.iter().take(room).enumerate().filter_map(|(at, line)| {
         let whole = wholes.iter().find(|w| w.id == line.id)?;
         Some(StoryBlock::Group("card", card::blocks(derivation, whole, line, at + 1)))
     });
-    let compared: Vec<StoryBlock<'a>> = compared.collect();
-    if !compared.is_empty() {
-        let title = StoryBlock::Heading("Added for comparison, and refuted".to_owned());
-        out.push(StoryBlock::Group("roomy", std::iter::once(title).chain(compared).collect()));
+    let cards: Vec<StoryBlock<'a>> = cards.collect();
+    if !cards.is_empty() {
+        let of =
+            if cards.len() < of_file.len() { format!(", {} of {}", cards.len(), of_file.len()) } else { String::new() };
+        let title = StoryBlock::Heading(format!("Added for comparison, and refuted{of}"));
+        out.push(StoryBlock::Group("roomy", std::iter::once(title).chain(cards).collect()));
     }
     out
 }

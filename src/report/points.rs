@@ -6,8 +6,8 @@
 use std::collections::BTreeSet;
 
 use super::card::{FormulaShown, RefutingMotion, Room, formula_of, shown_formula};
+use super::condition_spelling::canonical;
 use super::digest::{self, Reading, Whole};
-use super::hypotheses::canonical;
 use super::numbers::count;
 use super::story::{StoryBlock, StorySpan, Tone, joined, quiet, roomy, words};
 use super::tally::{Standing, declared};

@@ -72,7 +72,7 @@ impl VerdictShape {
             VerdictShape::Certified => ("✖", "f e", r"$\boldsymbol{\times}$", "refuted"),
             VerdictShape::Mixed => ("◐", "m", r"$\oslash$", "on some"),
             VerdictShape::Meaning => ("◇", "r", r"$\Diamond$", "by reading"),
-            VerdictShape::NoIdentity => ("≢", "i", r"$\not\equiv$", "not for all values"),
+            VerdictShape::NoIdentity => ("≢", "i", r"$\not\equiv$", "no identity: motions decide"),
             VerdictShape::NotApplicable => ("–", "n", "--", "does not apply"),
             VerdictShape::Undecided => ("?", "u", "?", "open"),
         }
