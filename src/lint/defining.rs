@@ -149,9 +149,15 @@ impl Judge<'_> {
             desk.pairs([left, right], &self.evidence).map(|_| ())
         };
         // A derivative by a rate needs the formula that is derived.
-        read(&[]).or_else(|found| match self.facts.definitions(&[left, right], Reach::Paper, false) {
-            given if given.is_empty() => Err(found),
-            given => read(&given).map_err(|_| found),
-        })
+        read(&[])
+            .or_else(|found| match self.facts.definitions(&[left, right], Reach::Paper, false) {
+                given if given.is_empty() => Err(found),
+                given => read(&given).map_err(|_| found),
+            })
+            // `\lambda_\pm=-p\pm q` says what two names are.
+            .or_else(|found| match left.branch_signs().min(right.branch_signs()) {
+                0 => Err(found),
+                _ => self.readable(&left.branch(true), &right.branch(true), free).map_err(|_| found),
+            })
     }
 }

@@ -14,6 +14,7 @@
 #![forbid(unsafe_code)]
 
 mod blame;
+mod branches;
 mod cases;
 mod chain;
 mod defining;

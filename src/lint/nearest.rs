@@ -16,7 +16,7 @@ use expr::{Graph, Leaf, Rational};
 use super::desk::{Given, pairs_of};
 use super::numbers::{absorbs, agreement, as_decimal, as_fraction, curves, holds_at, ratio};
 use super::question::{Asked, Rests, tested, vanishes};
-use super::slips::{Alteration, Slip, bare, size, slips, symbols};
+use super::slips::{Alteration, Slip, bare, simplified, size, slips, symbols};
 use super::{LintPicture, LintWitness};
 use paper::squeezed;
 
@@ -318,7 +318,9 @@ impl Search<'_> {
             return None;
         }
         self.proved(&altered)?;
-        Some(if k == 1 { new } else { format!("{new} = {other}") })
+        let chain = &self.chain;
+        let told = spelled(chain, &simplified(&altered.sides[k]));
+        Some(if k == 1 { told } else { format!("{told} = {other}") })
     }
 
     fn proved(&mut self, altered: &Chain) -> Option<()> {

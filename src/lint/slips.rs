@@ -62,6 +62,43 @@ pub fn bare(of: &Node) -> Node {
     out
 }
 
+/// A tree as one would print it: what a slip put in is taken together with the fraction, or the product, that was there.
+pub fn simplified(of: &Node) -> Node {
+    let mut out = of.clone();
+    for (k, child) in of.children().into_iter().enumerate() {
+        out = with_child(&out, k, simplified(child)).unwrap_or(out);
+    }
+    match &out.kind {
+        NodeKind::Quotient { top, bottom, slash: false } => match (&top.kind, &bottom.kind) {
+            (NodeKind::Quotient { top, bottom: inner, slash: false }, NodeKind::Number(by)) => {
+                let bottom = match &inner.kind {
+                    NodeKind::Number(n) => node(NodeKind::Number(n.clone() * by.clone()), inner),
+                    NodeKind::Product(parts) if !inner.begins_with_number() => {
+                        let parts = std::iter::once((**bottom).clone()).chain(parts.iter().cloned());
+                        node(NodeKind::Product(parts.collect()), inner)
+                    }
+                    _ if !inner.begins_with_number() => {
+                        node(NodeKind::Product(vec![(**bottom).clone(), factor(inner)]), inner)
+                    }
+                    _ => return out,
+                };
+                node(NodeKind::Quotient { top: top.clone(), bottom: Box::new(bottom), slash: false }, of)
+            }
+            _ => out,
+        },
+        NodeKind::Product(parts) => match parts.as_slice() {
+            [one, other] if is_number_one(one) => other.clone(),
+            [one, rest @ ..] if is_number_one(one) && rest.len() > 1 => node(NodeKind::Product(rest.to_vec()), of),
+            _ => out,
+        },
+        _ => out,
+    }
+}
+
+fn is_number_one(node: &Node) -> bool {
+    matches!(&node.kind, NodeKind::Number(n) if *n == Rational::ONE)
+}
+
 /// Whether a tree is the number 1, with a sign or without: `A^{+1}` is A.
 fn is_one(node: &Node) -> bool {
     match &node.kind {

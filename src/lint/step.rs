@@ -84,8 +84,8 @@ pub(super) struct Place<'a> {
 }
 
 impl Judge<'_> {
-    /// Decides one step.
-    pub(super) fn step(&mut self, sides: [&PrintedSide; 2], place: &Place) -> Step {
+    /// Decides one step, of whose sides each is one formula.
+    pub(super) fn step_of_one(&mut self, sides: [&PrintedSide; 2], place: &Place) -> Step {
         if let Some(ended) = self.evidence.ended() {
             return Step::NotRead(NotRead::ended(ended));
         }

@@ -71,7 +71,8 @@ pub(super) fn claims<'a>(derivation: &'a Derivation, account: &'a Account) -> St
     blocks.extend(roles(&wholes).map(|text| StoryBlock::Paragraph(vec![quiet(text)])));
     let shapes = shapes(&parts).into_iter();
     let mut legend = joined(shapes.map(|s| vec![StorySpan::Shape(s), words(format!(" {}", s.says()))]), ", ");
-    legend.push(words(LEFT_OUT));
+    // Where no symbol occurs there is no legend.
+    legend.push(words(if legend.is_empty() { LEFT_OUT.to_owned() } else { format!("; {LEFT_OUT}") }));
     blocks.push(folded(Vec::new(), Elsewhere::Line(legend), Vec::new()));
     blocks.extend(parts);
     section("/claims", "Claims", blocks)
@@ -81,7 +82,7 @@ pub(super) fn claims<'a>(derivation: &'a Derivation, account: &'a Account) -> St
 const SAID: &str = "Formulas are said of every time, where nothing else is said.";
 
 /// What a reader finds elsewhere.
-const LEFT_OUT: &str = "; † has a certificate, certificates/proof-NAME.py, with two hyphens for the stroke in a name. On the page alone: steps of \
+const LEFT_OUT: &str = "† has a certificate, certificates/proof-NAME.py, with two hyphens for the stroke in a name. On the page alone: steps of \
                         proofs, curves, members of families, points that refute what is for comparison, the worth of assumptions, \
                         remarks on what holds.";
 

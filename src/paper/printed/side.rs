@@ -32,6 +32,20 @@ impl PrintedSide {
         shown(&mark::text_of(&out)).into_owned()
     }
 
+    /// How often it has a sign of two branches, `\pm` or `\mp`.
+    pub fn branch_signs(&self) -> usize {
+        self.tokens.iter().filter(|t| branch_sign(t, true).is_some()).count()
+    }
+
+    /// The same with the upper, or the lower, of its signs of two branches.
+    pub fn branch(&self, upper: bool) -> PrintedSide {
+        let one = |token: &Token| match branch_sign(token, upper) {
+            Some(sign) => Token { kind: Kind::Other, text: sign.into(), span: token.span.clone() },
+            None => token.clone(),
+        };
+        PrintedSide { span: self.span.clone(), ..side_of(&self.tokens.iter().map(one).collect::<Vec<_>>()) }
+    }
+
     /// The words that it consists of, where it is a text of several words, or of one of many letters, and nothing else.
     pub fn words(&self) -> Option<String> {
         let [command, rest @ ..] = self.tokens.as_slice() else { return None };
@@ -63,6 +77,16 @@ impl PrintedSide {
             }
         }
         out
+    }
+}
+
+/// What a sign of two branches is in one of them; `None` for any other token.
+fn branch_sign(token: &Token, upper: bool) -> Option<&'static str> {
+    let is = |name: &str| token.kind == Kind::Command && token.text == name;
+    match (is("pm"), is("mp")) {
+        (true, _) => Some(if upper { "+" } else { "-" }),
+        (_, true) => Some(if upper { "-" } else { "+" }),
+        (false, false) => None,
     }
 }
 

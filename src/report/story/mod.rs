@@ -177,9 +177,10 @@ pub(super) fn shapes(blocks: &[StoryBlock<'_>]) -> BTreeSet<VerdictShape> {
         StoryBlock::List(items) => {
             items.iter().flat_map(|item| of_spans(&item.line).into_iter().chain(shapes(&item.below))).collect()
         }
-        StoryBlock::Fold(StoryFold { blocks, .. })
-        | StoryBlock::Part(StoryPart { blocks, .. })
-        | StoryBlock::Group(_, blocks) => shapes(blocks),
+        StoryBlock::Fold(StoryFold { title, blocks, .. }) | StoryBlock::Part(StoryPart { title, blocks, .. }) => {
+            &of_spans(title) | &shapes(blocks)
+        }
+        StoryBlock::Group(_, blocks) => shapes(blocks),
         StoryBlock::Heading(_) | StoryBlock::Formula(..) | StoryBlock::Lines(..) | StoryBlock::Embedded(_) => {
             BTreeSet::new()
         }
