@@ -117,6 +117,7 @@ impl Judge<'_> {
             || is_congruence(&relation.signs[k - 1])
             || is_one_of(DEFINES, &relation.signs[k - 1])
             || alone && are_multiples(left, right)
+            || self.is_quoted(relation)
             || are_two_places(left, right)
             || is_of_units(relation)
         {
@@ -148,6 +149,22 @@ impl Judge<'_> {
             || is_first_of_text && !step.derived && is_supposed(self.paper, relation)
     }
 
+    /// Whether a relation stands in a quotation, or is one of several answers: "(b)" stands before it.
+    fn is_quoted(&self, relation: &PrintedRelation) -> bool {
+        let (file, span) = self.paper.locate(&relation.span());
+        let before = window(&file.text, span.start.saturating_sub(AROUND), span.start);
+        let open = |e: &str| {
+            let last = |what: &str| before.rfind(&format!("\\{what}{{{e}"));
+            last("begin").is_some_and(|begin| last("end").is_none_or(|end| end < begin))
+        };
+        let opened = before.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, '$' | '(' | '\\'));
+        let is_answer = opened.trim_end_matches(']').strip_suffix(')').is_some_and(|rest| {
+            let mut letters = rest.chars().rev();
+            letters.next().is_some_and(|c| c.is_ascii_alphabetic()) && letters.next() == Some('(')
+        });
+        open("quot") || relation.display.is_none() && is_answer
+    }
+
     /// How sure it is that a step claims something.
     pub(super) fn sureness(&self, step: &OfStep, concludes: bool) -> Sureness {
         if step.derived {
@@ -176,6 +193,18 @@ impl Judge<'_> {
             return false;
         }
         if relation.sides.iter().any(|s| squeezed(&s.text) == "0") {
+            return false;
+        }
+        // One sum in the running text may be one of another arithmetic, or be rounded to what can be counted.
+        let operations = |s: &PrintedSide| {
+            let signs = s.text.chars().filter(|c| "+-*/^".contains(*c)).count();
+            let powers = s.text.matches('^').count();
+            signs
+                + powers
+                + [r"\cdot", r"\times", r"\frac", r"\sqrt"].iter().map(|c| s.text.matches(c).count()).sum::<usize>()
+        };
+        let has_decimals = relation.sides.iter().any(|s| s.text.contains('.'));
+        if relation.display.is_none() && !has_decimals && relation.sides.iter().map(operations).sum::<usize>() < 2 {
             return false;
         }
         let (file, span) = self.paper.locate(&relation.span());

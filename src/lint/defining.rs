@@ -11,13 +11,14 @@ use super::desk::{Desk, Given};
 use super::facts::Reach;
 use super::judge::Judge;
 use super::lone::{lone_name, unprimed};
+use super::nearest::WrongStep;
 use super::primes::is_elsewhere;
 use super::refusal::NotRead;
 use super::relation::free_indices;
 use super::sentence::is_supposed;
 use super::signs::EQUALS;
 use super::standing::Standing;
-use super::step::IN_SENTENCE;
+use super::step::{IN_SENTENCE, Place};
 
 impl Judge<'_> {
     /// Whether an equation before, in this section, has a name in it, or the definition of another name that it is said to be made of.
@@ -38,6 +39,23 @@ impl Judge<'_> {
         let same =
             |g: &&Given| !g.is_rate && g.section == self.section && g.right.print() == print && !is_elsewhere(g, name);
         self.facts.given.of(&name.key()).rev().find(same).map(|g| g.relation)
+    }
+
+    /// The latest definition of a name, which is none of its rates.
+    pub(super) fn latest_definition(&self, name: &paper::PaperName) -> Option<&Given> {
+        self.facts.given.of(&name.key()).rev().find(|g| !g.is_rate && !is_elsewhere(g, name))
+    }
+
+    /// Whether what is wrong is that a name is said to be something else than in its definition, and the sentence names no equation.
+    pub(super) fn contradicts_definition(
+        &self,
+        name: Option<&paper::PaperName>,
+        wrong: &WrongStep,
+        place: &Place,
+    ) -> bool {
+        let is_plain = |n: &&paper::PaperName| n.dots == 0 && n.primes == 0 && n.derived_by.is_none();
+        let before = name.filter(is_plain).and_then(|n| self.latest_definition(n));
+        place.named.is_empty() && before.is_some_and(|g| wrong.with.iter().all(|with| *with == g.relation))
     }
 
     /// Whether a name is a derivative: with a dot, in a quotient, or with a prime behind what is defined.
@@ -100,6 +118,9 @@ impl Judge<'_> {
         let right = &relation.sides[1];
         let key = name.key();
         let is_rate = name.dots == 1 || name.derived_by.is_some() && !name.is_partial;
+        if self.is_no_premise(relation) {
+            return;
+        }
         if name.dots > 1 || name.is_partial || right.is_list || right.text.is_empty() {
             return;
         }
@@ -115,6 +136,13 @@ impl Judge<'_> {
             return;
         }
         let free = free_indices(relation);
+        let print = right.print();
+        let rival = |g: &Given| g.is_rate == is_rate && g.section == self.parts[at] && g.right.print() != print;
+        // Of two definitions of which one is of another case it is not known which is meant.
+        if self.facts.given.of(&key).any(rival) && self.is_of_another_case(relation, at) {
+            self.facts.given.forget(&key, is_rate);
+            return;
+        }
         if relation.unread.is_some() || self.readable(&relation.sides[0], right, &free).is_err() {
             // What was defined before is defined no more: by what, was not read.
             self.facts.given.forget(&key, is_rate);

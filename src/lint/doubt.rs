@@ -13,11 +13,13 @@ use std::ops::Range;
 use paper::{Opening, PaperName, PrintedRelation, names};
 
 use super::judge::{Judge, MOST_EXPLAINED};
-use super::sentence::Sentence;
+use super::sentence::{Sentence, is_aside, window};
 use super::setting::keys;
 use super::signs::{COMPARES, EQUALS, is_one_of};
-use super::words::{Taken, take_back_in_row, taken};
+use super::words::{Taken, asserts, of_several, take_back_in_row, taken};
 
+/// The longest text between a definition and a step that may speak of another thing.
+const SEVERAL: usize = 300;
 /// The longest text between two formulas between the same dollars, and before a row of a system.
 const BETWEEN: usize = 120;
 const BEFORE: usize = 1_500;
@@ -78,6 +80,37 @@ impl Judge<'_> {
             || self.is_antecedent(at)
             || self.is_of_system(at)
             || self.taken(relation).back
+    }
+
+    /// Whether a relation is no premise: its words deny it, or it stands in a footnote, a figure or another place beside the text.
+    pub(super) fn is_no_premise(&self, relation: &PrintedRelation) -> bool {
+        let (file, span) = self.paper.locate(&relation.span());
+        relation.display.is_some() && is_aside(&file.text, span.start) || self.taken(relation).denied
+    }
+
+    /// Whether it is not sure that a relation is said of what the text is about: of two that say of a name what it is, another may be meant.
+    pub(super) fn is_of_another_case(&self, relation: &PrintedRelation, at: usize) -> bool {
+        let has_words = relation.remark.as_deref().is_some_and(|words| words.chars().any(char::is_alphabetic));
+        has_words || self.taken(relation).loosely || self.is_taken_back(relation, at)
+    }
+
+    /// Whether the words before a display say the first formula that stands in it.
+    pub(super) fn is_asserted(&self, relation: &PrintedRelation, at: usize) -> bool {
+        let is_first = at.checked_sub(1).is_none_or(|k| self.paper.printed[k].display != relation.display);
+        let (file, span) = self.paper.locate(&relation.span());
+        relation.display.is_none() || !is_first || asserts(&file.text, span.start)
+    }
+
+    /// Whether words between a definition and a step near it speak of several things, or of another one: "two in parallel", "with R→2R".
+    pub(super) fn speaks_of_several(&self, from: usize, at: usize) -> bool {
+        let place = |k: usize| self.paper.locate(&self.paper.printed[k].span());
+        let ((file, before), (other, own)) = (place(from), place(at));
+        if from >= at || !std::sync::Arc::ptr_eq(file, other) || own.start < before.end {
+            return false;
+        }
+        let between = window(&file.text, before.end.max(own.start.saturating_sub(SEVERAL)), own.start);
+        let between = between.rsplit("\n\n").next().unwrap_or_default();
+        [r"\to", r"\mapsto", r"\rightarrow", "→"].iter().any(|sign| between.contains(sign)) || of_several(between)
     }
 
     /// What the words around a relation of the running text, or around its display, do with it.

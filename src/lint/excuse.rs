@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 
 use paper::{Opening, PrintedSide, names, squeezed};
 
+use super::desk::Given;
 use super::facts::Stated;
 use super::judge::Judge;
 use super::letters::is_charge;
@@ -92,6 +93,30 @@ impl Judge<'_> {
             let equals = |value: &str| stated(&format!("{key}={value}"), place.at);
             let values: Option<Vec<Stated>> = ["1", "2", "3"].into_iter().map(equals).collect();
             values.is_some_and(|all| all.into_iter().all(|one| self.holds_with(sides, rests, vec![one], place)))
+        })
+    }
+
+    /// Whether a step that is refuted holds with what this part says of a name in another place.
+    pub(super) fn holds_with_another(&mut self, sides: [&PrintedSide; 2], rests: &Rests, place: &Place) -> bool {
+        let mut tries: Vec<Vec<Given>> = Vec::new();
+        for (k, given) in rests.given.iter().enumerate() {
+            let print = given.right.print();
+            let is_other = |g: &&Given| {
+                g.relation != given.relation
+                    && g.is_rate == given.is_rate
+                    && g.section == given.section
+                    && g.right.print() != print
+            };
+            for other in self.facts.given.of(&given.key).rev().filter(is_other).take(MOST_VALUES) {
+                let mut all = rests.given.clone();
+                all[k] = other.clone();
+                tries.push(all);
+            }
+        }
+        tries.truncate(MOST_VALUES);
+        tries.into_iter().any(|given| {
+            let rests = Rests { given, ..rests.clone() };
+            self.ask(sides, &rests, place.free).is_ok_and(|answer| answer.is_proved())
         })
     }
 

@@ -11,10 +11,10 @@ use super::cases::{Cases, Stance};
 use super::chain::{Slip, said};
 use super::desk::{Given, evidence_of};
 use super::facts::{Facts, Reach, Stated};
+use super::kinds::{Unsigned, unsigned};
 use super::lone::{is_equation_of_motion, lone_name};
-use super::nearest::WrongStep;
+use super::nearest::{Sureness, WrongStep};
 use super::notation::Evidence;
-use super::primes::is_elsewhere;
 use super::refusal::NotRead;
 use super::relation::{defines_no_name, free_indices, gives_values, is_congruence, is_letter_at_place, lone_right};
 use super::sentence::{Sentence, explains, is_assumed, is_supposed, parts};
@@ -40,6 +40,7 @@ pub fn lint(paper: &Paper, limits: &Limits) -> Lint {
         paper,
         evidence,
         facts,
+        unsigned: unsigned(paper, &parts),
         parts,
         standings: standings(paper),
         section: 0,
@@ -65,6 +66,8 @@ pub(super) struct Judge<'p> {
     named: HashMap<String, Vec<usize>>,
     /// The part of each relation in which its names mean the same.
     pub(super) parts: Vec<usize>,
+    /// The names that may not be positive, by these parts.
+    pub(super) unsigned: HashMap<usize, Unsigned>,
     /// How each relation is said.
     pub(super) standings: Vec<Standing>,
     /// The part that is looked at.
@@ -207,6 +210,10 @@ impl Judge<'_> {
             out.why = found.feature;
             return out;
         }
+        if let Some(why) = self.other_kind(relation) {
+            out.why = why;
+            return out;
+        }
         let sentence = self.sentence(relation, at);
         let taken = match self.stance(relation, at) {
             Stance::Denied => Some("the words around it deny it"),
@@ -243,6 +250,7 @@ impl Judge<'_> {
             && !sentence.aims
             && self.standings[at] == Standing::Stated
             && !(inline && is_supposed(self.paper, relation))
+            && !self.is_no_premise(relation)
         {
             self.state(relation, at, &open);
         }
@@ -376,6 +384,10 @@ impl Judge<'_> {
             let reach = if alone { Reach::Near { section: self.section, at } } else { Reach::Paper };
             let concludes = concludes && !sentence.changes && self.is_the_same_case(first.as_ref(), at);
             let sureness = self.sureness(&of, concludes);
+            let blame = match sureness {
+                Sureness::Stands if k == 1 && !self.is_asserted(relation, at) => Blame::Nothing,
+                _ => blame,
+            };
             let place = Place {
                 at,
                 free: &free,
@@ -411,6 +423,15 @@ impl Judge<'_> {
                     tally.numbers += 1;
                     Word::Numbers
                 }
+                // Said otherwise than in its definition, it may be of another thing.
+                Step::Wrong(wrong) if k == 1 && self.contradicts_definition(first.as_ref(), &wrong, &place) => {
+                    out.steps.1 -= 1;
+                    tally.defines = true;
+                    let before = first.as_ref().and_then(|n| self.latest_definition(n));
+                    tally.anew = before.map(|g| g.relation);
+                    tally.differs = before.map(|g| format!("before it was {}", g.right.text));
+                    Word::Defines
+                }
                 Step::Wrong(wrong) => {
                     if slip.is_none() {
                         slip = Some(Slip { wrong: *wrong, k, is_taken_back: false });
@@ -421,10 +442,7 @@ impl Judge<'_> {
                 Step::Open(_) if k == 1 && known => {
                     out.steps.1 -= 1;
                     tally.defines = true;
-                    let latest = |n: &paper::PaperName| {
-                        self.facts.given.of(&n.key()).rev().find(|g| !g.is_rate && !is_elsewhere(g, n)).cloned()
-                    };
-                    let before = first.as_ref().and_then(latest);
+                    let before = first.as_ref().and_then(|n| self.latest_definition(n)).cloned();
                     tally.anew = before.as_ref().map(|g| g.relation);
                     if blame == Blame::Steps
                         && !sentence.changes

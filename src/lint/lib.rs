@@ -23,6 +23,7 @@ mod doubt;
 mod excuse;
 mod facts;
 mod judge;
+mod kinds;
 mod letters;
 mod lone;
 mod markdown;

@@ -104,6 +104,7 @@ impl Judge<'_> {
             true => implied,
             false => {
                 before.display.is_some()
+                    && self.between(premise, at).is_some_and(only_reckons)
                     && sentence.concludes
                     && !sentence.changes
                     && relation.display == before.display.map(|d| d + 1)
@@ -129,6 +130,87 @@ impl Judge<'_> {
             && !self.are_parted(premise, at, true)
             && !self.is_taken_back(relation, at)
     }
+}
+
+/// Words that reckon and conclude, and those between them.
+const RECKONING: &[&str] = &[
+    "so",
+    "hence",
+    "thus",
+    "therefore",
+    "then",
+    "this",
+    "that",
+    "which",
+    "it",
+    "we",
+    "one",
+    "the",
+    "and",
+    "by",
+    "with",
+    "to",
+    "from",
+    "for",
+    "of",
+    "on",
+    "in",
+    "is",
+    "get",
+    "obtain",
+    "find",
+    "have",
+    "gives",
+    "give",
+    "gives",
+    "implies",
+    "imply",
+    "yields",
+    "follows",
+    "solving",
+    "solve",
+    "simplifying",
+    "simplifies",
+    "rearranging",
+    "dividing",
+    "multiplying",
+    "subtracting",
+    "adding",
+    "collecting",
+    "expanding",
+    "both",
+    "sides",
+    "side",
+    "left",
+    "right",
+    "equation",
+    "solution",
+    "root",
+    "value",
+    "immediately",
+    "finally",
+    "also",
+    "daraus",
+    "folgt",
+    "also",
+    "donc",
+];
+
+/// Whether all words between two displays reckon or conclude: "As buses are whole, we get" says more.
+fn only_reckons(between: &str) -> bool {
+    let mut words = String::new();
+    let mut all = between.chars().peekable();
+    let mut depth = 0_i32;
+    while let Some(c) = all.next() {
+        match c {
+            '\\' => while all.next_if(|c| c.is_ascii_alphabetic()).is_some() {},
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            c if depth == 0 && c.is_alphabetic() => words.push(c),
+            _ => words.push(' '),
+        }
+    }
+    words.split_whitespace().all(|w| w.chars().count() == 1 || RECKONING.contains(&w.to_lowercase().as_str()))
 }
 
 /// Whether nothing stands between two formulas of the running text but a word that concludes: `$3x=6$ so $x=2$`.

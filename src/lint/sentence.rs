@@ -411,7 +411,7 @@ const ASIDES: &[&str] = &[
 const ASIDE: &[&str] = &["tabular", "figure", "quote", "quotation", "table", "wrapfigure", "tikzpicture", "longtable"];
 
 /// Whether a place stands in a caption, a footnote, a table or a figure, or in a parenthesis: what it says is said beside the text.
-fn is_aside(text: &str, at: usize) -> bool {
+pub(super) fn is_aside(text: &str, at: usize) -> bool {
     let before = window(text, at.saturating_sub(BEFORE), at);
     let is_open = |from: usize, [open, close]: [char; 2]| {
         let depth: i32 = before[from..].chars().map(|c| i32::from(c == open) - i32::from(c == close)).sum();

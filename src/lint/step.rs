@@ -89,6 +89,9 @@ impl Judge<'_> {
         if let Some(ended) = self.evidence.ended() {
             return Step::NotRead(NotRead::ended(ended));
         }
+        if sides.iter().any(|s| has_roots(&s.text)) && self.may_be_complex(keys(sides).iter()) {
+            return Step::NotRead(NotRead::of("a root, a logarithm or an absolute value of what may not be real"));
+        }
         let mut first_refusal = None;
         let mut asked: Vec<(Asked, Rests)> = Vec::new();
         for rests in self.supports(sides, place, place.reach) {
@@ -115,6 +118,7 @@ impl Judge<'_> {
         let needs_signs = sides.iter().any(|s| has_roots(&s.text)) || asked.iter().any(|(_, r)| are_plain(r));
         if needs_signs
             && !place.solves
+            && !self.may_be_negative(keys(sides).iter())
             && let Some(found) = self.of_positive(sides, &asked, place)
         {
             return found;
@@ -292,6 +296,11 @@ impl Judge<'_> {
             if !introduces_nothing(sides, &rests) || needs_none && rests.are_some() {
                 continue;
             }
+            // What the left side is said to be before is no premise: it may be that of another thing.
+            let left = sides[0].print();
+            if place.is_first && place.named.is_empty() && rests.stated.iter().any(|s| s.left.print() == left) {
+                continue;
+            }
             if place.is_first && defines_again(sides[0], &rests)
                 || leaves_derivative_free(sides, &defined, &rests.given)
             {
@@ -324,8 +333,10 @@ impl Judge<'_> {
             }
             if let Some(found) = nearest(answer, &rests, &free_in(sides, &rests, place.free), place.sureness) {
                 let relation = &self.paper.printed[place.at];
-                let is_meant =
-                    self.is_in_another_unit(relation, &found.witness) || self.is_excused(sides, &rests, place);
+                let is_meant = self.is_in_another_unit(relation, &found.witness)
+                    || self.is_excused(sides, &rests, place)
+                    || self.holds_with_another(sides, &rests, place)
+                    || rests.given.iter().any(|g| self.speaks_of_several(g.relation, place.at));
                 return (!is_meant).then_some(found);
             }
         }

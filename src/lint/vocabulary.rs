@@ -17,7 +17,9 @@ pub(super) const DENY: &str = "\
     long thought; often see; often find; will object; assert; wrongly; according to; remains to be; whether; doubt; refut; disprov; \
     per assurdo; absurdum; avoid; beware; inconsisten; ruled out; reject; invalid; forbidden; unphysical; unjustif; \
     illegal; illegitim; too good; alleged; purport; allegedly; sloppy; counterexample; counter example; spurious; \
-    bogus; does not follow; no reason";
+    bogus; does not follow; no reason; trap ; traps ; pitfall; flaw; bug ; bugs ; hardly; nothing like; without the ; \
+    in place of; lack ; lacks ; differs from; differ from; confus; disproof; disprove; reason against; misconception; myth; \
+    answered; in exams; printed by; we correct; corrects the";
 
 /// Words that suppose, or pose what is to be solved or demanded.
 pub(super) const SUPPOSE: &str = "\
@@ -48,7 +50,9 @@ pub(super) const LOOSEN: &str = "\
     opposite sign; other sign; sign flip; bis auf; näherung; senkrecht; ordnung; ersetz; petit; à l'ordre; ordre; \
     remplaç; piccol; ordine; sostitu; pequeñ; orden; regime; averag; are independent; statistically; mutually; \
     negative definite; sending; parity; a reflection; reflecting; time reversal; truncat; coarse; on average; perturb; \
-    heuristic; formally; schematic; symbolic; in units; weakly; strongly; slowly; noncommut; non commut";
+    heuristic; formally; schematic; symbolic; in units; weakly; strongly; slowly; noncommut; non commut; random; retain; \
+    keeping only; keep only; integrating over; averaging over; contribut; throw; surface term; boundary term; mean zero; zero mean; perp ; \
+    two elements; mod p; primes denot; prime denot";
 
 /// Words that restrict what stands before them, right behind a formula.
 pub(super) const RESTRICT: &str = "\
@@ -100,3 +104,53 @@ pub(super) const RESTRICT_ANYWHERE: &str = "\
 pub(super) const POSED: &str = "\
     line; lines; plane; planes; surface; surfaces; circle; circles; sphere; curve; curves; point; points; set; region; ellipse; \
     hyperbola; parabola; cone; cylinder; equation; equations; relation; constraint";
+
+/// Words behind which a display stands that says something: what its sentence does is known by its last word.
+pub(super) const ASSERTING: &str = "\
+    is; are; was; be; reads; read; becomes; become; gives; give; yields; yield; have; has; get; gets; obtain; obtains; find; finds; \
+    see; know; knows; as; to; namely; equals; by; follows; follow; hence; so; then; thus; therefore; and; also; where; with; which; \
+    it; implies; imply; means; shows; show; note; recall; ie; or; equivalently; consequently; accordingly; finally; ist; sind; lautet; \
+    lauten; ergibt; folgt; gilt; gelten; also; somit; daher; haben; hat; erhalten; erhält; finden; und; est; sont; donne; a; obtient; donc; \
+    alors; et; ainsi; è; sono; ha; abbiamo; quindi; e; es; son; tenemos; luego; y; now; here; again; explicitly; simplifies; simplify; \
+    expanding; simplifying; rearranging; substituting; squaring; differentiating; dividing; multiplying; adding; subtracting; combining; \
+    compute; computes; calculate; write; writes; takes; form; check; verify";
+
+/// What may be said with the words before: "the identity", after "we use".
+pub(super) const ASSERTED: &str = "\
+    identity; identities; formula; formulas; formulae; relation; relations; equation; equations; law; rule; theorem; result; results; \
+    expression; expansion; solution; following; formel; gleichung; identität; beziehung; équation; formule; relation; identité; equazione; \
+    formula; ecuación; fórmula; value; energy; momentum; derivative; product; sum; square; determinant; integral; matrix";
+
+/// Words between those and what uses them.
+pub(super) const OF_THESE: &str = "\
+    the; this; a; an; following; simple; well; known; trigonometric; usual; standard; exact; general; important; useful; algebraic; our; its; \
+    elementary; basic; familiar; die; der; das; folgende; bekannte; la; le; l; suivante; los; el; il; lo; their; his; resulting; desired; same";
+
+/// What uses an identity, or leads to it.
+pub(super) const USES: &str = "\
+    use; using; uses; used; have; has; recall; by; from; obtain; get; to; is; note; via; through; with; and; need; apply; applying; find; yields; \
+    gives; consider; derive; derives; prove; proves; in; of; mit; aus; durch; avec; par; con; per; satisfy; satisfies; obey; obeys; that; so; then; \
+    hence; thus; therefore";
+
+/// Words before "that" behind which something is said.
+pub(super) const SAYS_THAT: &str = "\
+    see; find; know; shows; show; showed; note; notice; follows; follow; have; has; means; implies; imply; recall; so; such; verify; check; conclude; \
+    observe; deduce; seen; shown; known; found; remember; obtain; get; clear; obvious; easily; sehen; folgt; finden; wissen; gilt; voit; sait; trouve; \
+    déduit; vede; segue; trova; sigue; ve; fact; now; assures; guarantees; says; states; tells us; us";
+
+/// Words for several things, or for another one than before.
+pub(super) const SEVERAL: &str = "\
+    two ; three ; four ; pair ; twice the ; twice as ; double; doubling; triple; half the ; halv; second ; third ; excited; in parallel; in series; another; other ; \
+    each ; zwei ; drei ; doppelt; halbe ; zweite; andere; deux ; double; moitié; autre; due ; doppi; metà; altro; dos ; doble; mitad; otro; \
+    without ; instead ; times as ; times the ; new ";
+
+/// Words behind them where they count parts of a formula.
+pub(super) const OF_FORMULAS: &str = "\
+    side; equation; term; order; derivative; rate; ableitung; dérivée; law; factor; expression; formula; hand; identit; line; step; way; relation; result; row; column; \
+    sum; integral; part; condition; root; solution; , ";
+
+/// Words with which a sentence begins that gives a reason, goes on, or says what is done.
+pub(super) const REASONS: &str = "\
+    we; since; because; as; on; in; from; by; for; using; with; if; when; after; then; thus; hence; therefore; so; and; now; finally; first; next; where; \
+    which; here; again; also; consequently; let; da; weil; aus; mit; nach; dann; also; wir; comme; puisque; nous; on; donc; poiché; dato; noi; como; \
+    dado";

@@ -23,6 +23,8 @@ const RIGHT_BEHIND: usize = 8;
 pub(super) struct Taken {
     /// They deny it, suppose it, pose or restrict it.
     pub back: bool,
+    /// They deny it, or say it of others.
+    pub denied: bool,
     /// They make it inexact, or say that its letters are no numbers.
     pub loosely: bool,
 }
@@ -36,6 +38,7 @@ pub(super) fn taken(text: &str, place: &Range<usize>, is_display: bool) -> Taken
     let before = if is_display { without_opening(before) } else { before };
     let (behind, is_ended) = if is_display { behind_display(behind) } else { behind_formula(behind) };
     let before = last_sentence(before);
+    let is_perpendicular = before.contains(r"\perp");
     let posed = words(behind_conclusion(before));
     let before = words(before);
     let (first, next) = sentences(behind);
@@ -45,22 +48,89 @@ pub(super) fn taken(text: &str, place: &Range<usize>, is_display: bool) -> Taken
     let begins = |all: &str| entries(all).any(|w| own.trim_start().starts_with(w));
     // "This is wrong." behind the full stop.
     let is_of_it = entries(LINKING).any(|w| next.trim_start().starts_with(w));
-    let back = [&before, &own].iter().any(|text| has_word(text, DENY))
+    let denied = [&before, &own].iter().any(|text| has_word(text, DENY))
+        || denies_at_end(&before)
+        || is_of_it && (has_word(&next, DENY) || next.contains(" not ") || next.contains("n't "));
+    let back = denied
         || [&posed, &own].iter().any(|text| has_word(text, SUPPOSE) || has_condition(text))
         || supposes_case(&before)
         || is_of_place(&before)
         || is_posed(&before)
         || chooses(&before)
-        || denies_at_end(&before)
         || has_word(&right_behind, RESTRICT_ANYWHERE)
         || begins(RESTRICT)
         || begins(RESTRICT_ANYWHERE)
         || begins(SUBJECT)
-        || raw.trim_start().starts_with("as $")
-        || is_of_it && (has_word(&next, DENY) || next.contains(" not ") || next.contains("n't "));
+        || raw.trim_start().starts_with("as $");
     let is_loose =
         |text: &String| has_word(text, LOOSEN) || LOOSENS.iter().any(|w| text.contains(w)) || has_order(text);
-    Taken { back, loosely: is_loose(&before) || is_loose(&own) || raw.contains("a.e.") }
+    Taken { back, denied, loosely: is_perpendicular || is_loose(&before) || is_loose(&own) || raw.contains("a.e.") }
+}
+
+/// Whether the words before a display say what stands in it, by the last of them: "we get", "so that", "we use the identity"; and where no word
+/// leads to it. What is denied, or said of others, has many words of its own; those that say something are few.
+pub(super) fn asserts(text: &str, from: usize) -> bool {
+    let from = next_character(text, from.min(text.len()));
+    let before = text.get(next_character(text, from.saturating_sub(BEFORE))..from).unwrap_or_default();
+    let before = without_opening(before);
+    let own = before.trim_end();
+    if own.strip_suffix(['.', '?', '!']).is_some_and(|rest| !is_abbreviated(rest)) {
+        return true;
+    }
+    let before = last_sentence(before);
+    // What an earlier display of the sentence led to is said.
+    let closes = [r"\]", "$$"].iter().filter_map(|c| before.rfind(c).map(|at| at + c.len()));
+    // Behind the marks of a fence stands what it is of.
+    let fence = before.rfind("```").and_then(|at| Some(at + before[at..].find('\n')?));
+    let closes = closes.chain(fence);
+    let ends = before.rfind(r"\end{").and_then(|at| Some(at + before[at..].find('}')? + 1));
+    let before = &before[closes.chain(ends).max().unwrap_or_default()..];
+    let said = words(&without_arguments(before));
+    let all: Vec<&str> = said.split_whitespace().filter(|w| w.chars().any(char::is_alphabetic)).collect();
+    let is_one_of = |word: &str, list: &str| entries(list).any(|w| w == word);
+    // "Expanding the square", "since x is real": who reckons says what comes of it.
+    let reckons = |w: &&str| entries(ACTS).any(|act| w.starts_with(act.trim_end())) || is_one_of(w, REASONS);
+    if all.first().is_some_and(reckons) {
+        return true;
+    }
+    let mut rest = all.iter().rev().copied();
+    match rest.next() {
+        None => true,
+        Some("that" | "dass" | "daß" | "que" | "che") => rest.next().is_none_or(|w| is_one_of(w, SAYS_THAT)),
+        Some(last) if is_one_of(last, ASSERTED) => {
+            rest.find(|w| !is_one_of(w, OF_THESE)).is_none_or(|w| is_one_of(w, USES))
+        }
+        // A letter names something, and a number an equation.
+        Some(last) => last.chars().count() == 1 || is_one_of(last, ASSERTING),
+    }
+}
+
+/// A text without the formulas between its dollars, and without the names of environments and other arguments that are no words.
+fn without_arguments(text: &str) -> String {
+    let text: String = text.split('$').step_by(2).collect::<Vec<_>>().join(" x ");
+    let mut out = String::new();
+    // Marks of a page in HTML are no words either.
+    let shown = text
+        .split('<')
+        .enumerate()
+        .map(|(k, part)| if k == 0 { part } else { part.split_once('>').map_or(part, |p| p.1) });
+    let text = shown.collect::<String>();
+    let mut rest = text.as_str();
+    while let Some(at) = rest.find('\\') {
+        out.push_str(&rest[..at]);
+        rest = &rest[at + 1..];
+        let name = rest.chars().take_while(char::is_ascii_alphabetic).count();
+        let is_text =
+            matches!(&rest[..name], "emph" | "textbf" | "textit" | "textsl" | "text" | "textrm" | "em" | "it" | "bf");
+        rest = &rest[name..];
+        let group = rest.starts_with('{') && !is_text;
+        // A group that is still open holds the formula itself.
+        if let Some(end) = rest.find('}').filter(|_| group) {
+            rest = &rest[end + 1..];
+        }
+        out.push(' ');
+    }
+    out + rest
 }
 
 /// What stands behind the last formula of a sentence where words there conclude from that: what was said of it is not said of what follows.
@@ -69,6 +139,18 @@ fn behind_conclusion(before: &str) -> &str {
     let closes = ["$", r"\)", r"\]", r"\end{"].iter().filter_map(|close| own.rfind(close)).max();
     let behind = closes.map(|at| &before[at..]).filter(|_| !chooses(&words(before)));
     behind.filter(|rest| has_word(&words(rest), CONCLUDE)).unwrap_or(before)
+}
+
+/// Whether a text speaks of several things, or of another one: "the second train", and not "both sides".
+pub(super) fn of_several(text: &str) -> bool {
+    let said = words(text);
+    let is_free = |at: usize, word: &str| {
+        let behind = said[at + word.len()..].trim_start();
+        said[..at].ends_with(' ')
+            && !entries(OF_FORMULAS).any(|w| behind.starts_with(w))
+            && !said[..at].ends_with("on the ")
+    };
+    entries(SEVERAL).any(|word| said.match_indices(word).any(|(at, _)| is_free(at, word)))
 }
 
 /// Whether words that are printed in a row take back what stands beside them.

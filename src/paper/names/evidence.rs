@@ -7,6 +7,7 @@ use super::super::mark;
 use super::super::printed::{PrintedRelation, PrintedSide, terms};
 use super::super::token::{Kind, Token};
 use super::local::Local;
+use super::notation::files;
 use super::runs::Runs;
 use super::subscripts::index_letters_of_sums;
 use super::{Call, INDICES, PaperName, Subscripts, names_apart, names_of, squeezed};
@@ -19,6 +20,8 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Longest side, in bytes, that is looked at.
 const LONGEST: usize = 20_000;
+/// The text behind a letter that says what it is.
+const SAID_OF_A_LETTER: usize = 40;
 /// The most terms of a relation that are compared with each other.
 const MOST_TERMS: usize = 40;
 
@@ -102,6 +105,9 @@ impl Evidence {
         let prints = |what: &str| paper.printed.iter().flat_map(|r| &r.sides).any(|s| text(s).contains(what));
         out.has_other_logarithm = prints(r"\ln") && !prints(r"\log(10)");
         out.labels = labels(&out.listed);
+        for file in files(paper) {
+            out.note_other_constants(&file.text);
+        }
         // `\frac{\partial\dot V}{\partial T}` says nothing of V where it is a variable itself, `\frac{\partial p}{\partial V}`.
         for ((key, is_partial), by) in std::mem::take(&mut out.of_rates) {
             if !out.variables.contains(&key) {
@@ -255,6 +261,23 @@ impl Evidence {
         let varies = |letter: &str| names_apart(side).iter().any(|name| name.base == letter && varies(name));
         for letter in ["i", r"\pi"] {
             if is_first && text == letter || varies(letter) {
+                self.other_constants.insert(letter.to_owned());
+            }
+        }
+    }
+
+    /// Notes the letters of constants that the words of a text give another meaning: "let $i$ be the current".
+    fn note_other_constants(&mut self, text: &str) {
+        for (letter, printed) in [("i", "$i$"), (r"\pi", r"$\pi$")] {
+            let is_other = |(at, _): (usize, &str)| {
+                let behind: String = text[at + printed.len()..].chars().take(SAID_OF_A_LETTER).collect();
+                let behind = behind.to_lowercase();
+                let says = [" be the ", " be a ", " is the ", " is a ", " denotes", " stands for"];
+                let is_itself =
+                    ["imaginary", "unit", "root", "ratio", "circle", "complex"].iter().any(|w| behind.contains(w));
+                says.iter().any(|w| behind.starts_with(w)) && !is_itself
+            };
+            if text.match_indices(printed).any(is_other) {
                 self.other_constants.insert(letter.to_owned());
             }
         }

@@ -89,7 +89,18 @@ const STOCHASTIC: &[&str] = &[
 const EIGEN: &[&str] =
     &["eigenvec", "eigenval", "vecteur propre", "vecteurs propres", "autovett", "autovec", "autoval"];
 /// What says that something holds modulo something.
-const MODULO: &[&str] = &[r"\pmod", r"\bmod", r"\pod", "(mod", "$ mod $", "$ mod~$", "congruence", "congruent mod"];
+const MODULO: &[&str] = &[
+    r"\pmod",
+    r"\bmod",
+    r"\pod",
+    "(mod",
+    "$ mod $",
+    "$ mod~$",
+    "congruence",
+    "congruent mod",
+    "integers mod",
+    "numbers mod",
+];
 
 /// Words of papers in which a column of two in parentheses may be a binomial coefficient.
 const BINOMIAL: &[&str] = &["binomial", r"\binom", r"\choose", "combinator", "binôm", "coefficiente binom", "pascal's"];
@@ -392,7 +403,7 @@ fn has_plain_hat(all: &[&str]) -> bool {
 }
 
 /// The files of a paper that print something.
-fn files(paper: &Paper) -> Vec<std::sync::Arc<diag::Source>> {
+pub(super) fn files(paper: &Paper) -> Vec<std::sync::Arc<diag::Source>> {
     let mut out: Vec<std::sync::Arc<diag::Source>> = Vec::new();
     for relation in &paper.printed {
         let (file, _) = paper.locate(&relation.span());
