@@ -377,3 +377,161 @@ fn words_and_full_stops_within_a_formula_are_parts_of_it() {
         (r"\[x=90^\circ\]", &[Condition]),
     ]);
 }
+
+#[test]
+fn braces_of_a_second_argument_stay() {
+    for tex in [
+        r"\[\frac1{1+}\frac12=\frac23\]",
+        r"\[\frac1{1+}\frac1{1+}\frac12=\frac35\]",
+        r"\[\frac1{x+}z=\frac1x+z\]",
+        r"\[\sqrt[3]{a+}b=\sqrt[3]a+b\]",
+        r"\[\binom1{2+}3=4\]",
+    ] {
+        assert_eq!(read(tex).0, [NotRead], "{tex}");
+    }
+    are(&[(r"\[{a+} {b} = b+a\]", &[Follows]), (r"\[x_1{a+}b=b+ax_1\]", &[Follows])]);
+}
+
+#[test]
+fn a_factor_in_parentheses_behind_a_small_space_is_no_number_for_sure() {
+    for tex in [
+        r"\[3\cdot4=(6)\ (2) .\]",
+        r"\[3=3\;(2)\]",
+        r"\[ab=b\;(a)\]",
+        r"\[W=F\ (d)\]",
+        r"\[y=2x\ (2)\]",
+        r"\[x+x=x~(2)\]",
+        r"\[x+x=2x\ (2.1)\]",
+    ] {
+        assert_eq!(read(tex).0, [NotRead], "{tex}");
+    }
+    for space in [r"\quad", r"\qquad", r"\hfill", r"\hspace{2cm}", r"\ \ \ ", r"\hskip2em"] {
+        let tex = format!(r"\[x+x=2x{space}(2)\]");
+        assert_eq!(read(&tex).0[0], Follows, "{tex}");
+    }
+    // The numbers of the paper are set so throughout.
+    are(&[
+        (r"\[x+x=2x\ (1)\] \[3x=x+2x\ (2)\] \[y+y=2y\ (3)\]", &[Follows; 3]),
+        (r"\[x+x=2x\ (1)\] \[3x=x+2x\ (3)\]", &[NotRead; 2]),
+        (r"\[x+x=2x\ (1)\] \[6=3\ (2)\]", &[Follows, NotRead]),
+    ]);
+}
+
+#[test]
+fn letters_of_mathematics_are_factors_or_are_not_read() {
+    for tex in [r"\[at\,v=x\]", r"\[as\,2=2\]", r"\[in\,\omega=\lambda\]", r"\[si\,r=U\]", r"\[x+0=x\; if\; 2=3\]"] {
+        assert!(read(tex).0.iter().all(|word| *word == NotRead), "{tex}: {:?}", read(tex));
+    }
+    are(&[
+        (r"\[x+x=2x\quad if\quad x>0\]", &[Follows, Condition]),
+        (r"\[x+x=2x\;\mathrm{if}\; x>0\]", &[Follows, Condition]),
+    ]);
+}
+
+#[test]
+fn a_length_parts_numbers() {
+    for space in [r"\hspace{1em}", r"\hspace*{1em}", r"\kern1pt", r"\hskip1em", r"\mskip3mu", r"\mkern3mu", r"\ "] {
+        for tex in [format!(r"\[2{space}3=23\]"), format!(r"\[7F+16F=2{space}3F\]")] {
+            assert_eq!(read(&tex).0, [NotRead], "{tex}");
+        }
+    }
+}
+
+#[test]
+fn a_formula_that_is_empty_ends_nothing() {
+    are(&[
+        (r"$\newcommand{\R}{\mathbb{R}}$ We have $2^3=9$ and $2^4=17$.", &[Wrong; 2]),
+        (r"\newcommand{\x}{} $\x$ We have $2^3=9$ and $2^4=17$.", &[Wrong; 2]),
+        (r"\newcommand{\dd}{$$} \dd 2^3=9 \dd", &[Wrong]),
+        (r"$$2^3=9$$ $2^4=17$", &[Wrong; 2]),
+    ]);
+}
+
+#[test]
+fn what_is_struck_out_is_not_said() {
+    for command in ["deleted", "deleted[id=a]", "st", "sout", "xout", "cancel", "bcancel", "xcancel", "hcancel"] {
+        for formula in ["$2^3=9$", r"\[2^3=9\]", r"so \(2^3=9\) and $2^3=9$"] {
+            let tex = format!(r"\{command}{{{formula}}} and $2^4=17$");
+            assert_eq!(read(&tex).0, [Wrong], "{tex}");
+        }
+    }
+    are(&[
+        (r"\replaced{$2^3=9$}{$2^3=7$}", &[Wrong]),
+        (r"\replaced[id=a]{so $2^3=8$}{$2^3=9$} and $2^4=17$", &[Follows, Wrong]),
+        (r"\added{$2^3=9$}", &[Wrong]),
+    ]);
+}
+
+#[test]
+fn what_is_not_printed_as_a_formula_is_none() {
+    for tex in [
+        r"\label{$2^3=9$}",
+        r"\PackageWarning{a}{$2^3=9$}",
+        r"\settowidth{\x}{$2^3=9$}",
+        r"\path|$2^3=9$|",
+        r"\detokenize{$2^3=9$}",
+        r"\url{$2^3=9$}",
+        r"\url|$2^3=9$|",
+        r"\errmessage{$2^3=9$}",
+    ] {
+        assert_eq!(read(&format!("{tex} and $2^4=17$")).0, [Wrong], "{tex}");
+    }
+    let (words, notes) = read(r"\begin{lrbox}{\bx} $2^3=9$ \end{lrbox} and $2^4=17$");
+    assert_eq!(words, [Wrong]);
+    assert!(notes.iter().any(|n| n.contains("in a box")), "{notes:?}");
+    are(&[(r"\begin{lrbox}{\bx} $2^3=9$ \end{lrbox}\fbox{\usebox{\bx}}", &[Wrong])]);
+}
+
+#[test]
+fn a_brace_that_ends_what_a_macro_takes_stays() {
+    are(&[
+        (r"\def\x#1#{q} \[\x a{b}=qb\] \[x+x=2x\]", &[Follows; 2]),
+        (r"\def\x#{q+} \[\x{1}=q+1\] \[x+x=2x\]", &[Follows; 2]),
+    ]);
+}
+
+/// The words on what a file of this name has, and its notes.
+fn read_file(name: &str, text: &str) -> Result<(Vec<Word>, Vec<String>), String> {
+    let source = Source { path: name.into(), text: text.into() };
+    let paper = paper::parse(source, String::new()).map_err(|d| d.message.clone())?;
+    let words = lint::lint(&paper, &Limits::default()).judgements.into_iter().map(|j| j.word).collect();
+    Ok((words, paper.notes.into_iter().map(|n| n.message).collect()))
+}
+
+#[test]
+fn dollars_of_money_and_signs_of_html_in_markdown() {
+    for (text, words) in [
+        ("USD$5 and $2^3=9$ then $5.", &[Wrong][..]),
+        ("$5 or $6, and $2^3=9$", &[Wrong]),
+        ("For $x &gt; 0$ and $x&lt;1$ and $2^3&equals;9$.", &[Condition, Condition, Wrong]),
+        ("$$\\begin{aligned} x+x &amp;= 2x \\\\ &amp;=3x-x\\end{aligned}$$", &[Follows]),
+    ] {
+        assert_eq!(read_file("p.md", text).map(|(words, _)| words).as_deref(), Ok(words), "{text}");
+    }
+}
+
+#[test]
+fn a_notebook_is_its_text() {
+    let text = r#"{"cells":[
+        {"cell_type":"markdown","metadata":{},"source":["We have\n","$2^3=9$."]},
+        {"cell_type":"code","source":"$2^4=17$","outputs":[{"text":"$2^4=17$"}]},
+        {"cell_type":"raw","source":"$2^4=17$"},
+        {"cell_type":"raw","metadata":{"raw_mimetype":"text/latex"},"source":"\\[2^5=33\\]"},
+        {"cell_type":"markdown","source":"Cost: $5.\n\n$$x+x=2x$$"}],"nbformat":4}"#;
+    let (words, notes) = read_file("p.ipynb", text).expect("it is read");
+    assert_eq!(words, [Wrong, Wrong, Follows]);
+    assert!(notes.iter().any(|n| n.contains("cell 1 begins at line 1, 4 at 6, 5 at 10")), "{notes:?}");
+    assert!(read_file("p.ipynb", "{").is_err_and(|why| why.contains("not JSON")));
+    assert!(read_file("p.ipynb", r#"{"a":1}"#).is_err_and(|why| why.contains("`cells`")));
+}
+
+#[test]
+fn what_is_neither_latex_nor_markdown_is_refused() {
+    for name in ["p.rst", "p.html", "p.py", "p.bib", "p.docx", "p.pdf", "p.json"] {
+        let why = read_file(name, "$2^3=9$").expect_err(name);
+        assert!([".tex", ".md", ".ipynb", "standard input"].iter().all(|kind| why.contains(kind)), "{why}");
+    }
+    for name in ["p", "-", "p.tex", "p.ltx", "p.txt", "p.sty", "p.Rmd", "p.qmd", "p.v2"] {
+        assert_eq!(read_file(name, "$2^3=9$").map(|(words, _)| words).as_deref(), Ok(&[Wrong][..]), "{name}");
+    }
+}

@@ -39,8 +39,8 @@ pub const AFTER_HELP: &str = r"Every relation that the paper prints gets one wor
 
 #[derive(clap::Args)]
 pub struct LintArguments {
-    /// The LaTeX source of a paper, or a Markdown file with formulas between dollars; `-` is standard input. Without one, the
-    /// `sources` of `rederive.toml`
+    /// The LaTeX source of a paper, a Markdown file with formulas between dollars, or a notebook (`.ipynb`); `-` is standard
+    /// input. Without one, the `sources` of `rederive.toml`
     #[arg(value_name = "PAPER.TEX")]
     papers: Vec<PathBuf>,
     /// Write a page with every formula, the wrong ones beside the right ones
@@ -189,7 +189,8 @@ fn read(path: &std::path::Path) -> Result<Paper, Stop> {
 /// Whether a command line names a paper where a command is expected.
 pub fn is_paper(word: &std::ffi::OsStr) -> bool {
     let path = std::path::Path::new(word);
-    path.extension().is_some_and(|e| e == "tex" || e == "md") && !word.to_string_lossy().starts_with('-')
+    path.extension().is_some_and(|e| e == "tex" || e == "md" || e == "ipynb")
+        && !word.to_string_lossy().starts_with('-')
 }
 
 /// What a folder, or a file that is no paper by its name, needs in the place of a command.

@@ -209,7 +209,6 @@ const DENIES: &[&str] = &[
     "we forget",
     "characteristic",
     r"\mathbb f",
-    r"\sout",
     "contradiction",
     "gilt nicht",
     "non vale",

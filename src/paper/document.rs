@@ -3,7 +3,9 @@
 //! **In:** the tokens of a document, macros expanded. **Out:** its displays, as what has one number in print and as
 //! [`printed`](super::printed) relations. **Guaranteed:** what has no end is read as far as its paragraph goes, and told.
 
-use std::collections::BTreeSet;
+mod unprinted;
+
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use super::differences::DifferenceSigns;
@@ -22,21 +24,6 @@ const MOST_OF_OPTIONS: usize = 60;
 /// Environments of packages that print formulas, and are not read.
 const DISPLAYS_NOT_READ: &[&str] =
     &["numcases", "subnumcases", "mathpar", "mathparpagebreakable", "dseries", "prooftree"];
-
-/// Commands of the running text of which nothing is printed where they stand, and how many arguments in braces they have.
-const NOT_PRINTED: &[(&str, usize)] = &[
-    ("phantom", 1),
-    ("vphantom", 1),
-    ("hphantom", 1),
-    ("index", 1),
-    ("glossary", 1),
-    ("typeout", 1),
-    ("message", 1),
-    ("hypersetup", 1),
-    ("pdfbookmark", 2),
-    ("@gobble", 1),
-    ("@gobbletwo", 2),
-];
 
 /// Commands whose argument is text in a display.
 const WORDS: &[&str] = &["text", "textrm", "textit", "textbf", "mbox", "hbox", "intertext", "shortintertext"];
@@ -105,6 +92,8 @@ pub(super) struct Reader<'t> {
     open: Vec<(String, Range<usize>)>,
     /// Those of which it is told that they are not read.
     told: BTreeSet<String>,
+    /// Where what is not said begins behind what is read, and where it ends.
+    passed: BTreeMap<usize, usize>,
 }
 
 impl<'t> Reader<'t> {
@@ -124,6 +113,7 @@ impl<'t> Reader<'t> {
             chapter: 0,
             open: Vec::new(),
             told: BTreeSet::new(),
+            passed: BTreeMap::new(),
         }
     }
 
@@ -138,9 +128,13 @@ impl<'t> Reader<'t> {
 
     pub(super) fn document(&mut self) {
         while let Some(token) = self.tokens.get(self.at) {
+            if let Some(end) = self.passed.remove(&self.at) {
+                self.at = end;
+                continue;
+            }
             self.at += 1;
             match token.kind {
-                Kind::Dollar if self.tokens.get(self.at).is_some_and(|t| t.kind == Kind::Dollar) => {
+                Kind::Dollar if token.is_doubled_by(self.tokens.get(self.at)) => {
                     self.at += 1;
                     let body = self.until_dollar(true);
                     self.at += usize::from(self.tokens.get(self.at).is_some_and(|t| t.kind == Kind::Dollar));
@@ -181,6 +175,9 @@ impl<'t> Reader<'t> {
                     }
                     "begin" => {
                         let (name, after) = group_text(self.tokens, self.at);
+                        if name == "lrbox" && self.box_environment(after) {
+                            continue;
+                        }
                         let (inner, after) = match name.as_str() {
                             "empheq" => group_text(self.tokens, self.after_options(after)),
                             _ => (name.clone(), after),
@@ -207,16 +204,11 @@ impl<'t> Reader<'t> {
                         let body = self.argument();
                         self.running(&body);
                     }
-                    "savebox" | "sbox" | "setbox" => self.boxed(&token.span),
                     UNENDED => {
                         let message = "nothing ends this environment, which is not printed: what follows is not read";
                         self.notes.push(PaperNote { message: message.to_owned(), span: token.span.clone() });
                     }
-                    name if NOT_PRINTED.iter().any(|(command, _)| *command == name) => {
-                        let count = NOT_PRINTED.iter().find(|(command, _)| *command == name).map_or(1, |(_, n)| *n);
-                        self.at = self.after_options(self.at);
-                        (0..count).for_each(|_| self.at = group_text(self.tokens, self.at).1);
-                    }
+                    name if self.passes_over(name) => {}
                     name if OF_FORMULAS.contains(&name) => self.formula_outside(),
                     _ => {}
                 },
@@ -233,21 +225,6 @@ impl<'t> Reader<'t> {
         let from = all.iter().position(|t| t.kind == Kind::Open).map_or(0, |i| i + 1);
         let to = all.len() - usize::from(all.last().is_some_and(|t| t.kind == Kind::Close));
         all.get(from..to).unwrap_or_default().to_vec()
-    }
-
-    /// Passes over what is put into a box; a formula in it is told, since the box may be printed elsewhere.
-    fn boxed(&mut self, span: &Range<usize>) {
-        let name = group_text(self.tokens, self.at).1;
-        // The name in braces or not, `=`, a width in brackets.
-        let before_group =
-            |from: usize| self.tokens.iter().skip(from).take(MOST_OF_OPTIONS).position(|t| t.kind == Kind::Open);
-        let Some(more) = before_group(name) else { return };
-        self.at = name + more;
-        let body = self.argument();
-        if body.iter().any(|t| t.kind == Kind::Dollar || t.is("(") || t.is("[")) {
-            let message = "formulas in a box that is printed elsewhere, or not at all, are not read".to_owned();
-            self.notes.push(PaperNote { message, span: span.clone() });
-        }
     }
 
     /// Reads the formulas that stand in words of a display, `\text{where $a=b$}`; those of cases are read with these.

@@ -11,9 +11,11 @@ use std::sync::Arc;
 use super::book::macros_of;
 use super::chapter::main_of;
 use super::environments::OwnEnvironments;
+use super::kinds::{FileKind, is_markdown};
 use super::markdown::printed;
 use super::named::Named;
 use super::note::PaperNote;
+use super::notebook::printed_cells;
 use super::texts::{LARGEST_PAPER, text_from};
 use super::token::{MOST_TOKENS, Token, tokens, tokens_with};
 use diag::Source;
@@ -76,15 +78,11 @@ pub(super) struct Inputs {
 
 /// The tokens of a file: Markdown is known by its name.
 pub(super) fn tokens_of(source: &Source, own: &mut OwnEnvironments) -> Vec<Token> {
-    match is_markdown(&source.path) {
-        true => tokens_with(&printed(&source.text), own),
-        false => tokens_with(&source.text, own),
+    match FileKind::of(&source.path) {
+        FileKind::Markdown => tokens_with(&printed(&source.text), own),
+        FileKind::Notebook => tokens_with(&printed_cells(&source.text), own),
+        FileKind::Latex | FileKind::Refused(_) => tokens_with(&source.text, own),
     }
-}
-
-/// Whether a file is Markdown, by its name: there a display stands in a paragraph of its own, and its sentence around it.
-pub fn is_markdown(path: &str) -> bool {
-    Path::new(path).extension().is_some_and(|e| e.eq_ignore_ascii_case("md") || e.eq_ignore_ascii_case("markdown"))
 }
 
 impl Inputs {

@@ -24,16 +24,19 @@ mod draft;
 mod environments;
 mod fractions;
 mod inputs;
+mod kinds;
 mod macros;
 mod mark;
 mod markdown;
 mod named;
 mod names;
 mod note;
+mod notebook;
 mod opening;
 mod pasted;
 mod printed;
 mod short;
+mod takes;
 mod texts;
 mod token;
 mod unicode;
@@ -49,7 +52,7 @@ use sha2::{Digest, Sha256};
 pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, compare, subject};
 pub use differences::DifferenceSigns;
 pub use draft::{Draft, draft};
-pub use inputs::is_markdown;
+pub use kinds::is_markdown;
 pub use names::{
     Call, Evidence, Notation, PaperName, cancels_by_order, is_variable, names, order_counts, squeezed, unprimed,
 };
@@ -65,6 +68,7 @@ use document::Reader;
 use environments::OwnEnvironments;
 use files::Why;
 use inputs::Inputs;
+use kinds::FileKind;
 use latex::Logarithm;
 use macros::{Definitions, Doubts, Endless, Expanded};
 use mark::{Mark, marks, text_of};
@@ -183,6 +187,9 @@ pub fn read(path: &Path) -> Result<Paper, Box<Diagnostic>> {
         Why::NotAFile(what) => refuse(format!("this is {what}, not a file")),
         why => refuse(format!("this file {why}")),
     })?;
+    if let Some(refusal) = FileKind::refusal(&shown) {
+        return Err(refusal);
+    }
     if let Some(what) = no_text(&bytes) {
         return Err(refuse(format!("this file is {what}")));
     }
@@ -257,6 +264,10 @@ fn parse_with(
     folder: Option<&Path>,
     definitions: Definitions,
 ) -> Result<Paper, Box<Diagnostic>> {
+    if let Some(refusal) = FileKind::refusal(&file.path) {
+        return Err(refusal);
+    }
+    let (file, cells) = notebook::as_read(file)?;
     let mut passed: BTreeSet<String> = BTreeSet::new();
     let mut endless = Vec::new();
     let (mut own, mut is_reread) = (OwnEnvironments::default(), false);
@@ -286,8 +297,10 @@ fn parse_with(
     let mut reader = Reader::new(&all);
     reader.document();
     let Reader { equations, relations, title, mut printed, differences, mut notes, mut borders, .. } = reader;
+    printed::settle_numbers(&mut printed);
     notes.extend(mark_doubts(&mut printed, &doubts));
     notes.extend(told);
+    notes.extend(cells);
     borders.numbered.sort_unstable();
     let title = title.map(|t| shown(&t).into_owned());
     notes.extend(inputs.notes);

@@ -505,6 +505,10 @@ impl Page<'_> {
             && inside.starts_with(|c: char| c.is_ascii_digit())
             && (inside.ends_with(char::is_whitespace)
                 || self.text[end + 1..].starts_with(|c: char| c.is_ascii_digit()));
+        if is_money {
+            // It opens nothing for who reads on.
+            self.blank(at..from);
+        }
         if inside.is_empty() || is_money {
             return from;
         }
@@ -545,8 +549,13 @@ impl Page<'_> {
         None
     }
 
-    /// A line of mathematics without the comment at its end.
+    /// A line of mathematics without the comment at its end, and with the signs that are written as in HTML.
     fn without_comment(&mut self, line: Range<usize>) {
+        for (at, name, sign) in html::entities(&self.text[line.clone()]) {
+            let from = line.start + at;
+            self.blank(from..from + name.len());
+            self.out[from..from + sign.len()].copy_from_slice(sign.as_bytes());
+        }
         let bytes = self.text[line.clone()].as_bytes();
         let mut at = 0;
         while let Some(byte) = bytes.get(at) {

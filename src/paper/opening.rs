@@ -178,13 +178,26 @@ pub(super) fn is_printed_space(token: &Token) -> bool {
     token.is_char("~") || token.kind == Kind::Command && spaces.contains(&token.text.as_str())
 }
 
-/// A word of the table that begins at a place of a formula, and the place behind it: in letters, `se\,`, or upright, `\mathrm{if}`. What is set
-/// in letters of mathematics is a word only between spaces: `if` is a product, too.
-pub(super) fn word_at(tokens: &[Token], at: usize) -> Option<(String, usize)> {
+/// A word of a formula.
+pub(super) struct WordAt {
+    pub word: String,
+    /// The place behind it.
+    pub end: usize,
+    /// It is set in so few letters of mathematics that it may be their product.
+    pub may_be_product: bool,
+}
+
+/// The most letters of a word that may be meant as factors.
+const MOST_FACTORS: usize = 3;
+
+/// A word of the table that begins at a place of a formula: in letters, `se\,`, or upright, `\mathrm{if}`. What is set in letters of mathematics is a
+/// word only between spaces: `if` is a product, too.
+pub(super) fn word_at(tokens: &[Token], at: usize) -> Option<WordAt> {
+    let plain = |word: String, end| WordAt { word, end, may_be_product: false };
     let token = tokens.get(at)?;
     if token.kind == Kind::Command && UPRIGHT.contains(&token.text.as_str()) {
         let (word, after) = group_text(tokens, at + 1);
-        return is_opening(&word).then(|| (word.trim().to_owned(), after));
+        return is_opening(&word).then(|| plain(word.trim().to_owned(), after));
     }
     let is_letter = |t: &Token| t.kind == Kind::Other && !t.text.is_empty() && t.text.chars().all(char::is_alphabetic);
     let mut end = at;
@@ -200,11 +213,12 @@ pub(super) fn word_at(tokens: &[Token], at: usize) -> Option<(String, usize)> {
             return None;
         }
         if is_opening(&word) && is_of_east_asia(&word) {
-            return Some((word, end));
+            return Some(plain(word, end));
         }
     }
     let printed = tokens[end..].iter().find(|t| t.kind != Kind::Space).is_some_and(is_printed_space);
     let written = tokens.get(end).is_some_and(|t| t.kind == Kind::Space);
     let long = word.chars().count();
-    (is_opening(&word) && long > 1 && (printed || written && long > 3)).then_some((word, end))
+    let is_word = is_opening(&word) && long > 1 && (printed || written && long > MOST_FACTORS);
+    is_word.then_some(WordAt { word, end, may_be_product: long <= MOST_FACTORS })
 }

@@ -4,15 +4,18 @@
 //! `align` apart, continued lines joined, a chain over several lines as one. **Guaranteed:** every token that prints is in a
 //! side or in a remark: nothing is dropped without a word.
 
+mod by_hand;
 mod cases;
 mod frames;
 mod groups;
 mod last;
+mod lengths;
 mod pieces;
 mod rows;
 mod scripts;
 mod side;
 mod signs;
+mod spaces;
 #[cfg(test)]
 mod tests;
 
@@ -22,13 +25,14 @@ use std::ops::Range;
 use super::opening::{Opening, closes_case, is_link, opening};
 use super::token::{Kind, Token};
 use super::{fractions, unicode, upright};
+use by_hand::ByHand;
 use diag::escape::shown;
 use last::Last;
 use pieces::{Piece, pieces};
 use rows::{Grid, Group, Row, rows, unwrapped};
 pub(super) use scripts::with_braces;
 use side::{is_colon_equals, side_of, sign_at, stacked, without_labels};
-use signs::{BETWEEN_STATEMENTS, WIDE_WORDS, WORDS};
+use signs::{BETWEEN_STATEMENTS, WIDE_WORDS, WORDS, is_wide};
 pub(super) use signs::{is_equality, is_operator, is_relation, is_space};
 
 /// What a reader sees as one: sides, and the signs between them.
@@ -50,6 +54,8 @@ pub struct PrintedRelation {
     pub opening: Option<Opening>,
     /// Why what is printed here is not known, where it is not.
     pub unread: Option<String>,
+    /// What stands behind it in parentheses: its number, or a factor.
+    by_hand: Option<ByHand>,
     /// The last row of its display in which it stands, from 0.
     pub row: usize,
     /// The number of its display; `None` in the running text.
@@ -122,10 +128,6 @@ impl PrintedRelation {
 
 /// The most rows of a display that are looked at as one; more are told as one formula that is not read.
 const MOST_TOKENS: usize = 200_000;
-
-fn is_wide(token: &Token) -> bool {
-    token.is("quad") || token.is("qquad")
-}
 
 /// How deep a place lies in braces, brackets and environments.
 #[derive(Clone, Copy, Debug, Default)]
@@ -386,6 +388,11 @@ impl Relations<'_> {
             {
                 self.out[at].sides.iter_mut().for_each(|side| side.is_list = true);
             }
+            if let Some(at) = self.open[column] {
+                let relation = &mut self.out[at];
+                relation.by_hand = piece.by_hand.or(relation.by_hand.take());
+                relation.unread = relation.unread.take().or(piece.word_in_doubt.as_deref().map(product_or_word));
+            }
             self.ended[column] = ended;
             here = Some(column);
         }
@@ -485,6 +492,7 @@ impl Relations<'_> {
             described: None,
             opening: None,
             unread: None,
+            by_hand: None,
             row: self.row,
             display: self.place.display,
             section: self.place.section,
@@ -567,6 +575,7 @@ impl Relations<'_> {
                     described: None,
                     opening: None,
                     unread: None,
+                    by_hand: None,
                     row: self.row,
                     display: self.place.display,
                     section: self.place.section,
@@ -575,6 +584,21 @@ impl Relations<'_> {
             }
         }
     }
+}
+
+/// Takes relations for unread behind which a number or a factor stands, which of them is not known.
+pub(super) fn settle_numbers(relations: &mut [PrintedRelation]) {
+    let all: Vec<&ByHand> = relations.iter().filter_map(|r| r.by_hand.as_ref()).collect();
+    let are_numbers = by_hand::are_numbers(&all);
+    for relation in relations {
+        let doubt = relation.by_hand.as_ref().and_then(|by_hand| by_hand.doubt(are_numbers));
+        relation.unread = relation.unread.take().or(doubt);
+    }
+}
+
+/// Why a formula is not read beside which letters stand that may be a word.
+fn product_or_word(word: &str) -> String {
+    format!("whether `{word}` is a word or a product of letters is not known: words stand in `\\text`")
 }
 
 /// How what stands in a row is aligned.

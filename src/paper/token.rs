@@ -37,6 +37,11 @@ impl Token {
     pub fn is(&self, command: &str) -> bool {
         self.kind == Kind::Command && self.text == command
     }
+    /// Whether it is a dollar, and another stands right behind it: two begin a display. Those between which a macro leaves nothing are an empty formula.
+    pub fn is_doubled_by(&self, next: Option<&Token>) -> bool {
+        let is_near = |next: &Token| next.span == self.span || next.span.start == self.span.end;
+        self.kind == Kind::Dollar && next.is_some_and(|next| next.kind == Kind::Dollar && is_near(next))
+    }
     /// Whether it is this character.
     pub fn is_char(&self, c: &str) -> bool {
         self.kind == Kind::Other && self.text == c
@@ -222,7 +227,9 @@ fn after_argument(text: &str, at: usize, before: usize, command: &str) -> Option
     // Behind a name in a definition no sign encloses anything.
     let encloses = next.is_ascii_punctuation() && !"{}\\#%=,.;:)(".contains(next);
     let is_code = matches!(command, "lstinline" | "mintinline" | "Verb" | "spverb");
-    (encloses && is_code).then(|| after_verb(text, at))
+    // `\path(0,0)` draws.
+    let is_name = matches!(command, "url" | "path" | "nolinkurl") && "|!\"/@~^".contains(next);
+    (encloses && is_code || is_name).then(|| after_verb(text, at))
 }
 
 /// The end of what stands in braces, of which the first is at `at`; an escaped one counts for none.
@@ -279,6 +286,8 @@ mod tests {
             (r"\url{http://a%20b}Q", true),
             (r"\href{http://a%20b}{Q}", true),
             (r"\url{$Q$}\lstinline|$Q$|\mintinline{c}{$Q$}\lstinline[a=b]{$Q$}", false),
+            (r"\path|$Q$|\url!Q!", false),
+            (r"\path (0,0) -- (Q);", true),
             (r"\mintinline{c}|Q|Q", true),
             (r"\verb |Q| x", false),
             (r"\verb* |Q| x", false),

@@ -10,7 +10,7 @@ pub(super) fn end_of_whole(all: &[Token]) -> usize {
     let (mut end, mut open, mut depth) = (0, 0usize, 0usize);
     let (mut formula, mut at) = (false, 0);
     while let Some(token) = all.get(at) {
-        let is_doubled = token.kind == Kind::Dollar && all.get(at + 1).is_some_and(|t| t.kind == Kind::Dollar);
+        let is_doubled = token.is_doubled_by(all.get(at + 1));
         let outside = open == 0 && depth == 0 && !formula;
         match token.kind {
             Kind::Open => depth += 1,

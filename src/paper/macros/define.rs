@@ -358,6 +358,14 @@ fn plain(command: &str, name: String, rest: &mut Rest, defined: &mut Defined) {
         body = now.unwrap_or(body);
         is_open
     };
+    // `\def\x#1#{q}`: a brace ends what is taken, and stays.
+    if pattern.last().is_some_and(|t| t.is_char("#"))
+        && let Some(sign) = pattern.pop()
+    {
+        let brace = Token { kind: Kind::Open, text: "{".into(), span: sign.span };
+        pattern.push(brace.clone());
+        body.push(brace);
+    }
     defined.is_global |= matches!(command, "gdef" | "xdef" | "protected@xdef" | "csgdef" | "csxdef");
     let arguments = pattern.iter().filter(|t| t.kind == Kind::Argument).count();
     if arguments == pattern.len() {

@@ -27,7 +27,7 @@ impl Expander<'_, '_> {
             {
                 self.defined.end(&DefinitionScope::Formula("$"));
             }
-            Kind::Dollar => self.dollar(),
+            Kind::Dollar => self.dollar(token),
             Kind::Other if token.text == "&" => self.next_cell(),
             Kind::Command => self.scope_of(token),
             _ => {}
@@ -81,8 +81,8 @@ impl Expander<'_, '_> {
     }
 
     /// Begins or ends a formula at a dollar, or at the first of two.
-    fn dollar(&mut self) {
-        let is_doubled = self.rest.last().is_some_and(|(t, _)| t.kind == Kind::Dollar);
+    fn dollar(&mut self, token: &Token) {
+        let is_doubled = token.is_doubled_by(self.rest.last().map(|(t, _)| t));
         let defined = &mut self.defined;
         match defined.innermost() {
             Some(DefinitionScope::Formula("$")) => defined.end(&DefinitionScope::Formula("$")),

@@ -3,61 +3,9 @@
 //! **In:** the tokens that are printed, one by one. **Out:** whether an argument of such a macro comes next. **Guaranteed:** what TeX itself takes, behind
 //! `^`, `_` or `\\sqrt` without an option, is no such argument: there a macro is expanded first. Of accents packages decide that.
 
+use super::super::takes::{ACCENTS, TAKES};
 use super::super::token::{Kind, Token};
 use super::rest::Macro;
-
-/// Macros of LaTeX, and how many arguments each has.
-const TAKES: &[(&str, usize)] = &[
-    ("frac", 2),
-    ("dfrac", 2),
-    ("tfrac", 2),
-    ("cfrac", 2),
-    ("nicefrac", 2),
-    ("sfrac", 2),
-    ("binom", 2),
-    ("dbinom", 2),
-    ("tbinom", 2),
-    ("stackrel", 2),
-    ("overset", 2),
-    ("underset", 2),
-    ("mathrm", 1),
-    ("mathbf", 1),
-    ("mathit", 1),
-    ("mathsf", 1),
-    ("mathcal", 1),
-    ("mathbb", 1),
-    ("mathfrak", 1),
-    ("mathscr", 1),
-    ("boldsymbol", 1),
-    ("bm", 1),
-    ("text", 1),
-    ("textrm", 1),
-    ("mbox", 1),
-    ("operatorname", 1),
-    ("overbrace", 1),
-    ("underbrace", 1),
-    ("boxed", 1),
-];
-
-/// Accents: of TeX they take the first token of a macro, of amsmath all of it.
-const ACCENTS: &[&str] = &[
-    "hat",
-    "check",
-    "breve",
-    "acute",
-    "grave",
-    "tilde",
-    "bar",
-    "vec",
-    "dot",
-    "ddot",
-    "dddot",
-    "widehat",
-    "widetilde",
-    "mathring",
-    "overline",
-    "underline",
-];
 
 /// Where arguments are still to come.
 #[derive(Default)]

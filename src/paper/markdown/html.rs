@@ -29,6 +29,40 @@ struct Tag {
     is_closed: bool,
 }
 
+/// Signs that are written in mathematics as in HTML, and what they are in LaTeX, which is no longer.
+const ENTITIES: &[(&str, &str)] = &[
+    ("&lt;", "<"),
+    ("&gt;", ">"),
+    ("&amp;", "&"),
+    ("&equals;", "="),
+    ("&plus;", "+"),
+    ("&minus;", "-"),
+    ("&nbsp;", " "),
+    ("&le;", r"\le "),
+    ("&ge;", r"\ge "),
+    ("&ne;", r"\ne "),
+    ("&times;", r"\times "),
+    ("&middot;", r"\cdot "),
+    ("&lpar;", "("),
+    ("&rpar;", ")"),
+    ("&lowbar;", "_"),
+    ("&Hat;", "^"),
+    ("&bsol;", r"\"),
+    ("&#39;", "'"),
+    ("&#42;", "*"),
+    ("&#95;", "_"),
+    ("&#60;", "<"),
+    ("&#61;", "="),
+    ("&#62;", ">"),
+];
+
+/// Where these stand in a text.
+pub(super) fn entities(text: &str) -> Vec<(usize, &'static str, &'static str)> {
+    let at =
+        |i: usize| ENTITIES.iter().find(|(name, _)| text[i..].starts_with(name)).map(|(name, sign)| (i, *name, *sign));
+    text.match_indices('&').filter_map(|(i, _)| at(i)).collect()
+}
+
 impl Page<'_> {
     /// A comment, an element that is not printed, or a tag.
     pub(super) fn html(&mut self, at: usize, begins_line: bool) -> usize {

@@ -51,7 +51,8 @@ fn a_percent_sign_is_a_comment_in_mathematics_alone() {
     assert_eq!(left("50% of $f$, $$\nf = x % +1 $\n+2$$ b"), "50 of $f$, $$ f = x +2$$ b");
     assert_eq!(left("$f % x$ and $g$"), "$f $ and $g$");
     assert_eq!(left(r"$f\% x$ \% \$ %"), r"$f\% x$ \ \$");
-    assert_eq!(left("$5 and 10% of $6, $f$"), "$5 and 10 of $6, $f$");
+    assert_eq!(left("$5 and 10% of $6, $f$"), "5 and 10 of 6, $f$");
+    assert_eq!(left("$x &gt; y&lt;z&amp;&equals;&nope;$ &gt;"), "$x > y< z& = &nope;$ &gt;");
     assert_eq!(left("```math\nf % x\n```"), "$$ f $$");
     assert_eq!(left("\\begin{align}\nf % x\n\\end{align} %"), "\\begin{align} f \\end{align}");
     assert_eq!(left("a $`f%x`$ b"), "a $ f $ b");

@@ -43,6 +43,8 @@ impl PrintedRelation {
                 return None;
             }
             when[0].opening = Some(Opening::Case);
+            // Words begin a condition.
+            when[0].unread = None;
             one.append(&mut when);
             one.iter_mut().for_each(|r| r.label.clone_from(&self.label));
             out.push(one);

@@ -3,6 +3,7 @@
 //! **In:** the tokens of a side. **Out:** the same without such braces. **Guaranteed:** braces around an argument, a script or what is complete by
 //! itself stay.
 
+use super::super::takes::Wanted;
 use super::super::token::{Kind, Token};
 use super::is_space;
 
@@ -11,21 +12,31 @@ use super::is_space;
 pub(super) fn without_parting(tokens: Vec<Token>) -> Vec<Token> {
     let mut dropped = vec![false; tokens.len()];
     let mut at = 0;
-    // Whether a group that begins here would be an argument, or a script.
-    let mut is_argument = false;
+    // What the command before wants, and whether it stands right before.
+    let (mut wanted, mut is_command) = (Wanted::Nothing, false);
     while let Some(token) = tokens.get(at) {
         match token.kind {
             Kind::Space => at += 1,
             Kind::Open => {
                 let end = closing(&tokens, at);
-                if !is_argument && end < tokens.len() && parts(&tokens[at + 1..end]) {
+                if !wanted.takes_group() && end < tokens.len() && parts(&tokens[at + 1..end]) {
                     dropped[at] = true;
                     dropped[end] = true;
                 }
+                (wanted, is_command) = (wanted.less_one(true), false);
                 at = end + 1;
             }
+            // `\operatorname*{a}`, `\sqrt[3]{a}`
+            _ if is_command && wanted.takes_group() && token.is_char("*") => at += 1,
+            _ if is_command && wanted.takes_group() && token.is_char("[") => {
+                at = behind_option(&tokens, at);
+                is_command = false;
+            }
             _ => {
-                is_argument = takes_argument(token);
+                let left = wanted.less_one(false);
+                let own = Wanted::by(token);
+                wanted = if own == Wanted::Nothing { left } else { own };
+                is_command = token.kind == Kind::Command && token.text.starts_with(|c: char| c.is_ascii_alphabetic());
                 at += 1;
             }
         }
@@ -36,11 +47,16 @@ pub(super) fn without_parting(tokens: Vec<Token>) -> Vec<Token> {
     tokens
 }
 
-fn takes_argument(token: &Token) -> bool {
-    match token.kind {
-        Kind::Command => token.text.starts_with(|c: char| c.is_ascii_alphabetic()),
-        _ => token.is_char("_") || token.is_char("^"),
-    }
+/// The place behind an option in brackets; of a bracket that is not closed, that behind it.
+fn behind_option(tokens: &[Token], at: usize) -> usize {
+    let (mut brackets, mut braces) = (0i32, 0i32);
+    let end = (at..tokens.len()).find(|&i| {
+        let token = &tokens[i];
+        braces += i32::from(token.kind == Kind::Open) - i32::from(token.kind == Kind::Close);
+        brackets += i32::from(token.is_char("[")) - i32::from(token.is_char("]"));
+        brackets == 0 && braces == 0 || braces < 0
+    });
+    end.map_or(at + 1, |end| end + 1)
 }
 
 /// Where the group ends that begins here.
@@ -74,7 +90,23 @@ mod tests {
         let shown = |text: &str| mark::text_of(&without_parting(tokens(text)));
         assert_eq!(shown(r"{a\times\Bigl(}{b+c\Bigr)}"), shown(r"a\times\Bigl(b+c\Bigr)"));
         assert_eq!(shown(r"{a -} {b}"), shown(r"a - {b}"));
-        for same in [r"\frac{a(}{b)}", r"x^{(}", r"{a+b}", r"{-}", r"{(a+b)}c", r"x_{a+}"] {
+        assert_eq!(shown(r"x_1{a+}b"), shown(r"x_1a+b"));
+        assert_eq!(shown(r"\sqrt2{a+}b"), shown(r"\sqrt2a+b"));
+        for same in [
+            r"\frac1{1+}\frac12",
+            r"\frac1 {1+}\frac12",
+            r"\frac\alpha{1+}z",
+            r"\frac{1}{1+}z",
+            r"\sqrt[3]{a+}b",
+            r"\binom1{2+}3",
+            r"\dv x{y+}z",
+            r"\frac{a(}{b)}",
+            r"x^{(}",
+            r"{a+b}",
+            r"{-}",
+            r"{(a+b)}c",
+            r"x_{a+}",
+        ] {
             assert_eq!(shown(same), mark::text_of(&tokens(same)), "{same}");
         }
     }

@@ -1,12 +1,11 @@
 //! Rows → pieces: what stands between commas, wide spaces and words.
 
 use super::super::mark::group_text;
-use super::super::opening::{is_link, is_opening, is_printed_space, opening, word_at};
+use super::super::opening::{WordAt, is_link, is_opening, is_printed_space, opening, word_at};
 use super::super::token::{Kind, Token};
-use super::side::{is_wide_length, length};
-use super::{
-    BETWEEN_STATEMENTS, Nesting, WIDE_WORDS, WORDS, is_operator, is_relation, is_space, is_wide, relates, walk,
-};
+use super::by_hand::{ByHand, numbered_by_hand};
+use super::spaces::Spaces;
+use super::{BETWEEN_STATEMENTS, Nesting, WIDE_WORDS, WORDS, is_operator, is_relation, is_space, is_wide, relates};
 
 /// A part of a row: what stands between commas, wide spaces and words.
 #[derive(Default)]
@@ -24,6 +23,10 @@ pub(super) struct Piece {
     pub ended: bool,
     /// It stood in parentheses, behind a wide space: a remark.
     pub in_parentheses: bool,
+    /// What stood behind it in parentheses: its number, or a factor.
+    pub by_hand: Option<ByHand>,
+    /// A word before it, or behind it, that may be a product of letters.
+    pub word_in_doubt: Option<String>,
 }
 
 impl Piece {
@@ -51,6 +54,18 @@ impl Piece {
         if inside.relates() && !closes {
             (self.tokens, self.in_parentheses) = (inside.tokens, true);
         }
+    }
+
+    /// Takes what a separator right behind another one says: two in a row are one.
+    fn join(&mut self, next: Piece) {
+        self.words = match (self.words.take(), next.words) {
+            (Some(a), Some(b)) => Some(format!("{a} {b}")),
+            (a, b) => a.or(b),
+        };
+        self.word_in_doubt = self.word_in_doubt.take().or(next.word_in_doubt);
+        self.implied |= next.implied;
+        self.comma |= next.comma;
+        self.wide |= next.wide;
     }
 
     pub fn first(&self) -> Option<&Token> {
@@ -102,29 +117,14 @@ pub(super) fn pieces(tokens: &[Token]) -> Vec<Piece> {
                 next = Some((Piece { words: Some(words.trim().to_owned()), wide: true, ..Piece::default() }, after));
             }
         }
-        if next.is_none()
-            && outside
-            && let Some((word, after)) = word_at(tokens, at)
-            && may_begin_word(tokens, at, out.last().is_none_or(Piece::is_empty), &word)
-            && seen.relates_next(tokens, after + tokens[after..].iter().take_while(|t| is_space(t)).count())
-        {
-            next = Some((Piece { words: Some(word), wide: true, ..Piece::default() }, after));
+        if next.is_none() && outside {
+            next = word_piece(tokens, at, &mut out, &mut seen);
         }
         match next {
             Some((piece, after)) => {
-                match out.last_mut() {
-                    // Two separators in a row are one.
-                    Some(last) if last.is_empty() => {
-                        let words = match (last.words.take(), piece.words) {
-                            (Some(a), Some(b)) => Some(format!("{a} {b}")),
-                            (a, b) => a.or(b),
-                        };
-                        last.words = words;
-                        last.implied |= piece.implied;
-                        last.comma |= piece.comma;
-                        last.wide |= piece.wide;
-                    }
-                    _ => {
+                match out.last_mut().filter(|last| last.is_empty()) {
+                    Some(last) => last.join(piece),
+                    None => {
                         out.push(piece);
                         seen.relates = false;
                     }
@@ -146,11 +146,32 @@ pub(super) fn pieces(tokens: &[Token]) -> Vec<Piece> {
         if k > 0 && piece.wide && piece.words.is_none() {
             piece.without_parentheses();
         }
-        if let Some(end) = numbered_by_hand(&piece.tokens) {
+        if let Some((end, number)) = numbered_by_hand(&piece.tokens, relates) {
             piece.tokens.truncate(end);
+            piece.by_hand = number;
         }
     }
     out
+}
+
+/// The piece that a word begins which stands in the letters of a formula, and the place behind the word. Where these may be factors, neither it nor
+/// what stands before it is read.
+fn word_piece(tokens: &[Token], at: usize, before: &mut [Piece], seen: &mut Seen) -> Option<(Piece, usize)> {
+    let WordAt { word, end, may_be_product } = word_at(tokens, at)?;
+    let behind = end + tokens[end..].iter().take_while(|t| is_space(t)).count();
+    let is_first = before.last().is_none_or(Piece::is_empty);
+    if !may_begin_word(tokens, at, is_first, &word) || !seen.relates_next(tokens, behind) {
+        return None;
+    }
+    // Between wide spaces it is no factor of anything.
+    let is_apart = || Spaces::before(tokens, at).is_wide && Spaces::behind(tokens, end).is_wide;
+    let word_in_doubt = (may_be_product && !is_apart()).then(|| word.clone());
+    if word_in_doubt.is_some()
+        && let Some(last) = before.iter_mut().rev().find(|p| !p.is_empty())
+    {
+        last.word_in_doubt.clone_from(&word_in_doubt);
+    }
+    Some((Piece { words: Some(word), wide: true, word_in_doubt, ..Piece::default() }, end))
 }
 
 /// Whether a word may begin at a place of a formula: at its beginning, or behind a space, where no sign wants an operand; a short one only behind
@@ -162,11 +183,6 @@ fn may_begin_word(tokens: &[Token], at: usize, is_first: bool, word: &str) -> bo
     let is_long = word.chars().count() > 3;
     is_first || !is_wanted && before.is_some_and(|t| is_printed_space(t) || is_long && t.kind == Kind::Space)
 }
-
-/// Commands that print a wide space.
-const WIDE: &[&str] = &["hfill", "hfil", "hfilneg", "enspace", "enskip"];
-/// Commands that begin a line.
-const BREAKS: &[&str] = &["break", "linebreak", "pagebreak", "newline", "par"];
 
 /// What was seen of a row, so that nothing of it is looked at for each of many spaces.
 #[derive(Default)]
@@ -201,40 +217,12 @@ impl Seen {
     }
 }
 
-/// Whether a wide space begins here that is no `\quad`: a length, a fill, a break, three small ones in a row; and where it ends.
+/// Whether a wide space begins here: a length, a fill, a break, three small ones in a row; and where it ends.
 fn gap(tokens: &[Token], at: usize) -> (bool, usize) {
-    let small = |t: &Token| {
-        t.is_char("~")
-            || t.kind == Kind::Command
-                && matches!(t.text.as_str(), ";" | " " | ":" | ">" | "," | "thickspace" | "medspace")
-    };
-    let (mut next, mut count, mut wide, mut breaks) = (at, 0, false, false);
-    while let Some(token) = tokens.get(next) {
-        if token.is("hspace") || token.is("phantom") || token.is("hphantom") {
-            let star = usize::from(tokens.get(next + 1).is_some_and(|t| t.is_char("*")));
-            next = group_text(tokens, next + 1 + star).1;
-            wide = true;
-        } else if let Some((text, after)) = length(token, tokens, next + 1) {
-            next = after;
-            wide |= is_wide_length(&text);
-        } else if token.kind == Kind::Command && WIDE.contains(&token.text.as_str()) {
-            next += 1;
-            wide = true;
-        } else if token.kind == Kind::Command && BREAKS.contains(&token.text.as_str()) {
-            next += 1;
-            breaks = true;
-        } else if small(token) {
-            count += 1;
-            next += 1;
-        } else if token.kind == Kind::Space && next > at {
-            next += 1;
-        } else {
-            break;
-        }
-    }
+    let Spaces { small, is_wide, breaks, end } = Spaces::at(tokens, at);
     // A line that begins with a sign goes on from the one before.
-    let goes_on = tokens.get(next).is_some_and(|t| is_relation(t) || is_operator(t));
-    (wide || breaks && !goes_on || count > 2, next)
+    let goes_on = tokens.get(end).is_some_and(|t| is_relation(t) || is_operator(t));
+    (is_wide || breaks && !goes_on || small > 2, end)
 }
 
 /// Whether a sign of relation stands before the next separator, and where that, or the end, is.
@@ -253,32 +241,6 @@ fn relates_next(tokens: &[Token], from: usize) -> (bool, usize) {
         at += 1 + nesting.take(token, &tokens[at + 1..]);
     }
     (false, tokens.len())
-}
-
-/// Where a number begins that an author wrote behind a formula, `F=ma\ (2)`: behind a space, in parentheses, at the end.
-fn numbered_by_hand(tokens: &[Token]) -> Option<usize> {
-    let printed: Vec<usize> = (0..tokens.len())
-        .filter(|&i| tokens[i].kind != Kind::Space && !tokens[i].is_char(".") && !tokens[i].is_char(","))
-        .collect();
-    let close = printed.len().checked_sub(1)?;
-    let open = (close.saturating_sub(4)..close).rev().find(|&k| tokens[printed[k]].is_char("("))?;
-    let inside: String = printed[open + 1..close].iter().map(|&i| tokens[i].text.as_str()).collect();
-    // `F=m\ (2x)` is a product.
-    let digits = inside.trim_end_matches(|c: char| matches!(c, 'a'..='d' | '\'' | '*'));
-    let number = !digits.is_empty() && digits.chars().all(|c| c.is_ascii_digit()) && inside.len() <= digits.len() + 1;
-    let letter = inside.len() == 1 && inside.chars().all(|c| matches!(c, 'a'..='d'));
-    let before = &tokens[printed[open.checked_sub(1)?]];
-    let space = |t: &Token| {
-        t.is_char("~")
-            || t.kind == Kind::Command
-                && matches!(t.text.as_str(), ";" | " " | ":" | "hfill" | "enspace" | "quad" | "qquad")
-    };
-    let relates = || {
-        let mut found = false;
-        walk(&tokens[..printed[open]], |i, outside| found |= outside && is_relation(&tokens[i]));
-        found
-    };
-    (tokens[printed[close]].is_char(")") && (number || letter) && space(before) && relates()).then_some(printed[open])
 }
 
 /// Whether a full stop ends a formula: it is no decimal point, belongs to no bracket, and touches no letter or full stop, as those of `h.c.`, `F.s` and

@@ -4,6 +4,7 @@ use super::super::mark::{self, group_text};
 use super::super::span_of;
 use super::super::token::{Kind, Token};
 use super::groups::without_parting;
+use super::lengths::length;
 use super::signs::RELATIONS;
 use super::{PrintedSide, is_space, walk};
 use diag::escape::shown;
@@ -198,62 +199,6 @@ pub(super) fn without_labels(tokens: &[Token]) -> (Vec<Token>, Option<String>, O
     (out, label.filter(|l| !l.is_empty()), tag)
 }
 
-/// Where the length ends that stands behind `\kern` and its kin without braces, `\mkern-1.5mu`, `\hskip 1cm plus 1fil`, with its text.
-pub(super) fn length(token: &Token, tokens: &[Token], from: usize) -> Option<(String, usize)> {
-    let is_kern = matches!(token.text.as_str(), "kern" | "mkern" | "hskip" | "mskip" | "vskip");
-    if token.kind != Kind::Command || !is_kern {
-        return None;
-    }
-    let (mut text, mut end) = dimension(tokens, from)?;
-    for word in ["plus", "minus"] {
-        let begin = end + tokens[end..].iter().take_while(|t| t.kind == Kind::Space).count();
-        let is_here = word.chars().enumerate().all(|(k, c)| {
-            tokens.get(begin + k).is_some_and(|t| t.kind == Kind::Other && t.text == c.to_string().as_str())
-        });
-        let stretch = if is_here { dimension(tokens, begin + word.len()) } else { None };
-        if let Some((stretch, after)) = stretch {
-            text.push_str(&format!(" {word} {stretch}"));
-            end = after;
-        }
-    }
-    Some((text, end))
-}
-
-/// A number with a unit, and the position after it.
-fn dimension(tokens: &[Token], from: usize) -> Option<(String, usize)> {
-    let part = |t: &Token| t.kind == Kind::Space || t.text.bytes().all(|b| b.is_ascii_digit() || b"+-.".contains(&b));
-    let digits = tokens[from..].iter().take_while(|t| part(t) && t.kind != Kind::Command).count();
-    let number = &tokens[from..from + digits];
-    let has_digit = number.iter().any(|t| t.text.starts_with(|c: char| c.is_ascii_digit()));
-    let letter = |t: &Token| t.kind == Kind::Other && t.text.bytes().all(|b| b.is_ascii_lowercase());
-    let unit = tokens.get(from + digits..from + digits + 2).filter(|unit| unit.iter().all(letter) && has_digit)?;
-    let text: String = number.iter().filter(|t| t.kind != Kind::Space).chain(unit).map(|t| t.text.as_str()).collect();
-    // `1fil`, `1filll`.
-    let end = from + digits + 2;
-    let more =
-        if text.ends_with("fi") { tokens[end..].iter().take(3).take_while(|t| t.is_char("l")).count() } else { 0 };
-    Some((text, end + more))
-}
-
-/// Whether a length is as wide as a space between formulas: half a quad, or more.
-pub(super) fn is_wide_length(length: &str) -> bool {
-    let first = length.split(' ').next().unwrap_or_default();
-    let (number, unit) = first.split_at(first.len() - 2.min(first.len()));
-    // In units of a quad.
-    let size = match unit {
-        "mu" => 1.0 / 18.0,
-        "em" => 1.0,
-        "ex" => 0.43,
-        "pt" | "bp" => 0.1,
-        "mm" => 0.28,
-        "cm" => 2.8,
-        "in" => 7.2,
-        "pc" => 1.2,
-        _ => 0.0,
-    };
-    number.parse::<f64>().is_ok_and(|n| n * size >= 0.5) || length.contains(" plus ")
-}
-
 /// Tokens in which each space that is printed is a space of no length in the source, whatever command makes it.
 pub(super) fn with_plain_spaces(tokens: &[Token]) -> Vec<Token> {
     let mut kept: Vec<Token> = Vec::with_capacity(tokens.len());
@@ -264,24 +209,36 @@ pub(super) fn with_plain_spaces(tokens: &[Token]) -> Vec<Token> {
             Some([open, d, close]) => open.kind == Kind::Open && d.is_char("d") && close.kind == Kind::Close,
             _ => false,
         };
+        let is = |names: &[&str]| token.kind == Kind::Command && names.contains(&token.text.as_str());
         if let Some((_, after)) = length(token, tokens, at) {
             at = after;
-        } else if token.kind == Kind::Command
-            && matches!(token.text.as_str(), "hspace" | "vspace" | "hskip" | "vskip" | "noalign")
-        {
+            kept.extend(between_numbers(&kept, &tokens[at..]).then(|| space(token)));
+        } else if is(&["hspace", "vspace", "mspace", "hskip", "vskip", "kern", "mkern", "mskip", "noalign"]) {
             let star = usize::from(tokens.get(at).is_some_and(|t| t.is_char("*")));
             at = group_text(tokens, at + star).1;
+            kept.extend(between_numbers(&kept, &tokens[at..]).then(|| space(token)));
         } else if token.is("text") && is_differential() {
             // An upright differential, whichever command makes it upright.
             kept.push(Token { text: "mathrm".into(), ..token.clone() });
         } else if token.kind == Kind::Command && is_space(token) || token.is_char("~") {
-            // A space of any width is a space.
-            kept.push(Token { kind: Kind::Space, text: " ".into(), span: token.span.start..token.span.start });
+            kept.push(space(token));
         } else {
             kept.push(token.clone());
         }
     }
     kept
+}
+
+/// Whether numbers may stand on both sides, which a length parts.
+fn between_numbers(before: &[Token], behind: &[Token]) -> bool {
+    let is_of_number = |t: &Token| t.is_char(".") || t.text.starts_with(|c: char| c.is_ascii_digit());
+    before.last().is_some_and(|t| t.kind == Kind::Close || is_of_number(t))
+        && behind.iter().find(|t| t.kind != Kind::Space).is_some_and(|t| t.kind == Kind::Open || is_of_number(t))
+}
+
+/// A space of any width is a space.
+fn space(token: &Token) -> Token {
+    Token { kind: Kind::Space, text: " ".into(), span: token.span.start..token.span.start }
 }
 
 /// A side made of these tokens.

@@ -154,6 +154,10 @@ pub fn is_space(token: &Token) -> bool {
         || token.kind == Kind::Command && SPACES.contains(&token.text.as_str())
 }
 
+pub fn is_wide(token: &Token) -> bool {
+    token.is("quad") || token.is("qquad")
+}
+
 pub fn is_operator(token: &Token) -> bool {
     matches!(token.kind, Kind::Command | Kind::Other) && OPERATORS.contains(&token.text.as_str())
 }
