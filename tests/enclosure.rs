@@ -4,9 +4,11 @@ use crate::flow_support::{UNIT, World, rigid_states};
 use rederive::check::{Options, Outcome, Rigor, Strength, check};
 use rederive::derivation::load;
 use rederive::diag::render;
-use rederive::flow::{Enclosure, Setup, Source, VectorField};
+use rederive::flow::{Enclosure, KnownSteps, Setup, Source, Steps, VectorField};
 use rederive::number::Interval;
+use std::collections::HashMap;
 use std::path::Path;
+use std::sync::Mutex;
 
 /// The corpus states the truth. What is enclosed or certified must be it, also where samples are fooled.
 #[test]
@@ -251,5 +253,72 @@ fn widths_of_the_free_rigid_body() {
         let e = enclose(&mut w, &field, &initial, &MOMENTS, &[], (0.0, span));
         println!("12 unknowns, T = {span}: {} steps, {:.1e}", e.steps(), width(&e, span));
         assert!(width(&e, span) < most);
+    }
+}
+
+/// Steps by their names, as texts, and how often some were recalled.
+#[derive(Default)]
+struct Kept {
+    steps: Mutex<HashMap<String, String>>,
+    recalled: Mutex<usize>,
+}
+
+impl KnownSteps for Kept {
+    fn steps(&self, name: &str) -> Option<Steps> {
+        let found = serde_json::from_str(self.steps.lock().expect("a map").get(name)?).expect("steps");
+        *self.recalled.lock().expect("a count") += 1;
+        Some(found)
+    }
+
+    fn keep_steps(&self, name: &str, steps: &Steps) {
+        let text = serde_json::to_string(steps).expect("a text");
+        self.steps.lock().expect("a map").insert(name.to_owned(), text);
+    }
+
+    fn is_known(&self) -> bool {
+        true
+    }
+}
+
+/// Steps that are known are those that would be found, bit by bit, and their work counts; those of another motion are not taken for them,
+/// whatever the symbols are numbered.
+#[test]
+fn known_steps_are_those_that_would_be_found() {
+    let kept = Kept::default();
+    let bits = |e: &Enclosure| {
+        let stretch = |w: &[f64]| e.state(Interval::new(w[0], 0.3 * w[0] + 0.7 * w[1]).expect("a stretch"));
+        let states = e.boundaries().windows(2).filter_map(stretch).flatten().collect::<Vec<_>>();
+        states.iter().map(|x| (x.lo().to_bits(), x.hi().to_bits())).collect::<Vec<_>>()
+    };
+    let enclosed = |start: &str, moment: &str, end: f64, known: Option<&Kept>, symbols: usize| {
+        let mut w = World::default();
+        for n in 0..symbols {
+            w.symbol(&format!("z{n}"));
+        }
+        let field = euler(&mut w);
+        let initial = [("O1", start), ("O2", "1"), ("O3", "0.01")];
+        let setup = Setup {
+            time: w.leaf("t"),
+            span: (-1.0, end),
+            initial_time: 0.0,
+            parameters: w.pairs(&[("I1", "1"), ("I2", moment), ("I3", "3")]),
+            source: Source::Integrated { field: &field, initial: w.pairs(&initial), start: Default::default() },
+            observables: Vec::new(),
+        };
+        let graph = &mut w.graph;
+        let enclose = || match known {
+            Some(known) => Enclosure::recalling(graph, &setup, None, known),
+            None => Enclosure::new(graph, &setup, None),
+        };
+        let (found, work) = meter::counted(meter::Task::Enclosing, enclose);
+        (bits(&found.expect("in time").expect("a motion")), work)
+    };
+    let cases = [("0.01", "2", 9.0), ("0.010000000000000002", "2", 9.0), ("0.01", "2.1", 9.0), ("0.01", "2", 8.0)];
+    for (n, (start, moment, end)) in cases.into_iter().enumerate() {
+        let of = |known, symbols| enclosed(start, moment, end, known, symbols);
+        let alone = of(None, 0);
+        assert!(alone.0.len() > 30 && alone.1 > 100_000, "{}, {}", alone.0.len(), alone.1);
+        assert!(of(Some(&kept), 0) == alone && *kept.recalled.lock().expect("a count") == n, "another motion: {n}");
+        assert!(of(Some(&kept), 5) == alone && *kept.recalled.lock().expect("a count") == n + 1, "the same: {n}");
     }
 }

@@ -77,7 +77,7 @@ fn edits_of_one_file() {
     ];
     let store = Memory::default();
     let ask = Ask { rigor: Rigor::Enclosed, ..Ask::default() };
-    assert_eq!(step(&store, "kepler.toml", &text, &ask), (0, 3), "nothing is known");
+    assert_eq!(step(&store, "kepler.toml", &text, &ask), (0, 4), "nothing is known");
     assert_eq!(step(&store, "kepler.toml", &text, &ask), (1, 0), "all is known");
     assert_eq!(step(&store, "kepler.toml", &format!("# A word.\n\n{text}"), &ask), (1, 0), "words alone have changed");
     for (old, new) in edits {
@@ -85,6 +85,20 @@ fn edits_of_one_file() {
         step(&store, "kepler.toml", &text.replacen(old, new, 1), &ask);
     }
     assert_eq!(step(&store, "kepler.toml", &text, &ask), (1, 0), "an edit that is undone is known");
+}
+
+/// After an edit of a claim motions are enclosed from the steps that are known; after one of a motion there are new ones.
+#[test]
+fn an_edit_of_a_claim_finds_no_new_steps() {
+    let text = derivation("circuit.toml");
+    let store = Memory::default();
+    let ask = Ask { rigor: Rigor::Enclosed, ..Ask::default() };
+    let claim = text.replacen("[[claim]]\n", "[[claim]]\nprecision = 1e-7\n", 1);
+    let motion = text.replacen("span = [0, ", "span = [0, 1", 1);
+    assert!(claim != text && motion != text);
+    assert_eq!(step(&store, "circuit.toml", &text, &ask).1, 4);
+    assert_eq!(step(&store, "circuit.toml", &claim, &ask).1, 3);
+    assert_eq!(step(&store, "circuit.toml", &motion, &ask).1, 4);
 }
 
 /// Of many states of a file the last ones are kept.
@@ -154,12 +168,13 @@ fn what_a_proof_follows_from_is_content() {
 fn what_is_asked_otherwise_is_another_record() {
     let text = derivation("circuit.toml");
     let store = Memory::default();
-    for ask in [
-        Ask::default(),
-        Ask { rigor: Rigor::Enclosed, ..Ask::default() },
-        Ask { only_verdicts: true, ..Ask::default() },
+    for (ask, written) in [
+        (Ask::default(), 3),
+        // The steps of the motions are in a record of their own.
+        (Ask { rigor: Rigor::Enclosed, ..Ask::default() }, 4),
+        (Ask { only_verdicts: true, ..Ask::default() }, 3),
     ] {
-        assert_eq!(step(&store, "circuit.toml", &text, &ask), (0, 3));
+        assert_eq!(step(&store, "circuit.toml", &text, &ask), (0, written));
         assert_eq!(step(&store, "circuit.toml", &text, &ask), (1, 0));
     }
     assert_eq!(step(&store, "other.toml", &text, &Ask::default()), (0, 3), "another file");

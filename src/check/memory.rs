@@ -9,6 +9,8 @@
 //! follows from, directly or through others. Names of questions are SHA-256 sums of these texts: two questions with one name are
 //! the same question.
 //!
+//! Validated steps of a motion are named by what they are computed from, whatever file that is of: see [`KnownSteps`].
+//!
 //! **Guaranteed:** an answer is the one that would be found now.
 
 use std::collections::{BTreeSet, HashMap};
@@ -23,6 +25,7 @@ use super::motions::Family;
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{FastMap, Graph, Leaf};
 use crate::findings::{ClaimAccount, FamilyAccount, family::MeasureAccount};
+use crate::flow::{KnownSteps, Steps};
 use crate::verdict::Verdict;
 use claim::limits::Cancel;
 use proved::conditional::premises_first;
@@ -43,6 +46,8 @@ pub(super) struct OnFamilies {
 pub(super) enum Question<'q> {
     /// The verdict of a claim on a motion, from samples; of the claim `whole` without one of its assumptions, by its place: [`Verdict`].
     Sampled { claim: &'q Claim, whole: &'q str, without: Option<usize>, motion: usize },
+    /// Why the two routes to the values of a motion are not one, where they are not: `Option<Reason>`.
+    Contradiction(usize),
     /// How a condition stands on a motion, named by what it says in the notation of the whole file: `Option<bool>`.
     Condition { says: &'q [&'q str], motion: usize },
     /// What a claim says for all values, where it is a claim of that kind; or how the program contradicts itself:
@@ -69,6 +74,8 @@ type Aged<T> = (u64, Arc<T>);
 #[derive(Debug, Default)]
 pub(super) struct Memory {
     answers: Answers,
+    /// The validated steps of motions, by all that they are computed from. Their work counts each time: no work is spared by them.
+    steps: Answers,
     /// Whether it serves one check: motions are not kept then.
     once: bool,
     families: Mutex<HashMap<Key, Aged<Mutex<Family>>>>,
@@ -80,15 +87,16 @@ pub(super) struct Memory {
 
 impl Memory {
     /// What was found in another process, for one check of a new state of the file.
-    pub fn of(mut answers: Answers) -> Memory {
+    pub fn of(mut answers: Answers, mut steps: Answers) -> Memory {
         answers.grow_older();
-        Memory { answers, once: true, ..Memory::default() }
+        steps.grow_older();
+        Memory { answers, steps, once: true, ..Memory::default() }
     }
 
-    /// All answers, to be kept longer than a process lives; `work` was counted in finding those that are new.
-    pub fn answers(mut self, work: u64) -> Answers {
+    /// All answers, and the steps of motions, to be kept longer than a process lives; `work` was counted in finding those that are new.
+    pub fn answers(mut self, work: u64) -> (Answers, Answers) {
         self.answers.share(work);
-        self.answers
+        (self.answers, self.steps)
     }
 
     /// The counted work that was spared, since answers were known.
@@ -103,8 +111,10 @@ impl Memory {
 
     /// A new state of the file begins; what ends its check, where something may.
     pub fn grow_older(&mut self, cancel: Option<&Cancel>) {
-        self.answers.until(cancel);
-        self.answers.grow_older();
+        for kept in [&mut self.answers, &mut self.steps] {
+            kept.until(cancel);
+            kept.grow_older();
+        }
         let now = self.answers.age();
         self.families.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| *age + AGES >= now);
     }
@@ -263,6 +273,20 @@ fn named(graph: &Graph, leaf: &Leaf) -> String {
     format!("{} {} {} {instant:?}", leaf.symbol.index(), leaf.component, leaf.rate)
 }
 
+impl KnownSteps for Known<'_> {
+    fn steps(&self, name: &str) -> Option<Steps> {
+        self.0?.memory.steps.known(key(&[name.as_bytes()]))
+    }
+
+    fn keep_steps(&self, name: &str, steps: &Steps) {
+        self.0.iter().for_each(|state| state.memory.steps.keep(key(&[name.as_bytes()]), steps));
+    }
+
+    fn is_known(&self) -> bool {
+        self.0.is_some()
+    }
+}
+
 impl Recall for Known<'_> {
     fn is_known(&self) -> bool {
         self.of_motions().is_some()
@@ -338,6 +362,9 @@ impl State<'_> {
             Question::Condition { says, motion } => {
                 let says = key(&says.iter().map(|text| text.as_bytes()).collect::<Vec<_>>());
                 Some(key(&[b"condition", base, &self.asked(), &says, &self.motion(derivation, motion)?]))
+            }
+            Question::Contradiction(motion) => {
+                Some(key(&[b"contradiction", base, &self.asked(), &self.motion(derivation, motion)?]))
             }
             Question::Identity(claim) => self.step(derivation, claim),
             Question::Steps(content) => Some(key(&[b"steps", content])),

@@ -131,8 +131,13 @@ impl<'a> OnMotions<'a, '_> {
             return open(ended);
         }
         // Where the two routes to the values of a motion disagree, no claim has a verdict on it; the others have theirs.
-        let trace = meter::piece(Task::Motion, limits, || self.stage.trace(&derivation.graph, t, wanted));
-        let (mut trace, contradiction) = match trace {
+        let sample = || {
+            let trace = self.stage.sampled(t, wanted)?;
+            let compare = || self.stage.contradiction(&derivation.graph, &trace);
+            let contradiction = recall.answer(derivation, Question::Contradiction(t), compare);
+            Ok::<_, String>((trace, contradiction))
+        };
+        let (mut trace, contradiction) = match meter::piece(Task::Motion, limits, sample) {
             Ok(trace) => trace?,
             Err(ended) => return open(ended),
         };

@@ -5,7 +5,9 @@
 //!
 //! Where the file says what it said in one of its last states, the account is the one that was kept, with the words of today. Where it says something else, it is
 //! checked, and every answer that is known by its content is recalled ([`Answers`]), as [`Cache`](super::Cache) does it within one process:
-//! proofs with the assumptions that they need, what was counted on families, verdicts on motions, what was enclosed. Motions are made again.
+//! proofs with the assumptions that they need, what was counted on families, verdicts on motions, what was enclosed. Motions are made again;
+//! they are enclosed from the validated steps that are known ([`KnownSteps`](flow::KnownSteps)). These have a record of their own, which is written only
+//! where some are new.
 //!
 //! **Guaranteed:** the account is the one that [`check()`](super::check()) would give, but for places in the text of the file. Verdicts that are read back are decided again from
 //! their evidence. Bytes that are no record are ignored. Whether they are those that this program wrote is for whoever keeps them to know:
@@ -21,7 +23,7 @@ use super::memory::{Contents, Known, Memory, Names};
 use super::{check, check_recalling};
 use crate::derivation::Derivation;
 use claim::error::CheckError;
-use claim::options::Options;
+use claim::options::{Options, Rigor};
 use files::records::{LARGEST, Store};
 use findings::Account;
 
@@ -31,6 +33,9 @@ const ACCOUNT: &str = "account";
 const STATES: &str = "states";
 /// The record that has the answers to all questions.
 const ANSWERS: &str = "answers";
+
+/// The record that has the validated steps of the motions: large, and written only where some are new.
+const STEPS: &str = "steps";
 
 /// The name of a record of a file, by its id and by what is asked: of one file many may be kept.
 fn name(derivation: &Derivation, options: &Options, of: &str) -> String {
@@ -116,15 +121,17 @@ pub fn check_recorded(
     }
     let states = States::of(derivation, options, store);
     let of_answers = name(derivation, options, ANSWERS);
-    let found = store.read(&of_answers).and_then(|bytes| Answers::read(&bytes));
+    let read = |name: &String| store.read(name).and_then(|bytes| Answers::read(&bytes)).unwrap_or_default();
+    let of_steps = name(derivation, options, STEPS);
+    let steps = if options.rigor == Rigor::Enclosed { read(&of_steps) } else { Answers::default() };
     let names = Names::of(&contents);
-    let mut memory = Memory::of(found.unwrap_or_default());
+    let mut memory = Memory::of(read(&of_answers), steps);
     let mut account = check_recalling(derivation, options, Known::new(&memory, &names), None, progress)?;
     let mut total = options.limits.total.clone();
     if memory.recalled() > total.left() {
         // With the work of all that was recalled, the file might have come to its end: then it does.
         let anew = Options { limits: options.limits.of_file(derivation.work), ..options.clone() };
-        (memory, total) = (Memory::of(Answers::default()), anew.limits.total.clone());
+        (memory, total) = (Memory::of(Answers::default(), Answers::default()), anew.limits.total.clone());
         account = check_recalling(derivation, &anew, Known::new(&memory, &names), None, progress)?;
     }
     describe(derivation, &mut account);
@@ -138,9 +145,12 @@ pub fn check_recorded(
     }
     let record = Record { contents, account };
     states.keep(&of_account, &record, store);
-    let answers = memory.answers(total.used());
-    if !answers.are_too_large() {
-        store.write(&of_answers, &answers.written());
+    let (answers, steps) = memory.answers(total.used());
+    let has_new_steps = steps.counts()[1] > 0;
+    for (name, kept, is_new) in [(&of_answers, answers, true), (&of_steps, steps, has_new_steps)] {
+        if is_new && !kept.are_too_large() {
+            store.write(name, &kept.written());
+        }
     }
     Ok((record.account, recalled))
 }

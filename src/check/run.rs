@@ -16,6 +16,7 @@ use claim::options::{Options, Rigor};
 use derivation::{Claim, Derivation};
 use diag::Diagnostic;
 use findings::{Account, ClaimAccount, IdentityAccount, PairAccount};
+use flow::KnownSteps;
 use meter::{Ended, Task};
 use proved::step::Step;
 use sampled::selection::{Selection, is_asked};
@@ -210,19 +211,30 @@ impl enclosed::Recall for Enclosed<'_> {
     fn keep(&self, question: &enclosed::Question, answer: &enclosed::Answer) {
         self.known.keep(self.derivation, Question::Enclosed(*question), answer);
     }
+
+    fn steps(&self) -> &dyn KnownSteps {
+        &self.known
+    }
 }
 
-/// Encloses claims that the file does not make. Nothing of them is kept.
+/// Encloses claims that the file does not make. Nothing of them is kept but the steps of motions.
 struct EnclosedBeside<'e> {
+    known: Known<'e>,
     fields: &'e Fields,
     stage: &'e Stage,
     selection: &'e Selection,
     limits: &'e Limits,
 }
 
+impl enclosed::Recall for EnclosedBeside<'_> {
+    fn steps(&self) -> &dyn KnownSteps {
+        &self.known
+    }
+}
+
 impl variant::Encloses for EnclosedBeside<'_> {
     fn enclose(&self, derivation: &Derivation, claims: Vec<variant::Beside>) -> Vec<Vec<Verdict>> {
-        let &EnclosedBeside { fields, stage, selection, limits } = self;
+        let &EnclosedBeside { fields, stage, selection, limits, .. } = self;
         let pair = |(t, verdict): (usize, Verdict)| PairAccount {
             trajectory: derivation.trajectories[t].id.clone(),
             verdict,
@@ -235,8 +247,8 @@ impl variant::Encloses for EnclosedBeside<'_> {
             accounts.push(ClaimAccount::of(claim, of.verdicts.into_iter().map(pair).collect()));
             prepared.push(of.prepared);
         }
-        let recall = &sampled::recall::Nothing;
-        let request = enclosed::Request { derivation, fields, stage, prepared: &prepared, selection, limits, recall };
+        let prepared = prepared.as_slice();
+        let request = enclosed::Request { derivation, fields, stage, prepared, selection, limits, recall: self };
         enclosed::strengthen(&request, &mut accounts);
         accounts.into_iter().map(|of| of.results.into_iter().map(|pair| pair.verdict).collect()).collect()
     }
@@ -330,7 +342,8 @@ impl Work<'_, '_> {
         let OnMotions { run, selection, compiled, altered, stage, .. } = self.claims;
         let Some(altered) = altered else { return Ok(()) };
         let Found { weighed, traces, .. } = &self.found;
-        let beside = EnclosedBeside { fields: &compiled.fields, stage, selection, limits: &run.options.limits };
+        let (known, fields) = (run.recall, &compiled.fields);
+        let beside = EnclosedBeside { known, fields, stage, selection, limits: &run.options.limits };
         let encloses = self.has(Need::Rigor).then_some(&beside as &dyn variant::Encloses);
         altered.conclude(
             &compiled.derivation,

@@ -96,7 +96,8 @@ fn enclosure(
     if let Source::Integrated { initial, .. } = &setup.source {
         start.extend(initial);
     }
-    let mut enclosed = Enclosure::new(graph, &setup, from.as_ref()).map_err(Reason::quoted)?;
+    let known = request.recall.steps();
+    let mut enclosed = Enclosure::recalling(graph, &setup, from.as_ref(), known).map_err(Reason::quoted)?;
     if let Given::Integrated { system, .. } = trajectory.motion {
         enclosed.conserve(graph, &integrals[system]);
     }

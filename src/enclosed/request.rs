@@ -1,6 +1,7 @@
 //! What is needed to enclose.
 
 use crate::derivation::{Claim, Derivation};
+use crate::flow::KnownSteps;
 use crate::verdict::Verdict;
 use claim::limits::Limits;
 use reason::Reason;
@@ -44,16 +45,13 @@ pub struct Answer {
 /// What was enclosed before. **Guaranteed** by whoever keeps something: an answer is the one that would be found now.
 pub trait Recall: Sync {
     /// The answer to a question, if it is known.
-    fn known(&self, question: &Question) -> Option<Answer>;
-
-    /// Keeps an answer.
-    fn keep(&self, question: &Question, answer: &Answer);
-}
-
-impl Recall for sampled::recall::Nothing {
     fn known(&self, _: &Question) -> Option<Answer> {
         None
     }
 
+    /// Keeps an answer.
     fn keep(&self, _: &Question, _: &Answer) {}
+
+    /// The steps of motions: they are those of all claims.
+    fn steps(&self) -> &dyn KnownSteps;
 }

@@ -64,6 +64,16 @@ pub struct Slots<N> {
 }
 
 impl Tape {
+    /// All that it computes, as a text: what its inputs are called apart.
+    pub fn content(&self) -> String {
+        let preset = |preset: &Preset| match preset {
+            Preset::Rational(r) => r.to_string(),
+            Preset::Pi => "π".to_owned(),
+        };
+        let presets: Vec<String> = self.presets.iter().map(preset).collect();
+        format!("{} {presets:?} {:?} {:?}", self.inputs.len(), self.instructions, self.outputs)
+    }
+
     /// Compiles the roots. Inputs are `inputs`, in this order, whether used or not; every leaf of the roots must be there.
     ///
     /// # Errors

@@ -21,8 +21,8 @@ use super::write::write_file;
 
 /// The ending of the name of a record.
 const ENDING: &str = "record";
-/// The largest record, in bytes: what is read takes several times as much memory, also where a file has become a small one. That of the
-/// first paper has 67 million.
+/// The largest record, in bytes: what is read takes several times as much memory, also where a file has become a small one. Those of the
+/// first paper have up to 70 million.
 pub const LARGEST: u64 = 1 << 27;
 /// The largest index of a repository that is looked into.
 const LARGEST_INDEX: u64 = 1 << 28;

@@ -60,7 +60,7 @@ mod zeros;
 
 pub use abreast::Halt;
 pub use arguments::may_hide;
-pub use enclosure::{Compiled, Enclosure, Reach, Reaches, Sharp, Stop, Stretch};
+pub use enclosure::{Compiled, Enclosure, KnownSteps, Reach, Reaches, Sharp, Steps, Stop, Stretch};
 pub use error::{FlowError, Problem};
 pub use estimate::Estimation;
 pub use field::VectorField;

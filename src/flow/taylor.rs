@@ -193,6 +193,11 @@ impl Flow {
         Flow { edges: Edges::of(&flow), recurrences, still, polynomial, ..flow }
     }
 
+    /// All that it computes, as a text; the rest follows from that.
+    pub(super) fn content(&self) -> String {
+        format!("{} {:?} {:?}", self.tape.content(), self.names, self.groups)
+    }
+
     /// Whether the right sides are polynomials, by nothing but the states: a motion has nothing between the ends of a step that
     /// its series does not tell.
     pub(super) fn is_plain(&self) -> bool {

@@ -15,7 +15,7 @@ use super::{NoValue, Number, Op, Precise, PreciseModel, Rational, Scalar, scalar
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The sum of two numbers, the second of which is at most half a unit in the last place of the first.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct DoubleDouble {
     high: f64,
     low: f64,

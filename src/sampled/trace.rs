@@ -3,7 +3,7 @@
 //! **In:** a motion of a [`Stage`], and the leaves that are wanted. **Out:** a [`Trace`]: the sample times and the values there, from which
 //! values at other times can be asked for.
 //!
-//! **Guaranteed:** values that dual numbers contradict are told with the trace.
+//! **Guaranteed:** values that dual numbers contradict are told, where it is asked.
 
 use std::sync::{Arc, OnceLock};
 
@@ -184,23 +184,6 @@ impl Built {
 }
 
 impl Stage {
-    /// Samples a motion, and compares the two routes to its values: with a description of a value for which dual numbers and
-    /// propagated bounds disagree.
-    ///
-    /// # Errors
-    /// That the trajectory was not built.
-    pub fn trace<'a>(
-        &'a self,
-        graph: &Graph,
-        trajectory: usize,
-        leaves: &'a [Leaf],
-    ) -> Result<(Trace<'a>, Option<Reason>), String> {
-        let known = self.built(trajectory).is_some_and(|built| built.samples.get().is_some());
-        let trace = self.sampled(trajectory, leaves)?;
-        let contradiction = if known { None } else { self.contradiction(graph, &trace) };
-        Ok((trace, contradiction))
-    }
-
     /// Samples a motion.
     ///
     /// # Errors

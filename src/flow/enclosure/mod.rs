@@ -14,12 +14,14 @@
 mod angle;
 mod matrix;
 mod reach;
+mod recall;
 mod set;
 mod sharpen;
 mod step;
 mod tail;
 
 pub use reach::{Compiled, Reach, Reaches, Stretch};
+pub use recall::{KnownSteps, Steps};
 pub use sharpen::Sharp;
 pub use step::Stop;
 
@@ -44,20 +46,18 @@ struct Tube {
     rates: Vec<Expr>,
     field: Field,
     initial: Vec<Interval>,
-    /// Steps forward from the initial time, and back from it.
-    forward: Vec<Piece>,
-    backward: Vec<Piece>,
-    stops: [Option<Stop>; 2],
+    steps: Steps,
 }
 
 impl Tube {
     /// The step that an interval of times lies in.
     fn step(&self, time: Interval) -> Option<&Piece> {
-        let ahead = self.forward.partition_point(|p| p.to < time.hi());
-        let behind = self.backward.partition_point(|p| p.to > time.lo());
+        let Steps { forward, backward, .. } = &self.steps;
+        let ahead = forward.partition_point(|p| p.to < time.hi());
+        let behind = backward.partition_point(|p| p.to > time.lo());
         let within = |p: &&Piece| p.from.min(p.to) <= time.lo() && time.hi() <= p.from.max(p.to);
-        let ahead = self.forward.get(ahead).filter(within);
-        ahead.or_else(|| self.backward.get(behind).filter(within))
+        let ahead = forward.get(ahead).filter(within);
+        ahead.or_else(|| backward.get(behind).filter(within))
     }
 }
 
@@ -118,6 +118,19 @@ impl Enclosure {
     /// # Errors
     /// As [`Motion::new`](super::Motion::new). An enclosure that ends early is kept, see [`Enclosure::stop`].
     pub fn new(graph: &mut Graph, setup: &Setup, from: Option<&Enclosure>) -> Result<Enclosure, FlowError> {
+        Enclosure::recalling(graph, setup, from, &recall::Nothing)
+    }
+
+    /// [`Enclosure::new`], with the steps that are known from before.
+    ///
+    /// # Errors
+    /// As [`Enclosure::new`].
+    pub fn recalling(
+        graph: &mut Graph,
+        setup: &Setup,
+        from: Option<&Enclosure>,
+        known: &dyn KnownSteps,
+    ) -> Result<Enclosure, FlowError> {
         let mut new = Enclosure {
             time: setup.time,
             initial_time: setup.initial_time,
@@ -166,7 +179,7 @@ impl Enclosure {
                     states.push((leaf, new.resolve(graph, e)?));
                 }
             }
-            Source::Integrated { field, initial, start } => new.integrate(graph, field, initial, start)?,
+            Source::Integrated { field, initial, start } => new.integrate(graph, field, (initial, start), known)?,
         }
         new.definitions.extend(states);
         new.given = new.definitions.keys().copied().collect();
@@ -182,8 +195,8 @@ impl Enclosure {
         &mut self,
         graph: &mut Graph,
         field: &VectorField,
-        initial: &[(Leaf, Expr)],
-        start: &Start,
+        (initial, start): (&[(Leaf, Expr)], &Start),
+        known: &dyn KnownSteps,
     ) -> Result<(), FlowError> {
         let (unknowns, limit) = (field.states().len(), step::MOST_UNKNOWNS);
         if unknowns > limit {
@@ -228,15 +241,20 @@ impl Enclosure {
             let what = || format!("the initial value of {}", leaf_name(graph, leaf));
             state.push(value.map_err(|reason| FlowError::Undefined { what: what(), reason })?);
         }
-        self.run(states, rates, compiled, state);
+        self.run((states, rates), compiled, state, known);
         Ok(())
     }
 
-    fn run(&mut self, states: Vec<Leaf>, rates: Vec<Expr>, field: Field, initial: Vec<Precise>) {
-        let (forward, ahead) = field.integrate(self.initial_time, &initial, self.span.1);
-        let (backward, behind) = field.integrate(self.initial_time, &initial, self.span.0);
+    fn run(
+        &mut self,
+        (states, rates): (Vec<Leaf>, Vec<Expr>),
+        field: Field,
+        initial: Vec<Precise>,
+        known: &dyn KnownSteps,
+    ) {
+        let steps = Steps::of(&field, &initial, (self.initial_time, self.span), known);
         let initial = initial.iter().map(Precise::interval).collect();
-        let tube = Tube { states, rates, field, initial, forward, backward, stops: [ahead, behind] };
+        let tube = Tube { states, rates, field, initial, steps };
         self.tube = Some(std::sync::Arc::new(tube));
     }
 
@@ -252,7 +270,7 @@ impl Enclosure {
         let tube = self.tube.as_deref().filter(|t| t.states.len() == initial.len())?;
         let mut new = Enclosure { span, integrals: None, ..self.clone() };
         let initial = initial.iter().copied().map(Precise::enclosing).collect();
-        new.run(tube.states.clone(), tube.rates.clone(), tube.field.clone(), initial);
+        new.run((tube.states.clone(), tube.rates.clone()), tube.field.clone(), initial, &recall::Nothing);
         Some(new)
     }
 
@@ -271,27 +289,27 @@ impl Enclosure {
         match &self.tube {
             None => self.span,
             Some(tube) => (
-                tube.backward.last().map_or(self.initial_time, |p| p.to),
-                tube.forward.last().map_or(self.initial_time, |p| p.to),
+                tube.steps.backward.last().map_or(self.initial_time, |p| p.to),
+                tube.steps.forward.last().map_or(self.initial_time, |p| p.to),
             ),
         }
     }
 
     /// Why the enclosure ends before the span does.
     pub fn stop(&self) -> Option<&Stop> {
-        self.tube.as_deref().and_then(|t| t.stops.iter().flatten().next())
+        self.tube.as_deref().and_then(|t| t.steps.stops.iter().flatten().next())
     }
 
     /// Number of validated steps.
     pub fn steps(&self) -> usize {
-        self.tube.as_deref().map_or(0, |t| t.forward.len() + t.backward.len())
+        self.tube.as_deref().map_or(0, |t| t.steps.forward.len() + t.steps.backward.len())
     }
 
     /// Times that cut the span into steps; for formulas, into equal parts. Ascending.
     pub fn boundaries(&self) -> Vec<f64> {
         let mut times: Vec<f64> = match self.tube.as_deref() {
             Some(tube) => {
-                let ends = tube.backward.iter().rev().chain(&tube.forward).map(|p| p.to);
+                let ends = tube.steps.backward.iter().rev().chain(&tube.steps.forward).map(|p| p.to);
                 ends.chain([self.initial_time]).collect()
             }
             None => {
@@ -326,10 +344,11 @@ impl Enclosure {
             }
         }
         // Steps are in the order of their times: only those that meet the interval are looked at.
-        let first = tube.forward.partition_point(|p| p.to < time.lo());
-        let ahead = tube.forward[first..].iter().take_while(|p| p.from <= time.hi());
-        let first = tube.backward.partition_point(|p| p.to > time.hi());
-        let behind = tube.backward[first..].iter().take_while(|p| p.from >= time.lo());
+        let Steps { forward, backward, .. } = &tube.steps;
+        let first = forward.partition_point(|p| p.to < time.lo());
+        let ahead = forward[first..].iter().take_while(|p| p.from <= time.hi());
+        let first = backward.partition_point(|p| p.to > time.hi());
+        let behind = backward[first..].iter().take_while(|p| p.from >= time.lo());
         for piece in ahead.chain(behind) {
             let stretch = Interval::point(piece.from).hull(Interval::point(piece.to));
             if let Some(part) = time.intersection(stretch) {

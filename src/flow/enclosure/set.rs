@@ -13,6 +13,7 @@ use super::matrix::{
     apply, apply_point, identity, inverse, middle, orthogonal, rough_inverse, solve, times, times_point, transpose,
 };
 use number::{DoubleDouble, Interval, Precise, Scalar};
+use serde::{Deserialize, Serialize};
 
 /// Directions up to this condition number are carried along in any case.
 const GOOD_CONDITION: f64 = 50.0;
@@ -23,7 +24,7 @@ const POINT: f64 = 1e-20;
 /// What a step may add to the errors, as a part of them, before their directions are renewed.
 const RENEWAL: f64 = 0.05;
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Set {
     pub(super) centre: Vec<DoubleDouble>,
     /// Empty when the start is a point.

@@ -32,6 +32,7 @@ use crate::taylor::Flow;
 use expr::tape::{Slots, Tape};
 use expr::{Expr, Graph, Leaf};
 use number::{DoubleDouble, Interval, Jet, NoValue, Number, Precise, PreciseModel, Scalar, TaylorModel};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// Order of the Taylor polynomials of p: with twice the precision, so many terms pay.
@@ -79,7 +80,7 @@ pub(super) struct Field {
 }
 
 /// Why an enclosure ends. What was reached is kept.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 pub enum Stop {
     /// The set of states has become so wide that nothing is left to be said.
     #[error("the enclosure is {width:.1e} wide at t = {}", number::six(*time))]
@@ -115,7 +116,7 @@ pub enum Stop {
 }
 
 /// The motions through a set of states, over one step.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Piece {
     /// Time at the start, and at the end (which is earlier for a step back).
     pub(super) from: f64,
@@ -126,7 +127,8 @@ pub(super) struct Piece {
     set: Set,
     moved: Vec<TaylorModel>,
     derivatives: Vec<TaylorModel>,
-    /// Row and column of every derivative.
+    /// Row and column of every derivative: those of the field.
+    #[serde(skip)]
     entries: Arc<[(usize, usize)]>,
     /// W, and E: bounds of w, and of the distance of all motions from p.
     errors: Vec<f64>,
@@ -296,6 +298,18 @@ impl Field {
             constants: constants.into_iter().map(|c| c.1).collect(),
             driven,
         })
+    }
+
+    /// All that its steps depend on, but where they begin and end, as a text.
+    pub(super) fn content(&self) -> String {
+        let Field { names, rates, slopes, partial, variation, entries, constants, driven } = self;
+        let (rates, slopes, variation) = (rates.content(), slopes.content(), variation.content());
+        format!("{names:?} {rates} {slopes} {partial:?} {variation} {entries:?} {constants:?} {driven}")
+    }
+
+    /// Gives steps that were read what they share.
+    pub(super) fn complete(&self, steps: &mut [Piece]) {
+        steps.iter_mut().for_each(|piece| piece.entries = Arc::clone(&self.entries));
     }
 
     fn dimension(&self) -> usize {

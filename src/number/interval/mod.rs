@@ -39,7 +39,7 @@ use round::{add_down, add_up, div_down, div_up, mul_down, mul_up};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// All real numbers between two binary64 numbers, ends included.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Interval {
     lo: f64,
     hi: f64,

@@ -98,13 +98,28 @@ const LAGRANGE: [[f64; NODES]; NODES] = {
 };
 
 /// See the module.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, serde::Serialize, serde::Deserialize)]
+#[serde(into = "Vec<f64>", from = "Vec<f64>")]
 pub struct TaylorModel {
     /// Those from `length` on are 0.
     coefficients: [f64; ROOM],
     rest: f64,
     /// At least 1.
     length: usize,
+}
+
+impl From<TaylorModel> for Vec<f64> {
+    fn from(model: TaylorModel) -> Vec<f64> {
+        let mut packed = Vec::with_capacity(model.length + 1);
+        model.pack(&mut packed);
+        packed
+    }
+}
+
+impl From<Vec<f64>> for TaylorModel {
+    fn from(packed: Vec<f64>) -> TaylorModel {
+        TaylorModel::unpack(&packed)
+    }
 }
 
 /// U, or nothing in tests of what happens without.
