@@ -413,6 +413,9 @@ fn a_factor_in_parentheses_behind_a_small_space_is_no_number_for_sure() {
     are(&[
         (r"\[x+x=2x\ (1)\] \[3x=x+2x\ (2)\] \[y+y=2y\ (3)\]", &[Follows; 3]),
         (r"\[x+x=2x\ (1)\] \[3x=x+2x\ (3)\]", &[NotRead; 2]),
+        (r"\[E=mc^2\ (1)\] \[2E=2mc^2\ (2)\]", &[Defines, Follows]),
+        (r"\[x+x=2x\eqno(2)\]", &[Follows]),
+        (r"$$x+x=2x\leqno{(2)}$$", &[Follows]),
         (r"\[x+x=2x\ (1)\] \[6=3\ (2)\]", &[Follows, NotRead]),
     ]);
 }

@@ -57,8 +57,11 @@ pub(super) fn numbered_by_hand(
         return Some((open, None));
     }
     let is_thin = tokens[..open].iter().rev().find(|t| t.kind != Kind::Space).is_some_and(|t| t.is(","));
-    let mut before = tokens[..open].iter().rev().filter(|t| !is_space(t)).skip_while(|t| t.is_char(")"));
-    let is_behind_digits = before.next().is_some_and(|t| t.text.starts_with(|c: char| c.is_ascii_digit()));
+    // Digits that stand above or below are no factor.
+    let is_digit_token = |t: &&Token| t.kind == Kind::Other && t.text.starts_with(is_digit);
+    let before = tokens[..open].iter().rev().filter(|t| !is_space(t)).skip_while(|t| t.is_char(")"));
+    let is_behind_digits = before.clone().next().is_some_and(|t| is_digit_token(&t))
+        && !before.clone().find(|t| !is_digit_token(t)).is_some_and(|t| t.is_char("^") || t.is_char("_"));
     let by_hand = ByHand { number: digits.parse().unwrap_or_default(), text: inside, is_behind_digits };
     // A thin space stands between factors.
     (!is_thin).then_some((open, Some(by_hand)))

@@ -193,6 +193,13 @@ pub(super) fn without_labels(tokens: &[Token]) -> (Vec<Token>, Option<String>, O
             at = after.max(at + 1);
             continue;
         }
+        if token.is("eqno") || token.is("leqno") {
+            // In plain TeX the number is all that follows.
+            let number: String = tokens[at + 1..].iter().map(|t| t.text.as_str()).collect();
+            let number = diag::escape::in_one_line(number.trim().trim_matches(['(', ')']));
+            tag = tag.or(Some(number));
+            break;
+        }
         out.push(token.clone());
         at += 1;
     }
