@@ -65,6 +65,13 @@ const NOT_RECKONED: &[&str] = &[
     "percent",
     "concat",
     "string",
+    "calculator",
+    "spreadsheet",
+    "in c,",
+    "python",
+    "apl",
+    "precedence",
+    "dial",
 ];
 
 /// A step of a relation, and what is known of it.

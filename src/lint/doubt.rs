@@ -10,13 +10,15 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use paper::{Opening, PaperName, PrintedRelation, names};
+use paper::{Opening, PaperName, PrintedRelation, PrintedSide, names};
 
+use super::desk::Given;
 use super::judge::{Judge, MOST_EXPLAINED};
 use super::sentence::{Sentence, is_aside, window};
 use super::setting::keys;
 use super::signs::{COMPARES, EQUALS, is_one_of};
-use super::words::{Taken, asserts, of_several, take_back_in_row, taken};
+use super::step::Place;
+use super::words::{Taken, asserts, goes_on, of_several, take_back_in_row, taken};
 
 /// The longest text between a definition and a step that may speak of another thing.
 const SEVERAL: usize = 300;
@@ -99,6 +101,37 @@ impl Judge<'_> {
         let is_first = at.checked_sub(1).is_none_or(|k| self.paper.printed[k].display != relation.display);
         let (file, span) = self.paper.locate(&relation.span());
         relation.display.is_none() || !is_first || asserts(&file.text, span.start)
+    }
+
+    /// Whether a step may be about another thing than a definition that it rests on: words between speak of several, or of another one; it says
+    /// of the defined name again what it is, in a sentence about something else; or it stands in the same display in a row with a label.
+    pub(super) fn is_of_another(&self, sides: [&PrintedSide; 2], given: &Given, place: &Place) -> bool {
+        let all = &self.paper.printed;
+        let (own, before) = (&all[place.at], &all[given.relation]);
+        let has_label =
+            |r: &PrintedRelation| r.remark.as_deref().is_some_and(|words| words.chars().any(char::is_alphabetic));
+        let is_labelled =
+            own.display.is_some() && own.display == before.display && (has_label(own) || has_label(before));
+        let is_again = place.is_first && names(sides[0]).iter().any(|n| n.key() == given.key);
+        is_labelled
+            || self.speaks_of_several(given.relation, place.at)
+            || is_again && self.words_between(given.relation, place.at).is_some_and(|words| !goes_on(words))
+    }
+
+    /// The text from a relation to one behind it in the same file, or the end of it.
+    fn words_between(&self, from: usize, at: usize) -> Option<&str> {
+        let place = |k: usize| self.paper.locate(&self.paper.printed[k].span());
+        let ((file, before), (other, own)) = (place(from), place(at));
+        let is_one = from < at && std::sync::Arc::ptr_eq(file, other) && own.start >= before.end;
+        let between =
+            is_one.then(|| window(&file.text, before.end.max(own.start.saturating_sub(SEVERAL)), own.start))?;
+        // What stands up to the end of the definition's own sentence, and the beginning of one that is cut, is not looked at.
+        let ends = [". ", ".\n", r".\]", ".$", "$$", r"\]"]
+            .iter()
+            .filter_map(|end| between.find(end).map(|at| at + end.len()));
+        let environment = between.find(r"\end{").and_then(|at| Some(at + between[at..].find('}')? + 1));
+        let begin = ends.chain(environment).min();
+        Some(between[begin.unwrap_or(between.len())..].trim_start_matches(['$', '.']))
     }
 
     /// Whether words between a definition and a step near it speak of several things, or of another one: "two in parallel", "with R→2R".

@@ -385,7 +385,7 @@ impl Judge<'_> {
             let concludes = concludes && !sentence.changes && self.is_the_same_case(first.as_ref(), at);
             let sureness = self.sureness(&of, concludes);
             let blame = match sureness {
-                Sureness::Stands if k == 1 && !self.is_asserted(relation, at) => Blame::Nothing,
+                Sureness::Stands | Sureness::Chain if !self.is_asserted(relation, at) => Blame::Nothing,
                 _ => blame,
             };
             let place = Place {

@@ -22,6 +22,7 @@ mod desk;
 mod doubt;
 mod excuse;
 mod facts;
+mod headings;
 mod judge;
 mod kinds;
 mod letters;

@@ -10,6 +10,7 @@ use std::ops::Range;
 use diag::next_character;
 use paper::{Opening, Paper, PrintedRelation, is_markdown, opening};
 
+use super::headings::headings;
 use super::markdown::{without_closing, without_opening};
 
 /// The longest text before a display that is looked at, in bytes.
@@ -473,7 +474,12 @@ pub fn parts(paper: &Paper) -> Vec<usize> {
     for relation in &paper.printed {
         let (file, span) = paper.locate(&relation.span());
         if known.as_ref().is_none_or(|(f, _)| !std::sync::Arc::ptr_eq(f, file)) {
-            known = Some((file.clone(), borders(&file.text, &paper.borders.theorems)));
+            let mut all = borders(&file.text, &paper.borders.theorems);
+            if is_markdown(&file.path) {
+                all.extend(headings(&file.text));
+                all.sort_unstable();
+            }
+            known = Some((file.clone(), all));
         }
         let passed = known.as_ref().map_or(0, |(_, b)| b.partition_point(|at| *at <= span.start));
         let numbered = paper.borders.numbered.partition_point(|at| *at <= relation.span().start);

@@ -336,7 +336,7 @@ impl Judge<'_> {
                 let is_meant = self.is_in_another_unit(relation, &found.witness)
                     || self.is_excused(sides, &rests, place)
                     || self.holds_with_another(sides, &rests, place)
-                    || rests.given.iter().any(|g| self.speaks_of_several(g.relation, place.at));
+                    || rests.given.iter().any(|g| self.is_of_another(sides, g, place));
                 return (!is_meant).then_some(found);
             }
         }

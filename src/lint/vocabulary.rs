@@ -19,7 +19,7 @@ pub(super) const DENY: &str = "\
     illegal; illegitim; too good; alleged; purport; allegedly; sloppy; counterexample; counter example; spurious; \
     bogus; does not follow; no reason; trap ; traps ; pitfall; flaw; bug ; bugs ; hardly; nothing like; without the ; \
     in place of; lack ; lacks ; differs from; differ from; confus; disproof; disprove; reason against; misconception; myth; \
-    answered; in exams; printed by; we correct; corrects the";
+    answered; in exams; edition; printing; homework; oops; off ; corrupt; blunder; negative example; produced by; contained; killed; common error; schüler; schwindel; élève; alumno; fallo; sbaglio; printed by; we correct; corrects the";
 
 /// Words that suppose, or pose what is to be solved or demanded.
 pub(super) const SUPPOSE: &str = "\
@@ -36,7 +36,7 @@ pub(super) const SUPPOSE: &str = "\
     holds in; holds on; holds at; holds only; holds if; holds when; for which; at which; where both; angenommen; \
     annahme; nehmen wir an; bedingung; fordern; verlang; gleichgewicht; erfüll; gesucht; supposons; hypoth; \
     condizione; équilibre; exige; satisf; supponiamo; ipotesi; equilibrio; richied; imponiamo; supongamos; \
-    condición; exig; find all; determined by; root of; touch; level set; this forces; which forces; tangen; \
+    condición; exig; find all; find every; show that no; tick ; determined by; root of; touch; level set; this forces; which forces; tangen; \
     degenera; occurs at; occurs when; occurs where; occurs if; happens when; happens if; to be solved; \
     is equivalent to; let us take; say that; merge; zero set; contour; turning point; \
     on shell; matching";
@@ -52,7 +52,7 @@ pub(super) const LOOSEN: &str = "\
     negative definite; sending; parity; a reflection; reflecting; time reversal; truncat; coarse; on average; perturb; \
     heuristic; formally; schematic; symbolic; in units; weakly; strongly; slowly; noncommut; non commut; random; retain; \
     keeping only; keep only; integrating over; averaging over; contribut; throw; surface term; boundary term; mean zero; zero mean; perp ; \
-    two elements; mod p; primes denot; prime denot";
+    two elements; mod p; reversed; reversing; backward; mirror; flip; turned over; opposite naming; in quadrature; odd variable; exterior algebra; be sets; are sets; primes denot; prime denot";
 
 /// Words that restrict what stands before them, right behind a formula.
 pub(super) const RESTRICT: &str = "\
@@ -154,3 +154,18 @@ pub(super) const REASONS: &str = "\
     we; since; because; as; on; in; from; by; for; using; with; if; when; after; then; thus; hence; therefore; so; and; now; finally; first; next; where; \
     which; here; again; also; consequently; let; da; weil; aus; mit; nach; dann; also; wir; comme; puisque; nous; on; donc; poiché; dato; noi; como; \
     dado";
+
+/// Words with which a sentence begins that goes on with what was spoken of.
+pub(super) const GOES_ON: &str = "\
+    we; since; because; as; by; from; using; then; thus; hence; therefore; so; and; finally; which; it; this; that; its; consequently; where; one; for; \
+    if; when; let; also; here; obviously; clearly; indeed; explicitly; equivalently; da; weil; aus; daraus; also; somit; daher; dann; wir; man; es; \
+    dies; sein; seine; ihre; comme; puisque; nous; on; donc; ainsi; son; sa; quindi; allora; poiché; luego; entonces; su; upon; after; to; in order; \
+    next; now; with; in; writing; again; moreover; furthermore; accordingly; however; but; note; recall; they; their; these; those; is; are; gives; \
+    yields; where; on ; of";
+
+/// What comes of a quantity by reckoning, and its names.
+pub(super) const OPERATIONS: &str = "\
+    derivative; rate; rates; velocity; speed; acceleration; slope; gradient; square; root; product; sum; difference; ratio; quotient; inverse; \
+    reciprocal; result; solution; equation; expression; formula; left; right; integral; logarithm; exponential; first; determinant; identity; \
+    relation; expansion; ableitung; geschwindigkeit; beschleunigung; quadrat; dérivée; vitesse; derivata; velocità; derivada; velocidad; \
+    chain; rule; definition; motion; second; force; energy; momentum";

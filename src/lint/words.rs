@@ -153,6 +153,20 @@ pub(super) fn of_several(text: &str) -> bool {
     entries(SEVERAL).any(|word| said.match_indices(word).any(|(at, _)| is_free(at, word)))
 }
 
+/// Whether each sentence of a text goes on with what was spoken of: "hence", "we get", "its rate". "Neutrons have" speaks of something else.
+pub(super) fn goes_on(text: &str) -> bool {
+    let text = without_arguments(text);
+    let mut sentences = text.split(". ").flat_map(|s| s.split(".\n")).flat_map(|s| s.split("? ")).map(words);
+    sentences.all(|said| {
+        let mut all = said.split_whitespace().filter(|w| w.chars().any(char::is_alphabetic) && w.chars().count() > 1);
+        let is_one_of = |word: &str, list: &str| entries(list).any(|w| w == word);
+        let Some(first) = all.next() else { return true };
+        let reckons = |w: &str| entries(ACTS).any(|act| w.starts_with(act.trim_end())) || is_one_of(w, GOES_ON);
+        let is_of_these = |w: &str| is_one_of(w, OF_THESE);
+        reckons(first) || is_of_these(first) && all.find(|w| !is_of_these(w)).is_none_or(|w| is_one_of(w, OPERATIONS))
+    })
+}
+
 /// Whether words that are printed in a row take back what stands beside them.
 pub(super) fn take_back_in_row(remark: &str) -> bool {
     let said = words(remark);
