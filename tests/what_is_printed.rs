@@ -214,6 +214,11 @@ fn a_page_is_read_as_it_is_rendered() {
         let words: Vec<Word> = of_page("p.md", &format!("a\n\n{shown}\n\n$2x=x+x$\n")).iter().map(|f| f.0).collect();
         assert_eq!(words, [Wrong, Follows], "{shown}");
     }
+    // A heading begins a part, in which names mean something else.
+    for heading in ["## B", "B\n===", "---", "**B.**", "<h2>B</h2>"] {
+        let found = of_page("p.md", &format!("## A\n\n$$E=ab+c.$$\n\n{heading}\n\nWe get $$2E=2ab-2c.$$\n"));
+        assert!(found.iter().all(|f| f.0 != Wrong), "{heading}");
+    }
     for definition in ["$\\newcommand{\\A}{a}$", "$$\\newcommand{\\A}{a}$$"] {
         let found = of_page("p.md", &format!("{definition}\n\n# b\n\n$\\A+1=1+a$\n"));
         assert_eq!(found.iter().map(|f| f.0).collect::<Vec<_>>(), [Follows], "{definition}");

@@ -11,7 +11,7 @@ use super::cases::{Cases, Stance};
 use super::chain::{Slip, said};
 use super::desk::{Given, evidence_of};
 use super::facts::{Facts, Reach, Stated};
-use super::kinds::{Unsigned, unsigned};
+use super::kinds::{Unsigned, other_kind, unsigned};
 use super::lone::{is_equation_of_motion, lone_name};
 use super::nearest::{Sureness, WrongStep};
 use super::notation::Evidence;
@@ -210,7 +210,7 @@ impl Judge<'_> {
             out.why = found.feature;
             return out;
         }
-        if let Some(why) = self.other_kind(relation) {
+        if let Some(why) = other_kind(self.paper, relation) {
             out.why = why;
             return out;
         }

@@ -8,7 +8,6 @@ use std::collections::{BTreeSet, HashMap};
 
 use paper::{Paper, PrintedRelation, PrintedSide, names, squeezed};
 
-use super::judge::Judge;
 use super::lone::lone_name;
 use super::sentence::window;
 
@@ -156,29 +155,17 @@ fn is_negative(side: &PrintedSide) -> bool {
     side.text.trim_start().starts_with(['-', '−'])
 }
 
-impl Judge<'_> {
-    /// Whether names may not be positive where they stand.
-    pub(super) fn may_be_negative<'k>(&self, mut keys: impl Iterator<Item = &'k String>) -> bool {
-        self.unsigned.get(&self.section).is_some_and(|found| keys.any(|key| found.not_positive.contains(key)))
+/// Why the letters of a relation may be no numbers.
+pub(super) fn other_kind(paper: &Paper, relation: &PrintedRelation) -> Option<String> {
+    let (file, span) = paper.locate(&relation.span());
+    let text = window(&file.text, span.start.saturating_sub(BEFORE), span.end + BEHIND).to_lowercase();
+    if let Some(word) = OTHER_KINDS.iter().find(|w| text.contains(*w)) {
+        let word = word.trim_end_matches(" $");
+        return Some(format!("near the word “{word}”, so that its letters may be no numbers"));
     }
-
-    /// Whether names may not be real where they stand.
-    pub(super) fn may_be_complex<'k>(&self, mut keys: impl Iterator<Item = &'k String>) -> bool {
-        self.unsigned.get(&self.section).is_some_and(|found| keys.any(|key| found.not_real.contains(key)))
-    }
-
-    /// Why the letters of a relation may be no numbers.
-    pub(super) fn other_kind(&self, relation: &PrintedRelation) -> Option<String> {
-        let (file, span) = self.paper.locate(&relation.span());
-        let text = window(&file.text, span.start.saturating_sub(BEFORE), span.end + BEHIND).to_lowercase();
-        if let Some(word) = OTHER_KINDS.iter().find(|w| text.contains(*w)) {
-            let word = word.trim_end_matches(" $");
-            return Some(format!("near the word “{word}”, so that its letters may be no numbers"));
-        }
-        let is_of_points = OF_POINTS.iter().any(|w| text.contains(w));
-        let segment = relation.sides.iter().filter(|_| is_of_points).find_map(segment)?;
-        Some(format!("`{segment}`, which may be the segment between two points"))
-    }
+    let is_of_points = OF_POINTS.iter().any(|w| text.contains(w));
+    let segment = relation.sides.iter().filter(|_| is_of_points).find_map(segment)?;
+    Some(format!("`{segment}`, which may be the segment between two points"))
 }
 
 /// Two capitals right beside each other, as segments are printed.

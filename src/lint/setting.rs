@@ -71,6 +71,16 @@ impl Judge<'_> {
         }
     }
 
+    /// Whether names may not be positive where they stand.
+    pub(super) fn may_be_negative<'k>(&self, mut keys: impl Iterator<Item = &'k String>) -> bool {
+        self.unsigned.get(&self.section).is_some_and(|found| keys.any(|key| found.not_positive.contains(key)))
+    }
+
+    /// Whether names may not be real where they stand.
+    pub(super) fn may_be_complex<'k>(&self, mut keys: impl Iterator<Item = &'k String>) -> bool {
+        self.unsigned.get(&self.section).is_some_and(|found| keys.any(|key| found.not_real.contains(key)))
+    }
+
     /// Notes names that are said to be positive.
     pub(super) fn note_signs(&mut self, relation: &PrintedRelation, at: usize) {
         for (k, sign) in relation.signs.iter().enumerate() {
