@@ -146,7 +146,7 @@ impl Parser<'_> {
         let place = match &factor.kind {
             // No vector is a place for what is derived by a number.
             NodeKind::Group(inner, Bracket::Round) => {
-                !self.holds_a_field(inner) && !(by_number && self.is_a_vector(inner))
+                !(self.holds_a_field(inner) || by_number && self.is_a_vector(inner))
             }
             NodeKind::Tuple(_) => true,
             _ => false,

@@ -305,9 +305,9 @@ impl Parser<'_> {
     fn function_of_function(&mut self, shown: &str) -> Parsed<Node> {
         let start = self.span().start;
         // It takes as much of the stack as what stands in three brackets.
-        let inner = self.deeper(|p| p.deeper(|p| p.deeper(Self::factor)))?.filter(|_| {
-            !self.begins_factor() && !(self.is('/') || self.is_command("cdot") || self.is_command("times"))
-        });
+        let inner = self
+            .deeper(|p| p.deeper(|p| p.deeper(Self::factor)))?
+            .filter(|_| !(self.begins_factor() || self.is('/') || self.is_command("cdot") || self.is_command("times")));
         inner.map_or_else(
             || {
                 let message = format!("it is not clear where the argument of `{shown}` ends");
