@@ -13,7 +13,7 @@ use super::relation::{
     are_multiples, are_two_places, has_constant_of_integration, has_dimensions, is_congruence, is_evaluated, is_of_any,
     is_of_units,
 };
-use super::sentence::{Sentence, is_supposed, window};
+use super::sentence::{Sentence, ends_inside, is_supposed, window};
 use super::signs::{DEFINES, is_one_of};
 use super::step::Blame;
 
@@ -160,16 +160,12 @@ impl Judge<'_> {
     fn is_quoted(&self, relation: &PrintedRelation) -> bool {
         let (file, span) = self.paper.locate(&relation.span());
         let before = window(&file.text, span.start.saturating_sub(AROUND), span.start);
-        let open = |e: &str| {
-            let last = |what: &str| before.rfind(&format!("\\{what}{{{e}"));
-            last("begin").is_some_and(|begin| last("end").is_none_or(|end| end < begin))
-        };
         let opened = before.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, '$' | '(' | '\\'));
         let is_answer = opened.trim_end_matches(']').strip_suffix(')').is_some_and(|rest| {
             let mut letters = rest.chars().rev();
             letters.next().is_some_and(|c| c.is_ascii_alphabetic()) && letters.next() == Some('(')
         });
-        open("quot") || relation.display.is_none() && is_answer
+        ends_inside(before, "quot") || relation.display.is_none() && is_answer
     }
 
     /// How sure it is that a step claims something.

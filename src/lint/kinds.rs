@@ -100,7 +100,7 @@ pub(super) fn unsigned(paper: &Paper, parts: &[usize]) -> HashMap<usize, Unsigne
 impl Unsigned {
     /// What one relation says of its sides.
     fn note(&mut self, left: &PrintedSide, sign: &str, right: &PrintedSide) {
-        let is_not_above = |s: &PrintedSide| s.text.trim() == "0" || s.text.trim_start().starts_with(['-', '−']);
+        let is_not_above = |s: &PrintedSide| s.text.trim() == "0" || is_negative(s);
         let lone = |s: &PrintedSide| lone_name(s).map(|n| n.key());
         match sign {
             r"\in" => {
@@ -160,7 +160,6 @@ pub(super) fn other_kind(paper: &Paper, relation: &PrintedRelation) -> Option<St
     let (file, span) = paper.locate(&relation.span());
     let text = window(&file.text, span.start.saturating_sub(BEFORE), span.end + BEHIND).to_lowercase();
     if let Some(word) = OTHER_KINDS.iter().find(|w| text.contains(*w)) {
-        let word = word.trim_end_matches(" $");
         return Some(format!("near the word “{word}”, so that its letters may be no numbers"));
     }
     let is_of_points = OF_POINTS.iter().any(|w| text.contains(w));

@@ -162,7 +162,6 @@ const RECKONING: &[&str] = &[
     "have",
     "gives",
     "give",
-    "gives",
     "implies",
     "imply",
     "yields",
@@ -192,7 +191,6 @@ const RECKONING: &[&str] = &[
     "also",
     "daraus",
     "folgt",
-    "also",
     "donc",
 ];
 

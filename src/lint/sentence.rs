@@ -419,10 +419,7 @@ pub(super) fn is_aside(text: &str, at: usize) -> bool {
         depth > 0
     };
     let command = ASIDES.iter().any(|c| before.rfind(c).is_some_and(|from| is_open(from, ['{', '}'])));
-    let environment = ASIDE.iter().any(|e| {
-        let last = |what: &str| before.rfind(&format!("\\{what}{{{e}"));
-        last("begin").is_some_and(|begin| last("end").is_none_or(|end| end < begin))
-    });
+    let environment = ASIDE.iter().any(|e| ends_inside(before, e));
     // "(the ring has $I=mr^2$)"; `\(` opens a formula.
     let line = before.rsplit("\n\n").next().unwrap_or_default();
     let from = before.len() - line.len();
@@ -437,6 +434,12 @@ pub(super) fn is_aside(text: &str, at: usize) -> bool {
             && !words.trim_start().starts_with("where")
     });
     command || environment || parenthesis
+}
+
+/// Whether a text ends inside of an environment whose name begins so.
+pub(super) fn ends_inside(text: &str, environment: &str) -> bool {
+    let last = |what: &str| text.rfind(&format!("\\{what}{{{environment}"));
+    last("begin").is_some_and(|begin| last("end").is_none_or(|end| end < begin))
 }
 
 /// Environments whose names are their own.
