@@ -8,7 +8,7 @@ from lsprotocol import types
 from pytest_lsp import ClientServerConfig, LanguageClient
 
 URI = "file:///paper.tex"
-WRONG = "Es sei\n\\[(a+b)^2=a^2-2ab+b^2\\]\n"
+WRONG = "Es gilt\n\\[(a+b)^2=a^2-2ab+b^2\\]\n"
 
 
 @pytest_lsp.fixture(config=ClientServerConfig(server_command=[os.environ["REDERIVE"], "lsp"]))
