@@ -21,14 +21,14 @@ def test_a_check_is_recalled(tmp_path: Path, derivations: Path, monkeypatch: pyt
     assert not usual.exists(), "nothing is kept"
     first = rederive.check(path, cache=named)
     records = kept(named)
-    assert first.json() == fresh.json() and len(records) == 3 and not usual.exists()
+    assert first.json() == fresh.json() and len(records) == 4 and not usual.exists()
     again = rederive.Session(path).check(cache=str(named))
     assert again.json() == fresh.json() and again.page() == fresh.page() and kept(named) == records
     claim = again.claims[0].id
     assert again.explain(claim) == fresh.explain(claim)
 
     rederive.check(path)
-    assert len(kept(usual)) == 3
+    assert len(kept(usual)) == 4
     monkeypatch.setenv("REDERIVE_CACHE", "")
     assert rederive.check(path).json() == fresh.json()
 
