@@ -115,6 +115,7 @@ mod brief;
 pub mod cli;
 mod conclusion;
 pub mod config;
+mod either_base;
 pub mod look;
 mod run;
 mod session;

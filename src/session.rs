@@ -24,6 +24,7 @@ use crate::diag::escape::shown;
 use crate::diag::{Diagnostic, Source};
 use crate::findings::search::SearchAccount;
 use crate::latex::Logarithm;
+use crate::reason::Reason;
 use crate::report;
 use crate::verdict::Residuals;
 use meter::{Ended, Task};
@@ -199,6 +200,11 @@ impl Session {
     pub fn with_logarithm(mut self, logarithm: Logarithm) -> Session {
         Arc::make_mut(&mut self.derivation).scope.set_logarithm(logarithm);
         self
+    }
+
+    /// The same derivation, where `\log` is this logarithm.
+    pub(crate) fn with_base(&self, base: Logarithm) -> Session {
+        Session::of(Derivation::clone(&self.derivation)).with_logarithm(base)
     }
 
     /// The derivation, as it was read.
@@ -390,6 +396,10 @@ impl Session {
     /// # Ok::<(), rederive::Failure>(())
     /// ```
     pub fn prove(&self, question: &Question) -> Result<Answer, Failure> {
+        self.decide(question).or_else(|why| self.in_either_base(question).filter(|_| why.is_of_base()).ok_or(why))
+    }
+
+    pub(crate) fn decide(&self, question: &Question) -> Result<Answer, Failure> {
         let mut derivation = Derivation::clone(&self.derivation);
         if let Some(claim) = &question.scope {
             check::with_symbols_of(&mut derivation, claim, SCOPE)?;
@@ -498,6 +508,13 @@ impl Answer {
     /// The answer as JSON.
     pub fn json(&self) -> String {
         report::proposition_json(&self.proposition, &self.account)
+    }
+
+    /// The same, with something that is to be said of it.
+    pub(crate) fn with_remark(mut self, remark: &str) -> Answer {
+        let before = self.account.reason.take().map(|reason| format!("{reason}; ")).unwrap_or_default();
+        self.account.reason = Some(Reason::Quoted(format!("{before}{remark}").into()));
+        self
     }
 
     /// The formula as MathML; `None` where it is not read.

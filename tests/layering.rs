@@ -167,6 +167,7 @@ const OUTSIDE: &[&str] = &[
     "ask.rs",
     "brief.rs",
     "conclusion.rs",
+    "either_base.rs",
     "config.rs",
     "look.rs",
     "run.rs",

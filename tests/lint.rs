@@ -10,6 +10,8 @@ use rederive::diag::Source;
 use rederive::lint::{self, Word};
 use rederive::paper::{self, Paper};
 
+use Word::{Defines, Differs, Follows, NotRead, Wrong};
+
 fn rederive(folder: &Path, arguments: &[&str]) -> assert_cmd::assert::Assert {
     let mut command = Command::cargo_bin("rederive").expect("the program is built");
     command.current_dir(folder).env_remove("CLICOLOR_FORCE").args(arguments).assert()
@@ -429,6 +431,27 @@ fn what_may_be_meant_otherwise_is_neither_proved_nor_wrong() {
         }
     }
     assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+/// Steps that hold, or fail, in each base that `\log` may have; what depends on the base is not read.
+#[test]
+fn the_base_of_a_logarithm_need_not_be_known() {
+    says(r"\[\log(a^2b)=2\log a+\log b\]", &[Follows]);
+    says(r"Hence \[\log(a^3)=2\log a\]", &[Wrong]);
+    assert_eq!(instead(r"Hence \[\log(a^3)=2\log a\]").as_deref(), Some(r"3\log a"));
+    for depends in [r"\[\log 100=2\]", r"\[\log e^x=x\]", r"Hence \[\frac{d}{dx}\log x=\frac1x\]"] {
+        says(depends, &[NotRead]);
+    }
+}
+
+/// What has a formula is not defined again by an equation of motion.
+#[test]
+fn an_equation_of_motion_that_a_formula_denies_differs() {
+    let of = |says: &str| format!(r"The position is $x=A\cos\omega t$ and the acceleration \[{says}\]");
+    says(&of(r"\ddot x=\omega^2x"), &[Defines, Differs]);
+    says(&of(r"\ddot x=-\omega^2x"), &[Defines, Follows]);
+    // Another motion, of which nothing but the name is the same.
+    says(&of(r"\ddot x=\frac{k}{m}x^3"), &[Defines, Defines]);
 }
 
 /// The square of a name is a premise like another one; what was one name for another in a chain, and a lost square below a line, are told.

@@ -36,6 +36,18 @@ fn words_of_a_symbol_want_commas() {
     assert!(said.contains("write commas between the words: `field, 3`"), "{said}");
 }
 
+/// What is the same in each base is decided, and says so; what is not is refused.
+#[test]
+fn the_base_of_a_logarithm_need_not_be_known() {
+    let told = "either base that `\\log` may have";
+    assert!(ends(0, &["\\log(ab)=\\log a+\\log b", "-s", "a, b: positive"]).contains(told));
+    assert!(ends(1, &["\\log(a+b)=\\log a+\\log b", "-s", "a, b: positive"]).contains(told));
+    for depends in ["\\log 10=1", "\\ln x=\\log x"] {
+        assert!(ends(2, &[depends, "-s", "x"]).contains("latex::base-of-logarithm"), "{depends}");
+    }
+    assert!(!ends(0, &["\\log 10=1", "--log", "decimal"]).contains(told));
+}
+
 /// The words of a line as a shell takes them: blanks separate, single quotes keep together.
 fn words(line: &str) -> Vec<String> {
     let mut out = vec![String::new()];

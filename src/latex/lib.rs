@@ -35,7 +35,7 @@ mod write;
 pub use feature::{Feature, feature, feature_of};
 pub use name::{is_letter_command, sets_words};
 pub use parse::{is_function, sign_of_nabla, whole_part};
-pub use scope::{Declaration, DeclareError, Logarithm, REFUSED, Role, Scope, Signature};
+pub use scope::{Declaration, DeclareError, Logarithm, NO_BASE, REFUSED, Role, Scope, Signature};
 pub use statement::{Limit, LimitPoint, Relation, Statement};
 pub use syntax::RelationKind;
 pub use typeset::printed;

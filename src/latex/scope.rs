@@ -89,6 +89,9 @@ pub struct Scope {
     units: bool,
 }
 
+/// The code of the refusal of `\log` where nobody says which logarithm it is.
+pub const NO_BASE: &str = "latex::base-of-logarithm";
+
 /// What `\log` stands for, by a convention of the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Logarithm {

@@ -8,8 +8,7 @@ use paper::{PrintedSide, names};
 
 use super::judge::Judge;
 use super::nearest::WrongStep;
-use super::space::General;
-use super::step::{Place, Step, Support};
+use super::step::{Place, Step};
 
 impl Judge<'_> {
     /// Decides one step.
@@ -28,7 +27,7 @@ impl Judge<'_> {
         let second = self.step_of_one(lower.each_ref(), place);
         Some(match (first, second) {
             (Step::NotRead(_), _) | (_, Step::NotRead(_)) => return None,
-            (Step::Follows(one), Step::Follows(other)) => Step::Follows(both(one, other)),
+            (Step::Follows(one), Step::Follows(other)) => Step::Follows(one.and(other)),
             (Step::Follows(_) | Step::Numbers, Step::Follows(_) | Step::Numbers) => Step::Numbers,
             (Step::Wrong(one), Step::Wrong(other)) => {
                 let crossed = [[&upper[0], &lower[1]], [&lower[0], &upper[1]]];
@@ -50,19 +49,6 @@ impl Judge<'_> {
 fn has_branches(sides: [&PrintedSide; 2]) -> bool {
     let has = |side: &PrintedSide| side.branch_signs() > 0 && !names(side).is_empty();
     sides.into_iter().all(has) && !sides.iter().any(|side| side.text.contains('.'))
-}
-
-/// What two proofs rest on together.
-fn both(one: Support, other: Support) -> Support {
-    let mut with = one.with;
-    with.extend(other.with);
-    with.sort_unstable();
-    with.dedup();
-    let general = General {
-        fields: one.general.fields || other.general.fields,
-        vectors: one.general.vectors || other.general.vectors,
-    };
-    Support { with, of_positive: one.of_positive || other.of_positive, general }
 }
 
 /// One formula for both signs, where two differ in signs alone.

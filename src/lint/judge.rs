@@ -12,7 +12,7 @@ use super::chain::{Slip, said};
 use super::desk::{Given, evidence_of};
 use super::facts::{Facts, Reach, Stated};
 use super::kinds::{Unsigned, other_kind, unsigned};
-use super::lone::{is_equation_of_motion, lone_name};
+use super::lone::{is_equation_of_motion, lone_name, unprimed};
 use super::nearest::{Sureness, WrongStep};
 use super::notation::Evidence;
 use super::refusal::NotRead;
@@ -370,7 +370,7 @@ impl Judge<'_> {
             let of = OfStep { relation, k, sentence, defining, derived, solved, alone, integrated, whole: &whole };
             // `y'=-ky` may be another equation than the one before, unless its sentence concludes.
             let is_another = k == 1 && (!concludes || sentence.changes) && is_equation_of_motion(left, right);
-            let blame = if is_another { Blame::Nothing } else { self.blame(&of, at) };
+            let blame = if is_another && !derived { Blame::Nothing } else { self.blame(&of, at) };
             let concludes = concludes && !(self.is_inexact(&of, at) && !defining);
             // What is said again is no step from itself.
             if let Some(before) = self.same_definition(first.as_ref().filter(|_| k == 1 && known), right) {
@@ -399,7 +399,7 @@ impl Judge<'_> {
                 is_first: k == 1,
                 solves,
             };
-            let mut step = self.step([left, right], &place);
+            let mut step = self.in_either_base(|judge| judge.step([left, right], &place));
             if let (Some(slip), false) = (&mut slip, matches!(step, Step::Follows(_))) {
                 step = self.behind_slip(relation, slip, k, &place).unwrap_or(step);
             }
@@ -430,6 +430,15 @@ impl Judge<'_> {
                     let before = first.as_ref().and_then(|n| self.latest_definition(n));
                     tally.anew = before.map(|g| g.relation);
                     tally.differs = before.map(|g| format!("before it was {}", g.right.text));
+                    Word::Defines
+                }
+                // An equation of motion of what has a formula: it may be of another motion.
+                Step::Wrong(wrong) if is_another => {
+                    out.steps.1 -= 1;
+                    tally.defines = true;
+                    let before = first.as_ref().and_then(|n| self.latest_definition(&unprimed(n)));
+                    tally.anew = before.map(|g| g.relation);
+                    tally.differs = before.map(|_| format!("its formula gives {}", wrong.instead));
                     Word::Defines
                 }
                 Step::Wrong(wrong) => {

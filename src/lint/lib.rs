@@ -13,6 +13,7 @@
 
 #![forbid(unsafe_code)]
 
+mod bases;
 mod blame;
 mod branches;
 mod cases;

@@ -89,6 +89,11 @@ impl Evidence {
         self.logarithm
     }
 
+    /// Sets what `\log` is, where the paper does not say it.
+    pub fn assume_logarithm(&mut self, logarithm: Option<Logarithm>) {
+        self.logarithm = logarithm;
+    }
+
     /// The limits of the questions of the paper, with one total for all of them.
     pub fn limits(&self) -> &Limits {
         &self.limits

@@ -15,7 +15,15 @@ pub struct NotRead {
     pub ended: Option<Ended>,
 }
 
+/// The feature of a `\log` of which nobody says what it is.
+const OF_BASE: &str = "a logarithm";
+
 impl NotRead {
+    /// Whether it is not known which logarithm is meant.
+    pub fn is_of_base(&self) -> bool {
+        self.feature == OF_BASE
+    }
+
     /// A feature that was seen.
     pub fn of(feature: impl Into<String>) -> NotRead {
         NotRead { feature: feature.into(), why: None, ended: None }
@@ -48,6 +56,7 @@ pub(super) fn refusal(problems: &[diag::Problem]) -> NotRead {
         "latex::index" | "latex::double-script" => "indices",
         "latex::shape" => "vectors and numbers in one sum, or in one product",
         "latex::ambiguous" => "something with two readings",
+        latex::NO_BASE => OF_BASE,
         _ => "a notation",
     };
     NotRead { why: Some(first.message.clone()), ..NotRead::of(feature) }

@@ -52,6 +52,17 @@ pub(super) struct Support {
     pub(super) general: General,
 }
 
+impl Support {
+    /// What two proofs rest on together.
+    pub(super) fn and(mut self, other: Support) -> Support {
+        self.with.extend(other.with);
+        self.with.sort_unstable();
+        self.with.dedup();
+        let (of_positive, general) = (self.of_positive || other.of_positive, self.general.or(other.general));
+        Support { with: self.with, of_positive, general }
+    }
+}
+
 /// Of what *wrong* may be said.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Blame {

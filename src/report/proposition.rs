@@ -47,10 +47,15 @@ pub fn proposition_text(
                 out.push_str(&format!("  {title}\n{}", lines(&list, 4)));
             }
         }
-        Decision::Refuted => match &evidence.counterexample {
-            Some(found) => out.push_str(&counterexample(found, !proposition.given.is_empty())),
-            None => out.push_str(&lines(&account.witness.iter().map(ToString::to_string).collect::<Vec<_>>(), 2)),
-        },
+        Decision::Refuted => {
+            match &evidence.counterexample {
+                Some(found) => out.push_str(&counterexample(found, !proposition.given.is_empty())),
+                None => out.push_str(&lines(&account.witness.iter().map(ToString::to_string).collect::<Vec<_>>(), 2)),
+            }
+            if let Some(reason) = &account.reason {
+                out.push_str(&paragraph(&format!("But note: {reason}."), 2));
+            }
+        }
         Decision::Undecided => {
             let reason = account.reason.as_ref().map_or_else(|| "no reason is known".to_owned(), ToString::to_string);
             out.push_str(&paragraph(&format!("Neither proved nor refuted: {reason}."), 2));

@@ -3,7 +3,7 @@
 use std::ops::{ControlFlow, Range};
 
 use super::super::parse::operation;
-use super::super::scope::{Logarithm, Role};
+use super::super::scope::{Logarithm, NO_BASE, Role};
 use super::super::syntax::{Name, Node, NodeKind, Sign, indices};
 use super::super::tensor;
 use super::{Elaborated, Elaborator, MOST_WORK, refuse};
@@ -558,7 +558,7 @@ impl Elaborator<'_> {
             }
             None => {
                 let hint = r#"write `\ln`, or say `log = "natural"` or `log = "decimal"` under [conventions] of a derivation file; `rederive prove` and `rederive lint` take `--log natural` or `--log decimal`"#;
-                refuse("latex::ambiguous", "the base of `\\log` is not clear", span, hint)
+                refuse(NO_BASE, "the base of `\\log` is not clear", span, hint)
             }
         }
     }
