@@ -5,6 +5,8 @@
 
 use diag::next_character;
 
+use super::signs::places_of;
+
 /// How a word at the beginning of a sentence parts cases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Opener {
@@ -275,7 +277,7 @@ impl Cases {
             out.stops.extend(text.match_indices(stop).map(|(at, _)| at).filter(|at| stop != ". " || !abbreviates(*at)));
         }
         out.stops.sort_unstable();
-        out.breaks = BREAKS.iter().flat_map(|b| text.match_indices(b)).map(|(at, _)| at).collect();
+        out.breaks = BREAKS.iter().flat_map(|b| places_of(text, b)).collect();
         out.breaks.sort_unstable();
         for (pair, words) in PAIRS.iter().enumerate() {
             for (which, word) in words.iter().enumerate() {
@@ -406,7 +408,7 @@ const LIST: usize = 3000;
 /// Whether a place stands in an item of a list, right behind its beginning, and the words before the list pose its items.
 fn is_item_to_solve(text: &str, at: usize) -> bool {
     let before = &text[next_character(text, at.saturating_sub(LIST))..at];
-    let item = [r"\item", r"\task", r"\part"].iter().filter_map(|i| before.rfind(i)).max();
+    let item = [r"\item", r"\task", r"\part"].iter().filter_map(|i| places_of(before, i).last()).max();
     let Some(item) = item.filter(|i| before[*i..].split_whitespace().count() < 4) else { return false };
     let lists = ["enumerate", "itemize", "tasks", "extasks", "multicols", "parts"];
     let begin = |l: &&str| before[..item].rfind(&format!("\\begin{{{l}}}"));

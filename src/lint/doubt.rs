@@ -16,7 +16,7 @@ use super::desk::Given;
 use super::judge::{Judge, MOST_EXPLAINED};
 use super::sentence::{Sentence, is_aside, window};
 use super::setting::keys;
-use super::signs::{COMPARES, EQUALS, is_one_of};
+use super::signs::{COMPARES, EQUALS, has_sign, is_one_of};
 use super::step::Place;
 use super::words::{Taken, asserts, goes_on, of_several, take_back_in_row, taken};
 
@@ -28,13 +28,10 @@ const BEFORE: usize = 1_500;
 /// The most environments there whose beginnings are looked at.
 const MOST_ENVIRONMENTS: usize = 40;
 
-/// Signs in a piece that is not read, with which it restricts what stands beside it.
+/// Signs in a piece that is not read, with which it restricts what stands beside it, beside those that compare.
 const RESTRICT: &[&str] = &[
     "=",
-    "<",
-    ">",
     "≈",
-    "≠",
     "≪",
     "≫",
     "∈",
@@ -44,19 +41,15 @@ const RESTRICT: &[&str] = &[
     "?",
     r"\ll",
     r"\gg",
-    r"\le",
-    r"\ge",
-    r"\ne",
     r"\to",
     r"\rightarrow",
+    r"\longrightarrow",
     r"\approx",
     r"\sim",
-    r"\in",
-    r"\notin",
+    r"\simeq",
     r"\perp",
     r"\forall",
     r"\exists",
-    r"\subset",
     r"\equiv",
     r"\propto",
     "mod",
@@ -143,7 +136,7 @@ impl Judge<'_> {
         }
         let between = window(&file.text, before.end.max(own.start.saturating_sub(SEVERAL)), own.start);
         let between = between.rsplit("\n\n").next().unwrap_or_default();
-        [r"\to", r"\mapsto", r"\rightarrow", "→"].iter().any(|sign| between.contains(sign)) || of_several(between)
+        has_sign(between, &[r"\to", r"\mapsto", r"\rightarrow", "→"]) || of_several(between)
     }
 
     /// What the words around a relation of the running text, or around its display, do with it.
@@ -223,7 +216,7 @@ impl Judge<'_> {
         let all = &self.paper.printed;
         let own: BTreeSet<String> = relation.sides.iter().flat_map(names).map(|n: PaperName| n.key()).collect();
         let concludes = is_implied(relation);
-        let restricts = |k: usize| {
+        let may_restrict = |k: usize| {
             let other = &all[k];
             let ends_as_label = other.sides.last().is_some_and(|s| s.text.trim_end().ends_with(':'));
             if ends_as_label {
@@ -232,10 +225,10 @@ impl Judge<'_> {
             match other.sides.as_slice() {
                 [one] => {
                     let is_of_place = matches!(other.opening, Some(Opening::Remark | Opening::Case));
-                    !one.text.is_empty() && (is_of_place || RESTRICT.iter().any(|w| one.text.contains(w)))
+                    !one.text.is_empty() && (is_of_place || restricts(&one.text))
                 }
-                // What a relation concludes from is no case of it.
-                _ if concludes && k < at => false,
+                // What a relation concludes from is no case of it, and neither is what is said of another derivative: `\dot x=\ldots,\ \dot p=\ldots`.
+                _ if concludes && k < at || are_of_derivatives([relation, other]) => false,
                 sides => {
                     let shares = || sides.iter().any(|s| !keys([s, s]).is_disjoint(&own));
                     let is_plain = |s: &String| is_one_of(EQUALS, s) || is_one_of(COMPARES, s) && !s.contains("in");
@@ -244,7 +237,7 @@ impl Judge<'_> {
             }
         };
         let row = self.row_of(at);
-        row.clone().filter(|k| *k != at).any(restricts)
+        row.clone().filter(|k| *k != at).any(may_restrict)
             || self.is_given_as_reason(at)
             || relation.display.is_none() && self.is_restricted_in_formula(row)
     }
@@ -263,16 +256,15 @@ impl Judge<'_> {
         let behind = file.text.get(to.end..near(to.end + BETWEEN)).unwrap_or_default();
         let opened = ["$", r"\("].iter().filter_map(|open| before.rfind(open).map(|i| i + open.len())).max();
         let closed = ["$", r"\)"].iter().filter_map(|close| behind.find(close)).min();
-        let restricts =
-            |text: &str| RESTRICT.iter().any(|w| text.contains(w)) || text.contains(r"\text") && take_back_in_row(text);
-        opened.is_some_and(|i| restricts(&before[i..]) || before[i..].contains(':'))
-            || closed.is_some_and(|i| restricts(&behind[..i]))
+        let restrict = |text: &str| restricts(text) || text.contains(r"\text") && take_back_in_row(text);
+        opened.is_some_and(|i| restrict(&before[i..]) || before[i..].contains(':'))
+            || closed.is_some_and(|i| restrict(&behind[..i]))
     }
 
     /// Whether a sign of a reason stands before a relation, `\because x=y`.
     fn is_given_as_reason(&self, at: usize) -> bool {
         let before = at.checked_sub(1).and_then(|k| self.between_in_formula(k, at));
-        before.is_some_and(|text| BACKWARDS.iter().any(|sign| text.contains(sign)))
+        before.is_some_and(|text| has_sign(text, BACKWARDS))
     }
 
     /// Whether a relation leads to the next one, and follows from none: an equation that is solved.
@@ -301,6 +293,22 @@ impl Judge<'_> {
             SYSTEMS.contains(&name) && stands_alone || braced && ROWS.contains(&name)
         })
     }
+}
+
+/// Whether a piece of a formula may say when what stands beside it holds.
+fn restricts(text: &str) -> bool {
+    has_sign(text, RESTRICT) || has_sign(text, COMPARES)
+}
+
+/// Whether two relations say what two derivatives are, by formulas.
+fn are_of_derivatives(relations: [&PrintedRelation; 2]) -> bool {
+    let is_derivative = |n: &PaperName| n.dots > 0 || n.derived_by.is_some();
+    let says = |r: &PrintedRelation| {
+        r.signs.iter().all(|s| is_one_of(EQUALS, s))
+            && r.sides.first().is_some_and(|s| names(s).iter().any(is_derivative))
+            && r.sides.last().is_some_and(|s| names(s).len() > 1)
+    };
+    relations.into_iter().all(says) && relations[0].sides[0].print() != relations[1].sides[0].print()
 }
 
 /// Whether an arrow stands before a relation.

@@ -276,7 +276,8 @@ impl Judge<'_> {
             self.display = Some(OfDisplay { number, place: self.place_of_display(at), sentence });
         }
         self.earlier = Some(relation.span());
-        self.display.as_ref().map(|known| known.sentence.clone()).unwrap_or_default()
+        let sentence = self.display.as_ref().map(|known| known.sentence.clone()).unwrap_or_default();
+        relation.sides.first().map_or(Sentence::default(), |side| sentence.of_side(side))
     }
 
     /// Takes the definitions that a "where" behind a display gives of its names.

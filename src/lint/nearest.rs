@@ -177,7 +177,7 @@ fn is_claim(asked: &Asked, rests: &Rests, chain: &Chain, sureness: Sureness) -> 
     let conserves = matches!(chain.sides.first()?.kind, NodeKind::Derivative { .. })
         && !asked.premises.equations.is_empty()
         && chain.sides.last().is_some_and(|s| matches!(&s.kind, NodeKind::Number(n) if *n == Rational::ZERO));
-    let smallest = if conserves { size(&chain.sides[0]) } else { chain.sides.iter().map(size).min()? };
+    let smallest = if conserves { size(&chain.sides[0]) } else { chain.sides.iter().map(written).min()? };
     let is_solved = matches!(sureness, Sureness::Concludes | Sureness::Solves) && !rests.stated.is_empty();
     let is_derivation = derives_formula(chain, asked) && !rests.are_some();
     let least = if is_derivation || is_solved || sureness >= Sureness::Chain && !rests.given.is_empty() {
@@ -222,6 +222,12 @@ fn is_claim(asked: &Asked, rests: &Rests, chain: &Chain, sureness: Sureness) -> 
         return Some(false);
     }
     Some(true)
+}
+
+/// The size of a side as it is printed: the power of a function, `\sin^2x`, is a part of it.
+fn written(side: &Node) -> usize {
+    let has_power = matches!(&side.kind, NodeKind::Function(_, Some(_), _));
+    size(side) + usize::from(has_power)
 }
 
 /// Whether two sides that differ are one sign, number, exponent or function apart, as they are printed.

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use paper::{PaperName, PrintedRelation, PrintedSide, names, squeezed};
 
 use super::lone::{lone_name, unprimed};
-use super::signs::defines_behind;
+use super::signs::{defines_behind, has_sign};
 
 /// Whether a sign may say that two sides are equal but for multiples of something, or by definition.
 pub(super) fn is_congruence(sign: &str) -> bool {
@@ -84,7 +84,7 @@ const REASONS: &[&str] = &["since", "because", "as we", "weil", "da ", "puisque"
 pub(super) fn is_of_any(relation: &PrintedRelation) -> bool {
     let words = relation.remark.as_deref().unwrap_or_default().to_lowercase();
     let words = words.trim_start_matches(|c: char| !c.is_alphabetic());
-    let is_any = [r"\in", r"\forall", "arbitrary", "any "].iter().any(|w| words.contains(w));
+    let is_any = has_sign(words, &[r"\in", r"\forall", "arbitrary", "any "]);
     is_any && REASONS.iter().any(|w| words.starts_with(w))
 }
 

@@ -8,213 +8,16 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 use diag::next_character;
-use paper::{Opening, Paper, PrintedRelation, is_markdown, opening};
+use paper::{Opening, Paper, PrintedRelation, PrintedSide, is_markdown, opening, squeezed};
 
 use super::headings::headings;
 use super::markdown::{without_closing, without_opening};
+use super::vocabulary::{AIMS, CHANGES, CONCLUDES, LINKS, LOOSENS, SOLVES, WHERE};
 
 /// The longest text before a display that is looked at, in bytes.
 const BEFORE: usize = 500;
 /// The longest text behind it.
 const BEHIND: usize = 200;
-
-/// Words with which a sentence concludes from the formula before it.
-const CONCLUDES: &[&str] = &[
-    "hence",
-    "then",
-    "thus",
-    "therefore",
-    "consequently",
-    "accordingly",
-    "it follows",
-    "so that",
-    "which gives",
-    "which implies",
-    "this gives",
-    "this implies",
-    "gives",
-    "yields",
-    "implies",
-    "we get",
-    "we obtain",
-    "we find",
-    "we have",
-    "leads to",
-    "or equivalently",
-    "equivalently",
-    "that is",
-    "i.e.",
-    "simplifies",
-    "reduces to",
-    "solving",
-    "rearranging",
-    "so ",
-    "⇒",
-];
-
-/// Words of a sentence whose equations need not be exact, or whose constants may change from line to line.
-pub(super) const LOOSENS: &[&str] = &[
-    "approx",
-    "neglect",
-    "leading order",
-    "to first order",
-    "at first order",
-    "first order in",
-    "to second order",
-    "second order in",
-    "lowest order",
-    "higher order",
-    "higher-order",
-    "zeroth order",
-    "to order",
-    "linear order",
-    "ignor",
-    "dropping",
-    "drop the",
-    "we drop",
-    "discard",
-    "omit",
-    "linearis",
-    "lineariz",
-    "expansion",
-    "taylor",
-    "asymptotic",
-    "in the limit",
-    "for small",
-    "for large",
-    "is small",
-    "is large",
-    "are small",
-    "are large",
-    "small compared",
-    "large compared",
-    "sufficiently small",
-    "sufficiently large",
-    "roughly",
-    "absorb",
-    "redefin",
-    "re-defin",
-    "rescal",
-    "renam",
-    "relabel",
-    "natural units",
-    "choose units",
-    "choice of units",
-    "set of units",
-    "system of units",
-    "units in which",
-    "units where",
-    "units such that",
-    "nondimension",
-    "non-dimension",
-    "dimensionless",
-    "up to a",
-    "up to an",
-    "modulo",
-    "of integration",
-    "integration constant",
-    "arbitrary constant",
-    "on average",
-    "averages out",
-    "orthogonal",
-    "perpendicular",
-    "incoherent",
-    "uncorrelated",
-    "pythagor",
-    "mistake",
-    "incorrect",
-    "erroneous",
-    "wrong",
-    "contradict",
-    "suppose instead",
-    "if instead",
-    "would have",
-    "would be",
-    "not equal",
-];
-
-/// Words of a sentence that says what is to be shown.
-const AIMS: &[&str] = &[
-    "want to show",
-    "wish to show",
-    "to show that",
-    "to prove",
-    "must show",
-    "show that:",
-    "prove that",
-    "zu zeigen",
-    "montrons",
-    "montrer que",
-    "dimostriamo",
-    "dimostrare che",
-    "mostrar que",
-    "demostrar",
-];
-
-/// Words of a sentence whose equation is to be solved.
-const SOLVES: &[&str] = &[
-    "to solve",
-    "must solve",
-    "we solve",
-    "solve the",
-    "solve for",
-    "solutions to",
-    "solutions of",
-    "solution to",
-    "solution of",
-    "satisf",
-    "intersect",
-    "find the",
-    "set equal",
-    "root of",
-    "roots of",
-    "equate",
-    "inner product",
-    "scalar product",
-    "inner form",
-    "prodotto scalare",
-    "produit scalaire",
-    "producto escalar",
-    "produto escalar",
-    "skalarprodukt",
-];
-
-/// Words of a sentence that gives a name another meaning, or another case.
-const CHANGES: &[&str] = &[
-    "now",
-    "instead",
-    "becomes",
-    "case",
-    "if",
-    "when",
-    "for",
-    "let",
-    "choose",
-    "another",
-    "different",
-    "new",
-    "modified",
-    "corrected",
-    "next",
-    "third",
-    "second",
-    "other",
-    "replace",
-    "replaced",
-    "alternatively",
-    "respectively",
-    "without",
-    "at",
-    "while",
-    "whereas",
-    "or",
-];
-
-/// Words that do so behind the last formula of a sentence; before it they only link: "resistors in parallel obey $\ldots$, so that".
-const LINKS: &[&str] = &["generally", "general", "with", "in", "but"];
-
-/// Words with which a formula behind a display says what its names stand for.
-const WHERE: &[&str] = &["where", "with", "here", "in which", "wherein"];
 
 /// What the words around a display say.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -229,6 +32,8 @@ pub struct Sentence {
     pub changes: bool,
     /// Its equation is to be solved.
     pub solves: bool,
+    /// The name for which an equation before is solved: "solving for $g$".
+    pub solved_for: Option<String>,
     /// It says that something is held fixed.
     pub fixes: bool,
     /// It says what is to be shown: nothing follows from that.
@@ -259,14 +64,40 @@ impl Sentence {
         Sentence {
             names: named(&before),
             concludes: CONCLUDES.iter().any(|w| last.contains(w)),
-            changes: words(last).iter().any(|w| CHANGES.contains(&w.as_str()))
+            changes: words(&without_for_of_solving(last)).iter().any(|w| CHANGES.contains(&w.as_str()))
                 || words(tail).iter().any(|w| LINKS.contains(&w.as_str())),
             aims: AIMS.iter().any(|w| last.contains(w)),
             fixes: ["constant", "fixed", "held"].iter().any(|w| last.contains(w)),
             solves: SOLVES.iter().any(|w| last.contains(w)),
+            solved_for: solved_for(last_sentence(&before)),
             loosens: loose(&lower) || loose(&first_sentence(&behind.to_lowercase())),
         }
     }
+}
+
+impl Sentence {
+    /// The sentence as it is said of a relation that begins with a side: what an equation before is solved for follows from that.
+    pub fn of_side(mut self, side: &PrintedSide) -> Sentence {
+        if self.solved_for.as_deref() == Some(&squeezed(&side.text)) {
+            (self.solves, self.concludes) = (false, true);
+        }
+        self
+    }
+}
+
+/// A sentence without the word "for" of "solving for": it opens no case.
+fn without_for_of_solving(sentence: &str) -> String {
+    let all: Vec<&str> = sentence.split_whitespace().collect();
+    let is_of_solving = |at: usize| all[at.saturating_sub(2)..at].iter().any(|w| w.starts_with("solv"));
+    let kept = (0..all.len()).filter(|&at| all[at] != "for" || !is_of_solving(at));
+    kept.map(|at| all[at]).collect::<Vec<_>>().join(" ")
+}
+
+/// What stands between the dollars behind "solve", or a word made of it, and "for".
+fn solved_for(sentence: &str) -> Option<String> {
+    let (before, name) = sentence.rsplit_once(" for $")?;
+    let solves = before.to_lowercase().split_whitespace().rev().take(3).any(|w| w.starts_with("solv"));
+    name.split_once('$').filter(|_| solves).map(|(name, _)| squeezed(name))
 }
 
 /// Whether a relation of the running text says what a name of the display before it stands for: "where $k=2\pi/\lambda$".
@@ -595,6 +426,7 @@ mod tests {
                 loosens: false,
                 changes: false,
                 solves: false,
+                solved_for: None,
                 fixes: false,
                 aims: false
             }
@@ -602,6 +434,7 @@ mod tests {
         assert!(sentence(r"\[ a=b \] Neglecting the last term, \[ c=d \]").loosens);
         assert!(sentence(r"\[ a=b \] So we have \[ c=d \] where the constant is absorbed.").loosens);
         assert!(!sentence("\\[ a=b \\] We neglect nothing.\n\nThus % approximately\n\\[ c=d \\]").loosens);
+        assert_eq!(sentence(r"\[ a=b/c \] We solve this for $c_1$: \[ c_1=d \]").solved_for.as_deref(), Some("c_1"));
         assert!(!sentence(r"\[ a=b \] Thus it ends. The other one is \[ c=d \]").concludes);
     }
 

@@ -49,3 +49,15 @@ pub fn defines_behind(sign: &str) -> Option<bool> {
 pub fn is_one_of(kind: &[&str], sign: &str) -> bool {
     kind.contains(&sign)
 }
+
+/// The places of a sign in a text. A command ends where its letters end: `\part` stands nowhere in `\partial`.
+pub(super) fn places_of<'t>(text: &'t str, sign: &'t str) -> impl Iterator<Item = usize> {
+    let is_command = sign.strip_prefix('\\').is_some_and(|name| name.chars().all(|c| c.is_ascii_alphabetic()));
+    let goes_on = move |at: usize| text[at + sign.len()..].starts_with(|c: char| c.is_ascii_alphabetic());
+    text.match_indices(sign).map(|(at, _)| at).filter(move |at| !is_command || !goes_on(*at))
+}
+
+/// Whether one of some signs stands in a text.
+pub(super) fn has_sign(text: &str, signs: &[&str]) -> bool {
+    signs.iter().any(|sign| places_of(text, sign).next().is_some())
+}

@@ -384,6 +384,10 @@ fn own(of: &Node, names: &[SymbolNode]) -> Vec<Slip> {
                 of,
             ));
         }
+        NodeKind::Pi => {
+            let sup = Some(Box::new(number(2, of)));
+            out.push(node(NodeKind::Scripted { base: Box::new(of.clone()), sub: None, sup, sup_first: false }, of));
+        }
         NodeKind::Scripted { base, sub: None, .. } => out.push((**base).clone()),
         _ => {}
     }

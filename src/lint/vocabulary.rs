@@ -1,6 +1,6 @@
-//! The vocabulary of [`super::words`]: words that take a formula back, one table for each way.
+//! The vocabulary of [`super::words`] and [`super::sentence`]: words that take a formula back, conclude, loosen or solve, one table for each way.
 //!
-//! **In:** nothing. **Out:** tables; semicolons part their words, and a space at an end belongs to the word: without it the word may go on.
+//! **In:** nothing. **Out:** tables; in a text semicolons part the words, and a space at an end belongs to the word: without it the word may go on.
 //! **Guaranteed:** small letters and single spaces, as in the texts in which they are looked for.
 
 /// Words that deny: of others, of an older version, or outright.
@@ -105,6 +105,11 @@ pub(super) const POSED: &str = "\
     line; lines; plane; planes; surface; surfaces; circle; circles; sphere; curve; curves; point; points; set; region; ellipse; \
     hyperbola; parabola; cone; cylinder; equation; equations; relation; constraint";
 
+/// Words for what one does with an equation, right before it: "Solve", but not "Solving, we get".
+pub(super) const POSING: &str = "\
+    solve; solves; solving; consider; considering; given; graph; plot; sketch; draw; study; löse; lösen; betrachte; betrachten; gegeben; résoudre; \
+    résolvez; considérons; risolvere; risolvi; consideriamo; resolver; resuelve; consideremos";
+
 /// Words behind which a display stands that says something: what its sentence does is known by its last word.
 pub(super) const ASSERTING: &str = "\
     is; are; was; be; reads; read; becomes; become; gives; give; yields; yield; have; has; get; gets; obtain; obtains; find; finds; \
@@ -169,3 +174,201 @@ pub(super) const OPERATIONS: &str = "\
     reciprocal; result; solution; equation; expression; formula; left; right; integral; logarithm; exponential; first; determinant; identity; \
     relation; expansion; ableitung; geschwindigkeit; beschleunigung; quadrat; dérivée; vitesse; derivata; velocità; derivada; velocidad; \
     chain; rule; definition; motion; second; force; energy; momentum";
+
+/// Words with which a sentence concludes from the formula before it.
+pub(super) const CONCLUDES: &[&str] = &[
+    "hence",
+    "then",
+    "thus",
+    "therefore",
+    "consequently",
+    "accordingly",
+    "it follows",
+    "so that",
+    "which gives",
+    "which implies",
+    "this gives",
+    "this implies",
+    "gives",
+    "yields",
+    "implies",
+    "we get",
+    "we obtain",
+    "we find",
+    "we have",
+    "leads to",
+    "or equivalently",
+    "equivalently",
+    "that is",
+    "i.e.",
+    "simplifies",
+    "reduces to",
+    "solving",
+    "rearranging",
+    "so ",
+    "⇒",
+];
+
+/// Words of a sentence whose equations need not be exact, or whose constants may change from line to line.
+pub(super) const LOOSENS: &[&str] = &[
+    "approx",
+    "neglect",
+    "leading order",
+    "to first order",
+    "at first order",
+    "first order in",
+    "to second order",
+    "second order in",
+    "lowest order",
+    "higher order",
+    "higher-order",
+    "zeroth order",
+    "to order",
+    "linear order",
+    "ignor",
+    "dropping",
+    "drop the",
+    "we drop",
+    "discard",
+    "omit",
+    "linearis",
+    "lineariz",
+    "expansion",
+    "taylor",
+    "asymptotic",
+    "in the limit",
+    "for small",
+    "for large",
+    "is small",
+    "is large",
+    "are small",
+    "are large",
+    "small compared",
+    "large compared",
+    "sufficiently small",
+    "sufficiently large",
+    "roughly",
+    "absorb",
+    "redefin",
+    "re-defin",
+    "rescal",
+    "renam",
+    "relabel",
+    "natural units",
+    "choose units",
+    "choice of units",
+    "set of units",
+    "system of units",
+    "units in which",
+    "units where",
+    "units such that",
+    "nondimension",
+    "non-dimension",
+    "dimensionless",
+    "up to a",
+    "up to an",
+    "modulo",
+    "of integration",
+    "integration constant",
+    "arbitrary constant",
+    "on average",
+    "averages out",
+    "orthogonal",
+    "perpendicular",
+    "incoherent",
+    "uncorrelated",
+    "pythagor",
+    "mistake",
+    "incorrect",
+    "erroneous",
+    "wrong",
+    "contradict",
+    "suppose instead",
+    "if instead",
+    "would have",
+    "would be",
+    "not equal",
+];
+
+/// Words of a sentence that says what is to be shown.
+pub(super) const AIMS: &[&str] = &[
+    "want to show",
+    "wish to show",
+    "to show that",
+    "to prove",
+    "must show",
+    "show that:",
+    "prove that",
+    "zu zeigen",
+    "montrons",
+    "montrer que",
+    "dimostriamo",
+    "dimostrare che",
+    "mostrar que",
+    "demostrar",
+];
+
+/// Words of a sentence whose equation is to be solved.
+pub(super) const SOLVES: &[&str] = &[
+    "to solve",
+    "must solve",
+    "we solve",
+    "solve the",
+    "solve for",
+    "solutions to",
+    "solutions of",
+    "solution to",
+    "solution of",
+    "satisf",
+    "intersect",
+    "find the",
+    "set equal",
+    "root of",
+    "roots of",
+    "equate",
+    "inner product",
+    "scalar product",
+    "inner form",
+    "prodotto scalare",
+    "produit scalaire",
+    "producto escalar",
+    "produto escalar",
+    "skalarprodukt",
+];
+
+/// Words of a sentence that gives a name another meaning, or another case.
+pub(super) const CHANGES: &[&str] = &[
+    "now",
+    "instead",
+    "becomes",
+    "case",
+    "if",
+    "when",
+    "for",
+    "let",
+    "choose",
+    "another",
+    "different",
+    "new",
+    "modified",
+    "corrected",
+    "next",
+    "third",
+    "second",
+    "other",
+    "replace",
+    "replaced",
+    "alternatively",
+    "respectively",
+    "without",
+    "at",
+    "while",
+    "whereas",
+    "or",
+];
+
+/// Words that do so behind the last formula of a sentence; before it they only link: "resistors in parallel obey $\ldots$, so that".
+pub(super) const LINKS: &[&str] = &["generally", "general", "with", "in", "but"];
+
+/// Words with which a formula behind a display says what its names stand for.
+pub(super) const WHERE: &[&str] = &["where", "with", "here", "in which", "wherein"];

@@ -9,7 +9,7 @@ use std::ops::Range;
 use diag::next_character;
 
 use super::markdown::{without_closing, without_opening};
-use super::sentence::LOOSENS;
+
 use super::vocabulary::*;
 
 /// The longest text before a formula that is looked at, and behind it.
@@ -329,7 +329,9 @@ fn is_of_place(before: &str) -> bool {
 /// Whether a sentence leads to its formula as to a set of points, or an equation: "on the plane", but not "this gives the equation".
 fn is_posed(before: &str) -> bool {
     let last = before.split_whitespace().rev().find(|w| w.chars().count() > 1).unwrap_or_default();
-    entries(POSED).any(|w| w == last) && !has_word(before, CONCLUDE)
+    let is_right_before = !before.trim_end().ends_with(',');
+    (entries(POSED).any(|w| w == last) || is_right_before && entries(POSING).any(|w| w == last))
+        && !has_word(before, CONCLUDE)
 }
 
 /// Whether a sentence asks for what something has to be: "choose $y$ so that" concludes nothing. What is used "to determine" something is reckoned.
