@@ -17,6 +17,8 @@ const MOST_GIVEN: usize = 14;
 const MOST_STATED: usize = 4;
 /// Definitions of one name that are looked at, the latest of them.
 const MOST_OF_A_NAME: usize = 50;
+/// Relations behind an equation that may conclude from it with a factor less.
+const NEXT: usize = 2;
 /// Relations since something was said, beyond which it may be another thing that is meant.
 pub const NEAR: usize = 25;
 
@@ -233,9 +235,14 @@ impl Facts {
             }
         }
         let is_known = |n: &String| all.contains(n) || between.get(n).is_some_and(|count| *count > 1);
+        // What stands on both sides of the equation right before a conclusion may be divided by.
+        let cancels = |s: &Stated, n: &String| {
+            let has = |side: &PrintedSide| names(side).iter().any(|name| name.key() == *n);
+            eliminates && s.relation + NEXT >= at && has(&s.left) && has(&s.right)
+        };
         let fits = |s: &&Stated| {
             let touches = s.names.iter().any(|n| apart.contains(n) || between.get(n).is_some_and(|count| *count > 1));
-            (touches || apart.is_empty() && s.names.len() > 1) && s.names.iter().all(is_known)
+            (touches || apart.is_empty() && s.names.len() > 1) && s.names.iter().all(|n| is_known(n) || cancels(s, n))
         };
         let mut out: Vec<Stated> = Vec::new();
         let chosen = named.iter().rev().flat_map(|&k| self.stated_by(k).iter().rev()).filter(|s| s.relation != at);

@@ -107,6 +107,8 @@ struct Tally {
     numbers: usize,
     /// Whether a proof is one for positive names.
     of_positive: bool,
+    /// Names by which proofs divide.
+    divided_by: BTreeSet<String>,
     /// What proofs read more generally than it is meant.
     general: General,
     /// Whether a name is defined.
@@ -413,6 +415,7 @@ impl Judge<'_> {
                     tally.follows += 1;
                     out.steps.0 += 1;
                     tally.of_positive |= support.of_positive;
+                    tally.divided_by.extend(support.divided_by);
                     tally.general = tally.general.or(support.general);
                     out.with.extend(support.with);
                     if defining {
@@ -468,6 +471,11 @@ impl Judge<'_> {
                     tally.open.extend(names);
                     Word::NotFollowed
                 }
+                // What cannot be asked was read as a definition.
+                Step::NotRead(_) if defining && tally.unread.is_none() => {
+                    out.steps.1 -= 1;
+                    Word::Defines
+                }
                 Step::Open(_) => {
                     out.steps.1 -= 1;
                     Word::Defines
@@ -520,7 +528,8 @@ impl Judge<'_> {
         out.with.sort_unstable();
         out.with.dedup();
         out.with.retain(|w| *w != at);
-        let Tally { mut open, unread, follows, numbers, of_positive, general, defines, anew, differs } = tally;
+        let Tally { mut open, unread, follows, numbers, of_positive, divided_by, general, defines, anew, differs } =
+            tally;
         let undecided = out.steps.1 - follows - numbers;
         if let Some(found) = unread {
             out.why = match &found.why {
@@ -575,12 +584,16 @@ impl Judge<'_> {
         }
         let is_proved = matches!(out.word, Word::Follows | Word::NotFollowed);
         let positive = (of_positive && is_proved).then(|| "where its constants are positive".to_owned());
+        let divided: Vec<&str> = divided_by.iter().map(String::as_str).collect();
+        let is = if divided.len() > 1 { "are" } else { "is" };
+        let divided = (!of_positive && is_proved && !divided.is_empty())
+            .then(|| format!("where {} {is} positive", divided.join(" and ")));
         let general = general.words().filter(|_| is_proved);
         let words = relation
             .described
             .as_ref()
             .map(|words| format!("the words in the place of a side, “{words}”, are left out"));
-        for more in [positive, general, words].into_iter().flatten() {
+        for more in [positive, divided, general, words].into_iter().flatten() {
             out.why = if out.why.is_empty() { more } else { format!("{}; {more}", out.why) };
         }
         let value = relation.sides.len() == 2

@@ -48,6 +48,8 @@ pub(super) struct Support {
     pub(super) with: Vec<usize>,
     /// Whether all that does not depend on time was taken to be positive.
     pub(super) of_positive: bool,
+    /// Names of equations that a proof divides by, and takes to be positive.
+    pub(super) divided_by: BTreeSet<String>,
     /// What was read more generally than it is meant.
     pub(super) general: General,
 }
@@ -58,8 +60,9 @@ impl Support {
         self.with.extend(other.with);
         self.with.sort_unstable();
         self.with.dedup();
+        self.divided_by.extend(other.divided_by);
         let (of_positive, general) = (self.of_positive || other.of_positive, self.general.or(other.general));
-        Support { with: self.with, of_positive, general }
+        Support { of_positive, general, ..self }
     }
 }
 
@@ -112,7 +115,7 @@ impl Judge<'_> {
                 }
                 // `\partial L/\partial x=0` of $L=T-V$: that T and V have no x is said nowhere.
                 Ok(answer) if answer.is_proved() && !lacks_variable(sides, &rests.given) => {
-                    return Step::Follows(Support { general: answer.desk.general, ..support(&rests) });
+                    return Step::Follows(Support { general: answer.desk.general, ..support(sides, &rests) });
                 }
                 Ok(answer) if answer.is_proved() => {
                     first_refusal.get_or_insert(NotRead::of("a derivative by what the definition does not show"));
@@ -180,7 +183,8 @@ impl Judge<'_> {
             return out;
         }
         let mut stated = self.facts.equations(sides, &plain, place.at, self.section, &place.named, place.concludes);
-        stated.retain(|s| !self.are_parted(s.relation, place.at, is_sure));
+        stated
+            .retain(|s| !self.are_parted(s.relation, place.at, is_sure) && self.may_divide(sides, &plain, s, place.at));
         if is_sure {
             // Equations of one display hold together: one is no step from the other.
             let display = |at: usize| self.display_of(at);
@@ -202,7 +206,12 @@ impl Judge<'_> {
             let all = with_stated(sides, &stated);
             let mut given = self.facts.definitions(&all, reach, false);
             hold(&all, &mut given);
-            rests(given, stated.clone())
+            let mut rests = rests(given, stated.clone());
+            let divided_by = divided_by(sides, &rests.given, &rests.stated);
+            if let Positive::Named(known) = &mut rests.positive {
+                known.extend(divided_by);
+            }
+            rests
         };
         let singles = if stated.len() > 1 { stated.clone() } else { Vec::new() };
         // Two equations of motion for the same name are two motions: together they say that nothing moves.
@@ -226,6 +235,13 @@ impl Judge<'_> {
         out
     }
 
+    /// Whether nothing near says that what a step divides an equation by is 0, or negative.
+    fn may_divide(&self, sides: [&PrintedSide; 2], given: &[Given], one: &Stated, at: usize) -> bool {
+        let divided_by = divided_by(sides, given, std::slice::from_ref(one));
+        divided_by.is_empty()
+            || !self.has_vanishing([&one.left, &one.right], at) && !self.may_be_negative(divided_by.iter())
+    }
+
     pub(super) fn ask(
         &mut self,
         sides: [&PrintedSide; 2],
@@ -245,7 +261,7 @@ impl Judge<'_> {
                 && answer.is_proved()
             {
                 let general = answer.desk.general;
-                return Some(Step::Follows(Support { of_positive: true, general, ..support(&rests) }));
+                return Some(Step::Follows(Support { of_positive: true, general, ..support(sides, &rests) }));
             }
         }
         None
@@ -490,10 +506,24 @@ fn has_open_derivative(text: &str) -> bool {
     ) || [r"\over\partial", r"\overd", r"\over\mathrm{d}"].iter().any(|w| squeezed.contains(w))
 }
 
-fn support(rests: &Rests) -> Support {
+/// The names of equations that stand on both sides of one, and in no side of a step: it is divided by them.
+fn divided_by(sides: [&PrintedSide; 2], given: &[Given], stated: &[Stated]) -> BTreeSet<String> {
+    let of = |side: &PrintedSide| names(side).iter().map(|n| n.key()).collect::<BTreeSet<_>>();
+    let given = given.iter().flat_map(|g| [&g.left, &g.right]);
+    let own: BTreeSet<String> = sides.into_iter().chain(given).flat_map(of).collect();
+    let both = stated.iter().flat_map(|s| &of(&s.left) & &of(&s.right));
+    both.filter(|key| !own.contains(key)).collect()
+}
+
+fn support(sides: [&PrintedSide; 2], rests: &Rests) -> Support {
     let mut with: Vec<usize> = rests.given.iter().map(|g| g.relation).collect();
     with.extend(rests.stated.iter().map(|s| s.relation));
-    Support { with, of_positive: false, general: General::default() }
+    Support {
+        with,
+        of_positive: false,
+        divided_by: divided_by(sides, &rests.given, &rests.stated),
+        general: General::default(),
+    }
 }
 
 /// Whether a question without premises that is not decided has both sides equal at random points.
