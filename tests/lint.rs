@@ -10,7 +10,7 @@ use rederive::diag::Source;
 use rederive::lint::{self, Word};
 use rederive::paper::{self, Paper};
 
-use Word::{Defines, Differs, Follows, NotRead, Wrong};
+use Word::{Condition, Defines, Differs, Follows, NotRead, Wrong};
 
 fn rederive(folder: &Path, arguments: &[&str]) -> assert_cmd::assert::Assert {
     let mut command = Command::cargo_bin("rederive").expect("the program is built");
@@ -30,6 +30,11 @@ fn words(tex: &str) -> Vec<(Word, String)> {
         .iter()
         .map(|j| (j.word, paper.printed[j.relation].text()))
         .collect()
+}
+
+/// What is told beside the word on the last relation.
+fn why(tex: &str) -> String {
+    lint::lint(&read(tex), &Limits::default()).judgements.pop().map(|j| j.why).unwrap_or_default()
 }
 
 #[track_caller]
@@ -74,7 +79,7 @@ fn the_slip_of_a_chain_of_six_lines_is_told_at_its_line() {
 
 #[test]
 fn words_are_what_the_formulas_deserve() {
-    use Word::{Approximates, Condition, Defines, Follows, NotFollowed, NotRead};
+    use Word::{Approximates, NotFollowed};
     says(r"\[ E=mc^2 \]", &[Defines]);
     says(r"\[ (a+b)^2=a^2+2ab+b^2 \]", &[Follows]);
     says(r"\[ A=(a+b)^2=a^2+2ab+b^2 \]", &[Follows]);
@@ -358,7 +363,7 @@ fn standard_input_and_a_paper_that_is_saved_again_are_looked_through() {
 /// A case keeps what stands beside it from being a premise; what "where" says, a range and a list of values do not.
 #[test]
 fn words_that_define_or_give_a_range_open_no_case() {
-    use Word::{Condition, Defines, Follows, NotFollowed};
+    use Word::NotFollowed;
     says(r"\[ E=T+V,\quad\text{where } V=kx^2 \] \[ E=T+kx^2 \]", &[Defines, Defines, Follows]);
     says(r"\[ E=T+V\quad\text{mit}\quad V=kx^2 \] \[ E=T+kx^2 \]", &[Defines, Defines, Follows]);
     says(r"\[ p=qx\quad\text{for } x>0 \] \[ p^2=q^2x^2 \]", &[Defines, Condition, Follows]);
@@ -393,7 +398,6 @@ fn slips_beside_labels_powers_and_zeros_are_told() {
 /// A sign of a difference and the name behind it are one name, where the sign is nothing else in the paper.
 #[test]
 fn a_difference_is_a_name() {
-    use Word::{Defines, Follows, NotRead};
     says(r"\[ \Delta x=v\Delta t \] \[ \frac{\Delta x}{\Delta t}=v \]", &[Defines, Follows]);
     says(r"\[ (x+\Delta x)^2-x^2=2x\,\Delta x+(\Delta x)^2 \]", &[Follows]);
     says(r"\[ (x+\Delta x)^2-x^2=2x\,\Delta x+\Delta x^2 \]", &[NotRead]);
@@ -454,6 +458,76 @@ fn an_equation_of_motion_that_a_formula_denies_differs() {
     says(&of(r"\ddot x=\frac{k}{m}x^3"), &[Defines, Defines]);
 }
 
+/// What is divided by, and what a quotient is called, need not stand in a conclusion.
+#[test]
+fn a_conclusion_may_divide_and_eliminate() {
+    says(r"We have \[ma=mb+mc.\] Hence \[a=b+c.\]", &[Condition, Follows]);
+    says(r"We have \[ma=mb+mc.\] Hence \[a=b-c.\]", &[Condition, Wrong]);
+    says(r"We have \[mgh=\frac12mv^2.\] This gives \[v^2=gh.\]", &[Condition, Wrong]);
+    says(
+        r"The law is \[m\ddot x=-kx.\] With \[\omega^2=\frac km\] we get \[\ddot x=-\omega^2x.\]",
+        &[Condition, Condition, Follows],
+    );
+    says(
+        r"The law is \[m\ddot x=-kx.\] With \[\omega^2=\frac km\] we get \[\ddot x=\omega^2x.\]",
+        &[Condition, Condition, Wrong],
+    );
+    // Nothing may be divided by what is 0, or negative where that is said, or may vanish.
+    for none in [
+        r"With \[x=0\] we have \[xa=xb.\] Hence \[a=b.\]",
+        r"We have \[(x-1)a=(x-1)b\] and \[y=c.\] Hence \[a=b.\]",
+        r"We have \[a\sin x=b\sin x\] and \[y=c.\] Hence \[a=b.\]",
+    ] {
+        assert!(words(none).last().is_some_and(|(w, _)| !matches!(w, Follows | Wrong)), "{none}: {:?}", words(none));
+    }
+    assert_eq!(why(r"We have \[ma=mb+mc.\] Hence \[a=b+c.\]"), "where m is positive");
+}
+
+/// What an equation is solved for follows from it.
+#[test]
+fn what_is_solved_for_is_reckoned() {
+    let of = |says: &str, what: &str| format!(r"We have \[\frac1f=\frac1u+\frac1v.\] {says} \[{what}.\]");
+    for words in ["Solving for $f$,", "We solve for $f$:", "Solving, we get", "Solving this for $f$ gives"] {
+        says(&of(words, r"f=\frac{uv}{u+v}"), &[Condition, Follows]);
+        says(&of(words, r"f=\frac{uv}{u-v}"), &[Condition, Wrong]);
+    }
+    let period = r"From \[T=2\pi\sqrt{\frac lg}\] we get \[g=\frac{4\pi l}{T^2}.\]";
+    assert_eq!(instead(period).as_deref(), Some(r"\frac{4\pi^2l}{T^2}"));
+}
+
+/// Letters beside the variable are constants, of which that is told, unless the paper shows otherwise.
+#[test]
+fn letters_beside_the_variable_are_held_fixed() {
+    let chain = r"\[\frac{d}{dx}\sin(ax^2)=2ax\cos(ax^2)\]";
+    says(chain, &[Follows]);
+    assert_eq!(why(chain), "where nothing but the variable varies");
+    says(r"\[\frac{\partial}{\partial x}e^{ax}=ae^{ax}\]", &[Follows]);
+    says(r"Let $y=2x$. \[\frac{d}{dx}(xy)=4x\]", &[Defines, Follows]);
+    for varies in [
+        r"Let $y=2x$. \[\frac{d}{dx}(xy)=y\]",
+        r"We have \[y'=y\] and \[\frac{d}{dx}(xy)=y\]",
+        r"The function $y(x)$ has \[\frac{d}{dx}(xy)=y\]",
+        r"With \[\frac{\partial p}{\partial T}=a\] we have \[\frac{\partial}{\partial V}(pV)=p\]",
+    ] {
+        assert!(words(varies).last().is_some_and(|(w, _)| *w != Follows), "{varies}: {:?}", words(varies));
+    }
+}
+
+/// Derivatives of exponentials and quotients, powers of functions, and derivatives side by side.
+#[test]
+fn slips_in_derivatives_and_identities_are_told() {
+    for wrong in [
+        r"Hence \[\frac{d}{dx}e^{-x^2}=2xe^{-x^2}.\]",
+        r"The derivative is \[\frac{d}{dx}\frac{x}{1+x^2}=\frac{1+x^2-2x}{(1+x^2)^2}.\]",
+        r"Hence \[\sin^2x=\frac{1+\cos2x}{2}.\]",
+        r"Completing the square, \[x^2+bx=\left(x+\frac b2\right)^2+\frac{b^2}{4}.\]",
+        r"Let \[H=\frac{p^2}{2m}+\frac k2x^2.\] Then \[\dot x=\frac{\partial H}{\partial p}=\frac pm,\quad\dot p=-\frac{\partial H}{\partial x}=kx.\]",
+        r"Let \[H=\frac{p^2}{2m}+\frac k2x^2.\] Then \[\frac{\partial H}{\partial p}=\frac pm.\] Then \[\frac{\partial H}{\partial x}=2kx.\]",
+    ] {
+        assert!(words(wrong).last().is_some_and(|(w, _)| *w == Wrong), "{wrong}: {:?}", words(wrong));
+    }
+}
+
 /// The square of a name is a premise like another one; what was one name for another in a chain, and a lost square below a line, are told.
 #[test]
 fn what_gives_the_square_of_a_name_is_used() {
@@ -474,7 +548,6 @@ fn what_gives_the_square_of_a_name_is_used() {
 /// display concludes from the equations beside it.
 #[test]
 fn derivatives_of_what_is_defined_are_reckoned() {
-    use Word::{Condition, Defines, Follows, Wrong};
     says("Let $y=x^3$. Then $y'=3x^2$.", &[Defines, Follows]);
     says("Let $y=x^3$. Then $y'=3x^3$.", &[Defines, Wrong]);
     says(r"\[ w=\sin x \] and \[ w'=-\cos x \]", &[Defines, Wrong]);
@@ -495,7 +568,6 @@ fn derivatives_of_what_is_defined_are_reckoned() {
 /// word, also where other definitions stand between.
 #[test]
 fn what_is_solved_for_and_what_differs_is_told() {
-    use Word::{Defines, Differs, Follows, Wrong};
     says(r"\[ F=ma \implies a=Fm \]", &[Defines, Wrong]);
     says(r"$F=ma \implies a=Fm$", &[Defines, Wrong]);
     says(r"\[ F=ma \] Hence \[ a=\frac Fm \]", &[Defines, Follows]);
@@ -546,7 +618,6 @@ fn what_is_not_read_is_named() {
 /// Of numbers alone nothing is a condition, but for what may be rounded; a word between two formulas of a text concludes as an arrow does.
 #[test]
 fn numbers_and_solutions_of_the_text_are_reckoned() {
-    use Word::{Condition, Wrong};
     says("We have $0.1+0.2=0.4$.", &[Wrong]);
     says(r"We have $\frac12+\frac13=\frac25$.", &[Wrong]);
     assert_eq!(instead(r"We have $\frac12+\frac13=\frac25$.").as_deref(), Some(r"\frac{5}{6}"));
@@ -566,7 +637,6 @@ fn a_wrong_sum_of_decimals_has_its_value_beside_it() {
 /// no number that could be reckoned.
 #[test]
 fn another_equation_of_motion_and_unknown_functions_are_not_wrong() {
-    use Word::{Defines, Follows, Wrong};
     let next = r"\[ \frac{dy}{dx}=ky \] solved by \[ y=Ce^{kx} \] Next, we have \[ \frac{dy}{dx}=-ky \] solved by other functions.";
     assert!(words(next).iter().all(|w| w.0 != Wrong), "{:?}", words(next));
     says(r"\[ y=e^{kx} \] Hence \[ \frac{dy}{dx}=ky \]", &[Defines, Follows]);

@@ -7,6 +7,7 @@
 
 use std::collections::BTreeSet;
 
+use super::held::constants_apart;
 use super::letters::{is_charge, shape_of};
 use super::lone::{bare, undotted, unprimed};
 use super::obstacle::{is_place, obstacle};
@@ -57,6 +58,8 @@ pub struct Desk {
     pub is_complex: bool,
     /// What is read more generally than it is meant: what refutes it then says nothing.
     pub general: General,
+    /// Names that are held fixed in what is derived, and by what it is derived, which the paper does not say.
+    pub held: BTreeSet<(String, String)>,
     /// The relations whose definitions were used.
     pub used: Vec<usize>,
     /// The limits of questions: all of a paper together may take as much as a file may.
@@ -101,22 +104,6 @@ fn variable_here(name: &PaperName, all: &[PaperName], evidence: &Evidence) -> Op
         (Some(one), None) => Some(one.clone()),
         (Some(_), Some(_)) => None,
         (None, _) => known.into_iter().max_by_key(|(by, n)| (*n, std::cmp::Reverse(by.clone()))).map(|(by, _)| by),
-    }
-}
-
-/// Takes the derivative from what only stands inside of one, `\frac{d}{dt}\left(\frac12m\dot x^2\right)`: a name of which the paper prints no
-/// rate is a constant there, where another one varies.
-fn constants_apart(all: &mut [PaperName], evidence: &Evidence, by: &str) {
-    let varies = |n: &PaperName| {
-        n.dots > 0
-            || by != "t" && evidence.derived.get(&n.key()).is_some_and(|v| v.contains(by))
-            || by == "t" && evidence.moving.contains(&n.key())
-            || evidence.calls.get(&n.key()).is_some_and(|c| c.contains_key(&Some(vec![by.to_owned()])))
-            || n.key() == by
-    };
-    if all.iter().any(|n| n.key() != by && varies(n)) {
-        let inside = |n: &&mut PaperName| n.derived_by.as_deref() == Some(by) && !n.is_partial && !varies(n);
-        all.iter_mut().filter(inside).for_each(|n| n.derived_by = None);
     }
 }
 
@@ -302,9 +289,11 @@ impl Desk {
             return Err(NotRead::of("a difference, or a Laplacian"));
         }
         let time = variable(&all, given, evidence)?;
-        if let Some(time) = &time {
-            constants_apart(&mut all, evidence, time);
-        }
+        let partial = all.iter().filter(|n| n.is_partial).filter_map(|n| n.derived_by.clone());
+        let by: BTreeSet<String> = partial.chain(time.clone()).collect();
+        let mut held: BTreeSet<(String, String)> =
+            by.iter().flat_map(|by| constants_apart(&mut all, evidence, by)).collect();
+        held.retain(|(key, _)| !given.iter().any(|g| g.key == *key));
         rates_are_given(&all, given, evidence, time.as_deref())?;
         // A prime of a function of one variable is its derivative; there, `t` has primes too.
         let has_derived_primes = all.iter().any(|n| primed_by(n, &all, given, evidence).is_some());
@@ -330,7 +319,8 @@ impl Desk {
             moving: Vec::new(),
             scalars: Vec::new(),
             is_complex: false,
-            general: General { fields: false, vectors: all.iter().any(|n| n.has_hat) },
+            general: General { constants: !held.is_empty(), fields: false, vectors: all.iter().any(|n| n.has_hat) },
+            held,
             used: Vec::new(),
             limits: evidence.limits().clone(),
         };

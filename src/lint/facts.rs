@@ -230,8 +230,10 @@ impl Facts {
         // What two equations have in common, and the step has not, is eliminated.
         let mut between: BTreeMap<String, usize> = BTreeMap::new();
         for one in latest().filter(|_| eliminates) {
-            if let [name] = foreign(one).as_slice() {
-                *between.entry(name.clone()).or_insert(0) += 1;
+            // A quotient of two, `\omega^2=k/m`, is eliminated right behind where it is said.
+            let names = foreign(one);
+            if names.len() == 1 || names.len() == 2 && one.relation + 2 * NEXT >= at {
+                names.into_iter().for_each(|name| *between.entry(name).or_insert(0) += 1);
             }
         }
         let is_known = |n: &String| all.contains(n) || between.get(n).is_some_and(|count| *count > 1);

@@ -24,6 +24,7 @@ mod doubt;
 mod excuse;
 mod facts;
 mod headings;
+mod held;
 mod judge;
 mod kinds;
 mod letters;

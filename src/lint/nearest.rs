@@ -188,7 +188,7 @@ fn is_claim(asked: &Asked, rests: &Rests, chain: &Chain, sureness: Sureness) -> 
         3
     };
     let fewest = match sureness {
-        _ if is_derivation => FEWEST_NODES - 2,
+        _ if is_derivation || is_solved => FEWEST_NODES - 2,
         Sureness::Derives | Sureness::Solves | Sureness::Chain => FEWEST_NODES - 2,
         Sureness::Concludes => FEWEST_NODES - 1,
         Sureness::Stands => FEWEST_NODES,
@@ -490,7 +490,7 @@ fn is_reordered(chain: &Chain) -> bool {
     let [a, b] = chain.sides.as_slice() else { return false };
     let is_product = |n: &Node| match &n.kind {
         NodeKind::Sum(terms) => terms.len() == 1,
-        _ => true,
+        _ => !has_derivative(n),
     };
     let (first, second) = (sequence(a), sequence(b));
     let mut sorted = (first.clone(), second.clone());

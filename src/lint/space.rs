@@ -1,7 +1,7 @@
-//! What is read more generally than it is meant: ∇ where no coordinates are printed, and unit vectors.
+//! What is read otherwise than it may be meant: ∇ where no coordinates are printed, unit vectors, and letters that a derivative holds fixed.
 //!
 //! **In:** the sides of a step, its names. **Out:** the coordinates of space for ∇; whether a name may be any vector, or any field. **Guaranteed:** what is
-//! proved then holds of what is meant, too; that a point refutes it says nothing of that.
+//! proved then holds of what is meant, too, or says where; that a point refutes it says nothing of that.
 
 use std::collections::BTreeSet;
 
@@ -16,25 +16,32 @@ pub struct General {
     pub fields: bool,
     /// Hats are over vectors of any length.
     pub vectors: bool,
+    /// Letters in a formula that is derived are held fixed, since the paper says of none that it varies.
+    pub constants: bool,
 }
 
 impl General {
     /// Whether anything is.
     pub fn is_some(self) -> bool {
-        self.fields || self.vectors
+        self.fields || self.vectors || self.constants
     }
 
     /// What one or the other reads so.
     pub fn or(self, other: General) -> General {
-        General { fields: self.fields || other.fields, vectors: self.vectors || other.vectors }
+        General {
+            fields: self.fields || other.fields,
+            vectors: self.vectors || other.vectors,
+            constants: self.constants || other.constants,
+        }
     }
 
     /// What a proof is one for.
     pub fn words(self) -> Option<String> {
         let fields = self.fields.then_some("for any fields of x, y and z under ∇");
         let vectors = self.vectors.then_some("for vectors of any length under hats");
-        let both: Vec<&str> = fields.into_iter().chain(vectors).collect();
-        (!both.is_empty()).then(|| both.join("; "))
+        let constants = self.constants.then_some("where nothing but the variable varies");
+        let all: Vec<&str> = fields.into_iter().chain(vectors).chain(constants).collect();
+        (!all.is_empty()).then(|| all.join("; "))
     }
 }
 

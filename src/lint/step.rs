@@ -8,10 +8,11 @@ use std::collections::BTreeSet;
 use paper::{PrintedSide, names, squeezed};
 use proof::Identity;
 
-use super::desk::{Given, derived_by, inside, names_variable};
+use super::desk::Given;
 use super::facts::{Reach, Stated};
+use super::held::{Held, has_open_derivative, held_fixed, hold, lacks_variable, leaves_derivative_free, with_given};
 use super::judge::Judge;
-use super::lone::{lone_name, unprimed};
+use super::lone::lone_name;
 use super::nearest::{Sureness, WrongStep, introduces_nothing, is_slip_of, nearest};
 use super::numbers::agreement;
 use super::question::{Asked, Positive, Rests, ask};
@@ -114,6 +115,9 @@ impl Judge<'_> {
                     first_refusal.get_or_insert(found);
                 }
                 // `\partial L/\partial x=0` of $L=T-V$: that T and V have no x is said nowhere.
+                Ok(answer) if answer.is_proved() && !self.may_hold_fixed(&answer.desk.held, place.at) => {
+                    first_refusal.get_or_insert(NotRead::of("a derivative of what may vary"));
+                }
                 Ok(answer) if answer.is_proved() && !lacks_variable(sides, &rests.given) => {
                     return Step::Follows(Support { general: answer.desk.general, ..support(sides, &rests) });
                 }
@@ -233,6 +237,14 @@ impl Judge<'_> {
         }
         out.extend(singles.into_iter().map(|one| with_definitions(vec![one])));
         out
+    }
+
+    /// Whether names may be held fixed in what is derived: the paper defines none of them, and prints none as a function of the variable.
+    fn may_hold_fixed(&self, held: &BTreeSet<(String, String)>, at: usize) -> bool {
+        let (file, _) = self.paper.locate(&self.paper.printed[at].span());
+        held.iter().all(|(key, by)| {
+            self.facts.given.of(key).next().is_none() && !squeezed(&file.text).contains(&format!("{key}({by}"))
+        })
     }
 
     /// Whether nothing near says that what a step divides an equation by is 0, or negative.
@@ -385,102 +397,12 @@ fn with_stated<'s>(sides: [&'s PrintedSide; 2], stated: &'s [Stated]) -> Vec<&'s
     sides.into_iter().chain(stated.iter().flat_map(|s| [&s.left, &s.right])).collect()
 }
 
-/// Some sides, and what definitions say.
-fn with_given<'s>(sides: &[&'s PrintedSide], given: &'s [Given]) -> Vec<&'s PrintedSide> {
-    sides.iter().copied().chain(given.iter().map(|g| &g.right)).collect()
-}
-
-/// Takes the definitions away of what a partial derivative holds fixed: what depends on its variable, and stands in the formula that is
-/// derived and shows the variable. `L=T-V` shows none: its terms are derived. Beside the total derivative nothing is held fixed, and nothing
-/// is known.
-fn hold(sides: &[&PrintedSide], given: &mut Vec<Given>) {
-    let all = with_given(sides, given);
-    let Some(Held { by, fixed, .. }) = held_fixed(&all, given, true).filter(|held| held.is_shown) else { return };
-    let is_total =
-        all.iter().flat_map(|side| names(side)).any(|n| derived_by(&n, false).is_some_and(|v| by.contains(v)));
-    given.retain(|g| !is_total && !fixed.contains(&g.key));
-}
-
-/// A derivative of a defined name, where something in it depends on the variable in a second way: what is held fixed is not said then.
-struct Held {
-    /// The names that are derived.
-    of: BTreeSet<String>,
-    /// The variables.
-    by: BTreeSet<String>,
-    /// The names in their formulas that depend on these.
-    fixed: BTreeSet<String>,
-    /// Whether a formula that is derived shows its variable.
-    is_shown: bool,
-}
-
-/// Where a derivative, partial or total, is taken of what is defined, and another definition depends on its variable, too. As a whole by the time
-/// everything is derived.
-fn held_fixed(sides: &[&PrintedSide], given: &[Given], is_partial: bool) -> Option<Held> {
-    let (mut of, mut by, mut within) = (BTreeSet::new(), BTreeSet::new(), Vec::new());
-    let all: Vec<paper::PaperName> = sides.iter().flat_map(|side| names(side)).collect();
-    // `\frac{\partial(xt)}{\partial t}`: what stands in the parentheses is the formula.
-    let in_formula = |n: &paper::PaperName| is_partial && n.is_in_group;
-    let is_in_its_own = |n: &paper::PaperName| in_formula(n) && n.derived_by.as_ref() == Some(&n.key());
-    for name in &all {
-        let key = unprimed(name).key();
-        let place = |n: &paper::PaperName| match &n.call {
-            paper::Call::Places(places) if places.len() == 1 => places.first().cloned(),
-            _ => None,
-        };
-        let of_definition =
-            || given.iter().filter(|g| g.key == key).find_map(|g| names(&g.left).first().and_then(place));
-        let variable = match (&name.derived_by, is_partial) {
-            (Some(by), partial) => (name.is_partial == partial).then(|| by.clone()),
-            (None, false) if name.primes > 0 => place(name).or_else(of_definition),
-            (None, _) => None,
-        };
-        if let Some(variable) = variable.filter(|v| is_partial || v != "t") {
-            let is_own = |n: &paper::PaperName| is_in_its_own(n) && n.derived_by.as_ref() == Some(&variable);
-            if in_formula(name) && all.iter().any(is_own) {
-                within.push(key);
-            } else {
-                of.insert(key);
-            }
-            by.insert(variable);
-        }
-    }
-    let list: Vec<&Given> = given.iter().collect();
-    let names_it = |g: &Given| names(&g.right).iter().any(|n| by.contains(&n.key()));
-    let is_shown = !within.is_empty() || given.iter().any(|g| of.contains(&g.key) && names_it(g));
-    within.extend(of.iter().cloned());
-    within.extend(inside(&within, &list));
-    let is_within = |g: &Given| !of.contains(&g.key) && (within.contains(&g.key) || !is_partial);
-    let depends = |g: &&&Given| !g.is_rate && is_within(g) && names_it(g);
-    let fixed: BTreeSet<String> = list.iter().filter(depends).map(|g| g.key.clone()).collect();
-    (!fixed.is_empty()).then_some(Held { of, by, fixed, is_shown })
-}
-
 /// Whether a name is said to be something again, which rests on an equation beside its definition, or which is printed with a prime: it is said
 /// to be it anew. What follows from definitions alone is a claim.
 fn defines_again(left: &PrintedSide, rests: &Rests) -> bool {
     let is_plain = |n: &paper::PaperName| n.dots == 0 && n.derived_by.is_none();
     lone_name(left).filter(is_plain).is_some_and(|n| {
         (n.primes > 0 || !rests.stated.is_empty()) && rests.given.iter().any(|g| g.key == n.key() && !g.is_rate)
-    })
-}
-
-/// Whether a partial derivative is taken of what is defined, and a question does not rest on the definition.
-fn leaves_derivative_free(sides: [&PrintedSide; 2], defined: &[Given], given: &[Given]) -> bool {
-    let has = |all: &[Given], key: &str| all.iter().any(|g| g.key == key && !g.is_rate);
-    sides.into_iter().flat_map(names).filter(|n| n.is_partial).any(|n| {
-        let key = unprimed(&n).key();
-        has(defined, &key) && !has(given, &key)
-    })
-}
-
-/// Whether a derivative is taken of what is defined by a name that its definition does not have, nor what that names.
-fn lacks_variable(sides: [&PrintedSide; 2], given: &[Given]) -> bool {
-    let given: Vec<&Given> = given.iter().collect();
-    sides.into_iter().flat_map(names).any(|n| {
-        let key = unprimed(&n).key();
-        let by = n.derived_by.as_ref().filter(|by| *by != "t" && **by != key && !n.is_in_group);
-        let is_defined = given.iter().any(|g| g.key == key && !g.is_rate);
-        by.is_some_and(|by| is_defined && !names_variable(&key, by, &given))
     })
 }
 
@@ -492,18 +414,6 @@ fn has_zero_term(text: &str) -> bool {
     bytes.len() > 1
         && (0..bytes.len())
             .any(|i| bytes[i] == b'0' && sign(i.checked_sub(1).and_then(|k| bytes.get(k))) && sign(bytes.get(i + 1)))
-}
-
-/// Whether `\frac{d}{dx}` stands before a factor without parentheses, and a sum goes on behind it: it may reach to its end.
-fn has_open_derivative(text: &str) -> bool {
-    let squeezed: String = text.chars().filter(|c| !c.is_whitespace()).collect();
-    squeezed.match_indices(r"\frac{d}{d").chain(squeezed.match_indices(r"\frac{\partial}{\partial")).any(
-        |(at, found)| {
-            let Some((_, rest)) = squeezed[at + found.len()..].split_once('}') else { return false };
-            let grouped = rest.starts_with(['(', '[', '{']) || rest.starts_with(r"\left") || rest.starts_with(r"\big");
-            !grouped && rest.contains(['+', '-'])
-        },
-    ) || [r"\over\partial", r"\overd", r"\over\mathrm{d}"].iter().any(|w| squeezed.contains(w))
 }
 
 /// The names of equations that stand on both sides of one, and in no side of a step: it is divided by them.

@@ -73,7 +73,7 @@ pub(super) const IFS: &str = "\
 pub(super) const ACTS: &str = "\
     insert; substitut; plug; put ; square; expand; multipl; divid; add; subtract; different; deriv; integrat; use ; \
     apply; rewrite; write; rearrang; solve; combin; factor; collect; compare; now ; look; sum ; comput; calculat; \
-    work; simplif; einsetz";
+    work; simplif; complet; cancel; einsetz";
 
 /// Words that conclude from the formula before them.
 pub(super) const CONCLUDE: &str = "\
